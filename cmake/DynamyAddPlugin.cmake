@@ -1,0 +1,22 @@
+# dynamy_add_plugin(name sources...): a plug-in lib<name>.so that the program `dynamy` can load.
+#
+# In dynamY's own tree the library goes to <build>/lib/dynamy, where the program finds it by itself.
+# Out of tree, after find_package(dynamy), it goes to the current binary folder: name that folder in
+# DYNAMY_PLUGIN_PATH or put the library beside the model; `cmake --install` puts it to lib/dynamy.
+function(dynamy_add_plugin name)
+  if(NOT ARGN)
+    message(FATAL_ERROR "dynamy_add_plugin(${name}): no source files given")
+  endif()
+  add_library(${name} MODULE ${ARGN})
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_link_libraries(${name} PRIVATE dynamy::framework)
+  set_target_properties(${name} PROPERTIES PREFIX lib INSTALL_RPATH "$ORIGIN/..")
+  if(TARGET dynamy_framework)
+    target_link_libraries(${name} PRIVATE dynamy_warnings)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/elements)
+    set_target_properties(${name} PROPERTIES
+      LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib/dynamy)
+    set_property(GLOBAL APPEND PROPERTY DYNAMY_PLUGINS ${name})
+  endif()
+  install(TARGETS ${name} LIBRARY DESTINATION lib/dynamy)
+endfunction()

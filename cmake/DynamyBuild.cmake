@@ -1,0 +1,59 @@
+# Flags and folders that hold for every target of this tree.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# Every program finds ../lib/libdynamy.so and ../lib/dynamy/*.so from where it stands.
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib")
+
+# Portable code: no -march=native. No fast-math: NaN, infinity, signed zero and the order of sums
+# keep their meaning, and contraction is off so that every processor rounds alike.
+add_compile_options(-fno-math-errno -ffp-contract=off)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+
+add_library(dynamy_warnings INTERFACE)
+target_compile_options(dynamy_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${DYNAMY_WARNINGS_AS_ERRORS}>:-Werror>)
+
+if(DYNAMY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(DYNAMY_CCACHE_PROGRAM ccache)
+  if(DYNAMY_CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${DYNAMY_CCACHE_PROGRAM})
+  endif()
+endif()
+
+if(DYNAMY_MOLD)
+  find_program(DYNAMY_MOLD_PROGRAM mold)
+  if(DYNAMY_MOLD_PROGRAM)
+    add_link_options(-fuse-ld=mold)
+  endif()
+endif()
+
+if(DYNAMY_SANITIZE)
+  add_compile_options(-fsanitize=${DYNAMY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${DYNAMY_SANITIZE})
+endif()
+if(DYNAMY_COVERAGE)
+  add_compile_options(--coverage)
+  add_link_options(--coverage)
+endif()
+
+# The headers that cost most to read, compiled once per target.
+function(dynamy_precompile target)
+  if(DYNAMY_PCH)
+    target_precompile_headers(${target} PRIVATE
+      <Eigen/Dense> <algorithm> <cmath> <functional> <memory> <string> <string_view> <vector>)
+  endif()
+endfunction()
+
+option(DYNAMY_TIDY "Run clang-tidy on every file that is compiled" OFF)
+if(DYNAMY_TIDY)
+  find_program(DYNAMY_TIDY_PROGRAM NAMES clang-tidy-16 clang-tidy REQUIRED)
+  set(CMAKE_CXX_CLANG_TIDY ${DYNAMY_TIDY_PROGRAM} --warnings-as-errors=*)
+endif()
