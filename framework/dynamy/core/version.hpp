@@ -9,6 +9,8 @@ namespace dynamy {
 inline constexpr int kVersionMajor = 0;
 inline constexpr int kVersionMinor = 1;
 inline constexpr int kVersionPatch = 0;
+/// The three numbers as text; a test compares them.
+inline constexpr const char kVersionText[] = "0.1.0";
 
 /// "major.minor.patch" of the loaded library; differs from the constants above if a program was
 /// compiled with the headers of another version.

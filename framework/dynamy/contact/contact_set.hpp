@@ -1,0 +1,58 @@
+/// ContactSet: all contacts of one evaluation as a struct of arrays.
+///
+/// Candidates (every reported gap): key, g, element, closed index. Closed contacts, i = 0 …
+/// size()−1: law, rows row0[i] … row0[i+1]−1, segments segment0[i] … segment0[i+1]−1. A segment
+/// holds the dim × nu part of Wᵀ that belongs to one mass block, row after row, so that M⁻¹w is
+/// local. A contact is ONE block, never three rows tied by position.
+#pragma once
+#include <dynamy/contact/set_valued_force_law.hpp>
+#include <span>
+#include <vector>
+
+namespace dynamy {
+
+struct Segment {
+  int block = -1;  ///< mass block
+  int u0 = 0;      ///< its first velocity
+  int nu = 0;
+  std::ptrdiff_t w = 0;  ///< offset of the dim × nu entries in `W`
+};
+
+class ContactSet {
+ public:
+  // Candidates, in the order of emission.
+  std::vector<ContactKey> candidateKey;
+  std::vector<double> g;  ///< gap [m]; joints: norm of the position error
+  std::vector<int> candidateElement;
+  std::vector<int> closedIndex;  ///< −1: open
+
+  // Closed contacts.
+  std::vector<ContactKey> key;
+  std::vector<const SetValuedForceLaw*> law;
+  std::vector<int> element;         ///< index of the emitting element
+  std::vector<int> candidate;       ///< its index among the candidates
+  std::vector<int> row0, segment0;  ///< size() + 1 entries
+  std::vector<Segment> segment;
+  std::vector<double> W;            ///< the segments' entries of Wᵀ
+  std::vector<double> chi;          ///< per row: γ = Wᵀu + χ [m/s]
+  std::vector<double> bias;         ///< per row: γ̇ = Wᵀu̇ + bias [m/s²]; only if asked for
+  std::vector<Vec3> point, normal;  ///< where the contact is, for the replay [m]; zero normal: none
+
+  int size() const { return static_cast<int>(law.size()); }
+  int rows() const { return row0.empty() ? 0 : row0.back(); }
+  int dim(int i) const {
+    return row0[static_cast<std::size_t>(i) + 1] - row0[static_cast<std::size_t>(i)];
+  }
+  void clear();
+  /// γ = Wᵀu + χ, rows() entries.
+  void gamma(ConstVec u, Vec gamma) const;
+  /// Index of the closed contact of element `element` with number `id`, or −1.
+  int find(int element, std::uint64_t id) const;
+};
+
+/// Key of contact `id` (< 2^40) of contact element number `element`.
+inline ContactKey contactKey(int element, std::uint64_t id) {
+  return {(static_cast<std::uint64_t>(element) << 40) | id};
+}
+
+}  // namespace dynamy

@@ -1,0 +1,77 @@
+/// ContactSink: where a NonSmoothElement emits its contacts.
+///
+///   if (auto rows = sink.add(id, g, law, 3)) {        // false while open: the gap is recorded, W
+///   is not needed
+///     rows.segment(frame)… ; rows.chi(0) = …;
+///   }
+#pragma once
+#include <dynamy/contact/contact_set.hpp>
+#include <dynamy/system/kinematics.hpp>
+
+namespace dynamy {
+
+/// Writable rows of one closed contact; false if the contact is open.
+class ContactRows {
+ public:
+  ContactRows() = default;
+  ContactRows(ContactSet& set, int index, bool bias) : set_(&set), index_(index), bias_(bias) {}
+  explicit operator bool() const { return set_ != nullptr; }
+  int dim() const { return set_->dim(index_); }
+  bool wantsBias() const { return bias_; }
+  /// Adds a segment: dim × nu entries of Wᵀ for one mass block, zeroed. `u0`: first velocity of the
+  /// block.
+  Block segment(int block, int u0, int nu);
+  double& chi(int row) {
+    return set_->chi[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
+  }
+  double& bias(int row) {
+    return set_->bias[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
+  }
+  /// For the replay: where the contact is and its normal.
+  void place(const Vec3& point, const Vec3& normal);
+
+ private:
+  ContactSet* set_ = nullptr;
+  int index_ = 0;
+  bool bias_ = false;
+};
+
+/// What an evaluation asks of the contacts.
+struct ContactRequest {
+  double gTol = 0.0;  ///< closed: g ≤ gTol [m]
+  bool bias = false;  ///< fill the bias γ̇ − Wᵀu̇
+  std::span<const ContactKey> frozen =
+      {};                ///< refresh: exactly these contacts count as closed, whatever their gap
+  bool refresh = false;  ///< use `frozen`
+};
+
+class ContactSink {
+ public:
+  ContactSink(ContactSet& set, const ContactRequest& request) : set_(&set), request_(request) {}
+  /// Reports contact `id` (< 2^40, unique within the element, the same over time) with gap g [m]
+  /// and `geometric` rows on offer. Laws that are not unilateral are always closed; g is then the
+  /// norm of the position error of the joint.
+  ContactRows add(std::uint64_t id, double g, const SetValuedForceLaw& law, int geometric);
+  /// Set by the framework before each element.
+  void element(int index) { element_ = index; }
+  const ContactRequest& request() const { return request_; }
+
+ private:
+  ContactSet* set_;
+  ContactRequest request_;
+  int element_ = 0;
+};
+
+/// Point contact between frames A (body 1) and B (body 2) at the points with lever arms rhoA_I,
+/// rhoB_I: rows n, t1, t2 (as many as rows.dim()) of the velocity of B's point relative to A's.
+/// Fills segments, χ and, if asked for, the bias without the change of the directions
+/// (`directionRate` adds ṅ-terms where the element knows them). A frame without a block contributes
+/// to χ only.
+void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
+                  const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2);
+/// Adds to segments and χ of `row` the component of the relative velocity of two points along
+/// `direction` (sign +1 for B, −1 for A).
+void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const Vec3& direction,
+                 double sign);
+
+}  // namespace dynamy

@@ -1,0 +1,18 @@
+/// NonSmoothElement: emits all of its contacts (gaps, W and χ) in one call. −ξ_i ∈ N_{C_i}(Λ_i) for
+/// each of them.
+#pragma once
+#include <dynamy/contact/contact_sink.hpp>
+
+namespace dynamy {
+
+class NonSmoothElement : public Element {
+ public:
+  static constexpr Kind kKind = Kind::contact;
+  using Element::Element;
+  /// Names → handles, once.
+  virtual void connect(Topology& topology) = 0;
+  /// Reports every gap that can close, and W and χ rows of the closed ones.
+  virtual void contacts(const Kinematics& k, ContactSink& sink) const = 0;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,93 @@
+/// SetValuedForceLaw: the normal-cone inclusion −ξ ∈ N_C(Λ) of one contact, joint or clutch, with ξ
+/// = γ⁺ + ε γ⁻ and its equivalent
+///
+///   Λ = prox_C(Λ − r ξ)    for any r > 0.
+///
+/// One law object serves many contacts. Rows of a contact: the normal first (if there is one), then
+/// tangential ones, then spins.
+#pragma once
+#include <cstdint>
+#include <dynamy/core/element.hpp>
+#include <dynamy/core/types.hpp>
+#include <span>
+#include <string_view>
+
+namespace dynamy {
+
+/// Discrete state of one law (the book's σ), read off the prox argument Λ − r ξ.
+enum class Status : std::uint8_t { open, separating, stick, slip, lower, upper, locked };
+std::string_view statusText(Status status);
+
+/// What the percussion of a row does in the energy ledger.
+enum class RowKind : std::uint8_t { normal, friction, joint };
+
+/// What differs per contact.
+struct LawInput {
+  int dim = 1;      ///< rows of this contact
+  double dt = 0.0;  ///< sets of fixed size scale with it: a·dt in a step, 0 in a pure impact [s]
+  const double* gammaA = nullptr;  ///< relative velocities at the beginning of the step, dim [m/s]
+  const double* reservoir = nullptr;  ///< forces of other laws the set depends on (lagged), or null
+};
+
+class SetValuedForceLaw : public Element {
+ public:
+  static constexpr Kind kKind = Kind::law;
+  using Element::Element;
+
+  /// Rows this law uses of a contact that offers `geometric` rows (1 + tangents + spins; joints:
+  /// their rows).
+  virtual int dim(int geometric) const = 0;
+  /// True: acts only while the gap is closed, g ≤ g_tol. False: always (joints, clutches).
+  virtual bool unilateral() const = 0;
+  virtual RowKind rowKind(int row) const = 0;
+  /// First row after the group that contains `row`: rows of one group share one r (the two rows of
+  /// a friction disc; a spin row with another unit is a group of its own, although it belongs to
+  /// the same convex set).
+  virtual int groupEnd(int row, int /*dim*/) const { return row + 1; }
+  /// Coefficients of restitution ε, one per row.
+  virtual void epsilon(int dim, double* epsilon) const;
+
+  /// Λ ← prox_C(Λ − r ξ) in the metric diag(r)⁻¹; r, ξ, Λ have in.dim entries [r: kg; ξ: m/s; Λ: N
+  /// s]. With rows of different r in one set the *Euclidean* projection would silently solve
+  /// another law.
+  virtual void prox(const LawInput& in, const double* r, const double* xi,
+                    double* Lambda) const = 0;
+  /// e = natural map of the exact law, zero exactly at a solution, with one ρ > 0 for all rows.
+  /// Default: Λ − prox_C(Λ − ρ ξ).
+  virtual void naturalMap(const LawInput& in, double rho, const double* xi, const double* Lambda,
+                          double* e) const;
+  /// A = ∂F/∂Λ, B = ∂F/∂ξ (dim × dim, row after row) of F = Λ − prox_C(Λ − ρ ξ); for Newton-type
+  /// solvers. False: not offered.
+  virtual bool proxDerivative(const LawInput& in, double rho, const double* xi,
+                              const double* Lambda, double* A, double* B) const;
+  /// Discrete state for the argument Λ − r ξ.
+  virtual Status status(const LawInput& in, const double* argument) const = 0;
+};
+
+/// The family most laws belong to: a normal force times a unit reservoir B (disc, ellipse,
+/// interval, Contensou body …):
+///
+///   K = { (N, x): N ≥ 0, x ∈ N B },   K* = { (a, b): a ≥ S_B(−b) }
+///   law  ⇔  K* ∋ ξ^ ⊥ Λ ∈ K   with the De Saxcé shift   ξ^ = (ξ_N + S_B(−ξ_T), ξ_T)
+///
+/// The support function S_B alone defines a law: a new friction law is one convex set.
+class NormalTimesReservoir : public SetValuedForceLaw {
+ public:
+  using SetValuedForceLaw::SetValuedForceLaw;
+  bool unilateral() const override { return true; }
+  RowKind rowKind(int row) const override { return row == 0 ? RowKind::normal : RowKind::friction; }
+  int groupEnd(int row, int dim) const override { return row == 0 ? 1 : dim; }
+  /// Normal first, Λ_N = max(0, Λ_N − r_N ξ_N), then Λ_T = projection of Λ_T − r_T ξ_T on Λ_N B.
+  void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
+  Status status(const LawInput& in, const double* argument) const override;
+
+  /// x ← nearest point of N·B in the metric diag(r)⁻¹ (k = dim − 1 rows, N ≥ 0). Default: from
+  /// `support`, by a damped Newton iteration on  min ½ νᵀRν + N S_B(ν) − x·ν,  x ← x − Rν.
+  virtual void project(const LawInput& in, double N, const double* r, int k, double* x) const;
+  /// Support function S_B(y) = sup{ b·y : b ∈ B } ≥ 0 [–, times the unit of y]; optionally its
+  /// gradient (k) and Hessian (k × k).
+  virtual double support(const LawInput& in, int k, const double* y, double* gradient = nullptr,
+                         double* hessian = nullptr) const = 0;
+};
+
+}  // namespace dynamy

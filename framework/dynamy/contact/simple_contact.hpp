@@ -1,0 +1,40 @@
+/// SimpleContact: the short way to write a contact on ONE system: give g and γ, W and χ follow
+/// exactly, because γ is affine in u:
+///
+///   χ = γ(t, q, 0),   W e_j = γ(t, q, e_j) − χ.
+#pragma once
+#include <dynamy/contact/non_smooth_element.hpp>
+#include <memory>
+
+namespace dynamy {
+
+class SimpleContact : public NonSmoothElement {
+ public:
+  /// Attributes all simple contacts have: `on` (the system) and a law as child (default: Unilateral
+  /// with ε_N = 0). The model loader adds them to what the class itself declares.
+  static void declareCommon(Attributes& a);
+  explicit SimpleContact(const Parameters& x);
+  ~SimpleContact() override;
+
+  /// Gap [m] (unilateral laws) or position error (joints).
+  virtual double g(double t, ConstVec q) const = 0;
+  /// Relative velocities, `rows()` entries, affine in u: normal first, γ_N = ġ, then tangential
+  /// ones [m/s].
+  virtual void gamma(double t, ConstVec q, ConstVec u, Vec gamma) const = 0;
+  /// Rows gamma() fills: 1 without friction, 2 planar, 3 spatial.
+  virtual int rows() const { return 1; }
+
+  void connect(Topology& topology) override;
+  void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void describe(Description& d) const override;
+
+ protected:
+  const SetValuedForceLaw& law() const { return *law_; }
+
+ private:
+  std::string on_;
+  std::unique_ptr<SetValuedForceLaw> law_;
+  SystemHandle system_;
+};
+
+}  // namespace dynamy

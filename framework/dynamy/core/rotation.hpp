@@ -1,0 +1,68 @@
+/// Rotations: unit quaternions p = (w, x, y, z) ↔ matrices A_IK; advance by the exact rotation.
+///
+///   p ← p ∘ exp(½ Δt K_Ω)        (body-fixed rate Ω constant over Δt)
+///
+/// Adding Δt ṗ and normalising was rejected: it loses an order (NUMERICS A3). Renormalising the
+/// product against rounding is allowed.
+#pragma once
+#include <cmath>
+#include <dynamy/core/types.hpp>
+
+namespace dynamy {
+
+/// sin(x)/x with the series near zero.
+inline double sinc(double x) {
+  const double x2 = x * x;
+  return x2 < 1e-6 ? 1.0 - x2 / 6.0 + x2 * x2 / 120.0 : std::sin(x) / x;
+}
+
+/// Cross-product matrix: skew(a) b = a × b.
+inline Mat3 skew(const Vec3& a) {
+  Mat3 S;
+  S << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return S;
+}
+
+/// Matrix A_IK of the unit quaternion p (w, x, y, z): v_I = A_IK v_K.
+inline Mat3 rotationMatrix(const double* p) {
+  const double w = p[0], x = p[1], y = p[2], z = p[3];
+  Mat3 A;
+  A << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+      2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),   //
+      2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
+  return A;
+}
+
+/// p ← p ∘ exp(½ theta_K), theta_K the rotation vector in body components [rad]; unit norm is kept
+/// to rounding.
+inline void rotate(double* p, const Vec3& theta_K) {
+  const double half = 0.5 * theta_K.norm();
+  const Vec3 v = 0.5 * sinc(half) * theta_K;
+  const double c = std::cos(half), w = p[0], x = p[1], y = p[2], z = p[3];
+  p[0] = w * c - x * v.x() - y * v.y() - z * v.z();
+  p[1] = w * v.x() + x * c + y * v.z() - z * v.y();
+  p[2] = w * v.y() - x * v.z() + y * c + z * v.x();
+  p[3] = w * v.z() + x * v.y() - y * v.x() + z * c;
+  const double scale = 1.0 / std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]);
+  for (int i = 0; i < 4; ++i) p[i] *= scale;
+}
+
+/// ṗ = ½ p ∘ (0, K_Ω).
+inline void quaternionRate(const double* p, const Vec3& Omega_K, double* pdot) {
+  const double w = p[0], x = p[1], y = p[2], z = p[3];
+  const double a = Omega_K.x(), b = Omega_K.y(), c = Omega_K.z();
+  pdot[0] = 0.5 * (-x * a - y * b - z * c);
+  pdot[1] = 0.5 * (w * a + y * c - z * b);
+  pdot[2] = 0.5 * (w * b - x * c + z * a);
+  pdot[3] = 0.5 * (w * c + x * b - y * a);
+}
+
+/// Two unit vectors t1, t2 that complete the unit normal n to a right-handed frame (n, t1, t2);
+/// continuous in n except at one point.
+inline void tangents(const Vec3& n, Vec3& t1, Vec3& t2) {
+  const double s = n.z() >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z()), b = n.x() * n.y() * a;
+  t1 = Vec3(1.0 + s * n.x() * n.x() * a, s * b, -s * n.x());
+  t2 = Vec3(b, s + n.y() * n.y() * a, -n.y());
+}
+
+}  // namespace dynamy

@@ -1,0 +1,71 @@
+/// MechanicalSystem: the stages of a step on flat arrays. Schemes see M, h, F, W, χ and never an
+/// element.
+///
+/// A slot (Evaluation) holds everything evaluated at one (t, q, u). Data are produced by a stage in
+/// fixed order and const afterwards; "is up to date" flags were rejected.
+#pragma once
+#include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/solver/impact_law.hpp>
+#include <dynamy/system/external_force.hpp>
+#include <dynamy/system/state.hpp>
+
+namespace dynamy {
+
+/// One slot: frames, M, h and contacts at one (t, q, u).
+struct Evaluation {
+  double t = 0.0;
+  Kinematics kinematics;
+  MassMatrix mass;
+  Eigen::VectorXd h, hNonPotential;
+  ContactSet contacts;
+};
+
+/// The parts of a model in the order of their indices; borrowed.
+struct SystemParts {
+  Topology* topology = nullptr;
+  std::vector<const ExternalForce*> forces;
+  std::vector<const NonSmoothElement*> contacts;
+  const ImpactLaw* impactLaw = nullptr;
+};
+
+class MechanicalSystem {
+ public:
+  explicit MechanicalSystem(const SystemParts& parts, int slots = 1);
+
+  /// q ← q ⊕ Δt (F u + β), t ← t + Δt.
+  void moveConfiguration(State& x, double dt);
+  /// M, h and the contacts with g ≤ g_tol, at (x.t, x.q, x.u), into slot `slot`.
+  const Evaluation& evaluate(const State& x, int slot = 0);
+  /// u_free = u^A + M⁻¹hΔt,  γ's, G, start of Λ by contact key:   ξ = GΛ + c.
+  InclusionProblem& impactProblem(const State& x, double dt, int slot = 0);
+  const ImpactLaw& impactLaw() const { return *parts_.impactLaw; }
+  /// Percussions of the current problem, rows() entries.
+  Vec Lambda() { return {Lambda_.data(), static_cast<Eigen::Index>(problem_.rows())}; }
+  /// u^E = u_free + M⁻¹ W Λ; remembers Λ by key in x for the next start.
+  void velocityFromImpulses(State& x);
+
+  /// Closed: g ≤ gTol [m]; default 1e-12 of the scene's length.
+  void gTol(double value) { request_.gTol = value; }
+  double gTol() const { return request_.gTol; }
+  void delassusForm(Delassus::Form form) { form_ = form; }
+  const Evaluation& slot(int i) const { return slots_[static_cast<std::size_t>(i)]; }
+  const InclusionProblem& problem() const { return problem_; }
+  const SystemParts& parts() const { return parts_; }
+
+  /// V(q,t) of all systems and forces [J].
+  double potentialEnergy(const State& x);
+
+ private:
+  void startImpulses(const State& x);
+  SystemParts parts_;
+  std::vector<Evaluation> slots_;
+  ContactRequest request_;
+  Delassus delassus_;
+  Delassus::Form form_ = Delassus::Form::automatic;
+  InclusionProblem problem_;
+  Eigen::VectorXd uFree_, uA_;
+  std::vector<double> Lambda_;
+  Kinematics energyKinematics_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,113 @@
+/// Model: owner of all elements of a scene, made from XML (io/model_loader) or in C++:
+///
+///   Model m;
+///   m.add<RigidBody>("ball", {{"position", {0, 0, 1}}, {"mass", 1.0}, {"inertia", {0.1, 0.1,
+///   0.1}}}); m.simulation.until = 5;   m.build();
+///
+/// build() composes (completions), asks every element to describe itself, lays out q and u,
+/// connects. After that it is immutable.
+#pragma once
+#include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/integrator/one_step.hpp>
+#include <dynamy/simulation/observer.hpp>
+#include <dynamy/simulation/settings.hpp>
+#include <dynamy/system/description.hpp>
+#include <dynamy/system/external_force.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace dynamy {
+
+/// A signal with its full name and the element it belongs to.
+struct NamedSignal {
+  std::string name;  ///< "ball.z"
+  Signal signal;
+  int system = -1;   ///< index of the system, −1: none
+  int contact = -1;  ///< index of the contact element, −1: none
+  int memory0 = 0, memory = 0;
+};
+
+class Model {
+ public:
+  using Completion = std::function<void(Model&)>;
+  Model();
+  ~Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
+  /// Takes an element; its kind decides the list. Names must be unique among systems, contacts,
+  /// forces and observers.
+  void add(Kind kind, std::unique_ptr<Element> element);
+  template <class T>
+  T& add(std::unique_ptr<T> element) {
+    T& out = *element;
+    add(T::kKind, std::move(element));
+    return out;
+  }
+  /// Makes a T from its declared attributes. Throws ModelError.
+  template <class T>
+  T& add(const std::string& name, const std::vector<GivenValue>& given) {
+    return add(std::make_unique<T>(Parameters::of<T>({}, name, given)));
+  }
+  /// Called at the beginning of build(): adds what follows from other elements (contact geometry
+  /// from shapes).
+  void addCompletion(Completion completion);
+  /// Composes, describes, lays out, connects. Throws ModelError with all faults found.
+  void build();
+
+  // Before build().
+  SimulationSettings simulation;
+  RecordSettings record;
+  std::vector<CheckSettings> checks;
+  std::string title, sourceFile, sourceText, doc;
+  std::string view;  ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
+
+  // After build().
+  Topology& topology() { return *topology_; }
+  const Topology& topology() const { return *topology_; }
+  const std::vector<std::unique_ptr<PartialMechanicalSystem>>& systems() const { return systems_; }
+  const std::vector<std::unique_ptr<NonSmoothElement>>& contacts() const { return contacts_; }
+  const std::vector<std::unique_ptr<ExternalForce>>& forces() const { return forces_; }
+  const std::vector<std::unique_ptr<ContactRule>>& rules() const { return rules_; }
+  const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
+  const Description& description(int system) const {
+    return descriptions_[static_cast<std::size_t>(system)];
+  }
+  const std::vector<NamedSignal>& signals() const { return signals_; }
+  const NamedSignal* signal(std::string_view name) const;
+  OneStep& scheme() { return *scheme_; }
+  InclusionSolver& solver() { return *solver_; }
+  void scheme(std::unique_ptr<OneStep> scheme);
+  void solver(std::unique_ptr<InclusionSolver> solver);
+  const ImpactLaw& impactLaw() const { return *impactLaw_; }
+  State initialState() const;
+  /// Length of the scene [m]: extent of initial frame positions and shapes, at least 1e-6; 1 if
+  /// there is nothing to measure.
+  double length() const { return length_; }
+  MechanicalSystem mechanicalSystem();
+
+ private:
+  void describeAll();
+  void connectAll();
+  std::vector<std::unique_ptr<PartialMechanicalSystem>> systems_;
+  std::vector<std::unique_ptr<NonSmoothElement>> contacts_;
+  std::vector<std::unique_ptr<ExternalForce>> forces_;
+  std::vector<std::unique_ptr<ContactRule>> rules_;
+  std::vector<std::unique_ptr<Observer>> observers_;
+  std::vector<std::unique_ptr<Element>> others_;
+  std::unique_ptr<OneStep> scheme_;
+  std::unique_ptr<InclusionSolver> solver_;
+  std::unique_ptr<ImpactLaw> impactLaw_;
+  std::unique_ptr<Topology> topology_;
+  std::vector<Description> descriptions_;  // systems, then contacts, then forces
+  std::vector<NamedSignal> signals_;
+  std::vector<Completion> completions_;
+  int memory_ = 0;
+  Eigen::VectorXd memoryStart_;
+  double length_ = 1.0;
+};
+
+}  // namespace dynamy

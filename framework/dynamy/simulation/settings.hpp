@@ -1,0 +1,43 @@
+/// Settings of a run as the sections <simulation>, <record> and <check> say them.
+#pragma once
+#include <dynamy/core/error.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// What happens when an inclusion is not solved to its tolerance.
+enum class NonConvergence { stop, warn, retry };
+
+struct SimulationSettings {
+  double until = 1.0;      ///< end time [s]
+  double step = 0.0;       ///< Δt [s]; 0: not given
+  double tolerance = 0.0;  ///< error tolerance, 0: not given (fixed step)
+  double gTol = -1.0;      ///< closed: g ≤ gTol [m]; negative: 1e-12 of the scene's length
+  NonConvergence onNonConvergence = NonConvergence::warn;
+  Place place;
+};
+
+struct RecordSettings {
+  std::vector<std::string>
+      signals;                    ///< "ball.z", "beak.Lambda_N"; "*" after a dot: all of an element
+  std::vector<Place> places;      ///< of each signal name in the file
+  double every = 0.0;             ///< sample time [s]; 0: (until)/1000
+  double framesPerSecond = 60.0;  ///< pictures of the replay
+};
+
+/// One <check>: a measure of a signal compared with a value ± tolerance or with a band.
+struct CheckSettings {
+  enum class Measure { value, mean, min, max, period, count };
+  std::string signal;
+  Measure measure = Measure::value;
+  double at =
+      std::numeric_limits<double>::quiet_NaN();  ///< time of `value` [s]; not given: the end
+  double from = 0.0, to = std::numeric_limits<double>::infinity();  ///< `over` [s]
+  double low = 0.0, high = 0.0;                                     ///< accepted band
+  std::string text;  ///< as written: "1.25 ± 1e-4" or "0.7 … 0.8"
+  Place place;
+};
+
+}  // namespace dynamy

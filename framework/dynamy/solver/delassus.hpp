@@ -1,0 +1,63 @@
+/// Delassus: G = Wᵀ M⁻¹ W behind one operator, assembled (dense, small problems) or matrix-free (in
+/// velocities v = M⁻¹WΛ).
+///
+/// Both answer the same questions and must give the same numbers; a test demands it. Solvers see
+/// this, never W of an element.
+#pragma once
+#include <dynamy/contact/contact_set.hpp>
+#include <dynamy/system/mass_matrix.hpp>
+
+namespace dynamy {
+
+class Delassus {
+ public:
+  enum class Form { automatic, assembled, matrixFree };
+  /// Computes M⁻¹W and, in assembled form, G. `contacts` and `mass` must outlive the use. No
+  /// allocation once large enough.
+  void assemble(const ContactSet& contacts, const MassMatrix& mass, Form form = Form::automatic);
+
+  int rows() const { return n_; }
+  bool assembled() const { return assembled_; }
+  /// y = G x.
+  void apply(const double* x, double* y) const;
+  /// dim × dim diagonal block of contact i, row after row.
+  const double* diagonalBlock(int i) const {
+    return diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)];
+  }
+  /// Σ_j |G_kj| of every row.
+  void rowSums(double* sums) const;
+  /// Block of contacts (i, j), dim_i × dim_j, row after row.
+  void block(int i, int j, double* out) const;
+  /// Contacts that share a mass block with contact i, i included, ascending.
+  const std::vector<int>& neighbours(int i, std::vector<int>& scratch) const;
+
+  // Sweeps: ξ_i = (GΛ + c)_i for the current Λ, changed block after block. A sweep object holds v
+  // (matrix-free) or nothing.
+  /// Starts a sweep from Λ: v = M⁻¹WΛ in matrix-free form.
+  void begin(const double* Lambda);
+  /// (GΛ)_i into `out` (dim_i entries).
+  void row(int i, const double* Lambda, double* out) const;
+  /// Tells that block i of Λ changed by `delta`.
+  void changed(int i, const double* delta);
+
+  const ContactSet& contacts() const { return *contacts_; }
+  const MassMatrix& mass() const { return *mass_; }
+  /// M⁻¹W of segment s: nu × dim entries, stored as dim × nu (row r: M⁻¹ w_r).
+  const double* inverseMassW(int segment) const;
+  /// v = M⁻¹ W Λ added to u.
+  void addVelocity(const double* Lambda, Vec u) const;
+
+ private:
+  const ContactSet* contacts_ = nullptr;
+  const MassMatrix* mass_ = nullptr;
+  int n_ = 0;
+  bool assembled_ = true;
+  std::vector<double> G_;      // n × n, assembled form
+  std::vector<double> minvW_;  // parallel to ContactSet::W
+  std::vector<double> diagonal_;
+  std::vector<std::ptrdiff_t> diagonal0_;
+  std::vector<double> v_;  // velocities of a matrix-free sweep
+  std::vector<int> blockFirst_, blockSegments_, segmentContact_;  // mass block → segments
+};
+
+}  // namespace dynamy

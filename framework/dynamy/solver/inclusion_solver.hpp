@@ -1,0 +1,39 @@
+/// InclusionSolver: finds Λ of an inclusion problem. Never throws; says by residuals how well it
+/// did.
+#pragma once
+#include <dynamy/solver/inclusion_problem.hpp>
+#include <string_view>
+
+namespace dynamy {
+
+enum class SolveStatus : std::uint8_t { solved, maxIterations, stalled, diverged, notFinite };
+std::string_view solveStatusText(SolveStatus status);
+
+/// Residuals are scale-free natural maps (NUMERICS B0): E_f = max_i |e_i| / max|Λ|, E_u = max_i
+/// |e_i|/ρ_i / u_ref, E_energy = Σ |e_i|²/ρ_i / Σ ρ_i |c_i|².
+struct Residuals {
+  double Ef = 0.0, Eu = 0.0, energy = 0.0;
+  int worst = -1;  ///< contact with the largest |e_i|/ρ_i
+  double largest() const { return Ef > Eu ? Ef : Eu; }
+};
+
+struct SolveReport {
+  SolveStatus status = SolveStatus::solved;
+  int iterations = 0;
+  Residuals residuals;
+  bool warmAccepted = false;  ///< the start already fulfilled the tolerance
+  bool ok() const { return status == SolveStatus::solved; }
+};
+
+/// Residuals of Λ, recomputed from scratch. `scratch` keeps its memory.
+Residuals residuals(const InclusionProblem& problem, ConstVec Lambda, std::vector<double>& scratch);
+
+class InclusionSolver : public Element {
+ public:
+  static constexpr Kind kKind = Kind::solver;
+  using Element::Element;
+  /// Λ: start (warm or zero) in, solution out. Stops when E_f ≤ tolerance and E_u ≤ tolerance.
+  virtual SolveReport solve(const InclusionProblem& problem, Vec Lambda) = 0;
+};
+
+}  // namespace dynamy

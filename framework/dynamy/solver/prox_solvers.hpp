@@ -1,0 +1,60 @@
+/// Projected Jacobi and Gauss–Seidel (prox JOR, SOR):
+///
+///   JOR:  Λ_i ← prox_{C_i}(Λ_i − r_i ξ_i(Λ))           all i from the old Λ
+///   SOR:  the same, newest values at once
+#pragma once
+#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/relaxation.hpp>
+
+namespace dynamy {
+
+struct ProxOptions {
+  double tolerance = 1e-10;  ///< of E_f and E_u
+  int maxIterations = 10000;
+  Relaxation relaxation = Relaxation::exact;
+  double factor = 1.0;  ///< multiplies r
+};
+
+class ProxSolver : public InclusionSolver {
+ public:
+  explicit ProxSolver(const ProxOptions& options) : options_(options) {}
+  ProxSolver(const Parameters& x, Relaxation defaultRule);
+  static void declareCommon(Attributes& a, const char* defaultRule);
+  SolveReport solve(const InclusionProblem& problem, Vec Lambda) final;
+  const ProxOptions& options() const { return options_; }
+
+ protected:
+  /// One sweep over all contacts.
+  virtual void sweep(const InclusionProblem& problem, const double* r, double* Lambda) = 0;
+
+ private:
+  ProxOptions options_;
+  std::vector<double> r_, scratch_;
+};
+
+class ProxGaussSeidel final : public ProxSolver {
+ public:
+  explicit ProxGaussSeidel(const ProxOptions& options = {}) : ProxSolver(options) {}
+  explicit ProxGaussSeidel(const Parameters& x) : ProxSolver(x, Relaxation::exact) {}
+  static void declare(Attributes& a);
+
+ protected:
+  void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
+};
+
+class ProxJacobi final : public ProxSolver {
+ public:
+  explicit ProxJacobi(const ProxOptions& options = {1e-10, 100000, Relaxation::diagonalDominance,
+                                                    1.0})
+      : ProxSolver(options) {}
+  explicit ProxJacobi(const Parameters& x) : ProxSolver(x, Relaxation::diagonalDominance) {}
+  static void declare(Attributes& a);
+
+ protected:
+  void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
+
+ private:
+  std::vector<double> xi_;
+};
+
+}  // namespace dynamy

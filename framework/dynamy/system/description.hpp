@@ -1,0 +1,62 @@
+/// Description: what an element tells about itself once, in build(): names of coordinates, signals,
+/// frames, shapes, memory.
+#pragma once
+#include <dynamy/core/attributes.hpp>
+#include <dynamy/core/types.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+class Shape;
+class ContactSet;
+class Kinematics;
+
+/// What a signal function sees: the state at the sample time and the contacts of the step that
+/// contains it.
+struct SignalView {
+  double t = 0.0;
+  ConstVec q{nullptr, 0},
+      u{nullptr, 0};  ///< slices of the element's own system; empty for other elements
+  const Kinematics* kinematics = nullptr;  ///< frames of the last evaluation
+  const ContactSet* contacts = nullptr;    ///< contacts of the last step
+  ConstVec Lambda{nullptr, 0};             ///< percussions of the last step [N s]
+  ConstVec gammaE{nullptr, 0};             ///< relative velocities at its end [m/s]
+  ConstVec memory{nullptr, 0};             ///< the element's own memory
+  double dt = 0.0;                         ///< length of the last step [s]
+  int element = -1;                        ///< index of the element among the contact elements
+};
+using SignalFunction = std::function<double(const SignalView&)>;
+
+struct Signal {
+  std::string name;  ///< without the element's name in front
+  Unit unit = Unit::none;
+  std::string text;
+  SignalFunction value;
+};
+
+struct PlacedShape {
+  const Shape* shape = nullptr;
+  int frame = 0;  ///< frame id within the system
+};
+
+class Description {
+ public:
+  /// q[i] of the element's own system as signal `name`.
+  void coordinate(std::string name, Unit unit, int i, std::string text = {});
+  /// u[i] of the element's own system as signal `name`.
+  void velocity(std::string name, Unit unit, int i, std::string text = {});
+  void signal(std::string name, Unit unit, std::string text, SignalFunction value);
+  void shape(const Shape& shape, int frame) { shapes.push_back({&shape, frame}); }
+  void frame(std::string name, int id) { frames.push_back({std::move(name), id}); }
+  /// Numbers of the element that live in State (latch, damage, controller state).
+  void memory(std::vector<double> initial) { memoryStart = std::move(initial); }
+
+  std::vector<Signal> signals;
+  std::vector<PlacedShape> shapes;
+  std::vector<std::pair<std::string, int>> frames;
+  std::vector<double> memoryStart;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,46 @@
+/// ExternalForce: adds to h; a spring, a drive, gravity.   h ← h + J_Sᵀ F + J_Rᵀ M
+#pragma once
+#include <dynamy/system/kinematics.hpp>
+
+namespace dynamy {
+
+/// Where forces are added. Generalised forces of elements without potential are kept apart for the
+/// energy ledger.
+class ForceSink {
+ public:
+  ForceSink(const Topology& topology, Vec h, Vec nonPotential)
+      : topology_(&topology), h_(h), nonPotential_(nonPotential) {}
+  /// Force F_I [N] at lever arm rho_I from S of the frame.
+  void force(const Frame& frame, const Vec3& rho_I, const Vec3& F_I);
+  /// Moment M_I [N m].
+  void moment(const Frame& frame, const Vec3& M_I);
+  /// Writable slice of h of a whole system; generalised force is to be *added* there, through
+  /// `addTo`.
+  void generalised(const SystemHandle& system, ConstVec force);
+  void generalised(const SystemHandle& system, int i, double force);
+  /// Set by the framework before each element: true if the element's forces have the potential it
+  /// states.
+  void hasPotential(bool yes) { potential_ = yes; }
+
+ private:
+  void add(int i, double value) {
+    h_[i] += value;
+    if (!potential_) nonPotential_[i] += value;
+  }
+  const Topology* topology_;
+  Vec h_, nonPotential_;
+  bool potential_ = false;
+};
+
+class ExternalForce : public Element {
+ public:
+  static constexpr Kind kKind = Kind::force;
+  using Element::Element;
+  virtual void connect(Topology& topology) = 0;
+  virtual void addTo(const Kinematics& k, ForceSink& sink) const = 0;
+  /// True: all of the force derives from potentialEnergy.
+  virtual bool hasPotential() const { return false; }
+  virtual double potentialEnergy(const Kinematics&) const { return 0.0; }
+};
+
+}  // namespace dynamy

@@ -1,0 +1,28 @@
+/// Kinematics: t, q, u and the frames of one evaluation; what contacts and forces see. Each frame
+/// is evaluated once.
+#pragma once
+#include <dynamy/system/topology.hpp>
+
+namespace dynamy {
+
+class Kinematics {
+ public:
+  /// Reserves room for all frames asked for in `topology`; no allocation later.
+  void resize(const Topology& topology);
+  /// Points at q, u and evaluates all frames. `q` and `u` must outlive the use.
+  void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u);
+
+  double t() const { return t_; }
+  ConstVec q(const SystemHandle& s) const { return {q_ + s.q0, s.nq}; }
+  ConstVec u(const SystemHandle& s) const { return {u_ + s.u0, s.nu}; }
+  const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
+
+ private:
+  double t_ = 0.0;
+  const double* q_ = nullptr;
+  const double* u_ = nullptr;
+  std::vector<Frame> frames_;
+  std::vector<double> jacobians_;
+};
+
+}  // namespace dynamy

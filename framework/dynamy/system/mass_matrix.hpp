@@ -1,0 +1,40 @@
+/// MassMatrix: block-diagonal M with M⁻¹ at hand. Constant blocks are inverted once, the others in
+/// every evaluation.
+///
+/// The inverse of each (small) block is stored: M⁻¹w is then one small product, which is what
+/// contacts need many times a step. Keeping Cholesky factors was rejected for small blocks: two
+/// triangular solves with divisions are slower, and equally accurate here.
+#pragma once
+#include <dynamy/system/topology.hpp>
+
+namespace dynamy {
+
+class MassMatrix {
+ public:
+  void resize(const Topology& topology);
+  /// Evaluates M of systems whose mass is not constant (all on the first call) and inverts. Returns
+  /// the index of the first system whose M is not positive definite, or −1.
+  int evaluate(const Topology& topology, double t, ConstVec q);
+
+  ConstBlock M(int block) const { return {data_.data() + offset(block), nu(block), nu(block)}; }
+  ConstBlock inverse(int block) const {
+    return {inverse_.data() + offset(block), nu(block), nu(block)};
+  }
+  int nu(int block) const { return nu_[static_cast<std::size_t>(block)]; }
+  int u0(int block) const { return u0_[static_cast<std::size_t>(block)]; }
+  int blocks() const { return static_cast<int>(nu_.size()); }
+  /// out = M⁻¹ in;  out = M in.
+  void applyInverse(ConstVec in, Vec out) const;
+  void apply(ConstVec in, Vec out) const;
+  /// T = ½ uᵀ M u [J].
+  double kineticEnergy(ConstVec u) const;
+
+ private:
+  std::ptrdiff_t offset(int block) const { return offset_[static_cast<std::size_t>(block)]; }
+  std::vector<int> nu_, u0_;
+  std::vector<std::ptrdiff_t> offset_;
+  std::vector<double> data_, inverse_;
+  bool first_ = true;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,31 @@
+#include <dynamy/system/partial_mechanical_system.hpp>
+
+namespace dynamy {
+
+void PartialMechanicalSystem::qdot(double, ConstVec, ConstVec u, Vec qdot) const { qdot = u; }
+
+void PartialMechanicalSystem::move(double t, Vec q, ConstVec u, double dt) const {
+  const Blocks b = blocks();
+  const auto n = static_cast<Eigen::Index>(b.nq) * b.capacity;
+  constexpr Eigen::Index kLocal = 1024;
+  if (n <= kLocal) {
+    double rate[kLocal];
+    qdot(t, {q.data(), n}, u, {rate, n});
+    for (Eigen::Index i = 0; i < n; ++i) q[i] += dt * rate[i];
+    return;
+  }
+  // Large populations override move(); this keeps a forgotten override correct.
+  Eigen::VectorXd rate(n);
+  qdot(t, {q.data(), n}, u, {rate.data(), n});
+  q += dt * rate;
+}
+
+void PartialMechanicalSystem::nonPotentialForce(double, ConstVec, ConstVec, Vec h) const {
+  h.setZero();
+}
+
+void PartialMechanicalSystem::frame(double, ConstVec, ConstVec, int, Frame&) const {
+  expects(false, "a system with frames() > 0 overrides frame()");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,66 @@
+/// PartialMechanicalSystem: part of a mechanical system with its own q and u,
+///
+///   M(q,t) u̇ = h(q,u,t) + W λ,     q̇ = F(q,t) u + β(q,t)
+///
+/// as a *population* of `capacity` equal, dynamically independent blocks (one pendulum, or 30 000
+/// spheres). The slices q, u, h of all blocks lie one after the other; one virtual call serves all
+/// blocks.
+#pragma once
+#include <dynamy/core/element.hpp>
+#include <dynamy/system/frame.hpp>
+
+namespace dynamy {
+
+/// Sizes: nq positions and nu velocities per block.
+struct Blocks {
+  int nq = 0, nu = 0;
+  int capacity = 1;
+  bool constantMass = false;  ///< M never changes: it is inverted once
+};
+
+/// Writable view of the mass matrices of all blocks of one system, nu × nu each, row after row.
+class MassBlocks {
+ public:
+  MassBlocks(double* data, int nu, int capacity) : data_(data), nu_(nu), capacity_(capacity) {}
+  Block operator[](int block) const {
+    return {data_ + static_cast<std::ptrdiff_t>(block) * nu_ * nu_, nu_, nu_};
+  }
+  int capacity() const { return capacity_; }
+
+ private:
+  double* data_;
+  int nu_, capacity_;
+};
+
+class PartialMechanicalSystem : public Element {
+ public:
+  static constexpr Kind kKind = Kind::system;
+  using Element::Element;
+
+  virtual Blocks blocks() const = 0;
+  virtual void initialState(Vec q, Vec u) const = 0;
+  /// Mass matrices, symmetric positive definite; all entries are to be written.
+  virtual void M(double t, ConstVec q, MassBlocks M) const = 0;
+  /// All smooth forces, gyroscopic terms included (not those of ExternalForce elements); all
+  /// entries are to be written.
+  virtual void h(double t, ConstVec q, ConstVec u, Vec h) const = 0;
+  /// q̇ = F u + β; default q̇ = u (nq = nu).
+  virtual void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const;
+  /// q ← q ⊕ Δt q̇ with u constant; default q += Δt q̇(t, q, u); rotations use the exponential map.
+  virtual void move(double t, Vec q, ConstVec u, double dt) const;
+  /// V(q,t) of the forces in h that have a potential [J].
+  virtual double potentialEnergy(double, ConstVec) const { return 0.0; }
+  /// The part of h that neither has a potential nor is gyroscopic (drives, dampers); for the energy
+  /// ledger. Default: none.
+  virtual void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const;
+  /// Frame `id` (0 ≤ id < frames()): r, A, v, Ω, J, ν and the bias. J_S_I, J_R_I point to 3 × nu
+  /// zeros when called; `block` is the index of the block within this system when returned.
+  virtual void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const;
+  virtual int frames() const { return 0; }
+  /// Stiff parts K = ∂h/∂q F, D = ∂h/∂u of one block for implicit schemes; false: none.
+  virtual bool dh(double, ConstVec, ConstVec, int /*block*/, Block /*K*/, Block /*D*/) const {
+    return false;
+  }
+};
+
+}  // namespace dynamy

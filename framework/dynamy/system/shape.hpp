@@ -1,0 +1,52 @@
+/// Shape: geometry with a material, bound to a frame. It is drawn by the replay and, if it has a
+/// material, takes part in contact.
+#pragma once
+#include <array>
+#include <dynamy/core/element.hpp>
+#include <dynamy/core/types.hpp>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// What contact geometry and the replay need to know; `type` is the registered name ("Sphere",
+/// "Box", "HalfSpace", …).
+struct ShapeGeometry {
+  std::string type;
+  std::array<double, 4> size{};  ///< [m], by type: Sphere radius; Box edge lengths x y z; …
+  std::vector<Vec3> points;      ///< corners, vertices or curve points in shape axes [m]
+  std::string colour;            ///< CSS colour or empty
+};
+
+/// Volume, centre and inertia for unit density.
+struct MassProperties {
+  double volume = 0.0;            ///< [m³]; 0: the shape cannot carry mass
+  Vec3 centre_B = Vec3::Zero();   ///< [m], in shape axes
+  Mat3 inertia_B = Mat3::Zero();  ///< [m⁵], about the centre
+};
+
+class Shape : public Element {
+ public:
+  static constexpr Kind kKind = Kind::shape;
+  explicit Shape(const Parameters& x);
+  /// Declares material, position, orientation, colour, mass and density: what all shapes have.
+  static void declareCommon(Attributes& a);
+
+  virtual ShapeGeometry geometry() const = 0;
+  virtual MassProperties massProperties() const { return {}; }
+
+  const std::string& material() const { return material_; }  ///< empty: drawn only, no contact
+  const Vec3& r_SB_K() const { return r_SB_K_; }  ///< place of the shape in its frame [m]
+  const Mat3& A_KB() const { return A_KB_; }
+  double mass() const { return mass_; }        ///< [kg], 0: not given
+  double density() const { return density_; }  ///< [kg/m³], 0: not given
+  const std::string& colour() const { return colour_; }
+
+ private:
+  std::string material_, colour_;
+  Vec3 r_SB_K_ = Vec3::Zero();
+  Mat3 A_KB_ = Mat3::Identity();
+  double mass_ = 0.0, density_ = 0.0;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,24 @@
+/// State: everything that changes in a run: t, q, u, memory of elements, remembered percussions. A
+/// rejected step restores it; a checkpoint stores it.
+#pragma once
+#include <dynamy/core/types.hpp>
+#include <vector>
+
+namespace dynamy {
+
+/// Percussions of the last step by contact key: the warm start of the next.
+struct RememberedImpulses {
+  std::vector<ContactKey> key;
+  std::vector<int> first;      ///< index of the first row; one more entry than keys
+  std::vector<double> Lambda;  ///< [N s]
+  double dt = 0.0;             ///< length of the step they belong to [s]
+};
+
+struct State {
+  double t = 0.0;
+  Eigen::VectorXd q, u;
+  Eigen::VectorXd memory;
+  RememberedImpulses impulses;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,63 @@
+/// Topology: where everything lies in the flat arrays; turns names into handles, once, in
+/// connect().
+#pragma once
+#include <dynamy/core/types.hpp>
+#include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/shape.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dynamy {
+
+/// One system in q, u and the mass blocks.
+struct SystemHandle {
+  int index = -1;
+  int q0 = 0, nq = 0;          ///< slice of q, all blocks
+  int u0 = 0, nu = 0;          ///< slice of u, all blocks
+  int block0 = 0, blocks = 1;  ///< mass blocks
+  int blockNq = 0, blockNu = 0;
+};
+
+/// One frame among those the model's elements asked for.
+struct FrameHandle {
+  int index = -1;
+};
+
+/// A shape in the scene: which frame carries it.
+struct ShapeInstance {
+  const Shape* shape = nullptr;
+  FrameHandle frame;
+  int system = -1;  ///< index of the system
+};
+
+class Topology {
+ public:
+  /// Systems in order of the model; computes all offsets.
+  explicit Topology(const std::vector<const PartialMechanicalSystem*>& systems);
+
+  /// Handle of the system called `name`. Throws ModelError with the nearest known name.
+  SystemHandle system(std::string_view name, const Element& asking) const;
+  const SystemHandle& system(int index) const { return handles_[static_cast<std::size_t>(index)]; }
+  /// Frame by name: "body" (its frame 0) or "body.name" as named in describe(). From then on it is
+  /// evaluated in every step.
+  FrameHandle frame(std::string_view name, const Element& asking);
+  FrameHandle frame(const SystemHandle& system, int id);
+  /// All shapes of all systems that have a material; asks for their frames.
+  std::vector<ShapeInstance> shapesWithMaterial();
+
+  int nq() const { return nq_; }
+  int nu() const { return nu_; }
+  int blocks() const { return blocks_; }
+  const std::vector<const PartialMechanicalSystem*>& systems() const { return systems_; }
+  /// Frames asked for so far: (system index, frame id).
+  const std::vector<std::pair<int, int>>& requestedFrames() const { return requested_; }
+
+ private:
+  std::vector<const PartialMechanicalSystem*> systems_;
+  std::vector<SystemHandle> handles_;
+  std::vector<std::pair<int, int>> requested_;
+  int nq_ = 0, nu_ = 0, blocks_ = 0;
+};
+
+}  // namespace dynamy
