@@ -3,6 +3,7 @@
 /// that is too long for a terminal (a window around the place is shown).
 
 #include <dynamy/core/error.hpp>
+#include <dynamy/core/utf8.hpp>
 
 #include <algorithm>
 #include <map>
@@ -16,38 +17,14 @@ constexpr std::size_t kWindow = 160;       // characters of a line that are show
 constexpr std::size_t kBeforeCaret = 100;  // of these, at most so many before the place
 constexpr std::size_t kShownErrors = 100;
 
-struct Character {
-  std::string_view bytes;
-  char32_t code = 0;
-  bool valid = true;
-};
-
-/// The next character of UTF-8 text; an invalid byte is a character of its own.
-Character nextCharacter(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(at);
-  if (lead < 0x80) return {text.substr(at, 1), lead, true};
-  std::size_t size = 0;
-  if (lead >= 0xC2 && lead < 0xE0) size = 2;
-  if (lead >= 0xE0 && lead < 0xF0) size = 3;
-  if (lead >= 0xF0 && lead < 0xF5) size = 4;
-  if (size == 0 || at + size > text.size()) return {text.substr(at, 1), 0, false};
-  char32_t code = lead & (0x7Fu >> size);
-  for (std::size_t i = at + 1; i < at + size; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {text.substr(at, 1), 0, false};
-    code = (code << 6) | (byte(i) & 0x3Fu);
-  }
-  return {text.substr(at, size), code, true};
-}
-
-std::vector<Character> characters(std::string_view text) {
-  std::vector<Character> result;
+std::vector<Utf8Character> characters(std::string_view text) {
+  std::vector<Utf8Character> result;
   for (std::size_t at = 0; at < text.size(); at += result.back().bytes.size())
     result.push_back(nextCharacter(text, at));
   return result;
 }
 
-bool printable(const Character& c) {
+bool printable(const Utf8Character& c) {
   return c.valid && (c.code == '\t' || (c.code >= 0x20 && (c.code < 0x7F || c.code > 0x9F)));
 }
 
@@ -65,7 +42,7 @@ int terminalWidth(char32_t code) {
 /// The line and, under it, the caret: "    7 | text" / "      | ^~~~".
 std::string excerpt(const Place& place, std::string_view line) {
   if (line.empty() || place.line <= 0) return {};
-  const std::vector<Character> all = characters(line);
+  const std::vector<Utf8Character> all = characters(line);
   const std::size_t caret = place.column > 0 ? static_cast<std::size_t>(place.column) - 1 : 0;
   const std::size_t length = static_cast<std::size_t>(std::max(place.length, 1));
 
@@ -176,16 +153,6 @@ void Diagnostics::throwIfAny() const {
 
 std::string didYouMean(std::string_view name) {
   return name.empty() ? std::string() : "did you mean \"" + std::string(name) + "\"?";
-}
-
-int characterCount(std::string_view utf8) {
-  int count = 0;
-  for (std::size_t at = 0; at < utf8.size(); ++count) at += nextCharacter(utf8, at).bytes.size();
-  return count;
-}
-
-int columnOf(std::string_view line, std::size_t offset) {
-  return characterCount(line.substr(0, std::min(offset, line.size()))) + 1;
 }
 
 void throwExpectation(const char* what, const std::source_location& where) {

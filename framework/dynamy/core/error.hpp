@@ -93,12 +93,6 @@ std::string format(const std::vector<Diagnostic>& diagnostics);
 /// `did you mean "name"?`, or "" for an empty name: the hint of an unknown name.
 std::string didYouMean(std::string_view name);
 
-/// Number of characters (code points) in UTF-8 text; a byte that is no UTF-8 counts as one.
-int characterCount(std::string_view utf8);
-
-/// Column (from 1) of the byte at `offset` in a line of UTF-8 text.
-int columnOf(std::string_view line, std::size_t offset);
-
 [[noreturn]] void throwExpectation(const char* what, const std::source_location& where);
 
 /// Precondition on a programmer's call, e.g. `expects(dt > 0, "dt is positive")`.

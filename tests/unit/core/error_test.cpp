@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <dynamy/core/error.hpp>
+#include <dynamy/core/utf8.hpp>
 
 #include <algorithm>
 
@@ -105,12 +106,6 @@ TEST(Diagnostics, ThrowsAllErrorsSortedByPlaceEachOnce) {
                  "b.xml:2:3: error: first\nb.xml:2:9: error: second\nb.xml:5:1: error: third\n"
                  "a.xml:1:1: error: fourth");
   }
-}
-
-TEST(CharacterCount, CountsAnInvalidByteAsOneCharacter) {
-  EXPECT_EQ(characterCount("aµ球😀"), 4);
-  EXPECT_EQ(characterCount("\xc2"), 1);
-  EXPECT_EQ(characterCount("\xe7\x90x"), 3);
 }
 
 TEST(Expects, ThrowsTheConditionWithThePlaceOfTheCall) {

@@ -1,0 +1,62 @@
+#include <dynamy/core/utf8.hpp>
+#include <dynamy/io/source_text.hpp>
+
+#include <algorithm>
+
+namespace dynamy {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Characters of valid UTF-8: bytes that are no continuation.
+int validCharacterCount(std::string_view text) {
+  return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+}  // namespace
+
+SourceText::SourceText(std::string text, std::string name)
+    : text_(std::move(text)), name_(std::move(name)) {
+  lineStarts_.push_back(text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+  for (std::size_t i = text_.find('\n'); i != std::string::npos; i = text_.find('\n', i + 1))
+    lineStarts_.push_back(i + 1);
+}
+
+std::string_view SourceText::line(int number) const {
+  if (number < 1 || static_cast<std::size_t>(number) > lineStarts_.size()) return {};
+  const std::size_t begin = lineStarts_[static_cast<std::size_t>(number) - 1];
+  std::string_view rest = std::string_view(text_).substr(begin);
+  rest = rest.substr(0, rest.find('\n'));
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  return rest;
+}
+
+Place SourceText::place(std::size_t offset, std::size_t length) const {
+  const auto next = std::upper_bound(lineStarts_.begin() + 1, lineStarts_.end(), offset);
+  const std::size_t begin = *(next - 1);
+  const int number = static_cast<int>(next - lineStarts_.begin());
+  const std::string_view content = line(number);
+  const std::size_t at = std::min(offset - std::min(begin, offset), content.size());
+  const int marked = characterCount(content.substr(at, length));
+  return {name_, number, columnOf(content, at), std::max(marked, 1)};
+}
+
+Place Locator::place(std::size_t offset, std::size_t length) {
+  const std::vector<std::size_t>& starts = source_.lineStarts_;
+  while (line_ + 1 < starts.size() && starts[line_ + 1] <= offset) {
+    offset_ = starts[++line_];
+    column_ = 1;
+  }
+  if (line_ == 0) offset_ = std::max(offset_, starts[0]);
+  const std::string_view text = source_.text();
+  column_ += validCharacterCount(text.substr(offset_, offset - offset_));
+  offset_ = offset;
+  const std::string_view marked = text.substr(offset, length);
+  const int characters = validCharacterCount(marked.substr(0, marked.find_first_of("\r\n")));
+  return {source_.name(), static_cast<int>(line_) + 1, column_, std::max(characters, 1)};
+}
+
+}  // namespace dynamy
