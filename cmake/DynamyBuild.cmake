@@ -15,7 +15,7 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib")
 # keep their meaning, and contraction is off so that every processor rounds alike.
 add_compile_options(-fno-math-errno -ffp-contract=off)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
-set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
 
 add_library(dynamy_warnings INTERFACE)
 target_compile_options(dynamy_warnings INTERFACE
@@ -38,6 +38,8 @@ endif()
 if(DYNAMY_SANITIZE)
   add_compile_options(-fsanitize=${DYNAMY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${DYNAMY_SANITIZE})
+  # gcc 12 warns falsely inside std::function once a sanitizer is on.
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 if(DYNAMY_COVERAGE)
   add_compile_options(--coverage)
