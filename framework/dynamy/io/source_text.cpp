@@ -2,6 +2,7 @@
 #include <dynamy/io/source_text.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace dynamy {
 
@@ -14,6 +15,15 @@ int validCharacterCount(std::string_view text) {
   return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
+}
+
+/// The character that holds byte `at` <= text.size(): its first byte and the one behind it.
+std::pair<std::size_t, std::size_t> characterAround(std::string_view text, std::size_t at) {
+  for (std::size_t back = 1; back <= std::min<std::size_t>(at, 3); ++back) {
+    const std::size_t size = nextCharacter(text, at - back).bytes.size();
+    if (size > back) return {at - back, at - back + size};
+  }
+  return {at, at};
 }
 
 }  // namespace
@@ -39,8 +49,12 @@ Place SourceText::place(std::size_t offset, std::size_t length) const {
   const std::size_t begin = *(next - 1);
   const int number = static_cast<int>(next - lineStarts_.begin());
   const std::string_view content = line(number);
-  const std::size_t at = std::min(offset - std::min(begin, offset), content.size());
-  const int marked = characterCount(content.substr(at, length));
+  const std::size_t first = std::min(offset - std::min(begin, offset), content.size());
+  const std::size_t last = first + std::min(length, content.size() - first);
+
+  // An offset inside of a character means all of it.
+  const std::size_t at = characterAround(content, first).first;
+  const int marked = characterCount(content.substr(at, characterAround(content, last).second - at));
   return {name_, number, columnOf(content, at), std::max(marked, 1)};
 }
 

@@ -113,6 +113,13 @@ TEST(XmlPlace, CountsTabsAndUtf8AsOneColumn) {
   expectPlace(document.at(b.attributes[0], 5, 2), 2, 15, 1);  // ½, bytes 5 and 6
 }
 
+TEST(XmlPlace, OfAByteInsideOfACharacterIsTheCharacter) {
+  const XmlDocument document = parse("<a v=\"球x\"/>");
+  const XmlAttribute& v = document.root().attributes[0];
+  for (std::size_t byte = 0; byte < 3; ++byte) expectPlace(document.at(v, byte, 1), 1, 7, 1);
+  expectPlace(document.at(v, 2, 2), 1, 7, 2);
+}
+
 TEST(XmlPlace, IsTheSameWithWindowsLineEndsAndAByteOrderMark) {
   const XmlDocument document =
       parse("\xEF\xBB\xBF<a p=\"1\">\r\n  <b\r\n    x=\"2\"/>\r\n</a>\r\n");
