@@ -4,19 +4,17 @@
 #include <charconv>
 
 namespace dynamy {
-namespace {
 
-std::string shortest(double x) {
+std::string numberText(double x) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), x).ptr;
   return {text.data(), end};
 }
 
-}  // namespace
-
 std::string_view unitText(Unit unit) {
   switch (unit) {
     case Unit::none:
+    case Unit::any:
       return "-";
     case Unit::length:
       return "m";
@@ -60,6 +58,55 @@ std::string_view unitText(Unit unit) {
       return "W";
   }
   return "-";
+}
+
+std::string_view unitFamilyText(Unit unit) {
+  switch (unit) {
+    case Unit::none:
+    case Unit::any:
+      return "a number";
+    case Unit::length:
+      return "a length";
+    case Unit::angle:
+      return "an angle";
+    case Unit::time:
+      return "a time";
+    case Unit::mass:
+      return "a mass";
+    case Unit::inertia:
+      return "an inertia";
+    case Unit::velocity:
+      return "a velocity";
+    case Unit::angularVelocity:
+      return "an angular velocity";
+    case Unit::acceleration:
+      return "an acceleration";
+    case Unit::force:
+      return "a force";
+    case Unit::torque:
+      return "a torque";
+    case Unit::stiffness:
+      return "a stiffness";
+    case Unit::damping:
+      return "a damping";
+    case Unit::rotationalStiffness:
+      return "a rotational stiffness";
+    case Unit::rotationalDamping:
+      return "a rotational damping";
+    case Unit::density:
+      return "a density";
+    case Unit::frequency:
+      return "a frequency";
+    case Unit::impulse:
+      return "an impulse";
+    case Unit::angularImpulse:
+      return "an angular impulse";
+    case Unit::energy:
+      return "an energy";
+    case Unit::power:
+      return "a power";
+  }
+  return "a number";
 }
 
 std::string_view kindText(Kind kind) {
@@ -110,7 +157,7 @@ Attribute& Attributes::required(std::string name, Unit unit, std::string text) {
 Attribute& Attributes::optional(std::string name, Unit unit, double defaultValue,
                                 std::string text) {
   Attribute& a =
-      add(AttributeType::number, std::move(name), shortest(defaultValue), std::move(text));
+      add(AttributeType::number, std::move(name), numberText(defaultValue), std::move(text));
   a.unit = unit;
   return a;
 }

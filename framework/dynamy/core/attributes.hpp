@@ -31,10 +31,13 @@ enum class Unit {
   impulse,
   angularImpulse,
   energy,
-  power
+  power,
+  any  ///< a suffix of any family, e.g. for coordinates that mix lengths and angles
 };
-/// "m", "rad", "kg m^2", … ; "-" for none.
+/// "m", "rad", "kg m^2", … ; "-" for none and any.
 std::string_view unitText(Unit unit);
+/// The family in a sentence: "a length", "an angle", … ; "a number" for none and any.
+std::string_view unitFamilyText(Unit unit);
 
 /// What an attribute holds.
 enum class AttributeType {
@@ -103,7 +106,16 @@ struct Attribute {
     nonZero = true;
     return *this;
   }
+  /// May be absent although it has no default.
+  Attribute& mayBeAbsent() {
+    optionalValue = true;
+    return *this;
+  }
+  bool mustBeGiven() const { return !defaultValue && !optionalValue; }
 };
+
+/// Shortest text that reads back as the same number; "inf" and "nan" where it is one.
+std::string numberText(double x);
 
 /// Child elements an element accepts.
 struct ChildRule {

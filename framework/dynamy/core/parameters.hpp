@@ -7,13 +7,21 @@
 #pragma once
 #include <dynamy/core/element.hpp>
 #include <dynamy/core/types.hpp>
+#include <functional>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace dynamy {
+
+/// A piece of a value: text and the byte at which it begins.
+struct ValuePart {
+  std::string text;
+  std::size_t offset = 0;
+};
 
 /// Value of one attribute; converts to what the declaration says. Converting to another type is a
 /// programmer's error.
@@ -24,6 +32,8 @@ class ParameterValue {
   std::vector<double> numbers;  ///< number, integer, vector, in SI
   Place place;                  ///< of the value in the file
   bool given = false;           ///< false: the default
+  /// Place of `length` bytes from byte `offset` of `text`; empty: made in C++.
+  std::function<Place(std::size_t offset, std::size_t length)> locate;
 
   operator double() const;  // NOLINT(google-explicit-constructor): x["mass"] reads as a number
   operator const std::string&() const;  // NOLINT(google-explicit-constructor)
@@ -32,6 +42,11 @@ class ParameterValue {
   Vec3 vec3() const;
   Eigen::VectorXd vector() const;
   std::vector<std::string> words() const;  ///< split at white space
+  /// Split at `separator`, without the blanks around the parts; an empty text has no parts.
+  std::vector<ValuePart> parts(char separator) const;
+  /// The error to throw for `length` bytes from byte `offset` of the text, e.g. of a formula.
+  ModelError fault(std::string message, std::string hint, std::size_t offset,
+                   std::size_t length) const;
 };
 
 /// A value given in C++: number, text or vector; becomes the text an XML author would have written.
@@ -55,8 +70,15 @@ class Parameters {
   template <class T>
   static Parameters of(std::string type, std::string name, const std::vector<GivenValue>& given) {
     Attributes a;
+    if constexpr (requires { T::declareCommon(a); }) T::declareCommon(a);
     T::declare(a);
     return fromGiven(std::move(a), std::move(type), std::move(name), given);
+  }
+  /// For C++ models: adds a child element, e.g. the law of a contact.
+  template <class T>
+  Parameters&& with(std::unique_ptr<T> child) && {
+    children.push_back({T::kKind, std::move(child)});
+    return std::move(*this);
   }
 
   const ParameterValue& operator[](
@@ -79,7 +101,7 @@ class Parameters {
   };
   const Attributes* declaration = nullptr;  // of the registry, or `own` when made in C++
   std::unique_ptr<const Attributes> own;
-  std::vector<ParameterValue> values;
+  std::vector<ParameterValue> values;  // one per declared attribute, in their order
   mutable std::vector<Child> children;
 
  private:
@@ -101,10 +123,21 @@ std::unique_ptr<T> Parameters::takeOne() const {
   return all.empty() ? nullptr : std::move(all.front());
 }
 
-/// Checks one value text (already without braces) against its declaration and fills `numbers`;
-/// returns an empty text or the fault, e.g. `must be > 0, is -1`. `offset`/`length` point at the
-/// faulty part.
-std::string readValue(const Attribute& a, ParameterValue& value, std::size_t& offset,
-                      std::size_t& length);
+/// What is wrong with the text of a value, and with which bytes of it.
+struct ValueFault {
+  std::string text;  ///< e.g. `must be > 0, is -1`
+  std::string hint;
+  std::size_t offset = 0, length = 0;
+};
+
+/// Checks `value.text` (already without braces) against its declaration and fills
+/// `value.numbers`. Ranges bind values that are given; a default may stand outside, for "none".
+std::optional<ValueFault> readValue(const Attribute& a, ParameterValue& value);
+
+/// `"a", "b", "c"` of at most `most` words, with `…` for the rest: what was expected.
+std::string quotedList(const std::vector<std::string>& words, std::size_t most = 12);
+
+/// The hint for a name that is unknown: did you mean …, else what is known, else "".
+std::string unknownNameHint(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace dynamy
