@@ -80,6 +80,9 @@ class NormalTimesReservoir : public SetValuedForceLaw {
   /// Normal first, Λ_N = max(0, Λ_N − r_N ξ_N), then Λ_T = projection of Λ_T − r_T ξ_T on Λ_N B.
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   Status status(const LawInput& in, const double* argument) const override;
+  /// From the Hessian of `support`: ∂Λ_T/∂z_T = I − R (R + N H)⁻¹, ∂Λ_T/∂z_N = R (R + N H)⁻¹ ∇S_B.
+  bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
+                      double* A, double* B) const override;
 
   /// x ← nearest point of N·B in the metric diag(r)⁻¹ (k = dim − 1 rows, N ≥ 0). Default: from
   /// `support`, by a damped Newton iteration on  min ½ νᵀRν + N S_B(ν) − x·ν,  x ← x − Rν.
