@@ -1,0 +1,44 @@
+# Text files as string literals of a C++ file.
+#   cmake -DOUT=viewer_files.cpp -DFILES="a.html|b.js" -P EmbedText.cmake
+# Raw literals keep the text as it is; they are cut into pieces because compilers limit one literal.
+# Rejected: xxd (not everywhere), #embed (C++26), ld -r -b binary (one linker only).
+if(CMAKE_SCRIPT_MODE_FILE)
+  string(REPLACE "|" ";" files "${FILES}")
+  set(entries "")
+  foreach(file IN LISTS files)
+    file(READ "${file}" text)
+    get_filename_component(name "${file}" NAME)
+    string(APPEND entries "  if (name == \"${name}\") {\n    static constexpr std::string_view text =\n")
+    # lengths count bytes: cut behind a line's end, never inside a character
+    string(APPEND text "\n")
+    string(LENGTH "${text}" length)
+    set(at 0)
+    while(at LESS length)
+      string(SUBSTRING "${text}" ${at} 8000 piece)
+      string(FIND "${piece}" "\n" end REVERSE)
+      math(EXPR end "${end} + 1")
+      string(SUBSTRING "${piece}" 0 ${end} piece)
+      string(APPEND entries "        R\"_text_(${piece})_text_\"\n")
+      math(EXPR at "${at} + ${end}")
+    endwhile()
+    string(APPEND entries "        \"\";\n    return text;\n  }\n")
+  endforeach()
+  file(WRITE "${OUT}" "// Made by the build from app/viewer.\n#include <dynamy/io/viewer_files.hpp>\n\n"
+    "namespace dynamy {\n\nstd::string_view viewerFile(std::string_view name) {\n${entries}"
+    "  return {};\n}\n\n}  // namespace dynamy\n")
+  return()
+endif()
+
+# dynamy_embed_viewer(target): adds viewer_files.cpp with all of app/viewer to `target`.
+function(dynamy_embed_viewer target)
+  file(GLOB files CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/app/viewer/*.html ${PROJECT_SOURCE_DIR}/app/viewer/*.css
+    ${PROJECT_SOURCE_DIR}/app/viewer/*.js)
+  string(REPLACE ";" "|" joined "${files}")
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/viewer_files.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
+  add_custom_command(OUTPUT ${out} DEPENDS ${files} ${script} VERBATIM
+    COMMAND ${CMAKE_COMMAND} "-DOUT=${out}" "-DFILES=${joined}" -P ${script}
+    COMMENT "Embedding app/viewer")
+  target_sources(${target} PRIVATE ${out})
+endfunction()

@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// What goes wrong with a file: its path and the reason, in one line ready to be shown.
+/// Apart from ModelError, because a full disk or a foreign folder is no fault of a model and has no
+/// line in it.
+
+#include <stdexcept>
+#include <string>
+
+namespace dynamy {
+
+/// A file or folder that cannot be read, written or replaced. what() reads "path: reason".
+class FileError : public std::runtime_error {
+ public:
+  FileError(const std::string& path, const std::string& reason)
+      : std::runtime_error(path + ": " + reason) {}
+};
+
+}  // namespace dynamy

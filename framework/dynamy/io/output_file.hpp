@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// A file that is written once from front to back, or at once as a whole; every failure is a
+/// FileError with path and reason. The bytes leave the process with each call, so that a killed run
+/// keeps them; std::ofstream hides the reason of a failure and buffers a second time.
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace dynamy {
+
+class OutputFile {
+ public:
+  /// Creates or empties the file. \throws FileError
+  explicit OutputFile(const std::filesystem::path& path);
+  /// Hands all of `bytes` to the operating system. \throws FileError, e.g. when the disk is full
+  void write(std::string_view bytes);
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+/// Replaces `path` by a file with this content; a reader sees the old or the new one, never a half.
+/// \throws FileError
+void writeWholeFile(const std::filesystem::path& path, std::string_view content);
+
+/// The content of a file. \throws FileError
+std::string readWholeFile(const std::filesystem::path& path);
+
+}  // namespace dynamy

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The folder a run writes: run.json, model.xml, signals.csv, signals.svg, frames.bin, replay.html
+/// (doc/run_folder.md). An older run in it is replaced only if its run.json carries our marker, and
+/// then file by file: emptying a folder named on a command line would one day empty the wrong one.
+
+#include <dynamy/io/json_writer.hpp>
+#include <filesystem>
+#include <functional>
+
+namespace dynamy {
+
+class RunFolder {
+ public:
+  /// Where a run of `model` goes without --out: runs/MODEL, MODEL being the file name without its
+  /// ending.
+  static std::filesystem::path defaultPath(const std::filesystem::path& model);
+
+  /// Creates the folder with its parents, or takes an empty one, or removes the files of an older
+  /// run of ours from it; then writes a run.json with "state": "running".
+  /// \throws FileError if `path` is a file, or a folder with something else in it
+  explicit RunFolder(const std::filesystem::path& path);
+
+  /// Writes run.json: the marker, then the members that `write` adds to the open object.
+  /// Replaces the earlier one in one go. \throws FileError
+  void writeFacts(const std::function<void(JsonWriter&)>& write) const;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path facts() const { return path_ / "run.json"; }
+  /// The model as it was read: shown by the replay.
+  std::filesystem::path model() const { return path_ / "model.xml"; }
+  std::filesystem::path signals() const { return path_ / "signals.csv"; }
+  std::filesystem::path signalsPlot() const { return path_ / "signals.svg"; }
+  std::filesystem::path frames() const { return path_ / "frames.bin"; }
+  std::filesystem::path replay() const { return path_ / "replay.html"; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Whether `folder` holds a run.json that a RunFolder wrote.
+bool holdsRun(const std::filesystem::path& folder);
+
+}  // namespace dynamy

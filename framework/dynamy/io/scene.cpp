@@ -1,0 +1,65 @@
+#include <dynamy/io/scene.hpp>
+
+namespace dynamy {
+namespace {
+
+const char* nameOf(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::sphere:
+      return "sphere";
+    case ShapeKind::box:
+      return "box";
+    case ShapeKind::capsule:
+      return "capsule";
+    case ShapeKind::cylinder:
+      return "cylinder";
+    case ShapeKind::circle:
+      return "circle";
+    case ShapeKind::halfspace:
+      return "halfspace";
+    case ShapeKind::segment:
+      return "segment";
+    case ShapeKind::polygon:
+      return "polygon";
+    case ShapeKind::link:
+      return "link";
+  }
+  return "";
+}
+
+void write(JsonWriter& json, const SceneShape& shape) {
+  using enum ShapeKind;
+  json.beginObject().member("kind", nameOf(shape.kind));
+  if (!shape.name.empty()) json.member("name", shape.name);
+  json.member("frame", shape.frame);
+  json.key("position").values(shape.position);
+  json.key("orientation").values(shape.orientation);
+  const bool isLong = shape.kind == capsule || shape.kind == cylinder;
+  if (shape.radius > 0) json.member("radius", shape.radius);
+  if (isLong) json.member("halfLength", shape.halfLength);
+  if (shape.kind == box) json.key("halfExtents").values(shape.halfExtents);
+  if (!shape.points.empty()) {
+    json.key("points").beginArray();
+    for (const auto& point : shape.points) json.values(point);
+    json.endArray();
+  }
+  if (shape.kind == link) json.member("frameEnd", shape.frameEnd);
+  if (!shape.colour.empty()) json.member("colour", shape.colour);
+  if (!shape.style.empty()) json.member("style", shape.style);
+  json.endObject();
+}
+
+}  // namespace
+
+void write(JsonWriter& json, const Scene& scene) {
+  json.beginObject().member("view", scene.view);
+  json.key("frames").beginArray();
+  for (const SceneFrame& frame : scene.frames) {
+    json.beginObject().member("name", frame.name).member("place", frame.place).endObject();
+  }
+  json.endArray().key("shapes").beginArray();
+  for (const SceneShape& shape : scene.shapes) write(json, shape);
+  json.endArray().endObject();
+}
+
+}  // namespace dynamy

@@ -1,0 +1,129 @@
+#include <charconv>
+#include <dynamy/core/error.hpp>
+#include <dynamy/io/file_error.hpp>
+#include <dynamy/io/json_writer.hpp>
+#include <dynamy/io/signals_file.hpp>
+#include <string_view>
+
+namespace dynamy {
+namespace {
+
+constexpr std::size_t kBufferBytes = 1 << 16;
+constexpr std::size_t kBytesPerNumber = 26;  // 24 digits at most, and a comma or the line's end
+constexpr auto kDue = std::chrono::milliseconds(500);
+
+/// A name as a field of CSV: quoted only where a comma, a quote or a line's end makes it needed.
+void appendField(std::string& out, std::string_view name) {
+  if (name.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += name;
+    return;
+  }
+  out += '"';
+  for (const char c : name) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
+/// Splits the head of the table; quotes may hold commas and line ends. Returns the bytes it took.
+std::size_t readHead(std::string_view text, std::vector<std::string>& fields) {
+  fields.assign(1, "");
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
+      fields.back() += text[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (!quoted && c == ',') {
+      fields.emplace_back();
+    } else if (!quoted && c == '\n') {
+      return i + 1;
+    } else if (quoted || c != '\r') {
+      fields.back() += c;
+    }
+  }
+  return text.size();
+}
+
+}  // namespace
+
+SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals)
+    : file_(path), columns_(signals.size()) {
+  buffer_.reserve(kBufferBytes + kBytesPerNumber * (columns_ + 1));
+  buffer_ = "t";
+  for (const SignalName& signal : signals) {
+    buffer_ += ',';
+    appendField(buffer_, signal.name);
+  }
+  buffer_ += '\n';
+  flush();
+}
+
+SignalsFile::~SignalsFile() {
+  try {
+    flush();
+  } catch (const FileError&) {  // a destructor has nobody to tell
+  }
+}
+
+void SignalsFile::row(double t, std::span<const double> values) {
+  expects(values.size() == columns_, "a row has one value a signal");
+  appendNumber(buffer_, t);
+  for (const double value : values) {
+    buffer_ += ',';
+    appendNumber(buffer_, value);
+  }
+  buffer_ += '\n';
+  if (buffer_.size() >= kBufferBytes) {
+    flush();
+  } else {
+    flushIfDue();
+  }
+}
+
+void SignalsFile::flushIfDue() {
+  if (std::chrono::steady_clock::now() - written_ >= kDue) flush();
+}
+
+void SignalsFile::flush() {
+  file_.write(buffer_);
+  buffer_.clear();
+  written_ = std::chrono::steady_clock::now();
+}
+
+SignalTable readSignals(const std::filesystem::path& path) {
+  const std::string text = readWholeFile(path);
+  std::vector<std::string> names;
+  std::size_t at = readHead(text, names);
+  if (names.front() != "t") throw FileError(path.string() + ":1", "the first column must be t");
+
+  SignalTable table;
+  for (std::size_t i = 1; i < names.size(); ++i) table.signals.push_back({names[i], ""});
+  table.columns.resize(table.signals.size());
+
+  std::vector<double> row(names.size());
+  for (int line = 2; at < text.size(); ++line) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string::npos) break;  // the run was stopped while it wrote this row
+    const char* c = text.data() + at;
+    const char* const stop = text.data() + (end > at && text[end - 1] == '\r' ? end - 1 : end);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto number = std::from_chars(c, stop, row[i]);
+      const bool last = i + 1 == row.size();
+      if (number.ec != std::errc() ||
+          (last ? number.ptr != stop : number.ptr == stop || *number.ptr != ',')) {
+        throw FileError(path.string() + ':' + std::to_string(line),
+                        "expected " + std::to_string(row.size()) + " numbers with commas between");
+      }
+      c = number.ptr + 1;
+    }
+    table.t.push_back(row[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) table.columns[i - 1].push_back(row[i]);
+    at = end + 1;
+  }
+  return table;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// signals.csv: one row for each recorded instant, first column t [s], then the signals by name.
+/// Every number has the shortest text that reads back to the same bits. Rows leave the process as a
+/// whole, at least once a second of wall time: a killed run keeps all but its last second. A row is
+/// put together in a buffer that only grows while warming up; printf-like formatting would be
+/// slower, depend on the locale and lose digits or waste them.
+
+#include <chrono>
+#include <dynamy/io/output_file.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// Name of a signal (`ball.z`) and its unit for the axes ("m", "rad/s"; empty: not known).
+struct SignalName {
+  std::string name;
+  std::string unit;
+};
+
+class SignalsFile {
+ public:
+  /// Creates the file and writes its head. \throws FileError
+  SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals);
+  /// Writes the rows that are left; a failure at this late point is lost: call flush() to see it.
+  ~SignalsFile();
+  SignalsFile(const SignalsFile&) = delete;
+  SignalsFile& operator=(const SignalsFile&) = delete;
+
+  /// Adds a row: t [s] and one value a signal. Does not allocate after the first rows.
+  /// \throws FileError when the file cannot take more
+  void row(double t, std::span<const double> values);
+  /// Writes the collected rows if the last writing is long ago: for loops with rare rows.
+  void flushIfDue();
+  /// Writes the collected rows now. \throws FileError
+  void flush();
+
+ private:
+  OutputFile file_;
+  std::size_t columns_;
+  std::string buffer_;
+  std::chrono::steady_clock::time_point written_;
+};
+
+/// The content of a signals.csv: signals[i] has the values columns[i][row] at t[row].
+struct SignalTable {
+  std::vector<SignalName> signals;
+  std::vector<double> t;  ///< [s]
+  std::vector<std::vector<double>> columns;
+};
+
+/// Reads signals.csv; an unfinished last row is left out. Units are not in the file and stay empty.
+/// \throws FileError with the line of the first fault
+SignalTable readSignals(const std::filesystem::path& path);
+
+}  // namespace dynamy
