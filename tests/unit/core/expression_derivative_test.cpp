@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <dynamy/core/expression.hpp>
 #include <limits>
 #include <numbers>
+#include <ostream>
 #include <string>
+#include <string_view>
 
 namespace dynamy {
 namespace {
@@ -18,6 +21,14 @@ struct Case {
   double x;
   double f, f1, f2;
 };
+
+/// Name of a case in lists of tests: letters and digits of its text, since other characters disturb
+/// the test driver.
+void PrintTo(const Case& c, std::ostream* out) {
+  for (const char letter : std::string_view(c.text)) {
+    *out << (std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_');
+  }
+}
 
 SymbolTable oneVariable() {
   SymbolTable symbols;

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <dynamy/core/expression.hpp>
 #include <dynamy/core/unit_suffix.hpp>
 #include <numbers>
+#include <ostream>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dynamy {
@@ -27,6 +30,14 @@ struct Wrong {
   std::size_t offset, length;
   const char* suggestion;
 };
+
+/// Name of a case in lists of tests: letters and digits of its text, since other characters disturb
+/// the test driver.
+void PrintTo(const Wrong& c, std::ostream* out) {
+  for (const char letter : std::string_view(c.text)) {
+    *out << (std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_');
+  }
+}
 
 class WrongExpression : public testing::TestWithParam<Wrong> {};
 
