@@ -31,11 +31,17 @@ struct Wrong {
   const char* suggestion;
 };
 
-/// Name of a case in lists of tests: letters and digits of its text, since other characters disturb
-/// the test driver.
+/// Name of a case in lists of tests: letters and digits of its text, the code of any other
+/// character, since these disturb the test driver.
 void PrintTo(const Wrong& c, std::ostream* out) {
+  if (*c.text == '\0') *out << "empty";
   for (const char letter : std::string_view(c.text)) {
-    *out << (std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_');
+    const unsigned char code = static_cast<unsigned char>(letter);
+    if (std::isalnum(code) != 0) {
+      *out << letter;
+    } else {
+      *out << '_' << static_cast<int>(code) << '_';
+    }
   }
 }
 
