@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace dynamy {
@@ -22,10 +23,15 @@ namespace dynamy {
 /// A piece of a text file. Lines and columns count from 1; 0 means unknown.
 /// Columns and lengths count characters (Unicode code points); a tab is one character.
 struct Place {
-  std::string file = {};
+  std::string file;
   int line = 0;
   int column = 0;
   int length = 1;
+
+  /// A constructor, although an aggregate would do: inside of another aggregate, GCC 12 takes parts
+  /// of it for uninitialized when it optimises.
+  Place(std::string inFile = {}, int atLine = 0, int atColumn = 0, int ofLength = 1)
+      : file(std::move(inFile)), line(atLine), column(atColumn), length(ofLength) {}
 
   /// `file:line:column`, without the parts that are unknown; "" if nothing is known.
   std::string format() const;
