@@ -21,6 +21,8 @@ add_library(dynamy_warnings INTERFACE)
 target_compile_options(dynamy_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${DYNAMY_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# Rejected: precompiled headers. One per target costs more than it saves (48 s against 38 s of CPU for
+# 25 files), gcc 12 then warns about system headers, and ccache does the same without either.
 if(DYNAMY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(DYNAMY_CCACHE_PROGRAM ccache)
   if(DYNAMY_CCACHE_PROGRAM)
@@ -45,14 +47,6 @@ if(DYNAMY_COVERAGE)
   add_compile_options(--coverage)
   add_link_options(--coverage)
 endif()
-
-# The headers that cost most to read, compiled once per target.
-function(dynamy_precompile target)
-  if(DYNAMY_PCH)
-    target_precompile_headers(${target} PRIVATE
-      <Eigen/Dense> <algorithm> <cmath> <functional> <memory> <string> <string_view> <vector>)
-  endif()
-endfunction()
 
 option(DYNAMY_TIDY "Run clang-tidy on every file that is compiled" OFF)
 if(DYNAMY_TIDY)

@@ -12,18 +12,11 @@
 namespace dynamy::architecture {
 namespace {
 
-const SourceFile& file(const std::string& path) {
-  for (const SourceFile& candidate : sourceTree()) {
-    if (candidate.path == path) return candidate;
-  }
-  throw std::runtime_error(path + " is missing");
-}
-
 // section → packages
 std::map<std::string, std::set<std::string>> packageList() {
   std::map<std::string, std::set<std::string>> list;
   std::string section;
-  for (const std::string& line : file("cmake/packages.txt").lines) {
+  for (const std::string& line : sourceFile("cmake/packages.txt").lines) {
     std::smatch match;
     if (std::regex_search(line, match, std::regex(R"(^\[(\w+)\])"))) {
       section = match[1];
@@ -44,7 +37,7 @@ std::set<std::string> allPackages() {
 std::set<std::string> packagesInReadme() {
   std::set<std::string> names;
   bool inside = false;
-  for (const std::string& line : file("README.md").lines) {
+  for (const std::string& line : sourceFile("README.md").lines) {
     if (line.find("<!-- packages -->") != std::string::npos) inside = true;
     if (line.find("<!-- /packages -->") != std::string::npos) inside = false;
     if (!inside || line.starts_with("```") || line.starts_with("<!--")) continue;

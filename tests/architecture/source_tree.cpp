@@ -8,6 +8,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 namespace dynamy::architecture {
 namespace {
@@ -71,6 +72,13 @@ std::vector<SourceFile> readTree() {
 const std::vector<SourceFile>& sourceTree() {
   static const std::vector<SourceFile> files = readTree();
   return files;
+}
+
+const SourceFile& sourceFile(const std::string& path) {
+  for (const SourceFile& file : sourceTree()) {
+    if (file.path == path) return file;
+  }
+  throw std::runtime_error(path + " is missing");
 }
 
 std::vector<const SourceFile*> filesUnder(const std::vector<std::string>& folders,

@@ -24,6 +24,9 @@ struct Include {
 /// outside of the folders that builds and runs make. Files with a zero byte are left out.
 const std::vector<SourceFile>& sourceTree();
 
+/// The file at `path`; throws std::runtime_error if there is none.
+const SourceFile& sourceFile(const std::string& path);
+
 /// The files under one of the folders, e.g. {"framework/", "elements/"}, with one of the endings;
 /// an empty list of endings means all.
 std::vector<const SourceFile*> filesUnder(const std::vector<std::string>& folders,
