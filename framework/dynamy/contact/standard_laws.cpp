@@ -184,7 +184,7 @@ void UnilateralCoulomb::naturalMap(const LawInput& in, double rho, const double*
 bool UnilateralCoulomb::proxDerivative(const LawInput& in, double rho, const double* xi,
                                        const double* Lambda, double* A, double* B) const {
   const int n = in.dim, k = n - 1;
-  double z[3], P[4], e[2];
+  double z[3] = {}, P[4], e[2];
   for (int i = 0; i < n; ++i) z[i] = Lambda[i] - rho * xi[i];
   Eigen::Map<RowMatrix> a(A, n, n), b(B, n, n);
   a.setIdentity();
