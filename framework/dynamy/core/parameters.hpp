@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace dynamy {
@@ -103,6 +104,8 @@ class Parameters {
   std::unique_ptr<const Attributes> own;
   std::vector<ParameterValue> values;  // one per declared attribute, in their order
   mutable std::vector<Child> children;
+  /// Names and values of the model's <parameter>s: formulas may use them without braces.
+  std::vector<std::pair<std::string, double>> symbols;
 
  private:
   static Parameters fromGiven(Attributes a, std::string type, std::string name,

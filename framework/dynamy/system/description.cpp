@@ -7,10 +7,12 @@ void Description::signal(std::string name, Unit unit, std::string text, SignalFu
 }
 
 void Description::coordinate(std::string name, Unit unit, int i, std::string text) {
+  coordinates.emplace_back(name, i);
   signal(std::move(name), unit, std::move(text), [i](const SignalView& v) { return v.q[i]; });
 }
 
 void Description::velocity(std::string name, Unit unit, int i, std::string text) {
+  velocities.emplace_back(name, i);
   signal(std::move(name), unit, std::move(text), [i](const SignalView& v) { return v.u[i]; });
 }
 

@@ -54,6 +54,8 @@ class Description {
   void memory(std::vector<double> initial) { memoryStart = std::move(initial); }
 
   std::vector<Signal> signals;
+  /// Names of q[i] and u[i] as given above: elements with formulas find the coordinates by them.
+  std::vector<std::pair<std::string, int>> coordinates, velocities;
   std::vector<PlacedShape> shapes;
   std::vector<std::pair<std::string, int>> frames;
   std::vector<double> memoryStart;
