@@ -7,6 +7,7 @@
 
 namespace dynamy {
 
+/// <Contact between="a b">law</Contact>. The order of the materials does not matter.
 class ContactRule : public Element {
  public:
   static constexpr Kind kKind = Kind::rule;
@@ -21,6 +22,13 @@ class ContactRule : public Element {
  private:
   std::string a_, b_;
   std::unique_ptr<SetValuedForceLaw> law_;
+};
+
+/// <NoContact between="a b"/>: a rule without a law.
+class NoContactRule final : public ContactRule {
+ public:
+  using ContactRule::ContactRule;
+  static void declare(Attributes& a);
 };
 
 }  // namespace dynamy

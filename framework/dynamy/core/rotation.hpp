@@ -65,4 +65,19 @@ inline void tangents(const Vec3& n, Vec3& t1, Vec3& t2) {
   t2 = Vec3(b, s + n.y() * n.y() * a, -n.y());
 }
 
+/// Unit quaternion of a rotation about `axis` (any length, not zero) by `angle` [rad].
+inline void axisQuaternion(const Vec3& axis, double angle, double* p) {
+  const Vec3 v = std::sin(0.5 * angle) * axis.normalized();
+  p[0] = std::cos(0.5 * angle), p[1] = v.x(), p[2] = v.y(), p[3] = v.z();
+}
+
+/// p ∘ r: first r, then p.
+inline void quaternionProduct(const double* p, const double* r, double* out) {
+  const double w = p[0] * r[0] - p[1] * r[1] - p[2] * r[2] - p[3] * r[3];
+  const double x = p[0] * r[1] + p[1] * r[0] + p[2] * r[3] - p[3] * r[2];
+  const double y = p[0] * r[2] - p[1] * r[3] + p[2] * r[0] + p[3] * r[1];
+  const double z = p[0] * r[3] + p[1] * r[2] - p[2] * r[1] + p[3] * r[0];
+  out[0] = w, out[1] = x, out[2] = y, out[3] = z;
+}
+
 }  // namespace dynamy

@@ -20,6 +20,11 @@ void PartialMechanicalSystem::move(double t, Vec q, ConstVec u, double dt) const
   q += dt * rate;
 }
 
+double PartialMechanicalSystem::gravity(double, ConstVec, const Vec3&, Vec h) const {
+  h.setZero();
+  return 0.0;
+}
+
 void PartialMechanicalSystem::nonPotentialForce(double, ConstVec, ConstVec, Vec h) const {
   h.setZero();
 }

@@ -16,6 +16,9 @@ struct Blocks {
   int nq = 0, nu = 0;
   int capacity = 1;
   bool constantMass = false;  ///< M never changes: it is inverted once
+  /// Unit normal of the plane that all frames of the system move in; zero: motion in space.
+  /// Contacts and joints between such systems need fewer rows.
+  Vec3 planeNormal = Vec3::Zero();
 };
 
 /// Writable view of the mass matrices of all blocks of one system, nu × nu each, row after row.
@@ -50,6 +53,9 @@ class PartialMechanicalSystem : public Element {
   virtual void move(double t, Vec q, ConstVec u, double dt) const;
   /// V(q,t) of the forces in h that have a potential [J].
   virtual double potentialEnergy(double, ConstVec) const { return 0.0; }
+  /// Uniform field of gravity g_I [m/s²]: writes its generalised force Σ J_Sᵀ m g into h (all
+  /// entries) and returns its potential −Σ m g·r_OS [J]. Default: none, for systems without weight.
+  virtual double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const;
   /// The part of h that neither has a potential nor is gyroscopic (drives, dampers); for the energy
   /// ledger. Default: none.
   virtual void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const;

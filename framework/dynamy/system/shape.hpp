@@ -25,6 +25,13 @@ struct MassProperties {
   Mat3 inertia_B = Mat3::Zero();  ///< [m⁵], about the centre
 };
 
+/// Declares `position`, and `orientation` or `euler`, of a shape, frame or body.
+void declarePose(Attributes& a, const std::string& of);
+/// Unit quaternion (w, x, y, z) from `orientation`, or from `euler`: turns about x, y and z of the
+/// axes that stand still, A = Rz(γ) Ry(β) Rx(α). Throws ModelError if both are given or the
+/// quaternion vanishes.
+std::array<double, 4> orientation(const Parameters& x);
+
 class Shape : public Element {
  public:
   static constexpr Kind kKind = Kind::shape;

@@ -1,0 +1,61 @@
+// What all shapes have: place in their frame, material, colour, mass.
+#include <cmath>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/rotation.hpp>
+#include <dynamy/system/shape.hpp>
+
+namespace dynamy {
+
+void declarePose(Attributes& a, const std::string& of) {
+  a.vector("position", Unit::length, 3, "0 0 0", "origin of the " + of);
+  a.vector("orientation", Unit::none, 4, "1 0 0 0",
+           "axes of the " + of + ": quaternion w x y z, normalised here");
+  a.vector("euler", Unit::angle, 3, "0 0 0",
+           "instead of orientation: turns about the fixed axes x, then y, then z");
+}
+
+std::array<double, 4> orientation(const Parameters& x) {
+  const ParameterValue &quaternion = x["orientation"], &euler = x["euler"];
+  if (quaternion.given && euler.given)
+    throw euler.fault("orientation is given twice", "give either orientation or euler", 0,
+                      euler.text.size());
+  std::array<double, 4> p{1.0, 0.0, 0.0, 0.0};
+  if (euler.given) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double turn[4];
+      axisQuaternion(Vec3::Unit(axis), euler.numbers[static_cast<std::size_t>(axis)], turn);
+      quaternionProduct(turn, p.data(), p.data());
+    }
+    return p;
+  }
+  const Eigen::VectorXd v = quaternion.vector();
+  if (!(v.norm() > 0.0))
+    throw quaternion.fault("a quaternion of length 0 says no orientation", "1 0 0 0 is no rotation",
+                           0, quaternion.text.size());
+  for (int i = 0; i < 4; ++i) p[static_cast<std::size_t>(i)] = v[i] / v.norm();
+  return p;
+}
+
+void Shape::declareCommon(Attributes& a) {
+  declarePose(a, "shape in the frame that carries it");
+  a.add(AttributeType::name, "material", "",
+        "material; shapes with a material take part in contact, others are drawn only");
+  a.add(AttributeType::text, "colour", "", "CSS colour of the picture; default: by body");
+  a.optional("mass", Unit::mass, 0.0, "mass of the shape; 0: not given").nonNegative();
+  a.optional("density", Unit::density, 0.0, "instead of mass; 0: not given").nonNegative();
+}
+
+Shape::Shape(const Parameters& x)
+    : Element(x),
+      material_(x["material"].text),
+      colour_(x["colour"].text),
+      r_SB_K_(x["position"].vec3()),
+      A_KB_(rotationMatrix(orientation(x).data())),
+      mass_(x["mass"]),
+      density_(x["density"]) {
+  if (mass_ > 0.0 && density_ > 0.0)
+    throw x["density"].fault("mass and density are both given", "give one of them", 0,
+                             x["density"].text.size());
+}
+
+}  // namespace dynamy
