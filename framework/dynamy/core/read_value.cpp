@@ -2,35 +2,9 @@
 /// units, ranges, words of a list. Each fault says what was expected and what was found.
 
 #include <cmath>
-#include <dynamy/core/parameters.hpp>
-#if __has_include(<dynamy/core/unit_suffix.hpp>)
 #include <dynamy/core/expression_error.hpp>
+#include <dynamy/core/parameters.hpp>
 #include <dynamy/core/unit_suffix.hpp>
-#else  // until unit suffixes exist: plain numbers
-#include <charconv>
-namespace dynamy {
-enum class UnitFamily { none, length, time, mass, angle, frequency, velocity, angularVelocity,
-  acceleration, force, moment, impulse, energy, power, stiffness, damping, angularStiffness,
-  angularDamping, density, inertia };
-struct Quantity { double value = 0.0; UnitFamily family = UnitFamily::none; };
-class ExpressionError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-  std::string message() const { return what(); }
-  std::size_t offset() const { return 0; }
-  std::size_t length() const { return 1; }
-  std::string suggestion() const { return {}; }
-};
-static std::string_view siUnit(UnitFamily) { return ""; }
-static Quantity parseQuantity(std::string_view t) {
-  Quantity q;
-  const auto r = std::from_chars(t.data(), t.data() + t.size(), q.value);
-  if (r.ec != std::errc() || r.ptr != t.data() + t.size())
-    throw ExpressionError("expected a number, found \"" + std::string(t) + '"');
-  return q;
-}
-}  // namespace dynamy
-#endif
 #include <limits>
 
 namespace dynamy {
