@@ -24,6 +24,10 @@ class SimpleContact : public NonSmoothElement {
   /// Rows gamma() fills: 1 without friction, 2 planar, 3 spatial.
   virtual int rows() const { return 1; }
 
+  /// Exact d(Wᵀ)/dt u + dχ/dt, rows() entries [m/s²]; false: the framework takes a 4-point
+  /// difference along the motion (needs q̇ = u).
+  virtual bool bias(const Kinematics&, Vec) const { return false; }
+
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
@@ -32,6 +36,7 @@ class SimpleContact : public NonSmoothElement {
   const SetValuedForceLaw& law() const { return *law_; }
 
  private:
+  void addBias(const Kinematics& k, ContactRows& out, int dim) const;
   std::string on_;
   std::unique_ptr<SetValuedForceLaw> law_;
   SystemHandle system_;

@@ -27,6 +27,7 @@ inline Vec slice(Eigen::VectorXd& v, Eigen::Index first, Eigen::Index n) {
 inline ConstVec slice(const Eigen::VectorXd& v, Eigen::Index first, Eigen::Index n) {
   return {v.data() + first, n};
 }
+inline ConstVec view(const Vec& v) { return {v.data(), v.size()}; }
 inline ConstVec view(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 inline Vec view(Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 

@@ -34,6 +34,8 @@ class MechanicalSystem {
 
   /// q ← q ⊕ Δt (F u + β), t ← t + Δt.
   void moveConfiguration(State& x, double dt);
+  /// The same with velocities v that need not be x.u.
+  void move(State& x, const Eigen::VectorXd& v, double dt) const;
   /// M, h and the contacts with g ≤ g_tol, at (x.t, x.q, x.u), into slot `slot`.
   const Evaluation& evaluate(const State& x, int slot = 0);
   /// u_free = u^A + M⁻¹hΔt,  γ's, G, start of Λ by contact key:   ξ = GΛ + c.
@@ -52,11 +54,14 @@ class MechanicalSystem {
   const InclusionProblem& problem() const { return problem_; }
   const SystemParts& parts() const { return parts_; }
 
+  /// Index of a system whose M is not positive definite in the last evaluation, or −1.
+  int indefiniteMass() const { return indefinite_; }
   /// V(q,t) of all systems and forces [J].
   double potentialEnergy(const State& x);
 
  private:
   void startImpulses(const State& x);
+  void scales(double dt);
   SystemParts parts_;
   std::vector<Evaluation> slots_;
   ContactRequest request_;
@@ -65,6 +70,7 @@ class MechanicalSystem {
   InclusionProblem problem_;
   Eigen::VectorXd uFree_, uA_;
   std::vector<double> Lambda_;
+  int indefinite_ = -1;
   Kinematics energyKinematics_;
 };
 

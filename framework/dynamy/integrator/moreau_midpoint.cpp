@@ -12,6 +12,19 @@ StepReport MoreauMidpoint::step(MechanicalSystem& s, InclusionSolver& solver, St
   return {dt, solved, problem.size()};
 }
 
+void MoreauMidpoint::interpolate(const MechanicalSystem& s, const State& a, const State& b,
+                                 double theta, State& out) const {
+  // The scheme's own trajectory: u^A up to the midpoint, u^E behind it.
+  const double dt = b.t - a.t;
+  out.t = a.t, out.q = a.q, out.u = theta < 0.5 ? a.u : b.u;
+  if (theta <= 0.5) {
+    s.move(out, a.u, theta * dt);
+  } else {
+    s.move(out, a.u, 0.5 * dt);
+    s.move(out, b.u, (theta - 0.5) * dt);
+  }
+}
+
 void MoreauMidpoint::declare(Attributes& a) {
   a.about(
       "Moreau's midpoint rule: explicit in positions, one inclusion problem per step, order 1 with "

@@ -92,6 +92,7 @@ class Model {
  private:
   void describeAll();
   void connectAll();
+  void measure();
   std::vector<std::unique_ptr<PartialMechanicalSystem>> systems_;
   std::vector<std::unique_ptr<NonSmoothElement>> contacts_;
   std::vector<std::unique_ptr<ExternalForce>> forces_;

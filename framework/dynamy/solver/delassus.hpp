@@ -19,17 +19,17 @@ class Delassus {
   int rows() const { return n_; }
   bool assembled() const { return assembled_; }
   /// y = G x.
-  void apply(const double* x, double* y) const;
+  void apply(const double* x, double* y);
   /// dim × dim diagonal block of contact i, row after row.
   const double* diagonalBlock(int i) const {
     return diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)];
   }
   /// Σ_j |G_kj| of every row.
-  void rowSums(double* sums) const;
+  void rowSums(double* sums);
   /// Block of contacts (i, j), dim_i × dim_j, row after row.
   void block(int i, int j, double* out) const;
   /// Contacts that share a mass block with contact i, i included, ascending.
-  const std::vector<int>& neighbours(int i, std::vector<int>& scratch) const;
+  void neighbours(int i, std::vector<int>& out) const;
 
   // Sweeps: ξ_i = (GΛ + c)_i for the current Λ, changed block after block. A sweep object holds v
   // (matrix-free) or nothing.
@@ -42,12 +42,13 @@ class Delassus {
 
   const ContactSet& contacts() const { return *contacts_; }
   const MassMatrix& mass() const { return *mass_; }
-  /// M⁻¹W of segment s: nu × dim entries, stored as dim × nu (row r: M⁻¹ w_r).
-  const double* inverseMassW(int segment) const;
   /// v = M⁻¹ W Λ added to u.
   void addVelocity(const double* Lambda, Vec u) const;
 
  private:
+  void linkBlocks();
+  void fillDense();
+  void addTo(int i, const double* delta, double* u) const;
   const ContactSet* contacts_ = nullptr;
   const MassMatrix* mass_ = nullptr;
   int n_ = 0;
@@ -57,7 +58,10 @@ class Delassus {
   std::vector<double> diagonal_;
   std::vector<std::ptrdiff_t> diagonal0_;
   std::vector<double> v_;  // velocities of a matrix-free sweep
-  std::vector<int> blockFirst_, blockSegments_, segmentContact_;  // mass block → segments
+  std::vector<int> blockFirst_, blockSegments_, segmentContact_,
+      fill_;  // mass block → segments → contact
+  std::vector<int> near_;
+  std::vector<double> scratch_;
 };
 
 }  // namespace dynamy

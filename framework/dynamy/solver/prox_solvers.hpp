@@ -29,7 +29,7 @@ class ProxSolver : public InclusionSolver {
 
  private:
   ProxOptions options_;
-  std::vector<double> r_, scratch_;
+  std::vector<double> r_, scratch_, before_;
 };
 
 class ProxGaussSeidel final : public ProxSolver {

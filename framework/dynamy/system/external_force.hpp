@@ -8,8 +8,7 @@ namespace dynamy {
 /// energy ledger.
 class ForceSink {
  public:
-  ForceSink(const Topology& topology, Vec h, Vec nonPotential)
-      : topology_(&topology), h_(h), nonPotential_(nonPotential) {}
+  ForceSink(Vec h, Vec nonPotential) : h_(h), nonPotential_(nonPotential) {}
   /// Force F_I [N] at lever arm rho_I from S of the frame.
   void force(const Frame& frame, const Vec3& rho_I, const Vec3& F_I);
   /// Moment M_I [N m].
@@ -27,7 +26,6 @@ class ForceSink {
     h_[i] += value;
     if (!potential_) nonPotential_[i] += value;
   }
-  const Topology* topology_;
   Vec h_, nonPotential_;
   bool potential_ = false;
 };

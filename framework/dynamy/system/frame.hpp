@@ -17,9 +17,11 @@ struct Frame {
   Vec3 nu_R_I = Vec3::Zero();    ///< part of Ω not from u
   Vec3 bias_S_I = Vec3::Zero();  ///< β_S = J̇_S u + ν̇_S [m/s²]
   Vec3 bias_R_I = Vec3::Zero();  ///< β_R = J̇_R u + ν̇_R [rad/s²]
-  Mat3X J_S_I{nullptr, 3, 0};    ///< 3 × nu of the block; memory belongs to the workspace
-  Mat3X J_R_I{nullptr, 3, 0};    ///< 3 × nu
-  int block = -1;                ///< mass block the frame moves with, −1: none (ground)
+  Mat3X J_S_I{nullptr, 3,
+              0};  ///< 3 × nu of the block; memory belongs to the workspace; zero at first
+  Mat3X J_R_I{nullptr, 3, 0};  ///< 3 × nu
+  int block = -1;              ///< mass block the frame moves with, −1: none (ground)
+  int u0 = 0;                  ///< first velocity of that block in u
 
   int nu() const { return static_cast<int>(J_S_I.cols()); }
   /// Velocity of the body point at lever arm rho_I from S.

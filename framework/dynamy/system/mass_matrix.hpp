@@ -34,6 +34,7 @@ class MassMatrix {
   std::vector<int> nu_, u0_;
   std::vector<std::ptrdiff_t> offset_;
   std::vector<double> data_, inverse_;
+  std::vector<bool> constant_;
   bool first_ = true;
 };
 

@@ -51,6 +51,9 @@ class PartialMechanicalSystem : public Element {
   virtual void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const;
   /// q ← q ⊕ Δt q̇ with u constant; default q += Δt q̇(t, q, u); rotations use the exponential map.
   virtual void move(double t, Vec q, ConstVec u, double dt) const;
+  /// Brings q back on its manifold after linear combinations (unit quaternions); default: nothing
+  /// to do.
+  virtual void normalise(Vec) const {}
   /// V(q,t) of the forces in h that have a potential [J].
   virtual double potentialEnergy(double, ConstVec) const { return 0.0; }
   /// Uniform field of gravity g_I [m/s²]: writes its generalised force Σ J_Sᵀ m g into h (all

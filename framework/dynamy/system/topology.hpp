@@ -57,6 +57,12 @@ class Topology {
   std::vector<const PartialMechanicalSystem*> systems_;
   std::vector<SystemHandle> handles_;
   std::vector<std::pair<int, int>> requested_;
+  struct Placed {
+    const Shape* shape;
+    int frame, system;
+  };
+  std::vector<Placed> materials_;
+  std::vector<std::vector<std::pair<std::string, int>>> frameNames_;  // per system
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
 

@@ -1,0 +1,65 @@
+#include <dynamy/contact/contact_signals.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Index of the contact among the closed ones of this step, −1: open.
+int closed(const SignalView& v, std::uint64_t id) { return v.contacts->find(v.element, id); }
+
+double gap(const SignalView& v, std::uint64_t id) {
+  const ContactKey wanted = contactKey(v.element, id);
+  for (std::size_t i = 0; i < v.contacts->candidateKey.size(); ++i)
+    if (v.contacts->candidateKey[i] == wanted) return v.contacts->g[i];
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double rowOf(const SignalView& v, std::uint64_t id, int row, const ConstVec& values) {
+  const int i = closed(v, id);
+  return i < 0 || values.size() == 0 ? 0.0
+                                     : values[v.contacts->row0[static_cast<std::size_t>(i)] + row];
+}
+
+/// Status from Λ and γ^E of the step: Λ − ξ is the prox argument for r = 1 once the inclusion
+/// holds.
+double statusNumber(const SignalView& v, std::uint64_t id) {
+  const int i = closed(v, id);
+  if (i < 0) return static_cast<double>(Status::open);
+  const auto at = static_cast<std::size_t>(i);
+  const int first = v.contacts->row0[at], dim = v.contacts->dim(i);
+  double argument[8] = {};
+  for (int r = 0; r < dim && r < 8; ++r) argument[r] = v.Lambda[first + r] - v.gammaE[first + r];
+  const LawInput in{dim, v.dt, v.gammaE.data() + first, nullptr};
+  return static_cast<double>(v.contacts->law[at]->status(in, argument));
+}
+
+std::string rowName(const SetValuedForceLaw& law, int row, int dim) {
+  const bool normal = law.rowKind(0) == RowKind::normal;
+  if (normal && row == 0) return "N";
+  const int tangent = normal ? row : row + 1, tangents = normal ? dim - 1 : dim;
+  return tangents == 1 ? "T" : "T" + std::to_string(tangent);
+}
+
+}  // namespace
+
+void describeContact(Description& d, std::uint64_t id, int geometric, const SetValuedForceLaw& law,
+                     const std::string& prefix) {
+  const int dim = law.dim(geometric);
+  d.signal(prefix + "g", Unit::length, "gap", [id](const SignalView& v) { return gap(v, id); });
+  d.signal(prefix + "status", Unit::none,
+           "0 open, 1 separating, 2 stick, 3 slip, 4 lower, 5 upper, 6 locked",
+           [id](const SignalView& v) { return statusNumber(v, id); });
+  for (int r = 0; r < dim; ++r) {
+    const std::string row = rowName(law, r, dim);
+    d.signal(prefix + "gamma_" + row, Unit::velocity, "relative velocity at the end of the step",
+             [id, r](const SignalView& v) { return rowOf(v, id, r, v.gammaE); });
+    d.signal(prefix + "Lambda_" + row, Unit::impulse, "percussion of the step",
+             [id, r](const SignalView& v) { return rowOf(v, id, r, v.Lambda); });
+    d.signal(prefix + "lambda_" + row, Unit::force, "force: percussion over step length",
+             [id, r](const SignalView& v) {
+               return v.dt > 0.0 ? rowOf(v, id, r, v.Lambda) / v.dt : 0.0;
+             });
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <dynamy/contact/contact_sink.hpp>
+
+namespace dynamy {
+
+ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw& law,
+                             int geometric) {
+  ContactSet& c = *set_;
+  const ContactKey key = contactKey(element_, id);
+  const bool closed = request_.refresh
+                          ? std::binary_search(request_.frozen.begin(), request_.frozen.end(), key)
+                          : !law.unilateral() || g <= request_.gTol;
+  c.candidateKey.push_back(key);
+  c.g.push_back(g);
+  c.candidateElement.push_back(element_);
+  c.closedIndex.push_back(closed ? c.size() : -1);
+  if (!closed) return {};
+  const int index = c.size(), dim = law.dim(geometric);
+  c.key.push_back(key);
+  c.law.push_back(&law);
+  c.element.push_back(element_);
+  c.candidate.push_back(static_cast<int>(c.g.size()) - 1);
+  c.row0.push_back(c.row0.back() + dim);
+  c.segment0.push_back(c.segment0.back());
+  c.chi.resize(c.chi.size() + static_cast<std::size_t>(dim), 0.0);
+  if (request_.bias) c.bias.resize(c.bias.size() + static_cast<std::size_t>(dim), 0.0);
+  c.point.push_back(Vec3::Zero());
+  c.normal.push_back(Vec3::Zero());
+  return {c, index, request_.bias};
+}
+
+Block ContactRows::segment(int block, int u0, int nu) {
+  ContactSet& c = *set_;
+  const int rows = dim();
+  const auto offset = static_cast<std::ptrdiff_t>(c.W.size());
+  c.W.resize(c.W.size() + static_cast<std::size_t>(rows) * static_cast<std::size_t>(nu), 0.0);
+  c.segment.push_back({block, u0, nu, offset});
+  ++c.segment0.back();
+  return {c.W.data() + offset, rows, nu};
+}
+
+void ContactRows::place(const Vec3& point, const Vec3& normal) {
+  set_->point[static_cast<std::size_t>(index_)] = point;
+  set_->normal[static_cast<std::size_t>(index_)] = normal;
+}
+
+void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const Vec3& direction,
+                 double sign) {
+  const Vec3 moment = rho_I.cross(direction);
+  for (int j = 0; j < frame.nu(); ++j)
+    W(row, j) += sign * (frame.J_S_I.col(j).dot(direction) + frame.J_R_I.col(j).dot(moment));
+}
+
+namespace {
+
+/// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`.
+void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* const* direction,
+             double sign) {
+  const int dim = rows.dim();
+  const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
+  if (f.block >= 0) {
+    Block W = rows.segment(f.block, f.u0, f.nu());
+    for (int r = 0; r < dim; ++r) addPointRow(W, r, f, rho, *direction[r], sign);
+  }
+  for (int r = 0; r < dim; ++r) rows.chi(r) += sign * nu.dot(*direction[r]);
+  if (!rows.wantsBias()) return;
+  const Vec3 a = f.bias_S_I + f.bias_R_I.cross(rho) + f.Omega_I.cross(f.Omega_I.cross(rho));
+  for (int r = 0; r < dim; ++r) rows.bias(r) += sign * a.dot(*direction[r]);
+}
+
+}  // namespace
+
+void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
+                  const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2) {
+  const Vec3* direction[3] = {&n, &t1, &t2};
+  addSide(rows, A, rhoA_I, direction, -1.0);
+  addSide(rows, B, rhoB_I, direction, 1.0);
+  rows.place(B.r_OS_I + rhoB_I, n);
+}
+
+}  // namespace dynamy

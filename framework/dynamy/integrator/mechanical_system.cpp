@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/mechanical_system.hpp>
+#include <limits>
+
+namespace dynamy {
+
+MechanicalSystem::MechanicalSystem(const SystemParts& parts, int slots) : parts_(parts) {
+  const Topology& topology = *parts.topology;
+  slots_.resize(static_cast<std::size_t>(std::max(1, slots)));
+  for (Evaluation& e : slots_) {
+    e.kinematics.resize(topology);
+    e.mass.resize(topology);
+    e.h.setZero(topology.nu());
+    e.hNonPotential.setZero(topology.nu());
+    e.contacts.clear();
+  }
+  energyKinematics_.resize(topology);
+  uFree_.setZero(topology.nu());
+  uA_.setZero(topology.nu());
+  problem_.contacts = &slots_.front().contacts;
+}
+
+void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const {
+  const Topology& topology = *parts_.topology;
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& s = topology.system(static_cast<int>(i));
+    if (s.nq > 0)
+      topology.systems()[i]->move(x.t, slice(x.q, s.q0, s.nq), slice(v, s.u0, s.nu), dt);
+  }
+  x.t += dt;
+}
+
+void MechanicalSystem::moveConfiguration(State& x, double dt) { move(x, x.u, dt); }
+
+const Evaluation& MechanicalSystem::evaluate(const State& x, int slot) {
+  const Topology& topology = *parts_.topology;
+  Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  e.t = x.t;
+  e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u));
+  indefinite_ = e.mass.evaluate(topology, x.t, view(x.q));
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& s = topology.system(static_cast<int>(i));
+    if (s.nu == 0) continue;
+    topology.systems()[i]->h(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
+                             slice(e.h, s.u0, s.nu));
+    topology.systems()[i]->nonPotentialForce(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
+                                             slice(e.hNonPotential, s.u0, s.nu));
+  }
+  ForceSink forces(view(e.h), view(e.hNonPotential));
+  for (const ExternalForce* f : parts_.forces) {
+    forces.hasPotential(f->hasPotential());
+    f->addTo(e.kinematics, forces);
+  }
+  e.contacts.clear();
+  ContactSink sink(e.contacts, request_);
+  for (std::size_t i = 0; i < parts_.contacts.size(); ++i) {
+    sink.element(static_cast<int>(i));
+    parts_.contacts[i]->contacts(e.kinematics, sink);
+  }
+  return e;
+}
+
+InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int slot) {
+  const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  const auto n = static_cast<std::size_t>(e.contacts.rows());
+  uA_ = x.u;
+  e.mass.applyInverse(view(e.h), view(uFree_));
+  uFree_ = uA_ + dt * uFree_;  // u_free = u^A + M⁻¹hΔt
+  problem_.G = &delassus_;
+  problem_.contacts = &e.contacts;
+  problem_.dt = dt;
+  problem_.c.resize(n), problem_.gammaFree.resize(n), problem_.gammaA.resize(n);
+  if (n > 0) {
+    delassus_.assemble(e.contacts, e.mass, form_);
+    const auto rows = static_cast<Eigen::Index>(n);
+    e.contacts.gamma({uFree_.data(), uFree_.size()}, {problem_.gammaFree.data(), rows});
+    e.contacts.gamma({uA_.data(), uA_.size()}, {problem_.gammaA.data(), rows});
+  }
+  startImpulses(x);
+  scales(dt);
+  return problem_;
+}
+
+void MechanicalSystem::scales(double) {
+  // u_ref: the largest relative velocity that is there or would arise; the floor of Λ: what a
+  // velocity of u_ref takes, times 1e-12.
+  double uRef = 0.0, floor = 0.0;
+  for (int i = 0; i < problem_.size(); ++i)
+    for (int r = 0; r < problem_.dim(i); ++r) {
+      const auto k = static_cast<std::size_t>(problem_.row0(i) + r);
+      const double a = std::abs(problem_.gammaA[k]), f = std::abs(problem_.gammaFree[k]);
+      uRef = std::max({uRef, a, f});
+      const double G = problem_.G->diagonalBlock(i)[r * problem_.dim(i) + r];
+      if (G > 0.0) floor += 1e-12 * std::max(a, f) / G;
+    }
+  // A scene without motion and forces: any velocity scale will do, Λ = 0 is exact.
+  problem_.uRef = uRef > 0.0 ? uRef : std::numeric_limits<double>::min();
+  problem_.lambdaFloor = floor;
+}
+
+void MechanicalSystem::startImpulses(const State& x) {
+  const ContactSet& c = *problem_.contacts;
+  Lambda_.assign(static_cast<std::size_t>(c.rows()), 0.0);
+  const RememberedImpulses& old = x.impulses;
+  if (old.key.empty() || old.dt <= 0.0) return;
+  const double scale = problem_.dt / old.dt;
+  // Order rarely changes: try the next remembered key first, search only when it is another one.
+  std::size_t cursor = 0;
+  for (int i = 0; i < c.size(); ++i) {
+    const ContactKey key = c.key[static_cast<std::size_t>(i)];
+    std::size_t at = cursor;
+    if (at >= old.key.size() || old.key[at] != key) {
+      at = static_cast<std::size_t>(std::find(old.key.begin(), old.key.end(), key) -
+                                    old.key.begin());
+      if (at == old.key.size()) continue;
+    }
+    cursor = at + 1;
+    const int first = old.first[at], dim = old.first[at + 1] - first;
+    if (dim != c.dim(i)) continue;
+    for (int r = 0; r < dim; ++r)
+      Lambda_[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r)] =
+          scale * old.Lambda[static_cast<std::size_t>(first + r)];
+  }
+}
+
+void MechanicalSystem::velocityFromImpulses(State& x) {
+  x.u = uFree_;
+  if (problem_.rows() > 0)
+    delassus_.addVelocity(Lambda_.data(), view(x.u));  // u^E = u_free + M⁻¹WΛ
+  x.impulses.key = problem_.contacts->key;
+  x.impulses.first = problem_.contacts->row0;
+  x.impulses.Lambda = Lambda_;
+  x.impulses.dt = problem_.dt;
+}
+
+double MechanicalSystem::potentialEnergy(const State& x) {
+  const Topology& topology = *parts_.topology;
+  double V = 0.0;
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& s = topology.system(static_cast<int>(i));
+    V += topology.systems()[i]->potentialEnergy(x.t, slice(x.q, s.q0, s.nq));
+  }
+  if (parts_.forces.empty()) return V;
+  energyKinematics_.evaluate(topology, x.t, view(x.q), view(x.u));
+  for (const ExternalForce* f : parts_.forces) V += f->potentialEnergy(energyKinematics_);
+  return V;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/solver/delassus.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Rows up to which the dense matrix pays: n² numbers stay in the first-level cache.
+constexpr int kDenseRows = 64;
+
+double dot(const double* a, const double* b, int n) {
+  double s = 0.0;
+  for (int j = 0; j < n; ++j) s += a[j] * b[j];
+  return s;
+}
+
+}  // namespace
+
+void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form form) {
+  contacts_ = &contacts, mass_ = &mass, n_ = contacts.rows();
+  assembled_ = form == Form::assembled || (form == Form::automatic && n_ <= kDenseRows);
+  // M⁻¹ w, row after row, beside W.
+  minvW_.resize(contacts.W.size());
+  for (int i = 0; i < contacts.size(); ++i)
+    for (int k = contacts.segment0[static_cast<std::size_t>(i)];
+         k < contacts.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
+      const Segment& s = contacts.segment[static_cast<std::size_t>(k)];
+      const double* A = mass.inverse(s.block).data();
+      for (int r = 0; r < contacts.dim(i); ++r) {
+        const double* w = contacts.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+        double* out = minvW_.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+        for (int j = 0; j < s.nu; ++j)
+          out[j] = dot(A + static_cast<std::ptrdiff_t>(j) * s.nu, w, s.nu);
+      }
+    }
+  linkBlocks();
+  diagonal0_.resize(static_cast<std::size_t>(contacts.size()) + 1);
+  std::ptrdiff_t size = 0;
+  for (int i = 0; i < contacts.size(); ++i) {
+    diagonal0_[static_cast<std::size_t>(i)] = size;
+    size += static_cast<std::ptrdiff_t>(contacts.dim(i)) * contacts.dim(i);
+  }
+  diagonal_.resize(static_cast<std::size_t>(size));
+  for (int i = 0; i < contacts.size(); ++i)
+    block(i, i, diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)]);
+  if (assembled_)
+    fillDense();
+  else
+    v_.resize(static_cast<std::size_t>(
+        mass.blocks() == 0 ? 0 : mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1)));
+}
+
+void Delassus::linkBlocks() {
+  // Mass block → its segments, by counting.
+  const ContactSet& c = *contacts_;
+  blockFirst_.assign(static_cast<std::size_t>(mass_->blocks()) + 1, 0);
+  for (const Segment& s : c.segment) ++blockFirst_[static_cast<std::size_t>(s.block) + 1];
+  for (std::size_t b = 1; b < blockFirst_.size(); ++b) blockFirst_[b] += blockFirst_[b - 1];
+  blockSegments_.resize(c.segment.size());
+  segmentContact_.resize(c.segment.size());
+  fill_.assign(blockFirst_.begin(), blockFirst_.end());
+  for (int i = 0; i < c.size(); ++i)
+    for (int k = c.segment0[static_cast<std::size_t>(i)];
+         k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
+      segmentContact_[static_cast<std::size_t>(k)] = i;
+      blockSegments_[static_cast<std::size_t>(
+          fill_[static_cast<std::size_t>(c.segment[static_cast<std::size_t>(k)].block)]++)] = k;
+    }
+}
+
+void Delassus::block(int i, int j, double* out) const {
+  const ContactSet& c = *contacts_;
+  const int di = c.dim(i), dj = c.dim(j);
+  std::fill(out, out + static_cast<std::ptrdiff_t>(di) * dj, 0.0);
+  for (int a = c.segment0[static_cast<std::size_t>(i)];
+       a < c.segment0[static_cast<std::size_t>(i) + 1]; ++a)
+    for (int b = c.segment0[static_cast<std::size_t>(j)];
+         b < c.segment0[static_cast<std::size_t>(j) + 1]; ++b) {
+      const Segment& s = c.segment[static_cast<std::size_t>(a)];
+      const Segment& o = c.segment[static_cast<std::size_t>(b)];
+      if (s.block != o.block) continue;
+      for (int r = 0; r < di; ++r)
+        for (int k = 0; k < dj; ++k)
+          out[r * dj + k] += dot(c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu,
+                                 minvW_.data() + o.w + static_cast<std::ptrdiff_t>(k) * s.nu, s.nu);
+    }
+}
+
+void Delassus::fillDense() {
+  const ContactSet& c = *contacts_;
+  G_.assign(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_), 0.0);
+  for (int b = 0; b + 1 < static_cast<int>(blockFirst_.size()); ++b)
+    for (int p = blockFirst_[static_cast<std::size_t>(b)];
+         p < blockFirst_[static_cast<std::size_t>(b) + 1]; ++p)
+      for (int q = blockFirst_[static_cast<std::size_t>(b)];
+           q < blockFirst_[static_cast<std::size_t>(b) + 1]; ++q) {
+        const auto ks = static_cast<std::size_t>(blockSegments_[static_cast<std::size_t>(p)]);
+        const auto ko = static_cast<std::size_t>(blockSegments_[static_cast<std::size_t>(q)]);
+        const Segment &s = c.segment[ks], &o = c.segment[ko];
+        const int i = segmentContact_[ks], j = segmentContact_[ko];
+        const int ri = c.row0[static_cast<std::size_t>(i)],
+                  rj = c.row0[static_cast<std::size_t>(j)];
+        for (int r = 0; r < c.dim(i); ++r)
+          for (int k = 0; k < c.dim(j); ++k)
+            G_[static_cast<std::size_t>((ri + r) * n_ + rj + k)] +=
+                dot(c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu,
+                    minvW_.data() + o.w + static_cast<std::ptrdiff_t>(k) * s.nu, s.nu);
+      }
+}
+
+void Delassus::begin(const double* Lambda) {
+  if (assembled_) return;
+  std::fill(v_.begin(), v_.end(), 0.0);
+  for (int i = 0; i < contacts_->size(); ++i)
+    changed(i, Lambda + contacts_->row0[static_cast<std::size_t>(i)]);
+}
+
+void Delassus::row(int i, const double* Lambda, double* out) const {
+  const ContactSet& c = *contacts_;
+  const int first = c.row0[static_cast<std::size_t>(i)], dim = c.dim(i);
+  if (assembled_) {
+    for (int r = 0; r < dim; ++r)
+      out[r] = dot(G_.data() + static_cast<std::ptrdiff_t>(first + r) * n_, Lambda, n_);
+    return;
+  }
+  for (int r = 0; r < dim; ++r) out[r] = 0.0;
+  for (int k = c.segment0[static_cast<std::size_t>(i)];
+       k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    for (int r = 0; r < dim; ++r)
+      out[r] +=
+          dot(c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu, v_.data() + s.u0, s.nu);
+  }
+}
+
+void Delassus::changed(int i, const double* delta) {
+  if (assembled_) return;
+  addTo(i, delta, v_.data());
+}
+
+void Delassus::addTo(int i, const double* delta, double* u) const {
+  const ContactSet& c = *contacts_;
+  for (int k = c.segment0[static_cast<std::size_t>(i)];
+       k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    for (int r = 0; r < c.dim(i); ++r) {
+      const double* w = minvW_.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+      for (int j = 0; j < s.nu; ++j) u[s.u0 + j] += w[j] * delta[r];
+    }
+  }
+}
+
+void Delassus::addVelocity(const double* Lambda, Vec u) const {
+  for (int i = 0; i < contacts_->size(); ++i)
+    addTo(i, Lambda + contacts_->row0[static_cast<std::size_t>(i)], u.data());
+}
+
+void Delassus::apply(const double* x, double* y) {
+  begin(x);
+  for (int i = 0; i < contacts_->size(); ++i)
+    row(i, x, y + contacts_->row0[static_cast<std::size_t>(i)]);
+}
+
+void Delassus::neighbours(int i, std::vector<int>& out) const {
+  const ContactSet& c = *contacts_;
+  out.clear();
+  for (int k = c.segment0[static_cast<std::size_t>(i)];
+       k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
+    const auto b = static_cast<std::size_t>(c.segment[static_cast<std::size_t>(k)].block);
+    for (int p = blockFirst_[b]; p < blockFirst_[b + 1]; ++p)
+      out.push_back(
+          segmentContact_[static_cast<std::size_t>(blockSegments_[static_cast<std::size_t>(p)])]);
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
+void Delassus::rowSums(double* sums) {
+  const ContactSet& c = *contacts_;
+  std::fill(sums, sums + n_, 0.0);
+  for (int i = 0; i < c.size(); ++i) {
+    neighbours(i, near_);
+    for (const int j : near_) {
+      const int di = c.dim(i), dj = c.dim(j);
+      scratch_.resize(static_cast<std::size_t>(di) * static_cast<std::size_t>(dj));
+      block(i, j, scratch_.data());
+      for (int r = 0; r < di; ++r)
+        for (int k = 0; k < dj; ++k)
+          sums[c.row0[static_cast<std::size_t>(i)] + r] +=
+              std::abs(scratch_[static_cast<std::size_t>(r * dj + k)]);
+    }
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,36 @@
+#include <dynamy/system/kinematics.hpp>
+#include <new>
+
+namespace dynamy {
+
+void Kinematics::resize(const Topology& topology) {
+  const auto& requested = topology.requestedFrames();
+  frames_.assign(requested.size(), Frame{});
+  std::size_t size = 0;
+  for (const auto& [system, id] : requested)
+    size += 6 * static_cast<std::size_t>(topology.system(system).blockNu);
+  jacobians_.assign(size, 0.0);
+  double* next = jacobians_.data();
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    const int nu = topology.system(requested[i].first).blockNu;
+    new (&frames_[i].J_S_I) Mat3X(next, 3, nu);
+    new (&frames_[i].J_R_I) Mat3X(next + 3 * nu, 3, nu);
+    next += 6 * nu;
+  }
+}
+
+void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u) {
+  t_ = t, q_ = q.data(), u_ = u.data();
+  const auto& requested = topology.requestedFrames();
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    const SystemHandle& s = topology.system(requested[i].first);
+    Frame& f = frames_[i];
+    f.block = 0;
+    topology.systems()[static_cast<std::size_t>(s.index)]->frame(t, this->q(s), this->u(s),
+                                                                 requested[i].second, f);
+    f.block = s.blocks == 0 ? -1 : s.block0 + f.block;
+    f.u0 = s.u0 + (s.blocks == 0 ? 0 : (f.block - s.block0) * s.blockNu);
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,116 @@
+#include <cmath>
+#include <dynamy/system/mass_matrix.hpp>
+
+namespace dynamy {
+namespace {
+
+/// inverse ← M⁻¹ by Cholesky, in place and without allocation; false if M is not positive definite.
+bool invert(const double* M, int n, double* inverse) {
+  // L in the lower triangle of `inverse`.
+  for (int j = 0; j < n; ++j) {
+    double d = M[j * n + j];
+    for (int k = 0; k < j; ++k) d -= inverse[j * n + k] * inverse[j * n + k];
+    if (!(d > 0.0)) return false;
+    const double l = std::sqrt(d);
+    inverse[j * n + j] = l;
+    for (int i = j + 1; i < n; ++i) {
+      double s = M[i * n + j];
+      for (int k = 0; k < j; ++k) s -= inverse[i * n + k] * inverse[j * n + k];
+      inverse[i * n + j] = s / l;
+    }
+  }
+  // L ← L⁻¹, row after row.
+  for (int i = 0; i < n; ++i) {
+    const double l = 1.0 / inverse[i * n + i];
+    for (int j = 0; j < i; ++j) {
+      double s = 0.0;
+      for (int k = j; k < i; ++k) s -= inverse[i * n + k] * inverse[k * n + j];
+      inverse[i * n + j] = s * l;
+    }
+    inverse[i * n + i] = l;
+  }
+  // M⁻¹ = L⁻ᵀ L⁻¹: entry (i, j) needs rows k ≥ max(i, j) only, so going down the columns overwrites
+  // nothing still needed.
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      double s = 0.0;
+      for (int k = i; k < n; ++k) s += inverse[k * n + i] * inverse[k * n + j];
+      inverse[i * n + j] = s;
+    }
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) inverse[i * n + j] = inverse[j * n + i];
+  return true;
+}
+
+}  // namespace
+
+void MassMatrix::resize(const Topology& topology) {
+  nu_.clear(), u0_.clear(), offset_.clear();
+  std::ptrdiff_t size = 0;
+  for (std::size_t s = 0; s < topology.systems().size(); ++s) {
+    const SystemHandle& h = topology.system(static_cast<int>(s));
+    for (int b = 0; b < h.blocks; ++b) {
+      nu_.push_back(h.blockNu);
+      u0_.push_back(h.u0 + b * h.blockNu);
+      offset_.push_back(size);
+      size += static_cast<std::ptrdiff_t>(h.blockNu) * h.blockNu;
+    }
+  }
+  data_.assign(static_cast<std::size_t>(size), 0.0);
+  inverse_.assign(static_cast<std::size_t>(size), 0.0);
+  constant_.clear();
+  for (const PartialMechanicalSystem* s : topology.systems())
+    constant_.push_back(s->blocks().constantMass);
+  first_ = true;
+}
+
+int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
+  int failed = -1;
+  for (std::size_t s = 0; s < constant_.size(); ++s) {
+    const SystemHandle& h = topology.system(static_cast<int>(s));
+    if ((constant_[s] && !first_) || h.blocks == 0) continue;
+    topology.systems()[s]->M(t, {q.data() + h.q0, h.nq},
+                             {data_.data() + offset(h.block0), h.blockNu, h.blocks});
+    for (int b = h.block0; b < h.block0 + h.blocks; ++b)
+      if (!invert(data_.data() + offset(b), h.blockNu, inverse_.data() + offset(b)) && failed < 0)
+        failed = static_cast<int>(s);
+  }
+  first_ = false;
+  return failed;
+}
+
+void MassMatrix::applyInverse(ConstVec in, Vec out) const {
+  for (int b = 0; b < blocks(); ++b) {
+    const int n = nu(b);
+    const double* A = inverse_.data() + offset(b);
+    const double* x = in.data() + u0(b);
+    double* y = out.data() + u0(b);
+    for (int i = 0; i < n; ++i) {
+      double s = 0.0;
+      for (int j = 0; j < n; ++j) s += A[i * n + j] * x[j];
+      y[i] = s;
+    }
+  }
+}
+
+void MassMatrix::apply(ConstVec in, Vec out) const {
+  for (int b = 0; b < blocks(); ++b)
+    Vec(out.data() + u0(b), nu(b)) = M(b) * ConstVec(in.data() + u0(b), nu(b));
+}
+
+double MassMatrix::kineticEnergy(ConstVec u) const {
+  double T = 0.0;
+  for (int b = 0; b < blocks(); ++b) {
+    const int n = nu(b);
+    const double* A = data_.data() + offset(b);
+    const double* x = u.data() + u0(b);
+    for (int i = 0; i < n; ++i) {
+      double s = 0.0;
+      for (int j = 0; j < n; ++j) s += A[i * n + j] * x[j];
+      T += 0.5 * x[i] * s;
+    }
+  }
+  return T;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,81 @@
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/system/description.hpp>
+#include <dynamy/system/topology.hpp>
+
+namespace dynamy {
+namespace {
+
+[[noreturn]] void unknown(const Element& asking, const std::string& what, std::string_view name,
+                          const std::vector<std::string>& known) {
+  Diagnostic d;
+  d.place = asking.place();
+  d.element =
+      asking.type().empty() ? asking.name() : asking.type() + " name=\"" + asking.name() + "\"";
+  d.text = "no " + what + " named \"" + std::string(name) + "\"";
+  d.hint = didYouMean(nearest(name, known));
+  throw ModelError(d);
+}
+
+}  // namespace
+
+Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) : systems_(systems) {
+  for (const PartialMechanicalSystem* s : systems) {
+    const Blocks b = s->blocks();
+    SystemHandle h;
+    h.index = static_cast<int>(handles_.size());
+    h.q0 = nq_, h.u0 = nu_, h.block0 = blocks_;
+    h.nq = b.nq * b.capacity, h.nu = b.nu * b.capacity;
+    h.blockNq = b.nq, h.blockNu = b.nu;
+    h.blocks = b.nu > 0 ? b.capacity : 0;
+    nq_ += h.nq, nu_ += h.nu, blocks_ += h.blocks;
+    handles_.push_back(h);
+    Description d;
+    s->describe(d);
+    frameNames_.push_back(std::move(d.frames));
+    for (const PlacedShape& p : d.shapes)
+      if (!p.shape->material().empty()) materials_.push_back({p.shape, p.frame, h.index});
+  }
+}
+
+SystemHandle Topology::system(std::string_view name, const Element& asking) const {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < systems_.size(); ++i) {
+    if (systems_[i]->name() == name) return handles_[i];
+    known.push_back(systems_[i]->name());
+  }
+  unknown(asking, "system", name, known);
+}
+
+FrameHandle Topology::frame(std::string_view name, const Element& asking) {
+  // "body" is frame 0; "body.frame" a named one. System names may contain dots: the whole name
+  // first.
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < systems_.size(); ++i) {
+    const std::string& system = systems_[i]->name();
+    if (system == name && systems_[i]->frames() > 0) return frame(handles_[i], 0);
+    if (systems_[i]->frames() > 0) known.push_back(system);
+    for (const auto& [label, id] : frameNames_[i]) {
+      if (name == system + "." + label) return frame(handles_[i], id);
+      known.push_back(system + "." + label);
+    }
+  }
+  unknown(asking, "frame", name, known);
+}
+
+FrameHandle Topology::frame(const SystemHandle& system, int id) {
+  for (std::size_t i = 0; i < requested_.size(); ++i)
+    if (requested_[i] == std::pair(system.index, id)) return {static_cast<int>(i)};
+  requested_.emplace_back(system.index, id);
+  return {static_cast<int>(requested_.size()) - 1};
+}
+
+std::vector<ShapeInstance> Topology::shapesWithMaterial() {
+  std::vector<ShapeInstance> out;
+  out.reserve(materials_.size());
+  for (const Placed& p : materials_)
+    out.push_back(
+        {p.shape, frame(handles_[static_cast<std::size_t>(p.system)], p.frame), p.system});
+  return out;
+}
+
+}  // namespace dynamy
