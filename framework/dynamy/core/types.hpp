@@ -5,6 +5,7 @@
 /// match.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 
 namespace dynamy {
