@@ -13,3 +13,13 @@ foreach(command
     message(FATAL_ERROR "${text}\n${output}")
   endif()
 endforeach()
+
+# The installed program finds its own elements and the plug-in that was built outside of the tree.
+if(EXISTS ${prefix}/bin/dynamy)
+  set(ENV{DYNAMY_PLUGIN_PATH} ${build})
+  execute_process(COMMAND ${prefix}/bin/dynamy list --plugin pendulum_wall
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0 OR NOT output MATCHES "PendulumWall" OR NOT output MATCHES "RigidBody")
+    message(FATAL_ERROR "dynamy list --plugin pendulum_wall: exit status ${result}\n${output}")
+  endif()
+endif()
