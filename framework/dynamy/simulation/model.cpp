@@ -2,7 +2,7 @@
 #include <cmath>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/simulation/model.hpp>
-#include <dynamy/solver/prox_solvers.hpp>
+#include <dynamy/solver/proximal_newton.hpp>
 
 namespace dynamy {
 namespace {
@@ -59,7 +59,7 @@ void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
   if (!scheme_) scheme_ = std::make_unique<MoreauMidpoint>();
-  if (!solver_) solver_ = std::make_unique<ProxGaussSeidel>();
+  if (!solver_) solver_ = std::make_unique<ProximalNewton>();
   if (!impactLaw_) impactLaw_ = std::make_unique<NewtonImpact>();
   std::vector<const PartialMechanicalSystem*> systems;
   for (const auto& s : systems_) systems.push_back(s.get());

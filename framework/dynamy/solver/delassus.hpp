@@ -18,6 +18,8 @@ class Delassus {
 
   int rows() const { return n_; }
   bool assembled() const { return assembled_; }
+  /// G as rows() × rows() numbers, row after row; null in matrix-free form.
+  const double* dense() const { return assembled_ ? G_.data() : nullptr; }
   /// y = G x.
   void apply(const double* x, double* y);
   /// dim × dim diagonal block of contact i, row after row.

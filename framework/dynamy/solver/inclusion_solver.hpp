@@ -28,6 +28,10 @@ struct SolveReport {
 /// Residuals of Λ, recomputed from scratch. `scratch` keeps its memory.
 Residuals residuals(const InclusionProblem& problem, ConstVec Lambda, std::vector<double>& scratch);
 
+/// Bound of the largest eigenvalue of a contact's diagonal block: its largest row sum (exact for
+/// one row). 1/λ is the step ρ of the natural map.
+double contactLambda(const double* block, int dim);
+
 class InclusionSolver : public Element {
  public:
   static constexpr Kind kKind = Kind::solver;

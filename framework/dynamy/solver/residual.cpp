@@ -3,21 +3,16 @@
 #include <dynamy/solver/inclusion_solver.hpp>
 
 namespace dynamy {
-namespace {
 
-/// ρ_i = 1/λ_max of the contact's diagonal block, bounded above by its largest row sum (exact for 1
-/// × 1).
-double contactScale(const double* block, int dim) {
+double contactLambda(const double* block, int dim) {
   double largest = 0.0;
   for (int r = 0; r < dim; ++r) {
     double sum = 0.0;
     for (int k = 0; k < dim; ++k) sum += std::abs(block[r * dim + k]);
     largest = std::max(largest, sum);
   }
-  return largest > 0.0 ? 1.0 / largest : 0.0;
+  return largest;
 }
-
-}  // namespace
 
 std::string_view solveStatusText(SolveStatus status) {
   switch (status) {
@@ -48,7 +43,8 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
   for (int i = 0; i < problem.size(); ++i) {
     const int first = problem.row0(i), dim = problem.dim(i);
     double* xi = scratch.data() + first;
-    const double rho = contactScale(problem.G->diagonalBlock(i), dim);
+    const double lambda = contactLambda(problem.G->diagonalBlock(i), dim);
+    const double rho = lambda > 0.0 ? 1.0 / lambda : 0.0;
     double e[kMaxDim] = {}, e2 = 0.0, L2 = 0.0, c2 = 0.0;
     for (int r = 0; r < dim; ++r) {
       const double c = problem.c[static_cast<std::size_t>(first + r)];

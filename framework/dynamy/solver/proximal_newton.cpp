@@ -1,0 +1,215 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/solver/proximal_newton.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMaxDim = 8;
+constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps and a large a
+constexpr double kWarm =
+    1e-8;  ///< start of a after a warm start: one outer step for regular problems
+constexpr double kSmallest = 1e-9;  ///< floor of a: below, the regularisation drowns in rounding
+
+/// Solves the n × n system J x = b in place by elimination with row pivoting (b ← x); false if
+/// singular.
+bool solveDense(double* J, double* b, int n) {
+  for (int k = 0; k < n; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < n; ++i)
+      if (std::abs(J[i * n + k]) > std::abs(J[pivot * n + k])) pivot = i;
+    if (!(std::abs(J[pivot * n + k]) > 0.0)) return false;
+    if (pivot != k) {
+      std::swap_ranges(J + k * n + k, J + k * n + n, J + pivot * n + k);
+      std::swap(b[k], b[pivot]);
+    }
+    const double inverse = 1.0 / J[k * n + k];
+    for (int i = k + 1; i < n; ++i) {
+      const double factor = J[i * n + k] * inverse;
+      if (factor == 0.0) continue;
+      for (int j = k + 1; j < n; ++j) J[i * n + j] -= factor * J[k * n + j];
+      b[i] -= factor * b[k];
+    }
+  }
+  for (int k = n - 1; k >= 0; --k) {
+    for (int j = k + 1; j < n; ++j) b[k] -= J[k * n + j] * b[j];
+    b[k] /= J[k * n + k];
+  }
+  return true;
+}
+
+}  // namespace
+
+ProximalNewton::ProximalNewton(const ProximalNewtonOptions& options)
+    : options_(options),
+      starter_({options.tolerance, 10, Relaxation::exact, 1.0}),
+      fallback_({options.tolerance, options.maxIterations, Relaxation::exact, 1.0}) {}
+
+ProximalNewton::ProximalNewton(const Parameters& x)
+    : InclusionSolver(x),
+      options_{x["tolerance"], x["maxNewton"].integer(), x["maxIterations"].integer(), 64},
+      starter_({options_.tolerance, 10, Relaxation::exact, 1.0}),
+      fallback_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}) {}
+
+bool ProximalNewton::prepare(const InclusionProblem& p) {
+  const int n = p.rows();
+  if (n > options_.maxRows || p.G->dense() == nullptr) return false;
+  const auto rows = static_cast<std::size_t>(n);
+  lambda_.resize(static_cast<std::size_t>(p.size()));
+  std::size_t blocks = 0;
+  for (int i = 0; i < p.size(); ++i) {
+    const int dim = p.dim(i);
+    lambda_[static_cast<std::size_t>(i)] = contactLambda(p.G->diagonalBlock(i), dim);
+    if (!(lambda_[static_cast<std::size_t>(i)] > 0.0)) return false;
+    blocks += static_cast<std::size_t>(dim * dim);
+  }
+  xi_.resize(rows), F_.resize(rows), dLambda_.resize(rows), centre_.resize(rows),
+      trial_.resize(rows), best_.resize(rows);
+  A_.resize(blocks), B_.resize(blocks), J_.resize(rows * rows);
+  return true;
+}
+
+double ProximalNewton::evaluate(const InclusionProblem& p, double a, const double* Lambda,
+                                bool derivative) {
+  const int n = p.rows();
+  const double* G = p.G->dense();
+  double merit = 0.0;
+  double *A = A_.data(), *B = B_.data();
+  for (int i = 0; i < p.size(); ++i) {
+    const int dim = p.dim(i), first = p.row0(i);
+    const double lambda = lambda_[static_cast<std::size_t>(i)], rho = 2.0 / lambda;
+    double *xi = xi_.data() + first, *F = F_.data() + first, r[kMaxDim], e2 = 0.0;
+    for (int k = 0; k < dim; ++k) {
+      const int row = first + k;
+      double sum = p.c[static_cast<std::size_t>(row)] +
+                   a * lambda * (Lambda[row] - centre_[static_cast<std::size_t>(row)]);
+      for (int j = 0; j < n; ++j) sum += G[row * n + j] * Lambda[j];
+      xi[k] = sum, r[k] = rho, F[k] = Lambda[row];
+    }
+    const LawInput in = p.input(i);
+    p.law(i).prox(in, r, xi, F);  // F = Λ − prox_C(Λ − ρ ξ)
+    for (int k = 0; k < dim; ++k) {
+      F[k] = Lambda[first + k] - F[k];
+      e2 += F[k] * F[k];
+    }
+    merit += lambda * e2;
+    if (!derivative) continue;
+    if (!p.law(i).proxDerivative(in, rho, xi, Lambda + first, A, B)) return -1.0;
+    A += dim * dim, B += dim * dim;
+  }
+  return merit;
+}
+
+bool ProximalNewton::step(const InclusionProblem& p, double a) {
+  const int n = p.rows();
+  const double* G = p.G->dense();
+  const double *A = A_.data(), *B = B_.data();
+  std::fill(J_.begin(), J_.begin() + static_cast<std::ptrdiff_t>(n) * n, 0.0);
+  for (int i = 0; i < p.size(); ++i) {
+    const int dim = p.dim(i), first = p.row0(i);
+    const double lambda = lambda_[static_cast<std::size_t>(i)];
+    for (int k = 0; k < dim; ++k) {
+      double* row = J_.data() + static_cast<std::ptrdiff_t>(first + k) * n;
+      for (int m = 0; m < dim; ++m) {
+        const double b = B[k * dim + m];
+        row[first + m] += A[k * dim + m] + b * a * lambda;
+        if (b == 0.0) continue;
+        const double* g = G + static_cast<std::ptrdiff_t>(first + m) * n;
+        for (int j = 0; j < n; ++j) row[j] += b * g[j];
+      }
+      dLambda_[static_cast<std::size_t>(first + k)] = -F_[static_cast<std::size_t>(first + k)];
+    }
+    A += dim * dim, B += dim * dim;
+  }
+  return solveDense(J_.data(), dLambda_.data(), n);
+}
+
+int ProximalNewton::newton(const InclusionProblem& p, double a, double stop, Vec Lambda) {
+  constexpr int kMaxInner = 40, kMemory = 5, kHalvings = 9;
+  const auto n = static_cast<std::size_t>(p.rows());
+  double recent[kMemory];
+  double merit = evaluate(p, a, Lambda.data(), true);
+  std::fill(recent, recent + kMemory, merit);
+  for (int it = 0; it < kMaxInner; ++it) {
+    if (!(merit >= 0.0)) return -1;
+    if (it > 0 && std::sqrt(merit) <= stop) return it;
+    if (!step(p, a)) return -1;
+    const double bound = *std::max_element(recent, recent + kMemory);
+    double t = 1.0;
+    for (int h = 0; h <= kHalvings; ++h, t *= 0.5) {
+      for (std::size_t k = 0; k < n; ++k)
+        trial_[k] = Lambda[static_cast<Eigen::Index>(k)] + t * dLambda_[k];
+      merit = evaluate(p, a, trial_.data(), true);
+      if (merit < bound || merit == 0.0) break;
+    }
+    std::copy(trial_.begin(), trial_.begin() + static_cast<std::ptrdiff_t>(n), Lambda.data());
+    recent[it % kMemory] = merit;
+  }
+  return -1;
+}
+
+SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
+  SolveReport report;
+  if (p.rows() == 0) return report;
+  report.residuals = residuals(p, view(Lambda), scratch_);
+  const auto good = [&] { return report.residuals.largest() <= options_.tolerance; };
+  if (good()) {
+    report.warmAccepted = true;
+    return report;
+  }
+  if (!prepare(p)) return finish(p, Lambda, report);
+  double a = kWarm, bestE = report.residuals.largest();
+  std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
+  if (bestE > kColdResidual) {
+    const SolveReport start = starter_.solve(p, Lambda);
+    report.iterations = start.iterations;
+    report.residuals = start.residuals;
+    if (start.ok()) return report;
+    a = 3e-3;
+  }
+  for (int steps = 0; steps < options_.maxNewton;) {
+    std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
+    const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
+    const int used = newton(p, a, 0.3 * outer, Lambda);
+    steps += used < 0 ? 40 : used;
+    report.iterations += used < 0 ? 40 : used;
+    if (used < 0) {
+      std::copy(centre_.begin(), centre_.begin() + Lambda.size(), Lambda.data());
+      a = std::min(1.0, 4.0 * a);
+      continue;
+    }
+    report.residuals = residuals(p, view(Lambda), scratch_);
+    if (good()) return report;
+    if (report.residuals.largest() < bestE) {
+      bestE = report.residuals.largest();
+      std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
+    }
+    a = std::max(kSmallest, used <= 4 ? 0.1 * a : (used <= 12 ? 0.5 * a : a));
+  }
+  std::copy(best_.begin(), best_.begin() + Lambda.size(), Lambda.data());
+  return finish(p, Lambda, report);
+}
+
+SolveReport ProximalNewton::finish(const InclusionProblem& p, Vec Lambda, SolveReport report) {
+  const SolveReport last = fallback_.solve(p, Lambda);
+  report.iterations += last.iterations;
+  report.status = last.status;
+  report.residuals = last.residuals;
+  return report;
+}
+
+void ProximalNewton::declare(Attributes& a) {
+  a.about(
+      "Dual proximal-point method with Alart-Curnier Newton steps (dense, up to 64 rows; above, "
+      "Gauss-Seidel).");
+  a.optional("tolerance", Unit::none, 1e-10, "residuals E_f and E_u at which the solver stops")
+      .positive();
+  a.add(AttributeType::integer, "maxNewton", "200", "Newton steps, then Gauss-Seidel goes on").min =
+      1;
+  a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of Gauss-Seidel").min = 1;
+  a.example(
+      "<simulation until=\"1\" step=\"1e-3\"><ProximalNewton tolerance=\"1e-12\"/></simulation>");
+}
+
+}  // namespace dynamy
