@@ -3,7 +3,6 @@
 ///   v_S = J_S u + ν_S,   Ω = J_R u + ν_R,   v̇_S = J_S u̇ + β_S,   Ω̇ = J_R u̇ + β_R          (all
 ///   components in I)
 #pragma once
-#include <Eigen/Geometry>  // cross
 #include <dynamy/core/types.hpp>
 
 namespace dynamy {
