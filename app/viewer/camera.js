@@ -103,8 +103,12 @@ class Camera {
   /** Shows all of `points`, with room for the tools at the borders. */
   fit(points) {
     const along = axis => {
-      const values = points.map(p => dot(p, axis));
-      return [Math.min(...values), Math.max(...values)];
+      const range = [Infinity, -Infinity];
+      for (const p of points) {
+        range[0] = Math.min(range[0], dot(p, axis));
+        range[1] = Math.max(range[1], dot(p, axis));
+      }
+      return range;
     };
     const [right, up, toward] = [along(this.right), along(this.up), along(this.toward)];
     const size = Math.max(right[1] - right[0], up[1] - up[0], 1e-9);

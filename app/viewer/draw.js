@@ -41,12 +41,16 @@ class Picture {
   /** Points that span everything that is drawn at some instants of the film. */
   sceneExtent() {
     const lo = [Infinity, Infinity, Infinity], hi = [-Infinity, -Infinity, -Infinity];
-    const take = p => p.forEach((x, k) => {
-      if (!Number.isFinite(x)) return;
-      lo[k] = Math.min(lo[k], x);
-      hi[k] = Math.max(hi[k], x);
-    });
-    const instants = clamp(Math.floor(20000 / Math.max(1, this.bodies.length)), 2, 60);
+    const points = [];
+    const take = p => {
+      if (!p.every(Number.isFinite)) return;
+      points.push(p);
+      p.forEach((x, k) => {
+        lo[k] = Math.min(lo[k], x);
+        hi[k] = Math.max(hi[k], x);
+      });
+    };
+    const instants = clamp(Math.floor(3000 / Math.max(1, this.bodies.length)), 2, 60);
     for (let i = 0; i < instants; ++i) {
       const t = this.film.begin + (this.film.end - this.film.begin) * i / (instants - 1);
       for (const shape of this.bodies) this.item(shape, t).points().forEach(take);
@@ -60,7 +64,7 @@ class Picture {
       const foot = sub(middle, scaled(n, dot(n, sub(middle, c))));
       if (norm(sub(foot, middle)) < 1.5 * size) take(foot);
     }
-    return {lo, hi, size: Math.max(norm(sub(hi, lo)), 1e-9)};
+    return {lo, hi, points, size: Math.max(norm(sub(hi, lo)), 1e-9)};
   }
 
   /** The view that the scene asks for, or the plane in which everything moves, or the spatial one. */
@@ -89,11 +93,7 @@ class Picture {
     this.fit();
   }
 
-  fit() {
-    const {lo, hi} = this.extent;
-    const half = scaled(sub(hi, lo), 0.5);
-    this.camera.fit(corners(scaled(add(lo, hi), 0.5), [[half[0], 0, 0], [0, half[1], 0], [0, 0, half[2]]]));
-  }
+  fit() { this.camera.fit(this.extent.points); }
 
   resize() {
     const ratio = window.devicePixelRatio || 1;

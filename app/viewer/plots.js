@@ -72,7 +72,7 @@ class Plots {
   }
 
   area(panel) {
-    return {left: 46, top: 8, width: panel.canvas.clientWidth - 46 - 10, height: panel.canvas.clientHeight - 8 - 22};
+    return {left: 54, top: 8, width: panel.canvas.clientWidth - 54 - 10, height: panel.canvas.clientHeight - 8 - 22};
   }
 
   /** Draws the curves once for the present size; draw(t) then only copies them. */
@@ -127,6 +127,9 @@ class Plots {
     line(left + 0.5, top, left + 0.5, top + height, "#9aa5b1");
     line(left, top + height + 0.5, left + width, top + height + 0.5, "#9aa5b1");
 
+    ctx.beginPath();
+    ctx.rect(left, 0, width + 1, top + height + 1);
+    ctx.clip();
     panel.members.forEach((s, k) => {
       ctx.strokeStyle = kCurves[k];
       ctx.lineWidth = 1.6;

@@ -17,9 +17,9 @@ class Replay {
     this.data = data;
     this.film = new Film(data.frames);
     const signals = decodeSignals(data.signals, data.run);
-    const times = signals.filter(s => s.t.length);
-    this.begin = this.film.count ? this.film.begin : Math.min(...times.map(s => s.t[0]));
-    this.end = this.film.count ? this.film.end : Math.max(...times.map(s => s.t[s.t.length - 1]));
+    const times = [this.film.t, ...signals.map(s => s.t)].filter(t => t.length);
+    this.begin = Math.min(...times.map(t => t[0]));
+    this.end = Math.max(...times.map(t => t[t.length - 1]));
     if (!(this.begin <= this.end)) this.begin = this.end = 0;
     this.t = this.begin;
     this.playing = false;
@@ -283,12 +283,12 @@ class Replay {
 
   copyLink() {
     const {camera} = this.picture;
-    const part = {t: this.t, view: camera.view};
+    const part = {t: Number(this.t.toPrecision(9)), view: camera.view};
     if (!camera.isPlanar) {
       part.azimuth = Math.round(camera.azimuth * 180 / Math.PI);
       part.elevation = Math.round(camera.elevation * 180 / Math.PI);
     }
-    location.hash = new URLSearchParams(part).toString();
+    history.replaceState(null, "", "#" + new URLSearchParams(part));  // unlike a new hash: no event
     if (navigator.clipboard) navigator.clipboard.writeText(location.href).catch(() => {});
   }
 
