@@ -1,0 +1,106 @@
+#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/settings_reader.hpp>
+#include <fstream>
+#include <sstream>
+
+namespace dynamy {
+namespace {
+
+/// An element of the model that may stand where it stands.
+struct Placed {
+  const ModelItem* item;
+  const RegisteredType* type;
+  std::string name;
+};
+
+/// Types and names of all elements, before any of them is made: references may point forward.
+std::vector<Placed> placeElements(const ModelSource& source, ElementReader& reader,
+                                  NameTable& names, Faults& faults) {
+  std::vector<Placed> out;
+  for (const ModelItem& item : source.elements()) {
+    // The section is the parent in messages.
+    XmlNode section;
+    section.tag = item.section;
+    const Word& word = *source.vocabulary().find(item.section);
+    const RegisteredType* type = reader.typeIn(word, *item.node, *item.scope, section);
+    if (type == nullptr) {
+      // Its name counts nevertheless, so that references to it are no second error.
+      Faults silent;
+      const std::string name = elementName(*item.node, *item.scope, item.scope->prefix, silent);
+      if (!name.empty()) names.declare(name, Kind::system, *item.node, *item.scope, silent);
+      continue;
+    }
+    std::string name = elementName(*item.node, *item.scope, item.scope->prefix, faults);
+    if (!name.empty()) names.declare(name, type->kind, *item.node, *item.scope, faults);
+    out.push_back({&item, type, std::move(name)});
+  }
+  return out;
+}
+
+std::string documentation(const XmlNode& root) {
+  std::string out;
+  for (const XmlNode& node : root.children)
+    if (node.tag == "doc") out += (out.empty() ? "" : "\n") + node.text;
+  return out;
+}
+
+template <class Read>
+Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options,
+           const Read& read) {
+  Faults faults;
+  ModelSource source(registry, plugins, options.set, faults);
+  read(source);
+
+  // Elements, in the order of the file.
+  Model model;
+  NameTable names;
+  ElementReader reader(registry, names, source, faults);
+  for (const Placed& p : placeElements(source, reader, names, faults))
+    if (auto element = reader.read(*p.item->node, *p.item->scope, *p.type, p.name))
+      model.add(p.type->kind, std::move(element));
+  SettingsReader settings(model, source, reader, faults);
+  for (const ModelItem& item : source.settings()) settings.read(item);
+
+  // The model itself knows its title, text and where it came from.
+  model.sourceFile = source.document().name();
+  model.doc = documentation(source.document().root());
+  model.title = source.title().empty() ? std::filesystem::path(model.sourceFile).stem().string()
+                                       : source.title();
+  for (const Model::Completion& completion : registry.completions())
+    model.addCompletion(completion);
+  faults.throwIfAny();
+  if (!options.build) return model;
+  try {
+    model.build();
+  } catch (const ModelError& e) {
+    faults.add(e);
+    faults.throwIfAny();
+  }
+  settings.verifySignals();
+  faults.throwIfAny();
+  return model;
+}
+
+}  // namespace
+
+Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
+                const LoadOptions& options) {
+  Model model = load(registry, plugins, options, [&](ModelSource& s) { s.read(file); });
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  model.sourceText = text.str();
+  return model;
+}
+
+Model loadModelText(std::string text, const std::string& name, Registry& registry,
+                    PluginLoader& plugins, const LoadOptions& options,
+                    const std::filesystem::path& folder) {
+  std::string copy = text;
+  Model model = load(registry, plugins, options,
+                     [&](ModelSource& s) { s.parse(std::move(copy), name, folder); });
+  model.sourceText = std::move(text);
+  return model;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,168 @@
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/settings_reader.hpp>
+
+namespace dynamy {
+
+void SettingsReader::read(const ModelItem& item) {
+  const XmlNode& node = *item.node;
+  const Scope& scope = *item.scope;
+  const Word& word = *source_->vocabulary().find(node.tag);
+  if (node.tag == "simulation") readMethods(node, scope);
+  if (node.tag != "simulation")
+    for (const XmlNode& child : node.children)
+      if (child.tag != "doc")
+        faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>');
+  Parameters x;
+  x.type = node.tag;
+  if (!attributes_.read(node, scope, word.attributes, {}, x)) return;
+  if (node.tag == "simulation") readSimulation(node, scope, x);
+  if (node.tag == "record") readRecord(x);
+  if (node.tag == "check") readCheck(node, scope, x);
+}
+
+void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x) {
+  // Sections may be repeated, their attributes may not.
+  for (const ParameterValue& v : x.values) {
+    if (!v.given) continue;
+    const std::string& name = v.declaration->name;
+    const auto [first, isNew] = given_.emplace(name, v.place);
+    if (isNew) continue;
+    Diagnostic d =
+        scope.document->diagnostic(v.place, node, "the attribute \"" + name + "\" is given twice");
+    d.notes.push_back({.place = first->second, .text = "first given here"});
+    faults_->add(std::move(d));
+  }
+  SimulationSettings& s = model_->simulation;
+  if (x["until"].given) s.until = x["until"];
+  if (x["step"].given) s.step = x["step"];
+  if (x["tolerance"].given) s.tolerance = x["tolerance"];
+  if (x["gTol"].given) s.gTol = x["gTol"];
+  if (x["onNonConvergence"].given) {
+    const std::string& word = x["onNonConvergence"].text;
+    s.onNonConvergence = word == "stop"   ? NonConvergence::stop
+                         : word == "warn" ? NonConvergence::warn
+                                          : NonConvergence::retry;
+  }
+  if (s.place.line == 0) s.place = node.place;
+}
+
+/// Scheme, solver and impact law, at most one of each.
+void SettingsReader::readMethods(const XmlNode& node, const Scope& scope) {
+  const Word& word = *source_->vocabulary().find("simulation");
+  for (const XmlNode& child : node.children) {
+    if (child.tag == "doc") continue;
+    const RegisteredType* type = elements_->typeIn(word, child, scope, node);
+    if (type == nullptr) continue;
+    const auto [first, isNew] = methods_.emplace(type->kind, child.place);
+    if (!isNew) {
+      Diagnostic d = scope.document->diagnostic(
+          child.place, node, "takes at most 1 " + std::string(kindText(type->kind)));
+      d.notes.push_back({.place = first->second, .text = "the first stands here"});
+      faults_->add(std::move(d));
+      continue;
+    }
+    if (auto element = elements_->read(child, scope, *type, {}))
+      model_->add(type->kind, std::move(element));
+  }
+}
+
+void SettingsReader::readRecord(const Parameters& x) {
+  RecordSettings& r = model_->record;
+  for (const XmlWord& word : xmlWords(x["signals"].text)) {
+    r.signals.emplace_back(word.text);
+    r.places.push_back(x["signals"].locate(word.offset, word.text.size()));
+  }
+  if (x["every"].given) r.every = x["every"];
+  if (x["frames"].given) r.framesPerSecond = x["frames"];
+  if (x["view"].given) model_->view = x["view"].text == "auto" ? "" : x["view"].text;
+}
+
+bool SettingsReader::checkIsSound(const XmlNode& node, const Scope& scope,
+                                  const Parameters& x) const {
+  const std::size_t before = faults_->size();
+  const auto fault = [&](const Place& place, std::string text) {
+    faults_->add(scope, place, node, std::move(text));
+  };
+  const bool value = x["value"].given, tolerance = x["tolerance"].given;
+  if (x["between"].given) {
+    if (value || tolerance)
+      fault(x["between"].place, "takes either value and tolerance, or between");
+    else if (x["between"].numbers[0] > x["between"].numbers[1])
+      fault(x["between"].place, "between expects the lower bound first");
+  } else if (!value || !tolerance) {
+    fault(node.place, !value && !tolerance ? "needs value and tolerance, or between"
+                      : value              ? "needs a tolerance beside the value"
+                                           : "needs a value beside the tolerance");
+  }
+  const bool single = x["measure"].text == "value";
+  if (x["at"].given && !single)
+    fault(x["at"].place, "at goes with the measure \"value\"; use over");
+  if (x["over"].given && single)
+    fault(x["over"].place, "over goes with a measure such as \"max\"; use at");
+  if (x["over"].given && !(x["over"].numbers[0] < x["over"].numbers[1]))
+    fault(x["over"].place, "over expects the earlier time first");
+  return faults_->size() == before;
+}
+
+void SettingsReader::readCheck(const XmlNode& node, const Scope& scope, const Parameters& x) {
+  if (!checkIsSound(node, scope, x)) return;
+  using Measure = CheckSettings::Measure;
+  CheckSettings c;
+  c.signal = x["signal"].text;
+  c.place = node.place;
+  const std::string& measure = x["measure"].text;
+  c.measure = measure == "mean"     ? Measure::mean
+              : measure == "min"    ? Measure::min
+              : measure == "max"    ? Measure::max
+              : measure == "period" ? Measure::period
+              : measure == "count"  ? Measure::count
+                                    : Measure::value;
+  if (x["at"].given) c.at = x["at"];
+  if (x["over"].given) c.from = x["over"].numbers[0], c.to = x["over"].numbers[1];
+  if (x["between"].given) {
+    c.low = x["between"].numbers[0], c.high = x["between"].numbers[1];
+    c.text = numberText(c.low) + " … " + numberText(c.high);
+  } else {
+    const double value = x["value"], tolerance = x["tolerance"];
+    c.low = value - tolerance, c.high = value + tolerance;
+    c.text = numberText(value) + " ± " + numberText(tolerance);
+  }
+  model_->checks.push_back(std::move(c));
+  checkSignals_.push_back(x["signal"].place);
+}
+
+void SettingsReader::verify(const std::string& signal, const Place& place,
+                            const std::string& element) const {
+  if (model_->signal(signal) != nullptr) return;
+  std::vector<std::string> known;
+  for (const NamedSignal& s : model_->signals()) known.push_back(s.name);
+  const bool all = signal.ends_with(".*");
+  if (all) {
+    const std::string prefix = signal.substr(0, signal.size() - 1);
+    for (std::string& name : known) {
+      if (name.starts_with(prefix)) return;
+      name = name.substr(0, name.rfind('.')) + ".*";
+    }
+  }
+  // Those of the same element are the likeliest.
+  const std::string owner = signal.substr(0, signal.rfind('.') + 1);
+  std::vector<std::string> same;
+  for (const std::string& name : known)
+    if (!owner.empty() && name.starts_with(owner)) same.push_back(name);
+  std::string hint = didYouMean(nearest(signal, known));
+  if (hint.empty()) hint = unknownNameHint(signal, same.empty() ? known : same);
+  faults_->add({.place = place,
+                .element = element,
+                .text = (all ? "no signals \"" : "no signal \"") + signal + '"',
+                .hint = std::move(hint)});
+}
+
+void SettingsReader::verifySignals() const {
+  const RecordSettings& r = model_->record;
+  for (std::size_t i = 0; i < r.signals.size(); ++i) verify(r.signals[i], r.places[i], "record");
+  for (std::size_t i = 0; i < model_->checks.size(); ++i)
+    verify(model_->checks[i].signal, checkSignals_[i], "check");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,39 @@
+/// SettingsReader: the sections <simulation>, <record> and <check> of a model file.
+#pragma once
+#include <dynamy/io/element_reader.hpp>
+#include <dynamy/simulation/model.hpp>
+
+namespace dynamy {
+
+class SettingsReader {
+ public:
+  SettingsReader(Model& model, const ModelSource& source, ElementReader& elements, Faults& faults)
+      : model_(&model),
+        source_(&source),
+        elements_(&elements),
+        faults_(&faults),
+        attributes_(faults, nullptr) {}
+
+  void read(const ModelItem& item);
+  /// After build(): reports signals that no element has.
+  void verifySignals() const;
+
+ private:
+  void readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x);
+  void readMethods(const XmlNode& node, const Scope& scope);
+  void readRecord(const Parameters& x);
+  void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
+  bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
+  void verify(const std::string& signal, const Place& place, const std::string& element) const;
+
+  Model* model_;
+  const ModelSource* source_;
+  ElementReader* elements_;
+  Faults* faults_;
+  AttributeReader attributes_;
+  std::map<std::string, Place> given_;  ///< attributes of all <simulation>s
+  std::map<Kind, Place> methods_;
+  std::vector<Place> checkSignals_;
+};
+
+}  // namespace dynamy
