@@ -14,8 +14,8 @@ struct LoadOptions {
   bool build = true;  ///< false: the caller changes the model and calls build() itself
 };
 
-/// Reads the model in `file`. `registry` and `plugins` must outlive the model; the standard
-/// elements must be registered already. Throws ModelError.
+/// Reads the model in `file` and builds it. The types it uses must be registered already, but for
+/// those of its own <plugin>s, which are added to `registry`. Throws ModelError.
 Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
                 const LoadOptions& options = {});
 
