@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/system/description.hpp>
+#include <dynamy_elements/coordinates/coordinate_contact.hpp>
+
+namespace dynamy {
+
+void CoordinateContact::declare(Attributes& a) {
+  a.about(
+      "Contact, stop or friction on one system by formulas over t, its coordinates and the "
+      "parameters of the model: gap and slip directions. Derivatives are exact.");
+  a.reference("on", "system", "the system whose coordinates the formulas use");
+  a.add(AttributeType::expression, "gap", "", "gap g(t, q) [m]; with a bilateral law: g = 0");
+  a.add(AttributeType::expressions, "slip", "",
+        "slip directions of t and q: one component per coordinate, directions separated by |");
+  a.add(AttributeType::expressions, "slipVelocity", "",
+        "slip velocities instead of directions: formulas affine in the velocities [m/s]");
+  a.child(Kind::law, 0, 1, "law of the contact; default: Unilateral with epsilonN = 0");
+  a.example(
+      "<CoordinateContact on=\"pendulum\" gap=\"0.2 - 0.5*sin(phi)\">"
+      "<Unilateral epsilonN=\"0.5\"/></CoordinateContact>");
+}
+
+CoordinateContact::CoordinateContact(const Parameters& x)
+    : NonSmoothElement(x),
+      on_(x["on"].text),
+      gapText_(x, "gap"),
+      slipText_(x, "slip"),
+      slipVelocityText_(x, "slipVelocity"),
+      law_(x.takeOne<SetValuedForceLaw>()) {
+  if (!law_) law_ = std::make_unique<Unilateral>(0.0);
+  names_.parameters = x.symbols;
+  if (!slipText_.empty() && !slipVelocityText_.empty())
+    throw ModelError(slipVelocityText_.fault(-1, "slip and slipVelocity are both given"));
+  if (gapText_.size() > 1) throw ModelError(gapText_.fault(-1, "expects one formula"));
+  if (gapText_.empty() && law_->unilateral())
+    throw ModelError(Diagnostic{.place = place(),
+                                .element = type() + " name=\"" + name() + '"',
+                                .text = "the gap is missing",
+                                .hint = "only laws that always act can do without"});
+  tangents_ = directions() ? slipText_.rows() : slipVelocityText_.size();
+}
+
+CoordinateContact::~CoordinateContact() = default;
+
+void CoordinateContact::connect(Topology& topology) {
+  system_ = topology.system(on_, *this);
+  nameCoordinates(*topology.systems()[static_cast<std::size_t>(system_.index)]);
+  compile();
+}
+
+void CoordinateContact::nameCoordinates(const PartialMechanicalSystem& system) {
+  const std::string element = type() + " name=\"" + name() + '"';
+  const auto bad = [&](std::string text) {
+    throw ModelError(Diagnostic{.place = place(), .element = element, .text = std::move(text)});
+  };
+  Description d;
+  system.describe(d);
+  const Blocks b = system.blocks();
+  const auto n = static_cast<std::size_t>(b.nq);
+  if (b.capacity != 1 || b.nq != b.nu || d.coordinates.size() != n || d.velocities.size() != n)
+    bad("\"" + on_ + "\" does not name one coordinate and one velocity per degree of freedom");
+
+  // q̇ = u is what makes W the gradient of g.
+  Eigen::VectorXd q(b.nq), u(b.nq), qdot(b.nq);
+  system.initialState(view(q), view(u));
+  for (int i = 0; i < b.nq; ++i) u[i] = 1.0 + 0.37 * i;
+  const Eigen::VectorXd& cq = q;
+  const Eigen::VectorXd& cu = u;
+  system.qdot(0.0, view(cq), view(cu), view(qdot));
+  if (qdot != u) bad("the velocities of \"" + on_ + "\" are not the derivatives of its positions");
+
+  names_.q.assign(n, {}), names_.u.assign(n, {});
+  for (const auto& [name, i] : d.coordinates) names_.q[static_cast<std::size_t>(i)] = name;
+  for (const auto& [name, i] : d.velocities) names_.u[static_cast<std::size_t>(i)] = name;
+  q_ = names_.qSlots(), u_ = names_.uSlots();
+  x_.assign(static_cast<std::size_t>(names_.inputs()), 0.0);
+  w_ = x_;
+  w_[FormulaNames::kTime] = 1.0;
+}
+
+void CoordinateContact::compile() {
+  Diagnostics faults;
+  ExpressionCompiler gap(names_.symbols()), slip(names_.symbols());
+  gapText_.compileAll(gap, faults);
+  const FormulaText& rows = directions() ? slipText_ : slipVelocityText_;
+  rows.compileAll(slip, faults);
+  if (directions() && !slipText_.rowsHave(names_.n()))
+    faults.add(slipText_.fault(
+        -1, "expects " + std::to_string(names_.n()) + " components for each slip direction",
+        "directions are separated by |"));
+  faults.throwIfAny();
+  if (!gapText_.empty()) gap_ = std::make_unique<Tape>(gap.finish(), names_);
+  if (!rows.empty()) slip_ = std::make_unique<Tape>(slip.finish(), names_);
+
+  if (gap_ && gap_->dependsOn(u_))
+    faults.add(gapText_.fault(0, "a gap depends on t and positions only"));
+  for (int k = 0; k < rows.size(); ++k) {
+    if (!directions() && !slip_->set().isAffine(k, u_))
+      faults.add(rows.fault(k, "a slip velocity must be affine in the velocities"));
+    for (const int s : u_)
+      if (directions() && slip_->set().dependsOn(k, s)) {
+        faults.add(rows.fault(k, "a slip direction depends on t and positions only",
+                              "slipVelocity takes a formula of the velocities"));
+        break;
+      }
+  }
+  faults.throwIfAny();
+}
+
+void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
+  const int n = names_.n();
+  x_[FormulaNames::kTime] = k.t();
+  std::copy_n(k.q(system_).data(), n, x_.begin() + 1);
+  std::copy_n(k.u(system_).data(), n, x_.begin() + 1 + n);
+  std::copy_n(k.u(system_).data(), n, w_.begin() + 1);
+  const double g = gap_ ? gap_->eval(x_.data())[0] : 0.0;
+  auto out = sink.add(0, law_->unilateral() ? g : std::abs(g), *law_, rows());
+  if (!out) return;
+  Block W = out.segment(system_.block0, system_.u0, n);
+  const int first = gap_ ? 1 : 0;
+  if (gap_ && out.dim() > 0) gapRow(x_.data(), out, W);
+  if (slip_ && out.dim() > first) slipRows(x_.data(), first, out, W);
+}
+
+void CoordinateContact::gapRow(const double* x, ContactRows& out, Block W) const {
+  const double* gradient = gap_->gradient(x, q_);
+  for (int j = 0; j < W.cols(); ++j) W(0, j) = gradient[j];
+  out.chi(0) = gap_->partial(x, FormulaNames::kTime)[0];
+  if (out.wantsBias()) out.bias(0) = gap_->second(x, w_.data(), w_.data())[0];
+}
+
+void CoordinateContact::slipRows(const double* x, int first, ContactRows& out, Block W) const {
+  const int n = names_.n(), count = std::min(tangents_, out.dim() - first);
+  const double* u = x + 1 + n;
+  // W of directions is read off; W of velocities is ∂γ/∂u, and χ what remains of γ.
+  const double* value = directions() ? slip_->eval(x) : slip_->gradient(x, u_);
+  for (int r = 0; r < count; ++r)
+    for (int j = 0; j < n; ++j)
+      W(first + r, j) = directions() ? value[r * n + j] : value[r + j * tangents_];
+  if (!directions())
+    for (int r = 0; r < count; ++r) {
+      out.chi(first + r) = slip_->value()[r];
+      for (int j = 0; j < n; ++j) out.chi(first + r) -= W(first + r, j) * u[j];
+    }
+  if (!out.wantsBias()) return;
+  // d/dt with u constant.
+  const double* rate = slip_->derivative(x, w_.data());
+  for (int r = 0; r < count; ++r) {
+    double& bias = out.bias(first + r);
+    if (!directions()) bias = rate[r];
+    for (int j = 0; directions() && j < n; ++j) bias += rate[r * n + j] * u[j];
+  }
+}
+
+void CoordinateContact::describe(Description& d) const { describeContact(d, 0, rows(), *law_); }
+
+}  // namespace dynamy

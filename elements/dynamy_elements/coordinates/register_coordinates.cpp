@@ -1,0 +1,13 @@
+#include <dynamy_elements/coordinates/coordinate_contact.hpp>
+#include <dynamy_elements/coordinates/coordinates.hpp>
+#include <dynamy_elements/coordinates/register_coordinates.hpp>
+
+namespace dynamy {
+
+void registerCoordinates(Registry& registry) {
+  registry.add<Coordinates>("Coordinates");
+  registry.add<CoordinateFrame>("CoordinateFrame");
+  registry.add<CoordinateContact>("CoordinateContact");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,9 @@
+/// Registers Coordinates, CoordinateFrame and CoordinateContact.
+#pragma once
+#include <dynamy/io/registry.hpp>
+
+namespace dynamy {
+
+void registerCoordinates(Registry& registry);
+
+}  // namespace dynamy
