@@ -18,7 +18,10 @@ class Picture {
     this.painted = [];
     this.extent = this.sceneExtent();
     const normal = this.grounds.length ? this.plane(this.grounds[0], film.begin).n : [0, 0, 1];
-    if (Math.abs(normal[1]) > 0.9) this.camera.upAxis = 1;
+    if (Math.abs(normal[1]) > 0.9) {  // y is up: x stays to the right, z comes to the viewer
+      this.camera.upAxis = 1;
+      this.camera.azimuth = 28 * Math.PI / 180;
+    }
   }
 
   item(shape, t) {
@@ -247,10 +250,15 @@ function paintGround(ctx, camera, {c, n}, extent) {
   const cells = Math.ceil(half / step);
   const origin = [a, b].map(e => Math.round(dot(foot, e) / step) * step - dot(foot, e));
   const at = (i, j) => camera.project(add(foot, add(scaled(a, origin[0] + i * step), scaled(b, origin[1] + j * step))));
-  ctx.fillStyle = facing > 0 ? "#f1f3f5" : "rgba(225, 229, 234, .55)";
-  ctx.fill(polygonPath([at(-cells, -cells), at(cells, -cells), at(cells, cells), at(-cells, cells)]));
+  const sheet = polygonPath([at(-cells, -cells), at(cells, -cells), at(cells, cells), at(-cells, cells)]);
+  ctx.fillStyle = facing > 0 ? "#f1f3f5" : "rgba(140, 150, 162, .10)";
+  ctx.fill(sheet);
   ctx.strokeStyle = "#d5dae0";
   ctx.lineWidth = 1;
+  if (facing < 0) {  // it stands between the viewer and the bodies
+    ctx.stroke(sheet);
+    return;
+  }
   for (let i = -cells; i <= cells; ++i) {
     ctx.stroke(polygonPath([at(i, -cells), at(i, cells)], false));
     ctx.stroke(polygonPath([at(-cells, i), at(cells, i)], false));

@@ -116,7 +116,7 @@ class Plots {
       ctx.textAlign = "left";
       ctx.fillText("0 is " + tickLabel(rows.values[0], rows.step), left + 5, top + 5);
     }
-    const columns = niceTicks(this.begin, this.end, Math.max(3, Math.floor(width / 60)));
+    const columns = niceTicks(this.begin, this.end, Math.max(4, Math.floor(width / 48)));
     ctx.textAlign = "center";
     ctx.textBaseline = "top";
     for (const t of columns.values) {

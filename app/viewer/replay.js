@@ -26,7 +26,9 @@ class Replay {
     this.following = false;
     this.picture = new Picture(byId("picture"), data.scene, this.film);
     this.plots = new Plots(byId("plots"), signals, this.begin, this.end, t => this.pause().seek(t));
-    document.querySelector("main").classList.toggle("alone", !signals.length && !data.model.text && !data.run);
+    const main = document.querySelector("main");
+    main.classList.toggle("alone", !signals.length && !data.model.text && !data.run);
+    main.classList.toggle("unseen", !data.scene.shapes.length && signals.length > 0);
     this.fillPanels();
     this.addTransport();
     this.addTools();
@@ -190,7 +192,7 @@ class Replay {
   addTransport() {
     const span = this.end - this.begin;
     const wanted = span > 120 ? span / 60 : span < 4 ? span / 4 : 1;
-    const best = kSpeeds.filter(s => s <= Math.max(wanted, kSpeeds[0]) * 1.0001).pop();
+    const best = kSpeeds.filter(s => s <= Math.max(wanted, kSpeeds[0]) * 1.05).pop();
     byId("speed").innerHTML = kSpeeds.map(s =>
       `<option value="${s}" ${s === best ? "selected" : ""}>${s < 1 ? "1/" + Math.round(1 / s) : "\u00d7" + s}</option>`).join("");
     byId("play").innerHTML = kPlayIcon;

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <chrono>
+#include <cstdint>
 #include <dynamy/io/output_file.hpp>
 #include <dynamy/io/scene.hpp>
 #include <span>
