@@ -308,8 +308,15 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
 std::vector<const Scope*> ModelSource::turns(const XmlNode& replicate, const Scope& scope) {
   Parameters x;
   if (!readWord(replicate, scope, x)) return {};
+  const int count = x["count"].integer();
+  if (scopes_.size() + static_cast<std::size_t>(count) > kMostTurns) {
+    faults_->add(scope, x["count"].place, replicate,
+                 "all replicates together make more than " + std::to_string(kMostTurns) + " turns",
+                 "many equal bodies are better one population");
+    return {};
+  }
   std::vector<const Scope*> out;
-  for (int i = 0; i < x["count"].integer(); ++i) {
+  for (int i = 0; i < count; ++i) {
     Scope& turn = scopes_.emplace_back(scope);
     turn.symbols.constant(x["index"].text, i);
     turn.suffix += '[' + std::to_string(i) + ']';

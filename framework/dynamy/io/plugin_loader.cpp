@@ -113,7 +113,7 @@ fs::path PluginLoader::find(const std::string& library, const fs::path& modelFol
   if (file.is_absolute()) {
     tried.push_back(file);
   } else {
-    tried.push_back(modelFolder / file);
+    if (!modelFolder.empty()) tried.push_back(modelFolder / file);
     for (const fs::path& folder : folders_) tried.push_back(folder / file);
   }
   std::error_code error;

@@ -34,8 +34,9 @@ class PluginLoader {
       : folders_(std::move(folders)) {}
 
   /// Loads `library`: a name ("my_elements" is the file libmy_elements.so), or a path. Searches
-  /// `modelFolder` first. A library that is loaded already is registered only once.
-  /// Throws ModelError: missing file (with all paths tried), no plug-in, mismatch, duplicate types.
+  /// `modelFolder` first, if it is not empty. A library that is loaded already is registered only
+  /// once. Throws ModelError: missing file (with all paths tried), no plug-in, mismatch, duplicate
+  /// types.
   void load(const std::string& library, const std::filesystem::path& modelFolder,
             Registry& registry);
   const std::vector<Loaded>& loaded() const { return loaded_; }

@@ -93,7 +93,7 @@ Word replicate() {
            {"doc", "replicate", "include", "systems", "forces", "elements"},
            {Kind::system, Kind::force, Kind::contact, Kind::rule, Kind::observer, Kind::shape});
   w.attributes.add(AttributeType::integer, "count", std::nullopt, "number of turns")
-      .between(0, 1000000);
+      .between(0, kMostTurns);
   w.attributes.add(AttributeType::name, "index", "i", "name of the index in expressions");
   w.attributes.example(
       "<replicate count=\"3\"><RigidBody name=\"ball\" position=\"0 0 {0.3*i}\"/></replicate>");

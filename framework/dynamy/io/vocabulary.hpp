@@ -11,6 +11,9 @@ namespace dynamy {
 /// Version of the file format: `<dynamy version="1">`.
 inline constexpr int kModelVersion = 1;
 
+/// Turns of all replicates of a model together; more are better a population.
+inline constexpr int kMostTurns = 100000;
+
 /// One word of the format.
 struct Word {
   std::string name;

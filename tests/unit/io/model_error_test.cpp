@@ -152,6 +152,13 @@ TEST(ModelLoaderError, ParametersThatNeedEachOther) {
             "m.xml:2:28: error: <parameter name=\"a\">: must be <= 1, is 2");
 }
 
+TEST(ModelLoaderError, TooManyTurnsAreNoHang) {
+  EXPECT_EQ(
+      firstLine(inSystems("<replicate count=\"1000\"><replicate count=\"1000\"/></replicate>")),
+      "m.xml:2:52: error: <replicate>: all replicates together make more than 100000 turns — "
+      "many equal bodies are better one population");
+}
+
 TEST(ModelLoaderError, SettingsAreChecked) {
   EXPECT_EQ(firstLine(around("<simulation untill=\"5\"/>")),
             "m.xml:2:13: error: <simulation>: unknown attribute \"untill\" — did you mean "
