@@ -14,7 +14,7 @@
 
 namespace dynamy {
 
-/// Discrete state of one law (the book's σ), read off the prox argument Λ − r ξ.
+/// Discrete state of one law (σ of [studer2009]), read off the prox argument Λ − r ξ.
 enum class Status : std::uint8_t { open, separating, stick, slip, lower, upper, locked };
 std::string_view statusText(Status status);
 

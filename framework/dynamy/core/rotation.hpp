@@ -2,7 +2,7 @@
 ///
 ///   p ← p ∘ exp(½ Δt K_Ω)        (body-fixed rate Ω constant over Δt)
 ///
-/// Adding Δt ṗ and normalising was rejected: it loses an order (NUMERICS A3). Renormalising the
+/// Adding Δt ṗ and normalising was rejected: it loses an order. Renormalising the
 /// product against rounding is allowed.
 #pragma once
 #include <cmath>

@@ -32,8 +32,8 @@ inline ConstVec view(const Vec& v) { return {v.data(), v.size()}; }
 inline ConstVec view(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 inline Vec view(Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 
-/// Identity of a contact over time: element, pair and feature. Drives warm start and order (DESIGN
-/// section 4).
+/// Identity of a contact over time: element, pair and feature. Drives warm start and order
+/// (doc/architecture.md, 3).
 struct ContactKey {
   std::uint64_t value = 0;
   auto operator<=>(const ContactKey&) const = default;

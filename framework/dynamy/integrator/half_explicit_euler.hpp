@@ -1,9 +1,9 @@
-/// Half-explicit Euler step of Stiegelmeyr, Funk, Foerg and Pfeiffer (DYNAMY 7.7): W and the law at
+/// Half-explicit Euler step of Stiegelmeyr, Funk, Foerg and Pfeiffer (theory 3.3): W and the law at
 /// the END position.
 ///
 ///   q^E = q^A + Δt (F u^A + β)
-///   M(u^E − u^A) − hΔt − WΛ = 0,   −ξ_i ∈ N_{C_i}(Λ_i)                        M, W, χ at (t^E,
-///   q^E); h at (t^E, q^E, u^A)
+///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)
+///   M, W, χ at (t^E, q^E); h at (t^E, q^E, u^A)
 #pragma once
 #include <dynamy/integrator/one_step.hpp>
 

@@ -1,8 +1,9 @@
-/// Moreau's midpoint rule (DYNAMY 7.4), explicit in positions, one inclusion per step:
+/// Moreau's midpoint rule (theory 3.2), explicit in positions, one inclusion per step:
 ///
 ///   q^M = q^A + Δt/2 (F u^A + β)
-///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)         M, h, W, χ at
-///   (t^M, q^M), contacts with g(q^M) ≤ g_tol q^E = q^M + Δt/2 (F u^E + β)
+///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)
+///   q^E = q^M + Δt/2 (F u^E + β)
+///   M, h, W, χ at (t^M, q^M); contacts with g(q^M) ≤ g_tol
 #pragma once
 #include <dynamy/integrator/one_step.hpp>
 

@@ -1,4 +1,4 @@
-/// InclusionProblem:  ξ = G Λ + c,   −ξ_i ∈ N_{C_i}(Λ_i),  i = 1 … n.     (DYNAMY 5.1)
+/// InclusionProblem:  ξ = G Λ + c,   −ξ_i ∈ N_{C_i}(Λ_i),  i = 1 … n.     (theory 4.1)
 ///
 /// Solvers see operators and laws, never elements.
 #pragma once

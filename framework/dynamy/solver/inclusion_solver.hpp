@@ -9,7 +9,7 @@ namespace dynamy {
 enum class SolveStatus : std::uint8_t { solved, maxIterations, stalled, diverged, notFinite };
 std::string_view solveStatusText(SolveStatus status);
 
-/// Residuals are scale-free natural maps (NUMERICS B0): E_f = max_i |e_i| / max|Λ|, E_u = max_i
+/// Residuals are scale-free natural maps (theory 4.4): E_f = max_i |e_i| / max|Λ|, E_u = max_i
 /// |e_i|/ρ_i / u_ref, E_energy = Σ |e_i|²/ρ_i / Σ ρ_i |c_i|².
 struct Residuals {
   double Ef = 0.0, Eu = 0.0, energy = 0.0;

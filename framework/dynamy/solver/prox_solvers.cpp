@@ -131,8 +131,8 @@ void ProxGaussSeidel::declare(Attributes& a) {
 void ProxJacobi::declare(Attributes& a) {
   declareCommon(a, "diagonalDominance");
   a.about(
-      "Projected Jacobi (prox JOR): all contacts from the old values; r by the book's rule "
-      "(4.59-4.60).");
+      "Projected Jacobi (prox JOR): all contacts from the old values; r by diagonal dominance "
+      "(Studer 2009, 4.59-4.60).");
   a.example("<simulation until=\"1\" step=\"1e-3\"><ProxJacobi/></simulation>");
 }
 

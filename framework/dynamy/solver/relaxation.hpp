@@ -1,9 +1,9 @@
-/// Choices of the prox parameter r, one number per row; rows of one convex set share it.
+/// Choices of the prox parameter r (theory 4.3), one number per row; rows of one group share it.
 ///
-///   diagonal dominance (4.59–4.60):  r_i = 1/|G_ii| if 2|G_ii| ≥ Σ_j|G_ij| for all i, else r_i =
-///   1/Σ_j|G_ij| exact scalar steps:              r_i = 1/G_ii                        (rows of one
-///   set: 1/λ_max of their block) row sums:                        r_i = 1/Σ_j|G_ij| spectral: one
-///   r = 1/λ_max(G), by power iteration
+///   diagonal dominance [studer2009]: 1/|G_ii| if 2|G_ii| ≥ Σ_j|G_ij| for all i, else 1/Σ_j|G_ij|
+///   exact:     1/G_ii; rows of one group: 1/λ_max of their block
+///   row sums:  1/Σ_j|G_ij|
+///   spectral:  one r = 1/λ_max(G), by power iteration
 #pragma once
 #include <dynamy/solver/inclusion_problem.hpp>
 
