@@ -1,8 +1,6 @@
-/// The types that the framework itself brings: laws, rules between materials, schemes, solvers,
-/// impact laws. Systems, forces, joints and shapes come from plug-ins, the standard ones too.
+/// The types that the framework itself brings: schemes, solvers, impact laws. All others come from
+/// plug-ins, the standard ones too.
 
-#include <dynamy/contact/contact_rule.hpp>
-#include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/integrator/half_explicit_euler.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/io/registry.hpp>
@@ -14,12 +12,6 @@ namespace dynamy {
 
 void registerFramework(Registry& registry) {
   registry.library("dynamy");
-  registry.add<Bilateral>("Bilateral");
-  registry.add<Unilateral>("Unilateral");
-  registry.add<UnilateralCoulomb>("UnilateralCoulomb");
-  registry.add<GivenFriction>("GivenFriction");
-  registry.add<ContactRule>("Contact");
-  registry.add<NoContactRule>("NoContact");
   registry.add<MoreauMidpoint>("MoreauMidpoint");
   registry.add<HalfExplicitEuler>("HalfExplicitEuler");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");

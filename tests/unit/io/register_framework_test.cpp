@@ -32,11 +32,8 @@ TEST(FrameworkTypes, HaveExamplesThatLoad) {
   for (const RegisteredType* type : registry.types()) {
     const std::string& example = type->attributes.exampleText();
     EXPECT_FALSE(example.empty()) << type->name;
-    std::string text = example;
-    if (type->kind == Kind::rule) text = "<elements>" + example + "</elements>";
-    if (type->kind == Kind::law)
-      text = "<elements><Contact between=\"a b\">" + example + "</Contact></elements>";
-    EXPECT_NO_THROW(loadModelText("<dynamy>" + text + "</dynamy>", type->name, registry, plugins))
+    EXPECT_NO_THROW(
+        loadModelText("<dynamy>" + example + "</dynamy>", type->name, registry, plugins))
         << type->name;
   }
 }
