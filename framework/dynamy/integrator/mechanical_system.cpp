@@ -37,6 +37,7 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot) {
   const Topology& topology = *parts_.topology;
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   e.t = x.t;
+  ++evaluations_;
   e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u));
   indefinite_ = e.mass.evaluate(topology, x.t, view(x.q));
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {

@@ -56,6 +56,8 @@ class MechanicalSystem {
 
   /// Index of a system whose M is not positive definite in the last evaluation, or −1.
   int indefiniteMass() const { return indefinite_; }
+  /// Calls of evaluate() so far: the cost of a run without the solver.
+  long evaluations() const { return evaluations_; }
   /// V(q,t) of all systems and forces [J].
   double potentialEnergy(const State& x);
 
@@ -71,6 +73,7 @@ class MechanicalSystem {
   Eigen::VectorXd uFree_, uA_;
   std::vector<double> Lambda_;
   int indefinite_ = -1;
+  long evaluations_ = 0;
   Kinematics energyKinematics_;
 };
 

@@ -94,8 +94,9 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
 }
 
 void MassMatrix::apply(ConstVec in, Vec out) const {
+  // By coefficient: a temporary would take memory in every step.
   for (int b = 0; b < blocks(); ++b)
-    Vec(out.data() + u0(b), nu(b)) = M(b) * ConstVec(in.data() + u0(b), nu(b));
+    Vec(out.data() + u0(b), nu(b)) = M(b).lazyProduct(ConstVec(in.data() + u0(b), nu(b)));
 }
 
 double MassMatrix::kineticEnergy(ConstVec u) const {

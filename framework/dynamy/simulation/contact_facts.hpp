@@ -1,0 +1,24 @@
+/// What one closed contact did in one step: its discrete status and whether it was an impact.
+#pragma once
+#include <dynamy/simulation/model.hpp>
+#include <string>
+
+namespace dynamy {
+
+/// Status from the prox argument Λ − ξ (r = 1; at a solution any r > 0 tells the same),
+/// ξ = γ^E + ε γ^A.
+Status contactStatus(const StepView& view, int contact);
+
+/// True if the contact closed with an approach speed −γ_N^A greater than what smooth forces alone
+/// change in one step, |γ_free − γ^A|, and carried a normal percussion. The settling of a resting
+/// contact is no impact then, and no threshold has to be chosen; speeds below 1e-9 of the scene's
+/// length per second do not count.
+bool isImpact(const StepView& view, int contact);
+
+/// "floor", "Contact#2" for elements without a name, "floor/17" for one contact of many.
+std::string contactName(const Model& model, ContactKey key);
+
+/// `<RigidBody name="ball"> (ball.xml:12)`: how messages name a system.
+std::string systemName(const Model& model, int system);
+
+}  // namespace dynamy

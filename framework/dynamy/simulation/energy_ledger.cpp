@@ -1,0 +1,99 @@
+#include <dynamy/simulation/energy_ledger.hpp>
+#include <dynamy/simulation/model.hpp>
+#include <utility>
+
+namespace dynamy {
+
+void EnergyReport::archive(Archive& a) {
+  for (double* x :
+       {&kineticStart, &potentialStart, &kineticEnd, &potentialEnd, &nonPotential, &friction,
+        &normal, &joints, &boundaries, &discretisation, &imbalance, &largestGain, &largestGainTime})
+    a(*x);
+}
+
+EnergyMeter::EnergyMeter(const Model& model) : model_(model) {
+  kinematics_.resize(model.topology());
+  mass_.resize(model.topology());
+}
+
+double EnergyMeter::kinetic(const State& x) {
+  mass_.evaluate(model_.topology(), x.t, view(x.q));
+  return mass_.kineticEnergy(view(x.u));
+}
+
+double EnergyMeter::potential(const State& x) {
+  double V = 0.0;
+  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
+    const SystemHandle& s = model_.topology().system(static_cast<int>(i));
+    V += model_.systems()[i]->potentialEnergy(x.t, slice(x.q, s.q0, s.nq));
+  }
+  if (model_.forces().empty()) return V;
+  kinematics_.evaluate(model_.topology(), x.t, view(x.q), view(x.u));
+  for (const auto& f : model_.forces()) V += f->potentialEnergy(kinematics_);
+  return V;
+}
+
+void EnergyLedger::start(const StepView& initial) {
+  report_.kineticStart = meter_.kinetic(initial.after);
+  report_.potentialStart = meter_.potential(initial.after);
+}
+
+void EnergyLedger::step(const StepView& v) {
+  const Evaluation& e = v.system.slot(0);
+  const double dt = v.report.dt;
+  uMean_ = 0.5 * (v.before.u + v.after.u);
+  momentum_.resize(uMean_.size());
+  e.mass.apply(view(std::as_const(uMean_)), view(momentum_));
+  const double dT = momentum_.dot(v.after.u) - momentum_.dot(v.before.u);
+  const double workH = dt * e.h.dot(uMean_);
+  nonPotential_.add(dt * e.hNonPotential.dot(uMean_));
+  imbalance_.add(dT), imbalance_.add(-workH), imbalance_.add(-contactWork(v));
+}
+
+double EnergyLedger::contactWork(const StepView& v) {
+  const ContactSet& c = v.system.slot(0).contacts;
+  const std::vector<double>& gammaA = v.system.problem().gammaA;
+  if (c.size() == 0 || v.Lambda.size() != c.rows()) return 0.0;
+  double all = 0.0, gain = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (int r = 0; r < c.dim(i); ++r) {
+      const int k = c.row0[at] + r;
+      const auto row = static_cast<std::size_t>(k);
+      const double work = v.Lambda[k] * 0.5 * (gammaA[row] + v.gammaE[k]);
+      const double brought = -v.Lambda[k] * c.chi[row];
+      const RowKind kind = c.law[at]->rowKind(r);
+      (kind == RowKind::normal     ? normal_
+       : kind == RowKind::friction ? friction_
+                                   : joints_)
+          .add(work);
+      boundaries_.add(brought);
+      all += work + brought;
+      if (kind != RowKind::joint) gain += work;
+    }
+  }
+  if (gain > report_.largestGain) report_.largestGain = gain, report_.largestGainTime = v.after.t;
+  return all;
+}
+
+void EnergyLedger::finish(const StepView& last) {
+  report_.kineticEnd = meter_.kinetic(last.after);
+  report_.potentialEnd = meter_.potential(last.after);
+  report_.nonPotential = nonPotential_.value();
+  report_.friction = friction_.value();
+  report_.normal = normal_.value();
+  report_.joints = joints_.value();
+  report_.boundaries = boundaries_.value();
+  report_.imbalance = imbalance_.value();
+  // ΔT + ΔV − works, small differences last.
+  report_.discretisation = (report_.kineticEnd - report_.kineticStart) +
+                           (report_.potentialEnd - report_.potentialStart) - report_.works();
+}
+
+void EnergyLedger::archive(Archive& a) {
+  a.section("energy");
+  a(report_);
+  a(nonPotential_), a(friction_), a(normal_), a(joints_), a(boundaries_), a(imbalance_);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/recorder.hpp>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+/// Fraction of the step at which t lies; instants within 1e-9 of the step's end are its end.
+double fraction(const StepView& v, double t) {
+  const double dt = v.after.t - v.before.t;
+  if (!(dt > 0.0) || t >= v.after.t - 1e-9 * dt) return 1.0;
+  return std::clamp((t - v.before.t) / dt, 0.0, 1.0);
+}
+
+/// Is the instant t reached at the end of this step?
+bool reached(const StepView& v, double t) {
+  return t <= v.after.t + 1e-9 * (v.after.t - v.before.t);
+}
+
+double spacing(double given, double until) {
+  if (given > 0.0) return given;
+  return until > 0.0 ? until / 1000.0 : 1.0;
+}
+
+}  // namespace
+
+std::vector<DrawnFrame> drawnFrames(const Model& model) {
+  std::vector<DrawnFrame> out;
+  for (std::size_t i = 0; i < model.systems().size(); ++i)
+    for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes) {
+      const auto same = [&](const DrawnFrame& f) {
+        return f.system == static_cast<int>(i) && f.id == p.frame;
+      };
+      if (std::none_of(out.begin(), out.end(), same)) out.push_back({static_cast<int>(i), p.frame});
+    }
+  return out;
+}
+
+Recorder::Recorder(const Model& model, RecordSink& sink)
+    : sink_(sink),
+      sampler_(model, chooseSignals(model, model.record.signals, model.record.places)),
+      drawn_(model.topology().systems()),
+      rows_(spacing(model.record.every, model.simulation.until)),
+      frames_(model.record.framesPerSecond > 0.0 ? 1.0 / model.record.framesPerSecond : 1.0 / 60) {
+  for (const DrawnFrame& f : drawnFrames(model)) drawn_.frame(drawn_.system(f.system), f.id);
+  kinematics_.resize(drawn_);
+  values_.resize(sampler_.signals().size());
+  poses_.resize(drawn_.requestedFrames().size());
+}
+
+void Recorder::start(const StepView& initial) {
+  row(initial, initial.after.t, 1.0);
+  frame(initial, initial.after.t, 1.0);
+  nextRow_ = nextFrame_ = 1;
+}
+
+void Recorder::step(const StepView& view) {
+  for (; reached(view, rows_.at(nextRow_)); ++nextRow_)
+    row(view, rows_.at(nextRow_), fraction(view, rows_.at(nextRow_)));
+  if (poses_.empty()) return;
+  for (; reached(view, frames_.at(nextFrame_)); ++nextFrame_)
+    frame(view, frames_.at(nextFrame_), fraction(view, frames_.at(nextFrame_)));
+}
+
+void Recorder::finish(const StepView& last) {
+  if (!last.whole || last.report.dt <= 0.0) return;
+  const double near = 1e-9 * last.report.dt;
+  if (lastRow_ < last.after.t - near) row(last, last.after.t, 1.0);
+  if (!poses_.empty() && lastFrame_ < last.after.t - near) frame(last, last.after.t, 1.0);
+}
+
+void Recorder::row(const StepView& view, double t, double theta) {
+  sampler_.sample(view, theta, values_);
+  hash_.add(t);
+  hash_.add(values_);
+  lastRow_ = t;
+  sink_.row(t, values_);
+}
+
+void Recorder::frame(const StepView& view, double t, double theta) {
+  if (poses_.empty()) return;
+  if (theta >= 1.0)
+    at_.t = view.after.t, at_.q = view.after.q, at_.u = view.after.u;
+  else
+    view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
+  kinematics_.evaluate(drawn_, at_.t, dynamy::view(std::as_const(at_.q)),
+                       dynamy::view(std::as_const(at_.u)));
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const Frame& f = kinematics_.frame({static_cast<int>(i)});
+    poses_[i] = {f.r_OS_I, f.A_IK};
+  }
+  contacts(view);
+  lastFrame_ = t;
+  sink_.frame(t, poses_, contacts_);
+}
+
+void Recorder::contacts(const StepView& view) {
+  contacts_.clear();
+  const ContactSet& c = view.system.slot(0).contacts;
+  if (view.report.dt <= 0.0 || view.Lambda.size() != c.rows()) return;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (c.normal[at].isZero(0.0)) continue;  // has no place in the scene
+    const double LambdaN = view.Lambda[c.row0[at]];
+    contacts_.push_back({c.point[at], c.normal[at], LambdaN / view.report.dt,
+                         contactStatus(view, i), isImpact(view, i)});
+  }
+}
+
+void Recorder::archive(Archive& a) {
+  a.section("recorder");
+  std::uint64_t columns = values_.size();
+  a(columns);
+  a(nextRow_), a(nextFrame_), a(lastRow_), a(lastFrame_), a(hash_);
+  sink_.archive(a);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,78 @@
+/// Recorder: samples the requested signals every Δt_rec and the poses of all frames that carry
+/// shapes at the rate of the film, both through the scheme's own interpolation.
+///
+/// Where the numbers go is a RecordSink: the files of the run folder (io), a table in memory
+/// (tests, comparisons). Writing files from here was rejected: simulation does not know io.
+#pragma once
+#include <dynamy/core/hash.hpp>
+#include <dynamy/simulation/signal_sampler.hpp>
+#include <dynamy/simulation/time_grid.hpp>
+#include <span>
+
+namespace dynamy {
+
+struct FramePose {
+  Vec3 r_OS_I = Vec3::Zero();  ///< [m]
+  Mat3 A_IK = Mat3::Identity();
+};
+
+/// A closed contact in a picture.
+struct ContactRecord {
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< [m], [–]
+  double force = 0.0;                                ///< Λ_N/Δt [N]
+  Status status = Status::open;
+  bool impact = false;  ///< approached faster than smooth forces alone can make in a step
+};
+
+/// Takes what is recorded. Neither call may keep the spans.
+class RecordSink {
+ public:
+  virtual ~RecordSink() = default;
+  virtual void row(double t, std::span<const double> values) = 0;
+  virtual void frame(double t, std::span<const FramePose> poses,
+                     std::span<const ContactRecord> contacts) = 0;
+  /// Brings what was taken so far in safety and archives the place; reading: goes back to it.
+  virtual void archive(Archive&) {}
+};
+
+/// A frame that carries shapes.
+struct DrawnFrame {
+  int system = -1, id = 0;
+};
+/// Frames that carry shapes, in the order of the systems: the order of poses in RecordSink::frame.
+std::vector<DrawnFrame> drawnFrames(const Model& model);
+
+class Recorder final : public Observer {
+ public:
+  /// `model` is built; `every` and `framesPerSecond` of its record settings count (0: until/1000).
+  /// Throws ModelError for unknown signals.
+  Recorder(const Model& model, RecordSink& sink);
+  const std::vector<const NamedSignal*>& signals() const { return sampler_.signals(); }
+  /// Over all rows so far.
+  const Hash& hash() const { return hash_; }
+
+  void start(const StepView& initial) override;
+  void step(const StepView& view) override;
+  /// Adds a last row and picture at the end time.
+  void finish(const StepView& last) override;
+  void archive(Archive& a) override;
+
+ private:
+  void row(const StepView& view, double t, double theta);
+  void frame(const StepView& view, double t, double theta);
+  void contacts(const StepView& view);
+  RecordSink& sink_;
+  SignalSampler sampler_;
+  Topology drawn_;
+  Kinematics kinematics_;
+  State at_;
+  TimeGrid rows_, frames_;
+  long nextRow_ = 0, nextFrame_ = 0;
+  double lastRow_ = -1.0, lastFrame_ = -1.0;
+  Hash hash_;
+  std::vector<double> values_;
+  std::vector<FramePose> poses_;
+  std::vector<ContactRecord> contacts_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,82 @@
+#include <algorithm>
+#include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/run_report.hpp>
+
+namespace dynamy {
+
+void RunReport::archive(Archive& a) {
+  a.section("report");
+  a(t), a(steps), a(rejected), a(evaluations), a(solves), a(iterations), a(iterationsMax);
+  a(unconverged), a(impacts), a(switches), a(contactsMax);
+  a(residual), a(penetration), a(jointError), a(cpu), a(wall);
+}
+
+void StepStatistics::step(const StepView& v) {
+  RunReport& r = report_;
+  ++r.steps;
+  r.t = v.after.t;
+  r.contactsMax = std::max(r.contactsMax, v.report.contacts);
+  if (v.report.contacts > 0) {
+    ++r.solves;
+    r.iterations += v.report.solved.iterations;
+    r.iterationsMax = std::max(r.iterationsMax, v.report.solved.iterations);
+    if (!v.report.solved.ok()) ++r.unconverged;
+    const Residuals& e = v.report.solved.residuals;
+    if (e.largest() > r.residual.value) {
+      r.residual.value = e.largest(), r.residual.t = v.after.t;
+      const ContactSet& c = v.system.slot(0).contacts;
+      if (e.worst >= 0 && e.worst < c.size())
+        r.residual.contact = c.key[static_cast<std::size_t>(e.worst)];
+    }
+  }
+  gaps(v);
+  statuses(v);
+}
+
+void StepStatistics::gaps(const StepView& v) {
+  const ContactSet& c = v.system.slot(0).contacts;
+  for (std::size_t i = 0; i < c.g.size(); ++i) {
+    const bool joint =
+        c.closedIndex[i] >= 0 && !c.law[static_cast<std::size_t>(c.closedIndex[i])]->unilateral();
+    Worst& worst = joint ? report_.jointError : report_.penetration;
+    const double value = joint ? c.g[i] : -c.g[i];
+    if (value > worst.value)
+      worst.value = value, worst.t = v.system.slot(0).t, worst.contact = c.candidateKey[i];
+  }
+}
+
+void StepStatistics::statuses(const StepView& v) {
+  const ContactSet& c = v.system.slot(0).contacts;
+  now_.clear();
+  now_.reserve(before_.capacity());
+  for (int i = 0; i < c.size(); ++i) {
+    now_.push_back({c.key[static_cast<std::size_t>(i)], contactStatus(v, i)});
+    if (isImpact(v, i)) ++report_.impacts;
+  }
+  const auto less = [](const Seen& a, const Seen& b) { return a.key < b.key; };
+  if (!std::is_sorted(now_.begin(), now_.end(), less)) std::sort(now_.begin(), now_.end(), less);
+  // Merge of two sorted lists; a contact that is in one of them only was or is open.
+  auto old = before_.cbegin();
+  for (const Seen& s : now_) {
+    for (; old != before_.cend() && old->key < s.key; ++old)
+      if (old->status != Status::open) ++report_.switches;
+    const bool known = old != before_.cend() && old->key == s.key;
+    if ((known ? old->status : Status::open) != s.status && v.index > 1) ++report_.switches;
+    if (known) ++old;
+  }
+  for (; old != before_.cend(); ++old)
+    if (old->status != Status::open) ++report_.switches;
+  before_.swap(now_);
+}
+
+void StepStatistics::finish(const StepView& last) {
+  for (Worst* w : {&report_.residual, &report_.penetration, &report_.jointError})
+    if (w->value > 0.0) w->name = contactName(last.model, w->contact);
+}
+
+void StepStatistics::archive(Archive& a) {
+  a.section("statistics");
+  a(before_);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,65 @@
+/// RunReport: the figures of a run, and the observer that counts them.
+#pragma once
+#include <dynamy/core/hash.hpp>
+#include <dynamy/simulation/energy_ledger.hpp>
+#include <string>
+
+namespace dynamy {
+
+/// A worst value with where and when.
+struct Worst {
+  double value = 0.0;
+  double t = 0.0;  ///< [s]
+  ContactKey contact;
+  std::string name;  ///< of the contact; filled at the end
+  void archive(Archive& a) { a(value), a(t), a(contact), a(name); }
+};
+
+struct RunReport {
+  enum class Ended { finished, stopped, failed };
+  Ended ended = Ended::finished;
+  std::string reason;  ///< why it failed; empty: it did not
+  double t = 0.0;      ///< time reached [s]
+
+  long steps = 0, rejected = 0;
+  long evaluations = 0;  ///< of M, h and contacts
+  long solves = 0;       ///< inclusions with at least one contact
+  long iterations = 0;
+  int iterationsMax = 0;
+  long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance
+  long impacts = 0, switches = 0;
+  int contactsMax = 0;
+  Worst residual;                ///< largest of E_f, E_u
+  Worst penetration;             ///< −g of unilateral contacts where the step saw them [m]
+  Worst jointError;              ///< position error of joints [m]
+  double cpu = 0.0, wall = 0.0;  ///< [s]
+  EnergyReport energy;
+  std::uint64_t hash = 0;  ///< of all recorded numbers and the final state
+
+  double iterationsMean() const {
+    return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0.0;
+  }
+  void archive(Archive& a);
+};
+
+/// Counts what the accepted steps tell.
+class StepStatistics final : public Observer {
+ public:
+  explicit StepStatistics(RunReport& report) : report_(report) {}
+  void step(const StepView& view) override;
+  void finish(const StepView& last) override;
+  void archive(Archive& a) override;
+
+ private:
+  struct Seen {
+    ContactKey key;
+    Status status;
+    void archive(Archive& a) { a(key), a(status); }
+  };
+  void gaps(const StepView& view);
+  void statuses(const StepView& view);
+  RunReport& report_;
+  std::vector<Seen> before_, now_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/simulation/signal_sampler.hpp>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+bool matches(std::string_view name, std::string_view pattern) {
+  if (!pattern.empty() && pattern.back() == '*')
+    return name.starts_with(pattern.substr(0, pattern.size() - 1));
+  return name == pattern;
+}
+
+Diagnostic unknownSignal(const Model& model, const std::string& name, const Place& place) {
+  std::vector<std::string> known;
+  for (const NamedSignal& s : model.signals()) known.push_back(s.name);
+  Diagnostic d;
+  d.place = place;
+  d.element = "record";
+  d.text = "no signal named \"" + name + "\"";
+  d.hint = didYouMean(nearest(name, known));
+  if (d.hint.empty() && !known.empty()) d.hint = "known are, e.g., " + known.front();
+  return d;
+}
+
+}  // namespace
+
+std::vector<const NamedSignal*> chooseSignals(const Model& model,
+                                              const std::vector<std::string>& names,
+                                              const std::vector<Place>& places) {
+  std::vector<const NamedSignal*> out;
+  if (names.empty()) {
+    for (const NamedSignal& s : model.signals())
+      if (s.system >= 0) out.push_back(&s);
+    return out;
+  }
+  Diagnostics faults;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    bool found = false;
+    for (const NamedSignal& s : model.signals()) {
+      if (!matches(s.name, names[i])) continue;
+      found = true;
+      if (std::find(out.begin(), out.end(), &s) == out.end()) out.push_back(&s);
+    }
+    if (!found) faults.add(unknownSignal(model, names[i], i < places.size() ? places[i] : Place{}));
+  }
+  faults.throwIfAny();
+  return out;
+}
+
+SignalSampler::SignalSampler(const Model& model, std::vector<const NamedSignal*> signals)
+    : model_(model), signals_(std::move(signals)) {
+  kinematics_.resize(model.topology());
+}
+
+void SignalSampler::place(const StepView& view, double theta) {
+  if (theta >= 1.0 || view.report.dt <= 0.0) {
+    at_.t = view.after.t, at_.q = view.after.q, at_.u = view.after.u;
+  } else {
+    view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
+  }
+  kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
+                       dynamy::view(std::as_const(at_.u)));
+}
+
+double SignalSampler::value(const StepView& view, const NamedSignal& s) const {
+  const auto part = [](const Eigen::VectorXd& v, int first, int n) {
+    return ConstVec(v.data() + first, n);
+  };
+  SignalView seen;
+  seen.t = at_.t;
+  if (s.system >= 0) {
+    const SystemHandle& h = model_.topology().system(s.system);
+    new (&seen.q) ConstVec(part(at_.q, h.q0, h.nq));
+    new (&seen.u) ConstVec(part(at_.u, h.u0, h.nu));
+  }
+  seen.kinematics = &kinematics_;
+  seen.contacts = &view.system.slot(0).contacts;
+  new (&seen.Lambda) ConstVec(view.Lambda);
+  new (&seen.gammaE) ConstVec(view.gammaE);
+  new (&seen.memory) ConstVec(part(view.after.memory, s.memory0, s.memory));
+  seen.dt = view.report.dt;
+  seen.element = s.contact;
+  return s.signal.value(seen);
+}
+
+void SignalSampler::sample(const StepView& view, double theta, std::span<double> out) {
+  if (signals_.empty()) return;
+  place(view, theta);
+  for (std::size_t i = 0; i < signals_.size(); ++i) out[i] = value(view, *signals_[i]);
+}
+
+double SignalSampler::sampleOne(const StepView& view, double theta, std::size_t i) {
+  place(view, theta);
+  return value(view, *signals_[i]);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,231 @@
+#include <ctime>
+#include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/simulation.hpp>
+#include <exception>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+constexpr double kIdleSeconds = 0.1;
+
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+double stepOf(const Model& model) {
+  const SimulationSettings& s = model.simulation;
+  if (s.step > 0.0) return s.step;
+  Diagnostic d;
+  d.place = s.place, d.element = "simulation";
+  d.text = "no step is given";
+  d.hint = s.tolerance > 0.0 ? "steps chosen by tolerance are not built yet: give step=\"1e-3\""
+                             : "give step=\"1e-3\"";
+  throw ModelError(d);
+}
+
+void archiveState(Archive& a, State& x) {
+  a.section("state");
+  a(x.t), a(x.q), a(x.u), a(x.memory);
+  a(x.impulses.key), a(x.impulses.first), a(x.impulses.Lambda), a(x.impulses.dt);
+}
+
+}  // namespace
+
+Simulation::Simulation(Model& model)
+    : model_(model),
+      system_(model.mechanicalSystem()),
+      x_(model.initialState()),
+      before_(x_),
+      loop_(stepOf(model), model.simulation.onNonConvergence),
+      statistics_(report_),
+      ledger_(model),
+      checks_(model) {
+  for (const auto& o : model.observers()) observers_.push_back(o.get());
+}
+
+void Simulation::record(RecordSink& sink) { recorder_ = std::make_unique<Recorder>(model_, sink); }
+
+void Simulation::onCheckpoint(double every, std::function<void(const std::string&)> call) {
+  saveEvery_ = every, save_ = std::move(call);
+}
+
+template <class Call>
+void Simulation::forAll(Call&& call) {
+  call(statistics_), call(ledger_), call(checks_);
+  if (recorder_) call(*recorder_);
+  for (Observer* o : observers_) call(*o);
+}
+
+void Simulation::archive(Archive& a) {
+  a.section("dynamy checkpoint 1");
+  archiveState(a, x_);
+  a(loop_), a(report_);
+  forAll([&a](Observer& o) { o.archive(a); });
+}
+
+void Simulation::resume(const std::string& checkpoint) {
+  const Eigen::Index nq = x_.q.size(), nu = x_.u.size(), memory = x_.memory.size();
+  Archive a(checkpoint);
+  archive(a);
+  if (x_.q.size() != nq || x_.u.size() != nu || x_.memory.size() != memory || !a.atEnd())
+    throw ModelError("the checkpoint belongs to another model");
+  before_ = x_;
+  checkpoint_ = checkpoint;
+  resumed_ = true;
+}
+
+const RunReport& Simulation::run() {
+  const auto wall = Clock::now();
+  const std::clock_t cpu = std::clock();
+  lastIdle_ = lastSave_ = wall;
+  const double wallBefore = report_.wall, cpuBefore = report_.cpu;
+  report_.ended = RunReport::Ended::finished;
+  try {
+    if (!resumed_) begin();
+    loop();
+    end();
+  } catch (const std::exception& e) {  // of observers and files: a full disk, a user's observer
+    endBecause(e.what());
+  }
+  report_.wall = wallBefore + seconds(Clock::now() - wall);
+  report_.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  return report_;
+}
+
+void Simulation::begin() {
+  system_.evaluate(x_);
+  before_ = x_;
+  stepReport_ = {};
+  zero_.assign(static_cast<std::size_t>(system_.slot(0).contacts.rows()), 0.0);
+  const StepView initial = view(true);
+  forAll([&](Observer& o) { o.start(initial); });
+}
+
+void Simulation::loop() {
+  const std::string reason = fault();
+  if (!reason.empty()) {
+    endBecause(reason);
+    return;
+  }
+  loop_.run(*this, model_.simulation.until);
+}
+
+void Simulation::end() {
+  if (report_.ended == RunReport::Ended::failed) system_.evaluate(x_);
+  const bool whole = report_.ended != RunReport::Ended::failed && stepReport_.dt > 0.0;
+  const StepView last = view(whole);
+  forAll([&](Observer& o) { o.finish(last); });
+  report_.t = x_.t;
+  report_.energy = ledger_.report();
+  Hash hash = recorder_ ? recorder_->hash() : Hash();
+  hash.add(x_.t);
+  for (const Eigen::VectorXd* v : {&x_.q, &x_.u, &x_.memory})
+    hash.add(std::span(v->data(), static_cast<std::size_t>(v->size())));
+  report_.hash = hash.value();
+}
+
+StepView Simulation::view(bool whole) {
+  const ContactSet& c = system_.slot(0).contacts;
+  const auto n = static_cast<Eigen::Index>(c.rows());
+  gammaE_.resize(static_cast<std::size_t>(n));
+  c.gamma(dynamy::view(std::as_const(x_.u)), {gammaE_.data(), n});
+  const bool start = stepReport_.dt <= 0.0 || !whole;
+  if (start) zero_.assign(static_cast<std::size_t>(n), 0.0);
+  const double* Lambda = start ? zero_.data() : system_.Lambda().data();
+  return {model_,
+          system_,
+          model_.scheme(),
+          before_,
+          x_,
+          ConstVec(Lambda, n),
+          ConstVec(gammaE_.data(), n),
+          stepReport_,
+          report_.steps + 1,
+          whole};
+}
+
+StepReport Simulation::attempt(double tEnd, double dt) {
+  before_ = x_;
+  const long evaluations = system_.evaluations();
+  stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
+  x_.t = tEnd;
+  report_.evaluations += system_.evaluations() - evaluations;
+  return stepReport_;
+}
+
+bool Simulation::sound() const {
+  return system_.indefiniteMass() < 0 && x_.q.allFinite() && x_.u.allFinite();
+}
+
+bool Simulation::accept() {
+  if (!sound()) {
+    std::string reason = fault();
+    x_ = before_;
+    stepReport_ = {};
+    return endBecause(std::move(reason));
+  }
+  const StepView step = view(true);
+  forAll([&](Observer& o) { o.step(step); });
+  return true;
+}
+
+void Simulation::reject() {
+  x_ = before_;
+  ++report_.rejected;
+}
+
+bool Simulation::fail(const StepReport& report) {
+  const ContactSet& c = system_.slot(0).contacts;
+  const Residuals& e = report.solved.residuals;
+  std::string text = "t = " + numberText(x_.t) + " s: the inclusion was not solved (" +
+                     std::string(solveStatusText(report.solved.status)) + " after " +
+                     std::to_string(report.solved.iterations) + " iterations, residual " +
+                     numberText(e.largest());
+  if (e.worst >= 0 && e.worst < c.size())
+    text += ", worst at " + contactName(model_, c.key[static_cast<std::size_t>(e.worst)]);
+  stepReport_ = {};
+  return endBecause(text + "); onNonConvergence is stop");
+}
+
+bool Simulation::pause(bool asked) {
+  const auto now = Clock::now();
+  if (idle_ && seconds(now - lastIdle_) >= kIdleSeconds) lastIdle_ = now, idle_();
+  const bool stop = stop_ != nullptr && stop_->load(std::memory_order_relaxed);
+  const bool due = save_ && saveEvery_ > 0.0 && seconds(now - lastSave_) >= saveEvery_;
+  if (stop || due || asked) keep();
+  if (due) lastSave_ = now, save_(checkpoint_);
+  if (stop) report_.ended = RunReport::Ended::stopped;
+  return !stop;
+}
+
+void Simulation::keep() {
+  Archive a;
+  archive(a);
+  checkpoint_ = a.bytes();
+}
+
+bool Simulation::endBecause(std::string reason) {
+  report_.ended = RunReport::Ended::failed;
+  report_.reason = std::move(reason);
+  return false;
+}
+
+std::string Simulation::fault() const {
+  const std::string when = "t = " + numberText(x_.t) + " s: ";
+  if (system_.indefiniteMass() >= 0)
+    return when + "the mass matrix of " + systemName(model_, system_.indefiniteMass()) +
+           " is not positive definite";
+  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
+    const SystemHandle& s = model_.topology().system(static_cast<int>(i));
+    for (const auto& [letter, v, first, n] :
+         {std::tuple{"u", &x_.u, s.u0, s.nu}, std::tuple{"q", &x_.q, s.q0, s.nq}})
+      for (int k = 0; k < n; ++k)
+        if (!std::isfinite((*v)[first + k]))
+          return when + letter + "[" + std::to_string(k) + "] of " +
+                 systemName(model_, static_cast<int>(i)) + " is not finite";
+  }
+  return {};
+}
+
+}  // namespace dynamy

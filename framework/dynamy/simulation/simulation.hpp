@@ -1,0 +1,90 @@
+/// Simulation: runs the scheme and the solver of a built model from its initial state, or from a
+/// checkpoint, to the end time:
+///
+///   loop (fixed steps, …) → attempt: OneStep::step → sound? → accept: observers see the step
+///
+/// A step neither throws nor prints nor allocates. A run ends at the first number that is not
+/// finite and at the first mass matrix that is not positive definite, naming the system and its
+/// place; what was recorded before stays. Rejected: one loop with switches for all ways to choose
+/// steps; each is a TimeLoop.
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <dynamy/simulation/checks.hpp>
+#include <dynamy/simulation/recorder.hpp>
+#include <dynamy/simulation/run_report.hpp>
+#include <dynamy/simulation/time_loop.hpp>
+#include <functional>
+
+namespace dynamy {
+
+class Simulation final : private Stepper {
+ public:
+  /// `model` is built and outlives the simulation. Throws ModelError if it does not say a step, or
+  /// if a check asks for an unknown signal.
+  explicit Simulation(Model& model);
+
+  // Before run().
+  /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
+  void record(RecordSink& sink);
+  void observe(Observer& observer) { observers_.push_back(&observer); }
+  /// Called about ten times a second of wall time, for progress and files with rare rows.
+  void onIdle(std::function<void()> call) { idle_ = std::move(call); }
+  /// Called with the bytes of a checkpoint every `seconds` of wall time.
+  void onCheckpoint(double seconds, std::function<void(const std::string&)> call);
+  /// The run ends at the next step once `flag` is true (Ctrl-C); nothing recorded is lost.
+  void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
+  /// Goes on from a checkpoint of the same model. Throws ModelError if it belongs to another one.
+  void resume(const std::string& checkpoint);
+
+  /// Runs to `until` of the model's simulation settings. Does not throw: the report tells.
+  const RunReport& run();
+  const RunReport& report() const { return report_; }
+  const State& state() const { return x_; }
+  std::vector<CheckResult> checks() const { return checks_.results(); }
+  /// What `resume` takes: the state at the end of the run, before a last shortened step.
+  const std::string& checkpoint() const { return checkpoint_; }
+
+ private:
+  StepReport attempt(double tEnd, double dt) override;
+  bool accept() override;
+  void reject() override;
+  bool fail(const StepReport& report) override;
+  bool sound() const override;
+  double t() const override { return x_.t; }
+  bool pause(bool asked) override;
+
+  void begin();
+  void loop();
+  void end();
+  StepView view(bool whole);
+  bool endBecause(std::string reason);
+  std::string fault() const;
+  template <class Call>
+  void forAll(Call&& call);
+  void archive(Archive& a);
+  void keep();
+
+  using Clock = std::chrono::steady_clock;
+  Model& model_;
+  MechanicalSystem system_;
+  State x_, before_;
+  StepReport stepReport_;
+  std::vector<double> zero_, gammaE_;
+  FixedStep loop_;
+  RunReport report_;
+  StepStatistics statistics_;
+  EnergyLedger ledger_;
+  Checks checks_;
+  std::unique_ptr<Recorder> recorder_;
+  std::vector<Observer*> observers_;
+  const std::atomic<bool>* stop_ = nullptr;
+  std::function<void()> idle_;
+  std::function<void(const std::string&)> save_;
+  double saveEvery_ = 0.0;
+  Clock::time_point lastIdle_, lastSave_;
+  std::string checkpoint_;
+  bool resumed_ = false;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,56 @@
+/// TimeLoop: how accepted steps follow each other. Simulation drives observers and reports; a loop
+/// only proposes steps, so that fixed steps, augmented stepping and event location are one file
+/// each.
+#pragma once
+#include <dynamy/core/archive.hpp>
+#include <dynamy/integrator/one_step.hpp>
+#include <dynamy/simulation/settings.hpp>
+#include <dynamy/simulation/time_grid.hpp>
+
+namespace dynamy {
+
+/// What a loop works with.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// One step of the scheme from the current state, of length dt to the instant tEnd (= t + dt but
+  /// for rounding). The state before stays at hand until accept() or reject().
+  virtual StepReport attempt(double tEnd, double dt) = 0;
+  /// Takes the attempted step; observers see it. False: the run is to end (failed or stopped).
+  virtual bool accept() = 0;
+  /// Goes back to the state before the attempt.
+  virtual void reject() = 0;
+  /// Ends the run as failed: an inclusion missed its tolerance. Always false.
+  virtual bool fail(const StepReport& report) = 0;
+  /// True if the attempted state holds no NaN and no infinity, and no mass was indefinite.
+  virtual bool sound() const = 0;
+  virtual double t() const = 0;
+  /// Between two full steps of the loop: what is archived here can be resumed. `asked`: keep it in
+  /// any case, because the next step is shortened by the end time. False: the run is to end.
+  virtual bool pause(bool asked) = 0;
+};
+
+class TimeLoop {
+ public:
+  virtual ~TimeLoop() = default;
+  /// Steps to `until`; false as soon as the run is to end earlier.
+  virtual bool run(Stepper& stepper, double until) = 0;
+  virtual void archive(Archive& a) = 0;
+};
+
+/// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`.
+class FixedStep final : public TimeLoop {
+ public:
+  FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
+  bool run(Stepper& stepper, double until) override;
+  void archive(Archive& a) override { a(i_); }
+
+ private:
+  /// One step with the policy for missed tolerances; `depth` halvings so far.
+  bool advance(Stepper& stepper, double tEnd, double dt, int depth);
+  TimeGrid grid_;
+  NonConvergence policy_;
+  long i_ = 0;  // full steps done
+};
+
+}  // namespace dynamy

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+#include <dynamy/core/archive.hpp>
+#include <dynamy/core/compensated_sum.hpp>
+#include <dynamy/core/error.hpp>
+#include <dynamy/core/hash.hpp>
+
+#include <cmath>
+
+namespace dynamy {
+namespace {
+
+TEST(Archive, GivesBackEveryBit) {
+  double x = -0.0, nan = std::nan("7");
+  std::string text = "γ";
+  std::vector<int> numbers = {-3, 5};
+  Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(3, 0.0, 0.1);
+  Archive out;
+  out(x), out(nan), out(text), out(numbers), out(v);
+  double y = 1.0, nan2 = 0.0;
+  std::string text2;
+  std::vector<int> numbers2;
+  Eigen::VectorXd v2;
+  Archive in(out.bytes());
+  in(y), in(nan2), in(text2), in(numbers2), in(v2);
+  EXPECT_TRUE(std::signbit(y) && y == 0.0);
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(nan), std::bit_cast<std::uint64_t>(nan2));
+  EXPECT_EQ(text, text2);
+  EXPECT_EQ(numbers, numbers2);
+  EXPECT_EQ(v, v2);
+  EXPECT_TRUE(in.atEnd());
+}
+
+TEST(Archive, BytesThatEndEarlyAreAModelError) {
+  Archive out;
+  std::vector<double> v(5, 1.0);
+  out(v);
+  for (std::size_t n = 0; n < out.bytes().size(); ++n) {
+    Archive in(out.bytes().substr(0, n));
+    std::vector<double> w;
+    EXPECT_THROW(in(w), ModelError);
+  }
+}
+
+TEST(Archive, SectionsOfAnotherOrderAreAModelError) {
+  Archive out;
+  out.section("state");
+  Archive in(out.bytes());
+  EXPECT_THROW(in.section("report"), ModelError);
+}
+
+TEST(CompensatedSum, KeepsWhatPlainSummationLoses) {
+  CompensatedSum sum;
+  for (const double x : {1.0, 1e100, 1.0, -1e100}) sum.add(x);
+  EXPECT_EQ(sum.value(), 2.0);
+}
+
+TEST(Hash, IsFnv1aWith64Bits) {
+  // Published test vector: the empty input; and one more step by hand for the byte 0 eight times.
+  EXPECT_EQ(Hash().value(), 0xcbf29ce484222325u);
+  std::uint64_t h = 0xcbf29ce484222325u;
+  for (int i = 0; i < 8; ++i) h *= 0x100000001b3u;
+  Hash zero;
+  zero.add(0.0);
+  EXPECT_EQ(zero.value(), h);
+}
+
+}  // namespace
+}  // namespace dynamy
