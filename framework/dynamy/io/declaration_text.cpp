@@ -53,7 +53,7 @@ std::string rangeText(const Attribute& a) {
 
 std::string countText(const ChildRule& rule) {
   if (rule.min == rule.max) return std::to_string(rule.min);
-  if (rule.max > 1000)
+  if (rule.max >= 1000)
     return rule.min == 0 ? "any number of" : std::to_string(rule.min) + " or more";
   return fmt::format("{} to {}", rule.min, rule.max);
 }
