@@ -1,0 +1,105 @@
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/bodies/body_parts.hpp>
+
+namespace dynamy {
+
+// ---- NamedFrame --------------------------------------------------------------------------------
+
+void NamedFrame::declare(Attributes& a) {
+  a.about("A point with axes on a body; joints and forces refer to it as body.name.");
+  declarePose(a, "frame in the body");
+  a.example("<Frame name=\"tip\" position=\"0 0 -1\"/>");
+}
+
+NamedFrame::NamedFrame(const Parameters& x)
+    : Element(x), r_BF_K_(x["position"].vec3()), A_KF_(rotationMatrix(orientation(x).data())) {}
+
+// ---- BodyParts ---------------------------------------------------------------------------------
+
+void BodyParts::declare(Attributes& a) {
+  a.child(Kind::shape, 0, 1000, "shapes: picture, contact, mass");
+  a.child(Kind::part, 0, 1000, "named frames", "Frame");
+}
+
+BodyParts::BodyParts(const Parameters& x)
+    : shapes_(x.take<Shape>()), frames_(x.take<NamedFrame>()) {
+  for (const auto& frame : frames_) {
+    if (!frame->name().empty()) continue;
+    throw ModelError(Diagnostic{.place = frame->place(),
+                                .element = "Frame",
+                                .text = "a frame needs a name",
+                                .hint = "others refer to it as body.name"});
+  }
+}
+
+void BodyParts::describe(Description& d) const {
+  for (const auto& shape : shapes_) d.shape(*shape, 0);
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    d.frame(frames_[i]->name(), static_cast<int>(i) + 1);
+}
+
+BodyMass BodyParts::mass(double total) const {
+  // Masses of the parts.
+  std::vector<double> part(shapes_.size(), 0.0);
+  double volume = 0.0;
+  for (const auto& shape : shapes_) volume += shape->massProperties().volume;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const double V = shapes_[i]->massProperties().volume;
+    if (total > 0.0)
+      part[i] = volume > 0.0 ? total * V / volume : 0.0;
+    else
+      part[i] = shapes_[i]->mass() > 0.0 ? shapes_[i]->mass() : shapes_[i]->density() * V;
+  }
+
+  // Centre of mass.
+  BodyMass out;
+  out.J_S_K.setZero();
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const Shape& s = *shapes_[i];
+    out.m += part[i];
+    out.r_BS_K += part[i] * (s.r_SB_K() + s.A_KB() * s.massProperties().centre_B);
+  }
+  if (!(out.m > 0.0)) return out;
+  out.r_BS_K /= out.m;
+
+  // Inertia about it: parallel axes.
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const Shape& s = *shapes_[i];
+    const MassProperties p = s.massProperties();
+    const Vec3 d = s.r_SB_K() + s.A_KB() * p.centre_B - out.r_BS_K;
+    if (p.volume > 0.0)
+      out.J_S_K += part[i] / p.volume * s.A_KB() * p.inertia_B * s.A_KB().transpose();
+    out.J_S_K += part[i] * (d.squaredNorm() * Mat3::Identity() - d * d.transpose());
+  }
+  return out;
+}
+
+// ---- kinematics --------------------------------------------------------------------------------
+
+void shiftFrame(Frame& f, const Vec3& rho_I, const Mat3& A_KF) {
+  f.r_OS_I += rho_I;
+  f.v_S_I += f.Omega_I.cross(rho_I);
+  f.nu_S_I += f.nu_R_I.cross(rho_I);
+  f.bias_S_I += f.bias_R_I.cross(rho_I) + f.Omega_I.cross(f.Omega_I.cross(rho_I));
+  for (Eigen::Index j = 0; j < f.J_S_I.cols(); ++j) f.J_S_I.col(j) += f.J_R_I.col(j).cross(rho_I);
+  f.A_IK = f.A_IK * A_KF;
+}
+
+// ---- plane -------------------------------------------------------------------------------------
+
+Plane::Plane(const std::string& word) {
+  first = word[0], second = word[1];
+  a = first - 'x', b = second - 'x';
+  e1 = Vec3::Unit(a), e2 = Vec3::Unit(b);
+  n = e1.cross(e2);
+}
+
+void expectInPlane(const ParameterValue& value, const Plane& plane) {
+  const double out = value.numbers[static_cast<std::size_t>(plane.rest())];
+  if (out == 0.0) return;
+  const std::string word{plane.first, plane.second};
+  throw value.fault("the motion stays in the plane " + word,
+                    "the component out of this plane must be 0", 0, value.text.size());
+}
+
+}  // namespace dynamy

@@ -1,0 +1,77 @@
+/// What bodies carry: shapes, named frames, and the mass that follows from the shapes.
+#pragma once
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/system/description.hpp>
+#include <dynamy/system/frame.hpp>
+#include <dynamy/system/shape.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace dynamy {
+
+/// <Frame name= position= orientation=/> in a body: a point with axes that others can refer to as
+/// `body.name`.
+class NamedFrame final : public Element {
+ public:
+  static constexpr Kind kKind = Kind::part;
+  static void declare(Attributes& a);
+  explicit NamedFrame(const Parameters& x);
+  const Vec3& r_BF_K() const { return r_BF_K_; }
+  const Mat3& A_KF() const { return A_KF_; }
+
+ private:
+  Vec3 r_BF_K_;
+  Mat3 A_KF_;
+};
+
+/// Mass, centre of mass in body axes from the body's origin, inertia about the centre of mass.
+struct BodyMass {
+  double m = 0.0;                 ///< [kg]
+  Vec3 r_BS_K = Vec3::Zero();     ///< [m]
+  Mat3 J_S_K = Mat3::Identity();  ///< [kg m²]
+};
+
+/// Shapes and frames of one body; frame 0 is the body's origin B with its axes K.
+class BodyParts {
+ public:
+  static void declare(Attributes& a);
+  explicit BodyParts(const Parameters& x);
+
+  /// Names the frames and places the shapes on frame 0.
+  void describe(Description& d) const;
+  int frames() const { return 1 + static_cast<int>(frames_.size()); }
+  /// Origin of frame `id` from B, and its axes.
+  Vec3 position(int id) const { return id == 0 ? Vec3(Vec3::Zero()) : at(id).r_BF_K(); }
+  Mat3 axes(int id) const { return id == 0 ? Mat3(Mat3::Identity()) : at(id).A_KF(); }
+
+  /// Mass from the shapes: each brings its `mass` or `density`; with `total` > 0 this mass is
+  /// spread over the shapes' volumes. m = 0: the shapes say none.
+  BodyMass mass(double total) const;
+
+ private:
+  const NamedFrame& at(int id) const { return *frames_[static_cast<std::size_t>(id - 1)]; }
+  std::vector<std::unique_ptr<Shape>> shapes_;
+  std::vector<std::unique_ptr<NamedFrame>> frames_;
+};
+
+/// Turns a frame whose Jacobians, velocities and axes are those at B into the one at lever arm
+/// rho_I with axes A_KF, all moving with the body:  v ← v + Ω × ρ, J_S ← J_S − ρ~ J_R,
+/// β_S ← β_S + β_R × ρ + Ω × (Ω × ρ).
+void shiftFrame(Frame& f, const Vec3& rho_I, const Mat3& A_KF);
+
+/// The plane of a planar element: word "xy", "xz" or "yz".
+struct Plane {
+  int a = 0, b = 2;  ///< coordinates that move
+  Vec3 e1 = Vec3::UnitX(), e2 = Vec3::UnitZ();
+  Vec3 n = -Vec3::UnitY();  ///< e1 × e2: positive angles turn e1 towards e2
+  char first = 'x', second = 'z';
+  explicit Plane(const std::string& word = "xz");
+  /// Index of the coordinate that does not move.
+  int rest() const { return 3 - a - b; }
+};
+
+/// Throws ModelError unless the component of the attribute out of the plane is zero.
+void expectInPlane(const ParameterValue& value, const Plane& plane);
+
+}  // namespace dynamy

@@ -1,0 +1,35 @@
+/// Ground: what does not move, or moves as told: a vibrating table, a belt, a crank that is driven.
+///
+///   r_OB = position + s(t),   A_IK = A_0 exp(φ(t) a~);   no q and u of its own: ν_S = ṡ, ν_R = φ̇
+///   a, β_S = s̈, β_R = φ̈ a
+///
+/// Contacts feel the motion through χ and the bias, both exact.
+#pragma once
+#include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy_elements/bodies/body_parts.hpp>
+#include <dynamy_elements/formulas.hpp>
+
+namespace dynamy {
+
+class Ground final : public PartialMechanicalSystem {
+ public:
+  static void declare(Attributes& a);
+  explicit Ground(const Parameters& x);
+
+  Blocks blocks() const override { return {0, 0, 1, true}; }
+  void describe(Description& d) const override;
+  void initialState(Vec, Vec) const override {}
+  void M(double, ConstVec, MassBlocks) const override {}
+  void h(double, ConstVec, ConstVec, Vec) const override {}
+  void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
+  int frames() const override { return parts_.frames(); }
+
+ private:
+  BodyParts parts_;
+  Vec3 r_OB_I_;
+  Mat3 A_IK_;
+  TimeFormulas motion_, rotation_;
+  Vec3 axis_K_;
+};
+
+}  // namespace dynamy

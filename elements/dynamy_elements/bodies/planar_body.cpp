@@ -1,0 +1,119 @@
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/bodies/planar_body.hpp>
+
+namespace dynamy {
+
+void PlanarBody::declare(Attributes& a) {
+  a.about(
+      "Rigid body in a plane: m c'' = f, J phi'' = M. Signals (plane xz): x z of the centre of "
+      "mass "
+      "S, phi, vx vz, omega, kineticEnergy. The angle turns the first axis of the plane towards "
+      "the second. Mass and inertia are given, or follow from the shapes.");
+  a.choice("plane", {"xz", "xy", "yz"}, "xz", "plane of motion");
+  a.vector("position", Unit::length, 3, "0 0 0",
+           "origin of the body; the component out of the plane stays");
+  a.optional("angle", Unit::angle, 0.0, "angle at the start; at 0 the body axes are x, y, z");
+  a.vector("velocity", Unit::velocity, 3, "0 0 0", "velocity of the centre of mass at the start");
+  a.optional("angularVelocity", Unit::angularVelocity, 0.0, "angular velocity at the start");
+  Attribute& mass =
+      a.add(AttributeType::number, "mass", std::nullopt,
+            "mass; default: of the shapes. Without inertia it is spread over their volumes");
+  mass.unit = Unit::mass;
+  mass.mayBeAbsent().positive();
+  Attribute& inertia =
+      a.add(AttributeType::number, "inertia", std::nullopt,
+            "moment of inertia about S = position, normal to the plane; default: of the shapes");
+  inertia.unit = Unit::inertia;
+  inertia.mayBeAbsent().positive();
+  BodyParts::declare(a);
+  a.example(
+      "<PlanarBody name=\"rod\" position=\"0 0 1\"><Box size=\"1 0.1 0.1\" "
+      "mass=\"1\"/></PlanarBody>");
+}
+
+PlanarBody::PlanarBody(const Parameters& x)
+    : PartialMechanicalSystem(x),
+      plane_(x["plane"].text),
+      parts_(x),
+      r_OB_I_(x["position"].vec3()),
+      v_S_I_(x["velocity"].vec3()),
+      phi_(x["angle"]),
+      omega_(x["angularVelocity"]) {
+  expectInPlane(x["velocity"], plane_);
+  const bool given = x.has("mass");
+  if (x.has("inertia") && !given)
+    throw x["inertia"].fault("an inertia needs a mass beside it", "add mass=\"…\"", 0,
+                             x["inertia"].text.size());
+  BodyMass mass;
+  if (x.has("inertia")) {
+    mass.m = x["mass"];
+    mass.J_S_K = double(x["inertia"]) * Mat3::Identity();
+  } else {
+    mass = parts_.mass(given ? double(x["mass"]) : 0.0);
+  }
+  m_ = mass.m, J_ = plane_.n.dot(mass.J_S_K * plane_.n), r_BS_K_ = mass.r_BS_K;
+  if (!(m_ > 0.0))
+    throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
+                     given ? "add inertia=\"…\", or a shape with a volume"
+                           : "add mass and inertia, or give its shapes a mass or density");
+  if (!(J_ > 0.0))
+    throw ModelError("the body's shapes have mass but no inertia",
+                     "add inertia=\"…\", or use PointMass for a body that does not turn");
+}
+
+Mat3 PlanarBody::axes(double phi) const {
+  double p[4];
+  axisQuaternion(plane_.n, phi, p);
+  return rotationMatrix(p);
+}
+
+void PlanarBody::describe(Description& d) const {
+  const std::string first{plane_.first}, second{plane_.second};
+  d.coordinate(first, Unit::length, 0, "position of S");
+  d.coordinate(second, Unit::length, 1, "position of S");
+  d.coordinate("phi", Unit::angle, 2, "angle");
+  d.velocity("v" + first, Unit::velocity, 0, "velocity of S");
+  d.velocity("v" + second, Unit::velocity, 1, "velocity of S");
+  d.velocity("omega", Unit::angularVelocity, 2, "angular velocity");
+  d.signal("kineticEnergy", Unit::energy, "½ m v² + ½ J ω²", [m = m_, J = J_](const SignalView& s) {
+    return 0.5 * m * (s.u[0] * s.u[0] + s.u[1] * s.u[1]) + 0.5 * J * s.u[2] * s.u[2];
+  });
+  parts_.describe(d);
+}
+
+void PlanarBody::initialState(Vec q, Vec u) const {
+  const Vec3 r_OS_I = r_OB_I_ + axes(phi_) * r_BS_K_;
+  q << r_OS_I[plane_.a], r_OS_I[plane_.b], phi_;
+  u << v_S_I_[plane_.a], v_S_I_[plane_.b], omega_;
+}
+
+void PlanarBody::M(double, ConstVec, MassBlocks M) const {
+  Block block = M[0];
+  block.setZero();
+  block.diagonal() << m_, m_, J_;
+}
+
+void PlanarBody::h(double, ConstVec, ConstVec, Vec h) const { h.setZero(); }
+
+double PlanarBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
+  h << m_ * g_I[plane_.a], m_ * g_I[plane_.b], 0.0;
+  return -m_ * (g_I[plane_.a] * q[0] + g_I[plane_.b] * q[1]);
+}
+
+void PlanarBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
+  out.block = 0;
+  // Out of the plane S stays where the body's origin was put; the offset of S has no meaning there.
+  out.r_OS_I[plane_.a] = q[0], out.r_OS_I[plane_.b] = q[1];
+  out.r_OS_I[plane_.rest()] = r_OB_I_[plane_.rest()] + r_BS_K_[plane_.rest()];
+  out.A_IK = axes(q[2]);
+  out.v_S_I = u[0] * plane_.e1 + u[1] * plane_.e2;
+  out.Omega_I = u[2] * plane_.n;
+  out.nu_S_I.setZero(), out.nu_R_I.setZero();
+  out.bias_S_I.setZero(), out.bias_R_I.setZero();
+  out.J_S_I.setZero(), out.J_R_I.setZero();
+  out.J_S_I.col(0) = plane_.e1, out.J_S_I.col(1) = plane_.e2;
+  out.J_R_I.col(2) = plane_.n;
+  shiftFrame(out, out.A_IK * (parts_.position(id) - r_BS_K_), parts_.axes(id));
+}
+
+}  // namespace dynamy

@@ -1,0 +1,160 @@
+#include <Eigen/Eigenvalues>
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/bodies/rigid_body.hpp>
+
+namespace dynamy {
+namespace {
+
+/// J from 3 or 6 numbers: Jxx Jyy Jzz [Jxy Jxz Jyz], the products as entries of the matrix.
+Mat3 readInertia(const ParameterValue& value) {
+  const std::vector<double>& v = value.numbers;
+  if (v.size() != 3 && v.size() != 6)
+    throw value.fault("3 or 6 numbers are needed: Jxx Jyy Jzz [Jxy Jxz Jyz]",
+                      "here are " + std::to_string(v.size()), 0, value.text.size());
+  Mat3 J = Vec3(v[0], v[1], v[2]).asDiagonal();
+  if (v.size() == 6) J(0, 1) = J(1, 0) = v[3], J(0, 2) = J(2, 0) = v[4], J(1, 2) = J(2, 1) = v[5];
+  const Vec3 principal =
+      Eigen::SelfAdjointEigenSolver<Mat3>(J, Eigen::EigenvaluesOnly).eigenvalues();
+  if (!(principal[0] > 0.0))
+    throw value.fault("the inertia is not positive", "principal moments must be > 0", 0,
+                      value.text.size());
+  // A relative 1e-9 lets thin plates pass whose numbers were rounded in the file.
+  if (principal[0] + principal[1] < principal[2] * (1.0 - 1e-9))
+    throw value.fault("no mass distribution has this inertia",
+                      "each principal moment is at most the sum of the other two", 0,
+                      value.text.size());
+  return J;
+}
+
+BodyMass readMass(const Parameters& x, const BodyParts& parts) {
+  const bool given = x.has("mass");
+  const double total = given ? double(x["mass"]) : 0.0;
+  BodyMass out;
+  if (x.has("inertia")) {
+    if (!given)
+      throw x["inertia"].fault("an inertia needs a mass beside it", "add mass=\"…\"", 0,
+                               x["inertia"].text.size());
+    out.m = total;
+    out.J_S_K = readInertia(x["inertia"]);
+    return out;
+  }
+  out = parts.mass(total);
+  if (!(out.m > 0.0))
+    throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
+                     given ? "add inertia=\"Jxx Jyy Jzz\", or a shape with a volume"
+                           : "add mass and inertia, or give its shapes a mass or density");
+  if (!(out.J_S_K.determinant() > 0.0))
+    throw ModelError("the body's shapes have mass but no inertia",
+                     "add mass and inertia to the body, or use shapes with a volume");
+  return out;
+}
+
+const char* const kRate[3] = {"Omega_x", "Omega_y", "Omega_z"};
+const char* const kQuaternion[4] = {"qw", "qx", "qy", "qz"};
+
+}  // namespace
+
+void RigidBody::declare(Attributes& a) {
+  a.about(
+      "Free rigid body: m v' = f, J Ω' + Ω × J Ω = M. Signals: x y z and vx vy vz of the centre of "
+      "mass S, qw qx qy qz, Omega_x Omega_y Omega_z in body axes, kineticEnergy. Mass and inertia "
+      "are given, or follow from the shapes' mass or density; then S is found, too.");
+  declarePose(a, "body");
+  a.vector("velocity", Unit::velocity, 3, "0 0 0", "velocity of the centre of mass at the start");
+  a.vector("angularVelocity", Unit::angularVelocity, 3, "0 0 0",
+           "angular velocity at the start, in body axes");
+  Attribute& mass =
+      a.add(AttributeType::number, "mass", std::nullopt,
+            "mass; default: of the shapes. Without inertia it is spread over their volumes");
+  mass.unit = Unit::mass;
+  mass.mayBeAbsent().positive();
+  Attribute& inertia =
+      a.add(AttributeType::vector, "inertia", std::nullopt,
+            "Jxx Jyy Jzz [Jxy Jxz Jyz] about S = position, in body axes; default: of the shapes");
+  inertia.unit = Unit::inertia;
+  inertia.size = 0;
+  inertia.mayBeAbsent();
+  BodyParts::declare(a);
+  a.example(
+      "<RigidBody name=\"ball\" position=\"0 0 1\"><Sphere radius=\"0.1\" "
+      "mass=\"1\"/></RigidBody>");
+}
+
+RigidBody::RigidBody(const Parameters& x)
+    : PartialMechanicalSystem(x),
+      parts_(x),
+      mass_(readMass(x, parts_)),
+      r_OB_I_(x["position"].vec3()),
+      v_S_I_(x["velocity"].vec3()),
+      Omega_K_(x["angularVelocity"].vec3()),
+      p_(orientation(x)) {}
+
+void RigidBody::describe(Description& d) const {
+  const char* const axis[3] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) d.coordinate(axis[i], Unit::length, i, "position of S");
+  for (int i = 0; i < 4; ++i) d.coordinate(kQuaternion[i], Unit::none, 3 + i, "quaternion");
+  for (int i = 0; i < 3; ++i)
+    d.velocity(std::string("v") + axis[i], Unit::velocity, i, "velocity of S");
+  for (int i = 0; i < 3; ++i)
+    d.velocity(kRate[i], Unit::angularVelocity, 3 + i, "angular velocity in body axes");
+  d.signal("kineticEnergy", Unit::energy, "½ m v² + ½ Ω·J Ω", [mass = mass_](const SignalView& s) {
+    const Vec3 v = s.u.head<3>(), Omega = s.u.tail<3>();
+    return 0.5 * mass.m * v.squaredNorm() + 0.5 * Omega.dot(mass.J_S_K * Omega);
+  });
+  parts_.describe(d);
+}
+
+void RigidBody::initialState(Vec q, Vec u) const {
+  for (int i = 0; i < 4; ++i) q[3 + i] = p_[static_cast<std::size_t>(i)];
+  q.head<3>() = r_OB_I_ + rotationMatrix(p_.data()) * mass_.r_BS_K;
+  u.head<3>() = v_S_I_;
+  u.tail<3>() = Omega_K_;
+}
+
+void RigidBody::M(double, ConstVec, MassBlocks M) const {
+  Block block = M[0];
+  block.setZero();
+  block.diagonal().head<3>().setConstant(mass_.m);
+  block.bottomRightCorner<3, 3>() = mass_.J_S_K;
+}
+
+void RigidBody::h(double, ConstVec, ConstVec u, Vec h) const {
+  const Vec3 Omega = u.tail<3>();
+  h.head<3>().setZero();
+  h.tail<3>() = -Omega.cross(mass_.J_S_K * Omega);
+}
+
+void RigidBody::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
+  qdot.head<3>() = u.head<3>();
+  quaternionRate(q.data() + 3, u.tail<3>(), qdot.data() + 3);
+}
+
+void RigidBody::move(double, Vec q, ConstVec u, double dt) const {
+  q.head<3>() += dt * u.head<3>();
+  rotate(q.data() + 3, dt * u.tail<3>());
+}
+
+void RigidBody::normalise(Vec q) const { q.tail<4>().normalize(); }
+
+double RigidBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
+  h.head<3>() = mass_.m * g_I;
+  h.tail<3>().setZero();
+  return -mass_.m * g_I.dot(q.head<3>());
+}
+
+void RigidBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
+  out.block = 0;
+  out.r_OS_I = q.head<3>();
+  out.A_IK = rotationMatrix(q.data() + 3);
+  out.v_S_I = u.head<3>();
+  out.Omega_I = out.A_IK * u.tail<3>();
+  out.nu_S_I.setZero(), out.nu_R_I.setZero();
+  out.bias_S_I.setZero(), out.bias_R_I.setZero();  // d/dt (A Ω) at Ω̇ = 0: A (Ω × Ω) = 0
+  out.J_S_I.setZero(), out.J_R_I.setZero();
+  out.J_S_I.leftCols<3>().setIdentity();
+  out.J_R_I.rightCols<3>() = out.A_IK;
+  const Vec3 rho_K = parts_.position(id) - mass_.r_BS_K;
+  shiftFrame(out, out.A_IK * rho_K, parts_.axes(id));
+}
+
+}  // namespace dynamy

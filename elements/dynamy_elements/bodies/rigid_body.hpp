@@ -1,0 +1,39 @@
+/// RigidBody: free rigid body in space.
+///
+///   q = (r_OS, p),  u = (v_S_I, Ω_K)           S centre of mass, p unit quaternion (w, x, y, z)
+///   m v̇ = f,   J Ω̇ + Ω × J Ω = M_K             M = diag(m I, J) is constant
+///   ṙ = v,  ṗ = ½ p ∘ (0, Ω);   move: p ← p ∘ exp(½ Δt Ω)
+///
+/// Ω in body axes keeps M constant; world components were rejected because M would turn with the
+/// body.
+#pragma once
+#include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy_elements/bodies/body_parts.hpp>
+
+namespace dynamy {
+
+class RigidBody final : public PartialMechanicalSystem {
+ public:
+  static void declare(Attributes& a);
+  explicit RigidBody(const Parameters& x);
+
+  Blocks blocks() const override { return {7, 6, 1, true}; }
+  void describe(Description& d) const override;
+  void initialState(Vec q, Vec u) const override;
+  void M(double t, ConstVec q, MassBlocks M) const override;
+  void h(double t, ConstVec q, ConstVec u, Vec h) const override;
+  void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const override;
+  void move(double t, Vec q, ConstVec u, double dt) const override;
+  void normalise(Vec q) const override;
+  double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
+  void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
+  int frames() const override { return parts_.frames(); }
+
+ private:
+  BodyParts parts_;
+  BodyMass mass_;
+  Vec3 r_OB_I_, v_S_I_, Omega_K_;
+  std::array<double, 4> p_;
+};
+
+}  // namespace dynamy

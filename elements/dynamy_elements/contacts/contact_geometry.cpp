@@ -1,0 +1,97 @@
+#include <cmath>
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/contacts/contact_geometry.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Rates of tangents(n): the derivative of their formula along ṅ.
+void tangentRates(const Vec3& n, const Vec3& ndot, Vec3& t1dot, Vec3& t2dot) {
+  const double s = n.z() >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z()), adot = a * a * ndot.z();
+  const double bdot = (ndot.x() * n.y() + n.x() * ndot.y()) * a + n.x() * n.y() * adot;
+  t1dot = Vec3(s * (2.0 * n.x() * ndot.x() * a + n.x() * n.x() * adot), s * bdot, -s * ndot.x());
+  t2dot = Vec3(bdot, 2.0 * n.y() * ndot.y() * a + n.y() * n.y() * adot, -ndot.y());
+}
+
+/// The corners of a box; with an edge along `plane` only those of its middle section.
+std::vector<RoundFeature> corners(const Shape& shape, const std::vector<Vec3>& points,
+                                  const Vec3& plane_K) {
+  std::vector<RoundFeature> out;
+  const Vec3 plane_B = shape.A_KB().transpose() * plane_K;
+  int along = -1;
+  // A unit vector along an axis, up to the rounding of an orientation.
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(plane_B[i]) > 1.0 - 1e-12) along = i;
+  for (Vec3 point : points) {
+    if (along >= 0 && point[along] > 0.0) continue;
+    if (along >= 0) point[along] = 0.0;
+    out.push_back({shape.r_SB_K() + shape.A_KB() * point, 0.0});
+  }
+  return out;
+}
+
+}  // namespace
+
+TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) {
+  const Shape& shape = *instance.shape;
+  const ShapeGeometry g = shape.geometry();
+  TouchingShape out;
+  out.shape = instance.shape, out.frame = instance.frame, out.system = instance.system;
+  if (g.type == "Sphere" || g.type == "Point") {
+    out.kind = TouchingShape::Kind::round;
+    out.features.push_back({shape.r_SB_K(), g.type == "Sphere" ? g.size[0] : 0.0});
+  } else if (g.type == "Box") {
+    out.kind = TouchingShape::Kind::corners;
+    out.features = corners(shape, g.points, plane_K);
+  } else if (g.type == "HalfSpace") {
+    out.kind = TouchingShape::Kind::halfSpace;
+    out.n_K = shape.A_KB() * g.points[0];
+    out.p_K = shape.r_SB_K();
+  }
+  return out;
+}
+
+ContactPoint overHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B,
+                           const RoundFeature& feature, const Vec3& plane) {
+  ContactPoint out;
+  const Vec3 n = A.A_IK * halfSpace.n_K, rho_I = B.A_IK * feature.c_K;
+  const Vec3 c = B.r_OS_I + rho_I, p = A.r_OS_I + A.A_IK * halfSpace.p_K;
+  out.g = n.dot(c - p) - feature.radius;
+  out.d[0] = n;
+  if (plane.isZero(0.0)) {
+    Vec3 t1, t2;
+    tangents(halfSpace.n_K, t1, t2);
+    out.d[1] = A.A_IK * t1, out.d[2] = A.A_IK * t2;
+  } else {
+    out.d[1] = n.cross(plane), out.d[2] = plane;
+  }
+  for (int i = 0; i < 3; ++i) out.ddot[i] = A.Omega_I.cross(out.d[i]);
+  out.P = c - feature.radius * n;
+  out.Pdot = B.velocity(rho_I) - feature.radius * out.ddot[0];
+  return out;
+}
+
+ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
+                          const RoundFeature& b, const Vec3& plane) {
+  ContactPoint out;
+  const Vec3 rhoA = A.A_IK * a.c_K, rhoB = B.A_IK * b.c_K;
+  const Vec3 r = B.r_OS_I + rhoB - A.r_OS_I - rhoA, v = B.velocity(rhoB) - A.velocity(rhoA);
+  const double distance = r.norm();
+  out.g = distance - a.radius - b.radius;
+  // Centres that coincide have no normal; any one separates them.
+  const Vec3 n = distance > 0.0 ? Vec3(r / distance) : Vec3(Vec3::UnitZ());
+  const Vec3 ndot = distance > 0.0 ? Vec3((v - n.dot(v) * n) / distance) : Vec3(Vec3::Zero());
+  out.d[0] = n, out.ddot[0] = ndot;
+  if (plane.isZero(0.0)) {
+    tangents(n, out.d[1], out.d[2]);
+    tangentRates(n, ndot, out.ddot[1], out.ddot[2]);
+  } else {
+    out.d[1] = n.cross(plane), out.ddot[1] = ndot.cross(plane);
+    out.d[2] = plane, out.ddot[2].setZero();
+  }
+  out.P = A.r_OS_I + rhoA + a.radius * n;
+  out.Pdot = A.velocity(rhoA) + a.radius * ndot;
+  return out;
+}
+
+}  // namespace dynamy

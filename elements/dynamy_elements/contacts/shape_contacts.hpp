@@ -1,0 +1,55 @@
+/// ShapeContacts: all contacts between shapes that have a material, one element for the model.
+///
+///   ball, point or corner with a half space   g = n·(c − p) − R             n fixed in the half
+///   space ball or point with a ball                 g = |c_B − c_A| − R_A − R_B   n = (c_B −
+///   c_A)/|…| γ = (n, t1, t2)ᵀ (v_B(P) − v_A(P)),   P the point of contact
+///
+/// γ_N = ġ holds exactly, also while P wanders over a rolling body. The bias is that of the moving
+/// P:
+///   γ̇ − Wᵀu̇ = ḋ·v_BA + d·(β_B + Ω_B × (Ṗ − v_B) − β_A − Ω_A × (Ṗ − v_A))
+///
+/// A contact of two systems that move in one plane has the rows n, t only. The laws come from
+/// ContactRules by pair of materials. One element per <Contact> was rejected: each would need its
+/// own search for pairs.
+#pragma once
+#include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy_elements/contacts/contact_geometry.hpp>
+
+namespace dynamy {
+
+class Model;
+
+class ShapeContacts final : public NonSmoothElement {
+ public:
+  /// `rules`: borrowed from the model.
+  explicit ShapeContacts(std::vector<const ContactRule*> rules) : rules_(std::move(rules)) {}
+
+  /// Finds the pairs. Throws ModelError naming every pair of materials without a rule and every
+  /// pair of shapes whose contact is not implemented.
+  void connect(Topology& topology) override;
+  void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void describe(Description& d) const override;
+  int pairs() const { return static_cast<int>(pairs_.size()); }
+
+ private:
+  /// Two shapes that can touch; A is the half space if there is one.
+  struct Pair {
+    TouchingShape A, B;
+    const SetValuedForceLaw* law = nullptr;
+    Vec3 plane = Vec3::Zero();
+    std::string name;
+  };
+  struct Search;
+  void addPair(const ShapeInstance& a, const ShapeInstance& b, Search& search);
+  const ContactRule* rule(const std::string& a, const std::string& b) const;
+  void emit(const Pair& pair, std::uint64_t id, const ContactPoint& at, const Kinematics& k,
+            ContactSink& sink) const;
+  std::vector<const ContactRule*> rules_;
+  std::vector<Pair> pairs_;
+};
+
+/// Completion of a model: adds ShapeContacts if any shape has a material.
+void addShapeContacts(Model& model);
+
+}  // namespace dynamy

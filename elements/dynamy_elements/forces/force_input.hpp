@@ -1,0 +1,23 @@
+/// ForceInput: force and moment as formulas of time on a point of a frame; drives, excitations.
+#pragma once
+#include <dynamy/system/external_force.hpp>
+#include <dynamy_elements/formulas.hpp>
+
+namespace dynamy {
+
+class ForceInput final : public ExternalForce {
+ public:
+  static void declare(Attributes& a);
+  explicit ForceInput(const Parameters& x);
+  void connect(Topology& topology) override { frame_ = topology.frame(on_, *this); }
+  void addTo(const Kinematics& k, ForceSink& sink) const override;
+
+ private:
+  std::string on_;
+  FrameHandle frame_;
+  Vec3 point_;
+  bool bodyAxes_;
+  TimeFormulas force_, moment_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,40 @@
+#include <algorithm>
+#include <dynamy_elements/forces/gravity.hpp>
+
+namespace dynamy {
+
+void Gravity::declare(Attributes& a) {
+  a.about("Uniform field of gravity: every mass m feels the force m g.");
+  a.vector("acceleration", Unit::acceleration, 3, "0 0 -9.81", "acceleration of free fall");
+  a.example("<Gravity acceleration=\"0 0 -9.81\"/>");
+}
+
+Gravity::Gravity(const Parameters& x) : ExternalForce(x), g_I_(x["acceleration"].vec3()) {}
+
+void Gravity::connect(Topology& topology) {
+  parts_.clear();
+  int largest = 0;
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& handle = topology.system(static_cast<int>(i));
+    if (handle.nu == 0) continue;
+    parts_.push_back({topology.systems()[i], handle});
+    largest = std::max(largest, handle.nu);
+  }
+  h_.setZero(largest);
+}
+
+void Gravity::addTo(const Kinematics& k, ForceSink& sink) const {
+  for (const Part& part : parts_) {
+    part.system->gravity(k.t(), k.q(part.handle), g_I_, {h_.data(), part.handle.nu});
+    sink.generalised(part.handle, {h_.data(), part.handle.nu});
+  }
+}
+
+double Gravity::potentialEnergy(const Kinematics& k) const {
+  double V = 0.0;
+  for (const Part& part : parts_)
+    V += part.system->gravity(k.t(), k.q(part.handle), g_I_, {h_.data(), part.handle.nu});
+  return V;
+}
+
+}  // namespace dynamy

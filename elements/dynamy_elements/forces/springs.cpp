@@ -1,0 +1,145 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <dynamy/system/description.hpp>
+#include <dynamy_elements/forces/springs.hpp>
+
+namespace dynamy {
+
+// ---- SpringDamper ------------------------------------------------------------------------------
+
+void SpringDamper::declare(Attributes& a) {
+  a.about(
+      "Spring and damper along the line between two points: F = c (l - l0) + d l', V = c (l - "
+      "l0)^2/2. Signals: length, force (pull positive).");
+  FramePair::declare(a);
+  a.vector("pointA", Unit::length, 3, "0 0 0", "point on A, in axes of A");
+  a.vector("pointB", Unit::length, 3, "0 0 0", "point on B, in axes of B");
+  a.required("stiffness", Unit::stiffness, "stiffness c").nonNegative();
+  a.optional("damping", Unit::damping, 0.0, "damping d").nonNegative();
+  Attribute& length = a.add(AttributeType::number, "length", std::nullopt,
+                            "length l0 without force; default: the distance at the start");
+  length.unit = Unit::length;
+  length.mayBeAbsent().nonNegative();
+  a.example(
+      "<SpringDamper between=\"world ball\" pointA=\"0 0 2\" stiffness=\"100\" length=\"0.5\"/>");
+}
+
+SpringDamper::SpringDamper(const Parameters& x)
+    : ExternalForce(x),
+      frames_(x),
+      pointA_(x["pointA"].vec3()),
+      pointB_(x["pointB"].vec3()),
+      stiffness_(x["stiffness"]),
+      damping_(x["damping"]),
+      length_(x.has("length") ? double(x["length"]) : 0.0),
+      lengthGiven_(x.has("length")) {}
+
+void SpringDamper::connect(Topology& topology) {
+  frames_.connect(topology, *this);
+  if (lengthGiven_) return;
+  const StartKinematics start(topology);
+  const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
+  length_ = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
+}
+
+SpringDamper::Line SpringDamper::line(const Kinematics& k) const {
+  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
+  Line out;
+  out.rhoA_I = A.A_IK * pointA_, out.rhoB_I = B.A_IK * pointB_;
+  const Vec3 r_PQ = B.r_OS_I + out.rhoB_I - A.r_OS_I - out.rhoA_I;
+  out.l = r_PQ.norm();
+  // Points that coincide have no line between them: no force.
+  out.e = out.l > 0.0 ? Vec3(r_PQ / out.l) : Vec3(Vec3::Zero());
+  out.ldot = out.e.dot(B.velocity(out.rhoB_I) - A.velocity(out.rhoA_I));
+  return out;
+}
+
+void SpringDamper::addTo(const Kinematics& k, ForceSink& sink) const {
+  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
+  const Line s = line(k);
+  // Spring and damper apart: the first has a potential.
+  const Vec3 spring = stiffness_ * (s.l - length_) * s.e, damper = damping_ * s.ldot * s.e;
+  sink.hasPotential(true);
+  sink.force(A, s.rhoA_I, spring);
+  sink.force(B, s.rhoB_I, -spring);
+  if (damping_ == 0.0) return;
+  sink.hasPotential(false);
+  sink.force(A, s.rhoA_I, damper);
+  sink.force(B, s.rhoB_I, -damper);
+}
+
+double SpringDamper::potentialEnergy(const Kinematics& k) const {
+  const double x = line(k).l - length_;
+  return 0.5 * stiffness_ * x * x;
+}
+
+void SpringDamper::describe(Description& d) const {
+  d.signal("length", Unit::length, "distance of the points",
+           [this](const SignalView& v) { return line(*v.kinematics).l; });
+  d.signal("force", Unit::force, "pull of spring and damper", [this](const SignalView& v) {
+    const Line s = line(*v.kinematics);
+    return stiffness_ * (s.l - length_) + damping_ * s.ldot;
+  });
+}
+
+// ---- TorsionSpring -----------------------------------------------------------------------------
+
+void TorsionSpring::declare(Attributes& a) {
+  a.about(
+      "Spring and damper about an axis: M = c (psi - psi0) + d psi', for bodies that turn against "
+      "each other about this axis. The angle psi is 0 where the axes of A and B are parallel, and "
+      "lies between -pi and pi. Signals: angle, moment.");
+  FramePair::declare(a);
+  a.vector("axis", Unit::none, 3, "0 0 1", "axis in axes of A").notZero();
+  a.required("stiffness", Unit::rotationalStiffness, "stiffness c").nonNegative();
+  a.optional("damping", Unit::rotationalDamping, 0.0, "damping d").nonNegative();
+  a.optional("angle", Unit::angle, 0.0, "angle psi0 without moment");
+  a.example("<TorsionSpring between=\"world rod\" axis=\"0 -1 0\" stiffness=\"2\"/>");
+}
+
+TorsionSpring::TorsionSpring(const Parameters& x)
+    : ExternalForce(x),
+      frames_(x),
+      axis_A_(x["axis"].vec3().normalized()),
+      stiffness_(x["stiffness"]),
+      damping_(x["damping"]),
+      angle_(x["angle"]) {}
+
+double TorsionSpring::angle(const Kinematics& k) const {
+  const Mat3 relative = k.frame(frames_.A).A_IK.transpose() * k.frame(frames_.B).A_IK;
+  const Eigen::Quaterniond p(relative);
+  const double half = std::atan2(p.vec().dot(axis_A_), p.w());
+  return std::remainder(2.0 * half, 2.0 * std::numbers::pi);
+}
+
+void TorsionSpring::addTo(const Kinematics& k, ForceSink& sink) const {
+  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
+  const Vec3 axis_I = A.A_IK * axis_A_;
+  const Vec3 spring = stiffness_ * (angle(k) - angle_) * axis_I;
+  sink.hasPotential(true);
+  sink.moment(A, spring);
+  sink.moment(B, -spring);
+  if (damping_ == 0.0) return;
+  const Vec3 damper = damping_ * axis_I.dot(B.Omega_I - A.Omega_I) * axis_I;
+  sink.hasPotential(false);
+  sink.moment(A, damper);
+  sink.moment(B, -damper);
+}
+
+double TorsionSpring::potentialEnergy(const Kinematics& k) const {
+  const double x = angle(k) - angle_;
+  return 0.5 * stiffness_ * x * x;
+}
+
+void TorsionSpring::describe(Description& d) const {
+  d.signal("angle", Unit::angle, "angle of B against A",
+           [this](const SignalView& v) { return angle(*v.kinematics); });
+  d.signal("moment", Unit::torque, "moment on A about the axis", [this](const SignalView& v) {
+    const Frame &A = v.kinematics->frame(frames_.A), &B = v.kinematics->frame(frames_.B);
+    const double rate = (A.A_IK * axis_A_).dot(B.Omega_I - A.Omega_I);
+    return stiffness_ * (angle(*v.kinematics) - angle_) + damping_ * rate;
+  });
+}
+
+}  // namespace dynamy

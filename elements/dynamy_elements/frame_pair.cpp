@@ -1,0 +1,53 @@
+#include <dynamy_elements/frame_pair.hpp>
+
+namespace dynamy {
+
+StartKinematics::StartKinematics(const Topology& topology)
+    : q_(Eigen::VectorXd::Zero(topology.nq())), u_(Eigen::VectorXd::Zero(topology.nu())) {
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& s = topology.system(static_cast<int>(i));
+    if (s.nq + s.nu > 0)
+      topology.systems()[i]->initialState(slice(q_, s.q0, s.nq), slice(u_, s.u0, s.nu));
+  }
+  kinematics_.resize(topology);
+  kinematics_.evaluate(topology, 0.0, {q_.data(), q_.size()}, {u_.data(), u_.size()});
+}
+
+void FramePair::declare(Attributes& a) {
+  Attribute& between = a.add(AttributeType::names, "between", std::nullopt,
+                             "frames A and B: a system, or system.frame");
+  between.referenceKind = "frame";
+}
+
+FramePair::FramePair(const Parameters& x) {
+  const ParameterValue& between = x["between"];
+  const std::vector<std::string> words = between.words();
+  if (words.size() != 2)
+    throw between.fault("two frames are needed, here are " + std::to_string(words.size()),
+                        "a system's name stands for its first frame", 0, between.text.size());
+  a_ = words[0], b_ = words[1];
+}
+
+void FramePair::connect(Topology& topology, const Element& asking) {
+  A = topology.frame(a_, asking);
+  B = topology.frame(b_, asking);
+  const auto blocks = [&topology](FrameHandle f) {
+    const int system = topology.requestedFrames()[static_cast<std::size_t>(f.index)].first;
+    return topology.systems()[static_cast<std::size_t>(system)]->blocks();
+  };
+  const Blocks a = blocks(A), b = blocks(B);
+  if (a.nu == 0 && b.nu == 0)
+    throw ModelError("\"" + a_ + "\" and \"" + b_ + "\" both move as told",
+                     "one of the two has to be a body with velocities of its own");
+  planeNormal = commonPlane(a, b);
+}
+
+Vec3 commonPlane(const Blocks& a, const Blocks& b) {
+  if (a.nu == 0) return b.planeNormal;
+  if (b.nu == 0) return a.planeNormal;
+  // Unit vectors: the cross product of parallel ones is rounding.
+  const bool parallel = a.planeNormal.cross(b.planeNormal).norm() < 1e-12;
+  return parallel && !b.planeNormal.isZero(0.0) ? a.planeNormal : Vec3(Vec3::Zero());
+}
+
+}  // namespace dynamy

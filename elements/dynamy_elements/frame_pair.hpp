@@ -1,0 +1,40 @@
+/// Two frames by name, as springs and joints refer to them, and where they are at the start.
+#pragma once
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/system/kinematics.hpp>
+#include <string>
+
+namespace dynamy {
+
+/// Kinematics of all frames asked for so far, at the initial state and t = 0.
+class StartKinematics {
+ public:
+  explicit StartKinematics(const Topology& topology);
+  const Frame& frame(FrameHandle f) const { return kinematics_.frame(f); }
+
+ private:
+  Eigen::VectorXd q_, u_;
+  Kinematics kinematics_;
+};
+
+/// Attribute `between="a b"`: frames A and B.
+class FramePair {
+ public:
+  static void declare(Attributes& a);
+  /// Throws ModelError unless there are two names.
+  explicit FramePair(const Parameters& x);
+  void connect(Topology& topology, const Element& asking);
+
+  FrameHandle A, B;
+  /// Normal of the plane both systems move in; zero if one moves in space or the planes differ.
+  /// A system without velocities (ground) takes part in any plane.
+  Vec3 planeNormal = Vec3::Zero();
+
+ private:
+  std::string a_, b_;
+};
+
+/// Normal of the plane that two systems share, zero: none.
+Vec3 commonPlane(const Blocks& a, const Blocks& b);
+
+}  // namespace dynamy

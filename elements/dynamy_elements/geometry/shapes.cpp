@@ -1,0 +1,162 @@
+#include <dynamy/core/parameters.hpp>
+#include <dynamy_elements/geometry/shapes.hpp>
+#include <numbers>
+
+namespace dynamy {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Mat3 diagonal(double a, double b, double c) { return Vec3(a, b, c).asDiagonal(); }
+
+/// Points of three numbers each. Throws ModelError for another count or fewer than `least` points.
+std::vector<Vec3> readPoints(const Parameters& x, std::size_t least) {
+  const ParameterValue& value = x["points"];
+  const std::size_t n = value.numbers.size();
+  if (n % 3 != 0 || n < 3 * least)
+    throw value.fault(
+        "a list of at least " + std::to_string(least) + " points with three numbers each is needed",
+        "here are " + std::to_string(n) + " numbers", 0, value.text.size());
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < n; i += 3)
+    out.emplace_back(value.numbers[i], value.numbers[i + 1], value.numbers[i + 2]);
+  return out;
+}
+
+}  // namespace
+
+// ---- Sphere ------------------------------------------------------------------------------------
+
+void Sphere::declare(Attributes& a) {
+  a.about("Ball: V = 4/3 π r³, J = 2/5 m r². Touches half spaces, points, balls.");
+  a.required("radius", Unit::length, "radius").positive();
+  a.example("<Sphere radius=\"0.1\" mass=\"1\" material=\"rubber\"/>");
+}
+Sphere::Sphere(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
+ShapeGeometry Sphere::geometry() const { return {"Sphere", {radius_}, {}, colour()}; }
+MassProperties Sphere::massProperties() const {
+  const double V = 4.0 / 3.0 * kPi * radius_ * radius_ * radius_, J = 0.4 * V * radius_ * radius_;
+  return {V, Vec3::Zero(), diagonal(J, J, J)};
+}
+
+// ---- Box ---------------------------------------------------------------------------------------
+
+void Box::declare(Attributes& a) {
+  a.about(
+      "Cuboid about its origin with edges along its axes: V = a b c, J_x = m (b² + c²)/12, … Its "
+      "corners touch half spaces.");
+  a.requiredVector("size", Unit::length, 3, "edge lengths along x, y, z").positive();
+  a.example("<Box size=\"0.4 0.2 0.1\" density=\"2700\" material=\"steel\"/>");
+}
+Box::Box(const Parameters& x) : Shape(x), size_(x["size"].vec3()) {}
+ShapeGeometry Box::geometry() const {
+  ShapeGeometry g{"Box", {size_.x(), size_.y(), size_.z()}, {}, colour()};
+  for (int corner = 0; corner < 8; ++corner)
+    g.points.emplace_back((corner & 1 ? 0.5 : -0.5) * size_.x(),
+                          (corner & 2 ? 0.5 : -0.5) * size_.y(),
+                          (corner & 4 ? 0.5 : -0.5) * size_.z());
+  return g;
+}
+MassProperties Box::massProperties() const {
+  const double V = size_.prod(), x = size_.x() * size_.x(), y = size_.y() * size_.y(),
+               z = size_.z() * size_.z();
+  return {V, Vec3::Zero(), diagonal(V * (y + z) / 12.0, V * (x + z) / 12.0, V * (x + y) / 12.0)};
+}
+
+// ---- HalfSpace ---------------------------------------------------------------------------------
+
+void HalfSpace::declare(Attributes& a) {
+  a.about(
+      "All matter below the plane through `position` with the outward normal n: gap of a point P "
+      "is "
+      "g = n·(r_OP − position).");
+  a.vector("normal", Unit::none, 3, "0 0 1", "outward normal in the shape's axes, normalised here")
+      .notZero();
+  a.example("<HalfSpace normal=\"0 0 1\" material=\"concrete\"/>");
+}
+HalfSpace::HalfSpace(const Parameters& x) : Shape(x), normal_(x["normal"].vec3()) {
+  if (!(normal_.norm() > 0.0))
+    throw x["normal"].fault("a normal of length 0 says no direction", "", 0,
+                            x["normal"].text.size());
+  normal_.normalize();
+}
+ShapeGeometry HalfSpace::geometry() const { return {"HalfSpace", {}, {normal_}, colour()}; }
+
+// ---- shapes of points --------------------------------------------------------------------------
+
+void PointShape::declare(Attributes& a) {
+  a.about("A point that touches half spaces and balls; drawn as a dot.");
+  a.optional("radius", Unit::length, 0.0, "radius of the dot in the picture; no part of contact")
+      .nonNegative();
+  a.example("<Point position=\"0 0 -0.1\" material=\"steel\"/>");
+}
+PointShape::PointShape(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
+ShapeGeometry PointShape::geometry() const {
+  return {"Point", {radius_}, {Vec3::Zero()}, colour()};
+}
+
+void LineShape::declare(Attributes& a) {
+  a.about("Open line through points; drawn only.");
+  a.requiredVector("points", Unit::length, 0, "x y z of two or more points");
+  a.example("<Line points=\"0 0 0  0 0 -1\"/>");
+}
+LineShape::LineShape(const Parameters& x) : Shape(x), points_(readPoints(x, 2)) {}
+ShapeGeometry LineShape::geometry() const { return {"Line", {}, points_, colour()}; }
+
+void PolygonShape::declare(Attributes& a) {
+  a.about("Closed polygon through points; drawn only.");
+  a.requiredVector("points", Unit::length, 0, "x y z of three or more points");
+  a.example("<Polygon points=\"0 0 0  1 0 0  0 0 1\"/>");
+}
+PolygonShape::PolygonShape(const Parameters& x) : Shape(x), points_(readPoints(x, 3)) {}
+ShapeGeometry PolygonShape::geometry() const { return {"Polygon", {}, points_, colour()}; }
+
+// ---- round shapes ------------------------------------------------------------------------------
+
+void CircleShape::declare(Attributes& a) {
+  a.about("Circle about the shape's z axis; drawn only.");
+  a.required("radius", Unit::length, "radius").positive();
+  a.example("<Circle radius=\"0.1\"/>");
+}
+CircleShape::CircleShape(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
+ShapeGeometry CircleShape::geometry() const { return {"Circle", {radius_}, {}, colour()}; }
+
+void CylinderShape::declare(Attributes& a) {
+  a.about("Solid cylinder along z: V = π r² l, J_z = m r²/2, J_x = m (3 r² + l²)/12.");
+  a.required("radius", Unit::length, "radius").positive();
+  a.required("length", Unit::length, "length along z").positive();
+  a.example("<Cylinder radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
+}
+CylinderShape::CylinderShape(const Parameters& x)
+    : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+ShapeGeometry CylinderShape::geometry() const {
+  return {"Cylinder", {radius_, length_}, {}, colour()};
+}
+MassProperties CylinderShape::massProperties() const {
+  const double r2 = radius_ * radius_, V = kPi * r2 * length_;
+  const double Jx = V * (3.0 * r2 + length_ * length_) / 12.0;
+  return {V, Vec3::Zero(), diagonal(Jx, Jx, 0.5 * V * r2)};
+}
+
+void CapsuleShape::declare(Attributes& a) {
+  a.about("Cylinder along z with half balls on its ends: V = π r² l + 4/3 π r³.");
+  a.required("radius", Unit::length, "radius").positive();
+  a.required("length", Unit::length, "distance of the centres of the two half balls").positive();
+  a.example("<Capsule radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
+}
+CapsuleShape::CapsuleShape(const Parameters& x)
+    : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+ShapeGeometry CapsuleShape::geometry() const {
+  return {"Capsule", {radius_, length_}, {}, colour()};
+}
+MassProperties CapsuleShape::massProperties() const {
+  // Cylinder and two half balls; each half ball has its centre of mass 3/8 r beyond its plane.
+  const double r = radius_, r2 = r * r, l = length_;
+  const double cylinder = kPi * r2 * l, ball = 4.0 / 3.0 * kPi * r2 * r;
+  const double Jz = 0.5 * cylinder * r2 + 0.4 * ball * r2;
+  const double Jx =
+      cylinder * (3.0 * r2 + l * l) / 12.0 + ball * (0.4 * r2 + 0.375 * r * l + 0.25 * l * l);
+  return {cylinder + ball, Vec3::Zero(), diagonal(Jx, Jx, Jz)};
+}
+
+}  // namespace dynamy

@@ -1,0 +1,132 @@
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/joints/joints.hpp>
+
+namespace dynamy {
+namespace {
+
+bool planar(const Vec3& plane) { return !plane.isZero(0.0); }
+
+/// (e1, e2, n) of the plane with normal n, or the axes of the world.
+Mat3 triad(const Vec3& n) {
+  if (!planar(n)) return Mat3::Identity();
+  Vec3 t1, t2;
+  tangents(n, t1, t2);
+  Mat3 out;
+  out << t1, t2, n;
+  return out;
+}
+
+}  // namespace
+
+void Revolute::declare(Attributes& a) {
+  a.about(
+      "Hinge: two frames share a point and an axis. Planar bodies: 2 rows, in space 5. A friction "
+      "law acts about the axis.");
+  declareJoint(a);
+  declareAxis(a, "axis at the start, in the world; needed in space, planar bodies have their own");
+  declareFriction(a);
+  a.example("<Revolute between=\"world rod\" at=\"0 0 1\" axis=\"0 1 0\"/>");
+}
+
+void Revolute::build(const Start& s) {
+  const Mat3 e = triad(s.plane);
+  addPoint(s, e.col(0));
+  addPoint(s, e.col(1));
+  if (planar(s.plane)) {
+    freeDirection(s, JointRow::Kind::spin, s.plane);
+    return;
+  }
+  if (s.axis_I.isZero(0.0))
+    throw ModelError("a hinge in space needs an axis", "add axis=\"0 1 0\"");
+  addPoint(s, e.col(2));
+  Vec3 t1, t2;
+  tangents(s.axis_I, t1, t2);
+  addAngle(s, t1, s.axis_I);
+  addAngle(s, t2, s.axis_I);
+  freeDirection(s, JointRow::Kind::spin, s.axis_I);
+}
+
+void Spherical::declare(Attributes& a) {
+  a.about("Ball and socket: two frames share a point. Planar bodies: 2 rows, in space 3.");
+  declareJoint(a);
+  a.example("<Spherical between=\"world rod\" at=\"0 0 1\"/>");
+}
+
+void Spherical::build(const Start& s) {
+  const Mat3 e = triad(s.plane);
+  for (int i = 0; i < (planar(s.plane) ? 2 : 3); ++i) addPoint(s, e.col(i));
+}
+
+void Prismatic::declare(Attributes& a) {
+  a.about(
+      "Slider: B moves along an axis fixed in A and does not turn against it. Planar bodies: 2 "
+      "rows, in space 5. A friction law acts along the axis.");
+  declareJoint(a);
+  declareAxis(a, "direction at the start, in the world");
+  declareFriction(a);
+  a.example("<Prismatic between=\"world cart\" axis=\"1 0 0\"/>");
+}
+
+void Prismatic::build(const Start& s) {
+  if (s.axis_I.isZero(0.0)) throw ModelError("a slider needs an axis", "add axis=\"1 0 0\"");
+  freeDirection(s, JointRow::Kind::point, s.axis_I);
+  if (planar(s.plane)) {
+    const Vec3 across = s.plane.cross(s.axis_I);
+    // A direction out of the plane leaves nothing to slide along: |across| = sine of the angle.
+    if (across.norm() < 1.0 - 1e-12)
+      throw ModelError("the axis points out of the plane of the bodies",
+                       "the plane's normal is perpendicular to the axis of a slider");
+    addPoint(s, across);
+    addAngle(s, s.axis_I, across);
+    return;
+  }
+  Vec3 t1, t2;
+  tangents(s.axis_I, t1, t2);
+  addPoint(s, t1);
+  addPoint(s, t2);
+  addAngle(s, t1, t2);
+  addAngle(s, t2, s.axis_I);
+  addAngle(s, s.axis_I, t1);
+}
+
+void Fixed::declare(Attributes& a) {
+  a.about("Two frames are one. Planar bodies: 3 rows, in space 6.");
+  declareJoint(a);
+  a.example("<Fixed between=\"world base\"/>");
+}
+
+void Fixed::build(const Start& s) {
+  const Mat3 e = triad(s.plane);
+  addPoint(s, e.col(0));
+  addPoint(s, e.col(1));
+  addAngle(s, e.col(0), e.col(1));
+  if (planar(s.plane)) return;
+  addPoint(s, e.col(2));
+  addAngle(s, e.col(1), e.col(2));
+  addAngle(s, e.col(2), e.col(0));
+}
+
+void Distance::declare(Attributes& a) {
+  a.about("Two points keep their distance: a massless rod. One row.");
+  FramePair::declare(a);
+  a.vector("pointA", Unit::length, 3, "0 0 0", "point on A, in axes of A");
+  a.vector("pointB", Unit::length, 3, "0 0 0", "point on B, in axes of B");
+  Attribute& length = a.add(AttributeType::number, "length", std::nullopt,
+                            "distance; default: the distance at the start");
+  length.unit = Unit::length;
+  length.mayBeAbsent().positive();
+  a.example("<Distance between=\"world bob\"/>");
+}
+
+Distance::Distance(const Parameters& x)
+    : Joint(x),
+      pointOnA_(x["pointA"].vec3()),
+      pointOnB_(x["pointB"].vec3()),
+      length_(x.has("length") ? double(x["length"]) : 0.0) {}
+
+void Distance::build(const Start&) {
+  place(pointOnA_, pointOnB_);
+  addDistance(length_);
+}
+
+}  // namespace dynamy

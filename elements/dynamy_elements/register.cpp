@@ -1,0 +1,61 @@
+// The standard elements, registered like any plug-in's.
+#include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/io/plugin.hpp>
+#include <dynamy_elements/bodies/ground.hpp>
+#include <dynamy_elements/bodies/planar_body.hpp>
+#include <dynamy_elements/bodies/point_mass.hpp>
+#include <dynamy_elements/bodies/rigid_body.hpp>
+#include <dynamy_elements/contacts/shape_contacts.hpp>
+#include <dynamy_elements/coordinates/register_coordinates.hpp>
+#include <dynamy_elements/forces/force_input.hpp>
+#include <dynamy_elements/forces/gravity.hpp>
+#include <dynamy_elements/forces/springs.hpp>
+#include <dynamy_elements/geometry/shapes.hpp>
+#include <dynamy_elements/joints/joints.hpp>
+
+namespace dynamy {
+namespace {
+
+void registerElements(Registry& r) {
+  r.add<Ground>("Ground");
+  r.add<PointMass>("PointMass");
+  r.add<PlanarBody>("PlanarBody");
+  r.add<RigidBody>("RigidBody");
+  r.add<NamedFrame>("Frame");
+
+  r.add<Sphere>("Sphere");
+  r.add<Box>("Box");
+  r.add<HalfSpace>("HalfSpace");
+  r.add<PointShape>("Point");
+  r.add<LineShape>("Line");
+  r.add<PolygonShape>("Polygon");
+  r.add<CircleShape>("Circle");
+  r.add<CylinderShape>("Cylinder");
+  r.add<CapsuleShape>("Capsule");
+
+  r.add<Gravity>("Gravity");
+  r.add<SpringDamper>("SpringDamper");
+  r.add<TorsionSpring>("TorsionSpring");
+  r.add<ForceInput>("ForceInput");
+
+  r.add<Revolute>("Revolute");
+  r.add<Spherical>("Spherical");
+  r.add<Prismatic>("Prismatic");
+  r.add<Fixed>("Fixed");
+  r.add<Distance>("Distance");
+
+  r.add<Unilateral>("Unilateral");
+  r.add<UnilateralCoulomb>("UnilateralCoulomb");
+  r.add<Bilateral>("Bilateral");
+  r.add<GivenFriction>("GivenFriction");
+  r.add<ContactRule>("Contact");
+  r.add<NoContactRule>("NoContact");
+  registerCoordinates(r);
+  r.addCompletion(addShapeContacts);
+}
+
+}  // namespace
+}  // namespace dynamy
+
+DYNAMY_PLUGIN("dynamy_elements", dynamy::kVersionText, dynamy::registerElements)

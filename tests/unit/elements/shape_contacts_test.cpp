@@ -1,0 +1,197 @@
+// Contacts of shapes: gaps, rows and bias against differences, pairs and their laws.
+#include <gtest/gtest.h>
+#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy_elements/bodies/ground.hpp>
+#include <dynamy_elements/bodies/planar_body.hpp>
+#include <dynamy_elements/bodies/point_mass.hpp>
+#include <dynamy_elements/bodies/rigid_body.hpp>
+#include <dynamy_elements/contacts/shape_contacts.hpp>
+#include <dynamy_elements/geometry/shapes.hpp>
+
+#include "motion.hpp"
+
+namespace dynamy {
+namespace {
+
+using testing::fourPoint;
+using testing::kTolerance;
+using testing::Motion;
+using Given = std::vector<GivenValue>;
+
+template <class Body, class S>
+void addBody(Model& m, const std::string& name, const Given& body, const std::string& shapeType,
+             const Given& shape) {
+  m.add(std::make_unique<Body>(
+      Parameters::of<Body>("Body", name, body)
+          .with(std::make_unique<S>(Parameters::of<S>(shapeType, "", shape)))));
+}
+
+void addRule(Model& m, const char* between) {
+  m.add(std::make_unique<ContactRule>(
+      Parameters::of<ContactRule>("Contact", "", {{"between", between}})
+          .with(std::unique_ptr<SetValuedForceLaw>(
+              std::make_unique<UnilateralCoulomb>(0.0, 0.0, 0.3)))));
+}
+
+const Given kMoving{{"motion", "0.1*sin(3*t); 0; 0.2*cos(2*t)"},
+                    {"rotation", "0.5*sin(2*t)"},
+                    {"axis", {0.0, 1.0, 0.0}}};
+const Given kHeavy{{"mass", 2.0}, {"inertia", {0.1, 0.2, 0.25}}, {"position", {0.1, 0.2, 1.0}}};
+const Given kPlanar{{"mass", 2.0}, {"inertia", 0.1}, {"position", {0.1, 0.0, 1.0}}};
+
+const ShapeContacts& built(Model& m) {
+  m.addCompletion(addShapeContacts);
+  m.build();
+  return static_cast<const ShapeContacts&>(*m.contacts().at(0));
+}
+
+/// γ_N against ġ and the bias of all rows against γ̇.
+void expectRowsFit(Model& m, int contacts, int dim) {
+  const ShapeContacts& element = built(m);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Motion motion(m);
+    motion.scatter(seed, 0.5);
+    const ContactSet set = motion.contacts(element, 0.0);
+    ASSERT_EQ(set.size(), contacts);
+    const Eigen::VectorXd gamma = motion.gamma(element, 0.0);
+    ASSERT_EQ(gamma.size(), contacts * dim);
+    const Eigen::VectorXd gdot = fourPoint([&](double s) {
+      const ContactSet at = motion.contacts(element, s);
+      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(at.g.data(), contacts));
+    });
+    for (int i = 0; i < contacts; ++i) EXPECT_NEAR(gamma[i * dim], gdot[i], kTolerance);
+    const Eigen::VectorXd gammadot = fourPoint([&](double s) { return motion.gamma(element, s); });
+    // Normals of balls turn with up to v/|r|, which takes a few derivatives beyond kTolerance.
+    EXPECT_LT((motion.bias(element) - gammadot).norm(), 10.0 * kTolerance);
+  }
+}
+
+TEST(ShapeContacts, OfABallOnAMovingHalfSpaceFit) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", kMoving, "HalfSpace",
+                             {{"material", "steel"}, {"normal", {0.2, 0.1, 1.0}}});
+  addBody<RigidBody, Sphere>(
+      m, "ball", kHeavy, "Sphere",
+      {{"radius", 0.3}, {"material", "rubber"}, {"position", {0.2, 0.1, 0.0}}});
+  addRule(m, "rubber steel");
+  expectRowsFit(m, 1, 3);
+}
+
+TEST(ShapeContacts, OfABoxOnAHalfSpaceFit) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", kMoving, "HalfSpace", {{"material", "steel"}});
+  addBody<RigidBody, Box>(m, "box", kHeavy, "Box",
+                          {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  expectRowsFit(m, 8, 3);
+}
+
+TEST(ShapeContacts, OfAPlanarBoxHaveFourCornersAndTwoRows) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", kMoving, "HalfSpace", {{"material", "steel"}});
+  addBody<PlanarBody, Box>(m, "box", kPlanar, "Box",
+                           {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  expectRowsFit(m, 4, 2);
+}
+
+TEST(ShapeContacts, OfTwoBallsFit) {
+  Model space, plane;
+  const Given ball{{"radius", 1.5}, {"material", "steel"}, {"position", {0.2, 0.0, 0.1}}};
+  addBody<RigidBody, Sphere>(space, "a", kHeavy, "Sphere", ball);
+  addBody<RigidBody, Sphere>(
+      space, "b", {{"mass", 1.0}, {"inertia", {0.1, 0.1, 0.1}}, {"position", {1.5, 0.5, 2.5}}},
+      "Sphere", ball);
+  addRule(space, "steel steel");
+  expectRowsFit(space, 1, 3);
+  addBody<PlanarBody, Sphere>(plane, "a", kPlanar, "Sphere", ball);
+  addBody<PlanarBody, Sphere>(
+      plane, "b", {{"mass", 1.0}, {"inertia", 0.1}, {"position", {1.5, 0.0, 2.5}}}, "Sphere", ball);
+  addRule(plane, "steel steel");
+  expectRowsFit(plane, 1, 2);
+}
+
+TEST(ShapeContacts, SeeNoSlipOfARollingBall) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  addBody<RigidBody, Sphere>(m, "ball",
+                             {{"position", {0.0, 0.0, 0.5}},
+                              {"velocity", {2.0, 0.0, 0.0}},
+                              {"angularVelocity", {0.0, 4.0, 0.0}}},
+                             "Sphere", {{"radius", 0.5}, {"mass", 1.0}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  const ShapeContacts& element = built(m);
+  Motion motion(m, 0.0);
+  EXPECT_LT(motion.gamma(element, 0.0).norm(), 1e-15);  // v = Ω R, one rounding
+  EXPECT_LT(motion.gamma(element, 0.2).norm(), 1e-14);  // a few more after turning
+  EXPECT_EQ(motion.contacts(element, 0.0).g[0], 0.0);
+}
+
+TEST(ShapeContacts, SlideTowardsTheFirstTangentInAPlane) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  addBody<PlanarBody, PointShape>(m, "p",
+                                  {{"mass", 1.0}, {"inertia", 1.0}, {"velocity", {2.0, 0.0, -1.0}}},
+                                  "Point", {{"material", "steel"}});
+  addRule(m, "steel steel");
+  const ShapeContacts& element = built(m);
+  Motion motion(m, 0.0);
+  const Eigen::VectorXd gamma = motion.gamma(element, 0.0);
+  EXPECT_EQ(gamma[0], -1.0);
+  EXPECT_EQ(gamma[1], 2.0);
+}
+
+TEST(ShapeContacts, DemandALawForMaterialsThatCanTouch) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  addBody<RigidBody, Sphere>(m, "ball", kHeavy, "Sphere",
+                             {{"radius", 0.3}, {"material", "rubber"}});
+  m.addCompletion(addShapeContacts);
+  try {
+    m.build();
+    FAIL() << "no error";
+  } catch (const ModelError& error) {
+    const Diagnostic& d = error.diagnostics().at(0);
+    EXPECT_EQ(d.text, "no law for contact of the materials \"steel\" and \"rubber\"");
+    EXPECT_EQ(d.hint,
+              "add <Contact between=\"steel rubber\">…</Contact>, or <NoContact between=\"steel "
+              "rubber\"/>");
+    EXPECT_EQ(d.notes.size(), 1u);
+  }
+}
+
+TEST(ShapeContacts, LeaveOutPairsThatAreSwitchedOff) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  addBody<RigidBody, Sphere>(m, "ball", kHeavy, "Sphere",
+                             {{"radius", 0.3}, {"material", "rubber"}});
+  m.add(std::make_unique<NoContactRule>(
+      Parameters::of<NoContactRule>("NoContact", "", {{"between", "steel rubber"}})));
+  EXPECT_EQ(built(m).pairs(), 0);
+}
+
+TEST(ShapeContacts, SayWhichPairIsNotAvailable) {
+  Model m;
+  addBody<RigidBody, Box>(m, "a", kHeavy, "Box",
+                          {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
+  addBody<RigidBody, Sphere>(m, "b", kHeavy, "Sphere", {{"radius", 0.3}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  m.addCompletion(addShapeContacts);
+  EXPECT_THROW(m.build(), ModelError);
+}
+
+TEST(ShapeContacts, NameTheirSignalsAfterBodyAndFloor) {
+  Model m;
+  m.add(std::make_unique<Ground>(Parameters::of<Ground>("Ground", "world", {})
+                                     .with(std::make_unique<HalfSpace>(Parameters::of<HalfSpace>(
+                                         "HalfSpace", "floor", {{"material", "steel"}})))));
+  addBody<RigidBody, Sphere>(m, "ball", kHeavy, "Sphere", {{"radius", 0.3}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  built(m);
+  EXPECT_NE(m.signal("ball-floor.lambda_N"), nullptr);
+  EXPECT_NE(m.signal("contacts.count"), nullptr);
+}
+
+}  // namespace
+}  // namespace dynamy
