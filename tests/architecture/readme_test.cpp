@@ -25,7 +25,7 @@ std::vector<std::string> firstBlock(const SourceFile& file, const std::string& l
 
 TEST(Readme, ShowsThePluginThatTheInstallTestBuilds) {
   const std::vector<std::string> shown = firstBlock(sourceFile("README.md"), "cpp");
-  EXPECT_EQ(shown, sourceFile("tests/install/pendulum_wall.cpp").lines);
+  EXPECT_EQ(shown, sourceFile("plugins/template/pendulum_wall.cpp").lines);
   EXPECT_LE(shown.size(), 40u) << "a user element with registration fits in 40 lines";
 }
 
