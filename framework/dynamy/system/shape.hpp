@@ -9,8 +9,14 @@
 
 namespace dynamy {
 
-/// What contact geometry and the replay need to know; `type` is the registered name ("Sphere",
-/// "Box", "HalfSpace", …).
+/// What contact geometry and the replay need to know. `type` is the registered name; a user's shape
+/// may call itself one of these and is treated as such:
+///
+///   Sphere, Circle, Point   size[0] radius (of a Point: of its dot, may be 0); Circle about z
+///   Cylinder, Capsule       size[0] radius, size[1] length along z
+///   Box                     size[0…2] edge lengths, points: its eight corners
+///   HalfSpace               points[0]: outward unit normal; the origin lies in the plane
+///   Line, Polygon           points
 struct ShapeGeometry {
   std::string type;
   std::array<double, 4> size{};  ///< [m], by type: Sphere radius; Box edge lengths x y z; …
