@@ -44,6 +44,21 @@ std::string label(const TouchingShape& s, const Topology& topology) {
 
 }  // namespace
 
+void ShapeContacts::expectOneRulePerPair() const {
+  Diagnostics faults;
+  for (const ContactRule* r : rules_) {
+    const ContactRule* first = rule(r->materialA(), r->materialB());
+    if (first == r) continue;
+    faults.add({.place = r->place(),
+                .element = r->type(),
+                .text = "the materials \"" + r->materialA() + "\" and \"" + r->materialB() +
+                        "\" have a rule already",
+                .hint = "remove one of the two",
+                .notes = {{.place = first->place(), .text = "the first rule"}}});
+  }
+  faults.throwIfAny();
+}
+
 const ContactRule* ShapeContacts::rule(const std::string& a, const std::string& b) const {
   for (const ContactRule* r : rules_)
     if ((r->materialA() == a && r->materialB() == b) ||
@@ -76,6 +91,7 @@ struct ShapeContacts::Search {
 
 void ShapeContacts::connect(Topology& topology) {
   pairs_.clear();
+  expectOneRulePerPair();
   Search search(topology);
   for (std::size_t i = 0; i < search.shapes.size(); ++i)
     for (std::size_t j = i + 1; j < search.shapes.size(); ++j)

@@ -25,8 +25,8 @@ class ShapeContacts final : public NonSmoothElement {
   /// `rules`: borrowed from the model.
   explicit ShapeContacts(std::vector<const ContactRule*> rules) : rules_(std::move(rules)) {}
 
-  /// Finds the pairs. Throws ModelError naming every pair of materials without a rule and every
-  /// pair of shapes whose contact is not implemented.
+  /// Finds the pairs. Throws ModelError naming every pair of materials without a rule or with two,
+  /// and every pair of shapes whose contact is not implemented.
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
@@ -42,6 +42,7 @@ class ShapeContacts final : public NonSmoothElement {
   };
   struct Search;
   void addPair(const ShapeInstance& a, const ShapeInstance& b, Search& search);
+  void expectOneRulePerPair() const;
   const ContactRule* rule(const std::string& a, const std::string& b) const;
   void emit(const Pair& pair, std::uint64_t id, const ContactPoint& at, const Kinematics& k,
             ContactSink& sink) const;

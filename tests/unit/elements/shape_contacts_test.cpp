@@ -171,6 +171,15 @@ TEST(ShapeContacts, LeaveOutPairsThatAreSwitchedOff) {
   EXPECT_EQ(built(m).pairs(), 0);
 }
 
+TEST(ShapeContacts, RefuseASecondRuleForTheSameMaterials) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  addRule(m, "steel rubber");
+  addRule(m, "rubber steel");
+  m.addCompletion(addShapeContacts);
+  EXPECT_THROW(m.build(), ModelError);
+}
+
 TEST(ShapeContacts, SayWhichPairIsNotAvailable) {
   Model m;
   addBody<RigidBody, Box>(m, "a", kHeavy, "Box",
