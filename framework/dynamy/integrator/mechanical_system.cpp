@@ -79,25 +79,61 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
     e.contacts.gamma({uA_.data(), uA_.size()}, {problem_.gammaA.data(), rows});
   }
   startImpulses(x);
-  scales(dt);
+  scales();
   return problem_;
 }
 
-void MechanicalSystem::scales(double) {
-  // u_ref: the largest relative velocity that is there or would arise; the floor of Λ: what a
-  // velocity of u_ref takes, times 1e-12.
-  double uRef = 0.0, floor = 0.0;
-  for (int i = 0; i < problem_.size(); ++i)
-    for (int r = 0; r < problem_.dim(i); ++r) {
-      const auto k = static_cast<std::size_t>(problem_.row0(i) + r);
-      const double a = std::abs(problem_.gammaA[k]), f = std::abs(problem_.gammaFree[k]);
-      uRef = std::max({uRef, a, f});
-      const double G = problem_.G->diagonalBlock(i)[r * problem_.dim(i) + r];
-      if (G > 0.0) floor += 1e-12 * std::max(a, f) / G;
+void MechanicalSystem::roundingOfC() {
+  // Rounding of γ = Wᵀu + χ: a few ε of the sum of absolute values.
+  const ContactSet& c = *problem_.contacts;
+  problem_.cNoise.resize(static_cast<std::size_t>(c.rows()));
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (int r = 0; r < c.dim(i); ++r) {
+      const auto row = static_cast<std::size_t>(c.row0[at] + r);
+      double sum = std::abs(c.chi[row]);
+      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+        const Segment& s = c.segment[static_cast<std::size_t>(k)];
+        const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+        for (int j = 0; j < s.nu; ++j)
+          sum += std::abs(w[j]) * std::max(std::abs(uA_[s.u0 + j]), std::abs(uFree_[s.u0 + j]));
+      }
+      problem_.cNoise[row] = 4.0 * std::numeric_limits<double>::epsilon() * sum;
     }
-  // A scene without motion and forces: any velocity scale will do, Λ = 0 is exact.
+  }
+}
+
+double MechanicalSystem::velocityAskedOf(int i) const {
+  // Unilateral: how fast it closes, and by how much the forces change γ. A contact that leaves asks
+  // for nothing, and a slip velocity is there without being asked for.
+  const InclusionProblem& p = problem_;
+  const auto first = static_cast<std::size_t>(p.row0(i));
+  const bool unilateral = p.law(i).unilateral();
+  double asked = 0.0;
+  if (unilateral) {
+    const double noise = p.cNoise[first];
+    const double closing = std::max(-p.gammaFree[first], -p.gammaA[first]);
+    if (closing <= noise) return 0.0;
+    asked = closing;
+  }
+  for (std::size_t k = first; k < first + static_cast<std::size_t>(p.dim(i)); ++k) {
+    const double change = std::abs(p.gammaFree[k] - p.gammaA[k]);
+    const double value = unilateral ? change : std::max(change, std::abs(p.gammaFree[k]));
+    if (value > p.cNoise[k]) asked = std::max(asked, value);
+  }
+  return asked;
+}
+
+void MechanicalSystem::scales() {
+  roundingOfC();
+  double uRef = 0.0;
+  for (int i = 0; i < problem_.size(); ++i) uRef = std::max(uRef, velocityAskedOf(i));
+  if (!(uRef > 0.0)) {
+    // Nothing beyond rounding is asked of any contact: Λ = 0 solves the problem.
+    std::fill(Lambda_.begin(), Lambda_.end(), 0.0);
+    for (const double gamma : problem_.gammaFree) uRef = std::max(uRef, std::abs(gamma));
+  }
   problem_.uRef = uRef > 0.0 ? uRef : std::numeric_limits<double>::min();
-  problem_.lambdaFloor = floor;
 }
 
 void MechanicalSystem::startImpulses(const State& x) {

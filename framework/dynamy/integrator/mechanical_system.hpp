@@ -63,7 +63,9 @@ class MechanicalSystem {
 
  private:
   void startImpulses(const State& x);
-  void scales(double dt);
+  void roundingOfC();
+  double velocityAskedOf(int i) const;
+  void scales();
   SystemParts parts_;
   std::vector<Evaluation> slots_;
   ContactRequest request_;

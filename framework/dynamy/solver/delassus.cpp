@@ -161,6 +161,42 @@ void Delassus::apply(const double* x, double* y) {
     row(i, x, y + contacts_->row0[static_cast<std::size_t>(i)]);
 }
 
+void Delassus::applyAbsolute(const double* x, double* y) {
+  const ContactSet& c = *contacts_;
+  if (assembled_) {
+    for (int i = 0; i < n_; ++i) {
+      y[i] = 0.0;
+      for (int j = 0; j < n_; ++j)
+        y[i] += std::abs(G_[static_cast<std::size_t>(i) * static_cast<std::size_t>(n_) +
+                            static_cast<std::size_t>(j)] *
+                         x[j]);
+    }
+    return;
+  }
+  absolute_.assign(v_.size(), 0.0);
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+      const Segment& s = c.segment[static_cast<std::size_t>(k)];
+      const double* w = minvW_.data() + s.w;
+      for (int r = 0; r < c.dim(i); ++r, w += s.nu)
+        for (int j = 0; j < s.nu; ++j)
+          absolute_[static_cast<std::size_t>(s.u0 + j)] += std::abs(w[j] * x[c.row0[at] + r]);
+    }
+  }
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    std::fill(y + c.row0[at], y + c.row0[at + 1], 0.0);
+    for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+      const Segment& s = c.segment[static_cast<std::size_t>(k)];
+      const double* w = c.W.data() + s.w;
+      for (int r = 0; r < c.dim(i); ++r, w += s.nu)
+        for (int j = 0; j < s.nu; ++j)
+          y[c.row0[at] + r] += std::abs(w[j]) * absolute_[static_cast<std::size_t>(s.u0 + j)];
+    }
+  }
+}
+
 void Delassus::neighbours(int i, std::vector<int>& out) const {
   const ContactSet& c = *contacts_;
   out.clear();

@@ -13,9 +13,11 @@ struct InclusionProblem {
   std::vector<double> c;          ///< c = (1 + ε)… as the impact law poses it [m/s]
   std::vector<double> gammaFree;  ///< Wᵀ u_free + χ: relative velocity without any percussion
   std::vector<double> gammaA;     ///< Wᵀ u^A + χ
-  double uRef = 1.0;  ///< velocity scale of E_u: max(|γ^A|, |γ_free|, Δt|Wᵀ M⁻¹h|)  [m/s]
-  double lambdaFloor =
-      0.0;  ///< 1e-12 × sum of free impulses: a scene without forces terminates [N s]
+  /// Velocity scale of E_u: the largest change of a relative velocity asked of a contact that is
+  /// not leaving; one that leaves at 100 m/s must not loosen a resting stack  [m/s].
+  double uRef = 1.0;
+  /// Per row: how much of c is rounding; empty: none  [m/s].
+  std::vector<double> cNoise;
 
   int size() const { return contacts->size(); }
   int rows() const { return contacts->rows(); }

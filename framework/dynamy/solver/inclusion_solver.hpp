@@ -9,8 +9,15 @@ namespace dynamy {
 enum class SolveStatus : std::uint8_t { solved, maxIterations, stalled, diverged, notFinite };
 std::string_view solveStatusText(SolveStatus status);
 
-/// Residuals are scale-free natural maps (theory 4.4): E_f = max_i |e_i| / max|Λ|, E_u = max_i
-/// |e_i|/ρ_i / u_ref, E_energy = Σ |e_i|²/ρ_i / Σ ρ_i |c_i|².
+/// Residuals are scale-free natural maps e_i (theory 4.4) of the contacts with ρ_i = 1/λ_max(G_ii):
+///
+///   E_u = max_i |e_i|/ρ_i / u_ref,        E_f = max_i |e_i| / max(max|Λ|, max_i ρ_i u_ref),
+///   E_energy = Σ |e_i|²/ρ_i / Σ ρ_i |c_i|²
+///
+/// In E_u and E_f a contact counts only if |e_i|/ρ_i exceeds what rounding leaves of it,
+/// cNoise_i + 4ε(|G||Λ| + |c|)_i: no solver can do better, and none stalls there. The floor of E_f
+/// gives E_f ≤ E_u, so that a scene without forces terminates; a floor of 1e-12 of it was rejected,
+/// because E_f of a scene at rest is then rounding over rounding.
 struct Residuals {
   double Ef = 0.0, Eu = 0.0, energy = 0.0;
   int worst = -1;  ///< contact with the largest |e_i|/ρ_i

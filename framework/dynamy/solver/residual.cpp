@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/solver/inclusion_solver.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -30,17 +31,53 @@ std::string_view solveStatusText(SolveStatus status) {
   return "unknown";
 }
 
+namespace {
+
+constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+/// E_u between which rounding of GΛ may decide: below, every tolerance is met; above, it cannot.
+constexpr double kFine = 1e-13, kCoarse = 1e-5;
+constexpr int kMaxDim = 8;
+
+/// What of |e_i|/ρ_i is rounding: of c, and (once |G||Λ| is known) of ξ = GΛ + c.
+double noise(const InclusionProblem& p, int i, const double* absolute) {
+  double sum = 0.0;
+  for (int k = p.row0(i); k < p.row0(i) + p.dim(i); ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    sum += kRounding * std::abs(p.c[at]);
+    if (!p.cNoise.empty()) sum += p.cNoise[at];
+    if (absolute) sum += kRounding * absolute[k];
+  }
+  return sum;
+}
+
+/// The measures from e_i/ρ_i of all contacts; `absolute` = |G||Λ| or null.
+Residuals measure(const InclusionProblem& p, const double* velocity, const double* rho,
+                  const double* absolute, double largestLambda) {
+  Residuals out;
+  double worstE = 0.0, worstU = 0.0;
+  for (int i = 0; i < p.size(); ++i) {
+    const double v = velocity[i];
+    if (v <= noise(p, i, absolute)) continue;
+    if (!(v * rho[i] <= worstE)) worstE = v * rho[i];
+    if (!(v <= worstU)) worstU = v, out.worst = i;
+  }
+  out.Ef = worstE == 0.0 ? 0.0 : (largestLambda > 0.0 ? worstE / largestLambda : 1.0);
+  out.Eu = worstU == 0.0 ? 0.0 : (p.uRef > 0.0 ? worstU / p.uRef : 1.0);
+  return out;
+}
+
+}  // namespace
+
 Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
                     std::vector<double>& scratch) {
-  Residuals out;
-  const int n = problem.rows();
-  if (n == 0) return out;
-  scratch.resize(static_cast<std::size_t>(n));
+  const int n = problem.rows(), contacts = problem.size();
+  if (n == 0) return {};
+  // ξ, |G||Λ|; e/ρ and ρ of the contacts.
+  scratch.resize(2 * static_cast<std::size_t>(n) + 2 * static_cast<std::size_t>(contacts));
+  double *absolute = scratch.data() + n, *velocity = absolute + n, *scale = velocity + contacts;
   problem.G->apply(Lambda.data(), scratch.data());
-  double largestLambda = problem.lambdaFloor, worstE = 0.0, worstU = 0.0, spurious = 0.0,
-         available = 0.0;
-  constexpr int kMaxDim = 8;
-  for (int i = 0; i < problem.size(); ++i) {
+  double largestLambda = 0.0, spurious = 0.0, available = 0.0;
+  for (int i = 0; i < contacts; ++i) {
     const int first = problem.row0(i), dim = problem.dim(i);
     double* xi = scratch.data() + first;
     const double lambda = contactLambda(problem.G->diagonalBlock(i), dim);
@@ -54,15 +91,17 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     }
     problem.law(i).naturalMap(problem.input(i), rho, xi, Lambda.data() + first, e);
     for (int r = 0; r < dim; ++r) e2 += e[r] * e[r];
-    const double norm = std::sqrt(e2);
-    if (!(norm <= worstE)) worstE = norm;
-    if (rho > 0.0 && !(norm / rho <= worstU)) worstU = norm / rho, out.worst = i;
-    largestLambda = std::max(largestLambda, std::sqrt(L2));
+    velocity[i] = rho > 0.0 ? std::sqrt(e2) / rho : 0.0;
+    scale[i] = rho;
+    largestLambda = std::max({largestLambda, std::sqrt(L2), rho * problem.uRef});
     spurious += rho > 0.0 ? e2 / rho : 0.0;
     available += rho * c2;
   }
-  out.Ef = worstE == 0.0 ? 0.0 : (largestLambda > 0.0 ? worstE / largestLambda : 1.0);
-  out.Eu = worstU == 0.0 ? 0.0 : (problem.uRef > 0.0 ? worstU / problem.uRef : 1.0);
+  Residuals out = measure(problem, velocity, scale, nullptr, largestLambda);
+  if (out.Eu > kFine && out.Eu <= kCoarse) {
+    problem.G->applyAbsolute(Lambda.data(), absolute);
+    out = measure(problem, velocity, scale, absolute, largestLambda);
+  }
   out.energy = spurious == 0.0 ? 0.0 : (available > 0.0 ? spurious / available : 1.0);
   return out;
 }
