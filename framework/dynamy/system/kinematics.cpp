@@ -28,8 +28,10 @@ void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstV
     f.block = 0;
     topology.systems()[static_cast<std::size_t>(s.index)]->frame(t, this->q(s), this->u(s),
                                                                  requested[i].second, f);
-    f.block = s.blocks == 0 ? -1 : s.block0 + f.block;
-    f.u0 = s.u0 + (s.blocks == 0 ? 0 : (f.block - s.block0) * s.blockNu);
+    // A frame that moves with no block: of a system without velocities, or one that stands still.
+    const bool moves = s.blocks > 0 && f.block >= 0;
+    f.u0 = moves ? s.u0 + f.block * s.blockNu : s.u0;
+    f.block = moves ? s.block0 + f.block : -1;
   }
 }
 

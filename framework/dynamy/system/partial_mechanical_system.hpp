@@ -63,7 +63,9 @@ class PartialMechanicalSystem : public Element {
   /// ledger. Default: none.
   virtual void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const;
   /// Frame `id` (0 ≤ id < frames()): r, A, v, Ω, J, ν and the bias. J_S_I, J_R_I point to 3 × nu
-  /// zeros when called; `block` is the index of the block within this system when returned.
+  /// numbers, zero at the first call and as left behind by the last one later: assign, never add;
+  /// entries that are always zero need not be written. `block`: index of the block within this
+  /// system (0 unless said otherwise); −1: the frame moves with none.
   virtual void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const;
   virtual int frames() const { return 0; }
   /// Stiff parts K = ∂h/∂q F, D = ∂h/∂u of one block for implicit schemes; false: none.
