@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <limits>
 
@@ -20,15 +22,23 @@ double rowOf(const SignalView& v, std::uint64_t id, int row, const ConstVec& val
                                      : values[v.contacts->row0[static_cast<std::size_t>(i)] + row];
 }
 
-/// Status from Λ and γ^E of the step: Λ − ξ is the prox argument for r = 1 once the inclusion
-/// holds.
+/// Status from Λ and γ^E of the step: Λ − r ξ is the prox argument for any r once the inclusion
+/// holds; a small r, so that neither the unit of mass nor ε γ^A of a rebound decides.
 double statusNumber(const SignalView& v, std::uint64_t id) {
   const int i = closed(v, id);
   if (i < 0) return static_cast<double>(Status::open);
   const auto at = static_cast<std::size_t>(i);
   const int first = v.contacts->row0[at], dim = v.contacts->dim(i);
   double argument[8] = {};
-  for (int r = 0; r < dim && r < 8; ++r) argument[r] = v.Lambda[first + r] - v.gammaE[first + r];
+  constexpr double kSmall = 1e-6;
+  double size = 0.0, speed = 0.0;
+  for (int r = 0; r < dim && r < 8; ++r) {
+    size = std::max(size, std::abs(v.Lambda[first + r]));
+    speed = std::max(speed, std::abs(v.gammaE[first + r]));
+  }
+  const double small = speed > 0.0 ? kSmall * size / speed : 0.0;
+  for (int r = 0; r < dim && r < 8; ++r)
+    argument[r] = v.Lambda[first + r] - small * v.gammaE[first + r];
   const LawInput in{dim, v.dt, v.gammaE.data() + first, nullptr};
   return static_cast<double>(v.contacts->law[at]->status(in, argument));
 }
