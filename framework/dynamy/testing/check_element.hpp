@@ -1,0 +1,71 @@
+/// Checks of user elements: do M, h, q̇, frames, W, χ, bias and prox fit together?
+///
+///   const CheckResult check = checkSystem(toy);
+///   EXPECT_TRUE(check) << check.message();      // toy: M[2,1] = 0.3 but M[1,2] = 0.2: not
+///   symmetric
+///
+/// Every derivative is compared with a 4-point difference along the motion q ← q ⊕ s q̇, at random
+/// states near the start. The difference carries its own error bound (two step lengths), so that no
+/// tolerance has to be guessed per element. Fixed tolerances were rejected: a stiff spring and a
+/// slow crane need different ones.
+#pragma once
+#include <dynamy/contact/set_valued_force_law.hpp>
+#include <dynamy/simulation/model.hpp>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// True if nothing is wrong; else each wrong entry in words.
+class CheckResult {
+ public:
+  explicit operator bool() const { return faults_.empty(); }
+  /// One fault a line; "" if there is none.
+  std::string message() const;
+  const std::vector<std::string>& faults() const { return faults_; }
+  void fault(std::string text);
+  /// Takes over the faults of a part.
+  void add(const CheckResult& part);
+
+ private:
+  std::vector<std::string> faults_;
+};
+std::ostream& operator<<(std::ostream& out, const CheckResult& check);
+
+struct CheckOptions {
+  unsigned seed = 1;
+  int states = 6;       ///< random states (of a law: arguments, times 40)
+  double reach = 0.05;  ///< how long the start is moved at random velocities [s]
+  double speed = 1.0;   ///< size of the random velocities added to those of the start [m/s, rad/s]
+  bool bias = true;     ///< contacts: compare the bias with differences of γ
+};
+
+/// Checks one system by itself: all entries of M and h are written; M is symmetric, positive
+/// definite, and constant if so declared; q̇ is affine in u; `move` starts with q̇ and is left alone
+/// by `normalise`; with T = ½uᵀMu, along the motion
+///
+///   h·u + ½uᵀṀu + V̇ = h_nonPotential·u         [W]   (left out where q̇ or V depend on t directly)
+///
+/// and the like for `gravity`; frames: v = J u + ν, ṙ_OS = v_S, Ȧ = Ω × A, A proper orthonormal,
+/// β = v̇ at u̇ = 0, equal results at the second call.
+CheckResult checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options = {});
+
+/// Checks all contact elements of a built model, each contact as if closed, for either sign of its
+/// gap: W and χ do not depend on u; γ_N = Wᵀu + χ equals dg/dt [m/s]; the bias equals dγ/dt at
+/// u̇ = 0 [m/s²]; segments name existing mass blocks.
+CheckResult checkContacts(Model& model, const CheckOptions& options = {});
+
+/// Checks the forces of a built model that say they have a potential: force·u + V̇ = 0 [W].
+CheckResult checkForces(Model& model, const CheckOptions& options = {});
+
+/// Checks a force law with `dim` rows at random arguments z = Λ − r ξ: prox is idempotent, does not
+/// expand distances in the metric diag(r)⁻¹ (at equal normal force), its result is in C, solutions
+/// do not depend on r, Λ·ξ ≤ 0 if 0 ∈ C, `naturalMap` vanishes at solutions, `proxDerivative`
+/// equals differences, `status` fits the projection.
+CheckResult checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options = {});
+
+/// All of the above for every element of a built model.
+CheckResult checkModel(Model& model, const CheckOptions& options = {});
+
+}  // namespace dynamy

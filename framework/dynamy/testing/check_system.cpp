@@ -1,0 +1,343 @@
+// Checks of one system. All derivatives are taken along the motion s ↦ (t + s, q ⊕ s q̇) with u
+// fixed: any curve with the right tangent gives the right first derivative.
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <dynamy/testing/check_element.hpp>
+#include <dynamy/testing/difference.hpp>
+#include <random>
+
+namespace dynamy {
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+ConstVec in(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
+
+constexpr double kUnwritten = std::numeric_limits<double>::quiet_NaN();
+
+class SystemCheck {
+ public:
+  SystemCheck(const PartialMechanicalSystem& system, const CheckOptions& options)
+      : system_(system), options_(options), blocks_(system.blocks()), random_(options.seed) {
+    name_ = system.name().empty() ? system.type() : system.name();
+    if (name_.empty()) name_ = "system";
+    nq_ = blocks_.nq * blocks_.capacity, nu_ = blocks_.nu * blocks_.capacity;
+  }
+
+  CheckResult run() {
+    if (blocks_.nq < 0 || blocks_.nu < 0 || blocks_.capacity < 0) {
+      fault("blocks() has a negative size");
+      return result_;
+    }
+    start();
+    for (int i = 0; i < options_.states && result_; ++i) {
+      sample(i);
+      checkMass();
+      checkForces();
+      checkVelocities();
+      checkMove();
+      if (!result_) break;  // what follows builds on these
+      checkPower();
+      checkGravity();
+      for (int id = 0; id < std::min(system_.frames(), 8); ++id) checkFrame(id);
+    }
+    return result_;
+  }
+
+ private:
+  void fault(const std::string& text) { result_.fault(name_ + ": " + text); }
+  double uniform() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
+  Eigen::VectorXd randomVelocity() {
+    Eigen::VectorXd v(nu_);
+    for (double& x : v) x = options_.speed * uniform();
+    return v;
+  }
+
+  /// q after time s with velocity v from (t, q).
+  Eigen::VectorXd moved(const Eigen::VectorXd& v, double s) const {
+    Eigen::VectorXd q = q_;
+    system_.move(t_, view(q), in(v), s);
+    return q;
+  }
+  Eigen::VectorXd mass(double t, const Eigen::VectorXd& q) const {
+    Eigen::VectorXd M = Eigen::VectorXd::Constant(
+        static_cast<Eigen::Index>(blocks_.nu) * blocks_.nu * blocks_.capacity, kUnwritten);
+    system_.M(t, in(q), MassBlocks(M.data(), blocks_.nu, blocks_.capacity));
+    return M;
+  }
+  double kineticEnergy(double t, const Eigen::VectorXd& q) const {
+    const Eigen::VectorXd M = mass(t, q);
+    double T = 0.0;
+    for (int b = 0; b < blocks_.capacity; ++b) {
+      const Eigen::Index n = blocks_.nu;
+      const ConstBlock block(M.data() + b * n * n, n, n);
+      T += 0.5 * u_.segment(b * n, n).dot(block * u_.segment(b * n, n));
+    }
+    return T;
+  }
+  Eigen::VectorXd qdot(const Eigen::VectorXd& u) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Constant(nq_, kUnwritten);
+    system_.qdot(t_, in(q_), in(u), view(out));
+    return out;
+  }
+  template <class F>
+  static testing::Difference scalarDifference(const F& f, double noise = 0.0) {
+    return testing::differentiate(
+        [&](double s) { return Eigen::VectorXd::Constant(1, f(s)).eval(); }, 1.0, noise);
+  }
+
+  void start() {
+    qStart_ = Eigen::VectorXd::Constant(nq_, kUnwritten);
+    uStart_ = Eigen::VectorXd::Constant(nu_, kUnwritten);
+    if (nq_ + nu_ > 0) system_.initialState(view(qStart_), view(uStart_));
+    for (int i = 0; i < nq_; ++i)
+      if (!std::isfinite(qStart_[i]))
+        fault(fmt::format("initialState leaves q[{}] = {}", i, qStart_[i]));
+    for (int i = 0; i < nu_; ++i)
+      if (!std::isfinite(uStart_[i]))
+        fault(fmt::format("initialState leaves u[{}] = {}", i, uStart_[i]));
+    t_ = 0.0, q_ = qStart_, u_ = uStart_;
+    if (result_) startMass_ = mass(0.0, qStart_);
+  }
+
+  /// The start itself first, then states near it.
+  void sample(int i) {
+    t_ = 0.0, q_ = qStart_, u_ = uStart_;
+    if (i == 0) return;
+    q_ = moved(randomVelocity(), options_.reach * std::abs(uniform()));
+    system_.normalise(view(q_));
+    u_ += randomVelocity();
+    t_ = options_.reach * std::abs(uniform());
+  }
+
+  void checkMass();
+  void checkForces();
+  void checkVelocities();
+  void checkMove();
+  void checkPower();
+  void checkGravity();
+  void checkFrame(int id);
+  void checkFrameRates(int id, const Frame& f);
+  void compare(const char* what, int frame, const Vec3& value, const Vec3& expected,
+               double tolerance, const char* expectedText);
+
+  struct FrameStorage {
+    Eigen::VectorXd J;
+    Frame f;
+  };
+  /// Frame at (t + s, q) with velocities u; Jacobians filled with `fill` before.
+  FrameStorage frameAt(int id, double s, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
+                       double fill = 0.0) const {
+    FrameStorage out;
+    out.J = Eigen::VectorXd::Constant(6 * static_cast<Eigen::Index>(blocks_.nu), fill);
+    new (&out.f.J_S_I) Mat3X(out.J.data(), 3, blocks_.nu);
+    new (&out.f.J_R_I) Mat3X(out.J.data() + 3 * blocks_.nu, 3, blocks_.nu);
+    out.f.block = 0;
+    system_.frame(t_ + s, in(q), in(u), id, out.f);
+    return out;
+  }
+
+  const PartialMechanicalSystem& system_;
+  CheckOptions options_;
+  Blocks blocks_;
+  std::mt19937 random_;
+  std::string name_;
+  int nq_ = 0, nu_ = 0;
+  double t_ = 0.0;
+  Eigen::VectorXd qStart_, uStart_, startMass_, q_, u_;
+  CheckResult result_;
+};
+
+void SystemCheck::checkMass() {
+  const Eigen::VectorXd all = mass(t_, q_);
+  const Eigen::Index n = blocks_.nu;
+  for (int b = 0; b < blocks_.capacity && result_; ++b) {
+    const ConstBlock M(all.data() + b * n * n, n, n);
+    const std::string which = blocks_.capacity > 1 ? fmt::format("M of block {}", b) : "M";
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        if (!std::isfinite(M(i, j)))
+          return fault(
+              fmt::format("{}[{},{}] = {}: not written or not finite", which, i, j, M(i, j)));
+      }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < i; ++j) {
+        // Both entries are sums of a few products that |M_ii M_jj| bounds.
+        const double tolerance = 16.0 * kEps * std::sqrt(std::abs(M(i, i) * M(j, j)));
+        if (!(std::abs(M(i, j) - M(j, i)) <= tolerance))
+          return fault(fmt::format("{}[{},{}] = {:.9g} but {}[{},{}] = {:.9g}: not symmetric",
+                                   which, i, j, M(i, j), which, j, i, M(j, i)));
+      }
+    if (n > 0 && Eigen::LLT<Eigen::MatrixXd>(M).info() != Eigen::Success) {
+      const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
+      return fault(
+          fmt::format("{} is not positive definite: smallest eigenvalue {:.6g}", which, least));
+    }
+  }
+  if (!blocks_.constantMass) return;
+  for (Eigen::Index i = 0; i < all.size(); ++i)
+    if (all[i] != startMass_[i])
+      return fault(
+          fmt::format("M[{},{}] = {:.17g} but {:.17g} at the start: blocks() says constantMass",
+                      i % (n * n) / n, i % n, all[i], startMass_[i]));
+}
+
+void SystemCheck::checkForces() {
+  Eigen::VectorXd h = Eigen::VectorXd::Constant(nu_, kUnwritten), nonPotential = h;
+  system_.h(t_, in(q_), in(u_), view(h));
+  system_.nonPotentialForce(t_, in(q_), in(u_), view(nonPotential));
+  for (int i = 0; i < nu_; ++i) {
+    if (!std::isfinite(h[i])) fault(fmt::format("h[{}] = {}: not written or not finite", i, h[i]));
+    if (!std::isfinite(nonPotential[i]))
+      fault(
+          fmt::format("nonPotentialForce[{}] = {}: not written or not finite", i, nonPotential[i]));
+  }
+}
+
+void SystemCheck::checkVelocities() {
+  // Affine: q̇(a u₁ + (1−a) u₂) = a q̇(u₁) + (1−a) q̇(u₂).
+  constexpr double a = -1.5;
+  const Eigen::VectorXd u1 = u_, u2 = randomVelocity(), u3 = a * u1 + (1.0 - a) * u2;
+  const Eigen::VectorXd q1 = qdot(u1), q2 = qdot(u2), q3 = qdot(u3);
+  // Some 10 roundings of numbers as large as the three rates and the velocities behind them.
+  double size = 0.0;
+  for (const Eigen::VectorXd* x : {&q1, &q2, &q3, &u1, &u2})
+    if (x->size() > 0) size = std::max(size, x->lpNorm<Eigen::Infinity>());
+  for (int i = 0; i < nq_; ++i) {
+    const double expected = a * q1[i] + (1.0 - a) * q2[i];
+    if (!(std::abs(q3[i] - expected) <= 64.0 * kEps * size))
+      fault(fmt::format(
+          "qdot[{}] = {:.9g} at a mean of two velocities, expected {:.9g}: not affine in u", i,
+          q3[i], expected));
+  }
+}
+
+void SystemCheck::checkMove() {
+  const Eigen::VectorXd rate = qdot(u_);
+  const testing::Difference D = testing::differentiate([&](double s) { return moved(u_, s); });
+  for (int i = 0; i < nq_; ++i)
+    if (!(std::abs(D.value[i] - rate[i]) <= D.error))
+      fault(fmt::format("move changes q[{}] at the rate {:.9g}, qdot says {:.9g}", i, D.value[i],
+                        rate[i]));
+  // What move returns lies on the manifold already: normalise changes rounding only.
+  const Eigen::VectorXd q = moved(u_, options_.reach);
+  Eigen::VectorXd same = q;
+  system_.normalise(view(same));
+  for (int i = 0; i < nq_; ++i)
+    if (!(std::abs(same[i] - q[i]) <= 64.0 * kEps * std::max(1.0, std::abs(q[i]))))
+      fault(fmt::format("normalise changes q[{}] from {:.17g} to {:.17g} right after move", i, q[i],
+                        same[i]));
+}
+
+void SystemCheck::checkPower() {
+  // A system that is driven through t (q̇ at u = 0, M or V at fixed q) exchanges power with its
+  // drive, which nothing states.
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
+  if (nq_ > 0 && qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
+  const double V = system_.potentialEnergy(t_, in(q_)), later = t_ + 0.37;
+  if (system_.potentialEnergy(later, in(q_)) != V || mass(later, q_) != mass(t_, q_)) return;
+  const auto along = [&](double s) { return moved(u_, s); };
+  const testing::Difference Vdot =
+      scalarDifference([&](double s) { return system_.potentialEnergy(t_ + s, in(along(s))); });
+  const testing::Difference Tdot =
+      scalarDifference([&](double s) { return kineticEnergy(t_ + s, along(s)); });
+  Eigen::VectorXd h(nu_), nonPotential(nu_);
+  system_.h(t_, in(q_), in(u_), view(h));
+  system_.nonPotentialForce(t_, in(q_), in(u_), view(nonPotential));
+  const double power = h.dot(u_) + Tdot.value[0] + Vdot.value[0], stated = nonPotential.dot(u_);
+  const double rounding =
+      64.0 * kEps * (h.cwiseAbs().dot(u_.cwiseAbs()) + nonPotential.cwiseAbs().dot(u_.cwiseAbs()));
+  if (!(std::abs(power - stated) <= Vdot.error + Tdot.error + rounding))
+    fault(fmt::format(
+        "h·u + ½uᵀṀu + dV/dt = {:.9g} W, but nonPotentialForce·u = {:.9g} W (h·u = {:.9g}, "
+        "½uᵀṀu = {:.9g}, dV/dt = {:.9g}): h, M, potentialEnergy and nonPotentialForce do not fit",
+        power, stated, h.dot(u_), Tdot.value[0], Vdot.value[0]));
+}
+
+void SystemCheck::checkGravity() {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
+  if (nq_ > 0 && qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
+  const Vec3 g_I(uniform(), uniform(), uniform());
+  Eigen::VectorXd h = Eigen::VectorXd::Constant(nu_, kUnwritten), scratch(nu_);
+  const double V = system_.gravity(t_, in(q_), g_I, view(h));
+  if (system_.gravity(t_ + 0.37, in(q_), g_I, view(scratch)) != V) return;
+  const testing::Difference Vdot = scalarDifference(
+      [&](double s) { return system_.gravity(t_ + s, in(moved(u_, s)), g_I, view(scratch)); });
+  const double rounding = 64.0 * kEps * h.cwiseAbs().dot(u_.cwiseAbs());
+  if (!(std::abs(h.dot(u_) + Vdot.value[0]) <= Vdot.error + rounding))
+    fault(fmt::format("gravity writes a force of power {:.9g} W, its potential falls by {:.9g} W",
+                      h.dot(u_), -Vdot.value[0]));
+}
+
+void SystemCheck::compare(const char* what, int frame, const Vec3& value, const Vec3& expected,
+                          double tolerance, const char* expectedText) {
+  for (int k = 0; k < 3; ++k)
+    if (!(std::abs(value[k] - expected[k]) <= tolerance))
+      return fault(fmt::format("frame {}: {}[{}] = {:.9g}, but {} = {:.9g}", frame, what, k,
+                               value[k], expectedText, expected[k]));
+}
+
+void SystemCheck::checkFrame(int id) {
+  const FrameStorage here = frameAt(id, 0.0, q_, u_);
+  const Frame& f = here.f;
+  const bool moving = blocks_.nu > 0 && f.block >= 0;
+  if (moving && f.block >= blocks_.capacity)
+    return fault(
+        fmt::format("frame {}: block = {}, the system has {}", id, f.block, blocks_.capacity));
+  // v = J u + ν, Ω = J_R u + ν_R: sums of nu products.
+  const Eigen::VectorXd u =
+      moving ? u_.segment(f.block * blocks_.nu, blocks_.nu).eval() : Eigen::VectorXd();
+  const Mat3X &JS = f.J_S_I, &JR = f.J_R_I;
+  Vec3 v = f.nu_S_I, Omega = f.nu_R_I;
+  double sizeV = v.norm() + f.v_S_I.norm(), sizeR = Omega.norm() + f.Omega_I.norm();
+  if (moving) {
+    v += JS * u, Omega += JR * u;
+    sizeV += JS.norm() * u.norm(), sizeR += JR.norm() * u.norm();
+  }
+  compare("v_S_I", id, f.v_S_I, v, 64.0 * kEps * sizeV, "J_S u + nu_S");
+  compare("Omega_I", id, f.Omega_I, Omega, 64.0 * kEps * sizeR, "J_R u + nu_R");
+  if (!((f.A_IK.transpose() * f.A_IK - Mat3::Identity()).norm() <= 64.0 * kEps * 3.0) ||
+      !(f.A_IK.determinant() > 0.0))
+    fault(fmt::format("frame {}: A_IK is not a rotation (det {:.9g})", id, f.A_IK.determinant()));
+  // The workspace is not cleared between evaluations.
+  FrameStorage again = frameAt(id, 0.1, moved(u_, 0.1), u_);
+  system_.frame(t_, in(q_), in(u_), id, again.f);
+  if (again.J != here.J || again.f.r_OS_I != f.r_OS_I || again.f.v_S_I != f.v_S_I)
+    fault(fmt::format(
+        "frame {}: the second call gives other values than the first (adds instead of assigns?)",
+        id));
+  checkFrameRates(id, f);
+}
+
+void SystemCheck::checkFrameRates(int id, const Frame& f) {
+  // r, A (column after column), v, Ω along the motion.
+  const testing::Difference D = testing::differentiate([&](double s) {
+    const FrameStorage at = frameAt(id, s, moved(u_, s), u_);
+    Eigen::VectorXd x(12);
+    x << at.f.r_OS_I, at.f.A_IK.col(0), at.f.A_IK.col(1), at.f.A_IK.col(2);
+    return x;
+  });
+  compare("v_S_I", id, f.v_S_I, D.value.head<3>(), D.error, "dr_OS/dt");
+  const char* column[3] = {"dA_IK/dt, column 0", "dA_IK/dt, column 1", "dA_IK/dt, column 2"};
+  for (int k = 0; k < 3; ++k)
+    compare("(Omega x A_IK)", id, f.Omega_I.cross(f.A_IK.col(k)), D.value.segment<3>(3 + 3 * k),
+            D.error, column[k]);
+  const testing::Difference a = testing::differentiate([&](double s) {
+    const FrameStorage at = frameAt(id, s, moved(u_, s), u_);
+    Eigen::VectorXd x(6);
+    x << at.f.v_S_I, at.f.Omega_I;
+    return x;
+  });
+  compare("bias_S_I", id, f.bias_S_I, a.value.head<3>(), a.error, "dv_S/dt at fixed u");
+  compare("bias_R_I", id, f.bias_R_I, a.value.tail<3>(), a.error, "dOmega/dt at fixed u");
+}
+
+}  // namespace
+
+CheckResult checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options) {
+  return SystemCheck(system, options).run();
+}
+
+}  // namespace dynamy
