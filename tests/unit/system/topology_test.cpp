@@ -43,7 +43,7 @@ class Points final : public PartialMechanicalSystem {
 };
 
 Points make(const std::string& name, int capacity) {
-  return Points(Parameters::of<Points>("Points", name, {{"capacity", capacity}}));
+  return Points(Parameters::of<Points>("Points", name, {{"capacity", double(capacity)}}));
 }
 
 class Asking final : public Element {
