@@ -59,7 +59,8 @@ void CoordinateContact::nameCoordinates(const PartialMechanicalSystem& system) {
   system.describe(d);
   const Blocks b = system.blocks();
   const auto n = static_cast<std::size_t>(b.nq);
-  if (b.capacity != 1 || b.nq != b.nu || d.coordinates.size() != n || d.velocities.size() != n)
+  if (b.capacity != 1 || b.nq == 0 || b.nq != b.nu || d.coordinates.size() != n ||
+      d.velocities.size() != n)
     bad("\"" + on_ + "\" does not name one coordinate and one velocity per degree of freedom");
 
   // q̇ = u is what makes W the gradient of g.
