@@ -75,6 +75,11 @@ class Parameters {
     T::declare(a);
     return fromGiven(std::move(a), std::move(type), std::move(name), given);
   }
+  /// The same for a declaration at hand, e.g. of a registered type.
+  static Parameters of(const Attributes& declaration, std::string type, std::string name,
+                       const std::vector<GivenValue>& given) {
+    return fromGiven(declaration, std::move(type), std::move(name), given);
+  }
   /// For C++ models: adds a child element, e.g. the law of a contact.
   template <class T>
   Parameters&& with(std::unique_ptr<T> child) && {

@@ -76,6 +76,12 @@ FramesFile::FramesFile(const std::filesystem::path& path, const Scene& scene)
   written_ = std::chrono::steady_clock::now();
 }
 
+FramesFile::FramesFile(const std::filesystem::path& path, std::size_t poses, std::uint64_t keep)
+    : file_(path, keep), poses_(poses) {
+  payload_.reserve(kChunkBytes + kFrameHead + poses_ * Frames::kPoseNumbers * 4);
+  written_ = std::chrono::steady_clock::now();
+}
+
 FramesFile::~FramesFile() {
   try {
     flush();

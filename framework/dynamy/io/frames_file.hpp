@@ -46,6 +46,9 @@ class FramesFile {
   /// Creates the file and writes its head; every frame then has scene.frames.size() poses.
   /// \throws FileError
   FramesFile(const std::filesystem::path& path, const Scene& scene);
+  /// Goes on after the first `keep` bytes of the file of an earlier run, which had `poses` poses a
+  /// frame. \throws FileError
+  FramesFile(const std::filesystem::path& path, std::size_t poses, std::uint64_t keep);
   /// Writes the frames that are left; a failure at this late point is lost: call flush() to see it.
   ~FramesFile();
   FramesFile(const FramesFile&) = delete;
@@ -57,6 +60,8 @@ class FramesFile {
   void flushIfDue();
   /// Ends the chunk and writes it. \throws FileError
   void flush();
+  /// Bytes in the file; frames since the last flush() are not among them.
+  std::uint64_t size() const { return file_.size(); }
 
  private:
   OutputFile file_;

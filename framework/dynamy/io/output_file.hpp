@@ -4,6 +4,7 @@
 /// FileError with path and reason. The bytes leave the process with each call, so that a killed run
 /// keeps them; std::ofstream hides the reason of a failure and buffers a second time.
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -16,9 +17,13 @@ class OutputFile {
  public:
   /// Creates or empties the file. \throws FileError
   explicit OutputFile(const std::filesystem::path& path);
+  /// Goes on after the first `keep` bytes of an existing file; what follows them is dropped.
+  /// \throws FileError, also if the file is shorter
+  OutputFile(const std::filesystem::path& path, std::uint64_t keep);
   /// Hands all of `bytes` to the operating system. \throws FileError, e.g. when the disk is full
   void write(std::string_view bytes);
   const std::filesystem::path& path() const { return path_; }
+  std::uint64_t size() const { return size_; }  ///< [byte]
 
  private:
   struct Close {
@@ -26,6 +31,7 @@ class OutputFile {
   };
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
+  std::uint64_t size_ = 0;
 };
 
 /// Replaces `path` by a file with this content; a reader sees the old or the new one, never a half.

@@ -46,10 +46,20 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
   // first the new run.json, so that the folder is one of ours at every moment
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
-  for (const fs::path& file : {model(), signals(), signalsPlot(), frames(), replay()}) {
+  for (const fs::path& file :
+       {model(), signals(), signalsPlot(), frames(), replay(), checkpoint()}) {
     fs::remove(file, error);
     if (error) throw FileError(file.string(), "cannot replace: " + error.message());
   }
+}
+
+RunFolder RunFolder::existing(const fs::path& path) {
+  if (!holdsRun(path))
+    throw FileError(path.string(), "holds no run of dynamy (a run.json with \"format\": \"" +
+                                       std::string(kMarker) + "\")");
+  RunFolder out;
+  out.path_ = path;
+  return out;
 }
 
 void RunFolder::writeFacts(const std::function<void(JsonWriter&)>& write) const {

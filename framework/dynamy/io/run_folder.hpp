@@ -21,6 +21,10 @@ class RunFolder {
   /// \throws FileError if `path` is a file, or a folder with something else in it
   explicit RunFolder(const std::filesystem::path& path);
 
+  /// The folder of an earlier run, to go on in it; nothing is removed.
+  /// \throws FileError if it holds no run
+  static RunFolder existing(const std::filesystem::path& path);
+
   /// Writes run.json: the marker, then the members that `write` adds to the open object.
   /// Replaces the earlier one in one go. \throws FileError
   void writeFacts(const std::function<void(JsonWriter&)>& write) const;
@@ -33,8 +37,11 @@ class RunFolder {
   std::filesystem::path signalsPlot() const { return path_ / "signals.svg"; }
   std::filesystem::path frames() const { return path_ / "frames.bin"; }
   std::filesystem::path replay() const { return path_ / "replay.html"; }
+  /// What `dynamy resume` goes on from.
+  std::filesystem::path checkpoint() const { return path_ / "checkpoint"; }
 
  private:
+  RunFolder() = default;
   std::filesystem::path path_;
 };
 

@@ -61,6 +61,12 @@ SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const Sign
   flush();
 }
 
+SignalsFile::SignalsFile(const std::filesystem::path& path, std::size_t columns, std::uint64_t keep)
+    : file_(path, keep), columns_(columns) {
+  buffer_.reserve(kBufferBytes + kBytesPerNumber * (columns_ + 1));
+  written_ = std::chrono::steady_clock::now();
+}
+
 SignalsFile::~SignalsFile() {
   try {
     flush();

@@ -24,6 +24,8 @@ class SignalsFile {
  public:
   /// Creates the file and writes its head. \throws FileError
   SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals);
+  /// Goes on after the first `keep` bytes of the file of an earlier run. \throws FileError
+  SignalsFile(const std::filesystem::path& path, std::size_t columns, std::uint64_t keep);
   /// Writes the rows that are left; a failure at this late point is lost: call flush() to see it.
   ~SignalsFile();
   SignalsFile(const SignalsFile&) = delete;
@@ -36,6 +38,8 @@ class SignalsFile {
   void flushIfDue();
   /// Writes the collected rows now. \throws FileError
   void flush();
+  /// Bytes in the file; rows since the last flush() are not among them.
+  std::uint64_t size() const { return file_.size(); }
 
  private:
   OutputFile file_;

@@ -12,6 +12,12 @@ std::unique_ptr<T> as(std::unique_ptr<Element> element) {
   return std::unique_ptr<T>(static_cast<T*>(element.release()));  // the kind says the base class
 }
 
+/// With its declared defaults, and a type name that reports can show.
+template <class T>
+std::unique_ptr<T> makeDefault(const char* type) {
+  return std::make_unique<T>(Parameters::of<T>(type, "", {}));
+}
+
 }  // namespace
 
 Model::Model() = default;
@@ -58,9 +64,9 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
-  if (!scheme_) scheme_ = std::make_unique<MoreauMidpoint>();
-  if (!solver_) solver_ = std::make_unique<ProximalNewton>();
-  if (!impactLaw_) impactLaw_ = std::make_unique<NewtonImpact>();
+  if (!scheme_) scheme_ = makeDefault<MoreauMidpoint>("MoreauMidpoint");
+  if (!solver_) solver_ = makeDefault<ProximalNewton>("ProximalNewton");
+  if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");
   std::vector<const PartialMechanicalSystem*> systems;
   for (const auto& s : systems_) systems.push_back(s.get());
   topology_ = std::make_unique<Topology>(systems);

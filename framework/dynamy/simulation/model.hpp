@@ -79,6 +79,8 @@ class Model {
   const std::vector<NamedSignal>& signals() const { return signals_; }
   const NamedSignal* signal(std::string_view name) const;
   OneStep& scheme() { return *scheme_; }
+  const OneStep& scheme() const { return *scheme_; }
+  const InclusionSolver& solver() const { return *solver_; }
   InclusionSolver& solver() { return *solver_; }
   void scheme(std::unique_ptr<OneStep> scheme);
   void solver(std::unique_ptr<InclusionSolver> solver);

@@ -44,6 +44,7 @@ Recorder::Recorder(const Model& model, RecordSink& sink)
       rows_(spacing(model.record.every, model.simulation.until)),
       frames_(model.record.framesPerSecond > 0.0 ? 1.0 / model.record.framesPerSecond : 1.0 / 60) {
   for (const DrawnFrame& f : drawnFrames(model)) drawn_.frame(drawn_.system(f.system), f.id);
+  if (model.record.framesPerSecond <= 0.0) drawn_ = Topology(model.topology().systems());
   kinematics_.resize(drawn_);
   values_.resize(sampler_.signals().size());
   poses_.resize(drawn_.requestedFrames().size());

@@ -1,0 +1,113 @@
+/// dynamy check MODEL: reads, builds and verifies; tells the size of the scene.
+#include <fmt/format.h>
+
+#include <dynamy/io/json_writer.hpp>
+#include <dynamy/io/model_loader.hpp>
+#include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/simulation.hpp>
+#include <memory>
+
+#include "program.hpp"
+
+namespace dynamy::app {
+namespace {
+
+/// What a step of the scene costs, at its initial state.
+struct Sizes {
+  std::size_t systems = 0, contactElements = 0, forces = 0, signals = 0, checks = 0;
+  int nq = 0, nu = 0, blocks = 0, constantBlocks = 0;
+  std::size_t gaps = 0;          ///< reported by the contact elements
+  int closed = 0, unknowns = 0;  ///< of them, and their rows
+  double energy = 0.0;           ///< T + V [J]
+  Worst penetration;
+};
+
+Sizes sizesOf(Model& model) {
+  Sizes s;
+  const Topology& t = model.topology();
+  s.systems = model.systems().size(), s.contactElements = model.contacts().size();
+  s.forces = model.forces().size(), s.signals = model.signals().size();
+  s.checks = model.checks.size();
+  s.nq = t.nq(), s.nu = t.nu(), s.blocks = t.blocks();
+  for (std::size_t i = 0; i < model.systems().size(); ++i)
+    if (model.systems()[i]->blocks().constantMass)
+      s.constantBlocks += t.system(static_cast<int>(i)).blocks;
+  MechanicalSystem system = model.mechanicalSystem();
+  const State x = model.initialState();
+  const ContactSet& c = system.evaluate(x).contacts;
+  if (system.indefiniteMass() >= 0)
+    throw ModelError("the mass matrix of " + systemName(model, system.indefiniteMass()) +
+                     " is not positive definite at the start");
+  s.gaps = c.g.size(), s.closed = c.size(), s.unknowns = c.rows();
+  for (std::size_t i = 0; i < c.g.size(); ++i) {
+    const int k = c.closedIndex[i];
+    if (k >= 0 && !c.law[static_cast<std::size_t>(k)]->unilateral()) continue;
+    if (-c.g[i] > s.penetration.value)
+      s.penetration.value = -c.g[i], s.penetration.name = contactName(model, c.candidateKey[i]);
+  }
+  EnergyMeter meter(model);
+  s.energy = meter.kinetic(x) + meter.potential(x);
+  return s;
+}
+
+std::string text(const Model& model, const Sizes& s) {
+  std::string out = fmt::format("{}: ok\n", model.sourceFile);
+  out += fmt::format(" systems {}   forces {}   contact elements {}   signals {}   checks {}\n",
+                     s.systems, s.forces, s.contactElements, s.signals, s.checks);
+  out += fmt::format(" q {}   u {}   mass blocks {}, of them constant {}\n", s.nq, s.nu, s.blocks,
+                     s.constantBlocks);
+  out +=
+      fmt::format(" at the start: gaps {}   closed contacts {}   unknowns {}   energy {:.6g} J\n",
+                  s.gaps, s.closed, s.unknowns, s.energy);
+  out += fmt::format(" {}   {}   step {:g} s   to t = {:g} s   length of the scene {:.3g} m\n",
+                     model.scheme().type(), model.solver().type(), model.simulation.step,
+                     model.simulation.until, model.length());
+  // Contacts that begin closed have a gap of rounding.
+  if (s.penetration.value > 1e-9 * model.length())
+    out += fmt::format(" warning: {} begins with a penetration of {:.3g} m\n", s.penetration.name,
+                       s.penetration.value);
+  return out;
+}
+
+std::string json(const Model& model, const Sizes& s) {
+  std::string out;
+  JsonWriter j(out, 2);
+  j.beginObject().member("model", model.sourceFile).member("ok", true);
+  j.member("systems", s.systems).member("forces", s.forces);
+  j.member("contactElements", s.contactElements).member("signals", s.signals);
+  j.member("checks", s.checks).member("q", s.nq).member("u", s.nu).member("blocks", s.blocks);
+  j.member("constantBlocks", s.constantBlocks).member("gaps", s.gaps).member("closed", s.closed);
+  j.member("unknowns", s.unknowns).member("energy", s.energy);
+  j.member("penetration", s.penetration.value);
+  j.member("integrator", model.scheme().type()).member("solver", model.solver().type());
+  j.member("step", model.simulation.step).member("until", model.simulation.until);
+  j.member("length", model.length()).endObject();
+  return out + "\n";
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app, Program& program) {
+  struct Texts {
+    std::string model;
+    std::vector<std::string> set;
+    bool json = false;
+  };
+  auto t = std::make_shared<Texts>();
+  CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its size");
+  c->add_option("MODEL", t->model, "XML file")->required();
+  c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->add_flag("--json", t->json, "print JSON");
+  c->callback([t, &program] {
+    program.load();
+    LoadOptions options;
+    for (const std::string& s : t->set) options.set.push_back(assignment(s));
+    Model model = loadModel(t->model, program.registry, program.plugins, options);
+    const Simulation verified(model);  // signals of checks, step
+    const Sizes sizes = sizesOf(model);
+    fmt::print("{}", t->json ? json(model, sizes) : text(model, sizes));
+  });
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,140 @@
+/// dynamy compare MODEL: error against work of schemes and step lengths on the user's own model.
+///
+///   error = max over recorded signals of |s(T) − s_ref(T)| / (max s_ref − min s_ref)
+///
+/// The reference is the program's own tightest run and is named: the first scheme with an eighth of
+/// the smallest step. What it cannot show is an error that all schemes share.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <dynamy/io/output_file.hpp>
+#include <memory>
+
+#include "run_job.hpp"
+
+namespace dynamy::app {
+namespace {
+
+constexpr double kReferenceFactor = 8.0;
+
+/// Keeps the last row and the ranges of all columns.
+class Ends final : public RecordSink {
+ public:
+  void row(double, std::span<const double> values) override {
+    last.assign(values.begin(), values.end());
+    if (low.empty()) low = high = last;
+    for (std::size_t i = 0; i < last.size(); ++i)
+      low[i] = std::min(low[i], last[i]), high[i] = std::max(high[i], last[i]);
+  }
+  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  std::vector<double> last, low, high;
+};
+
+struct Point {
+  std::string integrator;
+  double step = 0.0, error = 0.0;
+  std::string worst;  ///< signal
+  RunReport report;
+  Ends ends;
+};
+
+struct Task {
+  RunChoice choice;
+  std::vector<std::string> set, integrators, steps;
+  std::string until, csv;
+};
+
+Point runOnce(Program& program, const Task& task, const std::string& integrator, double step,
+              std::vector<std::string>& signals) {
+  Point p;
+  p.integrator = integrator, p.step = step;
+  RunChoice choice = task.choice;
+  choice.integrator = integrator, choice.step = step;
+  Model model = chosenModel(program, choice);
+  model.record.framesPerSecond = 0.0;
+  model.checks.clear();
+  signals.clear();
+  for (const NamedSignal* s : chooseSignals(model, model.record.signals, model.record.places))
+    signals.push_back(s->name);
+  if (p.integrator.empty()) p.integrator = model.scheme().type();
+  p.step = model.simulation.step;
+  Simulation simulation(model);
+  simulation.record(p.ends);
+  p.report = simulation.run();
+  return p;
+}
+
+void measure(Point& p, const Point& reference, const std::vector<std::string>& signals) {
+  p.error = p.report.ended == RunReport::Ended::finished ? 0.0 : std::nan("");
+  for (std::size_t i = 0; i < p.ends.last.size() && !std::isnan(p.error); ++i) {
+    const double range = reference.ends.high[i] - reference.ends.low[i];
+    const double e = std::abs(p.ends.last[i] - reference.ends.last[i]);
+    const double relative = e == 0.0 ? 0.0 : range > 0.0 ? e / range : e;
+    if (relative > p.error || i == 0) p.error = relative, p.worst = signals[i];
+  }
+}
+
+void compare(Program& program, Task& task) {
+  program.load();
+  for (const std::string& s : task.set) task.choice.set.push_back(assignment(s));
+  if (!task.until.empty()) task.choice.until = seconds(task.until, "--until");
+  std::vector<double> steps;
+  for (const std::string& s : task.steps) steps.push_back(seconds(s, "--steps"));
+  if (task.integrators.empty()) task.integrators.emplace_back();
+  std::vector<std::string> signals;
+  if (steps.empty()) {  // the model's own step, and its halves
+    RunChoice choice = task.choice;
+    const double own = chosenModel(program, choice).simulation.step;
+    if (!(own > 0.0)) throw ModelError("the model says no step", "give --steps 1e-3,1e-4");
+    for (const double part : {1.0, 2.0, 4.0, 8.0}) steps.push_back(own / part);
+  }
+  const double tightest = *std::min_element(steps.begin(), steps.end()) / kReferenceFactor;
+  const Point reference = runOnce(program, task, task.integrators.front(), tightest, signals);
+  if (reference.report.ended != RunReport::Ended::finished)
+    throw std::runtime_error("the reference run failed: " + reference.report.reason);
+
+  fmt::print("reference: {}, step {:g} s (own, tightest), {:.3g} s of CPU time\n",
+             reference.integrator, reference.step, reference.report.cpu);
+  fmt::print(" {:<20} {:>10} {:>11} {:>10} {:>12} {:>12}  {}\n", "integrator", "step [s]", "error",
+             "CPU [s]", "evaluations", "unconverged", "worst signal");
+  std::string csv = "integrator,step,error,cpu_s,evaluations,iterations,unconverged,worst_signal\n";
+  for (const std::string& integrator : task.integrators)
+    for (const double step : steps) {
+      Point p = runOnce(program, task, integrator, step, signals);
+      measure(p, reference, signals);
+      const RunReport& r = p.report;
+      fmt::print(" {:<20} {:>10.4g} {:>11.3e} {:>10.3g} {:>12} {:>12}  {}\n", p.integrator, p.step,
+                 p.error, r.cpu, r.evaluations, r.unconverged, p.worst);
+      csv += fmt::format("{},{},{},{},{},{},{},{}\n", p.integrator, p.step, p.error, r.cpu,
+                         r.evaluations, r.iterations, r.unconverged, p.worst);
+      if (r.ended == RunReport::Ended::failed) program.exitCode = kFailed;
+    }
+  std::filesystem::path file(task.csv);
+  if (file.empty()) {
+    file = RunFolder::defaultPath(task.choice.model);
+    file += "-compare.csv";
+  }
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  writeWholeFile(file, csv);
+  fmt::print(" wrote   {}\n", file.string());
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, Program& program) {
+  auto t = std::make_shared<Task>();
+  CLI::App* c = app.add_subcommand("compare", "error against work of schemes and steps on a model");
+  c->add_option("MODEL", t->choice.model, "XML file")->required();
+  c->add_option("--integrators", t->integrators, "schemes; default: the model's")->delimiter(',');
+  c->add_option("--steps", t->steps, "step lengths; default: the model's and its halves")
+      ->delimiter(',');
+  c->add_option("--until", t->until, "end time")->type_name("TIME");
+  c->add_option("--solver", t->choice.solver, "inclusion solver");
+  c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  c->add_option("--csv", t->csv, "table as a file; default: runs/MODEL-compare.csv");
+  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->callback([t, &program] { compare(program, *t); });
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,86 @@
+/// The program `dynamy`: reads the command line, calls one sub-command, turns errors into exit
+/// codes. Results go to standard output, errors and progress to standard error.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/file_error.hpp>
+
+#include "program.hpp"
+
+namespace dynamy::app {
+namespace {
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> out;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
+  return out;
+}
+
+/// What the user may have meant, for the first word that is neither a sub-command nor an option.
+std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> commands;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    commands.push_back(sub->get_name());
+  const CLI::App* in = &app;
+  for (const std::string& word : words) {
+    if (word.starts_with("--")) {
+      const std::string name = word.substr(0, word.find('='));
+      const std::vector<std::string> known = optionNames(*in);
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        return didYouMean(nearest(name, known));
+    } else if (in == &app && !word.starts_with("-")) {
+      if (std::find(commands.begin(), commands.end(), word) == commands.end())
+        return didYouMean(nearest(word, commands));
+      in = app.get_subcommand(word);
+    }
+  }
+  return {};
+}
+
+int usage(const CLI::App& app, const CLI::ParseError& error,
+          const std::vector<std::string>& words) {
+  if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  const std::string hint = suggestion(app, words);
+  fmt::print(stderr, "dynamy: {}{}\n", error.what(), hint.empty() ? "" : " — " + hint);
+  fmt::print(stderr,
+             "  dynamy --help tells all commands, dynamy COMMAND --help the options of one\n");
+  return kUsage;
+}
+
+int run(int argc, char** argv) {
+  Program program;
+  CLI::App app{"dynamY: simulation of multibody systems with impacts and friction", "dynamy"};
+  app.set_version_flag("--version", versionText());
+  app.require_subcommand(1);
+  addRun(app, program);
+  addResume(app, program);
+  addCheck(app, program);
+  addList(app, program);
+  addDescribe(app, program);
+  addSchema(app, program);
+  addCompare(app, program);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return usage(app, e, std::vector<std::string>(argv + 1, argv + argc));
+  } catch (const ModelError& e) {
+    fmt::print(stderr, "{}\n", format(e.diagnostics()));
+    const std::size_t n = e.diagnostics().size();
+    fmt::print(stderr, "{} error{}\n", n, n == 1 ? "" : "s");
+    return kModel;
+  } catch (const FileError& e) {
+    fmt::print(stderr, "dynamy: {}\n", e.what());
+    return kFailed;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "dynamy: {}\n", e.what());
+    return kFailed;
+  }
+  return program.exitCode;
+}
+
+}  // namespace
+}  // namespace dynamy::app
+
+int main(int argc, char** argv) { return dynamy::app::run(argc, argv); }

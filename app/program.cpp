@@ -1,0 +1,65 @@
+#include "program.hpp"
+
+#include <fmt/format.h>
+
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/version.hpp>
+#include <dynamy/io/plugin.hpp>
+#include <filesystem>
+
+namespace dynamy::app {
+
+void Program::load() {
+  registerFramework(registry);
+  plugins.load(kStandardElements, ".", registry);
+  for (const std::string& library : libraries) plugins.load(library, ".", registry);
+}
+
+double seconds(const std::string& text, const std::string& option) {
+  Attribute a;
+  a.name = option, a.unit = Unit::time;
+  a.positive();
+  ParameterValue value;
+  value.declaration = &a, value.text = text, value.given = true;
+  if (const auto fault = readValue(a, value))
+    throw CLI::ValidationError(option, '"' + text + "\": " + fault->text +
+                                           (fault->hint.empty() ? "" : ", " + fault->hint));
+  return value.numbers.at(0);
+}
+
+std::pair<std::string, std::string> assignment(const std::string& text) {
+  const std::size_t at = text.find('=');
+  if (at == std::string::npos || at == 0)
+    throw CLI::ValidationError("--set", '"' + text + "\": expected name=value");
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& name,
+                                       Kind kind) {
+  const RegisteredType* type = registry.find(name);
+  if (type == nullptr || type->kind != kind) {
+    std::vector<std::string> known;
+    for (const RegisteredType* t : registry.types())
+      if (t->kind == kind) known.push_back(t->name);
+    throw ModelError("no " + std::string(kindText(kind)) + " named \"" + name + '"',
+                     unknownNameHint(name, known));
+  }
+  return type->make(Parameters::of(type->attributes, type->name, "", {}));
+}
+
+std::string versionText() {
+  const PluginInfo f = frameworkFingerprint();
+  std::string out = fmt::format("dynamY {}\n", versionString());
+  out += fmt::format(" compiler   {}, {}\n", f.compiler, f.standardLibrary);
+  out += fmt::format(" Eigen      {}.{}.{}, alignment {} bytes\n", f.eigenWorld, f.eigenMajor,
+                     f.eigenMinor, f.eigenMaxAlignBytes);
+  out += fmt::format(" plug-ins   binary interface {}\n", f.abi);
+#ifdef NDEBUG
+  out += " build      release";
+#else
+  out += " build      with assertions";
+#endif
+  return out;
+}
+
+}  // namespace dynamy::app

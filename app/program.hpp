@@ -1,0 +1,60 @@
+/// What all sub-commands share: registry and plug-ins, exit codes, values of options.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <dynamy/io/plugin_loader.hpp>
+#include <dynamy/io/registry.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dynamy::app {
+
+inline constexpr int kOk = 0;  ///< done, all checks passed
+inline constexpr int kFailed =
+    1;                            ///< the simulation or a check failed, or a file cannot be written
+inline constexpr int kModel = 2;  ///< error in model, plug-in or file
+inline constexpr int kUsage = 64;  ///< wrong command line
+
+/// One run of the program.
+struct Program {
+  Registry registry;
+  PluginLoader plugins;
+  std::vector<std::string> libraries;  ///< of --plugin
+  int exitCode = kOk;
+
+  /// Registers the framework's types, those of the standard elements and of --plugin.
+  /// Throws ModelError.
+  void load();
+};
+
+/// "1.5", "10s", "2ms" → seconds. Throws CLI::ValidationError.
+double seconds(const std::string& text, const std::string& option);
+
+/// "name=value" → both. Throws CLI::ValidationError.
+std::pair<std::string, std::string> assignment(const std::string& text);
+
+/// A scheme, solver or impact law by its registered name, with default attributes. Throws
+/// ModelError with the nearest name of this kind.
+template <class T>
+std::unique_ptr<T> method(const Registry& registry, const std::string& name);
+std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& name,
+                                       Kind kind);
+template <class T>
+std::unique_ptr<T> method(const Registry& registry, const std::string& name) {
+  return std::unique_ptr<T>(
+      static_cast<T*>(methodElement(registry, name, T::kKind).release()));  // the kind tells
+}
+
+/// The version and what the program was built with, several lines.
+std::string versionText();
+
+// One function a sub-command: declares it; its callback sets program.exitCode.
+void addRun(CLI::App& app, Program& program);
+void addResume(CLI::App& app, Program& program);
+void addCheck(CLI::App& app, Program& program);
+void addList(CLI::App& app, Program& program);
+void addDescribe(CLI::App& app, Program& program);
+void addSchema(CLI::App& app, Program& program);
+void addCompare(CLI::App& app, Program& program);
+
+}  // namespace dynamy::app

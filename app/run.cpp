@@ -1,0 +1,81 @@
+/// dynamy run MODEL, dynamy resume DIR.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "run_job.hpp"
+
+namespace dynamy::app {
+namespace {
+
+/// Texts of options until they are read.
+struct Texts {
+  std::string until, step, checkpoint, out;
+  std::vector<std::string> set;
+  RunChoice choice;
+  RunShow show;
+};
+
+void addShow(CLI::App& command, Texts& t) {
+  command.add_flag("--json", t.show.json, "print the content of run.json, nothing else");
+  command.add_flag("--quiet", t.show.quiet, "print errors only");
+  command.add_option("--checkpoint", t.checkpoint, "write a checkpoint every TIME of wall time")
+      ->type_name("TIME");
+}
+
+double given(const std::string& text, const std::string& option) {
+  return text.empty() ? 0.0 : seconds(text, option);
+}
+
+}  // namespace
+
+void addRun(CLI::App& app, Program& program) {
+  auto t = std::make_shared<Texts>();
+  CLI::App* c = app.add_subcommand("run", "simulate a model; results go to a folder");
+  c->add_option("MODEL", t->choice.model, "XML file")->required();
+  c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
+  c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
+  c->add_option("--integrator", t->choice.integrator, "scheme, replaces the model's");
+  c->add_option("--solver", t->choice.solver, "inclusion solver, replaces the model's");
+  c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
+  c->add_option("--plugin", program.libraries, "shared library with further types");
+  addShow(*c, *t);
+  c->callback([t, &program] {
+    t->choice.until = given(t->until, "--until");
+    t->choice.step = given(t->step, "--step");
+    t->show.checkpointEvery = given(t->checkpoint, "--checkpoint");
+    for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
+    t->choice.libraries = program.libraries;
+    program.load();
+    const auto folder =
+        t->out.empty() ? RunFolder::defaultPath(t->choice.model) : std::filesystem::path(t->out);
+    Model model = chosenModel(program, t->choice);
+    program.exitCode = runInto(folder, model, t->choice, t->show, std::nullopt);
+  });
+}
+
+void addResume(CLI::App& app, Program& program) {
+  auto t = std::make_shared<Texts>();
+  CLI::App* c =
+      app.add_subcommand("resume", "go on with a run, bit for bit as if it had not been stopped");
+  c->add_option("DIR", t->out, "folder of the run")->required();
+  c->add_option("--until", t->until, "new end time")->type_name("TIME");
+  addShow(*c, *t);
+  c->callback([t, &program] {
+    const double until = given(t->until, "--until");
+    t->show.checkpointEvery = given(t->checkpoint, "--checkpoint");
+    const RunFolder folder = RunFolder::existing(t->out);
+    Checkpoint from = readCheckpoint(folder.checkpoint());
+    if (until > 0.0) from.choice.until = until;
+    program.libraries = from.choice.libraries;
+    program.load();
+    Model model = chosenModel(program, from.choice);
+    if (model.sourceText != from.modelText)
+      throw ModelError(from.choice.model + " has changed since the run",
+                       "the run's own model is " + folder.model().string());
+    program.exitCode = runInto(folder.path(), model, from.choice, t->show, from.simulation);
+  });
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,141 @@
+#include "run_job.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/replay_page.hpp>
+#include <dynamy/io/run_recording.hpp>
+#include <dynamy/io/svg_plot.hpp>
+
+#include "progress.hpp"
+#include "run_text.hpp"
+
+namespace dynamy::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// Set by Ctrl-C; a second Ctrl-C ends the program at once.
+std::atomic<bool>& interrupted() {
+  static std::atomic<bool> flag{false};
+  return flag;
+}
+
+extern "C" void onInterrupt(int) {
+  interrupted() = true;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+std::string checkpointBytes(const RunChoice& choice, const std::string& modelText,
+                            const std::string& simulation) {
+  Archive a;
+  a.section("dynamy run 1");
+  RunChoice c = choice;
+  std::string text = modelText, state = simulation;
+  a(c), a(text), a(state);
+  return a.bytes();
+}
+
+/// signals.svg and replay.html from the files of the folder.
+void writePictures(const RunFolder& folder, const Model& model) {
+  SignalTable table = readSignals(folder.signals());
+  const std::vector<SignalName> named = recordedSignals(model);
+  for (std::size_t i = 0; i < table.signals.size() && i < named.size(); ++i)
+    table.signals[i].unit = named[i].unit;
+  writeSignalsSvg(folder.signalsPlot(), table, model.title);
+  writeReplay(folder.path());
+}
+
+}  // namespace
+
+void RunChoice::archive(Archive& a) {
+  std::vector<std::string> names, values;
+  for (const auto& [name, value] : set) names.push_back(name), values.push_back(value);
+  a(model), a(names), a(values), a(until), a(step), a(every), a(integrator), a(solver);
+  a(libraries);
+  set.clear();
+  for (std::size_t i = 0; i < names.size() && i < values.size(); ++i)
+    set.emplace_back(names[i], values[i]);
+}
+
+Model chosenModel(Program& program, RunChoice& choice) {
+  LoadOptions options;
+  options.set = choice.set;
+  Model model = loadModel(choice.model, program.registry, program.plugins, options);
+  SimulationSettings& s = model.simulation;
+  if (choice.until > 0.0) s.until = choice.until;
+  if (choice.step > 0.0) s.step = choice.step;
+  if (choice.every > 0.0) model.record.every = choice.every;
+  if (!choice.integrator.empty())
+    model.scheme(method<OneStep>(program.registry, choice.integrator));
+  if (!choice.solver.empty())
+    model.solver(method<InclusionSolver>(program.registry, choice.solver));
+  // The default sample time depends on the end time; a resumed run keeps it.
+  if (!(model.record.every > 0.0) && s.until > 0.0) model.record.every = s.until / 1000.0;
+  choice.until = s.until, choice.every = model.record.every;
+  choice.model = fs::absolute(choice.model).lexically_normal().string();
+  return model;
+}
+
+int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
+            const std::optional<std::string>& checkpoint) {
+  Simulation simulation(model);  // first: a model it refuses leaves an older run alone
+  const RunFolder folder = checkpoint ? RunFolder::existing(path) : RunFolder(path);
+  std::optional<RunRecording> recording;
+  if (checkpoint)
+    recording.emplace(folder, model, RunRecording::Resume{});
+  else
+    recording.emplace(folder, model);
+  simulation.record(*recording);
+  if (checkpoint)
+    simulation.resume(*checkpoint);
+  else
+    writeWholeFile(folder.model(), model.sourceText);
+  RunReport running = simulation.report();
+  folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, running, {}, "running"); });
+
+  Progress progress(show.quiet || show.json);
+  const auto save = [&](const std::string& bytes) {
+    writeWholeFile(folder.checkpoint(), checkpointBytes(choice, model.sourceText, bytes));
+  };
+  simulation.onIdle([&] {
+    recording->flushIfDue();
+    progress.show(simulation.state().t, model.simulation.until, simulation.report().steps);
+  });
+  simulation.onCheckpoint(show.checkpointEvery, save);
+  interrupted() = false;
+  simulation.stopWhen(interrupted());
+  const auto before = std::signal(SIGINT, onInterrupt);
+  if (!show.quiet && !show.json) fmt::print("{}", headText(model, choice));
+  const RunReport& report = simulation.run();
+  std::signal(SIGINT, before);
+  progress.end();
+
+  // Files first: what is printed is then true.
+  recording->flush();
+  if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
+  const std::vector<CheckResult> checks = simulation.checks();
+  std::string json;
+  folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, report, checks, ""); });
+  writePictures(folder, model);
+  if (show.json)
+    fmt::print("{}", readWholeFile(folder.facts()));
+  else if (!show.quiet)
+    fmt::print("{}", resultText(model, report, checks, folder.path()));
+  if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
+  bool good = report.ended == RunReport::Ended::finished;
+  for (const CheckResult& c : checks) good = good && c.pass;
+  return good ? kOk : kFailed;
+}
+
+Checkpoint readCheckpoint(const fs::path& file) {
+  Archive a(readWholeFile(file));
+  Checkpoint c;
+  a.section("dynamy run 1");
+  a(c.choice), a(c.modelText), a(c.simulation);
+  return c;
+}
+
+}  // namespace dynamy::app

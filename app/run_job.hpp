@@ -1,0 +1,44 @@
+/// A run into its folder: what `run` and `resume` share.
+#pragma once
+#include <dynamy/io/run_folder.hpp>
+#include <dynamy/simulation/simulation.hpp>
+#include <optional>
+
+#include "program.hpp"
+
+namespace dynamy::app {
+
+/// What decides the numbers of a run, as said on the command line; stored in the checkpoint.
+struct RunChoice {
+  std::string model;  ///< path
+  std::vector<std::pair<std::string, std::string>> set;
+  double until = 0.0, step = 0.0;  ///< [s]; 0: as the model says
+  double every = 0.0;              ///< [s]; 0: as the model says
+  std::string integrator, solver;  ///< empty: as the model says
+  std::vector<std::string> libraries;
+  void archive(Archive& a);
+};
+
+/// How it is shown.
+struct RunShow {
+  bool json = false, quiet = false;
+  double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
+};
+
+/// The model with all choices applied; `choice` gets absolute path, end time and sample time.
+/// Throws ModelError.
+Model chosenModel(Program& program, RunChoice& choice);
+
+/// Runs `model` into the folder `path`, from `checkpoint` if it is given, and prints the result.
+/// Returns the exit code. Throws FileError.
+int runInto(const std::filesystem::path& path, Model& model, const RunChoice& choice,
+            const RunShow& show, const std::optional<std::string>& checkpoint);
+
+/// A checkpoint file in parts. Throws FileError, ModelError.
+struct Checkpoint {
+  RunChoice choice;
+  std::string modelText, simulation;
+};
+Checkpoint readCheckpoint(const std::filesystem::path& file);
+
+}  // namespace dynamy::app

@@ -1,0 +1,166 @@
+#include "run_text.hpp"
+
+#include <fmt/format.h>
+
+#include <dynamy/core/version.hpp>
+#include <dynamy/io/run_recording.hpp>
+
+namespace dynamy::app {
+namespace {
+
+std::string counted(long n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string stateText(const RunReport& r) {
+  switch (r.ended) {
+    case RunReport::Ended::finished:
+      return "finished";
+    case RunReport::Ended::stopped:
+      return "stopped by the user";
+    case RunReport::Ended::failed:
+      return "failed";
+  }
+  return "";
+}
+
+std::string checkLine(const CheckResult& c, std::size_t width) {
+  std::string what = c.measure == "value" ? c.signal : c.measure + " " + c.signal;
+  if (!c.over.empty()) what += " " + c.over;
+  // Widths count bytes: an ellipsis has three of them.
+  const std::size_t extra = what.find("…") == std::string::npos ? 0 : 2;
+  return fmt::format(" check  {:{}}  {:<14} expected {}   {}{}\n", what, width + extra,
+                     c.note.empty() ? fmt::format("{:.9g}", c.got) : c.note, c.expected,
+                     c.pass ? "PASS" : "FAIL", c.pass ? "" : " " + c.place.format());
+}
+
+void write(JsonWriter& json, const char* name, const Worst& w) {
+  json.key(name).beginObject().member("value", w.value);
+  if (w.value > 0.0) json.member("contact", w.name).member("t", w.t);
+  json.endObject();
+}
+
+void write(JsonWriter& json, const EnergyReport& e) {
+  json.key("energy").beginObject();
+  json.member("start", e.start()).member("end", e.end());
+  json.member("kineticStart", e.kineticStart).member("potentialStart", e.potentialStart);
+  json.member("kineticEnd", e.kineticEnd).member("potentialEnd", e.potentialEnd);
+  json.member("nonPotential", e.nonPotential).member("friction", e.friction);
+  json.member("normal", e.normal).member("joints", e.joints).member("boundaries", e.boundaries);
+  json.member("discretisation", e.discretisation).member("imbalance", e.imbalance);
+  json.member("largestGain", e.largestGain).member("largestGainTime", e.largestGainTime);
+  json.endObject();
+}
+
+void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
+  json.key("checks").beginArray();
+  for (const CheckResult& c : checks) {
+    json.beginObject().member("signal", c.signal).member("measure", c.measure);
+    if (!c.over.empty()) json.member("over", c.over);
+    json.member("got", c.got).member("low", c.low).member("high", c.high);
+    json.member("expected", c.expected).member("pass", c.pass);
+    if (!c.note.empty()) json.member("note", c.note);
+    json.endObject();
+  }
+  json.endArray();
+}
+
+void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice) {
+  json.key("settings").beginObject();
+  json.member("until", model.simulation.until).member("step", model.simulation.step);
+  json.member("integrator", model.scheme().type()).member("solver", model.solver().type());
+  json.member("impactLaw", model.impactLaw().type());
+  const double gTol = model.simulation.gTol;
+  json.member("gTol", gTol >= 0.0 ? gTol : 1e-12 * model.length());
+  json.member("every", model.record.every);
+  json.key("set").beginObject();
+  for (const auto& [name, value] : choice.set) json.member(name, value);
+  json.endObject().endObject();
+}
+
+}  // namespace
+
+std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::string headText(const Model& model, const RunChoice& choice) {
+  const Topology& t = model.topology();
+  std::string out =
+      fmt::format("dynamY {}   {}   {}, {} positions, {} velocities, {}\n", versionString(),
+                  model.sourceFile.empty() ? choice.model : model.sourceFile,
+                  counted(static_cast<long>(model.systems().size()), "system"), t.nq(), t.nu(),
+                  counted(static_cast<long>(model.contacts().size()), "contact element"));
+  out += fmt::format(" {}   {}   step {:g} s   to t = {:g} s\n", model.scheme().type(),
+                     model.solver().type(), model.simulation.step, model.simulation.until);
+  return out;
+}
+
+std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
+                       const std::filesystem::path& folder) {
+  std::string out =
+      fmt::format(" {} at t = {:g} s   {} ({} rejected)   {}   {:.3g} s wall", stateText(r), r.t,
+                  counted(r.steps, "step"), r.rejected, counted(r.impacts, "impact"), r.wall);
+  if (r.wall > 0.0) out += fmt::format(" (x{:.3g})", r.t / r.wall);
+  const EnergyReport& e = r.energy;
+  out += fmt::format("\n energy  {:.6g} -> {:.6g} J   impacts {:.4g}   friction {:.4g}", e.start(),
+                     e.end(), e.normal, e.friction);
+  if (e.nonPotential != 0.0) out += fmt::format("   drives and dampers {:.4g}", e.nonPotential);
+  if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
+  if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
+  out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
+  if (r.penetration.value > 0.0)
+    out += fmt::format(" worst penetration {:.2g} m at {} (t = {:.6g} s)\n", r.penetration.value,
+                       r.penetration.name, r.penetration.t);
+  if (r.jointError.value > 0.0)
+    out += fmt::format(" worst joint error {:.2g} m at {} (t = {:.6g} s)\n", r.jointError.value,
+                       r.jointError.name, r.jointError.t);
+  if (r.solves > 0) {
+    out += fmt::format(" solver  {}, {:.3g} iterations on average, at most {}, ",
+                       counted(r.solves, "solve"), r.iterationsMean(), r.iterationsMax);
+    out += r.unconverged == 0
+               ? "all converged\n"
+               : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
+                             r.unconverged, r.residual.value, r.residual.name, r.residual.t);
+  }
+  std::size_t width = 0;
+  for (const CheckResult& c : checks)
+    width = std::max(width, c.signal.size() + c.measure.size() + c.over.size() + 2);
+  for (const CheckResult& c : checks) out += checkLine(c, width);
+  out += fmt::format(" wrote   {}/  run.json signals.csv signals.svg frames.bin replay.html\n",
+                     folder.string());
+  out += fmt::format(" hash    {}\n", hashText(r.hash));
+  return out;
+}
+
+void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,
+                const std::vector<CheckResult>& checks, const std::string& state) {
+  json.member("state", state.empty() ? stateText(r) : state);
+  if (!r.reason.empty()) json.member("reason", r.reason);
+  json.member("dynamy", versionString()).member("title", model.title);
+  json.member("model", model.sourceFile);
+  writeSettings(json, model, choice);
+  const Topology& t = model.topology();
+  json.key("sizes").beginObject().member("systems", model.systems().size());
+  json.member("q", t.nq()).member("u", t.nu()).member("blocks", t.blocks());
+  json.member("contactElements", model.contacts().size());
+  json.member("contactsMax", r.contactsMax).endObject();
+  json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
+  json.member("evaluations", r.evaluations).member("impacts", r.impacts);
+  json.member("switches", r.switches);
+  json.key("solver").beginObject().member("solves", r.solves);
+  json.member("iterations", r.iterations).member("iterationsMean", r.iterationsMean());
+  json.member("iterationsMax", r.iterationsMax).member("unconverged", r.unconverged);
+  write(json, "worstResidual", r.residual);
+  json.endObject();
+  write(json, "penetration", r.penetration);
+  write(json, "jointError", r.jointError);
+  json.member("cpu_s", r.cpu).member("wall_s", r.wall);
+  write(json, r.energy);
+  write(json, checks);
+  json.key("signals").beginArray();
+  for (const SignalName& s : recordedSignals(model))
+    json.beginObject().member("name", s.name).member("unit", s.unit).endObject();
+  json.endArray();
+  json.member("hash", hashText(r.hash));
+}
+
+}  // namespace dynamy::app

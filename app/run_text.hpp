@@ -1,0 +1,24 @@
+/// A run for people (standard output) and for programs (run.json).
+#pragma once
+#include <dynamy/io/json_writer.hpp>
+
+#include "run_job.hpp"
+
+namespace dynamy::app {
+
+/// Model, sizes, scheme, solver, step and end time: two lines.
+std::string headText(const Model& model, const RunChoice& choice);
+
+/// Steps, energy, penetration, solver, checks, files and hash.
+std::string resultText(const Model& model, const RunReport& report,
+                       const std::vector<CheckResult>& checks, const std::filesystem::path& folder);
+
+/// All members of run.json. `state` "": how the run ended.
+void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
+                const RunReport& report, const std::vector<CheckResult>& checks,
+                const std::string& state);
+
+/// "16 hexadecimal digits".
+std::string hashText(std::uint64_t hash);
+
+}  // namespace dynamy::app

@@ -1,0 +1,80 @@
+#include <Eigen/Geometry>
+#include <dynamy/io/model_scene.hpp>
+#include <dynamy/simulation/recorder.hpp>
+#include <map>
+
+namespace dynamy {
+namespace {
+
+std::array<double, 3> array(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
+  const PartialMechanicalSystem& system = *model.systems()[static_cast<std::size_t>(f.system)];
+  std::string name = system.name().empty() ? system.type() : system.name();
+  if (system.frames() > 1) {
+    std::string part = std::to_string(f.id);
+    for (const auto& [label, id] : model.description(f.system).frames)
+      if (id == f.id) part = label;
+    name += "." + part;
+  }
+  const Place& place = system.place();
+  return {name, place.line > 0 ? place.file + ":" + std::to_string(place.line) : ""};
+}
+
+/// Kind and sizes; the orientation of a half-space turns its z axis to the normal.
+SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
+  static const std::map<std::string, ShapeKind> kinds = {
+      {"Sphere", ShapeKind::sphere},   {"Point", ShapeKind::sphere},
+      {"Box", ShapeKind::box},         {"HalfSpace", ShapeKind::halfspace},
+      {"Circle", ShapeKind::circle},   {"Cylinder", ShapeKind::cylinder},
+      {"Capsule", ShapeKind::capsule}, {"Polygon", ShapeKind::polygon},
+      {"Line", ShapeKind::segment}};
+  SceneShape s;
+  const auto kind = kinds.find(g.type);
+  s.kind = kind == kinds.end() ? ShapeKind::segment : kind->second;
+  s.colour = g.colour;
+  switch (s.kind) {
+    case ShapeKind::sphere:
+    case ShapeKind::circle:
+      s.radius = g.size[0];
+      break;
+    case ShapeKind::cylinder:
+    case ShapeKind::capsule:
+      s.radius = g.size[0], s.halfLength = 0.5 * g.size[1];
+      break;
+    case ShapeKind::box:
+      s.halfExtents = {0.5 * g.size[0], 0.5 * g.size[1], 0.5 * g.size[2]};
+      break;
+    case ShapeKind::halfspace:
+      if (!g.points.empty()) turn.setFromTwoVectors(Vec3::UnitZ(), g.points.front());
+      break;
+    default:
+      for (const Vec3& p : g.points) s.points.push_back(array(p));
+  }
+  return s;
+}
+
+}  // namespace
+
+Scene modelScene(const Model& model) {
+  Scene scene;
+  scene.view = model.view;
+  const std::vector<DrawnFrame> frames = drawnFrames(model);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    scene.frames.push_back(frameOf(model, frames[k]));
+    for (const PlacedShape& p : model.description(frames[k].system).shapes) {
+      if (p.frame != frames[k].id) continue;
+      Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+      SceneShape s = geometryOf(p.shape->geometry(), turn);
+      const Eigen::Quaterniond A = Eigen::Quaterniond(p.shape->A_KB()) * turn;
+      s.name = p.shape->name();
+      s.frame = static_cast<int>(k);
+      s.position = array(p.shape->r_SB_K());
+      s.orientation = {A.w(), A.x(), A.y(), A.z()};
+      scene.shapes.push_back(std::move(s));
+    }
+  }
+  return scene;
+}
+
+}  // namespace dynamy
