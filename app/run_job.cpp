@@ -117,7 +117,6 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   recording->flush();
   if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
   const std::vector<CheckResult> checks = simulation.checks();
-  std::string json;
   folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, report, checks, ""); });
   writePictures(folder, model);
   if (show.json)

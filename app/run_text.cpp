@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <dynamy/core/utf8.hpp>
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/run_recording.hpp>
 
@@ -24,12 +25,16 @@ std::string stateText(const RunReport& r) {
   return "";
 }
 
-std::string checkLine(const CheckResult& c, std::size_t width) {
-  std::string what = c.measure == "value" ? c.signal : c.measure + " " + c.signal;
-  if (!c.over.empty()) what += " " + c.over;
-  // Widths count bytes: an ellipsis has three of them.
-  const std::size_t extra = what.find("…") == std::string::npos ? 0 : 2;
-  return fmt::format(" check  {:{}}  {:<14} expected {}   {}{}\n", what, width + extra,
+std::string checkText(const CheckResult& c) {
+  return (c.measure == "value" ? c.signal : c.measure + " " + c.signal) +
+         (c.over.empty() ? "" : " " + c.over);
+}
+
+std::string checkLine(const CheckResult& c, int width) {
+  const std::string what = checkText(c);
+  const int blanks = width - characterCount(what);
+  return fmt::format(" check  {}{}  {:<14} expected {}   {}{}\n", what,
+                     std::string(static_cast<std::size_t>(blanks), ' '),
                      c.note.empty() ? fmt::format("{:.9g}", c.got) : c.note, c.expected,
                      c.pass ? "PASS" : "FAIL", c.pass ? "" : " " + c.place.format());
 }
@@ -121,9 +126,8 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
                : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
                              r.unconverged, r.residual.value, r.residual.name, r.residual.t);
   }
-  std::size_t width = 0;
-  for (const CheckResult& c : checks)
-    width = std::max(width, c.signal.size() + c.measure.size() + c.over.size() + 2);
+  int width = 0;
+  for (const CheckResult& c : checks) width = std::max(width, characterCount(checkText(c)));
   for (const CheckResult& c : checks) out += checkLine(c, width);
   out += fmt::format(" wrote   {}/  run.json signals.csv signals.svg frames.bin replay.html\n",
                      folder.string());

@@ -1,0 +1,208 @@
+/// The program as users call it: exit codes, messages, the run folder, resume, Ctrl-C and kill -9.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <dynamy/io/frames_file.hpp>
+#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/signals_file.hpp>
+#include <filesystem>
+#include <thread>
+
+namespace dynamy {
+namespace {
+namespace fs = std::filesystem;
+
+/// A ball in the x–z plane with e = 0.8 and friction, as formulas.
+std::string ballXml(double until, const std::string& step, const std::string& check = {}) {
+  return R"(<dynamy version="1">
+  <parameter name="e" value="0.8" min="0" max="0.999"/>
+  <systems><Coordinates name="ball" q="x z" units="m m" q0="0 1" u0="1 0" M="1; 0; 0; 1"
+    potential="9.81*z"/></systems>
+  <elements><CoordinateContact name="floor" on="ball" gap="z" slip="1; 0">
+    <UnilateralCoulomb epsilonN="{e}" mu="0.1"/></CoordinateContact></elements>
+  <simulation until=")" +
+         std::to_string(until) + "\" step=\"" + step + R"("/>
+  <record signals="ball.* floor.*" every="10ms"/>
+  )" + check +
+         "\n</dynamy>\n";
+}
+
+class ProgramTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              (std::string("dynamy_") + info->name() + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const {
+    writeWholeFile(path(name), text);
+  }
+  /// Exit code; what it printed lies in the files out and err.
+  int call(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" +
+                                std::string(DYNAMY_BINARY_DIR) + "/bin/dynamy' " + arguments +
+                                " > out 2> err";
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+  std::string out() const { return readWholeFile(path("out")); }
+  std::string err() const { return readWholeFile(path("err")); }
+  /// Starts the program and leaves it running.
+  pid_t start(const std::vector<std::string>& arguments) const {
+    const pid_t child = fork();
+    if (child != 0) return child;
+    std::vector<std::string> words = {std::string(DYNAMY_BINARY_DIR) + "/bin/dynamy"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& w : words) argv.push_back(w.data());
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  /// Waits until the file has more than `bytes`, at most 20 s.
+  void waitFor(const std::string& file, std::uintmax_t bytes) const {
+    std::error_code none;
+    for (int i = 0; i < 2000; ++i) {
+      const auto size = fs::file_size(path(file), none);
+      if (!none && size > bytes) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    FAIL() << file << " stays small";
+  }
+  fs::path folder_;
+};
+
+TEST_F(ProgramTest, RunWritesACompleteFolderAndEndsWith0) {
+  write("ball.xml", ballXml(1.0, "1e-3"));
+  ASSERT_EQ(call("run ball.xml"), 0) << err();
+  for (const char* file : {"run.json", "model.xml", "signals.csv", "signals.svg", "frames.bin",
+                           "replay.html", "checkpoint"})
+    EXPECT_TRUE(fs::exists(folder_ / "runs" / "ball" / file)) << file;
+  EXPECT_NE(out().find("finished at t = 1 s"), std::string::npos) << out();
+  const SignalTable table = readSignals(folder_ / "runs" / "ball" / "signals.csv");
+  EXPECT_EQ(table.t.size(), 101u);
+  EXPECT_EQ(table.t.back(), 1.0);
+}
+
+TEST_F(ProgramTest, AFailedCheckEndsWith1) {
+  write("ball.xml", ballXml(0.1, "1e-3", R"(<check signal="ball.z" value="5" tolerance="1e-3"/>)"));
+  EXPECT_EQ(call("run ball.xml"), 1);
+  EXPECT_NE(out().find("FAIL"), std::string::npos) << out();
+}
+
+TEST_F(ProgramTest, AModelErrorEndsWith2AndLeavesAnOlderRunAlone) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  ASSERT_EQ(call("run ball.xml --out o"), 0) << err();
+  const std::string before = readWholeFile(path("o/run.json"));
+  EXPECT_EQ(call("run ball.xml --out o --integrator MoreauMidpiont"), 2);
+  EXPECT_NE(err().find("did you mean \"MoreauMidpoint\"?"), std::string::npos) << err();
+  EXPECT_EQ(call("run nowhere.xml --out o"), 2);
+  EXPECT_EQ(readWholeFile(path("o/run.json")), before);
+}
+
+TEST_F(ProgramTest, WrongUsageEndsWith64AndASuggestion) {
+  EXPECT_EQ(call("rnu ball.xml"), 64);
+  EXPECT_NE(err().find("did you mean \"run\"?"), std::string::npos) << err();
+  EXPECT_EQ(call("run ball.xml --untl 3"), 64);
+  EXPECT_NE(err().find("did you mean \"--until\"?"), std::string::npos) << err();
+  EXPECT_EQ(call(""), 64);
+  EXPECT_EQ(call("run ball.xml --step 3kg"), 64);
+}
+
+TEST_F(ProgramTest, JsonIsTheContentOfRunJsonAndNothingElse) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  ASSERT_EQ(call("run ball.xml --out o --json"), 0) << err();
+  EXPECT_EQ(out(), readWholeFile(path("o/run.json")));
+  EXPECT_EQ(err(), "");
+}
+
+TEST_F(ProgramTest, CheckTellsTheSizeOfTheScene) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  ASSERT_EQ(call("check ball.xml"), 0) << err();
+  EXPECT_NE(out().find("q 2   u 2   mass blocks 1, of them constant 1"), std::string::npos)
+      << out();
+  EXPECT_FALSE(fs::exists(folder_ / "runs"));
+}
+
+TEST_F(ProgramTest, ListDescribeAndSchemaKnowTheStandardElements) {
+  ASSERT_EQ(call("list"), 0) << err();
+  EXPECT_NE(out().find("RigidBody"), std::string::npos);
+  ASSERT_EQ(call("describe UnilateralCoulomb"), 0) << err();
+  EXPECT_NE(out().find("epsilonN"), std::string::npos);
+  ASSERT_EQ(call("schema"), 0) << err();
+  EXPECT_NE(out().find("<xs:schema"), std::string::npos);
+  EXPECT_EQ(call("--version"), 0);
+}
+
+TEST_F(ProgramTest, CompareNamesItsReferenceAndWritesATable) {
+  write("ball.xml", ballXml(0.4, "1e-2"));
+  ASSERT_EQ(call("compare ball.xml --steps 1e-2,5e-3 --csv c.csv"), 0) << err();
+  EXPECT_NE(out().find("reference: MoreauMidpoint, step 0.000625 s (own, tightest)"),
+            std::string::npos)
+      << out();
+  const std::string csv = readWholeFile(path("c.csv"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+}
+
+TEST_F(ProgramTest, AResumedRunWritesTheBytesOfTheStraightRun) {
+  write("ball.xml", ballXml(5.0, "1e-3"));
+  ASSERT_EQ(call("run ball.xml --out a --until 2.71828"), 0) << err();
+  ASSERT_EQ(call("resume a --until 5"), 0) << err();
+  ASSERT_EQ(call("run ball.xml --out b"), 0) << err();
+  EXPECT_EQ(readWholeFile(path("a/signals.csv")), readWholeFile(path("b/signals.csv")));
+}
+
+TEST_F(ProgramTest, AModelThatChangedIsNotResumed) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  ASSERT_EQ(call("run ball.xml --out a"), 0) << err();
+  write("ball.xml", ballXml(0.1, "2e-3"));
+  EXPECT_EQ(call("resume a --until 1"), 2);
+  EXPECT_NE(err().find("has changed since the run"), std::string::npos) << err();
+}
+
+TEST_F(ProgramTest, AKilledRunKeepsWhatItRecordedAndIsResumedFromItsCheckpoint) {
+  write("ball.xml", ballXml(4000.0, "1e-6"));  // an hour, if nobody ends it
+  const pid_t child =
+      start({"run", path("ball.xml"), "--out", path("k"), "--checkpoint", "200ms", "--quiet"});
+  waitFor("k/checkpoint", 0);
+  waitFor("k/signals.csv", fs::file_size(path("k/signals.csv")));
+  ::kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  const SignalTable table = readSignals(path("k/signals.csv"));
+  EXPECT_GT(table.t.size(), 1u);
+  EXPECT_TRUE(readFrames(path("k/frames.bin")).complete);
+  // Ends a little after the last row: rows behind the checkpoint are computed again.
+  const double until = table.t.back() + 0.02;
+  ASSERT_EQ(call("resume k --until " + std::to_string(until)), 0) << err();
+  const SignalTable again = readSignals(path("k/signals.csv"));
+  ASSERT_GE(again.t.size(), table.t.size());
+  for (std::size_t i = 0; i < table.t.size(); ++i) {
+    EXPECT_EQ(again.t[i], table.t[i]);
+    for (std::size_t k = 0; k < table.columns.size(); ++k)
+      EXPECT_EQ(again.columns[k][i], table.columns[k][i]);
+  }
+}
+
+TEST_F(ProgramTest, ControlCEndsARunCleanly) {
+  write("ball.xml", ballXml(4000.0, "1e-6"));
+  const pid_t child = start({"run", path("ball.xml"), "--out", path("c"), "--quiet"});
+  waitFor("c/signals.csv", 200);
+  ::kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_NE(readWholeFile(path("c/run.json")).find("\"stopped by the user\""), std::string::npos);
+  EXPECT_TRUE(fs::exists(path("c/replay.html")));
+  EXPECT_TRUE(fs::exists(path("c/checkpoint")));
+}
+
+}  // namespace
+}  // namespace dynamy
