@@ -32,7 +32,8 @@ struct SolveReport {
   bool ok() const { return status == SolveStatus::solved; }
 };
 
-/// Residuals of Λ, recomputed from scratch. `scratch` keeps its memory.
+/// Residuals of Λ, recomputed from scratch; infinite, with its contact as `worst`, if a number in ξ
+/// or Λ is not finite. `scratch` keeps its memory.
 Residuals residuals(const InclusionProblem& problem, ConstVec Lambda, std::vector<double>& scratch);
 
 /// Bound of the largest eigenvalue of a contact's diagonal block: its largest row sum (exact for

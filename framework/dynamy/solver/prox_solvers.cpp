@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
@@ -27,7 +28,8 @@ double change(const InclusionProblem& p, const double* r, const double* before,
     const double d = std::abs(Lambda[k] - before[k]);
     const double scale = r[k] > 0.0 ? r[k] * p.uRef : 0.0;
     const double value = scale > 0.0 ? d / scale : (d > 0.0 ? 1.0 : 0.0);
-    if (!(value <= largest)) largest = value;
+    if (!std::isfinite(value)) return value;
+    largest = std::max(largest, value);
   }
   return largest;
 }
@@ -61,6 +63,10 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
   };
   if (done()) {
     report.warmAccepted = true;
+    return report;
+  }
+  if (!std::isfinite(report.residuals.Eu)) {
+    report.status = SolveStatus::notFinite;
     return report;
   }
   relaxation(problem, options_.relaxation, options_.factor, r_);

@@ -58,12 +58,17 @@ Residuals measure(const InclusionProblem& p, const double* velocity, const doubl
   for (int i = 0; i < p.size(); ++i) {
     const double v = velocity[i];
     if (v <= noise(p, i, absolute)) continue;
-    if (!(v * rho[i] <= worstE)) worstE = v * rho[i];
-    if (!(v <= worstU)) worstU = v, out.worst = i;
+    worstE = std::max(worstE, v * rho[i]);
+    if (v > worstU) worstU = v, out.worst = i;
   }
   out.Ef = worstE == 0.0 ? 0.0 : (largestLambda > 0.0 ? worstE / largestLambda : 1.0);
   out.Eu = worstU == 0.0 ? 0.0 : (p.uRef > 0.0 ? worstU / p.uRef : 1.0);
   return out;
+}
+
+Residuals notFinite(int contact) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {.Ef = kInfinity, .Eu = kInfinity, .energy = kInfinity, .worst = contact};
 }
 
 }  // namespace
@@ -82,13 +87,16 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     double* xi = scratch.data() + first;
     const double lambda = contactLambda(problem.G->diagonalBlock(i), dim);
     const double rho = lambda > 0.0 ? 1.0 / lambda : 0.0;
-    double e[kMaxDim] = {}, e2 = 0.0, L2 = 0.0, c2 = 0.0;
+    double e[kMaxDim] = {}, e2 = 0.0, L2 = 0.0, c2 = 0.0, sum = 0.0;
     for (int r = 0; r < dim; ++r) {
       const double c = problem.c[static_cast<std::size_t>(first + r)];
       xi[r] += c;
       c2 += c * c;
       L2 += Lambda[first + r] * Lambda[first + r];
+      sum += xi[r] + Lambda[first + r];
     }
+    // A projection may swallow what is not a number: asked for here, reported as infinite.
+    if (!std::isfinite(sum)) return notFinite(i);
     problem.law(i).naturalMap(problem.input(i), rho, xi, Lambda.data() + first, e);
     for (int r = 0; r < dim; ++r) e2 += e[r] * e[r];
     velocity[i] = rho > 0.0 ? std::sqrt(e2) / rho : 0.0;
