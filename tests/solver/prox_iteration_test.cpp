@@ -1,0 +1,132 @@
+// Convergence of prox Jacobi (JOR) and Gauss–Seidel (SOR): spectral radii of the unprojected
+// iterations from tables, limits of r, and divergence that is told.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <dynamy/solver/prox_solvers.hpp>
+
+#include "unit/solver/inclusion_fixture.hpp"
+
+namespace dynamy {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+const Bilateral kBilateral;  // sets inactive: the prox is the identity
+const Unilateral kUnilateral;
+
+/// Spectral radius of the iteration e ← B e, with B e_j from one sweep that starts at e_j (c = 0).
+template <class Solver>
+double convergenceFactor(const MatrixXd& G, Relaxation rule, double factor = 1.0) {
+  fixture::Inclusion x(fixture::symmetricRoot(G), kBilateral);
+  InclusionProblem& p = x.pose(VectorXd::Zero(G.rows()));
+  MatrixXd B = MatrixXd::Identity(G.rows(), G.rows());
+  for (Eigen::Index j = 0; j < B.cols(); ++j) {
+    VectorXd e = B.col(j);
+    Solver(ProxOptions{1e-300, 1, rule, factor}).solve(p, view(e));
+    B.col(j) = e;
+  }
+  return Eigen::EigenSolver<MatrixXd>(B).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+const MatrixXd kPlus{{2.0, 1.0}, {1.0, 2.0}}, kMinus{{2.0, -1.0}, {-1.0, 2.0}};
+const MatrixXd kOnes = MatrixXd::Ones(3, 3) + 0.1 * MatrixXd::Identity(3, 3);
+const MatrixXd kChain{{2.0, -1.0, 0.0}, {-1.0, 2.0, -1.0}, {0.0, -1.0, 2.0}};
+
+constexpr double kTable = 1e-6;  // half a unit of the last digit given there
+
+TEST(ProxJacobi, ConvergesByTheTableWithTheDiagonal) {
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kPlus, Relaxation::exact), 0.5, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kMinus, Relaxation::exact), 0.5, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kChain, Relaxation::exact), std::sqrt(0.5), kTable);
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kOnes, Relaxation::exact), 2.0 / 1.1,
+              kTable);  // diverges
+}
+
+TEST(ProxJacobi, ConvergesByTheTableWithRowSums) {
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kPlus, Relaxation::rowSums), 2.0 / 3.0, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kMinus, Relaxation::rowSums), 2.0 / 3.0, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kOnes, Relaxation::rowSums), 0.967742, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxJacobi>(kChain, Relaxation::rowSums), 0.833333, kTable);
+}
+
+TEST(ProxJacobi, ConvergesByTheTableWithTheBestCommonStep) {
+  // r = 2/(λ_max + λ_min) as a factor of 1/λ_max, which the power iteration knows to 1e-6; the
+  // factor of the iteration follows with up to 2 λ_max r = 4 times that.
+  const auto best = [](const MatrixXd& G) {
+    const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<MatrixXd>(G).eigenvalues();
+    const double high = eigenvalues[G.rows() - 1];
+    return convergenceFactor<ProxJacobi>(G, Relaxation::spectral,
+                                         2.0 * high / (high + eigenvalues[0]));
+  };
+  EXPECT_NEAR(best(kPlus), 0.5, 5.0 * kTable);
+  EXPECT_NEAR(best(kOnes), 0.9375, 5.0 * kTable);
+  EXPECT_NEAR(best(kChain), std::sqrt(0.5), 5.0 * kTable);
+}
+
+TEST(ProxGaussSeidel, ConvergesByTheTable) {
+  EXPECT_NEAR(convergenceFactor<ProxGaussSeidel>(kPlus, Relaxation::exact), 0.25, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxGaussSeidel>(kMinus, Relaxation::exact), 0.25, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxGaussSeidel>(kOnes, Relaxation::exact), 0.866784, kTable);
+  EXPECT_NEAR(convergenceFactor<ProxGaussSeidel>(kChain, Relaxation::exact), 0.5, kTable);
+}
+
+TEST(ProxJacobi, DivergesBeyondTwoOverTheLargestEigenvalueAndSaysSo) {
+  // λ_max = 3 of [2 1; 1 2]: converges below r = 2/3, diverges above.
+  fixture::Inclusion x(fixture::symmetricRoot(kPlus), kBilateral);
+  for (const double r : {0.66, 0.6733}) {
+    InclusionProblem& p = x.pose(VectorXd{{-1.0, -2.0}});
+    VectorXd Lambda = VectorXd::Zero(2);
+    const SolveReport report =
+        ProxJacobi(ProxOptions{1e-10, 100000, Relaxation::exact, 2.0 * r}).solve(p, view(Lambda));
+    EXPECT_EQ(report.ok(), r < 2.0 / 3.0) << r;
+    EXPECT_EQ(report.status, r < 2.0 / 3.0 ? SolveStatus::solved : SolveStatus::diverged) << r;
+  }
+}
+
+TEST(ProxJacobi, DivergesWithTheDiagonalOnNearlyParallelContactsAndSaysSo) {
+  fixture::Inclusion x(fixture::symmetricRoot(kOnes), kBilateral);
+  VectorXd Lambda = VectorXd::Zero(3);
+  const SolveReport report = ProxJacobi(ProxOptions{1e-10, 10000, Relaxation::exact, 1.0})
+                                 .solve(x.pose(VectorXd{{-1.0, -2.0, 1.0}}), view(Lambda));
+  EXPECT_EQ(report.status, SolveStatus::diverged);
+}
+
+TEST(ProxJacobi, ConvergesWithTheBooksRuleOnASingularMatrix) {
+  fixture::Inclusion x(MatrixXd::Ones(3, 1), kUnilateral);
+  VectorXd Lambda = VectorXd::Zero(3);
+  EXPECT_TRUE(ProxJacobi().solve(x.pose(VectorXd::Constant(3, -1.0)), view(Lambda)).ok());
+  EXPECT_NEAR(Lambda.sum(), 1.0, 1e-10);
+}
+
+TEST(ProxGaussSeidel, ReportsNumbersThatAreNotFinite) {
+  fixture::Inclusion x(MatrixXd::Identity(2, 2), kUnilateral);
+  VectorXd Lambda = VectorXd::Zero(2);
+  const SolveReport report =
+      ProxGaussSeidel().solve(x.pose(VectorXd{{std::nan(""), -1.0}}), view(Lambda));
+  EXPECT_EQ(report.status, SolveStatus::notFinite);
+}
+
+TEST(ProxGaussSeidel, SaysThatTheLimitOfSweepsWasReached) {
+  fixture::Inclusion x(fixture::symmetricRoot(kOnes), kBilateral);
+  VectorXd Lambda = VectorXd::Zero(3);
+  const SolveReport report = ProxGaussSeidel(ProxOptions{1e-12, 3, Relaxation::exact, 1.0})
+                                 .solve(x.pose(VectorXd{{-1.0, -2.0, 1.0}}), view(Lambda));
+  EXPECT_EQ(report.status, SolveStatus::maxIterations);
+  EXPECT_EQ(report.iterations, 3);
+  EXPECT_GT(report.residuals.largest(), 1e-12);
+}
+
+TEST(ProxGaussSeidel, AcceptsASolutionAsStartWithoutASweep) {
+  fixture::Inclusion x(fixture::symmetricRoot(kMinus), kUnilateral);
+  VectorXd Lambda{{4.0 / 3.0, 2.0 / 3.0}};
+  const SolveReport report = ProxGaussSeidel().solve(x.pose(VectorXd{{-2.0, 0.0}}), view(Lambda));
+  EXPECT_TRUE(report.ok());
+  EXPECT_TRUE(report.warmAccepted);
+  EXPECT_EQ(report.iterations, 0);
+}
+
+}  // namespace
+}  // namespace dynamy

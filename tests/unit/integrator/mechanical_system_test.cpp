@@ -1,0 +1,141 @@
+// Stages of a step: problem, scales, warm start.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "unit/integrator/stage_fixture.hpp"
+
+namespace dynamy {
+namespace {
+
+using Eigen::VectorXd;
+using fixture::Pair;
+using fixture::Scene;
+
+constexpr double kG = 9.81;
+
+const InclusionProblem& pose(Scene& s, double dt) {
+  s.system->evaluate(s.x);
+  return s.system->impactProblem(s.x, dt);
+}
+
+/// n masses at rest on each other, the lowest on the ground; contact id = index.
+Scene restingStack(int n, double extra = 0.0) {
+  VectorXd m = VectorXd::Ones(n), zero = VectorXd::Zero(n), u = zero;
+  std::vector<Pair> pairs;
+  for (int k = 0; k < n; ++k) pairs.push_back({static_cast<std::uint64_t>(k), k, k - 1});
+  if (extra != 0.0) {
+    m.conservativeResizeLike(VectorXd::Ones(n + 1));
+    zero.conservativeResizeLike(VectorXd::Zero(n + 1));
+    u = zero, u[n] = extra;
+    pairs.push_back({static_cast<std::uint64_t>(n), n, -1});
+  }
+  return Scene(m, zero, u, pairs);
+}
+
+TEST(MechanicalSystem, PosesTheFreeVelocity) {
+  Scene s(VectorXd{{2.0}}, VectorXd{{0.0}}, VectorXd{{-3.0}}, {{0, 0, -1}});
+  const InclusionProblem& p = pose(s, 0.1);
+  EXPECT_EQ(p.gammaA[0], -3.0);
+  EXPECT_NEAR(p.gammaFree[0], -3.0 - 0.1 * kG, 1e-15);
+  EXPECT_NEAR(p.G->diagonalBlock(0)[0], 0.5, 1e-15);  // 1/√2 squared
+}
+
+TEST(MechanicalSystem, LeavesOpenContactsOutOfTheProblem) {
+  Scene s(VectorXd{{2.0}}, VectorXd{{0.1}}, VectorXd{{-3.0}}, {{0, 0, -1}});
+  EXPECT_EQ(pose(s, 0.1).rows(), 0);
+  EXPECT_EQ(s.system->slot(0).contacts.g[0], 0.1);
+}
+
+TEST(MechanicalSystem, ScalesByWhatIsAskedOfContacts) {
+  // At rest: g Δt. Landing: the closing velocity. Beside a mass that leaves at 100 m/s: as before.
+  Scene rest = restingStack(3), leaving = restingStack(3, 100.0), landing = restingStack(3, -7.0);
+  EXPECT_NEAR(pose(rest, 1e-3).uRef, kG * 1e-3, 1e-16);
+  EXPECT_NEAR(pose(leaving, 1e-3).uRef, kG * 1e-3, 1e-16);
+  EXPECT_NEAR(pose(landing, 1e-3).uRef, 7.0 + kG * 1e-3, 1e-14);
+}
+
+TEST(MechanicalSystem, SolvesARestingStackBesideAFastLeavingMassAccurately) {
+  Scene s = restingStack(6, 100.0);
+  const double dt = 1e-5;
+  ASSERT_TRUE(s.step(dt).solved.ok());
+  // E_u ≤ 1e-10 of g Δt; |G⁻¹| ≤ n² of mass 1.
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(s.x.impulses.Lambda[static_cast<std::size_t>(k)], (6 - k) * kG * dt,
+                36e-10 * kG * dt);
+}
+
+TEST(MechanicalSystem, EndsAtOnceWhereOnlyRoundingIsAsked) {
+  // No forces; velocities differ by rounding of 1 m/s.
+  const double up = std::nextafter(1.0, 2.0);
+  Scene s(VectorXd{{1.0, 1.0}}, VectorXd{{0.0, 0.0}}, VectorXd{{1.0, up}}, {{0, 0, 1}}, 0.0,
+          [](double, ConstVec, ConstVec, Vec h) { h.setZero(); });
+  s.x.impulses = {{contactKey(0, 0)}, {0, 1}, {5.0}, 1e-3};
+  const StepReport report = s.step(1e-3);
+  EXPECT_TRUE(report.solved.ok());
+  EXPECT_EQ(report.contacts, 1);
+  EXPECT_EQ(report.solved.iterations, 0);
+  EXPECT_EQ(s.x.impulses.Lambda[0], 0.0);
+}
+
+TEST(MechanicalSystem, EndsAtOnceInASceneWithoutForcesAndMotion) {
+  Scene s(VectorXd{{1.0, 1.0}}, VectorXd{{0.0, 0.0}}, VectorXd{{0.0, 0.0}}, {{0, 0, 1}, {1, 1, -1}},
+          0.0, [](double, ConstVec, ConstVec, Vec h) { h.setZero(); });
+  s.x.impulses = {{contactKey(0, 0), contactKey(0, 1)}, {0, 1, 2}, {5.0, 3.0}, 1e-3};
+  const StepReport report = s.step(1e-3);
+  EXPECT_TRUE(report.solved.ok());
+  EXPECT_EQ(report.solved.iterations, 0);
+  EXPECT_EQ(s.x.u.norm(), 0.0);
+}
+
+TEST(MechanicalSystem, DoesNotStallAtRoundingLevelHoweverSmallTheTolerance) {
+  // A heavy mass on light ones: ξ of the lowest contact is a difference of numbers 1e4 times u_ref.
+  const int n = 5;
+  VectorXd m = VectorXd::Ones(n);
+  m[n - 1] = 1e3;
+  std::vector<Pair> pairs;
+  for (int k = 0; k < n; ++k) pairs.push_back({static_cast<std::uint64_t>(k), k, k - 1});
+  Scene s(m, VectorXd::Zero(n), VectorXd::Zero(n), pairs);
+  ProxGaussSeidel solver(ProxOptions{1e-14, 1000000, Relaxation::exact, 1.0});
+  const StepReport report = s.scheme.step(*s.system, solver, s.x, 1e-3);
+  EXPECT_TRUE(report.solved.ok());
+  // Errors below 4ε of |G||Λ| ~ 2·1e3·g Δt, times |G⁻¹| ≤ 1e3 n².
+  EXPECT_NEAR(s.x.impulses.Lambda[0], (1e3 + n - 1) * kG * 1e-3, 1e-12 * 2e3 * kG * 25);
+}
+
+TEST(MechanicalSystem, StartsFromRememberedPercussionsByKeyInAnyOrder) {
+  Scene s = restingStack(3);
+  s.step(1e-3);
+  const std::vector<double> before = s.x.impulses.Lambda;
+  std::reverse(s.stack.pairs.begin(), s.stack.pairs.end());
+  pose(s, 1e-3);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(s.system->Lambda()[i], before[static_cast<std::size_t>(2 - i)]);
+}
+
+TEST(MechanicalSystem, ScalesTheStartWithTheStep) {
+  Scene s = restingStack(2);
+  s.step(1e-3);
+  const double before = s.x.impulses.Lambda[0];
+  pose(s, 5e-4);
+  EXPECT_EQ(s.system->Lambda()[0], 0.5 * before);
+}
+
+TEST(MechanicalSystem, StartsNewContactsFromZero) {
+  Scene s = restingStack(3);
+  s.step(1e-3);
+  const double before = s.x.impulses.Lambda[1];
+  s.stack.pairs = {{7, 0, -1}, {1, 1, 0}};
+  pose(s, 1e-3);
+  EXPECT_EQ(s.system->Lambda()[0], 0.0);
+  EXPECT_EQ(s.system->Lambda()[1], before);
+}
+
+TEST(MechanicalSystem, NamesASystemWhoseMassIsNotPositiveDefinite) {
+  Scene s(VectorXd{{1.0, -2.0}}, VectorXd{{0.0, 0.0}}, VectorXd{{0.0, 0.0}});
+  s.system->evaluate(s.x);
+  EXPECT_EQ(s.system->indefiniteMass(), 0);
+}
+
+}  // namespace
+}  // namespace dynamy
