@@ -1,3 +1,4 @@
+#include <dynamy/io/model_loader.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <ostream>
 #include <utility>
@@ -31,6 +32,18 @@ CheckResult checkModel(Model& model, const CheckOptions& options) {
   if (!result) return result;
   result.add(checkForces(model, options));
   result.add(checkContacts(model, options));
+  return result;
+}
+
+CheckResult checkModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
+                       const CheckOptions& options) {
+  CheckResult result;
+  try {
+    Model model = loadModel(file, registry, plugins);
+    result.add(checkModel(model, options));
+  } catch (const ModelError& error) {
+    result.fault(format(error.diagnostics()));
+  }
   return result;
 }
 

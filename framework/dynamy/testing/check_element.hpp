@@ -11,11 +11,15 @@
 #pragma once
 #include <dynamy/contact/set_valued_force_law.hpp>
 #include <dynamy/simulation/model.hpp>
+#include <filesystem>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace dynamy {
+
+class Registry;
+class PluginLoader;
 
 /// True if nothing is wrong; else each wrong entry in words.
 class CheckResult {
@@ -67,5 +71,9 @@ CheckResult checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& 
 
 /// All of the above for every element of a built model.
 CheckResult checkModel(Model& model, const CheckOptions& options = {});
+
+/// The same for a model file; what is wrong with the file itself is a fault like the others.
+CheckResult checkModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
+                       const CheckOptions& options = {});
 
 }  // namespace dynamy

@@ -5,6 +5,7 @@
 #include <dynamy/contact/simple_contact.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/rotation.hpp>
+#include <dynamy/io/model_loader.hpp>
 #include <dynamy/testing/check_element.hpp>
 
 namespace dynamy {
@@ -218,6 +219,12 @@ TEST(CheckContacts, ReportsAWrongChi) {
 
 TEST(CheckContacts, ReportsAWrongW) {
   EXPECT_TRUE(says(checkWall(1.0, -1.0), "wall: contact 0: gamma_N"));
+}
+
+TEST(CheckModel, TakesAFileThatCannotBeReadForAFault) {
+  Registry registry;
+  PluginLoader plugins;
+  EXPECT_TRUE(says(checkModel("no_such_model.xml", registry, plugins), "no_such_model.xml"));
 }
 
 TEST(CheckLaw, AcceptsTheStandardLaws) {
