@@ -28,9 +28,15 @@ struct SolveReport {
   SolveStatus status = SolveStatus::solved;
   int iterations = 0;
   Residuals residuals;
-  bool warmAccepted = false;  ///< the start already fulfilled the tolerance
+  bool warmAccepted = false;  ///< the start was exact to rounding
   bool ok() const { return status == SolveStatus::solved; }
 };
+
+/// A start with E_f, E_u below this is taken as it is; a worse one is improved at least once, even
+/// if it fulfils the tolerance. Rejected: to accept it at the tolerance. Then nobody corrects the
+/// velocities it leaves, a resting contact drifts off by tolerance · u_ref · Δt in every step until
+/// its gap exceeds g_tol and it opens.
+inline constexpr double kExactStart = 1e-14;
 
 /// Residuals of Λ, recomputed from scratch; infinite, with its contact as `worst`, if a number in ξ
 /// or Λ is not finite. `scratch` keeps its memory.
@@ -44,7 +50,8 @@ class InclusionSolver : public Element {
  public:
   static constexpr Kind kKind = Kind::solver;
   using Element::Element;
-  /// Λ: start (warm or zero) in, solution out. Stops when E_f ≤ tolerance and E_u ≤ tolerance.
+  /// Λ: start (warm or zero) in, solution out. Stops when E_f ≤ tolerance and E_u ≤ tolerance,
+  /// after at least one iteration unless the start is exact (kExactStart).
   virtual SolveReport solve(const InclusionProblem& problem, Vec Lambda) = 0;
 };
 

@@ -61,7 +61,8 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
     report.residuals = residuals(problem, view(Lambda), scratch_);
     return report.residuals.Ef <= options_.tolerance && report.residuals.Eu <= options_.tolerance;
   };
-  if (done()) {
+  done();
+  if (report.residuals.largest() <= std::min(kExactStart, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
   }

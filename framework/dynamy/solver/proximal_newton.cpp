@@ -154,11 +154,12 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
   if (p.rows() == 0) return report;
   report.residuals = residuals(p, view(Lambda), scratch_);
   const auto good = [&] { return report.residuals.largest() <= options_.tolerance; };
-  if (good()) {
+  if (report.residuals.largest() <= std::min(kExactStart, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
   }
   if (!prepare(p)) return finish(p, Lambda, report);
+  if (good()) return improve(p, Lambda, report);
   double a = kWarm, bestE = report.residuals.largest();
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
   if (bestE > kColdResidual) {
@@ -189,6 +190,19 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
   }
   std::copy(best_.begin(), best_.begin() + Lambda.size(), Lambda.data());
   return finish(p, Lambda, report);
+}
+
+SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, SolveReport report) {
+  std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
+  const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
+  const int used = newton(p, kWarm, 0.3 * outer, Lambda);
+  const Residuals after = residuals(p, view(Lambda), scratch_);
+  report.iterations += std::max(1, used);
+  if (used > 0 && after.largest() < report.residuals.largest())
+    report.residuals = after;
+  else  // rounding decides: the start was as good
+    std::copy(centre_.begin(), centre_.begin() + Lambda.size(), Lambda.data());
+  return report;
 }
 
 SolveReport ProximalNewton::finish(const InclusionProblem& p, Vec Lambda, SolveReport report) {

@@ -36,6 +36,8 @@ class ProximalNewton final : public InclusionSolver {
   /// F and, if asked for, A and B at Λ; returns Σ λ_i |F_i|².
   double evaluate(const InclusionProblem& problem, double a, const double* Lambda, bool derivative);
   bool step(const InclusionProblem& problem, double a);
+  /// One outer step for a start that fulfils the tolerance; kept only if it is better.
+  SolveReport improve(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   SolveReport finish(const InclusionProblem& problem, Vec Lambda, SolveReport report);
 
   ProximalNewtonOptions options_;
