@@ -1,0 +1,35 @@
+/// Every file of models/ is run as the program runs it, and all of its <check>s must hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <support/load_model.hpp>
+
+namespace dynamy::reference {
+namespace {
+
+std::vector<std::string> modelFiles() {
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(DYNAMY_SOURCE_DIR "/models"))
+    if (entry.path().extension() == ".xml") out.push_back(entry.path().stem().string());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+class Models : public testing::TestWithParam<std::string> {};
+
+TEST_P(Models, PassTheirChecks) {
+  LoadedModel loaded("models/" + GetParam() + ".xml");
+  Simulation simulation(loaded.model());
+  const RunReport& report = simulation.run();
+  EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
+  EXPECT_EQ(report.unconverged, 0);
+  expectChecksHold(simulation);
+  RecordProperty("cpu_ms", static_cast<int>(1000.0 * report.cpu));
+}
+
+std::string modelName(const testing::TestParamInfo<std::string>& info) { return info.param; }
+INSTANTIATE_TEST_SUITE_P(Files, Models, testing::ValuesIn(modelFiles()), modelName);
+
+}  // namespace
+}  // namespace dynamy::reference
