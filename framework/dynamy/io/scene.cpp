@@ -35,7 +35,8 @@ void write(JsonWriter& json, const SceneShape& shape) {
   json.key("position").values(shape.position);
   json.key("orientation").values(shape.orientation);
   const bool isLong = shape.kind == capsule || shape.kind == cylinder;
-  if (shape.radius > 0) json.member("radius", shape.radius);
+  // A ball without radius is a point, drawn as a dot.
+  if (shape.radius > 0 || shape.kind == sphere) json.member("radius", shape.radius);
   if (isLong) json.member("halfLength", shape.halfLength);
   if (shape.kind == box) json.key("halfExtents").values(shape.halfExtents);
   if (!shape.points.empty()) {
