@@ -41,8 +41,10 @@ TEST_P(DryFriction, RestsAtThePlaceOfTheClosedForm) {
       return scene.q("block")[0] - 0.01012;
     }));
   const Fit fit = fitOrder(dt, worst);
-  EXPECT_GT(fit.order, 0.85) << fit;
-  EXPECT_LT(worst.back(), 1e-4);
+  // Started and ended at rest both schemes are the same leapfrog, and a turn costs Δt² of the
+  // place. Measured 9 to 15 m/s² Δt²; 12 samples scatter by some 10 %.
+  EXPECT_NEAR(fit.order, 2.0, 0.25) << fit;
+  EXPECT_LT(worst.back(), 3.0 * 15.0 * dt.back() * dt.back());
 }
 
 struct Cycle {

@@ -1,7 +1,7 @@
 /// Planar pendulum released from the horizontal, l = 1 m, g = 9.81 m/s²: Jacobi's elliptic
 /// functions.
 ///
-///   x(t) = −sin φ̂…,  period 4 K(1/2)/√(g/l)                            (S01, 30-digit arithmetic)
+///   period 4 K(1/2)/√(g/l), places from sn(·, 1/2)                      (S01, 30-digit arithmetic)
 #include <gtest/gtest.h>
 
 #include <numbers>
