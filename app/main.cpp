@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   addDescribe(app, program);
   addSchema(app, program);
   addCompare(app, program);
+  addSolve(app, program);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

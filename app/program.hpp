@@ -56,5 +56,6 @@ void addList(CLI::App& app, Program& program);
 void addDescribe(CLI::App& app, Program& program);
 void addSchema(CLI::App& app, Program& program);
 void addCompare(CLI::App& app, Program& program);
+void addSolve(CLI::App& app, Program& program);
 
 }  // namespace dynamy::app

@@ -4,6 +4,7 @@
 #include <dynamy/integrator/half_explicit_euler.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/io/registry.hpp>
+#include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/impact_law.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
@@ -14,6 +15,7 @@ void registerFramework(Registry& registry) {
   registry.library("dynamy");
   registry.add<MoreauMidpoint>("MoreauMidpoint");
   registry.add<HalfExplicitEuler>("HalfExplicitEuler");
+  registry.add<Automatic>("Automatic");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");
   registry.add<ProxJacobi>("ProxJacobi");
   registry.add<ProximalNewton>("ProximalNewton");

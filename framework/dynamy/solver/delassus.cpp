@@ -17,7 +17,7 @@ double dot(const double* a, const double* b, int n) {
 }  // namespace
 
 void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form form) {
-  contacts_ = &contacts, mass_ = &mass, n_ = contacts.rows();
+  contacts_ = &contacts, mass_ = &mass, n_ = contacts.rows(), given_ = false;
   assembled_ = form == Form::assembled || (form == Form::automatic && n_ <= kDenseRows);
   // M⁻¹ w, row after row, beside W.
   minvW_.resize(contacts.W.size());
@@ -34,6 +34,35 @@ void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form
       }
     }
   linkBlocks();
+  fillDiagonal();
+  if (assembled_)
+    fillDense();
+  else
+    v_.resize(static_cast<std::size_t>(
+        mass.blocks() == 0 ? 0 : mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1)));
+}
+
+void Delassus::given(const ContactSet& contacts, BlockRows G) {
+  contacts_ = &contacts, mass_ = nullptr, n_ = contacts.rows(), given_ = true;
+  blockRows_ = std::move(G);
+  assembled_ = n_ <= kDenseRows;
+  fillDiagonal();
+  if (!assembled_) return;
+  const auto n = static_cast<std::size_t>(n_);
+  G_.assign(n * n, 0.0);
+  for (int i = 0; i < contacts.size(); ++i)
+    for (int k = blockRows_.first[i]; k < blockRows_.first[i + 1]; ++k) {
+      const int j = blockRows_.column[k], dj = contacts.dim(j);
+      const double* value = blockRows_.value.data() + blockRows_.value0[k];
+      for (int r = 0; r < contacts.dim(i); ++r)
+        for (int m = 0; m < dj; ++m)
+          G_[static_cast<std::size_t>(contacts.row0[i] + r) * n +
+             static_cast<std::size_t>(contacts.row0[j] + m)] = value[r * dj + m];
+    }
+}
+
+void Delassus::fillDiagonal() {
+  const ContactSet& contacts = *contacts_;
   diagonal0_.resize(static_cast<std::size_t>(contacts.size()) + 1);
   std::ptrdiff_t size = 0;
   for (int i = 0; i < contacts.size(); ++i) {
@@ -43,11 +72,24 @@ void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form
   diagonal_.resize(static_cast<std::size_t>(size));
   for (int i = 0; i < contacts.size(); ++i)
     block(i, i, diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)]);
-  if (assembled_)
-    fillDense();
-  else
-    v_.resize(static_cast<std::size_t>(
-        mass.blocks() == 0 ? 0 : mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1)));
+}
+
+const BlockRows& Delassus::blockRows() {
+  if (given_) return blockRows_;
+  const ContactSet& c = *contacts_;
+  blockRows_.clear();
+  for (int i = 0; i < c.size(); ++i) {
+    neighbours(i, near_);
+    for (const int j : near_) {
+      blockRows_.column.push_back(j);
+      const auto at = blockRows_.value.size();
+      blockRows_.value0.push_back(static_cast<std::ptrdiff_t>(at));
+      blockRows_.value.resize(at + static_cast<std::size_t>(c.dim(i) * c.dim(j)));
+      block(i, j, blockRows_.value.data() + at);
+    }
+    blockRows_.first.push_back(static_cast<int>(blockRows_.column.size()));
+  }
+  return blockRows_;
 }
 
 void Delassus::linkBlocks() {
@@ -72,6 +114,13 @@ void Delassus::block(int i, int j, double* out) const {
   const ContactSet& c = *contacts_;
   const int di = c.dim(i), dj = c.dim(j);
   std::fill(out, out + static_cast<std::ptrdiff_t>(di) * dj, 0.0);
+  if (given_) {
+    const int k = blockRows_.find(i, j);
+    if (k < 0) return;
+    const double* value = blockRows_.value.data() + blockRows_.value0[k];
+    std::copy(value, value + static_cast<std::ptrdiff_t>(di) * dj, out);
+    return;
+  }
   for (int a = c.segment0[static_cast<std::size_t>(i)];
        a < c.segment0[static_cast<std::size_t>(i) + 1]; ++a)
     for (int b = c.segment0[static_cast<std::size_t>(j)];
@@ -109,7 +158,7 @@ void Delassus::fillDense() {
 }
 
 void Delassus::begin(const double* Lambda) {
-  if (assembled_) return;
+  if (assembled_ || given_) return;
   std::fill(v_.begin(), v_.end(), 0.0);
   for (int i = 0; i < contacts_->size(); ++i)
     changed(i, Lambda + contacts_->row0[static_cast<std::size_t>(i)]);
@@ -123,6 +172,10 @@ void Delassus::row(int i, const double* Lambda, double* out) const {
       out[r] = dot(G_.data() + static_cast<std::ptrdiff_t>(first + r) * n_, Lambda, n_);
     return;
   }
+  if (given_) {
+    blockRows_.multiplyRow(i, c.row0.data(), Lambda, out);
+    return;
+  }
   for (int r = 0; r < dim; ++r) out[r] = 0.0;
   for (int k = c.segment0[static_cast<std::size_t>(i)];
        k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
@@ -134,7 +187,7 @@ void Delassus::row(int i, const double* Lambda, double* out) const {
 }
 
 void Delassus::changed(int i, const double* delta) {
-  if (assembled_) return;
+  if (assembled_ || given_) return;
   addTo(i, delta, v_.data());
 }
 
@@ -173,6 +226,11 @@ void Delassus::applyAbsolute(const double* x, double* y) {
     }
     return;
   }
+  if (given_) {
+    for (int i = 0; i < c.size(); ++i)
+      blockRows_.multiplyRowAbsolute(i, c.row0.data(), x, y + c.row0[i]);
+    return;
+  }
   absolute_.assign(v_.size(), 0.0);
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -200,6 +258,11 @@ void Delassus::applyAbsolute(const double* x, double* y) {
 void Delassus::neighbours(int i, std::vector<int>& out) const {
   const ContactSet& c = *contacts_;
   out.clear();
+  if (given_) {
+    out.assign(blockRows_.column.begin() + blockRows_.first[i],
+               blockRows_.column.begin() + blockRows_.first[i + 1]);
+    return;
+  }
   for (int k = c.segment0[static_cast<std::size_t>(i)];
        k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
     const auto b = static_cast<std::size_t>(c.segment[static_cast<std::size_t>(k)].block);

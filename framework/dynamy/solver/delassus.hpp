@@ -1,10 +1,13 @@
-/// Delassus: G = Wᵀ M⁻¹ W behind one operator, assembled (dense, small problems) or matrix-free (in
-/// velocities v = M⁻¹WΛ).
+/// Delassus: G = Wᵀ M⁻¹ W behind one operator, assembled (dense, small problems), matrix-free (in
+/// velocities v = M⁻¹WΛ), or given by block rows (problems without bodies, read from a file; G need
+/// not be symmetric).
 ///
-/// Both answer the same questions and must give the same numbers; a test demands it. Solvers see
-/// this, never W of an element.
+/// All answer the same questions and must give the same numbers; a test demands it. Solvers see
+/// this, never W of an element. One class with three storages was preferred to virtual operators:
+/// the dense path of a problem with 1 to 20 contacts is a few hundred nanoseconds in all.
 #pragma once
 #include <dynamy/contact/contact_set.hpp>
+#include <dynamy/solver/block_rows.hpp>
 #include <dynamy/system/mass_matrix.hpp>
 
 namespace dynamy {
@@ -15,6 +18,10 @@ class Delassus {
   /// Computes M⁻¹W and, in assembled form, G. `contacts` and `mass` must outlive the use. No
   /// allocation once large enough.
   void assemble(const ContactSet& contacts, const MassMatrix& mass, Form form = Form::automatic);
+
+  /// Takes G itself; `contacts` must outlive the use and needs no segments. Up to the size at which
+  /// dense storage pays, G is dense as well.
+  void given(const ContactSet& contacts, BlockRows G);
 
   int rows() const { return n_; }
   bool assembled() const { return assembled_; }
@@ -34,6 +41,8 @@ class Delassus {
   void block(int i, int j, double* out) const;
   /// Contacts that share a mass block with contact i, i included, ascending.
   void neighbours(int i, std::vector<int>& out) const;
+  /// G by block rows; computed at every call unless given. Valid until the next assembly.
+  const BlockRows& blockRows();
 
   // Sweeps: ξ_i = (GΛ + c)_i for the current Λ, changed block after block. A sweep object holds v
   // (matrix-free) or nothing.
@@ -45,18 +54,22 @@ class Delassus {
   void changed(int i, const double* delta);
 
   const ContactSet& contacts() const { return *contacts_; }
+  /// False: G was given, there are no bodies, mass() and addVelocity() must not be called.
+  bool hasBodies() const { return !given_; }
   const MassMatrix& mass() const { return *mass_; }
   /// v = M⁻¹ W Λ added to u.
   void addVelocity(const double* Lambda, Vec u) const;
 
  private:
   void linkBlocks();
+  void fillDiagonal();
   void fillDense();
   void addTo(int i, const double* delta, double* u) const;
   const ContactSet* contacts_ = nullptr;
   const MassMatrix* mass_ = nullptr;
   int n_ = 0;
-  bool assembled_ = true;
+  bool assembled_ = true, given_ = false;
+  BlockRows blockRows_;
   std::vector<double> G_;      // n × n, assembled form
   std::vector<double> minvW_;  // parallel to ContactSet::W
   std::vector<double> diagonal_;

@@ -3,6 +3,7 @@
 /// Solvers see operators and laws, never elements.
 #pragma once
 #include <dynamy/solver/delassus.hpp>
+#include <dynamy/solver/stopping_rule.hpp>
 
 namespace dynamy {
 
@@ -18,6 +19,8 @@ struct InclusionProblem {
   double uRef = 1.0;
   /// Per row: how much of c is rounding; empty: none  [m/s].
   std::vector<double> cNoise;
+  /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
+  const StoppingRule* rule = nullptr;
 
   int size() const { return contacts->size(); }
   int rows() const { return contacts->rows(); }

@@ -20,8 +20,10 @@ std::string_view solveStatusText(SolveStatus status);
 /// because E_f of a scene at rest is then rounding over rounding.
 struct Residuals {
   double Ef = 0.0, Eu = 0.0, energy = 0.0;
-  int worst = -1;  ///< contact with the largest |e_i|/ρ_i
-  double largest() const { return Ef > Eu ? Ef : Eu; }
+  int worst = -1;       ///< contact with the largest |e_i|/ρ_i
+  double given = -1.0;  ///< the measure of the problem's own rule; negative: it has none
+  /// What is compared with the tolerance.
+  double largest() const { return given == -1.0 ? (Ef > Eu ? Ef : Eu) : given; }
 };
 
 struct SolveReport {
@@ -29,6 +31,9 @@ struct SolveReport {
   int iterations = 0;
   Residuals residuals;
   bool warmAccepted = false;  ///< the start was exact to rounding
+  int newton = 0;             ///< Newton steps among the iterations
+  int rejected = 0;           ///< inner problems given up
+  std::string_view method;    ///< what found the solution, where a solver has a choice
   bool ok() const { return status == SolveStatus::solved; }
 };
 
@@ -50,8 +55,9 @@ class InclusionSolver : public Element {
  public:
   static constexpr Kind kKind = Kind::solver;
   using Element::Element;
-  /// Λ: start (warm or zero) in, solution out. Stops when E_f ≤ tolerance and E_u ≤ tolerance,
-  /// after at least one iteration unless the start is exact (kExactStart).
+  /// Λ: start (warm or zero) in, solution out. Stops when E_f ≤ tolerance and E_u ≤ tolerance (or
+  /// the measure of the problem's own rule), after at least one iteration unless the start is exact
+  /// (kExactStart).
   virtual SolveReport solve(const InclusionProblem& problem, Vec Lambda) = 0;
 };
 

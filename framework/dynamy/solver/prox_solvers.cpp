@@ -59,7 +59,7 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
   if (problem.rows() == 0) return report;
   const auto done = [&] {
     report.residuals = residuals(problem, view(Lambda), scratch_);
-    return report.residuals.Ef <= options_.tolerance && report.residuals.Eu <= options_.tolerance;
+    return report.residuals.largest() <= options_.tolerance;
   };
   done();
   if (report.residuals.largest() <= std::min(kExactStart, options_.tolerance)) {
@@ -90,6 +90,7 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
     // its price.
     if (d > kPreTest * options_.tolerance && report.iterations < nextTest) continue;
     if (done()) return report;
+    if (problem.rule && problem.rule->enough()) break;
     problem.G->begin(Lambda.data());
     nextTest = report.iterations + 1 + report.iterations / 8;
   }

@@ -22,9 +22,8 @@ class ProxSolver : public InclusionSolver {
   static void declareCommon(Attributes& a, const char* defaultRule);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) final;
   const ProxOptions& options() const { return options_; }
-
- protected:
-  /// One sweep over all contacts.
+  /// One sweep over all contacts; r of relaxation(), one a row. Gauss–Seidel wants begin() of the
+  /// problem's G before the first one.
   virtual void sweep(const InclusionProblem& problem, const double* r, double* Lambda) = 0;
 
  private:
@@ -38,7 +37,6 @@ class ProxGaussSeidel final : public ProxSolver {
   explicit ProxGaussSeidel(const Parameters& x) : ProxSolver(x, Relaxation::exact) {}
   static void declare(Attributes& a);
 
- protected:
   void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
 };
 
@@ -50,7 +48,6 @@ class ProxJacobi final : public ProxSolver {
   explicit ProxJacobi(const Parameters& x) : ProxSolver(x, Relaxation::diagonalDominance) {}
   static void declare(Attributes& a);
 
- protected:
   void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
 
  private:

@@ -10,7 +10,10 @@ constexpr int kMaxDim = 8;
 constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps and a large a
 constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
-constexpr double kSmallest = 1e-9;  ///< floor of a: below, the regularisation drowns in rounding
+constexpr double kWarmBlock = 1e-6;  ///< the same for block rows, whose schedule can go back up
+constexpr double kCold = 3e-3;       ///< start of a after sweeps
+constexpr int kMaxDense = 200;       ///< Newton steps of the dense form, then block rows are tried
+constexpr double kSmallest = 1e-9;   ///< floor of a: below, the regularisation drowns in rounding
 
 /// Solves the n × n system J x = b in place by elimination with row pivoting (b ← x); false if
 /// singular.
@@ -48,7 +51,7 @@ ProximalNewton::ProximalNewton(const ProximalNewtonOptions& options)
 
 ProximalNewton::ProximalNewton(const Parameters& x)
     : InclusionSolver(x),
-      options_{x["tolerance"], x["maxNewton"].integer(), x["maxIterations"].integer(), 64},
+      options_{x["tolerance"], x["maxNewton"].integer(), x["maxIterations"].integer(), 64, 2000},
       starter_({options_.tolerance, 10, Relaxation::exact, 1.0}),
       fallback_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}) {}
 
@@ -153,43 +156,20 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
   SolveReport report;
   if (p.rows() == 0) return report;
   report.residuals = residuals(p, view(Lambda), scratch_);
-  const auto good = [&] { return report.residuals.largest() <= options_.tolerance; };
-  if (report.residuals.largest() <= std::min(kExactStart, options_.tolerance)) {
+  const double E = report.residuals.largest();
+  if (E <= std::min(kExactStart, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
   }
-  if (!prepare(p)) return finish(p, Lambda, report);
-  if (good()) return improve(p, Lambda, report);
-  double a = kWarm, bestE = report.residuals.largest();
-  std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
-  if (bestE > kColdResidual) {
+  const bool good = E <= options_.tolerance;
+  const bool cold = !good && (!(E <= kColdResidual) || Lambda.isZero(0.0));
+  if (cold) {
     const SolveReport start = starter_.solve(p, Lambda);
     report.iterations = start.iterations;
     report.residuals = start.residuals;
     if (start.ok()) return report;
-    a = 3e-3;
   }
-  for (int steps = 0; steps < options_.maxNewton;) {
-    std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
-    const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
-    const int used = newton(p, a, 0.3 * outer, Lambda);
-    steps += used < 0 ? 40 : used;
-    report.iterations += used < 0 ? 40 : used;
-    if (used < 0) {
-      std::copy(centre_.begin(), centre_.begin() + Lambda.size(), Lambda.data());
-      a = std::min(1.0, 4.0 * a);
-      continue;
-    }
-    report.residuals = residuals(p, view(Lambda), scratch_);
-    if (good()) return report;
-    if (report.residuals.largest() < bestE) {
-      bestE = report.residuals.largest();
-      std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
-    }
-    a = std::max(kSmallest, used <= 4 ? 0.1 * a : (used <= 12 ? 0.5 * a : a));
-  }
-  std::copy(best_.begin(), best_.begin() + Lambda.size(), Lambda.data());
-  return finish(p, Lambda, report);
+  return refine(p, Lambda, report, cold);
 }
 
 SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, SolveReport report) {
@@ -197,7 +177,7 @@ SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, Solve
   const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
   const int used = newton(p, kWarm, 0.3 * outer, Lambda);
   const Residuals after = residuals(p, view(Lambda), scratch_);
-  report.iterations += std::max(1, used);
+  report.iterations += std::max(1, used), report.newton += std::max(1, used);
   if (used > 0 && after.largest() < report.residuals.largest())
     report.residuals = after;
   else  // rounding decides: the start was as good
@@ -205,22 +185,87 @@ SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, Solve
   return report;
 }
 
+bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, bool cold, SolveReport& report) {
+  double a = cold ? kCold : kWarm, bestE = report.residuals.largest();
+  std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
+  Residuals best = report.residuals;
+  for (int steps = 0; steps < kMaxDense;) {
+    std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
+    const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
+    const int used = newton(p, a, 0.3 * outer, Lambda), counted = used < 0 ? 40 : used;
+    steps += counted, report.iterations += counted, report.newton += counted;
+    if (used < 0) {
+      ++report.rejected;
+      std::copy(centre_.begin(), centre_.begin() + Lambda.size(), Lambda.data());
+      a = std::min(1.0, 4.0 * a);
+      continue;
+    }
+    report.residuals = residuals(p, view(Lambda), scratch_);
+    if (report.residuals.largest() <= options_.tolerance) return true;
+    if (report.residuals.largest() < bestE) {
+      best = report.residuals, bestE = best.largest();
+      std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
+    }
+    a = std::max(kSmallest, used <= 4 ? 0.1 * a : (used <= 12 ? 0.5 * a : a));
+  }
+  std::copy(best_.begin(), best_.begin() + Lambda.size(), Lambda.data());
+  report.residuals = best;
+  return false;
+}
+
+SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveReport report,
+                                   bool cold) {
+  report.status = SolveStatus::solved, report.method = "proximal Newton";
+  const bool good = report.residuals.largest() <= options_.tolerance;
+  if (prepare(p)) {
+    if (good) return improve(p, Lambda, report);
+    if (dense(p, Lambda, cold, report)) return report;
+  }
+  if (!block_.prepare(p)) return finish(p, Lambda, report);
+  if (good) {
+    block_.improve(p, Lambda, report);
+    return report;
+  }
+  NewtonSchedule schedule;
+  schedule.separateNormal = true;
+  schedule.maxNewton = options_.maxNewton;
+  if (!cold) schedule.start = kWarmBlock;
+  block_.solve(p, schedule, options_.tolerance, Lambda, report);
+  if (report.ok() || (p.rule && p.rule->enough())) return report;
+  schedule = NewtonSchedule::gentle();
+  schedule.separateNormal = true;
+  schedule.maxNewton = options_.maxGentle;
+  report.method = "proximal Newton, gentle";
+  block_.solve(p, schedule, options_.tolerance, Lambda, report);
+  if (report.ok() || (p.rule && p.rule->enough())) return report;
+  return finish(p, Lambda, report);
+}
+
 SolveReport ProximalNewton::finish(const InclusionProblem& p, Vec Lambda, SolveReport report) {
+  // Sweeps may lose what Newton's method has gained: the better one is kept.
+  best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
+  const Residuals reached = report.residuals;
   const SolveReport last = fallback_.solve(p, Lambda);
   report.iterations += last.iterations;
   report.status = last.status;
   report.residuals = last.residuals;
+  report.method = "Gauss-Seidel";
+  if (!last.ok() && !(last.residuals.largest() <= reached.largest())) {
+    std::copy(best_.begin(), best_.end(), Lambda.data());
+    report.residuals = reached;
+  }
   return report;
 }
 
 void ProximalNewton::declare(Attributes& a) {
   a.about(
-      "Dual proximal-point method with Alart-Curnier Newton steps (dense, up to 64 rows; above, "
-      "Gauss-Seidel).");
+      "Dual proximal-point method with Alart-Curnier Newton steps; dense up to 64 rows, above by "
+      "sparse block rows.");
   a.optional("tolerance", Unit::none, 1e-10, "residuals E_f and E_u at which the solver stops")
       .positive();
-  a.add(AttributeType::integer, "maxNewton", "200", "Newton steps, then Gauss-Seidel goes on").min =
-      1;
+  a.add(AttributeType::integer, "maxNewton", "500",
+        "Newton steps, then a gentler schedule and Gauss-Seidel go on")
+      .min = 1;
   a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of Gauss-Seidel").min = 1;
   a.example(
       "<simulation until=\"1\" step=\"1e-3\"><ProximalNewton tolerance=\"1e-12\"/></simulation>");

@@ -1,5 +1,5 @@
-/// Dual proximal-point method with an Alart–Curnier Newton iteration, dense form for small
-/// problems.
+/// Dual proximal-point method with an Alart–Curnier Newton iteration: dense form for small
+/// problems, block rows for large ones (BlockNewton).
 ///
 ///   outer:  find Λ with ξ = GΛ + c + a D (Λ − Λ_k),  F(Λ) = Λ − prox_C(Λ − ρ ξ) = 0;  Λ_{k+1} = Λ
 ///   D = diag(λ_i) inner:  (A + B (G + aD)) ΔΛ = −F,   A = ∂F/∂Λ, B = ∂F/∂ξ per contact, ρ_i =
@@ -8,17 +8,20 @@
 /// λ_i bounds the largest eigenvalue of G_ii, so a has no unit. The proximal term makes every inner
 /// problem regular whatever the rank of G (redundant contacts); it vanishes at the solution, so
 /// that the exact law is solved. Plain Newton (a = 0) was rejected: it fails on rank-deficient
-/// stacks. Laws that do not offer a derivative and problems above `maxRows` go to Gauss–Seidel.
+/// stacks. What the schedule does not solve is tried with a gentler one, then by Gauss–Seidel; laws
+/// that do not offer a derivative go to Gauss–Seidel at once.
 #pragma once
+#include <dynamy/solver/block_newton.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {
 
 struct ProximalNewtonOptions {
   double tolerance = 1e-10;   ///< of E_f and E_u
-  int maxNewton = 200;        ///< Newton steps in all, then Gauss–Seidel goes on
+  int maxNewton = 500;        ///< Newton steps, then the gentle schedule goes on
   int maxIterations = 10000;  ///< of Gauss–Seidel
   int maxRows = 64;           ///< dense form up to here
+  int maxGentle = 2000;       ///< Newton steps of the gentle schedule, then Gauss–Seidel goes on
 };
 
 class ProximalNewton final : public InclusionSolver {
@@ -27,8 +30,12 @@ class ProximalNewton final : public InclusionSolver {
   explicit ProximalNewton(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
+  /// Goes on from Λ whose residuals are in `report`; `cold`: Λ is no neighbour of the solution.
+  SolveReport refine(const InclusionProblem& problem, Vec Lambda, SolveReport report, bool cold);
 
  private:
+  /// Dense form; true: solved or given up for good.
+  bool dense(const InclusionProblem& problem, Vec Lambda, bool cold, SolveReport& report);
   bool prepare(const InclusionProblem& problem);
   /// Inner Newton iteration from Λ with proximal parameter a; steps used, or −1 if it did not
   /// converge.
@@ -42,6 +49,7 @@ class ProximalNewton final : public InclusionSolver {
 
   ProximalNewtonOptions options_;
   ProxGaussSeidel starter_, fallback_;
+  BlockNewton block_;
   std::vector<double> lambda_, xi_, F_, A_, B_, J_, dLambda_, centre_, trial_, best_, scratch_;
 };
 

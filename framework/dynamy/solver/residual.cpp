@@ -110,6 +110,7 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     problem.G->applyAbsolute(Lambda.data(), absolute);
     out = measure(problem, velocity, scale, absolute, largestLambda);
   }
+  if (problem.rule) out.given = problem.rule->measure(problem, Lambda.data(), scratch.data());
   out.energy = spurious == 0.0 ? 0.0 : (available > 0.0 ? spurious / available : 1.0);
   return out;
 }

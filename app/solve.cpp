@@ -1,0 +1,143 @@
+/// dynamy solve PROBLEM: one contact problem of the FCLIB layout, judged by FCLIB's own measure
+///
+///   √( Σ_c |r_c − P_K(r_c − û_c)|² ) / |q|        of the condensed problem u = W r + q
+///
+/// which is printed for r = 0 as well: |q| holds the sliding velocities, so that the zero vector
+/// looks good on some problems.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/json_writer.hpp>
+#include <dynamy/solver/inclusion_solver.hpp>
+#include <memory>
+
+#include "program.hpp"
+
+namespace dynamy::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Task {
+  std::string problem, solver = "automatic", maxTime, reactions;
+  double tolerance = 1e-8;
+  bool json = false;
+};
+
+/// FCLIB's measure, and the time limit of --max-time.
+class TimedRule final : public FclibRule {
+ public:
+  explicit TimedRule(double limit) : end_(Clock::now() + std::chrono::duration<double>(limit)) {}
+  bool enough() const override { return Clock::now() > end_; }
+
+ private:
+  std::chrono::time_point<Clock, std::chrono::duration<double>> end_;
+};
+
+struct Solved {
+  SolveReport report;
+  double atZero = 0.0;   ///< measure of r = 0
+  double seconds = 0.0;  ///< of the solver alone
+  FclibSolution solution;
+};
+
+/// Unlimited time, in effect [s].
+constexpr double kLong = 1e9;
+
+Solved solveProblem(const Program& program, const Task& task, const FclibProblem& problem,
+                    GivenProblem& given) {
+  const std::string name = task.solver == "automatic" ? "Automatic" : task.solver;
+  methodElement(program.registry, name, Kind::solver);  // the message for a wrong name
+  const RegisteredType* type = program.registry.find(name);
+  const auto element = type->make(Parameters::of(
+      type->attributes, name, "", {{"tolerance", fmt::format("{}", task.tolerance)}}));
+  auto& solver = static_cast<InclusionSolver&>(*element);  // the kind tells
+  InclusionProblem& p = given.problem();
+  Solved s;
+  s.solution.r.setZero(p.rows());
+  std::vector<double> scratch;
+  const TimedRule rule(task.maxTime.empty() ? kLong : seconds(task.maxTime, "--max-time"));
+  p.rule = &rule;
+  s.atZero = residuals(p, {s.solution.r.data(), s.solution.r.size()}, scratch).given;
+  const auto begin = Clock::now();
+  s.report = solver.solve(p, view(s.solution.r));
+  s.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  s.solution.u.resize(p.rows());
+  p.G->apply(s.solution.r.data(), s.solution.u.data());
+  s.solution.u += ConstVec(p.c.data(), p.rows());
+  if (problem.global) s.solution.v = velocities(problem, s.solution.r);
+  return s;
+}
+
+std::string text(const Task& task, const FclibProblem& problem, const Solved& s) {
+  const SolveReport& r = s.report;
+  std::string out =
+      fmt::format("{}: {}\n", task.problem,
+                  r.ok() ? "solved" : "NOT solved: " + std::string(solveStatusText(r.status)));
+  if (!problem.title.empty()) out += fmt::format(" {}\n", problem.title);
+  out += fmt::format(" {} contacts of {} rows, {} form\n", problem.contacts(), problem.dim,
+                     problem.global ? "global" : "local");
+  out += fmt::format(
+      " residual {:.3e} of FCLIB (tolerance {:g}; of r = 0 {:.3e}), E_f {:.2e}, E_u {:.2e}\n",
+      r.residuals.given, task.tolerance, s.atZero, r.residuals.Ef, r.residuals.Eu);
+  out += fmt::format(
+      " {} iterations, {} Newton steps of them, {} inner problems given up; {:.4g} ms\n",
+      r.iterations, r.newton, r.rejected, 1e3 * s.seconds);
+  if (!r.method.empty()) out += fmt::format(" by {}\n", r.method);
+  if (!r.ok())
+    out += fmt::format(
+        " contact {} is the worst. Try --tolerance {:g}, another --solver, or more --max-time\n",
+        r.residuals.worst, 10.0 * r.residuals.given);
+  return out;
+}
+
+std::string json(const Task& task, const FclibProblem& problem, const Solved& s) {
+  const SolveReport& r = s.report;
+  std::string out;
+  JsonWriter j(out, 2);
+  j.beginObject().member("problem", task.problem).member("solver", task.solver);
+  j.member("solved", r.ok()).member("status", solveStatusText(r.status));
+  j.member("method", r.method).member("contacts", problem.contacts()).member("dim", problem.dim);
+  j.member("global", problem.global).member("tolerance", task.tolerance);
+  j.member("residual", r.residuals.given).member("residualAtZero", s.atZero);
+  j.member("Ef", r.residuals.Ef).member("Eu", r.residuals.Eu);
+  j.member("worstContact", r.residuals.worst).member("iterations", r.iterations);
+  j.member("newton", r.newton).member("rejected", r.rejected).member("seconds", s.seconds);
+  j.endObject();
+  return out + '\n';
+}
+
+void solve(Program& program, const Task& task) {
+  program.load();
+  const FclibProblem problem = readFclib(task.problem);
+  const std::unique_ptr<GivenProblem> given = inclusionProblem(condensed(problem));
+  const Solved s = solveProblem(program, task, problem, *given);
+  fmt::print("{}", task.json ? json(task, problem, s) : text(task, problem, s));
+  if (!task.reactions.empty()) {
+    writeFclib(task.reactions, problem, s.solution);
+    if (!task.json) fmt::print(" wrote   {}\n", task.reactions);
+  }
+  if (!s.report.ok()) program.exitCode = kFailed;
+}
+
+}  // namespace
+
+void addSolve(CLI::App& app, Program& program) {
+  auto t = std::make_shared<Task>();
+  CLI::App* c = app.add_subcommand("solve", "a contact problem of the FCLIB layout (HDF5)");
+  c->add_option("PROBLEM", t->problem, "HDF5 file, local or global, 2D or 3D")->required();
+  c->add_option("--solver", t->solver, "inclusion solver")->capture_default_str();
+  c->add_option("--tolerance", t->tolerance, "FCLIB's residual at which the solver stops")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  c->add_option("--max-time", t->maxTime, "time after which it gives up")->type_name("TIME");
+  c->add_option("--reactions", t->reactions, "HDF5 file for the problem with /solution/r and u")
+      ->type_name("FILE");
+  c->add_flag("--json", t->json, "the result as JSON");
+  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->callback([t, &program] { solve(program, *t); });
+}
+
+}  // namespace dynamy::app

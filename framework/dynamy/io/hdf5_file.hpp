@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// HDF5 files of named vectors of integers, numbers and texts: what the FCLIB layout needs, and no
+/// type of the HDF5 library in a header.
+///
+/// Every failure is a ModelError with the file and the place inside of it:
+///
+///     problem.hdf5: error: /fclib_local/W/x: not there
+///
+/// Rejected: the C++ interface of HDF5, because it is a second library whose errors do not say the
+/// place either.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+class Hdf5File {
+ public:
+  enum class Mode { read, create };
+  /// \throws ModelError no such file, or no HDF5 file, or it cannot be written
+  Hdf5File(const std::filesystem::path& file, Mode mode);
+  ~Hdf5File();
+  Hdf5File(const Hdf5File&) = delete;
+  Hdf5File& operator=(const Hdf5File&) = delete;
+
+  /// `place`: path inside of the file, e.g. "/fclib_local/W/x".
+  bool has(const std::string& place) const;
+  std::vector<int> integers(const std::string& place) const;
+  Eigen::VectorXd numbers(const std::string& place) const;
+  /// The first number of a dataset.
+  int integer(const std::string& place) const;
+  /// A scalar text of fixed or variable length; "" if it is not there.
+  std::string text(const std::string& place) const;
+
+  // Groups on the way are made.
+  void write(const std::string& place, const std::vector<int>& values);
+  void write(const std::string& place, const Eigen::VectorXd& values);
+  void write(const std::string& place, const std::string& text);
+  /// Writes everything to disk. \throws ModelError the disk is full
+  void flush();
+
+  [[noreturn]] void fail(const std::string& place, const std::string& reason) const;
+
+ private:
+  std::int64_t dataset(const std::string& place) const;
+  std::string path_;
+  std::int64_t file_ = -1;
+};
+
+}  // namespace dynamy

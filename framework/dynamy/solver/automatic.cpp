@@ -1,0 +1,121 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/solver/automatic.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMaxDim = 8;
+constexpr double kColdResidual = 1e-2;  ///< above, a start is not near the solution
+constexpr int kFirstSweeps = 10;        ///< before the rate is judged
+constexpr int kSweepsPerTest = 5;
+/// Sweeps that a Newton solve is worth; above, sweeps are left.
+constexpr double kPatience = 150.0;
+
+}  // namespace
+
+Automatic::Automatic(const AutomaticOptions& options)
+    : options_(options),
+      gaussSeidel_({options.tolerance, options.maxIterations, Relaxation::exact, 1.0}),
+      newton_(
+          {options.tolerance, options.maxNewton, options.maxIterations, 64, options.maxGentle}) {}
+
+Automatic::Automatic(const Parameters& x)
+    : InclusionSolver(x),
+      options_{x["tolerance"], x["maxNewton"].integer(), 4 * x["maxNewton"].integer(),
+               x["maxIterations"].integer()},
+      gaussSeidel_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}),
+      newton_({options_.tolerance, options_.maxNewton, options_.maxIterations, 64,
+               options_.maxGentle}) {}
+
+SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
+  SolveReport report;
+  report.method = "start";
+  if (p.rows() == 0) return report;
+  report.residuals = residuals(p, view(Lambda), scratch_);
+  if (!Lambda.allFinite()) {
+    Lambda.setZero();
+    report.residuals = residuals(p, view(Lambda), scratch_);
+  }
+  const double E = report.residuals.largest();
+  if (E <= std::min(kExactStart, options_.tolerance)) {
+    report.warmAccepted = true;
+    return report;
+  }
+  if (!std::isfinite(E)) {
+    report.status = SolveStatus::notFinite;
+    return report;
+  }
+  if (p.size() == 1 && oneContact(p, Lambda, report)) return report;
+  const bool good = E <= options_.tolerance;  // and still worth a step
+  const bool cold = !good && (E > kColdResidual || Lambda.isZero(0.0));
+  if (cold && sweeps(p, Lambda, report)) return report;
+  return newton_.refine(p, Lambda, report, cold);
+}
+
+bool Automatic::oneContact(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
+  const int dim = p.dim(0);
+  double start[kMaxDim];
+  std::copy(Lambda.data(), Lambda.data() + dim, start);
+  const auto accept = [&](std::string_view method) {
+    const Residuals now = residuals(p, view(Lambda), scratch_);
+    if (!(now.largest() <= std::min(kExactStart, options_.tolerance))) return false;
+    report.residuals = now, report.method = method, report.iterations = 1;
+    return true;
+  };
+  Lambda.setZero();
+  if (accept("take-off")) return true;
+  const ConstBlock G(p.G->diagonalBlock(0), dim, dim);
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxDim, kMaxDim>;
+  const Eigen::PartialPivLU<Small> lu{Small(G)};
+  Lambda = -lu.solve(ConstVec(p.c.data(), dim));
+  if (Lambda.allFinite() && accept("stick")) return true;
+  std::copy(start, start + dim, Lambda.data());
+  return false;
+}
+
+bool Automatic::sweeps(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
+  report.method = "sweeps";
+  relaxation(p, Relaxation::exact, 1.0, r_);
+  best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
+  Residuals best = report.residuals;
+  double last = best.largest();
+  int sweep = 0;
+  for (bool promising = true; promising;) {
+    p.G->begin(Lambda.data());
+    const int n = sweep == 0 ? kFirstSweeps : kSweepsPerTest;
+    for (int k = 0; k < n; ++k) gaussSeidel_.sweep(p, r_.data(), Lambda.data());
+    sweep += n, report.iterations += n;
+    const Residuals now = residuals(p, view(Lambda), scratch_);
+    if (now.largest() <= best.largest()) {
+      best = now;
+      std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
+    }
+    if (best.largest() <= options_.tolerance) break;
+    // ln E falls by `fall` a sweep: how many more are needed?
+    const double fall = std::log(last / now.largest()) / n;
+    const double missing = std::log(now.largest() / options_.tolerance) / fall;
+    promising = fall > 0.0 && missing <= kPatience && !(p.rule && p.rule->enough());
+    last = now.largest();
+  }
+  std::copy(best_.begin(), best_.end(), Lambda.data());
+  report.residuals = best;
+  return best.largest() <= options_.tolerance;
+}
+
+void Automatic::declare(Attributes& a) {
+  a.about(
+      "Chooses: accepts a good start, one contact in closed form, sweeps while they pay, then the "
+      "proximal Newton method, a gentler one, Gauss-Seidel.");
+  a.optional("tolerance", Unit::none, 1e-10, "residuals E_f and E_u at which the solver stops")
+      .positive();
+  a.add(AttributeType::integer, "maxNewton", "500",
+        "Newton steps; four times as many of the gentler schedule")
+      .min = 1;
+  a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of the last stage").min = 1;
+  a.example("<simulation until=\"1\" step=\"1e-3\"><Automatic tolerance=\"1e-12\"/></simulation>");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,177 @@
+/// BlockLu: sparse LU of a matrix of n × n blocks of size B, without pivoting across blocks.
+///
+///   K = L U,   D_m = K_mm − Σ_k L_mk U_km,   L_jm = (K_jm − Σ_k L_jk U_km) D_m⁻¹,
+///                                            U_mj =  K_mj − Σ_k L_mk U_kj
+///
+/// column by column (left-looking), blocks in an order of approximate minimum degree of the
+/// symmetrised pattern. The pattern is analysed once and kept while it stays the same. Pivots are
+/// inverted with pivoting inside of a block. Eigen::SparseLU was rejected: its scalar pivoting
+/// destroys the block structure, and it allocates at every factorisation.
+#pragma once
+#include <Eigen/LU>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <vector>
+
+namespace dynamy {
+
+template <int B>
+class BlockLu {
+ public:
+  using Matrix = Eigen::Matrix<double, B, B>;
+  using Vector = Eigen::Matrix<double, B, 1>;
+
+  /// Pattern by rows: columns of row i are column[first[i]] … column[first[i+1]−1]; keeps the last
+  /// analysis if the pattern is the same.
+  void analyse(const std::vector<int>& first, const std::vector<int>& column) {
+    if (first == first_ && column == column_) return;
+    first_ = first, column_ = column;
+    order();
+    eliminate();
+    linkRows();
+  }
+  void setZero() {
+    for (Matrix& m : D_) m.setZero();
+    for (Matrix& m : L_) m.setZero();
+    for (Matrix& m : U_) m.setZero();
+  }
+  /// Block (i, j) of the pattern, numbered as given to analyse(). L_jm and U_mj lie at the same
+  /// place.
+  Matrix& at(int i, int j) {
+    const int a = position_[i], b = position_[j];
+    if (a == b) return D_[a];
+    const int m = std::min(a, b), other = std::max(a, b);
+    const auto begin = below_.begin() + start_[m], end = below_.begin() + start_[m + 1];
+    const auto at = std::lower_bound(begin, end, other) - below_.begin();
+    return a > b ? L_[static_cast<std::size_t>(at)] : U_[static_cast<std::size_t>(at)];
+  }
+  /// False: a pivot is singular.
+  bool factor();
+  /// x ← K⁻¹ x, blocks numbered as given to analyse().
+  void solve(std::vector<Vector>& x);
+  /// Numbers in L, U and D.
+  long entries() const { return static_cast<long>(L_.size() * 2 + D_.size()) * B * B; }
+  long analyses() const { return analyses_; }
+
+ private:
+  int size() const { return static_cast<int>(first_.size()) - 1; }
+  void order();
+  void eliminate();
+  void linkRows();
+
+  std::vector<int> first_, column_;
+  std::vector<int> order_, position_;     // k-th pivot is block order_[k]
+  std::vector<int> start_, below_;        // rows below pivot m
+  std::vector<int> rowStart_, rowEntry_;  // entries (k, m) of row m of L, k ascending
+  std::vector<int> rowPivot_;
+  std::vector<Matrix> L_, U_, D_;
+  std::vector<int> place_;
+  std::vector<Vector> work_;
+  long analyses_ = 0;
+};
+
+template <int B>
+void BlockLu<B>::order() {
+  const int n = size();
+  ++analyses_;
+  std::vector<Eigen::Triplet<double>> entry;
+  for (int i = 0; i < n; ++i) {
+    entry.emplace_back(i, i, 1.0);
+    for (int e = first_[i]; e < first_[i + 1]; ++e) {
+      entry.emplace_back(i, column_[e], 1.0);
+      entry.emplace_back(column_[e], i, 1.0);
+    }
+  }
+  Eigen::SparseMatrix<double> pattern(n, n);
+  pattern.setFromTriplets(entry.begin(), entry.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> P;
+  Eigen::AMDOrdering<int>()(pattern, P);
+  order_.resize(n), position_.resize(n);
+  for (int k = 0; k < n; ++k) {
+    order_[k] = P.indices()[k];
+    position_[order_[k]] = k;
+  }
+}
+
+template <int B>
+void BlockLu<B>::eliminate() {
+  // Rows below pivot m: those of K, and those of the pivots whose first row is m.
+  const int n = size();
+  std::vector<std::vector<int>> own(n), children(n);
+  for (int i = 0; i < n; ++i)
+    for (int e = first_[i]; e < first_[i + 1]; ++e) {
+      const int a = position_[i], b = position_[column_[e]];
+      if (a != b) own[std::min(a, b)].push_back(std::max(a, b));
+    }
+  start_.assign(1, 0), below_.clear();
+  std::vector<int> seen(n, -1);
+  for (int m = 0; m < n; ++m) {
+    const auto begin = static_cast<std::ptrdiff_t>(below_.size());
+    const auto add = [&](int row) {
+      if (row > m && seen[row] != m) seen[row] = m, below_.push_back(row);
+    };
+    for (const int row : own[m]) add(row);
+    for (const int child : children[m])
+      for (int e = start_[child]; e < start_[child + 1]; ++e) add(below_[e]);
+    std::sort(below_.begin() + begin, below_.end());
+    start_.push_back(static_cast<int>(below_.size()));
+    if (begin < static_cast<std::ptrdiff_t>(below_.size()))
+      children[below_[static_cast<std::size_t>(begin)]].push_back(m);
+  }
+  L_.resize(below_.size()), U_.resize(below_.size()), D_.resize(n);
+  place_.resize(n), work_.resize(n);
+}
+
+template <int B>
+void BlockLu<B>::linkRows() {
+  const int n = size();
+  rowStart_.assign(static_cast<std::size_t>(n) + 1, 0);
+  for (const int row : below_) ++rowStart_[row + 1];
+  for (int m = 0; m < n; ++m) rowStart_[m + 1] += rowStart_[m];
+  rowEntry_.resize(below_.size()), rowPivot_.resize(below_.size());
+  std::vector<int> fill(rowStart_.begin(), rowStart_.end() - 1);
+  for (int k = 0; k < n; ++k)
+    for (int e = start_[k]; e < start_[k + 1]; ++e) {
+      const int at = fill[below_[e]]++;
+      rowEntry_[at] = e, rowPivot_[at] = k;
+    }
+}
+
+template <int B>
+bool BlockLu<B>::factor() {
+  const int n = size();
+  for (int m = 0; m < n; ++m) {
+    for (int e = start_[m]; e < start_[m + 1]; ++e) place_[below_[e]] = e;
+    for (int r = rowStart_[m]; r < rowStart_[m + 1]; ++r) {
+      const int e = rowEntry_[r], end = start_[rowPivot_[r] + 1];
+      const Matrix Lmk = L_[e], Ukm = U_[e];
+      D_[m].noalias() -= Lmk * Ukm;
+      for (int f = e + 1; f < end; ++f) {
+        const int at = place_[below_[f]];
+        L_[at].noalias() -= L_[f] * Ukm;
+        U_[at].noalias() -= Lmk * U_[f];
+      }
+    }
+    const Matrix inverse = Eigen::PartialPivLU<Matrix>(D_[m]).inverse();
+    if (!inverse.allFinite()) return false;
+    D_[m] = inverse;
+    for (int e = start_[m]; e < start_[m + 1]; ++e) L_[e] = (L_[e] * inverse).eval();
+  }
+  return true;
+}
+
+template <int B>
+void BlockLu<B>::solve(std::vector<Vector>& x) {
+  const int n = size();
+  for (int k = 0; k < n; ++k) work_[k] = x[order_[k]];
+  for (int k = 0; k < n; ++k)
+    for (int e = start_[k]; e < start_[k + 1]; ++e) work_[below_[e]].noalias() -= L_[e] * work_[k];
+  for (int k = n - 1; k >= 0; --k) {
+    for (int e = start_[k]; e < start_[k + 1]; ++e) work_[k].noalias() -= U_[e] * work_[below_[e]];
+    work_[k] = (D_[k] * work_[k]).eval();
+  }
+  for (int k = 0; k < n; ++k) x[order_[k]] = work_[k];
+}
+
+}  // namespace dynamy

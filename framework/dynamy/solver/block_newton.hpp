@@ -1,0 +1,71 @@
+/// BlockNewton: the dual proximal-point method with an Alart–Curnier Newton iteration on block rows
+/// of G, for problems of any size.                                            (theory 7)
+///
+///   outer:  Λ_{k+1} = Λ with  ξ = GΛ + c + diag(a)(Λ − Λ_k),  −ξ_i ∈ N_{C_i}(Λ_i),   a_i = a λ_i
+///   inner:  F = Λ − prox(Λ − Rξ) = 0,   (A + B (G + diag(a))) ΔΛ = −F
+///
+/// G need not be symmetric and may have any rank. λ_i = λ_max(sym G_ii), so that a has no unit.
+/// Measured choices: norm |F|² = Σ λ_i |F_i|² (an energy), line search t = 1 … 2⁻⁹ against the
+/// largest of the last five |F|, inner stop 0.3 |F_0|. More than half of all steps would be lost in
+/// inner problems with too small an a; the parameter that failed is remembered therefore.
+#pragma once
+#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/newton_system.hpp>
+
+namespace dynamy {
+
+/// How the proximal parameter moves.
+struct NewtonSchedule {
+  double start = 3e-3;          ///< a of the first outer step
+  double least = 1e-9;          ///< below, the regularisation drowns in rounding
+  double inner = 0.3;           ///< an inner problem is solved at this part of its first |F|
+  int fast = 4;                 ///< inner steps up to which a is divided by 10
+  int slow = 12;                ///< … by 2
+  int maxInner = 40;            ///< above, the inner problem is given up
+  double grow = 4.0;            ///< a after that
+  int maxNewton = 500;          ///< Newton steps in all
+  double rho = 2.0;             ///< r_i = ρ/λ_i …
+  bool separateNormal = false;  ///< … or r_N = ρ/G_NN, r_T = ρ/λ_max(G_TT)
+
+  /// For problems on which the schedule above stagnates.
+  static NewtonSchedule gentle();
+};
+
+class BlockNewton {
+ public:
+  /// Takes G; false: a law has no derivative, a contact more than 6 rows, or G_ii no positive
+  /// eigenvalue.
+  bool prepare(const InclusionProblem& problem);
+  /// Goes on from Λ; Λ is the best one found. Adds to the counts of `report` and sets its residuals
+  /// and status. \pre prepare() of the same problem
+  void solve(const InclusionProblem& problem, const NewtonSchedule& schedule, double tolerance,
+             Vec Lambda, SolveReport& report);
+  /// Up to three steps from a Λ that is good enough; kept only if it is better.
+  void improve(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+  /// Numbers in the factors of the last Newton step.
+  long entries() const { return system_ ? system_->entries() : 0; }
+  long analyses() const { return system_ ? system_->analyses() : 0; }
+
+ private:
+  enum class Inner { converged, failed, solved, enough };
+  void chooseSteps(const InclusionProblem& p, const NewtonSchedule& s);
+  /// F and, if asked for, A and B at (Λ, ξ); returns √Σ λ_i|F_i|².
+  double map(const InclusionProblem& p, const double* Lambda, const double* xi, double* F,
+             bool derivative);
+  void relativeVelocity(const InclusionProblem& p, const double* Lambda, double* xi) const;
+  Inner inner(const InclusionProblem& p, const NewtonSchedule& s, double tolerance,
+              SolveReport& report, int& steps);
+  /// Goes along ΔΛ; returns |F| at the new Λ.
+  void lineSearch(const InclusionProblem& p, double reference);
+  bool judge(const InclusionProblem& p, double tolerance, SolveReport& report);
+
+  const BlockRows* G_ = nullptr;
+  std::unique_ptr<NewtonSystem> system_;
+  int systemDim_ = 0;
+  NewtonBlocks blocks_;
+  std::vector<double> lambda_, r_;
+  std::vector<double> Lambda_, xi_, dLambda_, dXi_, trialLambda_, trialXi_, trialF_, centre_, best_,
+      recent_, scratch_;
+};
+
+}  // namespace dynamy
