@@ -18,14 +18,13 @@ namespace fs = std::filesystem;
 
 constexpr double kTolerance = 1e-8;
 
-/// Files of the collection in the order of their names; without the rolling and the plain
-/// complementarity problems, which are of another kind.
-std::vector<fs::path> collection() {
+/// Files of the collection in the order of their names.
+std::vector<fs::path> collection(const std::vector<std::string>& parts = {"", "scenes"}) {
   std::vector<fs::path> out;
   const fs::path folder = fs::path(DYNAMY_SOURCE_DIR) / ".." / "shared" / "fclib";
-  for (const fs::path& part : {folder, folder / "scenes"}) {
-    if (!fs::is_directory(part)) continue;
-    for (const auto& entry : fs::directory_iterator(part))
+  for (const std::string& part : parts) {
+    if (!fs::is_directory(folder / part)) continue;
+    for (const auto& entry : fs::directory_iterator(folder / part))
       if (entry.path().extension() == ".hdf5") out.push_back(entry.path());
   }
   std::sort(out.begin(), out.end());
@@ -115,6 +114,12 @@ TEST(Fclib, KeptProblemsAreSolved) {
 TEST(Fclib, SmallProblemsOfTheCollectionAreSolved) { solveCollection(0, 40); }
 TEST(LongFclib, ProblemsWith40To300ContactsAreSolved) { solveCollection(40, 300); }
 TEST(LongFclib, ProblemsWithMoreContactsAreSolved) { solveCollection(300, 1 << 30); }
+
+TEST(Fclib, RollingProblemsOfTheCollectionAreSolved) {
+  const std::vector<fs::path> files = collection({"rolling"});
+  if (files.empty()) GTEST_SKIP() << "no collection of problems beside the source tree";
+  for (const fs::path& file : files) solveAndCheck(file.stem().string(), readFclib(file));
+}
 
 TEST(Fclib, StacksOfManyMassRatiosAreSolved) {
   for (const double ratio : {1.0, 10.0, 0.1})  // masses up to 1:10⁴

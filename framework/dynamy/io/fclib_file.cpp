@@ -1,4 +1,5 @@
 #include <Eigen/SparseLU>
+#include <dynamy/contact/rolling_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/fclib_file.hpp>
@@ -205,11 +206,12 @@ Eigen::VectorXd velocities(const FclibProblem& p, const Eigen::VectorXd& r) {
 
 std::unique_ptr<GivenProblem> inclusionProblem(const FclibProblem& p) {
   expects(!p.global, "the problem is condensed");
-  expects(p.dim <= 3, "rolling problems have no law yet");
   std::vector<GivenContact> contacts;
   for (int i = 0; i < p.contacts(); ++i) {
     if (p.dim == 1)
       contacts.push_back({std::make_unique<Unilateral>(), 1});
+    else if (p.dim == 5)
+      contacts.push_back({std::make_unique<UnilateralRolling>(p.mu[i], p.muRolling[i]), 5});
     else
       contacts.push_back({std::make_unique<UnilateralCoulomb>(0.0, 0.0, p.mu[i]), p.dim});
   }

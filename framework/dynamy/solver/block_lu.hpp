@@ -23,13 +23,19 @@ class BlockLu {
   using Vector = Eigen::Matrix<double, B, 1>;
 
   /// Pattern by rows: columns of row i are column[first[i]] … column[first[i+1]−1]; keeps the last
-  /// analysis if the pattern is the same.
-  void analyse(const std::vector<int>& first, const std::vector<int>& column) {
-    if (first == first_ && column == column_) return;
+  /// analysis if the pattern is the same. False: L would have more than `limit` blocks; nothing
+  /// can be factored then.
+  bool analyse(const std::vector<int>& first, const std::vector<int>& column,
+               std::size_t limit = 2'000'000) {
+    if (first == first_ && column == column_) return true;
     first_ = first, column_ = column;
     order();
-    eliminate();
+    if (!eliminate(limit)) {
+      first_.clear();
+      return false;
+    }
     linkRows();
+    return true;
   }
   void setZero() {
     for (Matrix& m : D_) m.setZero();
@@ -57,7 +63,7 @@ class BlockLu {
  private:
   int size() const { return static_cast<int>(first_.size()) - 1; }
   void order();
-  void eliminate();
+  bool eliminate(std::size_t limit);
   void linkRows();
 
   std::vector<int> first_, column_;
@@ -95,7 +101,7 @@ void BlockLu<B>::order() {
 }
 
 template <int B>
-void BlockLu<B>::eliminate() {
+bool BlockLu<B>::eliminate(std::size_t limit) {
   // Rows below pivot m: those of K, and those of the pivots whose first row is m.
   const int n = size();
   std::vector<std::vector<int>> own(n), children(n);
@@ -116,11 +122,13 @@ void BlockLu<B>::eliminate() {
       for (int e = start_[child]; e < start_[child + 1]; ++e) add(below_[e]);
     std::sort(below_.begin() + begin, below_.end());
     start_.push_back(static_cast<int>(below_.size()));
+    if (below_.size() > limit) return false;
     if (begin < static_cast<std::ptrdiff_t>(below_.size()))
       children[below_[static_cast<std::size_t>(begin)]].push_back(m);
   }
   L_.resize(below_.size()), U_.resize(below_.size()), D_.resize(n);
   place_.resize(n), work_.resize(n);
+  return true;
 }
 
 template <int B>

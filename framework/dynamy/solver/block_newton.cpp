@@ -12,6 +12,8 @@ constexpr int kMemory = 5;      ///< values of |F| a step is compared with
 constexpr int kHalvings = 9;    ///< t = 1 … 2⁻⁹
 constexpr int kMaxGrowth = 12;  ///< failed inner problems in a row until the schedule gives up
 constexpr double kLargest = 1e3;
+/// Above, sweeps are the better use of memory and time.
+constexpr int kMaxContacts = 20'000;
 
 /// λ_max of the symmetric part of rows [a, b) of a dim × dim block.
 double largestEigenvalue(const double* block, int dim, int a, int b) {
@@ -39,6 +41,7 @@ NewtonSchedule NewtonSchedule::gentle() {
 }
 
 bool BlockNewton::prepare(const InclusionProblem& p) {
+  if (p.size() > kMaxContacts) return false;
   const auto rows = static_cast<std::size_t>(p.rows()), size = static_cast<std::size_t>(p.size());
   lambda_.resize(size);
   blocks_.block0.resize(size);
@@ -161,7 +164,8 @@ BlockNewton::Inner BlockNewton::inner(const InclusionProblem& p, const NewtonSch
   for (steps = 0; steps < s.maxInner && report.newton < s.maxNewton;) {
     if (p.rule && p.rule->enough()) return Inner::enough;
     ++steps, ++report.newton, ++report.iterations;
-    if (!system_->solve(p, *G_, blocks_, dLambda_)) return Inner::failed;
+    if (!system_->solve(p, *G_, blocks_, dLambda_))
+      return system_->tooLarge() ? Inner::tooLarge : Inner::failed;
     const int* row0 = p.contacts->row0.data();
     for (int i = 0; i < p.size(); ++i) {
       G_->multiplyRow(i, row0, dLambda_.data(), dXi_.data() + row0[i]);
@@ -211,6 +215,8 @@ void BlockNewton::solve(const InclusionProblem& p, const NewtonSchedule& s, doub
       a = std::max({a, s.least, 1.5 * failed});
       failed *= 0.5;
       growth = 0;
+    } else if (result == Inner::tooLarge) {
+      break;
     } else if (result == Inner::failed) {
       ++report.rejected;
       Lambda_ = centre_;

@@ -33,8 +33,8 @@ struct NewtonSchedule {
 
 class BlockNewton {
  public:
-  /// Takes G; false: a law has no derivative, a contact more than 6 rows, or G_ii no positive
-  /// eigenvalue.
+  /// Takes G; false: a law has no derivative, a contact more than 6 rows, G_ii no positive
+  /// eigenvalue, or there are more than 20 000 contacts.
   bool prepare(const InclusionProblem& problem);
   /// Goes on from Λ; Λ is the best one found. Adds to the counts of `report` and sets its residuals
   /// and status. \pre prepare() of the same problem
@@ -42,12 +42,14 @@ class BlockNewton {
              Vec Lambda, SolveReport& report);
   /// Up to three steps from a Λ that is good enough; kept only if it is better.
   void improve(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+  /// The factors would not fit; no schedule helps.
+  bool tooLarge() const { return system_ && system_->tooLarge(); }
   /// Numbers in the factors of the last Newton step.
   long entries() const { return system_ ? system_->entries() : 0; }
   long analyses() const { return system_ ? system_->analyses() : 0; }
 
  private:
-  enum class Inner { converged, failed, solved, enough };
+  enum class Inner { converged, failed, solved, enough, tooLarge };
   void chooseSteps(const InclusionProblem& p, const NewtonSchedule& s);
   /// F and, if asked for, A and B at (Λ, ξ); returns √Σ λ_i|F_i|².
   double map(const InclusionProblem& p, const double* Lambda, const double* xi, double* F,

@@ -13,7 +13,8 @@ class System final : public NewtonSystem {
              std::vector<double>& dLambda) override {
     chooseActive(p, b, dLambda);
     pattern(G);
-    lu_.analyse(first_, column_);
+    tooLarge_ = !lu_.analyse(first_, column_);
+    if (tooLarge_) return false;
     lu_.setZero();
     right_.resize(active_.size());
     for (std::size_t k = 0; k < active_.size(); ++k)
@@ -27,6 +28,7 @@ class System final : public NewtonSystem {
       }
     return true;
   }
+  bool tooLarge() const override { return tooLarge_; }
   long entries() const override { return lu_.entries(); }
   long analyses() const override { return lu_.analyses(); }
 
@@ -90,6 +92,7 @@ class System final : public NewtonSystem {
   }
 
   BlockLu<n> lu_;
+  bool tooLarge_ = false;
   std::vector<int> active_, number_, first_, column_;
   std::vector<Vector> right_;
 };

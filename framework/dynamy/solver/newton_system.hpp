@@ -24,6 +24,8 @@ class NewtonSystem {
   /// Solves for ΔΛ (rows() entries); false: singular or not finite.
   virtual bool solve(const InclusionProblem& problem, const BlockRows& G, const NewtonBlocks& n,
                      std::vector<double>& dLambda) = 0;
+  /// The last solve failed because the factors would not fit: another solver has to do it.
+  virtual bool tooLarge() const = 0;
   /// Numbers in the factors of the last solve; symbolic analyses so far.
   virtual long entries() const = 0;
   virtual long analyses() const = 0;

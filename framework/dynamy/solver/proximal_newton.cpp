@@ -232,6 +232,7 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   if (!cold) schedule.start = kWarmBlock;
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
+  if (block_.tooLarge()) return finish(p, Lambda, report);
   schedule = NewtonSchedule::gentle();
   schedule.separateNormal = true;
   schedule.maxNewton = options_.maxGentle;
