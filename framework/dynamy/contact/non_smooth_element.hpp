@@ -13,6 +13,9 @@ class NonSmoothElement : public Element {
   virtual void connect(Topology& topology) = 0;
   /// Reports every gap that can close, and W and χ rows of the closed ones.
   virtual void contacts(const Kinematics& k, ContactSink& sink) const = 0;
+  /// Changes the numbers the element reserved by Topology::memory, from the end of an accepted
+  /// step. Called once per step, in no other place; a rejected step is rolled back with its State.
+  virtual void remember(const Kinematics&, Vec /*memory*/) const {}
 };
 
 }  // namespace dynamy

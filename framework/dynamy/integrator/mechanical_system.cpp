@@ -38,7 +38,7 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   e.t = x.t;
   ++evaluations_;
-  e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u));
+  e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory));
   indefinite_ = e.mass.evaluate(topology, x.t, view(x.q));
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
@@ -171,6 +171,20 @@ void MechanicalSystem::velocityFromImpulses(State& x) {
   x.impulses.dt = problem_.dt;
 }
 
+void MechanicalSystem::remember(State& x) {
+  if (x.memory.size() == 0) return;
+  const Topology& topology = *parts_.topology;
+  const State& end = x;
+  energyKinematics_.evaluate(topology, x.t, view(end.q), view(end.u), view(end.memory));
+  const auto ask = [&](const auto& elements) {
+    for (const auto* e : elements)
+      if (const MemoryHandle m = topology.memoryOf(*e); m.size > 0)
+        e->remember(energyKinematics_, slice(x.memory, m.first, m.size));
+  };
+  ask(parts_.forces);
+  ask(parts_.contacts);
+}
+
 double MechanicalSystem::potentialEnergy(const State& x) {
   const Topology& topology = *parts_.topology;
   double V = 0.0;
@@ -179,7 +193,7 @@ double MechanicalSystem::potentialEnergy(const State& x) {
     V += topology.systems()[i]->potentialEnergy(x.t, slice(x.q, s.q0, s.nq));
   }
   if (parts_.forces.empty()) return V;
-  energyKinematics_.evaluate(topology, x.t, view(x.q), view(x.u));
+  energyKinematics_.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory));
   for (const ExternalForce* f : parts_.forces) V += f->potentialEnergy(energyKinematics_);
   return V;
 }

@@ -46,6 +46,9 @@ class MechanicalSystem {
   /// u^E = u_free + M⁻¹ W Λ; remembers Λ by key in x for the next start.
   void velocityFromImpulses(State& x);
 
+  /// Lets elements that reserved memory change it; the time loop calls it after every step.
+  void remember(State& x);
+
   /// Closed: g ≤ gTol [m]; default 1e-12 of the scene's length.
   void gTol(double value) { request_.gTol = value; }
   double gTol() const { return request_.gTol; }

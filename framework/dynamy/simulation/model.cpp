@@ -95,7 +95,6 @@ void Model::connectAll() {
 }
 
 void Model::describeAll() {
-  std::vector<double> memory;
   const auto take = [&](const Element& e, int system, int contact) {
     Description d;
     e.describe(d);
@@ -104,18 +103,15 @@ void Model::describeAll() {
       named.name = e.name().empty() ? s.name : e.name() + "." + s.name;
       named.signal = s;
       named.system = system, named.contact = contact;
-      named.memory0 = static_cast<int>(memory.size()),
-      named.memory = static_cast<int>(d.memoryStart.size());
+      const MemoryHandle memory = topology_->memoryOf(e);
+      named.memory0 = memory.first, named.memory = memory.size;
       signals_.push_back(std::move(named));
     }
-    memory.insert(memory.end(), d.memoryStart.begin(), d.memoryStart.end());
     descriptions_.push_back(std::move(d));
   };
   for (std::size_t i = 0; i < systems_.size(); ++i) take(*systems_[i], static_cast<int>(i), -1);
   for (std::size_t i = 0; i < contacts_.size(); ++i) take(*contacts_[i], -1, static_cast<int>(i));
   for (const auto& f : forces_) take(*f, -1, -1);
-  memoryStart_ =
-      Eigen::Map<const Eigen::VectorXd>(memory.data(), static_cast<Eigen::Index>(memory.size()));
 }
 
 void Model::measure() {
@@ -158,7 +154,9 @@ State Model::initialState() const {
     const SystemHandle& s = topology_->system(static_cast<int>(i));
     if (s.nq + s.nu > 0) systems_[i]->initialState(slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu));
   }
-  x.memory = memoryStart_;
+  const std::vector<double>& memory = topology_->memoryStart();
+  x.memory =
+      Eigen::Map<const Eigen::VectorXd>(memory.data(), static_cast<Eigen::Index>(memory.size()));
   return x;
 }
 

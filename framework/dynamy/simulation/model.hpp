@@ -108,8 +108,6 @@ class Model {
   std::vector<Description> descriptions_;  // systems, then contacts, then forces
   std::vector<NamedSignal> signals_;
   std::vector<Completion> completions_;
-  int memory_ = 0;
-  Eigen::VectorXd memoryStart_;
   double length_ = 1.0;
 };
 

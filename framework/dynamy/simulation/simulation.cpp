@@ -150,6 +150,7 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   const long evaluations = system_.evaluations();
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   x_.t = tEnd;
+  system_.remember(x_);
   report_.evaluations += system_.evaluations() - evaluations;
   return stepReport_;
 }

@@ -50,15 +50,12 @@ class Description {
   void signal(std::string name, Unit unit, std::string text, SignalFunction value);
   void shape(const Shape& shape, int frame) { shapes.push_back({&shape, frame}); }
   void frame(std::string name, int id) { frames.push_back({std::move(name), id}); }
-  /// Numbers of the element that live in State (latch, damage, controller state).
-  void memory(std::vector<double> initial) { memoryStart = std::move(initial); }
 
   std::vector<Signal> signals;
   /// Names of q[i] and u[i] as given above: elements with formulas find the coordinates by them.
   std::vector<std::pair<std::string, int>> coordinates, velocities;
   std::vector<PlacedShape> shapes;
   std::vector<std::pair<std::string, int>> frames;
-  std::vector<double> memoryStart;
 };
 
 }  // namespace dynamy

@@ -19,8 +19,9 @@ void Kinematics::resize(const Topology& topology) {
   }
 }
 
-void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u) {
-  t_ = t, q_ = q.data(), u_ = u.data();
+void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
+                          ConstVec memory) {
+  t_ = t, q_ = q.data(), u_ = u.data(), memory_ = memory.data();
   const auto& requested = topology.requestedFrames();
   for (std::size_t i = 0; i < requested.size(); ++i) {
     const SystemHandle& s = topology.system(requested[i].first);

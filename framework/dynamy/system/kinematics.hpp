@@ -9,18 +9,22 @@ class Kinematics {
  public:
   /// Reserves room for all frames asked for in `topology`; no allocation later.
   void resize(const Topology& topology);
-  /// Points at q, u and evaluates all frames. `q` and `u` must outlive the use.
-  void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u);
+  /// Points at q, u, memory and evaluates all frames. `q`, `u` and `memory` must outlive the use.
+  void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
+                ConstVec memory = {nullptr, 0});
 
   double t() const { return t_; }
   ConstVec q(const SystemHandle& s) const { return {q_ + s.q0, s.nq}; }
   ConstVec u(const SystemHandle& s) const { return {u_ + s.u0, s.nu}; }
+  /// Numbers an element reserved in State::memory.
+  ConstVec memory(MemoryHandle m) const { return {memory_ + m.first, m.size}; }
   const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
 
  private:
   double t_ = 0.0;
   const double* q_ = nullptr;
   const double* u_ = nullptr;
+  const double* memory_ = nullptr;
   std::vector<Frame> frames_;
   std::vector<double> jacobians_;
 };

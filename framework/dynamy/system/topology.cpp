@@ -69,6 +69,21 @@ FrameHandle Topology::frame(const SystemHandle& system, int id) {
   return {static_cast<int>(requested_.size()) - 1};
 }
 
+MemoryHandle Topology::memory(const Element& owner, const std::vector<double>& initial) {
+  expects(memoryOf(owner).size == 0, "an element reserves its memory once");
+  const MemoryHandle handle{static_cast<int>(memoryStart_.size()),
+                            static_cast<int>(initial.size())};
+  memories_.emplace_back(&owner, handle);
+  memoryStart_.insert(memoryStart_.end(), initial.begin(), initial.end());
+  return handle;
+}
+
+MemoryHandle Topology::memoryOf(const Element& owner) const {
+  for (const auto& [element, handle] : memories_)
+    if (element == &owner) return handle;
+  return {};
+}
+
 std::vector<ShapeInstance> Topology::shapesWithMaterial() {
   std::vector<ShapeInstance> out;
   out.reserve(materials_.size());

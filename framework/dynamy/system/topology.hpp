@@ -24,6 +24,11 @@ struct FrameHandle {
   int index = -1;
 };
 
+/// Numbers of one element in State::memory (a latch, a damage variable, the state of a controller).
+struct MemoryHandle {
+  int first = 0, size = 0;
+};
+
 /// A shape in the scene: which frame carries it.
 struct ShapeInstance {
   const Shape* shape = nullptr;
@@ -46,6 +51,13 @@ class Topology {
   /// All shapes of all systems that have a material; asks for their frames.
   std::vector<ShapeInstance> shapesWithMaterial();
 
+  /// Reserves numbers of `owner` in State::memory, with their values at the start; in connect(),
+  /// once. The element reads them from Kinematics and changes them in remember() alone.
+  MemoryHandle memory(const Element& owner, const std::vector<double>& initial);
+  /// What `owner` reserved; size 0 if nothing.
+  MemoryHandle memoryOf(const Element& owner) const;
+  const std::vector<double>& memoryStart() const { return memoryStart_; }
+
   int nq() const { return nq_; }
   int nu() const { return nu_; }
   int blocks() const { return blocks_; }
@@ -57,6 +69,8 @@ class Topology {
   std::vector<const PartialMechanicalSystem*> systems_;
   std::vector<SystemHandle> handles_;
   std::vector<std::pair<int, int>> requested_;
+  std::vector<std::pair<const Element*, MemoryHandle>> memories_;
+  std::vector<double> memoryStart_;
   struct Placed {
     const Shape* shape;
     int frame, system;
