@@ -49,9 +49,9 @@ void solveAndCheck(const std::string& name, const FclibProblem& problem,
   std::printf("| %s | %d | %d | %d | %.1e | %.1e | %.3g |\n", name.c_str(), problem.contacts(),
               report.iterations - report.newton, report.newton, start, reached, ms);
   EXPECT_TRUE(report.ok()) << name << ": " << solveStatusText(report.status);
-  // Solver and checker sum in another order: ε|W||r|/|q|, at most 1e-10 here for |r| of a stack
-  // with masses 1 : 10⁴, and 1e-13 for the collection.
-  EXPECT_LE(reached, 1.01 * tolerance + 1e-13) << name;
+  // Solver and checker sum in another order: a few ε|W||r|/|q|. 1 % of 1e-8 covers |r| of a stack
+  // with masses 1 : 10⁴; 5e-13 the collection, where Confeti-ex13 (condition 1e10) has the largest.
+  EXPECT_LE(reached, 1.01 * tolerance + 5e-13) << name;
 }
 
 void solveCollection(int from, int to, double tolerance = kTolerance) {

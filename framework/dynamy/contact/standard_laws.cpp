@@ -44,16 +44,17 @@ void projectBall(double radius, const double* r, int k, double* x) {
 
 /// P of the ball: I inside, (a/|z|)(I − e eᵀ) outside; e = z/|z| outside, 0 inside.
 void ballDerivative(double radius, const double* z, int k, double* P, double* e) {
-  Eigen::Map<RowMatrix> p(P, k, k);
-  Eigen::Map<Eigen::VectorXd> direction(e, k);
-  const Eigen::Map<const Eigen::VectorXd> in(z, k);
-  const double length = in.norm();
-  p.setIdentity();
-  direction.setZero();
-  if (length <= std::max(radius, 0.0)) return;
-  direction = in / length;
-  p -= direction * direction.transpose();
-  p *= std::max(radius, 0.0) / length;
+  // Plain loops: an outer product of vectors whose size is not known makes a temporary matrix.
+  double square = 0.0;
+  for (int i = 0; i < k; ++i) square += z[i] * z[i];
+  const double length = std::sqrt(square), q = std::max(radius, 0.0) / length;
+  const bool inside = length <= std::max(radius, 0.0);
+  for (int i = 0; i < k; ++i) e[i] = inside ? 0.0 : z[i] / length;
+  for (int i = 0; i < k; ++i)
+    for (int j = 0; j < k; ++j) {
+      const double unit = i == j ? 1.0 : 0.0;
+      P[i * k + j] = inside ? unit : q * (unit - e[i] * e[j]);
+    }
 }
 
 /// One projection onto the cone of n rows.
