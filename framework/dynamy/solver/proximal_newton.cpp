@@ -47,13 +47,25 @@ bool solveDense(double* J, double* b, int n) {
 ProximalNewton::ProximalNewton(const ProximalNewtonOptions& options)
     : options_(options),
       starter_({options.tolerance, 10, Relaxation::exact, 1.0}),
-      fallback_({options.tolerance, options.maxIterations, Relaxation::exact, 1.0}) {}
+      fallback_({options.tolerance, options.maxIterations, Relaxation::exact, 1.0}) {
+  reserve();
+}
 
 ProximalNewton::ProximalNewton(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxNewton"].integer(), x["maxIterations"].integer(), 64, 2000},
       starter_({options_.tolerance, 10, Relaxation::exact, 1.0}),
-      fallback_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}) {}
+      fallback_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}) {
+  reserve();
+}
+
+void ProximalNewton::reserve() {
+  // The dense form never asks for memory in a step, whenever its first contact comes.
+  const auto rows = static_cast<std::size_t>(options_.maxRows);
+  for (std::vector<double>* v : {&lambda_, &xi_, &F_, &dLambda_, &centre_, &trial_, &best_})
+    v->reserve(rows);
+  A_.reserve(rows * kMaxDim), B_.reserve(rows * kMaxDim), J_.reserve(rows * rows);
+}
 
 bool ProximalNewton::prepare(const InclusionProblem& p) {
   const int n = p.rows();

@@ -36,6 +36,7 @@ class ProximalNewton final : public InclusionSolver {
  private:
   /// Dense form; true: solved or given up for good.
   bool dense(const InclusionProblem& problem, Vec Lambda, bool cold, SolveReport& report);
+  void reserve();
   bool prepare(const InclusionProblem& problem);
   /// Inner Newton iteration from Λ with proximal parameter a; steps used, or −1 if it did not
   /// converge.
