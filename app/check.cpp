@@ -20,7 +20,24 @@ struct Sizes {
   int closed = 0, unknowns = 0;  ///< of them, and their rows
   double energy = 0.0;           ///< T + V [J]
   Worst penetration;
+  std::string weightless;  ///< systems that <Gravity> does not act on
 };
+
+/// Names of the moving systems that do not answer to gravity, if the model has any.
+std::string weightless(const Model& model, const State& x) {
+  std::string out;
+  for (const auto& force : model.forces()) {
+    if (force->type() != "Gravity") continue;
+    for (std::size_t i = 0; i < model.systems().size(); ++i) {
+      const SystemHandle& s = model.topology().system(static_cast<int>(i));
+      const PartialMechanicalSystem& system = *model.systems()[i];
+      if (s.nu == 0 || feelsGravity(system, {x.q.data() + s.q0, s.nq})) continue;
+      out += (out.empty() ? "" : ", ") + (system.name().empty() ? system.type() : system.name());
+    }
+    return out;
+  }
+  return out;
+}
 
 Sizes sizesOf(Model& model) {
   Sizes s;
@@ -35,9 +52,14 @@ Sizes sizesOf(Model& model) {
   MechanicalSystem system = model.mechanicalSystem();
   const State x = model.initialState();
   const ContactSet& c = system.evaluate(x).contacts;
-  if (system.indefiniteMass() >= 0)
-    throw ModelError("the mass matrix of " + systemName(model, system.indefiniteMass()) +
-                     " is not positive definite at the start");
+  if (const int i = system.indefiniteMass(); i >= 0) {
+    const PartialMechanicalSystem& wrong = *model.systems()[static_cast<std::size_t>(i)];
+    Diagnostic d;
+    d.place = wrong.place();
+    d.element = wrong.type() + (wrong.name().empty() ? "" : " name=\"" + wrong.name() + "\"");
+    d.text = "the mass matrix is not positive definite at the start";
+    throw ModelError(d);
+  }
   s.gaps = c.g.size(), s.closed = c.size(), s.unknowns = c.rows();
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int k = c.closedIndex[i];
@@ -47,6 +69,7 @@ Sizes sizesOf(Model& model) {
   }
   EnergyMeter meter(model);
   s.energy = meter.kinetic(x) + meter.potential(x);
+  s.weightless = weightless(model, x);
   return s;
 }
 
@@ -62,6 +85,9 @@ std::string text(const Model& model, const Sizes& s) {
   out += fmt::format(" {}   {}   step {:g} s   to t = {:g} s   length of the scene {:.3g} m\n",
                      model.scheme().type(), model.solver().type(), model.simulation.step,
                      model.simulation.until, model.length());
+  if (!s.weightless.empty())
+    out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
+                       s.weightless);
   // Contacts that begin closed have a gap of rounding.
   if (s.penetration.value > 1e-9 * model.length())
     out += fmt::format(" warning: {} begins with a penetration of {:.3g} m\n", s.penetration.name,
@@ -78,7 +104,7 @@ std::string json(const Model& model, const Sizes& s) {
   j.member("checks", s.checks).member("q", s.nq).member("u", s.nu).member("blocks", s.blocks);
   j.member("constantBlocks", s.constantBlocks).member("gaps", s.gaps).member("closed", s.closed);
   j.member("unknowns", s.unknowns).member("energy", s.energy);
-  j.member("penetration", s.penetration.value);
+  j.member("penetration", s.penetration.value).member("withoutGravity", s.weightless);
   j.member("integrator", model.scheme().type()).member("solver", model.solver().type());
   j.member("step", model.simulation.step).member("until", model.simulation.until);
   j.member("length", model.length()).endObject();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/file_error.hpp>
+#include <fstream>
 
 #include "program.hpp"
 
@@ -49,6 +50,19 @@ int usage(const CLI::App& app, const CLI::ParseError& error,
   return kUsage;
 }
 
+/// An error that was found after the files were read shows its line, too.
+std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
+  for (Diagnostic& d : all) {
+    if (!d.sourceLine.empty() || d.place.line <= 0 || d.place.file.empty()) continue;
+    std::ifstream in(d.place.file);
+    for (int i = 0; i < d.place.line && std::getline(in, d.sourceLine); ++i) {
+    }
+    if (!in) d.sourceLine.clear();
+    if (!d.sourceLine.empty() && d.sourceLine.back() == '\r') d.sourceLine.pop_back();
+  }
+  return all;
+}
+
 int run(int argc, char** argv) {
   Program program;
   CLI::App app{"dynamY: simulation of multibody systems with impacts and friction", "dynamy"};
@@ -67,7 +81,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return usage(app, e, std::vector<std::string>(argv + 1, argv + argc));
   } catch (const ModelError& e) {
-    fmt::print(stderr, "{}\n", format(e.diagnostics()));
+    fmt::print(stderr, "{}\n", format(withSourceLines(e.diagnostics())));
     const std::size_t n = e.diagnostics().size();
     fmt::print(stderr, "{} error{}\n", n, n == 1 ? "" : "s");
     return kModel;

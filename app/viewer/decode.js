@@ -65,6 +65,9 @@ class Film {
     return {r: [at(0), at(1), at(2)], q: q.map(x => x / norm)};
   }
 
+  /** Whether pose i ever changes; the inertial frame (−1) does not. */
+  moves(i) { return i >= 0 && [0, 1, 2, 3, 4, 5, 6].some(k => this.course[7 * i + k]); }
+
   /** Contacts of the last frame at or before t: [{r, n, F, state}]. */
   contacts(t) {
     const out = [];

@@ -17,6 +17,9 @@ class Picture {
     this.grounds = scene.shapes.filter(s => s.kind === "halfspace");
     this.painted = [];
     this.extent = this.sceneExtent();
+    this.followed = -1;         // frame that the camera moves with
+    this.anchor = [0, 0, 0];    // where it was when the camera moved last
+    this.size = this.extent.size;
     const normal = this.grounds.length ? this.plane(this.grounds[0], film.begin).n : [0, 0, 1];
     if (Math.abs(normal[1]) > 0.9) {  // y is up: x stays to the right, z comes to the viewer
       this.camera.upAxis = 1;
@@ -96,7 +99,37 @@ class Picture {
     this.fit();
   }
 
-  fit() { this.camera.fit(this.extent.points); }
+  fit() {
+    const points = this.followed >= 0 ? this.pointsAround(this.followed) : this.extent.points;
+    this.size = this.followed >= 0 ? spread(points) : this.extent.size;
+    this.camera.fit(points);
+  }
+
+  /** The camera moves with a frame from now on; -1: it stands. */
+  follow(frame, t) {
+    this.followed = frame;
+    if (frame >= 0) this.anchor = this.film.pose(frame, t).r;
+  }
+
+  keepUp(t) {
+    if (this.followed < 0) return;
+    const {r} = this.film.pose(this.followed, t);
+    this.camera.centre = add(this.camera.centre, sub(r, this.anchor));
+    this.anchor = r;
+  }
+
+  /** What moves, seen from a frame at some instants of the film, put to where the frame is now. */
+  pointsAround(frame) {
+    const moving = this.bodies.filter(s => this.film.moves(s.frame));
+    const points = [], instants = 40;
+    for (let i = 0; i < instants; ++i) {
+      const t = this.film.begin + (this.film.end - this.film.begin) * i / (instants - 1);
+      const shift = sub(this.anchor, this.film.pose(frame, t).r);
+      for (const shape of moving)
+        this.item(shape, t).points().filter(p => p.every(Number.isFinite)).forEach(p => points.push(add(p, shift)));
+    }
+    return points.length ? points : this.extent.points;
+  }
 
   resize() {
     const ratio = window.devicePixelRatio || 1;
@@ -112,10 +145,11 @@ class Picture {
   draw(t) {
     const ratio = window.devicePixelRatio || 1;
     const ctx = this.canvas.getContext("2d"), {camera} = this;
+    this.keepUp(t);
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.fillStyle = "#ffffff";
     ctx.fillRect(0, 0, camera.width, camera.height);
-    camera.zigzag = clamp(0.02 * this.extent.size * camera.scale, 4, 12);
+    camera.zigzag = clamp(0.02 * this.size * camera.scale, 4, 12);
     if (camera.isPlanar && this.show.grid) paintGrid(ctx, camera);
 
     const below = g => dot(this.plane(g, t).n, camera.toward) < -1e-3;
@@ -165,7 +199,7 @@ class Picture {
   paintContacts(ctx, t) {
     const {camera} = this;
     const most = 0.28 * Math.min(camera.width, camera.height);
-    const perNewton = this.usualForce > 0 ? 0.1 * this.extent.size * camera.scale / this.usualForce : 0;
+    const perNewton = this.usualForce > 0 ? 0.1 * this.size * camera.scale / this.usualForce : 0;
     for (const {r, F, state} of this.film.contacts(t)) {
       const p = camera.project(r);
       const tip = [dot(F, camera.right) * perNewton, -dot(F, camera.up) * perNewton];
@@ -177,6 +211,16 @@ class Picture {
       ctx.fill();
     }
   }
+}
+
+/** Diagonal of the box around points. */
+function spread(points) {
+  const range = k => {
+    let lo = Infinity, hi = -Infinity;
+    for (const p of points) { lo = Math.min(lo, p[k]); hi = Math.max(hi, p[k]); }
+    return hi - lo;
+  };
+  return Math.max(norm([0, 1, 2].map(range)), 1e-9);
 }
 
 /** Items in the order of painting. Depth of the centres orders most; a plane that has one item on

@@ -9,7 +9,7 @@ const kPauseIcon = '<svg viewBox="0 0 14 14"><path d="M2 1h3.6v12H2zM8.4 1H12v12
 const kKeys = [["space", "play, pause"], ["\u2190 \u2192", "one frame back, on"],
   ["shift \u2190 \u2192", "a tenth of the film"], ["home end", "first, last frame"], ["+ \u2212", "faster, slower"],
   ["1 2 3 4", "view x\u2013z, x\u2013y, y\u2013z, 3D"], ["0", "fit"], ["c t", "contacts, trails"],
-  ["f", "follow what is selected"], ["drag", "turn (3D) or move; with shift: move"], ["wheel", "zoom"],
+  ["f", "follow what is selected, or the body the model names"], ["drag", "turn (3D) or move; with shift: move"], ["wheel", "zoom"],
   ["click", "name and place of a body"]];
 
 class Replay {
@@ -23,8 +23,9 @@ class Replay {
     if (!(this.begin <= this.end)) this.begin = this.end = 0;
     this.t = this.begin;
     this.playing = false;
-    this.following = false;
     this.picture = new Picture(byId("picture"), data.scene, this.film);
+    const follow = data.scene.follow ?? -1;
+    this.picture.follow(follow < this.film.poses ? follow : -1, this.t);
     this.plots = new Plots(byId("plots"), signals, this.begin, this.end, t => this.pause().seek(t));
     const main = document.querySelector("main");
     main.classList.toggle("alone", !signals.length && !data.model.text && !data.run);
@@ -98,7 +99,6 @@ class Replay {
 
   draw() {
     const {picture} = this, {selected} = picture;
-    if (this.following && selected >= 0) picture.camera.centre = this.film.pose(selected, this.t).r;
     picture.draw(this.t);
     this.plots.draw(this.t);
     byId("scrub").value = this.end > this.begin ? (this.t - this.begin) / (this.end - this.begin) : 0;
@@ -134,6 +134,21 @@ class Replay {
     this.draw();
   }
 
+  /** The camera goes with what is selected, or with what the model names; or it stands again. */
+  setFollow(on) {
+    const {picture} = this, named = this.data.scene.follow ?? -1;
+    const frame = picture.selected >= 0 ? picture.selected : named;
+    picture.follow(on ? frame : -1, this.t);
+    if (picture.selected < 0) picture.fit();
+    this.showFollow();
+    this.draw();
+  }
+
+  showFollow() {
+    const button = byId("switches").querySelector("[data-name=follow]");
+    if (button) button.classList.toggle("on", this.picture.followed >= 0);
+  }
+
   /** Shows name, place in the model and position of a frame; −1: of none. */
   select(frame) {
     this.picture.selected = frame;
@@ -150,7 +165,6 @@ class Replay {
       }
     } else {
       this.picture.selected = -1;
-      this.following = false;
     }
     this.draw();
   }
@@ -227,6 +241,9 @@ class Replay {
     for (const name of this.film.contact.length ? ["contacts", "trails"] : ["trails"]) {
       button("switches", name, "", () => this.setSwitch(name, !this.picture.show[name])).dataset.name = name;
     }
+    button("switches", "follow", "the camera goes with what is selected (f)",
+      () => this.setFollow(this.picture.followed < 0)).dataset.name = "follow";
+    this.showFollow();
     for (const name of ["contacts", "trails"]) this.setSwitch(name, this.picture.show[name]);
   }
 
@@ -273,7 +290,7 @@ class Replay {
       0: () => { this.picture.fit(); this.draw(); },
       c: () => this.setSwitch("contacts", !this.picture.show.contacts),
       t: () => this.setSwitch("trails", !this.picture.show.trails),
-      f: () => { this.following = !this.following; this.draw(); },
+      f: () => this.setFollow(this.picture.followed < 0),
       "?": () => byId("ask").click(), Escape: () => { byId("help").hidden = true; this.select(-1); }
     };
     if (!acts[event.key]) return;

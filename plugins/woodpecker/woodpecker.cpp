@@ -36,14 +36,16 @@ struct Lengths {
       : lM(x["lM"]), lG(x["lG"]), lS(x["lS"]), hS(x["hS"]), hM(x["hM"]), rM(x["rM"]), r0(x["r0"]) {}
 };
 
-/// A filled outline for the replay.
+/// A filled outline, or a line through two points, for the replay.
 class Outline final : public Shape {
  public:
   static void declare(Attributes&) {}
   Outline(const char* name, const char* colour, std::vector<Vec3> points)
       : Shape(Parameters::of<Outline>("Outline", name, {{"colour", colour}})),
         points_(std::move(points)) {}
-  ShapeGeometry geometry() const override { return {"Polygon", {}, points_, colour()}; }
+  ShapeGeometry geometry() const override {
+    return {points_.size() > 2 ? "Polygon" : "Line", {}, points_, colour()};
+  }
 
  private:
   std::vector<Vec3> points_;
@@ -52,6 +54,50 @@ class Outline final : public Shape {
 /// Corners of a rectangle in the x–z plane.
 std::vector<Vec3> rectangle(double x0, double x1, double z0, double z1) {
   return {{x0, 0, z0}, {x1, 0, z0}, {x1, 0, z1}, {x0, 0, z1}};
+}
+
+/// The bird from the side, from back to front; its centre of mass is the origin, its beak touches
+/// the pole. For the picture only.
+std::vector<std::unique_ptr<Outline>> bird(const Lengths& l) {
+  std::vector<std::unique_ptr<Outline>> all;
+  const auto add = [&all](const char* name, const char* colour, std::vector<Vec3> points) {
+    all.push_back(std::make_unique<Outline>(name, colour, std::move(points)));
+  };
+  add("spring", "#505860", {{-l.lG, 0, 0}, {0, 0, 0}});
+  add("tail", "#5a3326",
+      {{0.0035, 0, -0.014}, {0.008, 0, -0.013}, {0.012, 0, -0.034}, {0.0075, 0, -0.035}});
+  add("body", "#c04030",
+      {{-0.0049, 0, 0.0131},
+       {-0.0069, 0, 0.0058},
+       {-0.0057, 0, -0.0048},
+       {-0.0017, 0, -0.0147},
+       {0.0034, 0, -0.0202},
+       {0.0079, 0, -0.0191},
+       {0.0099, 0, -0.0118},
+       {0.0087, 0, -0.0012},
+       {0.0047, 0, 0.0087},
+       {-0.0004, 0, 0.0142}});
+  add("wing", "#7d2a20",
+      {{0.0035, 0, 0.005},
+       {0.008, 0, 0},
+       {0.01, 0, -0.014},
+       {0.0085, 0, -0.019},
+       {0.004, 0, -0.009}});
+  add("crest", "#e0b040",
+      {{-0.007, 0, 0.0215}, {0.0005, 0, 0.022}, {-0.0005, 0, 0.016}, {-0.004, 0, 0.015}});
+  add("head", "#c04030",
+      {{0.0002, 0, 0.018},
+       {-0.003, 0, 0.0212},
+       {-0.0074, 0, 0.0212},
+       {-0.0106, 0, 0.018},
+       {-0.0106, 0, 0.0136},
+       {-0.0074, 0, 0.0104},
+       {-0.003, 0, 0.0104},
+       {0.0002, 0, 0.0136}});
+  add("beak", "#d8a020", {{-l.lS, 0, l.hS}, {-0.0102, 0, 0.0186}, {-0.0104, 0, 0.0142}});
+  add("eye", "#ffffff",
+      {{-0.006, 0, 0.0172}, {-0.0072, 0, 0.0184}, {-0.0084, 0, 0.0172}, {-0.0072, 0, 0.016}});
+  return all;
 }
 
 class Woodpecker final : public PartialMechanicalSystem {
@@ -85,13 +131,8 @@ class Woodpecker final : public PartialMechanicalSystem {
         pole_("pole", "#b08050", rectangle(-l_.r0, l_.r0, -0.45, 0.05)),
         innerWall_("wall", "#4878a8", rectangle(l_.rM, l_.rM + 0.002, -l_.hM, l_.hM)),
         outerWall_("wall", "#4878a8", rectangle(-l_.rM - 0.002, -l_.rM, -l_.hM, l_.hM)),
-        body_("body", "#c04030",
-              {{-l_.lS, 0, l_.hS},
-               {0.5 * (l_.lG - l_.lS), 0, 0.6 * l_.hS},
-               {0.006, 0, -0.5 * l_.hS},
-               {0.009, 0, -1.6 * l_.hS},
-               {-0.004, 0, -0.7 * l_.hS},
-               {-0.6 * l_.lS, 0, 0.5 * l_.hS}}) {}
+        rod_("rod", "#505860", {{l_.rM + 0.002, 0, 0}, {l_.lM, 0, 0}}),
+        bird_(bird(l_)) {}
 
   Blocks blocks() const override { return {3, 3, 1, true}; }
   void initialState(Vec q, Vec u) const override { q = q0_, u = u0_; }
@@ -112,16 +153,16 @@ class Woodpecker final : public PartialMechanicalSystem {
            0.5 * c_ * twist * twist;
   }
 
-  /// Frames 0 sleeve, 1 bird, 2 pole; angles turn x to z.
+  /// Frames 0 pole, 1 sleeve, 2 bird; angles turn x to z.
   int frames() const override { return 3; }
   void frame(double, ConstVec q, ConstVec u, int id, Frame& out) const override {
-    if (id == 2) return;  // the pole does not move
+    if (id == 0) return;  // the pole does not move
     out.block = 0;
-    const double angle = q[1 + id], rate = u[1 + id];
+    const double angle = q[id], rate = u[id];
     out.A_IK << std::cos(angle), 0, -std::sin(angle), 0, 1, 0, std::sin(angle), 0, std::cos(angle);
     out.Omega_I = Vec3(0, -rate, 0);
-    out.J_R_I(1, 1 + id) = -1.0;
-    const double lM = id == 1 ? l_.lM : 0.0, lG = id == 1 ? l_.lG : 0.0;
+    out.J_R_I(1, id) = -1.0;
+    const double lM = id == 2 ? l_.lM : 0.0, lG = id == 2 ? l_.lG : 0.0;
     out.r_OS_I = Vec3(lM + lG, 0, q[0] + lM * q[1] + lG * q[2]);
     out.J_S_I.row(2) << 1.0, lM, lG;
     out.v_S_I = Vec3(0, 0, u[0] + lM * u[1] + lG * u[2]);
@@ -134,15 +175,18 @@ class Woodpecker final : public PartialMechanicalSystem {
     d.velocity("y_dot", Unit::velocity, 0);
     d.velocity("phiM_dot", Unit::angularVelocity, 1);
     d.velocity("phiS_dot", Unit::angularVelocity, 2);
-    d.frame("sleeve", 0), d.frame("bird", 1), d.frame("pole", 2);
-    d.shape(innerWall_, 0), d.shape(outerWall_, 0), d.shape(body_, 1), d.shape(pole_, 2);
+    d.frame("pole", 0), d.frame("sleeve", 1), d.frame("bird", 2);
+    d.shape(pole_, 0);  // painted in this order
+    d.shape(rod_, 1), d.shape(innerWall_, 1), d.shape(outerWall_, 1);
+    for (const auto& part : bird_) d.shape(*part, 2);
   }
 
  private:
   Lengths l_;
   double mM_, mS_, JM_, JS_, c_, g_;
   Vec3 q0_, u0_;
-  Outline pole_, innerWall_, outerWall_, body_;
+  Outline pole_, innerWall_, outerWall_, rod_;
+  std::vector<std::unique_ptr<Outline>> bird_;
 };
 
 /// One of the three places where the toy touches the pole; g = a + b·q, γ_T = d·u.

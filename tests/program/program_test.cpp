@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <dynamy/io/frames_file.hpp>
-#include <dynamy/io/output_file.hpp>
 #include <dynamy/io/signals_file.hpp>
 #include <filesystem>
+#include <program/program_fixture.hpp>
 #include <thread>
 
 namespace dynamy {
@@ -31,29 +31,8 @@ std::string ballXml(double until, const std::string& step, const std::string& ch
          "\n</dynamy>\n";
 }
 
-class ProgramTest : public ::testing::Test {
+class ProgramRunTest : public ProgramTest {
  protected:
-  void SetUp() override {
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              (std::string("dynamy_") + info->name() + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const std::string& name, const std::string& text) const {
-    writeWholeFile(path(name), text);
-  }
-  /// Exit code; what it printed lies in the files out and err.
-  int call(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && '" +
-                                std::string(DYNAMY_BINARY_DIR) + "/bin/dynamy' " + arguments +
-                                " > out 2> err";
-    return WEXITSTATUS(std::system(command.c_str()));
-  }
-  std::string out() const { return readWholeFile(path("out")); }
-  std::string err() const { return readWholeFile(path("err")); }
   /// Starts the program and leaves it running.
   pid_t start(const std::vector<std::string>& arguments) const {
     const pid_t child = fork();
@@ -76,7 +55,6 @@ class ProgramTest : public ::testing::Test {
     }
     FAIL() << file << " stays small";
   }
-  fs::path folder_;
 };
 
 TEST_F(ProgramTest, RunWritesACompleteFolderAndEndsWith0) {
@@ -167,7 +145,7 @@ TEST_F(ProgramTest, AModelThatChangedIsNotResumed) {
   EXPECT_NE(err().find("has changed since the run"), std::string::npos) << err();
 }
 
-TEST_F(ProgramTest, AKilledRunKeepsWhatItRecordedAndIsResumedFromItsCheckpoint) {
+TEST_F(ProgramRunTest, AKilledRunKeepsWhatItRecordedAndIsResumedFromItsCheckpoint) {
   write("ball.xml", ballXml(4000.0, "1e-6"));  // an hour, if nobody ends it
   const pid_t child =
       start({"run", path("ball.xml"), "--out", path("k"), "--checkpoint", "200ms", "--quiet"});
@@ -190,7 +168,7 @@ TEST_F(ProgramTest, AKilledRunKeepsWhatItRecordedAndIsResumedFromItsCheckpoint) 
   }
 }
 
-TEST_F(ProgramTest, ControlCEndsARunCleanly) {
+TEST_F(ProgramRunTest, ControlCEndsARunCleanly) {
   write("ball.xml", ballXml(4000.0, "1e-6"));
   const pid_t child = start({"run", path("ball.xml"), "--out", path("c"), "--quiet"});
   waitFor("c/signals.csv", 200);

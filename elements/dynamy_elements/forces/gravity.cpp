@@ -4,7 +4,9 @@
 namespace dynamy {
 
 void Gravity::declare(Attributes& a) {
-  a.about("Uniform field of gravity: every mass m feels the force m g.");
+  a.about(
+      "Uniform field of gravity: every mass m feels the force m g. Systems written as formulas "
+      "(Coordinates) have their weight in their own potential and do not answer.");
   a.vector("acceleration", Unit::acceleration, 3, "0 0 -9.81", "acceleration of free fall");
   a.example("<Gravity acceleration=\"0 0 -9.81\"/>");
 }
@@ -14,12 +16,20 @@ Gravity::Gravity(const Parameters& x) : ExternalForce(x), g_I_(x["acceleration"]
 void Gravity::connect(Topology& topology) {
   parts_.clear();
   int largest = 0;
+  bool felt = false;
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& handle = topology.system(static_cast<int>(i));
     if (handle.nu == 0) continue;
     parts_.push_back({topology.systems()[i], handle});
     largest = std::max(largest, handle.nu);
+    Eigen::VectorXd q(handle.nq), u(handle.nu);
+    topology.systems()[i]->initialState({q.data(), q.size()}, {u.data(), u.size()});
+    felt = felt || feelsGravity(*topology.systems()[i], {q.data(), q.size()});
   }
+  if (!felt && !g_I_.isZero(0.0))
+    throw ModelError("no system of the model feels gravity",
+                     "write its potential into the system itself, e.g. <Coordinates … "
+                     "potential=\"m*9.81*z\">, and leave <Gravity> out");
   h_.setZero(largest);
 }
 

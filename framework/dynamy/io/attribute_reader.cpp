@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/attribute_reader.hpp>
 #include <stdexcept>
 
@@ -120,6 +121,19 @@ bool AttributeReader::sources(const XmlNode& node, const Scope& scope,
   return good;
 }
 
+/// Whether some unknown attribute of the element was probably meant to be `name`.
+bool AttributeReader::isMisspelt(const std::string& name, const XmlNode& node,
+                                 const Attributes& declared,
+                                 std::span<const std::string_view> common) {
+  std::vector<std::string> known;
+  for (const Attribute& a : declared.list()) known.push_back(a.name);
+  for (const std::string_view c : common) known.emplace_back(c);
+  return std::any_of(node.attributes.begin(), node.attributes.end(), [&](const XmlAttribute& a) {
+    return std::find(known.begin(), known.end(), a.name) == known.end() &&
+           nearest(a.name, known) == name;
+  });
+}
+
 bool AttributeReader::read(const XmlNode& node, const Scope& scope, const Attributes& declared,
                            std::span<const std::string_view> common, Parameters& x) const {
   bool good = allDeclared(node, scope, declared, common);
@@ -141,6 +155,8 @@ bool AttributeReader::read(const XmlNode& node, const Scope& scope, const Attrib
       value.text = *a.defaultValue;
       if (const auto fault = readValue(a, value))
         throw std::logic_error("default of " + x.type + '.' + a.name + ": " + fault->text);
+    } else if (!a.optionalValue && isMisspelt(a.name, node, declared, common)) {
+      good = false;  // told already: unknown attribute, did you mean this one?
     } else if (!a.optionalValue) {
       const std::string unit =
           unitText(a.unit) == "-" ? std::string() : " [" + std::string(unitText(a.unit)) + ']';

@@ -38,6 +38,8 @@ class AttributeReader {
   bool read(const XmlNode& node, const Scope& scope, const Attributes& declared,
             std::span<const std::string_view> common, Parameters& x) const;
   /// Reports attributes of the node that are not declared.
+  static bool isMisspelt(const std::string& name, const XmlNode& node, const Attributes& declared,
+                         std::span<const std::string_view> common);
   bool allDeclared(const XmlNode& node, const Scope& scope, const Attributes& declared,
                    std::span<const std::string_view> common) const;
 

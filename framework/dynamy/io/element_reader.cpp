@@ -32,6 +32,7 @@ void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, cons
     for (const RegisteredType* t : registry_->types()) all.push_back(t->name);
     near = nearest(node.tag, all);
   }
+  if (near.empty() && source_->typesAreMissing()) return;  // told already: the plug-in
   std::string hint;
   if (!near.empty())
     hint = "did you mean <" + near + ">?";

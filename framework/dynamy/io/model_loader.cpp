@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/core/parameters.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/io/settings_reader.hpp>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace dynamy {
@@ -37,6 +41,38 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
   return out;
 }
 
+/// A rule that could not be read still says that its pair of materials was thought of.
+std::unique_ptr<Element> standIn(const XmlNode& node) {
+  const XmlAttribute* between = node.attribute("between");
+  if (between == nullptr || xmlWords(between->value).size() != 2) return nullptr;
+  return std::make_unique<NoContactRule>(
+      Parameters::of<NoContactRule>("NoContact", "", {{"between", between->value}}));
+}
+
+using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;
+
+/// False if a section, an included file or a plug-in is missing: it may hold the missing rules.
+bool allElementsAreKnown(const Faults& faults) {
+  return std::all_of(faults.items().begin(), faults.items().end(), [](const Diagnostic& d) {
+    return d.element.starts_with("parameter") || d.element.starts_with("set") ||
+           d.text.starts_with("the file includes itself");
+  });
+}
+
+/// Pairs of materials that no rule covers, although other faults forbid to build the model.
+void findUncoveredPairs(Parts parts, const Registry& registry, Faults& faults) {
+  Model partial;
+  for (auto& [kind, element] : parts)
+    if (kind == Kind::system || kind == Kind::rule) partial.add(kind, std::move(element));
+  for (const Model::Completion& completion : registry.completions())
+    partial.addCompletion(completion);
+  try {
+    partial.build();
+  } catch (const ModelError& e) {
+    faults.add(e);
+  }
+}
+
 std::string documentation(const XmlNode& root) {
   std::string out;
   for (const XmlNode& node : root.children)
@@ -50,14 +86,20 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   Faults faults;
   ModelSource source(registry, plugins, options.set, faults);
   read(source);
+  const bool whole = allElementsAreKnown(faults);
 
   // Elements, in the order of the file.
   Model model;
   NameTable names;
   ElementReader reader(registry, names, source, faults);
-  for (const Placed& p : placeElements(source, reader, names, faults))
-    if (auto element = reader.read(*p.item->node, *p.item->scope, *p.type, p.name))
-      model.add(p.type->kind, std::move(element));
+  Parts parts;
+  std::set<const ModelItem*> good;
+  for (const Placed& p : placeElements(source, reader, names, faults)) {
+    auto element = reader.read(*p.item->node, *p.item->scope, *p.type, p.name);
+    if (!element) continue;
+    parts.emplace_back(p.type->kind, std::move(element));
+    good.insert(p.item);
+  }
   SettingsReader settings(model, source, reader, faults);
   for (const ModelItem& item : source.settings()) settings.read(item);
 
@@ -68,7 +110,14 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
                                        : source.title();
   for (const Model::Completion& completion : registry.completions())
     model.addCompletion(completion);
+  if (faults.size() > 0 && whole) {
+    for (const ModelItem& item : source.elements())
+      if (auto rule = good.contains(&item) ? nullptr : standIn(*item.node))
+        parts.emplace_back(Kind::rule, std::move(rule));
+    findUncoveredPairs(std::move(parts), registry, faults);
+  }
   faults.throwIfAny();
+  for (auto& [kind, element] : parts) model.add(kind, std::move(element));
   if (!options.build) return model;
   try {
     model.build();

@@ -62,6 +62,10 @@ Scene modelScene(const Model& model) {
   const std::vector<DrawnFrame> frames = drawnFrames(model);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     scene.frames.push_back(frameOf(model, frames[k]));
+    const std::string& name = scene.frames.back().name;
+    if (scene.follow < 0 && !model.record.follow.empty() &&
+        (name == model.record.follow || name.starts_with(model.record.follow + ".")))
+      scene.follow = static_cast<int>(k);
     for (const PlacedShape& p : model.description(frames[k].system).shapes) {
       if (p.frame != frames[k].id) continue;
       Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();

@@ -42,6 +42,7 @@ class Faults {
   void add(const ModelError& error);
   void add(Diagnostic diagnostic);
   std::size_t size() const { return all_.size(); }
+  const std::vector<Diagnostic>& items() const { return all_.items(); }
   /// Throws ModelError if there is any.
   void throwIfAny() const { all_.throwIfAny(); }
 

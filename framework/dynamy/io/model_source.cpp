@@ -129,10 +129,14 @@ void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
   for (const XmlNode& node : root.children) {
     if (node.tag != "plugin") continue;
     Parameters x;
-    if (!readWord(node, scope, x)) continue;
+    if (!readWord(node, scope, x)) {
+      typesAreMissing_ = true;
+      continue;
+    }
     try {
       plugins_->load(x["library"].text, scope.folder, *registry_);
     } catch (const ModelError& e) {
+      typesAreMissing_ = true;
       for (Diagnostic d : e.diagnostics()) {
         d.place = x["library"].place;
         d.element = node.label();
@@ -295,7 +299,7 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
   } catch (const ModelError& e) {
     for (Diagnostic d : e.diagnostics()) {
       if (d.place.line <= 0) {  // no such file: the place is where it is named
-        d.text = '"' + file.lexically_normal().string() + "\" " + d.text;
+        d.text = '"' + file.lexically_normal().string() + "\": " + d.text;
         d.place = x["file"].place;
         d.element = node.label();
       }

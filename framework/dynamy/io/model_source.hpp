@@ -32,6 +32,8 @@ class ModelSource {
   const XmlDocument& document() const { return documents_.front(); }
   const Vocabulary& vocabulary() const { return vocabulary_; }
   const std::string& title() const { return title_; }
+  /// A plug-in was refused: types that nobody knows are probably its.
+  bool typesAreMissing() const { return typesAreMissing_; }
 
   /// Calls `use(child, scope)` for the children of `node`: `<doc>` is left out, replicates are
   /// unrolled. Reports text where none belongs.
@@ -68,6 +70,7 @@ class ModelSource {
   std::deque<Scope> scopes_;
   std::vector<ModelItem> elements_, settings_;
   std::string title_;
+  bool typesAreMissing_ = false;
 };
 
 template <class Use>

@@ -53,6 +53,14 @@ std::vector<std::string> librariesIn(const fs::path& folder) {
   return names;
 }
 
+/// What the dynamic linker said, without the words that the library around it adds.
+std::string linkerReason(const std::string& what) {
+  const std::string before = "dlerror system message: ";
+  const std::size_t begin = what.find(before), end = what.rfind(')');
+  if (begin == std::string::npos || end == std::string::npos) return what;
+  return what.substr(begin + before.size(), end - begin - before.size());
+}
+
 /// Keeps the library in memory whatever is closed later.
 void pin(const fs::path& file) { ::dlopen(file.c_str(), RTLD_LAZY | RTLD_NODELETE | RTLD_NOLOAD); }
 
@@ -128,8 +136,13 @@ fs::path PluginLoader::find(const std::string& library, const fs::path& modelFol
         known.push_back(std::move(name));
   Diagnostic d{.text = "no library \"" + library + '"',
                .hint = didYouMean(nearest(isPath ? given.stem().string() : library, known))};
-  for (const fs::path& path : tried)
-    d.notes.push_back({.place = Place(path.lexically_normal().string()), .text = "not there"});
+  std::vector<std::string> told;
+  for (const fs::path& path : tried) {
+    std::string text = "looked for " + fs::absolute(path).lexically_normal().string();
+    if (std::find(told.begin(), told.end(), text) != told.end()) continue;
+    d.notes.push_back({.text = text});
+    told.push_back(std::move(text));
+  }
   throw ModelError(std::move(d));
 }
 
@@ -145,7 +158,7 @@ void PluginLoader::load(const std::string& library, const fs::path& modelFolder,
   try {
     handle.load(file.string(), boost::dll::load_mode::rtld_now);
   } catch (const std::exception& e) {
-    throw ModelError(name + ": cannot be loaded: " + e.what(),
+    throw ModelError(name + ": cannot be loaded: " + linkerReason(e.what()),
                      "was it built against dynamy " + versionString() + "?");
   }
   pin(file);
@@ -158,6 +171,11 @@ void PluginLoader::load(const std::string& library, const fs::path& modelFolder,
   if (info == nullptr) throw ModelError(name + ": its plug-in entry is empty");
   if (const std::string why = pluginMismatch(*info, frameworkFingerprint()); !why.empty())
     throw ModelError(name + ": " + why);
+  for (const Loaded& l : loaded_)
+    if (l.name == info->name)
+      throw ModelError(name + ": a plug-in named \"" + info->name + "\" is loaded already, from " +
+                           l.file.string(),
+                       "name one of them only, or rename one in its line DYNAMY_PLUGIN");
   loaded_.push_back({info->name, info->version, file});
   registry.library(info->name);
   info->registerElements(registry);

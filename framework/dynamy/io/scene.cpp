@@ -54,6 +54,7 @@ void write(JsonWriter& json, const SceneShape& shape) {
 
 void write(JsonWriter& json, const Scene& scene) {
   json.beginObject().member("view", scene.view);
+  if (scene.follow >= 0) json.member("follow", scene.follow);
   json.key("frames").beginArray();
   for (const SceneFrame& frame : scene.frames) {
     json.beginObject().member("name", frame.name).member("place", frame.place).endObject();

@@ -50,6 +50,7 @@ struct SceneShape {
 /// All that is drawn, and from where.
 struct Scene {
   std::string view;  ///< "xy", "xz", "yz" (axes to the right and up), "iso"; empty: by the motion
+  int follow = -1;   ///< frame that the view moves with; −1: the view stands
   std::vector<SceneFrame> frames;
   std::vector<SceneShape> shapes;
 };

@@ -1,5 +1,6 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model_scene.hpp>
 #include <dynamy/io/settings_reader.hpp>
 
 namespace dynamy {
@@ -33,6 +34,10 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
     d.notes.push_back({.place = first->second, .text = "first given here"});
     faults_->add(std::move(d));
   }
+  if (given_.contains("step") && given_.contains("tolerance") &&
+      (x["step"].given || x["tolerance"].given))
+    faults_->add(scope, given_.at("tolerance"), node, "step and tolerance exclude each other",
+                 "a step fixes the length of all steps, a tolerance lets the program choose it");
   SimulationSettings& s = model_->simulation;
   if (x["until"].given) s.until = x["until"];
   if (x["step"].given) s.step = x["step"];
@@ -75,6 +80,7 @@ void SettingsReader::readRecord(const Parameters& x) {
   }
   if (x["every"].given) r.every = x["every"];
   if (x["frames"].given) r.framesPerSecond = x["frames"];
+  if (x["follow"].given) r.follow = x["follow"].text, r.followPlace = x["follow"].place;
   if (x["view"].given) model_->view = x["view"].text == "auto" ? "" : x["view"].text;
 }
 
@@ -158,8 +164,22 @@ void SettingsReader::verify(const std::string& signal, const Place& place,
                 .hint = std::move(hint)});
 }
 
+/// A system that carries shapes, or one of its frames.
+void SettingsReader::verifyFollow(const std::string& name, const Place& place) const {
+  std::vector<std::string> known;
+  for (const SceneFrame& frame : modelScene(*model_).frames) {
+    known.push_back(frame.name);
+    if (frame.name == name || frame.name.starts_with(name + ".")) return;
+  }
+  faults_->add({.place = place,
+                .element = "record",
+                .text = "nothing is drawn on \"" + name + '"',
+                .hint = unknownNameHint(name, known)});
+}
+
 void SettingsReader::verifySignals() const {
   const RecordSettings& r = model_->record;
+  if (!r.follow.empty()) verifyFollow(r.follow, r.followPlace);
   for (std::size_t i = 0; i < r.signals.size(); ++i) verify(r.signals[i], r.places[i], "record");
   for (std::size_t i = 0; i < model_->checks.size(); ++i)
     verify(model_->checks[i].signal, checkSignals_[i], "check");

@@ -24,6 +24,7 @@ class SettingsReader {
   void readRecord(const Parameters& x);
   void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
   bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
+  void verifyFollow(const std::string& name, const Place& place) const;
   void verify(const std::string& signal, const Place& place, const std::string& element) const;
 
   Model* model_;

@@ -52,6 +52,7 @@ Word record() {
   a.required("every", Unit::time, "sample time; default: 1000 samples").positive().mayBeAbsent();
   a.optional("frames", Unit::frequency, 60.0, "pictures of the replay per second").nonNegative();
   a.choice("view", {"auto", "xy", "xz", "yz", "iso"}, "auto", "direction of view of the replay");
+  a.add(AttributeType::names, "follow", "", "system or frame that the replay goes with");
   a.example("<record signals=\"ball.z ball.vz\" every=\"10ms\" frames=\"60Hz\"/>");
   return w;
 }

@@ -25,6 +25,8 @@ struct RecordSettings {
   std::vector<Place> places;      ///< of each signal name in the file
   double every = 0.0;             ///< sample time [s]; 0: (until)/1000
   double framesPerSecond = 60.0;  ///< pictures of the replay
+  std::string follow;             ///< system or frame that the replay goes with; "": none
+  Place followPlace;
 };
 
 /// One <check>: a measure of a signal compared with a value ± tolerance or with a band.

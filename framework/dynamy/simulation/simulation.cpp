@@ -15,12 +15,26 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 double stepOf(const Model& model) {
   const SimulationSettings& s = model.simulation;
-  if (s.step > 0.0) return s.step;
   Diagnostic d;
+  if (model.systems().empty()) {
+    d.place = Place(model.sourceFile);
+    d.text = "the model has no system: nothing can move";
+    d.hint = "put a <RigidBody> or another system into <systems>";
+    throw ModelError(d);
+  }
+  if (s.step > 0.0) return s.step;
   d.place = s.place, d.element = "simulation";
-  d.text = "no step is given";
-  d.hint = s.tolerance > 0.0 ? "steps chosen by tolerance are not built yet: give step=\"1e-3\""
-                             : "give step=\"1e-3\"";
+  if (s.place.line == 0) {
+    d.place = Place(model.sourceFile), d.element.clear();
+    d.text = "no <simulation> says how long and with which step";
+    d.hint = "add <simulation until=\"1\" step=\"1e-3\"/>";
+  } else if (s.tolerance > 0.0) {
+    d.text = "this version cannot choose the steps for a tolerance";
+    d.hint = "replace it by a step, e.g. step=\"1e-3\", or run with --step 1e-3";
+  } else {
+    d.text = "no step is given";
+    d.hint = "add one, e.g. step=\"1e-3\", or run with --step 1e-3";
+  }
   throw ModelError(d);
 }
 

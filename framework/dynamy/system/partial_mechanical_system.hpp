@@ -74,4 +74,8 @@ class PartialMechanicalSystem : public Element {
   }
 };
 
+/// Whether the system answers to a uniform field of gravity in any direction, at position q; its
+/// weight may also be part of h and potentialEnergy already.
+bool feelsGravity(const PartialMechanicalSystem& system, ConstVec q);
+
 }  // namespace dynamy

@@ -1,4 +1,4 @@
-#include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/topology.hpp>
 
@@ -12,7 +12,7 @@ namespace {
   d.element =
       asking.type().empty() ? asking.name() : asking.type() + " name=\"" + asking.name() + "\"";
   d.text = "no " + what + " named \"" + std::string(name) + "\"";
-  d.hint = didYouMean(nearest(name, known));
+  d.hint = unknownNameHint(name, known);
   throw ModelError(d);
 }
 

@@ -1,0 +1,76 @@
+/// Everything that the documents tell a reader to type or to save works as printed, from the top of
+/// a page to its end. The folder looks like a clone after its first build.
+#include <algorithm>
+#include <fstream>
+#include <program/program_fixture.hpp>
+
+#include "document.hpp"
+
+namespace dynamy {
+namespace {
+namespace fs = std::filesystem;
+
+class DocumentTest : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    const fs::path source = DYNAMY_SOURCE_DIR, binary = DYNAMY_BINARY_DIR;
+    fs::create_directories(folder_ / "build");
+    fs::create_directories(folder_ / "scripts");
+    fs::create_directories(folder_ / "path");
+    fs::create_directory_symlink(binary, folder_ / "build" / "release");
+    fs::create_symlink(binary / "bin" / "dynamy", folder_ / "path" / "dynamy");
+    fs::copy(source / "models", folder_ / "models", fs::copy_options::recursive);
+    // Packages and builds are not the matter here.
+    script("run", "exec \"$(dirname \"$0\")/../build/release/bin/dynamy\" run \"$@\"\n");
+    script("test", "exit 0\n");
+    script("build-release", "exit 0\n");
+  }
+  void script(const std::string& name, const std::string& text) const {
+    write("scripts/" + name, "#!/bin/sh\n" + text);
+    fs::permissions(folder_ / "scripts" / name, fs::perms::owner_all);
+  }
+  /// Runs all marked blocks of the page; what they print must contain the blocks marked `output`.
+  void follow(const std::string& file) const {
+    const std::vector<Block> blocks = markedBlocks(file);
+    ASSERT_FALSE(blocks.empty()) << file << " has no marked block";
+    write("page.sh", scriptOf(blocks, file));
+    const std::string command = "cd '" + folder_.string() +
+                                "' && HOME=\"$PWD\" PATH=\"$PWD/path:$PATH\" " +
+                                "CXX=" DYNAMY_CXX " bash page.sh > out 2>&1";
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << out();
+    const std::string printed = out();
+    for (const Block& block : blocks)
+      if (block.mark == "output") expectPrinted(block, printed, file);
+  }
+  /// Each line of the block is part of what was printed; … stands for what differs from run to run.
+  static void expectPrinted(const Block& block, const std::string& printed,
+                            const std::string& file) {
+    std::istringstream lines(block.text);
+    for (std::string line; std::getline(lines, line);) {
+      std::size_t at = 0;
+      for (std::size_t from = 0; from != std::string::npos && at != std::string::npos;) {
+        const std::size_t to = line.find("…", from);
+        const std::string piece = line.substr(from, to == std::string::npos ? to : to - from);
+        at = printed.find(piece, at);
+        from = to == std::string::npos ? to : to + std::string("…").size();
+      }
+      EXPECT_NE(at, std::string::npos)
+          << file << ":" << block.line << ": not printed: " << line << "\n"
+          << printed;
+    }
+  }
+};
+
+TEST_F(DocumentTest, Readme) { follow("README.md"); }
+TEST_F(DocumentTest, FirstRun) { follow("doc/tutorial/01_first_run.md"); }
+TEST_F(DocumentTest, FirstModel) { follow("doc/tutorial/02_first_model.md"); }
+TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
+#ifndef DYNAMY_SANITIZED
+TEST_F(DocumentTest, FirstPluginAgainstTheInstalledPackage) {
+  follow("doc/tutorial/03_first_plugin.md");
+}
+#endif
+
+}  // namespace
+}  // namespace dynamy
