@@ -96,6 +96,9 @@ void compare(Program& program, Task& task) {
 
   fmt::print("reference: {}, step {:g} s (own, tightest), {:.3g} s of CPU time\n",
              reference.integrator, reference.step, reference.report.cpu);
+  fmt::print(
+      "error: largest difference of a recorded signal at t = {:g} s, as a part of its range\n",
+      reference.report.t);
   fmt::print(" {:<20} {:>10} {:>11} {:>10} {:>12} {:>12}  {}\n", "integrator", "step [s]", "error",
              "CPU [s]", "evaluations", "unconverged", "worst signal");
   std::string csv = "integrator,step,error,cpu_s,evaluations,iterations,unconverged,worst_signal\n";

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <dynamy/io/file_error.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/io/replay_page.hpp>
 #include <dynamy/io/run_recording.hpp>
@@ -123,6 +124,8 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
     fmt::print("{}", readWholeFile(folder.facts()));
   else if (!show.quiet)
     fmt::print("{}", resultText(model, report, checks, folder.path()));
+  else if (const std::string failed = failedChecks(checks); !failed.empty())
+    fmt::print(stderr, "{}", failed);
   if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
   bool good = report.ended == RunReport::Ended::finished;
   for (const CheckResult& c : checks) good = good && c.pass;
@@ -130,6 +133,11 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
 }
 
 Checkpoint readCheckpoint(const fs::path& file) {
+  if (!fs::exists(file))
+    throw FileError(
+        file.parent_path().string(),
+        "holds no checkpoint: the run ended before its first one (--checkpoint says how "
+        "often); run the model again");
   Archive a(readWholeFile(file));
   Checkpoint c;
   a.section("dynamy run 1");

@@ -85,6 +85,13 @@ void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice
 
 }  // namespace
 
+std::string failedChecks(const std::vector<CheckResult>& checks) {
+  std::string out;
+  for (const CheckResult& c : checks)
+    if (!c.pass) out += checkLine(c, characterCount(checkText(c)));
+  return out;
+}
+
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::string headText(const Model& model, const RunChoice& choice) {

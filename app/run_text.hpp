@@ -18,6 +18,9 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
                 const RunReport& report, const std::vector<CheckResult>& checks,
                 const std::string& state);
 
+/// The lines of the checks that failed, for calls that print nothing else; "" if all hold.
+std::string failedChecks(const std::vector<CheckResult>& checks);
+
 /// "16 hexadecimal digits".
 std::string hashText(std::uint64_t hash);
 

@@ -68,6 +68,11 @@ class Film {
   /** Whether pose i ever changes; the inertial frame (−1) does not. */
   moves(i) { return i >= 0 && [0, 1, 2, 3, 4, 5, 6].some(k => this.course[7 * i + k]); }
 
+  firstMoving() {
+    for (let i = 0; i < this.poses; ++i) if (this.moves(i)) return i;
+    return -1;
+  }
+
   /** Contacts of the last frame at or before t: [{r, n, F, state}]. */
   contacts(t) {
     const out = [];

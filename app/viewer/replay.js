@@ -9,7 +9,7 @@ const kPauseIcon = '<svg viewBox="0 0 14 14"><path d="M2 1h3.6v12H2zM8.4 1H12v12
 const kKeys = [["space", "play, pause"], ["\u2190 \u2192", "one frame back, on"],
   ["shift \u2190 \u2192", "a tenth of the film"], ["home end", "first, last frame"], ["+ \u2212", "faster, slower"],
   ["1 2 3 4", "view x\u2013z, x\u2013y, y\u2013z, 3D"], ["0", "fit"], ["c t", "contacts, trails"],
-  ["f", "follow what is selected, or the body the model names"], ["drag", "turn (3D) or move; with shift: move"], ["wheel", "zoom"],
+  ["f", "follow what is selected, else the body the model names, else the first"], ["drag", "turn (3D) or move; with shift: move"], ["wheel", "zoom"],
   ["click", "name and place of a body"]];
 
 class Replay {
@@ -136,7 +136,7 @@ class Replay {
 
   /** The camera goes with what is selected, or with what the model names; or it stands again. */
   setFollow(on) {
-    const {picture} = this, named = this.data.scene.follow ?? -1;
+    const {picture, film} = this, named = this.data.scene.follow ?? film.firstMoving();
     const frame = picture.selected >= 0 ? picture.selected : named;
     picture.follow(on ? frame : -1, this.t);
     if (picture.selected < 0) picture.fit();

@@ -101,6 +101,58 @@ TEST_F(ProgramTest, JsonIsTheContentOfRunJsonAndNothingElse) {
   EXPECT_EQ(err(), "");
 }
 
+TEST_F(ProgramTest, QuietPrintsNothingButFailedChecks) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  EXPECT_EQ(call("run ball.xml --quiet"), 0);
+  EXPECT_EQ(out() + err(), "");
+  write("ball.xml", ballXml(0.1, "1e-3", R"(<check signal="ball.x" value="5" tolerance="1"/>)"));
+  EXPECT_EQ(call("run ball.xml --quiet"), 1);
+  EXPECT_EQ(out(), "");
+  EXPECT_EQ(err(),
+            " check  ball.x at the end  0.1            expected 5 ± 1   FAIL ball.xml:9:3\n");
+}
+
+TEST_F(ProgramTest, SetTakesNumbersWithUnitsAndExpressionsInBraces) {
+  write("m.xml",
+        "<dynamy version=\"1\">\n<parameter name=\"h\" value=\"1\" min=\"0\"/>\n"
+        "<systems><PointMass name=\"p\" mass=\"1\" position=\"0 0 {h}\"/></systems>\n"
+        "<simulation until=\"1\" step=\"0.1\"/><record signals=\"p.z p.z p.*\"/></dynamy>\n");
+  const auto z = [&] { return readSignals(path("o/signals.csv")).columns.at(0).at(0); };
+  ASSERT_EQ(call("run m.xml --out o --quiet --set h=1200mm"), 0) << err();
+  EXPECT_EQ(z(), 1.2);
+  ASSERT_EQ(call("run m.xml --out o --quiet --set 'h={3/2}'"), 0) << err();
+  EXPECT_EQ(z(), 1.5);
+  // A signal that is named twice is recorded once.
+  EXPECT_EQ(readWholeFile(path("o/signals.csv")).substr(0, 10), "t,p.z,p.x,");
+  EXPECT_EQ(call("check m.xml --set h=3/2"), 2);
+  EXPECT_EQ(err(),
+            "error: --set h=3/2: expected the end after the number, found \"/\" — an "
+            "expression stands in braces: '{3/2}'\n1 error\n");
+  EXPECT_EQ(call("check m.xml --set h=-1"), 2);
+  EXPECT_EQ(err(), "error: --set h=-1: must be >= 0, is -1\n1 error\n");
+}
+
+TEST_F(ProgramTest, AForeignFolderIsNotTouched) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  fs::create_directories(folder_ / "mine");
+  write("mine/notes.txt", "mine");
+  EXPECT_EQ(call("run ball.xml --out mine"), 1);
+  EXPECT_NE(err().find("nothing in it was touched"), std::string::npos) << err();
+  EXPECT_EQ(readWholeFile(path("mine/notes.txt")), "mine");
+  EXPECT_FALSE(fs::exists(path("mine/run.json")));
+}
+
+TEST_F(ProgramTest, CheckNamesTheSystemsThatGravityDoesNotActOn) {
+  write("m.xml",
+        "<dynamy version=\"1\"><systems><PointMass name=\"p\" mass=\"1\"/>\n"
+        "<Coordinates name=\"cart\" q=\"x\" M=\"1\"/></systems>\n"
+        "<forces><Gravity/></forces><simulation until=\"1\" step=\"0.1\"/></dynamy>\n");
+  ASSERT_EQ(call("check m.xml"), 0) << err();
+  EXPECT_NE(out().find("note: <Gravity> does not act on cart; their own formulas say their weight"),
+            std::string::npos)
+      << out();
+}
+
 TEST_F(ProgramTest, CheckTellsTheSizeOfTheScene) {
   write("ball.xml", ballXml(0.1, "1e-3"));
   ASSERT_EQ(call("check ball.xml"), 0) << err();

@@ -181,6 +181,12 @@ void ShapeContacts::emit(const Pair& pair, std::uint64_t id, const ContactPoint&
   for (int r = 0; r < rows.dim(); ++r) rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
 }
 
+std::string ShapeContacts::contactName(std::uint64_t id) const {
+  const Pair& pair = pairs_[static_cast<std::size_t>(id / kMaxFeatures)];
+  const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
+  return single ? pair.name : pair.name + ".corner" + std::to_string(id % kMaxFeatures);
+}
+
 void ShapeContacts::describe(Description& d) const {
   d.signal("contacts.count", Unit::none, "closed contacts between shapes", [](const SignalView& v) {
     return static_cast<double>(
@@ -192,9 +198,10 @@ void ShapeContacts::describe(Description& d) const {
     const int geometric = pair.plane.isZero(0.0) ? 3 : 2;
     const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
     const std::size_t features = single ? 1 : pair.B.features.size();
-    for (std::size_t f = 0; f < features; ++f)
-      describeContact(d, i * kMaxFeatures + f, geometric, *pair.law,
-                      pair.name + (single ? "." : ".corner" + std::to_string(f) + "."));
+    for (std::size_t f = 0; f < features; ++f) {
+      const std::uint64_t id = i * kMaxFeatures + f;
+      describeContact(d, id, geometric, *pair.law, contactName(id) + ".");
+    }
   }
 }
 

@@ -30,6 +30,7 @@ class ShapeContacts final : public NonSmoothElement {
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
+  std::string contactName(std::uint64_t id) const override;
   int pairs() const { return static_cast<int>(pairs_.size()); }
 
  private:

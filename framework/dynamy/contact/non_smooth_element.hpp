@@ -16,6 +16,8 @@ class NonSmoothElement : public Element {
   /// Changes the numbers the element reserved by Topology::memory, from the end of an accepted
   /// step. Called once per step, in no other place; a rejected step is rolled back with its State.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
+  /// Name of one of its contacts in reports, the element's own left out; "": its number is shown.
+  virtual std::string contactName(std::uint64_t /*id*/) const { return {}; }
 };
 
 }  // namespace dynamy

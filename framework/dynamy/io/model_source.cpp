@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <dynamy/core/expression.hpp>
+#include <dynamy/core/expression_error.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model_source.hpp>
@@ -146,6 +148,36 @@ void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
   }
 }
 
+namespace {
+
+/// A number with or without unit, or an expression of numbers in braces; nothing after a report.
+std::optional<double> overrideValue(const std::string& text,
+                                    const std::function<void(std::string)>& report) {
+  if (text.starts_with('{') && text.ends_with('}')) {
+    try {
+      return evaluateConstant(std::string_view(text).substr(1, text.size() - 2), SymbolTable());
+    } catch (const ExpressionError& e) {
+      report(e.message());
+      return std::nullopt;
+    }
+  }
+  Attribute number;
+  number.unit = Unit::any;
+  ParameterValue value;
+  value.declaration = &number;
+  value.text = text;
+  value.given = true;
+  if (const auto fault = readValue(number, value)) {
+    const bool computes = text.find_first_of("+*/^()") != std::string::npos;
+    report(fault->text +
+           (computes ? " — an expression stands in braces: '{" + text + "}'" : std::string()));
+    return std::nullopt;
+  }
+  return value.numbers[0];
+}
+
+}  // namespace
+
 void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Including& from) {
   ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
   for (const XmlNode& node : root.children)
@@ -172,8 +204,6 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   }
 
   // --set of the caller.
-  Attribute number;
-  number.unit = Unit::any;
   for (std::size_t i = 0; i < overrides_.size(); ++i) {
     const auto& [name, text] = overrides_[i];
     const auto local = std::find_if(known.begin(), known.end(),
@@ -184,14 +214,10 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
     const auto report = [this, name = name, text = text, first](const std::string& fault) {
       if (first) faults_->add({.text = "--set " + name + '=' + text + ": " + fault});
     };
-    ParameterValue value;
-    value.declaration = &number;
-    value.text = text;
-    value.given = true;
-    if (const auto fault = readValue(number, value))
-      report(fault->text);
+    if (const auto value = overrideValue(text, report))
+      evaluator.replace({*local, *value, report});
     else
-      evaluator.replace({*local, value.numbers[0], report});
+      scope.broken.insert(*local);
   }
   evaluator.evaluate();
 }

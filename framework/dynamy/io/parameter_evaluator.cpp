@@ -90,7 +90,7 @@ void ParameterEvaluator::evaluate(Item& item) {
       dependenciesReady(item) &&
       AttributeReader(*faults_, nullptr).read(*item.node, *scope_, word_->attributes, {}, x);
   item.progress = Progress::done;
-  if (!good) {
+  if (!good || scope_->broken.contains(item.name)) {
     scope_->broken.insert(item.name);
     return;
   }
@@ -104,12 +104,17 @@ void ParameterEvaluator::evaluate(Item& item) {
     scope_->broken.insert(item.name);
     return;
   }
+  // A wrong replacement is told once: what uses the parameter stays silent.
   double result = value.numbers[0];
   for (const Replacement& r : replacements_) {
     if (r.name != item.name) continue;
     ParameterValue replaced = value;
     replaced.text = numberText(r.value);
-    if (const auto fault = readValue(a, replaced)) r.report(fault->text);
+    if (const auto fault = readValue(a, replaced)) {
+      r.report(fault->text);
+      scope_->broken.insert(item.name);
+      return;
+    }
     result = r.value;
   }
   scope_->symbols.constant(item.name, result);

@@ -55,6 +55,8 @@ std::string contactName(const Model& model, ContactKey key) {
   if (element >= model.contacts().size()) return "contact";
   const NonSmoothElement& e = *model.contacts()[element];
   std::string name = e.name();
+  if (const std::string own = e.contactName(id); !own.empty())
+    return name.empty() ? own : name + "." + own;
   if (name.empty())
     name = (e.type().empty() ? "contact" : e.type()) + "#" + std::to_string(element);
   return id == 0 ? name : name + "/" + std::to_string(id);

@@ -30,8 +30,8 @@ std::array<double, 4> orientation(const Parameters& x) {
   }
   const Eigen::VectorXd v = quaternion.vector();
   if (!(v.norm() > 0.0))
-    throw quaternion.fault("a quaternion of length 0 says no orientation", "write 1 0 0 0 for axes that are not turned",
-                           0, quaternion.text.size());
+    throw quaternion.fault("a quaternion of length 0 says no orientation",
+                           "write 1 0 0 0 for axes that are not turned", 0, quaternion.text.size());
   for (int i = 0; i < 4; ++i) p[static_cast<std::size_t>(i)] = v[i] / v.norm();
   return p;
 }

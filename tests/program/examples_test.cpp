@@ -1,0 +1,96 @@
+/// What `dynamy describe` shows as an example works, and the schema knows every model of the tree.
+#include <fstream>
+#include <program/program_fixture.hpp>
+#include <regex>
+
+namespace dynamy {
+namespace {
+namespace fs = std::filesystem;
+
+using Examples = ProgramTest;
+
+struct Listed {
+  std::string name, kind;
+};
+
+/// From `dynamy list --json`, one object after the other.
+std::vector<Listed> listed(const std::string& json) {
+  std::vector<Listed> all;
+  const std::regex object(R"re("name": "([^"]+)",\s*"kind": "([^"]+)")re");
+  for (std::sregex_iterator it(json.begin(), json.end(), object), end; it != end; ++it)
+    all.push_back({(*it)[1], (*it)[2]});
+  return all;
+}
+
+std::string exampleIn(const std::string& description) {
+  const std::size_t at = description.find("\nExample\n");
+  return at == std::string::npos ? "" : description.substr(at + 9);
+}
+
+/// A model around the example, with the bodies that the examples of joints and forces speak of.
+std::string around(const Listed& type, const std::string& example) {
+  const auto body = [&](const std::string& name) {
+    return example.find("name=\"" + name + "\"") != std::string::npos
+               ? std::string()
+               : "<RigidBody name=\"" + name +
+                     "\" position=\"0 0 1\"><Sphere radius=\"0.1\" mass=\"1\"/>" + "</RigidBody>\n";
+  };
+  const bool ownPendulum = example.find("name=\"pendulum\"") != std::string::npos;
+  std::string systems, forces, elements, simulation = "<simulation until=\"0.1\" step=\"1e-3\"/>\n";
+  for (const char* name : {"bob", "base", "cart", "rod", "ball"}) systems += body(name);
+  const std::string inPendulum = type.name == "CoordinateFrame" ? example : "";
+  if (!ownPendulum)
+    systems += "<Coordinates name=\"pendulum\" q=\"phi\" units=\"rad\" M=\"l^2\">" + inPendulum +
+               "</Coordinates>\n";
+  systems += "<Ground name=\"world\"/>\n";
+  if (type.kind == "system") systems += example;
+  if (type.kind == "shape" || type.name == "Frame")
+    systems += (type.name == "HalfSpace"
+                    ? "<Ground>" + example + "</Ground>\n"
+                    : "<RigidBody mass=\"1\" inertia=\"1 1 1\">" + example + "</RigidBody>\n");
+  if (type.kind == "force") forces += example;
+  if (type.kind == "contact" || type.kind == "rule") elements += example;
+  if (type.kind == "law") elements += "<Contact between=\"wood steel\">" + example + "</Contact>\n";
+  if (example.find("<simulation") != std::string::npos) simulation = example;
+  return "<dynamy version=\"1\">\n<parameter name=\"l\" value=\"0.5\"/>\n<systems>\n" + systems +
+         "</systems>\n<forces>\n" + forces + "</forces>\n<elements>\n" + elements +
+         "</elements>\n" + simulation + "</dynamy>\n";
+}
+
+TEST_F(Examples, OfEveryTypeRun) {
+  ASSERT_EQ(call("list --json"), 0) << err();
+  const std::vector<Listed> types = listed(out());
+  ASSERT_GT(types.size(), 30u) << out();
+  for (const Listed& type : types) {
+    ASSERT_EQ(call("describe " + type.name), 0) << err();
+    const std::string example = exampleIn(out());
+    EXPECT_NE(example, "") << type.name << " has no example";
+    write("example.xml", around(type, example));
+    EXPECT_EQ(call("run example.xml --until 0.01 --out o"), 0)
+        << type.name << "\n"
+        << err() << readWholeFile(path("example.xml"));
+  }
+}
+
+TEST_F(Examples, EveryModelFitsTheSchema) {
+  if (std::system("xmllint --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no xmllint";
+  int models = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(DYNAMY_SOURCE_DIR) / "models")) {
+    if (entry.path().extension() != ".xml") continue;
+    const std::string text = readWholeFile(entry.path());
+    std::string plugins;
+    const std::regex line("<plugin library=\"([^\"]+)\"");
+    for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
+      plugins += " --plugin " + (*it)[1].str();
+    ASSERT_EQ(call("schema" + plugins), 0) << err();
+    fs::rename(path("out"), path("dynamy.xsd"));
+    const std::string command = "xmllint --noout --schema '" + path("dynamy.xsd") + "' '" +
+                                entry.path().string() + "' > '" + path("log") + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << readWholeFile(path("log"));
+    ++models;
+  }
+  EXPECT_GT(models, 10);
+}
+
+}  // namespace
+}  // namespace dynamy
