@@ -28,8 +28,8 @@ struct Place {
   int column = 0;
   int length = 1;
 
-  /// A constructor, although an aggregate would do: inside of another aggregate, GCC 12 takes parts
-  /// of it for uninitialized when it optimises.
+  /// Not an aggregate: inside of another one, GCC 12 takes parts of it for uninitialized.
+  // NOLINTNEXTLINE(google-explicit-constructor): {file, line} is a place wherever one is asked for
   Place(std::string inFile = {}, int atLine = 0, int atColumn = 0, int ofLength = 1)
       : file(std::move(inFile)), line(atLine), column(atColumn), length(ofLength) {}
 
