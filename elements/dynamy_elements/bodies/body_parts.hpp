@@ -10,7 +10,7 @@
 
 namespace dynamy {
 
-/// <Frame name= position= orientation=/> in a body: a point with axes that others can refer to as
+/// `<Frame name= position= orientation=/>` in a body: a point with axes that others can refer to as
 /// `body.name`.
 class NamedFrame final : public Element {
  public:

@@ -9,7 +9,7 @@
 ///   γ̇ − Wᵀu̇ = ḋ·v_BA + d·(β_B + Ω_B × (Ṗ − v_B) − β_A − Ω_A × (Ṗ − v_A))
 ///
 /// A contact of two systems that move in one plane has the rows n, t only. The laws come from
-/// ContactRules by pair of materials. One element per <Contact> was rejected: each would need its
+/// ContactRules by pair of materials. One element per `<Contact>` was rejected: each would need its
 /// own search for pairs.
 #pragma once
 #include <dynamy/contact/contact_rule.hpp>

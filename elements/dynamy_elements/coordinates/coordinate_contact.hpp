@@ -3,8 +3,8 @@
 ///   g(t,q):  γ_N = ġ,   W_N = ∂g/∂q,   χ_N = ∂g/∂t,   bias_N = (∂t + u·∂q)² g
 ///   slip directions d_k(t,q):   γ_T = d·u          or   slip velocities γ_T(t,q,u), affine in u
 ///
-/// Works on every system that names its coordinates and has q̇ = u: <Coordinates>, planar bodies,
-/// users' own. Rejected: a contact inside <Coordinates>, which no other system could use.
+/// Works on every system that names its coordinates and has q̇ = u: `<Coordinates>`, planar bodies,
+/// users' own. Rejected: a contact inside `<Coordinates>`, which no other system could use.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy_elements/coordinates/formulas.hpp>

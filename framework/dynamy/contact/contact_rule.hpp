@@ -7,7 +7,7 @@
 
 namespace dynamy {
 
-/// <Contact between="a b">law</Contact>. The order of the materials does not matter.
+/// `<Contact between="a b">law</Contact>`. The order of the materials does not matter.
 class ContactRule : public Element {
  public:
   static constexpr Kind kKind = Kind::rule;
@@ -24,7 +24,7 @@ class ContactRule : public Element {
   std::unique_ptr<SetValuedForceLaw> law_;
 };
 
-/// <NoContact between="a b"/>: a rule without a law.
+/// `<NoContact between="a b"/>`: a rule without a law.
 class NoContactRule final : public ContactRule {
  public:
   using ContactRule::ContactRule;

@@ -109,7 +109,7 @@ class Parameters {
   std::unique_ptr<const Attributes> own;
   std::vector<ParameterValue> values;  // one per declared attribute, in their order
   mutable std::vector<Child> children;
-  /// Names and values of the model's <parameter>s: formulas may use them without braces.
+  /// Names and values of the model's `<parameter>`: formulas may use them without braces.
   std::vector<std::pair<std::string, double>> symbols;
 
  private:

@@ -15,7 +15,7 @@ struct LoadOptions {
 };
 
 /// Reads the model in `file` and builds it. The types it uses must be registered already, but for
-/// those of its own <plugin>s, which are added to `registry`. Throws ModelError.
+/// those of its own `<plugin>`, which are added to `registry`. Throws ModelError.
 Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
                 const LoadOptions& options = {});
 

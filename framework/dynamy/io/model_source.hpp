@@ -43,7 +43,7 @@ class ModelSource {
  private:
   struct Including {
     std::vector<std::filesystem::path> chain;  ///< canonical paths, outermost first
-    const XmlNode* node = nullptr;             ///< <include>, null for the first file
+    const XmlNode* node = nullptr;             ///< `<include>`, null for the first file
     const Scope* scope = nullptr;
   };
   void addFile(XmlDocument document, const Including& from, std::filesystem::path folder);

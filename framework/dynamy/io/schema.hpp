@@ -6,8 +6,8 @@
 namespace dynamy {
 
 /// Text of dynamy.xsd. A model that loads is valid; the schema cannot say all that the loader
-/// checks (units, ranges, names): attributes of elements are optional there, because <defaults> may
-/// give them.
+/// checks (units, ranges, names): attributes of elements are optional there, because `<defaults>`
+/// may give them.
 std::string schemaText(const Registry& registry);
 
 }  // namespace dynamy

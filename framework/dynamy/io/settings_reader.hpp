@@ -1,4 +1,4 @@
-/// SettingsReader: the sections <simulation>, <record> and <check> of a model file.
+/// SettingsReader: the sections `<simulation>`, `<record>` and `<check>` of a model file.
 #pragma once
 #include <dynamy/io/element_reader.hpp>
 #include <dynamy/simulation/model.hpp>
@@ -32,7 +32,7 @@ class SettingsReader {
   ElementReader* elements_;
   Faults* faults_;
   AttributeReader attributes_;
-  std::map<std::string, Place> given_;  ///< attributes of all <simulation>s
+  std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
   std::map<Kind, Place> methods_;
   std::vector<Place> checkSignals_;
 };

@@ -1,5 +1,5 @@
-/// Checks: the measures of <check>, taken at the end of every step and not at the recorded rows, so
-/// that no figure depends on what is recorded.
+/// Checks: the measures of `<check>`, taken at the end of every step and not at the recorded rows,
+/// so that no figure depends on what is recorded.
 ///
 ///   value   the signal at one instant, through the scheme's interpolation; default: the end
 ///   mean    (1/T) ∫ s dt over the interval, trapezoids between the ends of steps

@@ -1,4 +1,4 @@
-/// Settings of a run as the sections <simulation>, <record> and <check> say them.
+/// Settings of a run as the sections `<simulation>`, `<record>` and `<check>` say them.
 #pragma once
 #include <dynamy/core/error.hpp>
 #include <limits>
@@ -29,7 +29,7 @@ struct RecordSettings {
   Place followPlace;
 };
 
-/// One <check>: a measure of a signal compared with a value ± tolerance or with a band.
+/// One `<check>`: a measure of a signal compared with a value ± tolerance or with a band.
 struct CheckSettings {
   enum class Measure { value, mean, min, max, period, count };
   std::string signal;

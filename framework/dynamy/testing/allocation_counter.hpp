@@ -4,7 +4,7 @@
 ///   simulate(1000);
 ///   EXPECT_EQ(counter.count(), 0);
 ///
-/// Counting needs <dynamy/testing/counting_allocation.hpp> in exactly one source file of the test
+/// Counting needs `<dynamy/testing/counting_allocation.hpp>` in exactly one source file of the test
 /// program; without it active() is false. Rejected: counting inside of the library, which would
 /// slow and surprise every program that links it.
 #pragma once
