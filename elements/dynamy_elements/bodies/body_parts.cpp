@@ -74,6 +74,34 @@ BodyMass BodyParts::mass(double total) const {
   return out;
 }
 
+Attribute& BodyParts::declareMass(Attributes& a, AttributeType inertia, const std::string& about) {
+  Attribute& mass =
+      a.add(AttributeType::number, "mass", std::nullopt,
+            "mass; default: of the shapes. Without inertia it is spread over their volumes");
+  mass.unit = Unit::mass;
+  mass.mayBeAbsent().positive();
+  Attribute& out = a.add(inertia, "inertia", std::nullopt, about);
+  out.unit = Unit::inertia;
+  return out.mayBeAbsent();
+}
+
+BodyMass BodyParts::mass(const Parameters& x, Mat3 (*J)(const ParameterValue&)) const {
+  const bool given = x.has("mass");
+  const double total = given ? double(x["mass"]) : 0.0;
+  if (x.has("inertia")) {
+    if (!given)
+      throw x["inertia"].fault("an inertia needs a mass beside it", "add mass=\"…\"", 0,
+                               x["inertia"].text.size());
+    return {.m = total, .J_S_K = J(x["inertia"])};
+  }
+  BodyMass out = mass(total);
+  if (!(out.m > 0.0))
+    throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
+                     given ? "add inertia=\"…\", or a shape with a volume"
+                           : "add mass and inertia, or give its shapes a mass or density");
+  return out;
+}
+
 // ---- kinematics --------------------------------------------------------------------------------
 
 void shiftFrame(Frame& f, const Vec3& rho_I, const Mat3& A_KF) {

@@ -6,6 +6,7 @@
 #include <dynamy/system/shape.hpp>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace dynamy {
@@ -48,6 +49,13 @@ class BodyParts {
   /// Mass from the shapes: each brings its `mass` or `density`; with `total` > 0 this mass is
   /// spread over the shapes' volumes. m = 0: the shapes say none.
   BodyMass mass(double total) const;
+
+  /// Declares `mass` and `inertia`, which may both be absent and then follow from the shapes;
+  /// returns the inertia.
+  static Attribute& declareMass(Attributes& a, AttributeType inertia, const std::string& about);
+  /// What declareMass() declared, as given or of the shapes. `J` makes a matrix of the inertia's
+  /// value. Throws ModelError if there is no mass, or an inertia without a mass.
+  BodyMass mass(const Parameters& x, Mat3 (*J)(const ParameterValue&)) const;
 
  private:
   const NamedFrame& at(int id) const { return *frames_[static_cast<std::size_t>(id - 1)]; }

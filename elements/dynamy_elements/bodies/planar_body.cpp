@@ -15,16 +15,10 @@ void PlanarBody::declare(Attributes& a) {
   a.optional("angle", Unit::angle, 0.0, "angle at the start; at 0 the body axes are x, y, z");
   a.vector("velocity", Unit::velocity, 3, "0 0 0", "velocity of the centre of mass at the start");
   a.optional("angularVelocity", Unit::angularVelocity, 0.0, "angular velocity at the start");
-  Attribute& mass =
-      a.add(AttributeType::number, "mass", std::nullopt,
-            "mass; default: of the shapes. Without inertia it is spread over their volumes");
-  mass.unit = Unit::mass;
-  mass.mayBeAbsent().positive();
-  Attribute& inertia =
-      a.add(AttributeType::number, "inertia", std::nullopt,
-            "moment of inertia about S = position, normal to the plane; default: of the shapes");
-  inertia.unit = Unit::inertia;
-  inertia.mayBeAbsent().positive();
+  BodyParts::declareMass(
+      a, AttributeType::number,
+      "moment of inertia about S = position, normal to the plane; default: of the shapes")
+      .positive();
   BodyParts::declare(a);
   a.example(
       "<PlanarBody name=\"rod\" position=\"0 0 1\"><Box size=\"1 0.1 0.1\" "
@@ -40,22 +34,9 @@ PlanarBody::PlanarBody(const Parameters& x)
       phi_(x["angle"]),
       omega_(x["angularVelocity"]) {
   expectInPlane(x["velocity"], plane_);
-  const bool given = x.has("mass");
-  if (x.has("inertia") && !given)
-    throw x["inertia"].fault("an inertia needs a mass beside it", "add mass=\"…\"", 0,
-                             x["inertia"].text.size());
-  BodyMass mass;
-  if (x.has("inertia")) {
-    mass.m = x["mass"];
-    mass.J_S_K = double(x["inertia"]) * Mat3::Identity();
-  } else {
-    mass = parts_.mass(given ? double(x["mass"]) : 0.0);
-  }
+  const BodyMass mass =
+      parts_.mass(x, [](const ParameterValue& J) -> Mat3 { return double(J) * Mat3::Identity(); });
   m_ = mass.m, J_ = plane_.n.dot(mass.J_S_K * plane_.n), r_BS_K_ = mass.r_BS_K;
-  if (!(m_ > 0.0))
-    throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
-                     given ? "add inertia=\"…\", or a shape with a volume"
-                           : "add mass and inertia, or give its shapes a mass or density");
   if (!(J_ > 0.0))
     throw ModelError("the body's shapes have mass but no inertia",
                      "add inertia=\"…\", or use PointMass for a body that does not turn");

@@ -27,22 +27,7 @@ Mat3 readInertia(const ParameterValue& value) {
 }
 
 BodyMass readMass(const Parameters& x, const BodyParts& parts) {
-  const bool given = x.has("mass");
-  const double total = given ? double(x["mass"]) : 0.0;
-  BodyMass out;
-  if (x.has("inertia")) {
-    if (!given)
-      throw x["inertia"].fault("an inertia needs a mass beside it", "add mass=\"…\"", 0,
-                               x["inertia"].text.size());
-    out.m = total;
-    out.J_S_K = readInertia(x["inertia"]);
-    return out;
-  }
-  out = parts.mass(total);
-  if (!(out.m > 0.0))
-    throw ModelError(given ? "the body has a mass but no inertia" : "the body has no mass",
-                     given ? "add inertia=\"Jxx Jyy Jzz\", or a shape with a volume"
-                           : "add mass and inertia, or give its shapes a mass or density");
+  BodyMass out = parts.mass(x, readInertia);
   if (!(out.J_S_K.determinant() > 0.0))
     throw ModelError("the body's shapes have mass but no inertia",
                      "add mass and inertia to the body, or use shapes with a volume");
@@ -63,17 +48,10 @@ void RigidBody::declare(Attributes& a) {
   a.vector("velocity", Unit::velocity, 3, "0 0 0", "velocity of the centre of mass at the start");
   a.vector("angularVelocity", Unit::angularVelocity, 3, "0 0 0",
            "angular velocity at the start, in body axes");
-  Attribute& mass =
-      a.add(AttributeType::number, "mass", std::nullopt,
-            "mass; default: of the shapes. Without inertia it is spread over their volumes");
-  mass.unit = Unit::mass;
-  mass.mayBeAbsent().positive();
-  Attribute& inertia =
-      a.add(AttributeType::vector, "inertia", std::nullopt,
-            "Jxx Jyy Jzz [Jxy Jxz Jyz] about S = position, in body axes; default: of the shapes");
-  inertia.unit = Unit::inertia;
-  inertia.size = 0;
-  inertia.mayBeAbsent();
+  BodyParts::declareMass(
+      a, AttributeType::vector,
+      "Jxx Jyy Jzz [Jxy Jxz Jyz] about S = position, in body axes; default: of the shapes")
+      .size = 0;
   BodyParts::declare(a);
   a.example(
       "<RigidBody name=\"ball\" position=\"0 0 1\"><Sphere radius=\"0.1\" "

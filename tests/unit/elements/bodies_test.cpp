@@ -155,6 +155,30 @@ TEST(RigidBody, RefusesImpossibleMasses) {
                ModelError);
 }
 
+template <class T>
+std::string refusal(const std::vector<GivenValue>& given) {
+  try {
+    T body(Parameters::of<T>("Body", "b", given));
+  } catch (const ModelError& e) {
+    return e.diagnostics().at(0).text;
+  }
+  return "none";
+}
+
+template <class T>
+class BodyWithMass : public ::testing::Test {};
+using BodiesWithMass = ::testing::Types<RigidBody, PlanarBody>;
+TYPED_TEST_SUITE(BodyWithMass, BodiesWithMass);
+
+TYPED_TEST(BodyWithMass, SaysWhatIsMissing) {
+  const std::string J = std::is_same_v<TypeParam, RigidBody> ? "1 1 1" : "1";
+  EXPECT_EQ(refusal<TypeParam>({}), "the body has no mass");
+  EXPECT_EQ(refusal<TypeParam>({{"mass", 1.0}}), "the body has a mass but no inertia");
+  EXPECT_EQ(refusal<TypeParam>({{"inertia", J}}),
+            "inertia=\"" + J + "\": an inertia needs a mass beside it");
+  EXPECT_EQ(refusal<TypeParam>({{"mass", 1.0}, {"inertia", J}}), "none");
+}
+
 TEST(PlanarBody, RefusesVelocitiesOutOfItsPlane) {
   EXPECT_THROW(
       PlanarBody(Parameters::of<PlanarBody>(
