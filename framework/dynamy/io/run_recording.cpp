@@ -42,7 +42,9 @@ RunRecording::RunRecording(const RunFolder& folder, const Model& model)
   frames_.emplace(folder.frames(), modelScene(model));
 }
 
-void RunRecording::row(double t, std::span<const double> values) { signals_->row(t, values); }
+void RunRecording::row(double t, std::span<const double> values) {
+  if (signals_) signals_->row(t, values);
+}
 
 void RunRecording::frame(double t, std::span<const FramePose> poses,
                          std::span<const ContactRecord> contacts) {
@@ -51,14 +53,15 @@ void RunRecording::frame(double t, std::span<const FramePose> poses,
   marks_.clear();
   for (const ContactRecord& c : contacts)
     marks_.push_back({c.point, c.normal, c.force * c.normal, drawnState(c)});
-  frames_->frame(t, pose_, marks_);
+  if (frames_) frames_->frame(t, pose_, marks_);
 }
 
 void RunRecording::archive(Archive& a) {
   std::uint64_t rows = 0, frames = 0;
   if (!a.reading()) {
     flush();
-    rows = signals_->size(), frames = frames_->size();
+    if (signals_) rows = signals_->size();
+    if (frames_) frames = frames_->size();
   }
   a(rows), a(frames);
   if (a.reading()) {

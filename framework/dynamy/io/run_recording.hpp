@@ -15,7 +15,8 @@ class RunRecording final : public RecordSink {
  public:
   /// Creates the files. \throws FileError, ModelError for unknown signals
   RunRecording(const RunFolder& folder, const Model& model);
-  /// Goes on in the files of an earlier run; what follows its checkpoint is dropped by archive().
+  /// Goes on in the files of an earlier run; what follows its checkpoint is dropped by archive(),
+  /// and nothing is written before.
   struct Resume {};
   RunRecording(const RunFolder& folder, const Model& model, Resume);
 
