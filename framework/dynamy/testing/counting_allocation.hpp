@@ -34,12 +34,17 @@ void* calloc(std::size_t n, std::size_t size) {
 
 #else
 
-void* operator new(std::size_t n) {
+// Not inlined: gcc would see free() of what new gave, and warn.
+[[gnu::noinline]] void* operator new(std::size_t n) {
   dynamy::detail::allocations.fetch_add(1, std::memory_order_relaxed);
   if (void* p = std::malloc(n > 0 ? n : 1)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void* operator new(std::size_t n, const std::nothrow_t&) noexcept {
+  dynamy::detail::allocations.fetch_add(1, std::memory_order_relaxed);
+  return std::malloc(n > 0 ? n : 1);
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 #endif
