@@ -1,8 +1,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 #include <dynamy/system/description.hpp>
 #include <dynamy_elements/forces/springs.hpp>
+#include <numbers>
 
 namespace dynamy {
 

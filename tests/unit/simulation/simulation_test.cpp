@@ -34,7 +34,7 @@ TEST(Simulation, CountsImpactsOfABallThatBouncesTwiceBeforeTheEnd) {
   Simulation s(m);
   const RunReport& r = s.run();
   EXPECT_EQ(r.impacts, 2);
-  EXPECT_GE(r.solves, 2);  // the midpoint may still lie below the floor in the step after
+  EXPECT_GE(r.solves, 2);    // the midpoint may still lie below the floor in the step after
   EXPECT_GE(r.switches, 4);  // closed and opened, twice
   EXPECT_EQ(r.penetration.name, "floor");
   // At most half a step of the impact speed sqrt(2 g) and the midpoint's own half step.
