@@ -31,6 +31,7 @@ class Id {
   }
   Id(const Id&) = delete;
   Id& operator=(const Id&) = delete;
+  // NOLINTNEXTLINE(google-explicit-constructor): stands for the number it closes
   operator hid_t() const { return id_; }
 
  private:

@@ -59,8 +59,9 @@ bool allElementsAreKnown(const Faults& faults) {
   });
 }
 
-/// Pairs of materials that no rule covers, although other faults forbid to build the model.
-void findUncoveredPairs(Parts parts, const Registry& registry, Faults& faults) {
+/// Pairs of materials that no rule covers, although other faults forbid to build the model; for
+/// that, takes systems and rules out of `parts`.
+void findUncoveredPairs(Parts& parts, const Registry& registry, Faults& faults) {
   Model partial;
   for (auto& [kind, element] : parts)
     if (kind == Kind::system || kind == Kind::rule) partial.add(kind, std::move(element));
@@ -114,7 +115,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
     for (const ModelItem& item : source.elements())
       if (auto rule = good.contains(&item) ? nullptr : standIn(*item.node))
         parts.emplace_back(Kind::rule, std::move(rule));
-    findUncoveredPairs(std::move(parts), registry, faults);
+    findUncoveredPairs(parts, registry, faults);
   }
   faults.throwIfAny();
   for (auto& [kind, element] : parts) model.add(kind, std::move(element));
