@@ -42,8 +42,18 @@ RunRecording::RunRecording(const RunFolder& folder, const Model& model)
   frames_.emplace(folder.frames(), modelScene(model));
 }
 
+namespace {
+
+/// Nothing recorded is lost silently: a resumed run has to be read before it is written to.
+[[noreturn]] void tooEarly() {
+  throwExpectation("a resumed run is read before it is recorded", std::source_location::current());
+}
+
+}  // namespace
+
 void RunRecording::row(double t, std::span<const double> values) {
-  if (signals_) signals_->row(t, values);
+  if (!signals_) tooEarly();
+  signals_->row(t, values);
 }
 
 void RunRecording::frame(double t, std::span<const FramePose> poses,
@@ -53,7 +63,8 @@ void RunRecording::frame(double t, std::span<const FramePose> poses,
   marks_.clear();
   for (const ContactRecord& c : contacts)
     marks_.push_back({c.point, c.normal, c.force * c.normal, drawnState(c)});
-  if (frames_) frames_->frame(t, pose_, marks_);
+  if (!frames_) tooEarly();
+  frames_->frame(t, pose_, marks_);
 }
 
 void RunRecording::archive(Archive& a) {
