@@ -29,6 +29,20 @@ struct LawInput {
   const double* reservoir = nullptr;  ///< forces of other laws the set depends on (lagged), or null
 };
 
+/// The set of one contact where it is among those whose inclusion −(DΛ + b) ∈ N_C(Λ) has a closed
+/// form (solver/local_solution).
+struct SimpleSet {
+  enum class Shape : std::uint8_t {
+    other,     ///< none of these: the solver knows prox alone
+    all,       ///< ℝ^dim
+    interval,  ///< [lower, upper], dim = 1
+    ball,      ///< |Λ| ≤ upper, all rows of one unit
+    friction   ///< Λ_N ≥ 0 and |Λ_T| ≤ upper Λ_N, dim = 2 or 3, ξ_N not coupled to ξ_T
+  };
+  Shape shape = Shape::other;
+  double lower = 0.0, upper = 0.0;
+};
+
 class SetValuedForceLaw : public Element {
  public:
   static constexpr Kind kKind = Kind::law;
@@ -60,6 +74,8 @@ class SetValuedForceLaw : public Element {
   /// solvers. False: not offered.
   virtual bool proxDerivative(const LawInput& in, double rho, const double* xi,
                               const double* Lambda, double* A, double* B) const;
+  /// Which simple set C is, the same for every Λ; default: none.
+  virtual SimpleSet simpleSet(const LawInput& /*in*/) const { return {}; }
   /// Discrete state for the argument Λ − r ξ.
   virtual Status status(const LawInput& in, const double* argument) const = 0;
 };

@@ -92,6 +92,8 @@ bool Bilateral::proxDerivative(const LawInput& in, double rho, const double*, co
   return true;
 }
 
+SimpleSet Bilateral::simpleSet(const LawInput&) const { return {SimpleSet::Shape::all}; }
+
 // ---- Unilateral --------------------------------------------------------------------------------
 
 void Unilateral::declare(Attributes& a) {
@@ -115,6 +117,10 @@ bool Unilateral::proxDerivative(const LawInput&, double rho, const double* xi, c
   const double P = convex::proxDerivative(convex::Interval{}, Lambda[0] - rho * xi[0]);
   A[0] = 1.0 - P, B[0] = rho * P;
   return true;
+}
+
+SimpleSet Unilateral::simpleSet(const LawInput&) const {
+  return {SimpleSet::Shape::interval, 0.0, convex::kInfinity};
 }
 
 Status Unilateral::status(const LawInput&, const double* argument) const {
@@ -182,6 +188,11 @@ void UnilateralCoulomb::naturalMap(const LawInput& in, double rho, const double*
     coneMap<3>(mu_, rho, xi, Lambda, e);
 }
 
+SimpleSet UnilateralCoulomb::simpleSet(const LawInput& in) const {
+  if (in.dim == 1) return {SimpleSet::Shape::interval, 0.0, convex::kInfinity};
+  return {SimpleSet::Shape::friction, 0.0, mu_};
+}
+
 bool UnilateralCoulomb::proxDerivative(const LawInput& in, double rho, const double* xi,
                                        const double* Lambda, double* A, double* B) const {
   const int n = in.dim, k = n - 1;
@@ -245,6 +256,10 @@ bool GivenFriction::proxDerivative(const LawInput& in, double rho, const double*
   for (int i = 0; i < n * n; ++i) B[i] = rho * P[i], A[i] = -P[i];
   for (int i = 0; i < n; ++i) A[i * n + i] += 1.0;
   return true;
+}
+
+SimpleSet GivenFriction::simpleSet(const LawInput& in) const {
+  return {SimpleSet::Shape::ball, 0.0, std::max(radius(in), 0.0)};
 }
 
 Status GivenFriction::status(const LawInput& in, const double* argument) const {

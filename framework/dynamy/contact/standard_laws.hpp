@@ -17,6 +17,7 @@ class Bilateral final : public SetValuedForceLaw {
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
+  SimpleSet simpleSet(const LawInput& in) const override;
   Status status(const LawInput&, const double*) const override { return Status::locked; }
 };
 
@@ -33,6 +34,7 @@ class Unilateral final : public SetValuedForceLaw {
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
+  SimpleSet simpleSet(const LawInput& in) const override;
   Status status(const LawInput& in, const double* argument) const override;
 
  private:
@@ -57,6 +59,7 @@ class UnilateralCoulomb final : public NormalTimesReservoir {
                   double* e) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
+  SimpleSet simpleSet(const LawInput& in) const override;
   double mu() const { return mu_; }
 
  private:
@@ -78,6 +81,7 @@ class GivenFriction final : public SetValuedForceLaw {
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
+  SimpleSet simpleSet(const LawInput& in) const override;
   Status status(const LawInput& in, const double* argument) const override;
 
  private:

@@ -4,8 +4,10 @@
 #include <dynamy/contact/standard_laws.hpp>
 
 #include <cmath>
+#include <dynamy/contact/convex_sets.hpp>
 #include <functional>
 #include <random>
+#include <vector>
 
 namespace dynamy {
 namespace {
@@ -262,6 +264,38 @@ TEST(NormalTimesReservoir, FallsTogetherWithCoulombForADisc) {
     coulomb.prox(input(3), r, xi, b);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-13);  // rounding of numbers of size 10
   }
+}
+
+/// x lies in C: its own prox without a step.
+bool unchanged(const SetValuedForceLaw& law, const LawInput& in, std::vector<double> x) {
+  const std::vector<double> r(x.size(), 1.0), none(x.size(), 0.0), before = x;
+  law.prox(in, r.data(), none.data(), x.data());
+  return x == before;
+}
+
+TEST(SimpleSets, AreThoseOfTheProjection) {
+  using Shape = SimpleSet::Shape;
+  const double moving[1] = {1.0}, high = convex::kInfinity;
+  EXPECT_EQ(Bilateral().simpleSet(input(3)).shape, Shape::all);
+  const SimpleSet normal = Unilateral().simpleSet(input(1));
+  EXPECT_EQ(normal.shape, Shape::interval);
+  EXPECT_EQ(normal.lower, 0.0);
+  EXPECT_EQ(normal.upper, high);
+  const UnilateralCoulomb coulomb(0.0, 0.0, 0.25);
+  EXPECT_EQ(coulomb.simpleSet(input(1)).shape, Shape::interval);
+  const SimpleSet cone = coulomb.simpleSet(input(3));
+  ASSERT_EQ(cone.shape, Shape::friction);
+  EXPECT_TRUE(unchanged(coulomb, input(3), {2.0, 0.0, 2.0 * cone.upper}));
+  EXPECT_FALSE(unchanged(coulomb, input(3), {2.0, 0.0, 2.1 * cone.upper}));
+  const GivenFriction brake(2.0, 1.5);
+  for (const double* gammaA : {static_cast<const double*>(nullptr), moving}) {
+    const LawInput in = input(1, 0.1, gammaA);
+    const SimpleSet ball = brake.simpleSet(in);
+    ASSERT_EQ(ball.shape, Shape::ball);
+    EXPECT_TRUE(unchanged(brake, in, {ball.upper}));
+    EXPECT_FALSE(unchanged(brake, in, {1.01 * ball.upper}));
+  }
+  EXPECT_EQ(EllipseLaw(1.0, 2.0).simpleSet(input(3)).shape, Shape::other);
 }
 
 }  // namespace
