@@ -126,6 +126,7 @@ void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
 }
 
 void CoordinateContact::gapRow(const double* x, ContactRows& out, Block W) const {
+  out.position(0) = gap_->eval(x)[0];
   const double* gradient = gap_->gradient(x, q_);
   for (int j = 0; j < W.cols(); ++j) W(0, j) = gradient[j];
   out.chi(0) = gap_->partial(x, FormulaNames::kTime)[0];

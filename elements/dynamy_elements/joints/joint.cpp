@@ -125,6 +125,8 @@ void Joint::emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& r
                  const SetValuedForceLaw& law, ContactSink& sink) const {
   ContactRows out = sink.add(id, g, law, static_cast<int>(rows.size()));
   if (!out) return;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    out.position(static_cast<int>(r)) = p.error(rows[r]);
   const Frame &A = p.A, &B = p.B;
   const Vec3 v_PQ = B.velocity(p.rhoB_I) - A.velocity(p.rhoA_I);
   const Vec3 rhoAQ_I = p.rhoA_I + p.r_PQ;  // A's point that is at Q now

@@ -6,7 +6,8 @@ void ContactSet::clear() {
   candidateKey.clear(), g.clear(), candidateElement.clear(), closedIndex.clear();
   key.clear(), law.clear(), element.clear(), candidate.clear();
   row0.assign(1, 0), segment0.assign(1, 0);
-  segment.clear(), W.clear(), chi.clear(), bias.clear(), point.clear(), normal.clear();
+  segment.clear(), W.clear(), chi.clear(), bias.clear(), position.clear();
+  point.clear(), normal.clear();
 }
 
 void ContactSet::gamma(ConstVec u, Vec gamma) const {

@@ -33,9 +33,12 @@ class ContactSet {
   std::vector<int> candidate;       ///< its index among the candidates
   std::vector<int> row0, segment0;  ///< size() + 1 entries
   std::vector<Segment> segment;
-  std::vector<double> W;            ///< the segments' entries of Wᵀ
-  std::vector<double> chi;          ///< per row: γ = Wᵀu + χ [m/s]
-  std::vector<double> bias;         ///< per row: γ̇ = Wᵀu̇ + bias [m/s²]; only if asked for
+  std::vector<double> W;     ///< the segments' entries of Wᵀ
+  std::vector<double> chi;   ///< per row: γ = Wᵀu + χ [m/s]
+  std::vector<double> bias;  ///< per row: γ̇ = Wᵀu̇ + bias [m/s²]; only if asked for
+  /// Per row: what γ is the rate of and the constraint wants to be zero or positive: the gap in the
+  /// normal row, the signed position error of each joint row, 0 in rows without one [m].
+  std::vector<double> position;
   std::vector<Vec3> point, normal;  ///< where the contact is, for the replay [m]; zero normal: none
 
   int size() const { return static_cast<int>(law.size()); }

@@ -23,6 +23,9 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.row0.push_back(c.row0.back() + dim);
   c.segment0.push_back(c.segment0.back());
   c.chi.resize(c.chi.size() + static_cast<std::size_t>(dim), 0.0);
+  c.position.resize(c.position.size() + static_cast<std::size_t>(dim), 0.0);
+  if (law.unilateral() || dim == 1)
+    c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(index)])] = g;
   if (request_.bias) c.bias.resize(c.bias.size() + static_cast<std::size_t>(dim), 0.0);
   c.point.push_back(Vec3::Zero());
   c.normal.push_back(Vec3::Zero());

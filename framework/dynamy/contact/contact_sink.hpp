@@ -27,6 +27,12 @@ class ContactRows {
   double& bias(int row) {
     return set_->bias[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
   }
+  /// Signed position error of a joint's row [m]; set to g by the sink in the normal row and where
+  /// there is one row only.
+  double& position(int row) {
+    return set_
+        ->position[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
+  }
   /// For the replay: where the contact is and its normal.
   void place(const Vec3& point, const Vec3& normal);
 

@@ -33,7 +33,7 @@ void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const
 
 void MechanicalSystem::moveConfiguration(State& x, double dt) { move(x, x.u, dt); }
 
-const Evaluation& MechanicalSystem::evaluate(const State& x, int slot) {
+const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double reach) {
   const Topology& topology = *parts_.topology;
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   e.t = x.t;
@@ -54,7 +54,9 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot) {
     f->addTo(e.kinematics, forces);
   }
   e.contacts.clear();
-  ContactSink sink(e.contacts, request_);
+  ContactRequest request = request_;
+  request.gTol += reach;
+  ContactSink sink(e.contacts, request);
   for (std::size_t i = 0; i < parts_.contacts.size(); ++i) {
     sink.element(static_cast<int>(i));
     parts_.contacts[i]->contacts(e.kinematics, sink);
@@ -62,7 +64,8 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot) {
   return e;
 }
 
-InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int slot) {
+InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int slot,
+                                                  const PositionAim* aim) {
   const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   const auto n = static_cast<std::size_t>(e.contacts.rows());
   uA_ = x.u;
@@ -70,7 +73,7 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
   uFree_ = uA_ + dt * uFree_;  // u_free = u^A + M⁻¹hΔt
   problem_.G = &delassus_;
   problem_.contacts = &e.contacts;
-  problem_.dt = dt;
+  problem_.dt = dt, problem_.warmStart = 0.0;
   problem_.c.resize(n), problem_.gammaFree.resize(n), problem_.gammaA.resize(n);
   if (n > 0) {
     delassus_.assemble(e.contacts, e.mass, form_);
@@ -78,9 +81,54 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
     e.contacts.gamma({uFree_.data(), uFree_.size()}, {problem_.gammaFree.data(), rows});
     e.contacts.gamma({uA_.data(), uA_.size()}, {problem_.gammaA.data(), rows});
   }
+  if (aim) addAim(*aim, dt);
   startImpulses(x);
   scales();
   return problem_;
+}
+
+void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
+  const ContactSet& c = *problem_.contacts;
+  constexpr int kMaxDim = 8;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const auto first = static_cast<std::size_t>(c.row0[at]);
+    const SetValuedForceLaw& law = *c.law[at];
+    if (law.unilateral()) {
+      const double g = c.position[first];
+      if (g <= aim.dead) continue;
+      // One that is to rebound waits until it is closed.
+      double epsilon[kMaxDim] = {};
+      law.epsilon(c.dim(i), epsilon);
+      const bool rebounds = epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0;
+      const double away = std::abs(problem_.gammaFree[first]) + std::abs(problem_.gammaA[first]);
+      problem_.gammaFree[first] += rebounds ? g / dt + 4.0 * away : g / dt;
+      continue;
+    }
+    for (int r = 0; aim.meanJoints && r < c.dim(i); ++r)
+      if (law.rowKind(r) == RowKind::joint) {
+        const auto row = first + static_cast<std::size_t>(r);
+        problem_.gammaFree[row] += problem_.gammaA[row];
+      }
+  }
+}
+
+double MechanicalSystem::reach(const State& x, double dt) const {
+  const MassMatrix& mass = slots_.front().mass;
+  const Eigen::VectorXd& h = slots_.front().h;
+  double largest = 0.0;
+  for (int b = 0; b < mass.blocks(); ++b) {
+    const int n = mass.nu(b), u0 = mass.u0(b);
+    const double* A = mass.inverse(b).data();
+    double speed = 0.0;
+    for (int i = 0; i < n; ++i) {
+      double a = 0.0;
+      for (int j = 0; j < n; ++j) a += A[i * n + j] * h[u0 + j];
+      speed += std::abs(x.u[u0 + i]) + dt * std::abs(a);
+    }
+    largest = std::max(largest, speed);
+  }
+  return 2.0 * dt * largest;
 }
 
 void MechanicalSystem::roundingOfC() {
@@ -112,7 +160,9 @@ double MechanicalSystem::velocityAskedOf(int i) const {
   double asked = 0.0;
   if (unilateral) {
     const double noise = p.cNoise[first];
-    const double closing = std::max(-p.gammaFree[first], -p.gammaA[first]);
+    const bool open = p.contacts->position[first] > request_.gTol;  // here by its gap term
+    const double closing =
+        open ? -p.gammaFree[first] : std::max(-p.gammaFree[first], -p.gammaA[first]);
     if (closing <= noise) return 0.0;
     asked = closing;
   }

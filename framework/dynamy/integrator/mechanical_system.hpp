@@ -28,6 +28,13 @@ struct SystemParts {
   const ImpactLaw* impactLaw = nullptr;
 };
 
+/// Aims γ^E at positions instead of velocities. Unilateral: the gap term g/Δt, for g > dead and
+/// unless the contact is to rebound; joints: γ^E + γ^A = 0, the mean velocity of the step.
+struct PositionAim {
+  double dead = 0.0;        ///< gaps up to this count as closed [m]
+  bool meanJoints = false;  ///< γ^E + γ^A = 0 in the rows of joints
+};
+
 class MechanicalSystem {
  public:
   explicit MechanicalSystem(const SystemParts& parts, int slots = 1);
@@ -36,10 +43,15 @@ class MechanicalSystem {
   void moveConfiguration(State& x, double dt);
   /// The same with velocities v that need not be x.u.
   void move(State& x, const Eigen::VectorXd& v, double dt) const;
-  /// M, h and the contacts with g ≤ g_tol, at (x.t, x.q, x.u), into slot `slot`.
-  const Evaluation& evaluate(const State& x, int slot = 0);
-  /// u_free = u^A + M⁻¹hΔt,  γ's, G, start of Λ by contact key:   ξ = GΛ + c.
-  InclusionProblem& impactProblem(const State& x, double dt, int slot = 0);
+  /// M, h and the contacts with g ≤ g_tol + reach, at (x.t, x.q, x.u), into slot `slot`.
+  const Evaluation& evaluate(const State& x, int slot = 0, double reach = 0.0);
+  /// u_free = u^A + M⁻¹hΔt,  γ's, G, start of Λ by contact key:   ξ = GΛ + c. With an aim, γ_free
+  /// holds its terms as well.
+  InclusionProblem& impactProblem(const State& x, double dt, int slot = 0,
+                                  const PositionAim* aim = nullptr);
+  /// Twice the way that the fastest block goes in Δt, |u| + Δt|M⁻¹h| with the forces of the last
+  /// evaluation, angles as lengths: gaps beyond it do not close [m].
+  double reach(const State& x, double dt) const;
   const ImpactLaw& impactLaw() const { return *parts_.impactLaw; }
   /// Percussions of the current problem, rows() entries.
   Vec Lambda() { return {Lambda_.data(), static_cast<Eigen::Index>(problem_.rows())}; }
@@ -66,6 +78,7 @@ class MechanicalSystem {
 
  private:
   void startImpulses(const State& x);
+  void addAim(const PositionAim& aim, double dt);
   void roundingOfC();
   double velocityAskedOf(int i) const;
   void scales();

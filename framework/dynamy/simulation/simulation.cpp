@@ -42,6 +42,7 @@ void archiveState(Archive& a, State& x) {
   a.section("state");
   a(x.t), a(x.q), a(x.u), a(x.memory);
   a(x.impulses.key), a(x.impulses.first), a(x.impulses.Lambda), a(x.impulses.dt);
+  a(x.impulses.corrected);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
     report.residuals = residuals(p, view(Lambda), scratch_);
   }
   const double E = report.residuals.largest();
-  if (E <= std::min(kExactStart, options_.tolerance)) {
+  if (E <= acceptedStart(p, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
   }

@@ -19,6 +19,10 @@ struct InclusionProblem {
   double uRef = 1.0;
   /// Per row: how much of c is rounding; empty: none  [m/s].
   std::vector<double> cNoise;
+  /// A start whose residuals are below this times the tolerance is taken as it is. 0: only one that
+  /// is exact to rounding (kExactStart), because nobody corrects the velocities it leaves. Schemes
+  /// that correct them in the next step by the gap may ask for less.
+  double warmStart = 0.0;
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;
 

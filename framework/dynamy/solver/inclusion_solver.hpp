@@ -42,6 +42,11 @@ struct SolveReport {
 /// velocities it leaves, a resting contact drifts off by tolerance · u_ref · Δt in every step until
 /// its gap exceeds g_tol and it opens.
 inline constexpr double kExactStart = 1e-14;
+/// Residual up to which the start of `problem` is taken as it is by a solver of this tolerance.
+inline double acceptedStart(const InclusionProblem& problem, double tolerance) {
+  const double asked = problem.warmStart * tolerance;
+  return asked > kExactStart ? asked : (kExactStart < tolerance ? kExactStart : tolerance);
+}
 
 /// Residuals of Λ, recomputed from scratch; infinite, with its contact as `worst`, if a number in ξ
 /// or Λ is not finite. `scratch` keeps its memory.

@@ -62,7 +62,7 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
     return report.residuals.largest() <= options_.tolerance;
   };
   done();
-  if (report.residuals.largest() <= std::min(kExactStart, options_.tolerance)) {
+  if (report.residuals.largest() <= acceptedStart(problem, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
   }

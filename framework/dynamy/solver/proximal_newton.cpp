@@ -169,7 +169,7 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
   if (p.rows() == 0) return report;
   report.residuals = residuals(p, view(Lambda), scratch_);
   const double E = report.residuals.largest();
-  if (E <= std::min(kExactStart, options_.tolerance)) {
+  if (E <= acceptedStart(p, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
   }

@@ -12,6 +12,9 @@ struct RememberedImpulses {
   std::vector<int> first;      ///< index of the first row; one more entry than keys
   std::vector<double> Lambda;  ///< [N s]
   double dt = 0.0;             ///< length of the step they belong to [s]
+  /// The solver changed its start in that step: Λ then holds what corrected the velocities once,
+  /// and the next start is wrong by just as much.
+  bool corrected = false;
 };
 
 struct State {
