@@ -1,5 +1,8 @@
 // The standard elements, registered like any plug-in's.
 #include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/contact/drilling_friction.hpp>
+#include <dynamy/contact/force_limit.hpp>
+#include <dynamy/contact/orthotropic_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/io/plugin.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
@@ -49,6 +52,9 @@ void registerElements(Registry& r) {
   r.add<UnilateralCoulomb>("UnilateralCoulomb");
   r.add<Bilateral>("Bilateral");
   r.add<GivenFriction>("GivenFriction");
+  r.add<ForceLimit>("ForceLimit");
+  r.add<UnilateralOrthotropic>("UnilateralOrthotropic");
+  r.add<UnilateralDrilling>("UnilateralDrilling");
   r.add<ContactRule>("Contact");
   r.add<NoContactRule>("NoContact");
   registerCoordinates(r);

@@ -42,6 +42,9 @@ std::string label(const TouchingShape& s, const Topology& topology) {
   return system.empty() ? "body" + std::to_string(s.system) : system;
 }
 
+/// Normal, tangents, spin about the normal; in a plane normal and tangent.
+int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
+
 }  // namespace
 
 void ShapeContacts::expectOneRulePerPair() const {
@@ -140,6 +143,11 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
     const Vec3 n = search.start.frame(pair.A.frame).A_IK * pair.A.n_K;
     if (std::abs(n.dot(pair.plane)) > 1e-12) pair.plane.setZero();
   }
+  if (pair.law->dim(offeredRows(pair.plane)) > offeredRows(pair.plane))
+    search.fault(
+        ma, mb,
+        pairFault(*a.shape, *b.shape, "the law has more rows than a contact in a plane offers",
+                  "take a law without a spin row, or bodies in space"));
   const std::string nameA = label(pair.A, search.topology), nameB = label(pair.B, search.topology);
   pair.name = onHalfSpace ? nameB + "-" + nameA : nameA + "-" + nameB;
   if (const int count = ++search.names[pair.name]; count > 1)
@@ -168,7 +176,7 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
 
 void ShapeContacts::emit(const Pair& pair, std::uint64_t id, const ContactPoint& at,
                          const Kinematics& k, ContactSink& sink) const {
-  ContactRows rows = sink.add(id, at.g, *pair.law, pair.plane.isZero(0.0) ? 3 : 2);
+  ContactRows rows = sink.add(id, at.g, *pair.law, offeredRows(pair.plane));
   if (!rows) return;
   const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
   const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
@@ -178,7 +186,10 @@ void ShapeContacts::emit(const Pair& pair, std::uint64_t id, const ContactPoint&
   const Vec3 v_BA = B.velocity(rhoB) - A.velocity(rhoA);
   const Vec3 a_BA = B.bias_S_I + B.bias_R_I.cross(rhoB) + B.Omega_I.cross(at.Pdot - B.v_S_I) -
                     A.bias_S_I - A.bias_R_I.cross(rhoA) - A.Omega_I.cross(at.Pdot - A.v_S_I);
-  for (int r = 0; r < rows.dim(); ++r) rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
+  for (int r = 0; r < rows.dim() && r < 3; ++r)
+    rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
+  if (rows.dim() > 3)  // the spin about the normal
+    rows.bias(3) = at.ddot[0].dot(B.Omega_I - A.Omega_I) + at.d[0].dot(B.bias_R_I - A.bias_R_I);
 }
 
 std::string ShapeContacts::contactName(std::uint64_t id) const {

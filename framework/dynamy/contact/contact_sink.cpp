@@ -56,26 +56,34 @@ void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const 
 
 namespace {
 
-/// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`.
+/// Row of the spin about the normal, where a law has one.
+constexpr int kSpinRow = 3;
+
+/// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`; the
+/// fourth row is the angular velocity along its direction.
 void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* const* direction,
              double sign) {
   const int dim = rows.dim();
   const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
   if (f.block >= 0) {
     Block W = rows.segment(f.block, f.u0, f.nu());
-    for (int r = 0; r < dim; ++r) addPointRow(W, r, f, rho, *direction[r], sign);
+    for (int r = 0; r < dim && r < kSpinRow; ++r) addPointRow(W, r, f, rho, *direction[r], sign);
+    for (int j = 0; dim > kSpinRow && j < f.nu(); ++j)
+      W(kSpinRow, j) += sign * f.J_R_I.col(j).dot(*direction[kSpinRow]);
   }
-  for (int r = 0; r < dim; ++r) rows.chi(r) += sign * nu.dot(*direction[r]);
+  for (int r = 0; r < dim; ++r)
+    rows.chi(r) += sign * (r < kSpinRow ? nu : f.nu_R_I).dot(*direction[r]);
   if (!rows.wantsBias()) return;
   const Vec3 a = f.bias_S_I + f.bias_R_I.cross(rho) + f.Omega_I.cross(f.Omega_I.cross(rho));
-  for (int r = 0; r < dim; ++r) rows.bias(r) += sign * a.dot(*direction[r]);
+  for (int r = 0; r < dim; ++r)
+    rows.bias(r) += sign * (r < kSpinRow ? a : f.bias_R_I).dot(*direction[r]);
 }
 
 }  // namespace
 
 void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
                   const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2) {
-  const Vec3* direction[3] = {&n, &t1, &t2};
+  const Vec3* direction[4] = {&n, &t1, &t2, &n};
   addSide(rows, A, rhoA_I, direction, -1.0);
   addSide(rows, B, rhoB_I, direction, 1.0);
   rows.place(B.r_OS_I + rhoB_I, n);

@@ -1,5 +1,6 @@
 // Contacts of shapes: gaps, rows and bias against differences, pairs and their laws.
 #include <gtest/gtest.h>
+#include <dynamy/contact/drilling_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
@@ -26,11 +27,11 @@ void addBody(Model& m, const std::string& name, const Given& body, const std::st
           .with(std::make_unique<S>(Parameters::of<S>(shapeType, "", shape)))));
 }
 
-void addRule(Model& m, const char* between) {
+void addRule(Model& m, const char* between,
+             std::unique_ptr<SetValuedForceLaw> law = std::make_unique<UnilateralCoulomb>(0.0, 0.0,
+                                                                                          0.3)) {
   m.add(std::make_unique<ContactRule>(
-      Parameters::of<ContactRule>("Contact", "", {{"between", between}})
-          .with(std::unique_ptr<SetValuedForceLaw>(
-              std::make_unique<UnilateralCoulomb>(0.0, 0.0, 0.3)))));
+      Parameters::of<ContactRule>("Contact", "", {{"between", between}}).with(std::move(law))));
 }
 
 const Given kMoving{{"motion", "0.1*sin(3*t); 0; 0.2*cos(2*t)"},
@@ -76,6 +77,25 @@ TEST(ShapeContacts, OfABallOnAMovingHalfSpaceFit) {
       {{"radius", 0.3}, {"material", "rubber"}, {"position", {0.2, 0.1, 0.0}}});
   addRule(m, "rubber steel");
   expectRowsFit(m, 1, 3);
+}
+
+TEST(ShapeContacts, OfferASpinRowInSpace) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", kMoving, "HalfSpace", {{"material", "steel"}});
+  addBody<RigidBody, Sphere>(
+      m, "ball", kHeavy, "Sphere",
+      {{"radius", 0.3}, {"material", "rubber"}, {"position", {0.2, 0.1, 0.0}}});
+  addRule(m, "rubber steel", std::make_unique<UnilateralDrilling>(0.3, 0.01));
+  expectRowsFit(m, 1, 4);
+}
+
+TEST(ShapeContacts, RefuseALawWithMoreRowsThanAPlaneOffers) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  addBody<PlanarBody, Sphere>(m, "ball", kPlanar, "Sphere",
+                              {{"radius", 0.3}, {"material", "steel"}});
+  addRule(m, "steel steel", std::make_unique<UnilateralDrilling>(0.3, 0.01));
+  EXPECT_THROW(built(m), ModelError);
 }
 
 TEST(ShapeContacts, OfABoxOnAHalfSpaceFit) {
