@@ -8,13 +8,39 @@
 /// inverted with pivoting inside of a block. Eigen::SparseLU was rejected: its scalar pivoting
 /// destroys the block structure, and it allocates at every factorisation.
 #pragma once
-#include <Eigen/LU>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace dynamy {
+
+/// K ← K⁻¹ by Gauss–Jordan elimination with row pivoting, unrolled for its size (a general LU
+/// spends most of its time on bookkeeping at 6 × 6); false: singular.
+template <int B>
+bool invert(Eigen::Matrix<double, B, B>& K) {
+  int pivots[B];
+  for (int k = 0; k < B; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < B; ++i)
+      if (std::abs(K(i, k)) > std::abs(K(pivot, k))) pivot = i;
+    if (!(std::abs(K(pivot, k)) > 0.0)) return false;
+    pivots[k] = pivot;
+    if (pivot != k) K.row(pivot).swap(K.row(k));
+    const double inverse = 1.0 / K(k, k);
+    const Eigen::Matrix<double, 1, B> row = K.row(k) * inverse;
+    const Eigen::Matrix<double, B, 1> column = K.col(k);
+    K.noalias() -= column * row;
+    K.row(k) = row;
+    K.col(k) = -column * inverse;
+    K(k, k) = inverse;
+  }
+  for (int k = B - 1; k >= 0; --k)
+    if (pivots[k] != k) K.col(k).swap(K.col(pivots[k]));
+  return true;
+}
 
 template <int B>
 class BlockLu {
@@ -23,10 +49,10 @@ class BlockLu {
   using Vector = Eigen::Matrix<double, B, 1>;
 
   /// Pattern by rows: columns of row i are column[first[i]] … column[first[i+1]−1]; keeps the last
-  /// analysis if the pattern is the same. False: L would have more than `limit` blocks; nothing
-  /// can be factored then.
+  /// analysis if the pattern is the same. False: L would have more than `limit` blocks (by default
+  /// 18 million numbers); nothing can be factored then.
   bool analyse(const std::vector<int>& first, const std::vector<int>& column,
-               std::size_t limit = 2'000'000) {
+               std::size_t limit = 18'000'000 / (B * B)) {
     if (first == first_ && column == column_) return true;
     first_ = first, column_ = column;
     order();
@@ -161,9 +187,8 @@ bool BlockLu<B>::factor() {
         U_[at].noalias() -= Lmk * U_[f];
       }
     }
-    const Matrix inverse = Eigen::PartialPivLU<Matrix>(D_[m]).inverse();
-    if (!inverse.allFinite()) return false;
-    D_[m] = inverse;
+    Matrix& inverse = D_[m];
+    if (!invert<B>(inverse) || !inverse.allFinite()) return false;
     for (int e = start_[m]; e < start_[m + 1]; ++e) L_[e] = (L_[e] * inverse).eval();
   }
   return true;

@@ -47,9 +47,7 @@ bool BlockNewton::prepare(const InclusionProblem& p) {
   blocks_.block0.resize(size);
   std::ptrdiff_t entries = 0;
   std::vector<double> row;
-  int dim = 1;
   for (int i = 0; i < p.size(); ++i) {
-    dim = std::max(dim, p.dim(i));
     lambda_[i] = largestEigenvalue(p.G->diagonalBlock(i), p.dim(i), 0, p.dim(i));
     if (!(lambda_[i] > 0.0)) {
       // Complementarity problems may have zeros there: the row sums of G are a scale as well.
@@ -61,10 +59,8 @@ bool BlockNewton::prepare(const InclusionProblem& p) {
     blocks_.block0[i] = entries;
     entries += static_cast<std::ptrdiff_t>(p.dim(i)) * p.dim(i);
   }
-  if (!system_ || systemDim_ != dim) system_ = NewtonSystem::make(dim);
-  systemDim_ = dim;
+  system_ = systems_.prepare(p);
   if (!system_) return false;
-  G_ = &p.G->blockRows();
   blocks_.A.resize(entries), blocks_.B.resize(entries);
   blocks_.F.resize(rows), blocks_.a.resize(size);
   for (std::vector<double>* v : {&r_, &Lambda_, &xi_, &dLambda_, &dXi_, &trialLambda_, &trialXi_,
@@ -122,8 +118,7 @@ double BlockNewton::map(const InclusionProblem& p, const double* Lambda, const d
 
 void BlockNewton::relativeVelocity(const InclusionProblem& p, const double* Lambda,
                                    double* xi) const {
-  const int* row0 = p.contacts->row0.data();
-  for (int i = 0; i < p.size(); ++i) G_->multiplyRow(i, row0, Lambda, xi + row0[i]);
+  system_->multiply(p, Lambda, xi);
   for (int k = 0; k < p.rows(); ++k) xi[k] += p.c[k];
 }
 
@@ -164,13 +159,12 @@ BlockNewton::Inner BlockNewton::inner(const InclusionProblem& p, const NewtonSch
   for (steps = 0; steps < s.maxInner && report.newton < s.maxNewton;) {
     if (p.rule && p.rule->enough()) return Inner::enough;
     ++steps, ++report.newton, ++report.iterations;
-    if (!system_->solve(p, *G_, blocks_, dLambda_))
+    if (!system_->solve(p, blocks_, dLambda_))
       return system_->tooLarge() ? Inner::tooLarge : Inner::failed;
     const int* row0 = p.contacts->row0.data();
-    for (int i = 0; i < p.size(); ++i) {
-      G_->multiplyRow(i, row0, dLambda_.data(), dXi_.data() + row0[i]);
+    system_->multiply(p, dLambda_.data(), dXi_.data());
+    for (int i = 0; i < p.size(); ++i)
       for (int k = row0[i]; k < row0[i + 1]; ++k) dXi_[k] += blocks_.a[i] * dLambda_[k];
-    }
     const auto from = recent_.size() > kMemory ? recent_.end() - kMemory : recent_.begin();
     lineSearch(p, *std::max_element(from, recent_.end()));
     if (judge(p, tolerance, report)) return Inner::solved;

@@ -44,6 +44,8 @@ class BlockNewton {
   void improve(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// The factors would not fit; no schedule helps.
   bool tooLarge() const { return system_ && system_->tooLarge(); }
+  /// The prepared problem is solved in velocities.
+  bool inVelocities() const { return systems_.inVelocities(); }
   /// Numbers in the factors of the last Newton step.
   long entries() const { return system_ ? system_->entries() : 0; }
   long analyses() const { return system_ ? system_->analyses() : 0; }
@@ -61,9 +63,8 @@ class BlockNewton {
   void lineSearch(const InclusionProblem& p, double reference);
   bool judge(const InclusionProblem& p, double tolerance, SolveReport& report);
 
-  const BlockRows* G_ = nullptr;
-  std::unique_ptr<NewtonSystem> system_;
-  int systemDim_ = 0;
+  NewtonSystemChoice systems_;
+  NewtonSystem* system_ = nullptr;
   NewtonBlocks blocks_;
   std::vector<double> lambda_, r_;
   std::vector<double> Lambda_, xi_, dLambda_, dXi_, trialLambda_, trialXi_, trialF_, centre_, best_,

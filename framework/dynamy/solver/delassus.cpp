@@ -8,7 +8,11 @@ namespace {
 /// Rows up to which the dense matrix pays: n² numbers stay in the first-level cache.
 constexpr int kDenseRows = 64;
 
+/// Six velocities: unrolled and vectorised, where most of the work of a stack is.
+using RigidBody = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
+
 double dot(const double* a, const double* b, int n) {
+  if (n == 6) return RigidBody(a).dot(RigidBody(b));
   double s = 0.0;
   for (int j = 0; j < n; ++j) s += a[j] * b[j];
   return s;
@@ -196,9 +200,13 @@ void Delassus::addTo(int i, const double* delta, double* u) const {
   for (int k = c.segment0[static_cast<std::size_t>(i)];
        k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
     const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    double* v = u + s.u0;
     for (int r = 0; r < c.dim(i); ++r) {
       const double* w = minvW_.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
-      for (int j = 0; j < s.nu; ++j) u[s.u0 + j] += w[j] * delta[r];
+      if (s.nu == 6)
+        Eigen::Map<Eigen::Matrix<double, 6, 1>>{v} += delta[r] * RigidBody(w);
+      else
+        for (int j = 0; j < s.nu; ++j) v[j] += w[j] * delta[r];
     }
   }
 }
@@ -237,9 +245,13 @@ void Delassus::applyAbsolute(const double* x, double* y) {
     for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
       const Segment& s = c.segment[static_cast<std::size_t>(k)];
       const double* w = minvW_.data() + s.w;
+      double* v = absolute_.data() + s.u0;
       for (int r = 0; r < c.dim(i); ++r, w += s.nu)
-        for (int j = 0; j < s.nu; ++j)
-          absolute_[static_cast<std::size_t>(s.u0 + j)] += std::abs(w[j] * x[c.row0[at] + r]);
+        if (s.nu == 6)
+          Eigen::Map<Eigen::Matrix<double, 6, 1>>{v} +=
+              std::abs(x[c.row0[at] + r]) * RigidBody(w).cwiseAbs();
+        else
+          for (int j = 0; j < s.nu; ++j) v[j] += std::abs(w[j] * x[c.row0[at] + r]);
     }
   }
   for (int i = 0; i < c.size(); ++i) {
@@ -248,9 +260,12 @@ void Delassus::applyAbsolute(const double* x, double* y) {
     for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
       const Segment& s = c.segment[static_cast<std::size_t>(k)];
       const double* w = c.W.data() + s.w;
+      const double* v = absolute_.data() + s.u0;
       for (int r = 0; r < c.dim(i); ++r, w += s.nu)
-        for (int j = 0; j < s.nu; ++j)
-          y[c.row0[at] + r] += std::abs(w[j]) * absolute_[static_cast<std::size_t>(s.u0 + j)];
+        if (s.nu == 6)
+          y[c.row0[at] + r] += RigidBody(w).cwiseAbs().dot(RigidBody(v));
+        else
+          for (int j = 0; j < s.nu; ++j) y[c.row0[at] + r] += std::abs(w[j]) * v[j];
     }
   }
 }

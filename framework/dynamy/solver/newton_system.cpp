@@ -5,12 +5,25 @@
 namespace dynamy {
 namespace {
 
+/// Contacts in the equations over contacts that are not open, at most.
+constexpr double kIdle = 1.2;
+
 /// Contacts of fewer than n rows are filled up by rows of the identity.
 template <int n>
 class System final : public NewtonSystem {
  public:
-  bool solve(const InclusionProblem& p, const BlockRows& G, const NewtonBlocks& b,
+  bool prepare(const InclusionProblem& p) override {
+    G_ = &p.G->blockRows();
+    kept_.assign(static_cast<std::size_t>(p.size()), 0);  // nothing of the last problem: same bits
+    return true;
+  }
+  void multiply(const InclusionProblem& p, const double* x, double* y) override {
+    const int* row0 = p.contacts->row0.data();
+    for (int i = 0; i < p.size(); ++i) G_->multiplyRow(i, row0, x, y + row0[i]);
+  }
+  bool solve(const InclusionProblem& p, const NewtonBlocks& b,
              std::vector<double>& dLambda) override {
+    const BlockRows& G = *G_;
     chooseActive(p, b, dLambda);
     pattern(G);
     tooLarge_ = !lu_.analyse(first_, column_);
@@ -28,6 +41,36 @@ class System final : public NewtonSystem {
       }
     return true;
   }
+  bool factorShifted(const InclusionProblem& p, const std::vector<double>& a) override {
+    const BlockRows& G = *G_;
+    active_.resize(static_cast<std::size_t>(p.size()));
+    for (int i = 0; i < p.size(); ++i) active_[i] = i;
+    number_ = active_;
+    pattern(G);
+    tooLarge_ = !lu_.analyse(first_, column_);
+    if (tooLarge_) return false;
+    lu_.setZero();
+    for (int i = 0; i < p.size(); ++i)
+      for (int e = G.first[i]; e < G.first[i + 1]; ++e) {
+        const int j = G.column[e], dim = p.dim(i);
+        Matrix K = padded(G.value.data() + G.value0[e], dim, p.dim(j));
+        for (int r = 0; j == i && r < n; ++r) K(r, r) += r < dim ? a[i] : 1.0;
+        lu_.at(i, j) = K;
+      }
+    return lu_.factor();
+  }
+  bool solveShifted(const InclusionProblem& p, const double* r, std::vector<double>& x) override {
+    right_.resize(static_cast<std::size_t>(p.size()));
+    for (int i = 0; i < p.size(); ++i) {
+      right_[i].setZero();
+      for (int k = 0; k < p.dim(i); ++k) right_[i][k] = r[p.row0(i) + k];
+    }
+    lu_.solve(right_);
+    double sum = 0.0;
+    for (int i = 0; i < p.size(); ++i)
+      for (int k = 0; k < p.dim(i); ++k) sum += x[p.row0(i) + k] = right_[i][k];
+    return std::isfinite(sum);
+  }
   bool tooLarge() const override { return tooLarge_; }
   long entries() const override { return lu_.entries(); }
   long analyses() const override { return lu_.analyses(); }
@@ -36,14 +79,28 @@ class System final : public NewtonSystem {
   using Matrix = typename BlockLu<n>::Matrix;
   using Vector = typename BlockLu<n>::Vector;
 
+  /// Contacts that are not open, and some that were in the last analysis: open ones cost little, a
+  /// new analysis costs more than a factorisation and asks for memory.
   void chooseActive(const InclusionProblem& p, const NewtonBlocks& b, std::vector<double>& d) {
-    active_.clear();
-    number_.assign(p.size(), -1);
+    const auto size = static_cast<std::size_t>(p.size());
+    wanted_.assign(size, 0);
+    std::size_t wanted = 0, both = 0;
     for (int i = 0; i < p.size(); ++i) {
       const double* B = b.B.data() + b.block0[i];
-      const int size = p.dim(i) * p.dim(i);
-      const bool open = std::all_of(B, B + size, [](double x) { return x == 0.0; });
-      if (!open) {
+      const int entries = p.dim(i) * p.dim(i);
+      wanted_[i] = std::any_of(B, B + entries, [](double x) { return x != 0.0; });
+      wanted += wanted_[i], both += wanted_[i] || kept_[i];
+    }
+    if (static_cast<double>(size) <= kIdle * static_cast<double>(wanted))
+      kept_.assign(size, 1);
+    else if (static_cast<double>(both) <= kIdle * static_cast<double>(wanted))
+      for (std::size_t i = 0; i < size; ++i) kept_[i] = kept_[i] || wanted_[i];
+    else
+      kept_ = wanted_;
+    active_.clear();
+    number_.assign(size, -1);
+    for (int i = 0; i < p.size(); ++i) {
+      if (kept_[i]) {
         number_[i] = static_cast<int>(active_.size());
         active_.push_back(i);
         continue;
@@ -91,15 +148,17 @@ class System final : public NewtonSystem {
     return out;
   }
 
+  const BlockRows* G_ = nullptr;
   BlockLu<n> lu_;
   bool tooLarge_ = false;
   std::vector<int> active_, number_, first_, column_;
+  std::vector<char> wanted_, kept_;
   std::vector<Vector> right_;
 };
 
 }  // namespace
 
-std::unique_ptr<NewtonSystem> NewtonSystem::make(int dim) {
+std::unique_ptr<NewtonSystem> NewtonSystem::inPercussions(int dim) {
   if (dim <= 2) return std::make_unique<System<2>>();
   if (dim <= 3) return std::make_unique<System<3>>();
   if (dim <= 6) return std::make_unique<System<6>>();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/parameters.hpp>
+#include <dynamy/solver/elimination.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
 
 namespace dynamy {
@@ -12,35 +13,10 @@ constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
 constexpr double kWarmBlock = 1e-6;  ///< the same for block rows, whose schedule can go back up
 constexpr double kCold = 3e-3;       ///< start of a after sweeps
-constexpr int kMaxDense = 200;       ///< Newton steps of the dense form, then block rows are tried
-constexpr double kSmallest = 1e-9;   ///< floor of a: below, the regularisation drowns in rounding
-
-/// Solves the n × n system J x = b in place by elimination with row pivoting (b ← x); false if
-/// singular.
-bool solveDense(double* J, double* b, int n) {
-  for (int k = 0; k < n; ++k) {
-    int pivot = k;
-    for (int i = k + 1; i < n; ++i)
-      if (std::abs(J[i * n + k]) > std::abs(J[pivot * n + k])) pivot = i;
-    if (!(std::abs(J[pivot * n + k]) > 0.0)) return false;
-    if (pivot != k) {
-      std::swap_ranges(J + k * n + k, J + k * n + n, J + pivot * n + k);
-      std::swap(b[k], b[pivot]);
-    }
-    const double inverse = 1.0 / J[k * n + k];
-    for (int i = k + 1; i < n; ++i) {
-      const double factor = J[i * n + k] * inverse;
-      if (factor == 0.0) continue;
-      for (int j = k + 1; j < n; ++j) J[i * n + j] -= factor * J[k * n + j];
-      b[i] -= factor * b[k];
-    }
-  }
-  for (int k = n - 1; k >= 0; --k) {
-    for (int j = k + 1; j < n; ++j) b[k] -= J[k * n + j] * b[j];
-    b[k] /= J[k * n + k];
-  }
-  return true;
-}
+/// Rows up to which the dense form is faster than the sparse one in velocities.
+constexpr int kMinVelocities = 16;
+constexpr int kMaxDense = 200;      ///< Newton steps of the dense form, then block rows are tried
+constexpr double kSmallest = 1e-9;  ///< floor of a: below, the regularisation drowns in rounding
 
 }  // namespace
 
@@ -137,7 +113,7 @@ bool ProximalNewton::step(const InclusionProblem& p, double a) {
     }
     A += dim * dim, B += dim * dim;
   }
-  return solveDense(J_.data(), dLambda_.data(), n);
+  return eliminate(J_.data(), dLambda_.data(), n, 1);
 }
 
 int ProximalNewton::newton(const InclusionProblem& p, double a, double stop, Vec Lambda) {
@@ -229,11 +205,14 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
                                    bool cold) {
   report.status = SolveStatus::solved, report.method = "proximal Newton";
   const bool good = report.residuals.largest() <= options_.tolerance;
-  if (prepare(p)) {
+  // Few bodies under many contacts: velocities are the smaller system.
+  const bool blocks =
+      p.G->hasBodies() && p.rows() > kMinVelocities && block_.prepare(p) && block_.inVelocities();
+  if (!blocks && prepare(p)) {
     if (good) return improve(p, Lambda, report);
     if (dense(p, Lambda, cold, report)) return report;
   }
-  if (!block_.prepare(p)) return finish(p, Lambda, report);
+  if (!blocks && !block_.prepare(p)) return finish(p, Lambda, report);
   if (good) {
     block_.improve(p, Lambda, report);
     return report;
