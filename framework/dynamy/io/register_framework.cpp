@@ -4,10 +4,12 @@
 #include <dynamy/integrator/half_explicit_euler.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/io/registry.hpp>
+#include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/impact_law.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
+#include <dynamy/solver/semismooth_newton.hpp>
 
 namespace dynamy {
 
@@ -15,10 +17,12 @@ void registerFramework(Registry& registry) {
   registry.library("dynamy");
   registry.add<MoreauMidpoint>("MoreauMidpoint");
   registry.add<HalfExplicitEuler>("HalfExplicitEuler");
+  registry.add<Admm>("Admm");
   registry.add<Automatic>("Automatic");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");
   registry.add<ProxJacobi>("ProxJacobi");
   registry.add<ProximalNewton>("ProximalNewton");
+  registry.add<SemismoothNewton>("SemismoothNewton");
   registry.add<NewtonImpact>("NewtonImpact");
 }
 

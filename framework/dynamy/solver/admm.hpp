@@ -1,0 +1,49 @@
+/// Alternating directions with De Saxcé's shift: one factorisation for many iterations.
+/// (theory 9.5)
+///
+///   x ← (G + (η + σ) D)⁻¹ (z − s − c + D (σ y + η x)),   D = diag(λ_i)
+///   y ← P_C(x − z/(σλ)),   z ← z − σ D (x − y),   s_i = μ_i |z_Ti| e_N [carpentier2024]
+///
+/// σ = τρ balances the residuals |x − y| and |y − y_old|; every change of it costs a factorisation,
+/// of which there are at most `maxFactorisations`. G may have any rank. A good first thousandth of
+/// the residual, then a long tail: for tight tolerances ProximalNewton is the solver.
+#pragma once
+#include <dynamy/solver/fischer_burmeister.hpp>
+#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/newton_system.hpp>
+
+namespace dynamy {
+
+struct AdmmOptions {
+  double tolerance = 1e-10;  ///< of E_f and E_u
+  int maxIterations = 5000;
+  int maxFactorisations = 10;
+};
+
+class Admm final : public InclusionSolver {
+ public:
+  explicit Admm(const AdmmOptions& options = {}) : options_(options) {}
+  explicit Admm(const Parameters& x);
+  static void declare(Attributes& a);
+  SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
+
+ private:
+  bool prepare(const InclusionProblem& p, Vec Lambda);
+  bool factor(const InclusionProblem& p);
+  /// One iteration; false: a number is not finite. Sets primal_ and dual_.
+  bool iterate(const InclusionProblem& p);
+  /// y_i ← P_C(a_i), and z without the shift.
+  void project(const InclusionProblem& p, int i, double* y) const;
+  /// Another σ if the residuals differ much; false: its factors failed.
+  bool balance(const InclusionProblem& p);
+
+  AdmmOptions options_;
+  NewtonSystemChoice systems_;
+  NewtonSystem* system_ = nullptr;
+  double sigma_ = 1.0, factorOfSigma_ = 1.0, primal_ = 0.0, dual_ = 0.0;
+  int factorisations_ = 0;
+  std::vector<LawCone> cone_;
+  std::vector<double> lambda_, shift_, x_, y_, z_, right_, before_, best_, scratch_;
+};
+
+}  // namespace dynamy
