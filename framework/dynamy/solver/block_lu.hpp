@@ -4,9 +4,10 @@
 ///                                            U_mj =  K_mj − Σ_k L_mk U_kj
 ///
 /// column by column (left-looking), blocks in an order of approximate minimum degree of the
-/// symmetrised pattern. The pattern is analysed once and kept while it stays the same. Pivots are
-/// inverted with pivoting inside of a block. Eigen::SparseLU was rejected: its scalar pivoting
-/// destroys the block structure, and it allocates at every factorisation.
+/// symmetrised pattern. The pattern is analysed once and kept while it stays the same. L and Uᵀ
+/// have one pattern and the same updates, which are done side by side. Pivots are inverted with
+/// pivoting inside of a block. Eigen::SparseLU was rejected: its scalar pivoting destroys the block
+/// structure, and it allocates at every factorisation.
 #pragma once
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
@@ -18,15 +19,24 @@
 namespace dynamy {
 
 /// K ← K⁻¹ by Gauss–Jordan elimination with row pivoting, unrolled for its size (a general LU
-/// spends most of its time on bookkeeping at 6 × 6); false: singular.
+/// spends most of its time on bookkeeping at 6 × 6); false: singular. Rows may have different
+/// units: an entry is judged by K_ik²/K_ii, so that the choice does not depend on them.
+inline constexpr double kNoDiagonal = 1e-8;
 template <int B>
 bool invert(Eigen::Matrix<double, B, B>& K) {
   int pivots[B];
+  Eigen::Matrix<double, B, 1> scale = K.diagonal().cwiseAbs();
+  for (int k = 0; k < B; ++k)  // a diagonal that is zero or rounding says nothing
+    scale[k] = std::max(scale[k], kNoDiagonal * K.row(k).cwiseAbs().maxCoeff());
   for (int k = 0; k < B; ++k) {
     int pivot = k;
-    for (int i = k + 1; i < B; ++i)
-      if (std::abs(K(i, k)) > std::abs(K(pivot, k))) pivot = i;
+    double largest = -1.0;
+    for (int i = k; i < B; ++i) {
+      const double value = K(i, k) * K(i, k) / scale[i];
+      if (value > largest) largest = value, pivot = i;
+    }
     if (!(std::abs(K(pivot, k)) > 0.0)) return false;
+    std::swap(scale[pivot], scale[k]);
     pivots[k] = pivot;
     if (pivot != k) K.row(pivot).swap(K.row(k));
     const double inverse = 1.0 / K(k, k);
@@ -40,6 +50,19 @@ bool invert(Eigen::Matrix<double, B, B>& K) {
   for (int k = B - 1; k >= 0; --k)
     if (pivots[k] != k) K.col(k).swap(K.col(pivots[k]));
   return true;
+}
+
+/// X ← X − Y K for blocks of pairs of numbers, columns one after the other, unrolled: two products
+/// for the price of one on processors with registers of two numbers.
+template <int B>
+void subtractProduct(Eigen::Array2d* X, const Eigen::Array2d* Y, const Eigen::Array2d* K) {
+  const auto entry = [&]<int... k>(int r, int c, std::integer_sequence<int, k...>) {
+    X[c * B + r] -= (... + (Y[k * B + r] * K[c * B + k]));
+  };
+  [&]<int... i>(std::integer_sequence<int, i...>) {
+    (entry(i % B, i / B, std::make_integer_sequence<int, B>{}), ...);
+  }
+  (std::make_integer_sequence<int, B * B>{});
 }
 
 template <int B>
@@ -87,7 +110,10 @@ class BlockLu {
   long analyses() const { return analyses_; }
 
  private:
+  using Lane = Eigen::Array2d;
   int size() const { return static_cast<int>(first_.size()) - 1; }
+  /// Block e of L beside that of Uᵀ, number by number: both are updated by one product of pairs.
+  void pack(int e);
   void order();
   bool eliminate(std::size_t limit);
   void linkRows();
@@ -98,6 +124,7 @@ class BlockLu {
   std::vector<int> rowStart_, rowEntry_;  // entries (k, m) of row m of L, k ascending
   std::vector<int> rowPivot_;
   std::vector<Matrix> L_, U_, D_;
+  std::vector<Lane> pairs_;
   std::vector<int> place_;
   std::vector<Vector> work_;
   long analyses_ = 0;
@@ -153,6 +180,7 @@ bool BlockLu<B>::eliminate(std::size_t limit) {
       children[below_[static_cast<std::size_t>(begin)]].push_back(m);
   }
   L_.resize(below_.size()), U_.resize(below_.size()), D_.resize(n);
+  pairs_.resize(below_.size() * B * B);
   place_.resize(n), work_.resize(n);
   return true;
 }
@@ -173,23 +201,38 @@ void BlockLu<B>::linkRows() {
 }
 
 template <int B>
+void BlockLu<B>::pack(int e) {
+  Lane* X = pairs_.data() + static_cast<std::ptrdiff_t>(e) * B * B;
+  for (int c = 0; c < B; ++c)
+    for (int r = 0; r < B; ++r) X[c * B + r] = Lane(L_[e](r, c), U_[e](c, r));
+}
+
+template <int B>
 bool BlockLu<B>::factor() {
   const int n = size();
+  Lane K[B * B];
   for (int m = 0; m < n; ++m) {
-    for (int e = start_[m]; e < start_[m + 1]; ++e) place_[below_[e]] = e;
+    for (int e = start_[m]; e < start_[m + 1]; ++e) place_[below_[e]] = e, pack(e);
     for (int r = rowStart_[m]; r < rowStart_[m + 1]; ++r) {
       const int e = rowEntry_[r], end = start_[rowPivot_[r] + 1];
-      const Matrix Lmk = L_[e], Ukm = U_[e];
-      D_[m].noalias() -= Lmk * Ukm;
-      for (int f = e + 1; f < end; ++f) {
-        const int at = place_[below_[f]];
-        L_[at].noalias() -= L_[f] * Ukm;
-        U_[at].noalias() -= Lmk * U_[f];
-      }
+      D_[m].noalias() -= L_[e] * U_[e];
+      for (int c = 0; c < B; ++c)
+        for (int k = 0; k < B; ++k) K[c * B + k] = Lane(U_[e](k, c), L_[e](c, k));
+      const Lane* from = pairs_.data() + (static_cast<std::ptrdiff_t>(e) + 1) * B * B;
+      for (int f = e + 1; f < end; ++f, from += B * B)
+        subtractProduct<B>(pairs_.data() + static_cast<std::ptrdiff_t>(place_[below_[f]]) * B * B,
+                           from, K);
     }
-    Matrix& inverse = D_[m];
-    if (!invert<B>(inverse) || !inverse.allFinite()) return false;
-    for (int e = start_[m]; e < start_[m + 1]; ++e) L_[e] = (L_[e] * inverse).eval();
+    if (!invert<B>(D_[m]) || !D_[m].allFinite()) return false;
+    for (int e = start_[m]; e < start_[m + 1]; ++e) {
+      Lane* X = pairs_.data() + static_cast<std::ptrdiff_t>(e) * B * B;
+      Matrix L;
+      for (int c = 0; c < B; ++c)
+        for (int r = 0; r < B; ++r) L(r, c) = X[c * B + r][0], U_[e](c, r) = X[c * B + r][1];
+      L_[e].noalias() = L * D_[m];
+      for (int c = 0; c < B; ++c)
+        for (int r = 0; r < B; ++r) X[c * B + r][0] = L_[e](r, c);
+    }
   }
   return true;
 }

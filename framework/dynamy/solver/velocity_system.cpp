@@ -318,8 +318,17 @@ class DenseVelocities final : public NewtonSystem {
       for (int r = 0; r < M.rows(); ++r)
         for (int m = 0; m < M.cols(); ++m) K_[(u0_[k] + r) * size_ + u0_[k] + m] = M(r, m);
     }
+    // Velocities of different units: powers of two near 1/√M_rr make their rows comparable.
+    scale_.resize(n);
+    for (std::size_t r = 0; r < n; ++r)
+      scale_[r] = std::ldexp(1.0, -std::ilogb(K_[r * (n + 1)]) / 2);
     for (int i = 0; i < p.size(); ++i) add(*p.contacts, i);
+    for (std::size_t r = 0; r < n; ++r) {
+      v_[r] *= scale_[r];
+      for (std::size_t m = 0; m < n; ++m) K_[r * n + m] *= scale_[r] * scale_[m];
+    }
     if (!eliminate(K_.data(), v_.data(), size_, 1)) return false;
+    for (std::size_t r = 0; r < n; ++r) v_[r] *= scale_[r];
     return percussions(*p.contacts, dLambda);
   }
   int first(const Segment& s) const { return u0_[touched_.number[s.block]]; }
@@ -368,7 +377,7 @@ class DenseVelocities final : public NewtonSystem {
   Compliances compliance_;
   int size_ = 0;
   std::vector<int> u0_;
-  std::vector<double> K_, v_, row_;
+  std::vector<double> K_, v_, row_, scale_;
 };
 
 }  // namespace
