@@ -66,6 +66,15 @@ Residuals measure(const InclusionProblem& p, const double* velocity, const doubl
   return out;
 }
 
+/// Stands in for λ of a contact with G_ii = 0: the largest Σ_j|G_kj| of its rows, of all rows if
+/// those are zero too, or 1. ρ = 0 would count as solved whatever such a contact asks for.
+double substituteLambda(const InclusionProblem& p, int i, const double* rowSums) {
+  const double own = *std::max_element(rowSums + p.row0(i), rowSums + p.row0(i) + p.dim(i));
+  if (own > 0.0) return own;
+  const double all = *std::max_element(rowSums, rowSums + p.rows());
+  return all > 0.0 ? all : 1.0;
+}
+
 Residuals notFinite(int contact) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {.Ef = kInfinity, .Eu = kInfinity, .energy = kInfinity, .worst = contact};
@@ -82,11 +91,17 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
   double *absolute = scratch.data() + n, *velocity = absolute + n, *scale = velocity + contacts;
   problem.G->apply(Lambda.data(), scratch.data());
   double largestLambda = 0.0, spurious = 0.0, available = 0.0;
+  bool summed = false;
   for (int i = 0; i < contacts; ++i) {
     const int first = problem.row0(i), dim = problem.dim(i);
     double* xi = scratch.data() + first;
-    const double lambda = contactLambda(problem.G->diagonalBlock(i), dim);
-    const double rho = lambda > 0.0 ? 1.0 / lambda : 0.0;
+    double lambda = contactLambda(problem.G->diagonalBlock(i), dim);
+    if (!(lambda > 0.0)) {
+      if (!summed) problem.G->rowSums(absolute);  // its place is free until the end
+      summed = true;
+      lambda = substituteLambda(problem, i, absolute);
+    }
+    const double rho = 1.0 / lambda;
     double e[kMaxDim] = {}, e2 = 0.0, L2 = 0.0, c2 = 0.0, sum = 0.0;
     for (int r = 0; r < dim; ++r) {
       const double c = problem.c[static_cast<std::size_t>(first + r)];
@@ -99,10 +114,10 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     if (!std::isfinite(sum)) return notFinite(i);
     problem.law(i).naturalMap(problem.input(i), rho, xi, Lambda.data() + first, e);
     for (int r = 0; r < dim; ++r) e2 += e[r] * e[r];
-    velocity[i] = rho > 0.0 ? std::sqrt(e2) / rho : 0.0;
+    velocity[i] = std::sqrt(e2) * lambda;
     scale[i] = rho;
     largestLambda = std::max({largestLambda, std::sqrt(L2), rho * problem.uRef});
-    spurious += rho > 0.0 ? e2 / rho : 0.0;
+    spurious += e2 * lambda;
     available += rho * c2;
   }
   Residuals out = measure(problem, velocity, scale, nullptr, largestLambda);

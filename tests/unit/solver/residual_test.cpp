@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <dynamy/solver/given_problem.hpp>
 #include <iostream>
 
 #include "unit/solver/inclusion_fixture.hpp"
@@ -97,6 +98,42 @@ TEST(Residuals, CountNoContactBelowTheRoundingOfItsOwnSum) {
   InclusionProblem& p = x.pose(VectorXd{{-1.0, 1.0}});
   EXPECT_EQ(residualsOf(p, VectorXd{{1e9 + 1.0 + 1e-6, 1e9}}).largest(), 0.0);
   EXPECT_GT(residualsOf(p, VectorXd{{1e9 + 1.0 + 1e-5, 1e9}}).largest(), 5e-6);
+}
+
+TEST(Residuals, JudgeAContactWhoseDiagonalBlockIsZero) {
+  // w = (z₂ − 1, −z₁ + 2): row sums are 1, so ρ = 1. At z = 0 the first one misses by 1, at (2, 1)
+  // nothing does.
+  std::vector<GivenContact> contacts;
+  for (int i = 0; i < 2; ++i) contacts.push_back({std::make_unique<Unilateral>(), 1});
+  GivenProblem given(std::move(contacts), MatrixXd{{0.0, 1.0}, {-1.0, 0.0}}.sparseView(),
+                     VectorXd{{-1.0, 2.0}});
+  const Residuals none = residualsOf(given.problem(), VectorXd::Zero(2));
+  EXPECT_EQ(none.worst, 0);
+  EXPECT_EQ(none.Eu, 1.0 / given.problem().uRef);
+  EXPECT_GT(none.Ef, 0.0);
+  EXPECT_GT(none.energy, 0.0);
+  EXPECT_EQ(residualsOf(given.problem(), VectorXd{{2.0, 1.0}}).largest(), 0.0);
+}
+
+TEST(Residuals, ScaleAZeroDiagonalBlockByItsRow) {
+  // The same problem with z and w in other units.
+  for (const double unit : {1.0, 1024.0, 1.0 / 4096.0}) {
+    std::vector<GivenContact> contacts;
+    for (int i = 0; i < 2; ++i) contacts.push_back({std::make_unique<Unilateral>(), 1});
+    GivenProblem given(std::move(contacts), MatrixXd{{0.0, unit}, {-unit, 0.0}}.sparseView(),
+                       VectorXd{{-1.0, 2.0}});
+    EXPECT_EQ(residualsOf(given.problem(), VectorXd{{1.5 / unit, 1.0 / unit}}).Eu, 0.5);
+  }
+}
+
+TEST(Residuals, TellThatAContactOfFixedBodiesCannotBeHeldApart) {
+  // A row of zeros: no percussion moves anything. Leaving is fine, closing is not.
+  std::vector<GivenContact> contacts;
+  contacts.push_back({std::make_unique<Unilateral>(), 1});
+  GivenProblem given(std::move(contacts), MatrixXd{{0.0}}.sparseView(), VectorXd{{-1.0}});
+  EXPECT_EQ(residualsOf(given.problem(), VectorXd{{0.0}}).Eu, 1.0);
+  given.problem().c[0] = 1.0;
+  EXPECT_EQ(residualsOf(given.problem(), VectorXd{{0.0}}).Eu, 0.0);
 }
 
 TEST(Residuals, OfAnEmptyProblemAreZero) {
