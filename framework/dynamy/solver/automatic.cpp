@@ -19,16 +19,17 @@ constexpr double kPatience = 150.0;
 Automatic::Automatic(const AutomaticOptions& options)
     : options_(options),
       gaussSeidel_({options.tolerance, options.maxIterations, Relaxation::exact, 1.0}),
-      newton_(
-          {options.tolerance, options.maxNewton, options.maxIterations, 64, options.maxGentle}) {}
+      newton_({options.tolerance, options.maxNewton, options.maxIterations, 64, options.maxGentle}),
+      lemke_({.tolerance = options.tolerance, .polish = false}) {}
 
 Automatic::Automatic(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxNewton"].integer(), 4 * x["maxNewton"].integer(),
                x["maxIterations"].integer()},
       gaussSeidel_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}),
-      newton_({options_.tolerance, options_.maxNewton, options_.maxIterations, 64,
-               options_.maxGentle}) {}
+      newton_(
+          {options_.tolerance, options_.maxNewton, options_.maxIterations, 64, options_.maxGentle}),
+      lemke_({.tolerance = options_.tolerance, .polish = false}) {}
 
 SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
   SolveReport report;
@@ -51,6 +52,10 @@ SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
   if (p.size() == 1 && oneContact(p, Lambda, report)) return report;
   const bool good = E <= options_.tolerance;  // and still worth a step
   const bool cold = !good && (E > kColdResidual || Lambda.isZero(0.0));
+  if (cold && LemkeSolver::pays(p)) {
+    report = lemke_.solve(p, Lambda);
+    if (report.ok() || lemke_.proven()) return report;
+  }
   if (cold && sweeps(p, Lambda, report)) return report;
   return newton_.refine(p, Lambda, report, cold);
 }

@@ -6,7 +6,7 @@
 /// Every stage starts from the best Λ of the one before and is judged by the same residuals. An
 /// unconverged Λ is returned as such.
 #pragma once
-#include <dynamy/solver/proximal_newton.hpp>
+#include <dynamy/solver/lemke_solver.hpp>
 
 namespace dynamy {
 
@@ -33,6 +33,7 @@ class Automatic final : public InclusionSolver {
   AutomaticOptions options_;
   ProxGaussSeidel gaussSeidel_;
   ProximalNewton newton_;
+  LemkeSolver lemke_;  // for G_ii = 0
   std::vector<double> r_, scratch_, best_;
 };
 

@@ -1,0 +1,64 @@
+/// Lemke: complementary pivoting for the linear complementarity problem
+///
+///   w = M z + q,   0 ≤ w ⊥ z ≥ 0                                             (theory 8.1)
+///
+/// on the tableau of w − M z − d z₀ = q with the covering vector d > 0. z₀ enters first and makes
+/// the basis feasible; then always the complement of what has left enters, until z₀ leaves: solved,
+/// or until nothing leaves: a ray. The lexicographic rule decides between equal ratios, so that no
+/// basis comes twice. Rows and columns are scaled before; the tableau is computed afresh from the
+/// basis now and then, and z at the end from the equations of its basis. After a ray, or a z spoilt
+/// by rounding, two more covering vectors are tried.
+///
+/// A ray alone says nothing for a general M. Its direction h proves that there is no solution if
+/// h ≥ 0, Mᵀh ≤ 0, qᵀh < 0, for then hᵀw < 0 for all z ≥ 0. For copositive-plus M (positive
+/// semidefinite ones are) every ray is such a proof [cottle_pang_stone2009, 4.4]. After any other
+/// ray the linear inequalities alone are asked for one, by pivoting on [0 −Mᵀ; M 0].
+/// Rejected: least-index (Bland) pivoting, which cycles no more than the lexicographic rule but
+/// pivots on small numbers; and a revised method with LU updates, worth it above a few hundred rows
+/// only.
+#pragma once
+#include <Eigen/LU>
+#include <dynamy/core/types.hpp>
+#include <vector>
+
+namespace dynamy {
+
+enum class LcpOutcome : std::uint8_t {
+  solved,
+  infeasible,  ///< proven: no z ≥ 0 gives w ≥ 0
+  ray,         ///< nothing is known; w, z ≥ 0 exist, but pivoting found no complementary ones
+  pivotLimit,
+  notFinite
+};
+
+class Lemke {
+ public:
+  /// z of n numbers; M: n × n, any matrix. z is written only if the outcome is `solved`.
+  LcpOutcome solve(ConstBlock M, ConstVec q, Vec z, int maxPivots = 10000);
+  int pivots() const { return pivots_; }
+  /// h of n numbers, if the outcome is `infeasible`.
+  const Eigen::VectorXd& direction() const { return direction_; }
+
+ private:
+  LcpOutcome pivoting(int maxPivots);
+  bool provenInfeasible();
+  double coveringValue() const;
+  void scale(ConstBlock M, ConstVec q);
+  void start();
+  void rebuild();
+  int leavingRow(int column, bool first) const;
+  bool lexicographicallyLess(int a, int b, int column) const;
+  void pivot(int row, int column);
+  void result();
+  double violation(const Eigen::VectorXd& z) const;
+  LcpOutcome ray(int entering);
+
+  int n_ = 0, pivots_ = 0;
+  double qSize_ = 1.0;
+  RowMatrix M_, tableau_;  // columns: w, z, z₀, right side
+  RowMatrix basisMatrix_;
+  Eigen::VectorXd q_, cover_, scale_, direction_, trial_, residual_;
+  std::vector<int> basis_;  // variable of each row: w_i: i, z_i: n + i, z₀: 2n
+};
+
+}  // namespace dynamy
