@@ -7,9 +7,12 @@
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/impact_law.hpp>
+#include <dynamy/solver/lemke_solver.hpp>
+#include <dynamy/solver/prox_block_metric.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
+#include <dynamy/solver/successive_laws.hpp>
 
 namespace dynamy {
 
@@ -23,6 +26,9 @@ void registerFramework(Registry& registry) {
   registry.add<ProxJacobi>("ProxJacobi");
   registry.add<ProximalNewton>("ProximalNewton");
   registry.add<SemismoothNewton>("SemismoothNewton");
+  registry.add<LemkeSolver>("Lemke");
+  registry.add<ProxBlockMetric>("ProxBlockMetric");
+  registry.add<SuccessiveLaws>("SuccessiveLaws");
   registry.add<NewtonImpact>("NewtonImpact");
 }
 

@@ -12,6 +12,7 @@ Relaxation relaxationByName(const std::string& word) {
   if (word == "diagonalDominance") return Relaxation::diagonalDominance;
   if (word == "rowSums") return Relaxation::rowSums;
   if (word == "spectral") return Relaxation::spectral;
+  if (word == "optimal") return Relaxation::optimal;
   return Relaxation::exact;
 }
 
@@ -49,8 +50,8 @@ void ProxSolver::declareCommon(Attributes& a, const char* defaultRule) {
   Attribute& n =
       a.add(AttributeType::integer, "maxIterations", "10000", "sweeps after which it gives up");
   n.min = 1;
-  a.choice("relaxation", {"exact", "diagonalDominance", "rowSums", "spectral"}, defaultRule,
-           "rule for the prox parameters r");
+  a.choice("relaxation", {"exact", "diagonalDominance", "rowSums", "spectral", "optimal"},
+           defaultRule, "rule for the prox parameters r");
   a.optional("factor", Unit::none, 1.0, "multiplies r").positive();
 }
 
@@ -71,6 +72,7 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
     return report;
   }
   relaxation(problem, options_.relaxation, options_.factor, r_);
+  prepare(problem);
   before_.resize(static_cast<std::size_t>(problem.rows()));
   problem.G->begin(Lambda.data());
   double first = -1.0;

@@ -26,6 +26,10 @@ class ProxSolver : public InclusionSolver {
   /// problem's G before the first one.
   virtual void sweep(const InclusionProblem& problem, const double* r, double* Lambda) = 0;
 
+ protected:
+  /// Called once a solve, before the first sweep.
+  virtual void prepare(const InclusionProblem& /*problem*/) {}
+
  private:
   ProxOptions options_;
   std::vector<double> r_, scratch_, before_;

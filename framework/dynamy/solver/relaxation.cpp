@@ -51,18 +51,21 @@ void equaliseGroups(const InclusionProblem& p, std::vector<double>& r) {
   }
 }
 
-double spectralRadius(const InclusionProblem& p) {
+/// λ_max(G) for shift = 0; else the largest eigenvalue of shift − G. Power iteration.
+double largestOf(const InclusionProblem& p, double shift, int iterations) {
   const auto n = static_cast<std::size_t>(p.rows());
   std::vector<double> x(n), y(n);
   for (std::size_t k = 0; k < n; ++k) x[k] = 1.0 + 0.1 * static_cast<double>(k % 7);
   double lambda = 0.0;
-  for (int it = 0; it < 200; ++it) {
+  for (int it = 0; it < iterations; ++it) {
     double norm = 0.0;
     for (const double v : x) norm += v * v;
     norm = std::sqrt(norm);
     if (norm == 0.0) return 0.0;
     for (double& v : x) v /= norm;
     p.G->apply(x.data(), y.data());
+    if (shift > 0.0)
+      for (std::size_t k = 0; k < n; ++k) y[k] = shift * x[k] - y[k];
     double next = 0.0;
     for (std::size_t k = 0; k < n; ++k) next += x[k] * y[k];
     x.swap(y);
@@ -70,6 +73,15 @@ double spectralRadius(const InclusionProblem& p) {
     lambda = next;
   }
   return lambda;
+}
+
+/// 2/(λ_min + λ_max). Where λ_min vanishes this would be the limit of convergence itself.
+double optimalStep(const InclusionProblem& p) {
+  constexpr double kLimit = 1.9;  // of 2
+  const double largest = largestOf(p, 0.0, 200);
+  if (!(largest > 0.0)) return 0.0;
+  const double least = std::max(0.0, largest - largestOf(p, largest, 1000));
+  return std::min(2.0 / (least + largest), kLimit / largest);
 }
 
 }  // namespace
@@ -82,10 +94,13 @@ void relaxation(const InclusionProblem& p, Relaxation rule, double factor, std::
       exactSteps(p, r);
       break;
     case Relaxation::spectral: {
-      const double lambda = spectralRadius(p);
+      const double lambda = largestOf(p, 0.0, 200);
       std::fill(r.begin(), r.end(), lambda > 0.0 ? 1.0 / lambda : 0.0);
       break;
     }
+    case Relaxation::optimal:
+      std::fill(r.begin(), r.end(), optimalStep(p));
+      break;
     case Relaxation::rowSums:
     case Relaxation::diagonalDominance: {
       p.G->rowSums(r.data());

@@ -1,0 +1,44 @@
+/// SuccessiveLaws: the laws one after the other, each with the others' percussions frozen.
+///                                                                               (theory 4.8)
+///   outer:  1  all normal forces (and joints) with the friction percussions frozen:
+///              −ξ_N ∈ N_{ℝ₀⁺}(Λ_N),                    a convex problem
+///           2  all frictions (and joints) with Λ_N frozen:
+///              −ξ_T ∈ N_{C_T(Λ_N)}(Λ_T), fixed sets,   a convex problem
+///
+/// Each inner problem is solved by prox Gauss–Seidel and has one ξ. The outer map contracts for
+/// small μ; for one sliding contact its factor is μ|G_NT|/G_NN. Beyond 1 it diverges or jumps
+/// between two states, even where the solution is unique; SolveReport says so. Kept for the book's
+/// sake and for sets whose size depends on another law in a cascade; the other solvers take both
+/// laws together and do not have this limit.
+#pragma once
+#include <dynamy/solver/inclusion_solver.hpp>
+
+namespace dynamy {
+
+struct SuccessiveOptions {
+  double tolerance = 1e-10;  ///< of E_f and E_u
+  int maxOuter = 200;
+  int maxIterations = 2000;  ///< sweeps of one inner problem
+};
+
+class SuccessiveLaws final : public InclusionSolver {
+ public:
+  explicit SuccessiveLaws(const SuccessiveOptions& options = {}) : options_(options) {}
+  explicit SuccessiveLaws(const Parameters& x);
+  static void declare(Attributes& a);
+  /// `iterations` counts sweeps of the inner problems.
+  SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
+  /// Rounds of the last solve.
+  int rounds() const { return rounds_; }
+
+ private:
+  enum class Phase { normal, friction };
+  int inner(const InclusionProblem& problem, Phase phase, Vec Lambda);
+  double sweep(const InclusionProblem& problem, Phase phase, double* Lambda);
+
+  SuccessiveOptions options_;
+  int rounds_ = 0;
+  std::vector<double> r_, scratch_, best_;
+};
+
+}  // namespace dynamy
