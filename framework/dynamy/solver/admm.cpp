@@ -7,10 +7,13 @@
 namespace dynamy {
 namespace {
 
-constexpr double kEta = 1e-6;       ///< proximal part η
-constexpr double kTau = 0.5;        ///< σ = τρ
+constexpr double kEta = 1e-6;  ///< proximal part η
+/// σ = τρ. ½, the value for convex problems, takes more iterations and factorisations on contacts.
+constexpr double kTau = 0.015;
 constexpr double kBalanced = 10.0;  ///< residuals that differ by less are balanced
-constexpr double kPower = 0.05;     ///< a change of σ: the condition number to this power
+constexpr double kLargestChange = 10.0;
+/// Residuals are compared after 10, 20, 40 … iterations.
+constexpr int kFirstBalance = 10;
 constexpr int kTestEvery = 5, kPowerSteps = 20;
 
 template <int n>
@@ -51,7 +54,6 @@ bool Admm::prepare(const InclusionProblem& p, Vec Lambda) {
     for (double& x : x_) x /= norm;
   }
   sigma_ = kTau * std::sqrt(L * kEta) * std::pow(L / kEta, 0.2);
-  factorOfSigma_ = std::pow(L / kEta, kPower);
   // Start: z = ξ^ of the given Λ.
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), x_.begin());
   y_ = x_;
@@ -64,7 +66,7 @@ bool Admm::prepare(const InclusionProblem& p, Vec Lambda) {
     }
     if (cone_[i].kind == LawCone::Kind::cone) z_[p.row0(i)] += cone_[i].mu * std::sqrt(slip2);
   }
-  factorisations_ = 0;
+  factorisations_ = 0, nextBalance_ = kFirstBalance;
   return factor(p);
 }
 
@@ -122,14 +124,11 @@ bool Admm::iterate(const InclusionProblem& p) {
   return std::isfinite(primal_ + dual_);
 }
 
-bool Admm::balance(const InclusionProblem& p) {
-  if (factorisations_ >= options_.maxFactorisations) return true;
-  if (primal_ > kBalanced * dual_)
-    sigma_ *= factorOfSigma_;
-  else if (dual_ > kBalanced * primal_)
-    sigma_ /= factorOfSigma_;
-  else
-    return true;
+bool Admm::balance(const InclusionProblem& p, int iteration) {
+  if (iteration < nextBalance_ || factorisations_ >= options_.maxFactorisations) return true;
+  nextBalance_ = 2 * iteration;
+  if (primal_ <= kBalanced * dual_ && dual_ <= kBalanced * primal_) return true;
+  sigma_ *= std::clamp(std::sqrt(primal_ / dual_), 1.0 / kLargestChange, kLargestChange);
   return factor(p);
 }
 
@@ -160,7 +159,7 @@ SolveReport Admm::solve(const InclusionProblem& p, Vec Lambda) {
       report.status = SolveStatus::solved;
     } else if (p.rule && p.rule->enough()) {
       break;
-    } else if (!balance(p)) {
+    } else if (!balance(p, report.iterations)) {
       report.status = SolveStatus::stalled;
     }
   }

@@ -35,13 +35,13 @@ class Admm final : public InclusionSolver {
   /// y_i ← P_C(a_i), and z without the shift.
   void project(const InclusionProblem& p, int i, double* y) const;
   /// Another σ if the residuals differ much; false: its factors failed.
-  bool balance(const InclusionProblem& p);
+  bool balance(const InclusionProblem& p, int iteration);
 
   AdmmOptions options_;
   NewtonSystemChoice systems_;
   NewtonSystem* system_ = nullptr;
-  double sigma_ = 1.0, factorOfSigma_ = 1.0, primal_ = 0.0, dual_ = 0.0;
-  int factorisations_ = 0;
+  double sigma_ = 1.0, primal_ = 0.0, dual_ = 0.0;
+  int factorisations_ = 0, nextBalance_ = 0;
   std::vector<LawCone> cone_;
   std::vector<double> lambda_, shift_, x_, y_, z_, right_, before_, best_, scratch_;
 };
