@@ -43,6 +43,8 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   } else if (g.type == "Box") {
     out.kind = TouchingShape::Kind::corners;
     out.features = corners(shape, g.points, plane_K);
+    out.p_K = shape.r_SB_K(), out.A_KB = shape.A_KB();
+    out.half = 0.5 * Vec3(g.size[0], g.size[1], g.size[2]);
   } else if (g.type == "HalfSpace") {
     out.kind = TouchingShape::Kind::halfSpace;
     out.n_K = shape.A_KB() * g.points[0];

@@ -19,6 +19,8 @@ struct TouchingShape {
   int system = -1;
   std::vector<RoundFeature> features;
   Vec3 n_K = Vec3::Zero(), p_K = Vec3::Zero();  ///< half space: normal and a point of its plane
+  Mat3 A_KB = Mat3::Identity();                 ///< box: its axes, about p_K
+  Vec3 half = Vec3::Zero();                     ///< box: half edge lengths [m]
 };
 
 /// Takes a shape apart. `plane`: normal of the plane of motion in the shape's frame, or zero; a box

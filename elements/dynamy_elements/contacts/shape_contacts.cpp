@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/simulation/model.hpp>
+#include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
 #include <dynamy_elements/frame_pair.hpp>
 #include <map>
@@ -12,7 +13,7 @@ namespace {
 
 using Touch = TouchingShape::Kind;
 
-constexpr int kMaxFeatures = 8;      ///< of one pair
+constexpr int kMaxFeatures = 256;    ///< of one pair
 constexpr int kMostNamedPairs = 64;  ///< beyond, single contacts have no signals
 
 /// Is a contact of these two implemented? Half spaces never meet, points neither.
@@ -24,6 +25,10 @@ Meeting meeting(const TouchingShape& a, const TouchingShape& b) {
   if (a.kind == Touch::round && b.kind == Touch::round)
     return a.features[0].radius + b.features[0].radius > 0.0 ? Meeting::implemented
                                                              : Meeting::never;
+  // Boxes that move in one plane would need polygons.
+  if (a.kind == Touch::corners && b.kind == Touch::corners)
+    return a.features.size() == 8 && b.features.size() == 8 ? Meeting::implemented
+                                                            : Meeting::missing;
   return Meeting::missing;
 }
 
@@ -131,7 +136,8 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
         pairFault(
             *a.shape, *b.shape,
             "contact of a " + a.shape->type() + " with a " + b.shape->type() + " is not available",
-            "use balls, points, boxes on half spaces, or <NoContact " + both + "/>"));
+            "use balls, points, boxes in space, boxes on half spaces, or <NoContact " + both +
+                "/>"));
     return;
   }
   pair.law = found->law();
@@ -165,6 +171,17 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
         emit(pair, id + f, overHalfSpace(A, pair.A, B, pair.B.features[f], pair.plane), k, sink);
       continue;
     }
+    if (pair.A.kind == Touch::corners) {
+      std::array<BoxContact, kMostBoxContacts> at;
+      // Reported as early as balls are.
+      const double reach = 0.25 * (pair.A.half.norm() + pair.B.half.norm()) + sink.request().gTol;
+      const int n = betweenBoxes(placedBox(A, pair.A), placedBox(B, pair.B), reach, at);
+      for (int c = 0; c < n; ++c) {
+        const BoxContact& contact = at[static_cast<std::size_t>(c)];
+        emit(pair, id + static_cast<std::uint64_t>(contact.id), contact.at, k, sink);
+      }
+      continue;
+    }
     // Balls further apart than half the sum of their radii are not reported.
     const RoundFeature &a = pair.A.features[0], &b = pair.B.features[0];
     const double reach = 1.5 * (a.radius + b.radius);
@@ -192,8 +209,19 @@ void ShapeContacts::emit(const Pair& pair, std::uint64_t id, const ContactPoint&
     rows.bias(3) = at.ddot[0].dot(B.Omega_I - A.Omega_I) + at.d[0].dot(B.bias_R_I - A.bias_R_I);
 }
 
+namespace {
+
+std::string boxFeature(std::uint64_t id) {
+  if (id < 8) return "B.corner" + std::to_string(id);
+  if (id < 16) return "A.corner" + std::to_string(id - 8);
+  return "edges" + std::to_string((id - 16) / 12) + "-" + std::to_string((id - 16) % 12);
+}
+
+}  // namespace
+
 std::string ShapeContacts::contactName(std::uint64_t id) const {
   const Pair& pair = pairs_[static_cast<std::size_t>(id / kMaxFeatures)];
+  if (pair.A.kind == Touch::corners) return pair.name + '.' + boxFeature(id % kMaxFeatures);
   const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
   return single ? pair.name : pair.name + ".corner" + std::to_string(id % kMaxFeatures);
 }
@@ -207,6 +235,7 @@ void ShapeContacts::describe(Description& d) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& pair = pairs_[i];
     const int geometric = pair.plane.isZero(0.0) ? 3 : 2;
+    if (pair.A.kind == Touch::corners) continue;  // 160 possible contacts: by their count alone
     const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
     const std::size_t features = single ? 1 : pair.B.features.size();
     for (std::size_t f = 0; f < features; ++f) {

@@ -1,8 +1,10 @@
 /// ShapeContacts: all contacts between shapes that have a material, one element for the model.
 ///
-///   ball, point or corner with a half space   g = n·(c − p) − R             n fixed in the half
-///   space ball or point with a ball                 g = |c_B − c_A| − R_A − R_B   n = (c_B −
-///   c_A)/|…| γ = (n, t1, t2)ᵀ (v_B(P) − v_A(P)),   P the point of contact
+///   ball, point or corner, half space   g = n·(c − p) − R             n fixed in the half space
+///   ball or point, ball                 g = |c_B − c_A| − R_A − R_B   n = (c_B − c_A)/|…|
+///   box, box                            vertices on faces, edges on edges (box_contact.hpp)
+///
+///   γ = (n, t1, t2)ᵀ (v_B(P) − v_A(P)),   P the point of contact
 ///
 /// γ_N = ġ holds exactly, also while P wanders over a rolling body. The bias is that of the moving
 /// P:
