@@ -73,6 +73,7 @@ class Scene {
   Model& model() { return model_; }
   MechanicalSystem& system() { return *system_; }
   Vec Lambda() { return system_->Lambda(); }
+  const StepReport& report() const { return report_; }
   /// All inclusions so far were solved to their tolerance.
   bool solved() const { return solved_; }
   /// T + V [J] at the present state.

@@ -33,9 +33,43 @@ void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const
 
 void MechanicalSystem::moveConfiguration(State& x, double dt) { move(x, x.u, dt); }
 
+namespace {
+
+/// Twice the way of the fastest block in Δt, angles as lengths.
+double wayAhead(const Evaluation& e, const State& x, double dt) {
+  double largest = 0.0;
+  for (int b = 0; b < e.mass.blocks(); ++b) {
+    const int n = e.mass.nu(b), u0 = e.mass.u0(b);
+    const double* A = e.mass.inverse(b).data();
+    double speed = 0.0;
+    for (int i = 0; i < n; ++i) {
+      double a = 0.0;
+      for (int j = 0; j < n; ++j) a += A[i * n + j] * e.h[u0 + j];
+      speed += std::abs(x.u[u0 + i]) + dt * std::abs(a);
+    }
+    largest = std::max(largest, speed);
+  }
+  return 2.0 * dt * largest;
+}
+
+}  // namespace
+
 const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double reach) {
-  const Topology& topology = *parts_.topology;
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  smooth(x, e);
+  detect(reach, e);
+  return e;
+}
+
+const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int slot) {
+  Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  smooth(x, e);
+  detect(wayAhead(e, x, dt), e);
+  return e;
+}
+
+void MechanicalSystem::smooth(const State& x, Evaluation& e) {
+  const Topology& topology = *parts_.topology;
   e.t = x.t;
   ++evaluations_;
   e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory));
@@ -53,6 +87,9 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double re
     forces.hasPotential(f->hasPotential());
     f->addTo(e.kinematics, forces);
   }
+}
+
+void MechanicalSystem::detect(double reach, Evaluation& e) const {
   e.contacts.clear();
   ContactRequest request = request_;
   request.gTol += reach;
@@ -61,7 +98,21 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double re
     sink.element(static_cast<int>(i));
     parts_.contacts[i]->contacts(e.kinematics, sink);
   }
-  return e;
+}
+
+double MechanicalSystem::largestChange(double dt) const {
+  const Evaluation& e = slots_.front();
+  double largest = 0.0;
+  for (int b = 0; b < e.mass.blocks(); ++b) {
+    const int n = e.mass.nu(b);
+    const ConstBlock A = e.mass.inverse(b);
+    for (int i = 0; i < n; ++i) {
+      double a = 0.0;
+      for (int j = 0; j < n; ++j) a += A(i, j) * e.h[e.mass.u0(b) + j];
+      largest = std::max(largest, std::abs(a));
+    }
+  }
+  return dt * largest;
 }
 
 InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int slot,
@@ -81,6 +132,7 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
     e.contacts.gamma({uFree_.data(), uFree_.size()}, {problem_.gammaFree.data(), rows});
     e.contacts.gamma({uA_.data(), uA_.size()}, {problem_.gammaA.data(), rows});
   }
+  gapNoise_ = aim ? aim->noise / dt : 0.0;
   if (aim) addAim(*aim, dt);
   startImpulses(x);
   scales();
@@ -105,30 +157,13 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
       problem_.gammaFree[first] += rebounds ? g / dt + 4.0 * away : g / dt;
       continue;
     }
-    for (int r = 0; aim.meanJoints && r < c.dim(i); ++r)
-      if (law.rowKind(r) == RowKind::joint) {
-        const auto row = first + static_cast<std::size_t>(r);
-        problem_.gammaFree[row] += problem_.gammaA[row];
-      }
-  }
-}
-
-double MechanicalSystem::reach(const State& x, double dt) const {
-  const MassMatrix& mass = slots_.front().mass;
-  const Eigen::VectorXd& h = slots_.front().h;
-  double largest = 0.0;
-  for (int b = 0; b < mass.blocks(); ++b) {
-    const int n = mass.nu(b), u0 = mass.u0(b);
-    const double* A = mass.inverse(b).data();
-    double speed = 0.0;
-    for (int i = 0; i < n; ++i) {
-      double a = 0.0;
-      for (int j = 0; j < n; ++j) a += A[i * n + j] * h[u0 + j];
-      speed += std::abs(x.u[u0 + i]) + dt * std::abs(a);
+    for (int r = 0; r < c.dim(i); ++r) {
+      if (law.rowKind(r) != RowKind::joint) continue;
+      const auto row = first + static_cast<std::size_t>(r);
+      const double back = std::clamp(aim.kappa * c.position[row] / dt, -aim.cap, aim.cap);
+      problem_.gammaFree[row] += aim.meanJoints ? problem_.gammaA[row] : back;
     }
-    largest = std::max(largest, speed);
   }
-  return 2.0 * dt * largest;
 }
 
 void MechanicalSystem::roundingOfC() {
@@ -140,13 +175,14 @@ void MechanicalSystem::roundingOfC() {
     for (int r = 0; r < c.dim(i); ++r) {
       const auto row = static_cast<std::size_t>(c.row0[at] + r);
       double sum = std::abs(c.chi[row]);
+      const double ofGap = r == 0 && c.law[at]->unilateral() ? gapNoise_ : 0.0;
       for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
         const Segment& s = c.segment[static_cast<std::size_t>(k)];
         const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
         for (int j = 0; j < s.nu; ++j)
           sum += std::abs(w[j]) * std::max(std::abs(uA_[s.u0 + j]), std::abs(uFree_[s.u0 + j]));
       }
-      problem_.cNoise[row] = 4.0 * std::numeric_limits<double>::epsilon() * sum;
+      problem_.cNoise[row] = ofGap + 4.0 * std::numeric_limits<double>::epsilon() * sum;
     }
   }
 }
@@ -215,6 +251,10 @@ void MechanicalSystem::velocityFromImpulses(State& x) {
   x.u = uFree_;
   if (problem_.rows() > 0)
     delassus_.addVelocity(Lambda_.data(), view(x.u));  // u^E = u_free + M⁻¹WΛ
+  keepImpulses(x);
+}
+
+void MechanicalSystem::keepImpulses(State& x) const {
   x.impulses.key = problem_.contacts->key;
   x.impulses.first = problem_.contacts->row0;
   x.impulses.Lambda = Lambda_;

@@ -29,10 +29,14 @@ struct SystemParts {
 };
 
 /// Aims γ^E at positions instead of velocities. Unilateral: the gap term g/Δt, for g > dead and
-/// unless the contact is to rebound; joints: γ^E + γ^A = 0, the mean velocity of the step.
+/// unless the contact is to rebound; joints: γ^E + γ^A = 0, the mean velocity of the step, or
+/// stabilised.
 struct PositionAim {
   double dead = 0.0;        ///< gaps up to this count as closed [m]
   bool meanJoints = false;  ///< γ^E + γ^A = 0 in the rows of joints
+  double kappa = 0.0;       ///< else γ^E = −κ g/Δt there,
+  double cap = 0.0;         ///< up to this speed [m/s]
+  double noise = 0.0;       ///< rounding of gaps [m]: no solver has to meet rates that differ by it
 };
 
 class MechanicalSystem {
@@ -45,18 +49,22 @@ class MechanicalSystem {
   void move(State& x, const Eigen::VectorXd& v, double dt) const;
   /// M, h and the contacts with g ≤ g_tol + reach, at (x.t, x.q, x.u), into slot `slot`.
   const Evaluation& evaluate(const State& x, int slot = 0, double reach = 0.0);
+  /// The same with the contacts that may close within Δt: reach is twice the way that the fastest
+  /// block goes with |u| + Δt|M⁻¹h|, angles as lengths.
+  const Evaluation& evaluateAhead(const State& x, double dt, int slot = 0);
   /// u_free = u^A + M⁻¹hΔt,  γ's, G, start of Λ by contact key:   ξ = GΛ + c. With an aim, γ_free
   /// holds its terms as well.
   InclusionProblem& impactProblem(const State& x, double dt, int slot = 0,
                                   const PositionAim* aim = nullptr);
-  /// Twice the way that the fastest block goes in Δt, |u| + Δt|M⁻¹h| with the forces of the last
-  /// evaluation, angles as lengths: gaps beyond it do not close [m].
-  double reach(const State& x, double dt) const;
+  /// Largest change of a velocity by the forces of slot 0: max |Δt M⁻¹h| [m/s].
+  double largestChange(double dt) const;
   const ImpactLaw& impactLaw() const { return *parts_.impactLaw; }
   /// Percussions of the current problem, rows() entries.
   Vec Lambda() { return {Lambda_.data(), static_cast<Eigen::Index>(problem_.rows())}; }
   /// u^E = u_free + M⁻¹ W Λ; remembers Λ by key in x for the next start.
   void velocityFromImpulses(State& x);
+  /// Remembers Λ by key in x; for schemes that find velocities themselves.
+  void keepImpulses(State& x) const;
 
   /// Lets elements that reserved memory change it; the time loop calls it after every step.
   void remember(State& x);
@@ -77,6 +85,8 @@ class MechanicalSystem {
   double potentialEnergy(const State& x);
 
  private:
+  void smooth(const State& x, Evaluation& e);
+  void detect(double reach, Evaluation& e) const;
   void startImpulses(const State& x);
   void addAim(const PositionAim& aim, double dt);
   void roundingOfC();
@@ -91,6 +101,7 @@ class MechanicalSystem {
   Eigen::VectorXd uFree_, uA_;
   std::vector<double> Lambda_;
   int indefinite_ = -1;
+  double gapNoise_ = 0.0;  // of rates that aim at gaps
   long evaluations_ = 0;
   Kinematics energyKinematics_;
 };

@@ -1,8 +1,10 @@
 /// The types that the framework itself brings: schemes, solvers, impact laws. All others come from
 /// plug-ins, the standard ones too.
 
+#include <dynamy/integrator/energy_momentum.hpp>
 #include <dynamy/integrator/half_explicit_euler.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
+#include <dynamy/integrator/staggered_moreau.hpp>
 #include <dynamy/io/registry.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
@@ -20,6 +22,8 @@ void registerFramework(Registry& registry) {
   registry.library("dynamy");
   registry.add<MoreauMidpoint>("MoreauMidpoint");
   registry.add<HalfExplicitEuler>("HalfExplicitEuler");
+  registry.add<EnergyMomentum>("EnergyMomentum");
+  registry.add<StaggeredMoreau>("StaggeredMoreau");
   registry.add<Admm>("Admm");
   registry.add<Automatic>("Automatic");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");

@@ -49,6 +49,12 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
                          : word == "warn" ? NonConvergence::warn
                                           : NonConvergence::retry;
   }
+  if (x["project"].given) {
+    const std::string& word = x["project"].text;
+    s.project = word == "none"        ? Project::none
+                : word == "positions" ? Project::positions
+                                      : Project::both;
+  }
   if (s.place.line == 0) s.place = node.place;
 }
 

@@ -38,6 +38,9 @@ Word simulation() {
       .mayBeAbsent();
   a.choice("onNonConvergence", {"stop", "warn", "retry"}, "warn",
            "what happens if a step's impulses are not found");
+  a.choice("project", {"none", "positions", "both"}, "none",
+           "after a step of any scheme: positions, or velocities as well, are brought back to "
+           "joints and contacts in the metric of the mass");
   a.child(Kind::scheme, 0, 1, "scheme of time stepping");
   a.child(Kind::solver, 0, 1, "solver of the inclusion problem");
   a.child(Kind::impact, 0, 1, "impact law");

@@ -166,7 +166,8 @@ MechanicalSystem Model::mechanicalSystem() {
   for (const auto& f : forces_) parts.forces.push_back(f.get());
   for (const auto& c : contacts_) parts.contacts.push_back(c.get());
   parts.impactLaw = impactLaw_.get();
-  MechanicalSystem system(parts, scheme_->evaluations());
+  // One slot more than the scheme needs may be asked for by projections.
+  MechanicalSystem system(parts, std::max(2, scheme_->evaluations()));
   system.gTol(simulation.gTol >= 0.0 ? simulation.gTol : 1e-12 * length_);
   return system;
 }

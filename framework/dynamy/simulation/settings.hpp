@@ -10,12 +10,16 @@ namespace dynamy {
 /// What happens when an inclusion is not solved to its tolerance.
 enum class NonConvergence { stop, warn, retry };
 
+/// What is projected on the constraints after a step (theory 34.3).
+enum class Project { none, positions, both };
+
 struct SimulationSettings {
   double until = 1.0;      ///< end time [s]
   double step = 0.0;       ///< Δt [s]; 0: not given
   double tolerance = 0.0;  ///< error tolerance, 0: not given (fixed step)
   double gTol = -1.0;      ///< closed: g ≤ gTol [m]; negative: 1e-12 of the scene's length
   NonConvergence onNonConvergence = NonConvergence::warn;
+  Project project = Project::none;
   Place place;
 };
 

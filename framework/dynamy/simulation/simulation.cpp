@@ -165,9 +165,18 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   const long evaluations = system_.evaluations();
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   x_.t = tEnd;
+  project();
   system_.remember(x_);
   report_.evaluations += system_.evaluations() - evaluations;
   return stepReport_;
+}
+
+void Simulation::project() {
+  const Project what = model_.simulation.project;
+  if (what == Project::none || !x_.q.allFinite()) return;
+  if (!projection_.positions(system_, model_.solver(), x_, system_.gTol()))
+    stepReport_.solved.status = SolveStatus::stalled;
+  if (what == Project::both) projection_.velocities(system_, model_.solver(), x_);
 }
 
 bool Simulation::sound() const {

@@ -10,6 +10,7 @@
 #pragma once
 #include <atomic>
 #include <chrono>
+#include <dynamy/integrator/projection.hpp>
 #include <dynamy/simulation/checks.hpp>
 #include <dynamy/simulation/recorder.hpp>
 #include <dynamy/simulation/run_report.hpp>
@@ -64,12 +65,14 @@ class Simulation final : private Stepper {
   void forAll(Call&& call);
   void archive(Archive& a);
   void keep();
+  void project();
 
   using Clock = std::chrono::steady_clock;
   Model& model_;
   MechanicalSystem system_;
   State x_, before_;
   StepReport stepReport_;
+  Projection projection_;
   std::vector<double> zero_, gammaE_;
   FixedStep loop_;
   RunReport report_;

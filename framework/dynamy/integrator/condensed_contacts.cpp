@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/condensed_contacts.hpp>
+#include <dynamy/integrator/contact_subset.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Column of contact i's row r, as nu numbers.
+void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
+  w.setZero();
+  const auto at = static_cast<std::size_t>(i);
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    for (int j = 0; j < s.nu; ++j)
+      w[s.u0 + j] = c.W[static_cast<std::size_t>(s.w + static_cast<std::ptrdiff_t>(r) * s.nu + j)];
+  }
+}
+
+}  // namespace
+
+void CondensedContacts::begin(const State& x, double dt) {
+  contacts_.clear(), Lambda_.clear();
+  last_ = x.impulses;
+  const double scale = last_.dt > 0.0 ? dt / last_.dt : 0.0;
+  for (double& L : last_.Lambda) L *= scale;
+  dt_ = dt;
+  impulse_.setZero(x.u.size());
+}
+
+double CondensedContacts::start(ContactKey key, int row) const {
+  const auto found = std::find(last_.key.begin(), last_.key.end(), key);
+  if (found == last_.key.end()) return 0.0;
+  const auto i = static_cast<std::size_t>(found - last_.key.begin());
+  const int at = last_.first[i] + row;
+  return at < last_.first[i + 1] ? last_.Lambda[static_cast<std::size_t>(at)] : 0.0;
+}
+
+void CondensedContacts::select(const MechanicalSystem& s, const State& xA, double dt) {
+  if (contacts_.size() > 0) {  // impulses of the last turn
+    last_.key = contacts_.key, last_.first = contacts_.row0, last_.Lambda = Lambda_;
+  }
+  const ContactSet& all = s.slot(0).contacts;
+  contacts_.clear();
+  for (int i = 0; i < all.size(); ++i) {
+    const SetValuedForceLaw& law = *all.law[static_cast<std::size_t>(i)];
+    if (law.unilateral() || law.rowKind(0) != RowKind::joint)
+      append(all, i, all.dim(i), law, contacts_);
+  }
+  const auto n = static_cast<std::size_t>(contacts_.rows());
+  Lambda_.assign(n, 0.0);
+  impulse_.setZero(xA.u.size()), w_.resize(xA.u.size());
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      const auto row = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r);
+      Lambda_[row] = start(contacts_.key[static_cast<std::size_t>(i)], r);
+      column(contacts_, i, r, w_);
+      impulse_ += Lambda_[row] * w_;
+    }
+  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.dt = dt;
+  problem_.gammaA.assign(n, 0.0), problem_.gammaFree.assign(n, 0.0), problem_.c.assign(n, 0.0);
+  problem_.cNoise.assign(n, 0.0);
+  if (n > 0) contacts_.gamma(view(xA.u), {problem_.gammaA.data(), contacts_.rows()});
+}
+
+SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
+                                     const State& xA, JointNewton& newton) {
+  const int n = contacts_.rows();
+  if (n == 0) return {};
+  const auto rows = static_cast<std::size_t>(n);
+  uE_ = 2.0 * (newton.v + newton.dv) - xA.u;
+  contacts_.gamma(view(std::as_const(uE_)), {problem_.gammaFree.data(), n});
+  // G, row by row of blocks.
+  response_.resize(std::max(response_.size(), rows));
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      column(contacts_, i, r, w_);
+      newton.respond(
+          w_.data(),
+          response_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)]);
+    }
+  BlockRows G;
+  G.clear();
+  old_ = Lambda_;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    for (int j = 0; j < contacts_.size(); ++j) {
+      G.column.push_back(j);
+      G.value0.push_back(static_cast<std::ptrdiff_t>(G.value.size()));
+      for (int r = 0; r < contacts_.dim(i); ++r) {
+        column(contacts_, i, r, w_);
+        const auto row = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r);
+        for (int m = 0; m < contacts_.dim(j); ++m) {
+          const auto other =
+              static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(j)] + m);
+          const double value = 2.0 * newton.velocityPart(response_[other], w_.data());
+          G.value.push_back(value);
+          problem_.gammaFree[row] -= value * old_[other];
+        }
+      }
+    }
+    G.first.push_back(static_cast<int>(G.column.size()));
+  }
+  delassus_.given(contacts_, std::move(G));
+  double uRef = std::numeric_limits<double>::min();
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
+    const double g = contacts_.position[first];
+    if (problem_.law(i).unilateral() && g > s.gTol()) problem_.gammaFree[first] += g / dt_;
+    uRef = std::max(uRef, -problem_.gammaFree[first]);
+  }
+  problem_.uRef = uRef, problem_.warmStart = 1.0;
+  for (double& noise : problem_.cNoise)
+    noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
+  const SolveReport report =
+      s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+  for (std::size_t r = 0; r < rows; ++r)
+    if (Lambda_[r] != old_[r]) newton.add(response_[r], Lambda_[r] - old_[r]);
+  impulse_.setZero();
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      column(contacts_, i, r, w_);
+      impulse_ +=
+          Lambda_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)] * w_;
+    }
+  return report;
+}
+
+const double* CondensedContacts::of(ContactKey key) const {
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (contacts_.key[static_cast<std::size_t>(i)] == key)
+      return Lambda_.data() + contacts_.row0[static_cast<std::size_t>(i)];
+  return nullptr;
+}
+
+}  // namespace dynamy

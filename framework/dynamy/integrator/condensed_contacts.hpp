@@ -1,0 +1,41 @@
+/// Contacts of the implicit midpoint, condensed on the linear model of a Newton step: with
+/// K = ∂R/∂(v, Λ_J) and u^E = 2v − u^A,
+///
+///   γ^E = W_cᵀ(2(v + δ) − u^A) + χ + G (Λ_c − Λ_c^k),   G = 2 W_cᵀ (K⁻¹ [W_c; 0])_v
+///
+/// is an inclusion problem like any other (Josephy–Newton), with G as joints and the turning of
+/// their forces make it, not symmetric. Rejected: contacts first and joints afterwards; each undoes
+/// what the other has done.
+#pragma once
+#include <dynamy/integrator/joint_newton.hpp>
+
+namespace dynamy {
+
+class CondensedContacts {
+ public:
+  /// Starts a step: no impulses but those remembered in x.
+  void begin(const State& x, double dt);
+  /// Takes the contacts of slot 0 that are no joints.
+  void select(const MechanicalSystem& s, const State& xA, double dt);
+  /// Solves them on the linear model and corrects the Newton step by it.
+  SolveReport solve(const MechanicalSystem& s, InclusionSolver& solver, const State& xA,
+                    JointNewton& newton);
+  /// W_c Λ_c, nu numbers.
+  const Eigen::VectorXd& impulse() const { return impulse_; }
+  int size() const { return contacts_.size(); }
+  /// Impulses of the contact `key`, or null.
+  const double* of(ContactKey key) const;
+
+ private:
+  double start(ContactKey key, int row) const;
+  ContactSet contacts_;
+  Delassus delassus_;
+  InclusionProblem problem_;
+  RememberedImpulses last_;
+  double dt_ = 0.0;
+  std::vector<double> Lambda_, old_;
+  std::vector<std::vector<double>> response_;
+  Eigen::VectorXd impulse_, w_, uE_;
+};
+
+}  // namespace dynamy

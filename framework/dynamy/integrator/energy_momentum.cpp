@@ -1,0 +1,113 @@
+#include <cmath>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/integrator/energy_momentum.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMostTurns = 40;
+/// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
+/// with an old one it is the last if what is left of it after another turn drowns in rounding.
+constexpr double kLast = 1e-10, kLeft = 1e-15;
+/// Corrections that shrink by less than this ask for a new tangent.
+constexpr double kSlow = 0.1;
+
+}  // namespace
+
+StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
+  if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
+  start_ = x;
+  const bool any = newton_.begin(s, start_, dt);
+  joints_ = any ? Joints::some : Joints::none;  // joints are always closed: once for all steps
+  if (!any) return staggered_.step(s, solver, x, dt);
+  // An impact must not act on turning links for a whole step: it is a jump at q^A.
+  if (projection_.impact(s, solver, start_, dt, 4.0 * s.largestChange(dt))) newton_.v = start_.u;
+  const SolveReport solved = solve(s, solver, start_, dt);  // v, Λ_J, Λ_c
+  hand(s, x, dt);
+  x.q = start_.q;
+  s.move(x, newton_.v, dt);          // q^E = q^A ⊕ Δt v
+  x.u = 2.0 * newton_.v - start_.u;  // u^E = 2v − u^A
+  if (project_) projection_.velocities(s, solver, x);
+  return {dt, solved, s.problem().size()};
+}
+
+SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                                  double dt) {
+  SolveReport report;
+  const double length = 1e12 * s.gTol();
+  contacts_.begin(x, dt);
+  contacts_.select(s, x, dt);
+  double before = 0.0;
+  bool fresh = true;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    newton_.residual(s, contacts_.impulse());
+    contacts_.select(s, x, dt);
+    ++report.iterations;
+    if (fresh) {
+      ++report.newton;
+      if (!newton_.linearise(s, contacts_.impulse())) break;
+    }
+    newton_.newtonStep();
+    const SolveReport inner = contacts_.solve(s, solver, x, newton_);
+    newton_.take();
+    const double way = dt * newton_.dv.cwiseAbs().maxCoeff();
+    report.residuals = inner.residuals;
+    report.residuals.Eu = std::max(inner.residuals.Eu, way / length);
+    report.status = inner.status;
+    if (!std::isfinite(way)) break;
+    const double rate = turn > 0 ? way / before : 1.0;
+    if (way <= kLast * length && (fresh || rate * way <= kLeft * length)) {
+      newton_.residual(s, contacts_.impulse());
+      return report;
+    }
+    fresh = turn > 0 && rate > kSlow;
+    before = way;
+  }
+  if (report.status == SolveStatus::solved) report.status = SolveStatus::maxIterations;
+  newton_.residual(s, contacts_.impulse());
+  return report;
+}
+
+/// The impulses go where observers and the next step look for them.
+void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt) {
+  x.t = start_.t + dt / 2;
+  s.impactProblem(x, dt, 0);
+  const ContactSet& c = s.slot(0).contacts;
+  Vec Lambda = s.Lambda();
+  std::size_t joint = 0;
+  int row = 0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool isJoint = joint < newton_.joints().size() && newton_.joints()[joint] == i;
+    const double* from = isJoint ? newton_.Lambda.data() + row : contacts_.of(c.key[at]);
+    for (int r = 0; r < c.dim(i); ++r) Lambda[c.row0[at] + r] = from ? from[r] : 0.0;
+    if (isJoint) ++joint, row += c.dim(i);
+  }
+  s.keepImpulses(x);
+  x.t = start_.t;
+}
+
+void EnergyMomentum::interpolate(const MechanicalSystem& s, const State& a, const State& b,
+                                 double theta, State& out) const {
+  // The mean velocity leads from the beginning to the end.
+  out.t = a.t, out.q = a.q;
+  out.u = 0.5 * (a.u + b.u);
+  s.move(out, out.u, theta * (b.t - a.t));
+  out.u = a.u + theta * (b.u - a.u);
+}
+
+EnergyMomentum::EnergyMomentum(const Parameters& x) : OneStep(x) {
+  project_ = x["project"].text == "velocities";
+}
+
+void EnergyMomentum::declare(Attributes& a) {
+  a.about(
+      "Implicit midpoint with joints at position level and their discrete gradient: joints hold to "
+      "rounding and do no work; contacts as in StaggeredMoreau.");
+  a.choice("project", {"none", "velocities"}, "none",
+           "velocities: the end of a step is brought onto the joints' velocities, which takes a "
+           "little energy");
+  a.example("<simulation until=\"1\" step=\"1e-3\"><EnergyMomentum/></simulation>");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/joint_newton.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Change of positions by which K is differenced [m, rad]: its error and that of rounding meet near
+/// the root of 2e-16.
+constexpr double kDifference = 1e-7;
+/// Share of a joint's own stiffness on the diagonal of its rows: regular with redundant joints;
+/// Newton's residual does not contain it.
+constexpr double kRegular = 1e-10;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+void JointNewton::findJoints(const ContactSet& c, std::vector<int>& out) const {
+  out.clear();
+  for (int i = 0; i < c.size(); ++i)
+    if (!c.law[at(i)]->unilateral() && c.law[at(i)]->rowKind(0) == RowKind::joint) out.push_back(i);
+}
+
+bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
+  xA_ = &x, dt_ = dt;
+  const ContactSet& c = s.evaluateAhead(x, dt, 0).contacts;
+  findJoints(c, joints_);
+  if (joints_.empty()) return false;
+  bool same = keys_.size() == joints_.size();
+  for (std::size_t k = 0; same && k < joints_.size(); ++k) same = keys_[k] == c.key[at(joints_[k])];
+  if (!same) connect(s, c);
+  for (std::size_t k = 0; k < joints_.size(); ++k)
+    for (int r = 0; r < c.dim(joints_[k]); ++r)
+      gA_[at(jointRow_[k] + r)] = c.position[at(c.row0[at(joints_[k])] + r)];
+  v = x.u;
+  std::fill(Lambda.begin(), Lambda.end(), 0.0);
+  const RememberedImpulses& old = x.impulses;
+  for (std::size_t k = 0; k < joints_.size() && old.dt > 0.0; ++k) {
+    const auto found = std::find(old.key.begin(), old.key.end(), keys_[k]);
+    if (found == old.key.end()) continue;
+    const auto i = static_cast<std::size_t>(found - old.key.begin());
+    for (int r = 0; r < old.first[i + 1] - old.first[i]; ++r)
+      Lambda[at(jointRow_[k] + r)] = dt / old.dt * old.Lambda[at(old.first[i] + r)];
+  }
+  return true;
+}
+
+void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
+  const MassMatrix& mass = s.slot(0).mass;
+  const int blocks = mass.blocks(), joints = static_cast<int>(joints_.size());
+  keys_.clear(), jointRow_.assign(1, 0), blockU0_.clear(), blockNu_.clear(), mostNu_ = 0;
+  for (int b = 0; b < blocks; ++b) {
+    blockU0_.push_back(mass.u0(b)), blockNu_.push_back(mass.nu(b));
+    mostNu_ = std::max(mostNu_, mass.nu(b));
+  }
+  // Nodes: blocks, then joints; joints make their blocks neighbours of each other.
+  std::vector<std::vector<int>> near(at(blocks + joints));
+  nearBlocks_.assign(at(blocks), {}), nearJoints_.assign(at(blocks), {});
+  for (int b = 0; b < blocks; ++b) nearBlocks_[at(b)].push_back(b);
+  for (int k = 0; k < joints; ++k) {
+    const int i = joints_[at(k)];
+    keys_.push_back(c.key[at(i)]);
+    jointRow_.push_back(jointRow_.back() + c.dim(i));
+    std::vector<int> of;
+    for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m)
+      of.push_back(c.segment[at(m)].block);
+    for (const int b : of) {
+      near[at(b)].push_back(blocks + k), near[at(blocks + k)].push_back(b);
+      nearJoints_[at(b)].push_back(k);
+      for (const int other : of)
+        if (other != b) near[at(b)].push_back(other), nearBlocks_[at(b)].push_back(other);
+    }
+  }
+  for (std::vector<int>& list : nearBlocks_) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  Lambda.assign(at(jointRow_.back()), 0.0), dLambda = Lambda, Rg_ = Lambda, g0_ = Lambda;
+  gA_ = Lambda, gRate_ = Lambda, gRate0_ = Lambda;
+  order(near), colour();
+  work_.resize(at(unknowns_));
+}
+
+void JointNewton::order(const std::vector<std::vector<int>>& near) {
+  // Breadth first from a node with few neighbours, component after component (Cuthill–McKee).
+  const int n = static_cast<int>(near.size()), blocks = static_cast<int>(blockNu_.size());
+  std::vector<int> position(at(n), -1);
+  nodes_.clear(), unknowns_ = 0;
+  const auto visit = [&](int node) {
+    if (position[at(node)] >= 0) return;
+    position[at(node)] = static_cast<int>(nodes_.size());
+    const bool joint = node >= blocks;
+    nodes_.push_back({joint, joint ? node - blocks : node, unknowns_});
+    unknowns_ += joint ? jointRow_[at(node - blocks) + 1] - jointRow_[at(node - blocks)]
+                       : blockNu_[at(node)];
+  };
+  std::size_t next = 0;
+  while (static_cast<int>(nodes_.size()) < n) {
+    int start = -1;
+    for (int i = 0; i < n; ++i)
+      if (position[at(i)] < 0 && (start < 0 || near[at(i)].size() < near[at(start)].size()))
+        start = i;
+    visit(start);
+    for (; next < nodes_.size(); ++next) {
+      const int node = nodes_[next].joint ? blocks + nodes_[next].index : nodes_[next].index;
+      for (const int other : near[at(node)]) visit(other);
+    }
+  }
+  blockNode_.assign(at(blocks), -1), jointNode_.assign(at(n - blocks), -1), band_ = 0;
+  const auto last = [&](int p) { return (p + 1 < n ? nodes_[at(p + 1)].first : unknowns_) - 1; };
+  for (int p = 0; p < n; ++p) {
+    const Node& node = nodes_[at(p)];
+    (node.joint ? jointNode_ : blockNode_)[at(node.index)] = p;
+    band_ = std::max(band_, last(p) - node.first);
+    for (const int other : near[at(node.joint ? blocks + node.index : node.index)]) {
+      const int q = position[at(other)];
+      band_ = std::max({band_, last(p) - nodes_[at(q)].first, last(q) - node.first});
+    }
+  }
+}
+
+void JointNewton::colour() {
+  // No two blocks of a colour have a common neighbour.
+  const int blocks = static_cast<int>(blockNu_.size());
+  colour_.assign(at(blocks), -1), colours_ = 0;
+  for (int b = 0; b < blocks; ++b) {
+    std::vector<bool> used(at(blocks) + 1, false);
+    for (const int a : nearBlocks_[at(b)])
+      for (const int o : nearBlocks_[at(a)])
+        if (colour_[at(o)] >= 0) used[at(colour_[at(o)])] = true;
+    int c = 0;
+    while (used[at(c)]) ++c;
+    colour_[at(b)] = c;
+    colours_ = std::max(colours_, c + 1);
+  }
+}
+
+void JointNewton::jointForces(const Evaluation& e, Eigen::VectorXd& out) {
+  const ContactSet& c = e.contacts;
+  out.setZero();
+  e.mass.apply(view(std::as_const(v)), view(momentum_));
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const int i = joints_[k], dim = c.dim(i);
+    const double* lambda = Lambda.data() + jointRow_[k];
+    double power = 0.0, twiceT = 0.0;
+    for (int r = 0; r < dim; ++r)
+      power += lambda[r] * (c.chi[at(c.row0[at(i)] + r)] - gRate_[at(jointRow_[k] + r)]);
+    for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
+      const Segment& seg = c.segment[at(m)];
+      for (int j = 0; j < seg.nu; ++j) twiceT += v[seg.u0 + j] * momentum_[seg.u0 + j];
+      const double* w = c.W.data() + seg.w;
+      for (int r = 0; r < dim; ++r, w += seg.nu)
+        for (int j = 0; j < seg.nu; ++j) {
+          const double f = lambda[r] * w[j];
+          out[seg.u0 + j] += f, power += f * v[seg.u0 + j];
+        }
+    }
+    if (!(twiceT > 0.0)) continue;
+    for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
+      const Segment& seg = c.segment[at(m)];
+      for (int j = 0; j < seg.nu; ++j) out[seg.u0 + j] -= power / twiceT * momentum_[seg.u0 + j];
+    }
+  }
+}
+
+void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse) {
+  const Eigen::Index nu = v.size();
+  momentum_.resize(nu), force_.resize(nu), uE_.resize(nu), Rv_.resize(nu);
+  midpoint.t = end.t = xA_->t;
+  midpoint.q = end.q = xA_->q;
+  midpoint.memory = end.memory = xA_->memory;
+  s.move(midpoint, v, 0.5 * dt_), s.move(end, v, dt_);
+  midpoint.u = v, end.u = 2.0 * v - xA_->u;
+  const Evaluation& e = s.evaluateAhead(midpoint, dt_, 0);
+  const ContactSet& atEnd = s.evaluate(end, 1).contacts;
+  findJoints(e.contacts, joints_), findJoints(atEnd, endJoints_);
+  for (std::size_t k = 0; k < endJoints_.size(); ++k)
+    for (int r = 0; r < atEnd.dim(endJoints_[k]); ++r) {
+      const std::size_t row = at(jointRow_[k] + r);
+      Rg_[row] = atEnd.position[at(atEnd.row0[at(endJoints_[k])] + r)] / dt_;
+      gRate_[row] = Rg_[row] - gA_[row] / dt_;
+    }
+  jointForces(e, force_);
+  uE_ = 2.0 * (v - xA_->u);
+  e.mass.apply(view(std::as_const(uE_)), view(momentum_));
+  Rv_ = momentum_ - dt_ * e.h - force_ - contactImpulse;
+}
+
+double JointNewton::worstPosition() const {
+  double worst = 0.0;
+  for (const double g : Rg_) worst = std::max(worst, std::abs(g) * dt_);
+  return worst;
+}
+
+void JointNewton::addColumn(int block, int j, const Eigen::VectorXd& R0, double perturbation) {
+  const int column = nodes_[at(blockNode_[at(block)])].first + j;
+  for (const int b : nearBlocks_[at(block)]) {
+    const int row = nodes_[at(blockNode_[at(b)])].first, u0 = blockU0_[at(b)];
+    for (int i = 0; i < blockNu_[at(b)]; ++i)
+      K_.at(row + i, column) = (Rv_[u0 + i] - R0[u0 + i]) / perturbation;
+  }
+  for (const int k : nearJoints_[at(block)]) {
+    const int row = nodes_[at(jointNode_[at(k)])].first;
+    for (int r = 0; r < jointRow_[at(k) + 1] - jointRow_[at(k)]; ++r)
+      K_.at(row + r, column) =
+          (Rg_[at(jointRow_[at(k)] + r)] - g0_[at(jointRow_[at(k)] + r)]) / perturbation;
+  }
+}
+
+/// ∂R/∂Λ = −W̃ is linear: unit impulses, joint after joint.
+void JointNewton::addJointColumns(const Evaluation& e) {
+  const ContactSet& c = e.contacts;
+  e.mass.apply(view(std::as_const(v)), view(momentum_));
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const int i = joints_[k], first = nodes_[at(jointNode_[k])].first;
+    for (int r = 0; r < c.dim(i); ++r) {
+      double power = c.chi[at(c.row0[at(i)] + r)] - gRate_[at(jointRow_[k] + r)], twiceT = 0.0,
+             stiffness = 0.0;
+      for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
+        const Segment& seg = c.segment[at(m)];
+        const double* w = c.W.data() + seg.w + static_cast<std::ptrdiff_t>(r) * seg.nu;
+        const ConstBlock inverse = e.mass.inverse(seg.block);
+        for (int j = 0; j < seg.nu; ++j) {
+          power += w[j] * v[seg.u0 + j];
+          twiceT += v[seg.u0 + j] * momentum_[seg.u0 + j];
+          stiffness += w[j] * w[j] * inverse(j, j);
+        }
+      }
+      const double share = twiceT > 0.0 ? power / twiceT : 0.0;
+      for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
+        const Segment& seg = c.segment[at(m)];
+        const double* w = c.W.data() + seg.w + static_cast<std::ptrdiff_t>(r) * seg.nu;
+        const int row = nodes_[at(blockNode_[at(seg.block)])].first;
+        for (int j = 0; j < seg.nu; ++j)
+          K_.at(row + j, first + r) -= w[j] - share * momentum_[seg.u0 + j];
+      }
+      K_.at(first + r, first + r) = kRegular * stiffness;
+    }
+  }
+}
+
+bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse) {
+  K_.reset(unknowns_, band_);
+  force0_ = Rv_, g0_ = Rg_, gRate0_ = gRate_;
+  addJointColumns(s.slot(0));
+  base_ = v;
+  const double d = kDifference / dt_;
+  for (int colour = 0; colour < colours_; ++colour)
+    for (int j = 0; j < mostNu_; ++j) {
+      bool any = false;
+      for (std::size_t b = 0; b < colour_.size(); ++b)
+        if (colour_[b] == colour && j < blockNu_[b]) v[blockU0_[b] + j] += d, any = true;
+      if (!any) continue;
+      residual(s, contactImpulse);
+      for (std::size_t b = 0; b < colour_.size(); ++b)
+        if (colour_[b] == colour && j < blockNu_[b]) addColumn(static_cast<int>(b), j, force0_, d);
+      v = base_;
+    }
+  Rv_ = force0_, Rg_ = g0_, gRate_ = gRate0_;
+  return K_.factor();
+}
+
+void JointNewton::newtonStep() {
+  for (const Node& n : nodes_)
+    if (n.joint)
+      for (int r = jointRow_[at(n.index)]; r < jointRow_[at(n.index) + 1]; ++r)
+        work_[at(n.first + r - jointRow_[at(n.index)])] = -Rg_[at(r)];
+    else
+      for (int j = 0; j < blockNu_[at(n.index)]; ++j)
+        work_[at(n.first + j)] = -Rv_[blockU0_[at(n.index)] + j];
+  K_.solve(work_.data());
+  dv.setZero(v.size());
+  std::fill(dLambda.begin(), dLambda.end(), 0.0);
+  add(work_, 1.0);
+}
+
+void JointNewton::respond(const double* w, std::vector<double>& out) const {
+  out.assign(static_cast<std::size_t>(unknowns_), 0.0);
+  for (const Node& n : nodes_)
+    for (int j = 0; !n.joint && j < blockNu_[at(n.index)]; ++j)
+      out[at(n.first + j)] = w[blockU0_[at(n.index)] + j];
+  K_.solve(out.data());
+}
+
+void JointNewton::add(const std::vector<double>& response, double factor) {
+  for (const Node& n : nodes_)
+    if (n.joint)
+      for (int r = jointRow_[at(n.index)]; r < jointRow_[at(n.index) + 1]; ++r)
+        dLambda[at(r)] += factor * response[at(n.first + r - jointRow_[at(n.index)])];
+    else
+      for (int j = 0; j < blockNu_[at(n.index)]; ++j)
+        dv[blockU0_[at(n.index)] + j] += factor * response[at(n.first + j)];
+}
+
+double JointNewton::velocityPart(const std::vector<double>& response, const double* w) const {
+  double sum = 0.0;
+  for (const Node& n : nodes_)
+    for (int j = 0; !n.joint && j < blockNu_[at(n.index)]; ++j)
+      sum += w[blockU0_[at(n.index)] + j] * response[at(n.first + j)];
+  return sum;
+}
+
+void JointNewton::take() {
+  v += dv;
+  for (std::size_t r = 0; r < Lambda.size(); ++r) Lambda[r] += dLambda[r];
+}
+
+}  // namespace dynamy

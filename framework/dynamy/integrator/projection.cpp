@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/contact_subset.hpp>
+#include <dynamy/integrator/projection.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMostTurns = 12;
+/// A displacement δ is a velocity δ/τ for the time τ; so short that q̇ = Fu + β moves by Fδ alone.
+constexpr double kTau = 1e-9;
+
+/// Normal impulse of contact `key` in the last step, 0 if it had none.
+double carried(const RememberedImpulses& impulses, ContactKey key) {
+  const auto at = std::find(impulses.key.begin(), impulses.key.end(), key);
+  if (at == impulses.key.end()) return 0.0;
+  const auto i = static_cast<std::size_t>(at - impulses.key.begin());
+  return impulses.Lambda[static_cast<std::size_t>(impulses.first[i])];
+}
+
+/// A unilateral contact without restitution.
+bool rests(const ContactSet& c, int i) {
+  const SetValuedForceLaw& law = *c.law[static_cast<std::size_t>(i)];
+  if (!law.unilateral()) return false;
+  double epsilon[8] = {};
+  law.epsilon(c.dim(i), epsilon);
+  return epsilon[0] == 0.0;
+}
+
+}  // namespace
+
+double largestOverlap(const ContactSet& c) {
+  double worst = 0.0;
+  for (int i = 0; i < c.size(); ++i)
+    if (rests(c, i))
+      worst = std::max(worst,
+                       -c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])]);
+  return worst;
+}
+
+double largestViolation(const ContactSet& c) {
+  double worst = largestOverlap(c);
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (c.law[at]->unilateral() || c.law[at]->rowKind(0) != RowKind::joint) continue;
+    for (int r = c.row0[at]; r < c.row0[at + 1]; ++r)
+      worst = std::max(worst, std::abs(c.position[static_cast<std::size_t>(r)]));
+  }
+  return worst;
+}
+
+void Projection::select(const ContactSet& all, const State& x, Level level) {
+  contacts_.clear();
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const SetValuedForceLaw& law = *all.law[at];
+    if (law.unilateral()) {
+      if (level != Level::velocity) {
+        if (rests(all, i)) append(all, i, 1, unilateral_, contacts_);
+      } else if (carried(x.impulses, all.key[at]) > 0.0) {
+        append(all, i, all.dim(i), law, contacts_);
+      }
+    } else if (law.rowKind(0) == RowKind::joint) {
+      append(all, i, all.dim(i), bilateral_, contacts_);
+    }
+  }
+  const auto n = static_cast<std::size_t>(contacts_.rows());
+  problem_.contacts = &contacts_, problem_.G = &delassus_;
+  problem_.c.assign(contacts_.position.begin(), contacts_.position.end());
+  // Overlaps are repaired at a midpoint, where joints may be off by design: they do not move.
+  if (level == Level::overlap)
+    for (int i = 0; i < contacts_.size(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (!contacts_.law[at]->unilateral())
+        std::fill_n(problem_.c.begin() + contacts_.row0[at], contacts_.dim(i), 0.0);
+    }
+  problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0), Lambda_.assign(n, 0.0);
+}
+
+bool Projection::solve(const Evaluation& e, InclusionSolver& solver) {
+  delassus_.assemble(contacts_, e.mass);
+  problem_.gammaFree = problem_.c;
+  problem_.uRef = 0.0;
+  for (const double c : problem_.c) problem_.uRef = std::max(problem_.uRef, std::abs(c));
+  const auto n = static_cast<Eigen::Index>(Lambda_.size());
+  const bool ok = solver.solve(problem_, {Lambda_.data(), n}).ok();
+  delta_.setZero(e.h.size());
+  delassus_.addVelocity(Lambda_.data(), view(delta_));
+  return ok;
+}
+
+bool Projection::positions(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                           int slot) {
+  return repair(s, solver, x, tolerance, slot, Level::position);
+}
+
+bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                          int slot) {
+  return repair(s, solver, x, tolerance, slot, Level::overlap);
+}
+
+bool Projection::repair(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                        int slot, Level level) {
+  const auto violation = [&] {
+    const ContactSet& c = s.evaluate(x, slot).contacts;
+    return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
+  };
+  double worst = violation();
+  for (int turn = 0; worst > tolerance; ++turn) {
+    if (turn == kMostTurns || !std::isfinite(worst)) return false;
+    // Gaps that the way of a few violations can close take part.
+    const Evaluation& e = s.evaluate(x, slot, 8.0 * worst);
+    select(e.contacts, x, level);
+    if (!solve(e, solver) && turn > 2) return false;
+    delta_ /= kTau;
+    const double t = x.t;
+    s.move(x, delta_, kTau);
+    x.t = t;
+    worst = violation();
+  }
+  return true;
+}
+
+bool Projection::offVelocities(const State& x) {
+  const ContactSet& c = contacts_;
+  c.gamma(view(x.u), {problem_.c.data(), static_cast<Eigen::Index>(problem_.c.size())});
+  bool off = false;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (int r = 0; r < c.dim(i); ++r) {
+      const auto row = static_cast<std::size_t>(c.row0[at] + r);
+      double sum = std::abs(c.chi[row]);
+      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+        const Segment& segment = c.segment[static_cast<std::size_t>(k)];
+        const double* w = c.W.data() + segment.w + static_cast<std::ptrdiff_t>(r) * segment.nu;
+        for (int j = 0; j < segment.nu; ++j) sum += std::abs(w[j] * x.u[segment.u0 + j]);
+      }
+      problem_.cNoise[row] = 8.0 * std::numeric_limits<double>::epsilon() * sum;
+      off = off || std::abs(problem_.c[row]) > problem_.cNoise[row];
+    }
+  }
+  return off;
+}
+
+double Projection::closing(const ContactSet& all, int i, double gamma, double dt) {
+  const double g = all.position[static_cast<std::size_t>(all.row0[static_cast<std::size_t>(i)])];
+  return -gamma - std::max(0.0, g) / dt;
+}
+
+bool Projection::impact(const MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                        double least, int slot) {
+  const Evaluation& e = s.slot(slot);
+  const ContactSet& all = e.contacts;
+  delta_.resize(all.rows());
+  all.gamma(view(std::as_const(x.u)), view(delta_));
+  bool any = false;
+  contacts_.clear();
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const SetValuedForceLaw& law = *all.law[at];
+    if (!law.unilateral() && law.rowKind(0) != RowKind::joint) continue;
+    // A contact that is to rebound takes part when it is closed.
+    const double g = all.position[static_cast<std::size_t>(all.row0[at])];
+    if (law.unilateral() && !rests(all, i) && g > s.gTol()) continue;
+    append(all, i, all.dim(i), law, contacts_);
+    any = any || (law.unilateral() && closing(all, i, delta_[all.row0[at]], dt) > least);
+  }
+  if (!any) return false;
+  const auto n = static_cast<std::size_t>(contacts_.rows());
+  problem_.contacts = &contacts_, problem_.G = &delassus_;
+  problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
+  Lambda_.assign(n, 0.0);
+  offVelocities(x);
+  problem_.gammaFree = problem_.gammaA = problem_.c;
+  problem_.uRef = least;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
+    if (!problem_.law(i).unilateral()) continue;
+    problem_.uRef = std::max(problem_.uRef, -problem_.gammaA[first]);
+    const double g = contacts_.position[first];
+    if (g > s.gTol()) problem_.gammaFree[first] += g / dt;
+  }
+  delassus_.assemble(contacts_, e.mass);
+  s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+  delassus_.addVelocity(Lambda_.data(), view(x.u));
+  return true;
+}
+
+bool Projection::velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot) {
+  const Evaluation& e = s.evaluate(x, slot);
+  select(e.contacts, x, Level::velocity);
+  if (contacts_.size() == 0 || !offVelocities(x)) return true;
+  const bool ok = solve(e, solver);
+  x.u += delta_;
+  return ok;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,83 @@
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/integrator/staggered_moreau.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Share of the solver's default tolerance that a resting gap may leave behind, see the header.
+constexpr double kDead = 1e-10;
+/// 4 ε of the scene's length, of which g_tol is 1e-12.
+constexpr double kRounding = 1e-3;
+
+bool hasJoints(const ContactSet& contacts) {
+  for (int i = 0; i < contacts.size(); ++i)
+    if (contacts.law[static_cast<std::size_t>(i)]->rowKind(0) == RowKind::joint) return true;
+  return false;
+}
+
+}  // namespace
+
+StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                 double dt) {
+  s.moveConfiguration(x, dt / 2);                  // q^M = q^A + Δt/2 (F u^A + β)
+  const Evaluation& e = detect(s, solver, x, dt);  // M, h, and W, χ where a gap can close
+  const bool mean = options_.joints == Joints::mean;
+  const double rounding = kRounding * s.gTol();
+  const PositionAim aim{kDead * dt * s.largestChange(dt) + rounding, mean,
+                        mean ? 0.0 : options_.kappa, options_.cap, rounding};
+  auto& problem = s.impactProblem(x, dt, 0, &aim);       // ξ = G Λ + c
+  problem.warmStart = x.impulses.corrected ? 0.1 : 1.0;  // gaps are asked back in the next step
+  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
+  s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+  x.impulses.corrected = !solved.warmAccepted;
+  s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
+  StepReport report{dt, solved, problem.size()};
+  if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
+  if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))
+    report.solved.status = SolveStatus::stalled;
+  if (options_.project == Project::both) projection_.velocities(s, solver, x);
+  return report;
+}
+
+/// Evaluates at q^M; overlaps are repaired before.
+const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                          double dt) {
+  const Evaluation& e = s.evaluateAhead(x, dt);
+  if (largestOverlap(e.contacts) <= s.gTol()) return e;
+  projection_.overlaps(s, solver, x, 0.5 * s.gTol());
+  return s.evaluateAhead(x, dt);
+}
+
+void StaggeredMoreau::interpolate(const MechanicalSystem& s, const State& a, const State& b,
+                                  double theta, State& out) const {
+  // The scheme's own trajectory: u^A up to the midpoint, back from the end with u^E behind it.
+  const double dt = b.t - a.t;
+  out.t = theta < 0.5 ? a.t : b.t;
+  out.q = theta < 0.5 ? a.q : b.q, out.u = theta < 0.5 ? a.u : b.u;
+  s.move(out, out.u, theta < 0.5 ? theta * dt : (theta - 1.0) * dt);
+}
+
+StaggeredMoreau::StaggeredMoreau(const Parameters& x) : OneStep(x) {
+  options_.joints = x["joints"].text == "mean" ? Joints::mean : Joints::stabilised;
+  const std::string& project = x["project"].text;
+  options_.project = project == "none"        ? Project::none
+                     : project == "positions" ? Project::positions
+                                              : Project::both;
+  options_.kappa = x["kappa"], options_.cap = x["cap"];
+}
+
+void StaggeredMoreau::declare(Attributes& a) {
+  a.about(
+      "Moreau's midpoint rule aimed at the gaps of the next midpoint: resting contacts stay, "
+      "overlaps are repaired, joints keep their mean velocity and are projected.");
+  a.choice("joints", {"mean", "stabilised"}, "mean",
+           "mean: gammaE + gammaA = 0, keeps the energy; stabilised: the error is asked back");
+  a.choice("project", {"none", "positions", "both"}, "both",
+           "what of the joints is projected in the metric of the mass after a step");
+  a.optional("kappa", Unit::none, 1.0, "stabilised: share of the error asked back per step")
+      .between(0.0, 1.0);
+  a.optional("cap", Unit::velocity, 1.0, "stabilised: largest speed asked for").positive();
+  a.example("<simulation until=\"1\" step=\"1e-3\"><StaggeredMoreau/></simulation>");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,132 @@
+/// Implicit midpoint with joints at position level: joints to rounding, energy at any step.
+#include <gtest/gtest.h>
+
+#include <dynamy/integrator/energy_momentum.hpp>
+#include <numbers>
+#include <reference/order.hpp>
+#include <reference/scene.hpp>
+
+namespace dynamy::reference {
+namespace {
+
+std::string model(const std::string& body) {
+  return "<dynamy version=\"1\">" + body +
+         "<simulation until=\"1\" step=\"1e-3\"><EnergyMomentum/></simulation></dynamy>";
+}
+/// Largest position error of the joints at the present state [m, –].
+double jointError(Scene& scene) {
+  double worst = 0.0;
+  const ContactSet& c = scene.system().evaluate(scene.state(), 1).contacts;
+  for (int i = 0; i < c.size(); ++i)
+    if (c.law[static_cast<std::size_t>(i)]->rowKind(0) == RowKind::joint)
+      for (int r = c.row0[static_cast<std::size_t>(i)]; r < c.row0[static_cast<std::size_t>(i) + 1];
+           ++r)
+        worst = std::max(worst, std::abs(c.position[static_cast<std::size_t>(r)]));
+  return worst;
+}
+/// Largest change of T + V and of the joints over a run.
+struct Kept {
+  double energy = 0.0, joints = 0.0;
+};
+Kept run(Scene& scene, double t, double dt) {
+  const double start = scene.energy();
+  Kept out;
+  scene.run(t, dt, [&] {
+    out.energy = std::max(out.energy, std::abs(scene.energy() - start));
+    out.joints = std::max(out.joints, jointError(scene));
+  });
+  EXPECT_TRUE(scene.solved());
+  return out;
+}
+
+const std::string kRod =
+    "<systems><PointMass name=\"bob\" plane=\"xz\" position=\"-1 0 0\" mass=\"1\"/>"
+    "<Ground name=\"world\"/></systems><forces><Gravity/></forces>"
+    "<elements><Distance between=\"world bob\"/></elements>";
+
+TEST(EnergyMomentum, KeepsAPendulumToRoundingAtAnyStep) {
+  // T + V is 10 J at most; Newton's last correction leaves 1e-16 relative a step, 1e-13 over 1000.
+  for (const double dt : {0.05, 1e-2, 1e-3}) {
+    Scene scene("rod", {.text = model(kRod)});
+    const Kept kept = run(scene, 5.0, dt);
+    EXPECT_LT(kept.energy, 1e-10) << dt;
+    EXPECT_LT(kept.joints, 1e-13) << dt;
+  }
+}
+
+TEST(EnergyMomentum, ConvergesToTheEllipticFunctionWithOrderTwo) {
+  std::vector<double> dt = halvings(1e-2, 4), error;
+  for (const double h : dt) {
+    Scene scene("rod", {.text = model(kRod)});
+    scene.run(5.0, h);
+    const Eigen::VectorXd q = scene.q("bob");
+    error.push_back(std::abs(
+        std::remainder(std::atan2(q[0], -q[1]) - std::atan2(-0.942305435043757, 0.334754338414001),
+                       2.0 * std::numbers::pi)));
+  }
+  const Fit fit = fitOrder(dt, error);
+  EXPECT_NEAR(fit.order, 2.0, 0.15) << fit;
+}
+
+TEST(EnergyMomentum, KeepsABodyThatTumblesOnABallJoint) {
+  // All of the rotation: gyroscopic terms, three rows, large turns (0.1 rad a step).
+  const std::string body =
+      "<systems><RigidBody name=\"body\" position=\"0.3 0 0.1\" mass=\"2\" "
+      "inertia=\"0.02 0.05 0.06\" angularVelocity=\"3 8 -5\" velocity=\"-0.8 1.2 2.4\"/>"
+      "<Ground name=\"world\"/></systems><forces><Gravity/></forces>"
+      "<elements><Spherical between=\"world body\" at=\"0 0 0\"/></elements>";
+  for (const double dt : {1e-2, 1e-3}) {
+    Scene scene("body", {.text = model(body)});
+    const Kept kept = run(scene, 2.0, dt);
+    EXPECT_LT(kept.energy, 1e-9) << dt;
+    EXPECT_LT(kept.joints, 1e-12) << dt;
+  }
+}
+
+TEST(EnergyMomentum, KeepsAHeavyChainWhereExplicitJointsExplode) {
+  // Pass marks: joints 1e-10 m, energy 1e-5 of the 574.7 J that the drop frees.
+  Scene scene("heavy_chain");
+  const Kept kept = run(scene, 1.0, 1e-2);
+  EXPECT_LT(kept.joints, 1e-10);
+  EXPECT_LT(kept.energy, 1e-5 * 574.7);
+}
+
+TEST(EnergyMomentum, TakesRedundantJoints) {
+  // A four-bar loop of hinges in space: 20 rows, 17 of them independent.
+  const std::string loop =
+      "<systems>"
+      "<RigidBody name=\"a\" position=\"0 0 0.5\" mass=\"1\" inertia=\"0.1 0.1 0.01\" "
+      "angularVelocity=\"0 1 0\" velocity=\"0.5 0 0\"/>"
+      "<RigidBody name=\"b\" position=\"0.5 0 1\" mass=\"1\" inertia=\"0.01 0.1 0.1\" "
+      "velocity=\"1 0 0\"/>"
+      "<RigidBody name=\"c\" position=\"1 0 0.5\" mass=\"1\" inertia=\"0.1 0.1 0.01\" "
+      "angularVelocity=\"0 1 0\" velocity=\"0.5 0 0\"/>"
+      "<Ground name=\"world\"/></systems><forces><Gravity/></forces><elements>"
+      "<Revolute between=\"world a\" at=\"0 0 0\" axis=\"0 1 0\"/>"
+      "<Revolute between=\"a b\" at=\"0 0 1\" axis=\"0 1 0\"/>"
+      "<Revolute between=\"b c\" at=\"1 0 1\" axis=\"0 1 0\"/>"
+      "<Revolute between=\"world c\" at=\"1 0 0\" axis=\"0 1 0\"/></elements>";
+  Scene scene("loop", {.text = model(loop)});
+  const Kept kept = run(scene, 0.5, 1e-2);
+  EXPECT_LT(kept.joints, 1e-11);
+  EXPECT_LT(kept.energy, 1e-8);
+}
+
+TEST(EnergyMomentum, AContactHoldsTogetherWithAJoint) {
+  // A rod of 1 m, hinged at one end, lies with a ball at the other on the floor: it stays there,
+  // and nothing moves.
+  const std::string body =
+      "<systems><RigidBody name=\"rod\" position=\"0.5 0 0.1\" mass=\"2\" "
+      "inertia=\"0.01 0.2 0.2\"><Sphere position=\"0.5 0 0\" radius=\"0.1\" material=\"m\"/>"
+      "</RigidBody><Ground name=\"world\"><HalfSpace material=\"m\"/></Ground></systems>"
+      "<forces><Gravity/></forces><elements><Spherical between=\"world rod\" at=\"0 0 0.1\"/>"
+      "<Contact between=\"m m\"><UnilateralCoulomb mu=\"0.5\"/></Contact></elements>";
+  Scene scene("rod", {.text = model(body)});
+  const Kept kept = run(scene, 1.0, 1e-2);
+  EXPECT_LT(kept.joints, 1e-12);
+  EXPECT_LT(kept.energy, 1e-10);
+  EXPECT_NEAR(scene.q("rod")[2], 0.1, 1e-12);
+}
+
+}  // namespace
+}  // namespace dynamy::reference
