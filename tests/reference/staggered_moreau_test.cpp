@@ -4,6 +4,7 @@
 
 #include <dynamy/integrator/staggered_moreau.hpp>
 #include <dynamy/simulation/simulation.hpp>
+#include <dynamy/solver/prox_solvers.hpp>
 #include <reference/order.hpp>
 #include <reference/scene.hpp>
 

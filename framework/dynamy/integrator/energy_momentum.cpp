@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/energy_momentum.hpp>
@@ -5,28 +6,51 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostTurns = 40;
+constexpr int kMostTurns = 25;
 /// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
 /// with an old one it is the last if what is left of it after another turn drowns in rounding.
 constexpr double kLast = 1e-10, kLeft = 1e-15;
+/// A correction of this many lengths is on the way to nowhere.
+constexpr double kLost = 1e3;
 /// Corrections that shrink by less than this ask for a new tangent.
 constexpr double kSlow = 0.1;
 
 }  // namespace
 
 StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
+  if (joints_ == Joints::unknown)  // joints are always closed: once for all steps
+    joints_ = newton_.begin(s, x, dt) ? Joints::some : Joints::none;
   if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
-  start_ = x;
-  const bool any = newton_.begin(s, start_, dt);
-  joints_ = any ? Joints::some : Joints::none;  // joints are always closed: once for all steps
-  if (!any) return staggered_.step(s, solver, x, dt);
+  return halve(s, solver, x, dt, 0);
+}
+
+/// One step, or two of half the length if Newton's iteration fails.
+StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                                 int depth) {
+  State& start = start_[depth];
+  start = x;
+  const StepReport whole = joined(s, solver, x, dt);
+  if (whole.solved.ok() || depth == kMostHalvings) return whole;
+  x = start;
+  const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
+  StepReport second = halve(s, solver, x, 0.5 * dt, depth + 1);
+  second.dt = dt;
+  second.solved.iterations += whole.solved.iterations + first.solved.iterations;
+  second.solved.newton += whole.solved.newton + first.solved.newton;
+  if (!first.solved.ok()) second.solved.status = first.solved.status;
+  return second;
+}
+
+StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                  double dt) {
+  xA_ = x;
+  newton_.begin(s, xA_, dt);  // v = u^A; M, h, contacts at q^A
   // An impact must not act on turning links for a whole step: it is a jump at q^A.
-  if (projection_.impact(s, solver, start_, dt, 4.0 * s.largestChange(dt))) newton_.v = start_.u;
-  const SolveReport solved = solve(s, solver, start_, dt);  // v, Λ_J, Λ_c
+  if (projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt))) newton_.v = xA_.u;
+  const SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c
   hand(s, x, dt);
-  x.q = start_.q;
-  s.move(x, newton_.v, dt);          // q^E = q^A ⊕ Δt v
-  x.u = 2.0 * newton_.v - start_.u;  // u^E = 2v − u^A
+  s.move(x, newton_.v, dt);       // q^E = q^A ⊕ Δt v
+  x.u = 2.0 * newton_.v - xA_.u;  // u^E = 2v − u^A
   if (project_) projection_.velocities(s, solver, x);
   return {dt, solved, s.problem().size()};
 }
@@ -34,7 +58,7 @@ StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, St
 SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, const State& x,
                                   double dt) {
   SolveReport report;
-  const double length = 1e12 * s.gTol();
+  const double length = std::max(1e-6, x.q.cwiseAbs().maxCoeff());
   contacts_.begin(x, dt);
   contacts_.select(s, x, dt);
   double before = 0.0;
@@ -54,7 +78,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     report.residuals = inner.residuals;
     report.residuals.Eu = std::max(inner.residuals.Eu, way / length);
     report.status = inner.status;
-    if (!std::isfinite(way)) break;
+    if (!std::isfinite(way) || way > kLost * length) break;
     const double rate = turn > 0 ? way / before : 1.0;
     if (way <= kLast * length && (fresh || rate * way <= kLeft * length)) {
       newton_.residual(s, contacts_.impulse());
@@ -70,7 +94,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
 
 /// The impulses go where observers and the next step look for them.
 void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt) {
-  x.t = start_.t + dt / 2;
+  x.t = xA_.t + dt / 2;
   s.impactProblem(x, dt, 0);
   const ContactSet& c = s.slot(0).contacts;
   Vec Lambda = s.Lambda();
@@ -84,7 +108,7 @@ void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt) {
     if (isJoint) ++joint, row += c.dim(i);
   }
   s.keepImpulses(x);
-  x.t = start_.t;
+  x.t = xA_.t;
 }
 
 void EnergyMomentum::interpolate(const MechanicalSystem& s, const State& a, const State& b,

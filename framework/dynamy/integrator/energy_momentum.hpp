@@ -5,10 +5,11 @@
 ///   g_J(q^E) = 0                        joints at position level, W̃ their discrete gradient
 ///   ξ = γ^E + ε γ^A + s,  −ξ ∈ N_C(Λ_c)    contacts at q^M, s = g^M/Δt as in StaggeredMoreau
 ///
-/// Solved by Newton's method with the full tangent. Joints then do no work at any Δt and hold to
-/// rounding; forces that are linear in q do exactly the work they should. Without joints the step
-/// is that of StaggeredMoreau. RATTLE and joints at velocity level were rejected: with a heavy mass
-/// at the end of a light chain they explode at steps at which this one keeps the energy.
+/// Solved by Newton's method with the full tangent, in halves of the step where that fails. Joints
+/// then do no work at any Δt and hold to rounding; forces that are linear in q do exactly the work
+/// they should. Without joints the step is that of StaggeredMoreau. RATTLE and joints at velocity
+/// level were rejected: with a heavy mass at the end of a light chain they explode at steps at
+/// which this one keeps the energy.
 #pragma once
 #include <dynamy/integrator/condensed_contacts.hpp>
 #include <dynamy/integrator/staggered_moreau.hpp>
@@ -27,13 +28,16 @@ class EnergyMomentum final : public OneStep {
                    State& out) const override;
 
  private:
+  StepReport halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt, int depth);
+  StepReport joined(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt);
   void hand(MechanicalSystem& s, State& x, double dt);
   enum class Joints { unknown, none, some } joints_ = Joints::unknown;
   StaggeredMoreau staggered_;
   JointNewton newton_;
   CondensedContacts contacts_;
-  State start_;
+  static constexpr int kMostHalvings = 6;
+  State start_[kMostHalvings + 1], xA_;
   bool project_ = false;
   Projection projection_;
 };
