@@ -62,6 +62,7 @@ TEST(ProxJacobi, ConvergesByTheTableWithTheBestCommonStep) {
                                          2.0 * high / (high + eigenvalues[0]));
   };
   EXPECT_NEAR(best(kPlus), 0.5, 5.0 * kTable);
+  EXPECT_NEAR(best(kMinus), 0.5, 5.0 * kTable);
   EXPECT_NEAR(best(kOnes), 0.9375, 5.0 * kTable);
   EXPECT_NEAR(best(kChain), std::sqrt(0.5), 5.0 * kTable);
 }
