@@ -209,15 +209,24 @@ class WoodpeckerContact final : public SimpleContact {
   explicit WoodpeckerContact(const Parameters& x) : SimpleContact(x) {
     const Lengths l(x);
     const std::string& where = x["place"];
+    r0_ = l.r0;
     if (where == "beak") {
       g0_ = l.lM + l.lG - l.lS - l.r0;
       normal_ = Vec3(0, 0, -l.hS);
       slip_ = Vec3(1, l.lM, l.lG - l.lS);
+      drawn_ = slip_ - Vec3(1, 0, 0), height_ = l.hS;
     } else {
       g0_ = l.rM - l.r0;
       normal_ = Vec3(0, where == "sleeve2" ? l.hM : -l.hM, 0);
       slip_ = Vec3(1, l.rM, 0);
+      drawn_ = slip_ - Vec3(1, 0, 0), height_ = where == "sleeve2" ? -l.hM : l.hM;
     }
+  }
+  /// Its places on the pole, and the directions of g and γ_T: away from the pole, and up.
+  bool drawnAt(double, ConstVec q, DrawnPlace& at) const override {
+    at.point = Vec3(r0_, 0, q[0] + drawn_.dot(q.head<3>()) + height_);
+    at.normal = Vec3(1, 0, 0), at.t1 = Vec3(0, 0, 1);
+    return true;
   }
   int rows() const override { return 2; }
   double g(double, ConstVec q) const override { return g0_ + normal_.dot(q.head<3>()); }
@@ -233,6 +242,8 @@ class WoodpeckerContact final : public SimpleContact {
  private:
   double g0_ = 0.0;
   Vec3 normal_, slip_;
+  double r0_ = 0.0, height_ = 0.0;  // where it is drawn [m]
+  Vec3 drawn_ = Vec3::Zero();
 };
 
 void registerElements(Registry& r) {

@@ -7,7 +7,7 @@ void ContactSet::clear() {
   key.clear(), law.clear(), element.clear(), candidate.clear();
   row0.assign(1, 0), segment0.assign(1, 0);
   segment.clear(), W.clear(), chi.clear(), bias.clear(), position.clear();
-  point.clear(), normal.clear();
+  point.clear(), normal.clear(), t1.clear(), t2.clear();
 }
 
 void ContactSet::gamma(ConstVec u, Vec gamma) const {

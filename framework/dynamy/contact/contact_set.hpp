@@ -39,7 +39,9 @@ class ContactSet {
   /// Per row: what γ is the rate of and the constraint wants to be zero or positive: the gap in the
   /// normal row, the signed position error of each joint row, 0 in rows without one [m].
   std::vector<double> position;
-  std::vector<Vec3> point, normal;  ///< where the contact is, for the replay [m]; zero normal: none
+  // For the replay: where the contact is [m], the directions of the rows N, T1, T2 (zero: not
+  // known; a zero normal: the contact has no place).
+  std::vector<Vec3> point, normal, t1, t2;
 
   int size() const { return static_cast<int>(law.size()); }
   int rows() const { return row0.empty() ? 0 : row0.back(); }

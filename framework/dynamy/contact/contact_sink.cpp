@@ -28,7 +28,7 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
     c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(index)])] = g;
   if (request_.bias) c.bias.resize(c.bias.size() + static_cast<std::size_t>(dim), 0.0);
   c.point.push_back(Vec3::Zero());
-  c.normal.push_back(Vec3::Zero());
+  for (auto* directions : {&c.normal, &c.t1, &c.t2}) directions->push_back(Vec3::Zero());
   return {c, index, request_.bias};
 }
 
@@ -42,9 +42,10 @@ Block ContactRows::segment(int block, int u0, int nu) {
   return {c.W.data() + offset, rows, nu};
 }
 
-void ContactRows::place(const Vec3& point, const Vec3& normal) {
-  set_->point[static_cast<std::size_t>(index_)] = point;
-  set_->normal[static_cast<std::size_t>(index_)] = normal;
+void ContactRows::place(const Vec3& point, const Vec3& normal, const Vec3& t1, const Vec3& t2) {
+  const auto at = static_cast<std::size_t>(index_);
+  set_->point[at] = point, set_->normal[at] = normal;
+  set_->t1[at] = t1, set_->t2[at] = t2;
 }
 
 void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const Vec3& direction,
@@ -86,7 +87,7 @@ void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const F
   const Vec3* direction[4] = {&n, &t1, &t2, &n};
   addSide(rows, A, rhoA_I, direction, -1.0);
   addSide(rows, B, rhoB_I, direction, 1.0);
-  rows.place(B.r_OS_I + rhoB_I, n);
+  rows.place(B.r_OS_I + rhoB_I, n, t1, t2);
 }
 
 }  // namespace dynamy

@@ -33,8 +33,10 @@ class ContactRows {
     return set_
         ->position[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
   }
-  /// For the replay: where the contact is and its normal.
-  void place(const Vec3& point, const Vec3& normal);
+  /// For the replay: where the contact is [m], its normal and, if known, the directions of the
+  /// tangential rows; all in I.
+  void place(const Vec3& point, const Vec3& normal, const Vec3& t1 = Vec3::Zero(),
+             const Vec3& t2 = Vec3::Zero());
 
  private:
   ContactSet* set_ = nullptr;

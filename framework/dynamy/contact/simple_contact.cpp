@@ -42,6 +42,8 @@ void SimpleContact::contacts(const Kinematics& k, ContactSink& sink) const {
     for (int r = 0; r < dim; ++r) W(r, j) = value[r] - chi[r];
   }
   for (int r = 0; r < dim; ++r) out.chi(r) = chi[r];
+  if (DrawnPlace at; drawnAt(k.t(), q, at))
+    out.place(at.point, at.normal, at.t1, at.normal.cross(at.t1));
   if (out.wantsBias()) addBias(k, out, dim);
 }
 

@@ -24,6 +24,13 @@ class SimpleContact : public NonSmoothElement {
   /// Rows gamma() fills: 1 without friction, 2 planar, 3 spatial.
   virtual int rows() const { return 1; }
 
+  /// For the replay: where the contact is and the directions of its rows, N first, in I; false: it
+  /// is not drawn.
+  struct DrawnPlace {
+    Vec3 point = Vec3::Zero(), normal = Vec3::Zero(), t1 = Vec3::Zero();  ///< [m], [–], [–]
+  };
+  virtual bool drawnAt(double, ConstVec, DrawnPlace&) const { return false; }
+
   /// Exact d(Wᵀ)/dt u + dχ/dt, rows() entries [m/s²]; false: the framework takes a 4-point
   /// difference along the motion (needs q̇ = u).
   virtual bool bias(const Kinematics&, Vec) const { return false; }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kMagic = "DYNFRAME";
 constexpr std::string_view kChunk = "CHNK";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304u;
 constexpr std::size_t kFileHead = 24;   // magic, version, byte order, poses, bytes of JSON
 constexpr std::size_t kChunkHead = 40;  // "CHNK", frames, bytes, first and last t, CRC, 0
@@ -107,6 +107,7 @@ void FramesFile::frame(double t, std::span<const Pose> poses,
     append(payload_, contact.n_I);
     append(payload_, contact.F_I);
     appendBytes(payload_, static_cast<float>(contact.state));
+    appendBytes(payload_, static_cast<float>(contact.limit));
   }
   if (payload_.size() >= kChunkBytes) {
     flush();

@@ -6,7 +6,7 @@
 ///     head   "DYNFRAME" u32 version, u32 0x01020304, u32 poses, u32 bytes of JSON | JSON | u32 CRC
 ///     chunk  "CHNK" u32 frames, u64 bytes of payload, f64 first t, f64 last t, u32 CRC, u32 0 |
 ///     payload frame  f64 t, u32 contacts, u32 0 | poses × 7 f32 (x y z qw qx qy qz) | contacts ×
-///     10 f32
+///     11 f32
 ///
 /// Times are double, poses single: 2^-24 of the scene's size is far below a pixel, and signals.csv
 /// has the full numbers. One record a frame without chunks was rejected: a check sum and a flush
@@ -30,7 +30,7 @@ struct Pose {
   Eigen::Quaterniond p_IK = Eigen::Quaterniond::Identity();  ///< A_IK as a unit quaternion
 };
 
-enum class ContactState { open = 0, stick = 1, slip = 2, impact = 3 };
+enum class ContactState { open = 0, stick = 1, slip = 2, impact = 3, spin = 4 };
 
 /// A contact to be drawn: where, in which direction, and the force on the body the normal points
 /// to. Normal part N = n·F, friction T = F − N n.
@@ -39,6 +39,7 @@ struct ContactMark {
   Eigen::Vector3d n_I = Eigen::Vector3d::UnitZ();    ///< unit normal
   Eigen::Vector3d F_I = Eigen::Vector3d::Zero();     ///< force, or impulse over Δt [N]
   ContactState state = ContactState::open;
+  double limit = 0.0;  ///< largest friction force that the law allows now [N]; 0: none
 };
 
 class FramesFile {
@@ -77,14 +78,14 @@ class FramesFile {
 /// A frames.bin in memory.
 struct Frames {
   static constexpr std::size_t kPoseNumbers = 7;      ///< x y z qw qx qy qz
-  static constexpr std::size_t kContactNumbers = 10;  ///< position, normal, force, state
+  static constexpr std::size_t kContactNumbers = 11;  ///< position, normal, force, state, limit
 
   std::string scene;                         ///< JSON
   std::size_t poses = 0;                     ///< a frame
   std::vector<double> t;                     ///< [s], one a frame
   std::vector<float> pose;                   ///< frame-major, 7 a pose
   std::vector<std::size_t> firstContact{0};  ///< frame f has contacts firstContact[f] … [f+1]−1
-  std::vector<float> contact;                ///< 10 a contact
+  std::vector<float> contact;                ///< 11 a contact
   bool complete = true;  ///< false: what follows the frames is broken or cut off
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The folder a run writes: run.json, model.xml, signals.csv, signals.svg, frames.bin, replay.html
+/// The folder a run writes: run.json, model.xml, signals.csv, signals.svg, events.csv,
+/// ledger.csv, frames.bin, replay.html
 /// (doc/run_folder.md). An older run in it is replaced only if its run.json carries our marker, and
 /// then file by file: emptying a folder named on a command line would one day empty the wrong one.
 
@@ -35,6 +36,10 @@ class RunFolder {
   std::filesystem::path model() const { return path_ / "model.xml"; }
   std::filesystem::path signals() const { return path_ / "signals.csv"; }
   std::filesystem::path signalsPlot() const { return path_ / "signals.svg"; }
+  /// Impacts and changes of status.
+  std::filesystem::path events() const { return path_ / "events.csv"; }
+  /// Energies, works and the solver's figures along the run.
+  std::filesystem::path ledger() const { return path_ / "ledger.csv"; }
   std::filesystem::path frames() const { return path_ / "frames.bin"; }
   std::filesystem::path replay() const { return path_ / "replay.html"; }
   /// What `dynamy resume` goes on from.

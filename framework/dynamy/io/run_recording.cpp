@@ -1,11 +1,13 @@
 #include <dynamy/io/model_scene.hpp>
 #include <dynamy/io/run_recording.hpp>
+#include <dynamy/simulation/contact_facts.hpp>
 
 namespace dynamy {
 namespace {
 
 ContactState drawnState(const ContactRecord& c) {
   if (c.impact) return ContactState::impact;
+  if (c.spin) return ContactState::spin;
   switch (c.status) {
     case Status::open:
     case Status::separating:
@@ -32,6 +34,7 @@ std::vector<SignalName> recordedSignals(const Model& model) {
 
 RunRecording::RunRecording(const RunFolder& folder, const Model& model, Resume)
     : folder_(folder),
+      model_(model),
       columns_(recordedSignals(model).size()),
       poses_(drawnFrames(model).size()),
       pose_(poses_) {}
@@ -40,6 +43,11 @@ RunRecording::RunRecording(const RunFolder& folder, const Model& model)
     : RunRecording(folder, model, Resume{}) {
   signals_.emplace(folder.signals(), recordedSignals(model));
   frames_.emplace(folder.frames(), modelScene(model));
+  events_.emplace(folder.events());
+  std::vector<SignalName> names;
+  for (std::size_t i = 0; i < LedgerRow::kNumbers; ++i)
+    names.push_back({LedgerRow::kNames[i], LedgerRow::kUnits[i]});
+  ledger_.emplace(folder.ledger(), names);
 }
 
 namespace {
@@ -62,32 +70,50 @@ void RunRecording::frame(double t, std::span<const FramePose> poses,
     pose_[i] = {poses[i].r_OS_I, Eigen::Quaterniond(poses[i].A_IK)};
   marks_.clear();
   for (const ContactRecord& c : contacts)
-    marks_.push_back({c.point, c.normal, c.force * c.normal, drawnState(c)});
+    marks_.push_back({c.point, c.normal, c.force, drawnState(c), c.limit});
   if (!frames_) tooEarly();
   frames_->frame(t, pose_, marks_);
 }
 
+void RunRecording::event(const ContactEvent& event) {
+  if (!events_) tooEarly();
+  if (!events_->full()) events_->event(event, contactName(model_, event.key));
+}
+
+void RunRecording::ledger(const LedgerRow& row) {
+  if (!ledger_) tooEarly();
+  ledger_->row(row.t, row.value);
+}
+
 void RunRecording::archive(Archive& a) {
-  std::uint64_t rows = 0, frames = 0;
+  std::uint64_t rows = 0, frames = 0, ledger = 0, events = 0;
+  long lines = 0;
   if (!a.reading()) {
     flush();
     if (signals_) rows = signals_->size();
     if (frames_) frames = frames_->size();
+    if (ledger_) ledger = ledger_->size();
+    if (events_) events = events_->size(), lines = events_->events();
   }
-  a(rows), a(frames);
+  a(rows), a(frames), a(ledger), a(events), a(lines);
   if (a.reading()) {
     signals_.emplace(folder_.signals(), columns_, rows);
     frames_.emplace(folder_.frames(), poses_, frames);
+    ledger_.emplace(folder_.ledger(), LedgerRow::kNumbers, ledger);
+    events_.emplace(folder_.events(), events, lines);
   }
 }
 
 void RunRecording::flushIfDue() {
   if (signals_) signals_->flushIfDue();
+  if (ledger_) ledger_->flushIfDue();
   if (frames_) frames_->flushIfDue();
 }
 
 void RunRecording::flush() {
   if (signals_) signals_->flush();
+  if (ledger_) ledger_->flush();
+  if (events_) events_->flush();
   if (frames_) frames_->flush();
 }
 

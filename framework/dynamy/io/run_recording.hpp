@@ -1,5 +1,7 @@
-/// RunRecording: what a recorder takes goes to signals.csv and frames.bin of a run folder.
+/// RunRecording: what a recorder takes goes to signals.csv, events.csv, ledger.csv and
+/// frames.bin of a run folder.
 #pragma once
+#include <dynamy/io/events_file.hpp>
 #include <dynamy/io/frames_file.hpp>
 #include <dynamy/io/run_folder.hpp>
 #include <dynamy/io/signals_file.hpp>
@@ -23,6 +25,9 @@ class RunRecording final : public RecordSink {
   void row(double t, std::span<const double> values) override;
   void frame(double t, std::span<const FramePose> poses,
              std::span<const ContactRecord> contacts) override;
+  void event(const ContactEvent& event) override;
+  void ledger(const LedgerRow& row) override;
+  bool wantsLedger() const override { return true; }
   void archive(Archive& a) override;
   /// To be called now and then: rows that wait for a slow step are handed over.
   void flushIfDue();
@@ -31,8 +36,10 @@ class RunRecording final : public RecordSink {
 
  private:
   const RunFolder& folder_;
+  const Model& model_;
   std::size_t columns_ = 0, poses_ = 0;
-  std::optional<SignalsFile> signals_;
+  std::optional<SignalsFile> signals_, ledger_;
+  std::optional<EventsFile> events_;
   std::optional<FramesFile> frames_;
   std::vector<Pose> pose_;
   std::vector<ContactMark> marks_;

@@ -12,20 +12,6 @@ constexpr std::size_t kBufferBytes = 1 << 16;
 constexpr std::size_t kBytesPerNumber = 26;  // 24 digits at most, and a comma or the line's end
 constexpr auto kDue = std::chrono::milliseconds(500);
 
-/// A name as a field of CSV: quoted only where a comma, a quote or a line's end makes it needed.
-void appendField(std::string& out, std::string_view name) {
-  if (name.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += name;
-    return;
-  }
-  out += '"';
-  for (const char c : name) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-}
-
 /// Splits the head of the table; quotes may hold commas and line ends. Returns the bytes it took.
 std::size_t readHead(std::string_view text, std::vector<std::string>& fields) {
   fields.assign(1, "");
@@ -49,13 +35,26 @@ std::size_t readHead(std::string_view text, std::vector<std::string>& fields) {
 
 }  // namespace
 
+void appendCsvField(std::string& out, std::string_view name) {
+  if (name.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += name;
+    return;
+  }
+  out += '"';
+  for (const char c : name) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
 SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals)
     : file_(path), columns_(signals.size()) {
   buffer_.reserve(kBufferBytes + kBytesPerNumber * (columns_ + 1));
   buffer_ = "t";
   for (const SignalName& signal : signals) {
     buffer_ += ',';
-    appendField(buffer_, signal.name);
+    appendCsvField(buffer_, signal.name);
   }
   buffer_ += '\n';
   flush();

@@ -20,6 +20,9 @@ struct SignalName {
   std::string unit;
 };
 
+/// A name as a field of CSV: quoted only where a comma, a quote or a line's end makes it needed.
+void appendCsvField(std::string& out, std::string_view name);
+
 class SignalsFile {
  public:
   /// Creates the file and writes its head. \throws FileError

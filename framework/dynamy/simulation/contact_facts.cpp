@@ -49,6 +49,53 @@ bool isImpact(const StepView& view, int contact) {
   return -p.gammaA[row] > std::max(smooth, floor) && view.Lambda[c.row0[at]] > 0.0;
 }
 
+namespace {
+
+/// |prox_C(Λ_N, 100 Λ_N, 0, …)| of the tangential rows [N s].
+double frictionLimit(const StepView& view, int contact) {
+  const ContactSet& c = view.system.slot(0).contacts;
+  const auto at = static_cast<std::size_t>(contact);
+  const int dim = c.dim(contact);
+  const double N = view.Lambda[c.row0[at]];
+  if (dim < 2 || dim > kMaxRows || !(N > 0.0) || c.law[at]->rowKind(0) != RowKind::normal)
+    return 0.0;
+  std::array<double, kMaxRows> r{}, xi{}, Lambda{};
+  r.fill(1.0);
+  Lambda[0] = N, Lambda[1] = 100.0 * N;
+  const double* gammaA = view.gammaE.data() + c.row0[at];
+  c.law[at]->prox({dim, view.report.dt, gammaA, nullptr}, r.data(), xi.data(), Lambda.data());
+  return dim > 2 ? std::hypot(Lambda[1], Lambda[2]) : std::abs(Lambda[1]);
+}
+
+/// Drilling or rolling at more than a thousand times the speed of the point, on the scene's length.
+bool spins(const StepView& view, int contact) {
+  const ContactSet& c = view.system.slot(0).contacts;
+  const int first = c.row0[static_cast<std::size_t>(contact)];
+  double spin = 0.0;
+  for (int r = 3; r < c.dim(contact); ++r) spin = std::max(spin, std::abs(view.gammaE[first + r]));
+  if (!(spin > 0.0)) return false;
+  const double slide = std::hypot(view.gammaE[first + 1], view.gammaE[first + 2]);
+  return slide < 1e-3 * spin * view.model.length();
+}
+
+}  // namespace
+
+ContactRecord contactRecord(const StepView& view, int contact) {
+  const ContactSet& c = view.system.slot(0).contacts;
+  const auto at = static_cast<std::size_t>(contact);
+  const int first = c.row0[at], dim = c.dim(contact);
+  ContactRecord out;
+  out.point = c.point[at], out.normal = c.normal[at];
+  out.status = contactStatus(view, contact);
+  out.impact = isImpact(view, contact);
+  out.spin = out.status == Status::slip && dim > 3 && spins(view, contact);
+  const Vec3* const direction[] = {&c.normal[at], &c.t1[at], &c.t2[at]};
+  for (int r = 0; r < dim && r < 3; ++r)
+    out.force += view.Lambda[first + r] / view.report.dt * *direction[r];
+  out.limit = frictionLimit(view, contact) / view.report.dt;
+  return out;
+}
+
 std::string contactName(const Model& model, ContactKey key) {
   const auto element = static_cast<std::size_t>(key.value >> 40);
   const std::uint64_t id = key.value & ((std::uint64_t{1} << 40) - 1);

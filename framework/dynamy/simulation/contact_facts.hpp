@@ -1,6 +1,7 @@
 /// What one closed contact did in one step: its discrete status and whether it was an impact.
 #pragma once
 #include <dynamy/simulation/model.hpp>
+#include <dynamy/simulation/record_sink.hpp>
 #include <string>
 
 namespace dynamy {
@@ -14,6 +15,10 @@ Status contactStatus(const StepView& view, int contact);
 /// contact is no impact then, and no threshold has to be chosen; speeds below 1e-9 of the scene's
 /// length per second do not count.
 bool isImpact(const StepView& view, int contact);
+
+/// What a picture of one closed contact shows. Its friction limit is the projection of a tangential
+/// force far outside the law's set, so that any law tells it.
+ContactRecord contactRecord(const StepView& view, int contact);
 
 /// "floor", "Contact#2" for elements without a name, "floor/17" for one contact of many.
 std::string contactName(const Model& model, ContactKey key);

@@ -76,19 +76,23 @@ double EnergyLedger::contactWork(const StepView& v) {
   return all;
 }
 
-void EnergyLedger::finish(const StepView& last) {
-  report_.kineticEnd = meter_.kinetic(last.after);
-  report_.potentialEnd = meter_.potential(last.after);
-  report_.nonPotential = nonPotential_.value();
-  report_.friction = friction_.value();
-  report_.normal = normal_.value();
-  report_.joints = joints_.value();
-  report_.boundaries = boundaries_.value();
-  report_.imbalance = imbalance_.value();
+EnergyReport EnergyLedger::upTo(const State& x) {
+  EnergyReport r = report_;
+  r.kineticEnd = meter_.kinetic(x);
+  r.potentialEnd = meter_.potential(x);
+  r.nonPotential = nonPotential_.value();
+  r.friction = friction_.value();
+  r.normal = normal_.value();
+  r.joints = joints_.value();
+  r.boundaries = boundaries_.value();
+  r.imbalance = imbalance_.value();
   // ΔT + ΔV − works, small differences last.
-  report_.discretisation = (report_.kineticEnd - report_.kineticStart) +
-                           (report_.potentialEnd - report_.potentialStart) - report_.works();
+  r.discretisation =
+      (r.kineticEnd - r.kineticStart) + (r.potentialEnd - r.potentialStart) - r.works();
+  return r;
 }
+
+void EnergyLedger::finish(const StepView& last) { report_ = upTo(last.after); }
 
 void EnergyLedger::archive(Archive& a) {
   a.section("energy");

@@ -50,6 +50,8 @@ class EnergyLedger final : public Observer {
  public:
   explicit EnergyLedger(const Model& model) : meter_(model) {}
   const EnergyReport& report() const { return report_; }
+  /// The ledger from the start up to `x`, the state after the last step.
+  EnergyReport upTo(const State& x);
 
   void start(const StepView& initial) override;
   void step(const StepView& view) override;

@@ -103,9 +103,7 @@ void Recorder::contacts(const StepView& view) {
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (c.normal[at].isZero(0.0)) continue;  // has no place in the scene
-    const double LambdaN = view.Lambda[c.row0[at]];
-    contacts_.push_back({c.point[at], c.normal[at], LambdaN / view.report.dt,
-                         contactStatus(view, i), isImpact(view, i)});
+    contacts_.push_back(contactRecord(view, i));
   }
 }
 

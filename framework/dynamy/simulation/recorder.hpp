@@ -5,35 +5,11 @@
 /// (tests, comparisons). Writing files from here was rejected: simulation does not know io.
 #pragma once
 #include <dynamy/core/hash.hpp>
+#include <dynamy/simulation/record_sink.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
 #include <dynamy/simulation/time_grid.hpp>
-#include <span>
 
 namespace dynamy {
-
-struct FramePose {
-  Vec3 r_OS_I = Vec3::Zero();  ///< [m]
-  Mat3 A_IK = Mat3::Identity();
-};
-
-/// A closed contact in a picture.
-struct ContactRecord {
-  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< [m], [–]
-  double force = 0.0;                                ///< Λ_N/Δt [N]
-  Status status = Status::open;
-  bool impact = false;  ///< approached faster than smooth forces alone can make in a step
-};
-
-/// Takes what is recorded. Neither call may keep the spans.
-class RecordSink {
- public:
-  virtual ~RecordSink() = default;
-  virtual void row(double t, std::span<const double> values) = 0;
-  virtual void frame(double t, std::span<const FramePose> poses,
-                     std::span<const ContactRecord> contacts) = 0;
-  /// Brings what was taken so far in safety and archives the place; reading: goes back to it.
-  virtual void archive(Archive&) {}
-};
 
 /// A frame that carries shapes.
 struct DrawnFrame {

@@ -50,23 +50,40 @@ void StepStatistics::statuses(const StepView& v) {
   now_.clear();
   now_.reserve(before_.capacity());
   for (int i = 0; i < c.size(); ++i) {
-    now_.push_back({c.key[static_cast<std::size_t>(i)], contactStatus(v, i)});
-    if (isImpact(v, i)) ++report_.impacts;
+    const ContactKey key = c.key[static_cast<std::size_t>(i)];
+    now_.push_back({key, contactStatus(v, i), isImpact(v, i)});
+    if (!now_.back().impact) continue;
+    ++report_.impacts;
+    if (sink_ == nullptr) continue;
+    const int row = c.row0[static_cast<std::size_t>(i)];
+    sink_->event({v.after.t, key, Status::open, now_.back().status, true,
+                  -v.system.problem().gammaA[static_cast<std::size_t>(row)], v.Lambda[row]});
   }
   const auto less = [](const Seen& a, const Seen& b) { return a.key < b.key; };
   if (!std::is_sorted(now_.begin(), now_.end(), less)) std::sort(now_.begin(), now_.end(), less);
   // Merge of two sorted lists; a contact that is in one of them only was or is open.
+  const auto open = [](ContactKey key) { return Seen{key, Status::open, false}; };
   auto old = before_.cbegin();
   for (const Seen& s : now_) {
     for (; old != before_.cend() && old->key < s.key; ++old)
-      if (old->status != Status::open) ++report_.switches;
+      switched(v.after.t, *old, open(old->key));
     const bool known = old != before_.cend() && old->key == s.key;
-    if ((known ? old->status : Status::open) != s.status && v.index > 1) ++report_.switches;
+    if (v.index > 1) switched(v.after.t, known ? *old : open(s.key), s);
     if (known) ++old;
   }
-  for (; old != before_.cend(); ++old)
-    if (old->status != Status::open) ++report_.switches;
+  for (; old != before_.cend(); ++old) switched(v.after.t, *old, open(old->key));
   before_.swap(now_);
+}
+
+void StepStatistics::switched(double t, const Seen& from, const Seen& to) {
+  if (from.status == to.status) return;
+  ++report_.switches;
+  // An impact has told it, or tells that a contact opens right after; separating is open.
+  const auto isOpen = [](const Seen& s) {
+    return s.status == Status::open || s.status == Status::separating;
+  };
+  if (sink_ == nullptr || to.impact || (isOpen(to) && (from.impact || isOpen(from)))) return;
+  sink_->event({t, to.key, from.status, to.status, false, 0.0, 0.0});
 }
 
 void StepStatistics::finish(const StepView& last) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <dynamy/core/hash.hpp>
 #include <dynamy/simulation/energy_ledger.hpp>
+#include <dynamy/simulation/record_sink.hpp>
 #include <string>
 
 namespace dynamy {
@@ -46,6 +47,8 @@ struct RunReport {
 class StepStatistics final : public Observer {
  public:
   explicit StepStatistics(RunReport& report) : report_(report) {}
+  /// Tells `sink` of impacts and switches from now on.
+  void tell(RecordSink& sink) { sink_ = &sink; }
   void step(const StepView& view) override;
   void finish(const StepView& last) override;
   void archive(Archive& a) override;
@@ -54,11 +57,14 @@ class StepStatistics final : public Observer {
   struct Seen {
     ContactKey key;
     Status status;
-    void archive(Archive& a) { a(key), a(status); }
+    bool impact;
+    void archive(Archive& a) { a(key), a(status), a(impact); }
   };
   void gaps(const StepView& view);
   void statuses(const StepView& view);
+  void switched(double t, const Seen& from, const Seen& to);
   RunReport& report_;
+  RecordSink* sink_ = nullptr;
   std::vector<Seen> before_, now_;
 };
 

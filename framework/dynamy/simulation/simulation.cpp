@@ -59,7 +59,11 @@ Simulation::Simulation(Model& model)
   for (const auto& o : model.observers()) observers_.push_back(o.get());
 }
 
-void Simulation::record(RecordSink& sink) { recorder_ = std::make_unique<Recorder>(model_, sink); }
+void Simulation::record(RecordSink& sink) {
+  recorder_ = std::make_unique<Recorder>(model_, sink);
+  ledgerRows_ = std::make_unique<LedgerRows>(ledger_, sink, model_.simulation.until);
+  statistics_.tell(sink);
+}
 
 void Simulation::onCheckpoint(double every, std::function<void(const std::string&)> call) {
   saveEvery_ = every, save_ = std::move(call);
@@ -68,6 +72,7 @@ void Simulation::onCheckpoint(double every, std::function<void(const std::string
 template <class Call>
 void Simulation::forAll(Call&& call) {
   call(statistics_), call(ledger_), call(checks_);
+  if (ledgerRows_) call(*ledgerRows_);
   if (recorder_) call(*recorder_);
   for (Observer* o : observers_) call(*o);
 }

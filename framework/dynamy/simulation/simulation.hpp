@@ -12,6 +12,7 @@
 #include <chrono>
 #include <dynamy/integrator/projection.hpp>
 #include <dynamy/simulation/checks.hpp>
+#include <dynamy/simulation/ledger_rows.hpp>
 #include <dynamy/simulation/recorder.hpp>
 #include <dynamy/simulation/run_report.hpp>
 #include <dynamy/simulation/time_loop.hpp>
@@ -80,6 +81,7 @@ class Simulation final : private Stepper {
   EnergyLedger ledger_;
   Checks checks_;
   std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<LedgerRows> ledgerRows_;
   std::vector<Observer*> observers_;
   const std::atomic<bool>* stop_ = nullptr;
   std::function<void()> idle_;

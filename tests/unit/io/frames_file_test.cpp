@@ -31,7 +31,7 @@ void writeTen(const std::filesystem::path& path) {
   for (int i = 0; i < 10; ++i) {
     std::vector<ContactMark> contacts(static_cast<std::size_t>(i));
     for (ContactMark& contact : contacts) contact.F_I = {0, 0, 9.5};
-    for (ContactMark& contact : contacts) contact.state = ContactState::slip;
+    for (ContactMark& contact : contacts) contact.state = ContactState::slip, contact.limit = 2.5;
     file.frame(i / 3.0, posesAt(i), contacts);
     if (i == 5) file.flush();
   }
@@ -53,9 +53,9 @@ TEST(FramesFile, IsReadBackAsItWasWritten) {
                                        0, 0, 0, 0.5f, -0.5f, 0.5f, -0.5f}));
     EXPECT_EQ(frames.firstContact[i + 1] - frames.firstContact[i], i);
   }
-  ASSERT_EQ(frames.contact.size(), 450u);
-  const std::vector<float> contact(frames.contact.end() - 10, frames.contact.end());
-  EXPECT_EQ(contact, (std::vector<float>{0, 0, 0, 0, 0, 1, 0, 0, 9.5f, 2}));
+  ASSERT_EQ(frames.contact.size(), 495u);
+  const std::vector<float> contact(frames.contact.end() - 11, frames.contact.end());
+  EXPECT_EQ(contact, (std::vector<float>{0, 0, 0, 0, 0, 1, 0, 0, 9.5f, 2, 2.5f}));
 }
 
 TEST(FramesFile, CarriesTheSceneAsJson) {
@@ -75,7 +75,7 @@ TEST(FramesFile, HasTheBytesOfTheDocument) {
   const std::string text = readWholeFile(scratch / "f");
   const std::string json = R"({"view":"","frames":[],"shapes":[]})";
   std::string expected = "DYNFRAME";
-  for (const std::uint32_t x : {1u, 0x01020304u, 0u, 35u}) appendBytes(expected, x);
+  for (const std::uint32_t x : {2u, 0x01020304u, 0u, 35u}) appendBytes(expected, x);
   expected += json;
   appendBytes(expected, crc32(expected));
   const std::size_t chunk = expected.size();

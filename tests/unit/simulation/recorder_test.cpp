@@ -71,5 +71,69 @@ TEST(Recorder, ContactForceOfARestingBallIsItsWeight) {
   EXPECT_NEAR(t.rows.back()[0], 10.0, 1e-12);  // m g, solved exactly but for rounding
 }
 
+/// Keeps events and ledger.
+class Diary final : public RecordSink {
+ public:
+  void row(double, std::span<const double>) override {}
+  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void event(const ContactEvent& e) override { events.push_back(e); }
+  void ledger(const LedgerRow& row) override { rows.push_back(row); }
+  bool wantsLedger() const override { return true; }
+  std::vector<ContactEvent> events;
+  std::vector<LedgerRow> rows;
+};
+
+Diary diaryOf(Model& m, RunReport& report) {
+  m.build();
+  Diary diary;
+  Simulation s(m);
+  s.record(diary);
+  report = s.run();
+  return diary;
+}
+
+TEST(RecordedEvents, TellEachImpactOnceWithItsSpeedAndImpulse) {
+  Model m = ballOnFloor(1.0, 0.0, 0.5, 0.3, 1.0, 1e-4);
+  RunReport report;
+  const Diary diary = diaryOf(m, report);
+  ASSERT_GE(diary.events.size(), 2u);
+  long impacts = 0;
+  for (const ContactEvent& e : diary.events) impacts += e.impact ? 1 : 0;
+  EXPECT_EQ(impacts, report.impacts);
+  const ContactEvent &first = diary.events[0], &second = diary.events[1];
+  ASSERT_TRUE(first.impact && second.impact);  // lifting off after an impact is no event of its own
+  // √(2 g h) with g = 10, h = 1; a step of 1e-4 s is late by at most g Δt, twice for its rounding
+  EXPECT_NEAR(first.speed, std::sqrt(20.0), 2e-3);
+  EXPECT_NEAR(second.speed, 0.5 * first.speed, 2e-3);
+  EXPECT_NEAR(first.impulse, 1.5 * first.speed, 2e-3);  // m (1 + ε) v
+}
+
+TEST(RecordedEvents, TellWhenSlippingEnds) {
+  Model m = ballOnFloor(0.0, 1.0, 0.0, 0.5, 1.0, 1e-3);
+  RunReport report;
+  const Diary diary = diaryOf(m, report);
+  ASSERT_FALSE(diary.events.empty());
+  const ContactEvent& last = diary.events.back();
+  EXPECT_EQ(last.from, Status::slip);
+  EXPECT_EQ(last.to, Status::stick);
+  EXPECT_NEAR(last.t, 1.0 / (0.5 * 10.0), 2e-3);  // v/(μ g), two steps
+}
+
+TEST(RecordedLedger, BalancesInEveryRow) {
+  Model m = ballOnFloor(1.0, 1.0, 0.5, 0.3, 1.0, 1e-3);
+  RunReport report;
+  const Diary diary = diaryOf(m, report);
+  ASSERT_GT(diary.rows.size(), 300u);
+  const auto sum = [](const LedgerRow& r) {
+    double works = 0.0;
+    for (std::size_t i = 2; i < 8; ++i) works += r.value[i];
+    return r.value[0] + r.value[1] - works;
+  };
+  for (const LedgerRow& r : diary.rows) EXPECT_NEAR(sum(r), sum(diary.rows[0]), 1e-12) << r.t;
+  EXPECT_EQ(diary.rows.front().t, 0.0);
+  EXPECT_EQ(diary.rows.back().t, 1.0);
+  EXPECT_NEAR(diary.rows.back().value[4], report.energy.normal, 1e-12);  // the same sums
+}
+
 }  // namespace
 }  // namespace dynamy

@@ -1,0 +1,54 @@
+#include <dynamy/io/events_file.hpp>
+#include <dynamy/io/file_error.hpp>
+#include <dynamy/io/json_writer.hpp>
+#include <dynamy/io/signals_file.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr std::size_t kBufferBytes = 1 << 16;
+
+}  // namespace
+
+EventsFile::EventsFile(const std::filesystem::path& path) : file_(path) {
+  buffer_.reserve(kBufferBytes + 512);
+  buffer_ = "t,event,contact,from,to,speed,impulse\n";
+  flush();
+}
+
+EventsFile::EventsFile(const std::filesystem::path& path, std::uint64_t keep, long events)
+    : file_(path, keep), events_(events) {
+  buffer_.reserve(kBufferBytes + 512);
+}
+
+EventsFile::~EventsFile() {
+  try {
+    flush();
+  } catch (const FileError&) {  // a destructor has nobody to tell
+  }
+}
+
+void EventsFile::event(const ContactEvent& e, std::string_view contact) {
+  if (full()) return;
+  ++events_;
+  appendNumber(buffer_, e.t);
+  buffer_ += e.impact ? ",impact," : ",switch,";
+  appendCsvField(buffer_, contact);
+  buffer_ += ',';
+  buffer_ += statusText(e.from);
+  buffer_ += ',';
+  buffer_ += statusText(e.to);
+  buffer_ += ',';
+  if (e.impact) appendNumber(buffer_, e.speed);
+  buffer_ += ',';
+  if (e.impact) appendNumber(buffer_, e.impulse);
+  buffer_ += '\n';
+  if (buffer_.size() >= kBufferBytes) flush();
+}
+
+void EventsFile::flush() {
+  file_.write(buffer_);
+  buffer_.clear();
+}
+
+}  // namespace dynamy

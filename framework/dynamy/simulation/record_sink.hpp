@@ -1,0 +1,63 @@
+/// RecordSink: where the numbers of a run go (files of the run folder, a table in memory).
+#pragma once
+#include <array>
+#include <dynamy/contact/contact_set.hpp>
+#include <dynamy/core/archive.hpp>
+#include <dynamy/core/types.hpp>
+#include <span>
+
+namespace dynamy {
+
+struct FramePose {
+  Vec3 r_OS_I = Vec3::Zero();  ///< [m]
+  Mat3 A_IK = Mat3::Identity();
+};
+
+/// A closed contact in a picture.
+struct ContactRecord {
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< [m], [–]
+  Vec3 force = Vec3::Zero();  ///< Λ/Δt on the body the normal points to [N]
+  double limit = 0.0;         ///< largest friction the law allows at this normal force [N]
+  Status status = Status::open;
+  bool impact = false;  ///< approached faster than smooth forces alone can make in a step
+  bool spin = false;    ///< slips by drilling or rolling while its point hardly slides
+};
+
+/// An impact, or a contact that changed its status.
+struct ContactEvent {
+  double t = 0.0;  ///< end of the step [s]
+  ContactKey key;
+  Status from = Status::open, to = Status::open;
+  bool impact = false;
+  double speed = 0.0;    ///< of an impact: −γ_N^A [m/s]
+  double impulse = 0.0;  ///< Λ_N of the step [N s]
+};
+
+/// The energy ledger up to t, and the worst the solver did since the row before.
+struct LedgerRow {
+  static constexpr std::size_t kNumbers = 12;
+  static constexpr std::array<const char*, kNumbers> kNames{
+      "kinetic",    "potential",      "nonPotential", "friction",   "normal",   "joints",
+      "boundaries", "discretisation", "residual",     "iterations", "contacts", "penetration"};
+  static constexpr std::array<const char*, kNumbers> kUnits{"J", "J", "J", "J", "J", "J",
+                                                            "J", "J", "",  "",  "",  "m"};
+  double t = 0.0;                        ///< [s]
+  std::array<double, kNumbers> value{};  ///< energies and works [J], residual, counts, [m]
+};
+
+/// Takes what is recorded. No call may keep the spans.
+class RecordSink {
+ public:
+  virtual ~RecordSink() = default;
+  virtual void row(double t, std::span<const double> values) = 0;
+  virtual void frame(double t, std::span<const FramePose> poses,
+                     std::span<const ContactRecord> contacts) = 0;
+  virtual void event(const ContactEvent&) {}
+  virtual void ledger(const LedgerRow&) {}
+  /// False: nobody takes the ledger's rows, so none are computed.
+  virtual bool wantsLedger() const { return false; }
+  /// Brings what was taken so far in safety and archives the place; reading: goes back to it.
+  virtual void archive(Archive&) {}
+};
+
+}  // namespace dynamy
