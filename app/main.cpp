@@ -75,6 +75,7 @@ int run(int argc, char** argv) {
   addDescribe(app, program);
   addSchema(app, program);
   addCompare(app, program);
+  addView(app, program);
   addSolve(app, program);
   try {
     app.parse(argc, argv);

@@ -56,6 +56,7 @@ void addList(CLI::App& app, Program& program);
 void addDescribe(CLI::App& app, Program& program);
 void addSchema(CLI::App& app, Program& program);
 void addCompare(CLI::App& app, Program& program);
+void addView(CLI::App& app, Program& program);
 void addSolve(CLI::App& app, Program& program);
 
 }  // namespace dynamy::app

@@ -40,13 +40,13 @@ std::string checkpointBytes(const RunChoice& choice, const std::string& modelTex
 }
 
 /// signals.svg and replay.html from the files of the folder.
-void writePictures(const RunFolder& folder, const Model& model) {
+ReplaySize writePictures(const RunFolder& folder, const Model& model) {
   SignalTable table = readSignals(folder.signals());
   const std::vector<SignalName> named = recordedSignals(model);
   for (std::size_t i = 0; i < table.signals.size() && i < named.size(); ++i)
     table.signals[i].unit = named[i].unit;
   writeSignalsSvg(folder.signalsPlot(), table, model.title);
-  writeReplay(folder.path());
+  return writeReplay(folder.path());
 }
 
 }  // namespace
@@ -119,7 +119,8 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
   const std::vector<CheckResult> checks = simulation.checks();
   folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, report, checks, ""); });
-  writePictures(folder, model);
+  const ReplaySize size = writePictures(folder, model);
+  if (!show.quiet) fmt::print(stderr, "{}", thinningText(size));
   if (show.json)
     fmt::print("{}", readWholeFile(folder.facts()));
   else if (!show.quiet)

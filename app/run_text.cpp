@@ -136,10 +136,20 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   int width = 0;
   for (const CheckResult& c : checks) width = std::max(width, characterCount(checkText(c)));
   for (const CheckResult& c : checks) out += checkLine(c, width);
-  out += fmt::format(" wrote   {}/  run.json signals.csv signals.svg frames.bin replay.html\n",
-                     folder.string());
+  out += fmt::format(
+      " wrote   {}/  run.json signals.csv events.csv ledger.csv signals.svg frames.bin "
+      "replay.html\n",
+      folder.string());
   out += fmt::format(" hash    {}\n", hashText(r.hash));
   return out;
+}
+
+std::string thinningText(const ReplaySize& size) {
+  if (!size.thinned()) return {};
+  return fmt::format(
+      "dynamy: replay.html shows {} of {} frames: all would take {:.0f} MB; <record frames=…> sets "
+      "how many are recorded\n",
+      size.frames, size.recorded, static_cast<double>(size.wholeBytes) * 1e-6);
 }
 
 void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,

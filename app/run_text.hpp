@@ -1,6 +1,7 @@
 /// A run for people (standard output) and for programs (run.json).
 #pragma once
 #include <dynamy/io/json_writer.hpp>
+#include <dynamy/io/replay_page.hpp>
 
 #include "run_job.hpp"
 
@@ -20,6 +21,9 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
 
 /// The lines of the checks that failed, for calls that print nothing else; "" if all hold.
 std::string failedChecks(const std::vector<CheckResult>& checks);
+
+/// What to say when the replay does not hold all frames; else "".
+std::string thinningText(const ReplaySize& size);
 
 /// "16 hexadecimal digits".
 std::string hashText(std::uint64_t hash);

@@ -8,7 +8,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   foreach(file IN LISTS files)
     file(READ "${file}" text)
     get_filename_component(name "${file}" NAME)
-    string(APPEND entries "  if (name == \"${name}\") {\n    static constexpr std::string_view text =\n")
+    string(APPEND entries "  if (name == \"${name}\") {\n    static constexpr char text[] =\n")
     # lengths count bytes: cut behind a line's end, never inside a character
     string(APPEND text "\n")
     string(LENGTH "${text}" length)
@@ -21,7 +21,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
       string(APPEND entries "        R\"_text_(${piece})_text_\"\n")
       math(EXPR at "${at} + ${end}")
     endwhile()
-    string(APPEND entries "        \"\";\n    return text;\n  }\n")
+    string(APPEND entries "        \"\";\n    return {text, sizeof(text) - 1};\n  }\n")
   endforeach()
   file(WRITE "${OUT}" "// Made by the build from app/viewer.\n#include <dynamy/io/viewer_files.hpp>\n\n"
     "namespace dynamy {\n\nstd::string_view viewerFile(std::string_view name) {\n${entries}"
@@ -33,7 +33,7 @@ endif()
 function(dynamy_embed_viewer target)
   file(GLOB files CONFIGURE_DEPENDS
     ${PROJECT_SOURCE_DIR}/app/viewer/*.html ${PROJECT_SOURCE_DIR}/app/viewer/*.css
-    ${PROJECT_SOURCE_DIR}/app/viewer/*.js)
+    ${PROJECT_SOURCE_DIR}/app/viewer/built/*.js)
   string(REPLACE ";" "|" joined "${files}")
   set(out ${CMAKE_CURRENT_BINARY_DIR}/viewer_files.cpp)
   set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)

@@ -60,13 +60,42 @@ class ProgramRunTest : public ProgramTest {
 TEST_F(ProgramTest, RunWritesACompleteFolderAndEndsWith0) {
   write("ball.xml", ballXml(1.0, "1e-3"));
   ASSERT_EQ(call("run ball.xml"), 0) << err();
-  for (const char* file : {"run.json", "model.xml", "signals.csv", "signals.svg", "frames.bin",
-                           "replay.html", "checkpoint"})
+  for (const char* file : {"run.json", "model.xml", "signals.csv", "signals.svg", "events.csv",
+                           "ledger.csv", "frames.bin", "replay.html", "checkpoint"})
     EXPECT_TRUE(fs::exists(folder_ / "runs" / "ball" / file)) << file;
   EXPECT_NE(out().find("finished at t = 1 s"), std::string::npos) << out();
   const SignalTable table = readSignals(folder_ / "runs" / "ball" / "signals.csv");
   EXPECT_EQ(table.t.size(), 101u);
   EXPECT_EQ(table.t.back(), 1.0);
+}
+
+TEST_F(ProgramTest, ViewWritesTheReplayAnew) {
+  write("ball.xml", ballXml(0.1, "1e-3"));
+  ASSERT_EQ(call("run ball.xml --out a"), 0) << err();
+  fs::remove(path("a/replay.html"));
+  ASSERT_EQ(call("view a --no-browser"), 0) << err();
+  EXPECT_NE(out().find("replay.html"), std::string::npos) << out();
+  EXPECT_GT(fs::file_size(path("a/replay.html")), 100'000u);
+  EXPECT_EQ(call("view nowhere --no-browser"), 1);
+  EXPECT_NE(err().find("holds no run"), std::string::npos) << err();
+}
+
+TEST_F(ProgramTest, ContactForcesInTheFilmObeyCoulombsLaw) {
+  ASSERT_EQ(
+      call(std::string("run ") + DYNAMY_SOURCE_DIR + "/models/block_on_slope_slide.xml --out b"), 0)
+      << err();
+  const Frames frames = readFrames(path("b/frames.bin"));
+  int slipping = 0;
+  for (std::size_t at = 0; at < frames.contact.size(); at += Frames::kContactNumbers) {
+    const float* const x = &frames.contact[at];
+    const Eigen::Map<const Eigen::Vector3f> n(x + 3), F(x + 6);
+    const float N = n.dot(F), T = (F - N * n).norm(), limit = x[10];
+    EXPECT_LE(T, limit * 1.0001f + 1e-6f);  // single precision
+    if (x[9] != 2.f) continue;
+    ++slipping;
+    EXPECT_NEAR(T, limit, 1e-4f * limit);
+  }
+  EXPECT_GT(slipping, 10);
 }
 
 TEST_F(ProgramTest, AFailedCheckEndsWith1) {

@@ -1,0 +1,5044 @@
+/*
+Contains parts of these packages, under their licences:
+
+three 0.180.0
+
+The MIT License
+
+Copyright © 2010-2025 three.js authors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in
+all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN
+THE SOFTWARE.
+
+uplot 1.6.32
+
+The MIT License (MIT)
+
+Copyright (c) 2022 Leon Sorokin
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in
+all copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN
+THE SOFTWARE.
+
+fflate 0.8.3
+
+MIT License
+
+Copyright (c) 2026 Arjun Barrett
+
+Permission is hereby granted, free of charge, to any person obtaining a copy
+of this software and associated documentation files (the "Software"), to deal
+in the Software without restriction, including without limitation the rights
+to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+copies of the Software, and to permit persons to whom the Software is
+furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all
+copies or substantial portions of the Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+SOFTWARE.
+*/
+"use strict";(()=>{function Vf(i){let{camera:t}=i.stage,e=new URLSearchParams;e.set("t",String(Number(i.t.toPrecision(9)))),e.set("view",t.view),t.isPlanar||(e.set("azimuth",String(Math.round(t.azimuth*180/Math.PI))),e.set("elevation",String(Math.round(t.elevation*180/Math.PI)))),history.replaceState(null,"",`#${e}`),navigator.clipboard?.writeText(location.href).catch(()=>{})}function ph(i,t){let{camera:e}=i.stage;for(let r of[
+"azimuth","elevation"])t.has(r)&&(e[r]=Number(t.get(r))*Math.PI/180);t.has("view")?i.setView(t.get("view")??""):(t.has("azimuth")||t.has("elevation"))&&(e.look(),i.stage.fit());for(let r of["contacts","trails"])t.has(r)&&i.setSwitch(r,t.get(r)!=="0");t.has("theme")&&i.setTheme(t.get("theme")==="dark");let n=t.get("open");n&&i.showTab(n);let s=Number(t.get("t"));i.pause().seek(t.has("t")&&Number.isFinite(
+s)?s:i.t),t.has("select")&&i.select(Number(t.get("select"))),t.get("play")==="1"&&i.play()}var ai=Uint8Array,yr=Uint16Array,w0=Int32Array,Hf=new ai([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),Gf=new ai([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),T0=new ai([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),Wf=function(i,t){for(var e=new yr(31),n=0;n<31;++n)e[n]=t+=1<<i[n-1];for(var s=new w0(e[30]),n=1;n<30;++n)for(var r=e[n];r<e[n+1];++r)
+s[r]=r-e[n]<<5|n;return{b:e,r:s}},Xf=Wf(Hf,2),qf=Xf.b,E0=Xf.r;qf[28]=258,E0[258]=28;var Yf=Wf(Gf,0),A0=Yf.b,v1=Yf.r,_h=new yr(32768);for(Ee=0;Ee<32768;++Ee)Zi=(Ee&43690)>>1|(Ee&21845)<<1,Zi=(Zi&52428)>>2|(Zi&13107)<<2,Zi=(Zi&61680)>>4|(Zi&3855)<<4,_h[Ee]=((Zi&65280)>>8|(Zi&255)<<8)>>1;var Zi,Ee,wo=(function(i,t,e){for(var n=i.length,s=0,r=new yr(t);s<n;++s)i[s]&&++r[i[s]-1];var o=new yr(t);for(s=1;s<
+t;++s)o[s]=o[s-1]+r[s-1]<<1;var a;if(e){a=new yr(1<<t);var c=15-t;for(s=0;s<n;++s)if(i[s])for(var l=s<<4|i[s],h=t-i[s],u=o[i[s]-1]++<<h,f=u|(1<<h)-1;u<=f;++u)a[_h[u]>>c]=l}else for(a=new yr(n),s=0;s<n;++s)i[s]&&(a[s]=_h[o[i[s]-1]++]>>15-i[s]);return a}),To=new ai(288);for(Ee=0;Ee<144;++Ee)To[Ee]=8;var Ee;for(Ee=144;Ee<256;++Ee)To[Ee]=9;var Ee;for(Ee=256;Ee<280;++Ee)To[Ee]=7;var Ee;for(Ee=280;Ee<288;++Ee)
+To[Ee]=8;var Ee,Zf=new ai(32);for(Ee=0;Ee<32;++Ee)Zf[Ee]=5;var Ee;var C0=wo(To,9,1);var R0=wo(Zf,5,1),mh=function(i){for(var t=i[0],e=1;e<i.length;++e)i[e]>t&&(t=i[e]);return t},vi=function(i,t,e){var n=t/8|0;return(i[n]|i[n+1]<<8)>>(t&7)&e},gh=function(i,t){var e=t/8|0;return(i[e]|i[e+1]<<8|i[e+2]<<16)>>(t&7)},P0=function(i){return(i+7)/8|0},I0=function(i,t,e){return(t==null||t<0)&&(t=0),(e==null||e>i.length)&&(e=i.length),new ai(i.subarray(t,e))};var L0=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 data","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],xi=function(i,t,e){var n=new Error(t||L0[i]);if(n.code=i,Error.captureStackTrace&&Error.captureStackTrace(n,xi),!e)throw n;return n},
+D0=function(i,t,e,n){var s=i.length,r=n?n.length:0;if(!s||t.f&&!t.l)return e||new ai(0);var o=!e,a=o||t.i!=2,c=t.i;o&&(e=new ai(s*3));var l=function(Qt){var Pe=e.length;if(Qt>Pe){var U=new ai(Math.max(Pe*2,Qt));U.set(e),e=U}},h=t.f||0,u=t.p||0,f=t.b||0,p=t.l,_=t.d,v=t.m,m=t.n,d=s*8;do{if(!p){h=vi(i,u,1);var w=vi(i,u+1,3);if(u+=3,w)if(w==1)p=C0,_=R0,v=9,m=5;else if(w==2){var A=vi(i,u,31)+257,D=vi(i,
+u+10,15)+4,N=A+vi(i,u+5,31)+1;u+=14;for(var b=new ai(N),S=new ai(19),C=0;C<D;++C)S[T0[C]]=vi(i,u+C*3,7);u+=D*3;for(var O=mh(S),k=(1<<O)-1,G=wo(S,O,1),C=0;C<N;){var W=G[vi(i,u,k)];u+=W&15;var E=W>>4;if(E<16)b[C++]=E;else{var q=0,$=0;for(E==16?($=3+vi(i,u,3),u+=2,q=b[C-1]):E==17?($=3+vi(i,u,7),u+=3):E==18&&($=11+vi(i,u,127),u+=7);$--;)b[C++]=q}}var j=b.subarray(0,A),rt=b.subarray(A);v=mh(j),m=mh(rt),
+p=wo(j,v,1),_=wo(rt,m,1)}else xi(1);else{var E=P0(u)+4,y=i[E-4]|i[E-3]<<8,L=E+y;if(L>s){c&&xi(0);break}a&&l(f+y),e.set(i.subarray(E,L),f),t.b=f+=y,t.p=u=L*8,t.f=h;continue}if(u>d){c&&xi(0);break}}a&&l(f+131072);for(var ot=(1<<v)-1,_t=(1<<m)-1,xt=u;;xt=u){var q=p[gh(i,u)&ot],pt=q>>4;if(u+=q&15,u>d){c&&xi(0);break}if(q||xi(2),pt<256)e[f++]=pt;else if(pt==256){xt=u,p=null;break}else{var ee=pt-254;if(pt>
+264){var C=pt-257,$t=Hf[C];ee=vi(i,u,(1<<$t)-1)+qf[C],u+=$t}var Q=_[gh(i,u)&_t],tt=Q>>4;Q||xi(3),u+=Q&15;var rt=A0[tt];if(tt>3){var $t=Gf[tt];rt+=gh(i,u)&(1<<$t)-1,u+=$t}if(u>d){c&&xi(0);break}a&&l(f+131072);var Mt=f+ee;if(f<rt){var Ot=r-rt,vt=Math.min(rt,Mt);for(Ot+f<0&&xi(3);f<vt;++f)e[f]=n[Ot+f]}for(;f<Mt;++f)e[f]=e[f-rt]}}t.l=p,t.p=xt,t.b=f,t.f=h,p&&(h=1,t.m=v,t.d=_,t.n=m)}while(!h);return f!=
+e.length&&o?I0(e,0,f):e.subarray(0,f)};var U0=new ai(0);var F0=function(i,t){return((i[0]&15)!=8||i[0]>>4>7||(i[0]<<8|i[1])%31)&&xi(6,"invalid zlib data"),(i[1]>>5&1)==+!t&&xi(6,"invalid zlib data: "+(i[1]&32?"need":"unexpected")+" dictionary"),(i[1]>>3&4)+2};function $f(i,t){return D0(i.subarray(F0(i,t&&t.dictionary),-4),{i:2},t&&t.out,t&&t.dictionary)}var N0=typeof TextDecoder<"u"&&new TextDecoder,O0=0;try{N0.decode(U0,{stream:!0}),O0=1}catch{}var Ut=(i,t)=>[i[0]+t[0],i[1]+t[1],i[2]+t[2]],me=(i,t)=>[i[0]-t[0],i[1]-t[1],i[2]-t[2]],Ct=(i,t)=>[i[0]*t,i[1]*t,i[2]*t],Wt=(i,t)=>i[0]*t[0]+i[1]*t[1]+i[2]*t[2],je=(i,t)=>[i[1]*t[2]-i[2]*t[1],i[2]*t[0]-i[0]*t[2],i[0]*t[1]-i[1]*t[0]],wn=i=>Math.hypot(i[0],i[1],i[2]),yi=i=>Ct(i,1/(wn(i)||1)),Ra=i=>yi(je(Math.abs(i[0])<.9?[1,0,0]:[0,1,0],i));function B0(i,t){return[i[0]*t[0]-i[1]*t[1]-i[2]*t[2]-i[3]*
+t[3],i[0]*t[1]+i[1]*t[0]+i[2]*t[3]-i[3]*t[2],i[0]*t[2]-i[1]*t[3]+i[2]*t[0]+i[3]*t[1],i[0]*t[3]+i[1]*t[2]-i[2]*t[1]+i[3]*t[0]]}function Tn(i,t){let e=[i[1],i[2],i[3]],n=Ct(je(e,t),2);return Ut(Ut(t,Ct(n,i[0])),je(e,n))}function Kf(i,t,e){return{r:Ut(i.r,Tn(i.q,t)),q:B0(i.q,e)}}function Hn(i,t,e){return Math.min(e,Math.max(t,i))}function Mr(i,t){let e=0,n=i.length-1;for(;e<n;){let s=e+n+1>>1;i[s]<=t?
+e=s:n=s-1}return e}function Bs(i,t,e){let n=t-i;if(!(n>0)||!Number.isFinite(n))return{step:1,values:[i]};let s=10**Math.floor(Math.log10(n/e));for(let r of[1,2,5,10,20]){let o=r*s,a=Math.ceil(i/o-1e-9),c=Math.floor(t/o+1e-9);if(c-a+1>e)continue;let l=[];for(let h=a;h<=c;++h)l.push(h*o+0);return{step:o,values:l}}return{step:n,values:[i]}}var Jf="\u2212";function Nn(i){if(!Number.isFinite(i))return Number.isNaN(i)?"\u2013":String(i);let t=Math.abs(i);return t!==0&&(t>=1e5||t<1e-4)?Number(i.toPrecision(4)).toExponential().replace("e+","e").replace(/-/g,Jf):String(Number(i.toPrecision(4))).replace("-",Jf)}function jf(i){let[t,e]=i<.0095?[1e3,"mm"]:i<.95?[100,"cm"]:i<950?[1,"m"]:[.001,"km"];return`${Number((i*t).toPrecision(4))} ${e}`}async function zs(i){if(!i)return new Uint8Array(0);let t=atob(i),e=new Uint8Array(t.length);for(let s=0;s<t.length;++s)e[s]=t.charCodeAt(s);if(typeof DecompressionStream>"u")return $f(e);let n=new Blob([e]).stream().pipeThrough(new DecompressionStream("deflate"));return new Uint8Array(await new Response(n).arrayBuffer())}var vh=i=>new DataView(i.buffer,i.byteOffset,i.byteLength);async function ed(i){
+let t=vh(await zs(i));return Float64Array.from({length:t.byteLength/8},(e,n)=>t.getFloat64(8*n,!0))}async function nd(i){let t=vh(await zs(i));return Float32Array.from({length:t.byteLength/4},(e,n)=>t.getFloat32(4*n,!0))}function Qf(i,t,e,n){let s=new Uint16Array(t*e),r=t*e;for(let o=0;o<t;++o){let a=0,c=0,l=n[o];for(let h=0,u=o*e;h<e;++h,++u){let f=i[u]|i[r+u]<<8,p=f>>1^-(f&1);h===1&&(c=a);let _=p+
+(l===0?0:l===1?a:2*a-c)&65535;s[h*t+o]=_,c=a,a=_}}return s}var td=new DataView(new ArrayBuffer(4));function z0(i){return td.setUint16(0,i),td.getFloat32(0)}var Pa=class i{constructor(t,e,n,s,r,o,a,c,l){this.poses=t;this.t=e;this.lo=n;this.course=r;this.box=a;this.contact=l;this.count=e.length,this.now=new Float32Array(7*t),this.varying=new Int32Array(7*t).fill(-1),this.step=new Float32Array(7*t),this.
+columns=0;for(let h=0;h<7*t;++h)n[h]<s[h]&&(this.varying[h]=this.columns++,this.step[h]=(s[h]-n[h])/(h%7<3?65535:o));this.firstContact=new Uint32Array(c.length+1);for(let h=0;h<c.length;++h)this.firstContact[h+1]=this.firstContact[h]+c[h]}static async from(t){let[e,n,s,r,o,a]=await Promise.all([ed(t.t),nd(t.ranges),zs(t.orders),zs(t.data),zs(t.contacts.counts),zs(t.contacts.data)]),c=p=>n.filter((_,v)=>v%
+2===p),l=Qf(r,s.length,e.length,s),h=vh(o),u=Uint32Array.from({length:h.byteLength/4},(p,_)=>h.getUint32(4*_,!0)),f=Qf(a,11,a.length/22,new Uint8Array(11).fill(1));return new i(t.poses,e,c(0),c(1),l,t.turnSteps,t.contacts.box,u,f)}get begin(){return this.count?this.t[0]:0}get end(){return this.count?this.t[this.count-1]:0}get contactCount(){return this.contact.length/11}indexAt(t){return Mr(this.t,
+t)}place(t){let e=this.indexAt(t),n=Math.min(e+1,this.count-1),s=n>e?Hn((t-this.t[e])/(this.t[n]-this.t[e]),0,1):0;return[e*this.columns,n*this.columns,s]}sample(t){if(!this.count)return this.now;let[e,n,s]=this.place(t),{now:r,varying:o,lo:a,step:c,course:l}=this;for(let h=0;h<r.length;++h){let u=o[h];r[h]=u<0?a[h]:a[h]+c[h]*(l[e+u]+(l[n+u]-l[e+u])*s)}for(let h=3;h<r.length;h+=7){let u=Math.sqrt(
+r[h]**2+r[h+1]**2+r[h+2]**2+r[h+3]**2)||1;for(let f=h;f<h+4;++f)r[f]/=u}return r}pose(t,e){if(t<0||!this.count)return{r:[0,0,0],q:[1,0,0,0]};let[n,s,r]=this.place(e),o=l=>{let h=this.varying[7*t+l],u=this.lo[7*t+l];return h<0?u:u+this.step[7*t+l]*(this.course[n+h]+(this.course[s+h]-this.course[n+h])*r)},a=[o(3),o(4),o(5),o(6)],c=Math.hypot(...a)||1;return{r:[o(0),o(1),o(2)],q:a.map(l=>l/c)}}rates(t,e){
+let n=Math.min(this.indexAt(e),Math.max(0,this.count-2)),s=Math.min(n+1,this.count-1),r=this.t[s]-this.t[n];if(!(r>0))return{v:[0,0,0],omega:[0,0,0]};let o=this.pose(t,this.t[n]),a=this.pose(t,this.t[s]),[c,l,h,u]=o.q,f=a.q,p=[f[0]*c+f[1]*l+f[2]*h+f[3]*u,f[1]*c-f[0]*l-f[2]*u+f[3]*h,f[2]*c-f[0]*h-f[3]*l+f[1]*u,f[3]*c-f[0]*u-f[1]*h+f[2]*l],_=Math.hypot(p[1],p[2],p[3]),v=2*Math.atan2(_,p[0]),m=_>1e-12?
+v/_/r:2/r;return{v:[0,1,2].map(d=>(a.r[d]-o.r[d])/r),omega:[p[1],p[2],p[3]].map(d=>d*m)}}moves(t){return t>=0&&[0,1,2,3,4,5,6].some(e=>this.varying[7*t+e]>=0)}stands(t,e,n){let s=7*t+e;return this.varying[s]<0&&(n===void 0||Math.abs(this.lo[s]-n)<1e-6)}firstMoving(){for(let t=0;t<this.poses;++t)if(this.moves(t))return t;return-1}contacts(t){let e=[];if(!this.count)return e;let n=this.indexAt(t);for(let s=this.
+firstContact[n];s<this.firstContact[n+1];++s)e.push(this.contactAt(s));return e}contactAt(t){let e=this.contact.subarray(11*t,11*t+11),{box:n}=this,s=a=>n[2*a]+(n[2*a+1]-n[2*a])*e[a]/65535,r=a=>2*e[a]/65535-1,o=a=>z0(e[a]);return{r:[s(0),s(1),s(2)],n:[r(3),r(4),r(5)],F:[o(6),o(7),o(8)],state:e[9],limit:o(10)}}usualForce(){let t=[],e=this.contactCount,n=Math.max(1,Math.floor(e/5e3));for(let s=0;s<e;s+=
+n){let r=this.contactAt(s),o=Math.hypot(...r.F);o>0&&Number.isFinite(o)&&r.state!==3&&t.push(o)}if(!t.length)for(let s=0;s<e;s+=n)t.push(Math.hypot(...this.contactAt(s).F));return t.sort((s,r)=>s-r),t.length?t[Math.floor(.9*(t.length-1))]:0}};async function id(i){let t=new Map,e=i.run&&Array.isArray(i.run.signals)?i.run.signals:[];for(let o of e)t.set(o.name,o.unit);let n=await Promise.all(i.signals.
+map(o=>o.t===void 0?null:ed(o.t))),s=await Promise.all(i.signals.map(o=>nd(o.y))),r=new Float64Array(0);return i.signals.map((o,a)=>(r=n[a]??r,{name:o.name,unit:o.unit||t.get(o.name)||"",t:r,y:s[a]}))}async function sd(i){return new TextDecoder().decode(await zs(i)).split(`
+`).filter(e=>e).map(e=>(e.includes('"')?e.match(/("([^"]|"")*"|[^,]*)(,|$)/g)??[]:e.split(",")).map(n=>n.replace(/,$/,"").replace(/^"(.*)"$/,"$1").replace(/""/g,'"')))}async function rd(i){let t=await sd(i.events),e=i.run?.settings;return k0(t.slice(1).filter(n=>n.length>=7).map(n=>({t:Number(n[0]),impact:n[1]==="impact",contact:n[2],from:n[3],to:n[4],speed:Number(n[5]),impulse:Number(n[6])})),1.5*
+(e?.step??0))}function k0(i,t){let e=new Map,n=new Set;for(let s of i){let r=e.get(s.contact);r&&!s.impact&&!r.impact&&!n.has(r)&&s.t-r.t<=t&&r.from===s.to&&r.to===s.from&&n.add(r).add(s),e.set(s.contact,s)}return n.size?i.filter(s=>!n.has(s)):i}async function od(i){let t=await sd(i.ledger),e=new Map;if(t.length<2)return e;let n=t.slice(1).filter(s=>s.length===t[0].length);return t[0].forEach((s,r)=>e.
+set(s,Float64Array.from(n,o=>Number(o[r])))),e}var Eo=[.01,.02,.05,.1,.2,.5,1,2,5,10],xh={xz:"x\u2013z",xy:"x\u2013y",yz:"y\u2013z",iso:"3D"},yh='<svg viewBox="0 0 14 14"><path d="M2 0.5v13l11-6.5z"/></svg>',ad='<svg viewBox="0 0 14 14"><path d="M2 1h3.6v12H2zM8.4 1H12v12H8.4z"/></svg>',ld='<svg viewBox="0 0 16 16"><path d="M8 1a7 7 0 100 14A7 7 0 008 1zm0 1.5v11a5.5 5.5 0 010-11z"/></svg>',cd=[["space","play, pause"],["\u2190 \u2192","one fra\
+me back, on"],["shift \u2190 \u2192","a tenth of the film"],["n p","next, previous impact or switch"],["home end","first, last frame"],["+ \u2212","faster, slower"],["l","loop"],["1 2 3 4","view x\u2013z, x\u2013y, y\u2013z, 3D"],["0","fit"],["c t","contact forces, trails"],["[ ]","shorter, longer force arrows"],["f","follow what is selected, else the body the model names, else the first"],["s","s\
+ave the picture"],["d","light, dark"],["drag","turn (3D) or move; with shift: move"],["wheel, two fingers","zoom"],["click","name, state and place of a body"],["in the curves","click: to this time; drag: zoom; double click: all"]];var hd={dark:!1,paper:"#ffffff",grid:"#eff1f4",gridZero:"#dde2e8",ink:"#1f2933",soft:"#5f6c7b",ground:"#f3f4f6",groundLine:"#d5dae0",hatch:"#9aa5b1",edge:"#3e4c59",accent:"#1769aa",sheet:"rgba(140, 150, 162, .10)",still:"#a9b2bd"},V0={dark:!0,paper:"#15191e",grid:"#1e242b",gridZero:"#303943",ink:"#e6eaee",soft:"#9aa7b4",ground:"#1c2229",groundLine:"#333d48",hatch:"#566270",edge:"#9aa7b4",accent:"#\
+5aa9e6",sheet:"rgba(140, 150, 162, .14)",still:"#7f8b98"},le=hd;function Mh(i){le=i?V0:hd}var Ao=["#3b82b8","#d9803b","#5a9e63","#a066b0","#c9a53a","#c75b62","#4aa3a2","#7d8794"],Sr=["#2b7bba","#d2601a","#3a9150","#9258b5","#b78a1c","#c2485c","#3a9d9c","#77828f"],On=[{name:"open",colour:"#8a94a0"},{name:"stick",colour:"#1f9d57"},{name:"slip",colour:"#e0701a"},{name:"impact",colour:"#d81b72"},{name:"\
+spin",colour:"#8e5bd0"}];function tn(i,t){let e=t>0?255:0,n=Math.abs(t),s=r=>{let o=parseInt(i.slice(r,r+2),16);return Math.round(o+(e-o)*n).toString(16).padStart(2,"0")};return"#"+s(1)+s(3)+s(5)}function br(i){if(i.colour&&/^#[0-9a-f]{6}$/i.test(i.colour))return i.colour;if(i.colour){let t=document.createElement("canvas").getContext("2d");if(t){t.fillStyle="#010203",t.fillStyle=i.colour;let e=String(
+t.fillStyle);if(e.startsWith("#")&&e!=="#010203")return e}}return i.frame<0?le.still:Ao[i.frame%Ao.length]}function fe(i,t="",e=""){let n=document.createElement(i);return t&&(n.textContent=t),e&&(n.className=e),n}var Sh=i=>i===null?"\u2013":typeof i=="number"&&!Number.isInteger(i)?Nn(i):String(i);function ud(i){let t=fe("table"),e=(n,s)=>{for(let[r,o]of Object.entries(n)){let a=Array.isArray(o)?o:null;if(a&&a.some(h=>h!==null&&typeof h=="object"))continue;let c=t.insertRow(),l=c.insertCell();l.textContent=
+r.replace(/_/g," ").replace(/([a-z])([A-Z])/g,"$1 $2").toLowerCase(),l.style.paddingLeft=`${14*s}px`,o!==null&&typeof o=="object"&&!a?(l.colSpan=2,l.className="group",e(o,s+1)):c.insertCell().textContent=a?a.map(Sh).join(", "):Sh(o)}};return e(i,0),t}function fd(i){let t=Array.isArray(i.checks)?i.checks:[];if(!t.length)return null;let e=fe("table","","checks");for(let n of t){let s=e.insertRow();s.
+insertCell().append(fe("span",n.pass?"pass":"fail",n.pass?"good":"bad")),s.insertCell().textContent=`${n.measure==="value"?"":`${n.measure} `}${n.signal}${n.over?` ${n.over}`:""}`,s.insertCell().textContent=`${Sh(n.got)} (${String(n.expected)})`}return e}function dd(i,t,e){let{run:n}=i,s=[],r=(...a)=>{s.push(...s.length?[" \xB7 ",...a]:a)};n&&typeof n.state=="string"&&r(["finished","ok","done"].includes(
+n.state)?n.state:fe("b",n.state,"bad")),r(fe("b",Nn(t))," s");for(let[a,c]of[["steps","steps"],["impacts","impacts"],["switches","switches"]])n&&typeof n[a]=="number"&&r(fe("b",String(n[a])),` ${c}`);n&&typeof n.wall_s=="number"&&r("computed in ",fe("b",Nn(n.wall_s))," s");let{recorded:o}=i.frames;return e&&r(e<o?fe("b",`${e} of ${o} frames`,"bad"):`${e} frames`),s}function pd(i){let t=i.get("t");
+if(!t)return[];let e=h=>i.get(h)??new Float64Array(t.length),n=(h,u)=>({name:h,t,y:u}),s=(h,u)=>e(h).some(f=>f!==0)?[n(u,e(h))]:[],r=e("kinetic"),o=e("potential"),a=[];a.push({title:"energy",unit:"J",height:170,curves:[n("kinetic",r),n("potential",o),n("sum",r.map((h,u)=>h+o[u]))]});let c=[...s("normal","impacts"),...s("friction","friction"),...s("nonPotential","drives, dampers"),...s("joints","jo\
+ints"),...s("boundaries","moving boundaries")];c.length&&a.push({title:"work",unit:"J",height:160,curves:c}),a.push({title:"ledger",unit:"J",curves:s("discretisation","discretisation")});let l=(h,u,f,p=!1)=>{let _=s(h,u);_.length&&a.push({unit:f,curves:_,log:p,height:110})};return l("residual","solver residual","",!0),l("iterations","iterations",""),l("contacts","contacts",""),l("penetration","pen\
+etration","m",!0),a.filter(h=>h.curves.length)}var wr=26,Ia=class{constructor(t,e,n){this.box=t;this.all=e;this.seek=n;this.rows=fe("div","","rows");this.kind="all";this.events=[];this.current=-1;this.t=0;let s=fe("div","","bar");for(let r of["all","impacts","switches"]){let o=r==="all"?e.length:e.filter(c=>c.impact===(r==="impacts")).length,a=fe("button",`${r} ${o}`,r==="all"?"on":"");a.onclick=()=>{
+for(let c of s.children)c.classList.toggle("on",c===a);this.kind=r,this.filter()},s.append(a)}t.replaceChildren(s,this.rows),this.filter(),t.addEventListener("scroll",()=>this.fill())}filter(){this.events=this.kind==="all"?this.all:this.all.filter(t=>t.impact===(this.kind==="impacts")),this.rows.style.height=`${wr*this.events.length}px`,this.current=-2,this.show(this.t,!0)}from(t,e,n){let s=this.events.
+length?this.events:this.all;return e>0?s.find(r=>r.t>t+n):[...s].reverse().find(r=>r.t<t-n)}show(t,e=!1){this.t=t;let n=this.events.map.length?this.events:[],s=n.length&&n[0].t<=t?Mr(n.map(r=>r.t),t):-1;if(!(s===this.current&&!e)){if(this.current=s,this.box.clientHeight){let r=Math.max(0,s)*wr,{scrollTop:o,clientHeight:a}=this.box;(r<o||r>o+a-3*wr)&&(this.box.scrollTop=r-a/3)}this.fill()}}fill(){let t=Math.
+max(0,Math.floor(this.box.scrollTop/wr)-4),e=t+Math.ceil(this.box.clientHeight/wr)+8;this.rows.replaceChildren(...this.events.slice(t,e).map((n,s)=>{let r=fe("div","",`event${t+s===this.current?" on":""}`);r.style.top=`${wr*(t+s)}px`;let o=fe("i"),a=On.find(c=>c.name===(n.impact?"impact":n.to))??On[0];return o.style.background=a.colour,r.append(o,fe("span",`${n.t.toFixed(5)}`,"t"),fe("span",n.contact,
+"c"),fe("span",n.impact?`impact ${Nn(n.speed)} m/s`:`${n.from} \u2192 ${n.to}`,"k")),r.title=n.impact?`impulse ${Nn(n.impulse)} N s`:"",r.onclick=()=>this.seek(n.t),r}))}};function md(i){let t=fe("pre");for(let e of i.replace(/\n$/,"").split(`
+`)){let n=fe("code"),s=e.match(/<!--.*?(-->|$)|<\/?[\w.:-]+|"[^"]*"|\/?>|[^<>"]+|./g)??[];for(let r of s){let o=r.startsWith("<!--")?"note":/^<|^\/?>$/.test(r)?"tag":r.startsWith('"')?"value":"";n.append(o?fe("span",r,o):r)}t.append(n)}return t}var H0="uplot",G0="u-hz",W0="u-vt",X0="u-title",q0="u-wrap",Y0="u-under",Z0="u-over",$0="u-axis",Hs="u-off",J0="u-select",K0="u-cursor-x",j0="u-cursor-y",Q0="u-cursor-pt",t_="u-legend",e_="u-live",n_="u-inline",i_="u-series",s_="u-marker",gd="u-label",r_="u-value",Ro="width",Po="height";var _d="bottom",Tr="left",bh="right",kh="#000",vd=kh+"0",wh="mousemove",xd="mousedown",Th="mouseup",yd="mouseenter",Md="mouseleave",Sd="dblclick",o_="resize",a_="scroll",bd="change",Na="dppxchange",Vh="--",Lr=typeof window<"u",Ph=Lr?document:null,Ar=Lr?window:null,l_=Lr?navigator:null,Ae,La;function Ih(){let i=devicePixelRatio;Ae!=i&&(Ae=i,La&&Dh(bd,La,Ih),La=matchMedia(`(min-resolution: ${Ae-.001}\
+dppx) and (max-resolution: ${Ae+.001}dppx)`),Gs(bd,La,Ih),Ar.dispatchEvent(new CustomEvent(Na)))}function Kn(i,t){if(t!=null){let e=i.classList;!e.contains(t)&&e.add(t)}}function Lh(i,t){let e=i.classList;e.contains(t)&&e.remove(t)}function qe(i,t,e){i.style[t]=e+"px"}function Mi(i,t,e,n){let s=Ph.createElement(i);return t!=null&&Kn(s,t),e?.insertBefore(s,n),s}function li(i,t){return Mi("div",i,t)}
+var wd=new WeakMap;function Bi(i,t,e,n,s){let r="translate("+t+"px,"+e+"px)",o=wd.get(i);r!=o&&(i.style.transform=r,wd.set(i,r),t<0||e<0||t>n||e>s?Kn(i,Hs):Lh(i,Hs))}var Td=new WeakMap;function Ed(i,t,e){let n=t+e,s=Td.get(i);n!=s&&(Td.set(i,n),i.style.background=t,i.style.borderColor=e)}var Ad=new WeakMap;function Cd(i,t,e,n){let s=t+""+e,r=Ad.get(i);s!=r&&(Ad.set(i,s),i.style.height=e+"px",i.style.
+width=t+"px",i.style.marginLeft=n?-t/2+"px":0,i.style.marginTop=n?-e/2+"px":0)}var Hh={passive:!0},c_={...Hh,capture:!0};function Gs(i,t,e,n){t.addEventListener(i,e,n?c_:Hh)}function Dh(i,t,e,n){t.removeEventListener(i,e,Hh)}Lr&&Ih();function Si(i,t,e,n){let s;e=e||0,n=n||t.length-1;let r=n<=2147483647;for(;n-e>1;)s=r?e+n>>1:jn((e+n)/2),t[s]<i?e=s:n=s;return i-t[e]<=t[n]-i?e:n}function np(i){return(e,n,s)=>{
+let r=-1,o=-1;for(let a=n;a<=s;a++)if(i(e[a])){r=a;break}for(let a=s;a>=n;a--)if(i(e[a])){o=a;break}return[r,o]}}var ip=i=>i!=null,sp=i=>i!=null&&i>0,za=np(ip),h_=np(sp);function u_(i,t,e,n=0,s=!1){let r=s?h_:za,o=s?sp:ip;[t,e]=r(i,t,e);let a=i[t],c=i[t];if(t>-1)if(n==1)a=i[t],c=i[e];else if(n==-1)a=i[e],c=i[t];else for(let l=t;l<=e;l++){let h=i[l];o(h)&&(h<a?a=h:h>c&&(c=h))}return[a??Oe,c??-Oe]}function ka(i,t,e,n){
+let s=Id(i),r=Id(t);i==t&&(s==-1?(i*=e,t/=e):(i/=e,t*=e));let o=e==10?$i:rp,a=s==1?jn:ci,c=r==1?ci:jn,l=a(o(an(i))),h=c(o(an(t))),u=Cr(e,l),f=Cr(e,h);return e==10&&(l<0&&(u=Be(u,-l)),h<0&&(f=Be(f,-h))),n||e==2?(i=u*s,t=f*r):(i=cp(i,u),t=Va(t,f)),[i,t]}function Gh(i,t,e,n){let s=ka(i,t,e,n);return i==0&&(s[0]=0),t==0&&(s[1]=0),s}var Wh=.1,Rd={mode:3,pad:Wh},Lo={pad:0,soft:null,mode:0},f_={min:Lo,max:Lo};
+function Oa(i,t,e,n){return Ha(e)?Pd(i,t,e):(Lo.pad=e,Lo.soft=n?0:null,Lo.mode=n?3:0,Pd(i,t,f_))}function be(i,t){return i??t}function d_(i,t,e){for(t=be(t,0),e=be(e,i.length-1);t<=e;){if(i[t]!=null)return!0;t++}return!1}function Pd(i,t,e){let n=e.min,s=e.max,r=be(n.pad,0),o=be(s.pad,0),a=be(n.hard,-Oe),c=be(s.hard,Oe),l=be(n.soft,Oe),h=be(s.soft,-Oe),u=be(n.mode,0),f=be(s.mode,0),p=t-i,_=$i(p),v=Bn(
+an(i),an(t)),m=$i(v),d=an(m-_);(p<1e-24||d>10)&&(p=0,(i==0||t==0)&&(p=1e-24,u==2&&l!=Oe&&(r=0),f==2&&h!=-Oe&&(o=0)));let w=p||v||1e3,E=$i(w),y=Cr(10,jn(E)),L=w*(p==0?i==0?.1:1:r),A=Be(cp(i-L,y/10),24),D=i>=l&&(u==1||u==3&&A<=l||u==2&&A>=l)?l:Oe,N=Bn(a,A<D&&i>=D?D:bi(D,A)),b=w*(p==0?t==0?.1:1:o),S=Be(Va(t+b,y/10),24),C=t<=h&&(f==1||f==3&&S>=h||f==2&&S<=h)?h:-Oe,O=bi(c,S>C&&t<=C?C:Bn(C,S));return N==
+O&&N==0&&(O=100),[N,O]}var p_=new Intl.NumberFormat(Lr?l_.language:"en-US"),Xh=i=>p_.format(i),Qn=Math,Fa=Qn.PI,an=Qn.abs,jn=Qn.floor,on=Qn.round,ci=Qn.ceil,bi=Qn.min,Bn=Qn.max,Cr=Qn.pow,Id=Qn.sign,$i=Qn.log10,rp=Qn.log2,m_=(i,t=1)=>Qn.sinh(i)*t,Eh=(i,t=1)=>Qn.asinh(i/t),Oe=1/0;function Ld(i){return($i((i^i>>31)-(i>>31))|0)+1}function Uh(i,t,e){return bi(Bn(i,t),e)}function op(i){return typeof i==
+"function"}function de(i){return op(i)?i:()=>i}var g_=()=>{},ap=i=>i,lp=(i,t)=>t,__=i=>null,Dd=i=>!0,Ud=(i,t)=>i==t,v_=/\.\d*?(?=9{6,}|0{6,})/gm,Ws=i=>{if(up(i)||vs.has(i))return i;let t=`${i}`,e=t.match(v_);if(e==null)return i;let n=e[0].length-1;if(t.indexOf("e-")!=-1){let[s,r]=t.split("e");return+`${Ws(s)}e${r}`}return Be(i,n)};function ks(i,t){return Ws(Be(Ws(i/t))*t)}function Va(i,t){return Ws(
+ci(Ws(i/t))*t)}function cp(i,t){return Ws(jn(Ws(i/t))*t)}function Be(i,t=0){if(up(i))return i;let e=10**t,n=i*e*(1+Number.EPSILON);return on(n)/e}var vs=new Map;function hp(i){return((""+i).split(".")[1]||"").length}function Uo(i,t,e,n){let s=[],r=n.map(hp);for(let o=t;o<e;o++){let a=an(o),c=Be(Cr(i,o),a);for(let l=0;l<n.length;l++){let h=i==10?+`${n[l]}e${o}`:n[l]*c,u=(o>=0?0:a)+(o>=r[l]?0:r[l]),
+f=i==10?h:Be(h,u);s.push(f),vs.set(f,u)}}return s}var Do={},qh=[],Rr=[null,null],_s=Array.isArray,up=Number.isInteger,x_=i=>i===void 0;function Fd(i){return typeof i=="string"}function Ha(i){let t=!1;if(i!=null){let e=i.constructor;t=e==null||e==Object}return t}function y_(i){return i!=null&&typeof i=="object"}var M_=Object.getPrototypeOf(Uint8Array),fp="__proto__";function Pr(i,t=Ha){let e;if(_s(
+i)){let n=i.find(s=>s!=null);if(_s(n)||t(n)){e=Array(i.length);for(let s=0;s<i.length;s++)e[s]=Pr(i[s],t)}else e=i.slice()}else if(i instanceof M_)e=i.slice();else if(t(i)){e={};for(let n in i)n!=fp&&(e[n]=Pr(i[n],t))}else e=i;return e}function nn(i){let t=arguments;for(let e=1;e<t.length;e++){let n=t[e];for(let s in n)s!=fp&&(Ha(i[s])?nn(i[s],Pr(n[s])):i[s]=Pr(n[s]))}return i}var S_=0,b_=1,w_=2;function T_(i,t,e){
+for(let n=0,s,r=-1;n<t.length;n++){let o=t[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<e&&i[s]==null;)i[r=s++]=null}}}function E_(i,t){if(R_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return P_(o[0])||(o=C_(o)),o}let e=new Set;for(let o=0;o<i.length;o++){let c=i[o][0],l=c.length;for(let h=0;h<l;h++)e.add(c[h])}let n=[Array.from(e).sort((o,a)=>o-a)],
+s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],c=a[0];for(let l=1;l<a.length;l++){let h=a[l],u=Array(s).fill(void 0),f=t?t[o][l]:b_,p=[];for(let _=0;_<h.length;_++){let v=h[_],m=r.get(c[_]);v===null?f!=S_&&(u[m]=v,f==w_&&p.push(m)):u[m]=v}T_(u,p,s),n.push(u)}}return n}var A_=typeof queueMicrotask>"u"?i=>Promise.resolve().then(i):queueMicrotask;function C_(i){
+let t=i[0],e=t.length,n=Array(e);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>t[r]-t[o]);let s=[];for(let r=0;r<i.length;r++){let o=i[r],a=Array(e);for(let c=0;c<e;c++)a[c]=o[n[c]];s.push(a)}return s}function R_(i){let t=i[0][0],e=t.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.length!=e)return!1;if(s!=t){for(let r=0;r<e;r++)if(s[r]!=t[r])return!1}}return!0}function P_(i,t=100){let e=i.
+length;if(e<=1)return!0;let n=0,s=e-1;for(;n<=s&&i[n]==null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Bn(1,jn((s-n+1)/t));for(let o=i[n],a=n+r;a<=s;a+=r){let c=i[a];if(c!=null){if(c<=o)return!1;o=c}}return!0}var dp=["January","February","March","April","May","June","July","August","September","October","November","December"],pp=["Sunday","Monday","Tuesday","Wednesday","Thursday","Frid\
+ay","Saturday"];function mp(i){return i.slice(0,3)}var I_=pp.map(mp),L_=dp.map(mp),D_={MMMM:dp,MMM:L_,WWWW:pp,WWW:I_};function Co(i){return(i<10?"0":"")+i}function U_(i){return(i<10?"00":i<100?"0":"")+i}var F_={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,t)=>t.MMMM[i.getMonth()],MMM:(i,t)=>t.MMM[i.getMonth()],MM:i=>Co(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>Co(i.getDate()),
+D:i=>i.getDate(),WWWW:(i,t)=>t.WWWW[i.getDay()],WWW:(i,t)=>t.WWW[i.getDay()],HH:i=>Co(i.getHours()),H:i=>i.getHours(),h:i=>{let t=i.getHours();return t==0?12:t>12?t-12:t},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>Co(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>Co(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>U_(i.getMilliseconds())};function Yh(i,t){
+t=t||D_;let e=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)e.push(s[0][0]=="{"?F_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<e.length;a++)o+=typeof e[a]=="string"?e[a]:e[a](r,t);return o}}var N_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function O_(i,t){let e;return t=="UTC"||t=="Etc/UTC"?e=new Date(+i+i.getTimezoneOffset()*6e4):t==N_?e=i:(e=new Date(i.toLocaleString("en-US",{timeZone:t})),
+e.setMilliseconds(i.getMilliseconds())),e}var gp=i=>i%1==0,Ba=[1,2,2.5,5],B_=Uo(10,-32,0,Ba),_p=Uo(10,0,32,Ba),z_=_p.filter(gp),Vs=B_.concat(_p),Zh=`
+`,vp="{YYYY}",Nd=Zh+vp,xp="{M}/{D}",Io=Zh+xp,Da=Io+"/{YY}",yp="{aa}",k_="{h}:{mm}",Er=k_+yp,Od=Zh+Er,Bd=":{ss}",Ce=null;function Mp(i){let t=i*1e3,e=t*60,n=e*60,s=n*24,r=s*30,o=s*365,c=(i==1?Uo(10,0,3,Ba).filter(gp):Uo(10,-3,0,Ba)).concat([t,t*5,t*10,t*15,t*30,e,e*5,e*10,e*15,e*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),
+l=[[o,vp,Ce,Ce,Ce,Ce,Ce,Ce,1],[s*28,"{MMM}",Nd,Ce,Ce,Ce,Ce,Ce,1],[s,xp,Nd,Ce,Ce,Ce,Ce,Ce,1],[n,"{h}"+yp,Da,Ce,Io,Ce,Ce,Ce,1],[e,Er,Da,Ce,Io,Ce,Ce,Ce,1],[t,Bd,Da+" "+Er,Ce,Io+" "+Er,Ce,Od,Ce,1],[i,Bd+".{fff}",Da+" "+Er,Ce,Io+" "+Er,Ce,Od,Ce,1]];function h(u){return(f,p,_,v,m,d)=>{let w=[],E=m>=o,y=m>=r&&m<o,L=u(_),A=Be(L*i,3),D=Ah(L.getFullYear(),E?0:L.getMonth(),y||E?1:L.getDate()),N=Be(D*i,3);if(y||
+E){let b=y?m/r:0,S=E?m/o:0,C=A==N?A:Be(Ah(D.getFullYear()+S,D.getMonth()+b,1)*i,3),O=new Date(on(C/i)),k=O.getFullYear(),G=O.getMonth();for(let W=0;C<=v;W++){let q=Ah(k+S*W,G+b*W,1),$=q-u(Be(q*i,3));C=Be((+q+$)*i,3),C<=v&&w.push(C)}}else{let b=m>=s?s:m,S=jn(_)-jn(A),C=N+S+Va(A-N,b);w.push(C);let O=u(C),k=O.getHours()+O.getMinutes()/e+O.getSeconds()/n,G=m/n,W=f.axes[p]._space,q=d/W;for(;C=Be(C+m,i==
+1?0:3),!(C>v);)if(G>1){let $=jn(Be(k+G,6))%24,ot=u(C).getHours()-$;ot>1&&(ot=-1),C-=ot*n,k=(k+G)%24;let _t=w[w.length-1];Be((C-_t)/m,3)*q>=.7&&w.push(C)}else w.push(C)}return w}}return[c,l,h]}var[V_,H_,G_]=Mp(1),[W_,X_,q_]=Mp(.001);Uo(2,-53,53,[1]);function zd(i,t){return i.map(e=>e.map((n,s)=>s==0||s==8||n==null?n:t(s==1||e[8]==0?n:e[1]+n)))}function kd(i,t){return(e,n,s,r,o)=>{let a=t.find(_=>o>=
+_[0])||t[t.length-1],c,l,h,u,f,p;return n.map(_=>{let v=i(_),m=v.getFullYear(),d=v.getMonth(),w=v.getDate(),E=v.getHours(),y=v.getMinutes(),L=v.getSeconds(),A=m!=c&&a[2]||d!=l&&a[3]||w!=h&&a[4]||E!=u&&a[5]||y!=f&&a[6]||L!=p&&a[7]||a[1];return c=m,l=d,h=w,u=E,f=y,p=L,A(v)})}}function Y_(i,t){let e=Yh(t);return(n,s,r,o,a)=>s.map(c=>e(i(c)))}function Ah(i,t,e){return new Date(i,t,e)}function Vd(i,t){
+return t(i)}var Z_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Hd(i,t){return(e,n,s,r)=>r==null?Vh:t(i(n))}function $_(i,t){let e=i.series[t];return e.width?e.stroke(i,t):e.points.width?e.points.stroke(i,t):null}function J_(i,t){return i.series[t].fill(i,t)}var K_={show:!0,live:!0,isolate:!1,mount:g_,markers:{show:!0,width:2,stroke:$_,fill:J_,dash:"solid"},idx:null,idxs:null,values:[]};function j_(i,t){
+let e=i.cursor.points,n=li(),s=e.size(i,t);qe(n,Ro,s),qe(n,Po,s);let r=s/-2;qe(n,"marginLeft",r),qe(n,"marginTop",r);let o=e.width(i,t,s);return o&&qe(n,"borderWidth",o),n}function Q_(i,t){let e=i.series[t].points;return e._fill||e._stroke}function tv(i,t){let e=i.series[t].points;return e._stroke||e._fill}function ev(i,t){return i.series[t].points.size}var Ch=[0,0];function nv(i,t,e){return Ch[0]=
+t,Ch[1]=e,Ch}function Ua(i,t,e,n=!0){return s=>{s.button==0&&(!n||s.target==t)&&e(s)}}function Rh(i,t,e,n=!0){return s=>{(!n||s.target==t)&&e(s)}}var iv={show:!0,x:!0,y:!0,lock:!1,move:nv,points:{one:!1,show:j_,size:ev,width:0,stroke:tv,fill:Q_},bind:{mousedown:Ua,mouseup:Ua,click:Ua,dblclick:Ua,mousemove:Rh,mouseleave:Rh,mouseenter:Rh},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(i,t)=>{t.stopPropagation(),
+t.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,t,e,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Sp={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},$h=nn({},Sp,{filter:lp}),bp=nn({},$h,{size:10}),wp=nn({},Sp,{show:!1}),Jh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", s\
+ans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Tp="bold "+Jh,Ep=1.5,Gd={show:!0,scale:"x",stroke:kh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Tp,side:2,grid:$h,ticks:bp,border:wp,font:Jh,lineGap:Ep,rotate:0},sv="Value",rv="Time",Wd={show:!0,scale:"x",auto:!1,sorted:1,min:Oe,max:-Oe,idxs:[]};function ov(i,t,e,n,s){return t.map(r=>r==
+null?"":Xh(r))}function av(i,t,e,n,s,r,o){let a=[],c=vs.get(s)||0;e=o?e:Be(Va(e,s),c);for(let l=e;l<=n;l=Be(l+s,c))a.push(Object.is(l,-0)?0:l);return a}function Fh(i,t,e,n,s,r,o){let a=[],c=i.scales[i.axes[t].scale].log,l=c==10?$i:rp,h=jn(l(e));s=Cr(c,h),c==10&&(s=Vs[Si(s,Vs)]);let u=e,f=s*c;c==10&&(f=Vs[Si(f,Vs)]);do a.push(u),u=u+s,c==10&&!vs.has(u)&&(u=Be(u,vs.get(s))),u>=f&&(s=u,f=s*c,c==10&&(f=
+Vs[Si(f,Vs)]));while(u<=n);return a}function lv(i,t,e,n,s,r,o){let c=i.scales[i.axes[t].scale].asinh,l=n>c?Fh(i,t,Bn(c,e),n,s):[c],h=n>=0&&e<=0?[0]:[];return(e<-c?Fh(i,t,Bn(c,-n),-e,s):[c]).reverse().map(f=>-f).concat(h,l)}var Ap=/./,cv=/[12357]/,hv=/[125]/,Xd=/1/,Nh=(i,t,e,n)=>i.map((s,r)=>t==4&&s==0||r%n==0&&e.test(s.toExponential()[s<0?1:0])?s:null);function uv(i,t,e,n,s){let r=i.axes[e],o=r.scale,
+a=i.scales[o],c=i.valToPos,l=r._space,h=c(10,o),u=c(9,o)-h>=l?Ap:c(7,o)-h>=l?cv:c(5,o)-h>=l?hv:Xd;if(u==Xd){let f=an(c(1,o)-h);if(f<l)return Nh(t.slice().reverse(),a.distr,u,ci(l/f)).reverse()}return Nh(t,a.distr,u,1)}function fv(i,t,e,n,s){let r=i.axes[e],o=r.scale,a=r._space,c=i.valToPos,l=an(c(1,o)-c(2,o));return l<a?Nh(t.slice().reverse(),3,Ap,ci(a/l)).reverse():t}function dv(i,t,e,n){return n==
+null?Vh:t==null?"":Xh(t)}var qd={show:!0,scale:"y",stroke:kh,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Tp,side:3,grid:$h,ticks:bp,border:wp,font:Jh,lineGap:Ep,rotate:0};function pv(i,t){let e=3+(i||1)*2;return Be(e*t,3)}function mv(i,t){let{scale:e,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],e,!0),o=i.valToPos(s[n[1]],e,!0),a=an(o-r),c=i.series[t],l=a/(c.points.space*
+Ae);return n[1]-n[0]<=l}var Yd={scale:null,auto:!0,sorted:0,min:Oe,max:-Oe},Cp=(i,t,e,n,s)=>s,Zd={show:!0,auto:!0,sorted:0,gaps:Cp,alpha:1,facets:[nn({},Yd,{scale:"x"}),nn({},Yd,{scale:"y"})]},$d={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Cp,alpha:1,points:{show:mv,filter:null},values:null,min:Oe,max:-Oe,idxs:[],path:null,clip:null};function gv(i,t,e,n,s){return e/10}var Rp={time:!0,auto:!0,
+distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},_v=nn({},Rp,{time:!1,ori:1}),Jd={};function Pp(i,t){let e=Jd[i];return e||(e={key:i,plots:[],sub(n){e.plots.push(n)},unsub(n){e.plots=e.plots.filter(s=>s!=n)},pub(n,s,r,o,a,c,l){for(let h=0;h<e.plots.length;h++)e.plots[h]!=s&&e.plots[h].pub(n,s,r,o,a,c,l)}},i!=null&&(Jd[i]=e)),e}var Ir=1,Oh=2;function Xs(i,t,e){let n=i.mode,s=i.series[t],r=n==2?
+i._data[t]:i._data,o=i.scales,a=i.bbox,c=r[0],l=n==2?r[1]:r[t],h=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],f=a.left,p=a.top,_=a.width,v=a.height,m=i.valToPosH,d=i.valToPosV;return h.ori==0?e(s,c,l,h,u,m,d,f,p,_,v,Wa,Dr,qa,Lp,Up):e(s,c,l,h,u,d,m,p,f,v,_,Xa,Ur,Qh,Dp,Fp)}function Kh(i,t){let e=0,n=0,s=be(i.bands,qh);for(let r=0;r<s.length;r++){let o=s[r];o.
+series[0]==t?e=o.dir:o.series[1]==t&&(o.dir==1?n|=1:n|=2)}return[e,n==1?-1:n==2?1:n==3?2:0]}function vv(i,t,e,n,s){let r=i.mode,o=i.series[t],a=r==2?o.facets[1].scale:o.scale,c=i.scales[a];return s==-1?c.min:s==1?c.max:c.distr==3?c.dir==1?c.min:c.max:0}function Ji(i,t,e,n,s,r){return Xs(i,t,(o,a,c,l,h,u,f,p,_,v,m)=>{let d=o.pxRound,w=l.dir*(l.ori==0?1:-1),E=l.ori==0?Dr:Ur,y,L;w==1?(y=e,L=n):(y=n,L=
+e);let A=d(u(a[y],l,v,p)),D=d(f(c[y],h,m,_)),N=d(u(a[L],l,v,p)),b=d(f(r==1?h.max:h.min,h,m,_)),S=new Path2D(s);return E(S,N,b),E(S,A,b),E(S,A,D),S})}function Ga(i,t,e,n,s,r){let o=null;if(i.length>0){o=new Path2D;let a=t==0?qa:Qh,c=e;for(let u=0;u<i.length;u++){let f=i[u];if(f[1]>f[0]){let p=f[0]-c;p>0&&a(o,c,n,p,n+r),c=f[1]}}let l=e+s-c,h=10;l>0&&a(o,c,n-h/2,l,n+r+h)}return o}function xv(i,t,e){let n=i[i.
+length-1];n&&n[0]==t?n[1]=e:i.push([t,e])}function jh(i,t,e,n,s,r,o){let a=[],c=i.length;for(let l=s==1?e:n;l>=e&&l<=n;l+=s)if(t[l]===null){let u=l,f=l;if(s==1)for(;++l<=n&&t[l]===null;)f=l;else for(;--l>=e&&t[l]===null;)f=l;let p=r(i[u]),_=f==u?p:r(i[f]),v=u-s;p=o<=0&&v>=0&&v<c?r(i[v]):p;let d=f+s;_=o>=0&&d>=0&&d<c?r(i[d]):_,_>=p&&a.push([p,_])}return a}function Kd(i){return i==0?ap:i==1?on:t=>ks(
+t,i)}function Ip(i){let t=i==0?Wa:Xa,e=i==0?(s,r,o,a,c,l)=>{s.arcTo(r,o,a,c,l)}:(s,r,o,a,c,l)=>{s.arcTo(o,r,c,a,l)},n=i==0?(s,r,o,a,c)=>{s.rect(r,o,a,c)}:(s,r,o,a,c)=>{s.rect(o,r,c,a)};return(s,r,o,a,c,l=0,h=0)=>{l==0&&h==0?n(s,r,o,a,c):(l=bi(l,a/2,c/2),h=bi(h,a/2,c/2),t(s,r+l,o),e(s,r+a,o,r+a,o+c,l),e(s,r+a,o+c,r,o+c,h),e(s,r,o+c,r,o,h),e(s,r,o,r+a,o,l),s.closePath())}}var Wa=(i,t,e)=>{i.moveTo(t,
+e)},Xa=(i,t,e)=>{i.moveTo(e,t)},Dr=(i,t,e)=>{i.lineTo(t,e)},Ur=(i,t,e)=>{i.lineTo(e,t)},qa=Ip(0),Qh=Ip(1),Lp=(i,t,e,n,s,r)=>{i.arc(t,e,n,s,r)},Dp=(i,t,e,n,s,r)=>{i.arc(e,t,n,s,r)},Up=(i,t,e,n,s,r,o)=>{i.bezierCurveTo(t,e,n,s,r,o)},Fp=(i,t,e,n,s,r,o)=>{i.bezierCurveTo(e,t,s,n,o,r)};function Np(i){return(t,e,n,s,r)=>Xs(t,e,(o,a,c,l,h,u,f,p,_,v,m)=>{let{pxRound:d,points:w}=o,E,y;l.ori==0?(E=Wa,y=Lp):
+(E=Xa,y=Dp);let L=Be(w.width*Ae,3),A=(w.size-w.width)/2*Ae,D=Be(A*2,3),N=new Path2D,b=new Path2D,{left:S,top:C,width:O,height:k}=t.bbox;qa(b,S-D,C-D,O+D*2,k+D*2);let G=W=>{if(c[W]!=null){let q=d(u(a[W],l,v,p)),$=d(f(c[W],h,m,_));E(N,q+A,$),y(N,q,$,A,0,Fa*2)}};if(r)r.forEach(G);else for(let W=n;W<=s;W++)G(W);return{stroke:L>0?N:null,fill:N,clip:b,flags:Ir|Oh}})}function Op(i){return(t,e,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(t,e,n),r!=s&&o!=s&&i(t,e,s),i(t,e,o))}}var yv=Op(Dr),Mv=Op(Ur);function Bp(i){let t=be(i?.alignGaps,0);return(e,n,s,r)=>Xs(e,n,(o,a,c,l,h,u,f,p,_,v,m)=>{[s,r]=za(c,s,r);let d=o.pxRound,w=k=>d(u(k,l,v,p)),E=k=>d(f(k,h,m,_)),y,L;l.ori==0?(y=Dr,L=yv):(y=Ur,L=Mv);let A=l.dir*(l.ori==0?1:-1),D={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Ir},N=D.stroke,b=!1;if(r-
+s>=v*4){let k=pt=>e.posToVal(pt,l.key,!0),G=null,W=null,q,$,j,rt=w(a[A==1?s:r]),ot=w(a[s]),_t=w(a[r]),xt=k(A==1?ot+1:_t-1);for(let pt=A==1?s:r;pt>=s&&pt<=r;pt+=A){let ee=a[pt],Q=(A==1?ee<xt:ee>xt)?rt:w(ee),tt=c[pt];Q==rt?tt!=null?($=tt,G==null?(y(N,Q,E($)),q=G=W=$):$<G?G=$:$>W&&(W=$)):tt===null&&(b=!0):(G!=null&&L(N,rt,E(G),E(W),E(q),E($)),tt!=null?($=tt,y(N,Q,E($)),G=W=q=$):(G=W=null,tt===null&&(b=
+!0)),rt=Q,xt=k(rt+A))}G!=null&&G!=W&&j!=rt&&L(N,rt,E(G),E(W),E(q),E($))}else for(let k=A==1?s:r;k>=s&&k<=r;k+=A){let G=c[k];G===null?b=!0:G!=null&&y(N,w(a[k]),E(G))}let[C,O]=Kh(e,n);if(o.fill!=null||C!=0){let k=D.fill=new Path2D(N),G=o.fillTo(e,n,o.min,o.max,C),W=E(G),q=w(a[s]),$=w(a[r]);A==-1&&([$,q]=[q,$]),y(k,$,W),y(k,q,W)}if(!o.spanGaps){let k=[];b&&k.push(...jh(a,c,s,r,A,w,t)),D.gaps=k=o.gaps(
+e,n,s,r,k),D.clip=Ga(k,l.ori,p,_,v,m)}return O!=0&&(D.band=O==2?[Ji(e,n,s,r,N,-1),Ji(e,n,s,r,N,1)]:Ji(e,n,s,r,N,O)),D})}function Sv(i){let t=be(i.align,1),e=be(i.ascDesc,!1),n=be(i.alignGaps,0),s=be(i.extend,!1);return(r,o,a,c)=>Xs(r,o,(l,h,u,f,p,_,v,m,d,w,E)=>{[a,c]=za(u,a,c);let y=l.pxRound,{left:L,width:A}=r.bbox,D=ot=>y(_(ot,f,w,m)),N=ot=>y(v(ot,p,E,d)),b=f.ori==0?Dr:Ur,S={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Ir},C=S.stroke,O=f.dir*(f.ori==0?1:-1),k=N(u[O==1?a:c]),G=D(h[O==1?a:c]),W=G,q=G;s&&t==-1&&(q=L,b(C,q,k)),b(C,G,k);for(let ot=O==1?a:c;ot>=a&&ot<=c;ot+=O){let _t=u[ot];if(_t==null)continue;let xt=D(h[ot]),pt=N(_t);t==1?b(C,xt,k):b(C,W,pt),b(C,xt,pt),k=pt,W=xt}let $=W;s&&t==1&&($=L+A,b(C,$,k));let[j,rt]=Kh(r,o);if(l.fill!=null||j!=0){let ot=S.fill=new Path2D(C),_t=l.
+fillTo(r,o,l.min,l.max,j),xt=N(_t);b(ot,$,xt),b(ot,q,xt)}if(!l.spanGaps){let ot=[];ot.push(...jh(h,u,a,c,O,D,n));let _t=l.width*Ae/2,xt=e||t==1?_t:-_t,pt=e||t==-1?-_t:_t;ot.forEach(ee=>{ee[0]+=xt,ee[1]+=pt}),S.gaps=ot=l.gaps(r,o,a,c,ot),S.clip=Ga(ot,f.ori,m,d,w,E)}return rt!=0&&(S.band=rt==2?[Ji(r,o,a,c,C,-1),Ji(r,o,a,c,C,1)]:Ji(r,o,a,c,C,rt)),S})}function jd(i,t,e,n,s,r,o=Oe){if(i.length>1){let a=null;
+for(let c=0,l=1/0;c<i.length;c++)if(t[c]!==void 0){if(a!=null){let h=an(i[c]-i[a]);h<l&&(l=h,o=an(e(i[c],n,s,r)-e(i[a],n,s,r)))}a=c}}return o}function bv(i){i=i||Do;let t=be(i.size,[.6,Oe,1]),e=i.align||0,n=i.gap||0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=de(s),o=1-t[0],a=be(t[1],Oe),c=be(t[2],1),l=be(i.disp,Do),h=be(i.each,p=>{}),{fill:u,stroke:f}=l;return(p,_,v,m)=>Xs(p,_,(d,w,E,y,L,A,D,N,b,S,C)=>{
+let O=d.pxRound,k=e,G=n*Ae,W=a*Ae,q=c*Ae,$,j;y.ori==0?[$,j]=r(p,_):[j,$]=r(p,_);let rt=y.dir*(y.ori==0?1:-1),ot=y.ori==0?qa:Qh,_t=y.ori==0?h:(F,J,nt,et,Nt,ht,It)=>{h(F,J,nt,Nt,et,It,ht)},xt=be(p.bands,qh).find(F=>F.series[0]==_),pt=xt!=null?xt.dir:0,ee=d.fillTo(p,_,d.min,d.max,pt),$t=O(D(ee,L,C,b)),Q,tt,Mt,Ot=S,vt=O(d.width*Ae),Qt=!1,Pe=null,U=null,ve=null,Kt=null;u!=null&&(vt==0||f!=null)&&(Qt=!0,
+Pe=u.values(p,_,v,m),U=new Map,new Set(Pe).forEach(F=>{F!=null&&U.set(F,new Path2D)}),vt>0&&(ve=f.values(p,_,v,m),Kt=new Map,new Set(ve).forEach(F=>{F!=null&&Kt.set(F,new Path2D)})));let{x0:qt,size:Ft}=l;if(qt!=null&&Ft!=null){k=1,w=qt.values(p,_,v,m),qt.unit==2&&(w=w.map(nt=>p.posToVal(N+nt*S,y.key,!0)));let F=Ft.values(p,_,v,m);Ft.unit==2?tt=F[0]*S:tt=A(F[0],y,S,N)-A(0,y,S,N),Ot=jd(w,E,A,y,S,N,Ot),
+Mt=Ot-tt+G}else Ot=jd(w,E,A,y,S,N,Ot),Mt=Ot*o+G,tt=Ot-Mt;Mt<1&&(Mt=0),vt>=tt/2&&(vt=0),Mt<5&&(O=ap);let Ie=Mt>0,Rt=Ot-Mt-(Ie?vt:0);tt=O(Uh(Rt,q,W)),Q=(k==0?tt/2:k==rt?0:tt)-k*rt*((k==0?G/2:0)+(Ie?vt/2:0));let Gt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},He=Qt?null:new Path2D,we=null;if(xt!=null)we=p.data[xt.series[1]];else{let{y0:F,y1:J}=l;F!=null&&J!=null&&(E=J.values(p,_,v,m),
+we=F.values(p,_,v,m))}let P=$*tt,x=j*tt;for(let F=rt==1?v:m;F>=v&&F<=m;F+=rt){let J=E[F];if(J==null)continue;if(we!=null){let gt=we[F]??0;if(J-gt==0)continue;$t=D(gt,L,C,b)}let nt=y.distr!=2||l!=null?w[F]:F,et=A(nt,y,S,N),Nt=D(be(J,ee),L,C,b),ht=O(et-Q),It=O(Bn(Nt,$t)),Et=O(bi(Nt,$t)),at=It-Et;if(J!=null){let gt=J<0?x:P,kt=J<0?P:x;Qt?(vt>0&&ve[F]!=null&&ot(Kt.get(ve[F]),ht,Et+jn(vt/2),tt,Bn(0,at-vt),
+gt,kt),Pe[F]!=null&&ot(U.get(Pe[F]),ht,Et+jn(vt/2),tt,Bn(0,at-vt),gt,kt)):ot(He,ht,Et+jn(vt/2),tt,Bn(0,at-vt),gt,kt),_t(p,_,F,ht-vt/2,Et,tt+vt,at)}}return vt>0?Gt.stroke=Qt?Kt:He:Qt||(Gt._fill=d.width==0?d._fill:d._stroke??d._fill,Gt.width=0),Gt.fill=Qt?U:He,Gt})}function wv(i,t){let e=be(t?.alignGaps,0);return(n,s,r,o)=>Xs(n,s,(a,c,l,h,u,f,p,_,v,m,d)=>{[r,o]=za(l,r,o);let w=a.pxRound,E=$=>w(f($,h,
+m,_)),y=$=>w(p($,u,d,v)),L,A,D;h.ori==0?(L=Wa,D=Dr,A=Up):(L=Xa,D=Ur,A=Fp);let N=h.dir*(h.ori==0?1:-1),b=E(c[N==1?r:o]),S=b,C=[],O=[];for(let $=N==1?r:o;$>=r&&$<=o;$+=N)if(l[$]!=null){let rt=c[$],ot=E(rt);C.push(S=ot),O.push(y(l[$]))}let k={stroke:i(C,O,L,D,A,w),fill:null,clip:null,band:null,gaps:null,flags:Ir},G=k.stroke,[W,q]=Kh(n,s);if(a.fill!=null||W!=0){let $=k.fill=new Path2D(G),j=a.fillTo(n,
+s,a.min,a.max,W),rt=y(j);D($,S,rt),D($,b,rt)}if(!a.spanGaps){let $=[];$.push(...jh(c,l,r,o,N,E,e)),k.gaps=$=a.gaps(n,s,r,o,$),k.clip=Ga($,h.ori,_,v,m,d)}return q!=0&&(k.band=q==2?[Ji(n,s,r,o,G,-1),Ji(n,s,r,o,G,1)]:Ji(n,s,r,o,G,q)),k})}function Tv(i){return wv(Ev,i)}function Ev(i,t,e,n,s,r){let o=i.length;if(o<2)return null;let a=new Path2D;if(e(a,i[0],t[0]),o==2)n(a,i[1],t[1]);else{let c=Array(o),
+l=Array(o-1),h=Array(o-1),u=Array(o-1);for(let f=0;f<o-1;f++)h[f]=t[f+1]-t[f],u[f]=i[f+1]-i[f],l[f]=h[f]/u[f];c[0]=l[0];for(let f=1;f<o-1;f++)l[f]===0||l[f-1]===0||l[f-1]>0!=l[f]>0?c[f]=0:(c[f]=3*(u[f-1]+u[f])/((2*u[f]+u[f-1])/l[f-1]+(u[f]+2*u[f-1])/l[f]),isFinite(c[f])||(c[f]=0));c[o-1]=l[o-2];for(let f=0;f<o-1;f++)s(a,i[f]+u[f]/3,t[f]+c[f]*u[f]/3,i[f+1]-u[f]/3,t[f+1]-c[f+1]*u[f]/3,i[f+1],t[f+1])}
+return a}var Bh=new Set;function Qd(){for(let i of Bh)i.syncRect(!0)}Lr&&(Gs(o_,Ar,Qd),Gs(a_,Ar,Qd,!0),Gs(Na,Ar,()=>{_n.pxRatio=Ae}));var Av=Bp(),Cv=Np();function tp(i,t,e,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>zh(r,o,t,e))}function Rv(i,t){return i.map((e,n)=>n==0?{}:nn({},t,e))}function zh(i,t,e,n){return nn({},t==0?e:n,i)}function zp(i,t,e){return t==null?
+Rr:[t,e]}var Pv=zp;function Iv(i,t,e){return t==null?Rr:Oa(t,e,Wh,!0)}function kp(i,t,e,n){return t==null?Rr:ka(t,e,i.scales[n].log,!1)}var Lv=kp;function Vp(i,t,e,n){return t==null?Rr:Gh(t,e,i.scales[n].log,!1)}var Dv=Vp;function Uv(i,t,e,n,s){let r=Bn(Ld(i),Ld(t)),o=t-i,a=Si(s/n*o,e);do{let c=e[a],l=n*c/o;if(l>=s&&r+(c<5?vs.get(c):0)<=17)return[c,l]}while(++a<e.length);return[0,0]}function ep(i){
+let t,e;return i=i.replace(/(\d+)px/,(n,s)=>(t=on((e=+s)*Ae))+"px"),[i,t,e]}function Fv(i){i.show&&[i.font,i.labelFont].forEach(t=>{let e=Be(t[2]*Ae,1);t[0]=t[0].replace(/[0-9.]+px/,e+"px"),t[1]=e})}function _n(i,t,e){let n={mode:be(i.mode,1)},s=n.mode;function r(g,M,R,I){let z=M.valToPct(g);return I+R*(M.dir==-1?1-z:z)}function o(g,M,R,I){let z=M.valToPct(g);return I+R*(M.dir==-1?z:1-z)}function a(g,M,R,I){
+return M.ori==0?r(g,M,R,I):o(g,M,R,I)}n.valToPosH=r,n.valToPosV=o;let c=!1;n.status=0;let l=n.root=li(H0);if(i.id!=null&&(l.id=i.id),Kn(l,i.class),i.title){let g=li(X0,l);g.textContent=i.title}let h=Mi("canvas"),u=n.ctx=h.getContext("2d"),f=li(q0,l);Gs("click",f,g=>{g.target===_&&(Ge!=mr||Ze!=gr)&&yn.click(n,g)},!0);let p=n.under=li(Y0,f);f.appendChild(h);let _=n.over=li(Z0,f);i=Pr(i);let v=+be(i.
+pxAlign,1),m=Kd(v);(i.plugins||[]).forEach(g=>{g.opts&&(i=g.opts(n,i)||i)});let d=i.ms||.001,w=n.series=s==1?tp(i.series||[],Wd,$d,!1):Rv(i.series||[null],Zd),E=n.axes=tp(i.axes||[],Gd,qd,!0),y=n.scales={},L=n.bands=i.bands||[];L.forEach(g=>{g.fill=de(g.fill||null),g.dir=be(g.dir,-1)});let A=s==2?w[1].facets[0].scale:w[0].scale,D={axes:c0,series:Us},N=(i.drawOrder||["axes","series"]).map(g=>D[g]);
+function b(g){let M=g.distr==3?R=>$i(R>0?R:g.clamp(n,R,g.min,g.max,g.key)):g.distr==4?R=>Eh(R,g.asinh):g.distr==100?R=>g.fwd(R):R=>R;return R=>{let I=M(R),{_min:z,_max:Y}=g,it=Y-z;return(I-z)/it}}function S(g){let M=y[g];if(M==null){let R=(i.scales||Do)[g]||Do;if(R.from!=null){S(R.from);let I=nn({},y[R.from],R,{key:g});I.valToPct=b(I),y[g]=I}else{M=y[g]=nn({},g==A?Rp:_v,R),M.key=g;let I=M.time,z=M.
+range,Y=_s(z);if((g!=A||s==2&&!I)&&(Y&&(z[0]==null||z[1]==null)&&(z={min:z[0]==null?Rd:{mode:1,hard:z[0],soft:z[0]},max:z[1]==null?Rd:{mode:1,hard:z[1],soft:z[1]}},Y=!1),!Y&&Ha(z))){let it=z;z=(lt,mt,Tt)=>mt==null?Rr:Oa(mt,Tt,it)}M.range=de(z||(I?Pv:g==A?M.distr==3?Lv:M.distr==4?Dv:zp:M.distr==3?kp:M.distr==4?Vp:Iv)),M.auto=de(Y?!1:M.auto),M.clamp=de(M.clamp||gv),M._min=M._max=null,M.valToPct=b(M)}}}
+S("x"),S("y"),s==1&&w.forEach(g=>{S(g.scale)}),E.forEach(g=>{S(g.scale)});for(let g in i.scales)S(g);let C=y[A],O=C.distr,k,G;C.ori==0?(Kn(l,G0),k=r,G=o):(Kn(l,W0),k=o,G=r);let W={};for(let g in y){let M=y[g];(M.min!=null||M.max!=null)&&(W[g]={min:M.min,max:M.max},M.min=M.max=null)}let q=i.tzDate||(g=>new Date(on(g/d))),$=i.fmtDate||Yh,j=d==1?G_(q):q_(q),rt=kd(q,zd(d==1?H_:X_,$)),ot=Hd(q,Vd(Z_,$)),
+_t=[],xt=n.legend=nn({},K_,i.legend),pt=n.cursor=nn({},iv,{drag:{y:s==2}},i.cursor),ee=xt.show,$t=pt.show,Q=xt.markers;xt.idxs=_t,Q.width=de(Q.width),Q.dash=de(Q.dash),Q.stroke=de(Q.stroke),Q.fill=de(Q.fill);let tt,Mt,Ot,vt=[],Qt=[],Pe,U=!1,ve={};if(xt.live){let g=w[1]?w[1].values:null;U=g!=null,Pe=U?g(n,1,0):{_:0};for(let M in Pe)ve[M]=Vh}if(ee)if(tt=Mi("table",t_,l),Ot=Mi("tbody",null,tt),xt.mount(
+n,tt),U){Mt=Mi("thead",null,tt,Ot);let g=Mi("tr",null,Mt);Mi("th",null,g);for(var Kt in Pe)Mi("th",gd,g).textContent=Kt}else Kn(tt,n_),xt.live&&Kn(tt,e_);let qt={show:!0},Ft={show:!1};function Ie(g,M){if(M==0&&(U||!xt.live||s==2))return Rr;let R=[],I=Mi("tr",i_,Ot,Ot.childNodes[M]);Kn(I,g.class),g.show||Kn(I,Hs);let z=Mi("th",null,I);if(Q.show){let lt=li(s_,z);if(M>0){let mt=Q.width(n,M);mt&&(lt.style.
+border=mt+"px "+Q.dash(n,M)+" "+Q.stroke(n,M)),lt.style.background=Q.fill(n,M)}}let Y=li(gd,z);g.label instanceof HTMLElement?Y.appendChild(g.label):Y.textContent=g.label,M>0&&(Q.show||(Y.style.color=g.width>0?Q.stroke(n,M):Q.fill(n,M)),Gt("click",z,lt=>{if(pt._lock)return;xn(lt);let mt=w.indexOf(g);if((lt.ctrlKey||lt.metaKey)!=xt.isolate){let Tt=w.some((At,Dt)=>Dt>0&&Dt!=mt&&At.show);w.forEach((At,Dt)=>{
+Dt>0&&Ui(Dt,Tt?Dt==mt?qt:Ft:qt,!0,en.setSeries)})}else Ui(mt,{show:!g.show},!0,en.setSeries)},!1),kn&&Gt(yd,z,lt=>{pt._lock||(xn(lt),Ui(w.indexOf(g),vr,!0,en.setSeries))},!1));for(var it in Pe){let lt=Mi("td",r_,I);lt.textContent="--",R.push(lt)}return[I,R]}let Rt=new Map;function Gt(g,M,R,I=!0){let z=Rt.get(M)||{},Y=pt.bind[g](n,M,R,I);Y&&(Gs(g,M,z[g]=Y),Rt.set(M,z))}function He(g,M,R){let I=Rt.get(
+M)||{};for(let z in I)(g==null||z==g)&&(Dh(z,M,I[z]),delete I[z]);g==null&&Rt.delete(M)}let we=0,P=0,x=0,F=0,J=0,nt=0,et=J,Nt=nt,ht=x,It=F,Et=0,at=0,gt=0,kt=0;n.bbox={};let zt=!1,yt=!1,te=!1,B=!1,ut=!1,dt=!1;function Pt(g,M,R){(R||g!=n.width||M!=n.height)&&ct(g,M),ur(!1),te=!0,yt=!0,fr()}function ct(g,M){n.width=we=x=g,n.height=P=F=M,J=nt=0,Ue(),ye();let R=n.bbox;Et=R.left=ks(J*Ae,.5),at=R.top=ks(
+nt*Ae,.5),gt=R.width=ks(x*Ae,.5),kt=R.height=ks(F*Ae,.5)}let st=3;function Bt(){let g=!1,M=0;for(;!g;){M++;let R=a0(M),I=l0(M);g=M==st||R&&I,g||(ct(n.width,n.height),yt=!0)}}function ne({width:g,height:M}){Pt(g,M)}n.setSize=ne;function Ue(){let g=!1,M=!1,R=!1,I=!1;E.forEach((z,Y)=>{if(z.show&&z._show){let{side:it,_size:lt}=z,mt=it%2,Tt=z.label!=null?z.labelSize:0,At=lt+Tt;At>0&&(mt?(x-=At,it==3?(J+=
+At,I=!0):R=!0):(F-=At,it==0?(nt+=At,g=!0):M=!0))}}),qi[0]=g,qi[1]=R,qi[2]=M,qi[3]=I,x-=Di[1]+Di[3],J+=Di[3],F-=Di[2]+Di[0],nt+=Di[0]}function ye(){let g=J+x,M=nt+F,R=J,I=nt;function z(Y,it){switch(Y){case 1:return g+=it,g-it;case 2:return M+=it,M-it;case 3:return R-=it,R+it;case 0:return I-=it,I+it}}E.forEach((Y,it)=>{if(Y.show&&Y._show){let lt=Y.side;Y._pos=z(lt,Y._size),Y.label!=null&&(Y._lpos=z(
+lt,Y.labelSize))}})}if(pt.dataIdx==null){let g=pt.hover,M=g.skip=new Set(g.skip??[]);M.add(void 0);let R=g.prox=de(g.prox),I=g.bias??=0;pt.dataIdx=(z,Y,it,lt)=>{if(Y==0)return it;let mt=it,Tt=R(z,Y,it,lt)??Oe,At=Tt>=0&&Tt<Oe,Dt=C.ori==0?x:F,ie=pt.left,Te=t[0],Se=t[Y];if(M.has(Se[it])){mt=null;let he=null,jt=null,Ht;if(I==0||I==-1)for(Ht=it;he==null&&Ht-- >0;)M.has(Se[Ht])||(he=Ht);if(I==0||I==1)for(Ht=
+it;jt==null&&Ht++<Se.length;)M.has(Se[Ht])||(jt=Ht);if(he!=null||jt!=null)if(At){let Xe=he==null?-1/0:k(Te[he],C,Dt,0),Je=jt==null?1/0:k(Te[jt],C,Dt,0),gn=ie-Xe,Fe=Je-ie;gn<=Fe?gn<=Tt&&(mt=he):Fe<=Tt&&(mt=jt)}else mt=jt==null?he:he==null?jt:it-he<=jt-it?he:jt}else At&&an(ie-k(Te[it],C,Dt,0))>Tt&&(mt=null);return mt}}let xn=g=>{pt.event=g};pt.idxs=_t,pt._lock=!1;let Ne=pt.points;Ne.show=de(Ne.show),
+Ne.size=de(Ne.size),Ne.stroke=de(Ne.stroke),Ne.width=de(Ne.width),Ne.fill=de(Ne.fill);let Yn=n.focus=nn({},i.focus||{alpha:.3},pt.focus),kn=Yn.prox>=0,Li=kn&&Ne.one,Pn=[],Xi=[],mi=[];function vo(g,M){let R=Ne.show(n,M);if(R instanceof HTMLElement)return Kn(R,Q0),Kn(R,g.class),Bi(R,-10,-10,x,F),_.insertBefore(R,Pn[M]),R}function Ls(g,M){if(s==1||M>0){let R=s==1&&y[g.scale].time,I=g.value;g.value=R?
+Fd(I)?Hd(q,Vd(I,$)):I||ot:I||dv,g.label=g.label||(R?rv:sv)}if(Li||M>0){g.width=g.width==null?1:g.width,g.paths=g.paths||Av||__,g.fillTo=de(g.fillTo||vv),g.pxAlign=+be(g.pxAlign,v),g.pxRound=Kd(g.pxAlign),g.stroke=de(g.stroke||null),g.fill=de(g.fill||null),g._stroke=g._fill=g._paths=g._focus=null;let R=pv(Bn(1,g.width),1),I=g.points=nn({},{size:R,width:Bn(1,R*.2),stroke:g.stroke,space:R*2,paths:Cv,
+_stroke:null,_fill:null},g.points);I.show=de(I.show),I.filter=de(I.filter),I.fill=de(I.fill),I.stroke=de(I.stroke),I.paths=de(I.paths),I.pxAlign=g.pxAlign}if(ee){let R=Ie(g,M);vt.splice(M,0,R[0]),Qt.splice(M,0,R[1]),xt.values.push(null)}if($t){_t.splice(M,0,null);let R=null;Li?M==0&&(R=vo(g,M)):M>0&&(R=vo(g,M)),Pn.splice(M,0,R),Xi.splice(M,0,0),mi.splice(M,0,0)}mn("addSeries",M)}function ba(g,M){M=
+M??w.length,g=s==1?zh(g,M,Wd,$d):zh(g,M,{},Zd),w.splice(M,0,g),Ls(w[M],M)}n.addSeries=ba;function wa(g){if(w.splice(g,1),ee){xt.values.splice(g,1),Qt.splice(g,1);let M=vt.splice(g,1)[0];He(null,M.firstChild),M.remove()}$t&&(_t.splice(g,1),Pn.splice(g,1)[0].remove(),Xi.splice(g,1),mi.splice(g,1)),mn("delSeries",g)}n.delSeries=wa;let qi=[!1,!1,!1,!1];function nh(g,M){if(g._show=g.show,g.show){let R=g.
+side%2,I=y[g.scale];I==null&&(g.scale=R?w[1].scale:A,I=y[g.scale]);let z=I.time;g.size=de(g.size),g.space=de(g.space),g.rotate=de(g.rotate),_s(g.incrs)&&g.incrs.forEach(it=>{!vs.has(it)&&vs.set(it,hp(it))}),g.incrs=de(g.incrs||(I.distr==2?z_:z?d==1?V_:W_:Vs)),g.splits=de(g.splits||(z&&I.distr==1?j:I.distr==3?Fh:I.distr==4?lv:av)),g.stroke=de(g.stroke),g.grid.stroke=de(g.grid.stroke),g.ticks.stroke=
+de(g.ticks.stroke),g.border.stroke=de(g.border.stroke);let Y=g.values;g.values=_s(Y)&&!_s(Y[0])?de(Y):z?_s(Y)?kd(q,zd(Y,$)):Fd(Y)?Y_(q,Y):Y||rt:Y||ov,g.filter=de(g.filter||(I.distr>=3&&I.log==10?uv:I.distr==3&&I.log==2?fv:lp)),g.font=ep(g.font),g.labelFont=ep(g.labelFont),g._size=g.size(n,null,M,0),g._space=g._rotate=g._incrs=g._found=g._splits=g._values=null,g._size>0&&(qi[M]=!0,g._el=li($0,f))}}
+function Ds(g,M,R,I){let[z,Y,it,lt]=R,mt=M%2,Tt=0;return mt==0&&(lt||Y)&&(Tt=M==0&&!z||M==2&&!it?on(Gd.size/3):0),mt==1&&(z||it)&&(Tt=M==1&&!Y||M==3&&!lt?on(qd.size/2):0),Tt}let Ta=n.padding=(i.padding||[Ds,Ds,Ds,Ds]).map(g=>de(be(g,Ds))),Di=n._padding=Ta.map((g,M)=>g(n,M,qi,0)),rn,T=null,V=null,K=s==1?w[0].idxs:null,Z=null,H=!1;function ft(g,M){if(t=g??[],n.data=n._data=t,s==2){rn=0;for(let R=1;R<
+w.length;R++)rn+=t[R][0].length}else{t.length==0&&(n.data=n._data=t=[[]]),Z=t[0],rn=Z.length;let R=t;if(O==2){R=t.slice();let I=R[0]=Array(rn);for(let z=0;z<rn;z++)I[z]=z}n._data=t=R}if(ur(!0),mn("setData"),O==2&&(te=!0),M!==!1){let R=C;R.auto(n,H)?St():ps(A,R.min,R.max),B=B||pt.left>=0,dt=!0,fr()}}n.setData=ft;function St(){H=!0;let g,M;s==1&&(rn>0?(T=K[0]=0,V=K[1]=rn-1,g=t[0][T],M=t[0][V],O==2?(g=
+T,M=V):g==M&&(O==3?[g,M]=ka(g,g,C.log,!1):O==4?[g,M]=Gh(g,g,C.log,!1):C.time?M=g+on(86400/d):[g,M]=Oa(g,M,Wh,!0))):(T=K[0]=g=null,V=K[1]=M=null)),ps(A,g,M)}let Lt,wt,Zt,Jt,Vt,ae,Me,ze,Le,se;function Yt(g,M,R,I,z,Y){g??=vd,R??=qh,I??="butt",z??=vd,Y??="round",g!=Lt&&(u.strokeStyle=Lt=g),z!=wt&&(u.fillStyle=wt=z),M!=Zt&&(u.lineWidth=Zt=M),Y!=Vt&&(u.lineJoin=Vt=Y),I!=ae&&(u.lineCap=ae=I),R!=Jt&&u.setLineDash(
+Jt=R)}function ke(g,M,R,I){M!=wt&&(u.fillStyle=wt=M),g!=Me&&(u.font=Me=g),R!=ze&&(u.textAlign=ze=R),I!=Le&&(u.textBaseline=Le=I)}function ue(g,M,R,I,z=0){if(I.length>0&&g.auto(n,H)&&(M==null||M.min==null)){let Y=be(T,0),it=be(V,I.length-1),lt=R.min==null?u_(I,Y,it,z,g.distr==3):[R.min,R.max];g.min=bi(g.min,R.min=lt[0]),g.max=Bn(g.max,R.max=lt[1])}}let bn={min:null,max:null};function us(){for(let I in y){
+let z=y[I];W[I]==null&&(z.min==null||W[A]!=null&&z.auto(n,H))&&(W[I]=bn)}for(let I in y){let z=y[I];W[I]==null&&z.from!=null&&W[z.from]!=null&&(W[I]=bn)}W[A]!=null&&ur(!0);let g={};for(let I in W){let z=W[I];if(z!=null){let Y=g[I]=Pr(y[I],y_);if(z.min!=null)nn(Y,z);else if(I!=A||s==2)if(rn==0&&Y.from==null){let it=Y.range(n,null,null,I);Y.min=it[0],Y.max=it[1]}else Y.min=Oe,Y.max=-Oe}}if(rn>0){w.forEach(
+(I,z)=>{if(s==1){let Y=I.scale,it=W[Y];if(it==null)return;let lt=g[Y];if(z==0){let mt=lt.range(n,lt.min,lt.max,Y);lt.min=mt[0],lt.max=mt[1],T=Si(lt.min,t[0]),V=Si(lt.max,t[0]),V-T>1&&(t[0][T]<lt.min&&T++,t[0][V]>lt.max&&V--),I.min=Z[T],I.max=Z[V]}else I.show&&I.auto&&ue(lt,it,I,t[z],I.sorted);I.idxs[0]=T,I.idxs[1]=V}else if(z>0&&I.show&&I.auto){let[Y,it]=I.facets,lt=Y.scale,mt=it.scale,[Tt,At]=t[z],
+Dt=g[lt],ie=g[mt];Dt!=null&&ue(Dt,W[lt],Y,Tt,Y.sorted),ie!=null&&ue(ie,W[mt],it,At,it.sorted),I.min=it.min,I.max=it.max}});for(let I in g){let z=g[I],Y=W[I];if(z.from==null&&(Y==null||Y.min==null)){let it=z.range(n,z.min==Oe?null:z.min,z.max==-Oe?null:z.max,I);z.min=it[0],z.max=it[1]}}}for(let I in g){let z=g[I];if(z.from!=null){let Y=g[z.from];if(Y.min==null)z.min=z.max=null;else{let it=z.range(n,
+Y.min,Y.max,I);z.min=it[0],z.max=it[1]}}}let M={},R=!1;for(let I in g){let z=g[I],Y=y[I];if(Y.min!=z.min||Y.max!=z.max){Y.min=z.min,Y.max=z.max;let it=Y.distr;Y._min=it==3?$i(Y.min):it==4?Eh(Y.min,Y.asinh):it==100?Y.fwd(Y.min):Y.min,Y._max=it==3?$i(Y.max):it==4?Eh(Y.max,Y.asinh):it==100?Y.fwd(Y.max):Y.max,M[I]=R=!0}}if(R){w.forEach((I,z)=>{s==2?z>0&&M.y&&(I._paths=null):M[I.scale]&&(I._paths=null)});
+for(let I in M)te=!0,mn("setScale",I);$t&&pt.left>=0&&(B=dt=!0)}for(let I in W)W[I]=null}function In(g){let M=Uh(T-1,0,rn-1),R=Uh(V+1,0,rn-1);for(;g[M]==null&&M>0;)M--;for(;g[R]==null&&R<rn-1;)R++;return[M,R]}function Us(){if(rn>0){let g=w.some(M=>M._focus)&&se!=Yn.alpha;g&&(u.globalAlpha=se=Yn.alpha),w.forEach((M,R)=>{if(R>0&&M.show&&(Ve(R,!1),Ve(R,!0),M._paths==null)){let I=se;se!=M.alpha&&(u.globalAlpha=
+se=M.alpha);let z=s==2?[0,t[R][0].length-1]:In(t[R]);M._paths=M.paths(n,R,z[0],z[1]),se!=I&&(u.globalAlpha=se=I)}}),w.forEach((M,R)=>{if(R>0&&M.show){let I=se;se!=M.alpha&&(u.globalAlpha=se=M.alpha),M._paths!=null&&Ln(R,!1);{let z=M._paths!=null?M._paths.gaps:null,Y=M.points.show(n,R,T,V,z),it=M.points.filter(n,R,Y,z);(Y||it)&&(M.points._paths=M.points.paths(n,R,T,V,it),Ln(R,!0))}se!=I&&(u.globalAlpha=
+se=I),mn("drawSeries",R)}}),g&&(u.globalAlpha=se=1)}}function Ve(g,M){let R=M?w[g].points:w[g];R._stroke=R.stroke(n,g),R._fill=R.fill(n,g)}function Ln(g,M){let R=M?w[g].points:w[g],{stroke:I,fill:z,clip:Y,flags:it,_stroke:lt=R._stroke,_fill:mt=R._fill,_width:Tt=R.width}=R._paths;Tt=Be(Tt*Ae,3);let At=null,Dt=Tt%2/2;M&&mt==null&&(mt=Tt>0?"#fff":lt);let ie=R.pxAlign==1&&Dt>0;if(ie&&u.translate(Dt,Dt),
+!M){let Te=Et-Tt/2,Se=at-Tt/2,he=gt+Tt,jt=kt+Tt;At=new Path2D,At.rect(Te,Se,he,jt)}M?fn(lt,Tt,R.dash,R.cap,mt,I,z,it,Y):Vn(g,lt,Tt,R.dash,R.cap,mt,I,z,it,At,Y),ie&&u.translate(-Dt,-Dt)}function Vn(g,M,R,I,z,Y,it,lt,mt,Tt,At){let Dt=!1;mt!=0&&L.forEach((ie,Te)=>{if(ie.series[0]==g){let Se=w[ie.series[1]],he=t[ie.series[1]],jt=(Se._paths||Do).band;_s(jt)&&(jt=ie.dir==1?jt[0]:jt[1]);let Ht,Xe=null;Se.
+show&&jt&&d_(he,T,V)?(Xe=ie.fill(n,Te)||Y,Ht=Se._paths.clip):jt=null,fn(M,R,I,z,Xe,it,lt,mt,Tt,At,Ht,jt),Dt=!0}}),Dt||fn(M,R,I,z,Y,it,lt,mt,Tt,At)}let un=Ir|Oh;function fn(g,M,R,I,z,Y,it,lt,mt,Tt,At,Dt){Yt(g,M,R,I,z),(mt||Tt||Dt)&&(u.save(),mt&&u.clip(mt),Tt&&u.clip(Tt)),Dt?(lt&un)==un?(u.clip(Dt),At&&u.clip(At),si(z,it),fs(g,Y,M)):lt&Oh?(si(z,it),u.clip(Dt),fs(g,Y,M)):lt&Ir&&(u.save(),u.clip(Dt),
+At&&u.clip(At),si(z,it),u.restore(),fs(g,Y,M)):(si(z,it),fs(g,Y,M)),(mt||Tt||Dt)&&u.restore()}function fs(g,M,R){R>0&&(M instanceof Map?M.forEach((I,z)=>{u.strokeStyle=Lt=z,u.stroke(I)}):M!=null&&g&&u.stroke(M))}function si(g,M){M instanceof Map?M.forEach((R,I)=>{u.fillStyle=wt=I,u.fill(R)}):M!=null&&g&&u.fill(M)}function o0(g,M,R,I){let z=E[g],Y;if(I<=0)Y=[0,0];else{let it=z._space=z.space(n,g,M,
+R,I),lt=z._incrs=z.incrs(n,g,M,R,I,it);Y=Uv(M,R,lt,I,it)}return z._found=Y}function ih(g,M,R,I,z,Y,it,lt,mt,Tt){let At=it%2/2;v==1&&u.translate(At,At),Yt(lt,it,mt,Tt,lt),u.beginPath();let Dt,ie,Te,Se,he=z+(I==0||I==3?-Y:Y);R==0?(ie=z,Se=he):(Dt=z,Te=he);for(let jt=0;jt<g.length;jt++)M[jt]!=null&&(R==0?Dt=Te=g[jt]:ie=Se=g[jt],u.moveTo(Dt,ie),u.lineTo(Te,Se));u.stroke(),v==1&&u.translate(-At,-At)}function a0(g){
+let M=!0;return E.forEach((R,I)=>{if(!R.show)return;let z=y[R.scale];if(z.min==null){R._show&&(M=!1,R._show=!1,ur(!1));return}else R._show||(M=!1,R._show=!0,ur(!1));let Y=R.side,it=Y%2,{min:lt,max:mt}=z,[Tt,At]=o0(I,lt,mt,it==0?x:F);if(At==0)return;let Dt=z.distr==2,ie=R._splits=R.splits(n,I,lt,mt,Tt,At,Dt),Te=z.distr==2?ie.map(Ht=>Z[Ht]):ie,Se=z.distr==2?Z[ie[1]]-Z[ie[0]]:Tt,he=R._values=R.values(
+n,R.filter(n,Te,I,At,Se),I,At,Se);R._rotate=Y==2?R.rotate(n,he,I,At):0;let jt=R._size;R._size=ci(R.size(n,he,I,g)),jt!=null&&R._size!=jt&&(M=!1)}),M}function l0(g){let M=!0;return Ta.forEach((R,I)=>{let z=R(n,I,qi,g);z!=Di[I]&&(M=!1),Di[I]=z}),M}function c0(){for(let g=0;g<E.length;g++){let M=E[g];if(!M.show||!M._show)continue;let R=M.side,I=R%2,z,Y,it=M.stroke(n,g),lt=R==0||R==3?-1:1,[mt,Tt]=M._found;
+if(M.label!=null){let Un=M.labelGap*lt,Jn=on((M._lpos+Un)*Ae);ke(M.labelFont[0],it,"center",R==2?"top":_d),u.save(),I==1?(z=Y=0,u.translate(Jn,on(at+kt/2)),u.rotate((R==3?-Fa:Fa)/2)):(z=on(Et+gt/2),Y=Jn);let Os=op(M.label)?M.label(n,g,mt,Tt):M.label;u.fillText(Os,z,Y),u.restore()}if(Tt==0)continue;let At=y[M.scale],Dt=I==0?gt:kt,ie=I==0?Et:at,Te=M._splits,Se=At.distr==2?Te.map(Un=>Z[Un]):Te,he=At.
+distr==2?Z[Te[1]]-Z[Te[0]]:mt,jt=M.ticks,Ht=M.border,Xe=jt.show?jt.size:0,Je=on(Xe*Ae),gn=on((M.alignTo==2?M._size-Xe-M.gap:M.gap)*Ae),Fe=M._rotate*-Fa/180,Ke=m(M._pos*Ae),Zn=(Je+gn)*lt,Dn=Ke+Zn;Y=I==0?Dn:0,z=I==1?Dn:0;let ri=M.font[0],gi=M.align==1?Tr:M.align==2?bh:Fe>0?Tr:Fe<0?bh:I==0?"center":R==3?bh:Tr,Ni=Fe||I==1?"middle":R==2?"top":_d;ke(ri,it,gi,Ni);let $n=M.font[1]*M.lineGap,oi=Te.map(Un=>m(
+a(Un,At,Dt,ie))),_i=M._values;for(let Un=0;Un<_i.length;Un++){let Jn=_i[Un];if(Jn!=null){I==0?z=oi[Un]:Y=oi[Un],Jn=""+Jn;let Os=Jn.indexOf(`
+`)==-1?[Jn]:Jn.split(/\n/gm);for(let Fn=0;Fn<Os.length;Fn++){let kf=Os[Fn];Fe?(u.save(),u.translate(z,Y+Fn*$n),u.rotate(Fe),u.fillText(kf,0,0),u.restore()):u.fillText(kf,z,Y+Fn*$n)}}}jt.show&&ih(oi,jt.filter(n,Se,g,Tt,he),I,R,Ke,Je,Be(jt.width*Ae,3),jt.stroke(n,g),jt.dash,jt.cap);let Oi=M.grid;Oi.show&&ih(oi,Oi.filter(n,Se,g,Tt,he),I,I==0?2:1,I==0?at:Et,I==0?kt:gt,Be(Oi.width*Ae,3),Oi.stroke(n,g),
+Oi.dash,Oi.cap),Ht.show&&ih([Ke],[1],I==0?1:0,I==0?1:2,I==1?at:Et,I==1?kt:gt,Be(Ht.width*Ae,3),Ht.stroke(n,g),Ht.dash,Ht.cap)}mn("drawAxes")}function ur(g){w.forEach((M,R)=>{R>0&&(M._paths=null,g&&(s==1?(M.min=null,M.max=null):M.facets.forEach(I=>{I.min=null,I.max=null})))})}let Ea=!1,sh=!1,xo=[];function h0(){sh=!1;for(let g=0;g<xo.length;g++)mn(...xo[g]);xo.length=0}function fr(){Ea||(A_(Sf),Ea=
+!0)}function u0(g,M=!1){Ea=!0,sh=M,g(n),Sf(),M&&xo.length>0&&queueMicrotask(h0)}n.batch=u0;function Sf(){if(zt&&(us(),zt=!1),te&&(Bt(),te=!1),yt){if(qe(p,Tr,J),qe(p,"top",nt),qe(p,Ro,x),qe(p,Po,F),qe(_,Tr,J),qe(_,"top",nt),qe(_,Ro,x),qe(_,Po,F),qe(f,Ro,we),qe(f,Po,P),h.width=on(we*Ae),h.height=on(P*Ae),E.forEach(({_el:g,_show:M,_size:R,_pos:I,side:z})=>{if(g!=null)if(M){let Y=z===3||z===0?R:0,it=z%
+2==1;qe(g,it?"left":"top",I-Y),qe(g,it?"width":"height",R),qe(g,it?"top":"left",it?nt:J),qe(g,it?"height":"width",it?F:x),Lh(g,Hs)}else Kn(g,Hs)}),Lt=wt=Zt=Vt=ae=Me=ze=Le=Jt=null,se=1,So(!0),J!=et||nt!=Nt||x!=ht||F!=It){ur(!1);let g=x/ht,M=F/It;if($t&&!B&&pt.left>=0){pt.left*=g,pt.top*=M,dr&&Bi(dr,on(pt.left),0,x,F),pr&&Bi(pr,0,on(pt.top),x,F);for(let R=0;R<Pn.length;R++){let I=Pn[R];I!=null&&(Xi[R]*=
+g,mi[R]*=M,Bi(I,ci(Xi[R]),ci(mi[R]),x,F))}}if(We.show&&!ut&&We.left>=0&&We.width>0){We.left*=g,We.width*=g,We.top*=M,We.height*=M;for(let R in hh)qe(_r,R,We[R])}et=J,Nt=nt,ht=x,It=F}mn("setSize"),yt=!1}we>0&&P>0&&(u.clearRect(0,0,h.width,h.height),mn("drawClear"),N.forEach(g=>g()),mn("draw")),We.show&&ut&&(Aa(We),ut=!1),$t&&B&&(Ns(null,!0,!1),B=!1),xt.show&&xt.live&&dt&&(lh(),dt=!1),c||(c=!0,n.status=
+1,mn("ready")),H=!1,Ea=!1}n.redraw=(g,M)=>{te=M||!1,g!==!1?ps(A,C.min,C.max):fr()};function rh(g,M){let R=y[g];if(R.from==null){if(rn==0){let I=R.range(n,M.min,M.max,g);M.min=I[0],M.max=I[1]}if(M.min>M.max){let I=M.min;M.min=M.max,M.max=I}if(rn>1&&M.min!=null&&M.max!=null&&M.max-M.min<1e-16)return;g==A&&R.distr==2&&rn>0&&(M.min=Si(M.min,t[0]),M.max=Si(M.max,t[0]),M.min==M.max&&M.max++),W[g]=M,zt=!0,
+fr()}}n.setScale=rh;let oh,ah,dr,pr,bf,wf,mr,gr,Tf,Ef,Ge,Ze,ds=!1,yn=pt.drag,dn=yn.x,pn=yn.y;$t&&(pt.x&&(oh=li(K0,_)),pt.y&&(ah=li(j0,_)),C.ori==0?(dr=oh,pr=ah):(dr=ah,pr=oh),Ge=pt.left,Ze=pt.top);let We=n.select=nn({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),_r=We.show?li(J0,We.over?_:p):null;function Aa(g,M){if(We.show){for(let R in g)We[R]=g[R],R in hh&&qe(_r,R,g[R]);M!==!1&&mn("s\
+etSelect")}}n.setSelect=Aa;function f0(g){if(w[g].show)ee&&Lh(vt[g],Hs);else if(ee&&Kn(vt[g],Hs),$t){let R=Li?Pn[0]:Pn[g];R!=null&&Bi(R,-10,-10,x,F)}}function ps(g,M,R){rh(g,{min:M,max:R})}function Ui(g,M,R,I){M.focus!=null&&_0(g),M.show!=null&&w.forEach((z,Y)=>{Y>0&&(g==Y||g==null)&&(z.show=M.show,f0(Y),s==2?(ps(z.facets[0].scale,null,null),ps(z.facets[1].scale,null,null)):ps(z.scale,null,null),fr())}),
+R!==!1&&mn("setSeries",g,M),I&&bo("setSeries",n,g,M)}n.setSeries=Ui;function d0(g,M){nn(L[g],M)}function p0(g,M){g.fill=de(g.fill||null),g.dir=be(g.dir,-1),M=M??L.length,L.splice(M,0,g)}function m0(g){g==null?L.length=0:L.splice(g,1)}n.addBand=p0,n.setBand=d0,n.delBand=m0;function g0(g,M){w[g].alpha=M,$t&&Pn[g]!=null&&(Pn[g].style.opacity=M),ee&&vt[g]&&(vt[g].style.opacity=M)}let Yi,ms,Fs,vr={focus:!0};
+function _0(g){if(g!=Fs){let M=g==null,R=Yn.alpha!=1;w.forEach((I,z)=>{if(s==1||z>0){let Y=M||z==0||z==g;I._focus=M?null:Y,R&&g0(z,Y?1:Yn.alpha)}}),Fs=g,R&&fr()}}ee&&kn&&Gt(Md,tt,g=>{pt._lock||(xn(g),Fs!=null&&Ui(null,vr,!0,en.setSeries))});function Fi(g,M,R){let I=y[M];R&&(g=g/Ae-(I.ori==1?nt:J));let z=x;I.ori==1&&(z=F,g=z-g),I.dir==-1&&(g=z-g);let Y=I._min,it=I._max,lt=g/z,mt=Y+(it-Y)*lt,Tt=I.distr;
+return Tt==3?Cr(10,mt):Tt==4?m_(mt,I.asinh):Tt==100?I.bwd(mt):mt}function v0(g,M){let R=Fi(g,A,M);return Si(R,t[0],T,V)}n.valToIdx=g=>Si(g,t[0]),n.posToIdx=v0,n.posToVal=Fi,n.valToPos=(g,M,R)=>y[M].ori==0?r(g,y[M],R?gt:x,R?Et:0):o(g,y[M],R?kt:F,R?at:0),n.setCursor=(g,M,R)=>{Ge=g.left,Ze=g.top,Ns(null,M,R)};function Af(g,M){qe(_r,Tr,We.left=g),qe(_r,Ro,We.width=M)}function Cf(g,M){qe(_r,"top",We.top=
+g),qe(_r,Po,We.height=M)}let yo=C.ori==0?Af:Cf,Mo=C.ori==1?Af:Cf;function x0(){if(ee&&xt.live)for(let g=s==2?1:0;g<w.length;g++){if(g==0&&U)continue;let M=xt.values[g],R=0;for(let I in M)Qt[g][R++].firstChild.nodeValue=M[I]}}function lh(g,M){if(g!=null&&(g.idxs?g.idxs.forEach((R,I)=>{_t[I]=R}):x_(g.idx)||_t.fill(g.idx),xt.idx=_t[0]),ee&&xt.live){for(let R=0;R<w.length;R++)(R>0||s==1&&!U)&&y0(R,_t[R]);
+x0()}dt=!1,M!==!1&&mn("setLegend")}n.setLegend=lh;function y0(g,M){let R=w[g],I=g==0&&O==2?Z:t[g],z;U?z=R.values(n,g,M)??ve:(z=R.value(n,M==null?null:I[M],g,M),z=z==null?ve:{_:z}),xt.values[g]=z}function Ns(g,M,R){Tf=Ge,Ef=Ze,[Ge,Ze]=pt.move(n,Ge,Ze),pt.left=Ge,pt.top=Ze,$t&&(dr&&Bi(dr,on(Ge),0,x,F),pr&&Bi(pr,0,on(Ze),x,F));let I,z=T>V;Yi=Oe,ms=null;let Y=C.ori==0?x:F,it=C.ori==1?x:F;if(Ge<0||rn==
+0||z){I=pt.idx=null;for(let lt=0;lt<w.length;lt++){let mt=Pn[lt];mt!=null&&Bi(mt,-10,-10,x,F)}kn&&Ui(null,vr,!0,g==null&&en.setSeries),xt.live&&(_t.fill(I),dt=!0)}else{let lt,mt,Tt;s==1&&(lt=C.ori==0?Ge:Ze,mt=Fi(lt,A),I=pt.idx=Si(mt,t[0],T,V),Tt=k(t[0][I],C,Y,0));let At=-10,Dt=-10,ie=0,Te=0,Se=!0,he="",jt="";for(let Ht=s==2?1:0;Ht<w.length;Ht++){let Xe=w[Ht],Je=_t[Ht],gn=Je==null?null:s==1?t[Ht][Je]:
+t[Ht][1][Je],Fe=pt.dataIdx(n,Ht,I,mt),Ke=Fe==null?null:s==1?t[Ht][Fe]:t[Ht][1][Fe];if(dt=dt||Ke!=gn||Fe!=Je,_t[Ht]=Fe,Ht>0&&Xe.show){let Zn=Fe==null?-10:Fe==I?Tt:k(s==1?t[0][Fe]:t[Ht][0][Fe],C,Y,0),Dn=Ke==null?-10:G(Ke,s==1?y[Xe.scale]:y[Xe.facets[1].scale],it,0);if(kn&&Ke!=null){let ri=C.ori==1?Ge:Ze,gi=an(Yn.dist(n,Ht,Fe,Dn,ri));if(gi<Yi){let Ni=Yn.bias;if(Ni!=0){let $n=Fi(ri,Xe.scale),oi=Ke>=0?
+1:-1,_i=$n>=0?1:-1;_i==oi&&(_i==1?Ni==1?Ke>=$n:Ke<=$n:Ni==1?Ke<=$n:Ke>=$n)&&(Yi=gi,ms=Ht)}else Yi=gi,ms=Ht}}if(dt||Li){let ri,gi;C.ori==0?(ri=Zn,gi=Dn):(ri=Dn,gi=Zn);let Ni,$n,oi,_i,Oi,Un,Jn=!0,Os=Ne.bbox;if(Os!=null){Jn=!1;let Fn=Os(n,Ht);oi=Fn.left,_i=Fn.top,Ni=Fn.width,$n=Fn.height}else oi=ri,_i=gi,Ni=$n=Ne.size(n,Ht);if(Un=Ne.fill(n,Ht),Oi=Ne.stroke(n,Ht),Li)Ht==ms&&Yi<=Yn.prox&&(At=oi,Dt=_i,ie=
+Ni,Te=$n,Se=Jn,he=Un,jt=Oi);else{let Fn=Pn[Ht];Fn!=null&&(Xi[Ht]=oi,mi[Ht]=_i,Cd(Fn,Ni,$n,Jn),Ed(Fn,Un,Oi),Bi(Fn,ci(oi),ci(_i),x,F))}}}}if(Li){let Ht=Yn.prox,Xe=Fs==null?Yi<=Ht:Yi>Ht||ms!=Fs;if(dt||Xe){let Je=Pn[0];Je!=null&&(Xi[0]=At,mi[0]=Dt,Cd(Je,ie,Te,Se),Ed(Je,he,jt),Bi(Je,ci(At),ci(Dt),x,F))}}}if(We.show&&ds)if(g!=null){let[lt,mt]=en.scales,[Tt,At]=en.match,[Dt,ie]=g.cursor.sync.scales,Te=g.
+cursor.drag;if(dn=Te._x,pn=Te._y,dn||pn){let{left:Se,top:he,width:jt,height:Ht}=g.select,Xe=g.scales[Dt].ori,Je=g.posToVal,gn,Fe,Ke,Zn,Dn,ri=lt!=null&&Tt(lt,Dt),gi=mt!=null&&At(mt,ie);ri&&dn?(Xe==0?(gn=Se,Fe=jt):(gn=he,Fe=Ht),Ke=y[lt],Zn=k(Je(gn,Dt),Ke,Y,0),Dn=k(Je(gn+Fe,Dt),Ke,Y,0),yo(bi(Zn,Dn),an(Dn-Zn))):yo(0,Y),gi&&pn?(Xe==1?(gn=Se,Fe=jt):(gn=he,Fe=Ht),Ke=y[mt],Zn=G(Je(gn,ie),Ke,it,0),Dn=G(Je(
+gn+Fe,ie),Ke,it,0),Mo(bi(Zn,Dn),an(Dn-Zn))):Mo(0,it)}else uh()}else{let lt=an(Tf-bf),mt=an(Ef-wf);if(C.ori==1){let ie=lt;lt=mt,mt=ie}dn=yn.x&&lt>=yn.dist,pn=yn.y&&mt>=yn.dist;let Tt=yn.uni;Tt!=null?dn&&pn&&(dn=lt>=Tt,pn=mt>=Tt,!dn&&!pn&&(mt>lt?pn=!0:dn=!0)):yn.x&&yn.y&&(dn||pn)&&(dn=pn=!0);let At,Dt;dn&&(C.ori==0?(At=mr,Dt=Ge):(At=gr,Dt=Ze),yo(bi(At,Dt),an(Dt-At)),pn||Mo(0,it)),pn&&(C.ori==1?(At=mr,
+Dt=Ge):(At=gr,Dt=Ze),Mo(bi(At,Dt),an(Dt-At)),dn||yo(0,Y)),!dn&&!pn&&(yo(0,0),Mo(0,0))}if(yn._x=dn,yn._y=pn,g==null){if(R){if(zf!=null){let[lt,mt]=en.scales;en.values[0]=lt!=null?Fi(C.ori==0?Ge:Ze,lt):null,en.values[1]=mt!=null?Fi(C.ori==1?Ge:Ze,mt):null}bo(wh,n,Ge,Ze,x,F,I)}if(kn){let lt=R&&en.setSeries,mt=Yn.prox;Fs==null?Yi<=mt&&Ui(ms,vr,!0,lt):Yi>mt?Ui(null,vr,!0,lt):ms!=Fs&&Ui(ms,vr,!0,lt)}}dt&&
+(xt.idx=I,lh()),M!==!1&&mn("setCursor")}let gs=null;Object.defineProperty(n,"rect",{get(){return gs==null&&So(!1),gs}});function So(g=!1){g?gs=null:(gs=_.getBoundingClientRect(),mn("syncRect",gs))}function Rf(g,M,R,I,z,Y,it){pt._lock||ds&&g!=null&&g.movementX==0&&g.movementY==0||(ch(g,M,R,I,z,Y,it,!1,g!=null),g!=null?Ns(null,!0,!0):Ns(M,!0,!1))}function ch(g,M,R,I,z,Y,it,lt,mt){if(gs==null&&So(!1),
+xn(g),g!=null)R=g.clientX-gs.left,I=g.clientY-gs.top;else{if(R<0||I<0){Ge=-10,Ze=-10;return}let[Tt,At]=en.scales,Dt=M.cursor.sync,[ie,Te]=Dt.values,[Se,he]=Dt.scales,[jt,Ht]=en.match,Xe=M.axes[0].side%2==1,Je=C.ori==0?x:F,gn=C.ori==1?x:F,Fe=Xe?Y:z,Ke=Xe?z:Y,Zn=Xe?I:R,Dn=Xe?R:I;if(Se!=null?R=jt(Tt,Se)?a(ie,y[Tt],Je,0):-10:R=Je*(Zn/Fe),he!=null?I=Ht(At,he)?a(Te,y[At],gn,0):-10:I=gn*(Dn/Ke),C.ori==1){
+let ri=R;R=I,I=ri}}mt&&(M==null||M.cursor.event.type==wh)&&((R<=1||R>=x-1)&&(R=ks(R,x)),(I<=1||I>=F-1)&&(I=ks(I,F))),lt?(bf=R,wf=I,[mr,gr]=pt.move(n,R,I)):(Ge=R,Ze=I)}let hh={width:0,height:0,left:0,top:0};function uh(){Aa(hh,!1)}let Pf,If,Lf,Df;function Uf(g,M,R,I,z,Y,it){ds=!0,dn=pn=yn._x=yn._y=!1,ch(g,M,R,I,z,Y,it,!0,!1),g!=null&&(Gt(Th,Ph,Ff,!1),bo(xd,n,mr,gr,x,F,null));let{left:lt,top:mt,width:Tt,
+height:At}=We;Pf=lt,If=mt,Lf=Tt,Df=At}function Ff(g,M,R,I,z,Y,it){ds=yn._x=yn._y=!1,ch(g,M,R,I,z,Y,it,!1,!0);let{left:lt,top:mt,width:Tt,height:At}=We,Dt=Tt>0||At>0,ie=Pf!=lt||If!=mt||Lf!=Tt||Df!=At;if(Dt&&ie&&Aa(We),yn.setScale&&Dt&&ie){let Te=lt,Se=Tt,he=mt,jt=At;if(C.ori==1&&(Te=mt,Se=At,he=lt,jt=Tt),dn&&ps(A,Fi(Te,A),Fi(Te+Se,A)),pn)for(let Ht in y){let Xe=y[Ht];Ht!=A&&Xe.from==null&&Xe.min!=Oe&&
+ps(Ht,Fi(he+jt,Ht),Fi(he,Ht))}uh()}else pt.lock&&(pt._lock=!pt._lock,Ns(M,!0,g!=null));g!=null&&(He(Th,Ph),bo(Th,n,Ge,Ze,x,F,null))}function M0(g,M,R,I,z,Y,it){if(pt._lock)return;xn(g);let lt=ds;if(ds){let mt=!0,Tt=!0,At=10,Dt,ie;C.ori==0?(Dt=dn,ie=pn):(Dt=pn,ie=dn),Dt&&ie&&(mt=Ge<=At||Ge>=x-At,Tt=Ze<=At||Ze>=F-At),Dt&&mt&&(Ge=Ge<mr?0:x),ie&&Tt&&(Ze=Ze<gr?0:F),Ns(null,!0,!0),ds=!1}Ge=-10,Ze=-10,_t.
+fill(null),Ns(null,!0,!0),lt&&(ds=lt)}function Nf(g,M,R,I,z,Y,it){pt._lock||(xn(g),St(),uh(),g!=null&&bo(Sd,n,Ge,Ze,x,F,null))}function Of(){E.forEach(Fv),Pt(n.width,n.height,!0)}Gs(Na,Ar,Of);let xr={};xr.mousedown=Uf,xr.mousemove=Rf,xr.mouseup=Ff,xr.dblclick=Nf,xr.setSeries=(g,M,R,I)=>{let z=en.match[2];R=z(n,M,R),R!=-1&&Ui(R,I,!0,!1)},$t&&(Gt(xd,_,Uf),Gt(wh,_,Rf),Gt(yd,_,g=>{xn(g),So(!1)}),Gt(Md,
+_,M0),Gt(Sd,_,Nf),Bh.add(n),n.syncRect=So);let Ca=n.hooks=i.hooks||{};function mn(g,M,R){sh?xo.push([g,M,R]):g in Ca&&Ca[g].forEach(I=>{I.call(null,n,M,R)})}(i.plugins||[]).forEach(g=>{for(let M in g.hooks)Ca[M]=(Ca[M]||[]).concat(g.hooks[M])});let Bf=(g,M,R)=>R,en=nn({key:null,setSeries:!1,filters:{pub:Dd,sub:Dd},scales:[A,w[1]?w[1].scale:null],match:[Ud,Ud,Bf],values:[null,null]},pt.sync);en.match.
+length==2&&en.match.push(Bf),pt.sync=en;let zf=en.key,fh=Pp(zf);function bo(g,M,R,I,z,Y,it){en.filters.pub(g,M,R,I,z,Y,it)&&fh.pub(g,M,R,I,z,Y,it)}fh.sub(n);function S0(g,M,R,I,z,Y,it){en.filters.sub(g,M,R,I,z,Y,it)&&xr[g](null,M,R,I,z,Y,it)}n.pub=S0;function b0(){fh.unsub(n),Bh.delete(n),Rt.clear(),Dh(Na,Ar,Of),l.remove(),tt?.remove(),mn("destroy")}n.destroy=b0;function dh(){mn("init",i,t),ft(t||
+i.data,!1),W[A]?rh(A,W[A]):St(),ut=We.show&&(We.width>0||We.height>0),B=dt=!0,Pt(i.width,i.height)}return w.forEach(Ls),E.forEach(nh),e?e instanceof HTMLElement?(e.appendChild(l),dh()):e(n,dh):dh(),n}_n.assign=nn;_n.fmtNum=Xh;_n.rangeNum=Oa;_n.rangeLog=ka;_n.rangeAsinh=Gh;_n.orient=Xs;_n.pxRatio=Ae;_n.join=E_;_n.fmtDate=Yh,_n.tzDate=O_;_n.sync=Pp;{_n.addGap=xv,_n.clipGaps=Ga;let i=_n.paths={points:Np};
+i.linear=Bp,i.stepped=Sv,i.bars=bv,i.spline=Tv}function Gp(i){let t=[],e=n=>n.includes(".")?n.slice(0,n.lastIndexOf(".")):n;for(let n of i){let s=n.unit&&t.find(r=>r.unit===n.unit&&e(r.curves[0].name)===e(n.name)&&r.curves.length<Sr.length);s?s.curves.push(n):t.push({unit:n.unit,curves:[n]})}return t}var Nv="11px system-ui, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif",Hp=i=>le.dark?tn(Sr[i%Sr.length],.25):Sr[i%Sr.length];function Ov(i){
+let t=n=>Array.from(n,s=>Number.isFinite(s)?i.log?s>0?s:null:s:null);return i.curves.every(n=>n.t===i.curves[0].t)?[Array.from(i.curves[0].t),...i.curves.map(n=>t(n.y))]:_n.join(i.curves.map(n=>[Array.from(n.t),t(n.y)]))}var Fo=class{constructor(t,e,n,s,r){this.box=t;this.panels=e;this.begin=n;this.end=s;this.seek=r;this.shown=[];this.zoomed=null;this.syncing=!1;this.t=0}rebuild(){for(let e of this.
+shown)e.plot.destroy();this.shown=[],this.box.replaceChildren();let t=this.box.clientWidth;if(t){for(let e of this.panels)this.shown.push(this.add(e,t));this.zoomed&&this.zoom(...this.zoomed),this.draw(this.t)}}get built(){return this.shown.length>0}resize(){let t=this.box.clientWidth;if(t){if(!this.built){this.rebuild();return}for(let e of this.shown)e.plot.setSize({width:t,height:e.plot.height});
+this.draw(this.t)}}add(t,e){let n=document.createElement("div"),s=document.createElement("div");if(n.className="plot",s.className="names",t.title){let c=document.createElement("b");c.textContent=t.title,s.append(c)}let r=t.curves.map((c,l)=>{let h=document.createElement("span"),u=document.createElement("em");return h.textContent=c.name,h.style.color=Hp(l),h.title="show or hide",h.onclick=()=>{let f=!o.
+series[l+1].show;o.setSeries(l+1,{show:f}),h.classList.toggle("off",!f)},h.append(u),s.append(h),u});if(t.unit){let c=document.createElement("small");c.textContent=`[${t.unit}]`,s.append(c)}n.append(s),this.box.append(n);let o=new _n(this.options(t,e),Ov(t),n),a=document.createElement("div");return a.className="now",o.over.append(a),{plot:o,panel:t,values:r,line:a}}options(t,e){let n={font:Nv,stroke:le.
+soft,grid:{stroke:le.grid,width:1},ticks:{show:!1}},s=r=>r===null?"":Nn(r);return{width:e,height:t.height??138,padding:[6,14,0,0],legend:{show:!1},cursor:{y:!1,points:{show:!1},drag:{x:!0,y:!1,dist:6},bind:{dblclick:()=>()=>(this.zoom(this.begin,this.end),null)}},scales:{x:{time:!1,min:this.begin,max:this.end>this.begin?this.end:this.begin+1},y:t.log?{distr:3}:{range:(r,o,a)=>Bv(o,a)}},axes:[{...n,
+size:26,gap:4,values:(r,o)=>o.map(s)},{...n,size:58,gap:4,values:(r,o)=>o.map(s),space:t.log?18:24}],series:[{},...t.curves.map((r,o)=>({stroke:Hp(o),width:1.5,spanGaps:!0,points:{show:!1},dash:r.dashed?[5,4]:void 0}))],hooks:{setScale:[(r,o)=>{o!=="x"||this.syncing||r.scales.x.min==null||r.scales.x.max==null||this.shown.length&&this.zoom(r.scales.x.min,r.scales.x.max)}],ready:[r=>{r.over.addEventListener(
+"click",o=>{r.select.width>0||this.seek(Hn(r.posToVal(o.offsetX,"x"),this.begin,this.end))})}]}}}zoom(t,e){this.syncing=!0,this.zoomed=t<=this.begin&&e>=this.end?null:[t,e];for(let{plot:n}of this.shown)n.setScale("x",{min:t,max:e}),n.setSelect({left:0,top:0,width:0,height:0},!1);this.syncing=!1,this.draw(this.t),this.box.classList.toggle("zoomed",this.zoomed!==null)}draw(t){this.t=t;for(let{plot:e,
+panel:n,values:s,line:r}of this.shown){let o=e.valToPos(t,"x");r.hidden=!(o>=-1&&o<=e.over.clientWidth+1),r.style.transform=`translateX(${Math.round(o)}px)`,n.curves.forEach((a,c)=>{s[c].textContent=Nn(a.t.length?a.y[Mr(a.t,t)]:NaN)})}}};function Bv(i,t){if(i===null||t===null||!Number.isFinite(i)||!Number.isFinite(t))return[0,1];let e=Math.max(Math.abs(i),Math.abs(t));if(t-i<=1e-9*e||t===i)return e===
+0?[-1,1]:[i-.1*e,t+.1*e];let n=.07*(t-i);return[i-n,t+n]}function tu(i,t,e){if(t.isPlanar)return Ya(i);let n=yi([-.45,.65,.62]),s=[Wt(e,t.right),Wt(e,t.up),Wt(e,t.toward)];return tn(i,-.22+.6*Math.max(0,Wt(s,n)))}var Ya=i=>tn(i,le.dark?-.12:.3),Za=i=>tn(i,le.dark?.3:-.38);function Qe(i,t=!0){let e=new Path2D;return i.forEach((n,s)=>s?e.lineTo(n[0],n[1]):e.moveTo(n[0],n[1])),t&&e.closePath(),e}function Xp(i){let t=i.slice().sort((n,s)=>n[0]-s[0]||n[1]-s[1]),
+e=n=>{let s=[];for(let r of n){for(;s.length>1;){let[o,a]=s.slice(-2);if((a[0]-o[0])*(r[1]-o[1])-(a[1]-o[1])*(r[0]-o[0])>0)break;s.pop()}s.push(r)}return s.slice(0,-1)};return e(t).concat(e(t.reverse()))}function Fr(i,t,e,n){i.fillStyle=e,i.fill(t),i.strokeStyle=Za(n),i.lineWidth=1.3,i.lineJoin="round",i.stroke(t)}function $a(i,t,e,n,s=40){return Array.from({length:s},(r,o)=>{let a=2*Math.PI*o/s;return Ut(
+i,Ut(Ct(t,n*Math.cos(a)),Ct(e,n*Math.sin(a))))})}var Ja=[[1,0,0],[0,1,0],[0,0,1]];function zv(i,t){let e=t.r,n=i.radius??0;return{centre:e,planes:[],least:s=>Wt(s,e)-n,points:()=>eu(e,[[n,0,0],[0,n,0],[0,0,n]]),paint(s,r,o){let[a,c]=r.project(e),l=Math.max(1.5,n*r.scale),h=new Path2D;h.arc(a,c,l,0,2*Math.PI);let u=Ya(o);return r.isPlanar||(u=s.createRadialGradient(a-.35*l,c-.42*l,.05*l,a,c,l),u.addColorStop(
+0,tn(o,.62)),u.addColorStop(.55,tn(o,.12)),u.addColorStop(1,tn(o,-.25))),Fr(s,h,u,o),l>6&&Xv(s,r,t,n,o),h}}}function kv(i,t){let e=i.halfExtents??[0,0,0],n=Ja.map(o=>Tn(t.q,o)),s=n.map((o,a)=>Ct(o,e[a])),r=[];for(let o of[0,1,2])for(let a of[1,-1]){let c=Ct(n[o],a);r.push({n:c,o:Wt(c,t.r)+e[o],k:o,s:a})}return{centre:t.r,planes:r,least:o=>Wt(o,t.r)-s.reduce((a,c)=>a+Math.abs(Wt(o,c)),0),points:()=>eu(
+t.r,s),paint(o,a,c){let l=new Path2D;for(let{n:h,k:u,s:f}of r){if(Wt(h,a.toward)<=.001)continue;let[p,_]=[s[(u+1)%3],s[(u+2)%3]],v=Ut(t.r,Ct(s[u],f)),m=[[1,1],[-1,1],[-1,-1],[1,-1]].map(([w,E])=>a.project(Ut(v,Ut(Ct(p,w),Ct(_,E))))),d=Qe(m);Fr(o,d,tu(c,a,h),c),l.addPath(d)}return l}}}function Vv(i,t){let e=Tn(t.q,[0,0,i.halfLength??0]),n=i.radius??0,s=[me(t.r,e),Ut(t.r,e)];return{centre:t.r,planes:[],
+least:r=>Wt(r,t.r)-Math.abs(Wt(r,e))-n,points:()=>s.flatMap(r=>eu(r,[[n,0,0],[0,n,0],[0,0,n]])),paint(r,o,a){let c=n*o.scale,[l,h]=s.map(p=>o.project(p)),u=Math.atan2(h[1]-l[1],h[0]-l[0]),f=new Path2D;return f.arc(l[0],l[1],c,u+Math.PI/2,u-Math.PI/2),f.arc(h[0],h[1],c,u-Math.PI/2,u+Math.PI/2),f.closePath(),Fr(r,f,Zp(r,o,l,u,c,a),a),f}}}function Hv(i,t){let[e,n,s]=Ja.map(h=>Tn(t.q,h)),r=i.radius??0,
+o=i.halfLength??0,a=Ct(s,o),c=[me(t.r,a),Ut(t.r,a)],l=c.map(h=>$a(h,e,n,r));return{centre:t.r,planes:[1,-1].map(h=>({n:Ct(s,h),o:h*Wt(s,t.r)+o})),least:h=>Wt(h,t.r)-Math.abs(Wt(h,a))-r*Math.hypot(Wt(h,e),Wt(h,n)),points:()=>l.flat(),paint(h,u,f){let p=l.map(E=>E.map(y=>u.project(y))),_=Qe(Xp(p.flat())),[v,m]=c.map(E=>u.project(E)),d=Math.atan2(m[1]-v[1],m[0]-v[0]);Fr(h,_,Zp(h,u,v,d,r*u.scale,f),f);
+let w=Wt(s,u.toward);if(Math.abs(w)>.001){let E=w>0?1:0;Fr(h,Qe(p[E]),tu(f,u,Ct(s,Math.sign(w))),f),$p(h,u,c[E],e,r,f)}return _}}}function Gv(i,t){let[e,n,s]=Ja.map(c=>Tn(t.q,c)),r=i.radius??0,o=Yp($a(t.r,e,n,r,64),t.r,s),a=o.paint;return o.paint=(c,l,h)=>{let u=a(c,l,h);return $p(c,l,t.r,e,r,h),u},o}var qp=i=>Ct(i.reduce(Ut,[0,0,0]),1/(i.length||1)),No={sphere:zv,box:kv,capsule:Vv,cylinder:Hv,circle:Gv,
+polygon(i,t){let e=(i.points??[]).map(s=>Ut(t.r,Tn(t.q,s))),n=e.length>2?yi(je(me(e[1],e[0]),me(e[2],e[0]))):[0,0,1];return Yp(e,qp(e),n)},segment:(i,t)=>Wp((i.points??[]).map(e=>Ut(t.r,Tn(t.q,e))),i),link(i,t,e){let[n,s]=i.points??[];return Wp([Ut(t.r,Tn(t.q,n??[0,0,0])),Ut(e.r,Tn(e.q,s??[0,0,0]))],i)}};function eu(i,[t,e,n]){let s=[];for(let r of[-1,1])for(let o of[-1,1])for(let a of[-1,1])s.push(
+Ut(i,Ut(Ct(t,r),Ut(Ct(e,o),Ct(n,a)))));return s}function Yp(i,t,e){let n=Wt(e,t);return{centre:t,points:()=>i,planes:[{n:e,o:n},{n:Ct(e,-1),o:-n}],least:s=>Math.min(...i.map(r=>Wt(s,r))),paint(s,r,o){let a=Qe(i.map(c=>r.project(c)));return Fr(s,a,tu(o,r,Wt(e,r.toward)<0?Ct(e,-1):e),o),a}}}function Wp(i,t){return{centre:qp(i),points:()=>i,planes:[],least:e=>Math.min(...i.map(n=>Wt(e,n))),paint(e,n,s){
+let r=i.map(l=>n.project(l)),o=t.radius??0,a=o>0?Math.max(1.5,2*o*n.scale):2.4;t.style==="spring"&&(r=Wv(r[0],r[r.length-1],8));let c=Qe(r,!1);return e.lineCap=e.lineJoin="round",e.setLineDash(t.style==="dashed"?[7,6]:[]),o>0&&t.style!=="spring"?(e.strokeStyle=Za(s),e.lineWidth=a+2.6,e.stroke(c),e.strokeStyle=Ya(s)):e.strokeStyle=tn(s,le.dark?.25:-.2),e.lineWidth=t.style==="spring"?1.8:a,e.stroke(
+c),e.setLineDash([]),Qe(Xp(r.flatMap(([l,h])=>[[l-4,h-4],[l+4,h-4],[l,h+5]])))}}}function Wv(i,t,e){let n=[t[0]-i[0],t[1]-i[1]],s=Math.hypot(...n)||1,r=[-n[1]/s*e,n[0]/s*e],o=(c,l)=>[i[0]+n[0]*c+r[0]*l,i[1]+n[1]*c+r[1]*l],a=Array.from({length:24},(c,l)=>o(.1+.8*(l+.5)/24,l%2?1:-1));return[i,o(.1,0),...a,o(.9,0),t]}function Zp(i,t,e,n,s,r){if(t.isPlanar)return Ya(r);let o=[Math.sin(n),-Math.cos(n)];
+o[0]*-.45+o[1]*-.65<0&&(o=[-o[0],-o[1]]);let a=i.createLinearGradient(e[0]+o[0]*s,e[1]+o[1]*s,e[0]-o[0]*s,e[1]-o[1]*s);return a.addColorStop(0,tn(r,.25)),a.addColorStop(.3,tn(r,.5)),a.addColorStop(1,tn(r,-.25)),a}function $p(i,t,e,n,s,r){let o=t.project(e),a=t.project(Ut(e,Ct(n,s)));i.strokeStyle=i.fillStyle=Za(r),i.lineWidth=1.3,i.stroke(Qe([o,a],!1)),i.beginPath(),i.arc(o[0],o[1],2.2,0,2*Math.PI),
+i.fill()}function Xv(i,t,e,n,s){i.strokeStyle=Za(s)+(t.isPlanar?"b0":"70"),i.lineWidth=1.1;let[r,o,a]=Ja.map(c=>Tn(e.q,c));for(let[c,l]of[[o,a],[r,o]]){let h=je(c,l),u=je(h,t.toward);if(wn(u)<1e-6)continue;u=yi(u);let f=je(u,h);Wt(f,t.toward)<0&&(f=Ct(f,-1));let p=Array.from({length:25},(_,v)=>{let m=Math.PI*v/24;return t.project(Ut(e.r,Ut(Ct(u,n*Math.cos(m)),Ct(f,n*Math.sin(m)))))});i.stroke(Qe(p,
+!1))}}var Ka=class{constructor(t,e){this.scene=t;this.film=e;this.bodies=t.shapes.filter(s=>s.kind in No),this.grounds=t.shapes.filter(s=>s.kind==="halfspace"),this.extent=this.measure();let n=this.grounds.length?this.plane(this.grounds[0],e.begin).n:[0,0,1];this.upAxis=Math.abs(n[1])>.9?1:2}shapePose(t,e){return Kf(this.film.pose(t.frame,e),t.position,t.orientation)}plane(t,e){let n=this.shapePose(t,e);
+return{c:n.r,n:Tn(n.q,[0,0,1])}}pointsOf(t,e){let n=this.shapePose(t,e),s=t.radius??0;return t.kind==="sphere"&&this.bodies.length>300?[Ut(n.r,[s,s,s]),me(n.r,[s,s,s])]:No[t.kind](t,n,this.film.pose(t.frameEnd??-1,e)).points()}instants(t,e){let n=Hn(Math.floor(3e3/Math.max(1,t)),2,e),{begin:s,end:r}=this.film;return Array.from({length:n},(o,a)=>s+(r-s)*a/(n-1))}measure(){let t=[1/0,1/0,1/0],e=[-1/0,
+-1/0,-1/0],n=[],s=o=>{o.every(Number.isFinite)&&(n.push(o),o.forEach((a,c)=>{t[c]=Math.min(t[c],a),e[c]=Math.max(e[c],a)}))};for(let o of this.instants(this.bodies.length,60))for(let a of this.bodies)this.pointsOf(a,o).forEach(s);t[0]<=e[0]||(s([-1,-1,-1]),s([1,1,1]));let r=Math.max(wn(me(e,t)),1e-9);if(n.length>2e4){n=[];for(let o of[t[0],e[0]])for(let a of[t[1],e[1]])for(let c of[t[2],e[2]])n.push(
+[o,a,c])}for(let o of this.grounds){let{c:a,n:c}=this.plane(o,this.film.begin),l=Ct(Ut(t,e),.5),h=me(l,Ct(c,Wt(c,me(l,a))));wn(me(h,l))<1.5*r&&s(h)}return{lo:t,hi:e,points:n,size:Math.max(wn(me(e,t)),1e-9)}}pointsAround(t,e){let n=this.bodies.filter(r=>this.film.moves(r.frame)),s=[];for(let r of this.instants(n.length,40)){let o=me(e,this.film.pose(t,r).r);for(let a of n)for(let c of this.pointsOf(
+a,r))c.every(Number.isFinite)&&s.push(Ut(c,o))}return s.length?s:this.extent.points}naturalView(){if(this.scene.view)return this.scene.view;let{film:t}=this,e=(n,s)=>{for(let r=0;r<t.poses;++r)if(!t.stands(r,n)||s.some(o=>!t.stands(r,3+o,0)))return!1;return t.poses>0};return this.upAxis===1&&e(2,[1,2])?"xy":e(1,[1,3])?"xz":e(2,[1,2])?"xy":e(0,[2,3])?"yz":"iso"}};function Jp(i){let t=e=>{let n=1/0,
+s=-1/0;for(let r of i)n=Math.min(n,r[e]),s=Math.max(s,r[e]);return s-n};return Math.max(wn([t(0),t(1),t(2)]),1e-9)}var Kp={xy:{right:[1,0,0],up:[0,1,0],toward:[0,0,1]},xz:{right:[1,0,0],up:[0,0,1],toward:[0,-1,0]},yz:{right:[0,1,0],up:[0,0,1],toward:[1,0,0]}},nu=26*Math.PI/180,ja=class{constructor(){this.view="iso";this.upAxis=2;this.azimuth=-62*Math.PI/180;this.elevation=22*Math.PI/180;this.centre=[0,0,0];this.scale=100;this.width=1;this.height=1;this.perspective=!0;this.right=[1,0,0];this.up=[0,0,1];this.toward=
+[0,-1,0];this.look()}get isPlanar(){return this.view in Kp}get distance(){return this.height/(2*Math.tan(nu/2)*this.scale)}get hasDepth(){return this.perspective&&!this.isPlanar}look(){if(this.isPlanar){Object.assign(this,Kp[this.view]);return}let[t,e]=[Math.cos(this.azimuth),Math.sin(this.azimuth)],[n,s]=[Math.cos(this.elevation),Math.sin(this.elevation)],r=o=>this.upAxis===2?o:this.upAxis===1?[o[1],
+o[2],o[0]]:[o[2],o[0],o[1]];this.toward=r([n*t,n*e,s]),this.right=r([-e,t,0]),this.up=je(this.toward,this.right)}scaleAt(t){if(!this.hasDepth)return this.scale;let e=this.distance,n=e-Wt(me(t,this.centre),this.toward);return n>.001*e?this.scale*e/n:0}project(t){let e=me(t,this.centre),n=this.scaleAt(t);return n===0?[-1e6,-1e6]:[this.width/2+n*Wt(e,this.right),this.height/2-n*Wt(e,this.up)]}unproject(t,e){
+return Ut(this.centre,Ut(Ct(this.right,(t-this.width/2)/this.scale),Ct(this.up,(this.height/2-e)/this.scale)))}depth(t){return Wt(me(t,this.centre),this.toward)}orbit(t,e){this.azimuth-=t*.008,this.elevation=Hn(this.elevation+e*.008,-1.55,1.55),this.look()}pan(t,e){this.centre=Ut(this.centre,Ut(Ct(this.right,-t/this.scale),Ct(this.up,e/this.scale)))}zoom(t,e,n){let s=this.unproject(e,n);this.scale*=
+t,this.centre=Ut(this.centre,me(s,this.unproject(e,n)))}fit(t){let e=p=>{let _=1/0,v=-1/0;for(let m of p)_=Math.min(_,m),v=Math.max(v,m);return[_,v]},n=p=>e(t.map(_=>Wt(_,p))),[s,r,o]=[n(this.right),n(this.up),n(this.toward)],a=Math.max(s[1]-s[0],r[1]-r[0],1e-9),c=56,l=this.height>420?92:44,h=this.width*.84,u=Math.max(40,this.height-c-l),f=p=>(p[0]+p[1])/2;this.scale=Math.min(h/Math.max(s[1]-s[0],
+a*.001),u/Math.max(r[1]-r[0],a*.001)),this.centre=Ut(Ct(this.right,f(s)),Ut(Ct(this.up,f(r)),Ct(this.toward,f(o))));for(let p=0;p<4;++p){let _=t.map(d=>this.project(d)),v=e(_.map(d=>d[0])),m=e(_.map(d=>d[1]));if(this.centre=this.unproject(f(v),f(m)-(c-l)/2),!this.hasDepth)break;this.scale*=Math.min(h/Math.max(v[1]-v[0],.001),u/Math.max(m[1]-m[0],.001),4)}}};var Qa=class{constructor(t,e){this.canvas=t;this.scene=e;this.painted=[];this.ctx=t.getContext("2d"),this.colours=e.bodies.map(br)}recolour(){this.colours=this.scene.bodies.map(br)}resize(t,e,n){this.canvas.width=Math.round(t*n),this.canvas.height=Math.round(e*n)}draw(t,e,n){let{ctx:s,scene:r}=this,o=this.canvas.width/t.width;s.setTransform(o,0,0,o,0,0),s.fillStyle=le.paper,s.fillRect(0,0,t.width,
+t.height),t.isPlanar&&Zv(s,t);let a=r.grounds.map(h=>r.plane(h,e)),c=h=>Wt(h.n,t.toward);a.sort((h,u)=>c(h)-c(u));for(let h of a)c(h)>=-.001&&Qp(s,t,h,r);this.painted=[];let l=r.bodies.map((h,u)=>({item:No[h.kind](h,r.shapePose(h,e),r.film.pose(h.frameEnd??-1,e)),frame:h.frame,colour:this.colours[u],depth:0}));for(let{item:h,frame:u,colour:f}of qv(l,t)){let p=h.paint(s,t,f);this.painted.push({path:p,
+frame:u}),u>=0&&u===n&&(s.strokeStyle=le.accent,s.lineWidth=3,s.stroke(p))}for(let h of a)c(h)<-.001&&Qp(s,t,h,r)}pick(t,e){this.ctx.setTransform(1,0,0,1,0,0);for(let n=this.painted.length-1;n>=0;--n)if(this.ctx.isPointInPath(this.painted[n].path,t,e))return this.painted[n].frame;return-2}};function qv(i,t){for(let r of i)r.depth=t.depth(r.item.centre);if(i.sort((r,o)=>r.depth-o.depth),t.isPlanar||
+i.length>200)return i;let e=[],n=new Set,s=r=>{if(!n.has(r)){n.add(r);for(let o of i)o!==r&&Yv(o.item,r.item,t)&&s(o);e.push(r)}};return i.forEach(s),e}function Yv(i,t,e){let n=(s,r)=>jp(s,r,e,1)||jp(r,s,e,-1);return n(i,t)&&!n(t,i)}function jp(i,t,e,n){return i.planes.some(({n:s,o:r})=>n*Wt(s,e.toward)>1e-6&&t.least(s)>=r-1e-9-1e-4*Math.abs(r))}function Zv(i,t){let e=t.unproject(0,t.height),n=t.unproject(
+t.width,0),s=Bs(0,t.width/t.scale,Math.max(4,Math.round(t.width/90))).step;i.lineWidth=1;for(let[r,o]of[[t.right,!0],[t.up,!1]])for(let a=Math.ceil(Wt(e,r)/s);a*s<=Wt(n,r);++a){let c=Ut(t.centre,Ct(r,a*s-Wt(t.centre,r))),[l,h]=t.project(c).map(u=>Math.round(u)+.5);i.strokeStyle=a===0?le.gridZero:le.grid,i.beginPath(),o?(i.moveTo(l,0),i.lineTo(l,t.height)):(i.moveTo(0,h),i.lineTo(t.width,h)),i.stroke()}}
+function Qp(i,t,{c:e,n},s){let r=Wt(n,t.toward);if(Math.abs(r)<.02){$v(i,t,e,n);return}if(t.isPlanar)return;let{lo:o,hi:a,size:c}=s.extent,l=yi(je(Math.abs(n[0])<.9?[1,0,0]:[0,1,0],n)),h=je(n,l),u=Ct(Ut(o,a),.5),f=me(u,Ct(n,Wt(n,me(u,e)))),p=.75*c,_=Bs(0,2*p,12).step,v=Math.ceil(p/_),m=[l,h].map(E=>Math.round(Wt(f,E)/_)*_-Wt(f,E)),d=(E,y)=>t.project(Ut(f,Ut(Ct(l,m[0]+E*_),Ct(h,m[1]+y*_)))),w=Qe([d(
+-v,-v),d(v,-v),d(v,v),d(-v,v)]);if(i.fillStyle=r>0?le.ground:le.sheet,i.fill(w),i.strokeStyle=le.groundLine,i.lineWidth=1,r<0){i.stroke(w);return}for(let E=-v;E<=v;++E)i.stroke(Qe([d(E,-v),d(E,v)],!1)),i.stroke(Qe([d(-v,E),d(v,E)],!1))}function $v(i,t,e,n){let s=t.project(e),r=[Wt(n,t.right),-Wt(n,t.up)],o=[-r[1],r[0]],a=t.width+t.height,c=(t.width/2-s[0])*o[0]+(t.height/2-s[1])*o[1],l=Math.floor(
+(c-a)/11),h=Math.ceil((c+a)/11),u=(f,p)=>[s[0]+o[0]*f-r[0]*p,s[1]+o[1]*f-r[1]*p];i.fillStyle=le.ground,i.fill(Qe([u(l*11,0),u(h*11,0),u(h*11,14),u(l*11,14)])),i.strokeStyle=le.hatch,i.lineWidth=1.1,i.beginPath();for(let f=l;f<=h;++f){let p=u(f*11+11,0),_=u(f*11,14);i.moveTo(p[0],p[1]),i.lineTo(_[0],_[1])}i.stroke(),i.strokeStyle=le.edge,i.lineWidth=1.8,i.stroke(Qe([u(l*11,0),u(h*11,0)],!1))}var tm="system-ui, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif",Jv=60,Kv=1500,tl=class{constructor(t,e){this.canvas=t;this.film=e;this.ctx=t.getContext("2d"),this.usualForce=e.usualForce()}resize(t,e,n){this.canvas.width=Math.round(t*n),this.canvas.height=Math.round(e*n)}draw(t,e,n,s,r){let{ctx:o}=this,a=this.canvas.width/t.width;o.setTransform(a,0,0,a,0,0),o.clearRect(0,0,t.width,t.height),
+s.trails&&this.paintTrails(t,e),s.contacts&&this.paintContacts(t,e,n,r),Qv(o,t)}paintTrails(t,e){let{film:n,ctx:s}=this,r=n.indexAt(e),o=Math.max(1,Math.ceil(r/600));s.lineWidth=1.4;for(let a=0;a<Math.min(n.poses,60);++a){if(!n.moves(a))continue;let c=[];for(let l=0;l<=r;l+=o)c.push(t.project(n.pose(a,n.t[l]).r));c.push(t.project(n.pose(a,e).r)),s.strokeStyle=tn(Ao[a%Ao.length],le.dark?0:.2),s.stroke(
+Qe(c,!1))}}paintContacts(t,e,n,s){let{ctx:r}=this,o=this.film.contacts(e),a=this.usualForce>0?.1*s*n/this.usualForce:0,c=o.length<=Kv,l=.3*Math.min(t.width,t.height);if(o.length<=Jv)for(let f of o)this.paintCone(t,f,a,l);let h=On.map(()=>new Path2D),u=On.map(()=>new Path2D);for(let{r:f,F:p,state:_}of o){let v=On[_]?_:0,m=t.project(f),d=jv(m,t.project(Ut(f,Ct(p,a))),l);c?(u[v].moveTo(m[0]+3,m[1]),u[v].
+arc(m[0],m[1],3,0,2*Math.PI),Math.hypot(d[0]-m[0],d[1]-m[1])>3&&em(h[v],u[v],m,d)):(h[v].moveTo(m[0],m[1]),h[v].lineTo(d[0],d[1]))}r.lineCap="butt",On.forEach(({colour:f},p)=>{r.strokeStyle=r.fillStyle=le.dark?tn(f,.2):f,r.lineWidth=c?2.4:1.2,r.stroke(h[p]),r.fill(u[p])})}paintCone(t,e,n,s){let r=Wt(e.F,e.n);if(!(e.limit>0)||!(r>0)||e.limit>2*r)return;let{ctx:o}=this,a=(On[e.state]??On[0]).colour,
+c=t.project(e.r),l=t.project(Ut(e.r,Ct(e.F,n))),h=Math.hypot(l[0]-c[0],l[1]-c[1]),u=n*(h>s?s/h:1),f=Ut(e.r,Ct(e.n,r*u)),p=Ra(e.n),_=je(e.n,p),v=$a(f,p,_,e.limit*u,36).map(E=>t.project(E));if(Math.hypot(v[0][0]-v[18][0],v[0][1]-v[18][1])+Math.hypot(v[9][0]-v[27][0],v[9][1]-v[27][1])<5)return;let m=[t.project(f)[0]-c[0],t.project(f)[1]-c[1]],d=E=>m[0]*(E[1]-c[1])-m[1]*(E[0]-c[0]),w=v.slice().sort((E,y)=>d(
+E)-d(y));o.fillStyle=a+"24",o.fill(Qe([c,w[0],w[w.length-1]])),o.fill(Qe(v)),o.strokeStyle=a+"90",o.lineWidth=1.2,o.stroke(Qe(v)),o.stroke(Qe([w[0],c,w[w.length-1]],!1))}};function jv(i,t,e){let n=Math.hypot(t[0]-i[0],t[1]-i[1]);return n>e?[i[0]+(t[0]-i[0])*e/n,i[1]+(t[1]-i[1])*e/n]:t}function em(i,t,e,n){let s=Math.atan2(n[1]-e[1],n[0]-e[0]),r=Math.min(11,.6*Math.hypot(n[0]-e[0],n[1]-e[1])),o=a=>[
+n[0]-r*Math.cos(s+a),n[1]-r*Math.sin(s+a)];i.moveTo(e[0],e[1]),i.lineTo(n[0]-.8*r*Math.cos(s),n[1]-.8*r*Math.sin(s)),t.addPath(Qe([n,o(.42),o(-.42)]))}function Qv(i,t){let e=t.height<420,n=[e?34:44,t.height-(e?34:44)],s=e?22:30,r=[["x",[1,0,0],"#c2413b"],["y",[0,1,0],"#3f8f46"],["z",[0,0,1],le.dark?"#5a93d6":"#2f6db5"]];r.sort((h,u)=>Wt(h[1],t.toward)-Wt(u[1],t.toward)),i.font=`600 13px ${tm}`,i.textAlign=
+"center",i.textBaseline="middle";for(let[h,u,f]of r){let p=[Wt(u,t.right),-Wt(u,t.up)];if(Math.hypot(p[0],p[1])<.05)continue;i.strokeStyle=i.fillStyle=f,i.lineWidth=1.8;let _=new Path2D,v=new Path2D;em(_,v,n,[n[0]+p[0]*s,n[1]+p[1]*s]),i.stroke(_),i.fill(v),i.fillText(h,n[0]+p[0]*(s+10),n[1]+p[1]*(s+10))}let o=Bs(0,150/t.scale,2).step,a=o*t.scale,[c,l]=[n[0]+2*s+4,t.height-(e?24:30)];i.strokeStyle=
+i.fillStyle=le.soft,i.lineWidth=1.4,i.stroke(Qe([[c,l-4],[c,l],[c+a,l],[c+a,l-4]],!1)),i.font=`12px ${tm}`,i.fillText(jf(o),c+a/2,l+11)}var Rm=0,Ou=1,Pm=2;var Bu=1,Ql=2,Gi=3,ss=0,zn=1,di=2,ls=0,js=1,zu=2,ku=3,Vu=4,Im=5,Es=100,Lm=101,Dm=102,Um=103,Fm=104,Nm=200,Om=201,Bm=202,zm=203,Al=204,Cl=205,km=206,Vm=207,Hm=208,Gm=209,Wm=210,Xm=211,qm=212,Ym=213,Zm=214,tc=0,ec=1,nc=2,Qs=3,ic=4,sc=5,rc=6,oc=7,ac=0,$m=1,Jm=2,cs=0,Km=1,jm=2,Qm=3,tg=4,eg=5,ng=6,ig=7;var Hu=300,sr=301,rr=302,lc=303,cc=304,pa=306,Rl=1e3,Ts=1001,Pl=1002,Xn=1003,sg=1004;var ma=1005;var Ci=1006,hc=1007;var Ps=1008;var Pi=1009,Gu=1010,Wu=1011,co=1012,uc=1013,Is=1014,Ii=1015,ho=1016,fc=1017,dc=1018,uo=1020,Xu=35902,qu=35899,Yu=1021,Zu=1022,pi=1023,Jr=1026,fo=1027,pc=1028,mc=1029,$u=1030,gc=1031;var _c=1033,ga=33776,_a=33777,va=33778,xa=33779,vc=35840,xc=35841,yc=35842,Mc=35843,Sc=36196,bc=37492,wc=37496,Tc=37808,Ec=37809,Ac=37810,Cc=37811,Rc=37812,Pc=37813,Ic=37814,Lc=37815,Dc=37816,Uc=37817,Fc=37818,Nc=37819,Oc=37820,Bc=37821,zc=36492,kc=36494,Vc=36495,Hc=36283,Gc=36284,Wc=36285,Xc=36286;var Xo=2300,Il=2301,Tl=2302,Cu=2400,Ru=2401,Pu=2402;var rg=3200,og=3201;var qc=0,ag=1,hs="",ni="srgb",tr="srgb-linear",qo="linear",De="srgb";var Js=7680;var Iu=519,lg=512,cg=513,hg=514,Ju=515,ug=516,fg=517,dg=518,pg=519,Lu=35044;var Ku="300 es",Ai=2e3,Yo=2001;var rs=class{addEventListener(t,e){this._listeners===void 0&&(this._listeners={});let n=this._listeners;n[t]===void 0&&(n[t]=[]),n[t].indexOf(e)===-1&&n[t].push(e)}hasEventListener(t,e){let n=this._listeners;return n===void 0?!1:n[t]!==void 0&&n[t].indexOf(e)!==-1}removeEventListener(t,e){let n=this._listeners;if(n===void 0)return;let s=n[t];if(s!==void 0){let r=s.indexOf(e);r!==-1&&s.splice(r,1)}}dispatchEvent(t){
+let e=this._listeners;if(e===void 0)return;let n=e[t.type];if(n!==void 0){t.target=this;let s=n.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,t);t.target=null}}},En=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c",
+"2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c",
+"7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc",
+"cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var El=Math.PI/180,Ll=180/Math.PI;function ya(){let i=Math.random()*4294967295|0,t=Math.random()*4294967295|0,e=Math.random()*4294967295|0,n=Math.random()*4294967295|0;return(En[i&255]+En[i>>8&255]+En[i>>16&255]+En[i>>24&255]+"-"+En[t&255]+En[t>>8&255]+"-"+En[t>>16&15|64]+En[t>>24&255]+"-"+En[e&63|128]+En[e>>8&255]+"-"+En[e>>16&255]+En[e>>24&255]+En[n&255]+En[n>>8&255]+En[n>>16&255]+En[n>>24&255]).
+toLowerCase()}function ge(i,t,e){return Math.max(t,Math.min(e,i))}function tx(i,t){return(i%t+t)%t}function iu(i,t,e){return(1-e)*i+e*t}function Oo(i,t){switch(t.constructor){case Float32Array:return i;case Uint32Array:return i/4294967295;case Uint16Array:return i/65535;case Uint8Array:return i/255;case Int32Array:return Math.max(i/2147483647,-1);case Int16Array:return Math.max(i/32767,-1);case Int8Array:return Math.max(i/127,-1);default:throw new Error("Invalid component type.")}}function Gn(i,t){switch(t.constructor){case Float32Array:
+return i;case Uint32Array:return Math.round(i*4294967295);case Uint16Array:return Math.round(i*65535);case Uint8Array:return Math.round(i*255);case Int32Array:return Math.round(i*2147483647);case Int16Array:return Math.round(i*32767);case Int8Array:return Math.round(i*127);default:throw new Error("Invalid component type.")}}var pe=class i{constructor(t=0,e=0){i.prototype.isVector2=!0,this.x=t,this.y=e}get width(){return this.x}set width(t){this.x=t}get height(){return this.y}set height(t){this.y=t}set(t,e){return this.x=t,this.y=e,this}setScalar(t){return this.x=t,this.y=t,this}setX(t){return this.x=t,this}setY(t){return this.y=t,this}setComponent(t,e){switch(t){case 0:this.x=e;break;case 1:this.y=e;break;default:throw new Error(
+"index is out of range: "+t)}return this}getComponent(t){switch(t){case 0:return this.x;case 1:return this.y;default:throw new Error("index is out of range: "+t)}}clone(){return new this.constructor(this.x,this.y)}copy(t){return this.x=t.x,this.y=t.y,this}add(t){return this.x+=t.x,this.y+=t.y,this}addScalar(t){return this.x+=t,this.y+=t,this}addVectors(t,e){return this.x=t.x+e.x,this.y=t.y+e.y,this}addScaledVector(t,e){
+return this.x+=t.x*e,this.y+=t.y*e,this}sub(t){return this.x-=t.x,this.y-=t.y,this}subScalar(t){return this.x-=t,this.y-=t,this}subVectors(t,e){return this.x=t.x-e.x,this.y=t.y-e.y,this}multiply(t){return this.x*=t.x,this.y*=t.y,this}multiplyScalar(t){return this.x*=t,this.y*=t,this}divide(t){return this.x/=t.x,this.y/=t.y,this}divideScalar(t){return this.multiplyScalar(1/t)}applyMatrix3(t){let e=this.
+x,n=this.y,s=t.elements;return this.x=s[0]*e+s[3]*n+s[6],this.y=s[1]*e+s[4]*n+s[7],this}min(t){return this.x=Math.min(this.x,t.x),this.y=Math.min(this.y,t.y),this}max(t){return this.x=Math.max(this.x,t.x),this.y=Math.max(this.y,t.y),this}clamp(t,e){return this.x=ge(this.x,t.x,e.x),this.y=ge(this.y,t.y,e.y),this}clampScalar(t,e){return this.x=ge(this.x,t,e),this.y=ge(this.y,t,e),this}clampLength(t,e){
+let n=this.length();return this.divideScalar(n||1).multiplyScalar(ge(n,t,e))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.
+y=-this.y,this}dot(t){return this.x*t.x+this.y*t.y}cross(t){return this.x*t.y-this.y*t.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(t){let e=Math.sqrt(this.lengthSq()*t.
+lengthSq());if(e===0)return Math.PI/2;let n=this.dot(t)/e;return Math.acos(ge(n,-1,1))}distanceTo(t){return Math.sqrt(this.distanceToSquared(t))}distanceToSquared(t){let e=this.x-t.x,n=this.y-t.y;return e*e+n*n}manhattanDistanceTo(t){return Math.abs(this.x-t.x)+Math.abs(this.y-t.y)}setLength(t){return this.normalize().multiplyScalar(t)}lerp(t,e){return this.x+=(t.x-this.x)*e,this.y+=(t.y-this.y)*e,
+this}lerpVectors(t,e,n){return this.x=t.x+(e.x-t.x)*n,this.y=t.y+(e.y-t.y)*n,this}equals(t){return t.x===this.x&&t.y===this.y}fromArray(t,e=0){return this.x=t[e],this.y=t[e+1],this}toArray(t=[],e=0){return t[e]=this.x,t[e+1]=this.y,t}fromBufferAttribute(t,e){return this.x=t.getX(e),this.y=t.getY(e),this}rotateAround(t,e){let n=Math.cos(e),s=Math.sin(e),r=this.x-t.x,o=this.y-t.y;return this.x=r*n-o*
+s+t.x,this.y=r*s+o*n+t.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},ui=class{constructor(t=0,e=0,n=0,s=1){this.isQuaternion=!0,this._x=t,this._y=e,this._z=n,this._w=s}static slerpFlat(t,e,n,s,r,o,a){let c=n[s+0],l=n[s+1],h=n[s+2],u=n[s+3],f=r[o+0],p=r[o+1],_=r[o+2],v=r[o+3];if(a===0){t[e+0]=c,t[e+1]=l,t[e+2]=h,t[e+3]=u;return}
+if(a===1){t[e+0]=f,t[e+1]=p,t[e+2]=_,t[e+3]=v;return}if(u!==v||c!==f||l!==p||h!==_){let m=1-a,d=c*f+l*p+h*_+u*v,w=d>=0?1:-1,E=1-d*d;if(E>Number.EPSILON){let L=Math.sqrt(E),A=Math.atan2(L,d*w);m=Math.sin(m*A)/L,a=Math.sin(a*A)/L}let y=a*w;if(c=c*m+f*y,l=l*m+p*y,h=h*m+_*y,u=u*m+v*y,m===1-a){let L=1/Math.sqrt(c*c+l*l+h*h+u*u);c*=L,l*=L,h*=L,u*=L}}t[e]=c,t[e+1]=l,t[e+2]=h,t[e+3]=u}static multiplyQuaternionsFlat(t,e,n,s,r,o){
+let a=n[s],c=n[s+1],l=n[s+2],h=n[s+3],u=r[o],f=r[o+1],p=r[o+2],_=r[o+3];return t[e]=a*_+h*u+c*p-l*f,t[e+1]=c*_+h*f+l*u-a*p,t[e+2]=l*_+h*p+a*f-c*u,t[e+3]=h*_-a*u-c*f-l*p,t}get x(){return this._x}set x(t){this._x=t,this._onChangeCallback()}get y(){return this._y}set y(t){this._y=t,this._onChangeCallback()}get z(){return this._z}set z(t){this._z=t,this._onChangeCallback()}get w(){return this._w}set w(t){
+this._w=t,this._onChangeCallback()}set(t,e,n,s){return this._x=t,this._y=e,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(t){return this._x=t.x,this._y=t.y,this._z=t.z,this._w=t.w,this._onChangeCallback(),this}setFromEuler(t,e=!0){let n=t._x,s=t._y,r=t._z,o=t._order,a=Math.cos,c=Math.sin,l=a(n/2),h=a(s/2),u=a(r/2),f=c(n/2),
+p=c(s/2),_=c(r/2);switch(o){case"XYZ":this._x=f*h*u+l*p*_,this._y=l*p*u-f*h*_,this._z=l*h*_+f*p*u,this._w=l*h*u-f*p*_;break;case"YXZ":this._x=f*h*u+l*p*_,this._y=l*p*u-f*h*_,this._z=l*h*_-f*p*u,this._w=l*h*u+f*p*_;break;case"ZXY":this._x=f*h*u-l*p*_,this._y=l*p*u+f*h*_,this._z=l*h*_+f*p*u,this._w=l*h*u-f*p*_;break;case"ZYX":this._x=f*h*u-l*p*_,this._y=l*p*u+f*h*_,this._z=l*h*_-f*p*u,this._w=l*h*u+
+f*p*_;break;case"YZX":this._x=f*h*u+l*p*_,this._y=l*p*u+f*h*_,this._z=l*h*_-f*p*u,this._w=l*h*u-f*p*_;break;case"XZY":this._x=f*h*u-l*p*_,this._y=l*p*u-f*h*_,this._z=l*h*_+f*p*u,this._w=l*h*u+f*p*_;break;default:console.warn("THREE.Quaternion: .setFromEuler() encountered an unknown order: "+o)}return e===!0&&this._onChangeCallback(),this}setFromAxisAngle(t,e){let n=e/2,s=Math.sin(n);return this._x=
+t.x*s,this._y=t.y*s,this._z=t.z*s,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(t){let e=t.elements,n=e[0],s=e[4],r=e[8],o=e[1],a=e[5],c=e[9],l=e[2],h=e[6],u=e[10],f=n+a+u;if(f>0){let p=.5/Math.sqrt(f+1);this._w=.25/p,this._x=(h-c)*p,this._y=(r-l)*p,this._z=(o-s)*p}else if(n>a&&n>u){let p=2*Math.sqrt(1+n-a-u);this._w=(h-c)/p,this._x=.25*p,this._y=(s+o)/p,this._z=(r+l)/p}else if(a>
+u){let p=2*Math.sqrt(1+a-n-u);this._w=(r-l)/p,this._x=(s+o)/p,this._y=.25*p,this._z=(c+h)/p}else{let p=2*Math.sqrt(1+u-n-a);this._w=(o-s)/p,this._x=(r+l)/p,this._y=(c+h)/p,this._z=.25*p}return this._onChangeCallback(),this}setFromUnitVectors(t,e){let n=t.dot(e)+1;return n<1e-8?(n=0,Math.abs(t.x)>Math.abs(t.z)?(this._x=-t.y,this._y=t.x,this._z=0,this._w=n):(this._x=0,this._y=-t.z,this._z=t.y,this._w=
+n)):(this._x=t.y*e.z-t.z*e.y,this._y=t.z*e.x-t.x*e.z,this._z=t.x*e.y-t.y*e.x,this._w=n),this.normalize()}angleTo(t){return 2*Math.acos(Math.abs(ge(this.dot(t),-1,1)))}rotateTowards(t,e){let n=this.angleTo(t);if(n===0)return this;let s=Math.min(1,e/n);return this.slerp(t,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=
+-1,this._onChangeCallback(),this}dot(t){return this._x*t._x+this._y*t._y+this._z*t._z+this._w*t._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let t=this.length();return t===0?(this._x=0,this._y=0,this._z=0,this._w=1):(t=1/t,this._x=this._x*t,this._y=this._y*
+t,this._z=this._z*t,this._w=this._w*t),this._onChangeCallback(),this}multiply(t){return this.multiplyQuaternions(this,t)}premultiply(t){return this.multiplyQuaternions(t,this)}multiplyQuaternions(t,e){let n=t._x,s=t._y,r=t._z,o=t._w,a=e._x,c=e._y,l=e._z,h=e._w;return this._x=n*h+o*a+s*l-r*c,this._y=s*h+o*c+r*a-n*l,this._z=r*h+o*l+n*c-s*a,this._w=o*h-n*a-s*c-r*l,this._onChangeCallback(),this}slerp(t,e){
+if(e===0)return this;if(e===1)return this.copy(t);let n=this._x,s=this._y,r=this._z,o=this._w,a=o*t._w+n*t._x+s*t._y+r*t._z;if(a<0?(this._w=-t._w,this._x=-t._x,this._y=-t._y,this._z=-t._z,a=-a):this.copy(t),a>=1)return this._w=o,this._x=n,this._y=s,this._z=r,this;let c=1-a*a;if(c<=Number.EPSILON){let p=1-e;return this._w=p*o+e*this._w,this._x=p*n+e*this._x,this._y=p*s+e*this._y,this._z=p*r+e*this.
+_z,this.normalize(),this}let l=Math.sqrt(c),h=Math.atan2(l,a),u=Math.sin((1-e)*h)/l,f=Math.sin(e*h)/l;return this._w=o*u+this._w*f,this._x=n*u+this._x*f,this._y=s*u+this._y*f,this._z=r*u+this._z*f,this._onChangeCallback(),this}slerpQuaternions(t,e,n){return this.copy(t).slerp(e,n)}random(){let t=2*Math.PI*Math.random(),e=2*Math.PI*Math.random(),n=Math.random(),s=Math.sqrt(1-n),r=Math.sqrt(n);return this.
+set(s*Math.sin(t),s*Math.cos(t),r*Math.sin(e),r*Math.cos(e))}equals(t){return t._x===this._x&&t._y===this._y&&t._z===this._z&&t._w===this._w}fromArray(t,e=0){return this._x=t[e],this._y=t[e+1],this._z=t[e+2],this._w=t[e+3],this._onChangeCallback(),this}toArray(t=[],e=0){return t[e]=this._x,t[e+1]=this._y,t[e+2]=this._z,t[e+3]=this._w,t}fromBufferAttribute(t,e){return this._x=t.getX(e),this._y=t.getY(
+e),this._z=t.getZ(e),this._w=t.getW(e),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(t){return this._onChangeCallback=t,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},X=class i{constructor(t=0,e=0,n=0){i.prototype.isVector3=!0,this.x=t,this.y=e,this.z=n}set(t,e,n){return n===void 0&&(n=this.z),this.x=t,this.y=e,this.
+z=n,this}setScalar(t){return this.x=t,this.y=t,this.z=t,this}setX(t){return this.x=t,this}setY(t){return this.y=t,this}setZ(t){return this.z=t,this}setComponent(t,e){switch(t){case 0:this.x=e;break;case 1:this.y=e;break;case 2:this.z=e;break;default:throw new Error("index is out of range: "+t)}return this}getComponent(t){switch(t){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:
+throw new Error("index is out of range: "+t)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(t){return this.x=t.x,this.y=t.y,this.z=t.z,this}add(t){return this.x+=t.x,this.y+=t.y,this.z+=t.z,this}addScalar(t){return this.x+=t,this.y+=t,this.z+=t,this}addVectors(t,e){return this.x=t.x+e.x,this.y=t.y+e.y,this.z=t.z+e.z,this}addScaledVector(t,e){return this.x+=t.x*e,this.y+=t.y*e,this.
+z+=t.z*e,this}sub(t){return this.x-=t.x,this.y-=t.y,this.z-=t.z,this}subScalar(t){return this.x-=t,this.y-=t,this.z-=t,this}subVectors(t,e){return this.x=t.x-e.x,this.y=t.y-e.y,this.z=t.z-e.z,this}multiply(t){return this.x*=t.x,this.y*=t.y,this.z*=t.z,this}multiplyScalar(t){return this.x*=t,this.y*=t,this.z*=t,this}multiplyVectors(t,e){return this.x=t.x*e.x,this.y=t.y*e.y,this.z=t.z*e.z,this}applyEuler(t){
+return this.applyQuaternion(nm.setFromEuler(t))}applyAxisAngle(t,e){return this.applyQuaternion(nm.setFromAxisAngle(t,e))}applyMatrix3(t){let e=this.x,n=this.y,s=this.z,r=t.elements;return this.x=r[0]*e+r[3]*n+r[6]*s,this.y=r[1]*e+r[4]*n+r[7]*s,this.z=r[2]*e+r[5]*n+r[8]*s,this}applyNormalMatrix(t){return this.applyMatrix3(t).normalize()}applyMatrix4(t){let e=this.x,n=this.y,s=this.z,r=t.elements,o=1/
+(r[3]*e+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*e+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*e+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*e+r[6]*n+r[10]*s+r[14])*o,this}applyQuaternion(t){let e=this.x,n=this.y,s=this.z,r=t.x,o=t.y,a=t.z,c=t.w,l=2*(o*s-a*n),h=2*(a*e-r*s),u=2*(r*n-o*e);return this.x=e+c*l+o*u-a*h,this.y=n+c*h+a*l-r*u,this.z=s+c*u+r*h-o*l,this}project(t){return this.applyMatrix4(t.matrixWorldInverse).
+applyMatrix4(t.projectionMatrix)}unproject(t){return this.applyMatrix4(t.projectionMatrixInverse).applyMatrix4(t.matrixWorld)}transformDirection(t){let e=this.x,n=this.y,s=this.z,r=t.elements;return this.x=r[0]*e+r[4]*n+r[8]*s,this.y=r[1]*e+r[5]*n+r[9]*s,this.z=r[2]*e+r[6]*n+r[10]*s,this.normalize()}divide(t){return this.x/=t.x,this.y/=t.y,this.z/=t.z,this}divideScalar(t){return this.multiplyScalar(
+1/t)}min(t){return this.x=Math.min(this.x,t.x),this.y=Math.min(this.y,t.y),this.z=Math.min(this.z,t.z),this}max(t){return this.x=Math.max(this.x,t.x),this.y=Math.max(this.y,t.y),this.z=Math.max(this.z,t.z),this}clamp(t,e){return this.x=ge(this.x,t.x,e.x),this.y=ge(this.y,t.y,e.y),this.z=ge(this.z,t.z,e.z),this}clampScalar(t,e){return this.x=ge(this.x,t,e),this.y=ge(this.y,t,e),this.z=ge(this.z,t,e),
+this}clampLength(t,e){let n=this.length();return this.divideScalar(n||1).multiplyScalar(ge(n,t,e))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){
+return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(t){return this.x*t.x+this.y*t.y+this.z*t.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(
+this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(t){return this.normalize().multiplyScalar(t)}lerp(t,e){return this.x+=(t.x-this.x)*e,this.y+=(t.y-this.y)*e,this.z+=(t.z-this.z)*e,this}lerpVectors(t,e,n){return this.x=t.x+(e.x-t.x)*n,this.y=t.y+(e.y-t.y)*n,this.z=t.z+(e.z-t.z)*n,this}cross(t){return this.crossVectors(this,t)}crossVectors(t,e){let n=t.x,s=t.y,r=t.z,o=e.x,a=e.
+y,c=e.z;return this.x=s*c-r*a,this.y=r*o-n*c,this.z=n*a-s*o,this}projectOnVector(t){let e=t.lengthSq();if(e===0)return this.set(0,0,0);let n=t.dot(this)/e;return this.copy(t).multiplyScalar(n)}projectOnPlane(t){return su.copy(this).projectOnVector(t),this.sub(su)}reflect(t){return this.sub(su.copy(t).multiplyScalar(2*this.dot(t)))}angleTo(t){let e=Math.sqrt(this.lengthSq()*t.lengthSq());if(e===0)return Math.
+PI/2;let n=this.dot(t)/e;return Math.acos(ge(n,-1,1))}distanceTo(t){return Math.sqrt(this.distanceToSquared(t))}distanceToSquared(t){let e=this.x-t.x,n=this.y-t.y,s=this.z-t.z;return e*e+n*n+s*s}manhattanDistanceTo(t){return Math.abs(this.x-t.x)+Math.abs(this.y-t.y)+Math.abs(this.z-t.z)}setFromSpherical(t){return this.setFromSphericalCoords(t.radius,t.phi,t.theta)}setFromSphericalCoords(t,e,n){let s=Math.
+sin(e)*t;return this.x=s*Math.sin(n),this.y=Math.cos(e)*t,this.z=s*Math.cos(n),this}setFromCylindrical(t){return this.setFromCylindricalCoords(t.radius,t.theta,t.y)}setFromCylindricalCoords(t,e,n){return this.x=t*Math.sin(e),this.y=n,this.z=t*Math.cos(e),this}setFromMatrixPosition(t){let e=t.elements;return this.x=e[12],this.y=e[13],this.z=e[14],this}setFromMatrixScale(t){let e=this.setFromMatrixColumn(
+t,0).length(),n=this.setFromMatrixColumn(t,1).length(),s=this.setFromMatrixColumn(t,2).length();return this.x=e,this.y=n,this.z=s,this}setFromMatrixColumn(t,e){return this.fromArray(t.elements,e*4)}setFromMatrix3Column(t,e){return this.fromArray(t.elements,e*3)}setFromEuler(t){return this.x=t._x,this.y=t._y,this.z=t._z,this}setFromColor(t){return this.x=t.r,this.y=t.g,this.z=t.b,this}equals(t){return t.
+x===this.x&&t.y===this.y&&t.z===this.z}fromArray(t,e=0){return this.x=t[e],this.y=t[e+1],this.z=t[e+2],this}toArray(t=[],e=0){return t[e]=this.x,t[e+1]=this.y,t[e+2]=this.z,t}fromBufferAttribute(t,e){return this.x=t.getX(e),this.y=t.getY(e),this.z=t.getZ(e),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let t=Math.random()*Math.PI*2,e=Math.
+random()*2-1,n=Math.sqrt(1-e*e);return this.x=n*Math.cos(t),this.y=e,this.z=n*Math.sin(t),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},su=new X,nm=new ui,re=class i{constructor(t,e,n,s,r,o,a,c,l){i.prototype.isMatrix3=!0,this.elements=[1,0,0,0,1,0,0,0,1],t!==void 0&&this.set(t,e,n,s,r,o,a,c,l)}set(t,e,n,s,r,o,a,c,l){let h=this.elements;return h[0]=t,h[1]=s,h[2]=a,h[3]=e,h[4]=
+r,h[5]=c,h[6]=n,h[7]=o,h[8]=l,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(t){let e=this.elements,n=t.elements;return e[0]=n[0],e[1]=n[1],e[2]=n[2],e[3]=n[3],e[4]=n[4],e[5]=n[5],e[6]=n[6],e[7]=n[7],e[8]=n[8],this}extractBasis(t,e,n){return t.setFromMatrix3Column(this,0),e.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(t){let e=t.elements;return this.
+set(e[0],e[4],e[8],e[1],e[5],e[9],e[2],e[6],e[10]),this}multiply(t){return this.multiplyMatrices(this,t)}premultiply(t){return this.multiplyMatrices(t,this)}multiplyMatrices(t,e){let n=t.elements,s=e.elements,r=this.elements,o=n[0],a=n[3],c=n[6],l=n[1],h=n[4],u=n[7],f=n[2],p=n[5],_=n[8],v=s[0],m=s[3],d=s[6],w=s[1],E=s[4],y=s[7],L=s[2],A=s[5],D=s[8];return r[0]=o*v+a*w+c*L,r[3]=o*m+a*E+c*A,r[6]=o*d+
+a*y+c*D,r[1]=l*v+h*w+u*L,r[4]=l*m+h*E+u*A,r[7]=l*d+h*y+u*D,r[2]=f*v+p*w+_*L,r[5]=f*m+p*E+_*A,r[8]=f*d+p*y+_*D,this}multiplyScalar(t){let e=this.elements;return e[0]*=t,e[3]*=t,e[6]*=t,e[1]*=t,e[4]*=t,e[7]*=t,e[2]*=t,e[5]*=t,e[8]*=t,this}determinant(){let t=this.elements,e=t[0],n=t[1],s=t[2],r=t[3],o=t[4],a=t[5],c=t[6],l=t[7],h=t[8];return e*o*h-e*a*l-n*r*h+n*a*c+s*r*l-s*o*c}invert(){let t=this.elements,
+e=t[0],n=t[1],s=t[2],r=t[3],o=t[4],a=t[5],c=t[6],l=t[7],h=t[8],u=h*o-a*l,f=a*c-h*r,p=l*r-o*c,_=e*u+n*f+s*p;if(_===0)return this.set(0,0,0,0,0,0,0,0,0);let v=1/_;return t[0]=u*v,t[1]=(s*l-h*n)*v,t[2]=(a*n-s*o)*v,t[3]=f*v,t[4]=(h*e-s*c)*v,t[5]=(s*r-a*e)*v,t[6]=p*v,t[7]=(n*c-l*e)*v,t[8]=(o*e-n*r)*v,this}transpose(){let t,e=this.elements;return t=e[1],e[1]=e[3],e[3]=t,t=e[2],e[2]=e[6],e[6]=t,t=e[5],e[5]=
+e[7],e[7]=t,this}getNormalMatrix(t){return this.setFromMatrix4(t).invert().transpose()}transposeIntoArray(t){let e=this.elements;return t[0]=e[0],t[1]=e[3],t[2]=e[6],t[3]=e[1],t[4]=e[4],t[5]=e[7],t[6]=e[2],t[7]=e[5],t[8]=e[8],this}setUvTransform(t,e,n,s,r,o,a){let c=Math.cos(r),l=Math.sin(r);return this.set(n*c,n*l,-n*(c*o+l*a)+o+t,-s*l,s*c,-s*(-l*o+c*a)+a+e,0,0,1),this}scale(t,e){return this.premultiply(
+ru.makeScale(t,e)),this}rotate(t){return this.premultiply(ru.makeRotation(-t)),this}translate(t,e){return this.premultiply(ru.makeTranslation(t,e)),this}makeTranslation(t,e){return t.isVector2?this.set(1,0,t.x,0,1,t.y,0,0,1):this.set(1,0,t,0,1,e,0,0,1),this}makeRotation(t){let e=Math.cos(t),n=Math.sin(t);return this.set(e,-n,0,n,e,0,0,0,1),this}makeScale(t,e){return this.set(t,0,0,0,e,0,0,0,1),this}equals(t){
+let e=this.elements,n=t.elements;for(let s=0;s<9;s++)if(e[s]!==n[s])return!1;return!0}fromArray(t,e=0){for(let n=0;n<9;n++)this.elements[n]=t[n+e];return this}toArray(t=[],e=0){let n=this.elements;return t[e]=n[0],t[e+1]=n[1],t[e+2]=n[2],t[e+3]=n[3],t[e+4]=n[4],t[e+5]=n[5],t[e+6]=n[6],t[e+7]=n[7],t[e+8]=n[8],t}clone(){return new this.constructor().fromArray(this.elements)}},ru=new re;function ju(i){
+for(let t=i.length-1;t>=0;--t)if(i[t]>=65535)return!0;return!1}function Zo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function mg(){let i=Zo("canvas");return i.style.display="block",i}var im={};function Kr(i){i in im||(im[i]=!0,console.warn(i))}function gg(i,t,e){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(t,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:setTimeout(r,e);break;default:
+n()}}setTimeout(r,e)})}var sm=new re().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),rm=new re().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function ex(){let i={enabled:!0,workingColorSpace:tr,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===De&&(s.r=is(s.r),
+s.g=is(s.g),s.b=is(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===De&&(s.r=$r(s.r),s.g=$r(s.g),s.b=$r(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){
+return this.spaces[s].primaries},getTransfer:function(s){return s===hs?qo:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){
+return s.copy(this.spaces[r].toXYZ).multiply(this.spaces[o].fromXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace},fromWorkingColorSpace:function(s,r){return Kr("THREE.ColorManagement: .fromWorkingColorSpace() has b\
+een renamed to .workingToColorSpace()."),i.workingToColorSpace(s,r)},toWorkingColorSpace:function(s,r){return Kr("THREE.ColorManagement: .toWorkingColorSpace() has been renamed to .colorSpaceToWorking()."),i.colorSpaceToWorking(s,r)}},t=[.64,.33,.3,.6,.15,.06],e=[.2126,.7152,.0722],n=[.3127,.329];return i.define({[tr]:{primaries:t,whitePoint:n,transfer:qo,toXYZ:sm,fromXYZ:rm,luminanceCoefficients:e,
+workingColorSpaceConfig:{unpackColorSpace:ni},outputColorSpaceConfig:{drawingBufferColorSpace:ni}},[ni]:{primaries:t,whitePoint:n,transfer:De,toXYZ:sm,fromXYZ:rm,luminanceCoefficients:e,outputColorSpaceConfig:{drawingBufferColorSpace:ni}}}),i}var xe=ex();function is(i){return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function $r(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-
+.055}var Nr,Dl=class{static getDataURL(t,e="image/png"){if(/^data:/i.test(t.src)||typeof HTMLCanvasElement>"u")return t.src;let n;if(t instanceof HTMLCanvasElement)n=t;else{Nr===void 0&&(Nr=Zo("canvas")),Nr.width=t.width,Nr.height=t.height;let s=Nr.getContext("2d");t instanceof ImageData?s.putImageData(t,0,0):s.drawImage(t,0,0,t.width,t.height),n=Nr}return n.toDataURL(e)}static sRGBToLinear(t){if(typeof HTMLImageElement<
+"u"&&t instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&t instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&t instanceof ImageBitmap){let e=Zo("canvas");e.width=t.width,e.height=t.height;let n=e.getContext("2d");n.drawImage(t,0,0,t.width,t.height);let s=n.getImageData(0,0,t.width,t.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=is(r[o]/255)*255;return n.putImageData(s,0,0),e}else if(t.
+data){let e=t.data.slice(0);for(let n=0;n<e.length;n++)e instanceof Uint8Array||e instanceof Uint8ClampedArray?e[n]=Math.floor(is(e[n]/255)*255):e[n]=is(e[n]);return{data:e,width:t.width,height:t.height}}else return console.warn("THREE.ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),t}},nx=0,jr=class{constructor(t=null){this.isSource=!0,Object.defineProperty(
+this,"id",{value:nx++}),this.uuid=ya(),this.data=t,this.dataReady=!0,this.version=0}getSize(t){let e=this.data;return typeof HTMLVideoElement<"u"&&e instanceof HTMLVideoElement?t.set(e.videoWidth,e.videoHeight,0):e instanceof VideoFrame?t.set(e.displayHeight,e.displayWidth,0):e!==null?t.set(e.width,e.height,e.depth||0):t.set(0,0,0),t}set needsUpdate(t){t===!0&&this.version++}toJSON(t){let e=t===void 0||
+typeof t=="string";if(!e&&t.images[this.uuid]!==void 0)return t.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(ou(s[o].image)):r.push(ou(s[o]))}else r=ou(s);n.url=r}return e||(t.images[this.uuid]=n),n}};function ou(i){return typeof HTMLImageElement<"u"&&i instanceof HTMLImageElement||
+typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Dl.getDataURL(i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(console.warn("THREE.Texture: Unable to serialize Texture."),{})}var ix=0,au=new X,qn=class i extends rs{constructor(t=i.DEFAULT_IMAGE,e=i.DEFAULT_MAPPING,n=Ts,s=Ts,r=Ci,o=Ps,a=pi,c=Pi,l=i.
+DEFAULT_ANISOTROPY,h=hs){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:ix++}),this.uuid=ya(),this.name="",this.source=new jr(t),this.mipmaps=[],this.mapping=e,this.channel=0,this.wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=l,this.format=a,this.internalFormat=null,this.type=c,this.offset=new pe(0,0),this.repeat=new pe(1,1),this.center=new pe(0,0),this.rotation=
+0,this.matrixAutoUpdate=!0,this.matrix=new re,this.generateMipmaps=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=h,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(t&&t.depth&&t.depth>1),this.pmremVersion=0}get width(){return this.source.getSize(au).x}get height(){return this.
+source.getSize(au).y}get depth(){return this.source.getSize(au).z}get image(){return this.source.data}set image(t=null){this.source.data=t}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(t,e){this.updateRanges.push({start:t,count:e})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.
+constructor().copy(this)}copy(t){return this.name=t.name,this.source=t.source,this.mipmaps=t.mipmaps.slice(0),this.mapping=t.mapping,this.channel=t.channel,this.wrapS=t.wrapS,this.wrapT=t.wrapT,this.magFilter=t.magFilter,this.minFilter=t.minFilter,this.anisotropy=t.anisotropy,this.format=t.format,this.internalFormat=t.internalFormat,this.type=t.type,this.offset.copy(t.offset),this.repeat.copy(t.repeat),
+this.center.copy(t.center),this.rotation=t.rotation,this.matrixAutoUpdate=t.matrixAutoUpdate,this.matrix.copy(t.matrix),this.generateMipmaps=t.generateMipmaps,this.premultiplyAlpha=t.premultiplyAlpha,this.flipY=t.flipY,this.unpackAlignment=t.unpackAlignment,this.colorSpace=t.colorSpace,this.renderTarget=t.renderTarget,this.isRenderTargetTexture=t.isRenderTargetTexture,this.isArrayTexture=t.isArrayTexture,
+this.userData=JSON.parse(JSON.stringify(t.userData)),this.needsUpdate=!0,this}setValues(t){for(let e in t){let n=t[e];if(n===void 0){console.warn(`THREE.Texture.setValues(): parameter '${e}' has value of undefined.`);continue}let s=this[e];if(s===void 0){console.warn(`THREE.Texture.setValues(): property '${e}' does not exist.`);continue}s&&n&&s.isVector2&&n.isVector2||s&&n&&s.isVector3&&n.isVector3||
+s&&n&&s.isMatrix3&&n.isMatrix3?s.copy(n):this[e]=n}}toJSON(t){let e=t===void 0||typeof t=="string";if(!e&&t.textures[this.uuid]!==void 0)return t.textures[this.uuid];let n={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(t).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.
+x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};
+return Object.keys(this.userData).length>0&&(n.userData=this.userData),e||(t.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(t){if(this.mapping!==Hu)return t;if(t.applyMatrix3(this.matrix),t.x<0||t.x>1)switch(this.wrapS){case Rl:t.x=t.x-Math.floor(t.x);break;case Ts:t.x=t.x<0?0:1;break;case Pl:Math.abs(Math.floor(t.x)%2)===1?t.x=Math.ceil(t.x)-t.x:t.x=t.x-Math.floor(
+t.x);break}if(t.y<0||t.y>1)switch(this.wrapT){case Rl:t.y=t.y-Math.floor(t.y);break;case Ts:t.y=t.y<0?0:1;break;case Pl:Math.abs(Math.floor(t.y)%2)===1?t.y=Math.ceil(t.y)-t.y:t.y=t.y-Math.floor(t.y);break}return this.flipY&&(t.y=1-t.y),t}set needsUpdate(t){t===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(t){t===!0&&this.pmremVersion++}};qn.DEFAULT_IMAGE=null;qn.DEFAULT_MAPPING=
+Hu;qn.DEFAULT_ANISOTROPY=1;var $e=class i{constructor(t=0,e=0,n=0,s=1){i.prototype.isVector4=!0,this.x=t,this.y=e,this.z=n,this.w=s}get width(){return this.z}set width(t){this.z=t}get height(){return this.w}set height(t){this.w=t}set(t,e,n,s){return this.x=t,this.y=e,this.z=n,this.w=s,this}setScalar(t){return this.x=t,this.y=t,this.z=t,this.w=t,this}setX(t){return this.x=t,this}setY(t){return this.
+y=t,this}setZ(t){return this.z=t,this}setW(t){return this.w=t,this}setComponent(t,e){switch(t){case 0:this.x=e;break;case 1:this.y=e;break;case 2:this.z=e;break;case 3:this.w=e;break;default:throw new Error("index is out of range: "+t)}return this}getComponent(t){switch(t){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("index is out of r\
+ange: "+t)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(t){return this.x=t.x,this.y=t.y,this.z=t.z,this.w=t.w!==void 0?t.w:1,this}add(t){return this.x+=t.x,this.y+=t.y,this.z+=t.z,this.w+=t.w,this}addScalar(t){return this.x+=t,this.y+=t,this.z+=t,this.w+=t,this}addVectors(t,e){return this.x=t.x+e.x,this.y=t.y+e.y,this.z=t.z+e.z,this.w=t.w+e.w,this}addScaledVector(t,e){return this.
+x+=t.x*e,this.y+=t.y*e,this.z+=t.z*e,this.w+=t.w*e,this}sub(t){return this.x-=t.x,this.y-=t.y,this.z-=t.z,this.w-=t.w,this}subScalar(t){return this.x-=t,this.y-=t,this.z-=t,this.w-=t,this}subVectors(t,e){return this.x=t.x-e.x,this.y=t.y-e.y,this.z=t.z-e.z,this.w=t.w-e.w,this}multiply(t){return this.x*=t.x,this.y*=t.y,this.z*=t.z,this.w*=t.w,this}multiplyScalar(t){return this.x*=t,this.y*=t,this.z*=
+t,this.w*=t,this}applyMatrix4(t){let e=this.x,n=this.y,s=this.z,r=this.w,o=t.elements;return this.x=o[0]*e+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*e+o[5]*n+o[9]*s+o[13]*r,this.z=o[2]*e+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*e+o[7]*n+o[11]*s+o[15]*r,this}divide(t){return this.x/=t.x,this.y/=t.y,this.z/=t.z,this.w/=t.w,this}divideScalar(t){return this.multiplyScalar(1/t)}setAxisAngleFromQuaternion(t){this.w=2*
+Math.acos(t.w);let e=Math.sqrt(1-t.w*t.w);return e<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=t.x/e,this.y=t.y/e,this.z=t.z/e),this}setAxisAngleFromRotationMatrix(t){let e,n,s,r,c=t.elements,l=c[0],h=c[4],u=c[8],f=c[1],p=c[5],_=c[9],v=c[2],m=c[6],d=c[10];if(Math.abs(h-f)<.01&&Math.abs(u-v)<.01&&Math.abs(_-m)<.01){if(Math.abs(h+f)<.1&&Math.abs(u+v)<.1&&Math.abs(_+m)<.1&&Math.abs(l+p+d-3)<.1)return this.
+set(1,0,0,0),this;e=Math.PI;let E=(l+1)/2,y=(p+1)/2,L=(d+1)/2,A=(h+f)/4,D=(u+v)/4,N=(_+m)/4;return E>y&&E>L?E<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(E),s=A/n,r=D/n):y>L?y<.01?(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(y),n=A/s,r=N/s):L<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(L),n=D/r,s=N/r),this.set(n,s,r,e),this}let w=Math.sqrt((m-_)*(m-_)+(u-v)*(u-v)+(f-h)*(f-h));return Math.
+abs(w)<.001&&(w=1),this.x=(m-_)/w,this.y=(u-v)/w,this.z=(f-h)/w,this.w=Math.acos((l+p+d-1)/2),this}setFromMatrixPosition(t){let e=t.elements;return this.x=e[12],this.y=e[13],this.z=e[14],this.w=e[15],this}min(t){return this.x=Math.min(this.x,t.x),this.y=Math.min(this.y,t.y),this.z=Math.min(this.z,t.z),this.w=Math.min(this.w,t.w),this}max(t){return this.x=Math.max(this.x,t.x),this.y=Math.max(this.y,
+t.y),this.z=Math.max(this.z,t.z),this.w=Math.max(this.w,t.w),this}clamp(t,e){return this.x=ge(this.x,t.x,e.x),this.y=ge(this.y,t.y,e.y),this.z=ge(this.z,t.z,e.z),this.w=ge(this.w,t.w,e.w),this}clampScalar(t,e){return this.x=ge(this.x,t,e),this.y=ge(this.y,t,e),this.z=ge(this.z,t,e),this.w=ge(this.w,t,e),this}clampLength(t,e){let n=this.length();return this.divideScalar(n||1).multiplyScalar(ge(n,t,
+e))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.
+trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(t){return this.x*t.x+this.y*t.y+this.z*t.z+this.w*t.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){
+return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(t){return this.normalize().multiplyScalar(t)}lerp(t,e){return this.x+=(t.x-this.x)*e,this.y+=(t.y-this.y)*e,this.z+=(t.z-this.z)*e,this.w+=(t.w-this.w)*e,this}lerpVectors(t,e,n){return this.x=t.x+(e.x-t.x)*n,this.y=t.y+(e.y-t.y)*n,this.z=t.z+(e.z-t.z)*n,this.w=
+t.w+(e.w-t.w)*n,this}equals(t){return t.x===this.x&&t.y===this.y&&t.z===this.z&&t.w===this.w}fromArray(t,e=0){return this.x=t[e],this.y=t[e+1],this.z=t[e+2],this.w=t[e+3],this}toArray(t=[],e=0){return t[e]=this.x,t[e+1]=this.y,t[e+2]=this.z,t[e+3]=this.w,t}fromBufferAttribute(t,e){return this.x=t.getX(e),this.y=t.getY(e),this.z=t.getZ(e),this.w=t.getW(e),this}random(){return this.x=Math.random(),this.
+y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},Ul=class extends rs{constructor(t=1,e=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Ci,depthBuffer:!0,stencilBuffer:!1,resolveDepthBuffer:!0,resolveStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1},n),
+this.isRenderTarget=!0,this.width=t,this.height=e,this.depth=n.depth,this.scissor=new $e(0,0,t,e),this.scissorTest=!1,this.viewport=new $e(0,0,t,e);let s={width:t,height:e,depth:n.depth},r=new qn(s);this.textures=[];let o=n.count;for(let a=0;a<o;a++)this.textures[a]=r.clone(),this.textures[a].isRenderTargetTexture=!0,this.textures[a].renderTarget=this;this._setTextureOptions(n),this.depthBuffer=n.
+depthBuffer,this.stencilBuffer=n.stencilBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview}_setTextureOptions(t={}){let e={minFilter:Ci,generateMipmaps:!1,flipY:!1,internalFormat:null};t.mapping!==void 0&&(e.mapping=t.mapping),t.wrapS!==void 0&&
+(e.wrapS=t.wrapS),t.wrapT!==void 0&&(e.wrapT=t.wrapT),t.wrapR!==void 0&&(e.wrapR=t.wrapR),t.magFilter!==void 0&&(e.magFilter=t.magFilter),t.minFilter!==void 0&&(e.minFilter=t.minFilter),t.format!==void 0&&(e.format=t.format),t.type!==void 0&&(e.type=t.type),t.anisotropy!==void 0&&(e.anisotropy=t.anisotropy),t.colorSpace!==void 0&&(e.colorSpace=t.colorSpace),t.flipY!==void 0&&(e.flipY=t.flipY),t.generateMipmaps!==
+void 0&&(e.generateMipmaps=t.generateMipmaps),t.internalFormat!==void 0&&(e.internalFormat=t.internalFormat);for(let n=0;n<this.textures.length;n++)this.textures[n].setValues(e)}get texture(){return this.textures[0]}set texture(t){this.textures[0]=t}set depthTexture(t){this._depthTexture!==null&&(this._depthTexture.renderTarget=null),t!==null&&(t.renderTarget=this),this._depthTexture=t}get depthTexture(){
+return this._depthTexture}setSize(t,e,n=1){if(this.width!==t||this.height!==e||this.depth!==n){this.width=t,this.height=e,this.depth=n;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=t,this.textures[s].image.height=e,this.textures[s].image.depth=n,this.textures[s].isArrayTexture=this.textures[s].image.depth>1;this.dispose()}this.viewport.set(0,0,t,e),this.scissor.set(0,0,t,
+e)}clone(){return new this.constructor().copy(this)}copy(t){this.width=t.width,this.height=t.height,this.depth=t.depth,this.scissor.copy(t.scissor),this.scissorTest=t.scissorTest,this.viewport.copy(t.viewport),this.textures.length=0;for(let e=0,n=t.textures.length;e<n;e++){this.textures[e]=t.textures[e].clone(),this.textures[e].isRenderTargetTexture=!0,this.textures[e].renderTarget=this;let s=Object.
+assign({},t.textures[e].image);this.textures[e].source=new jr(s)}return this.depthBuffer=t.depthBuffer,this.stencilBuffer=t.stencilBuffer,this.resolveDepthBuffer=t.resolveDepthBuffer,this.resolveStencilBuffer=t.resolveStencilBuffer,t.depthTexture!==null&&(this.depthTexture=t.depthTexture.clone()),this.samples=t.samples,this}dispose(){this.dispatchEvent({type:"dispose"})}},ki=class extends Ul{constructor(t=1,e=1,n={}){
+super(t,e,n),this.isWebGLRenderTarget=!0}},$o=class extends qn{constructor(t=null,e=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:t,width:e,height:n,depth:s},this.magFilter=Xn,this.minFilter=Xn,this.wrapR=Ts,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}addLayerUpdate(t){this.layerUpdates.add(t)}clearLayerUpdates(){this.layerUpdates.clear()}};var Fl=class extends qn{constructor(t=null,e=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:t,width:e,height:n,depth:s},this.magFilter=Xn,this.minFilter=Xn,this.wrapR=Ts,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Vi=class{constructor(t=new X(1/0,1/0,1/0),e=new X(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=t,this.max=e}set(t,e){return this.min.copy(t),this.max.copy(e),this}setFromArray(t){this.makeEmpty();for(let e=0,n=t.length;e<n;e+=3)this.expandByPoint(wi.fromArray(t,e));return this}setFromBufferAttribute(t){this.makeEmpty();for(let e=0,n=t.count;e<n;e++)this.expandByPoint(wi.fromBufferAttribute(t,e));return this}setFromPoints(t){
+this.makeEmpty();for(let e=0,n=t.length;e<n;e++)this.expandByPoint(t[e]);return this}setFromCenterAndSize(t,e){let n=wi.copy(e).multiplyScalar(.5);return this.min.copy(t).sub(n),this.max.copy(t).add(n),this}setFromObject(t,e=!1){return this.makeEmpty(),this.expandByObject(t,e)}clone(){return new this.constructor().copy(this)}copy(t){return this.min.copy(t.min),this.max.copy(t.max),this}makeEmpty(){
+return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(t){return this.isEmpty()?t.set(0,0,0):t.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(t){return this.isEmpty()?t.set(0,0,0):t.subVectors(this.max,this.min)}expandByPoint(t){return this.min.min(t),this.max.max(
+t),this}expandByVector(t){return this.min.sub(t),this.max.add(t),this}expandByScalar(t){return this.min.addScalar(-t),this.max.addScalar(t),this}expandByObject(t,e=!1){t.updateWorldMatrix(!1,!1);let n=t.geometry;if(n!==void 0){let r=n.getAttribute("position");if(e===!0&&r!==void 0&&t.isInstancedMesh!==!0)for(let o=0,a=r.count;o<a;o++)t.isMesh===!0?t.getVertexPosition(o,wi):wi.fromBufferAttribute(r,
+o),wi.applyMatrix4(t.matrixWorld),this.expandByPoint(wi);else t.boundingBox!==void 0?(t.boundingBox===null&&t.computeBoundingBox(),el.copy(t.boundingBox)):(n.boundingBox===null&&n.computeBoundingBox(),el.copy(n.boundingBox)),el.applyMatrix4(t.matrixWorld),this.union(el)}let s=t.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],e);return this}containsPoint(t){return t.x>=this.min.x&&
+t.x<=this.max.x&&t.y>=this.min.y&&t.y<=this.max.y&&t.z>=this.min.z&&t.z<=this.max.z}containsBox(t){return this.min.x<=t.min.x&&t.max.x<=this.max.x&&this.min.y<=t.min.y&&t.max.y<=this.max.y&&this.min.z<=t.min.z&&t.max.z<=this.max.z}getParameter(t,e){return e.set((t.x-this.min.x)/(this.max.x-this.min.x),(t.y-this.min.y)/(this.max.y-this.min.y),(t.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(t){
+return t.max.x>=this.min.x&&t.min.x<=this.max.x&&t.max.y>=this.min.y&&t.min.y<=this.max.y&&t.max.z>=this.min.z&&t.min.z<=this.max.z}intersectsSphere(t){return this.clampPoint(t.center,wi),wi.distanceToSquared(t.center)<=t.radius*t.radius}intersectsPlane(t){let e,n;return t.normal.x>0?(e=t.normal.x*this.min.x,n=t.normal.x*this.max.x):(e=t.normal.x*this.max.x,n=t.normal.x*this.min.x),t.normal.y>0?(e+=
+t.normal.y*this.min.y,n+=t.normal.y*this.max.y):(e+=t.normal.y*this.max.y,n+=t.normal.y*this.min.y),t.normal.z>0?(e+=t.normal.z*this.min.z,n+=t.normal.z*this.max.z):(e+=t.normal.z*this.max.z,n+=t.normal.z*this.min.z),e<=-t.constant&&n>=-t.constant}intersectsTriangle(t){if(this.isEmpty())return!1;this.getCenter(Bo),nl.subVectors(this.max,Bo),Or.subVectors(t.a,Bo),Br.subVectors(t.b,Bo),zr.subVectors(
+t.c,Bo),xs.subVectors(Br,Or),ys.subVectors(zr,Br),qs.subVectors(Or,zr);let e=[0,-xs.z,xs.y,0,-ys.z,ys.y,0,-qs.z,qs.y,xs.z,0,-xs.x,ys.z,0,-ys.x,qs.z,0,-qs.x,-xs.y,xs.x,0,-ys.y,ys.x,0,-qs.y,qs.x,0];return!lu(e,Or,Br,zr,nl)||(e=[1,0,0,0,1,0,0,0,1],!lu(e,Or,Br,zr,nl))?!1:(il.crossVectors(xs,ys),e=[il.x,il.y,il.z],lu(e,Or,Br,zr,nl))}clampPoint(t,e){return e.copy(t).clamp(this.min,this.max)}distanceToPoint(t){
+return this.clampPoint(t,wi).distanceTo(t)}getBoundingSphere(t){return this.isEmpty()?t.makeEmpty():(this.getCenter(t.center),t.radius=this.getSize(wi).length()*.5),t}intersect(t){return this.min.max(t.min),this.max.min(t.max),this.isEmpty()&&this.makeEmpty(),this}union(t){return this.min.min(t.min),this.max.max(t.max),this}applyMatrix4(t){return this.isEmpty()?this:(Ki[0].set(this.min.x,this.min.
+y,this.min.z).applyMatrix4(t),Ki[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(t),Ki[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(t),Ki[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(t),Ki[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(t),Ki[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(t),Ki[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(t),Ki[7].set(
+this.max.x,this.max.y,this.max.z).applyMatrix4(t),this.setFromPoints(Ki),this)}translate(t){return this.min.add(t),this.max.add(t),this}equals(t){return t.min.equals(this.min)&&t.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(t){return this.min.fromArray(t.min),this.max.fromArray(t.max),this}},Ki=[new X,new X,new X,new X,new X,new X,new X,new X],wi=new X,
+el=new Vi,Or=new X,Br=new X,zr=new X,xs=new X,ys=new X,qs=new X,Bo=new X,nl=new X,il=new X,Ys=new X;function lu(i,t,e,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Ys.fromArray(i,r);let a=s.x*Math.abs(Ys.x)+s.y*Math.abs(Ys.y)+s.z*Math.abs(Ys.z),c=t.dot(Ys),l=e.dot(Ys),h=n.dot(Ys);if(Math.max(-Math.max(c,l,h),Math.min(c,l,h))>a)return!1}return!0}var sx=new Vi,zo=new X,cu=new X,os=class{constructor(t=new X,e=-1){
+this.isSphere=!0,this.center=t,this.radius=e}set(t,e){return this.center.copy(t),this.radius=e,this}setFromPoints(t,e){let n=this.center;e!==void 0?n.copy(e):sx.setFromPoints(t).getCenter(n);let s=0;for(let r=0,o=t.length;r<o;r++)s=Math.max(s,n.distanceToSquared(t[r]));return this.radius=Math.sqrt(s),this}copy(t){return this.center.copy(t.center),this.radius=t.radius,this}isEmpty(){return this.radius<
+0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(t){return t.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(t){return t.distanceTo(this.center)-this.radius}intersectsSphere(t){let e=this.radius+t.radius;return t.center.distanceToSquared(this.center)<=e*e}intersectsBox(t){return t.intersectsSphere(this)}intersectsPlane(t){return Math.abs(t.distanceToPoint(
+this.center))<=this.radius}clampPoint(t,e){let n=this.center.distanceToSquared(t);return e.copy(t),n>this.radius*this.radius&&(e.sub(this.center).normalize(),e.multiplyScalar(this.radius).add(this.center)),e}getBoundingBox(t){return this.isEmpty()?(t.makeEmpty(),t):(t.set(this.center,this.center),t.expandByScalar(this.radius),t)}applyMatrix4(t){return this.center.applyMatrix4(t),this.radius=this.radius*
+t.getMaxScaleOnAxis(),this}translate(t){return this.center.add(t),this}expandByPoint(t){if(this.isEmpty())return this.center.copy(t),this.radius=0,this;zo.subVectors(t,this.center);let e=zo.lengthSq();if(e>this.radius*this.radius){let n=Math.sqrt(e),s=(n-this.radius)*.5;this.center.addScaledVector(zo,s/n),this.radius+=s}return this}union(t){return t.isEmpty()?this:this.isEmpty()?(this.copy(t),this):
+(this.center.equals(t.center)===!0?this.radius=Math.max(this.radius,t.radius):(cu.subVectors(t.center,this.center).setLength(t.radius),this.expandByPoint(zo.copy(t.center).add(cu)),this.expandByPoint(zo.copy(t.center).sub(cu))),this)}equals(t){return t.center.equals(this.center)&&t.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.
+center.toArray()}}fromJSON(t){return this.radius=t.radius,this.center.fromArray(t.center),this}},ji=new X,hu=new X,sl=new X,Ms=new X,uu=new X,rl=new X,fu=new X,Qr=class{constructor(t=new X,e=new X(0,0,-1)){this.origin=t,this.direction=e}set(t,e){return this.origin.copy(t),this.direction.copy(e),this}copy(t){return this.origin.copy(t.origin),this.direction.copy(t.direction),this}at(t,e){return e.copy(
+this.origin).addScaledVector(this.direction,t)}lookAt(t){return this.direction.copy(t).sub(this.origin).normalize(),this}recast(t){return this.origin.copy(this.at(t,ji)),this}closestPointToPoint(t,e){e.subVectors(t,this.origin);let n=e.dot(this.direction);return n<0?e.copy(this.origin):e.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(t){return Math.sqrt(this.distanceSqToPoint(
+t))}distanceSqToPoint(t){let e=ji.subVectors(t,this.origin).dot(this.direction);return e<0?this.origin.distanceToSquared(t):(ji.copy(this.origin).addScaledVector(this.direction,e),ji.distanceToSquared(t))}distanceSqToSegment(t,e,n,s){hu.copy(t).add(e).multiplyScalar(.5),sl.copy(e).sub(t).normalize(),Ms.copy(this.origin).sub(hu);let r=t.distanceTo(e)*.5,o=-this.direction.dot(sl),a=Ms.dot(this.direction),
+c=-Ms.dot(sl),l=Ms.lengthSq(),h=Math.abs(1-o*o),u,f,p,_;if(h>0)if(u=o*c-a,f=o*a-c,_=r*h,u>=0)if(f>=-_)if(f<=_){let v=1/h;u*=v,f*=v,p=u*(u+o*f+2*a)+f*(o*u+f+2*c)+l}else f=r,u=Math.max(0,-(o*f+a)),p=-u*u+f*(f+2*c)+l;else f=-r,u=Math.max(0,-(o*f+a)),p=-u*u+f*(f+2*c)+l;else f<=-_?(u=Math.max(0,-(-o*r+a)),f=u>0?-r:Math.min(Math.max(-r,-c),r),p=-u*u+f*(f+2*c)+l):f<=_?(u=0,f=Math.min(Math.max(-r,-c),r),p=
+f*(f+2*c)+l):(u=Math.max(0,-(o*r+a)),f=u>0?r:Math.min(Math.max(-r,-c),r),p=-u*u+f*(f+2*c)+l);else f=o>0?-r:r,u=Math.max(0,-(o*f+a)),p=-u*u+f*(f+2*c)+l;return n&&n.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(hu).addScaledVector(sl,f),p}intersectSphere(t,e){ji.subVectors(t.center,this.origin);let n=ji.dot(this.direction),s=ji.dot(ji)-n*n,r=t.radius*t.radius;if(s>r)return null;let o=Math.
+sqrt(r-s),a=n-o,c=n+o;return c<0?null:a<0?this.at(c,e):this.at(a,e)}intersectsSphere(t){return t.radius<0?!1:this.distanceSqToPoint(t.center)<=t.radius*t.radius}distanceToPlane(t){let e=t.normal.dot(this.direction);if(e===0)return t.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(t.normal)+t.constant)/e;return n>=0?n:null}intersectPlane(t,e){let n=this.distanceToPlane(t);return n===
+null?null:this.at(n,e)}intersectsPlane(t){let e=t.distanceToPoint(this.origin);return e===0||t.normal.dot(this.direction)*e<0}intersectBox(t,e){let n,s,r,o,a,c,l=1/this.direction.x,h=1/this.direction.y,u=1/this.direction.z,f=this.origin;return l>=0?(n=(t.min.x-f.x)*l,s=(t.max.x-f.x)*l):(n=(t.max.x-f.x)*l,s=(t.min.x-f.x)*l),h>=0?(r=(t.min.y-f.y)*h,o=(t.max.y-f.y)*h):(r=(t.max.y-f.y)*h,o=(t.min.y-f.
+y)*h),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=0?(a=(t.min.z-f.z)*u,c=(t.max.z-f.z)*u):(a=(t.max.z-f.z)*u,c=(t.min.z-f.z)*u),n>c||a>s)||((a>n||n!==n)&&(n=a),(c<s||s!==s)&&(s=c),s<0)?null:this.at(n>=0?n:s,e)}intersectsBox(t){return this.intersectBox(t,ji)!==null}intersectTriangle(t,e,n,s,r){uu.subVectors(e,t),rl.subVectors(n,t),fu.crossVectors(uu,rl);let o=this.direction.dot(fu),
+a;if(o>0){if(s)return null;a=1}else if(o<0)a=-1,o=-o;else return null;Ms.subVectors(this.origin,t);let c=a*this.direction.dot(rl.crossVectors(Ms,rl));if(c<0)return null;let l=a*this.direction.dot(uu.cross(Ms));if(l<0||c+l>o)return null;let h=-a*Ms.dot(fu);return h<0?null:this.at(h/o,r)}applyMatrix4(t){return this.origin.applyMatrix4(t),this.direction.transformDirection(t),this}equals(t){return t.origin.
+equals(this.origin)&&t.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},_e=class i{constructor(t,e,n,s,r,o,a,c,l,h,u,f,p,_,v,m){i.prototype.isMatrix4=!0,this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],t!==void 0&&this.set(t,e,n,s,r,o,a,c,l,h,u,f,p,_,v,m)}set(t,e,n,s,r,o,a,c,l,h,u,f,p,_,v,m){let d=this.elements;return d[0]=t,d[4]=e,d[8]=n,d[12]=s,d[1]=r,d[5]=o,d[9]=
+a,d[13]=c,d[2]=l,d[6]=h,d[10]=u,d[14]=f,d[3]=p,d[7]=_,d[11]=v,d[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.elements)}copy(t){let e=this.elements,n=t.elements;return e[0]=n[0],e[1]=n[1],e[2]=n[2],e[3]=n[3],e[4]=n[4],e[5]=n[5],e[6]=n[6],e[7]=n[7],e[8]=n[8],e[9]=n[9],e[10]=n[10],e[11]=n[11],e[12]=n[12],e[13]=n[13],e[14]=n[14],e[15]=
+n[15],this}copyPosition(t){let e=this.elements,n=t.elements;return e[12]=n[12],e[13]=n[13],e[14]=n[14],this}setFromMatrix3(t){let e=t.elements;return this.set(e[0],e[3],e[6],0,e[1],e[4],e[7],0,e[2],e[5],e[8],0,0,0,0,1),this}extractBasis(t,e,n){return t.setFromMatrixColumn(this,0),e.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this}makeBasis(t,e,n){return this.set(t.x,e.x,n.x,0,t.y,e.y,
+n.y,0,t.z,e.z,n.z,0,0,0,0,1),this}extractRotation(t){let e=this.elements,n=t.elements,s=1/kr.setFromMatrixColumn(t,0).length(),r=1/kr.setFromMatrixColumn(t,1).length(),o=1/kr.setFromMatrixColumn(t,2).length();return e[0]=n[0]*s,e[1]=n[1]*s,e[2]=n[2]*s,e[3]=0,e[4]=n[4]*r,e[5]=n[5]*r,e[6]=n[6]*r,e[7]=0,e[8]=n[8]*o,e[9]=n[9]*o,e[10]=n[10]*o,e[11]=0,e[12]=0,e[13]=0,e[14]=0,e[15]=1,this}makeRotationFromEuler(t){
+let e=this.elements,n=t.x,s=t.y,r=t.z,o=Math.cos(n),a=Math.sin(n),c=Math.cos(s),l=Math.sin(s),h=Math.cos(r),u=Math.sin(r);if(t.order==="XYZ"){let f=o*h,p=o*u,_=a*h,v=a*u;e[0]=c*h,e[4]=-c*u,e[8]=l,e[1]=p+_*l,e[5]=f-v*l,e[9]=-a*c,e[2]=v-f*l,e[6]=_+p*l,e[10]=o*c}else if(t.order==="YXZ"){let f=c*h,p=c*u,_=l*h,v=l*u;e[0]=f+v*a,e[4]=_*a-p,e[8]=o*l,e[1]=o*u,e[5]=o*h,e[9]=-a,e[2]=p*a-_,e[6]=v+f*a,e[10]=o*
+c}else if(t.order==="ZXY"){let f=c*h,p=c*u,_=l*h,v=l*u;e[0]=f-v*a,e[4]=-o*u,e[8]=_+p*a,e[1]=p+_*a,e[5]=o*h,e[9]=v-f*a,e[2]=-o*l,e[6]=a,e[10]=o*c}else if(t.order==="ZYX"){let f=o*h,p=o*u,_=a*h,v=a*u;e[0]=c*h,e[4]=_*l-p,e[8]=f*l+v,e[1]=c*u,e[5]=v*l+f,e[9]=p*l-_,e[2]=-l,e[6]=a*c,e[10]=o*c}else if(t.order==="YZX"){let f=o*c,p=o*l,_=a*c,v=a*l;e[0]=c*h,e[4]=v-f*u,e[8]=_*u+p,e[1]=u,e[5]=o*h,e[9]=-a*h,e[2]=
+-l*h,e[6]=p*u+_,e[10]=f-v*u}else if(t.order==="XZY"){let f=o*c,p=o*l,_=a*c,v=a*l;e[0]=c*h,e[4]=-u,e[8]=l*h,e[1]=f*u+v,e[5]=o*h,e[9]=p*u-_,e[2]=_*u-p,e[6]=a*h,e[10]=v*u+f}return e[3]=0,e[7]=0,e[11]=0,e[12]=0,e[13]=0,e[14]=0,e[15]=1,this}makeRotationFromQuaternion(t){return this.compose(rx,t,ox)}lookAt(t,e,n){let s=this.elements;return ti.subVectors(t,e),ti.lengthSq()===0&&(ti.z=1),ti.normalize(),Ss.
+crossVectors(n,ti),Ss.lengthSq()===0&&(Math.abs(n.z)===1?ti.x+=1e-4:ti.z+=1e-4,ti.normalize(),Ss.crossVectors(n,ti)),Ss.normalize(),ol.crossVectors(ti,Ss),s[0]=Ss.x,s[4]=ol.x,s[8]=ti.x,s[1]=Ss.y,s[5]=ol.y,s[9]=ti.y,s[2]=Ss.z,s[6]=ol.z,s[10]=ti.z,this}multiply(t){return this.multiplyMatrices(this,t)}premultiply(t){return this.multiplyMatrices(t,this)}multiplyMatrices(t,e){let n=t.elements,s=e.elements,
+r=this.elements,o=n[0],a=n[4],c=n[8],l=n[12],h=n[1],u=n[5],f=n[9],p=n[13],_=n[2],v=n[6],m=n[10],d=n[14],w=n[3],E=n[7],y=n[11],L=n[15],A=s[0],D=s[4],N=s[8],b=s[12],S=s[1],C=s[5],O=s[9],k=s[13],G=s[2],W=s[6],q=s[10],$=s[14],j=s[3],rt=s[7],ot=s[11],_t=s[15];return r[0]=o*A+a*S+c*G+l*j,r[4]=o*D+a*C+c*W+l*rt,r[8]=o*N+a*O+c*q+l*ot,r[12]=o*b+a*k+c*$+l*_t,r[1]=h*A+u*S+f*G+p*j,r[5]=h*D+u*C+f*W+p*rt,r[9]=h*
+N+u*O+f*q+p*ot,r[13]=h*b+u*k+f*$+p*_t,r[2]=_*A+v*S+m*G+d*j,r[6]=_*D+v*C+m*W+d*rt,r[10]=_*N+v*O+m*q+d*ot,r[14]=_*b+v*k+m*$+d*_t,r[3]=w*A+E*S+y*G+L*j,r[7]=w*D+E*C+y*W+L*rt,r[11]=w*N+E*O+y*q+L*ot,r[15]=w*b+E*k+y*$+L*_t,this}multiplyScalar(t){let e=this.elements;return e[0]*=t,e[4]*=t,e[8]*=t,e[12]*=t,e[1]*=t,e[5]*=t,e[9]*=t,e[13]*=t,e[2]*=t,e[6]*=t,e[10]*=t,e[14]*=t,e[3]*=t,e[7]*=t,e[11]*=t,e[15]*=t,
+this}determinant(){let t=this.elements,e=t[0],n=t[4],s=t[8],r=t[12],o=t[1],a=t[5],c=t[9],l=t[13],h=t[2],u=t[6],f=t[10],p=t[14],_=t[3],v=t[7],m=t[11],d=t[15];return _*(+r*c*u-s*l*u-r*a*f+n*l*f+s*a*p-n*c*p)+v*(+e*c*p-e*l*f+r*o*f-s*o*p+s*l*h-r*c*h)+m*(+e*l*u-e*a*p-r*o*u+n*o*p+r*a*h-n*l*h)+d*(-s*a*h-e*c*u+e*a*f+s*o*u-n*o*f+n*c*h)}transpose(){let t=this.elements,e;return e=t[1],t[1]=t[4],t[4]=e,e=t[2],
+t[2]=t[8],t[8]=e,e=t[6],t[6]=t[9],t[9]=e,e=t[3],t[3]=t[12],t[12]=e,e=t[7],t[7]=t[13],t[13]=e,e=t[11],t[11]=t[14],t[14]=e,this}setPosition(t,e,n){let s=this.elements;return t.isVector3?(s[12]=t.x,s[13]=t.y,s[14]=t.z):(s[12]=t,s[13]=e,s[14]=n),this}invert(){let t=this.elements,e=t[0],n=t[1],s=t[2],r=t[3],o=t[4],a=t[5],c=t[6],l=t[7],h=t[8],u=t[9],f=t[10],p=t[11],_=t[12],v=t[13],m=t[14],d=t[15],w=u*m*
+l-v*f*l+v*c*p-a*m*p-u*c*d+a*f*d,E=_*f*l-h*m*l-_*c*p+o*m*p+h*c*d-o*f*d,y=h*v*l-_*u*l+_*a*p-o*v*p-h*a*d+o*u*d,L=_*u*c-h*v*c-_*a*f+o*v*f+h*a*m-o*u*m,A=e*w+n*E+s*y+r*L;if(A===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let D=1/A;return t[0]=w*D,t[1]=(v*f*r-u*m*r-v*s*p+n*m*p+u*s*d-n*f*d)*D,t[2]=(a*m*r-v*c*r+v*s*l-n*m*l-a*s*d+n*c*d)*D,t[3]=(u*c*r-a*f*r-u*s*l+n*f*l+a*s*p-n*c*p)*D,t[4]=E*D,t[5]=(h*
+m*r-_*f*r+_*s*p-e*m*p-h*s*d+e*f*d)*D,t[6]=(_*c*r-o*m*r-_*s*l+e*m*l+o*s*d-e*c*d)*D,t[7]=(o*f*r-h*c*r+h*s*l-e*f*l-o*s*p+e*c*p)*D,t[8]=y*D,t[9]=(_*u*r-h*v*r-_*n*p+e*v*p+h*n*d-e*u*d)*D,t[10]=(o*v*r-_*a*r+_*n*l-e*v*l-o*n*d+e*a*d)*D,t[11]=(h*a*r-o*u*r-h*n*l+e*u*l+o*n*p-e*a*p)*D,t[12]=L*D,t[13]=(h*v*s-_*u*s+_*n*f-e*v*f-h*n*m+e*u*m)*D,t[14]=(_*a*s-o*v*s-_*n*c+e*v*c+o*n*m-e*a*m)*D,t[15]=(o*u*s-h*a*s+h*n*c-
+e*u*c-o*n*f+e*a*f)*D,this}scale(t){let e=this.elements,n=t.x,s=t.y,r=t.z;return e[0]*=n,e[4]*=s,e[8]*=r,e[1]*=n,e[5]*=s,e[9]*=r,e[2]*=n,e[6]*=s,e[10]*=r,e[3]*=n,e[7]*=s,e[11]*=r,this}getMaxScaleOnAxis(){let t=this.elements,e=t[0]*t[0]+t[1]*t[1]+t[2]*t[2],n=t[4]*t[4]+t[5]*t[5]+t[6]*t[6],s=t[8]*t[8]+t[9]*t[9]+t[10]*t[10];return Math.sqrt(Math.max(e,n,s))}makeTranslation(t,e,n){return t.isVector3?this.
+set(1,0,0,t.x,0,1,0,t.y,0,0,1,t.z,0,0,0,1):this.set(1,0,0,t,0,1,0,e,0,0,1,n,0,0,0,1),this}makeRotationX(t){let e=Math.cos(t),n=Math.sin(t);return this.set(1,0,0,0,0,e,-n,0,0,n,e,0,0,0,0,1),this}makeRotationY(t){let e=Math.cos(t),n=Math.sin(t);return this.set(e,0,n,0,0,1,0,0,-n,0,e,0,0,0,0,1),this}makeRotationZ(t){let e=Math.cos(t),n=Math.sin(t);return this.set(e,-n,0,0,n,e,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(t,e){
+let n=Math.cos(e),s=Math.sin(e),r=1-n,o=t.x,a=t.y,c=t.z,l=r*o,h=r*a;return this.set(l*o+n,l*a-s*c,l*c+s*a,0,l*a+s*c,h*a+n,h*c-s*o,0,l*c-s*a,h*c+s*o,r*c*c+n,0,0,0,0,1),this}makeScale(t,e,n){return this.set(t,0,0,0,0,e,0,0,0,0,n,0,0,0,0,1),this}makeShear(t,e,n,s,r,o){return this.set(1,n,r,0,t,1,o,0,e,s,1,0,0,0,0,1),this}compose(t,e,n){let s=this.elements,r=e._x,o=e._y,a=e._z,c=e._w,l=r+r,h=o+o,u=a+a,
+f=r*l,p=r*h,_=r*u,v=o*h,m=o*u,d=a*u,w=c*l,E=c*h,y=c*u,L=n.x,A=n.y,D=n.z;return s[0]=(1-(v+d))*L,s[1]=(p+y)*L,s[2]=(_-E)*L,s[3]=0,s[4]=(p-y)*A,s[5]=(1-(f+d))*A,s[6]=(m+w)*A,s[7]=0,s[8]=(_+E)*D,s[9]=(m-w)*D,s[10]=(1-(f+v))*D,s[11]=0,s[12]=t.x,s[13]=t.y,s[14]=t.z,s[15]=1,this}decompose(t,e,n){let s=this.elements,r=kr.set(s[0],s[1],s[2]).length(),o=kr.set(s[4],s[5],s[6]).length(),a=kr.set(s[8],s[9],s[10]).
+length();this.determinant()<0&&(r=-r),t.x=s[12],t.y=s[13],t.z=s[14],Ti.copy(this);let l=1/r,h=1/o,u=1/a;return Ti.elements[0]*=l,Ti.elements[1]*=l,Ti.elements[2]*=l,Ti.elements[4]*=h,Ti.elements[5]*=h,Ti.elements[6]*=h,Ti.elements[8]*=u,Ti.elements[9]*=u,Ti.elements[10]*=u,e.setFromRotationMatrix(Ti),n.x=r,n.y=o,n.z=a,this}makePerspective(t,e,n,s,r,o,a=Ai,c=!1){let l=this.elements,h=2*r/(e-t),u=2*
+r/(n-s),f=(e+t)/(e-t),p=(n+s)/(n-s),_,v;if(c)_=r/(o-r),v=o*r/(o-r);else if(a===Ai)_=-(o+r)/(o-r),v=-2*o*r/(o-r);else if(a===Yo)_=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return l[0]=h,l[4]=0,l[8]=f,l[12]=0,l[1]=0,l[5]=u,l[9]=p,l[13]=0,l[2]=0,l[6]=0,l[10]=_,l[14]=v,l[3]=0,l[7]=0,l[11]=-1,l[15]=0,this}makeOrthographic(t,e,n,s,r,o,a=Ai,c=!1){
+let l=this.elements,h=2/(e-t),u=2/(n-s),f=-(e+t)/(e-t),p=-(n+s)/(n-s),_,v;if(c)_=1/(o-r),v=o/(o-r);else if(a===Ai)_=-2/(o-r),v=-(o+r)/(o-r);else if(a===Yo)_=-1/(o-r),v=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return l[0]=h,l[4]=0,l[8]=0,l[12]=f,l[1]=0,l[5]=u,l[9]=0,l[13]=p,l[2]=0,l[6]=0,l[10]=_,l[14]=v,l[3]=0,l[7]=0,l[11]=0,l[15]=1,this}equals(t){
+let e=this.elements,n=t.elements;for(let s=0;s<16;s++)if(e[s]!==n[s])return!1;return!0}fromArray(t,e=0){for(let n=0;n<16;n++)this.elements[n]=t[n+e];return this}toArray(t=[],e=0){let n=this.elements;return t[e]=n[0],t[e+1]=n[1],t[e+2]=n[2],t[e+3]=n[3],t[e+4]=n[4],t[e+5]=n[5],t[e+6]=n[6],t[e+7]=n[7],t[e+8]=n[8],t[e+9]=n[9],t[e+10]=n[10],t[e+11]=n[11],t[e+12]=n[12],t[e+13]=n[13],t[e+14]=n[14],t[e+15]=
+n[15],t}},kr=new X,Ti=new _e,rx=new X(0,0,0),ox=new X(1,1,1),Ss=new X,ol=new X,ti=new X,om=new _e,am=new ui,fi=class i{constructor(t=0,e=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=t,this._y=e,this._z=n,this._order=s}get x(){return this._x}set x(t){this._x=t,this._onChangeCallback()}get y(){return this._y}set y(t){this._y=t,this._onChangeCallback()}get z(){return this._z}set z(t){this._z=t,this.
+_onChangeCallback()}get order(){return this._order}set order(t){this._order=t,this._onChangeCallback()}set(t,e,n,s=this._order){return this._x=t,this._y=e,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(t){return this._x=t._x,this._y=t._y,this._z=t._z,this._order=t._order,this._onChangeCallback(),this}setFromRotationMatrix(t,e=this.
+_order,n=!0){let s=t.elements,r=s[0],o=s[4],a=s[8],c=s[1],l=s[5],h=s[9],u=s[2],f=s[6],p=s[10];switch(e){case"XYZ":this._y=Math.asin(ge(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-h,p),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(f,l),this._z=0);break;case"YXZ":this._x=Math.asin(-ge(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(a,p),this._z=Math.atan2(c,l)):(this._y=Math.atan2(-u,r),this.
+_z=0);break;case"ZXY":this._x=Math.asin(ge(f,-1,1)),Math.abs(f)<.9999999?(this._y=Math.atan2(-u,p),this._z=Math.atan2(-o,l)):(this._y=0,this._z=Math.atan2(c,r));break;case"ZYX":this._y=Math.asin(-ge(u,-1,1)),Math.abs(u)<.9999999?(this._x=Math.atan2(f,p),this._z=Math.atan2(c,r)):(this._x=0,this._z=Math.atan2(-o,l));break;case"YZX":this._z=Math.asin(ge(c,-1,1)),Math.abs(c)<.9999999?(this._x=Math.atan2(
+-h,l),this._y=Math.atan2(-u,r)):(this._x=0,this._y=Math.atan2(a,p));break;case"XZY":this._z=Math.asin(-ge(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(f,l),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-h,p),this._y=0);break;default:console.warn("THREE.Euler: .setFromRotationMatrix() encountered an unknown order: "+e)}return this._order=e,n===!0&&this._onChangeCallback(),this}setFromQuaternion(t,e,n){
+return om.makeRotationFromQuaternion(t),this.setFromRotationMatrix(om,e,n)}setFromVector3(t,e=this._order){return this.set(t.x,t.y,t.z,e)}reorder(t){return am.setFromEuler(this),this.setFromQuaternion(am,t)}equals(t){return t._x===this._x&&t._y===this._y&&t._z===this._z&&t._order===this._order}fromArray(t){return this._x=t[0],this._y=t[1],this._z=t[2],t[3]!==void 0&&(this._order=t[3]),this._onChangeCallback(),
+this}toArray(t=[],e=0){return t[e]=this._x,t[e+1]=this._y,t[e+2]=this._z,t[e+3]=this._order,t}_onChange(t){return this._onChangeCallback=t,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};fi.DEFAULT_ORDER="XYZ";var to=class{constructor(){this.mask=1}set(t){this.mask=(1<<t|0)>>>0}enable(t){this.mask|=1<<t|0}enableAll(){this.mask=-1}toggle(t){
+this.mask^=1<<t|0}disable(t){this.mask&=~(1<<t|0)}disableAll(){this.mask=0}test(t){return(this.mask&t.mask)!==0}isEnabled(t){return(this.mask&(1<<t|0))!==0}},ax=0,lm=new X,Vr=new ui,Qi=new _e,al=new X,ko=new X,lx=new X,cx=new ui,cm=new X(1,0,0),hm=new X(0,1,0),um=new X(0,0,1),fm={type:"added"},hx={type:"removed"},Hr={type:"childadded",child:null},du={type:"childremoved",child:null},Mn=class i extends rs{constructor(){
+super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:ax++}),this.uuid=ya(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let t=new X,e=new fi,n=new ui,s=new X(1,1,1);function r(){n.setFromEuler(e,!1)}function o(){e.setFromQuaternion(n,void 0,!1)}e._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,
+value:t},rotation:{configurable:!0,enumerable:!0,value:e},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new _e},normalMatrix:{value:new re}}),this.matrix=new _e,this.matrixWorld=new _e,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=
+!1,this.layers=new to,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.userData={}}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(t){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(t),this.matrix.decompose(
+this.position,this.quaternion,this.scale)}applyQuaternion(t){return this.quaternion.premultiply(t),this}setRotationFromAxisAngle(t,e){this.quaternion.setFromAxisAngle(t,e)}setRotationFromEuler(t){this.quaternion.setFromEuler(t,!0)}setRotationFromMatrix(t){this.quaternion.setFromRotationMatrix(t)}setRotationFromQuaternion(t){this.quaternion.copy(t)}rotateOnAxis(t,e){return Vr.setFromAxisAngle(t,e),
+this.quaternion.multiply(Vr),this}rotateOnWorldAxis(t,e){return Vr.setFromAxisAngle(t,e),this.quaternion.premultiply(Vr),this}rotateX(t){return this.rotateOnAxis(cm,t)}rotateY(t){return this.rotateOnAxis(hm,t)}rotateZ(t){return this.rotateOnAxis(um,t)}translateOnAxis(t,e){return lm.copy(t).applyQuaternion(this.quaternion),this.position.add(lm.multiplyScalar(e)),this}translateX(t){return this.translateOnAxis(
+cm,t)}translateY(t){return this.translateOnAxis(hm,t)}translateZ(t){return this.translateOnAxis(um,t)}localToWorld(t){return this.updateWorldMatrix(!0,!1),t.applyMatrix4(this.matrixWorld)}worldToLocal(t){return this.updateWorldMatrix(!0,!1),t.applyMatrix4(Qi.copy(this.matrixWorld).invert())}lookAt(t,e,n){t.isVector3?al.copy(t):al.set(t,e,n);let s=this.parent;this.updateWorldMatrix(!0,!1),ko.setFromMatrixPosition(
+this.matrixWorld),this.isCamera||this.isLight?Qi.lookAt(ko,al,this.up):Qi.lookAt(al,ko,this.up),this.quaternion.setFromRotationMatrix(Qi),s&&(Qi.extractRotation(s.matrixWorld),Vr.setFromRotationMatrix(Qi),this.quaternion.premultiply(Vr.invert()))}add(t){if(arguments.length>1){for(let e=0;e<arguments.length;e++)this.add(arguments[e]);return this}return t===this?(console.error("THREE.Object3D.add: o\
+bject can't be added as a child of itself.",t),this):(t&&t.isObject3D?(t.removeFromParent(),t.parent=this,this.children.push(t),t.dispatchEvent(fm),Hr.child=t,this.dispatchEvent(Hr),Hr.child=null):console.error("THREE.Object3D.add: object not an instance of THREE.Object3D.",t),this)}remove(t){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let e=this.
+children.indexOf(t);return e!==-1&&(t.parent=null,this.children.splice(e,1),t.dispatchEvent(hx),du.child=t,this.dispatchEvent(du),du.child=null),this}removeFromParent(){let t=this.parent;return t!==null&&t.remove(this),this}clear(){return this.remove(...this.children)}attach(t){return this.updateWorldMatrix(!0,!1),Qi.copy(this.matrixWorld).invert(),t.parent!==null&&(t.parent.updateWorldMatrix(!0,!1),
+Qi.multiply(t.parent.matrixWorld)),t.applyMatrix4(Qi),t.removeFromParent(),t.parent=this,this.children.push(t),t.updateWorldMatrix(!1,!0),t.dispatchEvent(fm),Hr.child=t,this.dispatchEvent(Hr),Hr.child=null,this}getObjectById(t){return this.getObjectByProperty("id",t)}getObjectByName(t){return this.getObjectByProperty("name",t)}getObjectByProperty(t,e){if(this[t]===e)return this;for(let n=0,s=this.
+children.length;n<s;n++){let o=this.children[n].getObjectByProperty(t,e);if(o!==void 0)return o}}getObjectsByProperty(t,e,n=[]){this[t]===e&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(t,e,n);return n}getWorldPosition(t){return this.updateWorldMatrix(!0,!1),t.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(t){return this.updateWorldMatrix(!0,
+!1),this.matrixWorld.decompose(ko,t,lx),t}getWorldScale(t){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(ko,cx,t),t}getWorldDirection(t){this.updateWorldMatrix(!0,!1);let e=this.matrixWorld.elements;return t.set(e[8],e[9],e[10]).normalize()}raycast(){}traverse(t){t(this);let e=this.children;for(let n=0,s=e.length;n<s;n++)e[n].traverse(t)}traverseVisible(t){if(this.visible===!1)return;
+t(this);let e=this.children;for(let n=0,s=e.length;n<s;n++)e[n].traverseVisible(t)}traverseAncestors(t){let e=this.parent;e!==null&&(t(e),e.traverseAncestors(t))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale),this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(t){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||t)&&(this.matrixWorldAutoUpdate===!0&&
+(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,t=!0);let e=this.children;for(let n=0,s=e.length;n<s;n++)e[n].updateMatrixWorld(t)}updateWorldMatrix(t,e){let n=this.parent;if(t===!0&&n!==null&&n.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),this.matrixWorldAutoUpdate===
+!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),e===!0){let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].updateWorldMatrix(!1,!0)}}toJSON(t){let e=t===void 0||typeof t=="string",n={};e&&(t={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},n.metadata={version:4.7,
+type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,this.name!==""&&(s.name=this.name),this.castShadow===!0&&(s.castShadow=!0),this.receiveShadow===!0&&(s.receiveShadow=!0),this.visible===!1&&(s.visible=!1),this.frustumCulled===!1&&(s.frustumCulled=!1),this.renderOrder!==0&&(s.renderOrder=this.renderOrder),Object.keys(this.userData).length>0&&(s.userData=this.userData),
+s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.matrixAutoUpdate===!1&&(s.matrixAutoUpdate=!1),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,
+s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=
+this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(t),s.indirectTexture=this._indirectTexture.
+toJSON(t),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(t)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,c){return a[c.uuid]===void 0&&(a[c.uuid]=c.toJSON(t)),c.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():
+this.background.isTexture&&(s.background=this.background.toJSON(t).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(t).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(t.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let c=a.shapes;if(Array.isArray(
+c))for(let l=0,h=c.length;l<h;l++){let u=c[l];r(t.shapes,u)}else r(t.shapes,c)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(t.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let c=0,l=this.material.length;c<l;c++)a.push(r(t.materials,this.material[c]));
+s.material=a}else s.material=r(t.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(t).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let c=this.animations[a];s.animations.push(r(t.animations,c))}}if(e){let a=o(t.geometries),c=o(t.materials),l=o(t.textures),
+h=o(t.images),u=o(t.shapes),f=o(t.skeletons),p=o(t.animations),_=o(t.nodes);a.length>0&&(n.geometries=a),c.length>0&&(n.materials=c),l.length>0&&(n.textures=l),h.length>0&&(n.images=h),u.length>0&&(n.shapes=u),f.length>0&&(n.skeletons=f),p.length>0&&(n.animations=p),_.length>0&&(n.nodes=_)}return n.object=s,n;function o(a){let c=[];for(let l in a){let h=a[l];delete h.metadata,c.push(h)}return c}}clone(t){
+return new this.constructor().copy(this,t)}copy(t,e=!0){if(this.name=t.name,this.up.copy(t.up),this.position.copy(t.position),this.rotation.order=t.rotation.order,this.quaternion.copy(t.quaternion),this.scale.copy(t.scale),this.matrix.copy(t.matrix),this.matrixWorld.copy(t.matrixWorld),this.matrixAutoUpdate=t.matrixAutoUpdate,this.matrixWorldAutoUpdate=t.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=
+t.matrixWorldNeedsUpdate,this.layers.mask=t.layers.mask,this.visible=t.visible,this.castShadow=t.castShadow,this.receiveShadow=t.receiveShadow,this.frustumCulled=t.frustumCulled,this.renderOrder=t.renderOrder,this.animations=t.animations.slice(),this.userData=JSON.parse(JSON.stringify(t.userData)),e===!0)for(let n=0;n<t.children.length;n++){let s=t.children[n];this.add(s.clone())}return this}};Mn.
+DEFAULT_UP=new X(0,1,0);Mn.DEFAULT_MATRIX_AUTO_UPDATE=!0;Mn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Ei=new X,ts=new X,pu=new X,es=new X,Gr=new X,Wr=new X,dm=new X,mu=new X,gu=new X,_u=new X,vu=new $e,xu=new $e,yu=new $e,ns=class i{constructor(t=new X,e=new X,n=new X){this.a=t,this.b=e,this.c=n}static getNormal(t,e,n,s){s.subVectors(n,e),Ei.subVectors(t,e),s.cross(Ei);let r=s.lengthSq();return r>0?
+s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(t,e,n,s,r){Ei.subVectors(s,e),ts.subVectors(n,e),pu.subVectors(t,e);let o=Ei.dot(Ei),a=Ei.dot(ts),c=Ei.dot(pu),l=ts.dot(ts),h=ts.dot(pu),u=o*l-a*a;if(u===0)return r.set(0,0,0),null;let f=1/u,p=(l*c-a*h)*f,_=(o*h-a*c)*f;return r.set(1-p-_,_,p)}static containsPoint(t,e,n,s){return this.getBarycoord(t,e,n,s,es)===null?!1:es.x>=0&&es.y>=
+0&&es.x+es.y<=1}static getInterpolation(t,e,n,s,r,o,a,c){return this.getBarycoord(t,e,n,s,es)===null?(c.x=0,c.y=0,"z"in c&&(c.z=0),"w"in c&&(c.w=0),null):(c.setScalar(0),c.addScaledVector(r,es.x),c.addScaledVector(o,es.y),c.addScaledVector(a,es.z),c)}static getInterpolatedAttribute(t,e,n,s,r,o){return vu.setScalar(0),xu.setScalar(0),yu.setScalar(0),vu.fromBufferAttribute(t,e),xu.fromBufferAttribute(
+t,n),yu.fromBufferAttribute(t,s),o.setScalar(0),o.addScaledVector(vu,r.x),o.addScaledVector(xu,r.y),o.addScaledVector(yu,r.z),o}static isFrontFacing(t,e,n,s){return Ei.subVectors(n,e),ts.subVectors(t,e),Ei.cross(ts).dot(s)<0}set(t,e,n){return this.a.copy(t),this.b.copy(e),this.c.copy(n),this}setFromPointsAndIndices(t,e,n,s){return this.a.copy(t[e]),this.b.copy(t[n]),this.c.copy(t[s]),this}setFromAttributeAndIndices(t,e,n,s){
+return this.a.fromBufferAttribute(t,e),this.b.fromBufferAttribute(t,n),this.c.fromBufferAttribute(t,s),this}clone(){return new this.constructor().copy(this)}copy(t){return this.a.copy(t.a),this.b.copy(t.b),this.c.copy(t.c),this}getArea(){return Ei.subVectors(this.c,this.b),ts.subVectors(this.a,this.b),Ei.cross(ts).length()*.5}getMidpoint(t){return t.addVectors(this.a,this.b).add(this.c).multiplyScalar(
+1/3)}getNormal(t){return i.getNormal(this.a,this.b,this.c,t)}getPlane(t){return t.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(t,e){return i.getBarycoord(t,this.a,this.b,this.c,e)}getInterpolation(t,e,n,s,r){return i.getInterpolation(t,this.a,this.b,this.c,e,n,s,r)}containsPoint(t){return i.containsPoint(t,this.a,this.b,this.c)}isFrontFacing(t){return i.isFrontFacing(this.a,this.b,this.
+c,t)}intersectsBox(t){return t.intersectsTriangle(this)}closestPointToPoint(t,e){let n=this.a,s=this.b,r=this.c,o,a;Gr.subVectors(s,n),Wr.subVectors(r,n),mu.subVectors(t,n);let c=Gr.dot(mu),l=Wr.dot(mu);if(c<=0&&l<=0)return e.copy(n);gu.subVectors(t,s);let h=Gr.dot(gu),u=Wr.dot(gu);if(h>=0&&u<=h)return e.copy(s);let f=c*u-h*l;if(f<=0&&c>=0&&h<=0)return o=c/(c-h),e.copy(n).addScaledVector(Gr,o);_u.
+subVectors(t,r);let p=Gr.dot(_u),_=Wr.dot(_u);if(_>=0&&p<=_)return e.copy(r);let v=p*l-c*_;if(v<=0&&l>=0&&_<=0)return a=l/(l-_),e.copy(n).addScaledVector(Wr,a);let m=h*_-p*u;if(m<=0&&u-h>=0&&p-_>=0)return dm.subVectors(r,s),a=(u-h)/(u-h+(p-_)),e.copy(s).addScaledVector(dm,a);let d=1/(m+v+f);return o=v*d,a=f*d,e.copy(n).addScaledVector(Gr,o).addScaledVector(Wr,a)}equals(t){return t.a.equals(this.a)&&
+t.b.equals(this.b)&&t.c.equals(this.c)}},_g={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,
+darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,
+dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,
+lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,
+maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,
+orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,
+skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},bs={h:0,s:0,l:0},ll={h:0,s:0,l:0};function Mu(i,t,e){return e<0&&(e+=1),e>1&&(e-=1),e<1/6?i+(t-i)*6*e:
+e<1/2?t:e<2/3?i+(t-i)*6*(2/3-e):i}var oe=class{constructor(t,e,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(t,e,n)}set(t,e,n){if(e===void 0&&n===void 0){let s=t;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(t,e,n);return this}setScalar(t){return this.r=t,this.g=t,this.b=t,this}setHex(t,e=ni){return t=Math.floor(t),
+this.r=(t>>16&255)/255,this.g=(t>>8&255)/255,this.b=(t&255)/255,xe.colorSpaceToWorking(this,e),this}setRGB(t,e,n,s=xe.workingColorSpace){return this.r=t,this.g=e,this.b=n,xe.colorSpaceToWorking(this,s),this}setHSL(t,e,n,s=xe.workingColorSpace){if(t=tx(t,1),e=ge(e,0,1),n=ge(n,0,1),e===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+e):n+e-n*e,o=2*n-r;this.r=Mu(o,r,t+1/3),this.g=Mu(o,r,t),this.b=Mu(o,
+r,t-1/3)}return xe.colorSpaceToWorking(this,s),this}setStyle(t,e=ni){function n(r){r!==void 0&&parseFloat(r)<1&&console.warn("THREE.Color: Alpha component of "+t+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(t)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(
+r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,e);if(r=/^\s*(\d+)\%\s*,\s*(\d+)\%\s*,\s*(\d+)\%\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(100,parseInt(r[1],10))/100,Math.min(100,parseInt(r[2],10))/100,Math.min(100,parseInt(r[3],10))/100,e);break;case"hsl":case"hsla":if(r=/^\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\%\s*,\s*(\d*\.?\d+)\%\s*(?:,\s*(\d*\.?\d+)\s*)?$/.
+exec(a))return n(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,e);break;default:console.warn("THREE.Color: Unknown color model "+t)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(t)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,e);if(o===6)return this.setHex(parseInt(r,16),e);console.warn(
+"THREE.Color: Invalid hex color "+t)}else if(t&&t.length>0)return this.setColorName(t,e);return this}setColorName(t,e=ni){let n=_g[t.toLowerCase()];return n!==void 0?this.setHex(n,e):console.warn("THREE.Color: Unknown color "+t),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(t){return this.r=t.r,this.g=t.g,this.b=t.b,this}copySRGBToLinear(t){return this.r=is(t.r),this.g=is(t.g),
+this.b=is(t.b),this}copyLinearToSRGB(t){return this.r=$r(t.r),this.g=$r(t.g),this.b=$r(t.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(t=ni){return xe.workingToColorSpace(An.copy(this),t),Math.round(ge(An.r*255,0,255))*65536+Math.round(ge(An.g*255,0,255))*256+Math.round(ge(An.b*255,0,255))}getHexString(t=ni){
+return("000000"+this.getHex(t).toString(16)).slice(-6)}getHSL(t,e=xe.workingColorSpace){xe.workingToColorSpace(An.copy(this),e);let n=An.r,s=An.g,r=An.b,o=Math.max(n,s,r),a=Math.min(n,s,r),c,l,h=(a+o)/2;if(a===o)c=0,l=0;else{let u=o-a;switch(l=h<=.5?u/(o+a):u/(2-o-a),o){case n:c=(s-r)/u+(s<r?6:0);break;case s:c=(r-n)/u+2;break;case r:c=(n-s)/u+4;break}c/=6}return t.h=c,t.s=l,t.l=h,t}getRGB(t,e=xe.
+workingColorSpace){return xe.workingToColorSpace(An.copy(this),e),t.r=An.r,t.g=An.g,t.b=An.b,t}getStyle(t=ni){xe.workingToColorSpace(An.copy(this),t);let e=An.r,n=An.g,s=An.b;return t!==ni?`color(${t} ${e.toFixed(3)} ${n.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(e*255)},${Math.round(n*255)},${Math.round(s*255)})`}offsetHSL(t,e,n){return this.getHSL(bs),this.setHSL(bs.h+t,bs.s+e,bs.l+n)}add(t){
+return this.r+=t.r,this.g+=t.g,this.b+=t.b,this}addColors(t,e){return this.r=t.r+e.r,this.g=t.g+e.g,this.b=t.b+e.b,this}addScalar(t){return this.r+=t,this.g+=t,this.b+=t,this}sub(t){return this.r=Math.max(0,this.r-t.r),this.g=Math.max(0,this.g-t.g),this.b=Math.max(0,this.b-t.b),this}multiply(t){return this.r*=t.r,this.g*=t.g,this.b*=t.b,this}multiplyScalar(t){return this.r*=t,this.g*=t,this.b*=t,this}lerp(t,e){
+return this.r+=(t.r-this.r)*e,this.g+=(t.g-this.g)*e,this.b+=(t.b-this.b)*e,this}lerpColors(t,e,n){return this.r=t.r+(e.r-t.r)*n,this.g=t.g+(e.g-t.g)*n,this.b=t.b+(e.b-t.b)*n,this}lerpHSL(t,e){this.getHSL(bs),t.getHSL(ll);let n=iu(bs.h,ll.h,e),s=iu(bs.s,ll.s,e),r=iu(bs.l,ll.l,e);return this.setHSL(n,s,r),this}setFromVector3(t){return this.r=t.x,this.g=t.y,this.b=t.z,this}applyMatrix3(t){let e=this.
+r,n=this.g,s=this.b,r=t.elements;return this.r=r[0]*e+r[3]*n+r[6]*s,this.g=r[1]*e+r[4]*n+r[7]*s,this.b=r[2]*e+r[5]*n+r[8]*s,this}equals(t){return t.r===this.r&&t.g===this.g&&t.b===this.b}fromArray(t,e=0){return this.r=t[e],this.g=t[e+1],this.b=t[e+2],this}toArray(t=[],e=0){return t[e]=this.r,t[e+1]=this.g,t[e+2]=this.b,t}fromBufferAttribute(t,e){return this.r=t.getX(e),this.g=t.getY(e),this.b=t.getZ(
+e),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},An=new oe;oe.NAMES=_g;var ux=0,Hi=class extends rs{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:ux++}),this.uuid=ya(),this.name="",this.type="Material",this.blending=js,this.side=ss,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=
+Al,this.blendDst=Cl,this.blendEquation=Es,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new oe(0,0,0),this.blendAlpha=0,this.depthFunc=Qs,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Iu,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Js,this.stencilZFail=Js,this.stencilZPass=Js,this.stencilWrite=!1,this.clippingPlanes=
+null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){
+return this._alphaTest}set alphaTest(t){this._alphaTest>0!=t>0&&this.version++,this._alphaTest=t}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(t){if(t!==void 0)for(let e in t){let n=t[e];if(n===void 0){console.warn(`THREE.Material: parameter '${e}' has value of undefined.`);continue}let s=this[e];if(s===void 0){console.warn(`THREE.Mat\
+erial: '${e}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(n):s&&s.isVector3&&n&&n.isVector3?s.copy(n):this[e]=n}}toJSON(t){let e=t===void 0||typeof t=="string";e&&(t={textures:{},images:{}});let n={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};n.uuid=this.uuid,n.type=this.type,this.name!==""&&(n.name=this.name),this.color&&this.color.isColor&&(n.color=
+this.color.getHex()),this.roughness!==void 0&&(n.roughness=this.roughness),this.metalness!==void 0&&(n.metalness=this.metalness),this.sheen!==void 0&&(n.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(n.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(n.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(n.emissive=this.emissive.getHex()),this.
+emissiveIntensity!==void 0&&this.emissiveIntensity!==1&&(n.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(n.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(n.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(n.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(n.shininess=this.shininess),
+this.clearcoat!==void 0&&(n.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(n.clearcoatRoughness=this.clearcoatRoughness),this.clearcoatMap&&this.clearcoatMap.isTexture&&(n.clearcoatMap=this.clearcoatMap.toJSON(t).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(n.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(t).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.
+isTexture&&(n.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(t).uuid,n.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(n.sheenColorMap=this.sheenColorMap.toJSON(t).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(n.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(t).uuid),this.dispersion!==void 0&&(n.dispersion=this.dispersion),
+this.iridescence!==void 0&&(n.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(n.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessRange!==void 0&&(n.iridescenceThicknessRange=this.iridescenceThicknessRange),this.iridescenceMap&&this.iridescenceMap.isTexture&&(n.iridescenceMap=this.iridescenceMap.toJSON(t).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&
+(n.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(t).uuid),this.anisotropy!==void 0&&(n.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(n.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(n.anisotropyMap=this.anisotropyMap.toJSON(t).uuid),this.map&&this.map.isTexture&&(n.map=this.map.toJSON(t).uuid),this.matcap&&this.matcap.isTexture&&
+(n.matcap=this.matcap.toJSON(t).uuid),this.alphaMap&&this.alphaMap.isTexture&&(n.alphaMap=this.alphaMap.toJSON(t).uuid),this.lightMap&&this.lightMap.isTexture&&(n.lightMap=this.lightMap.toJSON(t).uuid,n.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(n.aoMap=this.aoMap.toJSON(t).uuid,n.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(n.bumpMap=
+this.bumpMap.toJSON(t).uuid,n.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(n.normalMap=this.normalMap.toJSON(t).uuid,n.normalMapType=this.normalMapType,n.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(n.displacementMap=this.displacementMap.toJSON(t).uuid,n.displacementScale=this.displacementScale,n.displacementBias=this.displacementBias),
+this.roughnessMap&&this.roughnessMap.isTexture&&(n.roughnessMap=this.roughnessMap.toJSON(t).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(n.metalnessMap=this.metalnessMap.toJSON(t).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(n.emissiveMap=this.emissiveMap.toJSON(t).uuid),this.specularMap&&this.specularMap.isTexture&&(n.specularMap=this.specularMap.toJSON(t).uuid),this.specularIntensityMap&&
+this.specularIntensityMap.isTexture&&(n.specularIntensityMap=this.specularIntensityMap.toJSON(t).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(n.specularColorMap=this.specularColorMap.toJSON(t).uuid),this.envMap&&this.envMap.isTexture&&(n.envMap=this.envMap.toJSON(t).uuid,this.combine!==void 0&&(n.combine=this.combine)),this.envMapRotation!==void 0&&(n.envMapRotation=this.envMapRotation.
+toArray()),this.envMapIntensity!==void 0&&(n.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(n.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(n.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(n.gradientMap=this.gradientMap.toJSON(t).uuid),this.transmission!==void 0&&(n.transmission=this.transmission),this.transmissionMap&&this.
+transmissionMap.isTexture&&(n.transmissionMap=this.transmissionMap.toJSON(t).uuid),this.thickness!==void 0&&(n.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(n.thicknessMap=this.thicknessMap.toJSON(t).uuid),this.attenuationDistance!==void 0&&this.attenuationDistance!==1/0&&(n.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(n.attenuationColor=
+this.attenuationColor.getHex()),this.size!==void 0&&(n.size=this.size),this.shadowSide!==null&&(n.shadowSide=this.shadowSide),this.sizeAttenuation!==void 0&&(n.sizeAttenuation=this.sizeAttenuation),this.blending!==js&&(n.blending=this.blending),this.side!==ss&&(n.side=this.side),this.vertexColors===!0&&(n.vertexColors=!0),this.opacity<1&&(n.opacity=this.opacity),this.transparent===!0&&(n.transparent=
+!0),this.blendSrc!==Al&&(n.blendSrc=this.blendSrc),this.blendDst!==Cl&&(n.blendDst=this.blendDst),this.blendEquation!==Es&&(n.blendEquation=this.blendEquation),this.blendSrcAlpha!==null&&(n.blendSrcAlpha=this.blendSrcAlpha),this.blendDstAlpha!==null&&(n.blendDstAlpha=this.blendDstAlpha),this.blendEquationAlpha!==null&&(n.blendEquationAlpha=this.blendEquationAlpha),this.blendColor&&this.blendColor.
+isColor&&(n.blendColor=this.blendColor.getHex()),this.blendAlpha!==0&&(n.blendAlpha=this.blendAlpha),this.depthFunc!==Qs&&(n.depthFunc=this.depthFunc),this.depthTest===!1&&(n.depthTest=this.depthTest),this.depthWrite===!1&&(n.depthWrite=this.depthWrite),this.colorWrite===!1&&(n.colorWrite=this.colorWrite),this.stencilWriteMask!==255&&(n.stencilWriteMask=this.stencilWriteMask),this.stencilFunc!==Iu&&
+(n.stencilFunc=this.stencilFunc),this.stencilRef!==0&&(n.stencilRef=this.stencilRef),this.stencilFuncMask!==255&&(n.stencilFuncMask=this.stencilFuncMask),this.stencilFail!==Js&&(n.stencilFail=this.stencilFail),this.stencilZFail!==Js&&(n.stencilZFail=this.stencilZFail),this.stencilZPass!==Js&&(n.stencilZPass=this.stencilZPass),this.stencilWrite===!0&&(n.stencilWrite=this.stencilWrite),this.rotation!==
+void 0&&this.rotation!==0&&(n.rotation=this.rotation),this.polygonOffset===!0&&(n.polygonOffset=!0),this.polygonOffsetFactor!==0&&(n.polygonOffsetFactor=this.polygonOffsetFactor),this.polygonOffsetUnits!==0&&(n.polygonOffsetUnits=this.polygonOffsetUnits),this.linewidth!==void 0&&this.linewidth!==1&&(n.linewidth=this.linewidth),this.dashSize!==void 0&&(n.dashSize=this.dashSize),this.gapSize!==void 0&&
+(n.gapSize=this.gapSize),this.scale!==void 0&&(n.scale=this.scale),this.dithering===!0&&(n.dithering=!0),this.alphaTest>0&&(n.alphaTest=this.alphaTest),this.alphaHash===!0&&(n.alphaHash=!0),this.alphaToCoverage===!0&&(n.alphaToCoverage=!0),this.premultipliedAlpha===!0&&(n.premultipliedAlpha=!0),this.forceSinglePass===!0&&(n.forceSinglePass=!0),this.wireframe===!0&&(n.wireframe=!0),this.wireframeLinewidth>
+1&&(n.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!=="round"&&(n.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!=="round"&&(n.wireframeLinejoin=this.wireframeLinejoin),this.flatShading===!0&&(n.flatShading=!0),this.visible===!1&&(n.visible=!1),this.toneMapped===!1&&(n.toneMapped=!1),this.fog===!1&&(n.fog=!1),Object.keys(this.userData).length>0&&(n.userData=this.
+userData);function s(r){let o=[];for(let a in r){let c=r[a];delete c.metadata,o.push(c)}return o}if(e){let r=s(t.textures),o=s(t.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}clone(){return new this.constructor().copy(this)}copy(t){this.name=t.name,this.blending=t.blending,this.side=t.side,this.vertexColors=t.vertexColors,this.opacity=t.opacity,this.transparent=t.transparent,
+this.blendSrc=t.blendSrc,this.blendDst=t.blendDst,this.blendEquation=t.blendEquation,this.blendSrcAlpha=t.blendSrcAlpha,this.blendDstAlpha=t.blendDstAlpha,this.blendEquationAlpha=t.blendEquationAlpha,this.blendColor.copy(t.blendColor),this.blendAlpha=t.blendAlpha,this.depthFunc=t.depthFunc,this.depthTest=t.depthTest,this.depthWrite=t.depthWrite,this.stencilWriteMask=t.stencilWriteMask,this.stencilFunc=
+t.stencilFunc,this.stencilRef=t.stencilRef,this.stencilFuncMask=t.stencilFuncMask,this.stencilFail=t.stencilFail,this.stencilZFail=t.stencilZFail,this.stencilZPass=t.stencilZPass,this.stencilWrite=t.stencilWrite;let e=t.clippingPlanes,n=null;if(e!==null){let s=e.length;n=new Array(s);for(let r=0;r!==s;++r)n[r]=e[r].clone()}return this.clippingPlanes=n,this.clipIntersection=t.clipIntersection,this.
+clipShadows=t.clipShadows,this.shadowSide=t.shadowSide,this.colorWrite=t.colorWrite,this.precision=t.precision,this.polygonOffset=t.polygonOffset,this.polygonOffsetFactor=t.polygonOffsetFactor,this.polygonOffsetUnits=t.polygonOffsetUnits,this.dithering=t.dithering,this.alphaTest=t.alphaTest,this.alphaHash=t.alphaHash,this.alphaToCoverage=t.alphaToCoverage,this.premultipliedAlpha=t.premultipliedAlpha,
+this.forceSinglePass=t.forceSinglePass,this.visible=t.visible,this.toneMapped=t.toneMapped,this.userData=JSON.parse(JSON.stringify(t.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(t){t===!0&&this.version++}},Jo=class extends Hi{constructor(t){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new oe(16777215),this.map=null,this.lightMap=null,
+this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new fi,this.combine=ac,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.color.copy(t.color),this.
+map=t.map,this.lightMap=t.lightMap,this.lightMapIntensity=t.lightMapIntensity,this.aoMap=t.aoMap,this.aoMapIntensity=t.aoMapIntensity,this.specularMap=t.specularMap,this.alphaMap=t.alphaMap,this.envMap=t.envMap,this.envMapRotation.copy(t.envMapRotation),this.combine=t.combine,this.reflectivity=t.reflectivity,this.refractionRatio=t.refractionRatio,this.wireframe=t.wireframe,this.wireframeLinewidth=
+t.wireframeLinewidth,this.wireframeLinecap=t.wireframeLinecap,this.wireframeLinejoin=t.wireframeLinejoin,this.fog=t.fog,this}};var sn=new X,cl=new pe,fx=0,Wn=class{constructor(t,e,n=!1){if(Array.isArray(t))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:fx++}),this.name="",this.array=t,this.itemSize=e,this.count=t!==void 0?t.length/e:0,this.normalized=n,this.usage=Lu,this.updateRanges=[],this.gpuType=Ii,this.version=0}onUploadCallback(){}set needsUpdate(t){
+t===!0&&this.version++}setUsage(t){return this.usage=t,this}addUpdateRange(t,e){this.updateRanges.push({start:t,count:e})}clearUpdateRanges(){this.updateRanges.length=0}copy(t){return this.name=t.name,this.array=new t.array.constructor(t.array),this.itemSize=t.itemSize,this.count=t.count,this.normalized=t.normalized,this.usage=t.usage,this.gpuType=t.gpuType,this}copyAt(t,e,n){t*=this.itemSize,n*=e.
+itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[t+s]=e.array[n+s];return this}copyArray(t){return this.array.set(t),this}applyMatrix3(t){if(this.itemSize===2)for(let e=0,n=this.count;e<n;e++)cl.fromBufferAttribute(this,e),cl.applyMatrix3(t),this.setXY(e,cl.x,cl.y);else if(this.itemSize===3)for(let e=0,n=this.count;e<n;e++)sn.fromBufferAttribute(this,e),sn.applyMatrix3(t),this.setXYZ(e,sn.x,
+sn.y,sn.z);return this}applyMatrix4(t){for(let e=0,n=this.count;e<n;e++)sn.fromBufferAttribute(this,e),sn.applyMatrix4(t),this.setXYZ(e,sn.x,sn.y,sn.z);return this}applyNormalMatrix(t){for(let e=0,n=this.count;e<n;e++)sn.fromBufferAttribute(this,e),sn.applyNormalMatrix(t),this.setXYZ(e,sn.x,sn.y,sn.z);return this}transformDirection(t){for(let e=0,n=this.count;e<n;e++)sn.fromBufferAttribute(this,e),
+sn.transformDirection(t),this.setXYZ(e,sn.x,sn.y,sn.z);return this}set(t,e=0){return this.array.set(t,e),this}getComponent(t,e){let n=this.array[t*this.itemSize+e];return this.normalized&&(n=Oo(n,this.array)),n}setComponent(t,e,n){return this.normalized&&(n=Gn(n,this.array)),this.array[t*this.itemSize+e]=n,this}getX(t){let e=this.array[t*this.itemSize];return this.normalized&&(e=Oo(e,this.array)),
+e}setX(t,e){return this.normalized&&(e=Gn(e,this.array)),this.array[t*this.itemSize]=e,this}getY(t){let e=this.array[t*this.itemSize+1];return this.normalized&&(e=Oo(e,this.array)),e}setY(t,e){return this.normalized&&(e=Gn(e,this.array)),this.array[t*this.itemSize+1]=e,this}getZ(t){let e=this.array[t*this.itemSize+2];return this.normalized&&(e=Oo(e,this.array)),e}setZ(t,e){return this.normalized&&
+(e=Gn(e,this.array)),this.array[t*this.itemSize+2]=e,this}getW(t){let e=this.array[t*this.itemSize+3];return this.normalized&&(e=Oo(e,this.array)),e}setW(t,e){return this.normalized&&(e=Gn(e,this.array)),this.array[t*this.itemSize+3]=e,this}setXY(t,e,n){return t*=this.itemSize,this.normalized&&(e=Gn(e,this.array),n=Gn(n,this.array)),this.array[t+0]=e,this.array[t+1]=n,this}setXYZ(t,e,n,s){return t*=
+this.itemSize,this.normalized&&(e=Gn(e,this.array),n=Gn(n,this.array),s=Gn(s,this.array)),this.array[t+0]=e,this.array[t+1]=n,this.array[t+2]=s,this}setXYZW(t,e,n,s,r){return t*=this.itemSize,this.normalized&&(e=Gn(e,this.array),n=Gn(n,this.array),s=Gn(s,this.array),r=Gn(r,this.array)),this.array[t+0]=e,this.array[t+1]=n,this.array[t+2]=s,this.array[t+3]=r,this}onUpload(t){return this.onUploadCallback=
+t,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let t={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return this.name!==""&&(t.name=this.name),this.usage!==Lu&&(t.usage=this.usage),t}};var Ko=class extends Wn{constructor(t,e,n){super(new Uint16Array(t),e,n)}};var jo=class extends Wn{constructor(t,e,n){super(new Uint32Array(t),e,n)}};var Re=class extends Wn{constructor(t,e,n){super(new Float32Array(t),e,n)}},dx=0,hi=new _e,Su=new Mn,Xr=new X,ei=new Vi,Vo=new Vi,vn=new X,ln=class i extends rs{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:dx++}),this.uuid=ya(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=
+!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={}}getIndex(){return this.index}setIndex(t){return Array.isArray(t)?this.index=new(ju(t)?jo:Ko)(t,1):this.index=t,this}setIndirect(t){return this.indirect=t,this}getIndirect(){return this.indirect}getAttribute(t){return this.attributes[t]}setAttribute(t,e){return this.attributes[t]=e,this}deleteAttribute(t){
+return delete this.attributes[t],this}hasAttribute(t){return this.attributes[t]!==void 0}addGroup(t,e,n=0){this.groups.push({start:t,count:e,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(t,e){this.drawRange.start=t,this.drawRange.count=e}applyMatrix4(t){let e=this.attributes.position;e!==void 0&&(e.applyMatrix4(t),e.needsUpdate=!0);let n=this.attributes.normal;if(n!==void 0){let r=new re().
+getNormalMatrix(t);n.applyNormalMatrix(r),n.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(t),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this}applyQuaternion(t){return hi.makeRotationFromQuaternion(t),this.applyMatrix4(hi),this}rotateX(t){return hi.makeRotationX(t),this.applyMatrix4(
+hi),this}rotateY(t){return hi.makeRotationY(t),this.applyMatrix4(hi),this}rotateZ(t){return hi.makeRotationZ(t),this.applyMatrix4(hi),this}translate(t,e,n){return hi.makeTranslation(t,e,n),this.applyMatrix4(hi),this}scale(t,e,n){return hi.makeScale(t,e,n),this.applyMatrix4(hi),this}lookAt(t){return Su.lookAt(t),Su.updateMatrix(),this.applyMatrix4(Su.matrix),this}center(){return this.computeBoundingBox(),
+this.boundingBox.getCenter(Xr).negate(),this.translate(Xr.x,Xr.y,Xr.z),this}setFromPoints(t){let e=this.getAttribute("position");if(e===void 0){let n=[];for(let s=0,r=t.length;s<r;s++){let o=t[s];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new Re(n,3))}else{let n=Math.min(t.length,e.count);for(let s=0;s<n;s++){let r=t[s];e.setXYZ(s,r.x,r.y,r.z||0)}t.length>e.count&&console.warn("THREE.Buff\
+erGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),e.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Vi);let t=this.attributes.position,e=this.morphAttributes.position;if(t&&t.isGLBufferAttribute){console.error("THREE.BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),
+this.boundingBox.set(new X(-1/0,-1/0,-1/0),new X(1/0,1/0,1/0));return}if(t!==void 0){if(this.boundingBox.setFromBufferAttribute(t),e)for(let n=0,s=e.length;n<s;n++){let r=e[n];ei.setFromBufferAttribute(r),this.morphTargetsRelative?(vn.addVectors(this.boundingBox.min,ei.min),this.boundingBox.expandByPoint(vn),vn.addVectors(this.boundingBox.max,ei.max),this.boundingBox.expandByPoint(vn)):(this.boundingBox.
+expandByPoint(ei.min),this.boundingBox.expandByPoint(ei.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&console.error('THREE.BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.
+boundingSphere=new os);let t=this.attributes.position,e=this.morphAttributes.position;if(t&&t.isGLBufferAttribute){console.error("THREE.BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new X,1/0);return}if(t){let n=this.boundingSphere.center;if(ei.setFromBufferAttribute(t),e)for(let r=0,o=e.length;r<o;r++){let a=e[r];Vo.setFromBufferAttribute(
+a),this.morphTargetsRelative?(vn.addVectors(ei.min,Vo.min),ei.expandByPoint(vn),vn.addVectors(ei.max,Vo.max),ei.expandByPoint(vn)):(ei.expandByPoint(Vo.min),ei.expandByPoint(Vo.max))}ei.getCenter(n);let s=0;for(let r=0,o=t.count;r<o;r++)vn.fromBufferAttribute(t,r),s=Math.max(s,n.distanceToSquared(vn));if(e)for(let r=0,o=e.length;r<o;r++){let a=e[r],c=this.morphTargetsRelative;for(let l=0,h=a.count;l<
+h;l++)vn.fromBufferAttribute(a,l),c&&(Xr.fromBufferAttribute(t,l),vn.add(Xr)),s=Math.max(s,n.distanceToSquared(vn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&console.error('THREE.BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let t=this.index,e=this.attributes;if(t===null||
+e.position===void 0||e.normal===void 0||e.uv===void 0){console.error("THREE.BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let n=e.position,s=e.normal,r=e.uv;this.hasAttribute("tangent")===!1&&this.setAttribute("tangent",new Wn(new Float32Array(4*n.count),4));let o=this.getAttribute("tangent"),a=[],c=[];for(let N=0;N<n.count;N++)a[N]=
+new X,c[N]=new X;let l=new X,h=new X,u=new X,f=new pe,p=new pe,_=new pe,v=new X,m=new X;function d(N,b,S){l.fromBufferAttribute(n,N),h.fromBufferAttribute(n,b),u.fromBufferAttribute(n,S),f.fromBufferAttribute(r,N),p.fromBufferAttribute(r,b),_.fromBufferAttribute(r,S),h.sub(l),u.sub(l),p.sub(f),_.sub(f);let C=1/(p.x*_.y-_.x*p.y);isFinite(C)&&(v.copy(h).multiplyScalar(_.y).addScaledVector(u,-p.y).multiplyScalar(
+C),m.copy(u).multiplyScalar(p.x).addScaledVector(h,-_.x).multiplyScalar(C),a[N].add(v),a[b].add(v),a[S].add(v),c[N].add(m),c[b].add(m),c[S].add(m))}let w=this.groups;w.length===0&&(w=[{start:0,count:t.count}]);for(let N=0,b=w.length;N<b;++N){let S=w[N],C=S.start,O=S.count;for(let k=C,G=C+O;k<G;k+=3)d(t.getX(k+0),t.getX(k+1),t.getX(k+2))}let E=new X,y=new X,L=new X,A=new X;function D(N){L.fromBufferAttribute(
+s,N),A.copy(L);let b=a[N];E.copy(b),E.sub(L.multiplyScalar(L.dot(b))).normalize(),y.crossVectors(A,b);let C=y.dot(c[N])<0?-1:1;o.setXYZW(N,E.x,E.y,E.z,C)}for(let N=0,b=w.length;N<b;++N){let S=w[N],C=S.start,O=S.count;for(let k=C,G=C+O;k<G;k+=3)D(t.getX(k+0)),D(t.getX(k+1)),D(t.getX(k+2))}}computeVertexNormals(){let t=this.index,e=this.getAttribute("position");if(e!==void 0){let n=this.getAttribute(
+"normal");if(n===void 0)n=new Wn(new Float32Array(e.count*3),3),this.setAttribute("normal",n);else for(let f=0,p=n.count;f<p;f++)n.setXYZ(f,0,0,0);let s=new X,r=new X,o=new X,a=new X,c=new X,l=new X,h=new X,u=new X;if(t)for(let f=0,p=t.count;f<p;f+=3){let _=t.getX(f+0),v=t.getX(f+1),m=t.getX(f+2);s.fromBufferAttribute(e,_),r.fromBufferAttribute(e,v),o.fromBufferAttribute(e,m),h.subVectors(o,r),u.subVectors(
+s,r),h.cross(u),a.fromBufferAttribute(n,_),c.fromBufferAttribute(n,v),l.fromBufferAttribute(n,m),a.add(h),c.add(h),l.add(h),n.setXYZ(_,a.x,a.y,a.z),n.setXYZ(v,c.x,c.y,c.z),n.setXYZ(m,l.x,l.y,l.z)}else for(let f=0,p=e.count;f<p;f+=3)s.fromBufferAttribute(e,f+0),r.fromBufferAttribute(e,f+1),o.fromBufferAttribute(e,f+2),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),n.setXYZ(f+0,h.x,h.y,h.z),n.setXYZ(
+f+1,h.x,h.y,h.z),n.setXYZ(f+2,h.x,h.y,h.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let t=this.attributes.normal;for(let e=0,n=t.count;e<n;e++)vn.fromBufferAttribute(t,e),vn.normalize(),t.setXYZ(e,vn.x,vn.y,vn.z)}toNonIndexed(){function t(a,c){let l=a.array,h=a.itemSize,u=a.normalized,f=new l.constructor(c.length*h),p=0,_=0;for(let v=0,m=c.length;v<m;v++){a.isInterleavedBufferAttribute?
+p=c[v]*a.data.stride+a.offset:p=c[v]*h;for(let d=0;d<h;d++)f[_++]=l[p++]}return new Wn(f,h,u)}if(this.index===null)return console.warn("THREE.BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let e=new i,n=this.index.array,s=this.attributes;for(let a in s){let c=s[a],l=t(c,n);e.setAttribute(a,l)}let r=this.morphAttributes;for(let a in r){let c=[],l=r[a];for(let h=0,u=l.length;h<
+u;h++){let f=l[h],p=t(f,n);c.push(p)}e.morphAttributes[a]=c}e.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,c=o.length;a<c;a++){let l=o[a];e.addGroup(l.start,l.count,l.materialIndex)}return e}toJSON(){let t={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(t.uuid=this.uuid,t.type=this.type,this.name!==""&&(t.name=this.name),Object.keys(
+this.userData).length>0&&(t.userData=this.userData),this.parameters!==void 0){let c=this.parameters;for(let l in c)c[l]!==void 0&&(t[l]=c[l]);return t}t.data={attributes:{}};let e=this.index;e!==null&&(t.data.index={type:e.array.constructor.name,array:Array.prototype.slice.call(e.array)});let n=this.attributes;for(let c in n){let l=n[c];t.data.attributes[c]=l.toJSON(t.data)}let s={},r=!1;for(let c in this.
+morphAttributes){let l=this.morphAttributes[c],h=[];for(let u=0,f=l.length;u<f;u++){let p=l[u];h.push(p.toJSON(t.data))}h.length>0&&(s[c]=h,r=!0)}r&&(t.data.morphAttributes=s,t.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(t.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(t.data.boundingSphere=a.toJSON()),t}clone(){return new this.
+constructor().copy(this)}copy(t){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let e={};this.name=t.name;let n=t.index;n!==null&&this.setIndex(n.clone());let s=t.attributes;for(let l in s){let h=s[l];this.setAttribute(l,h.clone(e))}let r=t.morphAttributes;for(let l in r){let h=[],u=r[l];for(let f=0,p=u.length;f<p;f++)h.push(
+u[f].clone(e));this.morphAttributes[l]=h}this.morphTargetsRelative=t.morphTargetsRelative;let o=t.groups;for(let l=0,h=o.length;l<h;l++){let u=o[l];this.addGroup(u.start,u.count,u.materialIndex)}let a=t.boundingBox;a!==null&&(this.boundingBox=a.clone());let c=t.boundingSphere;return c!==null&&(this.boundingSphere=c.clone()),this.drawRange.start=t.drawRange.start,this.drawRange.count=t.drawRange.count,
+this.userData=t.userData,this}dispose(){this.dispatchEvent({type:"dispose"})}},pm=new _e,Zs=new Qr,hl=new os,mm=new X,ul=new X,fl=new X,dl=new X,bu=new X,pl=new X,gm=new X,ml=new X,Sn=class extends Mn{constructor(t=new ln,e=new Jo){super(),this.isMesh=!0,this.type="Mesh",this.geometry=t,this.material=e,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(t,e){
+return super.copy(t,e),t.morphTargetInfluences!==void 0&&(this.morphTargetInfluences=t.morphTargetInfluences.slice()),t.morphTargetDictionary!==void 0&&(this.morphTargetDictionary=Object.assign({},t.morphTargetDictionary)),this.material=Array.isArray(t.material)?t.material.slice():t.material,this.geometry=t.geometry,this}updateMorphTargets(){let e=this.geometry.morphAttributes,n=Object.keys(e);if(n.
+length>0){let s=e[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(t,e){let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;e.fromBufferAttribute(s,t);let a=this.morphTargetInfluences;
+if(r&&a){pl.set(0,0,0);for(let c=0,l=r.length;c<l;c++){let h=a[c],u=r[c];h!==0&&(bu.fromBufferAttribute(u,t),o?pl.addScaledVector(bu,h):pl.addScaledVector(bu.sub(e),h))}e.add(pl)}return e}raycast(t,e){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.applyMatrix4(r),Zs.copy(t.ray).recast(t.near),!(hl.
+containsPoint(Zs.origin)===!1&&(Zs.intersectSphere(hl,mm)===null||Zs.origin.distanceToSquared(mm)>(t.far-t.near)**2))&&(pm.copy(r).invert(),Zs.copy(t.ray).applyMatrix4(pm),!(n.boundingBox!==null&&Zs.intersectsBox(n.boundingBox)===!1)&&this._computeIntersections(t,e,Zs)))}_computeIntersections(t,e,n){let s,r=this.geometry,o=this.material,a=r.index,c=r.attributes.position,l=r.attributes.uv,h=r.attributes.
+uv1,u=r.attributes.normal,f=r.groups,p=r.drawRange;if(a!==null)if(Array.isArray(o))for(let _=0,v=f.length;_<v;_++){let m=f[_],d=o[m.materialIndex],w=Math.max(m.start,p.start),E=Math.min(a.count,Math.min(m.start+m.count,p.start+p.count));for(let y=w,L=E;y<L;y+=3){let A=a.getX(y),D=a.getX(y+1),N=a.getX(y+2);s=gl(this,d,t,n,l,h,u,A,D,N),s&&(s.faceIndex=Math.floor(y/3),s.face.materialIndex=m.materialIndex,
+e.push(s))}}else{let _=Math.max(0,p.start),v=Math.min(a.count,p.start+p.count);for(let m=_,d=v;m<d;m+=3){let w=a.getX(m),E=a.getX(m+1),y=a.getX(m+2);s=gl(this,o,t,n,l,h,u,w,E,y),s&&(s.faceIndex=Math.floor(m/3),e.push(s))}}else if(c!==void 0)if(Array.isArray(o))for(let _=0,v=f.length;_<v;_++){let m=f[_],d=o[m.materialIndex],w=Math.max(m.start,p.start),E=Math.min(c.count,Math.min(m.start+m.count,p.start+
+p.count));for(let y=w,L=E;y<L;y+=3){let A=y,D=y+1,N=y+2;s=gl(this,d,t,n,l,h,u,A,D,N),s&&(s.faceIndex=Math.floor(y/3),s.face.materialIndex=m.materialIndex,e.push(s))}}else{let _=Math.max(0,p.start),v=Math.min(c.count,p.start+p.count);for(let m=_,d=v;m<d;m+=3){let w=m,E=m+1,y=m+2;s=gl(this,o,t,n,l,h,u,w,E,y),s&&(s.faceIndex=Math.floor(m/3),e.push(s))}}}};function px(i,t,e,n,s,r,o,a){let c;if(t.side===
+zn?c=n.intersectTriangle(o,r,s,!0,a):c=n.intersectTriangle(s,r,o,t.side===ss,a),c===null)return null;ml.copy(a),ml.applyMatrix4(i.matrixWorld);let l=e.ray.origin.distanceTo(ml);return l<e.near||l>e.far?null:{distance:l,point:ml.clone(),object:i}}function gl(i,t,e,n,s,r,o,a,c,l){i.getVertexPosition(a,ul),i.getVertexPosition(c,fl),i.getVertexPosition(l,dl);let h=px(i,t,e,n,ul,fl,dl,gm);if(h){let u=new X;
+ns.getBarycoord(gm,ul,fl,dl,u),s&&(h.uv=ns.getInterpolatedAttribute(s,a,c,l,u,new pe)),r&&(h.uv1=ns.getInterpolatedAttribute(r,a,c,l,u,new pe)),o&&(h.normal=ns.getInterpolatedAttribute(o,a,c,l,u,new X),h.normal.dot(n.direction)>0&&h.normal.multiplyScalar(-1));let f={a,b:c,c:l,normal:new X,materialIndex:0};ns.getNormal(ul,fl,dl,f.normal),h.face=f,h.barycoord=u}return h}var as=class i extends ln{constructor(t=1,e=1,n=1,s=1,r=1,o=1){
+super(),this.type="BoxGeometry",this.parameters={width:t,height:e,depth:n,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let c=[],l=[],h=[],u=[],f=0,p=0;_("z","y","x",-1,-1,n,e,t,o,r,0),_("z","y","x",1,-1,n,e,-t,o,r,1),_("x","z","y",1,1,t,n,e,s,o,2),_("x","z","y",1,-1,t,n,-e,s,o,3),_("x","y","z",1,-1,t,e,n,s,r,4),_("x","y","z",-1,-1,t,e,
+-n,s,r,5),this.setIndex(c),this.setAttribute("position",new Re(l,3)),this.setAttribute("normal",new Re(h,3)),this.setAttribute("uv",new Re(u,2));function _(v,m,d,w,E,y,L,A,D,N,b){let S=y/D,C=L/N,O=y/2,k=L/2,G=A/2,W=D+1,q=N+1,$=0,j=0,rt=new X;for(let ot=0;ot<q;ot++){let _t=ot*C-k;for(let xt=0;xt<W;xt++){let pt=xt*S-O;rt[v]=pt*w,rt[m]=_t*E,rt[d]=G,l.push(rt.x,rt.y,rt.z),rt[v]=0,rt[m]=0,rt[d]=A>0?1:-1,
+h.push(rt.x,rt.y,rt.z),u.push(xt/D),u.push(1-ot/N),$+=1}}for(let ot=0;ot<N;ot++)for(let _t=0;_t<D;_t++){let xt=f+_t+W*ot,pt=f+_t+W*(ot+1),ee=f+(_t+1)+W*(ot+1),$t=f+(_t+1)+W*ot;c.push(xt,pt,$t),c.push(pt,ee,$t),j+=6}a.addGroup(p,j,b),p+=j,f+=$}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new i(t.width,t.height,t.depth,t.widthSegments,t.
+heightSegments,t.depthSegments)}};function or(i){let t={};for(let e in i){t[e]={};for(let n in i[e]){let s=i[e][n];s&&(s.isColor||s.isMatrix3||s.isMatrix4||s.isVector2||s.isVector3||s.isVector4||s.isTexture||s.isQuaternion)?s.isRenderTargetTexture?(console.warn("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),t[e][n]=null):t[e][n]=s.clone():Array.
+isArray(s)?t[e][n]=s.slice():t[e][n]=s}}return t}function Rn(i){let t={};for(let e=0;e<i.length;e++){let n=or(i[e]);for(let s in n)t[s]=n[s]}return t}function mx(i){let t=[];for(let e=0;e<i.length;e++)t.push(i[e].clone());return t}function Qu(i){let t=i.getRenderTarget();return t===null?i.outputColorSpace:t.isXRRenderTarget===!0?t.texture.colorSpace:xe.workingColorSpace}var vg={clone:or,merge:Rn},
+gx=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,_x=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,Ri=class extends Hi{constructor(t){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=gx,this.fragmentShader=_x,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues=
+{color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,t!==void 0&&this.setValues(t)}copy(t){return super.copy(t),this.fragmentShader=t.fragmentShader,this.vertexShader=t.vertexShader,this.uniforms=or(t.uniforms),this.uniformsGroups=mx(t.uniformsGroups),this.defines=Object.assign({},t.defines),this.wireframe=t.wireframe,this.wireframeLinewidth=
+t.wireframeLinewidth,this.fog=t.fog,this.lights=t.lights,this.clipping=t.clipping,this.extensions=Object.assign({},t.extensions),this.glslVersion=t.glslVersion,this}toJSON(t){let e=super.toJSON(t);e.glslVersion=this.glslVersion,e.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?e.uniforms[s]={type:"t",value:o.toJSON(t).uuid}:o&&o.isColor?e.uniforms[s]={type:"c",value:o.
+getHex()}:o&&o.isVector2?e.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?e.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?e.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?e.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?e.uniforms[s]={type:"m4",value:o.toArray()}:e.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(e.defines=this.defines),e.vertexShader=
+this.vertexShader,e.fragmentShader=this.fragmentShader,e.lights=this.lights,e.clipping=this.clipping;let n={};for(let s in this.extensions)this.extensions[s]===!0&&(n[s]=!0);return Object.keys(n).length>0&&(e.extensions=n),e}},Qo=class extends Mn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new _e,this.projectionMatrix=new _e,this.projectionMatrixInverse=new _e,
+this.coordinateSystem=Ai,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(t,e){return super.copy(t,e),this.matrixWorldInverse.copy(t.matrixWorldInverse),this.projectionMatrix.copy(t.projectionMatrix),this.projectionMatrixInverse.copy(t.projectionMatrixInverse),this.coordinateSystem=t.coordinateSystem,this}getWorldDirection(t){return super.getWorldDirection(t).negate()}updateMatrixWorld(t){
+super.updateMatrixWorld(t),this.matrixWorldInverse.copy(this.matrixWorld).invert()}updateWorldMatrix(t,e){super.updateWorldMatrix(t,e),this.matrixWorldInverse.copy(this.matrixWorld).invert()}clone(){return new this.constructor().copy(this)}},ws=new X,_m=new pe,vm=new pe,Cn=class extends Qo{constructor(t=50,e=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=t,
+this.zoom=1,this.near=n,this.far=s,this.focus=10,this.aspect=e,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(t,e){return super.copy(t,e),this.fov=t.fov,this.zoom=t.zoom,this.near=t.near,this.far=t.far,this.focus=t.focus,this.aspect=t.aspect,this.view=t.view===null?null:Object.assign({},t.view),this.filmGauge=t.filmGauge,this.filmOffset=t.filmOffset,this}setFocalLength(t){
+let e=.5*this.getFilmHeight()/t;this.fov=Ll*2*Math.atan(e),this.updateProjectionMatrix()}getFocalLength(){let t=Math.tan(El*.5*this.fov);return .5*this.getFilmHeight()/t}getEffectiveFOV(){return Ll*2*Math.atan(Math.tan(El*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(t,e,n){ws.set(-1,
+-1,.5).applyMatrix4(this.projectionMatrixInverse),e.set(ws.x,ws.y).multiplyScalar(-t/ws.z),ws.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(ws.x,ws.y).multiplyScalar(-t/ws.z)}getViewSize(t,e){return this.getViewBounds(t,_m,vm),e.subVectors(vm,_m)}setViewOffset(t,e,n,s,r,o){this.aspect=t/e,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),
+this.view.enabled=!0,this.view.fullWidth=t,this.view.fullHeight=e,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let t=this.near,e=t*Math.tan(El*.5*this.fov)/this.zoom,n=2*e,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&
+this.view.enabled){let c=o.fullWidth,l=o.fullHeight;r+=o.offsetX*s/c,e-=o.offsetY*n/l,s*=o.width/c,n*=o.height/l}let a=this.filmOffset;a!==0&&(r+=t*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,e,e-n,t,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(t){let e=super.toJSON(t);return e.object.fov=this.fov,
+e.object.zoom=this.zoom,e.object.near=this.near,e.object.far=this.far,e.object.focus=this.focus,e.object.aspect=this.aspect,this.view!==null&&(e.object.view=Object.assign({},this.view)),e.object.filmGauge=this.filmGauge,e.object.filmOffset=this.filmOffset,e}},qr=-90,Yr=1,Nl=class extends Mn{constructor(t,e,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=
+0;let s=new Cn(qr,Yr,t,e);s.layers=this.layers,this.add(s);let r=new Cn(qr,Yr,t,e);r.layers=this.layers,this.add(r);let o=new Cn(qr,Yr,t,e);o.layers=this.layers,this.add(o);let a=new Cn(qr,Yr,t,e);a.layers=this.layers,this.add(a);let c=new Cn(qr,Yr,t,e);c.layers=this.layers,this.add(c);let l=new Cn(qr,Yr,t,e);l.layers=this.layers,this.add(l)}updateCoordinateSystem(){let t=this.coordinateSystem,e=this.
+children.concat(),[n,s,r,o,a,c]=e;for(let l of e)this.remove(l);if(t===Ai)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),c.up.set(0,1,0),c.lookAt(0,0,-1);else if(t===Yo)n.up.set(0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),
+o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),c.up.set(0,-1,0),c.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+t);for(let l of e)this.add(l),l.updateMatrixWorld()}update(t,e){this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==t.coordinateSystem&&(this.coordinateSystem=t.
+coordinateSystem,this.updateCoordinateSystem());let[r,o,a,c,l,h]=this.children,u=t.getRenderTarget(),f=t.getActiveCubeFace(),p=t.getActiveMipmapLevel(),_=t.xr.enabled;t.xr.enabled=!1;let v=n.texture.generateMipmaps;n.texture.generateMipmaps=!1,t.setRenderTarget(n,0,s),t.render(e,r),t.setRenderTarget(n,1,s),t.render(e,o),t.setRenderTarget(n,2,s),t.render(e,a),t.setRenderTarget(n,3,s),t.render(e,c),
+t.setRenderTarget(n,4,s),t.render(e,l),n.texture.generateMipmaps=v,t.setRenderTarget(n,5,s),t.render(e,h),t.setRenderTarget(u,f,p),t.xr.enabled=_,n.texture.needsPMREMUpdate=!0}},ta=class extends qn{constructor(t=[],e=sr,n,s,r,o,a,c,l,h){super(t,e,n,s,r,o,a,c,l,h),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(t){this.image=t}},Ol=class extends ki{constructor(t=1,e={}){
+super(t,t,e),this.isWebGLCubeRenderTarget=!0;let n={width:t,height:t,depth:1},s=[n,n,n,n,n,n];this.texture=new ta(s),this._setTextureOptions(e),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(t,e){this.texture.type=e.type,this.texture.colorSpace=e.colorSpace,this.texture.generateMipmaps=e.generateMipmaps,this.texture.minFilter=e.minFilter,this.texture.magFilter=e.magFilter;let n={
+uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new as(5,5,5),r=new Ri({name:"CubemapFromEquirect",uniforms:or(n.uniforms),vertexShader:n.vertexShader,fragmentShader:n.fragmentShader,side:zn,blending:ls});r.uniforms.tEquirect.value=e;let o=new Sn(s,r),a=e.minFilter;return e.minFilter===Ps&&(e.minFilter=Ci),new Nl(1,10,this).update(t,o),e.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(t,e=!0,n=!0,s=!0){let r=t.getRenderTarget();
+for(let o=0;o<6;o++)t.setRenderTarget(this,o),t.clear(e,n,s);t.setRenderTarget(r)}},Ks=class extends Mn{constructor(){super(),this.isGroup=!0,this.type="Group"}},vx={type:"move"},eo=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new Ks,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.
+inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new Ks,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new X,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new X),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new Ks,
+this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new X,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new X),this._grip}dispatchEvent(t){return this._targetRay!==null&&this._targetRay.dispatchEvent(t),this._grip!==null&&this._grip.dispatchEvent(t),this._hand!==null&&this._hand.dispatchEvent(t),this}connect(t){if(t&&t.hand){
+let e=this._hand;if(e)for(let n of t.hand.values())this._getHandJoint(e,n)}return this.dispatchEvent({type:"connected",data:t}),this}disconnect(t){return this.dispatchEvent({type:"disconnected",data:t}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(t,e,n){let s=null,r=null,o=null,a=this._targetRay,
+c=this._grip,l=this._hand;if(t&&e.session.visibilityState!=="visible-blurred"){if(l&&t.hand){o=!0;for(let v of t.hand.values()){let m=e.getJointPose(v,n),d=this._getHandJoint(l,v);m!==null&&(d.matrix.fromArray(m.transform.matrix),d.matrix.decompose(d.position,d.rotation,d.scale),d.matrixWorldNeedsUpdate=!0,d.jointRadius=m.radius),d.visible=m!==null}let h=l.joints["index-finger-tip"],u=l.joints["th\
+umb-tip"],f=h.position.distanceTo(u.position),p=.02,_=.005;l.inputState.pinching&&f>p+_?(l.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:t.handedness,target:this})):!l.inputState.pinching&&f<=p-_&&(l.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:t.handedness,target:this}))}else c!==null&&t.gripSpace&&(r=e.getPose(t.gripSpace,n),r!==null&&(c.matrix.
+fromArray(r.transform.matrix),c.matrix.decompose(c.position,c.rotation,c.scale),c.matrixWorldNeedsUpdate=!0,r.linearVelocity?(c.hasLinearVelocity=!0,c.linearVelocity.copy(r.linearVelocity)):c.hasLinearVelocity=!1,r.angularVelocity?(c.hasAngularVelocity=!0,c.angularVelocity.copy(r.angularVelocity)):c.hasAngularVelocity=!1));a!==null&&(s=e.getPose(t.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&
+(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.rotation,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(vx)))}return a!==null&&(a.visible=s!==null),c!==
+null&&(c.visible=r!==null),l!==null&&(l.visible=o!==null),this}_getHandJoint(t,e){if(t.joints[e.jointName]===void 0){let n=new Ks;n.matrixAutoUpdate=!1,n.visible=!1,t.joints[e.jointName]=n,t.add(n)}return t.joints[e.jointName]}};var ea=class extends Mn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new fi,this.environmentIntensity=1,this.environmentRotation=new fi,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",
+{detail:this}))}copy(t,e){return super.copy(t,e),t.background!==null&&(this.background=t.background.clone()),t.environment!==null&&(this.environment=t.environment.clone()),t.fog!==null&&(this.fog=t.fog.clone()),this.backgroundBlurriness=t.backgroundBlurriness,this.backgroundIntensity=t.backgroundIntensity,this.backgroundRotation.copy(t.backgroundRotation),this.environmentIntensity=t.environmentIntensity,
+this.environmentRotation.copy(t.environmentRotation),t.overrideMaterial!==null&&(this.overrideMaterial=t.overrideMaterial.clone()),this.matrixAutoUpdate=t.matrixAutoUpdate,this}toJSON(t){let e=super.toJSON(t);return this.fog!==null&&(e.object.fog=this.fog.toJSON()),this.backgroundBlurriness>0&&(e.object.backgroundBlurriness=this.backgroundBlurriness),this.backgroundIntensity!==1&&(e.object.backgroundIntensity=
+this.backgroundIntensity),e.object.backgroundRotation=this.backgroundRotation.toArray(),this.environmentIntensity!==1&&(e.object.environmentIntensity=this.environmentIntensity),e.object.environmentRotation=this.environmentRotation.toArray(),e}};var Bl=class extends qn{constructor(t=null,e=1,n=1,s,r,o,a,c,l=Xn,h=Xn,u,f){super(null,o,a,c,l,h,s,r,u,f),this.isDataTexture=!0,this.image={data:t,width:e,height:n},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var na=class extends Wn{constructor(t,e,n,s=1){super(t,e,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(t){return super.copy(t),this.meshPerAttribute=t.meshPerAttribute,this}toJSON(){let t=super.toJSON();return t.meshPerAttribute=this.meshPerAttribute,t.isInstancedBufferAttribute=!0,t}},Zr=new _e,xm=new _e,_l=[],ym=new Vi,xx=new _e,Ho=new Sn,Go=new os,ia=class extends Sn{constructor(t,e,n){
+super(t,e),this.isInstancedMesh=!0,this.instanceMatrix=new na(new Float32Array(n*16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,xx)}computeBoundingBox(){let t=this.geometry,e=this.count;this.boundingBox===null&&(this.boundingBox=new Vi),t.boundingBox===null&&t.computeBoundingBox(),this.boundingBox.
+makeEmpty();for(let n=0;n<e;n++)this.getMatrixAt(n,Zr),ym.copy(t.boundingBox).applyMatrix4(Zr),this.boundingBox.union(ym)}computeBoundingSphere(){let t=this.geometry,e=this.count;this.boundingSphere===null&&(this.boundingSphere=new os),t.boundingSphere===null&&t.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<e;n++)this.getMatrixAt(n,Zr),Go.copy(t.boundingSphere).applyMatrix4(
+Zr),this.boundingSphere.union(Go)}copy(t,e){return super.copy(t,e),this.instanceMatrix.copy(t.instanceMatrix),t.morphTexture!==null&&(this.morphTexture=t.morphTexture.clone()),t.instanceColor!==null&&(this.instanceColor=t.instanceColor.clone()),this.count=t.count,t.boundingBox!==null&&(this.boundingBox=t.boundingBox.clone()),t.boundingSphere!==null&&(this.boundingSphere=t.boundingSphere.clone()),this}getColorAt(t,e){
+e.fromArray(this.instanceColor.array,t*3)}getMatrixAt(t,e){e.fromArray(this.instanceMatrix.array,t*16)}getMorphAt(t,e){let n=e.morphTargetInfluences,s=this.morphTexture.source.data.data,r=n.length+1,o=t*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(t,e){let n=this.matrixWorld,s=this.count;if(Ho.geometry=this.geometry,Ho.material=this.material,Ho.material!==void 0&&(this.boundingSphere===null&&
+this.computeBoundingSphere(),Go.copy(this.boundingSphere),Go.applyMatrix4(n),t.ray.intersectsSphere(Go)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Zr),xm.multiplyMatrices(n,Zr),Ho.matrixWorld=xm,Ho.raycast(t,_l);for(let o=0,a=_l.length;o<a;o++){let c=_l[o];c.instanceId=r,c.object=this,e.push(c)}_l.length=0}}setColorAt(t,e){this.instanceColor===null&&(this.instanceColor=new na(new Float32Array(this.
+instanceMatrix.count*3).fill(1),3)),e.toArray(this.instanceColor.array,t*3)}setMatrixAt(t,e){e.toArray(this.instanceMatrix.array,t*16)}setMorphAt(t,e){let n=e.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Bl(new Float32Array(s*this.count),s,this.count,pc,Ii));let r=this.morphTexture.source.data.data,o=0;for(let l=0;l<n.length;l++)o+=n[l];let a=this.geometry.morphTargetsRelative?
+1:1-o,c=s*t;r[c]=a,r.set(n,c+1)}updateMorphTargets(){}dispose(){this.dispatchEvent({type:"dispose"}),this.morphTexture!==null&&(this.morphTexture.dispose(),this.morphTexture=null)}},wu=new X,yx=new X,Mx=new re,zi=class{constructor(t=new X(1,0,0),e=0){this.isPlane=!0,this.normal=t,this.constant=e}set(t,e){return this.normal.copy(t),this.constant=e,this}setComponents(t,e,n,s){return this.normal.set(
+t,e,n),this.constant=s,this}setFromNormalAndCoplanarPoint(t,e){return this.normal.copy(t),this.constant=-e.dot(this.normal),this}setFromCoplanarPoints(t,e,n){let s=wu.subVectors(n,e).cross(yx.subVectors(t,e)).normalize();return this.setFromNormalAndCoplanarPoint(s,t),this}copy(t){return this.normal.copy(t.normal),this.constant=t.constant,this}normalize(){let t=1/this.normal.length();return this.normal.
+multiplyScalar(t),this.constant*=t,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(t){return this.normal.dot(t)+this.constant}distanceToSphere(t){return this.distanceToPoint(t.center)-t.radius}projectPoint(t,e){return e.copy(t).addScaledVector(this.normal,-this.distanceToPoint(t))}intersectLine(t,e){let n=t.delta(wu),s=this.normal.dot(n);if(s===0)return this.distanceToPoint(
+t.start)===0?e.copy(t.start):null;let r=-(t.start.dot(this.normal)+this.constant)/s;return r<0||r>1?null:e.copy(t.start).addScaledVector(n,r)}intersectsLine(t){let e=this.distanceToPoint(t.start),n=this.distanceToPoint(t.end);return e<0&&n>0||n<0&&e>0}intersectsBox(t){return t.intersectsPlane(this)}intersectsSphere(t){return t.intersectsPlane(this)}coplanarPoint(t){return t.copy(this.normal).multiplyScalar(
+-this.constant)}applyMatrix4(t,e){let n=e||Mx.getNormalMatrix(t),s=this.coplanarPoint(wu).applyMatrix4(t),r=this.normal.applyMatrix3(n).normalize();return this.constant=-s.dot(r),this}translate(t){return this.constant-=t.dot(this.normal),this}equals(t){return t.normal.equals(this.normal)&&t.constant===this.constant}clone(){return new this.constructor().copy(this)}},$s=new os,Sx=new pe(.5,.5),vl=new X,
+no=class{constructor(t=new zi,e=new zi,n=new zi,s=new zi,r=new zi,o=new zi){this.planes=[t,e,n,s,r,o]}set(t,e,n,s,r,o){let a=this.planes;return a[0].copy(t),a[1].copy(e),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(t){let e=this.planes;for(let n=0;n<6;n++)e[n].copy(t.planes[n]);return this}setFromProjectionMatrix(t,e=Ai,n=!1){let s=this.planes,r=t.elements,o=r[0],a=r[1],c=r[2],l=r[3],
+h=r[4],u=r[5],f=r[6],p=r[7],_=r[8],v=r[9],m=r[10],d=r[11],w=r[12],E=r[13],y=r[14],L=r[15];if(s[0].setComponents(l-o,p-h,d-_,L-w).normalize(),s[1].setComponents(l+o,p+h,d+_,L+w).normalize(),s[2].setComponents(l+a,p+u,d+v,L+E).normalize(),s[3].setComponents(l-a,p-u,d-v,L-E).normalize(),n)s[4].setComponents(c,f,m,y).normalize(),s[5].setComponents(l-c,p-f,d-m,L-y).normalize();else if(s[4].setComponents(
+l-c,p-f,d-m,L-y).normalize(),e===Ai)s[5].setComponents(l+c,p+f,d+m,L+y).normalize();else if(e===Yo)s[5].setComponents(c,f,m,y).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+e);return this}intersectsObject(t){if(t.boundingSphere!==void 0)t.boundingSphere===null&&t.computeBoundingSphere(),$s.copy(t.boundingSphere).applyMatrix4(t.matrixWorld);else{
+let e=t.geometry;e.boundingSphere===null&&e.computeBoundingSphere(),$s.copy(e.boundingSphere).applyMatrix4(t.matrixWorld)}return this.intersectsSphere($s)}intersectsSprite(t){$s.center.set(0,0,0);let e=Sx.distanceTo(t.center);return $s.radius=.7071067811865476+e,$s.applyMatrix4(t.matrixWorld),this.intersectsSphere($s)}intersectsSphere(t){let e=this.planes,n=t.center,s=-t.radius;for(let r=0;r<6;r++)
+if(e[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(t){let e=this.planes;for(let n=0;n<6;n++){let s=e[n];if(vl.x=s.normal.x>0?t.max.x:t.min.x,vl.y=s.normal.y>0?t.max.y:t.min.y,vl.z=s.normal.z>0?t.max.z:t.min.z,s.distanceToPoint(vl)<0)return!1}return!0}containsPoint(t){let e=this.planes;for(let n=0;n<6;n++)if(e[n].distanceToPoint(t)<0)return!1;return!0}clone(){return new this.constructor().
+copy(this)}};var As=class extends Hi{constructor(t){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new oe(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.color.copy(t.color),this.map=t.map,this.linewidth=t.linewidth,this.linecap=t.linecap,this.linejoin=t.linejoin,this.fog=t.fog,this}},
+zl=new X,kl=new X,Mm=new _e,Wo=new Qr,xl=new os,Tu=new X,Sm=new X,io=class extends Mn{constructor(t=new ln,e=new As){super(),this.isLine=!0,this.type="Line",this.geometry=t,this.material=e,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(t,e){return super.copy(t,e),this.material=Array.isArray(t.material)?t.material.slice():t.material,this.geometry=
+t.geometry,this}computeLineDistances(){let t=this.geometry;if(t.index===null){let e=t.attributes.position,n=[0];for(let s=1,r=e.count;s<r;s++)zl.fromBufferAttribute(e,s-1),kl.fromBufferAttribute(e,s),n[s]=n[s-1],n[s]+=zl.distanceTo(kl);t.setAttribute("lineDistance",new Re(n,1))}else console.warn("THREE.Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}raycast(t,e){
+let n=this.geometry,s=this.matrixWorld,r=t.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),xl.copy(n.boundingSphere),xl.applyMatrix4(s),xl.radius+=r,t.ray.intersectsSphere(xl)===!1)return;Mm.copy(s).invert(),Wo.copy(t.ray).applyMatrix4(Mm);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),c=a*a,l=this.isLineSegments?2:1,h=n.index,f=n.attributes.position;
+if(h!==null){let p=Math.max(0,o.start),_=Math.min(h.count,o.start+o.count);for(let v=p,m=_-1;v<m;v+=l){let d=h.getX(v),w=h.getX(v+1),E=yl(this,t,Wo,c,d,w,v);E&&e.push(E)}if(this.isLineLoop){let v=h.getX(_-1),m=h.getX(p),d=yl(this,t,Wo,c,v,m,_-1);d&&e.push(d)}}else{let p=Math.max(0,o.start),_=Math.min(f.count,o.start+o.count);for(let v=p,m=_-1;v<m;v+=l){let d=yl(this,t,Wo,c,v,v+1,v);d&&e.push(d)}if(this.
+isLineLoop){let v=yl(this,t,Wo,c,_-1,p,_-1);v&&e.push(v)}}}updateMorphTargets(){let e=this.geometry.morphAttributes,n=Object.keys(e);if(n.length>0){let s=e[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function yl(i,t,e,n,s,r,o){let a=i.
+geometry.attributes.position;if(zl.fromBufferAttribute(a,s),kl.fromBufferAttribute(a,r),e.distanceSqToSegment(zl,kl,Tu,Sm)>n)return;Tu.applyMatrix4(i.matrixWorld);let l=t.ray.origin.distanceTo(Tu);if(!(l<t.near||l>t.far))return{distance:l,point:Sm.clone().applyMatrix4(i.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:i}}var bm=new X,wm=new X,so=class extends io{constructor(t,e){
+super(t,e),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let t=this.geometry;if(t.index===null){let e=t.attributes.position,n=[];for(let s=0,r=e.count;s<r;s+=2)bm.fromBufferAttribute(e,s),wm.fromBufferAttribute(e,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+bm.distanceTo(wm);t.setAttribute("lineDistance",new Re(n,1))}else console.warn("THREE.LineSegments.computeLineDistances(): Co\
+mputation only possible with non-indexed BufferGeometry.");return this}};var sa=class extends qn{constructor(t,e,n=Is,s,r,o,a=Xn,c=Xn,l,h=Jr,u=1){if(h!==Jr&&h!==fo)throw new Error("DepthTexture format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let f={width:t,height:e,depth:u};super(f,s,r,o,a,c,h,n,l),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(t){return super.copy(t),this.source=new jr(Object.assign({},
+t.image)),this.compareFunction=t.compareFunction,this}toJSON(t){let e=super.toJSON(t);return this.compareFunction!==null&&(e.compareFunction=this.compareFunction),e}},ra=class extends qn{constructor(t=null){super(),this.sourceTexture=t,this.isExternalTexture=!0}copy(t){return super.copy(t),this.sourceTexture=t.sourceTexture,this}},oa=class i extends ln{constructor(t=1,e=1,n=4,s=8,r=1){super(),this.
+type="CapsuleGeometry",this.parameters={radius:t,height:e,capSegments:n,radialSegments:s,heightSegments:r},e=Math.max(0,e),n=Math.max(1,Math.floor(n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],c=[],l=[],h=e/2,u=Math.PI/2*t,f=e,p=2*u+f,_=n*2+r,v=s+1,m=new X,d=new X;for(let w=0;w<=_;w++){let E=0,y=0,L=0,A=0;if(w<=n){let b=w/n,S=b*Math.PI/2;y=-h-t*Math.cos(S),L=t*Math.sin(
+S),A=-t*Math.cos(S),E=b*u}else if(w<=n+r){let b=(w-n)/r;y=-h+b*e,L=t,A=0,E=u+b*f}else{let b=(w-n-r)/n,S=b*Math.PI/2;y=h+t*Math.sin(S),L=t*Math.cos(S),A=t*Math.sin(S),E=u+f+b*u}let D=Math.max(0,Math.min(1,E/p)),N=0;w===0?N=.5/s:w===_&&(N=-.5/s);for(let b=0;b<=s;b++){let S=b/s,C=S*Math.PI*2,O=Math.sin(C),k=Math.cos(C);d.x=-L*k,d.y=y,d.z=L*O,a.push(d.x,d.y,d.z),m.set(-L*k,A,L*O),m.normalize(),c.push(
+m.x,m.y,m.z),l.push(S+N,D)}if(w>0){let b=(w-1)*v;for(let S=0;S<s;S++){let C=b+S,O=b+S+1,k=w*v+S,G=w*v+S+1;o.push(C,O,k),o.push(O,G,k)}}}this.setIndex(o),this.setAttribute("position",new Re(a,3)),this.setAttribute("normal",new Re(c,3)),this.setAttribute("uv",new Re(l,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new i(t.radius,t.height,
+t.capSegments,t.radialSegments,t.heightSegments)}};var aa=class i extends ln{constructor(t=1,e=1,n=1,s=32,r=1,o=!1,a=0,c=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:t,radiusBottom:e,height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:c};let l=this;s=Math.floor(s),r=Math.floor(r);let h=[],u=[],f=[],p=[],_=0,v=[],m=n/2,d=0;w(),o===!1&&(t>0&&E(!0),e>0&&E(!1)),this.setIndex(h),this.setAttribute(
+"position",new Re(u,3)),this.setAttribute("normal",new Re(f,3)),this.setAttribute("uv",new Re(p,2));function w(){let y=new X,L=new X,A=0,D=(e-t)/n;for(let N=0;N<=r;N++){let b=[],S=N/r,C=S*(e-t)+t;for(let O=0;O<=s;O++){let k=O/s,G=k*c+a,W=Math.sin(G),q=Math.cos(G);L.x=C*W,L.y=-S*n+m,L.z=C*q,u.push(L.x,L.y,L.z),y.set(W,D,q).normalize(),f.push(y.x,y.y,y.z),p.push(k,1-S),b.push(_++)}v.push(b)}for(let N=0;N<
+s;N++)for(let b=0;b<r;b++){let S=v[b][N],C=v[b+1][N],O=v[b+1][N+1],k=v[b][N+1];(t>0||b!==0)&&(h.push(S,C,k),A+=3),(e>0||b!==r-1)&&(h.push(C,O,k),A+=3)}l.addGroup(d,A,0),d+=A}function E(y){let L=_,A=new pe,D=new X,N=0,b=y===!0?t:e,S=y===!0?1:-1;for(let O=1;O<=s;O++)u.push(0,m*S,0),f.push(0,S,0),p.push(.5,.5),_++;let C=_;for(let O=0;O<=s;O++){let G=O/s*c+a,W=Math.cos(G),q=Math.sin(G);D.x=b*q,D.y=m*S,
+D.z=b*W,u.push(D.x,D.y,D.z),f.push(0,S,0),A.x=W*.5+.5,A.y=q*.5*S+.5,p.push(A.x,A.y),_++}for(let O=0;O<s;O++){let k=L+O,G=C+O;y===!0?h.push(G,G+1,k):h.push(G+1,G,k),N+=3}l.addGroup(d,N,y===!0?1:2),d+=N}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new i(t.radiusTop,t.radiusBottom,t.height,t.radialSegments,t.heightSegments,t.openEnded,t.thetaStart,
+t.thetaLength)}};var Ml=new X,Sl=new X,Eu=new X,bl=new ns,la=class extends ln{constructor(t=null,e=1){if(super(),this.type="EdgesGeometry",this.parameters={geometry:t,thresholdAngle:e},t!==null){let s=Math.pow(10,4),r=Math.cos(El*e),o=t.getIndex(),a=t.getAttribute("position"),c=o?o.count:a.count,l=[0,0,0],h=["a","b","c"],u=new Array(3),f={},p=[];for(let _=0;_<c;_+=3){o?(l[0]=o.getX(_),l[1]=o.getX(_+1),l[2]=o.getX(
+_+2)):(l[0]=_,l[1]=_+1,l[2]=_+2);let{a:v,b:m,c:d}=bl;if(v.fromBufferAttribute(a,l[0]),m.fromBufferAttribute(a,l[1]),d.fromBufferAttribute(a,l[2]),bl.getNormal(Eu),u[0]=`${Math.round(v.x*s)},${Math.round(v.y*s)},${Math.round(v.z*s)}`,u[1]=`${Math.round(m.x*s)},${Math.round(m.y*s)},${Math.round(m.z*s)}`,u[2]=`${Math.round(d.x*s)},${Math.round(d.y*s)},${Math.round(d.z*s)}`,!(u[0]===u[1]||u[1]===u[2]||
+u[2]===u[0]))for(let w=0;w<3;w++){let E=(w+1)%3,y=u[w],L=u[E],A=bl[h[w]],D=bl[h[E]],N=`${y}_${L}`,b=`${L}_${y}`;b in f&&f[b]?(Eu.dot(f[b].normal)<=r&&(p.push(A.x,A.y,A.z),p.push(D.x,D.y,D.z)),f[b]=null):N in f||(f[N]={index0:l[w],index1:l[E],normal:Eu.clone()})}}for(let _ in f)if(f[_]){let{index0:v,index1:m}=f[_];Ml.fromBufferAttribute(a,v),Sl.fromBufferAttribute(a,m),p.push(Ml.x,Ml.y,Ml.z),p.push(
+Sl.x,Sl.y,Sl.z)}this.setAttribute("position",new Re(p,3))}}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}};var er=class i extends ln{constructor(t=1,e=1,n=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:t,height:e,widthSegments:n,heightSegments:s};let r=t/2,o=e/2,a=Math.floor(n),c=Math.floor(s),l=a+1,h=c+1,u=t/a,f=e/c,p=[],_=[],v=[],m=[];for(let d=0;d<h;d++){let w=d*f-o;for(let E=0;E<l;E++){let y=E*u-r;_.push(y,-w,0),v.push(0,0,1),m.push(E/a),m.push(1-d/c)}}for(let d=0;d<c;d++)for(let w=0;w<
+a;w++){let E=w+l*d,y=w+l*(d+1),L=w+1+l*(d+1),A=w+1+l*d;p.push(E,y,A),p.push(y,L,A)}this.setIndex(p),this.setAttribute("position",new Re(_,3)),this.setAttribute("normal",new Re(v,3)),this.setAttribute("uv",new Re(m,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new i(t.width,t.height,t.widthSegments,t.heightSegments)}};var ro=class i extends ln{constructor(t=1,e=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:t,widthSegments:e,heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},e=Math.max(3,Math.floor(e)),n=Math.max(2,Math.floor(n));let c=Math.min(o+a,Math.PI),l=0,h=[],u=new X,f=new X,p=[],_=[],v=[],m=[];for(let d=0;d<=n;d++){let w=[],E=d/n,y=0;d===
+0&&o===0?y=.5/e:d===n&&c===Math.PI&&(y=-.5/e);for(let L=0;L<=e;L++){let A=L/e;u.x=-t*Math.cos(s+A*r)*Math.sin(o+E*a),u.y=t*Math.cos(o+E*a),u.z=t*Math.sin(s+A*r)*Math.sin(o+E*a),_.push(u.x,u.y,u.z),f.copy(u).normalize(),v.push(f.x,f.y,f.z),m.push(A+y,1-E),w.push(l++)}h.push(w)}for(let d=0;d<n;d++)for(let w=0;w<e;w++){let E=h[d][w+1],y=h[d][w],L=h[d+1][w],A=h[d+1][w+1];(d!==0||o>0)&&p.push(E,y,A),(d!==
+n-1||c<Math.PI)&&p.push(y,L,A)}this.setIndex(p),this.setAttribute("position",new Re(_,3)),this.setAttribute("normal",new Re(v,3)),this.setAttribute("uv",new Re(m,2))}copy(t){return super.copy(t),this.parameters=Object.assign({},t.parameters),this}static fromJSON(t){return new i(t.radius,t.widthSegments,t.heightSegments,t.phiStart,t.phiLength,t.thetaStart,t.thetaLength)}};var oo=class extends Hi{constructor(t){super(),this.isMeshStandardMaterial=!0,this.type="MeshStandardMaterial",this.defines={STANDARD:""},this.color=new oe(16777215),this.roughness=1,this.metalness=0,this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new oe(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=
+1,this.normalMap=null,this.normalMapType=qc,this.normalScale=new pe(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.roughnessMap=null,this.metalnessMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new fi,this.envMapIntensity=1,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=
+!1,this.fog=!0,this.setValues(t)}copy(t){return super.copy(t),this.defines={STANDARD:""},this.color.copy(t.color),this.roughness=t.roughness,this.metalness=t.metalness,this.map=t.map,this.lightMap=t.lightMap,this.lightMapIntensity=t.lightMapIntensity,this.aoMap=t.aoMap,this.aoMapIntensity=t.aoMapIntensity,this.emissive.copy(t.emissive),this.emissiveMap=t.emissiveMap,this.emissiveIntensity=t.emissiveIntensity,
+this.bumpMap=t.bumpMap,this.bumpScale=t.bumpScale,this.normalMap=t.normalMap,this.normalMapType=t.normalMapType,this.normalScale.copy(t.normalScale),this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this.roughnessMap=t.roughnessMap,this.metalnessMap=t.metalnessMap,this.alphaMap=t.alphaMap,this.envMap=t.envMap,this.envMapRotation.
+copy(t.envMapRotation),this.envMapIntensity=t.envMapIntensity,this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this.wireframeLinecap=t.wireframeLinecap,this.wireframeLinejoin=t.wireframeLinejoin,this.flatShading=t.flatShading,this.fog=t.fog,this}};var ao=class extends Hi{constructor(t){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new oe(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new oe(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=1,this.normalMap=null,this.normalMapType=qc,this.normalScale=new pe(
+1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new fi,this.combine=ac,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(t)}copy(t){return super.
+copy(t),this.color.copy(t.color),this.map=t.map,this.lightMap=t.lightMap,this.lightMapIntensity=t.lightMapIntensity,this.aoMap=t.aoMap,this.aoMapIntensity=t.aoMapIntensity,this.emissive.copy(t.emissive),this.emissiveMap=t.emissiveMap,this.emissiveIntensity=t.emissiveIntensity,this.bumpMap=t.bumpMap,this.bumpScale=t.bumpScale,this.normalMap=t.normalMap,this.normalMapType=t.normalMapType,this.normalScale.
+copy(t.normalScale),this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this.specularMap=t.specularMap,this.alphaMap=t.alphaMap,this.envMap=t.envMap,this.envMapRotation.copy(t.envMapRotation),this.combine=t.combine,this.reflectivity=t.reflectivity,this.refractionRatio=t.refractionRatio,this.wireframe=t.wireframe,this.wireframeLinewidth=
+t.wireframeLinewidth,this.wireframeLinecap=t.wireframeLinecap,this.wireframeLinejoin=t.wireframeLinejoin,this.flatShading=t.flatShading,this.fog=t.fog,this}},Vl=class extends Hi{constructor(t){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=rg,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=
+!1,this.wireframeLinewidth=1,this.setValues(t)}copy(t){return super.copy(t),this.depthPacking=t.depthPacking,this.map=t.map,this.alphaMap=t.alphaMap,this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this.wireframe=t.wireframe,this.wireframeLinewidth=t.wireframeLinewidth,this}},Hl=class extends Hi{constructor(t){super(),this.isMeshDistanceMaterial=
+!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(t)}copy(t){return super.copy(t),this.map=t.map,this.alphaMap=t.alphaMap,this.displacementMap=t.displacementMap,this.displacementScale=t.displacementScale,this.displacementBias=t.displacementBias,this}};function wl(i,t){return!i||i.constructor===t?i:typeof t.BYTES_PER_ELEMENT=="number"?new t(i):Array.prototype.slice.call(i)}function bx(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}var nr=class{constructor(t,e,n,s){this.parameterPositions=t,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new e.constructor(n),this.sampleValues=e,this.valueSize=n,this.settings=null,this.DefaultSettings_={}}evaluate(t){let e=this.parameterPositions,n=this._cachedIndex,s=e[n],r=e[n-1];n:{t:{let o;e:{i:if(!(t<s)){for(let a=n+2;;){if(s===void 0){if(t<r)break i;return n=e.length,this._cachedIndex=
+n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=e[++n],t<s)break t}o=e.length;break e}if(!(t>=r)){let a=e[1];t<a&&(n=2,r=a);for(let c=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===c)break;if(s=r,r=e[--n-1],t>=r)break t}o=n,n=0;break e}break n}for(;n<o;){let a=n+o>>>1;t<e[a]?o=a:n=a+1}if(s=e[n],r=e[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(
+0);if(s===void 0)return n=e.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,t,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(t){let e=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=t*s;for(let o=0;o!==s;++o)e[o]=n[r+o];return e}interpolate_(){throw new Error("call to abstra\
+ct method")}intervalChanged_(){}},Gl=class extends nr{constructor(t,e,n,s){super(t,e,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Cu,endingEnd:Cu}}intervalChanged_(t,e,n){let s=this.parameterPositions,r=t-2,o=t+1,a=s[r],c=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Ru:r=t,a=2*e-n;break;case Pu:r=s.length-
+2,a=e+s[r]-s[r+1];break;default:r=t,a=n}if(c===void 0)switch(this.getSettings_().endingEnd){case Ru:o=t,c=2*n-e;break;case Pu:o=1,c=n+s[1]-s[0];break;default:o=t-1,c=e}let l=(n-e)*.5,h=this.valueSize;this._weightPrev=l/(e-a),this._weightNext=l/(c-n),this._offsetPrev=r*h,this._offsetNext=o*h}interpolate_(t,e,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=t*a,l=c-a,h=this._offsetPrev,
+u=this._offsetNext,f=this._weightPrev,p=this._weightNext,_=(n-e)/(s-e),v=_*_,m=v*_,d=-f*m+2*f*v-f*_,w=(1+f)*m+(-1.5-2*f)*v+(-.5+f)*_+1,E=(-1-p)*m+(1.5+p)*v+.5*_,y=p*m-p*v;for(let L=0;L!==a;++L)r[L]=d*o[h+L]+w*o[l+L]+E*o[c+L]+y*o[u+L];return r}},Wl=class extends nr{constructor(t,e,n,s){super(t,e,n,s)}interpolate_(t,e,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=t*a,l=c-a,h=(n-
+e)/(s-e),u=1-h;for(let f=0;f!==a;++f)r[f]=o[l+f]*u+o[c+f]*h;return r}},Xl=class extends nr{constructor(t,e,n,s){super(t,e,n,s)}interpolate_(t){return this.copySampleValue_(t-1)}},ii=class{constructor(t,e,n,s){if(t===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(e===void 0||e.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+t);this.name=t,this.
+times=wl(e,this.TimeBufferType),this.values=wl(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(t){let e=t.constructor,n;if(e.toJSON!==this.toJSON)n=e.toJSON(t);else{n={name:t.name,times:wl(t.times,Array),values:wl(t.values,Array)};let s=t.getInterpolation();s!==t.DefaultInterpolation&&(n.interpolation=s)}return n.type=t.ValueTypeName,n}InterpolantFactoryMethodDiscrete(t){
+return new Xl(this.times,this.values,this.getValueSize(),t)}InterpolantFactoryMethodLinear(t){return new Wl(this.times,this.values,this.getValueSize(),t)}InterpolantFactoryMethodSmooth(t){return new Gl(this.times,this.values,this.getValueSize(),t)}setInterpolation(t){let e;switch(t){case Xo:e=this.InterpolantFactoryMethodDiscrete;break;case Il:e=this.InterpolantFactoryMethodLinear;break;case Tl:e=
+this.InterpolantFactoryMethodSmooth;break}if(e===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(t!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return console.warn("THREE.KeyframeTrack:",n),this}return this.createInterpolant=e,this}getInterpolation(){switch(this.
+createInterpolant){case this.InterpolantFactoryMethodDiscrete:return Xo;case this.InterpolantFactoryMethodLinear:return Il;case this.InterpolantFactoryMethodSmooth:return Tl}}getValueSize(){return this.values.length/this.times.length}shift(t){if(t!==0){let e=this.times;for(let n=0,s=e.length;n!==s;++n)e[n]+=t}return this}scale(t){if(t!==1){let e=this.times;for(let n=0,s=e.length;n!==s;++n)e[n]*=t}
+return this}trim(t,e){let n=this.times,s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<t;)++r;for(;o!==-1&&n[o]>e;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let t=!0,e=this.getValueSize();e-Math.floor(e)!==0&&(console.error("THREE.KeyframeTrack: Invalid value size in track.",this),t=!1);
+let n=this.times,s=this.values,r=n.length;r===0&&(console.error("THREE.KeyframeTrack: Track is empty.",this),t=!1);let o=null;for(let a=0;a!==r;a++){let c=n[a];if(typeof c=="number"&&isNaN(c)){console.error("THREE.KeyframeTrack: Time is not a valid number.",this,a,c),t=!1;break}if(o!==null&&o>c){console.error("THREE.KeyframeTrack: Out of order keys.",this,a,c,o),t=!1;break}o=c}if(s!==void 0&&bx(s))
+for(let a=0,c=s.length;a!==c;++a){let l=s[a];if(isNaN(l)){console.error("THREE.KeyframeTrack: Value is not a valid number.",this,a,l),t=!1;break}}return t}optimize(){let t=this.times.slice(),e=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===Tl,r=t.length-1,o=1;for(let a=1;a<r;++a){let c=!1,l=t[a],h=t[a+1];if(l!==h&&(a!==1||l!==t[0]))if(s)c=!0;else{let u=a*n,f=u-n,p=u+n;for(let _=0;_!==
+n;++_){let v=e[u+_];if(v!==e[f+_]||v!==e[p+_]){c=!0;break}}}if(c){if(a!==o){t[o]=t[a];let u=a*n,f=o*n;for(let p=0;p!==n;++p)e[f+p]=e[u+p]}++o}}if(r>0){t[o]=t[r];for(let a=r*n,c=o*n,l=0;l!==n;++l)e[c+l]=e[a+l];++o}return o!==t.length?(this.times=t.slice(0,o),this.values=e.slice(0,o*n)):(this.times=t,this.values=e),this}clone(){let t=this.times.slice(),e=this.values.slice(),n=this.constructor,s=new n(
+this.name,t,e);return s.createInterpolant=this.createInterpolant,s}};ii.prototype.ValueTypeName="";ii.prototype.TimeBufferType=Float32Array;ii.prototype.ValueBufferType=Float32Array;ii.prototype.DefaultInterpolation=Il;var Cs=class extends ii{constructor(t,e,n){super(t,e,n)}};Cs.prototype.ValueTypeName="bool";Cs.prototype.ValueBufferType=Array;Cs.prototype.DefaultInterpolation=Xo;Cs.prototype.InterpolantFactoryMethodLinear=
+void 0;Cs.prototype.InterpolantFactoryMethodSmooth=void 0;var ql=class extends ii{constructor(t,e,n,s){super(t,e,n,s)}};ql.prototype.ValueTypeName="color";var Yl=class extends ii{constructor(t,e,n,s){super(t,e,n,s)}};Yl.prototype.ValueTypeName="number";var Zl=class extends nr{constructor(t,e,n,s){super(t,e,n,s)}interpolate_(t,e,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=(n-
+e)/(s-e),l=t*a;for(let h=l+a;l!==h;l+=4)ui.slerpFlat(r,0,o,l-a,o,l,c);return r}},ca=class extends ii{constructor(t,e,n,s){super(t,e,n,s)}InterpolantFactoryMethodLinear(t){return new Zl(this.times,this.values,this.getValueSize(),t)}};ca.prototype.ValueTypeName="quaternion";ca.prototype.InterpolantFactoryMethodSmooth=void 0;var Rs=class extends ii{constructor(t,e,n){super(t,e,n)}};Rs.prototype.ValueTypeName=
+"string";Rs.prototype.ValueBufferType=Array;Rs.prototype.DefaultInterpolation=Xo;Rs.prototype.InterpolantFactoryMethodLinear=void 0;Rs.prototype.InterpolantFactoryMethodSmooth=void 0;var $l=class extends ii{constructor(t,e,n,s){super(t,e,n,s)}};$l.prototype.ValueTypeName="vector";var Jl=class{constructor(t,e,n){let s=this,r=!1,o=0,a=0,c,l=[];this.onStart=void 0,this.onLoad=t,this.onProgress=e,this.onError=n,this.abortController=new AbortController,this.itemStart=function(h){a++,r===!1&&s.onStart!==void 0&&s.onStart(h,o,a),r=!0},this.itemEnd=function(h){o++,s.onProgress!==void 0&&s.onProgress(h,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(h){s.onError!==
+void 0&&s.onError(h)},this.resolveURL=function(h){return c?c(h):h},this.setURLModifier=function(h){return c=h,this},this.addHandler=function(h,u){return l.push(h,u),this},this.removeHandler=function(h){let u=l.indexOf(h);return u!==-1&&l.splice(u,2),this},this.getHandler=function(h){for(let u=0,f=l.length;u<f;u+=2){let p=l[u],_=l[u+1];if(p.global&&(p.lastIndex=0),p.test(h))return _}return null},this.
+abort=function(){return this.abortController.abort(),this.abortController=new AbortController,this}}},xg=new Jl,Kl=class{constructor(t){this.manager=t!==void 0?t:xg,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={}}load(){}loadAsync(t,e){let n=this;return new Promise(function(s,r){n.load(t,s,e,r)})}parse(){}setCrossOrigin(t){return this.crossOrigin=
+t,this}setWithCredentials(t){return this.withCredentials=t,this}setPath(t){return this.path=t,this}setResourcePath(t){return this.resourcePath=t,this}setRequestHeader(t){return this.requestHeader=t,this}abort(){return this}};Kl.DEFAULT_MATERIAL_NAME="__DEFAULT";var lo=class extends Mn{constructor(t,e=1){super(),this.isLight=!0,this.type="Light",this.color=new oe(t),this.intensity=e}dispose(){}copy(t,e){return super.copy(t,e),this.color.copy(t.color),this.intensity=t.intensity,this}toJSON(t){let e=super.toJSON(t);return e.object.color=this.color.getHex(),e.object.intensity=this.intensity,this.groundColor!==void 0&&(e.object.groundColor=this.groundColor.getHex()),
+this.distance!==void 0&&(e.object.distance=this.distance),this.angle!==void 0&&(e.object.angle=this.angle),this.decay!==void 0&&(e.object.decay=this.decay),this.penumbra!==void 0&&(e.object.penumbra=this.penumbra),this.shadow!==void 0&&(e.object.shadow=this.shadow.toJSON()),this.target!==void 0&&(e.object.target=this.target.uuid),e}},ha=class extends lo{constructor(t,e,n){super(t,n),this.isHemisphereLight=
+!0,this.type="HemisphereLight",this.position.copy(Mn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new oe(e)}copy(t,e){return super.copy(t,e),this.groundColor.copy(t.groundColor),this}},Au=new _e,Tm=new X,Em=new X,Du=class{constructor(t){this.camera=t,this.intensity=1,this.bias=0,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new pe(512,512),this.mapType=Pi,this.map=null,this.mapPass=
+null,this.matrix=new _e,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new no,this._frameExtents=new pe(1,1),this._viewportCount=1,this._viewports=[new $e(0,0,1,1)]}getViewportCount(){return this._viewportCount}getFrustum(){return this._frustum}updateMatrices(t){let e=this.camera,n=this.matrix;Tm.setFromMatrixPosition(t.matrixWorld),e.position.copy(Tm),Em.setFromMatrixPosition(t.target.matrixWorld),
+e.lookAt(Em),e.updateMatrixWorld(),Au.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),this._frustum.setFromProjectionMatrix(Au,e.coordinateSystem,e.reversedDepth),e.reversedDepth?n.set(.5,0,0,.5,0,.5,0,.5,0,0,1,0,0,0,0,1):n.set(.5,0,0,.5,0,.5,0,.5,0,0,.5,.5,0,0,0,1),n.multiply(Au)}getViewport(t){return this._viewports[t]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
+map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(t){return this.camera=t.camera.clone(),this.intensity=t.intensity,this.bias=t.bias,this.radius=t.radius,this.autoUpdate=t.autoUpdate,this.needsUpdate=t.needsUpdate,this.normalBias=t.normalBias,this.blurSamples=t.blurSamples,this.mapSize.copy(t.mapSize),this}clone(){return new this.constructor().copy(this)}toJSON(){let t={};return this.intensity!==
+1&&(t.intensity=this.intensity),this.bias!==0&&(t.bias=this.bias),this.normalBias!==0&&(t.normalBias=this.normalBias),this.radius!==1&&(t.radius=this.radius),(this.mapSize.x!==512||this.mapSize.y!==512)&&(t.mapSize=this.mapSize.toArray()),t.camera=this.camera.toJSON(!1).object,delete t.camera.matrix,t}};var ir=class extends Qo{constructor(t=-1,e=1,n=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=t,this.right=e,this.top=n,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(t,e){return super.copy(t,e),this.left=t.left,this.right=t.right,this.top=t.top,this.bottom=t.bottom,this.near=t.near,this.far=t.far,
+this.zoom=t.zoom,this.view=t.view===null?null:Object.assign({},t.view),this}setViewOffset(t,e,n,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=t,this.view.fullHeight=e,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.
+view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let t=(this.right-this.left)/(2*this.zoom),e=(this.top-this.bottom)/(2*this.zoom),n=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=n-t,o=n+t,a=s+e,c=s-e;if(this.view!==null&&this.view.enabled){let l=(this.right-this.left)/this.view.fullWidth/this.zoom,h=(this.top-this.bottom)/this.view.fullHeight/this.
+zoom;r+=l*this.view.offsetX,o=r+l*this.view.width,a-=h*this.view.offsetY,c=a-h*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,c,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(t){let e=super.toJSON(t);return e.object.zoom=this.zoom,e.object.left=this.left,e.object.right=this.right,e.object.top=this.
+top,e.object.bottom=this.bottom,e.object.near=this.near,e.object.far=this.far,this.view!==null&&(e.object.view=Object.assign({},this.view)),e}},Uu=class extends Du{constructor(){super(new ir(-5,5,5,-5,.5,500)),this.isDirectionalLightShadow=!0}},ua=class extends lo{constructor(t,e){super(t,e),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.copy(Mn.DEFAULT_UP),this.updateMatrix(),
+this.target=new Mn,this.shadow=new Uu}dispose(){this.shadow.dispose()}copy(t){return super.copy(t),this.target=t.target.clone(),this.shadow=t.shadow.clone(),this}},fa=class extends lo{constructor(t,e){super(t,e),this.isAmbientLight=!0,this.type="AmbientLight"}};var jl=class extends Cn{constructor(t=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=t}};var tf="\\[\\]\\.:\\/",wx=new RegExp("["+tf+"]","g"),ef="[^"+tf+"]",Tx="[^"+tf.replace("\\.","")+"]",Ex=/((?:WC+[\/:])*)/.source.replace("WC",ef),Ax=/(WCOD+)?/.source.replace("WCOD",Tx),Cx=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",ef),Rx=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",ef),Px=new RegExp("^"+Ex+Ax+Cx+Rx+"$"),Ix=["material","materials","bones","map"],Fu=class{constructor(t,e,n){let s=n||
+Ye.parseTrackName(e);this._targetGroup=t,this._bindings=t.subscribe_(e,s)}getValue(t,e){this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(t,e)}setValue(t,e){let n=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(t,e)}bind(){let t=this._bindings;for(let e=this._targetGroup.nCachedObjects_,n=t.length;e!==n;++e)
+t[e].bind()}unbind(){let t=this._bindings;for(let e=this._targetGroup.nCachedObjects_,n=t.length;e!==n;++e)t[e].unbind()}},Ye=class i{constructor(t,e,n){this.path=e,this.parsedPath=n||i.parseTrackName(e),this.node=i.findNode(t,this.parsedPath.nodeName),this.rootNode=t,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(t,e,n){return t&&t.isAnimationObjectGroup?new i.
+Composite(t,e,n):new i(t,e,n)}static sanitizeNodeName(t){return t.replace(/\s/g,"_").replace(wx,"")}static parseTrackName(t){let e=Px.exec(t);if(e===null)throw new Error("PropertyBinding: Cannot parse trackName: "+t);let n={nodeName:e[2],objectName:e[3],objectIndex:e[4],propertyName:e[5],propertyIndex:e[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(
+s+1);Ix.indexOf(r)!==-1&&(n.nodeName=n.nodeName.substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("PropertyBinding: can not parse propertyName from trackName: "+t);return n}static findNode(t,e){if(e===void 0||e===""||e==="."||e===-1||e===t.name||e===t.uuid)return t;if(t.skeleton){let n=t.skeleton.getBoneByName(e);if(n!==void 0)return n}if(t.children){
+let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===e||a.uuid===e)return a;let c=n(a.children);if(c)return c}return null},s=n(t.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(t,e){t[e]=this.targetObject[this.propertyName]}_getValue_array(t,e){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)t[e++]=n[s]}_getValue_arrayElement(t,e){
+t[e]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(t,e){this.resolvedProperty.toArray(t,e)}_setValue_direct(t,e){this.targetObject[this.propertyName]=t[e]}_setValue_direct_setNeedsUpdate(t,e){this.targetObject[this.propertyName]=t[e],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(t,e){this.targetObject[this.propertyName]=t[e],this.targetObject.matrixWorldNeedsUpdate=
+!0}_setValue_array(t,e){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=t[e++]}_setValue_array_setNeedsUpdate(t,e){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=t[e++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(t,e){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=t[e++];this.targetObject.matrixWorldNeedsUpdate=
+!0}_setValue_arrayElement(t,e){this.resolvedProperty[this.propertyIndex]=t[e]}_setValue_arrayElement_setNeedsUpdate(t,e){this.resolvedProperty[this.propertyIndex]=t[e],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(t,e){this.resolvedProperty[this.propertyIndex]=t[e],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(t,e){this.resolvedProperty.fromArray(
+t,e)}_setValue_fromArray_setNeedsUpdate(t,e){this.resolvedProperty.fromArray(t,e),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(t,e){this.resolvedProperty.fromArray(t,e),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(t,e){this.bind(),this.getValue(t,e)}_setValue_unbound(t,e){this.bind(),this.setValue(t,e)}bind(){let t=this.node,e=this.parsedPath,n=e.
+objectName,s=e.propertyName,r=e.propertyIndex;if(t||(t=i.findNode(this.rootNode,e.nodeName),this.node=t),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!t){console.warn("THREE.PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let l=e.objectIndex;switch(n){case"materials":if(!t.material){console.error("THREE.PropertyBinding: Can not bi\
+nd to material as node does not have a material.",this);return}if(!t.material.materials){console.error("THREE.PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}t=t.material.materials;break;case"bones":if(!t.skeleton){console.error("THREE.PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}t=t.skeleton.
+bones;for(let h=0;h<t.length;h++)if(t[h].name===l){l=h;break}break;case"map":if("map"in t){t=t.map;break}if(!t.material){console.error("THREE.PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!t.material.map){console.error("THREE.PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}t=t.material.map;break;default:
+if(t[n]===void 0){console.error("THREE.PropertyBinding: Can not bind to objectName of node undefined.",this);return}t=t[n]}if(l!==void 0){if(t[l]===void 0){console.error("THREE.PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,t);return}t=t[l]}}let o=t[s];if(o===void 0){let l=e.nodeName;console.error("THREE.PropertyBinding: Trying to update property for track: "+
+l+"."+s+" but it wasn't found.",t);return}let a=this.Versioning.None;this.targetObject=t,t.isMaterial===!0?a=this.Versioning.NeedsUpdate:t.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let c=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!t.geometry){console.error("THREE.PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geo\
+metry.",this);return}if(!t.geometry.morphAttributes){console.error("THREE.PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}t.morphTargetDictionary[r]!==void 0&&(r=t.morphTargetDictionary[r])}c=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(c=this.BindingType.
+HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(c=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[c],this.setValue=this.SetterByBindingTypeAndVersioning[c][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Ye.Composite=Fu;Ye.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,
+HasFromToArray:3};Ye.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Ye.prototype.GetterByBindingType=[Ye.prototype._getValue_direct,Ye.prototype._getValue_array,Ye.prototype._getValue_arrayElement,Ye.prototype._getValue_toArray];Ye.prototype.SetterByBindingTypeAndVersioning=[[Ye.prototype._setValue_direct,Ye.prototype._setValue_direct_setNeedsUpdate,Ye.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
+[Ye.prototype._setValue_array,Ye.prototype._setValue_array_setNeedsUpdate,Ye.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Ye.prototype._setValue_arrayElement,Ye.prototype._setValue_arrayElement_setNeedsUpdate,Ye.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Ye.prototype._setValue_fromArray,Ye.prototype._setValue_fromArray_setNeedsUpdate,Ye.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var J1=new Float32Array(1);var Am=new _e,da=class{constructor(t,e,n=0,s=1/0){this.ray=new Qr(t,e),this.near=n,this.far=s,this.camera=null,this.layers=new to,this.params={Mesh:{},Line:{threshold:1},LOD:{},Points:{threshold:1},Sprite:{}}}set(t,e){this.ray.set(t,e)}setFromCamera(t,e){e.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(e.matrixWorld),this.ray.direction.set(t.x,t.y,.5).unproject(e).sub(this.ray.origin).
+normalize(),this.camera=e):e.isOrthographicCamera?(this.ray.origin.set(t.x,t.y,(e.near+e.far)/(e.near-e.far)).unproject(e),this.ray.direction.set(0,0,-1).transformDirection(e.matrixWorld),this.camera=e):console.error("THREE.Raycaster: Unsupported camera type: "+e.type)}setFromXRController(t){return Am.identity().extractRotation(t.matrixWorld),this.ray.origin.setFromMatrixPosition(t.matrixWorld),this.
+ray.direction.set(0,0,-1).applyMatrix4(Am),this}intersectObject(t,e=!0,n=[]){return Nu(t,this,n,e),n.sort(Cm),n}intersectObjects(t,e=!0,n=[]){for(let s=0,r=t.length;s<r;s++)Nu(t[s],this,n,e);return n.sort(Cm),n}};function Cm(i,t){return i.distance-t.distance}function Nu(i,t,e,n){let s=!0;if(i.layers.test(t.layers)&&i.raycast(t,e)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
+a;o++)Nu(r[o],t,e,!0)}}function nf(i,t,e,n){let s=Lx(n);switch(e){case Yu:return i*t;case pc:return i*t/s.components*s.byteLength;case mc:return i*t/s.components*s.byteLength;case $u:return i*t*2/s.components*s.byteLength;case gc:return i*t*2/s.components*s.byteLength;case Zu:return i*t*3/s.components*s.byteLength;case pi:return i*t*4/s.components*s.byteLength;case _c:return i*t*4/s.components*s.byteLength;case ga:case _a:
+return Math.floor((i+3)/4)*Math.floor((t+3)/4)*8;case va:case xa:return Math.floor((i+3)/4)*Math.floor((t+3)/4)*16;case xc:case Mc:return Math.max(i,16)*Math.max(t,8)/4;case vc:case yc:return Math.max(i,8)*Math.max(t,8)/2;case Sc:case bc:return Math.floor((i+3)/4)*Math.floor((t+3)/4)*8;case wc:return Math.floor((i+3)/4)*Math.floor((t+3)/4)*16;case Tc:return Math.floor((i+3)/4)*Math.floor((t+3)/4)*
+16;case Ec:return Math.floor((i+4)/5)*Math.floor((t+3)/4)*16;case Ac:return Math.floor((i+4)/5)*Math.floor((t+4)/5)*16;case Cc:return Math.floor((i+5)/6)*Math.floor((t+4)/5)*16;case Rc:return Math.floor((i+5)/6)*Math.floor((t+5)/6)*16;case Pc:return Math.floor((i+7)/8)*Math.floor((t+4)/5)*16;case Ic:return Math.floor((i+7)/8)*Math.floor((t+5)/6)*16;case Lc:return Math.floor((i+7)/8)*Math.floor((t+
+7)/8)*16;case Dc:return Math.floor((i+9)/10)*Math.floor((t+4)/5)*16;case Uc:return Math.floor((i+9)/10)*Math.floor((t+5)/6)*16;case Fc:return Math.floor((i+9)/10)*Math.floor((t+7)/8)*16;case Nc:return Math.floor((i+9)/10)*Math.floor((t+9)/10)*16;case Oc:return Math.floor((i+11)/12)*Math.floor((t+9)/10)*16;case Bc:return Math.floor((i+11)/12)*Math.floor((t+11)/12)*16;case zc:case kc:case Vc:return Math.
+ceil(i/4)*Math.ceil(t/4)*16;case Hc:case Gc:return Math.ceil(i/4)*Math.ceil(t/4)*8;case Wc:case Xc:return Math.ceil(i/4)*Math.ceil(t/4)*16}throw new Error(`Unable to determine texture byte length for ${e} format.`)}function Lx(i){switch(i){case Pi:case Gu:return{byteLength:1,components:1};case co:case Wu:case ho:return{byteLength:2,components:1};case fc:case dc:return{byteLength:2,components:4};case Is:case uc:case Ii:
+return{byteLength:4,components:1};case Xu:case qu:return{byteLength:4,components:3}}throw new Error(`Unknown texture type ${i}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"180"}}));typeof window<"u"&&(window.__THREE__?console.warn("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="180");function Gg(){let i=null,t=!1,e=null,n=null;function s(r,o){e(r,o),n=i.requestAnimationFrame(s)}return{start:function(){t!==!0&&e!==null&&(n=i.requestAnimationFrame(s),t=!0)},stop:function(){i.cancelAnimationFrame(n),t=!1},setAnimationLoop:function(r){e=r},setContext:function(r){i=r}}}function Ux(i){let t=new WeakMap;function e(a,c){let l=a.array,h=a.usage,u=l.byteLength,f=i.createBuffer();i.bindBuffer(
+c,f),i.bufferData(c,l,h),a.onUploadCallback();let p;if(l instanceof Float32Array)p=i.FLOAT;else if(typeof Float16Array<"u"&&l instanceof Float16Array)p=i.HALF_FLOAT;else if(l instanceof Uint16Array)a.isFloat16BufferAttribute?p=i.HALF_FLOAT:p=i.UNSIGNED_SHORT;else if(l instanceof Int16Array)p=i.SHORT;else if(l instanceof Uint32Array)p=i.UNSIGNED_INT;else if(l instanceof Int32Array)p=i.INT;else if(l instanceof
+Int8Array)p=i.BYTE;else if(l instanceof Uint8Array)p=i.UNSIGNED_BYTE;else if(l instanceof Uint8ClampedArray)p=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+l);return{buffer:f,type:p,bytesPerElement:l.BYTES_PER_ELEMENT,version:a.version,size:u}}function n(a,c,l){let h=c.array,u=c.updateRanges;if(i.bindBuffer(l,a),u.length===0)i.bufferSubData(l,0,h);else{
+u.sort((p,_)=>p.start-_.start);let f=0;for(let p=1;p<u.length;p++){let _=u[f],v=u[p];v.start<=_.start+_.count+1?_.count=Math.max(_.count,v.start+v.count-_.start):(++f,u[f]=v)}u.length=f+1;for(let p=0,_=u.length;p<_;p++){let v=u[p];i.bufferSubData(l,v.start*h.BYTES_PER_ELEMENT,h,v.start,v.count)}c.clearUpdateRanges()}c.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),
+t.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let c=t.get(a);c&&(i.deleteBuffer(c.buffer),t.delete(a))}function o(a,c){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let h=t.get(a);(!h||h.version<a.version)&&t.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let l=t.get(a);if(l===void 0)t.set(a,e(a,c));else if(l.version<
+a.version){if(l.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(l.buffer,a,c),l.version=a.version}}return{get:s,remove:r,update:o}}var Fx=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,Nx=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,Ox=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,Bx=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,zx=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,kx=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,Vx=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,Hx=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,Gx=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec3 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 ).rgb;
+	}
+#endif`,Wx=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,Xx=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,qx=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,Yx=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,Zx=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,$x=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,Jx=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,Kx=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,jx=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,Qx=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,ty=`#if defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#elif defined( USE_COLOR )
+	diffuseColor.rgb *= vColor;
+#endif`,ey=`#if defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#elif defined( USE_COLOR )
+	varying vec3 vColor;
+#endif`,ny=`#if defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#elif defined( USE_COLOR ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec3 vColor;
+#endif`,iy=`#if defined( USE_COLOR_ALPHA )
+	vColor = vec4( 1.0 );
+#elif defined( USE_COLOR ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec3( 1.0 );
+#endif
+#ifdef USE_COLOR
+	vColor *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.xyz *= instanceColor.xyz;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vec3 batchingColor = getBatchingColor( getIndirectIndex( gl_DrawID ) );
+	vColor.xyz *= batchingColor.xyz;
+#endif`,sy=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+vec3 inverseTransformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * matrix ).xyz );
+}
+mat3 transposeMat3( const in mat3 m ) {
+	mat3 tmp;
+	tmp[ 0 ] = vec3( m[ 0 ].x, m[ 1 ].x, m[ 2 ].x );
+	tmp[ 1 ] = vec3( m[ 0 ].y, m[ 1 ].y, m[ 2 ].y );
+	tmp[ 2 ] = vec3( m[ 0 ].z, m[ 1 ].z, m[ 2 ].z );
+	return tmp;
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,ry=`#ifdef ENVMAP_TYPE_CUBE_UV
+	#define cubeUV_minMipLevel 4.0
+	#define cubeUV_minTileSize 16.0
+	float getFace( vec3 direction ) {
+		vec3 absDirection = abs( direction );
+		float face = - 1.0;
+		if ( absDirection.x > absDirection.z ) {
+			if ( absDirection.x > absDirection.y )
+				face = direction.x > 0.0 ? 0.0 : 3.0;
+			else
+				face = direction.y > 0.0 ? 1.0 : 4.0;
+		} else {
+			if ( absDirection.z > absDirection.y )
+				face = direction.z > 0.0 ? 2.0 : 5.0;
+			else
+				face = direction.y > 0.0 ? 1.0 : 4.0;
+		}
+		return face;
+	}
+	vec2 getUV( vec3 direction, float face ) {
+		vec2 uv;
+		if ( face == 0.0 ) {
+			uv = vec2( direction.z, direction.y ) / abs( direction.x );
+		} else if ( face == 1.0 ) {
+			uv = vec2( - direction.x, - direction.z ) / abs( direction.y );
+		} else if ( face == 2.0 ) {
+			uv = vec2( - direction.x, direction.y ) / abs( direction.z );
+		} else if ( face == 3.0 ) {
+			uv = vec2( - direction.z, direction.y ) / abs( direction.x );
+		} else if ( face == 4.0 ) {
+			uv = vec2( - direction.x, direction.z ) / abs( direction.y );
+		} else {
+			uv = vec2( direction.x, direction.y ) / abs( direction.z );
+		}
+		return 0.5 * ( uv + 1.0 );
+	}
+	vec3 bilinearCubeUV( sampler2D envMap, vec3 direction, float mipInt ) {
+		float face = getFace( direction );
+		float filterInt = max( cubeUV_minMipLevel - mipInt, 0.0 );
+		mipInt = max( mipInt, cubeUV_minMipLevel );
+		float faceSize = exp2( mipInt );
+		highp vec2 uv = getUV( direction, face ) * ( faceSize - 2.0 ) + 1.0;
+		if ( face > 2.0 ) {
+			uv.y += faceSize;
+			face -= 3.0;
+		}
+		uv.x += face * faceSize;
+		uv.x += filterInt * 3.0 * cubeUV_minTileSize;
+		uv.y += 4.0 * ( exp2( CUBEUV_MAX_MIP ) - faceSize );
+		uv.x *= CUBEUV_TEXEL_WIDTH;
+		uv.y *= CUBEUV_TEXEL_HEIGHT;
+		#ifdef texture2DGradEXT
+			return texture2DGradEXT( envMap, uv, vec2( 0.0 ), vec2( 0.0 ) ).rgb;
+		#else
+			return texture2D( envMap, uv ).rgb;
+		#endif
+	}
+	#define cubeUV_r0 1.0
+	#define cubeUV_m0 - 2.0
+	#define cubeUV_r1 0.8
+	#define cubeUV_m1 - 1.0
+	#define cubeUV_r4 0.4
+	#define cubeUV_m4 2.0
+	#define cubeUV_r5 0.305
+	#define cubeUV_m5 3.0
+	#define cubeUV_r6 0.21
+	#define cubeUV_m6 4.0
+	float roughnessToMip( float roughness ) {
+		float mip = 0.0;
+		if ( roughness >= cubeUV_r1 ) {
+			mip = ( cubeUV_r0 - roughness ) * ( cubeUV_m1 - cubeUV_m0 ) / ( cubeUV_r0 - cubeUV_r1 ) + cubeUV_m0;
+		} else if ( roughness >= cubeUV_r4 ) {
+			mip = ( cubeUV_r1 - roughness ) * ( cubeUV_m4 - cubeUV_m1 ) / ( cubeUV_r1 - cubeUV_r4 ) + cubeUV_m1;
+		} else if ( roughness >= cubeUV_r5 ) {
+			mip = ( cubeUV_r4 - roughness ) * ( cubeUV_m5 - cubeUV_m4 ) / ( cubeUV_r4 - cubeUV_r5 ) + cubeUV_m4;
+		} else if ( roughness >= cubeUV_r6 ) {
+			mip = ( cubeUV_r5 - roughness ) * ( cubeUV_m6 - cubeUV_m5 ) / ( cubeUV_r5 - cubeUV_r6 ) + cubeUV_m5;
+		} else {
+			mip = - 2.0 * log2( 1.16 * roughness );		}
+		return mip;
+	}
+	vec4 textureCubeUV( sampler2D envMap, vec3 sampleDir, float roughness ) {
+		float mip = clamp( roughnessToMip( roughness ), cubeUV_m0, CUBEUV_MAX_MIP );
+		float mipF = fract( mip );
+		float mipInt = floor( mip );
+		vec3 color0 = bilinearCubeUV( envMap, sampleDir, mipInt );
+		if ( mipF == 0.0 ) {
+			return vec4( color0, 1.0 );
+		} else {
+			vec3 color1 = bilinearCubeUV( envMap, sampleDir, mipInt + 1.0 );
+			return vec4( mix( color0, color1, mipF ), 1.0 );
+		}
+	}
+#endif`,oy=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+	#ifdef FLIP_SIDED
+		transformedTangent = - transformedTangent;
+	#endif
+#endif`,ay=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,ly=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,cy=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,hy=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,uy="gl_FragColor = linearToOutputTexel( gl_FragColor );",fy=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,dy=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * vec3( flipEnvMap * reflectVec.x, reflectVec.yz ) );
+	#else
+		vec4 envColor = vec4( 0.0 );
+	#endif
+	#ifdef ENVMAP_BLENDING_MULTIPLY
+		outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+	#elif defined( ENVMAP_BLENDING_MIX )
+		outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+	#elif defined( ENVMAP_BLENDING_ADD )
+		outgoingLight += envColor.xyz * specularStrength * reflectivity;
+	#endif
+#endif`,py=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform float flipEnvMap;
+	uniform mat3 envMapRotation;
+	#ifdef ENVMAP_TYPE_CUBE
+		uniform samplerCube envMap;
+	#else
+		uniform sampler2D envMap;
+	#endif
+	
+#endif`,my=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,gy=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,_y=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = inverseTransformDirection( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,vy=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,xy=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,yy=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,My=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,Sy=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,by=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,wy=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,Ty=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,Ey=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif`,Ay=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_CUBE_UV
+			vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+			vec4 envMapColor = textureCubeUV( envMap, envMapRotation * worldNormal, 1.0 );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_CUBE_UV
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, roughness * roughness) );
+			reflectVec = inverseTransformDirection( reflectVec, viewMatrix );
+			vec4 envMapColor = textureCubeUV( envMap, envMapRotation * reflectVec, roughness );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_CUBE_UV
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+#endif`,Cy=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,Ry=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,Py=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,Iy=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,Ly=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.0525 );material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = mix( min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = mix( vec3( 0.04 ), diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.0525 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.07, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,Dy=`struct PhysicalMaterial {
+	vec3 diffuseColor;
+	float roughness;
+	vec3 specularColor;
+	float specularF90;
+	float dispersion;
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		float v = 0.5 / ( gv + gl );
+		return saturate(v);
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = material.clearcoatRoughness;
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColor;
+	float f90 = material.specularF90;
+	float roughness = material.roughness;
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float V = V_GGX_SmithCorrelated_Anisotropic( material.alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( material.alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transposeMat3( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float a = roughness < 0.25 ? -339.2 * r2 + 161.4 * roughness - 25.9 : -8.48 * r2 + 14.3 * roughness - 9.95;
+	float b = roughness < 0.25 ? 44.0 * r2 - 23.7 * roughness + 3.26 : 1.97 * r2 - 3.27 * roughness + 0.72;
+	float DG = exp( a * dotNV + b ) + ( roughness < 0.25 ? 0.0 : 0.1 * ( roughness - 0.25 ) );
+	return saturate( DG * RECIPROCAL_PI );
+}
+vec2 DFGApprox( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	const vec4 c0 = vec4( - 1, - 0.0275, - 0.572, 0.022 );
+	const vec4 c1 = vec4( 1, 0.0425, 1.04, - 0.04 );
+	vec4 r = roughness * c0 + c1;
+	float a004 = min( r.x * r.x, exp2( - 9.28 * dotNV ) ) * r.x + r.y;
+	vec2 fab = vec2( - 1.04, 1.04 ) * a004 + r.zw;
+	return fab;
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	vec2 fab = DFGApprox( normal, viewDir, roughness );
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, const in float roughness, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	vec2 fab = DFGApprox( normal, viewDir, roughness );
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColor * t2.x + ( vec3( 1.0 ) - material.specularColor ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseColor * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+	#endif
+	reflectedLight.directSpecular += irradiance * BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+	#endif
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( geometryNormal, geometryViewDir, material.specularColor, material.specularF90, material.iridescence, material.iridescenceFresnel, material.roughness, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( geometryNormal, geometryViewDir, material.specularColor, material.specularF90, material.roughness, singleScattering, multiScattering );
+	#endif
+	vec3 totalScattering = singleScattering + multiScattering;
+	vec3 diffuse = material.diffuseColor * ( 1.0 - max( max( totalScattering.r, totalScattering.g ), totalScattering.b ) );
+	reflectedLight.indirectSpecular += radiance * singleScattering;
+	reflectedLight.indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	reflectedLight.indirectDiffuse += diffuse * cosineWeightedIrradiance;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Uy=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		material.iridescenceFresnel = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		material.iridescenceF0 = Schlick_to_F0( material.iridescenceFresnel, 1.0, dotNVi );
+	}
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,Fy=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD ) && defined( ENVMAP_TYPE_CUBE_UV )
+		iblIrradiance += getIBLIrradiance( geometryNormal );
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		radiance += getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		radiance += getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,Ny=`#if defined( RE_IndirectDiffuse )
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,Oy=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,By=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,zy=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,ky=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,Vy=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,Hy=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,Gy=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,Wy=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Xy=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,qy=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,Yy=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,Zy=`#if defined( USE_MORPHCOLORS )
+	vColor *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,$y=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,Jy=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,Ky=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,jy=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#if defined( DOUBLE_SIDED ) && ! defined( FLAT_SHADED )
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#if defined( DOUBLE_SIDED ) && ! defined( FLAT_SHADED )
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,Qy=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,tM=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,eM=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,nM=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+	#endif
+#endif`,iM=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,sM=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,rM=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,oM=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,aM=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,lM=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,cM=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	return depth * ( near - far ) - near;
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	return ( near * far ) / ( ( far - near ) * depth - far );
+}`,hM=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,uM=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,fM=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,dM=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,pM=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,mM=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,gM=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform sampler2D pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	float texture2DCompare( sampler2D depths, vec2 uv, float compare ) {
+		float depth = unpackRGBAToDepth( texture2D( depths, uv ) );
+		#ifdef USE_REVERSED_DEPTH_BUFFER
+			return step( depth, compare );
+		#else
+			return step( compare, depth );
+		#endif
+	}
+	vec2 texture2DDistribution( sampler2D shadow, vec2 uv ) {
+		return unpackRGBATo2Half( texture2D( shadow, uv ) );
+	}
+	float VSMShadow( sampler2D shadow, vec2 uv, float compare ) {
+		float occlusion = 1.0;
+		vec2 distribution = texture2DDistribution( shadow, uv );
+		#ifdef USE_REVERSED_DEPTH_BUFFER
+			float hard_shadow = step( distribution.x, compare );
+		#else
+			float hard_shadow = step( compare, distribution.x );
+		#endif
+		if ( hard_shadow != 1.0 ) {
+			float distance = compare - distribution.x;
+			float variance = max( 0.00000, distribution.y * distribution.y );
+			float softness_probability = variance / (variance + distance * distance );			softness_probability = clamp( ( softness_probability - 0.3 ) / ( 0.95 - 0.3 ), 0.0, 1.0 );			occlusion = clamp( max( hard_shadow, softness_probability ), 0.0, 1.0 );
+		}
+		return occlusion;
+	}
+	float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+		float shadow = 1.0;
+		shadowCoord.xyz /= shadowCoord.w;
+		shadowCoord.z += shadowBias;
+		bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+		bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+		if ( frustumTest ) {
+		#if defined( SHADOWMAP_TYPE_PCF )
+			vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+			float dx0 = - texelSize.x * shadowRadius;
+			float dy0 = - texelSize.y * shadowRadius;
+			float dx1 = + texelSize.x * shadowRadius;
+			float dy1 = + texelSize.y * shadowRadius;
+			float dx2 = dx0 / 2.0;
+			float dy2 = dy0 / 2.0;
+			float dx3 = dx1 / 2.0;
+			float dy3 = dy1 / 2.0;
+			shadow = (
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx0, dy0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx1, dy0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx2, dy2 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy2 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx3, dy2 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx0, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx2, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy, shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx3, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx1, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx2, dy3 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy3 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx3, dy3 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx0, dy1 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy1 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx1, dy1 ), shadowCoord.z )
+			) * ( 1.0 / 17.0 );
+		#elif defined( SHADOWMAP_TYPE_PCF_SOFT )
+			vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+			float dx = texelSize.x;
+			float dy = texelSize.y;
+			vec2 uv = shadowCoord.xy;
+			vec2 f = fract( uv * shadowMapSize + 0.5 );
+			uv -= f * texelSize;
+			shadow = (
+				texture2DCompare( shadowMap, uv, shadowCoord.z ) +
+				texture2DCompare( shadowMap, uv + vec2( dx, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, uv + vec2( 0.0, dy ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, uv + texelSize, shadowCoord.z ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( -dx, 0.0 ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, 0.0 ), shadowCoord.z ),
+					 f.x ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( -dx, dy ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, dy ), shadowCoord.z ),
+					 f.x ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( 0.0, -dy ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( 0.0, 2.0 * dy ), shadowCoord.z ),
+					 f.y ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( dx, -dy ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( dx, 2.0 * dy ), shadowCoord.z ),
+					 f.y ) +
+				mix( mix( texture2DCompare( shadowMap, uv + vec2( -dx, -dy ), shadowCoord.z ),
+						  texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, -dy ), shadowCoord.z ),
+						  f.x ),
+					 mix( texture2DCompare( shadowMap, uv + vec2( -dx, 2.0 * dy ), shadowCoord.z ),
+						  texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, 2.0 * dy ), shadowCoord.z ),
+						  f.x ),
+					 f.y )
+			) * ( 1.0 / 9.0 );
+		#elif defined( SHADOWMAP_TYPE_VSM )
+			shadow = VSMShadow( shadowMap, shadowCoord.xy, shadowCoord.z );
+		#else
+			shadow = texture2DCompare( shadowMap, shadowCoord.xy, shadowCoord.z );
+		#endif
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	vec2 cubeToUV( vec3 v, float texelSizeY ) {
+		vec3 absV = abs( v );
+		float scaleToCube = 1.0 / max( absV.x, max( absV.y, absV.z ) );
+		absV *= scaleToCube;
+		v *= scaleToCube * ( 1.0 - 2.0 * texelSizeY );
+		vec2 planar = v.xy;
+		float almostATexel = 1.5 * texelSizeY;
+		float almostOne = 1.0 - almostATexel;
+		if ( absV.z >= almostOne ) {
+			if ( v.z > 0.0 )
+				planar.x = 4.0 - v.x;
+		} else if ( absV.x >= almostOne ) {
+			float signX = sign( v.x );
+			planar.x = v.z * signX + 2.0 * signX;
+		} else if ( absV.y >= almostOne ) {
+			float signY = sign( v.y );
+			planar.x = v.x + 2.0 * signY + 2.0;
+			planar.y = v.z * signY - 2.0;
+		}
+		return vec2( 0.125, 0.25 ) * planar + vec2( 0.375, 0.75 );
+	}
+	float getPointShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		
+		float lightToPositionLength = length( lightToPosition );
+		if ( lightToPositionLength - shadowCameraFar <= 0.0 && lightToPositionLength - shadowCameraNear >= 0.0 ) {
+			float dp = ( lightToPositionLength - shadowCameraNear ) / ( shadowCameraFar - shadowCameraNear );			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			vec2 texelSize = vec2( 1.0 ) / ( shadowMapSize * vec2( 4.0, 2.0 ) );
+			#if defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_PCF_SOFT ) || defined( SHADOWMAP_TYPE_VSM )
+				vec2 offset = vec2( - 1, 1 ) * shadowRadius * texelSize.y;
+				shadow = (
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xyy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yyy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xyx, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yyx, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xxy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yxy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xxx, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yxx, texelSize.y ), dp )
+				) * ( 1.0 / 9.0 );
+			#else
+				shadow = texture2DCompare( shadowMap, cubeToUV( bd3D, texelSize.y ), dp );
+			#endif
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+#endif`,_M=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,vM=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	vec3 shadowWorldNormal = inverseTransformDirection( transformedNormal, viewMatrix );
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,xM=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,yM=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,MM=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,SM=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,bM=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,wM=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,TM=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,EM=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,AM=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,CM=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = inverseTransformDirection( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseColor, material.specularColor, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,RM=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,PM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,IM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,LM=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,DM=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,UM=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,FM=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,NM=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,OM=`#ifdef ENVMAP_TYPE_CUBE
+	uniform samplerCube envMap;
+#elif defined( ENVMAP_TYPE_CUBE_UV )
+	uniform sampler2D envMap;
+#endif
+uniform float flipEnvMap;
+uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <cube_uv_reflection_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 texColor = textureCube( envMap, backgroundRotation * vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) );
+	#elif defined( ENVMAP_TYPE_CUBE_UV )
+		vec4 texColor = textureCubeUV( envMap, backgroundRotation * vWorldDirection, backgroundBlurriness );
+	#else
+		vec4 texColor = vec4( 0.0, 0.0, 0.0, 1.0 );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,BM=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,zM=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,kM=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,VM=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,HM=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,GM=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main () {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = packDepthToRGBA( dist );
+}`,WM=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,XM=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,qM=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,YM=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,ZM=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,$M=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,JM=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,KM=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,jM=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,QM=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,tS=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,eS=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <packing>
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( packNormalToRGB( normal ), diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,nS=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,iS=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,sS=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,rS=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <cube_uv_reflection_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+		float sheenEnergyComp = 1.0 - 0.157 * max3( material.sheenColor );
+		outgoingLight = outgoingLight * sheenEnergyComp + sheenSpecularDirect + sheenSpecularIndirect;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,oS=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,aS=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,lS=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,cS=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,hS=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,uS=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,fS=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,dS=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,ce={alphahash_fragment:Fx,alphahash_pars_fragment:Nx,alphamap_fragment:Ox,alphamap_pars_fragment:Bx,alphatest_fragment:zx,alphatest_pars_fragment:kx,aomap_fragment:Vx,aomap_pars_fragment:Hx,batching_pars_vertex:Gx,batching_vertex:Wx,begin_vertex:Xx,beginnormal_vertex:qx,bsdfs:Yx,iridescence_fragment:Zx,bumpmap_pars_fragment:$x,clipping_planes_fragment:Jx,clipping_planes_pars_fragment:Kx,clipping_planes_pars_vertex:jx,
+clipping_planes_vertex:Qx,color_fragment:ty,color_pars_fragment:ey,color_pars_vertex:ny,color_vertex:iy,common:sy,cube_uv_reflection_fragment:ry,defaultnormal_vertex:oy,displacementmap_pars_vertex:ay,displacementmap_vertex:ly,emissivemap_fragment:cy,emissivemap_pars_fragment:hy,colorspace_fragment:uy,colorspace_pars_fragment:fy,envmap_fragment:dy,envmap_common_pars_fragment:py,envmap_pars_fragment:my,
+envmap_pars_vertex:gy,envmap_physical_pars_fragment:Ay,envmap_vertex:_y,fog_vertex:vy,fog_pars_vertex:xy,fog_fragment:yy,fog_pars_fragment:My,gradientmap_pars_fragment:Sy,lightmap_pars_fragment:by,lights_lambert_fragment:wy,lights_lambert_pars_fragment:Ty,lights_pars_begin:Ey,lights_toon_fragment:Cy,lights_toon_pars_fragment:Ry,lights_phong_fragment:Py,lights_phong_pars_fragment:Iy,lights_physical_fragment:Ly,
+lights_physical_pars_fragment:Dy,lights_fragment_begin:Uy,lights_fragment_maps:Fy,lights_fragment_end:Ny,logdepthbuf_fragment:Oy,logdepthbuf_pars_fragment:By,logdepthbuf_pars_vertex:zy,logdepthbuf_vertex:ky,map_fragment:Vy,map_pars_fragment:Hy,map_particle_fragment:Gy,map_particle_pars_fragment:Wy,metalnessmap_fragment:Xy,metalnessmap_pars_fragment:qy,morphinstance_vertex:Yy,morphcolor_vertex:Zy,morphnormal_vertex:$y,
+morphtarget_pars_vertex:Jy,morphtarget_vertex:Ky,normal_fragment_begin:jy,normal_fragment_maps:Qy,normal_pars_fragment:tM,normal_pars_vertex:eM,normal_vertex:nM,normalmap_pars_fragment:iM,clearcoat_normal_fragment_begin:sM,clearcoat_normal_fragment_maps:rM,clearcoat_pars_fragment:oM,iridescence_pars_fragment:aM,opaque_fragment:lM,packing:cM,premultiplied_alpha_fragment:hM,project_vertex:uM,dithering_fragment:fM,
+dithering_pars_fragment:dM,roughnessmap_fragment:pM,roughnessmap_pars_fragment:mM,shadowmap_pars_fragment:gM,shadowmap_pars_vertex:_M,shadowmap_vertex:vM,shadowmask_pars_fragment:xM,skinbase_vertex:yM,skinning_pars_vertex:MM,skinning_vertex:SM,skinnormal_vertex:bM,specularmap_fragment:wM,specularmap_pars_fragment:TM,tonemapping_fragment:EM,tonemapping_pars_fragment:AM,transmission_fragment:CM,transmission_pars_fragment:RM,
+uv_pars_fragment:PM,uv_pars_vertex:IM,uv_vertex:LM,worldpos_vertex:DM,background_vert:UM,background_frag:FM,backgroundCube_vert:NM,backgroundCube_frag:OM,cube_vert:BM,cube_frag:zM,depth_vert:kM,depth_frag:VM,distanceRGBA_vert:HM,distanceRGBA_frag:GM,equirect_vert:WM,equirect_frag:XM,linedashed_vert:qM,linedashed_frag:YM,meshbasic_vert:ZM,meshbasic_frag:$M,meshlambert_vert:JM,meshlambert_frag:KM,meshmatcap_vert:jM,
+meshmatcap_frag:QM,meshnormal_vert:tS,meshnormal_frag:eS,meshphong_vert:nS,meshphong_frag:iS,meshphysical_vert:sS,meshphysical_frag:rS,meshtoon_vert:oS,meshtoon_frag:aS,points_vert:lS,points_frag:cS,shadow_vert:hS,shadow_frag:uS,sprite_vert:fS,sprite_frag:dS},bt={common:{diffuse:{value:new oe(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new re},alphaMap:{value:null},alphaMapTransform:{
+value:new re},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new re}},envmap:{envMap:{value:null},envMapRotation:{value:new re},flipEnvMap:{value:-1},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new re}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},
+lightMapTransform:{value:new re}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new re},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new re},normalScale:{value:new pe(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new re},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{
+value:new re}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new re}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new re}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new oe(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},directionalLights:{value:[],properties:{
+direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMap:{value:[]},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},
+shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotShadowMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMap:{value:[]},
+pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null}},points:{diffuse:{value:new oe(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new re},alphaTest:{
+value:0},uvTransform:{value:new re}},sprite:{diffuse:{value:new oe(16777215)},opacity:{value:1},center:{value:new pe(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new re},alphaMap:{value:null},alphaMapTransform:{value:new re},alphaTest:{value:0}}},Wi={basic:{uniforms:Rn([bt.common,bt.specularmap,bt.envmap,bt.aomap,bt.lightmap,bt.fog]),vertexShader:ce.meshbasic_vert,fragmentShader:ce.
+meshbasic_frag},lambert:{uniforms:Rn([bt.common,bt.specularmap,bt.envmap,bt.aomap,bt.lightmap,bt.emissivemap,bt.bumpmap,bt.normalmap,bt.displacementmap,bt.fog,bt.lights,{emissive:{value:new oe(0)}}]),vertexShader:ce.meshlambert_vert,fragmentShader:ce.meshlambert_frag},phong:{uniforms:Rn([bt.common,bt.specularmap,bt.envmap,bt.aomap,bt.lightmap,bt.emissivemap,bt.bumpmap,bt.normalmap,bt.displacementmap,
+bt.fog,bt.lights,{emissive:{value:new oe(0)},specular:{value:new oe(1118481)},shininess:{value:30}}]),vertexShader:ce.meshphong_vert,fragmentShader:ce.meshphong_frag},standard:{uniforms:Rn([bt.common,bt.envmap,bt.aomap,bt.lightmap,bt.emissivemap,bt.bumpmap,bt.normalmap,bt.displacementmap,bt.roughnessmap,bt.metalnessmap,bt.fog,bt.lights,{emissive:{value:new oe(0)},roughness:{value:1},metalness:{value:0},
+envMapIntensity:{value:1}}]),vertexShader:ce.meshphysical_vert,fragmentShader:ce.meshphysical_frag},toon:{uniforms:Rn([bt.common,bt.aomap,bt.lightmap,bt.emissivemap,bt.bumpmap,bt.normalmap,bt.displacementmap,bt.gradientmap,bt.fog,bt.lights,{emissive:{value:new oe(0)}}]),vertexShader:ce.meshtoon_vert,fragmentShader:ce.meshtoon_frag},matcap:{uniforms:Rn([bt.common,bt.bumpmap,bt.normalmap,bt.displacementmap,
+bt.fog,{matcap:{value:null}}]),vertexShader:ce.meshmatcap_vert,fragmentShader:ce.meshmatcap_frag},points:{uniforms:Rn([bt.points,bt.fog]),vertexShader:ce.points_vert,fragmentShader:ce.points_frag},dashed:{uniforms:Rn([bt.common,bt.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ce.linedashed_vert,fragmentShader:ce.linedashed_frag},depth:{uniforms:Rn([bt.common,bt.displacementmap]),
+vertexShader:ce.depth_vert,fragmentShader:ce.depth_frag},normal:{uniforms:Rn([bt.common,bt.bumpmap,bt.normalmap,bt.displacementmap,{opacity:{value:1}}]),vertexShader:ce.meshnormal_vert,fragmentShader:ce.meshnormal_frag},sprite:{uniforms:Rn([bt.sprite,bt.fog]),vertexShader:ce.sprite_vert,fragmentShader:ce.sprite_frag},background:{uniforms:{uvTransform:{value:new re},t2D:{value:null},backgroundIntensity:{
+value:1}},vertexShader:ce.background_vert,fragmentShader:ce.background_frag},backgroundCube:{uniforms:{envMap:{value:null},flipEnvMap:{value:-1},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new re}},vertexShader:ce.backgroundCube_vert,fragmentShader:ce.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ce.
+cube_vert,fragmentShader:ce.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ce.equirect_vert,fragmentShader:ce.equirect_frag},distanceRGBA:{uniforms:Rn([bt.common,bt.displacementmap,{referencePosition:{value:new X},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ce.distanceRGBA_vert,fragmentShader:ce.distanceRGBA_frag},shadow:{uniforms:Rn([bt.lights,bt.fog,{color:{
+value:new oe(0)},opacity:{value:1}}]),vertexShader:ce.shadow_vert,fragmentShader:ce.shadow_frag}};Wi.physical={uniforms:Rn([Wi.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new re},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new re},clearcoatNormalScale:{value:new pe(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},
+clearcoatRoughnessMapTransform:{value:new re},dispersion:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new re},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new re},sheen:{value:0},sheenColor:{value:new oe(0)},sheenColorMap:{
+value:null},sheenColorMapTransform:{value:new re},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new re},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new re},transmissionSamplerSize:{value:new pe},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new re},attenuationDistance:{
+value:0},attenuationColor:{value:new oe(0)},specularColor:{value:new oe(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new re},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new re},anisotropyVector:{value:new pe},anisotropyMap:{value:null},anisotropyMapTransform:{value:new re}}]),vertexShader:ce.meshphysical_vert,fragmentShader:ce.
+meshphysical_frag};var Yc={r:0,b:0,g:0},ar=new fi,pS=new _e;function mS(i,t,e,n,s,r,o){let a=new oe(0),c=r===!0?0:1,l,h,u=null,f=0,p=null;function _(E){let y=E.isScene===!0?E.background:null;return y&&y.isTexture&&(y=(E.backgroundBlurriness>0?e:t).get(y)),y}function v(E){let y=!1,L=_(E);L===null?d(a,c):L&&L.isColor&&(d(L,1),y=!0);let A=i.xr.getEnvironmentBlendMode();A==="additive"?n.buffers.color.
+setClear(0,0,0,1,o):A==="alpha-blend"&&n.buffers.color.setClear(0,0,0,0,o),(i.autoClear||y)&&(n.buffers.depth.setTest(!0),n.buffers.depth.setMask(!0),n.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function m(E,y){let L=_(y);L&&(L.isCubeTexture||L.mapping===pa)?(h===void 0&&(h=new Sn(new as(1,1,1),new Ri({name:"BackgroundCubeMaterial",uniforms:or(Wi.backgroundCube.
+uniforms),vertexShader:Wi.backgroundCube.vertexShader,fragmentShader:Wi.backgroundCube.fragmentShader,side:zn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),h.geometry.deleteAttribute("normal"),h.geometry.deleteAttribute("uv"),h.onBeforeRender=function(A,D,N){this.matrixWorld.copyPosition(N.matrixWorld)},Object.defineProperty(h.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),
+s.update(h)),ar.copy(y.backgroundRotation),ar.x*=-1,ar.y*=-1,ar.z*=-1,L.isCubeTexture&&L.isRenderTargetTexture===!1&&(ar.y*=-1,ar.z*=-1),h.material.uniforms.envMap.value=L,h.material.uniforms.flipEnvMap.value=L.isCubeTexture&&L.isRenderTargetTexture===!1?-1:1,h.material.uniforms.backgroundBlurriness.value=y.backgroundBlurriness,h.material.uniforms.backgroundIntensity.value=y.backgroundIntensity,h.
+material.uniforms.backgroundRotation.value.setFromMatrix4(pS.makeRotationFromEuler(ar)),h.material.toneMapped=xe.getTransfer(L.colorSpace)!==De,(u!==L||f!==L.version||p!==i.toneMapping)&&(h.material.needsUpdate=!0,u=L,f=L.version,p=i.toneMapping),h.layers.enableAll(),E.unshift(h,h.geometry,h.material,0,0,null)):L&&L.isTexture&&(l===void 0&&(l=new Sn(new er(2,2),new Ri({name:"BackgroundMaterial",uniforms:or(
+Wi.background.uniforms),vertexShader:Wi.background.vertexShader,fragmentShader:Wi.background.fragmentShader,side:ss,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),s.update(l)),l.material.uniforms.t2D.value=L,l.material.uniforms.backgroundIntensity.value=y.backgroundIntensity,
+l.material.toneMapped=xe.getTransfer(L.colorSpace)!==De,L.matrixAutoUpdate===!0&&L.updateMatrix(),l.material.uniforms.uvTransform.value.copy(L.matrix),(u!==L||f!==L.version||p!==i.toneMapping)&&(l.material.needsUpdate=!0,u=L,f=L.version,p=i.toneMapping),l.layers.enableAll(),E.unshift(l,l.geometry,l.material,0,0,null))}function d(E,y){E.getRGB(Yc,Qu(i)),n.buffers.color.setClear(Yc.r,Yc.g,Yc.b,y,o)}
+function w(){h!==void 0&&(h.geometry.dispose(),h.material.dispose(),h=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return a},setClearColor:function(E,y=1){a.set(E),c=y,d(a,c)},getClearAlpha:function(){return c},setClearAlpha:function(E){c=E,d(a,c)},render:v,addToRenderList:m,dispose:w}}function gS(i,t){let e=i.getParameter(i.MAX_VERTEX_ATTRIBS),
+n={},s=f(null),r=s,o=!1;function a(S,C,O,k,G){let W=!1,q=u(k,O,C);r!==q&&(r=q,l(r.object)),W=p(S,k,O,G),W&&_(S,k,O,G),G!==null&&t.update(G,i.ELEMENT_ARRAY_BUFFER),(W||o)&&(o=!1,y(S,C,O,k),G!==null&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,t.get(G).buffer))}function c(){return i.createVertexArray()}function l(S){return i.bindVertexArray(S)}function h(S){return i.deleteVertexArray(S)}function u(S,C,O){let k=O.
+wireframe===!0,G=n[S.id];G===void 0&&(G={},n[S.id]=G);let W=G[C.id];W===void 0&&(W={},G[C.id]=W);let q=W[k];return q===void 0&&(q=f(c()),W[k]=q),q}function f(S){let C=[],O=[],k=[];for(let G=0;G<e;G++)C[G]=0,O[G]=0,k[G]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:C,enabledAttributes:O,attributeDivisors:k,object:S,attributes:{},index:null}}function p(S,C,O,k){let G=r.attributes,W=C.
+attributes,q=0,$=O.getAttributes();for(let j in $)if($[j].location>=0){let ot=G[j],_t=W[j];if(_t===void 0&&(j==="instanceMatrix"&&S.instanceMatrix&&(_t=S.instanceMatrix),j==="instanceColor"&&S.instanceColor&&(_t=S.instanceColor)),ot===void 0||ot.attribute!==_t||_t&&ot.data!==_t.data)return!0;q++}return r.attributesNum!==q||r.index!==k}function _(S,C,O,k){let G={},W=C.attributes,q=0,$=O.getAttributes();
+for(let j in $)if($[j].location>=0){let ot=W[j];ot===void 0&&(j==="instanceMatrix"&&S.instanceMatrix&&(ot=S.instanceMatrix),j==="instanceColor"&&S.instanceColor&&(ot=S.instanceColor));let _t={};_t.attribute=ot,ot&&ot.data&&(_t.data=ot.data),G[j]=_t,q++}r.attributes=G,r.attributesNum=q,r.index=k}function v(){let S=r.newAttributes;for(let C=0,O=S.length;C<O;C++)S[C]=0}function m(S){d(S,0)}function d(S,C){
+let O=r.newAttributes,k=r.enabledAttributes,G=r.attributeDivisors;O[S]=1,k[S]===0&&(i.enableVertexAttribArray(S),k[S]=1),G[S]!==C&&(i.vertexAttribDivisor(S,C),G[S]=C)}function w(){let S=r.newAttributes,C=r.enabledAttributes;for(let O=0,k=C.length;O<k;O++)C[O]!==S[O]&&(i.disableVertexAttribArray(O),C[O]=0)}function E(S,C,O,k,G,W,q){q===!0?i.vertexAttribIPointer(S,C,O,G,W):i.vertexAttribPointer(S,C,
+O,k,G,W)}function y(S,C,O,k){v();let G=k.attributes,W=O.getAttributes(),q=C.defaultAttributeValues;for(let $ in W){let j=W[$];if(j.location>=0){let rt=G[$];if(rt===void 0&&($==="instanceMatrix"&&S.instanceMatrix&&(rt=S.instanceMatrix),$==="instanceColor"&&S.instanceColor&&(rt=S.instanceColor)),rt!==void 0){let ot=rt.normalized,_t=rt.itemSize,xt=t.get(rt);if(xt===void 0)continue;let pt=xt.buffer,ee=xt.
+type,$t=xt.bytesPerElement,Q=ee===i.INT||ee===i.UNSIGNED_INT||rt.gpuType===uc;if(rt.isInterleavedBufferAttribute){let tt=rt.data,Mt=tt.stride,Ot=rt.offset;if(tt.isInstancedInterleavedBuffer){for(let vt=0;vt<j.locationSize;vt++)d(j.location+vt,tt.meshPerAttribute);S.isInstancedMesh!==!0&&k._maxInstanceCount===void 0&&(k._maxInstanceCount=tt.meshPerAttribute*tt.count)}else for(let vt=0;vt<j.locationSize;vt++)
+m(j.location+vt);i.bindBuffer(i.ARRAY_BUFFER,pt);for(let vt=0;vt<j.locationSize;vt++)E(j.location+vt,_t/j.locationSize,ee,ot,Mt*$t,(Ot+_t/j.locationSize*vt)*$t,Q)}else{if(rt.isInstancedBufferAttribute){for(let tt=0;tt<j.locationSize;tt++)d(j.location+tt,rt.meshPerAttribute);S.isInstancedMesh!==!0&&k._maxInstanceCount===void 0&&(k._maxInstanceCount=rt.meshPerAttribute*rt.count)}else for(let tt=0;tt<
+j.locationSize;tt++)m(j.location+tt);i.bindBuffer(i.ARRAY_BUFFER,pt);for(let tt=0;tt<j.locationSize;tt++)E(j.location+tt,_t/j.locationSize,ee,ot,_t*$t,_t/j.locationSize*tt*$t,Q)}}else if(q!==void 0){let ot=q[$];if(ot!==void 0)switch(ot.length){case 2:i.vertexAttrib2fv(j.location,ot);break;case 3:i.vertexAttrib3fv(j.location,ot);break;case 4:i.vertexAttrib4fv(j.location,ot);break;default:i.vertexAttrib1fv(
+j.location,ot)}}}}w()}function L(){N();for(let S in n){let C=n[S];for(let O in C){let k=C[O];for(let G in k)h(k[G].object),delete k[G];delete C[O]}delete n[S]}}function A(S){if(n[S.id]===void 0)return;let C=n[S.id];for(let O in C){let k=C[O];for(let G in k)h(k[G].object),delete k[G];delete C[O]}delete n[S.id]}function D(S){for(let C in n){let O=n[C];if(O[S.id]===void 0)continue;let k=O[S.id];for(let G in k)
+h(k[G].object),delete k[G];delete O[S.id]}}function N(){b(),o=!0,r!==s&&(r=s,l(r.object))}function b(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:N,resetDefaultState:b,dispose:L,releaseStatesOfGeometry:A,releaseStatesOfProgram:D,initAttributes:v,enableAttribute:m,disableUnusedAttributes:w}}function _S(i,t,e){let n;function s(l){n=l}function r(l,h){i.drawArrays(n,l,h),e.update(
+h,n,1)}function o(l,h,u){u!==0&&(i.drawArraysInstanced(n,l,h,u),e.update(h,n,u))}function a(l,h,u){if(u===0)return;t.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,h,0,u);let p=0;for(let _=0;_<u;_++)p+=h[_];e.update(p,n,1)}function c(l,h,u,f){if(u===0)return;let p=t.get("WEBGL_multi_draw");if(p===null)for(let _=0;_<l.length;_++)o(l[_],h[_],f[_]);else{p.multiDrawArraysInstancedWEBGL(n,l,0,h,0,f,
+0,u);let _=0;for(let v=0;v<u;v++)_+=h[v]*f[v];e.update(_,n,1)}}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a,this.renderMultiDrawInstances=c}function vS(i,t,e,n){let s;function r(){if(s!==void 0)return s;if(t.has("EXT_texture_filter_anisotropic")===!0){let D=t.get("EXT_texture_filter_anisotropic");s=i.getParameter(D.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(D){
+return!(D!==pi&&n.convert(D)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(D){let N=D===ho&&(t.has("EXT_color_buffer_half_float")||t.has("EXT_color_buffer_float"));return!(D!==Pi&&n.convert(D)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE)&&D!==Ii&&!N)}function c(D){if(D==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>0&&i.getShaderPrecisionFormat(
+i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";D="mediump"}return D==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let l=e.precision!==void 0?e.precision:"highp",h=c(l);h!==l&&(console.warn("THREE.WebGLRenderer:",l,"not supported, using",h,"instead."),l=h);let u=e.
+logarithmicDepthBuffer===!0,f=e.reversedDepthBuffer===!0&&t.has("EXT_clip_control"),p=i.getParameter(i.MAX_TEXTURE_IMAGE_UNITS),_=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),v=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),d=i.getParameter(i.MAX_VERTEX_ATTRIBS),w=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),E=i.getParameter(i.MAX_VARYING_VECTORS),y=i.getParameter(
+i.MAX_FRAGMENT_UNIFORM_VECTORS),L=_>0,A=i.getParameter(i.MAX_SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:c,textureFormatReadable:o,textureTypeReadable:a,precision:l,logarithmicDepthBuffer:u,reversedDepthBuffer:f,maxTextures:p,maxVertexTextures:_,maxTextureSize:v,maxCubemapSize:m,maxAttributes:d,maxVertexUniforms:w,maxVaryings:E,maxFragmentUniforms:y,vertexTextures:L,maxSamples:A}}
+function xS(i){let t=this,e=null,n=0,s=!1,r=!1,o=new zi,a=new re,c={value:null,needsUpdate:!1};this.uniform=c,this.numPlanes=0,this.numIntersection=0,this.init=function(u,f){let p=u.length!==0||f||n!==0||s;return s=f,n=u.length,p},this.beginShadows=function(){r=!0,h(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,f){e=h(u,f,0)},this.setState=function(u,f,p){let _=u.clippingPlanes,
+v=u.clipIntersection,m=u.clipShadows,d=i.get(u);if(!s||_===null||_.length===0||r&&!m)r?h(null):l();else{let w=r?0:n,E=w*4,y=d.clippingState||null;c.value=y,y=h(_,f,E,p);for(let L=0;L!==E;++L)y[L]=e[L];d.clippingState=y,this.numIntersection=v?this.numPlanes:0,this.numPlanes+=w}};function l(){c.value!==e&&(c.value=e,c.needsUpdate=n>0),t.numPlanes=n,t.numIntersection=0}function h(u,f,p,_){let v=u!==null?
+u.length:0,m=null;if(v!==0){if(m=c.value,_!==!0||m===null){let d=p+v*4,w=f.matrixWorldInverse;a.getNormalMatrix(w),(m===null||m.length<d)&&(m=new Float32Array(d));for(let E=0,y=p;E!==v;++E,y+=4)o.copy(u[E]).applyMatrix4(w,a),o.normal.toArray(m,y),m[y+3]=o.constant}c.value=m,c.needsUpdate=!0}return t.numPlanes=v,t.numIntersection=0,m}}function yS(i){let t=new WeakMap;function e(o,a){return a===lc?o.
+mapping=sr:a===cc&&(o.mapping=rr),o}function n(o){if(o&&o.isTexture){let a=o.mapping;if(a===lc||a===cc)if(t.has(o)){let c=t.get(o).texture;return e(c,o.mapping)}else{let c=o.image;if(c&&c.height>0){let l=new Ol(c.height);return l.fromEquirectangularTexture(i,o),t.set(o,l),o.addEventListener("dispose",s),e(l.texture,o.mapping)}else return null}}return o}function s(o){let a=o.target;a.removeEventListener(
+"dispose",s);let c=t.get(a);c!==void 0&&(t.delete(a),c.dispose())}function r(){t=new WeakMap}return{get:n,dispose:r}}var mo=4,yg=[.125,.215,.35,.446,.526,.582],hr=20,sf=new ir,Mg=new oe,rf=null,of=0,af=0,lf=!1,cr=(1+Math.sqrt(5))/2,po=1/cr,Sg=[new X(-cr,po,0),new X(cr,po,0),new X(-po,0,cr),new X(po,0,cr),new X(0,cr,-po),new X(0,cr,po),new X(-1,1,-1),new X(1,1,-1),new X(-1,1,1),new X(1,1,1)],MS=new X,
+Jc=class{constructor(t){this._renderer=t,this._pingPongRenderTarget=null,this._lodMax=0,this._cubeSize=0,this._lodPlanes=[],this._sizeLods=[],this._sigmas=[],this._blurMaterial=null,this._cubemapMaterial=null,this._equirectMaterial=null,this._compileMaterial(this._blurMaterial)}fromScene(t,e=0,n=.1,s=100,r={}){let{size:o=256,position:a=MS}=r;rf=this._renderer.getRenderTarget(),of=this._renderer.getActiveCubeFace(),
+af=this._renderer.getActiveMipmapLevel(),lf=this._renderer.xr.enabled,this._renderer.xr.enabled=!1,this._setSize(o);let c=this._allocateTargets();return c.depthBuffer=!0,this._sceneToCubeUV(t,n,s,c,a),e>0&&this._blur(c,0,0,e),this._applyPMREM(c),this._cleanup(c),c}fromEquirectangular(t,e=null){return this._fromTexture(t,e)}fromCubemap(t,e=null){return this._fromTexture(t,e)}compileCubemapShader(){
+this._cubemapMaterial===null&&(this._cubemapMaterial=Tg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=wg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose()}_setSize(t){
+this._lodMax=Math.floor(Math.log2(t)),this._cubeSize=Math.pow(2,this._lodMax)}_dispose(){this._blurMaterial!==null&&this._blurMaterial.dispose(),this._pingPongRenderTarget!==null&&this._pingPongRenderTarget.dispose();for(let t=0;t<this._lodPlanes.length;t++)this._lodPlanes[t].dispose()}_cleanup(t){this._renderer.setRenderTarget(rf,of,af),this._renderer.xr.enabled=lf,t.scissorTest=!1,Zc(t,0,0,t.width,
+t.height)}_fromTexture(t,e){t.mapping===sr||t.mapping===rr?this._setSize(t.image.length===0?16:t.image[0].width||t.image[0].image.width):this._setSize(t.image.width/4),rf=this._renderer.getRenderTarget(),of=this._renderer.getActiveCubeFace(),af=this._renderer.getActiveMipmapLevel(),lf=this._renderer.xr.enabled,this._renderer.xr.enabled=!1;let n=e||this._allocateTargets();return this._textureToCubeUV(
+t,n),this._applyPMREM(n),this._cleanup(n),n}_allocateTargets(){let t=3*Math.max(this._cubeSize,112),e=4*this._cubeSize,n={magFilter:Ci,minFilter:Ci,generateMipmaps:!1,type:ho,format:pi,colorSpace:tr,depthBuffer:!1},s=bg(t,e,n);if(this._pingPongRenderTarget===null||this._pingPongRenderTarget.width!==t||this._pingPongRenderTarget.height!==e){this._pingPongRenderTarget!==null&&this._dispose(),this._pingPongRenderTarget=
+bg(t,e,n);let{_lodMax:r}=this;({sizeLods:this._sizeLods,lodPlanes:this._lodPlanes,sigmas:this._sigmas}=SS(r)),this._blurMaterial=bS(r,t,e)}return s}_compileMaterial(t){let e=new Sn(this._lodPlanes[0],t);this._renderer.compile(e,sf)}_sceneToCubeUV(t,e,n,s,r){let c=new Cn(90,1,e,n),l=[1,-1,1,1,1,1],h=[1,1,1,-1,-1,-1],u=this._renderer,f=u.autoClear,p=u.toneMapping;u.getClearColor(Mg),u.toneMapping=cs,
+u.autoClear=!1,u.state.buffers.depth.getReversed()&&(u.setRenderTarget(s),u.clearDepth(),u.setRenderTarget(null));let v=new Jo({name:"PMREM.Background",side:zn,depthWrite:!1,depthTest:!1}),m=new Sn(new as,v),d=!1,w=t.background;w?w.isColor&&(v.color.copy(w),t.background=null,d=!0):(v.color.copy(Mg),d=!0);for(let E=0;E<6;E++){let y=E%3;y===0?(c.up.set(0,l[E],0),c.position.set(r.x,r.y,r.z),c.lookAt(
+r.x+h[E],r.y,r.z)):y===1?(c.up.set(0,0,l[E]),c.position.set(r.x,r.y,r.z),c.lookAt(r.x,r.y+h[E],r.z)):(c.up.set(0,l[E],0),c.position.set(r.x,r.y,r.z),c.lookAt(r.x,r.y,r.z+h[E]));let L=this._cubeSize;Zc(s,y*L,E>2?L:0,L,L),u.setRenderTarget(s),d&&u.render(m,c),u.render(t,c)}m.geometry.dispose(),m.material.dispose(),u.toneMapping=p,u.autoClear=f,t.background=w}_textureToCubeUV(t,e){let n=this._renderer,
+s=t.mapping===sr||t.mapping===rr;s?(this._cubemapMaterial===null&&(this._cubemapMaterial=Tg()),this._cubemapMaterial.uniforms.flipEnvMap.value=t.isRenderTargetTexture===!1?-1:1):this._equirectMaterial===null&&(this._equirectMaterial=wg());let r=s?this._cubemapMaterial:this._equirectMaterial,o=new Sn(this._lodPlanes[0],r),a=r.uniforms;a.envMap.value=t;let c=this._cubeSize;Zc(e,0,0,3*c,2*c),n.setRenderTarget(
+e),n.render(o,sf)}_applyPMREM(t){let e=this._renderer,n=e.autoClear;e.autoClear=!1;let s=this._lodPlanes.length;for(let r=1;r<s;r++){let o=Math.sqrt(this._sigmas[r]*this._sigmas[r]-this._sigmas[r-1]*this._sigmas[r-1]),a=Sg[(s-r-1)%Sg.length];this._blur(t,r-1,r,o,a)}e.autoClear=n}_blur(t,e,n,s,r){let o=this._pingPongRenderTarget;this._halfBlur(t,o,e,n,s,"latitudinal",r),this._halfBlur(o,t,n,n,s,"lo\
+ngitudinal",r)}_halfBlur(t,e,n,s,r,o,a){let c=this._renderer,l=this._blurMaterial;o!=="latitudinal"&&o!=="longitudinal"&&console.error("blur direction must be either latitudinal or longitudinal!");let h=3,u=new Sn(this._lodPlanes[s],l),f=l.uniforms,p=this._sizeLods[n]-1,_=isFinite(r)?Math.PI/(2*p):2*Math.PI/(2*hr-1),v=r/_,m=isFinite(r)?1+Math.floor(h*v):hr;m>hr&&console.warn(`sigmaRadians, ${r}, i\
+s too large and will clip, as it requested ${m} samples when the maximum is set to ${hr}`);let d=[],w=0;for(let D=0;D<hr;++D){let N=D/v,b=Math.exp(-N*N/2);d.push(b),D===0?w+=b:D<m&&(w+=2*b)}for(let D=0;D<d.length;D++)d[D]=d[D]/w;f.envMap.value=t.texture,f.samples.value=m,f.weights.value=d,f.latitudinal.value=o==="latitudinal",a&&(f.poleAxis.value=a);let{_lodMax:E}=this;f.dTheta.value=_,f.mipInt.value=
+E-n;let y=this._sizeLods[s],L=3*y*(s>E-mo?s-E+mo:0),A=4*(this._cubeSize-y);Zc(e,L,A,3*y,2*y),c.setRenderTarget(e),c.render(u,sf)}};function SS(i){let t=[],e=[],n=[],s=i,r=i-mo+1+yg.length;for(let o=0;o<r;o++){let a=Math.pow(2,s);e.push(a);let c=1/a;o>i-mo?c=yg[o-i+mo-1]:o===0&&(c=0),n.push(c);let l=1/(a-2),h=-l,u=1+l,f=[h,h,u,h,u,u,h,h,u,u,h,u],p=6,_=6,v=3,m=2,d=1,w=new Float32Array(v*_*p),E=new Float32Array(
+m*_*p),y=new Float32Array(d*_*p);for(let A=0;A<p;A++){let D=A%3*2/3-1,N=A>2?0:-1,b=[D,N,0,D+2/3,N,0,D+2/3,N+1,0,D,N,0,D+2/3,N+1,0,D,N+1,0];w.set(b,v*_*A),E.set(f,m*_*A);let S=[A,A,A,A,A,A];y.set(S,d*_*A)}let L=new ln;L.setAttribute("position",new Wn(w,v)),L.setAttribute("uv",new Wn(E,m)),L.setAttribute("faceIndex",new Wn(y,d)),t.push(L),s>mo&&s--}return{lodPlanes:t,sizeLods:e,sigmas:n}}function bg(i,t,e){
+let n=new ki(i,t,e);return n.texture.mapping=pa,n.texture.name="PMREM.cubeUv",n.scissorTest=!0,n}function Zc(i,t,e,n,s){i.viewport.set(t,e,n,s),i.scissor.set(t,e,n,s)}function bS(i,t,e){let n=new Float32Array(hr),s=new X(0,1,0);return new Ri({name:"SphericalGaussianBlur",defines:{n:hr,CUBEUV_TEXEL_WIDTH:1/t,CUBEUV_TEXEL_HEIGHT:1/e,CUBEUV_MAX_MIP:`${i}.0`},uniforms:{envMap:{value:null},samples:{value:1},
+weights:{value:n},latitudinal:{value:!1},dTheta:{value:0},mipInt:{value:0},poleAxis:{value:s}},vertexShader:vf(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+			uniform int samples;
+			uniform float weights[ n ];
+			uniform bool latitudinal;
+			uniform float dTheta;
+			uniform float mipInt;
+			uniform vec3 poleAxis;
+
+			#define ENVMAP_TYPE_CUBE_UV
+			#include <cube_uv_reflection_fragment>
+
+			vec3 getSample( float theta, vec3 axis ) {
+
+				float cosTheta = cos( theta );
+				// Rodrigues' axis-angle rotation
+				vec3 sampleDirection = vOutputDirection * cosTheta
+					+ cross( axis, vOutputDirection ) * sin( theta )
+					+ axis * dot( axis, vOutputDirection ) * ( 1.0 - cosTheta );
+
+				return bilinearCubeUV( envMap, sampleDirection, mipInt );
+
+			}
+
+			void main() {
+
+				vec3 axis = latitudinal ? poleAxis : cross( poleAxis, vOutputDirection );
+
+				if ( all( equal( axis, vec3( 0.0 ) ) ) ) {
+
+					axis = vec3( vOutputDirection.z, 0.0, - vOutputDirection.x );
+
+				}
+
+				axis = normalize( axis );
+
+				gl_FragColor = vec4( 0.0, 0.0, 0.0, 1.0 );
+				gl_FragColor.rgb += weights[ 0 ] * getSample( 0.0, axis );
+
+				for ( int i = 1; i < n; i++ ) {
+
+					if ( i >= samples ) {
+
+						break;
+
+					}
+
+					float theta = dTheta * float( i );
+					gl_FragColor.rgb += weights[ i ] * getSample( -1.0 * theta, axis );
+					gl_FragColor.rgb += weights[ i ] * getSample( theta, axis );
+
+				}
+
+			}
+		`,blending:ls,depthTest:!1,depthWrite:!1})}function wg(){return new Ri({name:"EquirectangularToCubeUV",uniforms:{envMap:{value:null}},vertexShader:vf(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+
+			#include <common>
+
+			void main() {
+
+				vec3 outputDirection = normalize( vOutputDirection );
+				vec2 uv = equirectUv( outputDirection );
+
+				gl_FragColor = vec4( texture2D ( envMap, uv ).rgb, 1.0 );
+
+			}
+		`,blending:ls,depthTest:!1,depthWrite:!1})}function Tg(){return new Ri({name:"CubemapToCubeUV",uniforms:{envMap:{value:null},flipEnvMap:{value:-1}},vertexShader:vf(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			uniform float flipEnvMap;
+
+			varying vec3 vOutputDirection;
+
+			uniform samplerCube envMap;
+
+			void main() {
+
+				gl_FragColor = textureCube( envMap, vec3( flipEnvMap * vOutputDirection.x, vOutputDirection.yz ) );
+
+			}
+		`,blending:ls,depthTest:!1,depthWrite:!1})}function vf(){return`
+
+		precision mediump float;
+		precision mediump int;
+
+		attribute float faceIndex;
+
+		varying vec3 vOutputDirection;
+
+		// RH coordinate system; PMREM face-indexing convention
+		vec3 getDirection( vec2 uv, float face ) {
+
+			uv = 2.0 * uv - 1.0;
+
+			vec3 direction = vec3( uv, 1.0 );
+
+			if ( face == 0.0 ) {
+
+				direction = direction.zyx; // ( 1, v, u ) pos x
+
+			} else if ( face == 1.0 ) {
+
+				direction = direction.xzy;
+				direction.xz *= -1.0; // ( -u, 1, -v ) pos y
+
+			} else if ( face == 2.0 ) {
+
+				direction.x *= -1.0; // ( -u, v, 1 ) pos z
+
+			} else if ( face == 3.0 ) {
+
+				direction = direction.zyx;
+				direction.xz *= -1.0; // ( -1, v, -u ) neg x
+
+			} else if ( face == 4.0 ) {
+
+				direction = direction.xzy;
+				direction.xy *= -1.0; // ( -u, -1, v ) neg y
+
+			} else if ( face == 5.0 ) {
+
+				direction.z *= -1.0; // ( u, v, -1 ) neg z
+
+			}
+
+			return direction;
+
+		}
+
+		void main() {
+
+			vOutputDirection = getDirection( uv, faceIndex );
+			gl_Position = vec4( position, 1.0 );
+
+		}
+	`}function wS(i){let t=new WeakMap,e=null;function n(a){if(a&&a.isTexture){let c=a.mapping,l=c===lc||c===cc,h=c===sr||c===rr;if(l||h){let u=t.get(a),f=u!==void 0?u.texture.pmremVersion:0;if(a.isRenderTargetTexture&&a.pmremVersion!==f)return e===null&&(e=new Jc(i)),u=l?e.fromEquirectangular(a,u):e.fromCubemap(a,u),u.texture.pmremVersion=a.pmremVersion,t.set(a,u),u.texture;if(u!==void 0)return u.texture;
+{let p=a.image;return l&&p&&p.height>0||h&&p&&s(p)?(e===null&&(e=new Jc(i)),u=l?e.fromEquirectangular(a):e.fromCubemap(a),u.texture.pmremVersion=a.pmremVersion,t.set(a,u),a.addEventListener("dispose",r),u.texture):null}}}return a}function s(a){let c=0,l=6;for(let h=0;h<l;h++)a[h]!==void 0&&c++;return c===l}function r(a){let c=a.target;c.removeEventListener("dispose",r);let l=t.get(c);l!==void 0&&(t.
+delete(c),l.dispose())}function o(){t=new WeakMap,e!==null&&(e.dispose(),e=null)}return{get:n,dispose:o}}function TS(i){let t={};function e(n){if(t[n]!==void 0)return t[n];let s;switch(n){case"WEBGL_depth_texture":s=i.getExtension("WEBGL_depth_texture")||i.getExtension("MOZ_WEBGL_depth_texture")||i.getExtension("WEBKIT_WEBGL_depth_texture");break;case"EXT_texture_filter_anisotropic":s=i.getExtension(
+"EXT_texture_filter_anisotropic")||i.getExtension("MOZ_EXT_texture_filter_anisotropic")||i.getExtension("WEBKIT_EXT_texture_filter_anisotropic");break;case"WEBGL_compressed_texture_s3tc":s=i.getExtension("WEBGL_compressed_texture_s3tc")||i.getExtension("MOZ_WEBGL_compressed_texture_s3tc")||i.getExtension("WEBKIT_WEBGL_compressed_texture_s3tc");break;case"WEBGL_compressed_texture_pvrtc":s=i.getExtension(
+"WEBGL_compressed_texture_pvrtc")||i.getExtension("WEBKIT_WEBGL_compressed_texture_pvrtc");break;default:s=i.getExtension(n)}return t[n]=s,s}return{has:function(n){return e(n)!==null},init:function(){e("EXT_color_buffer_float"),e("WEBGL_clip_cull_distance"),e("OES_texture_float_linear"),e("EXT_color_buffer_half_float"),e("WEBGL_multisampled_render_to_texture"),e("WEBGL_render_shared_exponent")},get:function(n){
+let s=e(n);return s===null&&Kr("THREE.WebGLRenderer: "+n+" extension not supported."),s}}}function ES(i,t,e,n){let s={},r=new WeakMap;function o(u){let f=u.target;f.index!==null&&t.remove(f.index);for(let _ in f.attributes)t.remove(f.attributes[_]);f.removeEventListener("dispose",o),delete s[f.id];let p=r.get(f);p&&(t.remove(p),r.delete(f)),n.releaseStatesOfGeometry(f),f.isInstancedBufferGeometry===
+!0&&delete f._maxInstanceCount,e.memory.geometries--}function a(u,f){return s[f.id]===!0||(f.addEventListener("dispose",o),s[f.id]=!0,e.memory.geometries++),f}function c(u){let f=u.attributes;for(let p in f)t.update(f[p],i.ARRAY_BUFFER)}function l(u){let f=[],p=u.index,_=u.attributes.position,v=0;if(p!==null){let w=p.array;v=p.version;for(let E=0,y=w.length;E<y;E+=3){let L=w[E+0],A=w[E+1],D=w[E+2];
+f.push(L,A,A,D,D,L)}}else if(_!==void 0){let w=_.array;v=_.version;for(let E=0,y=w.length/3-1;E<y;E+=3){let L=E+0,A=E+1,D=E+2;f.push(L,A,A,D,D,L)}}else return;let m=new(ju(f)?jo:Ko)(f,1);m.version=v;let d=r.get(u);d&&t.remove(d),r.set(u,m)}function h(u){let f=r.get(u);if(f){let p=u.index;p!==null&&f.version<p.version&&l(u)}else l(u);return r.get(u)}return{get:a,update:c,getWireframeAttribute:h}}function AS(i,t,e){
+let n;function s(f){n=f}let r,o;function a(f){r=f.type,o=f.bytesPerElement}function c(f,p){i.drawElements(n,p,r,f*o),e.update(p,n,1)}function l(f,p,_){_!==0&&(i.drawElementsInstanced(n,p,r,f*o,_),e.update(p,n,_))}function h(f,p,_){if(_===0)return;t.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,p,0,r,f,0,_);let m=0;for(let d=0;d<_;d++)m+=p[d];e.update(m,n,1)}function u(f,p,_,v){if(_===0)return;let m=t.
+get("WEBGL_multi_draw");if(m===null)for(let d=0;d<f.length;d++)l(f[d]/o,p[d],v[d]);else{m.multiDrawElementsInstancedWEBGL(n,p,0,r,f,0,v,0,_);let d=0;for(let w=0;w<_;w++)d+=p[w]*v[w];e.update(d,n,1)}}this.setMode=s,this.setIndex=a,this.render=c,this.renderInstances=l,this.renderMultiDraw=h,this.renderMultiDrawInstances=u}function CS(i){let t={geometries:0,textures:0},e={frame:0,calls:0,triangles:0,
+points:0,lines:0};function n(r,o,a){switch(e.calls++,o){case i.TRIANGLES:e.triangles+=a*(r/3);break;case i.LINES:e.lines+=a*(r/2);break;case i.LINE_STRIP:e.lines+=a*(r-1);break;case i.LINE_LOOP:e.lines+=a*r;break;case i.POINTS:e.points+=a*r;break;default:console.error("THREE.WebGLInfo: Unknown draw mode:",o);break}}function s(){e.calls=0,e.triangles=0,e.points=0,e.lines=0}return{memory:t,render:e,
+programs:null,autoReset:!0,reset:s,update:n}}function RS(i,t,e){let n=new WeakMap,s=new $e;function r(o,a,c){let l=o.morphTargetInfluences,h=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=h!==void 0?h.length:0,f=n.get(a);if(f===void 0||f.count!==u){let b=function(){D.dispose(),n.delete(a),a.removeEventListener("dispose",b)};f!==void 0&&f.texture.dispose();let p=a.morphAttributes.
+position!==void 0,_=a.morphAttributes.normal!==void 0,v=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],d=a.morphAttributes.normal||[],w=a.morphAttributes.color||[],E=0;p===!0&&(E=1),_===!0&&(E=2),v===!0&&(E=3);let y=a.attributes.position.count*E,L=1;y>t.maxTextureSize&&(L=Math.ceil(y/t.maxTextureSize),y=t.maxTextureSize);let A=new Float32Array(y*L*4*u),D=new $o(A,y,L,u);D.type=Ii,
+D.needsUpdate=!0;let N=E*4;for(let S=0;S<u;S++){let C=m[S],O=d[S],k=w[S],G=y*L*4*S;for(let W=0;W<C.count;W++){let q=W*N;p===!0&&(s.fromBufferAttribute(C,W),A[G+q+0]=s.x,A[G+q+1]=s.y,A[G+q+2]=s.z,A[G+q+3]=0),_===!0&&(s.fromBufferAttribute(O,W),A[G+q+4]=s.x,A[G+q+5]=s.y,A[G+q+6]=s.z,A[G+q+7]=0),v===!0&&(s.fromBufferAttribute(k,W),A[G+q+8]=s.x,A[G+q+9]=s.y,A[G+q+10]=s.z,A[G+q+11]=k.itemSize===4?s.w:1)}}
+f={count:u,texture:D,size:new pe(y,L)},n.set(a,f),a.addEventListener("dispose",b)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)c.getUniforms().setValue(i,"morphTexture",o.morphTexture,e);else{let p=0;for(let v=0;v<l.length;v++)p+=l[v];let _=a.morphTargetsRelative?1:1-p;c.getUniforms().setValue(i,"morphTargetBaseInfluence",_),c.getUniforms().setValue(i,"morphTargetInfluences",l)}c.getUniforms().
+setValue(i,"morphTargetsTexture",f.texture,e),c.getUniforms().setValue(i,"morphTargetsTextureSize",f.size)}return{update:r}}function PS(i,t,e,n){let s=new WeakMap;function r(c){let l=n.render.frame,h=c.geometry,u=t.get(c,h);if(s.get(u)!==l&&(t.update(u),s.set(u,l)),c.isInstancedMesh&&(c.hasEventListener("dispose",a)===!1&&c.addEventListener("dispose",a),s.get(c)!==l&&(e.update(c.instanceMatrix,i.ARRAY_BUFFER),
+c.instanceColor!==null&&e.update(c.instanceColor,i.ARRAY_BUFFER),s.set(c,l))),c.isSkinnedMesh){let f=c.skeleton;s.get(f)!==l&&(f.update(),s.set(f,l))}return u}function o(){s=new WeakMap}function a(c){let l=c.target;l.removeEventListener("dispose",a),e.remove(l.instanceMatrix),l.instanceColor!==null&&e.remove(l.instanceColor)}return{update:r,dispose:o}}var Wg=new qn,Eg=new sa(1,1),Xg=new $o,qg=new Fl,
+Yg=new ta,Ag=[],Cg=[],Rg=new Float32Array(16),Pg=new Float32Array(9),Ig=new Float32Array(4);function _o(i,t,e){let n=i[0];if(n<=0||n>0)return i;let s=t*e,r=Ag[s];if(r===void 0&&(r=new Float32Array(s),Ag[s]=r),t!==0){n.toArray(r,0);for(let o=1,a=0;o!==t;++o)a+=e,i[o].toArray(r,a)}return r}function cn(i,t){if(i.length!==t.length)return!1;for(let e=0,n=i.length;e<n;e++)if(i[e]!==t[e])return!1;return!0}
+function hn(i,t){for(let e=0,n=t.length;e<n;e++)i[e]=t[e]}function jc(i,t){let e=Cg[t];e===void 0&&(e=new Int32Array(t),Cg[t]=e);for(let n=0;n!==t;++n)e[n]=i.allocateTextureUnit();return e}function IS(i,t){let e=this.cache;e[0]!==t&&(i.uniform1f(this.addr,t),e[0]=t)}function LS(i,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y)&&(i.uniform2f(this.addr,t.x,t.y),e[0]=t.x,e[1]=t.y);else{if(cn(
+e,t))return;i.uniform2fv(this.addr,t),hn(e,t)}}function DS(i,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z)&&(i.uniform3f(this.addr,t.x,t.y,t.z),e[0]=t.x,e[1]=t.y,e[2]=t.z);else if(t.r!==void 0)(e[0]!==t.r||e[1]!==t.g||e[2]!==t.b)&&(i.uniform3f(this.addr,t.r,t.g,t.b),e[0]=t.r,e[1]=t.g,e[2]=t.b);else{if(cn(e,t))return;i.uniform3fv(this.addr,t),hn(e,t)}}function US(i,t){let e=this.
+cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z||e[3]!==t.w)&&(i.uniform4f(this.addr,t.x,t.y,t.z,t.w),e[0]=t.x,e[1]=t.y,e[2]=t.z,e[3]=t.w);else{if(cn(e,t))return;i.uniform4fv(this.addr,t),hn(e,t)}}function FS(i,t){let e=this.cache,n=t.elements;if(n===void 0){if(cn(e,t))return;i.uniformMatrix2fv(this.addr,!1,t),hn(e,t)}else{if(cn(e,n))return;Ig.set(n),i.uniformMatrix2fv(this.addr,!1,Ig),hn(
+e,n)}}function NS(i,t){let e=this.cache,n=t.elements;if(n===void 0){if(cn(e,t))return;i.uniformMatrix3fv(this.addr,!1,t),hn(e,t)}else{if(cn(e,n))return;Pg.set(n),i.uniformMatrix3fv(this.addr,!1,Pg),hn(e,n)}}function OS(i,t){let e=this.cache,n=t.elements;if(n===void 0){if(cn(e,t))return;i.uniformMatrix4fv(this.addr,!1,t),hn(e,t)}else{if(cn(e,n))return;Rg.set(n),i.uniformMatrix4fv(this.addr,!1,Rg),hn(
+e,n)}}function BS(i,t){let e=this.cache;e[0]!==t&&(i.uniform1i(this.addr,t),e[0]=t)}function zS(i,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y)&&(i.uniform2i(this.addr,t.x,t.y),e[0]=t.x,e[1]=t.y);else{if(cn(e,t))return;i.uniform2iv(this.addr,t),hn(e,t)}}function kS(i,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z)&&(i.uniform3i(this.addr,t.x,t.y,t.z),e[0]=t.
+x,e[1]=t.y,e[2]=t.z);else{if(cn(e,t))return;i.uniform3iv(this.addr,t),hn(e,t)}}function VS(i,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z||e[3]!==t.w)&&(i.uniform4i(this.addr,t.x,t.y,t.z,t.w),e[0]=t.x,e[1]=t.y,e[2]=t.z,e[3]=t.w);else{if(cn(e,t))return;i.uniform4iv(this.addr,t),hn(e,t)}}function HS(i,t){let e=this.cache;e[0]!==t&&(i.uniform1ui(this.addr,t),e[0]=t)}function GS(i,t){
+let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y)&&(i.uniform2ui(this.addr,t.x,t.y),e[0]=t.x,e[1]=t.y);else{if(cn(e,t))return;i.uniform2uiv(this.addr,t),hn(e,t)}}function WS(i,t){let e=this.cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z)&&(i.uniform3ui(this.addr,t.x,t.y,t.z),e[0]=t.x,e[1]=t.y,e[2]=t.z);else{if(cn(e,t))return;i.uniform3uiv(this.addr,t),hn(e,t)}}function XS(i,t){let e=this.
+cache;if(t.x!==void 0)(e[0]!==t.x||e[1]!==t.y||e[2]!==t.z||e[3]!==t.w)&&(i.uniform4ui(this.addr,t.x,t.y,t.z,t.w),e[0]=t.x,e[1]=t.y,e[2]=t.z,e[3]=t.w);else{if(cn(e,t))return;i.uniform4uiv(this.addr,t),hn(e,t)}}function qS(i,t,e){let n=this.cache,s=e.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?(Eg.compareFunction=Ju,r=Eg):r=Wg,e.setTexture2D(
+t||r,s)}function YS(i,t,e){let n=this.cache,s=e.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),e.setTexture3D(t||qg,s)}function ZS(i,t,e){let n=this.cache,s=e.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),e.setTextureCube(t||Yg,s)}function $S(i,t,e){let n=this.cache,s=e.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),e.setTexture2DArray(t||Xg,
+s)}function JS(i){switch(i){case 5126:return IS;case 35664:return LS;case 35665:return DS;case 35666:return US;case 35674:return FS;case 35675:return NS;case 35676:return OS;case 5124:case 35670:return BS;case 35667:case 35671:return zS;case 35668:case 35672:return kS;case 35669:case 35673:return VS;case 5125:return HS;case 36294:return GS;case 36295:return WS;case 36296:return XS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return qS;case 35679:case 36299:case 36307:return YS;case 35680:case 36300:case 36308:case 36293:return ZS;case 36289:case 36303:case 36311:case 36292:return $S}}function KS(i,t){i.uniform1fv(this.addr,t)}function jS(i,t){let e=_o(t,this.size,2);i.uniform2fv(this.addr,e)}function QS(i,t){let e=_o(t,this.size,3);i.uniform3fv(this.addr,e)}function tb(i,t){let e=_o(t,this.size,4);i.uniform4fv(this.addr,
+e)}function eb(i,t){let e=_o(t,this.size,4);i.uniformMatrix2fv(this.addr,!1,e)}function nb(i,t){let e=_o(t,this.size,9);i.uniformMatrix3fv(this.addr,!1,e)}function ib(i,t){let e=_o(t,this.size,16);i.uniformMatrix4fv(this.addr,!1,e)}function sb(i,t){i.uniform1iv(this.addr,t)}function rb(i,t){i.uniform2iv(this.addr,t)}function ob(i,t){i.uniform3iv(this.addr,t)}function ab(i,t){i.uniform4iv(this.addr,
+t)}function lb(i,t){i.uniform1uiv(this.addr,t)}function cb(i,t){i.uniform2uiv(this.addr,t)}function hb(i,t){i.uniform3uiv(this.addr,t)}function ub(i,t){i.uniform4uiv(this.addr,t)}function fb(i,t,e){let n=this.cache,s=t.length,r=jc(e,s);cn(n,r)||(i.uniform1iv(this.addr,r),hn(n,r));for(let o=0;o!==s;++o)e.setTexture2D(t[o]||Wg,r[o])}function db(i,t,e){let n=this.cache,s=t.length,r=jc(e,s);cn(n,r)||(i.
+uniform1iv(this.addr,r),hn(n,r));for(let o=0;o!==s;++o)e.setTexture3D(t[o]||qg,r[o])}function pb(i,t,e){let n=this.cache,s=t.length,r=jc(e,s);cn(n,r)||(i.uniform1iv(this.addr,r),hn(n,r));for(let o=0;o!==s;++o)e.setTextureCube(t[o]||Yg,r[o])}function mb(i,t,e){let n=this.cache,s=t.length,r=jc(e,s);cn(n,r)||(i.uniform1iv(this.addr,r),hn(n,r));for(let o=0;o!==s;++o)e.setTexture2DArray(t[o]||Xg,r[o])}
+function gb(i){switch(i){case 5126:return KS;case 35664:return jS;case 35665:return QS;case 35666:return tb;case 35674:return eb;case 35675:return nb;case 35676:return ib;case 5124:case 35670:return sb;case 35667:case 35671:return rb;case 35668:case 35672:return ob;case 35669:case 35673:return ab;case 5125:return lb;case 36294:return cb;case 36295:return hb;case 36296:return ub;case 35678:case 36198:case 36298:case 36306:case 35682:
+return fb;case 35679:case 36299:case 36307:return db;case 35680:case 36300:case 36308:case 36293:return pb;case 36289:case 36303:case 36311:case 36292:return mb}}var hf=class{constructor(t,e,n){this.id=t,this.addr=n,this.cache=[],this.type=e.type,this.setValue=JS(e.type)}},uf=class{constructor(t,e,n){this.id=t,this.addr=n,this.cache=[],this.type=e.type,this.size=e.size,this.setValue=gb(e.type)}},ff=class{constructor(t){
+this.id=t,this.seq=[],this.map={}}setValue(t,e,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(t,e[a.id],n)}}},cf=/(\w+)(\])?(\[|\.)?/g;function Lg(i,t){i.seq.push(t),i.map[t.id]=t}function _b(i,t,e){let n=i.name,s=n.length;for(cf.lastIndex=0;;){let r=cf.exec(n),o=cf.lastIndex,a=r[1],c=r[2]==="]",l=r[3];if(c&&(a=a|0),l===void 0||l==="["&&o+2===s){Lg(e,l===void 0?new hf(a,
+i,t):new uf(a,i,t));break}else{let u=e.map[a];u===void 0&&(u=new ff(a),Lg(e,u)),e=u}}}var go=class{constructor(t,e){this.seq=[],this.map={};let n=t.getProgramParameter(e,t.ACTIVE_UNIFORMS);for(let s=0;s<n;++s){let r=t.getActiveUniform(e,s),o=t.getUniformLocation(e,r.name);_b(r,o,this)}}setValue(t,e,n,s){let r=this.map[e];r!==void 0&&r.setValue(t,n,s)}setOptional(t,e,n){let s=e[n];s!==void 0&&this.
+setValue(t,n,s)}static upload(t,e,n,s){for(let r=0,o=e.length;r!==o;++r){let a=e[r],c=n[a.id];c.needsUpdate!==!1&&a.setValue(t,c.value,s)}}static seqWithValue(t,e){let n=[];for(let s=0,r=t.length;s!==r;++s){let o=t[s];o.id in e&&n.push(o)}return n}};function Dg(i,t,e){let n=i.createShader(t);return i.shaderSource(n,e),i.compileShader(n),n}var vb=37297,xb=0;function yb(i,t){let e=i.split(`
+`),n=[],s=Math.max(t-6,0),r=Math.min(t+6,e.length);for(let o=s;o<r;o++){let a=o+1;n.push(`${a===t?">":" "} ${a}: ${e[o]}`)}return n.join(`
+`)}var Ug=new re;function Mb(i){xe._getMatrix(Ug,xe.workingColorSpace,i);let t=`mat3( ${Ug.elements.map(e=>e.toFixed(4))} )`;switch(xe.getTransfer(i)){case qo:return[t,"LinearTransferOETF"];case De:return[t,"sRGBTransferOETF"];default:return console.warn("THREE.WebGLProgram: Unsupported color space: ",i),[t,"LinearTransferOETF"]}}function Fg(i,t,e){let n=i.getShaderParameter(t,i.COMPILE_STATUS),r=(i.
+getShaderInfoLog(t)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return e.toUpperCase()+`
+
+`+r+`
+
+`+yb(i.getShaderSource(t),a)}else return r}function Sb(i,t){let e=Mb(t);return[`vec4 ${i}( vec4 value ) {`,`	return ${e[1]}( vec4( value.rgb * ${e[0]}, value.a ) );`,"}"].join(`
+`)}function bb(i,t){let e;switch(t){case Km:e="Linear";break;case jm:e="Reinhard";break;case Qm:e="Cineon";break;case tg:e="ACESFilmic";break;case ng:e="AgX";break;case ig:e="Neutral";break;case eg:e="Custom";break;default:console.warn("THREE.WebGLProgram: Unsupported toneMapping:",t),e="Linear"}return"vec3 "+i+"( vec3 color ) { return "+e+"ToneMapping( color ); }"}var $c=new X;function wb(){xe.getLuminanceCoefficients(
+$c);let i=$c.x.toFixed(4),t=$c.y.toFixed(4),e=$c.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${i}, ${t}, ${e} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function Tb(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(Ma).join(`
+`)}function Eb(i){let t=[];for(let e in i){let n=i[e];n!==!1&&t.push("#define "+e+" "+n)}return t.join(`
+`)}function Ab(i,t){let e={},n=i.getProgramParameter(t,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(t,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&(a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),e[o]={type:r.type,location:i.getAttribLocation(t,o),locationSize:a}}return e}function Ma(i){return i!==""}function Ng(i,t){let e=t.numSpotLightShadows+t.numSpotLightMaps-t.numSpotLightShadowsWithMaps;
+return i.replace(/NUM_DIR_LIGHTS/g,t.numDirLights).replace(/NUM_SPOT_LIGHTS/g,t.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,t.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,e).replace(/NUM_RECT_AREA_LIGHTS/g,t.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,t.numPointLights).replace(/NUM_HEMI_LIGHTS/g,t.numHemiLights).replace(/NUM_DIR_LIGHT_SHADOWS/g,t.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,
+t.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,t.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,t.numPointLightShadows)}function Og(i,t){return i.replace(/NUM_CLIPPING_PLANES/g,t.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,t.numClippingPlanes-t.numClipIntersection)}var Cb=/^[ \t]*#include +<([\w\d./]+)>/gm;function df(i){return i.replace(Cb,Pb)}var Rb=new Map;function Pb(i,t){
+let e=ce[t];if(e===void 0){let n=Rb.get(t);if(n!==void 0)e=ce[n],console.warn('THREE.WebGLRenderer: Shader chunk "%s" has been deprecated. Use "%s" instead.',t,n);else throw new Error("Can not resolve #include <"+t+">")}return df(e)}var Ib=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function Bg(i){return i.
+replace(Ib,Lb)}function Lb(i,t,e,n){let s="";for(let r=parseInt(t);r<parseInt(e);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function zg(i){let t=`precision ${i.precision} float;
+	precision ${i.precision} int;
+	precision ${i.precision} sampler2D;
+	precision ${i.precision} samplerCube;
+	precision ${i.precision} sampler3D;
+	precision ${i.precision} sampler2DArray;
+	precision ${i.precision} sampler2DShadow;
+	precision ${i.precision} samplerCubeShadow;
+	precision ${i.precision} sampler2DArrayShadow;
+	precision ${i.precision} isampler2D;
+	precision ${i.precision} isampler3D;
+	precision ${i.precision} isamplerCube;
+	precision ${i.precision} isampler2DArray;
+	precision ${i.precision} usampler2D;
+	precision ${i.precision} usampler3D;
+	precision ${i.precision} usamplerCube;
+	precision ${i.precision} usampler2DArray;
+	`;return i.precision==="highp"?t+=`
+#define HIGH_PRECISION`:i.precision==="mediump"?t+=`
+#define MEDIUM_PRECISION`:i.precision==="lowp"&&(t+=`
+#define LOW_PRECISION`),t}function Db(i){let t="SHADOWMAP_TYPE_BASIC";return i.shadowMapType===Bu?t="SHADOWMAP_TYPE_PCF":i.shadowMapType===Ql?t="SHADOWMAP_TYPE_PCF_SOFT":i.shadowMapType===Gi&&(t="SHADOWMAP_TYPE_VSM"),t}function Ub(i){let t="ENVMAP_TYPE_CUBE";if(i.envMap)switch(i.envMapMode){case sr:case rr:t="ENVMAP_TYPE_CUBE";break;case pa:t="ENVMAP_TYPE_CUBE_UV";break}return t}function Fb(i){let t="\
+ENVMAP_MODE_REFLECTION";return i.envMap&&i.envMapMode===rr&&(t="ENVMAP_MODE_REFRACTION"),t}function Nb(i){let t="ENVMAP_BLENDING_NONE";if(i.envMap)switch(i.combine){case ac:t="ENVMAP_BLENDING_MULTIPLY";break;case $m:t="ENVMAP_BLENDING_MIX";break;case Jm:t="ENVMAP_BLENDING_ADD";break}return t}function Ob(i){let t=i.envMapCubeUVHeight;if(t===null)return null;let e=Math.log2(t)-2,n=1/t;return{texelWidth:1/
+(3*Math.max(Math.pow(2,e),112)),texelHeight:n,maxMip:e}}function Bb(i,t,e,n){let s=i.getContext(),r=e.defines,o=e.vertexShader,a=e.fragmentShader,c=Db(e),l=Ub(e),h=Fb(e),u=Nb(e),f=Ob(e),p=Tb(e),_=Eb(r),v=s.createProgram(),m,d,w=e.glslVersion?"#version "+e.glslVersion+`
+`:"";e.isRawShaderMaterial?(m=["#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,_].filter(Ma).join(`
+`),m.length>0&&(m+=`
+`),d=["#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,_].filter(Ma).join(`
+`),d.length>0&&(d+=`
+`)):(m=[zg(e),"#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,_,e.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",e.batching?"#define USE_BATCHING":"",e.batchingColor?"#define USE_BATCHING_COLOR":"",e.instancing?"#define USE_INSTANCING":"",e.instancingColor?"#define USE_INSTANCING_COLOR":"",e.instancingMorph?"#define USE_INSTANCING_MORPH":"",e.useFog&&e.fog?"#defin\
+e USE_FOG":"",e.useFog&&e.fogExp2?"#define FOG_EXP2":"",e.map?"#define USE_MAP":"",e.envMap?"#define USE_ENVMAP":"",e.envMap?"#define "+h:"",e.lightMap?"#define USE_LIGHTMAP":"",e.aoMap?"#define USE_AOMAP":"",e.bumpMap?"#define USE_BUMPMAP":"",e.normalMap?"#define USE_NORMALMAP":"",e.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",e.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTS\
+PACE":"",e.displacementMap?"#define USE_DISPLACEMENTMAP":"",e.emissiveMap?"#define USE_EMISSIVEMAP":"",e.anisotropy?"#define USE_ANISOTROPY":"",e.anisotropyMap?"#define USE_ANISOTROPYMAP":"",e.clearcoatMap?"#define USE_CLEARCOATMAP":"",e.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",e.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",e.iridescenceMap?"#define USE_IRIDESCENCEM\
+AP":"",e.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",e.specularMap?"#define USE_SPECULARMAP":"",e.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",e.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",e.roughnessMap?"#define USE_ROUGHNESSMAP":"",e.metalnessMap?"#define USE_METALNESSMAP":"",e.alphaMap?"#define USE_ALPHAMAP":"",e.alphaHash?"#define USE_ALPHAHASH":"",
+e.transmission?"#define USE_TRANSMISSION":"",e.transmissionMap?"#define USE_TRANSMISSIONMAP":"",e.thicknessMap?"#define USE_THICKNESSMAP":"",e.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",e.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",e.mapUv?"#define MAP_UV "+e.mapUv:"",e.alphaMapUv?"#define ALPHAMAP_UV "+e.alphaMapUv:"",e.lightMapUv?"#define LIGHTMAP_UV "+e.lightMapUv:"",e.aoMapUv?"#de\
+fine AOMAP_UV "+e.aoMapUv:"",e.emissiveMapUv?"#define EMISSIVEMAP_UV "+e.emissiveMapUv:"",e.bumpMapUv?"#define BUMPMAP_UV "+e.bumpMapUv:"",e.normalMapUv?"#define NORMALMAP_UV "+e.normalMapUv:"",e.displacementMapUv?"#define DISPLACEMENTMAP_UV "+e.displacementMapUv:"",e.metalnessMapUv?"#define METALNESSMAP_UV "+e.metalnessMapUv:"",e.roughnessMapUv?"#define ROUGHNESSMAP_UV "+e.roughnessMapUv:"",e.anisotropyMapUv?
+"#define ANISOTROPYMAP_UV "+e.anisotropyMapUv:"",e.clearcoatMapUv?"#define CLEARCOATMAP_UV "+e.clearcoatMapUv:"",e.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+e.clearcoatNormalMapUv:"",e.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+e.clearcoatRoughnessMapUv:"",e.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+e.iridescenceMapUv:"",e.iridescenceThicknessMapUv?"#define IRIDE\
+SCENCE_THICKNESSMAP_UV "+e.iridescenceThicknessMapUv:"",e.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+e.sheenColorMapUv:"",e.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+e.sheenRoughnessMapUv:"",e.specularMapUv?"#define SPECULARMAP_UV "+e.specularMapUv:"",e.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+e.specularColorMapUv:"",e.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV\
+ "+e.specularIntensityMapUv:"",e.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+e.transmissionMapUv:"",e.thicknessMapUv?"#define THICKNESSMAP_UV "+e.thicknessMapUv:"",e.vertexTangents&&e.flatShading===!1?"#define USE_TANGENT":"",e.vertexColors?"#define USE_COLOR":"",e.vertexAlphas?"#define USE_COLOR_ALPHA":"",e.vertexUv1s?"#define USE_UV1":"",e.vertexUv2s?"#define USE_UV2":"",e.vertexUv3s?"#defin\
+e USE_UV3":"",e.pointsUvs?"#define USE_POINTS_UV":"",e.flatShading?"#define FLAT_SHADED":"",e.skinning?"#define USE_SKINNING":"",e.morphTargets?"#define USE_MORPHTARGETS":"",e.morphNormals&&e.flatShading===!1?"#define USE_MORPHNORMALS":"",e.morphColors?"#define USE_MORPHCOLORS":"",e.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+e.morphTextureStride:"",e.morphTargetsCount>0?"#define MO\
+RPHTARGETS_COUNT "+e.morphTargetsCount:"",e.doubleSided?"#define DOUBLE_SIDED":"",e.flipSided?"#define FLIP_SIDED":"",e.shadowMapEnabled?"#define USE_SHADOWMAP":"",e.shadowMapEnabled?"#define "+c:"",e.sizeAttenuation?"#define USE_SIZEATTENUATION":"",e.numLightProbes>0?"#define USE_LIGHT_PROBES":"",e.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",e.reversedDepthBuffer?"#define USE\
+_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_\
+MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined\
+( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(Ma).join(`
+`),d=[zg(e),"#define SHADER_TYPE "+e.shaderType,"#define SHADER_NAME "+e.shaderName,_,e.useFog&&e.fog?"#define USE_FOG":"",e.useFog&&e.fogExp2?"#define FOG_EXP2":"",e.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",e.map?"#define USE_MAP":"",e.matcap?"#define USE_MATCAP":"",e.envMap?"#define USE_ENVMAP":"",e.envMap?"#define "+l:"",e.envMap?"#define "+h:"",e.envMap?"#define "+u:"",f?"#define CUBEUV_\
+TEXEL_WIDTH "+f.texelWidth:"",f?"#define CUBEUV_TEXEL_HEIGHT "+f.texelHeight:"",f?"#define CUBEUV_MAX_MIP "+f.maxMip+".0":"",e.lightMap?"#define USE_LIGHTMAP":"",e.aoMap?"#define USE_AOMAP":"",e.bumpMap?"#define USE_BUMPMAP":"",e.normalMap?"#define USE_NORMALMAP":"",e.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",e.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",e.emissiveMap?
+"#define USE_EMISSIVEMAP":"",e.anisotropy?"#define USE_ANISOTROPY":"",e.anisotropyMap?"#define USE_ANISOTROPYMAP":"",e.clearcoat?"#define USE_CLEARCOAT":"",e.clearcoatMap?"#define USE_CLEARCOATMAP":"",e.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",e.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",e.dispersion?"#define USE_DISPERSION":"",e.iridescence?"#define USE_IRIDESCEN\
+CE":"",e.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",e.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",e.specularMap?"#define USE_SPECULARMAP":"",e.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",e.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",e.roughnessMap?"#define USE_ROUGHNESSMAP":"",e.metalnessMap?"#define USE_METALNESSMAP":"",e.alphaMap?"#define USE_ALP\
+HAMAP":"",e.alphaTest?"#define USE_ALPHATEST":"",e.alphaHash?"#define USE_ALPHAHASH":"",e.sheen?"#define USE_SHEEN":"",e.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",e.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",e.transmission?"#define USE_TRANSMISSION":"",e.transmissionMap?"#define USE_TRANSMISSIONMAP":"",e.thicknessMap?"#define USE_THICKNESSMAP":"",e.vertexTangents&&e.flatShading===!1?
+"#define USE_TANGENT":"",e.vertexColors||e.instancingColor||e.batchingColor?"#define USE_COLOR":"",e.vertexAlphas?"#define USE_COLOR_ALPHA":"",e.vertexUv1s?"#define USE_UV1":"",e.vertexUv2s?"#define USE_UV2":"",e.vertexUv3s?"#define USE_UV3":"",e.pointsUvs?"#define USE_POINTS_UV":"",e.gradientMap?"#define USE_GRADIENTMAP":"",e.flatShading?"#define FLAT_SHADED":"",e.doubleSided?"#define DOUBLE_SIDE\
+D":"",e.flipSided?"#define FLIP_SIDED":"",e.shadowMapEnabled?"#define USE_SHADOWMAP":"",e.shadowMapEnabled?"#define "+c:"",e.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",e.numLightProbes>0?"#define USE_LIGHT_PROBES":"",e.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",e.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",e.logarithmicDepthBuffer?"#define USE_LOGARITHM\
+IC_DEPTH_BUFFER":"",e.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",e.toneMapping!==cs?"#define TONE_MAPPING":"",e.toneMapping!==cs?ce.tonemapping_pars_fragment:"",e.toneMapping!==cs?bb("toneMapping",e.toneMapping):"",e.dithering?"#define DITHERING":"",e.opaque?"#define OPAQUE":"",ce.colorspace_pars_fragment,
+Sb("linearToOutputTexel",e.outputColorSpace),wb(),e.useDepthPacking?"#define DEPTH_PACKING "+e.depthPacking:"",`
+`].filter(Ma).join(`
+`)),o=df(o),o=Ng(o,e),o=Og(o,e),a=df(a),a=Ng(a,e),a=Og(a,e),o=Bg(o),a=Bg(a),e.isRawShaderMaterial!==!0&&(w=`#version 300 es
+`,m=[p,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+m,d=["#define varying in",e.glslVersion===Ku?"":"layout(location = 0) out highp vec4 pc_fragColor;",e.glslVersion===Ku?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEX\
+T textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+d);let E=w+m+o,y=w+d+a,L=Dg(s,s.VERTEX_SHADER,E),A=Dg(s,s.FRAGMENT_SHADER,y);s.attachShader(v,L),s.attachShader(v,A),e.index0AttributeName!==void 0?s.bindAttribLocation(v,0,e.index0AttributeName):e.morphTargets===!0&&s.bindAttribLocation(v,0,"position"),s.linkProgram(v);function D(C){if(i.debug.checkShaderErrors){let O=s.getProgramInfoLog(v)||"",k=s.getShaderInfoLog(L)||"",G=s.getShaderInfoLog(A)||
+"",W=O.trim(),q=k.trim(),$=G.trim(),j=!0,rt=!0;if(s.getProgramParameter(v,s.LINK_STATUS)===!1)if(j=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(s,v,L,A);else{let ot=Fg(s,L,"vertex"),_t=Fg(s,A,"fragment");console.error("THREE.WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(v,s.VALIDATE_STATUS)+`
+
+Material Name: `+C.name+`
+Material Type: `+C.type+`
+
+Program Info Log: `+W+`
+`+ot+`
+`+_t)}else W!==""?console.warn("THREE.WebGLProgram: Program Info Log:",W):(q===""||$==="")&&(rt=!1);rt&&(C.diagnostics={runnable:j,programLog:W,vertexShader:{log:q,prefix:m},fragmentShader:{log:$,prefix:d}})}s.deleteShader(L),s.deleteShader(A),N=new go(s,v),b=Ab(s,v)}let N;this.getUniforms=function(){return N===void 0&&D(this),N};let b;this.getAttributes=function(){return b===void 0&&D(this),b};let S=e.
+rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return S===!1&&(S=s.getProgramParameter(v,vb)),S},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(v),this.program=void 0},this.type=e.shaderType,this.name=e.shaderName,this.id=xb++,this.cacheKey=t,this.usedTimes=1,this.program=v,this.vertexShader=L,this.fragmentShader=A,this}var zb=0,pf=class{constructor(){
+this.shaderCache=new Map,this.materialCache=new Map}update(t){let e=t.vertexShader,n=t.fragmentShader,s=this._getShaderStage(e),r=this._getShaderStage(n),o=this._getShaderCacheForMaterial(t);return o.has(s)===!1&&(o.add(s),s.usedTimes++),o.has(r)===!1&&(o.add(r),r.usedTimes++),this}remove(t){let e=this.materialCache.get(t);for(let n of e)n.usedTimes--,n.usedTimes===0&&this.shaderCache.delete(n.code);
+return this.materialCache.delete(t),this}getVertexShaderID(t){return this._getShaderStage(t.vertexShader).id}getFragmentShaderID(t){return this._getShaderStage(t.fragmentShader).id}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(t){let e=this.materialCache,n=e.get(t);return n===void 0&&(n=new Set,e.set(t,n)),n}_getShaderStage(t){let e=this.shaderCache,n=e.get(
+t);return n===void 0&&(n=new mf(t),e.set(t,n)),n}},mf=class{constructor(t){this.id=zb++,this.code=t,this.usedTimes=0}};function kb(i,t,e,n,s,r,o){let a=new to,c=new pf,l=new Set,h=[],u=s.logarithmicDepthBuffer,f=s.vertexTextures,p=s.precision,_={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distanceRGBA",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"\
+phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function v(b){return l.add(b),b===0?"uv":`uv${b}`}function m(b,S,C,O,k){let G=O.fog,W=k.geometry,q=b.isMeshStandardMaterial?O.environment:null,$=(b.isMeshStandardMaterial?
+e:t).get(b.envMap||q),j=$&&$.mapping===pa?$.image.height:null,rt=_[b.type];b.precision!==null&&(p=s.getMaxPrecision(b.precision),p!==b.precision&&console.warn("THREE.WebGLProgram.getParameters:",b.precision,"not supported, using",p,"instead."));let ot=W.morphAttributes.position||W.morphAttributes.normal||W.morphAttributes.color,_t=ot!==void 0?ot.length:0,xt=0;W.morphAttributes.position!==void 0&&(xt=
+1),W.morphAttributes.normal!==void 0&&(xt=2),W.morphAttributes.color!==void 0&&(xt=3);let pt,ee,$t,Q;if(rt){let ye=Wi[rt];pt=ye.vertexShader,ee=ye.fragmentShader}else pt=b.vertexShader,ee=b.fragmentShader,c.update(b),$t=c.getVertexShaderID(b),Q=c.getFragmentShaderID(b);let tt=i.getRenderTarget(),Mt=i.state.buffers.depth.getReversed(),Ot=k.isInstancedMesh===!0,vt=k.isBatchedMesh===!0,Qt=!!b.map,Pe=!!b.
+matcap,U=!!$,ve=!!b.aoMap,Kt=!!b.lightMap,qt=!!b.bumpMap,Ft=!!b.normalMap,Ie=!!b.displacementMap,Rt=!!b.emissiveMap,Gt=!!b.metalnessMap,He=!!b.roughnessMap,we=b.anisotropy>0,P=b.clearcoat>0,x=b.dispersion>0,F=b.iridescence>0,J=b.sheen>0,nt=b.transmission>0,et=we&&!!b.anisotropyMap,Nt=P&&!!b.clearcoatMap,ht=P&&!!b.clearcoatNormalMap,It=P&&!!b.clearcoatRoughnessMap,Et=F&&!!b.iridescenceMap,at=F&&!!b.
+iridescenceThicknessMap,gt=J&&!!b.sheenColorMap,kt=J&&!!b.sheenRoughnessMap,zt=!!b.specularMap,yt=!!b.specularColorMap,te=!!b.specularIntensityMap,B=nt&&!!b.transmissionMap,ut=nt&&!!b.thicknessMap,dt=!!b.gradientMap,Pt=!!b.alphaMap,ct=b.alphaTest>0,st=!!b.alphaHash,Bt=!!b.extensions,ne=cs;b.toneMapped&&(tt===null||tt.isXRRenderTarget===!0)&&(ne=i.toneMapping);let Ue={shaderID:rt,shaderType:b.type,
+shaderName:b.name,vertexShader:pt,fragmentShader:ee,defines:b.defines,customVertexShaderID:$t,customFragmentShaderID:Q,isRawShaderMaterial:b.isRawShaderMaterial===!0,glslVersion:b.glslVersion,precision:p,batching:vt,batchingColor:vt&&k._colorsTexture!==null,instancing:Ot,instancingColor:Ot&&k.instanceColor!==null,instancingMorph:Ot&&k.morphTexture!==null,supportsVertexTextures:f,outputColorSpace:tt===
+null?i.outputColorSpace:tt.isXRRenderTarget===!0?tt.texture.colorSpace:tr,alphaToCoverage:!!b.alphaToCoverage,map:Qt,matcap:Pe,envMap:U,envMapMode:U&&$.mapping,envMapCubeUVHeight:j,aoMap:ve,lightMap:Kt,bumpMap:qt,normalMap:Ft,displacementMap:f&&Ie,emissiveMap:Rt,normalMapObjectSpace:Ft&&b.normalMapType===ag,normalMapTangentSpace:Ft&&b.normalMapType===qc,metalnessMap:Gt,roughnessMap:He,anisotropy:we,
+anisotropyMap:et,clearcoat:P,clearcoatMap:Nt,clearcoatNormalMap:ht,clearcoatRoughnessMap:It,dispersion:x,iridescence:F,iridescenceMap:Et,iridescenceThicknessMap:at,sheen:J,sheenColorMap:gt,sheenRoughnessMap:kt,specularMap:zt,specularColorMap:yt,specularIntensityMap:te,transmission:nt,transmissionMap:B,thicknessMap:ut,gradientMap:dt,opaque:b.transparent===!1&&b.blending===js&&b.alphaToCoverage===!1,
+alphaMap:Pt,alphaTest:ct,alphaHash:st,combine:b.combine,mapUv:Qt&&v(b.map.channel),aoMapUv:ve&&v(b.aoMap.channel),lightMapUv:Kt&&v(b.lightMap.channel),bumpMapUv:qt&&v(b.bumpMap.channel),normalMapUv:Ft&&v(b.normalMap.channel),displacementMapUv:Ie&&v(b.displacementMap.channel),emissiveMapUv:Rt&&v(b.emissiveMap.channel),metalnessMapUv:Gt&&v(b.metalnessMap.channel),roughnessMapUv:He&&v(b.roughnessMap.
+channel),anisotropyMapUv:et&&v(b.anisotropyMap.channel),clearcoatMapUv:Nt&&v(b.clearcoatMap.channel),clearcoatNormalMapUv:ht&&v(b.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:It&&v(b.clearcoatRoughnessMap.channel),iridescenceMapUv:Et&&v(b.iridescenceMap.channel),iridescenceThicknessMapUv:at&&v(b.iridescenceThicknessMap.channel),sheenColorMapUv:gt&&v(b.sheenColorMap.channel),sheenRoughnessMapUv:kt&&
+v(b.sheenRoughnessMap.channel),specularMapUv:zt&&v(b.specularMap.channel),specularColorMapUv:yt&&v(b.specularColorMap.channel),specularIntensityMapUv:te&&v(b.specularIntensityMap.channel),transmissionMapUv:B&&v(b.transmissionMap.channel),thicknessMapUv:ut&&v(b.thicknessMap.channel),alphaMapUv:Pt&&v(b.alphaMap.channel),vertexTangents:!!W.attributes.tangent&&(Ft||we),vertexColors:b.vertexColors,vertexAlphas:b.
+vertexColors===!0&&!!W.attributes.color&&W.attributes.color.itemSize===4,pointsUvs:k.isPoints===!0&&!!W.attributes.uv&&(Qt||Pt),fog:!!G,useFog:b.fog===!0,fogExp2:!!G&&G.isFogExp2,flatShading:b.flatShading===!0&&b.wireframe===!1,sizeAttenuation:b.sizeAttenuation===!0,logarithmicDepthBuffer:u,reversedDepthBuffer:Mt,skinning:k.isSkinnedMesh===!0,morphTargets:W.morphAttributes.position!==void 0,morphNormals:W.
+morphAttributes.normal!==void 0,morphColors:W.morphAttributes.color!==void 0,morphTargetsCount:_t,morphTextureStride:xt,numDirLights:S.directional.length,numPointLights:S.point.length,numSpotLights:S.spot.length,numSpotLightMaps:S.spotLightMap.length,numRectAreaLights:S.rectArea.length,numHemiLights:S.hemi.length,numDirLightShadows:S.directionalShadowMap.length,numPointLightShadows:S.pointShadowMap.
+length,numSpotLightShadows:S.spotShadowMap.length,numSpotLightShadowsWithMaps:S.numSpotLightShadowsWithMaps,numLightProbes:S.numLightProbes,numClippingPlanes:o.numPlanes,numClipIntersection:o.numIntersection,dithering:b.dithering,shadowMapEnabled:i.shadowMap.enabled&&C.length>0,shadowMapType:i.shadowMap.type,toneMapping:ne,decodeVideoTexture:Qt&&b.map.isVideoTexture===!0&&xe.getTransfer(b.map.colorSpace)===
+De,decodeVideoTextureEmissive:Rt&&b.emissiveMap.isVideoTexture===!0&&xe.getTransfer(b.emissiveMap.colorSpace)===De,premultipliedAlpha:b.premultipliedAlpha,doubleSided:b.side===di,flipSided:b.side===zn,useDepthPacking:b.depthPacking>=0,depthPacking:b.depthPacking||0,index0AttributeName:b.index0AttributeName,extensionClipCullDistance:Bt&&b.extensions.clipCullDistance===!0&&n.has("WEBGL_clip_cull_dis\
+tance"),extensionMultiDraw:(Bt&&b.extensions.multiDraw===!0||vt)&&n.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:n.has("KHR_parallel_shader_compile"),customProgramCacheKey:b.customProgramCacheKey()};return Ue.vertexUv1s=l.has(1),Ue.vertexUv2s=l.has(2),Ue.vertexUv3s=l.has(3),l.clear(),Ue}function d(b){let S=[];if(b.shaderID?S.push(b.shaderID):(S.push(b.customVertexShaderID),S.push(
+b.customFragmentShaderID)),b.defines!==void 0)for(let C in b.defines)S.push(C),S.push(b.defines[C]);return b.isRawShaderMaterial===!1&&(w(S,b),E(S,b),S.push(i.outputColorSpace)),S.push(b.customProgramCacheKey),S.join()}function w(b,S){b.push(S.precision),b.push(S.outputColorSpace),b.push(S.envMapMode),b.push(S.envMapCubeUVHeight),b.push(S.mapUv),b.push(S.alphaMapUv),b.push(S.lightMapUv),b.push(S.aoMapUv),
+b.push(S.bumpMapUv),b.push(S.normalMapUv),b.push(S.displacementMapUv),b.push(S.emissiveMapUv),b.push(S.metalnessMapUv),b.push(S.roughnessMapUv),b.push(S.anisotropyMapUv),b.push(S.clearcoatMapUv),b.push(S.clearcoatNormalMapUv),b.push(S.clearcoatRoughnessMapUv),b.push(S.iridescenceMapUv),b.push(S.iridescenceThicknessMapUv),b.push(S.sheenColorMapUv),b.push(S.sheenRoughnessMapUv),b.push(S.specularMapUv),
+b.push(S.specularColorMapUv),b.push(S.specularIntensityMapUv),b.push(S.transmissionMapUv),b.push(S.thicknessMapUv),b.push(S.combine),b.push(S.fogExp2),b.push(S.sizeAttenuation),b.push(S.morphTargetsCount),b.push(S.morphAttributeCount),b.push(S.numDirLights),b.push(S.numPointLights),b.push(S.numSpotLights),b.push(S.numSpotLightMaps),b.push(S.numHemiLights),b.push(S.numRectAreaLights),b.push(S.numDirLightShadows),
+b.push(S.numPointLightShadows),b.push(S.numSpotLightShadows),b.push(S.numSpotLightShadowsWithMaps),b.push(S.numLightProbes),b.push(S.shadowMapType),b.push(S.toneMapping),b.push(S.numClippingPlanes),b.push(S.numClipIntersection),b.push(S.depthPacking)}function E(b,S){a.disableAll(),S.supportsVertexTextures&&a.enable(0),S.instancing&&a.enable(1),S.instancingColor&&a.enable(2),S.instancingMorph&&a.enable(
+3),S.matcap&&a.enable(4),S.envMap&&a.enable(5),S.normalMapObjectSpace&&a.enable(6),S.normalMapTangentSpace&&a.enable(7),S.clearcoat&&a.enable(8),S.iridescence&&a.enable(9),S.alphaTest&&a.enable(10),S.vertexColors&&a.enable(11),S.vertexAlphas&&a.enable(12),S.vertexUv1s&&a.enable(13),S.vertexUv2s&&a.enable(14),S.vertexUv3s&&a.enable(15),S.vertexTangents&&a.enable(16),S.anisotropy&&a.enable(17),S.alphaHash&&
+a.enable(18),S.batching&&a.enable(19),S.dispersion&&a.enable(20),S.batchingColor&&a.enable(21),S.gradientMap&&a.enable(22),b.push(a.mask),a.disableAll(),S.fog&&a.enable(0),S.useFog&&a.enable(1),S.flatShading&&a.enable(2),S.logarithmicDepthBuffer&&a.enable(3),S.reversedDepthBuffer&&a.enable(4),S.skinning&&a.enable(5),S.morphTargets&&a.enable(6),S.morphNormals&&a.enable(7),S.morphColors&&a.enable(8),
+S.premultipliedAlpha&&a.enable(9),S.shadowMapEnabled&&a.enable(10),S.doubleSided&&a.enable(11),S.flipSided&&a.enable(12),S.useDepthPacking&&a.enable(13),S.dithering&&a.enable(14),S.transmission&&a.enable(15),S.sheen&&a.enable(16),S.opaque&&a.enable(17),S.pointsUvs&&a.enable(18),S.decodeVideoTexture&&a.enable(19),S.decodeVideoTextureEmissive&&a.enable(20),S.alphaToCoverage&&a.enable(21),b.push(a.mask)}
+function y(b){let S=_[b.type],C;if(S){let O=Wi[S];C=vg.clone(O.uniforms)}else C=b.uniforms;return C}function L(b,S){let C;for(let O=0,k=h.length;O<k;O++){let G=h[O];if(G.cacheKey===S){C=G,++C.usedTimes;break}}return C===void 0&&(C=new Bb(i,S,b,r),h.push(C)),C}function A(b){if(--b.usedTimes===0){let S=h.indexOf(b);h[S]=h[h.length-1],h.pop(),b.destroy()}}function D(b){c.remove(b)}function N(){c.dispose()}
+return{getParameters:m,getProgramCacheKey:d,getUniforms:y,acquireProgram:L,releaseProgram:A,releaseShaderCache:D,programs:h,dispose:N}}function Vb(){let i=new WeakMap;function t(o){return i.has(o)}function e(o){let a=i.get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,c){i.get(o)[a]=c}function r(){i=new WeakMap}return{has:t,get:e,remove:n,update:s,dispose:r}}function Hb(i,t){
+return i.groupOrder!==t.groupOrder?i.groupOrder-t.groupOrder:i.renderOrder!==t.renderOrder?i.renderOrder-t.renderOrder:i.material.id!==t.material.id?i.material.id-t.material.id:i.z!==t.z?i.z-t.z:i.id-t.id}function kg(i,t){return i.groupOrder!==t.groupOrder?i.groupOrder-t.groupOrder:i.renderOrder!==t.renderOrder?i.renderOrder-t.renderOrder:i.z!==t.z?t.z-i.z:i.id-t.id}function Vg(){let i=[],t=0,e=[],
+n=[],s=[];function r(){t=0,e.length=0,n.length=0,s.length=0}function o(u,f,p,_,v,m){let d=i[t];return d===void 0?(d={id:u.id,object:u,geometry:f,material:p,groupOrder:_,renderOrder:u.renderOrder,z:v,group:m},i[t]=d):(d.id=u.id,d.object=u,d.geometry=f,d.material=p,d.groupOrder=_,d.renderOrder=u.renderOrder,d.z=v,d.group=m),t++,d}function a(u,f,p,_,v,m){let d=o(u,f,p,_,v,m);p.transmission>0?n.push(d):
+p.transparent===!0?s.push(d):e.push(d)}function c(u,f,p,_,v,m){let d=o(u,f,p,_,v,m);p.transmission>0?n.unshift(d):p.transparent===!0?s.unshift(d):e.unshift(d)}function l(u,f){e.length>1&&e.sort(u||Hb),n.length>1&&n.sort(f||kg),s.length>1&&s.sort(f||kg)}function h(){for(let u=t,f=i.length;u<f;u++){let p=i[u];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}
+return{opaque:e,transmissive:n,transparent:s,init:r,push:a,unshift:c,finish:h,sort:l}}function Gb(){let i=new WeakMap;function t(n,s){let r=i.get(n),o;return r===void 0?(o=new Vg,i.set(n,[o])):s>=r.length?(o=new Vg,r.push(o)):o=r[s],o}function e(){i=new WeakMap}return{get:t,dispose:e}}function Wb(){let i={};return{get:function(t){if(i[t.id]!==void 0)return i[t.id];let e;switch(t.type){case"Directi\
+onalLight":e={direction:new X,color:new oe};break;case"SpotLight":e={position:new X,direction:new X,color:new oe,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":e={position:new X,color:new oe,distance:0,decay:0};break;case"HemisphereLight":e={direction:new X,skyColor:new oe,groundColor:new oe};break;case"RectAreaLight":e={color:new oe,position:new X,halfWidth:new X,halfHeight:new X};
+break}return i[t.id]=e,e}}}function Xb(){let i={};return{get:function(t){if(i[t.id]!==void 0)return i[t.id];let e;switch(t.type){case"DirectionalLight":e={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new pe};break;case"SpotLight":e={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new pe};break;case"PointLight":e={shadowIntensity:1,shadowBias:0,
+shadowNormalBias:0,shadowRadius:1,shadowMapSize:new pe,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[t.id]=e,e}}}var qb=0;function Yb(i,t){return(t.castShadow?2:0)-(i.castShadow?2:0)+(t.map?1:0)-(i.map?1:0)}function Zb(i){let t=new Wb,e=Xb(),n={version:0,hash:{directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
+numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let l=0;l<
+9;l++)n.probe.push(new X);let s=new X,r=new _e,o=new _e;function a(l){let h=0,u=0,f=0;for(let b=0;b<9;b++)n.probe[b].set(0,0,0);let p=0,_=0,v=0,m=0,d=0,w=0,E=0,y=0,L=0,A=0,D=0;l.sort(Yb);for(let b=0,S=l.length;b<S;b++){let C=l[b],O=C.color,k=C.intensity,G=C.distance,W=C.shadow&&C.shadow.map?C.shadow.map.texture:null;if(C.isAmbientLight)h+=O.r*k,u+=O.g*k,f+=O.b*k;else if(C.isLightProbe){for(let q=0;q<
+9;q++)n.probe[q].addScaledVector(C.sh.coefficients[q],k);D++}else if(C.isDirectionalLight){let q=t.get(C);if(q.color.copy(C.color).multiplyScalar(C.intensity),C.castShadow){let $=C.shadow,j=e.get(C);j.shadowIntensity=$.intensity,j.shadowBias=$.bias,j.shadowNormalBias=$.normalBias,j.shadowRadius=$.radius,j.shadowMapSize=$.mapSize,n.directionalShadow[p]=j,n.directionalShadowMap[p]=W,n.directionalShadowMatrix[p]=
+C.shadow.matrix,w++}n.directional[p]=q,p++}else if(C.isSpotLight){let q=t.get(C);q.position.setFromMatrixPosition(C.matrixWorld),q.color.copy(O).multiplyScalar(k),q.distance=G,q.coneCos=Math.cos(C.angle),q.penumbraCos=Math.cos(C.angle*(1-C.penumbra)),q.decay=C.decay,n.spot[v]=q;let $=C.shadow;if(C.map&&(n.spotLightMap[L]=C.map,L++,$.updateMatrices(C),C.castShadow&&A++),n.spotLightMatrix[v]=$.matrix,
+C.castShadow){let j=e.get(C);j.shadowIntensity=$.intensity,j.shadowBias=$.bias,j.shadowNormalBias=$.normalBias,j.shadowRadius=$.radius,j.shadowMapSize=$.mapSize,n.spotShadow[v]=j,n.spotShadowMap[v]=W,y++}v++}else if(C.isRectAreaLight){let q=t.get(C);q.color.copy(O).multiplyScalar(k),q.halfWidth.set(C.width*.5,0,0),q.halfHeight.set(0,C.height*.5,0),n.rectArea[m]=q,m++}else if(C.isPointLight){let q=t.
+get(C);if(q.color.copy(C.color).multiplyScalar(C.intensity),q.distance=C.distance,q.decay=C.decay,C.castShadow){let $=C.shadow,j=e.get(C);j.shadowIntensity=$.intensity,j.shadowBias=$.bias,j.shadowNormalBias=$.normalBias,j.shadowRadius=$.radius,j.shadowMapSize=$.mapSize,j.shadowCameraNear=$.camera.near,j.shadowCameraFar=$.camera.far,n.pointShadow[_]=j,n.pointShadowMap[_]=W,n.pointShadowMatrix[_]=C.
+shadow.matrix,E++}n.point[_]=q,_++}else if(C.isHemisphereLight){let q=t.get(C);q.skyColor.copy(C.color).multiplyScalar(k),q.groundColor.copy(C.groundColor).multiplyScalar(k),n.hemi[d]=q,d++}}m>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=bt.LTC_FLOAT_1,n.rectAreaLTC2=bt.LTC_FLOAT_2):(n.rectAreaLTC1=bt.LTC_HALF_1,n.rectAreaLTC2=bt.LTC_HALF_2)),n.ambient[0]=h,n.ambient[1]=u,n.ambient[2]=
+f;let N=n.hash;(N.directionalLength!==p||N.pointLength!==_||N.spotLength!==v||N.rectAreaLength!==m||N.hemiLength!==d||N.numDirectionalShadows!==w||N.numPointShadows!==E||N.numSpotShadows!==y||N.numSpotMaps!==L||N.numLightProbes!==D)&&(n.directional.length=p,n.spot.length=v,n.rectArea.length=m,n.point.length=_,n.hemi.length=d,n.directionalShadow.length=w,n.directionalShadowMap.length=w,n.pointShadow.
+length=E,n.pointShadowMap.length=E,n.spotShadow.length=y,n.spotShadowMap.length=y,n.directionalShadowMatrix.length=w,n.pointShadowMatrix.length=E,n.spotLightMatrix.length=y+L-A,n.spotLightMap.length=L,n.numSpotLightShadowsWithMaps=A,n.numLightProbes=D,N.directionalLength=p,N.pointLength=_,N.spotLength=v,N.rectAreaLength=m,N.hemiLength=d,N.numDirectionalShadows=w,N.numPointShadows=E,N.numSpotShadows=
+y,N.numSpotMaps=L,N.numLightProbes=D,n.version=qb++)}function c(l,h){let u=0,f=0,p=0,_=0,v=0,m=h.matrixWorldInverse;for(let d=0,w=l.length;d<w;d++){let E=l[d];if(E.isDirectionalLight){let y=n.directional[u];y.direction.setFromMatrixPosition(E.matrixWorld),s.setFromMatrixPosition(E.target.matrixWorld),y.direction.sub(s),y.direction.transformDirection(m),u++}else if(E.isSpotLight){let y=n.spot[p];y.
+position.setFromMatrixPosition(E.matrixWorld),y.position.applyMatrix4(m),y.direction.setFromMatrixPosition(E.matrixWorld),s.setFromMatrixPosition(E.target.matrixWorld),y.direction.sub(s),y.direction.transformDirection(m),p++}else if(E.isRectAreaLight){let y=n.rectArea[_];y.position.setFromMatrixPosition(E.matrixWorld),y.position.applyMatrix4(m),o.identity(),r.copy(E.matrixWorld),r.premultiply(m),o.
+extractRotation(r),y.halfWidth.set(E.width*.5,0,0),y.halfHeight.set(0,E.height*.5,0),y.halfWidth.applyMatrix4(o),y.halfHeight.applyMatrix4(o),_++}else if(E.isPointLight){let y=n.point[f];y.position.setFromMatrixPosition(E.matrixWorld),y.position.applyMatrix4(m),f++}else if(E.isHemisphereLight){let y=n.hemi[v];y.direction.setFromMatrixPosition(E.matrixWorld),y.direction.transformDirection(m),v++}}}
+return{setup:a,setupView:c,state:n}}function Hg(i){let t=new Zb(i),e=[],n=[];function s(h){l.camera=h,e.length=0,n.length=0}function r(h){e.push(h)}function o(h){n.push(h)}function a(){t.setup(e)}function c(h){t.setupView(e,h)}let l={lightsArray:e,shadowsArray:n,camera:null,lights:t,transmissionRenderTarget:{}};return{init:s,state:l,setupLights:a,setupLightsView:c,pushLight:r,pushShadow:o}}function $b(i){
+let t=new WeakMap;function e(s,r=0){let o=t.get(s),a;return o===void 0?(a=new Hg(i),t.set(s,[a])):r>=o.length?(a=new Hg(i),o.push(a)):a=o[r],a}function n(){t=new WeakMap}return{get:e,dispose:n}}var Jb=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,Kb=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+#include <packing>
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = unpackRGBATo2Half( texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ) );
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = unpackRGBAToDepth( texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ) );
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( squared_mean - mean * mean );
+	gl_FragColor = pack2HalfToRGBA( vec2( mean, std_dev ) );
+}`;function jb(i,t,e){let n=new no,s=new pe,r=new pe,o=new $e,a=new Vl({depthPacking:og}),c=new Hl,l={},h=e.maxTextureSize,u={[ss]:zn,[zn]:ss,[di]:di},f=new Ri({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new pe},radius:{value:4}},vertexShader:Jb,fragmentShader:Kb}),p=f.clone();p.defines.HORIZONTAL_PASS=1;let _=new ln;_.setAttribute("position",new Wn(new Float32Array(
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new Sn(_,f),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Bu;let d=this.type;this.render=function(A,D,N){if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||A.length===0)return;let b=i.getRenderTarget(),S=i.getActiveCubeFace(),C=i.getActiveMipmapLevel(),O=i.state;O.setBlending(ls),O.buffers.depth.getReversed()===!0?O.buffers.color.
+setClear(0,0,0,0):O.buffers.color.setClear(1,1,1,1),O.buffers.depth.setTest(!0),O.setScissorTest(!1);let k=d!==Gi&&this.type===Gi,G=d===Gi&&this.type!==Gi;for(let W=0,q=A.length;W<q;W++){let $=A[W],j=$.shadow;if(j===void 0){console.warn("THREE.WebGLShadowMap:",$,"has no shadow.");continue}if(j.autoUpdate===!1&&j.needsUpdate===!1)continue;s.copy(j.mapSize);let rt=j.getFrameExtents();if(s.multiply(rt),
+r.copy(j.mapSize),(s.x>h||s.y>h)&&(s.x>h&&(r.x=Math.floor(h/rt.x),s.x=r.x*rt.x,j.mapSize.x=r.x),s.y>h&&(r.y=Math.floor(h/rt.y),s.y=r.y*rt.y,j.mapSize.y=r.y)),j.map===null||k===!0||G===!0){let _t=this.type!==Gi?{minFilter:Xn,magFilter:Xn}:{};j.map!==null&&j.map.dispose(),j.map=new ki(s.x,s.y,_t),j.map.texture.name=$.name+".shadowMap",j.camera.updateProjectionMatrix()}i.setRenderTarget(j.map),i.clear();
+let ot=j.getViewportCount();for(let _t=0;_t<ot;_t++){let xt=j.getViewport(_t);o.set(r.x*xt.x,r.y*xt.y,r.x*xt.z,r.y*xt.w),O.viewport(o),j.updateMatrices($,_t),n=j.getFrustum(),y(D,N,j.camera,$,this.type)}j.isPointLightShadow!==!0&&this.type===Gi&&w(j,N),j.needsUpdate=!1}d=this.type,m.needsUpdate=!1,i.setRenderTarget(b,S,C)};function w(A,D){let N=t.update(v);f.defines.VSM_SAMPLES!==A.blurSamples&&(f.
+defines.VSM_SAMPLES=A.blurSamples,p.defines.VSM_SAMPLES=A.blurSamples,f.needsUpdate=!0,p.needsUpdate=!0),A.mapPass===null&&(A.mapPass=new ki(s.x,s.y)),f.uniforms.shadow_pass.value=A.map.texture,f.uniforms.resolution.value=A.mapSize,f.uniforms.radius.value=A.radius,i.setRenderTarget(A.mapPass),i.clear(),i.renderBufferDirect(D,null,N,f,v,null),p.uniforms.shadow_pass.value=A.mapPass.texture,p.uniforms.
+resolution.value=A.mapSize,p.uniforms.radius.value=A.radius,i.setRenderTarget(A.map),i.clear(),i.renderBufferDirect(D,null,N,p,v,null)}function E(A,D,N,b){let S=null,C=N.isPointLight===!0?A.customDistanceMaterial:A.customDepthMaterial;if(C!==void 0)S=C;else if(S=N.isPointLight===!0?c:a,i.localClippingEnabled&&D.clipShadows===!0&&Array.isArray(D.clippingPlanes)&&D.clippingPlanes.length!==0||D.displacementMap&&
+D.displacementScale!==0||D.alphaMap&&D.alphaTest>0||D.map&&D.alphaTest>0||D.alphaToCoverage===!0){let O=S.uuid,k=D.uuid,G=l[O];G===void 0&&(G={},l[O]=G);let W=G[k];W===void 0&&(W=S.clone(),G[k]=W,D.addEventListener("dispose",L)),S=W}if(S.visible=D.visible,S.wireframe=D.wireframe,b===Gi?S.side=D.shadowSide!==null?D.shadowSide:D.side:S.side=D.shadowSide!==null?D.shadowSide:u[D.side],S.alphaMap=D.alphaMap,
+S.alphaTest=D.alphaToCoverage===!0?.5:D.alphaTest,S.map=D.map,S.clipShadows=D.clipShadows,S.clippingPlanes=D.clippingPlanes,S.clipIntersection=D.clipIntersection,S.displacementMap=D.displacementMap,S.displacementScale=D.displacementScale,S.displacementBias=D.displacementBias,S.wireframeLinewidth=D.wireframeLinewidth,S.linewidth=D.linewidth,N.isPointLight===!0&&S.isMeshDistanceMaterial===!0){let O=i.
+properties.get(S);O.light=N}return S}function y(A,D,N,b,S){if(A.visible===!1)return;if(A.layers.test(D.layers)&&(A.isMesh||A.isLine||A.isPoints)&&(A.castShadow||A.receiveShadow&&S===Gi)&&(!A.frustumCulled||n.intersectsObject(A))){A.modelViewMatrix.multiplyMatrices(N.matrixWorldInverse,A.matrixWorld);let k=t.update(A),G=A.material;if(Array.isArray(G)){let W=k.groups;for(let q=0,$=W.length;q<$;q++){
+let j=W[q],rt=G[j.materialIndex];if(rt&&rt.visible){let ot=E(A,rt,b,S);A.onBeforeShadow(i,A,D,N,k,ot,j),i.renderBufferDirect(N,null,k,ot,A,j),A.onAfterShadow(i,A,D,N,k,ot,j)}}}else if(G.visible){let W=E(A,G,b,S);A.onBeforeShadow(i,A,D,N,k,W,null),i.renderBufferDirect(N,null,k,W,A,null),A.onAfterShadow(i,A,D,N,k,W,null)}}let O=A.children;for(let k=0,G=O.length;k<G;k++)y(O[k],D,N,b,S)}function L(A){
+A.target.removeEventListener("dispose",L);for(let N in l){let b=l[N],S=A.target.uuid;S in b&&(b[S].dispose(),delete b[S])}}}var Qb={[tc]:ec,[nc]:rc,[ic]:oc,[Qs]:sc,[ec]:tc,[rc]:nc,[oc]:ic,[sc]:Qs};function t1(i,t){function e(){let B=!1,ut=new $e,dt=null,Pt=new $e(0,0,0,0);return{setMask:function(ct){dt!==ct&&!B&&(i.colorMask(ct,ct,ct,ct),dt=ct)},setLocked:function(ct){B=ct},setClear:function(ct,st,Bt,ne,Ue){
+Ue===!0&&(ct*=ne,st*=ne,Bt*=ne),ut.set(ct,st,Bt,ne),Pt.equals(ut)===!1&&(i.clearColor(ct,st,Bt,ne),Pt.copy(ut))},reset:function(){B=!1,dt=null,Pt.set(-1,0,0,0)}}}function n(){let B=!1,ut=!1,dt=null,Pt=null,ct=null;return{setReversed:function(st){if(ut!==st){let Bt=t.get("EXT_clip_control");st?Bt.clipControlEXT(Bt.LOWER_LEFT_EXT,Bt.ZERO_TO_ONE_EXT):Bt.clipControlEXT(Bt.LOWER_LEFT_EXT,Bt.NEGATIVE_ONE_TO_ONE_EXT),
+ut=st;let ne=ct;ct=null,this.setClear(ne)}},getReversed:function(){return ut},setTest:function(st){st?tt(i.DEPTH_TEST):Mt(i.DEPTH_TEST)},setMask:function(st){dt!==st&&!B&&(i.depthMask(st),dt=st)},setFunc:function(st){if(ut&&(st=Qb[st]),Pt!==st){switch(st){case tc:i.depthFunc(i.NEVER);break;case ec:i.depthFunc(i.ALWAYS);break;case nc:i.depthFunc(i.LESS);break;case Qs:i.depthFunc(i.LEQUAL);break;case ic:
+i.depthFunc(i.EQUAL);break;case sc:i.depthFunc(i.GEQUAL);break;case rc:i.depthFunc(i.GREATER);break;case oc:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}Pt=st}},setLocked:function(st){B=st},setClear:function(st){ct!==st&&(ut&&(st=1-st),i.clearDepth(st),ct=st)},reset:function(){B=!1,dt=null,Pt=null,ct=null,ut=!1}}}function s(){let B=!1,ut=null,dt=null,Pt=null,ct=null,st=null,Bt=null,
+ne=null,Ue=null;return{setTest:function(ye){B||(ye?tt(i.STENCIL_TEST):Mt(i.STENCIL_TEST))},setMask:function(ye){ut!==ye&&!B&&(i.stencilMask(ye),ut=ye)},setFunc:function(ye,xn,Ne){(dt!==ye||Pt!==xn||ct!==Ne)&&(i.stencilFunc(ye,xn,Ne),dt=ye,Pt=xn,ct=Ne)},setOp:function(ye,xn,Ne){(st!==ye||Bt!==xn||ne!==Ne)&&(i.stencilOp(ye,xn,Ne),st=ye,Bt=xn,ne=Ne)},setLocked:function(ye){B=ye},setClear:function(ye){
+Ue!==ye&&(i.clearStencil(ye),Ue=ye)},reset:function(){B=!1,ut=null,dt=null,Pt=null,ct=null,st=null,Bt=null,ne=null,Ue=null}}}let r=new e,o=new n,a=new s,c=new WeakMap,l=new WeakMap,h={},u={},f=new WeakMap,p=[],_=null,v=!1,m=null,d=null,w=null,E=null,y=null,L=null,A=null,D=new oe(0,0,0),N=0,b=!1,S=null,C=null,O=null,k=null,G=null,W=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),q=!1,$=0,j=i.getParameter(
+i.VERSION);j.indexOf("WebGL")!==-1?($=parseFloat(/^WebGL (\d)/.exec(j)[1]),q=$>=1):j.indexOf("OpenGL ES")!==-1&&($=parseFloat(/^OpenGL ES (\d)/.exec(j)[1]),q=$>=2);let rt=null,ot={},_t=i.getParameter(i.SCISSOR_BOX),xt=i.getParameter(i.VIEWPORT),pt=new $e().fromArray(_t),ee=new $e().fromArray(xt);function $t(B,ut,dt,Pt){let ct=new Uint8Array(4),st=i.createTexture();i.bindTexture(B,st),i.texParameteri(
+B,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(B,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Bt=0;Bt<dt;Bt++)B===i.TEXTURE_3D||B===i.TEXTURE_2D_ARRAY?i.texImage3D(ut,0,i.RGBA,1,1,Pt,0,i.RGBA,i.UNSIGNED_BYTE,ct):i.texImage2D(ut+Bt,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,ct);return st}let Q={};Q[i.TEXTURE_2D]=$t(i.TEXTURE_2D,i.TEXTURE_2D,1),Q[i.TEXTURE_CUBE_MAP]=$t(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,
+6),Q[i.TEXTURE_2D_ARRAY]=$t(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Q[i.TEXTURE_3D]=$t(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),tt(i.DEPTH_TEST),o.setFunc(Qs),qt(!1),Ft(Ou),tt(i.CULL_FACE),ve(ls);function tt(B){h[B]!==!0&&(i.enable(B),h[B]=!0)}function Mt(B){h[B]!==!1&&(i.disable(B),h[B]=!1)}function Ot(B,ut){return u[B]!==ut?(i.bindFramebuffer(B,ut),u[B]=ut,
+B===i.DRAW_FRAMEBUFFER&&(u[i.FRAMEBUFFER]=ut),B===i.FRAMEBUFFER&&(u[i.DRAW_FRAMEBUFFER]=ut),!0):!1}function vt(B,ut){let dt=p,Pt=!1;if(B){dt=f.get(ut),dt===void 0&&(dt=[],f.set(ut,dt));let ct=B.textures;if(dt.length!==ct.length||dt[0]!==i.COLOR_ATTACHMENT0){for(let st=0,Bt=ct.length;st<Bt;st++)dt[st]=i.COLOR_ATTACHMENT0+st;dt.length=ct.length,Pt=!0}}else dt[0]!==i.BACK&&(dt[0]=i.BACK,Pt=!0);Pt&&i.
+drawBuffers(dt)}function Qt(B){return _!==B?(i.useProgram(B),_=B,!0):!1}let Pe={[Es]:i.FUNC_ADD,[Lm]:i.FUNC_SUBTRACT,[Dm]:i.FUNC_REVERSE_SUBTRACT};Pe[Um]=i.MIN,Pe[Fm]=i.MAX;let U={[Nm]:i.ZERO,[Om]:i.ONE,[Bm]:i.SRC_COLOR,[Al]:i.SRC_ALPHA,[Wm]:i.SRC_ALPHA_SATURATE,[Hm]:i.DST_COLOR,[km]:i.DST_ALPHA,[zm]:i.ONE_MINUS_SRC_COLOR,[Cl]:i.ONE_MINUS_SRC_ALPHA,[Gm]:i.ONE_MINUS_DST_COLOR,[Vm]:i.ONE_MINUS_DST_ALPHA,
+[Xm]:i.CONSTANT_COLOR,[qm]:i.ONE_MINUS_CONSTANT_COLOR,[Ym]:i.CONSTANT_ALPHA,[Zm]:i.ONE_MINUS_CONSTANT_ALPHA};function ve(B,ut,dt,Pt,ct,st,Bt,ne,Ue,ye){if(B===ls){v===!0&&(Mt(i.BLEND),v=!1);return}if(v===!1&&(tt(i.BLEND),v=!0),B!==Im){if(B!==m||ye!==b){if((d!==Es||y!==Es)&&(i.blendEquation(i.FUNC_ADD),d=Es,y=Es),ye)switch(B){case js:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);
+break;case zu:i.blendFunc(i.ONE,i.ONE);break;case ku:i.blendFuncSeparate(i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Vu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:console.error("THREE.WebGLState: Invalid blending: ",B);break}else switch(B){case js:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case zu:i.blendFuncSeparate(
+i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case ku:console.error("THREE.WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Vu:console.error("THREE.WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:console.error("THREE.WebGLState: Invalid blending: ",B);break}w=null,E=null,L=null,A=null,D.set(0,0,0),N=0,m=B,b=ye}return}ct=ct||ut,
+st=st||dt,Bt=Bt||Pt,(ut!==d||ct!==y)&&(i.blendEquationSeparate(Pe[ut],Pe[ct]),d=ut,y=ct),(dt!==w||Pt!==E||st!==L||Bt!==A)&&(i.blendFuncSeparate(U[dt],U[Pt],U[st],U[Bt]),w=dt,E=Pt,L=st,A=Bt),(ne.equals(D)===!1||Ue!==N)&&(i.blendColor(ne.r,ne.g,ne.b,Ue),D.copy(ne),N=Ue),m=B,b=!1}function Kt(B,ut){B.side===di?Mt(i.CULL_FACE):tt(i.CULL_FACE);let dt=B.side===zn;ut&&(dt=!dt),qt(dt),B.blending===js&&B.transparent===
+!1?ve(ls):ve(B.blending,B.blendEquation,B.blendSrc,B.blendDst,B.blendEquationAlpha,B.blendSrcAlpha,B.blendDstAlpha,B.blendColor,B.blendAlpha,B.premultipliedAlpha),o.setFunc(B.depthFunc),o.setTest(B.depthTest),o.setMask(B.depthWrite),r.setMask(B.colorWrite);let Pt=B.stencilWrite;a.setTest(Pt),Pt&&(a.setMask(B.stencilWriteMask),a.setFunc(B.stencilFunc,B.stencilRef,B.stencilFuncMask),a.setOp(B.stencilFail,
+B.stencilZFail,B.stencilZPass)),Rt(B.polygonOffset,B.polygonOffsetFactor,B.polygonOffsetUnits),B.alphaToCoverage===!0?tt(i.SAMPLE_ALPHA_TO_COVERAGE):Mt(i.SAMPLE_ALPHA_TO_COVERAGE)}function qt(B){S!==B&&(B?i.frontFace(i.CW):i.frontFace(i.CCW),S=B)}function Ft(B){B!==Rm?(tt(i.CULL_FACE),B!==C&&(B===Ou?i.cullFace(i.BACK):B===Pm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):Mt(i.CULL_FACE),C=B}function Ie(B){
+B!==O&&(q&&i.lineWidth(B),O=B)}function Rt(B,ut,dt){B?(tt(i.POLYGON_OFFSET_FILL),(k!==ut||G!==dt)&&(i.polygonOffset(ut,dt),k=ut,G=dt)):Mt(i.POLYGON_OFFSET_FILL)}function Gt(B){B?tt(i.SCISSOR_TEST):Mt(i.SCISSOR_TEST)}function He(B){B===void 0&&(B=i.TEXTURE0+W-1),rt!==B&&(i.activeTexture(B),rt=B)}function we(B,ut,dt){dt===void 0&&(rt===null?dt=i.TEXTURE0+W-1:dt=rt);let Pt=ot[dt];Pt===void 0&&(Pt={type:void 0,
+texture:void 0},ot[dt]=Pt),(Pt.type!==B||Pt.texture!==ut)&&(rt!==dt&&(i.activeTexture(dt),rt=dt),i.bindTexture(B,ut||Q[B]),Pt.type=B,Pt.texture=ut)}function P(){let B=ot[rt];B!==void 0&&B.type!==void 0&&(i.bindTexture(B.type,null),B.type=void 0,B.texture=void 0)}function x(){try{i.compressedTexImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function F(){try{i.compressedTexImage3D(
+...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function J(){try{i.texSubImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function nt(){try{i.texSubImage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function et(){try{i.compressedTexSubImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function Nt(){try{i.compressedTexSubImage3D(...arguments)}catch(B){
+console.error("THREE.WebGLState:",B)}}function ht(){try{i.texStorage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function It(){try{i.texStorage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function Et(){try{i.texImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function at(){try{i.texImage3D(...arguments)}catch(B){console.error("THREE.WebGLSt\
+ate:",B)}}function gt(B){pt.equals(B)===!1&&(i.scissor(B.x,B.y,B.z,B.w),pt.copy(B))}function kt(B){ee.equals(B)===!1&&(i.viewport(B.x,B.y,B.z,B.w),ee.copy(B))}function zt(B,ut){let dt=l.get(ut);dt===void 0&&(dt=new WeakMap,l.set(ut,dt));let Pt=dt.get(B);Pt===void 0&&(Pt=i.getUniformBlockIndex(ut,B.name),dt.set(B,Pt))}function yt(B,ut){let Pt=l.get(ut).get(B);c.get(ut)!==Pt&&(i.uniformBlockBinding(
+ut,Pt,B.__bindingPointIndex),c.set(ut,Pt))}function te(){i.disable(i.BLEND),i.disable(i.CULL_FACE),i.disable(i.DEPTH_TEST),i.disable(i.POLYGON_OFFSET_FILL),i.disable(i.SCISSOR_TEST),i.disable(i.STENCIL_TEST),i.disable(i.SAMPLE_ALPHA_TO_COVERAGE),i.blendEquation(i.FUNC_ADD),i.blendFunc(i.ONE,i.ZERO),i.blendFuncSeparate(i.ONE,i.ZERO,i.ONE,i.ZERO),i.blendColor(0,0,0,0),i.colorMask(!0,!0,!0,!0),i.clearColor(
+0,0,0,0),i.depthMask(!0),i.depthFunc(i.LESS),o.setReversed(!1),i.clearDepth(1),i.stencilMask(4294967295),i.stencilFunc(i.ALWAYS,0,4294967295),i.stencilOp(i.KEEP,i.KEEP,i.KEEP),i.clearStencil(0),i.cullFace(i.BACK),i.frontFace(i.CCW),i.polygonOffset(0,0),i.activeTexture(i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),i.bindFramebuffer(i.READ_FRAMEBUFFER,null),
+i.useProgram(null),i.lineWidth(1),i.scissor(0,0,i.canvas.width,i.canvas.height),i.viewport(0,0,i.canvas.width,i.canvas.height),h={},rt=null,ot={},u={},f=new WeakMap,p=[],_=null,v=!1,m=null,d=null,w=null,E=null,y=null,L=null,A=null,D=new oe(0,0,0),N=0,b=!1,S=null,C=null,O=null,k=null,G=null,pt.set(0,0,i.canvas.width,i.canvas.height),ee.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}
+return{buffers:{color:r,depth:o,stencil:a},enable:tt,disable:Mt,bindFramebuffer:Ot,drawBuffers:vt,useProgram:Qt,setBlending:ve,setMaterial:Kt,setFlipSided:qt,setCullFace:Ft,setLineWidth:Ie,setPolygonOffset:Rt,setScissorTest:Gt,activeTexture:He,bindTexture:we,unbindTexture:P,compressedTexImage2D:x,compressedTexImage3D:F,texImage2D:Et,texImage3D:at,updateUBOMapping:zt,uniformBlockBinding:yt,texStorage2D:ht,
+texStorage3D:It,texSubImage2D:J,texSubImage3D:nt,compressedTexSubImage2D:et,compressedTexSubImage3D:Nt,scissor:gt,viewport:kt,reset:te}}function e1(i,t,e,n,s,r,o){let a=t.has("WEBGL_multisampled_render_to_texture")?t.get("WEBGL_multisampled_render_to_texture"):null,c=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),l=new pe,h=new WeakMap,u,f=new WeakMap,p=!1;try{p=typeof OffscreenCanvas<
+"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function _(P,x){return p?new OffscreenCanvas(P,x):Zo("canvas")}function v(P,x,F){let J=1,nt=we(P);if((nt.width>F||nt.height>F)&&(J=F/Math.max(nt.width,nt.height)),J<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&P instanceof ImageBitmap||
+typeof VideoFrame<"u"&&P instanceof VideoFrame){let et=Math.floor(J*nt.width),Nt=Math.floor(J*nt.height);u===void 0&&(u=_(et,Nt));let ht=x?_(et,Nt):u;return ht.width=et,ht.height=Nt,ht.getContext("2d").drawImage(P,0,0,et,Nt),console.warn("THREE.WebGLRenderer: Texture has been resized from ("+nt.width+"x"+nt.height+") to ("+et+"x"+Nt+")."),ht}else return"data"in P&&console.warn("THREE.WebGLRenderer\
+: Image in DataTexture is too big ("+nt.width+"x"+nt.height+")."),P;return P}function m(P){return P.generateMipmaps}function d(P){i.generateMipmap(P)}function w(P){return P.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:P.isWebGL3DRenderTarget?i.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function E(P,x,F,J,nt=!1){if(P!==null){if(i[P]!==void 0)return i[P];
+console.warn("THREE.WebGLRenderer: Attempt to use non-existing WebGL internal format '"+P+"'")}let et=x;if(x===i.RED&&(F===i.FLOAT&&(et=i.R32F),F===i.HALF_FLOAT&&(et=i.R16F),F===i.UNSIGNED_BYTE&&(et=i.R8)),x===i.RED_INTEGER&&(F===i.UNSIGNED_BYTE&&(et=i.R8UI),F===i.UNSIGNED_SHORT&&(et=i.R16UI),F===i.UNSIGNED_INT&&(et=i.R32UI),F===i.BYTE&&(et=i.R8I),F===i.SHORT&&(et=i.R16I),F===i.INT&&(et=i.R32I)),x===
+i.RG&&(F===i.FLOAT&&(et=i.RG32F),F===i.HALF_FLOAT&&(et=i.RG16F),F===i.UNSIGNED_BYTE&&(et=i.RG8)),x===i.RG_INTEGER&&(F===i.UNSIGNED_BYTE&&(et=i.RG8UI),F===i.UNSIGNED_SHORT&&(et=i.RG16UI),F===i.UNSIGNED_INT&&(et=i.RG32UI),F===i.BYTE&&(et=i.RG8I),F===i.SHORT&&(et=i.RG16I),F===i.INT&&(et=i.RG32I)),x===i.RGB_INTEGER&&(F===i.UNSIGNED_BYTE&&(et=i.RGB8UI),F===i.UNSIGNED_SHORT&&(et=i.RGB16UI),F===i.UNSIGNED_INT&&
+(et=i.RGB32UI),F===i.BYTE&&(et=i.RGB8I),F===i.SHORT&&(et=i.RGB16I),F===i.INT&&(et=i.RGB32I)),x===i.RGBA_INTEGER&&(F===i.UNSIGNED_BYTE&&(et=i.RGBA8UI),F===i.UNSIGNED_SHORT&&(et=i.RGBA16UI),F===i.UNSIGNED_INT&&(et=i.RGBA32UI),F===i.BYTE&&(et=i.RGBA8I),F===i.SHORT&&(et=i.RGBA16I),F===i.INT&&(et=i.RGBA32I)),x===i.RGB&&(F===i.UNSIGNED_INT_5_9_9_9_REV&&(et=i.RGB9_E5),F===i.UNSIGNED_INT_10F_11F_11F_REV&&
+(et=i.R11F_G11F_B10F)),x===i.RGBA){let Nt=nt?qo:xe.getTransfer(J);F===i.FLOAT&&(et=i.RGBA32F),F===i.HALF_FLOAT&&(et=i.RGBA16F),F===i.UNSIGNED_BYTE&&(et=Nt===De?i.SRGB8_ALPHA8:i.RGBA8),F===i.UNSIGNED_SHORT_4_4_4_4&&(et=i.RGBA4),F===i.UNSIGNED_SHORT_5_5_5_1&&(et=i.RGB5_A1)}return(et===i.R16F||et===i.R32F||et===i.RG16F||et===i.RG32F||et===i.RGBA16F||et===i.RGBA32F)&&t.get("EXT_color_buffer_float"),et}
+function y(P,x){let F;return P?x===null||x===Is||x===uo?F=i.DEPTH24_STENCIL8:x===Ii?F=i.DEPTH32F_STENCIL8:x===co&&(F=i.DEPTH24_STENCIL8,console.warn("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):x===null||x===Is||x===uo?F=i.DEPTH_COMPONENT24:x===Ii?F=i.DEPTH_COMPONENT32F:x===co&&(F=i.DEPTH_COMPONENT16),F}function L(P,x){return m(P)===!0||P.isFramebufferTexture&&
+P.minFilter!==Xn&&P.minFilter!==Ci?Math.log2(Math.max(x.width,x.height))+1:P.mipmaps!==void 0&&P.mipmaps.length>0?P.mipmaps.length:P.isCompressedTexture&&Array.isArray(P.image)?x.mipmaps.length:1}function A(P){let x=P.target;x.removeEventListener("dispose",A),N(x),x.isVideoTexture&&h.delete(x)}function D(P){let x=P.target;x.removeEventListener("dispose",D),S(x)}function N(P){let x=n.get(P);if(x.__webglInit===
+void 0)return;let F=P.source,J=f.get(F);if(J){let nt=J[x.__cacheKey];nt.usedTimes--,nt.usedTimes===0&&b(P),Object.keys(J).length===0&&f.delete(F)}n.remove(P)}function b(P){let x=n.get(P);i.deleteTexture(x.__webglTexture);let F=P.source,J=f.get(F);delete J[x.__cacheKey],o.memory.textures--}function S(P){let x=n.get(P);if(P.depthTexture&&(P.depthTexture.dispose(),n.remove(P.depthTexture)),P.isWebGLCubeRenderTarget)
+for(let J=0;J<6;J++){if(Array.isArray(x.__webglFramebuffer[J]))for(let nt=0;nt<x.__webglFramebuffer[J].length;nt++)i.deleteFramebuffer(x.__webglFramebuffer[J][nt]);else i.deleteFramebuffer(x.__webglFramebuffer[J]);x.__webglDepthbuffer&&i.deleteRenderbuffer(x.__webglDepthbuffer[J])}else{if(Array.isArray(x.__webglFramebuffer))for(let J=0;J<x.__webglFramebuffer.length;J++)i.deleteFramebuffer(x.__webglFramebuffer[J]);else
+i.deleteFramebuffer(x.__webglFramebuffer);if(x.__webglDepthbuffer&&i.deleteRenderbuffer(x.__webglDepthbuffer),x.__webglMultisampledFramebuffer&&i.deleteFramebuffer(x.__webglMultisampledFramebuffer),x.__webglColorRenderbuffer)for(let J=0;J<x.__webglColorRenderbuffer.length;J++)x.__webglColorRenderbuffer[J]&&i.deleteRenderbuffer(x.__webglColorRenderbuffer[J]);x.__webglDepthRenderbuffer&&i.deleteRenderbuffer(
+x.__webglDepthRenderbuffer)}let F=P.textures;for(let J=0,nt=F.length;J<nt;J++){let et=n.get(F[J]);et.__webglTexture&&(i.deleteTexture(et.__webglTexture),o.memory.textures--),n.remove(F[J])}n.remove(P)}let C=0;function O(){C=0}function k(){let P=C;return P>=s.maxTextures&&console.warn("THREE.WebGLTextures: Trying to use "+P+" texture units while this GPU supports only "+s.maxTextures),C+=1,P}function G(P){
+let x=[];return x.push(P.wrapS),x.push(P.wrapT),x.push(P.wrapR||0),x.push(P.magFilter),x.push(P.minFilter),x.push(P.anisotropy),x.push(P.internalFormat),x.push(P.format),x.push(P.type),x.push(P.generateMipmaps),x.push(P.premultiplyAlpha),x.push(P.flipY),x.push(P.unpackAlignment),x.push(P.colorSpace),x.join()}function W(P,x){let F=n.get(P);if(P.isVideoTexture&&Gt(P),P.isRenderTargetTexture===!1&&P.
+isExternalTexture!==!0&&P.version>0&&F.__version!==P.version){let J=P.image;if(J===null)console.warn("THREE.WebGLRenderer: Texture marked for update but no image data found.");else if(J.complete===!1)console.warn("THREE.WebGLRenderer: Texture marked for update but image is incomplete");else{Q(F,P,x);return}}else P.isExternalTexture&&(F.__webglTexture=P.sourceTexture?P.sourceTexture:null);e.bindTexture(
+i.TEXTURE_2D,F.__webglTexture,i.TEXTURE0+x)}function q(P,x){let F=n.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&F.__version!==P.version){Q(F,P,x);return}e.bindTexture(i.TEXTURE_2D_ARRAY,F.__webglTexture,i.TEXTURE0+x)}function $(P,x){let F=n.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&F.__version!==P.version){Q(F,P,x);return}e.bindTexture(i.TEXTURE_3D,F.__webglTexture,i.TEXTURE0+x)}
+function j(P,x){let F=n.get(P);if(P.version>0&&F.__version!==P.version){tt(F,P,x);return}e.bindTexture(i.TEXTURE_CUBE_MAP,F.__webglTexture,i.TEXTURE0+x)}let rt={[Rl]:i.REPEAT,[Ts]:i.CLAMP_TO_EDGE,[Pl]:i.MIRRORED_REPEAT},ot={[Xn]:i.NEAREST,[sg]:i.NEAREST_MIPMAP_NEAREST,[ma]:i.NEAREST_MIPMAP_LINEAR,[Ci]:i.LINEAR,[hc]:i.LINEAR_MIPMAP_NEAREST,[Ps]:i.LINEAR_MIPMAP_LINEAR},_t={[lg]:i.NEVER,[pg]:i.ALWAYS,
+[cg]:i.LESS,[Ju]:i.LEQUAL,[hg]:i.EQUAL,[dg]:i.GEQUAL,[ug]:i.GREATER,[fg]:i.NOTEQUAL};function xt(P,x){if(x.type===Ii&&t.has("OES_texture_float_linear")===!1&&(x.magFilter===Ci||x.magFilter===hc||x.magFilter===ma||x.magFilter===Ps||x.minFilter===Ci||x.minFilter===hc||x.minFilter===ma||x.minFilter===Ps)&&console.warn("THREE.WebGLRenderer: Unable to use linear filtering with floating point textures. \
+OES_texture_float_linear not supported on this device."),i.texParameteri(P,i.TEXTURE_WRAP_S,rt[x.wrapS]),i.texParameteri(P,i.TEXTURE_WRAP_T,rt[x.wrapT]),(P===i.TEXTURE_3D||P===i.TEXTURE_2D_ARRAY)&&i.texParameteri(P,i.TEXTURE_WRAP_R,rt[x.wrapR]),i.texParameteri(P,i.TEXTURE_MAG_FILTER,ot[x.magFilter]),i.texParameteri(P,i.TEXTURE_MIN_FILTER,ot[x.minFilter]),x.compareFunction&&(i.texParameteri(P,i.TEXTURE_COMPARE_MODE,
+i.COMPARE_REF_TO_TEXTURE),i.texParameteri(P,i.TEXTURE_COMPARE_FUNC,_t[x.compareFunction])),t.has("EXT_texture_filter_anisotropic")===!0){if(x.magFilter===Xn||x.minFilter!==ma&&x.minFilter!==Ps||x.type===Ii&&t.has("OES_texture_float_linear")===!1)return;if(x.anisotropy>1||n.get(x).__currentAnisotropy){let F=t.get("EXT_texture_filter_anisotropic");i.texParameterf(P,F.TEXTURE_MAX_ANISOTROPY_EXT,Math.
+min(x.anisotropy,s.getMaxAnisotropy())),n.get(x).__currentAnisotropy=x.anisotropy}}}function pt(P,x){let F=!1;P.__webglInit===void 0&&(P.__webglInit=!0,x.addEventListener("dispose",A));let J=x.source,nt=f.get(J);nt===void 0&&(nt={},f.set(J,nt));let et=G(x);if(et!==P.__cacheKey){nt[et]===void 0&&(nt[et]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,F=!0),nt[et].usedTimes++;let Nt=nt[P.
+__cacheKey];Nt!==void 0&&(nt[P.__cacheKey].usedTimes--,Nt.usedTimes===0&&b(x)),P.__cacheKey=et,P.__webglTexture=nt[et].texture}return F}function ee(P,x,F){return Math.floor(Math.floor(P/F)/x)}function $t(P,x,F,J){let et=P.updateRanges;if(et.length===0)e.texSubImage2D(i.TEXTURE_2D,0,0,0,x.width,x.height,F,J,x.data);else{et.sort((at,gt)=>at.start-gt.start);let Nt=0;for(let at=1;at<et.length;at++){let gt=et[Nt],
+kt=et[at],zt=gt.start+gt.count,yt=ee(kt.start,x.width,4),te=ee(gt.start,x.width,4);kt.start<=zt+1&&yt===te&&ee(kt.start+kt.count-1,x.width,4)===yt?gt.count=Math.max(gt.count,kt.start+kt.count-gt.start):(++Nt,et[Nt]=kt)}et.length=Nt+1;let ht=i.getParameter(i.UNPACK_ROW_LENGTH),It=i.getParameter(i.UNPACK_SKIP_PIXELS),Et=i.getParameter(i.UNPACK_SKIP_ROWS);i.pixelStorei(i.UNPACK_ROW_LENGTH,x.width);for(let at=0,
+gt=et.length;at<gt;at++){let kt=et[at],zt=Math.floor(kt.start/4),yt=Math.ceil(kt.count/4),te=zt%x.width,B=Math.floor(zt/x.width),ut=yt,dt=1;i.pixelStorei(i.UNPACK_SKIP_PIXELS,te),i.pixelStorei(i.UNPACK_SKIP_ROWS,B),e.texSubImage2D(i.TEXTURE_2D,0,te,B,ut,dt,F,J,x.data)}P.clearUpdateRanges(),i.pixelStorei(i.UNPACK_ROW_LENGTH,ht),i.pixelStorei(i.UNPACK_SKIP_PIXELS,It),i.pixelStorei(i.UNPACK_SKIP_ROWS,
+Et)}}function Q(P,x,F){let J=i.TEXTURE_2D;(x.isDataArrayTexture||x.isCompressedArrayTexture)&&(J=i.TEXTURE_2D_ARRAY),x.isData3DTexture&&(J=i.TEXTURE_3D);let nt=pt(P,x),et=x.source;e.bindTexture(J,P.__webglTexture,i.TEXTURE0+F);let Nt=n.get(et);if(et.version!==Nt.__version||nt===!0){e.activeTexture(i.TEXTURE0+F);let ht=xe.getPrimaries(xe.workingColorSpace),It=x.colorSpace===hs?null:xe.getPrimaries(
+x.colorSpace),Et=x.colorSpace===hs||ht===It?i.NONE:i.BROWSER_DEFAULT_WEBGL;i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,x.flipY),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,x.premultiplyAlpha),i.pixelStorei(i.UNPACK_ALIGNMENT,x.unpackAlignment),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Et);let at=v(x.image,!1,s.maxTextureSize);at=He(x,at);let gt=r.convert(x.format,x.colorSpace),kt=r.convert(x.type),
+zt=E(x.internalFormat,gt,kt,x.colorSpace,x.isVideoTexture);xt(J,x);let yt,te=x.mipmaps,B=x.isVideoTexture!==!0,ut=Nt.__version===void 0||nt===!0,dt=et.dataReady,Pt=L(x,at);if(x.isDepthTexture)zt=y(x.format===fo,x.type),ut&&(B?e.texStorage2D(i.TEXTURE_2D,1,zt,at.width,at.height):e.texImage2D(i.TEXTURE_2D,0,zt,at.width,at.height,0,gt,kt,null));else if(x.isDataTexture)if(te.length>0){B&&ut&&e.texStorage2D(
+i.TEXTURE_2D,Pt,zt,te[0].width,te[0].height);for(let ct=0,st=te.length;ct<st;ct++)yt=te[ct],B?dt&&e.texSubImage2D(i.TEXTURE_2D,ct,0,0,yt.width,yt.height,gt,kt,yt.data):e.texImage2D(i.TEXTURE_2D,ct,zt,yt.width,yt.height,0,gt,kt,yt.data);x.generateMipmaps=!1}else B?(ut&&e.texStorage2D(i.TEXTURE_2D,Pt,zt,at.width,at.height),dt&&$t(x,at,gt,kt)):e.texImage2D(i.TEXTURE_2D,0,zt,at.width,at.height,0,gt,kt,
+at.data);else if(x.isCompressedTexture)if(x.isCompressedArrayTexture){B&&ut&&e.texStorage3D(i.TEXTURE_2D_ARRAY,Pt,zt,te[0].width,te[0].height,at.depth);for(let ct=0,st=te.length;ct<st;ct++)if(yt=te[ct],x.format!==pi)if(gt!==null)if(B){if(dt)if(x.layerUpdates.size>0){let Bt=nf(yt.width,yt.height,x.format,x.type);for(let ne of x.layerUpdates){let Ue=yt.data.subarray(ne*Bt/yt.data.BYTES_PER_ELEMENT,(ne+
+1)*Bt/yt.data.BYTES_PER_ELEMENT);e.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ct,0,0,ne,yt.width,yt.height,1,gt,Ue)}x.clearLayerUpdates()}else e.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ct,0,0,0,yt.width,yt.height,at.depth,gt,yt.data)}else e.compressedTexImage3D(i.TEXTURE_2D_ARRAY,ct,zt,yt.width,yt.height,at.depth,0,yt.data,0,0);else console.warn("THREE.WebGLRenderer: Attempt to load unsupported\
+ compressed texture format in .uploadTexture()");else B?dt&&e.texSubImage3D(i.TEXTURE_2D_ARRAY,ct,0,0,0,yt.width,yt.height,at.depth,gt,kt,yt.data):e.texImage3D(i.TEXTURE_2D_ARRAY,ct,zt,yt.width,yt.height,at.depth,0,gt,kt,yt.data)}else{B&&ut&&e.texStorage2D(i.TEXTURE_2D,Pt,zt,te[0].width,te[0].height);for(let ct=0,st=te.length;ct<st;ct++)yt=te[ct],x.format!==pi?gt!==null?B?dt&&e.compressedTexSubImage2D(
+i.TEXTURE_2D,ct,0,0,yt.width,yt.height,gt,yt.data):e.compressedTexImage2D(i.TEXTURE_2D,ct,zt,yt.width,yt.height,0,yt.data):console.warn("THREE.WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):B?dt&&e.texSubImage2D(i.TEXTURE_2D,ct,0,0,yt.width,yt.height,gt,kt,yt.data):e.texImage2D(i.TEXTURE_2D,ct,zt,yt.width,yt.height,0,gt,kt,yt.data)}else if(x.isDataArrayTexture)
+if(B){if(ut&&e.texStorage3D(i.TEXTURE_2D_ARRAY,Pt,zt,at.width,at.height,at.depth),dt)if(x.layerUpdates.size>0){let ct=nf(at.width,at.height,x.format,x.type);for(let st of x.layerUpdates){let Bt=at.data.subarray(st*ct/at.data.BYTES_PER_ELEMENT,(st+1)*ct/at.data.BYTES_PER_ELEMENT);e.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,st,at.width,at.height,1,gt,kt,Bt)}x.clearLayerUpdates()}else e.texSubImage3D(i.
+TEXTURE_2D_ARRAY,0,0,0,0,at.width,at.height,at.depth,gt,kt,at.data)}else e.texImage3D(i.TEXTURE_2D_ARRAY,0,zt,at.width,at.height,at.depth,0,gt,kt,at.data);else if(x.isData3DTexture)B?(ut&&e.texStorage3D(i.TEXTURE_3D,Pt,zt,at.width,at.height,at.depth),dt&&e.texSubImage3D(i.TEXTURE_3D,0,0,0,0,at.width,at.height,at.depth,gt,kt,at.data)):e.texImage3D(i.TEXTURE_3D,0,zt,at.width,at.height,at.depth,0,gt,
+kt,at.data);else if(x.isFramebufferTexture){if(ut)if(B)e.texStorage2D(i.TEXTURE_2D,Pt,zt,at.width,at.height);else{let ct=at.width,st=at.height;for(let Bt=0;Bt<Pt;Bt++)e.texImage2D(i.TEXTURE_2D,Bt,zt,ct,st,0,gt,kt,null),ct>>=1,st>>=1}}else if(te.length>0){if(B&&ut){let ct=we(te[0]);e.texStorage2D(i.TEXTURE_2D,Pt,zt,ct.width,ct.height)}for(let ct=0,st=te.length;ct<st;ct++)yt=te[ct],B?dt&&e.texSubImage2D(
+i.TEXTURE_2D,ct,0,0,gt,kt,yt):e.texImage2D(i.TEXTURE_2D,ct,zt,gt,kt,yt);x.generateMipmaps=!1}else if(B){if(ut){let ct=we(at);e.texStorage2D(i.TEXTURE_2D,Pt,zt,ct.width,ct.height)}dt&&e.texSubImage2D(i.TEXTURE_2D,0,0,0,gt,kt,at)}else e.texImage2D(i.TEXTURE_2D,0,zt,gt,kt,at);m(x)&&d(J),Nt.__version=et.version,x.onUpdate&&x.onUpdate(x)}P.__version=x.version}function tt(P,x,F){if(x.image.length!==6)return;
+let J=pt(P,x),nt=x.source;e.bindTexture(i.TEXTURE_CUBE_MAP,P.__webglTexture,i.TEXTURE0+F);let et=n.get(nt);if(nt.version!==et.__version||J===!0){e.activeTexture(i.TEXTURE0+F);let Nt=xe.getPrimaries(xe.workingColorSpace),ht=x.colorSpace===hs?null:xe.getPrimaries(x.colorSpace),It=x.colorSpace===hs||Nt===ht?i.NONE:i.BROWSER_DEFAULT_WEBGL;i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,x.flipY),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
+x.premultiplyAlpha),i.pixelStorei(i.UNPACK_ALIGNMENT,x.unpackAlignment),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,It);let Et=x.isCompressedTexture||x.image[0].isCompressedTexture,at=x.image[0]&&x.image[0].isDataTexture,gt=[];for(let st=0;st<6;st++)!Et&&!at?gt[st]=v(x.image[st],!0,s.maxCubemapSize):gt[st]=at?x.image[st].image:x.image[st],gt[st]=He(x,gt[st]);let kt=gt[0],zt=r.convert(x.format,
+x.colorSpace),yt=r.convert(x.type),te=E(x.internalFormat,zt,yt,x.colorSpace),B=x.isVideoTexture!==!0,ut=et.__version===void 0||J===!0,dt=nt.dataReady,Pt=L(x,kt);xt(i.TEXTURE_CUBE_MAP,x);let ct;if(Et){B&&ut&&e.texStorage2D(i.TEXTURE_CUBE_MAP,Pt,te,kt.width,kt.height);for(let st=0;st<6;st++){ct=gt[st].mipmaps;for(let Bt=0;Bt<ct.length;Bt++){let ne=ct[Bt];x.format!==pi?zt!==null?B?dt&&e.compressedTexSubImage2D(
+i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt,0,0,ne.width,ne.height,zt,ne.data):e.compressedTexImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt,te,ne.width,ne.height,0,ne.data):console.warn("THREE.WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):B?dt&&e.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt,0,0,ne.width,ne.height,zt,yt,ne.data):e.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
+st,Bt,te,ne.width,ne.height,0,zt,yt,ne.data)}}}else{if(ct=x.mipmaps,B&&ut){ct.length>0&&Pt++;let st=we(gt[0]);e.texStorage2D(i.TEXTURE_CUBE_MAP,Pt,te,st.width,st.height)}for(let st=0;st<6;st++)if(at){B?dt&&e.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,0,0,0,gt[st].width,gt[st].height,zt,yt,gt[st].data):e.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,0,te,gt[st].width,gt[st].height,0,zt,yt,gt[st].
+data);for(let Bt=0;Bt<ct.length;Bt++){let Ue=ct[Bt].image[st].image;B?dt&&e.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt+1,0,0,Ue.width,Ue.height,zt,yt,Ue.data):e.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt+1,te,Ue.width,Ue.height,0,zt,yt,Ue.data)}}else{B?dt&&e.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,0,0,0,zt,yt,gt[st]):e.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,0,te,zt,yt,gt[st]);
+for(let Bt=0;Bt<ct.length;Bt++){let ne=ct[Bt];B?dt&&e.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt+1,0,0,zt,yt,ne.image[st]):e.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+st,Bt+1,te,zt,yt,ne.image[st])}}}m(x)&&d(i.TEXTURE_CUBE_MAP),et.__version=nt.version,x.onUpdate&&x.onUpdate(x)}P.__version=x.version}function Mt(P,x,F,J,nt,et){let Nt=r.convert(F.format,F.colorSpace),ht=r.convert(F.type),It=E(F.
+internalFormat,Nt,ht,F.colorSpace),Et=n.get(x),at=n.get(F);if(at.__renderTarget=x,!Et.__hasExternalTextures){let gt=Math.max(1,x.width>>et),kt=Math.max(1,x.height>>et);nt===i.TEXTURE_3D||nt===i.TEXTURE_2D_ARRAY?e.texImage3D(nt,et,It,gt,kt,x.depth,0,Nt,ht,null):e.texImage2D(nt,et,It,gt,kt,0,Nt,ht,null)}e.bindFramebuffer(i.FRAMEBUFFER,P),Rt(x)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,J,nt,
+at.__webglTexture,0,Ie(x)):(nt===i.TEXTURE_2D||nt>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&nt<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,J,nt,at.__webglTexture,et),e.bindFramebuffer(i.FRAMEBUFFER,null)}function Ot(P,x,F){if(i.bindRenderbuffer(i.RENDERBUFFER,P),x.depthBuffer){let J=x.depthTexture,nt=J&&J.isDepthTexture?J.type:null,et=y(x.stencilBuffer,nt),Nt=x.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:
+i.DEPTH_ATTACHMENT,ht=Ie(x);Rt(x)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,ht,et,x.width,x.height):F?i.renderbufferStorageMultisample(i.RENDERBUFFER,ht,et,x.width,x.height):i.renderbufferStorage(i.RENDERBUFFER,et,x.width,x.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,Nt,i.RENDERBUFFER,P)}else{let J=x.textures;for(let nt=0;nt<J.length;nt++){let et=J[nt],Nt=r.convert(et.format,et.colorSpace),
+ht=r.convert(et.type),It=E(et.internalFormat,Nt,ht,et.colorSpace),Et=Ie(x);F&&Rt(x)===!1?i.renderbufferStorageMultisample(i.RENDERBUFFER,Et,It,x.width,x.height):Rt(x)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,Et,It,x.width,x.height):i.renderbufferStorage(i.RENDERBUFFER,It,x.width,x.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(P,x){if(x&&x.isWebGLCubeRenderTarget)throw new Error(
+"Depth Texture with cube render targets is not supported");if(e.bindFramebuffer(i.FRAMEBUFFER,P),!(x.depthTexture&&x.depthTexture.isDepthTexture))throw new Error("renderTarget.depthTexture must be an instance of THREE.DepthTexture");let J=n.get(x.depthTexture);J.__renderTarget=x,(!J.__webglTexture||x.depthTexture.image.width!==x.width||x.depthTexture.image.height!==x.height)&&(x.depthTexture.image.
+width=x.width,x.depthTexture.image.height=x.height,x.depthTexture.needsUpdate=!0),W(x.depthTexture,0);let nt=J.__webglTexture,et=Ie(x);if(x.depthTexture.format===Jr)Rt(x)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,i.DEPTH_ATTACHMENT,i.TEXTURE_2D,nt,0,et):i.framebufferTexture2D(i.FRAMEBUFFER,i.DEPTH_ATTACHMENT,i.TEXTURE_2D,nt,0);else if(x.depthTexture.format===fo)Rt(x)?a.framebufferTexture2DMultisampleEXT(
+i.FRAMEBUFFER,i.DEPTH_STENCIL_ATTACHMENT,i.TEXTURE_2D,nt,0,et):i.framebufferTexture2D(i.FRAMEBUFFER,i.DEPTH_STENCIL_ATTACHMENT,i.TEXTURE_2D,nt,0);else throw new Error("Unknown depthTexture format")}function Qt(P){let x=n.get(P),F=P.isWebGLCubeRenderTarget===!0;if(x.__boundDepthTexture!==P.depthTexture){let J=P.depthTexture;if(x.__depthDisposeCallback&&x.__depthDisposeCallback(),J){let nt=()=>{delete x.
+__boundDepthTexture,delete x.__depthDisposeCallback,J.removeEventListener("dispose",nt)};J.addEventListener("dispose",nt),x.__depthDisposeCallback=nt}x.__boundDepthTexture=J}if(P.depthTexture&&!x.__autoAllocateDepthBuffer){if(F)throw new Error("target.depthTexture not supported in Cube render targets");let J=P.texture.mipmaps;J&&J.length>0?vt(x.__webglFramebuffer[0],P):vt(x.__webglFramebuffer,P)}else if(F){
+x.__webglDepthbuffer=[];for(let J=0;J<6;J++)if(e.bindFramebuffer(i.FRAMEBUFFER,x.__webglFramebuffer[J]),x.__webglDepthbuffer[J]===void 0)x.__webglDepthbuffer[J]=i.createRenderbuffer(),Ot(x.__webglDepthbuffer[J],P,!1);else{let nt=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,et=x.__webglDepthbuffer[J];i.bindRenderbuffer(i.RENDERBUFFER,et),i.framebufferRenderbuffer(i.FRAMEBUFFER,nt,i.
+RENDERBUFFER,et)}}else{let J=P.texture.mipmaps;if(J&&J.length>0?e.bindFramebuffer(i.FRAMEBUFFER,x.__webglFramebuffer[0]):e.bindFramebuffer(i.FRAMEBUFFER,x.__webglFramebuffer),x.__webglDepthbuffer===void 0)x.__webglDepthbuffer=i.createRenderbuffer(),Ot(x.__webglDepthbuffer,P,!1);else{let nt=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,et=x.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,
+et),i.framebufferRenderbuffer(i.FRAMEBUFFER,nt,i.RENDERBUFFER,et)}}e.bindFramebuffer(i.FRAMEBUFFER,null)}function Pe(P,x,F){let J=n.get(P);x!==void 0&&Mt(J.__webglFramebuffer,P,P.texture,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,0),F!==void 0&&Qt(P)}function U(P){let x=P.texture,F=n.get(P),J=n.get(x);P.addEventListener("dispose",D);let nt=P.textures,et=P.isWebGLCubeRenderTarget===!0,Nt=nt.length>1;if(Nt||(J.
+__webglTexture===void 0&&(J.__webglTexture=i.createTexture()),J.__version=x.version,o.memory.textures++),et){F.__webglFramebuffer=[];for(let ht=0;ht<6;ht++)if(x.mipmaps&&x.mipmaps.length>0){F.__webglFramebuffer[ht]=[];for(let It=0;It<x.mipmaps.length;It++)F.__webglFramebuffer[ht][It]=i.createFramebuffer()}else F.__webglFramebuffer[ht]=i.createFramebuffer()}else{if(x.mipmaps&&x.mipmaps.length>0){F.
+__webglFramebuffer=[];for(let ht=0;ht<x.mipmaps.length;ht++)F.__webglFramebuffer[ht]=i.createFramebuffer()}else F.__webglFramebuffer=i.createFramebuffer();if(Nt)for(let ht=0,It=nt.length;ht<It;ht++){let Et=n.get(nt[ht]);Et.__webglTexture===void 0&&(Et.__webglTexture=i.createTexture(),o.memory.textures++)}if(P.samples>0&&Rt(P)===!1){F.__webglMultisampledFramebuffer=i.createFramebuffer(),F.__webglColorRenderbuffer=
+[],e.bindFramebuffer(i.FRAMEBUFFER,F.__webglMultisampledFramebuffer);for(let ht=0;ht<nt.length;ht++){let It=nt[ht];F.__webglColorRenderbuffer[ht]=i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,F.__webglColorRenderbuffer[ht]);let Et=r.convert(It.format,It.colorSpace),at=r.convert(It.type),gt=E(It.internalFormat,Et,at,It.colorSpace,P.isXRRenderTarget===!0),kt=Ie(P);i.renderbufferStorageMultisample(
+i.RENDERBUFFER,kt,gt,P.width,P.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+ht,i.RENDERBUFFER,F.__webglColorRenderbuffer[ht])}i.bindRenderbuffer(i.RENDERBUFFER,null),P.depthBuffer&&(F.__webglDepthRenderbuffer=i.createRenderbuffer(),Ot(F.__webglDepthRenderbuffer,P,!0)),e.bindFramebuffer(i.FRAMEBUFFER,null)}}if(et){e.bindTexture(i.TEXTURE_CUBE_MAP,J.__webglTexture),xt(i.TEXTURE_CUBE_MAP,
+x);for(let ht=0;ht<6;ht++)if(x.mipmaps&&x.mipmaps.length>0)for(let It=0;It<x.mipmaps.length;It++)Mt(F.__webglFramebuffer[ht][It],P,x,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+ht,It);else Mt(F.__webglFramebuffer[ht],P,x,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+ht,0);m(x)&&d(i.TEXTURE_CUBE_MAP),e.unbindTexture()}else if(Nt){for(let ht=0,It=nt.length;ht<It;ht++){let Et=nt[ht],at=n.get(
+Et),gt=i.TEXTURE_2D;(P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(gt=P.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),e.bindTexture(gt,at.__webglTexture),xt(gt,Et),Mt(F.__webglFramebuffer,P,Et,i.COLOR_ATTACHMENT0+ht,gt,0),m(Et)&&d(gt)}e.unbindTexture()}else{let ht=i.TEXTURE_2D;if((P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(ht=P.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),
+e.bindTexture(ht,J.__webglTexture),xt(ht,x),x.mipmaps&&x.mipmaps.length>0)for(let It=0;It<x.mipmaps.length;It++)Mt(F.__webglFramebuffer[It],P,x,i.COLOR_ATTACHMENT0,ht,It);else Mt(F.__webglFramebuffer,P,x,i.COLOR_ATTACHMENT0,ht,0);m(x)&&d(ht),e.unbindTexture()}P.depthBuffer&&Qt(P)}function ve(P){let x=P.textures;for(let F=0,J=x.length;F<J;F++){let nt=x[F];if(m(nt)){let et=w(P),Nt=n.get(nt).__webglTexture;
+e.bindTexture(et,Nt),d(et),e.unbindTexture()}}}let Kt=[],qt=[];function Ft(P){if(P.samples>0){if(Rt(P)===!1){let x=P.textures,F=P.width,J=P.height,nt=i.COLOR_BUFFER_BIT,et=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,Nt=n.get(P),ht=x.length>1;if(ht)for(let Et=0;Et<x.length;Et++)e.bindFramebuffer(i.FRAMEBUFFER,Nt.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
+i.COLOR_ATTACHMENT0+Et,i.RENDERBUFFER,null),e.bindFramebuffer(i.FRAMEBUFFER,Nt.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+Et,i.TEXTURE_2D,null,0);e.bindFramebuffer(i.READ_FRAMEBUFFER,Nt.__webglMultisampledFramebuffer);let It=P.texture.mipmaps;It&&It.length>0?e.bindFramebuffer(i.DRAW_FRAMEBUFFER,Nt.__webglFramebuffer[0]):e.bindFramebuffer(i.DRAW_FRAMEBUFFER,Nt.
+__webglFramebuffer);for(let Et=0;Et<x.length;Et++){if(P.resolveDepthBuffer&&(P.depthBuffer&&(nt|=i.DEPTH_BUFFER_BIT),P.stencilBuffer&&P.resolveStencilBuffer&&(nt|=i.STENCIL_BUFFER_BIT)),ht){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.RENDERBUFFER,Nt.__webglColorRenderbuffer[Et]);let at=n.get(x[Et]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,
+i.TEXTURE_2D,at,0)}i.blitFramebuffer(0,0,F,J,0,0,F,J,nt,i.NEAREST),c===!0&&(Kt.length=0,qt.length=0,Kt.push(i.COLOR_ATTACHMENT0+Et),P.depthBuffer&&P.resolveDepthBuffer===!1&&(Kt.push(et),qt.push(et),i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,qt)),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Kt))}if(e.bindFramebuffer(i.READ_FRAMEBUFFER,null),e.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),ht)for(let Et=0;Et<
+x.length;Et++){e.bindFramebuffer(i.FRAMEBUFFER,Nt.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+Et,i.RENDERBUFFER,Nt.__webglColorRenderbuffer[Et]);let at=n.get(x[Et]).__webglTexture;e.bindFramebuffer(i.FRAMEBUFFER,Nt.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+Et,i.TEXTURE_2D,at,0)}e.bindFramebuffer(i.DRAW_FRAMEBUFFER,
+Nt.__webglMultisampledFramebuffer)}else if(P.depthBuffer&&P.resolveDepthBuffer===!1&&c){let x=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[x])}}}function Ie(P){return Math.min(s.maxSamples,P.samples)}function Rt(P){let x=n.get(P);return P.samples>0&&t.has("WEBGL_multisampled_render_to_texture")===!0&&x.__useRenderToTexture!==!1}function Gt(P){
+let x=o.render.frame;h.get(P)!==x&&(h.set(P,x),P.update())}function He(P,x){let F=P.colorSpace,J=P.format,nt=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===!0||F!==tr&&F!==hs&&(xe.getTransfer(F)===De?(J!==pi||nt!==Pi)&&console.warn("THREE.WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):console.error("THREE.WebGLTextures: Unsupported texture color s\
+pace:",F)),x}function we(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(l.width=P.naturalWidth||P.width,l.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(l.width=P.displayWidth,l.height=P.displayHeight):(l.width=P.width,l.height=P.height),l}this.allocateTextureUnit=k,this.resetTextureUnits=O,this.setTexture2D=W,this.setTexture2DArray=q,this.
+setTexture3D=$,this.setTextureCube=j,this.rebindTextures=Pe,this.setupRenderTarget=U,this.updateRenderTargetMipmap=ve,this.updateMultisampleRenderTarget=Ft,this.setupDepthRenderbuffer=Qt,this.setupFrameBufferTexture=Mt,this.useMultisampledRTT=Rt}function n1(i,t){function e(n,s=hs){let r,o=xe.getTransfer(s);if(n===Pi)return i.UNSIGNED_BYTE;if(n===fc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===dc)return i.
+UNSIGNED_SHORT_5_5_5_1;if(n===Xu)return i.UNSIGNED_INT_5_9_9_9_REV;if(n===qu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Gu)return i.BYTE;if(n===Wu)return i.SHORT;if(n===co)return i.UNSIGNED_SHORT;if(n===uc)return i.INT;if(n===Is)return i.UNSIGNED_INT;if(n===Ii)return i.FLOAT;if(n===ho)return i.HALF_FLOAT;if(n===Yu)return i.ALPHA;if(n===Zu)return i.RGB;if(n===pi)return i.RGBA;if(n===Jr)return i.DEPTH_COMPONENT;
+if(n===fo)return i.DEPTH_STENCIL;if(n===pc)return i.RED;if(n===mc)return i.RED_INTEGER;if(n===$u)return i.RG;if(n===gc)return i.RG_INTEGER;if(n===_c)return i.RGBA_INTEGER;if(n===ga||n===_a||n===va||n===xa)if(o===De)if(r=t.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===ga)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(n===_a)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===va)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;
+if(n===xa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=t.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===ga)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===_a)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(n===va)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===xa)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===vc||n===xc||n===yc||n===Mc)if(r=t.get("WEBGL_compr\
+essed_texture_pvrtc"),r!==null){if(n===vc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===xc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===yc)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===Mc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===Sc||n===bc||n===wc)if(r=t.get("WEBGL_compressed_texture_etc"),r!==null){if(n===Sc||n===bc)return o===De?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;
+if(n===wc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC}else return null;if(n===Tc||n===Ec||n===Ac||n===Cc||n===Rc||n===Pc||n===Ic||n===Lc||n===Dc||n===Uc||n===Fc||n===Nc||n===Oc||n===Bc)if(r=t.get("WEBGL_compressed_texture_astc"),r!==null){if(n===Tc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===Ec)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:
+r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===Ac)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(n===Cc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===Rc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(n===Pc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;
+if(n===Ic)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(n===Lc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===Dc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===Uc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===Fc)return o===
+De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===Nc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===Oc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Bc)return o===De?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===zc||n===
+kc||n===Vc)if(r=t.get("EXT_texture_compression_bptc"),r!==null){if(n===zc)return o===De?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(n===kc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Vc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Hc||n===Gc||n===Wc||n===Xc)if(r=t.get("EXT_texture_compression_rgtc"),r!==null){if(n===Hc)return r.COMPRESSED_RED_RGTC1_EXT;
+if(n===Gc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===Wc)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Xc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===uo?i.UNSIGNED_INT_24_8:i[n]!==void 0?i[n]:null}return{convert:e}}var i1=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,s1=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,gf=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(t,e){if(this.texture===null){let n=new ra(t.texture);(t.depthNear!==e.depthNear||t.depthFar!==e.depthFar)&&(this.depthNear=t.depthNear,this.depthFar=t.depthFar),this.texture=n}}getMesh(t){if(this.texture!==null&&this.mesh===null){let e=t.cameras[0].viewport,n=new Ri({vertexShader:i1,fragmentShader:s1,uniforms:{
+depthColor:{value:this.texture},depthWidth:{value:e.z},depthHeight:{value:e.w}}});this.mesh=new Sn(new er(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},_f=class extends rs{constructor(t,e){super();let n=this,s=null,r=1,o=null,a="local-floor",c=1,l=null,h=null,u=null,f=null,p=null,_=null,v=typeof XRWebGLBinding<"u",m=new gf,d={},w=e.getContextAttributes(),
+E=null,y=null,L=[],A=[],D=new pe,N=null,b=new Cn;b.viewport=new $e;let S=new Cn;S.viewport=new $e;let C=[b,S],O=new jl,k=null,G=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(Q){let tt=L[Q];return tt===void 0&&(tt=new eo,L[Q]=tt),tt.getTargetRaySpace()},this.getControllerGrip=function(Q){let tt=L[Q];return tt===void 0&&(tt=new eo,L[Q]=tt),tt.getGripSpace()},
+this.getHand=function(Q){let tt=L[Q];return tt===void 0&&(tt=new eo,L[Q]=tt),tt.getHandSpace()};function W(Q){let tt=A.indexOf(Q.inputSource);if(tt===-1)return;let Mt=L[tt];Mt!==void 0&&(Mt.update(Q.inputSource,Q.frame,l||o),Mt.dispatchEvent({type:Q.type,data:Q.inputSource}))}function q(){s.removeEventListener("select",W),s.removeEventListener("selectstart",W),s.removeEventListener("selectend",W),
+s.removeEventListener("squeeze",W),s.removeEventListener("squeezestart",W),s.removeEventListener("squeezeend",W),s.removeEventListener("end",q),s.removeEventListener("inputsourceschange",$);for(let Q=0;Q<L.length;Q++){let tt=A[Q];tt!==null&&(A[Q]=null,L[Q].disconnect(tt))}k=null,G=null,m.reset();for(let Q in d)delete d[Q];t.setRenderTarget(E),p=null,f=null,u=null,s=null,y=null,$t.stop(),n.isPresenting=
+!1,t.setPixelRatio(N),t.setSize(D.width,D.height,!1),n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(Q){r=Q,n.isPresenting===!0&&console.warn("THREE.WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(Q){a=Q,n.isPresenting===!0&&console.warn("THREE.WebXRManager: Cannot change reference space type while presenting.")},this.
+getReferenceSpace=function(){return l||o},this.setReferenceSpace=function(Q){l=Q},this.getBaseLayer=function(){return f!==null?f:p},this.getBinding=function(){return u===null&&v&&(u=new XRWebGLBinding(s,e)),u},this.getFrame=function(){return _},this.getSession=function(){return s},this.setSession=async function(Q){if(s=Q,s!==null){if(E=t.getRenderTarget(),s.addEventListener("select",W),s.addEventListener(
+"selectstart",W),s.addEventListener("selectend",W),s.addEventListener("squeeze",W),s.addEventListener("squeezestart",W),s.addEventListener("squeezeend",W),s.addEventListener("end",q),s.addEventListener("inputsourceschange",$),w.xrCompatible!==!0&&await e.makeXRCompatible(),N=t.getPixelRatio(),t.getSize(D),v&&"createProjectionLayer"in XRWebGLBinding.prototype){let Mt=null,Ot=null,vt=null;w.depth&&(vt=
+w.stencil?e.DEPTH24_STENCIL8:e.DEPTH_COMPONENT24,Mt=w.stencil?fo:Jr,Ot=w.stencil?uo:Is);let Qt={colorFormat:e.RGBA8,depthFormat:vt,scaleFactor:r};u=this.getBinding(),f=u.createProjectionLayer(Qt),s.updateRenderState({layers:[f]}),t.setPixelRatio(1),t.setSize(f.textureWidth,f.textureHeight,!1),y=new ki(f.textureWidth,f.textureHeight,{format:pi,type:Pi,depthTexture:new sa(f.textureWidth,f.textureHeight,
+Ot,void 0,void 0,void 0,void 0,void 0,void 0,Mt),stencilBuffer:w.stencil,colorSpace:t.outputColorSpace,samples:w.antialias?4:0,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1})}else{let Mt={antialias:w.antialias,alpha:!0,depth:w.depth,stencil:w.stencil,framebufferScaleFactor:r};p=new XRWebGLLayer(s,e,Mt),s.updateRenderState({baseLayer:p}),t.setPixelRatio(1),
+t.setSize(p.framebufferWidth,p.framebufferHeight,!1),y=new ki(p.framebufferWidth,p.framebufferHeight,{format:pi,type:Pi,colorSpace:t.outputColorSpace,stencilBuffer:w.stencil,resolveDepthBuffer:p.ignoreDepthValues===!1,resolveStencilBuffer:p.ignoreDepthValues===!1})}y.isXRRenderTarget=!0,this.setFoveation(c),l=null,o=await s.requestReferenceSpace(a),$t.setContext(s),$t.start(),n.isPresenting=!0,n.dispatchEvent(
+{type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};function $(Q){for(let tt=0;tt<Q.removed.length;tt++){let Mt=Q.removed[tt],Ot=A.indexOf(Mt);Ot>=0&&(A[Ot]=null,L[Ot].disconnect(Mt))}for(let tt=0;tt<Q.added.length;tt++){let Mt=Q.added[tt],Ot=A.indexOf(Mt);if(Ot===-1){for(let Qt=0;Qt<
+L.length;Qt++)if(Qt>=A.length){A.push(Mt),Ot=Qt;break}else if(A[Qt]===null){A[Qt]=Mt,Ot=Qt;break}if(Ot===-1)break}let vt=L[Ot];vt&&vt.connect(Mt)}}let j=new X,rt=new X;function ot(Q,tt,Mt){j.setFromMatrixPosition(tt.matrixWorld),rt.setFromMatrixPosition(Mt.matrixWorld);let Ot=j.distanceTo(rt),vt=tt.projectionMatrix.elements,Qt=Mt.projectionMatrix.elements,Pe=vt[14]/(vt[10]-1),U=vt[14]/(vt[10]+1),ve=(vt[9]+
+1)/vt[5],Kt=(vt[9]-1)/vt[5],qt=(vt[8]-1)/vt[0],Ft=(Qt[8]+1)/Qt[0],Ie=Pe*qt,Rt=Pe*Ft,Gt=Ot/(-qt+Ft),He=Gt*-qt;if(tt.matrixWorld.decompose(Q.position,Q.quaternion,Q.scale),Q.translateX(He),Q.translateZ(Gt),Q.matrixWorld.compose(Q.position,Q.quaternion,Q.scale),Q.matrixWorldInverse.copy(Q.matrixWorld).invert(),vt[10]===-1)Q.projectionMatrix.copy(tt.projectionMatrix),Q.projectionMatrixInverse.copy(tt.
+projectionMatrixInverse);else{let we=Pe+Gt,P=U+Gt,x=Ie-He,F=Rt+(Ot-He),J=ve*U/P*we,nt=Kt*U/P*we;Q.projectionMatrix.makePerspective(x,F,J,nt,we,P),Q.projectionMatrixInverse.copy(Q.projectionMatrix).invert()}}function _t(Q,tt){tt===null?Q.matrixWorld.copy(Q.matrix):Q.matrixWorld.multiplyMatrices(tt.matrixWorld,Q.matrix),Q.matrixWorldInverse.copy(Q.matrixWorld).invert()}this.updateCamera=function(Q){
+if(s===null)return;let tt=Q.near,Mt=Q.far;m.texture!==null&&(m.depthNear>0&&(tt=m.depthNear),m.depthFar>0&&(Mt=m.depthFar)),O.near=S.near=b.near=tt,O.far=S.far=b.far=Mt,(k!==O.near||G!==O.far)&&(s.updateRenderState({depthNear:O.near,depthFar:O.far}),k=O.near,G=O.far),O.layers.mask=Q.layers.mask|6,b.layers.mask=O.layers.mask&3,S.layers.mask=O.layers.mask&5;let Ot=Q.parent,vt=O.cameras;_t(O,Ot);for(let Qt=0;Qt<
+vt.length;Qt++)_t(vt[Qt],Ot);vt.length===2?ot(O,b,S):O.projectionMatrix.copy(b.projectionMatrix),xt(Q,O,Ot)};function xt(Q,tt,Mt){Mt===null?Q.matrix.copy(tt.matrixWorld):(Q.matrix.copy(Mt.matrixWorld),Q.matrix.invert(),Q.matrix.multiply(tt.matrixWorld)),Q.matrix.decompose(Q.position,Q.quaternion,Q.scale),Q.updateMatrixWorld(!0),Q.projectionMatrix.copy(tt.projectionMatrix),Q.projectionMatrixInverse.
+copy(tt.projectionMatrixInverse),Q.isPerspectiveCamera&&(Q.fov=Ll*2*Math.atan(1/Q.projectionMatrix.elements[5]),Q.zoom=1)}this.getCamera=function(){return O},this.getFoveation=function(){if(!(f===null&&p===null))return c},this.setFoveation=function(Q){c=Q,f!==null&&(f.fixedFoveation=Q),p!==null&&p.fixedFoveation!==void 0&&(p.fixedFoveation=Q)},this.hasDepthSensing=function(){return m.texture!==null},
+this.getDepthSensingMesh=function(){return m.getMesh(O)},this.getCameraTexture=function(Q){return d[Q]};let pt=null;function ee(Q,tt){if(h=tt.getViewerPose(l||o),_=tt,h!==null){let Mt=h.views;p!==null&&(t.setRenderTargetFramebuffer(y,p.framebuffer),t.setRenderTarget(y));let Ot=!1;Mt.length!==O.cameras.length&&(O.cameras.length=0,Ot=!0);for(let U=0;U<Mt.length;U++){let ve=Mt[U],Kt=null;if(p!==null)
+Kt=p.getViewport(ve);else{let Ft=u.getViewSubImage(f,ve);Kt=Ft.viewport,U===0&&(t.setRenderTargetTextures(y,Ft.colorTexture,Ft.depthStencilTexture),t.setRenderTarget(y))}let qt=C[U];qt===void 0&&(qt=new Cn,qt.layers.enable(U),qt.viewport=new $e,C[U]=qt),qt.matrix.fromArray(ve.transform.matrix),qt.matrix.decompose(qt.position,qt.quaternion,qt.scale),qt.projectionMatrix.fromArray(ve.projectionMatrix),
+qt.projectionMatrixInverse.copy(qt.projectionMatrix).invert(),qt.viewport.set(Kt.x,Kt.y,Kt.width,Kt.height),U===0&&(O.matrix.copy(qt.matrix),O.matrix.decompose(O.position,O.quaternion,O.scale)),Ot===!0&&O.cameras.push(qt)}let vt=s.enabledFeatures;if(vt&&vt.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&v){u=n.getBinding();let U=u.getDepthInformation(Mt[0]);U&&U.isValid&&U.texture&&m.init(
+U,s.renderState)}if(vt&&vt.includes("camera-access")&&v){t.state.unbindTexture(),u=n.getBinding();for(let U=0;U<Mt.length;U++){let ve=Mt[U].camera;if(ve){let Kt=d[ve];Kt||(Kt=new ra,d[ve]=Kt);let qt=u.getCameraImage(ve);Kt.sourceTexture=qt}}}}for(let Mt=0;Mt<L.length;Mt++){let Ot=A[Mt],vt=L[Mt];Ot!==null&&vt!==void 0&&vt.update(Ot,tt,l||o)}pt&&pt(Q,tt),tt.detectedPlanes&&n.dispatchEvent({type:"pla\
+nesdetected",data:tt}),_=null}let $t=new Gg;$t.setAnimationLoop(ee),this.setAnimationLoop=function(Q){pt=Q},this.dispose=function(){}}},lr=new fi,r1=new _e;function o1(i,t){function e(m,d){m.matrixAutoUpdate===!0&&m.updateMatrix(),d.value.copy(m.matrix)}function n(m,d){d.color.getRGB(m.fogColor.value,Qu(i)),d.isFog?(m.fogNear.value=d.near,m.fogFar.value=d.far):d.isFogExp2&&(m.fogDensity.value=d.density)}
+function s(m,d,w,E,y){d.isMeshBasicMaterial||d.isMeshLambertMaterial?r(m,d):d.isMeshToonMaterial?(r(m,d),u(m,d)):d.isMeshPhongMaterial?(r(m,d),h(m,d)):d.isMeshStandardMaterial?(r(m,d),f(m,d),d.isMeshPhysicalMaterial&&p(m,d,y)):d.isMeshMatcapMaterial?(r(m,d),_(m,d)):d.isMeshDepthMaterial?r(m,d):d.isMeshDistanceMaterial?(r(m,d),v(m,d)):d.isMeshNormalMaterial?r(m,d):d.isLineBasicMaterial?(o(m,d),d.isLineDashedMaterial&&
+a(m,d)):d.isPointsMaterial?c(m,d,w,E):d.isSpriteMaterial?l(m,d):d.isShadowMaterial?(m.color.value.copy(d.color),m.opacity.value=d.opacity):d.isShaderMaterial&&(d.uniformsNeedUpdate=!1)}function r(m,d){m.opacity.value=d.opacity,d.color&&m.diffuse.value.copy(d.color),d.emissive&&m.emissive.value.copy(d.emissive).multiplyScalar(d.emissiveIntensity),d.map&&(m.map.value=d.map,e(d.map,m.mapTransform)),d.
+alphaMap&&(m.alphaMap.value=d.alphaMap,e(d.alphaMap,m.alphaMapTransform)),d.bumpMap&&(m.bumpMap.value=d.bumpMap,e(d.bumpMap,m.bumpMapTransform),m.bumpScale.value=d.bumpScale,d.side===zn&&(m.bumpScale.value*=-1)),d.normalMap&&(m.normalMap.value=d.normalMap,e(d.normalMap,m.normalMapTransform),m.normalScale.value.copy(d.normalScale),d.side===zn&&m.normalScale.value.negate()),d.displacementMap&&(m.displacementMap.
+value=d.displacementMap,e(d.displacementMap,m.displacementMapTransform),m.displacementScale.value=d.displacementScale,m.displacementBias.value=d.displacementBias),d.emissiveMap&&(m.emissiveMap.value=d.emissiveMap,e(d.emissiveMap,m.emissiveMapTransform)),d.specularMap&&(m.specularMap.value=d.specularMap,e(d.specularMap,m.specularMapTransform)),d.alphaTest>0&&(m.alphaTest.value=d.alphaTest);let w=t.
+get(d),E=w.envMap,y=w.envMapRotation;E&&(m.envMap.value=E,lr.copy(y),lr.x*=-1,lr.y*=-1,lr.z*=-1,E.isCubeTexture&&E.isRenderTargetTexture===!1&&(lr.y*=-1,lr.z*=-1),m.envMapRotation.value.setFromMatrix4(r1.makeRotationFromEuler(lr)),m.flipEnvMap.value=E.isCubeTexture&&E.isRenderTargetTexture===!1?-1:1,m.reflectivity.value=d.reflectivity,m.ior.value=d.ior,m.refractionRatio.value=d.refractionRatio),d.
+lightMap&&(m.lightMap.value=d.lightMap,m.lightMapIntensity.value=d.lightMapIntensity,e(d.lightMap,m.lightMapTransform)),d.aoMap&&(m.aoMap.value=d.aoMap,m.aoMapIntensity.value=d.aoMapIntensity,e(d.aoMap,m.aoMapTransform))}function o(m,d){m.diffuse.value.copy(d.color),m.opacity.value=d.opacity,d.map&&(m.map.value=d.map,e(d.map,m.mapTransform))}function a(m,d){m.dashSize.value=d.dashSize,m.totalSize.
+value=d.dashSize+d.gapSize,m.scale.value=d.scale}function c(m,d,w,E){m.diffuse.value.copy(d.color),m.opacity.value=d.opacity,m.size.value=d.size*w,m.scale.value=E*.5,d.map&&(m.map.value=d.map,e(d.map,m.uvTransform)),d.alphaMap&&(m.alphaMap.value=d.alphaMap,e(d.alphaMap,m.alphaMapTransform)),d.alphaTest>0&&(m.alphaTest.value=d.alphaTest)}function l(m,d){m.diffuse.value.copy(d.color),m.opacity.value=
+d.opacity,m.rotation.value=d.rotation,d.map&&(m.map.value=d.map,e(d.map,m.mapTransform)),d.alphaMap&&(m.alphaMap.value=d.alphaMap,e(d.alphaMap,m.alphaMapTransform)),d.alphaTest>0&&(m.alphaTest.value=d.alphaTest)}function h(m,d){m.specular.value.copy(d.specular),m.shininess.value=Math.max(d.shininess,1e-4)}function u(m,d){d.gradientMap&&(m.gradientMap.value=d.gradientMap)}function f(m,d){m.metalness.
+value=d.metalness,d.metalnessMap&&(m.metalnessMap.value=d.metalnessMap,e(d.metalnessMap,m.metalnessMapTransform)),m.roughness.value=d.roughness,d.roughnessMap&&(m.roughnessMap.value=d.roughnessMap,e(d.roughnessMap,m.roughnessMapTransform)),d.envMap&&(m.envMapIntensity.value=d.envMapIntensity)}function p(m,d,w){m.ior.value=d.ior,d.sheen>0&&(m.sheenColor.value.copy(d.sheenColor).multiplyScalar(d.sheen),
+m.sheenRoughness.value=d.sheenRoughness,d.sheenColorMap&&(m.sheenColorMap.value=d.sheenColorMap,e(d.sheenColorMap,m.sheenColorMapTransform)),d.sheenRoughnessMap&&(m.sheenRoughnessMap.value=d.sheenRoughnessMap,e(d.sheenRoughnessMap,m.sheenRoughnessMapTransform))),d.clearcoat>0&&(m.clearcoat.value=d.clearcoat,m.clearcoatRoughness.value=d.clearcoatRoughness,d.clearcoatMap&&(m.clearcoatMap.value=d.clearcoatMap,
+e(d.clearcoatMap,m.clearcoatMapTransform)),d.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.value=d.clearcoatRoughnessMap,e(d.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),d.clearcoatNormalMap&&(m.clearcoatNormalMap.value=d.clearcoatNormalMap,e(d.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(d.clearcoatNormalScale),d.side===zn&&m.clearcoatNormalScale.
+value.negate())),d.dispersion>0&&(m.dispersion.value=d.dispersion),d.iridescence>0&&(m.iridescence.value=d.iridescence,m.iridescenceIOR.value=d.iridescenceIOR,m.iridescenceThicknessMinimum.value=d.iridescenceThicknessRange[0],m.iridescenceThicknessMaximum.value=d.iridescenceThicknessRange[1],d.iridescenceMap&&(m.iridescenceMap.value=d.iridescenceMap,e(d.iridescenceMap,m.iridescenceMapTransform)),d.
+iridescenceThicknessMap&&(m.iridescenceThicknessMap.value=d.iridescenceThicknessMap,e(d.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),d.transmission>0&&(m.transmission.value=d.transmission,m.transmissionSamplerMap.value=w.texture,m.transmissionSamplerSize.value.set(w.width,w.height),d.transmissionMap&&(m.transmissionMap.value=d.transmissionMap,e(d.transmissionMap,m.transmissionMapTransform)),
+m.thickness.value=d.thickness,d.thicknessMap&&(m.thicknessMap.value=d.thicknessMap,e(d.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=d.attenuationDistance,m.attenuationColor.value.copy(d.attenuationColor)),d.anisotropy>0&&(m.anisotropyVector.value.set(d.anisotropy*Math.cos(d.anisotropyRotation),d.anisotropy*Math.sin(d.anisotropyRotation)),d.anisotropyMap&&(m.anisotropyMap.value=
+d.anisotropyMap,e(d.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=d.specularIntensity,m.specularColor.value.copy(d.specularColor),d.specularColorMap&&(m.specularColorMap.value=d.specularColorMap,e(d.specularColorMap,m.specularColorMapTransform)),d.specularIntensityMap&&(m.specularIntensityMap.value=d.specularIntensityMap,e(d.specularIntensityMap,m.specularIntensityMapTransform))}
+function _(m,d){d.matcap&&(m.matcap.value=d.matcap)}function v(m,d){let w=t.get(d).light;m.referencePosition.value.setFromMatrixPosition(w.matrixWorld),m.nearDistance.value=w.shadow.camera.near,m.farDistance.value=w.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function a1(i,t,e,n){let s={},r={},o=[],a=i.getParameter(i.MAX_UNIFORM_BUFFER_BINDINGS);function c(w,E){let y=E.
+program;n.uniformBlockBinding(w,y)}function l(w,E){let y=s[w.id];y===void 0&&(_(w),y=h(w),s[w.id]=y,w.addEventListener("dispose",m));let L=E.program;n.updateUBOMapping(w,L);let A=t.render.frame;r[w.id]!==A&&(f(w),r[w.id]=A)}function h(w){let E=u();w.__bindingPointIndex=E;let y=i.createBuffer(),L=w.__size,A=w.usage;return i.bindBuffer(i.UNIFORM_BUFFER,y),i.bufferData(i.UNIFORM_BUFFER,L,A),i.bindBuffer(
+i.UNIFORM_BUFFER,null),i.bindBufferBase(i.UNIFORM_BUFFER,E,y),y}function u(){for(let w=0;w<a;w++)if(o.indexOf(w)===-1)return o.push(w),w;return console.error("THREE.WebGLRenderer: Maximum number of simultaneously usable uniforms groups reached."),0}function f(w){let E=s[w.id],y=w.uniforms,L=w.__cache;i.bindBuffer(i.UNIFORM_BUFFER,E);for(let A=0,D=y.length;A<D;A++){let N=Array.isArray(y[A])?y[A]:[y[A]];
+for(let b=0,S=N.length;b<S;b++){let C=N[b];if(p(C,A,b,L)===!0){let O=C.__offset,k=Array.isArray(C.value)?C.value:[C.value],G=0;for(let W=0;W<k.length;W++){let q=k[W],$=v(q);typeof q=="number"||typeof q=="boolean"?(C.__data[0]=q,i.bufferSubData(i.UNIFORM_BUFFER,O+G,C.__data)):q.isMatrix3?(C.__data[0]=q.elements[0],C.__data[1]=q.elements[1],C.__data[2]=q.elements[2],C.__data[3]=0,C.__data[4]=q.elements[3],
+C.__data[5]=q.elements[4],C.__data[6]=q.elements[5],C.__data[7]=0,C.__data[8]=q.elements[6],C.__data[9]=q.elements[7],C.__data[10]=q.elements[8],C.__data[11]=0):(q.toArray(C.__data,G),G+=$.storage/Float32Array.BYTES_PER_ELEMENT)}i.bufferSubData(i.UNIFORM_BUFFER,O,C.__data)}}}i.bindBuffer(i.UNIFORM_BUFFER,null)}function p(w,E,y,L){let A=w.value,D=E+"_"+y;if(L[D]===void 0)return typeof A=="number"||
+typeof A=="boolean"?L[D]=A:L[D]=A.clone(),!0;{let N=L[D];if(typeof A=="number"||typeof A=="boolean"){if(N!==A)return L[D]=A,!0}else if(N.equals(A)===!1)return N.copy(A),!0}return!1}function _(w){let E=w.uniforms,y=0,L=16;for(let D=0,N=E.length;D<N;D++){let b=Array.isArray(E[D])?E[D]:[E[D]];for(let S=0,C=b.length;S<C;S++){let O=b[S],k=Array.isArray(O.value)?O.value:[O.value];for(let G=0,W=k.length;G<
+W;G++){let q=k[G],$=v(q),j=y%L,rt=j%$.boundary,ot=j+rt;y+=rt,ot!==0&&L-ot<$.storage&&(y+=L-ot),O.__data=new Float32Array($.storage/Float32Array.BYTES_PER_ELEMENT),O.__offset=y,y+=$.storage}}}let A=y%L;return A>0&&(y+=L-A),w.__size=y,w.__cache={},this}function v(w){let E={boundary:0,storage:0};return typeof w=="number"||typeof w=="boolean"?(E.boundary=4,E.storage=4):w.isVector2?(E.boundary=8,E.storage=
+8):w.isVector3||w.isColor?(E.boundary=16,E.storage=12):w.isVector4?(E.boundary=16,E.storage=16):w.isMatrix3?(E.boundary=48,E.storage=48):w.isMatrix4?(E.boundary=64,E.storage=64):w.isTexture?console.warn("THREE.WebGLRenderer: Texture samplers can not be part of an uniforms group."):console.warn("THREE.WebGLRenderer: Unsupported uniform value type.",w),E}function m(w){let E=w.target;E.removeEventListener(
+"dispose",m);let y=o.indexOf(E.__bindingPointIndex);o.splice(y,1),i.deleteBuffer(s[E.id]),delete s[E.id],delete r[E.id]}function d(){for(let w in s)i.deleteBuffer(s[w]);o=[],s={},r={}}return{bind:c,update:l,dispose:d}}var Kc=class{constructor(t={}){let{canvas:e=mg(),context:n=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:c=!0,preserveDrawingBuffer:l=!1,powerPreference:h="\
+default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:f=!1}=t;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let _=new Uint32Array(4),v=new Int32Array(4),m=null,d=null,w=[],E=[];this.domElement=e,this.debug=
+{checkShaderErrors:!0,onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=cs,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let y=this,L=!1;this._outputColorSpace=ni;let A=0,D=0,N=null,b=-1,S=null,C=new $e,O=new $e,k=null,G=new oe(0),W=0,q=e.
+width,$=e.height,j=1,rt=null,ot=null,_t=new $e(0,0,q,$),xt=new $e(0,0,q,$),pt=!1,ee=new no,$t=!1,Q=!1,tt=new _e,Mt=new X,Ot=new $e,vt={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},Qt=!1;function Pe(){return N===null?j:1}let U=n;function ve(T,V){return e.getContext(T,V)}try{let T={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:c,preserveDrawingBuffer:l,powerPreference:h,
+failIfMajorPerformanceCaveat:u};if("setAttribute"in e&&e.setAttribute("data-engine",`three.js r${"180"}`),e.addEventListener("webglcontextlost",dt,!1),e.addEventListener("webglcontextrestored",Pt,!1),e.addEventListener("webglcontextcreationerror",ct,!1),U===null){let V="webgl2";if(U=ve(V,T),U===null)throw ve(V)?new Error("Error creating WebGL context with your selected attributes."):new Error("Err\
+or creating WebGL context.")}}catch(T){throw console.error("THREE.WebGLRenderer: "+T.message),T}let Kt,qt,Ft,Ie,Rt,Gt,He,we,P,x,F,J,nt,et,Nt,ht,It,Et,at,gt,kt,zt,yt,te;function B(){Kt=new TS(U),Kt.init(),zt=new n1(U,Kt),qt=new vS(U,Kt,t,zt),Ft=new t1(U,Kt),qt.reversedDepthBuffer&&f&&Ft.buffers.depth.setReversed(!0),Ie=new CS(U),Rt=new Vb,Gt=new e1(U,Kt,Ft,Rt,qt,zt,Ie),He=new yS(y),we=new wS(y),P=new Ux(
+U),yt=new gS(U,P),x=new ES(U,P,Ie,yt),F=new PS(U,x,P,Ie),at=new RS(U,qt,Gt),ht=new xS(Rt),J=new kb(y,He,we,Kt,qt,yt,ht),nt=new o1(y,Rt),et=new Gb,Nt=new $b(Kt),Et=new mS(y,He,we,Ft,F,p,c),It=new jb(y,F,qt),te=new a1(U,Ie,qt,Ft),gt=new _S(U,Kt,Ie),kt=new AS(U,Kt,Ie),Ie.programs=J.programs,y.capabilities=qt,y.extensions=Kt,y.properties=Rt,y.renderLists=et,y.shadowMap=It,y.state=Ft,y.info=Ie}B();let ut=new _f(
+y,U);this.xr=ut,this.getContext=function(){return U},this.getContextAttributes=function(){return U.getContextAttributes()},this.forceContextLoss=function(){let T=Kt.get("WEBGL_lose_context");T&&T.loseContext()},this.forceContextRestore=function(){let T=Kt.get("WEBGL_lose_context");T&&T.restoreContext()},this.getPixelRatio=function(){return j},this.setPixelRatio=function(T){T!==void 0&&(j=T,this.setSize(
+q,$,!1))},this.getSize=function(T){return T.set(q,$)},this.setSize=function(T,V,K=!0){if(ut.isPresenting){console.warn("THREE.WebGLRenderer: Can't change size while VR device is presenting.");return}q=T,$=V,e.width=Math.floor(T*j),e.height=Math.floor(V*j),K===!0&&(e.style.width=T+"px",e.style.height=V+"px"),this.setViewport(0,0,T,V)},this.getDrawingBufferSize=function(T){return T.set(q*j,$*j).floor()},
+this.setDrawingBufferSize=function(T,V,K){q=T,$=V,j=K,e.width=Math.floor(T*K),e.height=Math.floor(V*K),this.setViewport(0,0,T,V)},this.getCurrentViewport=function(T){return T.copy(C)},this.getViewport=function(T){return T.copy(_t)},this.setViewport=function(T,V,K,Z){T.isVector4?_t.set(T.x,T.y,T.z,T.w):_t.set(T,V,K,Z),Ft.viewport(C.copy(_t).multiplyScalar(j).round())},this.getScissor=function(T){return T.
+copy(xt)},this.setScissor=function(T,V,K,Z){T.isVector4?xt.set(T.x,T.y,T.z,T.w):xt.set(T,V,K,Z),Ft.scissor(O.copy(xt).multiplyScalar(j).round())},this.getScissorTest=function(){return pt},this.setScissorTest=function(T){Ft.setScissorTest(pt=T)},this.setOpaqueSort=function(T){rt=T},this.setTransparentSort=function(T){ot=T},this.getClearColor=function(T){return T.copy(Et.getClearColor())},this.setClearColor=
+function(){Et.setClearColor(...arguments)},this.getClearAlpha=function(){return Et.getClearAlpha()},this.setClearAlpha=function(){Et.setClearAlpha(...arguments)},this.clear=function(T=!0,V=!0,K=!0){let Z=0;if(T){let H=!1;if(N!==null){let ft=N.texture.format;H=ft===_c||ft===gc||ft===mc}if(H){let ft=N.texture.type,St=ft===Pi||ft===Is||ft===co||ft===uo||ft===fc||ft===dc,Lt=Et.getClearColor(),wt=Et.getClearAlpha(),
+Zt=Lt.r,Jt=Lt.g,Vt=Lt.b;St?(_[0]=Zt,_[1]=Jt,_[2]=Vt,_[3]=wt,U.clearBufferuiv(U.COLOR,0,_)):(v[0]=Zt,v[1]=Jt,v[2]=Vt,v[3]=wt,U.clearBufferiv(U.COLOR,0,v))}else Z|=U.COLOR_BUFFER_BIT}V&&(Z|=U.DEPTH_BUFFER_BIT),K&&(Z|=U.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),U.clear(Z)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=
+function(){this.clear(!1,!1,!0)},this.dispose=function(){e.removeEventListener("webglcontextlost",dt,!1),e.removeEventListener("webglcontextrestored",Pt,!1),e.removeEventListener("webglcontextcreationerror",ct,!1),Et.dispose(),et.dispose(),Nt.dispose(),Rt.dispose(),He.dispose(),we.dispose(),F.dispose(),yt.dispose(),te.dispose(),J.dispose(),ut.dispose(),ut.removeEventListener("sessionstart",Ne),ut.
+removeEventListener("sessionend",Yn),kn.stop()};function dt(T){T.preventDefault(),console.log("THREE.WebGLRenderer: Context Lost."),L=!0}function Pt(){console.log("THREE.WebGLRenderer: Context Restored."),L=!1;let T=Ie.autoReset,V=It.enabled,K=It.autoUpdate,Z=It.needsUpdate,H=It.type;B(),Ie.autoReset=T,It.enabled=V,It.autoUpdate=K,It.needsUpdate=Z,It.type=H}function ct(T){console.error("THREE.WebG\
+LRenderer: A WebGL context could not be created. Reason: ",T.statusMessage)}function st(T){let V=T.target;V.removeEventListener("dispose",st),Bt(V)}function Bt(T){ne(T),Rt.remove(T)}function ne(T){let V=Rt.get(T).programs;V!==void 0&&(V.forEach(function(K){J.releaseProgram(K)}),T.isShaderMaterial&&J.releaseShaderCache(T))}this.renderBufferDirect=function(T,V,K,Z,H,ft){V===null&&(V=vt);let St=H.isMesh&&
+H.matrixWorld.determinant()<0,Lt=qi(T,V,K,Z,H);Ft.setMaterial(Z,St);let wt=K.index,Zt=1;if(Z.wireframe===!0){if(wt=x.getWireframeAttribute(K),wt===void 0)return;Zt=2}let Jt=K.drawRange,Vt=K.attributes.position,ae=Jt.start*Zt,Me=(Jt.start+Jt.count)*Zt;ft!==null&&(ae=Math.max(ae,ft.start*Zt),Me=Math.min(Me,(ft.start+ft.count)*Zt)),wt!==null?(ae=Math.max(ae,0),Me=Math.min(Me,wt.count)):Vt!=null&&(ae=
+Math.max(ae,0),Me=Math.min(Me,Vt.count));let ze=Me-ae;if(ze<0||ze===1/0)return;yt.setup(H,Z,Lt,K,wt);let Le,se=gt;if(wt!==null&&(Le=P.get(wt),se=kt,se.setIndex(Le)),H.isMesh)Z.wireframe===!0?(Ft.setLineWidth(Z.wireframeLinewidth*Pe()),se.setMode(U.LINES)):se.setMode(U.TRIANGLES);else if(H.isLine){let Yt=Z.linewidth;Yt===void 0&&(Yt=1),Ft.setLineWidth(Yt*Pe()),H.isLineSegments?se.setMode(U.LINES):H.
+isLineLoop?se.setMode(U.LINE_LOOP):se.setMode(U.LINE_STRIP)}else H.isPoints?se.setMode(U.POINTS):H.isSprite&&se.setMode(U.TRIANGLES);if(H.isBatchedMesh)if(H._multiDrawInstances!==null)Kr("THREE.WebGLRenderer: renderMultiDrawInstances has been deprecated and will be removed in r184. Append to renderMultiDraw arguments and use indirection."),se.renderMultiDrawInstances(H._multiDrawStarts,H._multiDrawCounts,
+H._multiDrawCount,H._multiDrawInstances);else if(Kt.get("WEBGL_multi_draw"))se.renderMultiDraw(H._multiDrawStarts,H._multiDrawCounts,H._multiDrawCount);else{let Yt=H._multiDrawStarts,ke=H._multiDrawCounts,ue=H._multiDrawCount,bn=wt?P.get(wt).bytesPerElement:1,us=Rt.get(Z).currentProgram.getUniforms();for(let In=0;In<ue;In++)us.setValue(U,"_gl_DrawID",In),se.render(Yt[In]/bn,ke[In])}else if(H.isInstancedMesh)
+se.renderInstances(ae,ze,H.count);else if(K.isInstancedBufferGeometry){let Yt=K._maxInstanceCount!==void 0?K._maxInstanceCount:1/0,ke=Math.min(K.instanceCount,Yt);se.renderInstances(ae,ze,ke)}else se.render(ae,ze)};function Ue(T,V,K){T.transparent===!0&&T.side===di&&T.forceSinglePass===!1?(T.side=zn,T.needsUpdate=!0,Ls(T,V,K),T.side=ss,T.needsUpdate=!0,Ls(T,V,K),T.side=di):Ls(T,V,K)}this.compile=function(T,V,K=null){
+K===null&&(K=T),d=Nt.get(K),d.init(V),E.push(d),K.traverseVisible(function(H){H.isLight&&H.layers.test(V.layers)&&(d.pushLight(H),H.castShadow&&d.pushShadow(H))}),T!==K&&T.traverseVisible(function(H){H.isLight&&H.layers.test(V.layers)&&(d.pushLight(H),H.castShadow&&d.pushShadow(H))}),d.setupLights();let Z=new Set;return T.traverse(function(H){if(!(H.isMesh||H.isPoints||H.isLine||H.isSprite))return;
+let ft=H.material;if(ft)if(Array.isArray(ft))for(let St=0;St<ft.length;St++){let Lt=ft[St];Ue(Lt,K,H),Z.add(Lt)}else Ue(ft,K,H),Z.add(ft)}),d=E.pop(),Z},this.compileAsync=function(T,V,K=null){let Z=this.compile(T,V,K);return new Promise(H=>{function ft(){if(Z.forEach(function(St){Rt.get(St).currentProgram.isReady()&&Z.delete(St)}),Z.size===0){H(T);return}setTimeout(ft,10)}Kt.get("KHR_parallel_shad\
+er_compile")!==null?ft():setTimeout(ft,10)})};let ye=null;function xn(T){ye&&ye(T)}function Ne(){kn.stop()}function Yn(){kn.start()}let kn=new Gg;kn.setAnimationLoop(xn),typeof self<"u"&&kn.setContext(self),this.setAnimationLoop=function(T){ye=T,ut.setAnimationLoop(T),T===null?kn.stop():kn.start()},ut.addEventListener("sessionstart",Ne),ut.addEventListener("sessionend",Yn),this.render=function(T,V){
+if(V!==void 0&&V.isCamera!==!0){console.error("THREE.WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(L===!0)return;if(T.matrixWorldAutoUpdate===!0&&T.updateMatrixWorld(),V.parent===null&&V.matrixWorldAutoUpdate===!0&&V.updateMatrixWorld(),ut.enabled===!0&&ut.isPresenting===!0&&(ut.cameraAutoUpdate===!0&&ut.updateCamera(V),V=ut.getCamera()),T.isScene===!0&&T.onBeforeRender(
+y,T,V,N),d=Nt.get(T,E.length),d.init(V),E.push(d),tt.multiplyMatrices(V.projectionMatrix,V.matrixWorldInverse),ee.setFromProjectionMatrix(tt,Ai,V.reversedDepth),Q=this.localClippingEnabled,$t=ht.init(this.clippingPlanes,Q),m=et.get(T,w.length),m.init(),w.push(m),ut.enabled===!0&&ut.isPresenting===!0){let ft=y.xr.getDepthSensingMesh();ft!==null&&Li(ft,V,-1/0,y.sortObjects)}Li(T,V,0,y.sortObjects),m.
+finish(),y.sortObjects===!0&&m.sort(rt,ot),Qt=ut.enabled===!1||ut.isPresenting===!1||ut.hasDepthSensing()===!1,Qt&&Et.addToRenderList(m,T),this.info.render.frame++,$t===!0&&ht.beginShadows();let K=d.state.shadowsArray;It.render(K,T,V),$t===!0&&ht.endShadows(),this.info.autoReset===!0&&this.info.reset();let Z=m.opaque,H=m.transmissive;if(d.setupLights(),V.isArrayCamera){let ft=V.cameras;if(H.length>
+0)for(let St=0,Lt=ft.length;St<Lt;St++){let wt=ft[St];Xi(Z,H,T,wt)}Qt&&Et.render(T);for(let St=0,Lt=ft.length;St<Lt;St++){let wt=ft[St];Pn(m,T,wt,wt.viewport)}}else H.length>0&&Xi(Z,H,T,V),Qt&&Et.render(T),Pn(m,T,V);N!==null&&D===0&&(Gt.updateMultisampleRenderTarget(N),Gt.updateRenderTargetMipmap(N)),T.isScene===!0&&T.onAfterRender(y,T,V),yt.resetDefaultState(),b=-1,S=null,E.pop(),E.length>0?(d=E[E.
+length-1],$t===!0&&ht.setGlobalState(y.clippingPlanes,d.state.camera)):d=null,w.pop(),w.length>0?m=w[w.length-1]:m=null};function Li(T,V,K,Z){if(T.visible===!1)return;if(T.layers.test(V.layers)){if(T.isGroup)K=T.renderOrder;else if(T.isLOD)T.autoUpdate===!0&&T.update(V);else if(T.isLight)d.pushLight(T),T.castShadow&&d.pushShadow(T);else if(T.isSprite){if(!T.frustumCulled||ee.intersectsSprite(T)){Z&&
+Ot.setFromMatrixPosition(T.matrixWorld).applyMatrix4(tt);let St=F.update(T),Lt=T.material;Lt.visible&&m.push(T,St,Lt,K,Ot.z,null)}}else if((T.isMesh||T.isLine||T.isPoints)&&(!T.frustumCulled||ee.intersectsObject(T))){let St=F.update(T),Lt=T.material;if(Z&&(T.boundingSphere!==void 0?(T.boundingSphere===null&&T.computeBoundingSphere(),Ot.copy(T.boundingSphere.center)):(St.boundingSphere===null&&St.computeBoundingSphere(),
+Ot.copy(St.boundingSphere.center)),Ot.applyMatrix4(T.matrixWorld).applyMatrix4(tt)),Array.isArray(Lt)){let wt=St.groups;for(let Zt=0,Jt=wt.length;Zt<Jt;Zt++){let Vt=wt[Zt],ae=Lt[Vt.materialIndex];ae&&ae.visible&&m.push(T,St,ae,K,Ot.z,Vt)}}else Lt.visible&&m.push(T,St,Lt,K,Ot.z,null)}}let ft=T.children;for(let St=0,Lt=ft.length;St<Lt;St++)Li(ft[St],V,K,Z)}function Pn(T,V,K,Z){let H=T.opaque,ft=T.transmissive,
+St=T.transparent;d.setupLightsView(K),$t===!0&&ht.setGlobalState(y.clippingPlanes,K),Z&&Ft.viewport(C.copy(Z)),H.length>0&&mi(H,V,K),ft.length>0&&mi(ft,V,K),St.length>0&&mi(St,V,K),Ft.buffers.depth.setTest(!0),Ft.buffers.depth.setMask(!0),Ft.buffers.color.setMask(!0),Ft.setPolygonOffset(!1)}function Xi(T,V,K,Z){if((K.isScene===!0?K.overrideMaterial:null)!==null)return;d.state.transmissionRenderTarget[Z.
+id]===void 0&&(d.state.transmissionRenderTarget[Z.id]=new ki(1,1,{generateMipmaps:!0,type:Kt.has("EXT_color_buffer_half_float")||Kt.has("EXT_color_buffer_float")?ho:Pi,minFilter:Ps,samples:4,stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,colorSpace:xe.workingColorSpace}));let ft=d.state.transmissionRenderTarget[Z.id],St=Z.viewport||C;ft.setSize(St.z*y.transmissionResolutionScale,St.
+w*y.transmissionResolutionScale);let Lt=y.getRenderTarget(),wt=y.getActiveCubeFace(),Zt=y.getActiveMipmapLevel();y.setRenderTarget(ft),y.getClearColor(G),W=y.getClearAlpha(),W<1&&y.setClearColor(16777215,.5),y.clear(),Qt&&Et.render(K);let Jt=y.toneMapping;y.toneMapping=cs;let Vt=Z.viewport;if(Z.viewport!==void 0&&(Z.viewport=void 0),d.setupLightsView(Z),$t===!0&&ht.setGlobalState(y.clippingPlanes,
+Z),mi(T,K,Z),Gt.updateMultisampleRenderTarget(ft),Gt.updateRenderTargetMipmap(ft),Kt.has("WEBGL_multisampled_render_to_texture")===!1){let ae=!1;for(let Me=0,ze=V.length;Me<ze;Me++){let Le=V[Me],se=Le.object,Yt=Le.geometry,ke=Le.material,ue=Le.group;if(ke.side===di&&se.layers.test(Z.layers)){let bn=ke.side;ke.side=zn,ke.needsUpdate=!0,vo(se,K,Z,Yt,ke,ue),ke.side=bn,ke.needsUpdate=!0,ae=!0}}ae===!0&&
+(Gt.updateMultisampleRenderTarget(ft),Gt.updateRenderTargetMipmap(ft))}y.setRenderTarget(Lt,wt,Zt),y.setClearColor(G,W),Vt!==void 0&&(Z.viewport=Vt),y.toneMapping=Jt}function mi(T,V,K){let Z=V.isScene===!0?V.overrideMaterial:null;for(let H=0,ft=T.length;H<ft;H++){let St=T[H],Lt=St.object,wt=St.geometry,Zt=St.group,Jt=St.material;Jt.allowOverride===!0&&Z!==null&&(Jt=Z),Lt.layers.test(K.layers)&&vo(
+Lt,V,K,wt,Jt,Zt)}}function vo(T,V,K,Z,H,ft){T.onBeforeRender(y,V,K,Z,H,ft),T.modelViewMatrix.multiplyMatrices(K.matrixWorldInverse,T.matrixWorld),T.normalMatrix.getNormalMatrix(T.modelViewMatrix),H.onBeforeRender(y,V,K,Z,T,ft),H.transparent===!0&&H.side===di&&H.forceSinglePass===!1?(H.side=zn,H.needsUpdate=!0,y.renderBufferDirect(K,V,Z,H,T,ft),H.side=ss,H.needsUpdate=!0,y.renderBufferDirect(K,V,Z,
+H,T,ft),H.side=di):y.renderBufferDirect(K,V,Z,H,T,ft),T.onAfterRender(y,V,K,Z,H,ft)}function Ls(T,V,K){V.isScene!==!0&&(V=vt);let Z=Rt.get(T),H=d.state.lights,ft=d.state.shadowsArray,St=H.state.version,Lt=J.getParameters(T,H.state,ft,V,K),wt=J.getProgramCacheKey(Lt),Zt=Z.programs;Z.environment=T.isMeshStandardMaterial?V.environment:null,Z.fog=V.fog,Z.envMap=(T.isMeshStandardMaterial?we:He).get(T.envMap||
+Z.environment),Z.envMapRotation=Z.environment!==null&&T.envMap===null?V.environmentRotation:T.envMapRotation,Zt===void 0&&(T.addEventListener("dispose",st),Zt=new Map,Z.programs=Zt);let Jt=Zt.get(wt);if(Jt!==void 0){if(Z.currentProgram===Jt&&Z.lightsStateVersion===St)return wa(T,Lt),Jt}else Lt.uniforms=J.getUniforms(T),T.onBeforeCompile(Lt,y),Jt=J.acquireProgram(Lt,wt),Zt.set(wt,Jt),Z.uniforms=Lt.
+uniforms;let Vt=Z.uniforms;return(!T.isShaderMaterial&&!T.isRawShaderMaterial||T.clipping===!0)&&(Vt.clippingPlanes=ht.uniform),wa(T,Lt),Z.needsLights=Ds(T),Z.lightsStateVersion=St,Z.needsLights&&(Vt.ambientLightColor.value=H.state.ambient,Vt.lightProbe.value=H.state.probe,Vt.directionalLights.value=H.state.directional,Vt.directionalLightShadows.value=H.state.directionalShadow,Vt.spotLights.value=
+H.state.spot,Vt.spotLightShadows.value=H.state.spotShadow,Vt.rectAreaLights.value=H.state.rectArea,Vt.ltc_1.value=H.state.rectAreaLTC1,Vt.ltc_2.value=H.state.rectAreaLTC2,Vt.pointLights.value=H.state.point,Vt.pointLightShadows.value=H.state.pointShadow,Vt.hemisphereLights.value=H.state.hemi,Vt.directionalShadowMap.value=H.state.directionalShadowMap,Vt.directionalShadowMatrix.value=H.state.directionalShadowMatrix,
+Vt.spotShadowMap.value=H.state.spotShadowMap,Vt.spotLightMatrix.value=H.state.spotLightMatrix,Vt.spotLightMap.value=H.state.spotLightMap,Vt.pointShadowMap.value=H.state.pointShadowMap,Vt.pointShadowMatrix.value=H.state.pointShadowMatrix),Z.currentProgram=Jt,Z.uniformsList=null,Jt}function ba(T){if(T.uniformsList===null){let V=T.currentProgram.getUniforms();T.uniformsList=go.seqWithValue(V.seq,T.uniforms)}
+return T.uniformsList}function wa(T,V){let K=Rt.get(T);K.outputColorSpace=V.outputColorSpace,K.batching=V.batching,K.batchingColor=V.batchingColor,K.instancing=V.instancing,K.instancingColor=V.instancingColor,K.instancingMorph=V.instancingMorph,K.skinning=V.skinning,K.morphTargets=V.morphTargets,K.morphNormals=V.morphNormals,K.morphColors=V.morphColors,K.morphTargetsCount=V.morphTargetsCount,K.numClippingPlanes=
+V.numClippingPlanes,K.numIntersection=V.numClipIntersection,K.vertexAlphas=V.vertexAlphas,K.vertexTangents=V.vertexTangents,K.toneMapping=V.toneMapping}function qi(T,V,K,Z,H){V.isScene!==!0&&(V=vt),Gt.resetTextureUnits();let ft=V.fog,St=Z.isMeshStandardMaterial?V.environment:null,Lt=N===null?y.outputColorSpace:N.isXRRenderTarget===!0?N.texture.colorSpace:tr,wt=(Z.isMeshStandardMaterial?we:He).get(
+Z.envMap||St),Zt=Z.vertexColors===!0&&!!K.attributes.color&&K.attributes.color.itemSize===4,Jt=!!K.attributes.tangent&&(!!Z.normalMap||Z.anisotropy>0),Vt=!!K.morphAttributes.position,ae=!!K.morphAttributes.normal,Me=!!K.morphAttributes.color,ze=cs;Z.toneMapped&&(N===null||N.isXRRenderTarget===!0)&&(ze=y.toneMapping);let Le=K.morphAttributes.position||K.morphAttributes.normal||K.morphAttributes.color,
+se=Le!==void 0?Le.length:0,Yt=Rt.get(Z),ke=d.state.lights;if($t===!0&&(Q===!0||T!==S)){let un=T===S&&Z.id===b;ht.setState(Z,T,un)}let ue=!1;Z.version===Yt.__version?(Yt.needsLights&&Yt.lightsStateVersion!==ke.state.version||Yt.outputColorSpace!==Lt||H.isBatchedMesh&&Yt.batching===!1||!H.isBatchedMesh&&Yt.batching===!0||H.isBatchedMesh&&Yt.batchingColor===!0&&H.colorTexture===null||H.isBatchedMesh&&
+Yt.batchingColor===!1&&H.colorTexture!==null||H.isInstancedMesh&&Yt.instancing===!1||!H.isInstancedMesh&&Yt.instancing===!0||H.isSkinnedMesh&&Yt.skinning===!1||!H.isSkinnedMesh&&Yt.skinning===!0||H.isInstancedMesh&&Yt.instancingColor===!0&&H.instanceColor===null||H.isInstancedMesh&&Yt.instancingColor===!1&&H.instanceColor!==null||H.isInstancedMesh&&Yt.instancingMorph===!0&&H.morphTexture===null||H.
+isInstancedMesh&&Yt.instancingMorph===!1&&H.morphTexture!==null||Yt.envMap!==wt||Z.fog===!0&&Yt.fog!==ft||Yt.numClippingPlanes!==void 0&&(Yt.numClippingPlanes!==ht.numPlanes||Yt.numIntersection!==ht.numIntersection)||Yt.vertexAlphas!==Zt||Yt.vertexTangents!==Jt||Yt.morphTargets!==Vt||Yt.morphNormals!==ae||Yt.morphColors!==Me||Yt.toneMapping!==ze||Yt.morphTargetsCount!==se)&&(ue=!0):(ue=!0,Yt.__version=
+Z.version);let bn=Yt.currentProgram;ue===!0&&(bn=Ls(Z,V,H));let us=!1,In=!1,Us=!1,Ve=bn.getUniforms(),Ln=Yt.uniforms;if(Ft.useProgram(bn.program)&&(us=!0,In=!0,Us=!0),Z.id!==b&&(b=Z.id,In=!0),us||S!==T){Ft.buffers.depth.getReversed()&&T.reversedDepth!==!0&&(T._reversedDepth=!0,T.updateProjectionMatrix()),Ve.setValue(U,"projectionMatrix",T.projectionMatrix),Ve.setValue(U,"viewMatrix",T.matrixWorldInverse);
+let fn=Ve.map.cameraPosition;fn!==void 0&&fn.setValue(U,Mt.setFromMatrixPosition(T.matrixWorld)),qt.logarithmicDepthBuffer&&Ve.setValue(U,"logDepthBufFC",2/(Math.log(T.far+1)/Math.LN2)),(Z.isMeshPhongMaterial||Z.isMeshToonMaterial||Z.isMeshLambertMaterial||Z.isMeshBasicMaterial||Z.isMeshStandardMaterial||Z.isShaderMaterial)&&Ve.setValue(U,"isOrthographic",T.isOrthographicCamera===!0),S!==T&&(S=T,In=
+!0,Us=!0)}if(H.isSkinnedMesh){Ve.setOptional(U,H,"bindMatrix"),Ve.setOptional(U,H,"bindMatrixInverse");let un=H.skeleton;un&&(un.boneTexture===null&&un.computeBoneTexture(),Ve.setValue(U,"boneTexture",un.boneTexture,Gt))}H.isBatchedMesh&&(Ve.setOptional(U,H,"batchingTexture"),Ve.setValue(U,"batchingTexture",H._matricesTexture,Gt),Ve.setOptional(U,H,"batchingIdTexture"),Ve.setValue(U,"batchingIdTex\
+ture",H._indirectTexture,Gt),Ve.setOptional(U,H,"batchingColorTexture"),H._colorsTexture!==null&&Ve.setValue(U,"batchingColorTexture",H._colorsTexture,Gt));let Vn=K.morphAttributes;if((Vn.position!==void 0||Vn.normal!==void 0||Vn.color!==void 0)&&at.update(H,K,bn),(In||Yt.receiveShadow!==H.receiveShadow)&&(Yt.receiveShadow=H.receiveShadow,Ve.setValue(U,"receiveShadow",H.receiveShadow)),Z.isMeshGouraudMaterial&&
+Z.envMap!==null&&(Ln.envMap.value=wt,Ln.flipEnvMap.value=wt.isCubeTexture&&wt.isRenderTargetTexture===!1?-1:1),Z.isMeshStandardMaterial&&Z.envMap===null&&V.environment!==null&&(Ln.envMapIntensity.value=V.environmentIntensity),In&&(Ve.setValue(U,"toneMappingExposure",y.toneMappingExposure),Yt.needsLights&&nh(Ln,Us),ft&&Z.fog===!0&&nt.refreshFogUniforms(Ln,ft),nt.refreshMaterialUniforms(Ln,Z,j,$,d.state.
+transmissionRenderTarget[T.id]),go.upload(U,ba(Yt),Ln,Gt)),Z.isShaderMaterial&&Z.uniformsNeedUpdate===!0&&(go.upload(U,ba(Yt),Ln,Gt),Z.uniformsNeedUpdate=!1),Z.isSpriteMaterial&&Ve.setValue(U,"center",H.center),Ve.setValue(U,"modelViewMatrix",H.modelViewMatrix),Ve.setValue(U,"normalMatrix",H.normalMatrix),Ve.setValue(U,"modelMatrix",H.matrixWorld),Z.isShaderMaterial||Z.isRawShaderMaterial){let un=Z.
+uniformsGroups;for(let fn=0,fs=un.length;fn<fs;fn++){let si=un[fn];te.update(si,bn),te.bind(si,bn)}}return bn}function nh(T,V){T.ambientLightColor.needsUpdate=V,T.lightProbe.needsUpdate=V,T.directionalLights.needsUpdate=V,T.directionalLightShadows.needsUpdate=V,T.pointLights.needsUpdate=V,T.pointLightShadows.needsUpdate=V,T.spotLights.needsUpdate=V,T.spotLightShadows.needsUpdate=V,T.rectAreaLights.
+needsUpdate=V,T.hemisphereLights.needsUpdate=V}function Ds(T){return T.isMeshLambertMaterial||T.isMeshToonMaterial||T.isMeshPhongMaterial||T.isMeshStandardMaterial||T.isShadowMaterial||T.isShaderMaterial&&T.lights===!0}this.getActiveCubeFace=function(){return A},this.getActiveMipmapLevel=function(){return D},this.getRenderTarget=function(){return N},this.setRenderTargetTextures=function(T,V,K){let Z=Rt.
+get(T);Z.__autoAllocateDepthBuffer=T.resolveDepthBuffer===!1,Z.__autoAllocateDepthBuffer===!1&&(Z.__useRenderToTexture=!1),Rt.get(T.texture).__webglTexture=V,Rt.get(T.depthTexture).__webglTexture=Z.__autoAllocateDepthBuffer?void 0:K,Z.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(T,V){let K=Rt.get(T);K.__webglFramebuffer=V,K.__useDefaultFramebuffer=V===void 0};let Ta=U.createFramebuffer();
+this.setRenderTarget=function(T,V=0,K=0){N=T,A=V,D=K;let Z=!0,H=null,ft=!1,St=!1;if(T){let wt=Rt.get(T);if(wt.__useDefaultFramebuffer!==void 0)Ft.bindFramebuffer(U.FRAMEBUFFER,null),Z=!1;else if(wt.__webglFramebuffer===void 0)Gt.setupRenderTarget(T);else if(wt.__hasExternalTextures)Gt.rebindTextures(T,Rt.get(T.texture).__webglTexture,Rt.get(T.depthTexture).__webglTexture);else if(T.depthBuffer){let Vt=T.
+depthTexture;if(wt.__boundDepthTexture!==Vt){if(Vt!==null&&Rt.has(Vt)&&(T.width!==Vt.image.width||T.height!==Vt.image.height))throw new Error("WebGLRenderTarget: Attached DepthTexture is initialized to the incorrect size.");Gt.setupDepthRenderbuffer(T)}}let Zt=T.texture;(Zt.isData3DTexture||Zt.isDataArrayTexture||Zt.isCompressedArrayTexture)&&(St=!0);let Jt=Rt.get(T).__webglFramebuffer;T.isWebGLCubeRenderTarget?
+(Array.isArray(Jt[V])?H=Jt[V][K]:H=Jt[V],ft=!0):T.samples>0&&Gt.useMultisampledRTT(T)===!1?H=Rt.get(T).__webglMultisampledFramebuffer:Array.isArray(Jt)?H=Jt[K]:H=Jt,C.copy(T.viewport),O.copy(T.scissor),k=T.scissorTest}else C.copy(_t).multiplyScalar(j).floor(),O.copy(xt).multiplyScalar(j).floor(),k=pt;if(K!==0&&(H=Ta),Ft.bindFramebuffer(U.FRAMEBUFFER,H)&&Z&&Ft.drawBuffers(T,H),Ft.viewport(C),Ft.scissor(
+O),Ft.setScissorTest(k),ft){let wt=Rt.get(T.texture);U.framebufferTexture2D(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_CUBE_MAP_POSITIVE_X+V,wt.__webglTexture,K)}else if(St){let wt=V;for(let Zt=0;Zt<T.textures.length;Zt++){let Jt=Rt.get(T.textures[Zt]);U.framebufferTextureLayer(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0+Zt,Jt.__webglTexture,K,wt)}}else if(T!==null&&K!==0){let wt=Rt.get(T.texture);U.framebufferTexture2D(
+U.FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,wt.__webglTexture,K)}b=-1},this.readRenderTargetPixels=function(T,V,K,Z,H,ft,St,Lt=0){if(!(T&&T.isWebGLRenderTarget)){console.error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let wt=Rt.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&St!==void 0&&(wt=wt[St]),wt){Ft.bindFramebuffer(U.FRAMEBUFFER,
+wt);try{let Zt=T.textures[Lt],Jt=Zt.format,Vt=Zt.type;if(!qt.textureFormatReadable(Jt)){console.error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(!qt.textureTypeReadable(Vt)){console.error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}V>=0&&V<=T.
+width-Z&&K>=0&&K<=T.height-H&&(T.textures.length>1&&U.readBuffer(U.COLOR_ATTACHMENT0+Lt),U.readPixels(V,K,Z,H,zt.convert(Jt),zt.convert(Vt),ft))}finally{let Zt=N!==null?Rt.get(N).__webglFramebuffer:null;Ft.bindFramebuffer(U.FRAMEBUFFER,Zt)}}},this.readRenderTargetPixelsAsync=async function(T,V,K,Z,H,ft,St,Lt=0){if(!(T&&T.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPix\
+els: renderTarget is not THREE.WebGLRenderTarget.");let wt=Rt.get(T).__webglFramebuffer;if(T.isWebGLCubeRenderTarget&&St!==void 0&&(wt=wt[St]),wt)if(V>=0&&V<=T.width-Z&&K>=0&&K<=T.height-H){Ft.bindFramebuffer(U.FRAMEBUFFER,wt);let Zt=T.textures[Lt],Jt=Zt.format,Vt=Zt.type;if(!qt.textureFormatReadable(Jt))throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA \
+or implementation defined format.");if(!qt.textureTypeReadable(Vt))throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ae=U.createBuffer();U.bindBuffer(U.PIXEL_PACK_BUFFER,ae),U.bufferData(U.PIXEL_PACK_BUFFER,ft.byteLength,U.STREAM_READ),T.textures.length>1&&U.readBuffer(U.COLOR_ATTACHMENT0+Lt),U.readPixels(
+V,K,Z,H,zt.convert(Jt),zt.convert(Vt),0);let Me=N!==null?Rt.get(N).__webglFramebuffer:null;Ft.bindFramebuffer(U.FRAMEBUFFER,Me);let ze=U.fenceSync(U.SYNC_GPU_COMMANDS_COMPLETE,0);return U.flush(),await gg(U,ze,4),U.bindBuffer(U.PIXEL_PACK_BUFFER,ae),U.getBufferSubData(U.PIXEL_PACK_BUFFER,0,ft),U.deleteBuffer(ae),U.deleteSync(ze),ft}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAs\
+ync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(T,V=null,K=0){let Z=Math.pow(2,-K),H=Math.floor(T.image.width*Z),ft=Math.floor(T.image.height*Z),St=V!==null?V.x:0,Lt=V!==null?V.y:0;Gt.setTexture2D(T,0),U.copyTexSubImage2D(U.TEXTURE_2D,K,0,0,St,Lt,H,ft),Ft.unbindTexture()};let Di=U.createFramebuffer(),rn=U.createFramebuffer();this.copyTextureToTexture=function(T,V,K=null,Z=null,H=0,ft=null){
+ft===null&&(H!==0?(Kr("WebGLRenderer: copyTextureToTexture function signature has changed to support src and dst mipmap levels."),ft=H,H=0):ft=0);let St,Lt,wt,Zt,Jt,Vt,ae,Me,ze,Le=T.isCompressedTexture?T.mipmaps[ft]:T.image;if(K!==null)St=K.max.x-K.min.x,Lt=K.max.y-K.min.y,wt=K.isBox3?K.max.z-K.min.z:1,Zt=K.min.x,Jt=K.min.y,Vt=K.isBox3?K.min.z:0;else{let Vn=Math.pow(2,-H);St=Math.floor(Le.width*Vn),
+Lt=Math.floor(Le.height*Vn),T.isDataArrayTexture?wt=Le.depth:T.isData3DTexture?wt=Math.floor(Le.depth*Vn):wt=1,Zt=0,Jt=0,Vt=0}Z!==null?(ae=Z.x,Me=Z.y,ze=Z.z):(ae=0,Me=0,ze=0);let se=zt.convert(V.format),Yt=zt.convert(V.type),ke;V.isData3DTexture?(Gt.setTexture3D(V,0),ke=U.TEXTURE_3D):V.isDataArrayTexture||V.isCompressedArrayTexture?(Gt.setTexture2DArray(V,0),ke=U.TEXTURE_2D_ARRAY):(Gt.setTexture2D(
+V,0),ke=U.TEXTURE_2D),U.pixelStorei(U.UNPACK_FLIP_Y_WEBGL,V.flipY),U.pixelStorei(U.UNPACK_PREMULTIPLY_ALPHA_WEBGL,V.premultiplyAlpha),U.pixelStorei(U.UNPACK_ALIGNMENT,V.unpackAlignment);let ue=U.getParameter(U.UNPACK_ROW_LENGTH),bn=U.getParameter(U.UNPACK_IMAGE_HEIGHT),us=U.getParameter(U.UNPACK_SKIP_PIXELS),In=U.getParameter(U.UNPACK_SKIP_ROWS),Us=U.getParameter(U.UNPACK_SKIP_IMAGES);U.pixelStorei(
+U.UNPACK_ROW_LENGTH,Le.width),U.pixelStorei(U.UNPACK_IMAGE_HEIGHT,Le.height),U.pixelStorei(U.UNPACK_SKIP_PIXELS,Zt),U.pixelStorei(U.UNPACK_SKIP_ROWS,Jt),U.pixelStorei(U.UNPACK_SKIP_IMAGES,Vt);let Ve=T.isDataArrayTexture||T.isData3DTexture,Ln=V.isDataArrayTexture||V.isData3DTexture;if(T.isDepthTexture){let Vn=Rt.get(T),un=Rt.get(V),fn=Rt.get(Vn.__renderTarget),fs=Rt.get(un.__renderTarget);Ft.bindFramebuffer(
+U.READ_FRAMEBUFFER,fn.__webglFramebuffer),Ft.bindFramebuffer(U.DRAW_FRAMEBUFFER,fs.__webglFramebuffer);for(let si=0;si<wt;si++)Ve&&(U.framebufferTextureLayer(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,Rt.get(T).__webglTexture,H,Vt+si),U.framebufferTextureLayer(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,Rt.get(V).__webglTexture,ft,ze+si)),U.blitFramebuffer(Zt,Jt,St,Lt,ae,Me,St,Lt,U.DEPTH_BUFFER_BIT,U.NEAREST);
+Ft.bindFramebuffer(U.READ_FRAMEBUFFER,null),Ft.bindFramebuffer(U.DRAW_FRAMEBUFFER,null)}else if(H!==0||T.isRenderTargetTexture||Rt.has(T)){let Vn=Rt.get(T),un=Rt.get(V);Ft.bindFramebuffer(U.READ_FRAMEBUFFER,Di),Ft.bindFramebuffer(U.DRAW_FRAMEBUFFER,rn);for(let fn=0;fn<wt;fn++)Ve?U.framebufferTextureLayer(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,Vn.__webglTexture,H,Vt+fn):U.framebufferTexture2D(U.READ_FRAMEBUFFER,
+U.COLOR_ATTACHMENT0,U.TEXTURE_2D,Vn.__webglTexture,H),Ln?U.framebufferTextureLayer(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,un.__webglTexture,ft,ze+fn):U.framebufferTexture2D(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,un.__webglTexture,ft),H!==0?U.blitFramebuffer(Zt,Jt,St,Lt,ae,Me,St,Lt,U.COLOR_BUFFER_BIT,U.NEAREST):Ln?U.copyTexSubImage3D(ke,ft,ae,Me,ze+fn,Zt,Jt,St,Lt):U.copyTexSubImage2D(ke,
+ft,ae,Me,Zt,Jt,St,Lt);Ft.bindFramebuffer(U.READ_FRAMEBUFFER,null),Ft.bindFramebuffer(U.DRAW_FRAMEBUFFER,null)}else Ln?T.isDataTexture||T.isData3DTexture?U.texSubImage3D(ke,ft,ae,Me,ze,St,Lt,wt,se,Yt,Le.data):V.isCompressedArrayTexture?U.compressedTexSubImage3D(ke,ft,ae,Me,ze,St,Lt,wt,se,Le.data):U.texSubImage3D(ke,ft,ae,Me,ze,St,Lt,wt,se,Yt,Le):T.isDataTexture?U.texSubImage2D(U.TEXTURE_2D,ft,ae,Me,
+St,Lt,se,Yt,Le.data):T.isCompressedTexture?U.compressedTexSubImage2D(U.TEXTURE_2D,ft,ae,Me,Le.width,Le.height,se,Le.data):U.texSubImage2D(U.TEXTURE_2D,ft,ae,Me,St,Lt,se,Yt,Le);U.pixelStorei(U.UNPACK_ROW_LENGTH,ue),U.pixelStorei(U.UNPACK_IMAGE_HEIGHT,bn),U.pixelStorei(U.UNPACK_SKIP_PIXELS,us),U.pixelStorei(U.UNPACK_SKIP_ROWS,In),U.pixelStorei(U.UNPACK_SKIP_IMAGES,Us),ft===0&&V.generateMipmaps&&U.generateMipmap(
+ke),Ft.unbindTexture()},this.initRenderTarget=function(T){Rt.get(T).__webglFramebuffer===void 0&&Gt.setupRenderTarget(T)},this.initTexture=function(T){T.isCubeTexture?Gt.setTextureCube(T,0):T.isData3DTexture?Gt.setTexture3D(T,0):T.isDataArrayTexture||T.isCompressedArrayTexture?Gt.setTexture2DArray(T,0):Gt.setTexture2D(T,0),Ft.unbindTexture()},this.resetState=function(){A=0,D=0,N=null,Ft.reset(),yt.
+reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Ai}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(t){this._outputColorSpace=t;let e=this.getContext();e.drawingBufferColorSpace=xe._getDrawingBufferColorSpace(t),e.unpackColorSpace=xe._getUnpackColorSpace()}};function Sa(i,t,e=.8){let n=i.index?i.toNonIndexed():i,s=n.getAttribute("position"),r=new Float32Array(3*s.count);for(let o=0;o<s.count;o+=3){let a=l=>(l(o)+l(o+1)+l(o+2))/3,c=t(a(l=>s.getX(l)),a(l=>s.getY(l)),a(l=>s.getZ(l)))?e:1;r.fill(c,3*o,3*o+9)}return n.setAttribute("color",new Re(r,3)),n}function Zg(i){if(!i)return Sa(new ro(1,40,24),(s,r,o)=>s*r*o>0);let t=new ro(1,10,7),e=t.getAttribute("\
+position"),n=Array.from({length:e.count},(s,r)=>e.getX(r)*e.getY(r)*e.getZ(r)>.01?.72:1);return t.setAttribute("color",new Re(n.flatMap(s=>[s,s,s]),3)),t}function xf(){let i=new aa(1,1,2,48).applyMatrix4(new _e().makeRotationX(Math.PI/2));return Sa(i,(t,e)=>t*e>0)}function $g(i,t){let e=new oa(i,2*t,12,28).applyMatrix4(new _e().makeRotationX(Math.PI/2));return Sa(e,(n,s)=>n*s>0)}function Jg(){return Sa(
+new as(2,2,2),()=>!1)}function Kg(){return new la(new as(2,2,2))}function jg(){let e=new Float32Array(435);for(let n=0;n<=144;++n){let s=n/144,r=2*Math.PI*9*s,o=Math.min(1,12*Math.min(s,1-s));e.set([o*Math.cos(r),o*Math.sin(r),s],3*n)}return e}function Qg(i,t){let e=[0,0,0],n=0;for(let a=0;a<i.length;++a){let c=i[a],l=i[(a+1)%i.length];e=Ut(e,je(c,l)),n+=wn(me(l,c))}let s=yi(e),r=Ct(i.reduce(Ut,[0,
+0,0]),1/i.length),o=wn(e)/Math.max(n,1e-12);for(let a of t)l1(r,a)&&(o=Math.max(o,1.08*a.thickness));return{points:i,n:s,thickness:o}}function l1(i,t){let{points:e,n}=t,s=Math.max(...e.map(r=>wn(me(r,e[0]))));return Math.abs(Wt(n,me(i,e[0])))>.02*s?!1:e.every((r,o)=>Wt(n,je(me(e[(o+1)%e.length],r),me(i,r)))>=0)}function t0({points:i,n:t,thickness:e}){let n=Ct(t,e/2),s=[],r=[],o=i.map(h=>Ut(h,n)),a=i.
+map(h=>me(h,n));for(let h=1;h+1<i.length;++h)s.push(...o[0],...o[h],...o[h+1],...a[0],...a[h+1],...a[h]);for(let h=0;h<i.length;++h){let u=(h+1)%i.length;s.push(...o[h],...a[h],...a[u],...o[h],...a[u],...o[u]),r.push(...o[h],...o[u],...a[h],...a[u])}let c=new ln,l=new ln;return c.setAttribute("position",new Re(s,3)),c.computeVertexNormals(),l.setAttribute("position",new Re(r,3)),{solid:Sa(c,()=>!1),
+edges:l}}function Qc(i,t,e){let n=me(t,i),s=yi(n),r=yi(je(Math.abs(s[0])<.9?[1,0,0]:[0,1,0],s)),o=je(s,r),a=Ct(Ut(i,t),.5),c=wn(n)/2,[l,h,u]=[Ct(r,e),Ct(o,e),Ct(s,c)];return new _e().set(l[0],h[0],u[0],a[0],l[1],h[1],u[1],a[1],l[2],h[2],u[2],a[2],0,0,0,1)}function e0(i,t){return i.kind==="capsule"?`capsule ${i.radius} ${i.halfLength}`:i.kind==="polygon"?`polygon ${t}`:i.kind==="circle"?"cylinder":
+i.kind}var c1=1500,th=class{constructor(t,e,n){this.canvas=t;this.model=e;this.scene=new ea;this.eye=new Cn;this.flat=new ir;this.groups=[];this.links=[];this.grounds=[];this.sun=new ua(16777215,1.9);this.fill=new ha(16777215,12107976,1.3);this.ambient=new fa(16777215,.55);this.used=this.eye;this.marked=-2;let s=!n&&u1();this.renderer=new Kc({canvas:t,antialias:!s,preserveDrawingBuffer:!0}),this.frames=Array.
+from({length:e.film.poses},()=>new _e);let r=s||e.bodies.length>c1;this.renderer.shadowMap.enabled=!r,this.renderer.shadowMap.type=Ql,this.sun.castShadow=!r,this.sun.shadow.mapSize.set(2048,2048),this.sun.shadow.normalBias=.004*e.extent.size,this.sun.shadow.radius=4,this.scene.add(this.sun,this.sun.target,this.fill,this.ambient),this.addBodies(r,e.bodies.length>200);for(let o of e.grounds)this.addGround(
+o);this.recolour()}addBodies(t,e){let n=new Map,s=new Map,r=(o,a)=>{let c=n.get(o);c?c.push(a):n.set(o,[a])};this.model.bodies.forEach((o,a)=>{if(o.kind==="link")this.addLink(o);else if(o.kind==="segment")for(let c of this.bars(o))r("cylinder",{frame:o.frame,local:c,shape:o});else r(e0(o,a),{frame:o.frame,local:f1(o),shape:o})});for(let[o,a]of n){let{shape:c}=a[0],l=null,h;if(o==="sphere")h=Zg(t&&
+e);else if(o==="box")h=Jg(),l=Kg();else if(o==="cylinder")h=xf();else if(c.kind==="capsule")h=$g(c.radius??0,c.halfLength??0);else{let u=s.get(c.frame)??[],f=Qg(c.points??[],u);s.set(c.frame,[...u,f]),{solid:h,edges:l}=t0(f)}this.addGroup(a,h,l,t)}}addGroup(t,e,n,s){let r=s?new ao({vertexColors:!0}):new oo({vertexColors:!0,roughness:.62,metalness:0,side:di}),o=new ia(e,r,t.length);o.frustumCulled=
+!1,o.castShadow=o.receiveShadow=!s;let a=n&&t.length<=300?t.map(()=>new so(n,new As({transparent:!0,opacity:.55}))):[];for(let h of a)h.matrixAutoUpdate=!1,h.frustumCulled=!1;this.scene.add(o,...a);let c=t.some(h=>this.model.film.moves(h.frame)),l=c&&t.every(({frame:h,shape:u})=>h>=0&&u.kind==="sphere"&&u.position.every(f=>f===0)&&u.orientation[0]===1);this.groups.push({mesh:o,instances:t,moving:c,
+edges:a,balls:l}),this.place(this.groups[this.groups.length-1])}bars(t){let e=t.radius||.0022*this.model.extent.size,n=s0(t.position,t.orientation),s=t.points??[],r=[];for(let o=0;o+1<s.length;++o)r.push(new _e().multiplyMatrices(n,Qc(s[o],s[o+1],e)));return r}addLink(t){let e;if(t.style==="spring"){let n=new ln().setAttribute("position",new Re(jg(),3));e=new io(n,new As)}else e=new Sn(xf(),new oo(
+{vertexColors:!0,roughness:.6})),e.castShadow=!0;e.matrixAutoUpdate=!1,e.frustumCulled=!1,this.scene.add(e),this.links.push({shape:t,object:e})}addGround(t){let{lo:e,hi:n,size:s}=this.model.extent,{c:r,n:o}=this.model.plane(t,this.model.film.begin),a=Ra(o),c=je(o,a),l=Ct(Ut(e,n),.5),h=me(l,Ct(o,Wt(o,me(l,r)))),u=.9*s,f=Bs(0,2*u,14).step,p=Math.ceil(u/f),_=[a,c].map(y=>Math.round(Wt(h,y)/f)*f-Wt(h,
+y)),v=Ut(h,Ut(Ct(a,_[0]),Ct(c,_[1]))),m=new Sn(new er(2*p*f,2*p*f),new ao({polygonOffset:!0,polygonOffsetFactor:1,polygonOffsetUnits:4}));m.receiveShadow=!0;let d=[],w=p*f;for(let y=-p;y<=p;++y)for(let[L,A]of[[a,c],[c,a]]){let D=Ut(v,Ct(L,y*f));d.push(...Ut(D,Ct(A,-w)),...Ut(D,Ct(A,w)))}let E=new so(new ln().setAttribute("position",new Re(d,3)),new As);m.matrixAutoUpdate=E.matrixAutoUpdate=!1,m.matrix.
+makeBasis(new X(...a),new X(...c),new X(...o)).setPosition(...v),this.scene.add(m,E),this.grounds.push({sheet:m,lines:E,shape:t})}recolour(t=this.marked){this.marked=t,this.renderer.setClearColor(le.paper);let e=le.dark?.25:-.45,n=new oe(le.accent),s=new oe;for(let{mesh:r,instances:o,edges:a}of this.groups)o.forEach(({shape:c,frame:l},h)=>{let u=br(c);s.set(u),l>=0&&l===t&&s.lerp(n,.75),r.setColorAt(
+h,s),a[h]&&a[h].material.color.set(tn(u,e))}),r.instanceColor&&(r.instanceColor.needsUpdate=!0);for(let{shape:r,object:o}of this.links)o.material.color.set(tn(br(r),-.2));for(let{sheet:r,lines:o}of this.grounds)r.material.color.set(le.dark?"#2a323b":"#dfe4e9"),o.material.color.set(le.groundLine);this.fill.intensity=le.dark?1.1:1.6}resize(t,e,n){this.renderer.setPixelRatio(n),this.renderer.setSize(
+t,e,!1)}place(t){let e=new _e;t.balls?h1(t,this.model.film.now):t.instances.forEach(({frame:n,local:s},r)=>{n>=0?e.multiplyMatrices(this.frames[n],s):e.copy(s),t.mesh.setMatrixAt(r,e),t.edges[r]&&t.edges[r].matrix.copy(e)}),t.mesh.instanceMatrix.needsUpdate=!0,t.mesh.boundingSphere=null}draw(t,e,n){n!==this.marked&&this.recolour(n);let s=this.model.film.sample(e);this.frames.forEach((r,o)=>p1(r,s,
+7*o));for(let r of this.groups)r.moving&&this.place(r);for(let{shape:r,object:o}of this.links)this.placeLink(r,o,e);this.aim(t),this.renderer.render(this.scene,this.used)}placeLink(t,e,n){let[s,r]=[this.model.film.pose(t.frame,n),this.model.film.pose(t.frameEnd??-1,n)],[o,a]=t.points??[],c=Ut(s.r,Tn(s.q,o??[0,0,0])),l=Ut(r.r,Tn(r.q,a??[0,0,0])),h=this.model.extent.size;t.style==="spring"?e.matrix.
+copy(Qc(me(Ct(c,2),l),l,.018*h)):e.matrix.copy(Qc(c,l,t.radius||.0025*h))}aim(t){let{size:e}=this.model.extent,n=t.hasDepth?t.distance:3*e,s=t.hasDepth?this.eye:this.flat;if(s.position.set(...Ut(t.centre,Ct(t.toward,n))),s.up.set(...t.up),s.lookAt(...t.centre),s===this.eye)this.eye.fov=nu*180/Math.PI,this.eye.aspect=t.width/t.height,this.eye.near=Math.max(.02*n,n-4*e),this.eye.far=n+6*e,this.eye.updateProjectionMatrix();else{
+let[u,f]=[t.width/t.scale/2,t.height/t.scale/2];Object.assign(this.flat,{left:-u,right:u,top:f,bottom:-f,near:.01*e,far:8*e}),this.flat.updateProjectionMatrix()}this.used=s;let r=t.upAxis===1?[0,1,0]:[0,0,1],o=t.isPlanar?Ut(Ct(t.toward,1.2),Ut(Ct(t.up,.9),Ct(t.right,-.5))):Ut(Ct(t.toward,.55),Ut(Ct(r,1.15),Ct(t.right,-.55))),{lo:a,hi:c}=this.model.extent,l=e>4/t.scale*t.height?t.centre:Ct(Ut(a,c),
+.5),h=Math.min(.75*e,.9*t.width/t.scale);this.sun.target.position.set(...l),this.sun.target.updateMatrixWorld(),this.sun.position.set(...Ut(l,Ct(o,2*e))),Object.assign(this.sun.shadow.camera,{left:-h,right:h,top:h,bottom:-h,near:.1*e,far:6*e}),this.sun.shadow.camera.updateProjectionMatrix()}pick(t,e,n){let s=new da;s.setFromCamera(new pe(2*e/t.width-1,1-2*n/t.height),this.used);let r=1/0,o=-2;for(let{
+mesh:a,instances:c}of this.groups)for(let l of s.intersectObject(a,!1))l.distance<r&&l.instanceId!==void 0&&(r=l.distance,o=c[l.instanceId].frame);return o}};function h1({mesh:i,instances:t},e){let n=i.instanceMatrix.array;for(let s=0;s<t.length;++s){let r=7*t[s].frame,o=t[s].shape.radius??1,a=16*s,c=e[r+3],l=e[r+4],h=e[r+5],u=e[r+6];n[a]=o*(1-2*(h*h+u*u)),n[a+1]=2*o*(l*h+c*u),n[a+2]=2*o*(l*u-c*h),
+n[a+4]=2*o*(l*h-c*u),n[a+5]=o*(1-2*(l*l+u*u)),n[a+6]=2*o*(h*u+c*l),n[a+8]=2*o*(l*u+c*h),n[a+9]=2*o*(h*u-c*l),n[a+10]=o*(1-2*(l*l+h*h)),n[a+12]=e[r],n[a+13]=e[r+1],n[a+14]=e[r+2],n[a+15]=1}}function u1(){let i=document.createElement("canvas").getContext("webgl2"),t=i?.getExtension("WEBGL_debug_renderer_info");if(!i||!t)return!1;let e=String(i.getParameter(t.UNMASKED_RENDERER_WEBGL));return i.getExtension(
+"WEBGL_lose_context")?.loseContext(),/swiftshader|llvmpipe|software|basic render/i.test(e)}function s0(i,t){return new _e().compose(new X(...i),new ui(t[1],t[2],t[3],t[0]),new X(1,1,1))}function f1(i){let t=i.radius??1,[e,n,s]=i.kind==="sphere"?[t,t,t]:i.kind==="box"?i.halfExtents??[1,1,1]:i.kind==="cylinder"?[t,t,i.halfLength??1]:i.kind==="circle"?[t,t,.08*t]:[1,1,1];return s0(i.position,i.orientation).
+scale(new X(e,n,s))}var n0=new X,i0=new ui,d1=new X(1,1,1);function p1(i,t,e){n0.set(t[e],t[e+1],t[e+2]),i0.set(t[e+4],t[e+5],t[e+6],t[e+3]),i.compose(n0,i0,d1)}var m1=400,eh=class{constructor(t,e,n,s){this.box=t;this.model=e;this.handler=n;this.camera=new ja;this.space=null;this.show={contacts:!0,trails:!1};this.forceFactor=1;this.selected=-1;this.followed=-1;this.anchor=[0,0,0];let r=o=>t.querySelector(`#${o}`);if(this.flat=new Qa(r("flat"),e),this.overlay=new tl(r("overlay"),e.film),s!=="0")try{this.space=new th(r("space"),e,s==="fine")}catch{console.info(
+"no WebGL: plain canvas")}this.camera.perspective=this.space!==null,this.camera.upAxis=e.upAxis,e.upAxis===1&&(this.camera.azimuth=28*Math.PI/180),this.size=e.extent.size,this.addPointer(this.overlay.canvas)}get spatial(){return this.camera.isPlanar&&this.model.bodies.length<=m1?null:this.space}draw(t){if(this.followed>=0){let{r:n}=this.model.film.pose(this.followed,t);this.camera.centre=Ut(this.camera.
+centre,me(n,this.anchor)),this.anchor=n}let e=this.spatial;this.flat.canvas.hidden=e!==null,this.space&&(this.space.canvas.hidden=e===null),(e??this.flat).draw(this.camera,t,this.selected),this.overlay.draw(this.camera,t,this.size,this.show,this.forceFactor)}setView(t){this.camera.view=t,this.camera.look(),this.fit()}fit(){let t=this.followed>=0?this.model.pointsAround(this.followed,this.anchor):this.
+model.extent.points;this.size=this.followed>=0?Jp(t):this.model.extent.size,this.camera.fit(t)}follow(t,e){this.followed=t,t>=0&&(this.anchor=this.model.film.pose(t,e).r)}recolour(){this.flat.recolour(),this.space?.recolour()}resize(){let t=Math.min(window.devicePixelRatio||1,2),{clientWidth:e,clientHeight:n}=this.box;if(!e||!n)return;let s=this.camera.width<=1;for(let o of[this.flat,this.space,this.
+overlay])o?.resize(e,n,t);let r=Math.min(e/this.camera.width,n/this.camera.height);this.camera.width=e,this.camera.height=n,s||(this.camera.scale*=r)}picture(t){this.draw(t);let e=document.createElement("canvas"),n=this.spatial?this.spatial.canvas:this.flat.canvas;e.width=n.width,e.height=n.height;let s=e.getContext("2d");return s.drawImage(n,0,0),s.drawImage(this.overlay.canvas,0,0,e.width,e.height),
+e}addPointer(t){let e=new Map,{camera:n}=this,s=0;t.addEventListener("pointerdown",o=>{t.setPointerCapture(o.pointerId),t.classList.add("dragged"),e.set(o.pointerId,[o.offsetX,o.offsetY]),e.size===1&&(s=0)}),t.addEventListener("pointermove",o=>{let a=e.get(o.pointerId);if(!a)return;let[c,l]=[o.offsetX-a[0],o.offsetY-a[1]],h=[...e].filter(([u])=>u!==o.pointerId).map(([,u])=>u);if(e.set(o.pointerId,
+[o.offsetX,o.offsetY]),s+=Math.abs(c)+Math.abs(l),h.length){let u=(f,p)=>Math.hypot(f-h[0][0],p-h[0][1])||1;n.zoom(u(o.offsetX,o.offsetY)/u(a[0],a[1]),h[0][0],h[0][1]),n.pan(c/2,l/2)}else n.isPlanar||o.shiftKey||o.buttons>1?n.pan(c,l):n.orbit(c,l);this.handler.redraw()});let r=o=>{let a=e.size===1;if(e.delete(o.pointerId),t.classList.remove("dragged"),o.type!=="pointerup"||!a||s>5)return;let c=this.
+spatial,l=c?c.pick(n,o.offsetX,o.offsetY):this.pickFlat(o.offsetX,o.offsetY);this.handler.selected(l)};t.addEventListener("pointerup",r),t.addEventListener("pointercancel",r),t.addEventListener("contextmenu",o=>o.preventDefault()),t.addEventListener("wheel",o=>{o.preventDefault(),n.zoom(Math.exp(-.0012*o.deltaY),o.offsetX,o.offsetY),this.handler.redraw()},{passive:!1})}pickFlat(t,e){return this.flat.
+pick(t,e)}};var r0=8;function yf(i,t,e,n){if(!(i instanceof HTMLCanvasElement))return;let s=window.devicePixelRatio||1,{clientWidth:r,clientHeight:o}=i;i.width=r*s,i.height=o*s;let a=i.getContext("2d");if(!(!a||!r||!(n>e))){a.scale(s,s);for(let c of[!1,!0]){a.fillStyle=(c?On[3]:On[2]).colour+(le.dark?"b0":"90");let l=new Set;for(let h of t){if(h.impact!==c)continue;let u=Math.round(r0+(r-2*r0)*(h.t-e)/(n-e));
+l.has(u)||(l.add(u),a.fillRect(u,c?0:19,1.4,6))}}}}var Xt=i=>document.getElementById(i),Mf=class{constructor(t,e,n,s,r,o){this.data=t;this.film=e;this.signals=n;this.events=s;this.playing=!1;this.queued=!1;this.tab="";let a=[e.t,...n.map(f=>f.t)].filter(f=>f.length);this.begin=Math.min(...a.map(f=>f[0])),this.end=Math.max(...a.map(f=>f[f.length-1])),this.begin<=this.end||(this.begin=this.end=0),this.t=this.begin;let c=o.get("theme");Mh(c?c==="dark":
+matchMedia("(prefers-color-scheme: dark)").matches),document.documentElement.classList.toggle("dark",le.dark),this.model=new Ka(t.scene,e),this.stage=new eh(Xt("stage"),this.model,{redraw:()=>this.draw(),selected:f=>this.select(f)},o.get("webgl"));let l=t.scene.follow??-1;this.stage.follow(l<e.poses?l:-1,this.t);let h=f=>{this.pause().seek(f)};this.plots=new Fo(Xt("plots"),Gp(n).slice(0,60),this.begin,
+this.end,h),this.energy=new Fo(Xt("energy"),pd(r),this.begin,this.end,h),this.list=new Ia(Xt("events"),s,h);let u=document.querySelector("main");u.classList.toggle("alone",!n.length&&!t.model.text&&!t.run),u.classList.toggle("unseen",!t.scene.shapes.length&&n.length>0),this.fillPanels(r.size>0),this.addTransport(),this.addTools(),document.addEventListener("keydown",f=>this.key(f)),new ResizeObserver(
+()=>this.resize()).observe(Xt("stage")),new ResizeObserver(()=>this.resize()).observe(Xt("side")),window.addEventListener("hashchange",()=>ph(this,new URLSearchParams(location.hash.slice(1)))),this.resize(),this.setView(this.model.naturalView()),ph(this,o)}seek(t){return this.t=Hn(t,this.begin,this.end),this.draw(),this}play(){if(this.playing)return;this.t>=this.end&&(this.t=this.begin),this.playing=
+!0,Xt("play").innerHTML=ad;let t=performance.now(),e=n=>{if(!this.playing)return;let s=this.t+(n-t)/1e3*Number(Xt("speed").value);t=n,s>this.end&&(Xt("loop").checked&&this.end>this.begin?s=this.begin+(s-this.begin)%(this.end-this.begin):this.pause()),this.seek(s),this.playing&&requestAnimationFrame(e)};requestAnimationFrame(e)}pause(){return this.playing=!1,Xt("play").innerHTML=yh,this}toggle(){this.
+playing?this.pause():this.play()}step(t){if(this.pause(),!this.film.count)return;let e=this.film.indexAt(this.t),n=this.t>this.film.t[e];this.seek(this.film.t[Hn(t<0&&n?e:e+t,0,this.film.count-1)])}jump(t){let e=this.list.from(this.t,t,1e-9*(this.end-this.begin));e&&this.pause().seek(e.t)}faster(t){let e=Xt("speed");e.selectedIndex=Hn(e.selectedIndex+t,0,Eo.length-1)}draw(){this.queued||(this.queued=
+!0,requestAnimationFrame(()=>{this.queued=!1,this.drawNow()}))}drawNow(){this.stage.draw(this.t),this.tab==="plots"&&this.plots.draw(this.t),this.tab==="energy"&&this.energy.draw(this.t),this.tab==="events"&&this.list.show(this.t),Xt("scrub").value=String(this.end>this.begin?(this.t-this.begin)/(this.end-this.begin):0);let t=Hn(4-Math.floor(Math.log10(this.end-this.begin||1)),0,9);Xt("clock").replaceChildren(
+this.t.toFixed(t),fe("small",` / ${this.end.toFixed(t-1)} s`)),this.fillCard()}resize(){this.stage.resize(),this.showTab(this.tab),yf(Xt("marks"),this.events,this.begin,this.end)}setView(t){this.stage.setView(t in xh?t:"iso");for(let e of Xt("views").children)e.classList.toggle("on",e.dataset.view===this.stage.camera.view);this.draw()}setSwitch(t,e){this.stage.show[t]=e,Xt("switches").querySelector(
+`[data-name=${t}]`)?.classList.toggle("on",e),Xt("legend").hidden=!(this.stage.show.contacts&&this.film.contactCount),this.draw()}setFollow(t){let{stage:e}=this,n=this.data.scene.follow??this.film.firstMoving();e.follow(t?e.selected>=0?e.selected:n:-1,this.t),e.selected<0&&e.fit(),Xt("switches").querySelector("[data-name=follow]")?.classList.toggle("on",e.followed>=0),this.draw()}setTheme(t){Mh(t),
+document.documentElement.classList.toggle("dark",t),this.stage.recolour(),this.plots.rebuild(),this.energy.rebuild(),yf(Xt("marks"),this.events,this.begin,this.end),this.fillLegend(),this.draw()}select(t){this.stage.selected=this.data.scene.frames[t]?t:-1;let e=Xt("selected"),n=this.data.scene.frames[t];if(e.replaceChildren(),n){let s=fe("button","\xD7","close");if(s.onclick=()=>this.select(-1),e.
+append(s,fe("b",n.name)),n.place){let r=fe("a",n.place);r.onclick=()=>this.showLine(n.place),e.append(r)}e.append(fe("table"))}this.fillCard(),this.draw()}fillCard(){let{selected:t}=this.stage,e=Xt("selected");if(e.hidden=t<0,t<0)return;let n=e.querySelector("table"),s=this.film.pose(t,this.t),{v:r,omega:o}=this.film.rates(t,this.t),a=2*Math.acos(Hn(Math.abs(s.q[0]),0,1))*180/Math.PI,c=[...["x","y",
+"z"].map((h,u)=>[h,`${Nn(s.r[u])} m`]),["speed",`${Nn(wn(r))} m/s`],["turned by",`${Nn(a)}\xB0`],["turns with",`${Nn(wn(o))} rad/s`]],l=`${this.data.scene.frames[t].name.split(".")[0]}.`;for(let h of this.signals.filter(u=>u.name.startsWith(l)&&!/\.[xyz]$/.test(u.name)).slice(0,8)){let u=h.t.length-1;for(;u>0&&h.t[u]>this.t;)--u;c.push([h.name.slice(l.length),`${Nn(h.y[u])} ${h.unit}`])}n.replaceChildren(
+...c.map(([h,u])=>{let f=fe("tr");return f.append(fe("td",h),fe("td",u)),f}))}fillPanels(t){let{title:e,run:n,model:s}=this.data,r=n&&typeof n.title=="string"&&n.title?n.title:e;Xt("title").textContent=r,Xt("title").title=r,document.title=`${r} \xB7 dynamY replay`,Xt("facts").replaceChildren(...dd(this.data,this.end-this.begin,this.film.count)),n&&Xt("run").append(...[fd(n),ud(n)].filter(l=>l!==null)),
+s.text&&Xt("model").append(md(s.text)),Xt("theme").innerHTML=ld,Xt("theme").onclick=()=>this.setTheme(!le.dark),this.fillLegend();let o=Xt("help"),a=fe("table");for(let[l,h]of cd){let u=a.insertRow();u.insertCell().textContent=l,u.insertCell().textContent=h}o.append(fe("h2","Keys"),a),o.onclick=()=>o.close();let c=[["plots","Signals",this.signals.length>0],["energy","Energy, solver",t],["events","\
+Events",this.events.length>0],["run","Run",n!==null],["model","Model",s.text!==""]];for(let[l,h,u]of c){if(!u)continue;let f=fe("button",h);f.dataset.tab=l,f.onclick=()=>this.showTab(l),Xt("tabs").append(f),this.tab||(this.tab=l)}Xt("wait").hidden=!0}fillLegend(){let t=this.events.some(e=>e.to==="spin");Xt("legend").replaceChildren(...On.slice(1,t?5:4).map(e=>{let n=fe("span"),s=fe("i");return s.style.
+background=le.dark?tn(e.colour,.2):e.colour,n.append(s,e.name),n}))}showTab(t){if(Xt("tabs").querySelector(`[data-tab=${t||"none"}]`)){this.tab=t;for(let e of Xt("tabs").children)e.classList.toggle("on",e.dataset.tab===t);for(let e of["plots","energy","events","run","model"])Xt(e).hidden=e!==t;t==="plots"&&this.plots.resize(),t==="energy"&&this.energy.resize(),t==="events"&&this.list.show(this.t,!0),
+this.draw()}}showLine(t){this.showTab("model");let e=Xt("model").querySelectorAll("code");e.forEach(s=>s.classList.remove("here"));let n=e[Number((t.match(/:(\d+)/)??[])[1])-1];n&&(n.classList.add("here"),n.scrollIntoView({block:"center"}))}addTransport(){let t=this.end-this.begin,e=t>120?t/60:t<4?t/4:1,n=Eo.filter(s=>s<=Math.max(e,Eo[0])*1.05).pop();Xt("speed").replaceChildren(...Eo.map(s=>{let r=fe(
+"option",s<1?`1/${Math.round(1/s)}`:`\xD7${s}`);return r.value=String(s),r.selected=s===n,r})),Xt("play").innerHTML=yh,Xt("play").onclick=()=>this.toggle(),Xt("back").onclick=()=>this.step(-1),Xt("step").onclick=()=>this.step(1),Xt("before").onclick=()=>this.jump(-1),Xt("after").onclick=()=>this.jump(1);for(let s of["before","after"])Xt(s).disabled=!this.events.length;Xt("scrub").oninput=s=>this.pause().
+seek(this.begin+Number(s.target.value)*t),Xt("link").onclick=()=>Vf(this),Xt("png").onclick=()=>this.savePicture(),Xt("ask").onclick=()=>this.help()}help(){let t=Xt("help");t.open?t.close():t.showModal()}savePicture(){let t=fe("a");t.href=this.stage.picture(this.t).toDataURL("image/png"),t.download=`${this.data.title}_${this.t.toFixed(3)}s.png`,t.click()}addTools(){let t=(e,n,s,r)=>{let o=fe("butt\
+on",n);return o.title=s,o.onclick=r,Xt(e).append(o),o};for(let e of["xz","xy","yz","iso"])t("views",xh[e],"view",()=>this.setView(e)).dataset.view=e;t("views","fit","show everything (0)",()=>{this.stage.fit(),this.draw()});for(let e of this.film.contactCount?["contacts","trails"]:["trails"])t("switches",e,e==="contacts"?"contact forces (c)":"paths of the bodies (t)",()=>this.setSwitch(e,!this.stage.
+show[e])).dataset.name=e;t("switches","follow","the camera goes with what is selected (f)",()=>this.setFollow(this.stage.followed<0)).dataset.name="follow",Xt("switches").querySelector("[data-name=follow]")?.classList.toggle("on",this.stage.followed>=0);for(let e of["contacts","trails"])this.setSwitch(e,this.stage.show[e])}key(t){let e=t.target;if(t.ctrlKey||t.altKey||t.metaKey||e.tagName==="SELEC\
+T")return;let n=(this.end-this.begin)/10,s=a=>{t.shiftKey?this.pause().seek(this.t+a*n):this.step(a)},r=a=>{this.stage.forceFactor*=a,this.draw()},o={" ":()=>this.toggle(),ArrowLeft:()=>s(-1),ArrowRight:()=>s(1),Home:()=>this.pause().seek(this.begin),End:()=>this.pause().seek(this.end),n:()=>this.jump(1),p:()=>this.jump(-1),"+":()=>this.faster(1),"-":()=>this.faster(-1),1:()=>this.setView("xz"),2:()=>this.
+setView("xy"),3:()=>this.setView("yz"),4:()=>this.setView("iso"),0:()=>{this.stage.fit(),this.draw()},c:()=>this.setSwitch("contacts",!this.stage.show.contacts),t:()=>this.setSwitch("trails",!this.stage.show.trails),f:()=>this.setFollow(this.stage.followed<0),l:()=>Xt("loop").click(),s:()=>this.savePicture(),d:()=>this.setTheme(!le.dark),"[":()=>r(.8),"]":()=>r(1.25),"?":()=>this.help(),Escape:()=>{
+Xt("help").close(),this.select(-1)}};o[t.key]&&(t.preventDefault(),o[t.key]())}};async function g1(){let i=JSON.parse(Xt("data").textContent??""),[t,e,n,s]=await Promise.all([Pa.from(i.frames),id(i),rd(i),od(i)]),r=new Mf(i,t,e,n,s,new URLSearchParams(location.hash.slice(1)));Object.assign(window,{replay:r})}g1().catch(i=>{throw Xt("wait").textContent=`This page cannot be shown: ${i instanceof Error?
+i.message:i}`,i});})();

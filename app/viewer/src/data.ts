@@ -1,0 +1,262 @@
+// From the JSON of the page to numbers. Formats: doc/replay.md.
+import {unzlibSync} from "fflate";
+import {clamp, lastAtOrBefore, type Pose, type Q4, type V3} from "./math";
+
+export interface SceneShape {
+  kind: string; name?: string; frame: number; position: V3; orientation: Q4; colour?: string;
+  style?: string; radius?: number; halfLength?: number; halfExtents?: V3; points?: V3[]; frameEnd?: number;
+}
+export interface Scene {
+  view: string; follow?: number; frames: {name: string; place: string}[]; shapes: SceneShape[];
+}
+export interface PageData {
+  title: string; model: {name: string; text: string}; run: Record<string, unknown> | null; scene: Scene;
+  frames: {
+    count: number; recorded: number; poses: number; turnSteps: number; t: string; ranges: string; orders: string;
+    data: string; contacts: {box: number[]; counts: string; data: string};
+  };
+  signals: {name: string; unit: string; t?: string; y: string}[];
+  events: string; ledger: string;
+}
+export interface Signal { name: string; unit: string; t: Float64Array; y: Float32Array }
+export interface Event {
+  t: number; impact: boolean; contact: string; from: string; to: string; speed: number; impulse: number;
+}
+export interface Contact { r: V3; n: V3; F: V3; state: number; limit: number }
+
+/** The bytes behind a base64 text of zlib data. The browser's own inflater is faster by far. */
+async function inflated(base64: string): Promise<Uint8Array> {
+  if (!base64) return new Uint8Array(0);
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  if (typeof DecompressionStream === "undefined") return unzlibSync(bytes);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+const viewOf = (b: Uint8Array): DataView => new DataView(b.buffer, b.byteOffset, b.byteLength);
+
+async function doubles(base64: string): Promise<Float64Array> {
+  const view = viewOf(await inflated(base64));
+  return Float64Array.from({length: view.byteLength / 8}, (_, i) => view.getFloat64(8 * i, true));
+}
+async function floats(base64: string): Promise<Float32Array> {
+  const view = viewOf(await inflated(base64));
+  return Float32Array.from({length: view.byteLength / 4}, (_, i) => view.getFloat32(4 * i, true));
+}
+
+/** Columns of u16 from planes of low and high bytes; written to out[f · columns + v]. */
+function unfold(bytes: Uint8Array, columns: number, count: number, orders: ArrayLike<number>): Uint16Array {
+  const out = new Uint16Array(columns * count), high = columns * count;
+  for (let v = 0; v < columns; ++v) {
+    let a = 0, b = 0;
+    const order = orders[v];
+    for (let f = 0, at = v * count; f < count; ++f, ++at) {
+      const z = bytes[at] | bytes[high + at] << 8;
+      const e = (z >> 1) ^ -(z & 1);
+      if (f === 1) b = a;
+      const c = (e + (order === 0 ? 0 : order === 1 ? a : 2 * a - b)) & 0xffff;
+      out[f * columns + v] = c;
+      b = a;
+      a = c;
+    }
+  }
+  return out;
+}
+
+const kFloatBits = new DataView(new ArrayBuffer(4));
+/** The float whose upper 16 bits are given, the lower ones being zero. */
+function upperHalfFloat(bits: number): number {
+  kFloatBits.setUint16(0, bits);
+  return kFloatBits.getFloat32(0);
+}
+
+/** Poses and contacts of all frames. */
+export class Film {
+  readonly count: number;
+  readonly varying: Int32Array;  // coordinate 7 i + k → its column, or −1
+  readonly now: Float32Array;    // poses at the time of sample()
+  private readonly step: Float32Array;
+  private readonly firstContact: Uint32Array;
+
+  private constructor(
+      readonly poses: number, readonly t: Float64Array, readonly lo: Float32Array, hi: Float32Array,
+      private readonly course: Uint16Array, turnSteps: number, private readonly box: number[],
+      counts: Uint32Array, private readonly contact: Uint16Array) {
+    this.count = t.length;
+    this.now = new Float32Array(7 * poses);
+    this.varying = new Int32Array(7 * poses).fill(-1);
+    this.step = new Float32Array(7 * poses);
+    this.columns = 0;
+    for (let k = 0; k < 7 * poses; ++k) {
+      if (!(lo[k] < hi[k])) continue;
+      this.varying[k] = this.columns++;
+      this.step[k] = (hi[k] - lo[k]) / (k % 7 < 3 ? 65535 : turnSteps);
+    }
+    this.firstContact = new Uint32Array(counts.length + 1);
+    for (let f = 0; f < counts.length; ++f) this.firstContact[f + 1] = this.firstContact[f] + counts[f];
+  }
+  private readonly columns: number;
+
+  static async from(frames: PageData["frames"]): Promise<Film> {
+    const [t, ranges, orders, data, counts, contact] = await Promise.all([
+      doubles(frames.t), floats(frames.ranges), inflated(frames.orders), inflated(frames.data),
+      inflated(frames.contacts.counts), inflated(frames.contacts.data)]);
+    const part = (odd: number): Float32Array => ranges.filter((_, i) => i % 2 === odd);
+    const course = unfold(data, orders.length, t.length, orders);
+    const view = viewOf(counts);
+    const n = Uint32Array.from({length: view.byteLength / 4}, (_, i) => view.getUint32(4 * i, true));
+    const marks = unfold(contact, 11, contact.length / 22, new Uint8Array(11).fill(1));
+    return new Film(frames.poses, t, part(0), part(1), course, frames.turnSteps, frames.contacts.box, n, marks);
+  }
+
+  get begin(): number { return this.count ? this.t[0] : 0; }
+  get end(): number { return this.count ? this.t[this.count - 1] : 0; }
+  get contactCount(): number { return this.contact.length / 11; }
+
+  /** Index of the last frame at or before t. */
+  indexAt(t: number): number { return lastAtOrBefore(this.t, t); }
+
+  private place(t: number): [number, number, number] {
+    const f = this.indexAt(t), next = Math.min(f + 1, this.count - 1);
+    const share = next > f ? clamp((t - this.t[f]) / (this.t[next] - this.t[f]), 0, 1) : 0;
+    return [f * this.columns, next * this.columns, share];
+  }
+
+  /** Fills `now` with all poses at t, straight between frames. */
+  sample(t: number): Float32Array {
+    if (!this.count) return this.now;
+    const [a, b, share] = this.place(t), {now, varying, lo, step, course} = this;
+    for (let k = 0; k < now.length; ++k) {
+      const v = varying[k];
+      now[k] = v < 0 ? lo[k] : lo[k] + step[k] * (course[a + v] + (course[b + v] - course[a + v]) * share);
+    }
+    for (let k = 3; k < now.length; k += 7) {
+      const size = Math.sqrt(now[k] ** 2 + now[k + 1] ** 2 + now[k + 2] ** 2 + now[k + 3] ** 2) || 1;
+      for (let i = k; i < k + 4; ++i) now[i] /= size;
+    }
+    return now;
+  }
+
+  /** Pose i at time t; the inertial frame is −1. */
+  pose(i: number, t: number): Pose {
+    if (i < 0 || !this.count) return {r: [0, 0, 0], q: [1, 0, 0, 0]};
+    const [a, b, share] = this.place(t);
+    const at = (k: number): number => {
+      const v = this.varying[7 * i + k], lo = this.lo[7 * i + k];
+      if (v < 0) return lo;
+      return lo + this.step[7 * i + k] * (this.course[a + v] + (this.course[b + v] - this.course[a + v]) * share);
+    };
+    const q: Q4 = [at(3), at(4), at(5), at(6)];
+    const size = Math.hypot(...q) || 1;
+    return {r: [at(0), at(1), at(2)], q: q.map(x => x / size) as Q4};
+  }
+
+  /** Velocity [m/s] and angular velocity [rad/s] of pose i, from the two frames around t. */
+  rates(i: number, t: number): {v: V3; omega: V3} {
+    const f = Math.min(this.indexAt(t), Math.max(0, this.count - 2)), g = Math.min(f + 1, this.count - 1);
+    const dt = this.t[g] - this.t[f];
+    if (!(dt > 0)) return {v: [0, 0, 0], omega: [0, 0, 0]};
+    const A = this.pose(i, this.t[f]), B = this.pose(i, this.t[g]);
+    const [w, x, y, z] = A.q, p = B.q;
+    // p ∘ q*: the turn from one frame to the next
+    const d = [p[0] * w + p[1] * x + p[2] * y + p[3] * z, p[1] * w - p[0] * x - p[2] * z + p[3] * y,
+               p[2] * w - p[0] * y - p[3] * x + p[1] * z, p[3] * w - p[0] * z - p[1] * y + p[2] * x];
+    const s = Math.hypot(d[1], d[2], d[3]), angle = 2 * Math.atan2(s, d[0]);
+    const factor = s > 1e-12 ? angle / s / dt : 2 / dt;
+    return {v: [0, 1, 2].map(k => (B.r[k] - A.r[k]) / dt) as V3, omega: [d[1], d[2], d[3]].map(e => e * factor) as V3};
+  }
+
+  moves(i: number): boolean { return i >= 0 && [0, 1, 2, 3, 4, 5, 6].some(k => this.varying[7 * i + k] >= 0); }
+  /** Whether coordinate k of pose i stands, at `value` if one is given. */
+  stands(i: number, k: number, value?: number): boolean {
+    const at = 7 * i + k;
+    return this.varying[at] < 0 && (value === undefined || Math.abs(this.lo[at] - value) < 1e-6);
+  }
+  firstMoving(): number {
+    for (let i = 0; i < this.poses; ++i) if (this.moves(i)) return i;
+    return -1;
+  }
+
+  /** Contacts of the last frame at or before t. */
+  contacts(t: number): Contact[] {
+    const out: Contact[] = [];
+    if (!this.count) return out;
+    const f = this.indexAt(t);
+    for (let c = this.firstContact[f]; c < this.firstContact[f + 1]; ++c) out.push(this.contactAt(c));
+    return out;
+  }
+
+  contactAt(c: number): Contact {
+    const x = this.contact.subarray(11 * c, 11 * c + 11), {box} = this;
+    const at = (k: number): number => box[2 * k] + (box[2 * k + 1] - box[2 * k]) * x[k] / 65535;
+    const n = (k: number): number => 2 * x[k] / 65535 - 1;
+    const F = (k: number): number => upperHalfFloat(x[k]);
+    return {r: [at(0), at(1), at(2)], n: [n(3), n(4), n(5)], F: [F(6), F(7), F(8)], state: x[9], limit: F(10)};
+  }
+
+  /** A force that most contacts stay below: nine of ten of those that are not zero. */
+  usualForce(): number {
+    const sizes: number[] = [];
+    const n = this.contactCount, stride = Math.max(1, Math.floor(n / 5000));
+    for (let c = 0; c < n; c += stride) {
+      const contact = this.contactAt(c), size = Math.hypot(...contact.F);
+      if (size > 0 && Number.isFinite(size) && contact.state !== 3) sizes.push(size);
+    }
+    if (!sizes.length) for (let c = 0; c < n; c += stride) sizes.push(Math.hypot(...this.contactAt(c).F));
+    sizes.sort((a, b) => a - b);
+    return sizes.length ? sizes[Math.floor(0.9 * (sizes.length - 1))] : 0;
+  }
+}
+
+export async function signalsOf(data: PageData): Promise<Signal[]> {
+  const units = new Map<string, string>();
+  const listed = data.run && Array.isArray(data.run.signals) ? data.run.signals as {name: string; unit: string}[] : [];
+  for (const s of listed) units.set(s.name, s.unit);
+  const times = await Promise.all(data.signals.map(s => s.t === undefined ? null : doubles(s.t)));
+  const values = await Promise.all(data.signals.map(s => floats(s.y)));
+  let t: Float64Array = new Float64Array(0);
+  return data.signals.map((s, i) => {
+    t = times[i] ?? t;
+    return {name: s.name, unit: s.unit || units.get(s.name) || "", t, y: values[i]};
+  });
+}
+
+/** Rows of a CSV text; quoted fields may hold commas, not line ends. */
+async function rowsOf(base64: string): Promise<string[][]> {
+  const text = new TextDecoder().decode(await inflated(base64));
+  return text.split("\n").filter(line => line).map(line =>
+    (line.includes('"') ? line.match(/("([^"]|"")*"|[^,]*)(,|$)/g) ?? [] : line.split(","))
+      .map(x => x.replace(/,$/, "").replace(/^"(.*)"$/, "$1").replace(/""/g, '"')));
+}
+
+export async function eventsOf(data: PageData): Promise<Event[]> {
+  const rows = await rowsOf(data.events), settings = data.run?.settings as {step?: number} | undefined;
+  return withoutFlicker(rows.slice(1).filter(r => r.length >= 7).map(r => ({
+    t: Number(r[0]), impact: r[1] === "impact", contact: r[2], from: r[3], to: r[4],
+    speed: Number(r[5]), impulse: Number(r[6])})), 1.5 * (settings?.step ?? 0));
+}
+
+/** Leaves out switches that are taken back at once: a gap of rounding size opens and closes again. */
+function withoutFlicker(events: Event[], brief: number): Event[] {
+  const last = new Map<string, Event>(), gone = new Set<Event>();
+  for (const e of events) {
+    const before = last.get(e.contact);
+    if (before && !e.impact && !before.impact && !gone.has(before) && e.t - before.t <= brief && before.from === e.to &&
+        before.to === e.from) {
+      gone.add(before).add(e);
+    }
+    last.set(e.contact, e);
+  }
+  return gone.size ? events.filter(e => !gone.has(e)) : events;
+}
+
+/** Columns of ledger.csv by name, with t. */
+export async function ledgerOf(data: PageData): Promise<Map<string, Float64Array>> {
+  const rows = await rowsOf(data.ledger), out = new Map<string, Float64Array>();
+  if (rows.length < 2) return out;
+  const whole = rows.slice(1).filter(r => r.length === rows[0].length);
+  rows[0].forEach((name, i) => out.set(name, Float64Array.from(whole, r => Number(r[i]))));
+  return out;
+}

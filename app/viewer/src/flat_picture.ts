@@ -1,0 +1,167 @@
+// The picture on a plain canvas: grid, ground, bodies from back to front. It serves planar views,
+// and every view where WebGL is missing.
+import type {Camera} from "./camera";
+import {kItems, pathOf, type Item} from "./flat_shapes";
+import {add, cross, dot, niceTicks, scaled, sub, unit, type V2, type V3} from "./math";
+import type {SceneModel} from "./scene_model";
+import {colourOf, theme} from "./theme";
+
+type Context = CanvasRenderingContext2D;
+interface Entry { item: Item; frame: number; colour: string; depth: number }
+
+export class FlatPicture {
+  private readonly ctx: Context;
+  private painted: {path: Path2D; frame: number}[] = [];
+  private colours: string[];
+
+  constructor(readonly canvas: HTMLCanvasElement, private readonly scene: SceneModel) {
+    this.ctx = canvas.getContext("2d") as Context;
+    this.colours = scene.bodies.map(colourOf);
+  }
+
+  recolour(): void { this.colours = this.scene.bodies.map(colourOf); }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+  }
+
+  draw(camera: Camera, t: number, selected: number): void {
+    const {ctx, scene} = this, ratio = this.canvas.width / camera.width;
+    ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+    ctx.fillStyle = theme.paper;
+    ctx.fillRect(0, 0, camera.width, camera.height);
+    if (camera.isPlanar) paintGrid(ctx, camera);
+    const planes = scene.grounds.map(g => scene.plane(g, t));
+    const facing = (p: {n: V3}): number => dot(p.n, camera.toward);
+    planes.sort((a, b) => facing(a) - facing(b));
+    for (const p of planes) if (facing(p) >= -1e-3) paintGround(ctx, camera, p, scene);
+    this.painted = [];
+    const entries = scene.bodies.map((shape, i): Entry => ({
+      item: kItems[shape.kind](shape, scene.shapePose(shape, t), scene.film.pose(shape.frameEnd ?? -1, t)),
+      frame: shape.frame, colour: this.colours[i], depth: 0}));
+    for (const {item, frame, colour} of backToFront(entries, camera)) {
+      const path = item.paint(ctx, camera, colour);
+      this.painted.push({path, frame});
+      if (frame >= 0 && frame === selected) {
+        ctx.strokeStyle = theme.accent;
+        ctx.lineWidth = 3;
+        ctx.stroke(path);
+      }
+    }
+    for (const p of planes) if (facing(p) < -1e-3) paintGround(ctx, camera, p, scene);
+  }
+
+  /** The frame of the shape that is seen at (x, y); −2: none. */
+  pick(x: number, y: number): number {
+    this.ctx.setTransform(1, 0, 0, 1, 0, 0);
+    for (let i = this.painted.length - 1; i >= 0; --i) {
+      if (this.ctx.isPointInPath(this.painted[i].path, x, y)) return this.painted[i].frame;
+    }
+    return -2;
+  }
+}
+
+/** Items in the order of painting. Depth of the centres orders most; a plane that has one item on
+ *  each side orders a pair for certain (a ball on a large table), so these pairs rule. */
+function backToFront(entries: Entry[], camera: Camera): Entry[] {
+  for (const e of entries) e.depth = camera.depth(e.item.centre);
+  entries.sort((a, b) => a.depth - b.depth);
+  if (camera.isPlanar || entries.length > 200) return entries;
+  const out: Entry[] = [], seen = new Set<Entry>();
+  const visit = (e: Entry): void => {
+    if (seen.has(e)) return;  // done, or a circle of overlaps: broken here
+    seen.add(e);
+    for (const other of entries) if (other !== e && isBefore(other.item, e.item, camera)) visit(other);
+    out.push(e);
+  };
+  entries.forEach(visit);
+  return out;
+}
+
+/** Whether b may hide a, but a cannot hide b. */
+function isBefore(a: Item, b: Item, camera: Camera): boolean {
+  const free = (p: Item, q: Item): boolean => isOutside(p, q, camera, 1) || isOutside(q, p, camera, -1);
+  return free(a, b) && !free(b, a);
+}
+
+/** Whether b is beyond a plane of a that faces the viewer (side 1) or that does not (side −1). */
+function isOutside(a: Item, b: Item, camera: Camera, side: number): boolean {
+  return a.planes.some(({n, o}) =>
+    side * dot(n, camera.toward) > 1e-6 && b.least(n) >= o - 1e-9 - 1e-4 * Math.abs(o));
+}
+
+/** Lines at round numbers, in the planar views. */
+export function paintGrid(ctx: Context, camera: Camera): void {
+  const a = camera.unproject(0, camera.height), b = camera.unproject(camera.width, 0);
+  const step = niceTicks(0, camera.width / camera.scale, Math.max(4, Math.round(camera.width / 90))).step;
+  ctx.lineWidth = 1;
+  for (const [axis, vertical] of [[camera.right, true], [camera.up, false]] as [V3, boolean][]) {
+    for (let k = Math.ceil(dot(a, axis) / step); k * step <= dot(b, axis); ++k) {
+      const at = add(camera.centre, scaled(axis, k * step - dot(camera.centre, axis)));
+      const [x, y] = camera.project(at).map(v => Math.round(v) + 0.5);
+      ctx.strokeStyle = k === 0 ? theme.gridZero : theme.grid;
+      ctx.beginPath();
+      if (vertical) { ctx.moveTo(x, 0); ctx.lineTo(x, camera.height); }
+      else { ctx.moveTo(0, y); ctx.lineTo(camera.width, y); }
+      ctx.stroke();
+    }
+  }
+}
+
+/** A half space: a hatched line if it is seen from the edge, else a sheet with a grid. */
+export function paintGround(ctx: Context, camera: Camera, {c, n}: {c: V3; n: V3}, scene: SceneModel): void {
+  const facing = dot(n, camera.toward);
+  if (Math.abs(facing) < 0.02) {
+    paintHatchedLine(ctx, camera, c, n);
+    return;
+  }
+  if (camera.isPlanar) return;  // the paper itself
+  const {lo, hi, size} = scene.extent;
+  const a = unit(cross(Math.abs(n[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], n)), b = cross(n, a);
+  const middle = scaled(add(lo, hi), 0.5);
+  const foot = sub(middle, scaled(n, dot(n, sub(middle, c))));
+  const half = 0.75 * size, step = niceTicks(0, 2 * half, 12).step;
+  const cells = Math.ceil(half / step);
+  const origin = [a, b].map(e => Math.round(dot(foot, e) / step) * step - dot(foot, e));
+  const at = (i: number, j: number): V2 =>
+    camera.project(add(foot, add(scaled(a, origin[0] + i * step), scaled(b, origin[1] + j * step))));
+  const sheet = pathOf([at(-cells, -cells), at(cells, -cells), at(cells, cells), at(-cells, cells)]);
+  ctx.fillStyle = facing > 0 ? theme.ground : theme.sheet;
+  ctx.fill(sheet);
+  ctx.strokeStyle = theme.groundLine;
+  ctx.lineWidth = 1;
+  if (facing < 0) {  // it stands between the viewer and the bodies
+    ctx.stroke(sheet);
+    return;
+  }
+  for (let i = -cells; i <= cells; ++i) {
+    ctx.stroke(pathOf([at(i, -cells), at(i, cells)], false));
+    ctx.stroke(pathOf([at(-cells, i), at(cells, i)], false));
+  }
+}
+
+function paintHatchedLine(ctx: Context, camera: Camera, c: V3, n: V3): void {
+  const p = camera.project(c);
+  const m: V2 = [dot(n, camera.right), -dot(n, camera.up)];  // out of the matter, on the canvas
+  const d: V2 = [-m[1], m[0]];
+  // as long as the canvas, with strokes that stay when the view is moved
+  const reach = camera.width + camera.height;
+  const towardMiddle = (camera.width / 2 - p[0]) * d[0] + (camera.height / 2 - p[1]) * d[1];
+  const first = Math.floor((towardMiddle - reach) / 11), last = Math.ceil((towardMiddle + reach) / 11);
+  const at = (s: number, depth: number): V2 => [p[0] + d[0] * s - m[0] * depth, p[1] + d[1] * s - m[1] * depth];
+  ctx.fillStyle = theme.ground;
+  ctx.fill(pathOf([at(first * 11, 0), at(last * 11, 0), at(last * 11, 14), at(first * 11, 14)]));
+  ctx.strokeStyle = theme.hatch;
+  ctx.lineWidth = 1.1;
+  ctx.beginPath();
+  for (let k = first; k <= last; ++k) {
+    const a = at(k * 11 + 11, 0), b = at(k * 11, 14);
+    ctx.moveTo(a[0], a[1]);
+    ctx.lineTo(b[0], b[1]);
+  }
+  ctx.stroke();
+  ctx.strokeStyle = theme.edge;
+  ctx.lineWidth = 1.8;
+  ctx.stroke(pathOf([at(first * 11, 0), at(last * 11, 0)], false));
+}

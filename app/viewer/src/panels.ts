@@ -1,0 +1,180 @@
+// The panels beside the plots: events, facts of the run, text of the model, the card of a body.
+import type {Event, PageData} from "./data";
+import {lastAtOrBefore, shortNumber} from "./math";
+import type {Curve, PlotPanel} from "./plots";
+import {kStates} from "./theme";
+
+export function element<K extends keyof HTMLElementTagNameMap>(tag: K, text = "", className = ""): HTMLElementTagNameMap[K] {
+  const e = document.createElement(tag);
+  if (text) e.textContent = text;
+  if (className) e.className = className;
+  return e;
+}
+
+const factText = (x: unknown): string =>
+  x === null ? "\u2013" : typeof x === "number" && !Number.isInteger(x) ? shortNumber(x) : String(x);
+
+/** The members of an object as rows; text is set as text, never as HTML. Lists of objects are left
+ *  to those who read run.json. */
+export function tableOf(object: Record<string, unknown>): HTMLTableElement {
+  const table = element("table");
+  const addRows = (members: Record<string, unknown>, depth: number): void => {
+    for (const [name, x] of Object.entries(members)) {
+      const list = Array.isArray(x) ? x : null;
+      if (list && list.some(e => e !== null && typeof e === "object")) continue;
+      const row = table.insertRow(), cell = row.insertCell();
+      cell.textContent = name.replace(/_/g, " ").replace(/([a-z])([A-Z])/g, "$1 $2").toLowerCase();
+      cell.style.paddingLeft = `${14 * depth}px`;
+      if (x !== null && typeof x === "object" && !list) {
+        cell.colSpan = 2;
+        cell.className = "group";
+        addRows(x as Record<string, unknown>, depth + 1);
+      } else {
+        row.insertCell().textContent = list ? list.map(factText).join(", ") : factText(x);
+      }
+    }
+  };
+  addRows(object, 0);
+  return table;
+}
+
+/** The checks of the model with what came out. */
+export function checksOf(run: Record<string, unknown>): HTMLElement | null {
+  const checks = Array.isArray(run.checks) ? run.checks as Record<string, unknown>[] : [];
+  if (!checks.length) return null;
+  const table = element("table", "", "checks");
+  for (const c of checks) {
+    const row = table.insertRow();
+    row.insertCell().append(element("span", c.pass ? "pass" : "fail", c.pass ? "good" : "bad"));
+    row.insertCell().textContent = `${c.measure === "value" ? "" : `${c.measure} `}${c.signal}${c.over ? ` ${c.over}` : ""}`;
+    row.insertCell().textContent = `${factText(c.got)} (${String(c.expected)})`;
+  }
+  return table;
+}
+
+/** How the run ended and its size, for the head of the page. */
+export function headline(data: PageData, span: number, frames: number): (string | Node)[] {
+  const {run} = data, parts: (string | Node)[] = [];
+  const say = (...nodes: (string | Node)[]): void => { parts.push(...(parts.length ? [" \u00b7 ", ...nodes] : nodes)); };
+  if (run && typeof run.state === "string") {
+    say(["finished", "ok", "done"].includes(run.state) ? run.state : element("b", run.state, "bad"));
+  }
+  say(element("b", shortNumber(span)), " s");
+  for (const [name, word] of [["steps", "steps"], ["impacts", "impacts"], ["switches", "switches"]]) {
+    if (run && typeof run[name] === "number") say(element("b", String(run[name])), ` ${word}`);
+  }
+  if (run && typeof run.wall_s === "number") say("computed in ", element("b", shortNumber(run.wall_s)), " s");
+  const {recorded} = data.frames;
+  if (frames) say(frames < recorded ? element("b", `${frames} of ${recorded} frames`, "bad") : `${frames} frames`);
+  return parts;
+}
+
+/** Energies and works, then what the solver did: panels of the ledger. */
+export function ledgerPanels(ledger: Map<string, Float64Array>): PlotPanel[] {
+  const t = ledger.get("t");
+  if (!t) return [];
+  const column = (name: string): Float64Array => ledger.get(name) ?? new Float64Array(t.length);
+  const curve = (name: string, y: Float64Array): Curve => ({name, t, y});
+  const used = (name: string, label: string): Curve[] => column(name).some(x => x !== 0) ? [curve(label, column(name))] : [];
+  const T = column("kinetic"), V = column("potential"), panels: PlotPanel[] = [];
+  panels.push({title: "energy", unit: "J", height: 170, curves: [
+    curve("kinetic", T), curve("potential", V), curve("sum", T.map((x, i) => x + V[i]))]});
+  const works = [...used("normal", "impacts"), ...used("friction", "friction"), ...used("nonPotential", "drives, dampers"),
+    ...used("joints", "joints"), ...used("boundaries", "moving boundaries")];
+  if (works.length) panels.push({title: "work", unit: "J", height: 160, curves: works});
+  panels.push({title: "ledger", unit: "J", curves: used("discretisation", "discretisation")});
+  const strip = (name: string, label: string, unit: string, log = false): void => {
+    const curves = used(name, label);
+    if (curves.length) panels.push({unit, curves, log, height: 110});
+  };
+  strip("residual", "solver residual", "", true);
+  strip("iterations", "iterations", "");
+  strip("contacts", "contacts", "");
+  strip("penetration", "penetration", "m", true);
+  return panels.filter(p => p.curves.length);
+}
+
+const kRow = 26;  // [pixel]
+
+/** A list of which only the seen rows exist. */
+export class EventList {
+  private readonly rows = element("div", "", "rows");
+  private kind: "all" | "impacts" | "switches" = "all";
+  private events: Event[] = [];
+  private current = -1;
+  private t = 0;
+
+  constructor(private readonly box: HTMLElement, private readonly all: Event[], private readonly seek: (t: number) => void) {
+    const bar = element("div", "", "bar");
+    for (const kind of ["all", "impacts", "switches"] as const) {
+      const n = kind === "all" ? all.length : all.filter(e => e.impact === (kind === "impacts")).length;
+      const button = element("button", `${kind} ${n}`, kind === "all" ? "on" : "");
+      button.onclick = () => {
+        for (const b of bar.children) b.classList.toggle("on", b === button);
+        this.kind = kind;
+        this.filter();
+      };
+      bar.append(button);
+    }
+    box.replaceChildren(bar, this.rows);
+    this.filter();
+    box.addEventListener("scroll", () => this.fill());
+  }
+
+  private filter(): void {
+    this.events = this.kind === "all" ? this.all : this.all.filter(e => e.impact === (this.kind === "impacts"));
+    this.rows.style.height = `${kRow * this.events.length}px`;
+    this.current = -2;
+    this.show(this.t, true);
+  }
+
+  /** The next event after t (by 1) or the last before it (by −1). */
+  from(t: number, by: number, tiny: number): Event | undefined {
+    const all = this.events.length ? this.events : this.all;
+    return by > 0 ? all.find(e => e.t > t + tiny) : [...all].reverse().find(e => e.t < t - tiny);
+  }
+
+  show(t: number, anyway = false): void {
+    this.t = t;
+    const times = this.events.map.length ? this.events : [];
+    const at = times.length && times[0].t <= t ? lastAtOrBefore(times.map(e => e.t), t) : -1;
+    if (at === this.current && !anyway) return;
+    this.current = at;
+    if (this.box.clientHeight) {
+      const top = Math.max(0, at) * kRow, {scrollTop, clientHeight} = this.box;
+      if (top < scrollTop || top > scrollTop + clientHeight - 3 * kRow) this.box.scrollTop = top - clientHeight / 3;
+    }
+    this.fill();
+  }
+
+  fill(): void {
+    const first = Math.max(0, Math.floor(this.box.scrollTop / kRow) - 4), last = first + Math.ceil(this.box.clientHeight / kRow) + 8;
+    this.rows.replaceChildren(...this.events.slice(first, last).map((e, i) => {
+      const row = element("div", "", `event${first + i === this.current ? " on" : ""}`);
+      row.style.top = `${kRow * (first + i)}px`;
+      const mark = element("i"), colour = kStates.find(s => s.name === (e.impact ? "impact" : e.to)) ?? kStates[0];
+      mark.style.background = colour.colour;
+      row.append(mark, element("span", `${e.t.toFixed(5)}`, "t"), element("span", e.contact, "c"),
+        element("span", e.impact ? `impact ${shortNumber(e.speed)} m/s` : `${e.from} \u2192 ${e.to}`, "k"));
+      row.title = e.impact ? `impulse ${shortNumber(e.impulse)} N s` : "";
+      row.onclick = () => this.seek(e.t);
+      return row;
+    }));
+  }
+}
+
+/** The model with numbered lines. */
+export function modelText(text: string): HTMLPreElement {
+  const pre = element("pre");
+  for (const line of text.replace(/\n$/, "").split("\n")) {
+    const code = element("code");
+    // tags, attributes and comments in colours; pieces are set as text
+    const pieces = line.match(/<!--.*?(-->|$)|<\/?[\w.:-]+|"[^"]*"|\/?>|[^<>"]+|./g) ?? [];
+    for (const p of pieces) {
+      const kind = p.startsWith("<!--") ? "note" : /^<|^\/?>$/.test(p) ? "tag" : p.startsWith('"') ? "value" : "";
+      code.append(kind ? element("span", p, kind) : p);
+    }
+    pre.append(code);
+  }
+  return pre;
+}

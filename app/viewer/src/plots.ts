@@ -1,0 +1,165 @@
+// Curves over time with uPlot, all with one time axis, zoomed together, with a cursor at the time of
+// the picture.
+import uPlot from "uplot";
+import {clamp, lastAtOrBefore, shortNumber} from "./math";
+import {kCurves, mixed, theme} from "./theme";
+
+export interface Curve { name: string; t: ArrayLike<number>; y: ArrayLike<number>; dashed?: boolean }
+export interface PlotPanel { unit: string; curves: Curve[]; title?: string; log?: boolean; height?: number }
+
+/** Signals of one element with the same unit share a panel; without a unit each has its own. */
+export function panelsOf(signals: {name: string; unit: string; t: Float64Array; y: Float32Array}[]): PlotPanel[] {
+  const panels: PlotPanel[] = [];
+  const owner = (name: string): string => name.includes(".") ? name.slice(0, name.lastIndexOf(".")) : name;
+  for (const s of signals) {
+    const fit = s.unit && panels.find(p =>
+      p.unit === s.unit && owner(p.curves[0].name) === owner(s.name) && p.curves.length < kCurves.length);
+    if (fit) fit.curves.push(s); else panels.push({unit: s.unit, curves: [s]});
+  }
+  return panels;
+}
+
+interface Shown { plot: uPlot; panel: PlotPanel; values: HTMLElement[]; line: HTMLElement }
+
+const kFont = "11px system-ui, 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
+const curveColour = (k: number): string => theme.dark ? mixed(kCurves[k % kCurves.length], 0.25) : kCurves[k % kCurves.length];
+
+/** The values of all curves at the union of their times. */
+function aligned(panel: PlotPanel): uPlot.AlignedData {
+  const clean = (y: ArrayLike<number>): (number | null)[] =>
+    Array.from(y, v => !Number.isFinite(v) ? null : panel.log ? (v > 0 ? v : null) : v);
+  const same = panel.curves.every(c => c.t === panel.curves[0].t);
+  if (same) return [Array.from(panel.curves[0].t), ...panel.curves.map(c => clean(c.y))] as uPlot.AlignedData;
+  return uPlot.join(panel.curves.map(c => [Array.from(c.t), clean(c.y)] as uPlot.AlignedData));
+}
+
+export class Plots {
+  private shown: Shown[] = [];
+  private zoomed: [number, number] | null = null;
+  private syncing = false;
+  private t = 0;
+
+  constructor(private readonly box: HTMLElement, private readonly panels: PlotPanel[], private readonly begin: number,
+              private readonly end: number, private readonly seek: (t: number) => void) {}
+
+  /** Makes all plots anew, for the present width and theme. */
+  rebuild(): void {
+    for (const s of this.shown) s.plot.destroy();
+    this.shown = [];
+    this.box.replaceChildren();
+    const width = this.box.clientWidth;
+    if (!width) return;
+    for (const panel of this.panels) this.shown.push(this.add(panel, width));
+    if (this.zoomed) this.zoom(...this.zoomed);
+    this.draw(this.t);
+  }
+
+  get built(): boolean { return this.shown.length > 0; }
+
+  resize(): void {
+    const width = this.box.clientWidth;
+    if (!width) return;
+    if (!this.built) { this.rebuild(); return; }
+    for (const s of this.shown) s.plot.setSize({width, height: s.plot.height});
+    this.draw(this.t);
+  }
+
+  private add(panel: PlotPanel, width: number): Shown {
+    const div = document.createElement("div"), names = document.createElement("div");
+    div.className = "plot";
+    names.className = "names";
+    if (panel.title) {
+      const title = document.createElement("b");
+      title.textContent = panel.title;
+      names.append(title);
+    }
+    const values = panel.curves.map((c, k) => {
+      const span = document.createElement("span"), value = document.createElement("em");
+      span.textContent = c.name;
+      span.style.color = curveColour(k);
+      span.title = "show or hide";
+      span.onclick = () => {
+        const on = !plot.series[k + 1].show;
+        plot.setSeries(k + 1, {show: on});
+        span.classList.toggle("off", !on);
+      };
+      span.append(value);
+      names.append(span);
+      return value;
+    });
+    if (panel.unit) {
+      const unit = document.createElement("small");
+      unit.textContent = `[${panel.unit}]`;
+      names.append(unit);
+    }
+    div.append(names);
+    this.box.append(div);
+    const plot = new uPlot(this.options(panel, width), aligned(panel), div);
+    const line = document.createElement("div");
+    line.className = "now";
+    plot.over.append(line);
+    return {plot, panel, values, line};
+  }
+
+  private options(panel: PlotPanel, width: number): uPlot.Options {
+    const axis = {font: kFont, stroke: theme.soft, grid: {stroke: theme.grid, width: 1}, ticks: {show: false}};
+    const label = (v: number | null): string => v === null ? "" : shortNumber(v);
+    return {
+      width, height: panel.height ?? 138, padding: [6, 14, 0, 0], legend: {show: false},
+      cursor: {y: false, points: {show: false}, drag: {x: true, y: false, dist: 6},
+        bind: {dblclick: () => () => { this.zoom(this.begin, this.end); return null; }}},
+      scales: {x: {time: false, min: this.begin, max: this.end > this.begin ? this.end : this.begin + 1},
+        y: panel.log ? {distr: 3} : {range: (_u, lo, hi) => padded(lo, hi)}},
+      axes: [{...axis, size: 26, gap: 4, values: (_u, all) => all.map(label)},
+        {...axis, size: 58, gap: 4, values: (_u, all) => all.map(label), space: panel.log ? 18 : 24}],
+      series: [{}, ...panel.curves.map((c, k): uPlot.Series => ({
+        stroke: curveColour(k), width: 1.5, spanGaps: true, points: {show: false}, dash: c.dashed ? [5, 4] : undefined}))],
+      hooks: {
+        setScale: [(u, key) => {
+          if (key !== "x" || this.syncing || u.scales.x.min == null || u.scales.x.max == null) return;
+          if (this.shown.length) this.zoom(u.scales.x.min, u.scales.x.max);
+        }],
+        ready: [u => {
+          u.over.addEventListener("click", event => {
+            if (u.select.width > 0) return;
+            this.seek(clamp(u.posToVal(event.offsetX, "x"), this.begin, this.end));
+          });
+        }]
+      }
+    };
+  }
+
+  /** All plots show [lo, hi]. */
+  private zoom(lo: number, hi: number): void {
+    this.syncing = true;
+    this.zoomed = lo <= this.begin && hi >= this.end ? null : [lo, hi];
+    for (const {plot} of this.shown) {
+      plot.setScale("x", {min: lo, max: hi});
+      plot.setSelect({left: 0, top: 0, width: 0, height: 0}, false);
+    }
+    this.syncing = false;
+    this.draw(this.t);
+    this.box.classList.toggle("zoomed", this.zoomed !== null);
+  }
+
+  draw(t: number): void {
+    this.t = t;
+    for (const {plot, panel, values, line} of this.shown) {
+      const x = plot.valToPos(t, "x");
+      line.hidden = !(x >= -1 && x <= plot.over.clientWidth + 1);
+      line.style.transform = `translateX(${Math.round(x)}px)`;
+      panel.curves.forEach((c, k) => {
+        values[k].textContent = shortNumber(c.t.length ? c.y[lastAtOrBefore(c.t, t)] : NaN);
+      });
+    }
+  }
+}
+
+/** A range with a margin; a constant gets one that shows it as a level line. */
+function padded(lo: number | null, hi: number | null): [number, number] {
+  if (lo === null || hi === null || !Number.isFinite(lo) || !Number.isFinite(hi)) return [0, 1];
+  const size = Math.max(Math.abs(lo), Math.abs(hi));
+  if (hi - lo <= 1e-9 * size || hi === lo) return size === 0 ? [-1, 1] : [lo - 0.1 * size, hi + 0.1 * size];
+  const margin = 0.07 * (hi - lo);
+  return [lo - margin, hi + margin];
+}

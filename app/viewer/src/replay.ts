@@ -1,0 +1,391 @@
+// The page: time, buttons, keys, panels, address. Starts at the end of this file.
+import {copyLink, readAddress} from "./address";
+import {eventsOf, Film, ledgerOf, signalsOf, type Event, type PageData, type Signal} from "./data";
+import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
+import {clamp, norm, shortNumber} from "./math";
+import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf} from "./panels";
+import {panelsOf, Plots} from "./plots";
+import {SceneModel} from "./scene_model";
+import {Stage} from "./stage";
+import {kStates, mixed, theme, useTheme} from "./theme";
+import {paintMarks} from "./timeline";
+
+const byId = <T extends HTMLElement = HTMLElement>(id: string): T => document.getElementById(id) as T;
+
+export class Replay {
+  readonly stage: Stage;
+  readonly begin: number;
+  readonly end: number;
+  t: number;
+  private playing = false;
+  private queued = false;
+  private tab = "";
+  private readonly plots: Plots;
+  private readonly energy: Plots;
+  private readonly list: EventList;
+  private readonly model: SceneModel;
+
+  constructor(readonly data: PageData, readonly film: Film, private readonly signals: Signal[],
+              private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams) {
+    const times = [film.t, ...signals.map(s => s.t)].filter(t => t.length);
+    this.begin = Math.min(...times.map(t => t[0]));
+    this.end = Math.max(...times.map(t => t[t.length - 1]));
+    if (!(this.begin <= this.end)) this.begin = this.end = 0;
+    this.t = this.begin;
+    const wanted = address.get("theme");
+    useTheme(wanted ? wanted === "dark" : matchMedia("(prefers-color-scheme: dark)").matches);
+    document.documentElement.classList.toggle("dark", theme.dark);
+    this.model = new SceneModel(data.scene, film);
+    this.stage = new Stage(byId("stage"), this.model, {
+      redraw: () => this.draw(), selected: frame => this.select(frame)}, address.get("webgl"));
+    const follow = data.scene.follow ?? -1;
+    this.stage.follow(follow < film.poses ? follow : -1, this.t);
+    const seek = (t: number): void => { this.pause().seek(t); };
+    this.plots = new Plots(byId("plots"), panelsOf(signals).slice(0, 60), this.begin, this.end, seek);
+    this.energy = new Plots(byId("energy"), ledgerPanels(ledger), this.begin, this.end, seek);
+    this.list = new EventList(byId("events"), events, seek);
+    const main = document.querySelector("main") as HTMLElement;
+    main.classList.toggle("alone", !signals.length && !data.model.text && !data.run);
+    main.classList.toggle("unseen", !data.scene.shapes.length && signals.length > 0);
+    this.fillPanels(ledger.size > 0);
+    this.addTransport();
+    this.addTools();
+    document.addEventListener("keydown", event => this.key(event));
+    new ResizeObserver(() => this.resize()).observe(byId("stage"));
+    new ResizeObserver(() => this.resize()).observe(byId("side"));
+    window.addEventListener("hashchange", () => readAddress(this, new URLSearchParams(location.hash.slice(1))));
+    this.resize();
+    this.setView(this.model.naturalView());
+    readAddress(this, address);
+  }
+
+  // --- time
+
+  seek(t: number): this {
+    this.t = clamp(t, this.begin, this.end);
+    this.draw();
+    return this;
+  }
+
+  play(): void {
+    if (this.playing) return;
+    if (this.t >= this.end) this.t = this.begin;
+    this.playing = true;
+    byId("play").innerHTML = kPauseIcon;
+    let before = performance.now();
+    const tick = (now: number): void => {
+      if (!this.playing) return;
+      let t = this.t + (now - before) / 1000 * Number(byId<HTMLSelectElement>("speed").value);
+      before = now;
+      if (t > this.end) {
+        if (byId<HTMLInputElement>("loop").checked && this.end > this.begin) {
+          t = this.begin + (t - this.begin) % (this.end - this.begin);
+        } else {
+          this.pause();
+        }
+      }
+      this.seek(t);
+      if (this.playing) requestAnimationFrame(tick);
+    };
+    requestAnimationFrame(tick);
+  }
+
+  pause(): this {
+    this.playing = false;
+    byId("play").innerHTML = kPlayIcon;
+    return this;
+  }
+
+  toggle(): void { if (this.playing) this.pause(); else this.play(); }
+
+  /** To the next or the previous recorded frame. */
+  step(by: number): void {
+    this.pause();
+    if (!this.film.count) return;
+    const f = this.film.indexAt(this.t), between = this.t > this.film.t[f];
+    this.seek(this.film.t[clamp(by < 0 && between ? f : f + by, 0, this.film.count - 1)]);
+  }
+
+  /** To the next or the previous impact or switch. */
+  jump(by: number): void {
+    const found = this.list.from(this.t, by, 1e-9 * (this.end - this.begin));
+    if (found) this.pause().seek(found.t);
+  }
+
+  private faster(by: number): void {
+    const select = byId<HTMLSelectElement>("speed");
+    select.selectedIndex = clamp(select.selectedIndex + by, 0, kSpeeds.length - 1);
+  }
+
+  // --- picture
+
+  /** Draws once before the next frame of the screen, however often it is asked for. */
+  draw(): void {
+    if (this.queued) return;
+    this.queued = true;
+    requestAnimationFrame(() => {
+      this.queued = false;
+      this.drawNow();
+    });
+  }
+
+  drawNow(): void {
+    this.stage.draw(this.t);
+    if (this.tab === "plots") this.plots.draw(this.t);
+    if (this.tab === "energy") this.energy.draw(this.t);
+    if (this.tab === "events") this.list.show(this.t);
+    byId<HTMLInputElement>("scrub").value = String(this.end > this.begin ? (this.t - this.begin) / (this.end - this.begin) : 0);
+    const digits = clamp(4 - Math.floor(Math.log10(this.end - this.begin || 1)), 0, 9);
+    byId("clock").replaceChildren(this.t.toFixed(digits), element("small", ` / ${this.end.toFixed(digits - 1)} s`));
+    this.fillCard();
+  }
+
+  private resize(): void {
+    this.stage.resize();
+    this.showTab(this.tab);
+    paintMarks(byId("marks"), this.events, this.begin, this.end);
+  }
+
+  setView(view: string): void {
+    this.stage.setView(view in kViews ? view : "iso");
+    for (const button of byId("views").children) {
+      button.classList.toggle("on", (button as HTMLElement).dataset.view === this.stage.camera.view);
+    }
+    this.draw();
+  }
+
+  setSwitch(name: "contacts" | "trails", on: boolean): void {
+    this.stage.show[name] = on;
+    byId("switches").querySelector(`[data-name=${name}]`)?.classList.toggle("on", on);
+    byId("legend").hidden = !(this.stage.show.contacts && this.film.contactCount);
+    this.draw();
+  }
+
+  /** The camera goes with what is selected, or with what the model names; or it stands again. */
+  setFollow(on: boolean): void {
+    const {stage} = this, named = this.data.scene.follow ?? this.film.firstMoving();
+    stage.follow(on ? (stage.selected >= 0 ? stage.selected : named) : -1, this.t);
+    if (stage.selected < 0) stage.fit();
+    byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", stage.followed >= 0);
+    this.draw();
+  }
+
+  setTheme(dark: boolean): void {
+    useTheme(dark);
+    document.documentElement.classList.toggle("dark", dark);
+    this.stage.recolour();
+    this.plots.rebuild();
+    this.energy.rebuild();
+    paintMarks(byId("marks"), this.events, this.begin, this.end);
+    this.fillLegend();
+    this.draw();
+  }
+
+  /** Shows name, place in the model and state of a frame; one that does not exist: of none. */
+  select(frame: number): void {
+    this.stage.selected = this.data.scene.frames[frame] ? frame : -1;
+    const box = byId("selected"), known = this.data.scene.frames[frame];
+    box.replaceChildren();
+    if (known) {
+      const close = element("button", "\u00d7", "close");
+      close.onclick = () => this.select(-1);
+      box.append(close, element("b", known.name));
+      if (known.place) {
+        const place = element("a", known.place);
+        place.onclick = () => this.showLine(known.place);
+        box.append(place);
+      }
+      box.append(element("table"));
+    }
+    this.fillCard();
+    this.draw();
+  }
+
+  private fillCard(): void {
+    const {selected} = this.stage, box = byId("selected");
+    box.hidden = selected < 0;
+    if (selected < 0) return;
+    const table = box.querySelector("table") as HTMLTableElement, pose = this.film.pose(selected, this.t);
+    const {v, omega} = this.film.rates(selected, this.t);
+    const angle = 2 * Math.acos(clamp(Math.abs(pose.q[0]), 0, 1)) * 180 / Math.PI;
+    const rows: [string, string][] = [
+      ...(["x", "y", "z"].map((n, k) => [n, `${shortNumber(pose.r[k])} m`]) as [string, string][]),
+      ["speed", `${shortNumber(norm(v))} m/s`], ["turned by", `${shortNumber(angle)}\u00b0`],
+      ["turns with", `${shortNumber(norm(omega))} rad/s`]];
+    const owner = `${this.data.scene.frames[selected].name.split(".")[0]}.`;
+    for (const s of this.signals.filter(s => s.name.startsWith(owner) && !/\.[xyz]$/.test(s.name)).slice(0, 8)) {
+      let i = s.t.length - 1;
+      while (i > 0 && s.t[i] > this.t) --i;
+      rows.push([s.name.slice(owner.length), `${shortNumber(s.y[i])} ${s.unit}`]);
+    }
+    table.replaceChildren(...rows.map(([name, value]) => {
+      const row = element("tr");
+      row.append(element("td", name), element("td", value));
+      return row;
+    }));
+  }
+
+  // --- panels
+
+  private fillPanels(ledger: boolean): void {
+    const {title, run, model} = this.data;
+    const named = run && typeof run.title === "string" && run.title ? run.title : title;
+    byId("title").textContent = named;
+    byId("title").title = named;
+    document.title = `${named} \u00b7 dynamY replay`;
+    byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
+    if (run) byId("run").append(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
+    if (model.text) byId("model").append(modelText(model.text));
+    byId("theme").innerHTML = kThemeIcon;
+    byId("theme").onclick = () => this.setTheme(!theme.dark);
+    this.fillLegend();
+    const help = byId<HTMLDialogElement>("help"), table = element("table");
+    for (const [keys, text] of kKeys) {
+      const row = table.insertRow();
+      row.insertCell().textContent = keys;
+      row.insertCell().textContent = text;
+    }
+    help.append(element("h2", "Keys"), table);
+    help.onclick = () => help.close();
+    const tabs: [string, string, boolean][] = [
+      ["plots", "Signals", this.signals.length > 0], ["energy", "Energy, solver", ledger],
+      ["events", "Events", this.events.length > 0], ["run", "Run", run !== null], ["model", "Model", model.text !== ""]];
+    for (const [id, text, there] of tabs) {
+      if (!there) continue;
+      const button = element("button", text);
+      button.dataset.tab = id;
+      button.onclick = () => this.showTab(id);
+      byId("tabs").append(button);
+      if (!this.tab) this.tab = id;
+    }
+    byId("wait").hidden = true;
+  }
+
+  private fillLegend(): void {
+    const spins = this.events.some(e => e.to === "spin");
+    byId("legend").replaceChildren(...kStates.slice(1, spins ? 5 : 4).map(s => {
+      const span = element("span"), line = element("i");
+      line.style.background = theme.dark ? mixed(s.colour, 0.2) : s.colour;
+      span.append(line, s.name);
+      return span;
+    }));
+  }
+
+  showTab(id: string): void {
+    if (!byId("tabs").querySelector(`[data-tab=${id || "none"}]`)) return;
+    this.tab = id;
+    for (const button of byId("tabs").children as HTMLCollectionOf<HTMLElement>) {
+      button.classList.toggle("on", button.dataset.tab === id);
+    }
+    for (const pane of ["plots", "energy", "events", "run", "model"]) byId(pane).hidden = pane !== id;
+    if (id === "plots") this.plots.resize();
+    if (id === "energy") this.energy.resize();
+    if (id === "events") this.list.show(this.t, true);
+    this.draw();
+  }
+
+  /** Opens the model at the line of "file:line". */
+  private showLine(place: string): void {
+    this.showTab("model");
+    const lines = byId("model").querySelectorAll("code");
+    lines.forEach(l => l.classList.remove("here"));
+    const line = lines[Number((place.match(/:(\d+)/) ?? [])[1]) - 1];
+    if (!line) return;
+    line.classList.add("here");
+    line.scrollIntoView({block: "center"});
+  }
+
+  // --- controls
+
+  private addTransport(): void {
+    const span = this.end - this.begin, wanted = span > 120 ? span / 60 : span < 4 ? span / 4 : 1;
+    const best = kSpeeds.filter(s => s <= Math.max(wanted, kSpeeds[0]) * 1.05).pop();
+    byId("speed").replaceChildren(...kSpeeds.map(s => {
+      const option = element("option", s < 1 ? `1/${Math.round(1 / s)}` : `\u00d7${s}`);
+      option.value = String(s);
+      option.selected = s === best;
+      return option;
+    }));
+    byId("play").innerHTML = kPlayIcon;
+    byId("play").onclick = () => this.toggle();
+    byId("back").onclick = () => this.step(-1);
+    byId("step").onclick = () => this.step(1);
+    byId("before").onclick = () => this.jump(-1);
+    byId("after").onclick = () => this.jump(1);
+    for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !this.events.length;
+    byId<HTMLInputElement>("scrub").oninput = event =>
+      this.pause().seek(this.begin + Number((event.target as HTMLInputElement).value) * span);
+    byId("link").onclick = () => copyLink(this);
+    byId("png").onclick = () => this.savePicture();
+    byId("ask").onclick = () => this.help();
+  }
+
+  private help(): void {
+    const help = byId<HTMLDialogElement>("help");
+    if (help.open) help.close(); else help.showModal();
+  }
+
+  private savePicture(): void {
+    const a = element("a");
+    a.href = this.stage.picture(this.t).toDataURL("image/png");
+    a.download = `${this.data.title}_${this.t.toFixed(3)}s.png`;
+    a.click();
+  }
+
+  private addTools(): void {
+    const button = (box: string, text: string, title: string, act: () => void): HTMLButtonElement => {
+      const b = element("button", text);
+      b.title = title;
+      b.onclick = act;
+      byId(box).append(b);
+      return b;
+    };
+    for (const view of ["xz", "xy", "yz", "iso"]) {
+      button("views", kViews[view], "view", () => this.setView(view)).dataset.view = view;
+    }
+    button("views", "fit", "show everything (0)", () => { this.stage.fit(); this.draw(); });
+    for (const name of this.film.contactCount ? ["contacts", "trails"] as const : ["trails"] as const) {
+      button("switches", name, name === "contacts" ? "contact forces (c)" : "paths of the bodies (t)",
+        () => this.setSwitch(name, !this.stage.show[name])).dataset.name = name;
+    }
+    button("switches", "follow", "the camera goes with what is selected (f)",
+      () => this.setFollow(this.stage.followed < 0)).dataset.name = "follow";
+    byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", this.stage.followed >= 0);
+    for (const name of ["contacts", "trails"] as const) this.setSwitch(name, this.stage.show[name]);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.altKey || event.metaKey || target.tagName === "SELECT") return;
+    const tenth = (this.end - this.begin) / 10;
+    const sideways = (by: number): void => { if (event.shiftKey) this.pause().seek(this.t + by * tenth); else this.step(by); };
+    const force = (by: number): void => { this.stage.forceFactor *= by; this.draw(); };
+    const acts: Record<string, () => void> = {
+      " ": () => this.toggle(), ArrowLeft: () => sideways(-1), ArrowRight: () => sideways(1),
+      Home: () => this.pause().seek(this.begin), End: () => this.pause().seek(this.end),
+      n: () => this.jump(1), p: () => this.jump(-1), "+": () => this.faster(1), "-": () => this.faster(-1),
+      1: () => this.setView("xz"), 2: () => this.setView("xy"), 3: () => this.setView("yz"), 4: () => this.setView("iso"),
+      0: () => { this.stage.fit(); this.draw(); },
+      c: () => this.setSwitch("contacts", !this.stage.show.contacts), t: () => this.setSwitch("trails", !this.stage.show.trails),
+      f: () => this.setFollow(this.stage.followed < 0), l: () => byId("loop").click(), s: () => this.savePicture(),
+      d: () => this.setTheme(!theme.dark), "[": () => force(0.8), "]": () => force(1.25),
+      "?": () => this.help(), Escape: () => { byId<HTMLDialogElement>("help").close(); this.select(-1); }
+    };
+    if (!acts[event.key]) return;
+    event.preventDefault();
+    acts[event.key]();
+  }
+}
+
+async function start(): Promise<void> {
+  const data = JSON.parse(byId("data").textContent ?? "") as PageData;
+  const [film, signals, events, ledger] = await Promise.all([
+    Film.from(data.frames), signalsOf(data), eventsOf(data), ledgerOf(data)]);
+  const replay = new Replay(data, film, signals, events, ledger, new URLSearchParams(location.hash.slice(1)));
+  Object.assign(window, {replay});  // for those who script the page
+}
+
+start().catch(error => {
+  byId("wait").textContent = `This page cannot be shown: ${error instanceof Error ? error.message : error}`;
+  throw error;
+});

@@ -1,0 +1,26 @@
+// Impacts and switches as ticks on the time line: impacts above the slider, switches below.
+import type {Event} from "./data";
+import {kStates, theme} from "./theme";
+
+const kPad = 8;  // half a thumb: where the slider begins and ends [pixel]
+
+export function paintMarks(canvas: HTMLElement, events: Event[], begin: number, end: number): void {
+  if (!(canvas instanceof HTMLCanvasElement)) return;
+  const ratio = window.devicePixelRatio || 1, {clientWidth: w, clientHeight: h} = canvas;
+  canvas.width = w * ratio;
+  canvas.height = h * ratio;
+  const ctx = canvas.getContext("2d");
+  if (!ctx || !w || !(end > begin)) return;
+  ctx.scale(ratio, ratio);
+  for (const impact of [false, true]) {
+    ctx.fillStyle = (impact ? kStates[3] : kStates[2]).colour + (theme.dark ? "b0" : "90");
+    const drawn = new Set<number>();
+    for (const e of events) {
+      if (e.impact !== impact) continue;
+      const x = Math.round(kPad + (w - 2 * kPad) * (e.t - begin) / (end - begin));
+      if (drawn.has(x)) continue;
+      drawn.add(x);
+      ctx.fillRect(x, impact ? 0 : 19, 1.4, 6);
+    }
+  }
+}

@@ -1,0 +1,164 @@
+// The replay in headless Chromium: it opens from disk, asks for nothing else, says no error, paints
+// something, and its controls act. Skips (exit 77) where Chromium or playwright-core is missing.
+//   node test/run.mjs PROGRAM MODEL…          PROGRAM: the built dynamy
+import {execFileSync} from "node:child_process";
+import {existsSync, mkdtempSync, rmSync} from "node:fs";
+import {tmpdir} from "node:os";
+import {basename, join} from "node:path";
+
+const [program, ...models] = process.argv.slice(2);
+const skip = why => { console.log(`skipped: ${why}`); process.exit(77); };
+const browserPath = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(existsSync);
+if (!browserPath) skip("no chromium");
+const {chromium} = await import("playwright-core").catch(() => skip("no playwright-core: run `npm ci` in app/viewer"));
+if (!program || !models.length) throw new Error("usage: node test/run.mjs PROGRAM MODEL…");
+
+const folder = mkdtempSync(join(tmpdir(), "replay-"));
+// Without these flags a browser without a graphics card has no WebGL at all and the test sees nothing.
+const browser = await chromium.launch({executablePath: browserPath,
+  args: ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-angle=swiftshader"]});
+let failures = 0;
+
+function expect(holds, what) {
+  if (holds) return;
+  ++failures;
+  console.error(`FAILED: ${what}`);
+}
+
+/** How many colours the picture of the stage has, counted on a grid. */
+const colours = page => page.evaluate(() => {
+  const picture = window.replay.stage.picture(window.replay.t), ctx = picture.getContext("2d");
+  const {data, width, height} = ctx.getImageData(0, 0, picture.width, picture.height);
+  const seen = new Set();
+  for (let i = 0; i < 4 * width * height; i += 4 * 37) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+  return seen.size;
+});
+
+async function open(file, hash, viewport = {width: 1280, height: 800}) {
+  const page = await browser.newPage({viewport});
+  page.said = [];
+  page.asked = [];
+  page.on("console", m => { if (m.type() === "error") page.said.push(m.text()); });
+  page.on("pageerror", e => page.said.push(e.message));
+  page.on("request", r => page.asked.push(r.url()));
+  await page.goto(`file://${file}#${hash}`);
+  await page.waitForFunction(() => window.replay, null, {timeout: 60000});
+  return page;
+}
+
+/** What every model must pass: both pictures, no error, one request. */
+async function basics(name, file) {
+  for (const [hash, viewport] of [["", undefined], ["view=iso&theme=dark", undefined], ["view=iso&webgl=0", {width: 390, height: 844}]]) {
+    const page = await open(file, hash, viewport), what = `${name} #${hash}`;
+    const span = await page.evaluate(() => window.replay.end - window.replay.begin);
+    await page.evaluate(t => window.replay.seek(t), 0.3 * span);
+    expect(await colours(page) > 5, `${what}: the picture is not blank`);
+    if (!hash.includes("webgl=0")) {
+      expect(await page.evaluate(() => window.replay.stage.space !== null), `${what}: WebGL draws the spatial view`);
+    }
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(over <= 0, `${what}: nothing is wider than the window`);
+    expect(page.said.length === 0, `${what}: ${page.said.join("; ")}`);
+    expect(page.asked.filter(url => !url.startsWith("data:")).length === 1, `${what}: one request, not ${page.asked}`);
+    await page.close();
+  }
+}
+
+/** Every control, on one model that has contacts. */
+async function controls(file) {
+  const page = await open(file, "t=0.05");
+  const t = () => page.evaluate(() => window.replay.t);
+  const start = await t();
+  expect(Math.abs(start - 0.05) < 1e-9, "the address sets the time");
+  await page.keyboard.press("ArrowRight");
+  const stepped = await t();
+  expect(stepped > start && stepped < start + 0.02, "arrow right: the next frame");
+  await page.keyboard.press("ArrowLeft");
+  expect(await t() < stepped, "arrow left: the frame before");
+  await page.keyboard.press("n");
+  const event = await t();
+  expect(event > start, "n: the next event");
+  await page.keyboard.press("p");
+  expect(await t() < event, "p: the event before");
+  await page.keyboard.press("Space");
+  await page.waitForTimeout(400);
+  await page.keyboard.press("Space");
+  const played = await t();
+  await page.waitForTimeout(100);
+  expect(await t() === played, "space pauses");
+  await page.keyboard.press("Home");
+  expect(await t() === await page.evaluate(() => window.replay.begin), "home: the begin");
+  await page.click("#play");
+  await page.waitForTimeout(400);
+  await page.click("#play");
+  expect(await t() > 0, "the button plays");
+  await page.locator("#scrub").evaluate(e => { e.value = 0.5; e.dispatchEvent(new Event("input")); });
+  const span = await page.evaluate(() => window.replay.end - window.replay.begin);
+  expect(Math.abs(await t() - 0.5 * span) < 1e-6, "the slider sets the time");
+  for (const [key, view] of [["1", "xz"], ["2", "xy"], ["3", "yz"], ["4", "iso"]]) {
+    await page.keyboard.press(key);
+    expect(await page.evaluate(() => window.replay.stage.camera.view) === view, `key ${key}: ${view}`);
+    expect(await colours(page) > 2, `view ${view} is not blank`);
+  }
+  const before = await page.evaluate(() => window.replay.stage.camera.azimuth);
+  await page.mouse.move(400, 500);
+  await page.mouse.down();
+  await page.mouse.move(460, 520, {steps: 3});
+  await page.mouse.up();
+  expect(await page.evaluate(() => window.replay.stage.camera.azimuth) !== before, "dragging turns");
+  const scale = await page.evaluate(() => window.replay.stage.camera.scale);
+  await page.mouse.wheel(0, -300);
+  await page.waitForTimeout(100);
+  expect(await page.evaluate(() => window.replay.stage.camera.scale) > scale, "the wheel zooms");
+  await page.keyboard.press("f");
+  await page.keyboard.press("t");
+  expect(await page.evaluate(() => window.replay.stage.show.trails), "t: trails");
+  await page.keyboard.press("0");
+  await page.evaluate(() => window.replay.select(0));
+  expect(await page.isVisible("#selected"), "a body that is selected shows its card");
+  if (await page.locator("#selected a").count()) {
+    await page.click("#selected a");
+    expect(await page.locator("#model code.here").count() === 1, "its place opens the model at the line");
+  }
+  for (const tab of await page.locator("#tabs button").all()) await tab.click();
+  await page.click('#tabs [data-tab="plots"]');
+  expect(await page.locator("#plots canvas").count() > 0, "there are curves");
+  const box = await page.locator("#plots .u-over").first().boundingBox();
+  await page.mouse.click(box.x + 0.25 * box.width, box.y + 20);
+  expect(Math.abs(await t() - 0.25 * span) < 0.02 * span, "a click on a curve sets the time");
+  await page.mouse.move(box.x + 20, box.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 20, {steps: 4});
+  await page.mouse.up();
+  expect(await page.evaluate(() => document.getElementById("plots").classList.contains("zoomed")), "dragging on a curve zooms");
+  await page.mouse.dblclick(box.x + 60, box.y + 30);
+  expect(!await page.evaluate(() => document.getElementById("plots").classList.contains("zoomed")), "double click: the whole time");
+  await page.keyboard.press("?");
+  expect(await page.isVisible("#help"), "?: the keys");
+  await page.keyboard.press("Escape");
+  const download = page.waitForEvent("download");
+  await page.click("#png");
+  expect((await download).suggestedFilename().endsWith(".png"), "PNG");
+  await page.click("#link");
+  expect(page.url().includes("#t="), "the link holds the time");
+  await page.keyboard.press("d");
+  expect(await page.evaluate(() => document.documentElement.classList.contains("dark")), "d: dark");
+  expect(page.said.length === 0, `controls: ${page.said.join("; ")}`);
+  await page.close();
+}
+
+for (const model of models) {
+  const name = basename(model, ".xml"), out = join(folder, name);
+  execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
+  const file = join(out, "replay.html");
+  await basics(name, file);
+  if (model === models[0]) await controls(file);
+  console.log(`${name}: done`);
+}
+await browser.close();
+rmSync(folder, {recursive: true});
+if (failures) {
+  console.error(`${failures} failed`);
+  process.exit(1);
+}
+console.log("all passed");
