@@ -119,6 +119,11 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
+  if (r.repairedImpacts > 0)
+    out += fmt::format(
+        " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
+        "rebound taken\n",
+        counted(r.repairedImpacts, "impact"), r.energyGain.value, r.energyGain.t);
   if (r.penetration.value > 0.0)
     out += fmt::format(" worst penetration {:.2g} m at {} (t = {:.6g} s)\n", r.penetration.value,
                        r.penetration.name, r.penetration.t);
@@ -167,6 +172,8 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
   json.member("switches", r.switches);
+  json.member("repairedImpacts", r.repairedImpacts);
+  write(json, "energyGain", r.energyGain);
   json.key("solver").beginObject().member("solves", r.solves);
   json.member("iterations", r.iterations).member("iterationsMean", r.iterationsMean());
   json.member("iterationsMax", r.iterationsMax).member("unconverged", r.unconverged);

@@ -36,6 +36,7 @@ Coordinates::Coordinates(const Parameters& x)
     : PartialMechanicalSystem(x), frames_(x.take<CoordinateFrame>()) {
   Diagnostics faults;
   names_.parameters = x.symbols;
+  stiff_ = x["stiff"].flag();
   readNames(x, faults);
   faults.throwIfAny();
   readState(x);
@@ -331,6 +332,9 @@ void Coordinates::declare(Attributes& a) {
   a.add(AttributeType::expression, "potential", "",
         "potential energy V(t, q) [J]; its forces are -dV/dq");
   a.child(Kind::part, 0, 1000, "frames that carry shapes, joints and contacts", "CoordinateFrame");
+  a.add(AttributeType::flag, "stiff", "false",
+        "true: h and the potential are taken linearly implicitly by the schemes, with exact "
+        "derivatives");
   a.example(
       "<Coordinates name=\"pendulum\" q=\"phi\" units=\"rad\" q0=\"30deg\" M=\"2 * 0.5^2\" "
       "potential=\"-2 * 9.81 * 0.5 * cos(phi)\"/>");

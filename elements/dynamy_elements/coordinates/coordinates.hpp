@@ -30,6 +30,7 @@ class Coordinates final : public PartialMechanicalSystem {
   void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return static_cast<int>(frames_.size()); }
+  bool stiff() const override { return stiff_; }
   bool dh(double t, ConstVec q, ConstVec u, int block, Block K, Block D) const override;
   void describe(Description& d) const override;
 
@@ -50,7 +51,7 @@ class Coordinates final : public PartialMechanicalSystem {
   std::vector<Unit> units_;
   Eigen::VectorXd q0_, u0_;
   Inertia inertia_ = Inertia::full;
-  bool constantMass_ = false;
+  bool constantMass_ = false, stiff_ = false;
   std::vector<int> q_, u_;  // slots
   std::unique_ptr<Tape> mass_, force_, potential_;
   std::vector<std::unique_ptr<CoordinateFrame>> frames_;

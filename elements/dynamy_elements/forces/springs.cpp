@@ -5,6 +5,15 @@
 #include <numbers>
 
 namespace dynamy {
+namespace {
+
+void declareStiff(Attributes& a) {
+  a.add(AttributeType::flag, "stiff", "false",
+        "true: taken linearly implicitly by the schemes, for steps beyond the spring's period");
+}
+bool isStiff(const Parameters& x) { return x["stiff"].flag(); }
+
+}  // namespace
 
 // ---- SpringDamper ------------------------------------------------------------------------------
 
@@ -21,6 +30,7 @@ void SpringDamper::declare(Attributes& a) {
                             "length l0 without force; default: the distance at the start");
   length.unit = Unit::length;
   length.mayBeAbsent().nonNegative();
+  declareStiff(a);
   a.example(
       "<SpringDamper between=\"world ball\" pointA=\"0 0 2\" stiffness=\"100\" length=\"0.5\"/>");
 }
@@ -33,7 +43,8 @@ SpringDamper::SpringDamper(const Parameters& x)
       stiffness_(x["stiffness"]),
       damping_(x["damping"]),
       length_(x.has("length") ? double(x["length"]) : 0.0),
-      lengthGiven_(x.has("length")) {}
+      lengthGiven_(x.has("length")),
+      stiff_(isStiff(x)) {}
 
 void SpringDamper::connect(Topology& topology) {
   frames_.connect(topology, *this);
@@ -69,6 +80,13 @@ void SpringDamper::addTo(const Kinematics& k, ForceSink& sink) const {
   sink.force(B, s.rhoB_I, -damper);
 }
 
+void SpringDamper::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
+  // ∂F/∂l along the line alone: what turns it is of the size of the force, not of the stiffness.
+  const Line s = line(k);
+  sink.spring(k.frame(frames_.A), s.rhoA_I, k.frame(frames_.B), s.rhoB_I, s.e, stiffness_,
+              damping_);
+}
+
 double SpringDamper::potentialEnergy(const Kinematics& k) const {
   const double x = line(k).l - length_;
   return 0.5 * stiffness_ * x * x;
@@ -95,6 +113,7 @@ void TorsionSpring::declare(Attributes& a) {
   a.required("stiffness", Unit::rotationalStiffness, "stiffness c").nonNegative();
   a.optional("damping", Unit::rotationalDamping, 0.0, "damping d").nonNegative();
   a.optional("angle", Unit::angle, 0.0, "angle psi0 without moment");
+  declareStiff(a);
   a.example("<TorsionSpring between=\"world rod\" axis=\"0 -1 0\" stiffness=\"2\"/>");
 }
 
@@ -104,7 +123,8 @@ TorsionSpring::TorsionSpring(const Parameters& x)
       axis_A_(x["axis"].vec3().normalized()),
       stiffness_(x["stiffness"]),
       damping_(x["damping"]),
-      angle_(x["angle"]) {}
+      angle_(x["angle"]),
+      stiff_(isStiff(x)) {}
 
 double TorsionSpring::angle(const Kinematics& k) const {
   const Mat3 relative = k.frame(frames_.A).A_IK.transpose() * k.frame(frames_.B).A_IK;
@@ -125,6 +145,11 @@ void TorsionSpring::addTo(const Kinematics& k, ForceSink& sink) const {
   sink.hasPotential(false);
   sink.moment(A, damper);
   sink.moment(B, -damper);
+}
+
+void TorsionSpring::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
+  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
+  sink.torsion(A, B, A.A_IK * axis_A_, stiffness_, damping_);
 }
 
 double TorsionSpring::potentialEnergy(const Kinematics& k) const {

@@ -18,6 +18,8 @@ class SpringDamper final : public ExternalForce {
   void addTo(const Kinematics& k, ForceSink& sink) const override;
   bool hasPotential() const override { return damping_ == 0.0; }
   double potentialEnergy(const Kinematics& k) const override;
+  bool stiff() const override { return stiff_; }
+  void addStiffness(const Kinematics& k, StiffnessSink& sink) const override;
 
  private:
   struct Line {
@@ -28,7 +30,7 @@ class SpringDamper final : public ExternalForce {
   FramePair frames_;
   Vec3 pointA_, pointB_;
   double stiffness_, damping_, length_;
-  bool lengthGiven_;
+  bool lengthGiven_, stiff_;
 };
 
 class TorsionSpring final : public ExternalForce {
@@ -40,6 +42,8 @@ class TorsionSpring final : public ExternalForce {
   void addTo(const Kinematics& k, ForceSink& sink) const override;
   bool hasPotential() const override { return damping_ == 0.0; }
   double potentialEnergy(const Kinematics& k) const override;
+  bool stiff() const override { return stiff_; }
+  void addStiffness(const Kinematics& k, StiffnessSink& sink) const override;
 
  private:
   /// Angle of B against A about the axis, in (−π, π] [rad].
@@ -47,6 +51,7 @@ class TorsionSpring final : public ExternalForce {
   FramePair frames_;
   Vec3 axis_A_;
   double stiffness_, damping_, angle_;
+  bool stiff_;
 };
 
 }  // namespace dynamy

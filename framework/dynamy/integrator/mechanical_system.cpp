@@ -18,7 +18,9 @@ MechanicalSystem::MechanicalSystem(const SystemParts& parts, int slots) : parts_
   energyKinematics_.resize(topology);
   uFree_.setZero(topology.nu());
   uA_.setZero(topology.nu());
+  work_.setZero(topology.nu()), implicitFree_.setZero(topology.nu());
   problem_.contacts = &slots_.front().contacts;
+  stiff_.resize(topology, parts_.forces);
 }
 
 void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const {
@@ -120,6 +122,7 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
   const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   const auto n = static_cast<std::size_t>(e.contacts.rows());
   uA_ = x.u;
+  slot_ = slot, implicit_ = false;
   e.mass.applyInverse(view(e.h), view(uFree_));
   uFree_ = uA_ + dt * uFree_;  // u_free = u^A + M⁻¹hΔt
   problem_.G = &delassus_;
@@ -249,7 +252,9 @@ void MechanicalSystem::startImpulses(const State& x) {
 
 void MechanicalSystem::velocityFromImpulses(State& x) {
   x.u = uFree_;
-  if (problem_.rows() > 0)
+  if (implicit_)
+    addImplicitVelocity(x);
+  else if (problem_.rows() > 0)
     delassus_.addVelocity(Lambda_.data(), view(x.u));  // u^E = u_free + M⁻¹WΛ
   keepImpulses(x);
 }

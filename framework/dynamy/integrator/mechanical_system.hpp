@@ -5,6 +5,7 @@
 /// fixed order and const afterwards; "is up to date" flags were rejected.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/integrator/stiff_part.hpp>
 #include <dynamy/solver/impact_law.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/state.hpp>
@@ -58,9 +59,22 @@ class MechanicalSystem {
                                   const PositionAim* aim = nullptr);
   /// Largest change of a velocity by the forces of slot 0: max |Δt M⁻¹h| [m/s].
   double largestChange(double dt) const;
+  /// Replaces u_free of the problem just posed; γ_free changes with it, its other terms stay.
+  void freeVelocity(const Eigen::VectorXd& uFree);
+  /// Takes stiff forces of slot `slot` linearly implicitly in the problem just posed from it:
+  ///   M̂ (u^E − u^A) = Δt (h + Δt s K u^A) + WΛ,   M̂ = M − b Δt D − a Δt² K
+  /// Nothing happens in models without stiff elements.
+  void linearlyImplicit(const State& x, const ImplicitWeights& weights, int slot = 0);
+  /// The operator M̂ alone, with the derivatives at x, which is evaluated in slot `slot`.
+  void implicitMass(const State& x, double dt, const ImplicitWeights& weights, int slot);
+  /// out = M̂⁻¹ in; M⁻¹ of the problem's slot in models without stiff elements.
+  void applyInverseMass(const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  /// Replaces h of slot 0 by what the step really used, for the energy ledger.
+  void usedForce(const Eigen::VectorXd& h, const Eigen::VectorXd& hNonPotential);
   const ImpactLaw& impactLaw() const { return *parts_.impactLaw; }
   /// Percussions of the current problem, rows() entries.
   Vec Lambda() { return {Lambda_.data(), static_cast<Eigen::Index>(problem_.rows())}; }
+  double Lambda(int row) const { return Lambda_[static_cast<std::size_t>(row)]; }
   /// u^E = u_free + M⁻¹ W Λ; remembers Λ by key in x for the next start.
   void velocityFromImpulses(State& x);
   /// Remembers Λ by key in x; for schemes that find velocities themselves.
@@ -72,8 +86,15 @@ class MechanicalSystem {
   /// Closed: g ≤ gTol [m]; default 1e-12 of the scene's length.
   void gTol(double value) { request_.gTol = value; }
   double gTol() const { return request_.gTol; }
+  /// Evaluations fill the bias γ̇ − Wᵀu̇ of the closed contacts.
+  void bias(bool wanted) { request_.bias = wanted; }
+  /// Exactly the contacts with these keys (ascending) count as closed, until thaw().
+  void freeze(std::span<const ContactKey> keys) { request_.frozen = keys, request_.refresh = true; }
+  void thaw() { request_.frozen = {}, request_.refresh = false; }
   void delassusForm(Delassus::Form form) { form_ = form; }
   const Evaluation& slot(int i) const { return slots_[static_cast<std::size_t>(i)]; }
+  /// For schemes that change the laws of a stage.
+  ContactSet& contactsOf(int i) { return slots_[static_cast<std::size_t>(i)].contacts; }
   const InclusionProblem& problem() const { return problem_; }
   const SystemParts& parts() const { return parts_; }
 
@@ -89,6 +110,7 @@ class MechanicalSystem {
   void detect(double reach, Evaluation& e) const;
   void startImpulses(const State& x);
   void addAim(const PositionAim& aim, double dt);
+  void addImplicitVelocity(State& x);
   void roundingOfC();
   double velocityAskedOf(int i) const;
   void scales();
@@ -96,12 +118,16 @@ class MechanicalSystem {
   std::vector<Evaluation> slots_;
   ContactRequest request_;
   Delassus delassus_;
+  StiffPart stiff_;
+  bool implicit_ = false;  // the present problem has M̂ instead of M
   Delassus::Form form_ = Delassus::Form::automatic;
   InclusionProblem problem_;
-  Eigen::VectorXd uFree_, uA_;
+  Eigen::VectorXd uFree_, uA_, work_, implicitFree_;
+  std::vector<double> gammaWork_;
   std::vector<double> Lambda_;
   int indefinite_ = -1;
   double gapNoise_ = 0.0;  // of rates that aim at gaps
+  int slot_ = 0;           // of the present problem
   long evaluations_ = 0;
   Kinematics energyKinematics_;
 };

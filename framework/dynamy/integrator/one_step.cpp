@@ -8,6 +8,7 @@ StepReport OneStep::advance(MechanicalSystem& s, InclusionSolver& solver, State&
   for (int k = 0; k < n; ++k) {
     const StepReport report = step(s, solver, x, H / n);
     total.contacts = report.contacts;
+    if (total.refused.empty()) total.refused = report.refused;
     if (!report.solved.ok()) total.solved.status = report.solved.status;
     total.solved.iterations += report.solved.iterations;
     if (report.solved.residuals.largest() > total.solved.residuals.largest())

@@ -8,6 +8,8 @@ struct StepReport {
   double dt = 0.0;  ///< [s]
   SolveReport solved;
   int contacts = 0;  ///< in the inclusion problem
+  /// Why the scheme cannot take this step, whatever Δt is (it knows no impact, …); empty: it can.
+  std::string_view refused{};
 };
 
 class OneStep : public Element {

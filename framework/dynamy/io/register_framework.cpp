@@ -1,19 +1,30 @@
 /// The types that the framework itself brings: schemes, solvers, impact laws. All others come from
 /// plug-ins, the standard ones too.
 
+#include <dynamy/integrator/anitescu_potra.hpp>
+#include <dynamy/integrator/constraint_index.hpp>
 #include <dynamy/integrator/energy_momentum.hpp>
+#include <dynamy/integrator/generalized_alpha.hpp>
+#include <dynamy/integrator/ggl.hpp>
 #include <dynamy/integrator/half_explicit_euler.hpp>
+#include <dynamy/integrator/half_explicit_heun.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
+#include <dynamy/integrator/nonsmooth_rattle.hpp>
+#include <dynamy/integrator/paoli_schatzman.hpp>
 #include <dynamy/integrator/staggered_moreau.hpp>
+#include <dynamy/integrator/stewart_trinkle.hpp>
+#include <dynamy/integrator/theta_method.hpp>
 #include <dynamy/io/registry.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/impact_law.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
+#include <dynamy/solver/poisson_impact.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
+#include <dynamy/solver/sequential_impact.hpp>
 #include <dynamy/solver/successive_laws.hpp>
 
 namespace dynamy {
@@ -24,6 +35,15 @@ void registerFramework(Registry& registry) {
   registry.add<HalfExplicitEuler>("HalfExplicitEuler");
   registry.add<EnergyMomentum>("EnergyMomentum");
   registry.add<StaggeredMoreau>("StaggeredMoreau");
+  registry.add<StewartTrinkle>("StewartTrinkle");
+  registry.add<AnitescuPotra>("AnitescuPotra");
+  registry.add<PaoliSchatzman>("PaoliSchatzman");
+  registry.add<ThetaMethod>("ThetaMethod");
+  registry.add<NonsmoothRattle>("NonsmoothRattle");
+  registry.add<GeneralizedAlpha>("GeneralizedAlpha");
+  registry.add<HalfExplicitHeun>("HalfExplicitHeun");
+  registry.add<ConstraintIndex>("ConstraintIndex");
+  registry.add<Ggl>("Ggl");
   registry.add<Admm>("Admm");
   registry.add<Automatic>("Automatic");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");
@@ -34,6 +54,9 @@ void registerFramework(Registry& registry) {
   registry.add<ProxBlockMetric>("ProxBlockMetric");
   registry.add<SuccessiveLaws>("SuccessiveLaws");
   registry.add<NewtonImpact>("NewtonImpact");
+  registry.add<PoissonImpact>("PoissonImpact");
+  registry.add<EnergeticImpact>("EnergeticImpact");
+  registry.add<SequentialImpact>("SequentialImpact");
 }
 
 }  // namespace dynamy

@@ -8,6 +8,7 @@ void RunReport::archive(Archive& a) {
   a.section("report");
   a(t), a(steps), a(rejected), a(evaluations), a(solves), a(iterations), a(iterationsMax);
   a(unconverged), a(impacts), a(switches), a(contactsMax);
+  a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);
 }
 
@@ -16,6 +17,9 @@ void StepStatistics::step(const StepView& v) {
   ++r.steps;
   r.t = v.after.t;
   r.contactsMax = std::max(r.contactsMax, v.report.contacts);
+  r.repairedImpacts += v.report.solved.repaired;
+  if (v.report.solved.energyGain > r.energyGain.value)
+    r.energyGain.value = v.report.solved.energyGain, r.energyGain.t = v.after.t;
   if (v.report.contacts > 0) {
     ++r.solves;
     r.iterations += v.report.solved.iterations;

@@ -30,6 +30,8 @@ struct RunReport {
   long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance
   long impacts = 0, switches = 0;
   int contactsMax = 0;
+  long repairedImpacts = 0;      ///< groups of contacts whose impact would have gained energy
+  Worst energyGain;              ///< the largest such gain, before the repair [J]
   Worst residual;                ///< largest of E_f, E_u
   Worst penetration;             ///< −g of unilateral contacts where the step saw them [m]
   Worst jointError;              ///< position error of joints [m]

@@ -40,7 +40,7 @@ double stepOf(const Model& model) {
 
 void archiveState(Archive& a, State& x) {
   a.section("state");
-  a(x.t), a(x.q), a(x.u), a(x.memory);
+  a(x.t), a(x.q), a(x.u), a(x.memory), a(x.scheme);
   a(x.impulses.key), a(x.impulses.first), a(x.impulses.Lambda), a(x.impulses.dt);
   a(x.impulses.corrected);
 }
@@ -185,7 +185,8 @@ void Simulation::project() {
 }
 
 bool Simulation::sound() const {
-  return system_.indefiniteMass() < 0 && x_.q.allFinite() && x_.u.allFinite();
+  return stepReport_.refused.empty() && system_.indefiniteMass() < 0 && x_.q.allFinite() &&
+         x_.u.allFinite();
 }
 
 bool Simulation::accept() {
@@ -243,6 +244,8 @@ bool Simulation::endBecause(std::string reason) {
 
 std::string Simulation::fault() const {
   const std::string when = "t = " + numberText(x_.t) + " s: ";
+  if (!stepReport_.refused.empty())
+    return when + "<" + model_.scheme().type() + "> refuses: " + std::string(stepReport_.refused);
   if (system_.indefiniteMass() >= 0)
     return when + "the mass matrix of " + systemName(model_, system_.indefiniteMass()) +
            " is not positive definite";

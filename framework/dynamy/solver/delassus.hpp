@@ -9,6 +9,7 @@
 #include <dynamy/contact/contact_set.hpp>
 #include <dynamy/solver/block_rows.hpp>
 #include <dynamy/system/mass_matrix.hpp>
+#include <utility>
 
 namespace dynamy {
 
@@ -22,6 +23,9 @@ class Delassus {
   /// Takes G itself; `contacts` must outlive the use and needs no segments. Up to the size at which
   /// dense storage pays, G is dense as well.
   void given(const ContactSet& contacts, BlockRows G);
+
+  /// The block rows' memory, to be filled and given again.
+  BlockRows release() { return std::move(blockRows_); }
 
   int rows() const { return n_; }
   bool assembled() const { return assembled_; }

@@ -1,19 +1,67 @@
+#include <cmath>
 #include <dynamy/solver/impact_law.hpp>
 
 namespace dynamy {
+namespace {
+constexpr int kMaxDim = 8;
+}
 
-SolveReport NewtonImpact::solve(InclusionProblem& problem, InclusionSolver& solver,
-                                Vec Lambda) const {
-  constexpr int kMaxDim = 8;
+SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const {
+  std::vector<double>& factor = guard_.factor(problem);
+  SolveReport report = percussions(problem, solver, factor, Lambda);
+  if (!rebounds(problem)) return report;  // ε = 0 only dissipates (theory 32.3)
+  guard_.begin(problem, view(Lambda));
+  if (guard_.gain() <= 0.0) return report;
+  const double gain = guard_.gain();
+  const int repaired = guard_.gaining();
+  // The largest factors, one per group, at which no group gains.
+  while (guard_.next()) {
+    addSolve(report, percussions(problem, solver, factor, Lambda));
+    guard_.judge(problem, view(Lambda));
+  }
+  report.energyGain = gain, report.repaired = repaired;
+  return report;
+}
+
+void poseRestitution(InclusionProblem& problem, const std::vector<double>& factor) {
+  for (int i = 0; i < problem.size(); ++i) {
+    const int dim = problem.dim(i), first = problem.row0(i);
+    double epsilon[kMaxDim] = {};
+    problem.law(i).epsilon(dim, epsilon);
+    const double f = factor[static_cast<std::size_t>(i)];
+    for (int r = 0; r < dim; ++r) {
+      const auto k = static_cast<std::size_t>(first + r);
+      problem.c[k] = problem.gammaFree[k] + f * epsilon[r] * problem.gammaA[k];
+    }
+  }
+}
+
+void addSolve(SolveReport& total, const SolveReport& last) {
+  const int iterations = total.iterations + last.iterations, newton = total.newton + last.newton;
+  const int rejected = total.rejected + last.rejected;
+  const SolveStatus status = total.ok() ? last.status : total.status;
+  total = last;
+  total.iterations = iterations, total.newton = newton, total.rejected = rejected;
+  total.status = status;
+}
+
+bool rebounds(const InclusionProblem& problem) {
   for (int i = 0; i < problem.size(); ++i) {
     const int dim = problem.dim(i), first = problem.row0(i);
     double epsilon[kMaxDim] = {};
     problem.law(i).epsilon(dim, epsilon);
     for (int r = 0; r < dim; ++r) {
       const auto k = static_cast<std::size_t>(first + r);
-      problem.c[k] = problem.gammaFree[k] + epsilon[r] * problem.gammaA[k];  // ξ = γ^E + ε γ^A
+      const double noise = problem.cNoise.empty() ? 0.0 : problem.cNoise[k];
+      if (epsilon[r] != 0.0 && std::abs(problem.gammaA[k]) > noise) return true;
     }
   }
+  return false;
+}
+
+SolveReport NewtonImpact::percussions(InclusionProblem& problem, InclusionSolver& solver,
+                                      const std::vector<double>& factor, Vec Lambda) const {
+  poseRestitution(problem, factor);  // ξ = γ^E + ε γ^A
   return solver.solve(problem, Lambda);
 }
 

@@ -1,6 +1,7 @@
 /// ExternalForce: adds to h; a spring, a drive, gravity.   h ← h + J_Sᵀ F + J_Rᵀ M
 #pragma once
 #include <dynamy/system/kinematics.hpp>
+#include <dynamy/system/stiffness_sink.hpp>
 
 namespace dynamy {
 
@@ -42,6 +43,10 @@ class ExternalForce : public Element {
   /// True: all of the force derives from potentialEnergy.
   virtual bool hasPotential() const { return false; }
   virtual double potentialEnergy(const Kinematics&) const { return 0.0; }
+  /// True: the force is stiff, schemes take it linearly implicitly from addStiffness.
+  virtual bool stiff() const { return false; }
+  /// Derivatives of what addTo adds, at the same kinematics. Called only if stiff().
+  virtual void addStiffness(const Kinematics&, StiffnessSink&) const {}
 };
 
 }  // namespace dynamy

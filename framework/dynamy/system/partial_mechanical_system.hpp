@@ -68,8 +68,12 @@ class PartialMechanicalSystem : public Element {
   /// system (0 unless said otherwise); −1: the frame moves with none.
   virtual void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const;
   virtual int frames() const { return 0; }
-  /// Stiff parts K = ∂h/∂q F, D = ∂h/∂u of one block for implicit schemes; false: none.
-  virtual bool dh(double, ConstVec, ConstVec, int /*block*/, Block /*K*/, Block /*D*/) const {
+  /// True: h has stiff parts, schemes take them linearly implicitly from dh.
+  virtual bool stiff() const { return false; }
+  /// Stiff parts K = ∂h/∂q F, D = ∂h/∂u of one block for implicit schemes, all entries; false:
+  /// none. Called only if stiff().
+  virtual bool dh(double /*t*/, ConstVec /*q*/, ConstVec /*u*/, int /*block*/, Block /*K*/,
+                  Block /*D*/) const {
     return false;
   }
 };

@@ -21,6 +21,7 @@ struct State {
   double t = 0.0;
   Eigen::VectorXd q, u;
   Eigen::VectorXd memory;
+  Eigen::VectorXd scheme;  ///< numbers a scheme carries from step to step; most carry none
   RememberedImpulses impulses;
 };
 

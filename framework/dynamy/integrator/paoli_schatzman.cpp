@@ -1,0 +1,53 @@
+#include <dynamy/integrator/paoli_schatzman.hpp>
+
+namespace dynamy {
+
+StepReport PaoliSchatzman::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
+  s.evaluateAhead(x, dt);      // M, h, W, χ and g at q_k
+  if (x.impulses.dt == 0.0) {  // start: q_{−1} = q_0 − Δt u_0 + Δt²/2 a_0
+    a_.resize(x.u.size());
+    s.slot(0).mass.applyInverse(view(s.slot(0).h), view(a_));
+    x.u -= 0.5 * dt * a_;
+  }
+  auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
+  s.linearlyImplicit(x, kImplicitEnd);
+  gapsBefore(s, problem, x, dt);
+  // q_{k+1} = q_k + Δt u_{k+1},  g(q_{k+1}) + ε g(q_{k−1}) ≥ 0
+  const auto solved = level_.solve(s, problem, solver, x, dt, 1, offset_);
+  return {dt, solved, problem.size()};
+}
+
+void PaoliSchatzman::gapsBefore(MechanicalSystem& s, const InclusionProblem& problem,
+                                const State& x, double dt) {
+  constexpr int kMaxDim = 8;
+  const ContactSet& c = *problem.contacts;
+  offset_.assign(static_cast<std::size_t>(problem.rows()), 0.0);
+  before_ = x;
+  s.move(before_, x.u, -dt);
+  keys_.clear();
+  addKeys(c, keys_);
+  s.freeze(keys_);
+  const ContactSet& before = s.evaluate(before_, 1).contacts;
+  s.thaw();
+  for (int i = 0; i < c.size(); ++i) {
+    if (!problem.law(i).unilateral()) continue;
+    double epsilon[kMaxDim] = {};
+    problem.law(i).epsilon(problem.dim(i), epsilon);
+    for (int j = 0; j < before.size() && epsilon[0] > 0.0; ++j)
+      if (before.key[static_cast<std::size_t>(j)] == c.key[static_cast<std::size_t>(i)])
+        offset_[static_cast<std::size_t>(problem.row0(i))] =
+            epsilon[0] *
+            before.position[static_cast<std::size_t>(before.row0[static_cast<std::size_t>(j)])] /
+            dt;
+  }
+}
+
+void PaoliSchatzman::declare(Attributes& a) {
+  a.about(
+      "Paoli and Schatzman's scheme: laws on displacement level, restitution by the mean of the "
+      "positions one step before and after, order 1. The velocity of the state is that of the "
+      "last step, (q_k - q_(k-1))/dt.");
+  a.example("<simulation until=\"1\" step=\"1e-3\"><PaoliSchatzman/></simulation>");
+}
+
+}  // namespace dynamy
