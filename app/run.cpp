@@ -19,6 +19,12 @@ struct Texts {
 void addShow(CLI::App& command, Texts& t) {
   command.add_flag("--json", t.show.json, "print the content of run.json, nothing else");
   command.add_flag("--quiet", t.show.quiet, "print errors only");
+  command
+      .add_option("--dump-problems", t.show.dumpProblems,
+                  "write the N inclusion problems with the most iterations, and all that were not "
+                  "solved, to DIR/problems, for dynamy solve")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--checkpoint", t.checkpoint, "write a checkpoint every TIME of wall time")
       ->type_name("TIME");
 }

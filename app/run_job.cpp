@@ -94,6 +94,9 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
     simulation.resume(*checkpoint);
   else
     writeWholeFile(folder.model(), model.sourceText);
+  std::optional<ProblemDump> problems;
+  if (show.dumpProblems >= 0)
+    simulation.observe(problems.emplace(folder.problems(), show.dumpProblems));
   RunReport running = simulation.report();
   folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, running, {}, "running"); });
 
@@ -118,15 +121,20 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   recording->flush();
   if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
   const std::vector<CheckResult> checks = simulation.checks();
-  folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, report, checks, ""); });
+  folder.writeFacts([&](JsonWriter& j) {
+    writeFacts(j, model, choice, report, checks, "");
+    if (problems) writeProblems(j, *problems);
+  });
   const ReplaySize size = writePictures(folder, model);
   if (!show.quiet) fmt::print(stderr, "{}", thinningText(size));
   if (show.json)
     fmt::print("{}", readWholeFile(folder.facts()));
   else if (!show.quiet)
-    fmt::print("{}", resultText(model, report, checks, folder.path()));
+    fmt::print("{}{}", resultText(model, report, checks, folder.path()),
+               problems ? problemsText(*problems, folder.problems()) : "");
   else if (const std::string failed = failedChecks(checks); !failed.empty())
     fmt::print(stderr, "{}", failed);
+  if (show.quiet) fmt::print(stderr, "{}", unsolvedText(report));
   if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
   bool good = report.ended == RunReport::Ended::finished;
   for (const CheckResult& c : checks) good = good && c.pass;

@@ -23,6 +23,7 @@ struct RunChoice {
 struct RunShow {
   bool json = false, quiet = false;
   double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
+  int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
 };
 
 /// The model with all choices applied; `choice` gets absolute path, end time and sample time.

@@ -45,6 +45,13 @@ void write(JsonWriter& json, const char* name, const Worst& w) {
   json.endObject();
 }
 
+void write(JsonWriter& json, const Unsolved& u) {
+  json.key("unsolved").beginObject().member("step", u.step).member("t", u.t);
+  json.member("status", u.status).member("residual", u.residual);
+  json.member("iterations", u.iterations).member("contact", u.contact).member("tried", u.tried);
+  json.member("findings", u.findings).endObject();
+}
+
 void write(JsonWriter& json, const EnergyReport& e) {
   json.key("energy").beginObject();
   json.member("start", e.start()).member("end", e.end());
@@ -90,6 +97,50 @@ std::string failedChecks(const std::vector<CheckResult>& checks) {
   for (const CheckResult& c : checks)
     if (!c.pass) out += checkLine(c, characterCount(checkText(c)));
   return out;
+}
+
+std::string unsolvedText(const RunReport& r) {
+  if (r.unsolved.step == 0) return "";
+  const Unsolved& u = r.unsolved;
+  std::string out = fmt::format(
+      " NOT SOLVED  step {} (t = {:.6g} s) is the worst: {} after {} iterations, residual "
+      "{:.2g}{}\n",
+      u.step, u.t, u.status, u.iterations, u.residual, u.contact.empty() ? "" : " at " + u.contact);
+  out += fmt::format("   tried: {}\n", u.tried);
+  for (std::size_t from = 0; from < u.findings.size();) {
+    const std::size_t end = u.findings.find('\n', from);
+    out += "   " + u.findings.substr(from, end - from) + '\n';
+    from = end + 1;
+  }
+  out +=
+      "   The forces and velocities of such a step are not to be trusted. Try a smaller --step, "
+      "or\n"
+      "   onNonConvergence=\"retry\" in <simulation>, which halves the steps that fail;\n"
+      "   --dump-problems 0 writes these problems for dynamy solve.\n";
+  return out;
+}
+
+std::string problemsText(const ProblemDump& d, const std::filesystem::path& folder) {
+  std::string out = fmt::format(" wrote   {}/  {}\n", folder.string(),
+                                counted(static_cast<long>(d.files().size()), "problem"));
+  if (d.refused() > 0)
+    out += fmt::format(" left out {}: {}\n", counted(d.refused(), "problem"), d.refusedBecause());
+  return out;
+}
+
+void writeProblems(JsonWriter& json, const ProblemDump& d) {
+  json.key("problems").beginArray();
+  for (const ProblemDump::File& f : d.files())
+    json.beginObject()
+        .member("file", "problems/" + f.name)
+        .member("step", f.step)
+        .member("t", f.t)
+        .member("iterations", f.iterations)
+        .member("contacts", f.contacts)
+        .member("solved", f.solved)
+        .endObject();
+  json.endArray().member("problemsLeftOut", d.refused());
+  if (d.refused() > 0) json.member("problemsLeftOutBecause", d.refusedBecause());
 }
 
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
@@ -138,6 +189,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
                : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
                              r.unconverged, r.residual.value, r.residual.name, r.residual.t);
   }
+  out += unsolvedText(r);
   int width = 0;
   for (const CheckResult& c : checks) width = std::max(width, characterCount(checkText(c)));
   for (const CheckResult& c : checks) out += checkLine(c, width);
@@ -178,6 +230,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("iterations", r.iterations).member("iterationsMean", r.iterationsMean());
   json.member("iterationsMax", r.iterationsMax).member("unconverged", r.unconverged);
   write(json, "worstResidual", r.residual);
+  if (r.unsolved.step > 0) write(json, r.unsolved);
   json.endObject();
   write(json, "penetration", r.penetration);
   write(json, "jointError", r.jointError);

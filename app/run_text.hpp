@@ -1,6 +1,7 @@
 /// A run for people (standard output) and for programs (run.json).
 #pragma once
 #include <dynamy/io/json_writer.hpp>
+#include <dynamy/io/problem_dump.hpp>
 #include <dynamy/io/replay_page.hpp>
 
 #include "run_job.hpp"
@@ -24,6 +25,13 @@ std::string failedChecks(const std::vector<CheckResult>& checks);
 
 /// What to say when the replay does not hold all frames; else "".
 std::string thinningText(const ReplaySize& size);
+
+/// The worst step whose inclusion was not solved: where, what was tried, why, what to do; "": none.
+std::string unsolvedText(const RunReport& report);
+
+/// Where the dumped problems lie, how many had no place in FCLIB's layout and why.
+std::string problemsText(const ProblemDump& dump, const std::filesystem::path& folder);
+void writeProblems(JsonWriter& json, const ProblemDump& dump);
 
 /// "16 hexadecimal digits".
 std::string hashText(std::uint64_t hash);

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <dynamy/io/fclib_file.hpp>
 #include <dynamy/io/json_writer.hpp>
+#include <dynamy/solver/diagnosis.hpp>
 #include <dynamy/solver/inclusion_solver.hpp>
 #include <memory>
 
@@ -41,10 +42,13 @@ struct Solved {
   double atZero = 0.0;   ///< measure of r = 0
   double seconds = 0.0;  ///< of the solver alone
   FclibSolution solution;
+  Diagnosis diagnosis;
 };
 
 /// Unlimited time, in effect [s].
 constexpr double kLong = 1e9;
+/// Problems that take longer are not solved again from other starts [s].
+constexpr double kPatience = 2.0;
 
 Solved solveProblem(const Program& program, const Task& task, const FclibProblem& problem,
                     GivenProblem& given) {
@@ -68,6 +72,13 @@ Solved solveProblem(const Program& program, const Task& task, const FclibProblem
   p.G->apply(s.solution.r.data(), s.solution.u.data());
   s.solution.u += ConstVec(p.c.data(), p.rows());
   if (problem.global) s.solution.v = velocities(problem, s.solution.r);
+  // Other starts within a second time limit; without the measure of r = 0 they end by E_f and E_u.
+  const TimedRule again(task.maxTime.empty() ? kLong : seconds(task.maxTime, "--max-time"));
+  p.rule = &again;
+  DiagnosisOptions options;
+  options.tolerance = task.tolerance;
+  options.otherStarts = s.seconds < kPatience;
+  s.diagnosis = diagnose(p, {s.solution.r.data(), s.solution.r.size()}, s.report, solver, options);
   return s;
 }
 
@@ -86,10 +97,10 @@ std::string text(const Task& task, const FclibProblem& problem, const Solved& s)
       " {} iterations, {} Newton steps of them, {} inner problems given up; {:.4g} ms\n",
       r.iterations, r.newton, r.rejected, 1e3 * s.seconds);
   if (!r.method.empty()) out += fmt::format(" by {}\n", r.method);
-  if (!r.ok())
-    out += fmt::format(
-        " contact {} is the worst. Try --tolerance {:g}, another --solver, or more --max-time\n",
-        r.residuals.worst, 10.0 * r.residuals.given);
+  out += s.diagnosis.text(" ");
+  if (!r.ok() && r.residuals.given < 1e-3)
+    out += fmt::format(" Try --tolerance {:g}, another --solver, or more --max-time\n",
+                       10.0 * r.residuals.given);
   return out;
 }
 
@@ -105,7 +116,22 @@ std::string json(const Task& task, const FclibProblem& problem, const Solved& s)
   j.member("Ef", r.residuals.Ef).member("Eu", r.residuals.Eu);
   j.member("worstContact", r.residuals.worst).member("iterations", r.iterations);
   j.member("newton", r.newton).member("rejected", r.rejected).member("seconds", s.seconds);
-  j.endObject();
+  const Diagnosis& d = s.diagnosis;
+  j.member("closed", d.closed).member("rows", d.rows).member("rank", d.rank);
+  j.member("freedom", d.freedom).key("findings").beginArray();
+  for (const Finding& f : d.findings) {
+    j.beginObject().member("name", findingName(f.kind)).member("value", f.value);
+    j.key("contacts").beginArray();
+    for (const int i : f.contacts) j.value(i);
+    j.endArray().member("text", f.text).member("advice", f.advice).endObject();
+  }
+  j.endArray().key("tried").beginArray();
+  for (int k = 0; k < r.attempts; ++k) {
+    const Attempt& a = r.attempt[static_cast<std::size_t>(k)];
+    j.beginObject().member("method", a.method).member("iterations", a.iterations);
+    j.member("residual", a.residual).endObject();
+  }
+  j.endArray().endObject();
   return out + '\n';
 }
 

@@ -202,7 +202,7 @@ struct FrictionCone {
 template <int n>
 Point<n> prox(const FrictionCone<n>& K, const In<n>& x) {
   const double xT = x.template tail<n - 1>().norm();
-  if (xT <= K.mu * x[0]) return x;
+  if (x[0] >= 0.0 && xT <= K.mu * x[0]) return x;  // the sign for μ = 0, where both sides may be 0
   if (K.mu * xT <= -x[0]) return Point<n>::Zero();
   const double s = (K.mu * xT + x[0]) / (1.0 + K.mu * K.mu);
   Point<n> y;
@@ -213,7 +213,7 @@ Point<n> prox(const FrictionCone<n>& K, const In<n>& x) {
 template <int n>
 Matrix<n> proxDerivative(const FrictionCone<n>& K, const In<n>& x) {
   const double xT = x.template tail<n - 1>().norm();
-  if (xT <= K.mu * x[0]) return Matrix<n>::Identity();
+  if (x[0] >= 0.0 && xT <= K.mu * x[0]) return Matrix<n>::Identity();
   if (K.mu * xT <= -x[0]) return Matrix<n>::Zero();
   // Projection onto the generator (1, μ e), plus the turning of e.
   const double s = (K.mu * xT + x[0]) / (1.0 + K.mu * K.mu);

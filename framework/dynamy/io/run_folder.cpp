@@ -51,6 +51,10 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
     fs::remove(file, error);
     if (error) throw FileError(file.string(), "cannot replace: " + error.message());
   }
+  for (const fs::directory_entry& entry : fs::directory_iterator(problems(), error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("step_") && name.ends_with(".hdf5")) fs::remove(entry.path(), error);
+  }
 }
 
 RunFolder RunFolder::existing(const fs::path& path) {

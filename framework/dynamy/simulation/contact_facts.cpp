@@ -109,6 +109,13 @@ std::string contactName(const Model& model, ContactKey key) {
   return id == 0 ? name : name + "/" + std::to_string(id);
 }
 
+std::string contactText(const Model& model, ContactKey key) {
+  const auto element = static_cast<std::size_t>(key.value >> 40);
+  const std::string place =
+      element < model.contacts().size() ? model.contacts()[element]->place().format() : "";
+  return contactName(model, key) + (place.empty() ? "" : " (" + place + ")");
+}
+
 std::string systemName(const Model& model, int system) {
   return elementText(*model.systems()[static_cast<std::size_t>(system)]);
 }

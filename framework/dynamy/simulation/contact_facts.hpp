@@ -23,6 +23,9 @@ ContactRecord contactRecord(const StepView& view, int contact);
 /// "floor", "Contact#2" for elements without a name, "floor/17" for one contact of many.
 std::string contactName(const Model& model, ContactKey key);
 
+/// The same with the place of its element: "floor (ball.xml:12)".
+std::string contactText(const Model& model, ContactKey key);
+
 /// `<RigidBody name="ball"> (ball.xml:12)`: how messages name a system.
 std::string systemName(const Model& model, int system);
 

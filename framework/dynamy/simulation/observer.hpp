@@ -29,6 +29,8 @@ class Observer : public Element {
   /// Before the first step: a step of length 0 at the initial state, with its contacts, Λ = 0.
   virtual void start(const StepView& /*initial*/) {}
   virtual void step(const StepView& view) = 0;
+  /// A step that is taken back because its inclusion was not solved: the state is that before it.
+  virtual void failed(const StepView& /*view*/) {}
   /// After the last step, however the run ended; `last` is the last accepted step.
   virtual void finish(const StepView& /*last*/) {}
   /// What a resumed run needs to go on as if it had not been stopped; both directions.

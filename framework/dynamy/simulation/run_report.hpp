@@ -16,6 +16,21 @@ struct Worst {
   void archive(Archive& a) { a(value), a(t), a(contact), a(name); }
 };
 
+/// The inclusion that was missed by most, and why as far as it can be told.
+struct Unsolved {
+  long step = 0;   ///< its number, from 1; 0: all were solved
+  double t = 0.0;  ///< end of the step [s]
+  double residual = 0.0;
+  int iterations = 0;
+  std::string status;    ///< "stalled", …
+  std::string contact;   ///< name and place of the one with the largest residual
+  std::string tried;     ///< the methods and what each left
+  std::string findings;  ///< of the diagnosis, a line each: what is the case, what to do
+  void archive(Archive& a) {
+    a(step), a(t), a(residual), a(iterations), a(status), a(contact), a(tried), a(findings);
+  }
+};
+
 struct RunReport {
   enum class Ended { finished, stopped, failed };
   Ended ended = Ended::finished;
@@ -30,8 +45,9 @@ struct RunReport {
   long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance
   long impacts = 0, switches = 0;
   int contactsMax = 0;
-  long repairedImpacts = 0;      ///< groups of contacts whose impact would have gained energy
-  Worst energyGain;              ///< the largest such gain, before the repair [J]
+  long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
+  Worst energyGain;          ///< the largest such gain, before the repair [J]
+  Unsolved unsolved;
   Worst residual;                ///< largest of E_f, E_u
   Worst penetration;             ///< −g of unilateral contacts where the step saw them [m]
   Worst jointError;              ///< position error of joints [m]

@@ -1,6 +1,7 @@
 #include <ctime>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/simulation.hpp>
+#include <dynamy/solver/diagnosis.hpp>
 #include <exception>
 #include <utility>
 
@@ -8,6 +9,8 @@ namespace dynamy {
 namespace {
 
 constexpr double kIdleSeconds = 0.1;
+constexpr int kMostDiagnoses = 3;    ///< of a run
+constexpr int kDiagnosisRows = 400;  ///< above, a diagnosis would take seconds
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
@@ -196,12 +199,19 @@ bool Simulation::accept() {
     stepReport_ = {};
     return endBecause(std::move(reason));
   }
+  if (!stepReport_.solved.ok()) noteUnsolved();
   const StepView step = view(true);
   forAll([&](Observer& o) { o.step(step); });
   return true;
 }
 
 void Simulation::reject() {
+  if (!stepReport_.solved.ok() && sound()) {
+    noteUnsolved();
+    x_ = before_;
+    const StepView step = view(true);
+    forAll([&](Observer& o) { o.failed(step); });
+  }
   x_ = before_;
   ++report_.rejected;
 }
@@ -214,9 +224,34 @@ bool Simulation::fail(const StepReport& report) {
                      std::to_string(report.solved.iterations) + " iterations, residual " +
                      numberText(e.largest());
   if (e.worst >= 0 && e.worst < c.size())
-    text += ", worst at " + contactName(model_, c.key[static_cast<std::size_t>(e.worst)]);
+    text += ", worst at " + contactText(model_, c.key[static_cast<std::size_t>(e.worst)]);
   stepReport_ = {};
   return endBecause(text + "); onNonConvergence is stop");
+}
+
+void Simulation::noteUnsolved() {
+  const SolveReport& solved = stepReport_.solved;
+  const InclusionProblem& p = system_.problem();
+  Unsolved& u = report_.unsolved;
+  const double E = solved.residuals.largest();
+  if (u.step > 0 && !(E > 10.0 * u.residual)) return;
+  u.step = report_.steps + 1, u.t = x_.t, u.residual = E, u.iterations = solved.iterations;
+  u.status = std::string(solveStatusText(solved.status));
+  u.tried = attemptsText(solved);
+  const auto name = [&](int i) {
+    return contactText(model_, p.contacts->key[static_cast<std::size_t>(i)]);
+  };
+  // A scheme may solve other problems than the last one in a step.
+  const bool known = stepReport_.contacts == p.size();
+  u.contact = known && solved.residuals.worst >= 0 ? name(solved.residuals.worst) : "";
+  u.findings.clear();
+  if (!known || diagnoses_++ >= kMostDiagnoses) return;
+  DiagnosisOptions options;
+  options.maxRows = kDiagnosisRows, options.name = name;
+  const Vec Lambda = system_.Lambda();
+  const Diagnosis d = diagnose(p, dynamy::view(Lambda), solved, model_.solver(), options);
+  for (const Finding& f : d.findings)
+    if (f.kind != FindingKind::unsolved) u.findings += f.text + ' ' + f.advice + '\n';
 }
 
 bool Simulation::pause(bool asked) {

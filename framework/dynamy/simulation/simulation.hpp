@@ -61,6 +61,7 @@ class Simulation final : private Stepper {
   void end();
   StepView view(bool whole);
   bool endBecause(std::string reason);
+  void noteUnsolved();
   std::string fault() const;
   template <class Call>
   void forAll(Call&& call);
@@ -90,6 +91,7 @@ class Simulation final : private Stepper {
   Clock::time_point lastIdle_, lastSave_;
   std::string checkpoint_;
   bool resumed_ = false;
+  int diagnoses_ = 0;
 };
 
 }  // namespace dynamy

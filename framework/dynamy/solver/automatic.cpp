@@ -11,6 +11,8 @@ constexpr int kMaxDim = 8;
 constexpr double kColdResidual = 1e-2;  ///< above, a start is not near the solution
 constexpr int kFirstSweeps = 10;        ///< before the rate is judged
 constexpr int kSweepsPerTest = 5;
+constexpr int kMostRestarted = 400;  ///< contacts; above, restarts cost seconds
+constexpr int kRestartSteps = 1500;
 /// Sweeps that a Newton solve is worth; above, sweeps are left.
 constexpr double kPatience = 150.0;
 
@@ -25,13 +27,19 @@ Automatic::Automatic(const AutomaticOptions& options)
 Automatic::Automatic(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxNewton"].integer(), 4 * x["maxNewton"].integer(),
-               x["maxIterations"].integer()},
+               x["maxIterations"].integer(), x["minimalNorm"].flag()},
       gaussSeidel_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}),
       newton_(
           {options_.tolerance, options_.maxNewton, options_.maxIterations, 64, options_.maxGentle}),
       lemke_({.tolerance = options_.tolerance, .polish = false}) {}
 
 SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
+  SolveReport report = chain(p, Lambda);
+  if (options_.minimalNorm && p.rows() > 0) minimalNorm_.apply(p, newton_, Lambda, report);
+  return report;
+}
+
+SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   SolveReport report;
   report.method = "start";
   if (p.rows() == 0) return report;
@@ -57,7 +65,44 @@ SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
     if (report.ok() || lemke_.proven()) return report;
   }
   if (cold && sweeps(p, Lambda, report)) return report;
-  return newton_.refine(p, Lambda, report, cold);
+  report = newton_.refine(p, Lambda, report, cold);
+  if (!report.ok()) restarts(p, Lambda, report);
+  return report;
+}
+
+bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
+  if (report.status == SolveStatus::notFinite || p.size() > kMostRestarted ||
+      (p.rule && p.rule->enough()) || !rescue_.prepare(p))
+    return false;
+  relaxation(p, Relaxation::exact, 1.0, r_);
+  Eigen::VectorXd trial(p.rows());
+  for (const bool pressed : {false, true}) {
+    NewtonSchedule schedule = NewtonSchedule::gentle();
+    schedule.maxNewton = kRestartSteps;
+    trial.setZero();
+    if (pressed) {
+      for (int i = 0; i < p.size(); ++i)
+        if (const double lambda = contactLambda(p.G->diagonalBlock(i), p.dim(i));
+            lambda > 0.0 && p.law(i).rowKind(0) == RowKind::normal)
+          trial[p.row0(i)] = 10.0 * p.uRef / lambda;
+    } else {
+      schedule.separateNormal = true, schedule.rho = 10.0;
+      p.G->begin(trial.data());
+      for (int k = 0; k < kFirstSweeps; ++k) gaussSeidel_.sweep(p, r_.data(), trial.data());
+    }
+    SolveReport again;
+    rescue_.solve(p, schedule, options_.tolerance, view(trial), again);
+    report.iterations += again.iterations, report.newton += again.newton;
+    report.rejected += again.rejected;
+    const bool better = again.residuals.largest() < report.residuals.largest();
+    if (better) Lambda = trial, report.residuals = again.residuals;
+    report.method = pressed ? "proximal Newton, pressed" : "proximal Newton, restarted";
+    report.note(report.method, report.iterations - again.iterations);
+    if (!again.ok()) continue;
+    report.status = SolveStatus::solved;
+    return true;
+  }
+  return false;
 }
 
 bool Automatic::oneContact(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
@@ -109,6 +154,7 @@ bool Automatic::sweeps(const InclusionProblem& p, Vec Lambda, SolveReport& repor
   }
   std::copy(best_.begin(), best_.end(), Lambda.data());
   report.residuals = best;
+  report.note("sweeps", 0);
   return best.largest() <= options_.tolerance;
 }
 
@@ -122,6 +168,8 @@ void Automatic::declare(Attributes& a) {
         "Newton steps; four times as many of the gentler schedule")
       .min = 1;
   a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of the last stage").min = 1;
+  a.add(AttributeType::flag, "minimalNorm", "false",
+        "of forces that are not unique, the smallest: equal shares; about five times the work");
   a.example("<simulation until=\"1\" step=\"1e-3\"><Automatic tolerance=\"1e-12\"/></simulation>");
 }
 

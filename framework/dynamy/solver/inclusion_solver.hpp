@@ -1,6 +1,7 @@
 /// InclusionSolver: finds Λ of an inclusion problem. Never throws; says by residuals how well it
 /// did.
 #pragma once
+#include <array>
 #include <dynamy/solver/inclusion_problem.hpp>
 #include <string_view>
 
@@ -26,19 +27,34 @@ struct Residuals {
   double largest() const { return given == -1.0 ? (Ef > Eu ? Ef : Eu) : given; }
 };
 
+/// One method of a chain of solvers, and what it left.
+struct Attempt {
+  std::string_view method;
+  int iterations = 0;
+  double residual = 0.0;  ///< Residuals::largest() of the best Λ so far
+};
+
 struct SolveReport {
   SolveStatus status = SolveStatus::solved;
   int iterations = 0;
   Residuals residuals;
-  bool warmAccepted = false;  ///< the start was exact to rounding
-  int newton = 0;             ///< Newton steps among the iterations
-  int rejected = 0;           ///< inner problems given up
-  std::string_view method;    ///< what found the solution, where a solver has a choice
+  bool warmAccepted = false;       ///< the start was exact to rounding
+  int newton = 0;                  ///< Newton steps among the iterations
+  int rejected = 0;                ///< inner problems given up
+  std::string_view method;         ///< what found the solution, where a solver has a choice
+  std::array<Attempt, 8> attempt;  ///< the chain in the order of trying, where there is one
+  int attempts = 0;                ///< of them; more than fit are not told
   /// Energy that impacts would have gained by the law as it is stated [J]; the energy guard
   /// (theory 32.3) has repaired `repaired` groups of contacts.
   double energyGain = 0.0;
   int repaired = 0;
   bool ok() const { return status == SolveStatus::solved; }
+  /// Notes what `method` did since `iterationsBefore`; the residuals are those it left.
+  void note(std::string_view name, int iterationsBefore) {
+    if (attempts < static_cast<int>(attempt.size()))
+      attempt[static_cast<std::size_t>(attempts++)] = {name, iterations - iterationsBefore,
+                                                       residuals.largest()};
+  }
 };
 
 /// A start with E_f, E_u below this is taken as it is; a worse one is improved at least once, even

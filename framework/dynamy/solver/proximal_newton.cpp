@@ -11,8 +11,11 @@ constexpr int kMaxDim = 8;
 constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps and a large a
 constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
-constexpr double kWarmBlock = 1e-6;  ///< the same for block rows, whose schedule can go back up
-constexpr double kCold = 3e-3;       ///< start of a after sweeps
+constexpr double kWarmBlock = 1e-8;       ///< the same for block rows
+constexpr double kWarmVelocities = 1e-6;  ///< the same in velocities, which divide by a
+constexpr double kCold = 3e-3;            ///< start of a after sweeps
+constexpr double kPressed = 3e-4;         ///< start of a when all contacts are pressed at first
+constexpr double kInner = 0.8;  ///< an inner problem is solved at this part of its first |F|
 /// Rows up to which the dense form is faster than the sparse one in velocities.
 constexpr int kMinVelocities = 16;
 constexpr int kMaxDense = 200;      ///< Newton steps of the dense form, then block rows are tried
@@ -155,6 +158,7 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
     const SolveReport start = starter_.solve(p, Lambda);
     report.iterations = start.iterations;
     report.residuals = start.residuals;
+    report.note("sweeps", 0);
     if (start.ok()) return report;
   }
   return refine(p, Lambda, report, cold);
@@ -163,7 +167,7 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
 SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, SolveReport report) {
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
   const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
-  const int used = newton(p, kWarm, 0.3 * outer, Lambda);
+  const int used = newton(p, kWarm, kInner * outer, Lambda);
   const Residuals after = residuals(p, view(Lambda), scratch_);
   report.iterations += std::max(1, used), report.newton += std::max(1, used);
   if (used > 0 && after.largest() < report.residuals.largest())
@@ -173,14 +177,33 @@ SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, Solve
   return report;
 }
 
-bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, bool cold, SolveReport& report) {
-  double a = cold ? kCold : kWarm, bestE = report.residuals.largest();
+bool ProximalNewton::press(const InclusionProblem& p, Vec Lambda) {
+  const auto normal = [&p](int i) {
+    return p.law(i).unilateral() && p.law(i).rowKind(0) == RowKind::normal;
+  };
+  bool any = false;
+  for (int i = 0; i < p.size(); ++i) {
+    if (!normal(i)) continue;
+    if (!(Lambda[p.row0(i)] > 0.0) || !(contactLambda(p.G->diagonalBlock(i), p.dim(i)) > 0.0))
+      return false;
+    any = true;
+  }
+  for (int i = 0; i < p.size() && any; ++i) {
+    if (!normal(i)) continue;
+    Lambda.segment(p.row0(i), p.dim(i)).setZero();
+    Lambda[p.row0(i)] = p.uRef / contactLambda(p.G->diagonalBlock(i), p.dim(i));
+  }
+  return any;
+}
+
+bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, SolveReport& report) {
+  double bestE = report.residuals.largest();
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
   Residuals best = report.residuals;
   for (int steps = 0; steps < kMaxDense;) {
     std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
     const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
-    const int used = newton(p, a, 0.3 * outer, Lambda), counted = used < 0 ? 40 : used;
+    const int used = newton(p, a, kInner * outer, Lambda), counted = used < 0 ? 40 : used;
     steps += counted, report.iterations += counted, report.newton += counted;
     if (used < 0) {
       ++report.rejected;
@@ -205,12 +228,17 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
                                    bool cold) {
   report.status = SolveStatus::solved, report.method = "proximal Newton";
   const bool good = report.residuals.largest() <= options_.tolerance;
+  const bool pressed = cold && press(p, Lambda);
+  if (pressed) report.residuals = residuals(p, view(Lambda), scratch_);
   // Few bodies under many contacts: velocities are the smaller system.
   const bool blocks =
       p.G->hasBodies() && p.rows() > kMinVelocities && block_.prepare(p) && block_.inVelocities();
   if (!blocks && prepare(p)) {
     if (good) return improve(p, Lambda, report);
-    if (dense(p, Lambda, cold, report)) return report;
+    const int before = report.iterations;
+    const bool solved = dense(p, Lambda, pressed ? kPressed : (cold ? kCold : kWarm), report);
+    report.note("proximal Newton, dense", before);
+    if (solved) return report;
   }
   if (!blocks && !block_.prepare(p)) return finish(p, Lambda, report);
   if (good) {
@@ -220,15 +248,21 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   NewtonSchedule schedule;
   schedule.separateNormal = true;
   schedule.maxNewton = options_.maxNewton;
-  if (!cold) schedule.start = kWarmBlock;
+  schedule.inner = kInner;
+  const double warm = block_.inVelocities() ? kWarmVelocities : kWarmBlock;
+  schedule.start = pressed ? kPressed : (cold ? kCold : warm);
+  int before = report.iterations;
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
+  report.note(report.method, before);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
   if (block_.tooLarge()) return finish(p, Lambda, report);
   schedule = NewtonSchedule::gentle();
   schedule.separateNormal = true;
   schedule.maxNewton = options_.maxGentle;
   report.method = "proximal Newton, gentle";
+  before = report.iterations;
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
+  report.note(report.method, before);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
   return finish(p, Lambda, report);
 }
@@ -239,13 +273,18 @@ SolveReport ProximalNewton::finish(const InclusionProblem& p, Vec Lambda, SolveR
   const Residuals reached = report.residuals;
   const SolveReport last = fallback_.solve(p, Lambda);
   report.iterations += last.iterations;
-  report.status = last.status;
+  // Sweeps that gain nothing are no matter of patience.
+  const bool gained = last.residuals.largest() < 0.5 * reached.largest();
+  const bool finite = std::isfinite(reached.largest());
+  report.status =
+      last.ok() || gained ? last.status : (finite ? SolveStatus::stalled : SolveStatus::notFinite);
   report.residuals = last.residuals;
   report.method = "Gauss-Seidel";
   if (!last.ok() && !(last.residuals.largest() <= reached.largest())) {
     std::copy(best_.begin(), best_.end(), Lambda.data());
     report.residuals = reached;
   }
+  report.note(report.method, report.iterations - last.iterations);
   return report;
 }
 

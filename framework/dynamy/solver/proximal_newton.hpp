@@ -34,8 +34,11 @@ class ProximalNewton final : public InclusionSolver {
   SolveReport refine(const InclusionProblem& problem, Vec Lambda, SolveReport report, bool cold);
 
  private:
-  /// Dense form; true: solved or given up for good.
-  bool dense(const InclusionProblem& problem, Vec Lambda, bool cold, SolveReport& report);
+  /// Dense form with a proximal parameter that starts at `a`; true: solved.
+  bool dense(const InclusionProblem& problem, Vec Lambda, double a, SolveReport& report);
+  /// Whether all unilateral contacts carry a force, as in a stack; Λ then becomes the same normal
+  /// velocity pressed on each of them.
+  static bool press(const InclusionProblem& problem, Vec Lambda);
   void reserve();
   bool prepare(const InclusionProblem& problem);
   /// Inner Newton iteration from Λ with proximal parameter a; steps used, or −1 if it did not

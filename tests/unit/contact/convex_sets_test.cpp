@@ -62,6 +62,15 @@ TEST(ConvexSets, HalfSpaceMovesAlongItsNormal) {
   EXPECT_LE((prox(C, P3(10, 1, 0)) - P3(7, 1, -4)).norm(), 100 * kEps);
 }
 
+TEST(ConvexSets, AConeWithoutFrictionIsTheHalfLine) {
+  // Both sides of |x_T| <= mu x_N are zero here: the sign of x_N decides.
+  const FrictionCone<3> K{0.0};
+  EXPECT_EQ(prox(K, Point<3>(-1.0, 0.0, 0.0)), Point<3>::Zero());
+  EXPECT_EQ(prox(K, Point<3>(2.0, 0.0, 0.0)), Point<3>(2.0, 0.0, 0.0));
+  EXPECT_EQ(prox(K, Point<3>(2.0, 1.0, 0.0)), Point<3>(2.0, 0.0, 0.0));
+  EXPECT_EQ(proxDerivative(K, Point<3>(-1.0, 0.0, 0.0)), Matrix<3>::Zero());
+}
+
 TEST(ConvexSets, FrictionConeFollowsItsThreeCases) {
   const FrictionCone<3> K{0.5};
   EXPECT_EQ(prox(K, P3(2, 0.6, 0.8)), P3(2, 0.6, 0.8));  // on its mantle
