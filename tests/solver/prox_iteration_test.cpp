@@ -23,10 +23,12 @@ double convergenceFactor(const MatrixXd& G, Relaxation rule, double factor = 1.0
   fixture::Inclusion x(fixture::symmetricRoot(G), kBilateral);
   InclusionProblem& p = x.pose(VectorXd::Zero(G.rows()));
   MatrixXd B = MatrixXd::Identity(G.rows(), G.rows());
+  std::vector<double> r;
+  relaxation(p, rule, factor, r);
+  Solver solver;
   for (Eigen::Index j = 0; j < B.cols(); ++j) {
-    VectorXd e = B.col(j);
-    Solver(ProxOptions{1e-300, 1, rule, factor}).solve(p, view(e));
-    B.col(j) = e;
+    p.G->begin(B.col(j).data());
+    solver.sweep(p, r.data(), B.col(j).data());
   }
   return Eigen::EigenSolver<MatrixXd>(B).eigenvalues().cwiseAbs().maxCoeff();
 }

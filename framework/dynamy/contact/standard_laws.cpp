@@ -179,7 +179,12 @@ void UnilateralCoulomb::prox(const LawInput& in, const double* r, const double* 
 
 void UnilateralCoulomb::naturalMap(const LawInput& in, double rho, const double* xi,
                                    const double* Lambda, double* e) const {
-  // e = Λ − prox_K(Λ − ρ ξ^), ξ^ = (ξ_N + μ|ξ_T|, ξ_T): one projection onto the cone K.
+  // e = Λ − prox_K(Λ − ρ ξ^), ξ^ = (ξ_N + μ|ξ_T|, ξ_T): one projection onto the cone K. A contact
+  // that leaves without a force needs none.
+  if (xi[0] >= 0.0 && std::all_of(Lambda, Lambda + in.dim, [](double x) { return x == 0.0; })) {
+    std::fill(e, e + in.dim, 0.0);
+    return;
+  }
   if (in.dim == 1)
     e[0] = Lambda[0] - std::max(Lambda[0] - rho * xi[0], 0.0);
   else if (in.dim == 2)

@@ -17,6 +17,7 @@
 #include <dynamy/io/registry.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
+#include <dynamy/solver/block_gauss_seidel.hpp>
 #include <dynamy/solver/impact_law.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 #include <dynamy/solver/poisson_impact.hpp>
@@ -46,6 +47,7 @@ void registerFramework(Registry& registry) {
   registry.add<Ggl>("Ggl");
   registry.add<Admm>("Admm");
   registry.add<Automatic>("Automatic");
+  registry.add<BlockGaussSeidel>("BlockGaussSeidel");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");
   registry.add<ProxJacobi>("ProxJacobi");
   registry.add<ProximalNewton>("ProximalNewton");

@@ -10,6 +10,9 @@ namespace {
 constexpr double kEta = 1e-6;  ///< proximal part η
 /// σ = τρ. ½, the value for convex problems, takes more iterations and factorisations on contacts.
 constexpr double kTau = 0.015;
+/// Large factors: contacts, and how many of them one feels on average, itself included.
+constexpr int kManyContacts = 200;
+constexpr double kManyNeighbours = 16.0;
 constexpr double kBalanced = 10.0;  ///< residuals that differ by less are balanced
 constexpr double kLargestChange = 10.0;
 /// Residuals are compared after 10, 20, 40 … iterations.
@@ -27,6 +30,12 @@ void projectCone(double mu, double* x) {
 Admm::Admm(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxIterations"].integer(), x["maxFactorisations"].integer()} {}
+
+bool Admm::pays(const InclusionProblem& p) {
+  if (p.G->hasBodies() || p.size() < kManyContacts) return false;
+  const auto blocks = static_cast<double>(p.G->blockRows().column.size());
+  return blocks >= kManyNeighbours * p.size();
+}
 
 bool Admm::prepare(const InclusionProblem& p, Vec Lambda) {
   const auto rows = static_cast<std::size_t>(p.rows()), size = static_cast<std::size_t>(p.size());

@@ -26,6 +26,8 @@ class Admm final : public InclusionSolver {
   explicit Admm(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
+  /// Every contact feels many others, so that factors are large and one is better than several.
+  static bool pays(const InclusionProblem& problem);
 
  private:
   bool prepare(const InclusionProblem& p, Vec Lambda);

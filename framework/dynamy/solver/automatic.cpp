@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/parameters.hpp>
@@ -7,31 +6,28 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr double kColdResidual = 1e-2;  ///< above, a start is not near the solution
-constexpr int kFirstSweeps = 10;        ///< before the rate is judged
-constexpr int kSweepsPerTest = 5;
-constexpr int kMostRestarted = 400;  ///< contacts; above, restarts cost seconds
-constexpr int kRestartSteps = 1500;
-/// Sweeps that a Newton solve is worth; above, sweeps are left.
-constexpr double kPatience = 150.0;
+constexpr int kMostRestarted = 400;     ///< contacts; above, restarts cost seconds
+constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
+/// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
+constexpr int kAlternations = 20;
 
 }  // namespace
 
 Automatic::Automatic(const AutomaticOptions& options)
     : options_(options),
-      gaussSeidel_({options.tolerance, options.maxIterations, Relaxation::exact, 1.0}),
       newton_({options.tolerance, options.maxNewton, options.maxIterations, 64, options.maxGentle}),
-      lemke_({.tolerance = options.tolerance, .polish = false}) {}
+      lemke_({.tolerance = options.tolerance, .polish = false}),
+      admm_({.tolerance = options.tolerance, .maxIterations = kAlternations}) {}
 
 Automatic::Automatic(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxNewton"].integer(), 4 * x["maxNewton"].integer(),
                x["maxIterations"].integer(), x["minimalNorm"].flag()},
-      gaussSeidel_({options_.tolerance, options_.maxIterations, Relaxation::exact, 1.0}),
       newton_(
           {options_.tolerance, options_.maxNewton, options_.maxIterations, 64, options_.maxGentle}),
-      lemke_({.tolerance = options_.tolerance, .polish = false}) {}
+      lemke_({.tolerance = options_.tolerance, .polish = false}),
+      admm_({.tolerance = options_.tolerance, .maxIterations = kAlternations}) {}
 
 SolveReport Automatic::solve(const InclusionProblem& p, Vec Lambda) {
   SolveReport report = chain(p, Lambda);
@@ -57,14 +53,20 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
     report.status = SolveStatus::notFinite;
     return report;
   }
-  if (p.size() == 1 && oneContact(p, Lambda, report)) return report;
+  if (p.size() == 1 && easy_.oneContact(p, options_.tolerance, Lambda, report)) return report;
   const bool good = E <= options_.tolerance;  // and still worth a step
   const bool cold = !good && (E > kColdResidual || Lambda.isZero(0.0));
   if (cold && LemkeSolver::pays(p)) {
     report = lemke_.solve(p, Lambda);
     if (report.ok() || lemke_.proven()) return report;
   }
-  if (cold && sweeps(p, Lambda, report)) return report;
+  if (cold && Admm::pays(p) && alternate(p, Lambda, report)) return report;
+  if (cold) {
+    const int before = report.iterations;
+    const bool solved = easy_.sweeps(p, options_.tolerance, Lambda, report);
+    report.note("sweeps", before);
+    if (solved) return report;
+  }
   report = newton_.refine(p, Lambda, report, cold);
   if (!report.ok()) restarts(p, Lambda, report);
   return report;
@@ -88,7 +90,7 @@ bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& rep
     } else {
       schedule.separateNormal = true, schedule.rho = 10.0;
       p.G->begin(trial.data());
-      for (int k = 0; k < kFirstSweeps; ++k) gaussSeidel_.sweep(p, r_.data(), trial.data());
+      for (int k = 0; k < kRestartSweeps; ++k) gaussSeidel_.sweep(p, r_.data(), trial.data());
     }
     SolveReport again;
     rescue_.solve(p, schedule, options_.tolerance, view(trial), again);
@@ -105,57 +107,17 @@ bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& rep
   return false;
 }
 
-bool Automatic::oneContact(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
-  const int dim = p.dim(0);
-  double start[kMaxDim];
-  std::copy(Lambda.data(), Lambda.data() + dim, start);
-  const auto accept = [&](std::string_view method) {
-    const Residuals now = residuals(p, view(Lambda), scratch_);
-    if (!(now.largest() <= std::min(kExactStart, options_.tolerance))) return false;
-    report.residuals = now, report.method = method, report.iterations = 1;
+bool Automatic::alternate(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
+  start_.assign(Lambda.data(), Lambda.data() + Lambda.size());
+  const SolveReport tried = admm_.solve(p, Lambda);
+  report.iterations += tried.iterations;
+  report.note(tried.method, report.iterations - tried.iterations);
+  if (tried.ok()) {
+    report.residuals = tried.residuals, report.method = tried.method;
     return true;
-  };
-  Lambda.setZero();
-  if (accept("take-off")) return true;
-  const ConstBlock G(p.G->diagonalBlock(0), dim, dim);
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxDim, kMaxDim>;
-  const Eigen::PartialPivLU<Small> lu{Small(G)};
-  Lambda = -lu.solve(ConstVec(p.c.data(), dim));
-  if (Lambda.allFinite() && accept("stick")) return true;
-  std::copy(start, start + dim, Lambda.data());
-  return false;
-}
-
-bool Automatic::sweeps(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
-  report.method = "sweeps";
-  relaxation(p, Relaxation::exact, 1.0, r_);
-  best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
-  Residuals best = report.residuals;
-  double last = best.largest();
-  int sweep = 0;
-  for (bool promising = true; promising;) {
-    p.G->begin(Lambda.data());
-    // Tests after 2, 5 and 10 sweeps: easy problems are solved by two.
-    const int n = sweep == 0 ? 2 : (sweep == 2 ? 3 : kSweepsPerTest);
-    for (int k = 0; k < n; ++k) gaussSeidel_.sweep(p, r_.data(), Lambda.data());
-    sweep += n, report.iterations += n;
-    const Residuals now = residuals(p, view(Lambda), scratch_);
-    if (now.largest() <= best.largest()) {
-      best = now;
-      std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
-    }
-    if (best.largest() <= options_.tolerance) break;
-    // ln E falls by `fall` a sweep: how many more are needed?
-    const double fall = std::log(last / now.largest()) / n;
-    const double missing = std::log(now.largest() / options_.tolerance) / fall;
-    promising = sweep < kFirstSweeps || (fall > 0.0 && missing <= kPatience);
-    if (p.rule && p.rule->enough()) break;
-    last = now.largest();
   }
-  std::copy(best_.begin(), best_.end(), Lambda.data());
-  report.residuals = best;
-  report.note("sweeps", 0);
-  return best.largest() <= options_.tolerance;
+  std::copy(start_.begin(), start_.end(), Lambda.data());
+  return false;
 }
 
 void Automatic::declare(Attributes& a) {

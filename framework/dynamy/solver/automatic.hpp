@@ -1,11 +1,14 @@
 /// Automatic: the choice of a solver that users need not think about.                (theory 7.5)
 ///
-///   start good enough → accept it · one contact → closed forms · sweeps while they pay
-///   → proximal Newton → the same, gentler → Gauss–Seidel → proximal Newton from other starts
+///   start good enough → accept it · one contact → closed form · large factors → ADMM
+///   · sweeps while they pay → proximal Newton → the same, gentler → Gauss–Seidel
+///   → proximal Newton from other starts
 ///
 /// Every stage starts from the best Λ of the one before and is judged by the same residuals. An
 /// unconverged Λ is returned as such.
 #pragma once
+#include <dynamy/solver/admm.hpp>
+#include <dynamy/solver/easy_problems.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 #include <dynamy/solver/minimal_norm.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
@@ -29,20 +32,20 @@ class Automatic final : public InclusionSolver {
 
  private:
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
+  /// Alternating directions for problems with large factors; true: solved, else Λ is the start.
+  bool alternate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Newton's method from other starts with other steps ρ; true: solved. Λ is the best one so far.
   bool restarts(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
-  /// Take-off Λ = 0 and stick Λ = −G⁻¹c of a single contact; true: one of them is the solution.
-  bool oneContact(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
-  /// Sweeps while the rate promises the solution soon; true: solved.
-  bool sweeps(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
 
   AutomaticOptions options_;
-  ProxGaussSeidel gaussSeidel_;
+  EasyProblems easy_;
   ProximalNewton newton_;
   LemkeSolver lemke_;  // for G_ii = 0
   BlockNewton rescue_;
   MinimalNorm minimalNorm_;
-  std::vector<double> r_, scratch_, best_;
+  Admm admm_;
+  ProxGaussSeidel gaussSeidel_;  // starts of restarts
+  std::vector<double> r_, scratch_, start_;
 };
 
 }  // namespace dynamy

@@ -73,6 +73,7 @@ class Delassus {
   const MassMatrix* mass_ = nullptr;
   int n_ = 0;
   bool assembled_ = true, given_ = false;
+  bool sparse_ = false;  // block rows of a given G are the cheaper form
   BlockRows blockRows_;
   std::vector<double> G_;      // n × n, assembled form
   std::vector<double> minvW_;  // parallel to ContactSet::W

@@ -19,6 +19,12 @@ Relaxation relaxationByName(const std::string& word) {
 /// A sweep that changes Λ by less than this fraction of the tolerance is worth a full residual
 /// test.
 constexpr double kPreTest = 10.0;
+/// Stalled: the best residual is not below this part of itself …
+constexpr double kProgress = 0.99;
+/// … as many sweeps ago, or half of all.
+constexpr int kPatience = 1000;
+/// Change of a sweep over that of the first one, by which a slow divergence differs from a stall.
+constexpr double kGrowth = 1e3;
 
 /// max_i |ΔΛ_i| / (r_i u_ref): the velocity form of the last sweep's change, a cheap pre-test of
 /// E_u.
@@ -42,6 +48,8 @@ ProxSolver::ProxSolver(const Parameters& x, Relaxation) : InclusionSolver(x) {
   options_.maxIterations = x["maxIterations"].integer();
   options_.relaxation = relaxationByName(x["relaxation"].text);
   options_.factor = x["factor"];
+  options_.anderson = x["anderson"].integer();
+  options_.symmetric = x.has("order") && x["order"].text == "symmetric";
 }
 
 void ProxSolver::declareCommon(Attributes& a, const char* defaultRule) {
@@ -53,16 +61,20 @@ void ProxSolver::declareCommon(Attributes& a, const char* defaultRule) {
   a.choice("relaxation", {"exact", "diagonalDominance", "rowSums", "spectral", "optimal"},
            defaultRule, "rule for the prox parameters r");
   a.optional("factor", Unit::none, 1.0, "multiplies r").positive();
+  Attribute& depth = a.add(AttributeType::integer, "anderson", "0",
+                           "depth of Anderson's acceleration, 5 to 10 are usual; 0: none");
+  depth.min = 0, depth.max = Anderson::kMaxMemory;
+}
+
+void ProxSolver::declareOrder(Attributes& a) {
+  a.choice("order", {"forward", "symmetric"}, "forward",
+           "symmetric: every sweep to and fro, counted as two");
 }
 
 SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
   SolveReport report;
   if (problem.rows() == 0) return report;
-  const auto done = [&] {
-    report.residuals = residuals(problem, view(Lambda), scratch_);
-    return report.residuals.largest() <= options_.tolerance;
-  };
-  done();
+  report.residuals = residuals(problem, view(Lambda), scratch_);
   if (report.residuals.largest() <= acceptedStart(problem, options_.tolerance)) {
     report.warmAccepted = true;
     return report;
@@ -71,50 +83,83 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
     report.status = SolveStatus::notFinite;
     return report;
   }
+  const auto rows = static_cast<std::size_t>(problem.rows());
   relaxation(problem, options_.relaxation, options_.factor, r_);
   prepare(problem);
-  before_.resize(static_cast<std::size_t>(problem.rows()));
-  problem.G->begin(Lambda.data());
-  double first = -1.0;
-  int nextTest = 1;
-  while (report.iterations < options_.maxIterations) {
-    Vec(before_.data(), problem.rows()) = Lambda;
-    sweep(problem, r_.data(), Lambda.data());
-    ++report.iterations;
-    const double d = change(problem, r_.data(), before_.data(), Lambda.data());
-    if (first < 0.0) first = d;
-    if (!std::isfinite(d) || d > 1e12 * (first + 1.0)) {
-      report.status = std::isfinite(d) ? SolveStatus::diverged : SolveStatus::notFinite;
-      report.residuals = residuals(problem, view(Lambda), scratch_);
-      return report;
-    }
-    // The change alone would flatter a creeping iteration: it only says when the full test is worth
-    // its price.
-    if (d > kPreTest * options_.tolerance && report.iterations < nextTest) continue;
-    if (done()) return report;
-    if (problem.rule && problem.rule->enough()) break;
-    problem.G->begin(Lambda.data());
-    nextTest = report.iterations + 1 + report.iterations / 8;
+  before_.resize(rows), best_.resize(rows);
+  if (options_.anderson > 0) {
+    // 1/r: the norm of an energy.
+    weights_.resize(rows);
+    for (std::size_t k = 0; k < rows; ++k) weights_[k] = r_[k] > 0.0 ? 1.0 / r_[k] : 1.0;
+    anderson_.begin(options_.anderson, weights_.data(), problem.rows());
   }
-  report.status = SolveStatus::maxIterations;
-  report.residuals = residuals(problem, view(Lambda), scratch_);
+  iterate(problem, Lambda, report);
   return report;
 }
 
-void ProxGaussSeidel::sweep(const InclusionProblem& problem, const double* r, double* Lambda) {
-  for (int i = 0; i < problem.size(); ++i) {
-    const int dim = problem.dim(i), first = problem.row0(i);
-    double xi[kMaxDim], old[kMaxDim];
-    problem.G->row(i, Lambda, xi);
-    for (int k = 0; k < dim; ++k) {
-      xi[k] += problem.c[static_cast<std::size_t>(first + k)];
-      old[k] = Lambda[first + k];
+void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report) {
+  const int passes = options_.symmetric ? 2 : 1;
+  double first = -1.0, mark = report.residuals.largest();
+  Residuals best = report.residuals;
+  Vec(best_.data(), problem.rows()) = Lambda;
+  int nextTest = 1, marked = 0;
+  report.status = SolveStatus::maxIterations;
+  problem.G->begin(Lambda.data());
+  for (bool fresh = true; report.iterations < options_.maxIterations; fresh = false) {
+    if (!fresh && options_.anderson > 0) {
+      anderson_.next(before_.data(), Lambda.data(), Lambda.data());
+      problem.G->begin(Lambda.data());
     }
-    problem.law(i).prox(problem.input(i), r + first, xi,
-                        Lambda + first);  // Λ_i ← prox_C(Λ_i − r_i ξ_i), newest Λ at once
-    for (int k = 0; k < dim; ++k) old[k] = Lambda[first + k] - old[k];
-    problem.G->changed(i, old);
+    Vec(before_.data(), problem.rows()) = Lambda;
+    sweep(problem, r_.data(), Lambda.data());
+    report.iterations += passes;
+    const double d = change(problem, r_.data(), before_.data(), Lambda.data());
+    if (first < 0.0) first = d;
+    const bool lost = !std::isfinite(d) || d > 1e12 * (first + 1.0);
+    if (lost) report.status = std::isfinite(d) ? SolveStatus::diverged : SolveStatus::notFinite;
+    // The change alone would flatter a creeping iteration: it only says when the full test is worth
+    // its price.
+    const bool last = lost || report.iterations >= options_.maxIterations;
+    if (d > kPreTest * options_.tolerance && report.iterations < nextTest && !last) continue;
+    const Residuals now = residuals(problem, view(Lambda), scratch_);
+    if (now.largest() < best.largest()) {
+      best = now;
+      Vec(best_.data(), problem.rows()) = Lambda;
+    }
+    if (now.largest() <= options_.tolerance) report.status = SolveStatus::solved;
+    if (now.largest() <= options_.tolerance || lost || (problem.rule && problem.rule->enough()))
+      break;
+    if (best.largest() <= kProgress * mark) mark = best.largest(), marked = report.iterations;
+    if (report.iterations - marked > std::max(kPatience * passes, report.iterations / 2)) {
+      report.status = d > kGrowth * (first + 1.0) ? SolveStatus::diverged : SolveStatus::stalled;
+      break;
+    }
+    problem.G->begin(Lambda.data());
+    nextTest = report.iterations + passes + report.iterations / 8;
   }
+  Lambda = ConstVec(best_.data(), problem.rows());
+  report.residuals = best;
+}
+
+void ProxGaussSeidel::sweep(const InclusionProblem& problem, const double* r, double* Lambda) {
+  for (int i = 0; i < problem.size(); ++i) contact(problem, i, r, Lambda);
+  if (!options().symmetric) return;
+  for (int i = problem.size() - 1; i >= 0; --i) contact(problem, i, r, Lambda);
+}
+
+void ProxGaussSeidel::contact(const InclusionProblem& problem, int i, const double* r,
+                              double* Lambda) {
+  const int dim = problem.dim(i), first = problem.row0(i);
+  double xi[kMaxDim], old[kMaxDim];
+  problem.G->row(i, Lambda, xi);
+  for (int k = 0; k < dim; ++k) {
+    xi[k] += problem.c[static_cast<std::size_t>(first + k)];
+    old[k] = Lambda[first + k];
+  }
+  problem.law(i).prox(problem.input(i), r + first, xi,
+                      Lambda + first);  // Λ_i ← prox_C(Λ_i − r_i ξ_i), newest Λ at once
+  for (int k = 0; k < dim; ++k) old[k] = Lambda[first + k] - old[k];
+  problem.G->changed(i, old);
 }
 
 void ProxJacobi::sweep(const InclusionProblem& problem, const double* r, double* Lambda) {
@@ -131,6 +176,7 @@ void ProxJacobi::sweep(const InclusionProblem& problem, const double* r, double*
 
 void ProxGaussSeidel::declare(Attributes& a) {
   declareCommon(a, "exact");
+  declareOrder(a);
   a.about(
       "Projected Gauss-Seidel (prox SOR): Lambda_i <- prox(Lambda_i - r_i xi_i), newest values at "
       "once.");

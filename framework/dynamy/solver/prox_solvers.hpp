@@ -2,7 +2,11 @@
 ///
 ///   JOR:  Λ_i ← prox_{C_i}(Λ_i − r_i ξ_i(Λ))           all i from the old Λ
 ///   SOR:  the same, newest values at once
+///
+/// Any sweep may be accelerated (Anderson). The status is `stalled` when the best residual has not
+/// fallen by 1 % for as many sweeps as half of those made, and at least 1000.
 #pragma once
+#include <dynamy/solver/anderson.hpp>
 #include <dynamy/solver/inclusion_solver.hpp>
 #include <dynamy/solver/relaxation.hpp>
 
@@ -12,7 +16,9 @@ struct ProxOptions {
   double tolerance = 1e-10;  ///< of E_f and E_u
   int maxIterations = 10000;
   Relaxation relaxation = Relaxation::exact;
-  double factor = 1.0;  ///< multiplies r
+  double factor = 1.0;     ///< multiplies r
+  int anderson = 0;        ///< depth of Anderson's acceleration; 0: none
+  bool symmetric = false;  ///< Gauss–Seidel: every sweep to and fro, counted as two
 };
 
 class ProxSolver : public InclusionSolver {
@@ -20,6 +26,7 @@ class ProxSolver : public InclusionSolver {
   explicit ProxSolver(const ProxOptions& options) : options_(options) {}
   ProxSolver(const Parameters& x, Relaxation defaultRule);
   static void declareCommon(Attributes& a, const char* defaultRule);
+  static void declareOrder(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) final;
   const ProxOptions& options() const { return options_; }
   /// One sweep over all contacts; r of relaxation(), one a row. Gauss–Seidel wants begin() of the
@@ -31,8 +38,12 @@ class ProxSolver : public InclusionSolver {
   virtual void prepare(const InclusionProblem& /*problem*/) {}
 
  private:
+  /// Sweeps until the tolerance is met; Λ is the best one that was tested.
+  void iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+
   ProxOptions options_;
-  std::vector<double> r_, scratch_, before_;
+  Anderson anderson_;
+  std::vector<double> r_, weights_, scratch_, before_, best_;
 };
 
 class ProxGaussSeidel final : public ProxSolver {
@@ -42,6 +53,9 @@ class ProxGaussSeidel final : public ProxSolver {
   static void declare(Attributes& a);
 
   void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
+
+ private:
+  static void contact(const InclusionProblem& problem, int i, const double* r, double* Lambda);
 };
 
 class ProxJacobi final : public ProxSolver {

@@ -89,7 +89,10 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
   // ξ, |G||Λ|; e/ρ and ρ of the contacts.
   scratch.resize(2 * static_cast<std::size_t>(n) + 2 * static_cast<std::size_t>(contacts));
   double *absolute = scratch.data() + n, *velocity = absolute + n, *scale = velocity + contacts;
-  problem.G->apply(Lambda.data(), scratch.data());
+  if (std::all_of(Lambda.data(), Lambda.data() + n, [](double x) { return x == 0.0; }))
+    std::fill(scratch.begin(), scratch.begin() + n, 0.0);
+  else
+    problem.G->apply(Lambda.data(), scratch.data());
   double largestLambda = 0.0, spurious = 0.0, available = 0.0;
   bool summed = false;
   for (int i = 0; i < contacts; ++i) {

@@ -1,0 +1,48 @@
+#include <algorithm>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/solver/block_gauss_seidel.hpp>
+#include <dynamy/solver/local_iteration.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMaxDim = 8;
+
+}  // namespace
+
+void BlockGaussSeidel::sweep(const InclusionProblem& p, const double* r, double* Lambda) {
+  for (int i = 0; i < p.size(); ++i) contact(p, i, r, Lambda);
+  if (!options().symmetric) return;
+  for (int i = p.size() - 1; i >= 0; --i) contact(p, i, r, Lambda);
+}
+
+void BlockGaussSeidel::contact(const InclusionProblem& p, int i, const double* r, double* Lambda) {
+  const int dim = p.dim(i), first = p.row0(i);
+  const double* D = p.G->diagonalBlock(i);
+  double *mine = Lambda + first, b[kMaxDim], old[kMaxDim];
+  p.G->row(i, Lambda, b);
+  for (int k = 0; k < dim; ++k) {
+    double own = 0.0;
+    for (int m = 0; m < dim; ++m) own += D[k * dim + m] * mine[m];
+    b[k] += p.c[static_cast<std::size_t>(first + k)] - own;
+    old[k] = mine[k];
+  }
+  const LocalCase found = local_.solve(i, b, mine).found;
+  if (found == LocalCase::notSimple || found == LocalCase::noSolution)
+    iterateContact(p.law(i), p.input(i), D, b, r + first, mine);
+  for (int k = 0; k < dim; ++k) old[k] = mine[k] - old[k];
+  p.G->changed(i, old);
+}
+
+void BlockGaussSeidel::declare(Attributes& a) {
+  declareCommon(a, "exact");
+  declareOrder(a);
+  a.about(
+      "Gauss-Seidel by blocks: one contact after the other is solved exactly, in closed form for "
+      "joints, contacts with Coulomb friction and given friction.");
+  a.example(
+      "<simulation until=\"1\" step=\"1e-3\"><BlockGaussSeidel anderson=\"10\" "
+      "order=\"symmetric\"/></simulation>");
+}
+
+}  // namespace dynamy

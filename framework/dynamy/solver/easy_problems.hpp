@@ -1,0 +1,34 @@
+/// EasyProblems: what Automatic tries before Newton's method: one contact in closed form,
+/// accelerated block sweeps while they pay. (theory 7.5)
+///
+/// Full residuals are asked for after the first two sweeps and then when the change of Λ promises
+/// the solution, at the latest after five sweeps: for small problems they cost as much as a sweep.
+#pragma once
+#include <dynamy/solver/block_gauss_seidel.hpp>
+
+namespace dynamy {
+
+class EasyProblems {
+ public:
+  /// A problem with one contact; `report.residuals` of the start in. True: solved; else Λ is the
+  /// start.
+  bool oneContact(const InclusionProblem& problem, double tolerance, Vec Lambda,
+                  SolveReport& report);
+  /// Sweeps while the rate promises the solution soon; true: solved. Else Λ comes from 15 plain
+  /// prox sweeps.
+  bool sweeps(const InclusionProblem& problem, double tolerance, Vec Lambda, SolveReport& report);
+
+ private:
+  void accelerate(const InclusionProblem& problem, bool first, Vec Lambda);
+  /// max_i λ_i |ΔΛ_i| of the last sweep  [m/s].
+  double change(ConstVec Lambda) const;
+  void rowScales(const InclusionProblem& problem);
+
+  LocalSolutions local_;
+  BlockGaussSeidel block_;
+  ProxGaussSeidel prox_;
+  Anderson anderson_;
+  std::vector<double> r_, lambda_, scratch_, start_, best_, before_;
+};
+
+}  // namespace dynamy
