@@ -30,39 +30,49 @@ struct Axis {
   double sign = 1.0;  ///< of the direction from A to B
 };
 
-double extent(const PlacedBox& box, const Vec3& n) {
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k) sum += box.half[k] * std::abs(box.R.col(k).dot(n));
-  return sum;
-}
+/// Both boxes in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A), so that an axis costs a few
+/// products.
+struct Separation {
+  Mat3 C, a;  ///< a: |C|
+  Vec3 t, hA, hB;
+  Separation(const PlacedBox& A, const PlacedBox& B)
+      : C(A.R.transpose() * B.R),
+        a(C.cwiseAbs()),
+        t(A.R.transpose() * (B.c - A.c)),
+        hA(A.half),
+        hB(B.half) {}
 
-Axis faceAxis(const PlacedBox& A, const PlacedBox& B) {
-  Axis best;
-  const Vec3 d = B.c - A.c;
-  for (int i = 0; i < 6; ++i) {
-    const Vec3 n = i < 3 ? A.R.col(i) : B.R.col(i - 3);
-    const double along = d.dot(n);
-    const double s = std::abs(along) - extent(A, n) - extent(B, n);
-    if (s > best.separation) best = {s, i, -1, along < 0.0 ? -1.0 : 1.0};
-  }
-  return best;
-}
-
-Axis edgeAxis(const PlacedBox& A, const PlacedBox& B) {
-  Axis best;
-  const Vec3 d = B.c - A.c;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      Vec3 n = A.R.col(i).cross(B.R.col(j));
-      const double length = n.norm();
-      if (length < kCross) continue;
-      n /= length;
-      const double along = d.dot(n);
-      const double s = std::abs(along) - extent(A, n) - extent(B, n);
-      if (s > best.separation) best = {s, i, j, along < 0.0 ? -1.0 : 1.0};
+  /// i = 0 … 2: faces of A, 3 … 5: faces of B.
+  Axis faces() const {
+    Axis best;
+    for (int i = 0; i < 6; ++i) {
+      const int k = i % 3;
+      const double along = i < 3 ? t[k] : t.dot(C.col(k));
+      const double s =
+          std::abs(along) - (i < 3 ? hA[k] + a(k, 0) * hB[0] + a(k, 1) * hB[1] + a(k, 2) * hB[2]
+                                   : hB[k] + a.col(k).dot(hA));
+      if (s > best.separation) best = {s, i, -1, along < 0.0 ? -1.0 : 1.0};
     }
-  return best;
-}
+    return best;
+  }
+
+  /// Axes e_i × e_j of an edge of A and an edge of B.
+  Axis edges() const {
+    Axis best;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const double square = 1.0 - C(i, j) * C(i, j);
+        if (square < kCross * kCross) continue;
+        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        const double along = t[i2] * C(i1, j) - t[i1] * C(i2, j);
+        const double s = (std::abs(along) - hA[i1] * a(i2, j) - hA[i2] * a(i1, j) -
+                          hB[j1] * a(i, j2) - hB[j2] * a(i, j1)) /
+                         std::sqrt(square);
+        if (s > best.separation) best = {s, i, j, along < 0.0 ? -1.0 : 1.0};
+      }
+    return best;
+  }
+};
 
 /// Signed axis ±(k + 1) of the face of `box` that looks along n most.
 int faceAlong(const PlacedBox& box, const Vec3& n) {
@@ -232,7 +242,8 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, double reach,
   const double balls = A.half.norm() + B.half.norm() + reach;
   if ((B.c - A.c).squaredNorm() > balls * balls) return 0;
   const double same = kSame * std::min(A.half.minCoeff(), B.half.minCoeff());
-  const Axis face = faceAxis(A, B), edge = edgeAxis(A, B);
+  const Separation separation(A, B);
+  const Axis face = separation.faces(), edge = separation.edges();
   if (edge.separation > face.separation + 4.0 * same) {
     const Vec3 n = edge.sign * A.R.col(edge.i).cross(B.R.col(edge.j)).normalized();
     const int i = outerEdge(A, edge.i, n), j = outerEdge(B, edge.j, -n);

@@ -9,6 +9,10 @@ constexpr double kDead = 1e-10;
 /// 4 ε of the scene's length, of which g_tol is 1e-12.
 constexpr double kRounding = 1e-3;
 
+/// Of the noise of gaps, in the step after a correction: four corners of a face contradict each
+/// other by a quarter of the dead band.
+constexpr double kStricter = 1.0 / 3.0;
+
 bool hasJoints(const ContactSet& contacts) {
   for (int i = 0; i < contacts.size(); ++i)
     if (contacts.law[static_cast<std::size_t>(i)]->rowKind(0) == RowKind::joint) return true;
@@ -24,7 +28,8 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kRounding * s.gTol();
   const PositionAim aim{kDead * dt * s.largestChange(dt) + rounding, mean,
-                        mean ? 0.0 : options_.kappa, options_.cap, rounding};
+                        mean ? 0.0 : options_.kappa, options_.cap,
+                        x.impulses.corrected ? kStricter * rounding : rounding};
   auto& problem = s.impactProblem(x, dt, 0, &aim);       // ξ = G Λ + c
   problem.warmStart = x.impulses.corrected ? 0.1 : 1.0;  // gaps are asked back in the next step
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
