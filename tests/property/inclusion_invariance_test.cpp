@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
                               std::make_unique<BlockGaussSeidel>(
                                   ProxOptions{.tolerance = kTolerance, .anderson = 5}));
                         }}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace dynamy

@@ -71,6 +71,9 @@ double residual(const InclusionProblem& p, const Eigen::VectorXd& Lambda) {
 }
 
 TEST(Stacks, AreSolvedInFewNewtonStepsColdAndFewerWarm) {
+  // Counts of this code, not laws of nature: all but a few stacks stay within 25 cold steps, or
+  // none of them if the solver gets better; 3 warm ones likewise.
+  int longCold = 0, longWarm = 0;
   for (const Stack& s : stacks(1e4)) {
     const auto now = s.problem(), next = s.problem(3e-4);  // 0.05 g swung at 1 Hz, 1 ms later
     Automatic solver({.tolerance = 1e-8});
@@ -78,13 +81,16 @@ TEST(Stacks, AreSolvedInFewNewtonStepsColdAndFewerWarm) {
     const SolveReport cold = solver.solve(now->problem(), view(Lambda));
     EXPECT_TRUE(cold.ok()) << s.text();
     EXPECT_LE(residual(now->problem(), Lambda), 1e-8) << s.text();
-    // The document's table; the order of elimination moves single stacks by a dozen steps.
-    EXPECT_LE(cold.newton, 50) << s.text();
+    EXPECT_LE(cold.newton, 36) << s.text();
+    longCold += cold.newton > 25;
     const SolveReport warm = solver.solve(next->problem(), view(Lambda));
     EXPECT_TRUE(warm.ok()) << s.text();
     EXPECT_LE(residual(next->problem(), Lambda), 1e-8) << s.text();
-    EXPECT_LE(warm.newton, 7) << s.text();
+    EXPECT_LE(warm.newton, 6) << s.text();
+    longWarm += warm.newton > 3;
   }
+  EXPECT_LE(longCold, 2);
+  EXPECT_LE(longWarm, 4);
 }
 
 TEST(Stacks, RestingFacesCarryTheWeightAbove) {

@@ -15,7 +15,10 @@ void Anderson::begin(int memory, const double* weights, int rows) {
   count_ = newest_ = restarts_ = 0, first_ = true;
   const auto n = static_cast<std::size_t>(rows), m = static_cast<std::size_t>(memory_);
   root_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) root_[k] = std::sqrt(weights[k]);
+  // Relative to a power of two: other units of mass give the same digits.
+  int exponent = 0;
+  std::frexp(n > 0 ? *std::max_element(weights, weights + n) : 1.0, &exponent);
+  for (std::size_t k = 0; k < n; ++k) root_[k] = std::sqrt(std::ldexp(weights[k], -exponent));
   f_.resize(n), g_.resize(n), fNew_.resize(n), dF_.resize(n * m), dG_.resize(n * m);
 }
 

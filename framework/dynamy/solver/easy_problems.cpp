@@ -7,13 +7,14 @@ namespace dynamy {
 namespace {
 
 constexpr int kMaxDim = 8;
-constexpr int kMemory = 5;        ///< of Anderson's acceleration
-constexpr int kFirstSweeps = 10;  ///< before the rate is judged
+constexpr int kMemory = 5;  ///< of Anderson's acceleration
+constexpr int kFirstSweeps =
+    20;  ///< before the rate is judged: acceleration takes some to build up
 constexpr int kSweepsPerTest = 5;
 /// Handed to Newton's method. 10 to 40 differ by luck on the collection; 15 was the best of five.
 constexpr int kPlainSweeps = 15;
 /// Sweeps that a Newton solve is worth; above, sweeps are left.
-constexpr double kPatience = 150.0;
+constexpr double kPatience = 300.0;
 
 }  // namespace
 

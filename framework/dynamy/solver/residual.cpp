@@ -36,6 +36,8 @@ namespace {
 constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
 /// E_u between which rounding of GΛ may decide: below, every tolerance is met; above, it cannot.
 constexpr double kFine = 1e-13, kCoarse = 1e-5;
+/// Part of the velocities of a problem that Λ − ρ ξ must resolve.
+constexpr double kSwallowed = 1e-2;
 constexpr int kMaxDim = 8;
 
 /// What of |e_i|/ρ_i is rounding: of c, and (once |G||Λ| is known) of ξ = GΛ + c.
@@ -75,6 +77,24 @@ double substituteLambda(const InclusionProblem& p, int i, const double* rowSums)
   return all > 0.0 ? all : 1.0;
 }
 
+/// The largest velocity that c was made of: a last correction has a small c of large parts.
+double largestVelocity(const InclusionProblem& p) {
+  double largest = p.uRef;
+  for (const auto* part : {&p.c, &p.gammaFree, &p.gammaA})
+    for (const double v : *part) largest = std::max(largest, std::abs(v));
+  for (const double v : p.cNoise) largest = std::max(largest, v / kRounding);
+  return largest;
+}
+
+/// Λ of contact i is so large that Λ − ρ ξ swallows ξ: its natural map may be zero whatever ξ is.
+/// The speed that it cannot tell from zero, ε |Λ_i|/ρ_i, counts as its error if it is coarse. A
+/// problem without solution ends there: Λ grows without bound.
+void swallowed(const InclusionProblem& p, double unknown, int i, Residuals& out) {
+  const double E = p.uRef > 0.0 ? unknown / p.uRef : 1.0;
+  out.Eu = std::max(out.Eu, E), out.Ef = std::max(out.Ef, std::min(E, 1.0)), out.worst = i;
+  if (out.given != -1.0) out.given = std::max(out.given, E);
+}
+
 Residuals notFinite(int contact) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {.Ef = kInfinity, .Eu = kInfinity, .energy = kInfinity, .worst = contact};
@@ -93,7 +113,8 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     std::fill(scratch.begin(), scratch.begin() + n, 0.0);
   else
     problem.G->apply(Lambda.data(), scratch.data());
-  double largestLambda = 0.0, spurious = 0.0, available = 0.0;
+  double largestLambda = 0.0, spurious = 0.0, available = 0.0, unknown = 0.0;
+  int lost = -1;
   bool summed = false;
   for (int i = 0; i < contacts; ++i) {
     const int first = problem.row0(i), dim = problem.dim(i);
@@ -118,6 +139,8 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     problem.law(i).naturalMap(problem.input(i), rho, xi, Lambda.data() + first, e);
     for (int r = 0; r < dim; ++r) e2 += e[r] * e[r];
     velocity[i] = std::sqrt(e2) * lambda;
+    const double resolution = std::numeric_limits<double>::epsilon() * std::sqrt(L2) * lambda;
+    if (resolution > unknown) unknown = resolution, lost = i;
     scale[i] = rho;
     largestLambda = std::max({largestLambda, std::sqrt(L2), rho * problem.uRef});
     spurious += e2 * lambda;
@@ -129,6 +152,8 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     out = measure(problem, velocity, scale, absolute, largestLambda);
   }
   if (problem.rule) out.given = problem.rule->measure(problem, Lambda.data(), scratch.data());
+  if (unknown > kSwallowed * problem.uRef && unknown > kSwallowed * largestVelocity(problem))
+    swallowed(problem, unknown, lost, out);
   out.energy = spurious == 0.0 ? 0.0 : (available > 0.0 ? spurious / available : 1.0);
   return out;
 }
