@@ -18,8 +18,8 @@ std::string_view solveStatusText(SolveStatus status);
 /// In E_u and E_f a contact counts only if |e_i|/ρ_i exceeds what rounding leaves of it,
 /// cNoise_i + 4ε(|G||Λ| + |c|)_i: no solver can do better, and none stalls there. The floor of E_f
 /// gives E_f ≤ E_u, so that a scene without forces terminates; a floor of 1e-12 of it was rejected,
-/// because E_f of a scene at rest is then rounding over rounding. Where Λ is so large that it cannot
-/// resolve 1 % of the problem's velocities, ε |Λ_i|/ρ_i counts as the error.
+/// because E_f of a scene at rest is then rounding over rounding. Where Λ is so large that it
+/// cannot resolve 1 % of the problem's velocities, ε |Λ_i|/ρ_i counts as the error.
 struct Residuals {
   double Ef = 0.0, Eu = 0.0, energy = 0.0;
   int worst = -1;       ///< contact with the largest |e_i|/ρ_i
