@@ -2,7 +2,7 @@
 #include <cmath>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/simulation/model.hpp>
-#include <dynamy/solver/proximal_newton.hpp>
+#include <dynamy/solver/automatic.hpp>
 
 namespace dynamy {
 namespace {
@@ -65,7 +65,7 @@ void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
   if (!scheme_) scheme_ = makeDefault<MoreauMidpoint>("MoreauMidpoint");
-  if (!solver_) solver_ = makeDefault<ProximalNewton>("ProximalNewton");
+  if (!solver_) solver_ = makeDefault<Automatic>("Automatic");
   if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");
   std::vector<const PartialMechanicalSystem*> systems;
   for (const auto& s : systems_) systems.push_back(s.get());

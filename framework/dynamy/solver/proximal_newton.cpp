@@ -44,6 +44,7 @@ void ProximalNewton::reserve() {
   for (std::vector<double>* v : {&lambda_, &xi_, &F_, &dLambda_, &centre_, &trial_, &best_})
     v->reserve(rows);
   A_.reserve(rows * kMaxDim), B_.reserve(rows * kMaxDim), J_.reserve(rows * rows);
+  scratch_.reserve(4 * rows);
 }
 
 bool ProximalNewton::prepare(const InclusionProblem& p) {
