@@ -168,11 +168,11 @@ TEST_P(ProxScenes, KanesRodGainsTheEnergyThatNewtonsLawWithFrictionGives) {
   EXPECT_NEAR(L.dot(before + 0.5 * G * L), 0.124967413624347, 1e-11);
   // The guard reports this gain and takes it back.
   L.setZero();
-  const SolveReport report = NewtonImpact().solve(p, *make(GetParam().method), view(L));
-  EXPECT_TRUE(report.ok());
-  EXPECT_EQ(report.repaired, 1);
+  const SolveReport guarded = NewtonImpact().solve(p, *make(GetParam().method), view(L));
+  EXPECT_TRUE(guarded.ok());
+  EXPECT_EQ(guarded.repaired, 1);
   // The guard leaves out what the solver's tolerance may explain, 2e-8 here.
-  EXPECT_NEAR(report.energyGain, 0.124967413624347, 1e-6);
+  EXPECT_NEAR(guarded.energyGain, 0.124967413624347, 1e-6);
   EXPECT_LE(L.dot(before + 0.5 * G * L), 1e-6);
 }
 
