@@ -75,10 +75,11 @@ TEST_F(ProblemsTest, ProblemsOfTheModelsAreSolvedAgainWithTheSameResult) {
           << model << ' ' << file;
       const Eigen::VectorXd r = before.numbers("/solution/r");
       const bool unique = !says(out(), "Forces not unique") && !says(out(), "Jam");
-      if (unique)
+      if (unique) {
         EXPECT_LT((r - after.numbers("/solution/r")).lpNorm<Eigen::Infinity>(),
                   1e-6 * (r.lpNorm<Eigen::Infinity>() + 1e-300))
             << model << ' ' << file;
+      }
       ++compared;
     }
   }
