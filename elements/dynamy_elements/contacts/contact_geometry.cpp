@@ -1,6 +1,7 @@
 #include <cmath>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -93,6 +94,71 @@ ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
   }
   out.P = A.r_OS_I + rhoA + a.radius * n;
   out.Pdot = A.velocity(rhoA) + a.radius * ndot;
+  return out;
+}
+
+namespace {
+
+/// Of the smallest half edge: nearer to an edge than this, a face takes its place.
+constexpr double kOnEdge = 1e-9;
+
+/// Where a point is from a box, in the box's axes.
+struct FromBox {
+  double distance = 0.0;  ///< negative inside
+  Vec3 n = Vec3::Zero(), ndot = Vec3::Zero();
+  /// `x`, `xdot`: the point; `flat`: axis along which the box has no ends, or −1.
+  FromBox(const Vec3& x, const Vec3& xdot, const Vec3& half, int flat) {
+    Vec3 beyond = x.cwiseAbs() - half;  // of each face
+    if (flat >= 0) beyond[flat] = -std::numeric_limits<double>::infinity();
+    int face = 0;
+    beyond.maxCoeff(&face);
+    Vec3 d = Vec3::Zero(), w = Vec3::Zero();
+    int outside = 0;
+    for (int k = 0; k < 3; ++k)
+      if (beyond[k] > 0.0) d[k] = std::copysign(beyond[k], x[k]), w[k] = xdot[k], ++outside;
+    const double norm = d.norm();
+    if (outside < 2 || norm < kOnEdge * half.minCoeff()) {
+      distance = beyond[face], n[face] = std::copysign(1.0, x[face]);
+    } else {
+      distance = norm, n = d / norm, ndot = (w - n.dot(w) * n) / norm;
+    }
+  }
+};
+
+/// Axis of the box along the normal of the plane of motion, −1: moves in space.
+int flatAxis(const Mat3& R, const Vec3& plane) {
+  int axis = -1;
+  if (!plane.isZero(0.0)) (R.transpose() * plane).cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+}  // namespace
+
+ContactPoint ballOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
+                       const RoundFeature& ball, const Vec3& plane) {
+  ContactPoint out;
+  const Mat3 R = A.A_IK * box.A_KB;
+  const Vec3 rhoB = B.A_IK * ball.c_K, c = B.r_OS_I + rhoB, v = B.velocity(rhoB);
+  const Vec3 x = R.transpose() * (c - A.r_OS_I - A.A_IK * box.p_K);
+  const Vec3 xdot = R.transpose() * (v - A.velocity(c - A.r_OS_I));
+  const FromBox at(x, xdot, box.half, flatAxis(R, plane));
+  out.g = at.distance - ball.radius;
+  const auto rate = [&](const Vec3& d, const Vec3& inBox) {
+    return Vec3(R * inBox + A.Omega_I.cross(d));
+  };
+  out.d[0] = R * at.n, out.ddot[0] = rate(out.d[0], at.ndot);
+  if (plane.isZero(0.0)) {
+    Vec3 t1, t2, t1dot, t2dot;
+    tangents(at.n, t1, t2);
+    tangentRates(at.n, at.ndot, t1dot, t2dot);
+    out.d[1] = R * t1, out.ddot[1] = rate(out.d[1], t1dot);
+    out.d[2] = R * t2, out.ddot[2] = rate(out.d[2], t2dot);
+  } else {
+    out.d[1] = out.d[0].cross(plane), out.ddot[1] = out.ddot[0].cross(plane);
+    out.d[2] = plane, out.ddot[2].setZero();
+  }
+  out.P = c - ball.radius * out.d[0];
+  out.Pdot = v - ball.radius * out.ddot[0];
   return out;
 }
 

@@ -41,5 +41,9 @@ ContactPoint overHalfSpace(const Frame& A, const TouchingShape& halfSpace, const
 /// Two round features.
 ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
                           const RoundFeature& b, const Vec3& plane);
+/// Feature of B on the box of A: g = |c − p| − R, p the point of the box nearest to c; with c
+/// inside, the nearest face counts. In a plane of motion the box is its section.
+ContactPoint ballOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
+                       const RoundFeature& ball, const Vec3& plane);
 
 }  // namespace dynamy

@@ -18,18 +18,19 @@ constexpr int kMostNamedPairs = 64;  ///< beyond, single contacts have no signal
 
 /// Is a contact of these two implemented? Half spaces never meet, points neither.
 enum class Meeting { never, implemented, missing };
-Meeting meeting(const TouchingShape& a, const TouchingShape& b) {
+Meeting meeting(const TouchingShape& a, const TouchingShape& b, bool inPlane) {
   if (a.kind == Touch::halfSpace && b.kind == Touch::halfSpace) return Meeting::never;
   if (a.kind == Touch::none || b.kind == Touch::none) return Meeting::missing;
   if (a.kind == Touch::halfSpace || b.kind == Touch::halfSpace) return Meeting::implemented;
   if (a.kind == Touch::round && b.kind == Touch::round)
     return a.features[0].radius + b.features[0].radius > 0.0 ? Meeting::implemented
                                                              : Meeting::never;
-  // Boxes that move in one plane would need polygons.
+  // Boxes that move in one plane would need polygons; a ball does with a box's section.
   if (a.kind == Touch::corners && b.kind == Touch::corners)
     return a.features.size() == 8 && b.features.size() == 8 ? Meeting::implemented
                                                             : Meeting::missing;
-  return Meeting::missing;
+  const TouchingShape& box = a.kind == Touch::corners ? a : b;
+  return inPlane == (box.features.size() == 4) ? Meeting::implemented : Meeting::missing;
 }
 
 Diagnostic pairFault(const Shape& a, const Shape& b, std::string text, std::string hint) {
@@ -45,6 +46,13 @@ std::string label(const TouchingShape& s, const Topology& topology) {
   const std::string& system = topology.systems()[static_cast<std::size_t>(s.system)]->name();
   if (!s.shape->name().empty()) return s.shape->name();
   return system.empty() ? "body" + std::to_string(s.system) : system;
+}
+
+bool isBallOnBox(const TouchingShape& A, const TouchingShape& B) {
+  return A.kind == Touch::corners && B.kind == Touch::round;
+}
+bool areBoxes(const TouchingShape& A, const TouchingShape& B) {
+  return A.kind == Touch::corners && B.kind == Touch::corners;
 }
 
 /// Normal, tangents, spin about the normal; in a plane normal and tangent.
@@ -116,7 +124,8 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
     return touchingShape(s, search.start.frame(s.frame).A_IK.transpose() * pair.plane);
   };
   pair.A = shapeOf(a), pair.B = shapeOf(b);
-  if (meeting(pair.A, pair.B) == Meeting::never) return;
+  const Meeting meets = meeting(pair.A, pair.B, !pair.plane.isZero(0.0));
+  if (meets == Meeting::never) return;
 
   // The law of the two materials.
   const std::string &ma = a.shape->material(), &mb = b.shape->material();
@@ -130,20 +139,21 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
     return;
   }
   if (!found->law()) return;
-  if (meeting(pair.A, pair.B) == Meeting::missing) {
+  if (meets == Meeting::missing) {
     search.fault(
         a.shape->type() + ma, b.shape->type() + mb,
         pairFault(
             *a.shape, *b.shape,
             "contact of a " + a.shape->type() + " with a " + b.shape->type() + " is not available",
-            "use balls, points, boxes in space, boxes on half spaces, or <NoContact " + both +
-                "/>"));
+            "use balls and points on all, boxes on half spaces, boxes in space, or <NoContact " +
+                both + "/>"));
     return;
   }
   pair.law = found->law();
 
-  // The half space is A. One that cuts the plane of motion at an angle needs both tangents.
-  if (pair.B.kind == Touch::halfSpace) std::swap(pair.A, pair.B);
+  // The half space is A, else the box. One that cuts the plane of motion at an angle needs both
+  // tangents.
+  if (pair.B.kind == Touch::halfSpace || isBallOnBox(pair.B, pair.A)) std::swap(pair.A, pair.B);
   const bool onHalfSpace = pair.A.kind == Touch::halfSpace;
   if (onHalfSpace && !pair.plane.isZero(0.0)) {
     const Vec3 n = search.start.frame(pair.A.frame).A_IK * pair.A.n_K;
@@ -155,7 +165,8 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
         pairFault(*a.shape, *b.shape, "the law has more rows than a contact in a plane offers",
                   "take a law without a spin row, or bodies in space"));
   const std::string nameA = label(pair.A, search.topology), nameB = label(pair.B, search.topology);
-  pair.name = onHalfSpace ? nameB + "-" + nameA : nameA + "-" + nameB;
+  pair.name =
+      onHalfSpace || isBallOnBox(pair.A, pair.B) ? nameB + "-" + nameA : nameA + "-" + nameB;
   if (const int count = ++search.names[pair.name]; count > 1)
     pair.name += "#" + std::to_string(count);
   pairs_.push_back(std::move(pair));
@@ -171,7 +182,7 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
         emit(pair, id + f, overHalfSpace(A, pair.A, B, pair.B.features[f], pair.plane), k, sink);
       continue;
     }
-    if (pair.A.kind == Touch::corners) {
+    if (areBoxes(pair.A, pair.B)) {
       std::array<BoxContact, kMostBoxContacts> at;
       // Reported as early as balls are.
       const double reach = 0.25 * (pair.A.half.norm() + pair.B.half.norm()) + sink.request().gTol;
@@ -180,6 +191,14 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
         const BoxContact& contact = at[static_cast<std::size_t>(c)];
         emit(pair, id + static_cast<std::uint64_t>(contact.id), contact.at, k, sink);
       }
+      continue;
+    }
+    if (isBallOnBox(pair.A, pair.B)) {
+      const RoundFeature& ball = pair.B.features[0];
+      // Reported as early as two balls are.
+      const double reach = 0.5 * (ball.radius + pair.A.half.minCoeff());
+      const ContactPoint at = ballOnBox(A, pair.A, B, ball, pair.plane);
+      if (sink.request().refresh || at.g <= reach) emit(pair, id, at, k, sink);
       continue;
     }
     // Balls further apart than half the sum of their radii are not reported.
@@ -221,7 +240,7 @@ std::string boxFeature(std::uint64_t id) {
 
 std::string ShapeContacts::contactName(std::uint64_t id) const {
   const Pair& pair = pairs_[static_cast<std::size_t>(id / kMaxFeatures)];
-  if (pair.A.kind == Touch::corners) return pair.name + '.' + boxFeature(id % kMaxFeatures);
+  if (areBoxes(pair.A, pair.B)) return pair.name + '.' + boxFeature(id % kMaxFeatures);
   const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
   return single ? pair.name : pair.name + ".corner" + std::to_string(id % kMaxFeatures);
 }
@@ -235,7 +254,7 @@ void ShapeContacts::describe(Description& d) const {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& pair = pairs_[i];
     const int geometric = pair.plane.isZero(0.0) ? 3 : 2;
-    if (pair.A.kind == Touch::corners) continue;  // 160 possible contacts: by their count alone
+    if (areBoxes(pair.A, pair.B)) continue;  // 160 possible contacts: by their count alone
     const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
     const std::size_t features = single ? 1 : pair.B.features.size();
     for (std::size_t f = 0; f < features; ++f) {

@@ -2,6 +2,7 @@
 ///
 ///   ball, point or corner, half space   g = n·(c − p) − R             n fixed in the half space
 ///   ball or point, ball                 g = |c_B − c_A| − R_A − R_B   n = (c_B − c_A)/|…|
+///   ball or point, box                  g = |c − p| − R               p of the box, nearest to c
 ///   box, box                            vertices on faces, edges on edges (box_contact.hpp)
 ///
 ///   γ = (n, t1, t2)ᵀ (v_B(P) − v_A(P)),   P the point of contact
@@ -36,7 +37,7 @@ class ShapeContacts final : public NonSmoothElement {
   int pairs() const { return static_cast<int>(pairs_.size()); }
 
  private:
-  /// Two shapes that can touch; A is the half space if there is one.
+  /// Two shapes that can touch; A is the half space if there is one, else the box.
   struct Pair {
     TouchingShape A, B;
     const SetValuedForceLaw* law = nullptr;

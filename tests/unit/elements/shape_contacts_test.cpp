@@ -132,6 +132,65 @@ TEST(ShapeContacts, OfTwoBallsFit) {
   expectRowsFit(plane, 1, 2);
 }
 
+/// A large ball about `at`, so that it is near wherever it is scattered, and a box of 2 × 3 × 4 m
+/// about the origin.
+void expectBallOnBoxFits(const Vec3& at) {
+  SCOPED_TRACE(at.transpose());
+  Model m;
+  addBody<RigidBody, Sphere>(
+      m, "ball", {{"mass", 1.0}, {"inertia", {0.1, 0.1, 0.1}}, {"position", {at[0], at[1], at[2]}}},
+      "Sphere", {{"radius", 3.0}, {"material", "steel"}, {"position", {0.05, 0.0, 0.1}}});
+  addBody<RigidBody, Box>(
+      m, "box", {{"mass", 2.0}, {"inertia", {0.1, 0.2, 0.25}}}, "Box",
+      {{"size", {2.0, 3.0, 4.0}}, {"material", "steel"}, {"position", {0.1, 0.0, 0.0}}});
+  addRule(m, "steel steel");
+  expectRowsFit(m, 1, 3);
+}
+
+TEST(ShapeContacts, OfABallOnABoxFit) {
+  // Over a face, beside an edge, beside a corner, and with the centre inside.
+  for (const Vec3& at :
+       {Vec3(0.0, 0.2, 4.6), Vec3(0.3, 4.0, 4.5), Vec3(3.0, 3.5, 4.0), Vec3(0.1, 0.0, 1.2)})
+    expectBallOnBoxFits(at);
+  Model m;
+  addBody<PlanarBody, Sphere>(m, "ball",
+                              {{"mass", 1.0}, {"inertia", 0.1}, {"position", {3.5, 0.0, 4.0}}},
+                              "Sphere", {{"radius", 3.0}, {"material", "steel"}});
+  addBody<PlanarBody, Box>(m, "box", {{"mass", 2.0}, {"inertia", 0.1}}, "Box",
+                           {{"size", {2.0, 0.1, 4.0}}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  expectRowsFit(m, 1, 2);
+}
+
+TEST(ShapeContacts, OfABallOnABoxHaveTheGapOfTheNearestPoint) {
+  // Outside: distance of the point from the box. Inside: depth below the nearest face.
+  Model m;
+  addBody<RigidBody, Sphere>(m, "ball", {}, "Sphere",
+                             {{"radius", 0.25}, {"mass", 1.0}, {"material", "steel"}});
+  addBody<Ground, Box>(m, "box", {}, "Box", {{"size", {1.0, 1.4, 0.6}}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  const ShapeContacts& element = built(m);
+  const Vec3 half(0.5, 0.7, 0.3);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  Motion motion(m, 0.0);
+  int seen = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Vec3 c(uniform(random), 1.2 * uniform(random), 0.7 * uniform(random));
+    motion.start().q.head<3>() = c;
+    const ContactSet set = motion.contacts(element, 0.0);
+    const Vec3 outside = (c.cwiseAbs() - half).cwiseMax(0.0);
+    const double truth = outside.isZero(0.0) ? (c.cwiseAbs() - half).maxCoeff() : outside.norm();
+    if (set.size() == 0) {
+      EXPECT_GT(truth - 0.25, 0.5 * (0.25 + 0.3)) << c.transpose();
+      continue;
+    }
+    ++seen;
+    EXPECT_NEAR(set.g[0], truth - 0.25, 1e-15) << c.transpose();
+  }
+  EXPECT_GT(seen, 200) << "seed 5";
+}
+
 TEST(ShapeContacts, SeeNoSlipOfARollingBall) {
   Model m;
   addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
@@ -202,9 +261,10 @@ TEST(ShapeContacts, RefuseASecondRuleForTheSameMaterials) {
 
 TEST(ShapeContacts, SayWhichPairIsNotAvailable) {
   Model m;
-  addBody<RigidBody, Box>(m, "a", kHeavy, "Box",
-                          {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
-  addBody<RigidBody, Sphere>(m, "b", kHeavy, "Sphere", {{"radius", 0.3}, {"material", "steel"}});
+  addBody<PlanarBody, Box>(m, "a", kPlanar, "Box",
+                           {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
+  addBody<PlanarBody, Box>(m, "b", kPlanar, "Box",
+                           {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
   addRule(m, "steel steel");
   m.addCompletion(addShapeContacts);
   EXPECT_THROW(m.build(), ModelError);
