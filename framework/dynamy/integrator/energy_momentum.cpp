@@ -37,6 +37,8 @@ StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, S
   second.dt = dt;
   second.solved.iterations += whole.solved.iterations + first.solved.iterations;
   second.solved.newton += whole.solved.newton + first.solved.newton;
+  second.solved.energyGain += first.solved.energyGain;
+  second.solved.repaired += first.solved.repaired;
   if (!first.solved.ok()) second.solved.status = first.solved.status;
   return second;
 }
@@ -46,12 +48,18 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   xA_ = x;
   newton_.begin(s, xA_, dt);  // v = u^A; M, h, contacts at q^A
   // An impact must not act on turning links for a whole step: it is a jump at q^A.
-  if (projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt))) newton_.v = xA_.u;
-  const SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c
+  const auto jump = projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt));
+  if (jump) newton_.v = xA_.u;
+  SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c
+  if (jump) {
+    solved.energyGain += jump->energyGain, solved.repaired += jump->repaired;
+    solved.iterations += jump->iterations, solved.newton += jump->newton;
+    if (!jump->ok()) solved.status = jump->status, solved.residuals = jump->residuals;
+  }
   hand(s, x, dt);
   s.move(x, newton_.v, dt);       // q^E = q^A ⊕ Δt v
   x.u = 2.0 * newton_.v - xA_.u;  // u^E = 2v − u^A
-  if (project_) projection_.velocities(s, solver, x);
+  if (project_ && !projection_.velocities(s, solver, x)) solved.status = SolveStatus::stalled;
   return {dt, solved, s.problem().size()};
 }
 
@@ -78,6 +86,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     report.residuals = inner.residuals;
     report.residuals.Eu = std::max(inner.residuals.Eu, way / length);
     report.status = inner.status;
+    report.energyGain = inner.energyGain, report.repaired = inner.repaired;
     if (!std::isfinite(way) || way > kLost * length) break;
     const double rate = turn > 0 ? way / before : 1.0;
     if (way <= kLast * length && (fresh || rate * way <= kLeft * length)) {

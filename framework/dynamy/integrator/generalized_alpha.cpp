@@ -1,13 +1,11 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/generalized_alpha.hpp>
+#include <dynamy/integrator/velocity_iteration.hpp>
 
 namespace dynamy {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr double kConverged = 1e-13;  ///< change of u, relative to its size
-constexpr double kSlow = 1e-9;        ///< a change that no longer falls is taken below this,
-constexpr double kPosition = 0.1;     ///< or if what it moves is this part of g_tol
 
 }  // namespace
 
@@ -43,8 +41,8 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
   vdot_ = vdotA_;
   w_.setZero(x.u.size());
   SolveReport solved;
-  double before = 0.0;
-  for (int i = 0;; ++i) {
+  VelocityIteration iteration(kMostIterations);
+  for (bool last = false; !last;) {
     a_ = (1.0 - alphaF) / (1.0 - alphaM) * vdot_ + alphaF / (1.0 - alphaM) * vdotA_ -
          alphaM / (1.0 - alphaM) * aA_;
     uTilde_ = begin_.u + dt * ((1.0 - gamma) * aA_ + gamma * a_);
@@ -55,9 +53,9 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
     s.evaluate(x, 0);  // M, h, W at q^E, u^E
     auto& problem = s.impactProblem(begin_, dt);
     s.freeVelocity(uTilde_);
-    const auto last = s.impactLaw().solve(problem, solver, s.Lambda());  // −ξ ∈ N_C(Λ)
-    addSolve(solved, last);
-    solved.status = last.status;
+    const auto found = s.impactLaw().solve(problem, solver, s.Lambda());  // −ξ ∈ N_C(Λ)
+    addSolve(solved, found);
+    solved.status = found.status;
     s.velocityFromImpulses(x);
     begin_.impulses = x.impulses;
     change_ = x.u - uTilde_ - w_;
@@ -72,14 +70,7 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
     vdot_ += change_;
     change = std::max(change, dt * change_.lpNorm<Eigen::Infinity>());
     const double size = x.u.lpNorm<Eigen::Infinity>();
-    const bool stalls = i > 4 && change > 0.5 * before;
-    const bool small = change <= kSlow * size || change * dt <= kPosition * s.gTol();
-    if (change <= kConverged * size || (stalls && small)) break;
-    before = change;
-    if (i == kMostIterations) {
-      solved.status = SolveStatus::maxIterations;
-      break;
-    }
+    last = iteration.done(s, change, size, dt, solved);
   }
   s.thaw();
   x.scheme.head(x.u.size()) = a_, x.scheme.tail(x.u.size()) = vdot_;

@@ -37,6 +37,9 @@ void MechanicalSystem::moveConfiguration(State& x, double dt) { move(x, x.u, dt)
 
 namespace {
 
+/// A contact that closes faster than the forces of so many steps explain has an impact.
+constexpr double kImpact = 4.0;
+
 /// Twice the way of the fastest block in Δt, angles as lengths.
 double wayAhead(const Evaluation& e, const State& x, double dt) {
   double largest = 0.0;
@@ -145,6 +148,7 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
 void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
   const ContactSet& c = *problem_.contacts;
   constexpr int kMaxDim = 8;
+  arriving_.clear();
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const auto first = static_cast<std::size_t>(c.row0[at]);
@@ -152,12 +156,19 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
     if (law.unilateral()) {
       const double g = c.position[first];
       if (g <= aim.dead) continue;
-      // One that is to rebound waits until it is closed.
+      // One that is to rebound, and any impact, waits until it is closed: done in two parts, each
+      // with its own slip, an impact with friction would depend on where in the step it falls.
       double epsilon[kMaxDim] = {};
       law.epsilon(c.dim(i), epsilon);
-      const bool rebounds = epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0;
+      const bool impact = (epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0) ||
+                          -problem_.gammaA[first] > kImpact * changeByForces(i);
+      const bool arrived = g <= request_.gTol ||
+                           std::binary_search(aim.arrived.begin(), aim.arrived.end(), c.key[at]);
+      if (impact && arrived) continue;
+      if (impact && epsilon[0] == 0.0 && g + dt * problem_.gammaFree[first] < 0.0)
+        arriving_.push_back(c.key[at]);
       const double away = std::abs(problem_.gammaFree[first]) + std::abs(problem_.gammaA[first]);
-      problem_.gammaFree[first] += rebounds ? g / dt + 4.0 * away : g / dt;
+      problem_.gammaFree[first] += impact ? g / dt + 4.0 * away : g / dt;
       continue;
     }
     for (int r = 0; r < c.dim(i); ++r) {
@@ -167,6 +178,20 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
       problem_.gammaFree[row] += aim.meanJoints ? problem_.gammaA[row] : back;
     }
   }
+  std::sort(arriving_.begin(), arriving_.end());
+}
+
+double MechanicalSystem::changeByForces(int i) const {
+  const ContactSet& c = *problem_.contacts;
+  const auto at = static_cast<std::size_t>(i);
+  double sum = 0.0;
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    const double* w = c.W.data() + s.w;
+    for (int j = 0; j < s.nu; ++j)
+      sum += std::abs(w[j]) * std::abs(uFree_[s.u0 + j] - uA_[s.u0 + j]);
+  }
+  return sum;
 }
 
 void MechanicalSystem::roundingOfC() {

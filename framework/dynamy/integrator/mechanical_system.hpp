@@ -29,15 +29,16 @@ struct SystemParts {
   const ImpactLaw* impactLaw = nullptr;
 };
 
-/// Aims γ^E at positions instead of velocities. Unilateral: the gap term g/Δt, for g > dead and
-/// unless the contact is to rebound; joints: γ^E + γ^A = 0, the mean velocity of the step, or
-/// stabilised.
+/// Aims γ^E at positions instead of velocities. Unilateral: the gap term g/Δt, for g > dead; an
+/// impact waits until the contact is closed; joints: γ^E + γ^A = 0, the mean velocity of the step,
+/// or stabilised.
 struct PositionAim {
   double dead = 0.0;        ///< gaps up to this count as closed [m]
   bool meanJoints = false;  ///< γ^E + γ^A = 0 in the rows of joints
   double kappa = 0.0;       ///< else γ^E = −κ g/Δt there,
   double cap = 0.0;         ///< up to this speed [m/s]
   double noise = 0.0;       ///< rounding of gaps [m]: no solver has to meet rates that differ by it
+  std::span<const ContactKey> arrived{};  ///< sorted; these are closed, whatever their gap
 };
 
 class MechanicalSystem {
@@ -57,6 +58,9 @@ class MechanicalSystem {
   /// holds its terms as well.
   InclusionProblem& impactProblem(const State& x, double dt, int slot = 0,
                                   const PositionAim* aim = nullptr);
+  /// Contacts whose impact falls into this step and waits, by the last impactProblem with an aim;
+  /// sorted. Those that rebound are not among them.
+  const std::vector<ContactKey>& arriving() const { return arriving_; }
   /// Largest change of a velocity by the forces of slot 0: max |Δt M⁻¹h| [m/s].
   double largestChange(double dt) const;
   /// Replaces u_free of the problem just posed; γ_free changes with it, its other terms stay.
@@ -110,6 +114,10 @@ class MechanicalSystem {
   void detect(double reach, Evaluation& e) const;
   void startImpulses(const State& x);
   void addAim(const PositionAim& aim, double dt);
+  /// How much the smooth forces of this step can change γ_N of contact i, without cancellation
+  /// [m/s].
+  double changeByForces(int i) const;
+  std::vector<ContactKey> arriving_;
   void addImplicitVelocity(State& x);
   void roundingOfC();
   double velocityAskedOf(int i) const;

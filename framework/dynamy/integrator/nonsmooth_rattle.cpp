@@ -6,6 +6,7 @@ namespace {
 
 constexpr int kMostIterations = 30;
 constexpr double kConverged = 1e-13;  ///< change of h(q^A, u^½), relative
+constexpr double kSlow = 1e-9;        ///< a change that no longer falls is taken below this
 
 }  // namespace
 
@@ -26,6 +27,7 @@ SolveReport NonsmoothRattle::positions(MechanicalSystem& s, InclusionSolver& sol
   addKeys(s.slot(1).contacts, keys_);
   SolveReport solved;
   half_ = begin_;
+  double before = 0.0;
   for (int i = 0;; ++i) {
     h_ = s.slot(1).h, hNonPotential_ = s.slot(1).hNonPotential;
     x = begin_, x.impulses = half_.impulses;
@@ -41,7 +43,13 @@ SolveReport NonsmoothRattle::positions(MechanicalSystem& s, InclusionSolver& sol
     s.thaw();
     const double size = s.slot(1).h.lpNorm<Eigen::Infinity>();
     const double change = (s.slot(1).h - h_).lpNorm<Eigen::Infinity>();
-    if (change <= kConverged * size || i == kMostIterations) break;
+    const bool stalls = i > 4 && change > 0.5 * before;
+    if (change <= kConverged * size || (stalls && change <= kSlow * size)) break;
+    before = change;
+    if (i == kMostIterations) {
+      solved.status = SolveStatus::maxIterations;
+      break;
+    }
   }
   first_ = x.impulses;
   return solved;

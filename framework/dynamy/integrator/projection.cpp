@@ -52,29 +52,30 @@ double largestViolation(const ContactSet& c) {
 
 void Projection::select(const ContactSet& all, const State& x, Level level) {
   contacts_.clear();
+  // At a midpoint, where overlaps are repaired and contacts touched, joints may be off by design
+  // and do not move; nor do contacts that carry, while others are touched.
+  const bool midpoint = level == Level::overlap || level == Level::touch;
   for (int i = 0; i < all.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const SetValuedForceLaw& law = *all.law[at];
+    const bool carries = law.unilateral() && carried(x.impulses, all.key[at]) > 0.0;
     if (law.unilateral()) {
-      if (level != Level::velocity) {
+      if (level == Level::touch && (isTouched(all.key[at]) || carries)) {
+        append(all, i, 1, bilateral_, contacts_);
+        if (!isTouched(all.key[at])) contacts_.position.back() = 0.0;
+      } else if (level != Level::velocity) {
         if (rests(all, i)) append(all, i, 1, unilateral_, contacts_);
-      } else if (carried(x.impulses, all.key[at]) > 0.0) {
+      } else if (carries) {
         append(all, i, all.dim(i), law, contacts_);
       }
     } else if (law.rowKind(0) == RowKind::joint) {
       append(all, i, all.dim(i), bilateral_, contacts_);
+      if (midpoint) std::fill_n(contacts_.position.end() - all.dim(i), all.dim(i), 0.0);
     }
   }
   const auto n = static_cast<std::size_t>(contacts_.rows());
   problem_.contacts = &contacts_, problem_.G = &delassus_;
   problem_.c.assign(contacts_.position.begin(), contacts_.position.end());
-  // Overlaps are repaired at a midpoint, where joints may be off by design: they do not move.
-  if (level == Level::overlap)
-    for (int i = 0; i < contacts_.size(); ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!contacts_.law[at]->unilateral())
-        std::fill_n(problem_.c.begin() + contacts_.row0[at], contacts_.dim(i), 0.0);
-    }
   problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0), Lambda_.assign(n, 0.0);
 }
 
@@ -100,10 +101,33 @@ bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x
   return repair(s, solver, x, tolerance, slot, Level::overlap);
 }
 
+bool Projection::touch(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                       const std::vector<ContactKey>& keys, double tolerance, int slot) {
+  touched_ = keys, start_ = x;
+  if (repair(s, solver, x, tolerance, slot, Level::touch)) return true;
+  x = start_;
+  return false;
+}
+
+bool Projection::isTouched(ContactKey key) const {
+  return std::binary_search(touched_.begin(), touched_.end(), key);
+}
+
+double Projection::largestGap(const ContactSet& c) const {
+  double largest = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (isTouched(c.key[at]))
+      largest = std::max(largest, c.position[static_cast<std::size_t>(c.row0[at])]);
+  }
+  return largest;
+}
+
 bool Projection::repair(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                         int slot, Level level) {
   const auto violation = [&] {
     const ContactSet& c = s.evaluate(x, slot).contacts;
+    if (level == Level::touch) return std::max(largestOverlap(c), largestGap(c));
     return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
   };
   double worst = violation();
@@ -148,8 +172,8 @@ double Projection::closing(const ContactSet& all, int i, double gamma, double dt
   return -gamma - std::max(0.0, g) / dt;
 }
 
-bool Projection::impact(const MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
-                        double least, int slot) {
+std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, InclusionSolver& solver,
+                                              State& x, double dt, double least, int slot) {
   const Evaluation& e = s.slot(slot);
   const ContactSet& all = e.contacts;
   delta_.resize(all.rows());
@@ -166,7 +190,7 @@ bool Projection::impact(const MechanicalSystem& s, InclusionSolver& solver, Stat
     append(all, i, all.dim(i), law, contacts_);
     any = any || (law.unilateral() && closing(all, i, delta_[all.row0[at]], dt) > least);
   }
-  if (!any) return false;
+  if (!any) return std::nullopt;
   const auto n = static_cast<std::size_t>(contacts_.rows());
   problem_.contacts = &contacts_, problem_.G = &delassus_;
   problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
@@ -182,9 +206,10 @@ bool Projection::impact(const MechanicalSystem& s, InclusionSolver& solver, Stat
     if (g > s.gTol()) problem_.gammaFree[first] += g / dt;
   }
   delassus_.assemble(contacts_, e.mass);
-  s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+  const SolveReport solved =
+      s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
   delassus_.addVelocity(Lambda_.data(), view(x.u));
-  return true;
+  return solved;
 }
 
 bool Projection::velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot) {

@@ -11,6 +11,7 @@
 #pragma once
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
+#include <optional>
 
 namespace dynamy {
 
@@ -24,19 +25,26 @@ class Projection {
   /// they are: they rebound, and lifting them would add to the energy.
   bool overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                 int slot = 1);
+  /// Closes the contacts `keys` (sorted), which are about to be reached, without opening one that
+  /// carries: only what moves towards them moves. Rates of joints held. False: they contradict each
+  /// other, x is as it was.
+  bool touch(MechanicalSystem& s, InclusionSolver& solver, State& x,
+             const std::vector<ContactKey>& keys, double tolerance, int slot = 1);
   /// Takes from x.u what leaves the constraints at x.q; evaluates into `slot`.
   bool velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot = 1);
 
   /// Impact at fixed x.q of joints and contacts of slot `slot`, evaluated there before, if one of
-  /// them closes within Δt with more than `least` [m/s]:  M(u⁺ − u) = WΛ,  ξ = γ⁺ + εγ⁻ + s. True:
-  /// there was one.
-  bool impact(const MechanicalSystem& s, InclusionSolver& solver, State& x, double dt, double least,
-              int slot = 0);
+  /// them closes within Δt with more than `least` [m/s]:  M(u⁺ − u) = WΛ,  ξ = γ⁺ + εγ⁻ + s. Empty:
+  /// there was none.
+  std::optional<SolveReport> impact(const MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                    double dt, double least, int slot = 0);
 
  private:
-  enum class Level { position, overlap, velocity };
+  enum class Level { position, overlap, touch, velocity };
   bool repair(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance, int slot,
               Level level);
+  bool isTouched(ContactKey key) const;
+  double largestGap(const ContactSet& c) const;
   void select(const ContactSet& all, const State& x, Level level);
   bool solve(const Evaluation& e, InclusionSolver& solver);
   /// Approach speed beyond what brings contact i to g = 0 in Δt [m/s].
@@ -48,6 +56,8 @@ class Projection {
   InclusionProblem problem_;
   std::vector<double> Lambda_;
   Eigen::VectorXd delta_;
+  std::vector<ContactKey> touched_;  // to be closed
+  State start_;
   Unilateral unilateral_;
   Bilateral bilateral_;
 };

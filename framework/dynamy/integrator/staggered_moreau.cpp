@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/staggered_moreau.hpp>
 
@@ -23,33 +24,64 @@ bool hasJoints(const ContactSet& contacts) {
 
 StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                  double dt) {
-  s.moveConfiguration(x, dt / 2);                  // q^M = q^A + Δt/2 (F u^A + β)
-  const Evaluation& e = detect(s, solver, x, dt);  // M, h, and W, χ where a gap can close
-  const bool mean = options_.joints == Joints::mean;
-  const double rounding = kRounding * s.gTol();
-  const PositionAim aim{kDead * dt * s.largestChange(dt) + rounding, mean,
-                        mean ? 0.0 : options_.kappa, options_.cap,
-                        x.impulses.corrected ? kStricter * rounding : rounding};
-  auto& problem = s.impactProblem(x, dt, 0, &aim);       // ξ = G Λ + c
-  problem.warmStart = x.impulses.corrected ? 0.1 : 1.0;  // gaps are asked back in the next step
+  s.moveConfiguration(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
+  bool apart = true;
+  const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
+  auto& problem = pose(s, solver, x, dt);                 // ξ = G Λ + c
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
   s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
   x.impulses.corrected = !solved.warmAccepted;
   s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
   StepReport report{dt, solved, problem.size()};
+  if (!apart) report.solved.status = SolveStatus::stalled;
   if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
   if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))
     report.solved.status = SolveStatus::stalled;
-  if (options_.project == Project::both) projection_.velocities(s, solver, x);
+  if (options_.project == Project::both && !projection_.velocities(s, solver, x))
+    report.solved.status = SolveStatus::stalled;
   return report;
 }
 
-/// Evaluates at q^M; overlaps are repaired before.
+/// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they
+/// contradict each other they wait, and the next step finds an overlap.
+InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                        double dt) {
+  const bool mean = options_.joints == Joints::mean;
+  const double rounding = kRounding * s.gTol();
+  PositionAim aim{kDead * dt * s.largestChange(dt) + rounding,
+                  mean,
+                  mean ? 0.0 : options_.kappa,
+                  options_.cap,
+                  x.impulses.corrected ? kStricter * rounding : rounding,
+                  arrived_};
+  InclusionProblem* problem = &s.impactProblem(x, dt, 0, &aim);
+  if (!s.arriving().empty()) {
+    arriving_ = s.arriving();
+    if (projection_.touch(s, solver, x, arriving_, 0.5 * s.gTol())) {
+      s.evaluateAhead(x, dt);
+      arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
+      std::sort(arrived_.begin(), arrived_.end());
+      aim.arrived = arrived_;
+      problem = &s.impactProblem(x, dt, 0, &aim);
+    }
+  }
+  problem->warmStart = x.impulses.corrected ? 0.1 : 1.0;  // gaps are asked back in the next step
+  return *problem;
+}
+
+/// Evaluates at q^M; overlaps are repaired before. apart: false if they could not be.
 const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                          double dt) {
+                                          double dt, bool& apart) {
   const Evaluation& e = s.evaluateAhead(x, dt);
+  arrived_.clear();
   if (largestOverlap(e.contacts) <= s.gTol()) return e;
-  projection_.overlaps(s, solver, x, 0.5 * s.gTol());
+  for (int i = 0; i < e.contacts.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double g = e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at])];
+    if (e.contacts.law[at]->unilateral() && g < -s.gTol()) arrived_.push_back(e.contacts.key[at]);
+  }
+  std::sort(arrived_.begin(), arrived_.end());
+  apart = projection_.overlaps(s, solver, x, 0.5 * s.gTol());
   return s.evaluateAhead(x, dt);
 }
 

@@ -39,9 +39,13 @@ class StaggeredMoreau final : public OneStep {
                    State& out) const override;
 
  private:
-  const Evaluation& detect(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
+  const Evaluation& detect(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                           bool& apart);
+  InclusionProblem& pose(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   Options options_;
   Projection projection_;
+  std::vector<ContactKey> arrived_;  // lifted out of an overlap, or closed, in this step
+  std::vector<ContactKey> arriving_;
 };
 
 }  // namespace dynamy

@@ -1,13 +1,11 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/theta_method.hpp>
+#include <dynamy/integrator/velocity_iteration.hpp>
 
 namespace dynamy {
 namespace {
 
 constexpr int kMostIterations = 50;
-constexpr double kConverged = 1e-13;  ///< change of u, relative to its size
-constexpr double kSlow = 1e-9;        ///< a change that no longer falls is taken below this,
-constexpr double kPosition = 0.1;     ///< or if what it moves is this part of g_tol
 
 }  // namespace
 
@@ -18,8 +16,8 @@ StepReport ThetaMethod::step(MechanicalSystem& s, InclusionSolver& solver, State
   s.evaluate(x, 0);                             // M, and W, χ where g(q^M) ≤ g_tol
   end_ = x;
   SolveReport solved;
-  double before = 0.0;
-  for (int i = 0;; ++i) {
+  VelocityIteration iteration(kMostIterations);
+  for (bool last = false; !last;) {
     // h at the present q^E = q^M + ΘΔt (F u^E + β)
     x.t = end_.t, x.q = end_.q;
     s.moveConfiguration(x, theta_ * dt);
@@ -36,23 +34,16 @@ StepReport ThetaMethod::step(MechanicalSystem& s, InclusionSolver& solver, State
     s.applyInverseMass(residual_, uFree_);
     uFree_ += x.u;
     s.freeVelocity(uFree_);
-    const auto last = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-    addSolve(solved, last);
-    solved.status = last.status;
+    const auto found = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
+    addSolve(solved, found);
+    solved.status = found.status;
     residual_ = x.u;
     s.velocityFromImpulses(x);  // u^E = u_free + M̂⁻¹ W Λ
     const double size = x.u.lpNorm<Eigen::Infinity>();
     const double change = (x.u - residual_).lpNorm<Eigen::Infinity>();
     begin_.impulses = x.impulses;
     begin_.impulses.dt = dt;
-    const bool stalls = i > 3 && change > 0.5 * before;
-    const bool small = change <= kSlow * size || change * dt <= kPosition * s.gTol();
-    if (change <= kConverged * size || (stalls && small)) break;
-    before = change;
-    if (i == kMostIterations) {
-      solved.status = SolveStatus::maxIterations;
-      break;
-    }
+    last = iteration.done(s, change, size, dt, solved);
   }
   s.usedForce(h_, hNonPotential_);
   x.t = end_.t, x.q = end_.q;

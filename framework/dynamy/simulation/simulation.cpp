@@ -184,7 +184,8 @@ void Simulation::project() {
   if (what == Project::none || !x_.q.allFinite()) return;
   if (!projection_.positions(system_, model_.solver(), x_, system_.gTol()))
     stepReport_.solved.status = SolveStatus::stalled;
-  if (what == Project::both) projection_.velocities(system_, model_.solver(), x_);
+  if (what == Project::both && !projection_.velocities(system_, model_.solver(), x_))
+    stepReport_.solved.status = SolveStatus::stalled;
 }
 
 bool Simulation::sound() const {
