@@ -27,6 +27,9 @@ Status contactStatus(const StepView& view, int contact) {
   if (dim > kMaxRows || gammaA.size() != static_cast<std::size_t>(c.rows()) ||
       view.Lambda.size() != c.rows())
     return Status::open;
+  // Schemes that aim at the gap look at contacts before they are reached.
+  const bool away = c.position[static_cast<std::size_t>(first)] > view.system.gTol();
+  if (c.law[at]->unilateral() && away && !(view.Lambda[first] > 0.0)) return Status::open;
   std::array<double, kMaxRows> epsilon{}, argument{};
   c.law[at]->epsilon(dim, epsilon.data());
   for (int r = 0; r < dim; ++r) {
