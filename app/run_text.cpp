@@ -170,6 +170,9 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
+  if (r.parted > 0)
+    out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
+                       counted(r.parted, "step"));
   if (r.repairedImpacts > 0)
     out += fmt::format(
         " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
@@ -222,6 +225,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("contactElements", model.contacts().size());
   json.member("contactsMax", r.contactsMax).endObject();
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
+  json.member("parted", r.parted);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
   json.member("switches", r.switches);
   json.member("repairedImpacts", r.repairedImpacts);

@@ -259,4 +259,9 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, double reach,
   return betweenFaces(A, faceAlong(A, n), B, faceAlong(B, -n), same, out);
 }
 
+double separation(const PlacedBox& A, const PlacedBox& B) {
+  const Separation all(A, B);
+  return std::max(all.faces().separation, all.edges().separation);
+}
+
 }  // namespace dynamy

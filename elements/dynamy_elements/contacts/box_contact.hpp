@@ -42,4 +42,8 @@ inline constexpr int kMostBoxContacts = 16;
 int betweenBoxes(const PlacedBox& A, const PlacedBox& B, double reach,
                  std::array<BoxContact, kMostBoxContacts>& out);
 
+/// Largest separation of A and B along the 15 axes [m], negative: depth of their overlap. At most
+/// their distance, and zero where they touch.
+double separation(const PlacedBox& A, const PlacedBox& B);
+
 }  // namespace dynamy

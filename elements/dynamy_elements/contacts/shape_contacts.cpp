@@ -13,7 +13,6 @@ namespace {
 
 using Touch = TouchingShape::Kind;
 
-constexpr int kMaxFeatures = 256;    ///< of one pair
 constexpr int kMostNamedPairs = 64;  ///< beyond, single contacts have no signals
 
 /// Is a contact of these two implemented? Half spaces never meet, points neither.
@@ -113,6 +112,7 @@ void ShapeContacts::connect(Topology& topology) {
     for (std::size_t j = i + 1; j < search.shapes.size(); ++j)
       addPair(search.shapes[i], search.shapes[j], search);
   search.faults.throwIfAny();
+  noteMovers();
 }
 
 void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Search& search) {

@@ -34,6 +34,8 @@ class ShapeContacts final : public NonSmoothElement {
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
   std::string contactName(std::uint64_t id) const override;
+  int piecesToSweep(const Kinematics& k, double dt) const override;
+  Passing firstPassing(const SweptPath& path, int element) const override;
   int pairs() const { return static_cast<int>(pairs_.size()); }
 
  private:
@@ -50,8 +52,22 @@ class ShapeContacts final : public NonSmoothElement {
   const ContactRule* rule(const std::string& a, const std::string& b) const;
   void emit(const Pair& pair, std::uint64_t id, const ContactPoint& at, const Kinematics& k,
             ContactSink& sink) const;
+  // Along the path of a step (shape_sweep.cpp).
+  /// A shape that takes part in a pair, and how far of the frame's origin it reaches [m].
+  struct Mover {
+    const Shape* shape;
+    FrameHandle frame;
+    double lever;
+  };
+  void noteMovers();
+  static double thickness(const Pair& pair);
+  static double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B);
+  static Passing passing(const Pair& pair, std::size_t f, const SweptPath& path);
+  static constexpr std::uint64_t kMaxFeatures = 256;  ///< of one pair
   std::vector<const ContactRule*> rules_;
   std::vector<Pair> pairs_;
+  std::vector<Mover> movers_;
+  double thinnest_ = 0.0;  ///< of all pairs [m]
 };
 
 /// Completion of a model: adds ShapeContacts if any shape has a material.

@@ -2,6 +2,7 @@
 /// each of them.
 #pragma once
 #include <dynamy/contact/contact_sink.hpp>
+#include <dynamy/contact/swept_path.hpp>
 
 namespace dynamy {
 
@@ -13,6 +14,11 @@ class NonSmoothElement : public Element {
   virtual void connect(Topology& topology) = 0;
   /// Reports every gap that can close, and W and χ rows of the closed ones.
   virtual void contacts(const Kinematics& k, ContactSink& sink) const = 0;
+  /// Into how many pieces a step of Δt at these velocities is to be cut to see what it passes; 0:
+  /// nothing near another body goes further than that is thick.
+  virtual int piecesToSweep(const Kinematics&, double /*dt*/) const { return 0; }
+  /// The contact that the path passes first; `element` is the index to be put into its key.
+  virtual Passing firstPassing(const SweptPath&, int /*element*/) const { return {}; }
   /// Changes the numbers the element reserved by Topology::memory, from the end of an accepted
   /// step. Called once per step, in no other place; a rejected step is rolled back with its State.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}

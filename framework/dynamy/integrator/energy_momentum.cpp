@@ -122,6 +122,7 @@ void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt) {
 
 void EnergyMomentum::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                  double theta, State& out) const {
+  if (joints_ != Joints::some) return staggered_.interpolate(s, a, b, theta, out);
   // The mean velocity leads from the beginning to the end.
   out.t = a.t, out.q = a.q;
   out.u = 0.5 * (a.u + b.u);

@@ -1,6 +1,13 @@
+#include <algorithm>
 #include <dynamy/integrator/paoli_schatzman.hpp>
 
 namespace dynamy {
+namespace {
+
+/// Of the step before: the shortest step that passes as equally long.
+constexpr double kEqual = 1e-4;
+
+}  // namespace
 
 StepReport PaoliSchatzman::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
   s.evaluateAhead(x, dt);      // M, h, W, χ and g at q_k
@@ -12,6 +19,14 @@ StepReport PaoliSchatzman::step(MechanicalSystem& s, InclusionSolver& solver, St
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
   s.linearlyImplicit(x, kImplicitEnd);
   gapsBefore(s, problem, x, dt);
+  const bool rebounds =
+      std::any_of(offset_.begin(), offset_.end(), [](double o) { return o != 0.0; });
+  if (rebounds && dt < kEqual * x.impulses.dt) {
+    StepReport report{dt, {}, problem.size()};
+    report.refused =
+        "a rebound compares two steps of equal length, and a fast body asks for a much shorter one";
+    return report;
+  }
   // q_{k+1} = q_k + Δt u_{k+1},  g(q_{k+1}) + ε g(q_{k−1}) ≥ 0
   const auto solved = level_.solve(s, problem, solver, x, dt, 1, offset_);
   return {dt, solved, problem.size()};

@@ -6,7 +6,8 @@ namespace dynamy {
 
 void RunReport::archive(Archive& a) {
   a.section("report");
-  a(t), a(steps), a(rejected), a(evaluations), a(solves), a(iterations), a(iterationsMax);
+  a(t), a(steps), a(rejected), a(parted), a(evaluations), a(solves), a(iterations),
+      a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
   a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);

@@ -38,6 +38,8 @@ struct RunReport {
   double t = 0.0;      ///< time reached [s]
 
   long steps = 0, rejected = 0;
+  long swept = 0;        ///< attempted steps whose path was looked along for fast bodies
+  long parted = 0;       ///< steps taken in parts, because a body would have passed a contact
   long evaluations = 0;  ///< of M, h and contacts
   long solves = 0;       ///< inclusions with at least one contact
   long iterations = 0;

@@ -193,6 +193,19 @@ bool Simulation::sound() const {
          x_.u.allFinite();
 }
 
+Passing Simulation::passing() {
+  const Passing p = sweep_.look(system_, model_.scheme(), before_, x_);
+  report_.swept = sweep_.paths();
+  if (p) ++report_.parted;
+  return p;
+}
+
+bool Simulation::fail(const Passing& p) {
+  return endBecause("t = " + numberText(x_.t) +
+                    " s: fast bodies cut one step into too many parts, last at " +
+                    contactText(model_, p.contact) + "; take a smaller step");
+}
+
 bool Simulation::accept() {
   if (!sound()) {
     std::string reason = fault();

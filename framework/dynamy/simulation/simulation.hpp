@@ -53,6 +53,8 @@ class Simulation final : private Stepper {
   void reject() override;
   bool fail(const StepReport& report) override;
   bool sound() const override;
+  Passing passing() override;
+  bool fail(const Passing& p) override;
   double t() const override { return x_.t; }
   bool pause(bool asked) override;
 
@@ -75,6 +77,7 @@ class Simulation final : private Stepper {
   State x_, before_;
   StepReport stepReport_;
   Projection projection_;
+  Sweep sweep_;
   std::vector<double> zero_, gammaE_;
   FixedStep loop_;
   RunReport report_;

@@ -3,7 +3,7 @@
 /// each.
 #pragma once
 #include <dynamy/core/archive.hpp>
-#include <dynamy/integrator/one_step.hpp>
+#include <dynamy/integrator/sweep.hpp>
 #include <dynamy/simulation/settings.hpp>
 #include <dynamy/simulation/time_grid.hpp>
 
@@ -24,6 +24,10 @@ class Stepper {
   virtual bool fail(const StepReport& report) = 0;
   /// True if the attempted state holds no NaN and no infinity, and no mass was indefinite.
   virtual bool sound() const = 0;
+  /// The first contact that the attempted step went through, if any (theory 37).
+  virtual Passing passing() = 0;
+  /// Ends the run as failed: `p` is the last of too many passings in one step. Always false.
+  virtual bool fail(const Passing& p) = 0;
   virtual double t() const = 0;
   /// Between two full steps of the loop: what is archived here can be resumed. `asked`: keep it in
   /// any case, because the next step is shortened by the end time. False: the run is to end.
@@ -38,7 +42,8 @@ class TimeLoop {
   virtual void archive(Archive& a) = 0;
 };
 
-/// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`.
+/// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`. A step
+/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest.
 class FixedStep final : public TimeLoop {
  public:
   FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
@@ -48,9 +53,12 @@ class FixedStep final : public TimeLoop {
  private:
   /// One step with the policy for missed tolerances; `depth` halvings so far.
   bool advance(Stepper& stepper, double tEnd, double dt, int depth);
+  /// The same in parts, with the closing of `p` in one that is too short to matter.
+  bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);
   TimeGrid grid_;
   NonConvergence policy_;
-  long i_ = 0;  // full steps done
+  long i_ = 0;      // full steps done
+  int parted_ = 0;  // splittings of the present full step
 };
 
 }  // namespace dynamy

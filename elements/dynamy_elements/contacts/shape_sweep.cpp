@@ -1,0 +1,238 @@
+// Shapes along the path of a step: which are fast, and which contact they pass first (theory 37).
+//
+//   fast       way of both in the step > thickness of the thinner: radius, least half edge
+//   passed     gap below −d somewhere on the path, d = 1e-6 of the thickness
+//
+// In axes of one of two shapes a point of the other moves almost straight while a piece lasts, and
+// the distance from a convex set is convex along a straight line: a minimum is found by sections.
+#include <algorithm>
+#include <cmath>
+#include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/shape_contacts.hpp>
+
+namespace dynamy {
+namespace {
+
+using Touch = TouchingShape::Kind;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Of the thickness: an overlap that does not matter. A ball whose overlap with another stays below
+/// would have been turned by less than sqrt(2e-6) = 0.08° of its velocity.
+constexpr double kDepth = 1e-6;
+/// Least depth, in g_tol.
+constexpr double kLeastDepth = 16.0;
+/// Part of that depth by which an impact may be mistimed.
+constexpr double kTiming = 0.1;
+/// Largest turn of one piece [rad].
+constexpr double kTurn = 0.5;
+/// Most parts of a piece between which bodies are taken to move straight.
+constexpr int kMostParts = 64;
+constexpr double kGolden = 0.6180339887498949;
+
+/// Radius about the shape's middle.
+double size(const TouchingShape& s) {
+  return s.kind == Touch::round ? s.features[0].radius : s.half.norm();
+}
+Vec3 middle_K(const TouchingShape& s) { return s.kind == Touch::round ? s.features[0].c_K : s.p_K; }
+/// What can go how far round the origin of the frame.
+double lever(const TouchingShape& s) {
+  return s.kind == Touch::round ? s.features[0].c_K.norm() : s.p_K.norm() + s.half.norm();
+}
+double thicknessOf(const TouchingShape& s) {
+  if (s.kind == Touch::halfSpace) return kInfinity;
+  if (s.kind == Touch::corners) return s.half.minCoeff();
+  return s.features[0].radius > 0.0 ? s.features[0].radius : kInfinity;
+}
+
+Vec3 rotationVector(const Mat3& A) {
+  const Eigen::AngleAxisd turn(A);
+  return turn.angle() * turn.axis();
+}
+
+/// One frame on one piece of the path.
+struct FramePiece {
+  const SweptPose *a, *b;
+  Vec3 theta_K;
+  FramePiece(const SweptPath& path, FrameHandle f, int k)
+      : a(&path.pose(f, k)),
+        b(&path.pose(f, k + 1)),
+        theta_K(rotationVector(a->A_IK.transpose() * b->A_IK)) {}
+  Vec3 way() const { return b->r_OS_I - a->r_OS_I; }
+  void at(double s, Frame& out) const {
+    out.r_OS_I = a->r_OS_I + s * way();
+    out.A_IK = a->A_IK;
+    if (const double angle = s * theta_K.norm(); angle > 0.0)
+      out.A_IK *= Eigen::AngleAxisd(angle, theta_K.normalized()).toRotationMatrix();
+  }
+};
+
+/// How far the frame of A can move a point of it that B may touch, per angle. A ball turns in
+/// place.
+template <class Pose>
+double leverOfA(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
+  return a.kind == Touch::round ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
+}
+
+/// Lower bound of the distance.
+template <class Pose>
+double apart(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
+  const Vec3 r = B.r_OS_I + B.A_IK * middle_K(b) - A.r_OS_I - A.A_IK * middle_K(a);
+  const bool flat = a.kind == Touch::halfSpace;
+  return (flat ? r.dot(A.A_IK * a.n_K) : r.norm() - size(a)) - size(b);
+}
+
+/// Both shapes on one piece of the path.
+struct PairPiece {
+  FramePiece a, b;
+  double L;     ///< bound of the change of the gap
+  double bend;  ///< bound of the second derivative of B's points, seen from A
+  PairPiece(const TouchingShape& A, const TouchingShape& B, const SweptPath& path, int k)
+      : a(path, A.frame, k), b(path, B.frame, k) {
+    const double go = (b.way() - a.way()).norm(), turnA = a.theta_K.norm(),
+                 turnB = b.theta_K.norm(), leverB = lever(B), own = turnB * leverB;
+    const bool round = A.kind == Touch::round;
+    const double leverA = leverOfA(A, B, *a.a, *b.a) + (round ? 0.0 : go);
+    L = go + turnA * leverA + own;
+    bend = (round ? 0.0 : 2.0 * turnA * (go + own)) + turnA * turnA * leverA + turnB * own;
+  }
+};
+
+/// Golden sections for the place in [a, b] where the convex `gap` is below `limit`; `flat`: width
+/// from which it cannot get there any more. −1: nowhere.
+template <class Gap>
+double anyBelow(Gap& gap, double a, double b, double limit, double flat) {
+  double c = b - kGolden * (b - a), d = a + kGolden * (b - a), gc = gap(c), gd = gap(d);
+  while (b - a > flat) {
+    if (gc < limit) return c;
+    if (gd < limit) return d;
+    if (gc < gd) {
+      b = d, d = c, gd = gc, c = b - kGolden * (b - a), gc = gap(c);
+    } else {
+      a = c, c = d, gc = gd, d = a + kGolden * (b - a), gd = gap(d);
+    }
+  }
+  return -1.0;
+}
+
+/// Where `gap` falls below `level` between a (above) and b (below).
+template <class Gap>
+double crossing(Gap& gap, double a, double b, double level, double width) {
+  while (b - a > width) {
+    const double m = 0.5 * (a + b);
+    if (!(m > a && m < b)) break;
+    (gap(m) < level ? b : a) = m;
+  }
+  return a;
+}
+
+}  // namespace
+
+double ShapeContacts::thickness(const Pair& pair) {
+  return std::min(thicknessOf(pair.A), thicknessOf(pair.B));
+}
+
+void ShapeContacts::noteMovers() {
+  movers_.clear(), thinnest_ = kInfinity;
+  for (const Pair& pair : pairs_) {
+    thinnest_ = std::min(thinnest_, thickness(pair));
+    for (const TouchingShape* s : {&pair.A, &pair.B}) {
+      const bool known = std::any_of(movers_.begin(), movers_.end(),
+                                     [&](const Mover& m) { return m.shape == s->shape; });
+      // A half space reaches everywhere.
+      const bool flat = s->kind == Touch::halfSpace;
+      if (!known) movers_.push_back({s->shape, s->frame, flat ? kInfinity : lever(*s)});
+    }
+  }
+}
+
+int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
+  // No two shapes together go further than the thinnest is thick: done.
+  double most = 0.0, second = 0.0;
+  for (const Mover& m : movers_) {
+    const Frame& f = k.frame(m.frame);
+    const double turn = f.Omega_I.norm();
+    const double w = dt * (f.v_S_I.norm() + (turn > 0.0 ? turn * m.lever : 0.0));
+    second = std::max(second, std::min(most, w)), most = std::max(most, w);
+  }
+  if (most + second <= thinnest_) return 0;
+  double turn = -1.0;
+  for (const Pair& pair : pairs_) {
+    const double thick = thickness(pair);
+    const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
+    const double both =
+        dt * ((B.v_S_I - A.v_S_I).norm() + A.Omega_I.norm() * leverOfA(pair.A, pair.B, A, B) +
+              B.Omega_I.norm() * lever(pair.B));
+    if (both <= thick || thick == kInfinity || apart(pair.A, pair.B, A, B) > 2.0 * both) continue;
+    for (const auto& [shape, frame] : {std::pair{&pair.A, &A}, std::pair{&pair.B, &B}})
+      turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
+  }
+  // An even number: schemes change velocities in the middle.
+  return turn < 0.0 ? 0 : 2 * std::max(1, static_cast<int>(std::ceil(0.5 * turn / kTurn)));
+}
+
+/// Gap of feature f of B, of the boxes if both are.
+double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) {
+  if (pair.A.kind == Touch::halfSpace)
+    return overHalfSpace(A, pair.A, B, pair.B.features[f], pair.plane).g;
+  if (pair.A.kind == Touch::round)
+    return betweenBalls(A, pair.A.features[0], B, pair.B.features[0], pair.plane).g;
+  if (pair.B.kind == Touch::round) return ballOnBox(A, pair.A, B, pair.B.features[0], pair.plane).g;
+  return separation(placedBox(A, pair.A), placedBox(B, pair.B));
+}
+
+Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
+  Passing first;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& pair = pairs_[i];
+    const double thick = thickness(pair);
+    if (thick == kInfinity) continue;
+    double both = 0.0;
+    for (int k = 0; k < path.pieces(); ++k) both += PairPiece(pair.A, pair.B, path, k).L;
+    const SweptPose &A = path.pose(pair.A.frame, 0), &B = path.pose(pair.B.frame, 0);
+    if (both <= thick || apart(pair.A, pair.B, A, B) > both) continue;
+    const std::size_t features = pair.A.kind == Touch::halfSpace ? pair.B.features.size() : 1;
+    for (std::size_t f = 0; f < features; ++f) {
+      Passing p = passing(pair, f, path);
+      p.contact = contactKey(element, i * kMaxFeatures + f);
+      if (p.t < first.t) first = p;
+    }
+  }
+  return first;
+}
+
+Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path) {
+  const double depth = std::max(kDepth * thickness(pair), kLeastDepth * path.resolution());
+  Frame A, B;
+  double start = 0.0;
+  for (int k = 0; k < path.pieces(); ++k) {
+    const PairPiece piece(pair.A, pair.B, path, k);
+    auto gapAt = [&](double s) {
+      piece.a.at(s, A), piece.b.at(s, B);
+      return gap(pair, f, A, B);
+    };
+    double left = gapAt(0.0);
+    if (k == 0) start = left;
+    // One that is closed may not sink deeper.
+    const double limit = (start <= depth ? start : 0.0) - depth;
+    const double L = piece.L;
+    const int parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(piece.bend / (2.0 * depth)))),
+                                 1, kMostParts);
+    for (int j = 0; j < parts; ++j) {
+      const double s0 = static_cast<double>(j) / parts, s1 = static_cast<double>(j + 1) / parts;
+      const double right = gapAt(s1);
+      double below = right < limit ? s1 : -1.0;
+      if (below < 0.0 && 0.5 * (left + right - L * (s1 - s0)) < limit)
+        below = anyBelow(gapAt, s0, s1, limit, 0.25 * depth / L);
+      if (below >= 0.0) {
+        const double level = start <= depth ? limit : 0.0, width = 0.1 * kTiming * depth / L;
+        const double s = left <= level ? s0 : crossing(gapAt, s0, below, level, width);
+        const double dt = path.dt() / path.pieces();
+        return {dt * (k + s), kTiming * depth / L * dt, {}};
+      }
+      left = right;
+    }
+  }
+  return {};
+}
+
+}  // namespace dynamy
