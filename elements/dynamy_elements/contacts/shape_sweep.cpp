@@ -39,9 +39,9 @@ double lever(const TouchingShape& s) {
   return s.kind == Touch::round ? s.features[0].c_K.norm() : s.p_K.norm() + s.half.norm();
 }
 double thicknessOf(const TouchingShape& s) {
-  if (s.kind == Touch::halfSpace) return kInfinity;
   if (s.kind == Touch::corners) return s.half.minCoeff();
-  return s.features[0].radius > 0.0 ? s.features[0].radius : kInfinity;
+  if (s.kind == Touch::round && s.features[0].radius > 0.0) return s.features[0].radius;
+  return kInfinity;  // half spaces and points
 }
 
 Vec3 rotationVector(const Mat3& A) {
