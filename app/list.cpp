@@ -3,7 +3,11 @@
 
 #include <dynamy/io/describe.hpp>
 #include <dynamy/io/json_writer.hpp>
+#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/reference_pages.hpp>
 #include <dynamy/io/schema.hpp>
+#include <dynamy/io/vocabulary.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "program.hpp"
@@ -11,11 +15,38 @@
 namespace dynamy::app {
 namespace {
 
-std::string json(const Registry& registry) {
+std::vector<std::string> kindTexts() {
+  std::vector<std::string> all;
+  for (const Kind kind :
+       {Kind::system, Kind::contact, Kind::force, Kind::law, Kind::shape, Kind::rule, Kind::scheme,
+        Kind::solver, Kind::impact, Kind::observer, Kind::part})
+    all.emplace_back(kindText(kind));
+  return all;
+}
+
+/// Types of the kind; all without one.
+std::vector<const RegisteredType*> typesOf(const Registry& registry, const std::string& kind) {
+  std::vector<const RegisteredType*> types = registry.types();
+  std::erase_if(
+      types, [&](const RegisteredType* t) { return !kind.empty() && kindText(t->kind) != kind; });
+  return types;
+}
+
+/// One name a line, for scripts; without a kind also the words of the model file.
+std::string names(const Registry& registry, const std::string& kind) {
+  std::string out;
+  for (const RegisteredType* t : typesOf(registry, kind)) out += t->name + "\n";
+  const Vocabulary vocabulary;
+  if (kind.empty())
+    for (const Word& word : vocabulary.words()) out += word.name + "\n";
+  return out;
+}
+
+std::string json(const Registry& registry, const std::string& kind) {
   std::string out;
   JsonWriter j(out, 2);
   j.beginArray();
-  for (const RegisteredType* t : registry.types())
+  for (const RegisteredType* t : typesOf(registry, kind))
     j.beginObject()
         .member("name", t->name)
         .member("kind", kindText(t->kind))
@@ -27,30 +58,57 @@ std::string json(const Registry& registry) {
 }
 
 void addPlugin(CLI::App& command, Program& program) {
-  command.add_option("--plugin", program.libraries, "shared library with further types");
+  command.add_option("--plugin", program.libraries, "shared library with further types")
+      ->type_name("LIBRARY");
 }
 
 }  // namespace
 
 void addList(CLI::App& app, Program& program) {
-  auto asJson = std::make_shared<bool>(false);
+  struct Form {
+    bool json = false, names = false;
+    std::string kind;
+  };
+  auto form = std::make_shared<Form>();
   CLI::App* c = app.add_subcommand("list", "all types that models can use");
   addPlugin(*c, program);
-  c->add_flag("--json", *asJson, "print JSON");
-  c->callback([asJson, &program] {
+  c->add_option("--kind", form->kind, "types of this kind only")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(kindTexts()));
+  c->add_flag("--names", form->names, "print names only");
+  c->add_flag("--json", form->json, "print JSON");
+  c->callback([form, &program] {
     program.load();
-    fmt::print("{}", *asJson ? json(program.registry) : listTypes(program.registry));
+    if (form->json)
+      fmt::print("{}", json(program.registry, form->kind));
+    else if (form->names)
+      fmt::print("{}", names(program.registry, form->kind));
+    else
+      fmt::print("{}", listTypes(typesOf(program.registry, form->kind)));
   });
 }
 
 void addDescribe(CLI::App& app, Program& program) {
-  auto name = std::make_shared<std::string>();
+  struct What {
+    std::string name, pages;
+  };
+  auto what = std::make_shared<What>();
   CLI::App* c = app.add_subcommand("describe", "what a type is, and its attributes");
-  c->add_option("NAME", *name, "type, or a word of the model file")->required();
+  CLI::Option* name = c->add_option("NAME", what->name, "type, or a word of the model file");
+  c->add_option("--pages", what->pages, "write all of it as Markdown pages into DIR")
+      ->type_name("DIR")
+      ->excludes(name);
   addPlugin(*c, program);
-  c->callback([name, &program] {
+  c->callback([what, &program] {
+    if (what->name.empty() && what->pages.empty()) throw CLI::RequiredError("NAME or --pages");
     program.load();
-    fmt::print("{}", describe(program.registry, *name));
+    if (what->pages.empty()) {
+      fmt::print("{}", describe(program.registry, what->name));
+      return;
+    }
+    std::filesystem::create_directories(what->pages);
+    for (const ReferencePage& page : referencePages(program.registry))
+      writeWholeFile(std::filesystem::path(what->pages) / page.file, page.text);
   });
 }
 

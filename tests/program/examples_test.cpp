@@ -72,6 +72,22 @@ TEST_F(Examples, OfEveryTypeRun) {
   }
 }
 
+TEST_F(Examples, TheReferencePagesAreThoseOfTheProgram) {
+  ASSERT_EQ(call("describe --pages pages"), 0) << err();
+  const fs::path kept = fs::path(DYNAMY_SOURCE_DIR) / "doc" / "reference";
+  int pages = 0;
+  for (const auto& entry : fs::directory_iterator(folder_ / "pages")) {
+    const fs::path page = kept / entry.path().filename();
+    ASSERT_TRUE(fs::exists(page)) << page;
+    EXPECT_EQ(readWholeFile(page), readWholeFile(entry.path()))
+        << "build/release/bin/dynamy describe --pages doc/reference";
+    ++pages;
+  }
+  for (const auto& entry : fs::directory_iterator(kept))
+    EXPECT_TRUE(fs::exists(folder_ / "pages" / entry.path().filename())) << entry.path();
+  EXPECT_GT(pages, 9);
+}
+
 TEST_F(Examples, EveryModelFitsTheSchema) {
   if (std::system("xmllint --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no xmllint";
   int models = 0;
@@ -90,6 +106,45 @@ TEST_F(Examples, EveryModelFitsTheSchema) {
     ++models;
   }
   EXPECT_GT(models, 10);
+}
+
+TEST_F(Examples, ReaderAndSchemaRefuseTheSameMistakes) {
+  if (std::system("xmllint --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no xmllint";
+  const std::string good = readWholeFile(fs::path(DYNAMY_SOURCE_DIR) / "models/bouncing_ball.xml");
+  ASSERT_EQ(call("schema"), 0) << err();
+  fs::rename(path("out"), path("dynamy.xsd"));
+  const auto valid = [&] {
+    return std::system(("cd '" + folder_.string() +
+                        "' && xmllint --noout --schema dynamy.xsd m.xml > log 2>&1")
+                           .c_str()) == 0;
+  };
+  write("m.xml", good);
+  EXPECT_TRUE(valid());
+  EXPECT_EQ(call("check m.xml"), 0) << err();
+  struct Mistake {
+    const char *from, *to;
+  };
+  for (const Mistake& m : {
+           Mistake{"<systems>", "<sistems/><systems>"},        // unknown section
+           Mistake{"<systems>", "<systems><RigidBdy/>"},       // unknown element
+           Mistake{"<systems>", "<systems><Gravity/>"},        // element in a wrong section
+           Mistake{"<Gravity ", "<Gravity strength=\"2\" "},   // unknown attribute
+           Mistake{"radius=", "raduis="},                      // misspelt attribute
+           Mistake{"<Sphere ", "<Sphere mu=\"1\" "},           // attribute of another element
+           Mistake{"<Unilateral ", "<MoreauMidpoint "},        // no law inside of a contact
+           Mistake{"<MoreauMidpoint/>", "<Sphere/>"},          // no scheme in the simulation
+           Mistake{"view=\"xz\"", "view=\"zx\""},              // none of the words
+           Mistake{"measure=\"min\"", "measure=\"least\""},    // the same
+           Mistake{"name=\"e\" value=\"0.5\"", "name=\"e\""},  // what a word demands
+           Mistake{"until=", "untill="},                       // misspelt setting
+       }) {
+    std::string text = good;
+    const std::size_t at = text.find(m.from);
+    ASSERT_NE(at, std::string::npos) << m.from;
+    write("m.xml", text.replace(at, std::string(m.from).size(), m.to));
+    EXPECT_FALSE(valid()) << m.to << "\n" << readWholeFile(path("log"));
+    EXPECT_EQ(call("check m.xml"), 2) << m.to << "\n" << err();
+  }
 }
 
 }  // namespace

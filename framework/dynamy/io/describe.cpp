@@ -90,12 +90,12 @@ std::string describe(const Registry& registry, std::string_view name) {
                    near.empty() ? "dynamy list shows all names" : didYouMean(near));
 }
 
-std::string listTypes(const Registry& registry) {
+std::string listTypes(const std::vector<const RegisteredType*>& types) {
   std::size_t longest = 0;
-  for (const RegisteredType* t : registry.types()) longest = std::max(longest, width(t->name));
+  for (const RegisteredType* t : types) longest = std::max(longest, width(t->name));
   std::string out;
   const RegisteredType* before = nullptr;
-  for (const RegisteredType* t : registry.types()) {
+  for (const RegisteredType* t : types) {
     if (before == nullptr || before->kind != t->kind)
       out += (out.empty() ? "" : "\n") + std::string(kindText(t->kind)) + '\n';
     // The first sentence, or the first line, of the description.

@@ -10,7 +10,7 @@ namespace dynamy {
 /// attributes, children, example. Throws ModelError with the nearest name if there is none.
 std::string describe(const Registry& registry, std::string_view name);
 
-/// All types by kind, one line each.
-std::string listTypes(const Registry& registry);
+/// Types by kind, one line each.
+std::string listTypes(const std::vector<const RegisteredType*>& types);
 
 }  // namespace dynamy

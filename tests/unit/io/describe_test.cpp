@@ -50,7 +50,7 @@ TEST(Describe, SuggestsTheNearestName) {
 }
 
 TEST(Describe, ListsTypesByKind) {
-  EXPECT_EQ(listTypes(dummy::registry()),
+  EXPECT_EQ(listTypes(dummy::registry().types()),
             "system\n"
             "  Ball    A ball on a vertical line [dummies]\n"
             "\n"
