@@ -65,6 +65,7 @@ const std::map<std::string, std::string> kHeaders = {
     {"benchmark/", "libbenchmark-dev"},
     {"hdf5", "libhdf5-dev"},
     {"zlib.h", "zlib1g-dev"},
+    {"pybind11/", "pybind11-dev"},
     {"omp.h", ""},
     {"immintrin.h", ""},
     {"cxxabi.h", ""},
@@ -100,6 +101,7 @@ const std::map<std::string, std::string> kCMake = {
     {"Doxygen", "doxygen"},
     {"dynamy", "g++"},
     {"Python3", "python3"},
+    {"pybind11", "pybind11-dev"},
 };
 
 // A header of ours, under one of the folders that the compiler searches.

@@ -7,6 +7,11 @@ namespace dynamy {
 namespace {
 
 const std::string kMark = "<!-- test: ";
+#ifdef DYNAMY_PYTHON
+const std::string kPython = DYNAMY_PYTHON;
+#else
+const std::string kPython = "false";
+#endif
 
 /// A part of a model becomes a whole one.
 std::string around(const std::string& section, const std::string& part) {
@@ -26,6 +31,14 @@ std::string saved(const std::string& name, const std::string& text) {
   return "mkdir -p " + folder + "\ncat > " + name + " <<'END_OF_BLOCK'\n" + text + "END_OF_BLOCK\n";
 }
 
+/// The blocks of a page are one program; it runs up to each of them, if Python can.
+std::string python(const Block& block, const std::string& kind) {
+  const std::string program = "page_" + kind + ".py";
+  const std::string needed = kind == "module" ? "dynamy, numpy" : "numpy";
+  return "cat >> " + program + " <<'END_OF_BLOCK'\n" + block.text + "END_OF_BLOCK\nif " + kPython +
+         " -c 'import " + needed + "'; then\n  " + kPython + ' ' + program + "\nfi\n";
+}
+
 std::string commands(const Block& block, const std::string& kind, const std::string& argument) {
   if (kind == "shell" && argument.empty()) return block.text;
   if (kind == "shell") {
@@ -40,6 +53,7 @@ std::string commands(const Block& block, const std::string& kind, const std::str
   if (kind == "check") return saved(argument, block.text) + "dynamy check " + argument + "\n";
   if (kind == "inside")
     return saved("part.xml", around(argument, block.text)) + "dynamy check part.xml\n";
+  if (kind == "python" || kind == "module") return python(block, kind);
   if (kind == "output") return "";
   throw std::runtime_error("unknown mark: " + block.mark);
 }

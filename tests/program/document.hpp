@@ -6,6 +6,8 @@
 ///   <!-- test: check NAME.xml -->     saved, then `dynamy check` has to end with 0
 ///   <!-- test: inside SECTION -->     part of a model: `dynamy check` of a model around it
 ///   <!-- test: build DIR -->          typed in the folder DIR; compiles a plug-in
+///   <!-- test: python -->             part of one program of the page; `module`: with import
+///   dynamy
 ///   <!-- test: output -->             has to occur in what was printed so far; … stands for
 ///   anything
 #pragma once

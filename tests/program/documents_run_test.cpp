@@ -35,9 +35,12 @@ class DocumentTest : public ProgramTest {
     const std::vector<Block> blocks = markedBlocks(file);
     ASSERT_FALSE(blocks.empty()) << file << " has no marked block";
     write("page.sh", scriptOf(blocks, file));
-    const std::string command = "cd '" + folder_.string() +
-                                "' && HOME=\"$PWD\" PATH=\"$PWD/path:$PATH\" " +
-                                "CXX=" DYNAMY_CXX " bash page.sh > out 2>&1";
+    const std::string command =
+        "cd '" + folder_.string() +
+        "' && HOME=\"$PWD\" PATH=\"$PWD/path:$PATH\" PYTHONDONTWRITEBYTECODE=1 "
+        "PYTHONPATH=\"" DYNAMY_BINARY_DIR "/lib/python3/dist-packages:" DYNAMY_SOURCE_DIR
+        "/app/python\" " +
+        "CXX=" DYNAMY_CXX " bash page.sh > out 2>&1";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << out();
     const std::string printed = out();
     for (const Block& block : blocks)
@@ -65,8 +68,10 @@ class DocumentTest : public ProgramTest {
 TEST_F(DocumentTest, Readme) { follow("README.md"); }
 TEST_F(DocumentTest, FirstRun) { follow("doc/tutorial/01_first_run.md"); }
 TEST_F(DocumentTest, FirstModel) { follow("doc/tutorial/02_first_model.md"); }
+TEST_F(DocumentTest, Python) { follow("doc/python.md"); }
 TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
 #ifndef DYNAMY_SANITIZED
+TEST_F(DocumentTest, Install) { follow("doc/install.md"); }
 TEST_F(DocumentTest, FirstPluginAgainstTheInstalledPackage) {
   follow("doc/tutorial/03_first_plugin.md");
 }

@@ -1,0 +1,211 @@
+"""Reads the folder of a run of dynamY. Needs numpy alone; copy this file wherever it is wanted.
+
+    import dynamy_run
+    run = dynamy_run.Run("runs/woodpecker")
+    run.t, run["toy.phiM"]                 # recorded signals, one array each
+    run.units["toy.phiM"]                  # "rad"
+    run.facts["energy"]                    # run.json
+    for e in run.events: print(e["t"], e["event"], e["contact"])
+    run.ledger["friction"]                 # energies and works
+    run.frames.r("ball")                   # positions of a frame, n x 3
+    run.plot("toy.phiM", "toy.phiS")       # needs matplotlib
+
+doc/run_folder.md says every byte. What was written before a run was killed is read; what a cut file
+lost is left out. A wrong file raises RunError with its path.
+"""
+
+import csv
+import io
+import json
+import struct
+import sys
+import zlib
+from pathlib import Path
+
+import numpy as np
+
+STATES = ("open", "stick", "slip", "impact", "spin")
+
+
+class RunError(Exception):
+    """A file is missing, is not what its name says, or has another version."""
+
+
+class Run:
+    """The folder of one run. Files are read when they are asked for."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        if not (self.folder / "run.json").is_file():
+            raise RunError(f"{self.folder}: no run.json, not the folder of a run")
+        self.facts = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
+        if self.facts.get("format") != "dynamy-run" or self.facts.get("version") != 1:
+            raise RunError(f"{self.folder}/run.json: not a dynamy-run of version 1")
+        self.units = {s["name"]: s.get("unit", "") for s in self.facts.get("signals", [])}
+        self._read = {}
+
+    def _once(self, name, read):
+        if name not in self._read:
+            self._read[name] = read(self.folder / name)
+        return self._read[name]
+
+    @property
+    def signals(self):
+        """name -> values; "t" is the time [s]."""
+        return self._once("signals.csv", _table)
+
+    @property
+    def t(self):
+        return self.signals["t"]
+
+    def __getitem__(self, name):
+        if name not in self.signals:
+            raise KeyError(f'no signal "{name}" was recorded; there are {", ".join(self.signals)}')
+        return self.signals[name]
+
+    @property
+    def events(self):
+        """Impacts and switches, a list of dicts with t, event, contact, from, to, speed, impulse."""
+        return self._once("events.csv", _events)
+
+    @property
+    def ledger(self):
+        """Energies, works and figures of the solver: name -> values, with "t"."""
+        return self._once("ledger.csv", _table)
+
+    @property
+    def frames(self):
+        return self._once("frames.bin", Frames)
+
+    def plot(self, *names, axes=None):
+        """Signals over time, one curve each; returns the axes."""
+        if axes is None:
+            from matplotlib import pyplot
+            axes = pyplot.subplots()[1]
+        for name in names or [n for n in self.signals if n != "t"]:
+            unit = self.units.get(name, "")
+            axes.plot(self.t, self[name], label=f"{name} [{unit}]" if unit else name)
+        axes.set_xlabel("t [s]")
+        axes.legend()
+        return axes
+
+
+class Frames:
+    """frames.bin: poses of all frames and the drawn contacts at n instants.
+
+    t         n times [s]
+    names     of the P frames
+    pose      n x P x 7: x y z of r_OS_I [m], unit quaternion w x y z of A_IK
+    contacts  n arrays C x 11: point [m], normal, force [N], state (index into STATES), limit [N]
+    scene     shapes and frames, a dict
+    """
+
+    def __init__(self, path):
+        data = _bytes(path)
+        if len(data) < 24 or data[:8] != b"DYNFRAME":
+            raise RunError(f"{path}: not a frames file")
+        version, order, poses, size = struct.unpack_from("<4I", data, 8)
+        if version != 2 or order != 0x01020304:
+            raise RunError(f"{path}: version {version}, this reader knows 2")
+        head = 24 + size
+        if len(data) < head + 4 or zlib.crc32(data[:head]) != _u32(data, head):
+            raise RunError(f"{path}: its head is damaged")
+        self.scene = json.loads(data[24:head].decode("utf-8"))
+        self.names = [f["name"] for f in self.scene["frames"]]
+        t, pose, self.contacts = [], [], []
+        for payload in _chunks(data, head + 4):
+            at = 0
+            while at < len(payload):
+                time, contacts, _ = struct.unpack_from("<dII", payload, at)
+                t.append(time)
+                at += 16
+                pose.append(np.frombuffer(payload, "<f4", 7 * poses, at).reshape(poses, 7))
+                at += 28 * poses
+                self.contacts.append(
+                    np.frombuffer(payload, "<f4", 11 * contacts, at).reshape(contacts, 11))
+                at += 44 * contacts
+        self.t = np.array(t)
+        self.pose = np.array(pose, dtype=float).reshape(len(t), poses, 7)
+
+    def _index(self, name):
+        if name not in self.names:
+            raise KeyError(f'no frame "{name}"; there are {", ".join(self.names)}')
+        return self.names.index(name)
+
+    def r(self, name):
+        """Positions r_OS_I of the frame, n x 3 [m]."""
+        return self.pose[:, self._index(name), :3]
+
+    def A(self, name):
+        """Rotations A_IK of the frame, n x 3 x 3: components in I = A_IK @ components in K."""
+        w, x, y, z = self.pose[:, self._index(name), 3:].T
+        return np.array([
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]).transpose(2, 0, 1)
+
+
+def _bytes(path):
+    if not path.is_file():
+        raise RunError(f"{path}: no such file")
+    return path.read_bytes()
+
+
+def _u32(data, at):
+    return struct.unpack_from("<I", data, at)[0]
+
+
+def _chunks(data, at):
+    """Payloads of whole chunks, up to the first that is cut off or damaged."""
+    while at + 40 <= len(data) and data[at:at + 4] == b"CHNK":
+        length = struct.unpack_from("<Q", data, at + 8)[0]
+        end = at + 40 + length
+        if end > len(data):
+            return
+        if zlib.crc32(data[at + 40:end], zlib.crc32(data[at:at + 32])) != _u32(data, at + 32):
+            return
+        yield data[at + 40:end]
+        at = end
+
+
+def _lines(path):
+    """Whole lines: a last one without its end was cut off."""
+    data = _bytes(path)
+    return data[:data.rfind(b"\n") + 1].decode("utf-8")
+
+
+def _table(path):
+    """Columns of numbers under their names."""
+    head, _, rows = _lines(path).partition("\n")
+    names = next(csv.reader([head]), [])
+    if not names or names[0] != "t":
+        raise RunError(f'{path}: the first column is not "t"')
+    if not rows:
+        return {name: np.empty(0) for name in names}
+    values = np.loadtxt(io.StringIO(rows), delimiter=",", ndmin=2)
+    if values.shape[1] != len(names):
+        raise RunError(f"{path}: {len(names)} names over {values.shape[1]} columns")
+    return dict(zip(names, values.T))
+
+
+def _events(path):
+    rows = list(csv.DictReader(io.StringIO(_lines(path))))
+    for row in rows:
+        for name in ("t", "speed", "impulse"):
+            row[name] = float(row[name]) if row[name] else 0.0
+    return rows
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: python3 dynamy_run.py DIR")
+    try:
+        run = Run(sys.argv[1])
+        print(f"{run.folder}: {run.facts.get('state')}, {len(run.t)} rows, "
+              f"{len(run.frames.t)} pictures, {len(run.events)} events")
+        for name, values in run.signals.items():
+            if len(values):
+                print(f"  {name} [{run.units.get(name, 's')}]: {values.min():g} … {values.max():g}")
+    except RunError as error:
+        sys.exit(str(error))

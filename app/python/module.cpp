@@ -1,0 +1,59 @@
+/// The module `dynamy` of Python: models, simulations, states and laws for notebooks and
+/// prototypes.
+#include <dynamy/core/version.hpp>
+
+#include "library.hpp"
+
+namespace py = pybind11;
+
+namespace dynamy::python {
+
+Library& library() {
+  // Not destroyed: objects of Python may outlive it.
+  static auto* all = new Library;  // NOLINT(cppcoreguidelines-owning-memory)
+  return *all;
+}
+
+namespace {
+
+std::string text(py::handle value) {
+  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();
+  if (PyFloat_Check(value.ptr()) != 0 || PyLong_Check(value.ptr()) != 0)
+    return numberText(value.cast<double>());
+  if (py::hasattr(value, "__iter__")) {
+    std::string out;
+    for (const py::handle part : value) out += (out.empty() ? "" : " ") + text(part);
+    return out;
+  }
+  return numberText(value.cast<double>());  // numbers of numpy
+}
+
+}  // namespace
+
+std::vector<GivenValue> givenValues(const py::kwargs& values) {
+  std::vector<GivenValue> out;
+  for (const auto& [name, value] : values) out.emplace_back(name.cast<std::string>(), text(value));
+  return out;
+}
+
+}  // namespace dynamy::python
+
+PYBIND11_MODULE(dynamy, m) {
+  using namespace dynamy;
+  m.doc() = "dynamY: simulation of multibody systems with impacts and friction";
+  m.attr("__version__") = versionString();
+  static const py::exception<ModelError> modelError(m, "ModelError", PyExc_ValueError);
+  py::register_exception_translator(
+      [](const std::exception_ptr p) {  // NOLINT(performance-unnecessary-value-param)
+        try {
+          if (p) std::rethrow_exception(p);
+        } catch (const ModelError& e) {
+          PyErr_SetString(modelError.ptr(), format(e.diagnostics()).c_str());
+        }
+      });
+  python::library();
+  python::bindLaws(m);
+  python::bindModel(m);
+  python::bindRun(m);
+}

@@ -1,0 +1,191 @@
+/// Simulation and Stepper: whole runs with their signals as arrays, and single steps.
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <dynamy/io/replay_page.hpp>
+#include <dynamy/io/run_recording.hpp>
+#include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/simulation.hpp>
+
+#include "library.hpp"
+
+namespace py = pybind11;
+
+namespace dynamy::python {
+namespace {
+
+/// Signals of a run in memory, row after row.
+class Table final : public RecordSink {
+ public:
+  void row(double t, std::span<const double> values) override {
+    t_.push_back(t);
+    values_.insert(values_.end(), values.begin(), values.end());
+  }
+  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+
+  py::dict columns(const std::vector<SignalName>& names) const {
+    py::dict out;
+    out["t"] = py::array_t<double>(static_cast<py::ssize_t>(t_.size()), t_.data());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      py::array_t<double> column(static_cast<py::ssize_t>(t_.size()));
+      for (std::size_t i = 0; i < t_.size(); ++i)
+        column.mutable_data()[i] = values_[i * names.size() + k];
+      out[py::str(names[k].name)] = column;
+    }
+    return out;
+  }
+
+ private:
+  std::vector<double> t_, values_;
+};
+
+/// Calls a function of Python after each step; it ends the run by returning False.
+class Callback final : public Observer {
+ public:
+  Callback(py::object call, std::atomic<bool>& stop) : call_(std::move(call)), stop_(stop) {}
+  void step(const StepView& view) override {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (call_.is_none()) return;
+    const py::object answer = call_(view.after);
+    if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>()) stop_ = true;
+  }
+
+ private:
+  py::object call_;
+  std::atomic<bool>& stop_;
+};
+
+const char* endText(RunReport::Ended ended) {
+  switch (ended) {
+    case RunReport::Ended::finished:
+      return "finished";
+    case RunReport::Ended::stopped:
+      return "stopped";
+    case RunReport::Ended::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+py::dict figures(const Simulation& simulation) {
+  const RunReport& r = simulation.report();
+  py::dict out;
+  out["state"] = endText(r.ended), out["reason"] = r.reason, out["t"] = r.t;
+  out["steps"] = r.steps, out["rejected"] = r.rejected, out["impacts"] = r.impacts;
+  out["switches"] = r.switches, out["unconverged"] = r.unconverged;
+  out["iterations"] = r.iterations, out["residual"] = r.residual.value;
+  out["penetration"] = r.penetration.value, out["wall_s"] = r.wall;
+  bool passed = true;
+  for (const CheckResult& c : simulation.checks()) passed = passed && c.pass;
+  out["checks_passed"] = passed;
+  return out;
+}
+
+void writeFolderFacts(const RunFolder& folder, const Model& model, const RunReport& r) {
+  folder.writeFacts([&](JsonWriter& j) {
+    j.member("state", endText(r.ended)).member("title", model.title).member("t", r.t);
+    j.member("steps", r.steps).member("impacts", r.impacts).member("wall_s", r.wall);
+    j.key("signals").beginArray();
+    for (const SignalName& s : recordedSignals(model))
+      j.beginObject().member("name", s.name).member("unit", s.unit).endObject();
+    j.endArray();
+  });
+}
+
+/// One run from the initial state, in memory or into a folder.
+py::tuple run(Model& model, const py::object& each, const std::string& out) {
+  std::atomic<bool> stop{false};
+  Simulation simulation(model);
+  Callback callback(each, stop);
+  simulation.observe(callback);
+  simulation.stopWhen(stop);
+  Table table;
+  if (out.empty()) {
+    simulation.record(table);
+    simulation.run();
+    return py::make_tuple(table.columns(recordedSignals(model)), figures(simulation));
+  }
+  const RunFolder folder(out);
+  RunRecording recording(folder, model);
+  simulation.record(recording);
+  writeWholeFile(folder.model(), model.sourceText);
+  simulation.run();
+  recording.flush();
+  writeFolderFacts(folder, model, simulation.report());
+  writeReplay(folder.path());
+  return py::make_tuple(py::none(), figures(simulation));
+}
+
+/// Steps of the model's scheme, one by one, from a state that may be written between them.
+class Steps {
+ public:
+  explicit Steps(Model& model)
+      : model_(model), system_(model.mechanicalSystem()), x_(model.initialState()) {}
+
+  py::dict step(double dt) {
+    if (!(dt > 0.0)) dt = model_.simulation.step;
+    if (!(dt > 0.0)) throw ModelError("no step is given", "say step(1e-3), or model.step = 1e-3");
+    const double t = x_.t;
+    const StepReport report = model_.scheme().step(system_, model_.solver(), x_, dt);
+    x_.t = t + dt;
+    system_.remember(x_);
+    py::dict out;
+    out["contacts"] = report.contacts, out["solved"] = report.solved.ok();
+    out["status"] = std::string(solveStatusText(report.solved.status));
+    out["iterations"] = report.solved.iterations;
+    out["residual"] = report.solved.residuals.largest();
+    if (!report.refused.empty()) throw std::runtime_error(std::string(report.refused));
+    return out;
+  }
+  /// Closed contacts of the last step: name, gap, percussions.
+  py::list contacts() {
+    py::list out;
+    const ContactSet& c = system_.slot(0).contacts;
+    if (system_.problem().rows() != c.rows()) return out;
+    for (int i = 0; i < c.size(); ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      py::dict one;
+      one["name"] = contactName(model_, c.key[k]);
+      std::vector<double> Lambda;
+      for (int row = c.row0[k]; row < c.row0[k + 1]; ++row) Lambda.push_back(system_.Lambda(row));
+      one["Lambda"] = py::array_t<double>(static_cast<py::ssize_t>(Lambda.size()), Lambda.data());
+      out.append(one);
+    }
+    return out;
+  }
+  double energy() {
+    EnergyMeter meter(model_);
+    return meter.kinetic(x_) + meter.potential(x_);
+  }
+  State& state() { return x_; }
+
+ private:
+  Model& model_;
+  MechanicalSystem system_;
+  State x_;
+};
+
+}  // namespace
+
+void bindRun(py::module_& m) {
+  m.def(
+      "run", &run, py::arg("model"), py::arg("each") = py::none(), py::arg("out") = "",
+      "Runs a built model from its initial state. Returns (signals, figures): name -> array, and\n"
+      "how the run ended. each(state) is called after every step; False ends the run. With "
+      "out=DIR\n"
+      "the run is written there with its replay, for dynamy_run.Run(DIR), and signals is None.");
+  py::class_<Steps>(m, "Simulation", "Single steps of a built model.")
+      .def(py::init<Model&>(), py::arg("model"), py::keep_alive<1, 2>())
+      .def_property_readonly("state", &Steps::state, py::return_value_policy::reference_internal)
+      .def(
+          "step", &Steps::step, py::arg("dt") = 0.0,
+          "One step of length dt [s]; default: the model's. Returns contacts, status, iterations,\n"
+          "residual of the inclusion.")
+      .def_property_readonly("contacts", &Steps::contacts,
+                             "Contacts of the last step: name, Lambda [N s].")
+      .def_property_readonly("energy", &Steps::energy, "T + V [J].");
+}
+
+}  // namespace dynamy::python

@@ -1,0 +1,162 @@
+"""The module of Python: module_test.py FOLDER_OF_THE_MODULE SOURCE_DIR"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+try:
+    import numpy as np
+except ImportError:
+    print("SKIPPED: no numpy")
+    sys.exit(77)
+
+SOURCE = Path(sys.argv[2])
+sys.dont_write_bytecode = True
+sys.path[:0] = [sys.argv[1], str(SOURCE / "app" / "python")]
+import dynamy  # noqa: E402
+import dynamy_run  # noqa: E402
+
+SLIDE = """<dynamy version="1">
+  <parameter name="mu" value="0.3"/>
+  <systems>
+    <RigidBody name="block" position="0 0 0.1" velocity="2 0 0">
+      <Sphere radius="0.1" mass="1" material="wood"/>
+    </RigidBody>
+    <Ground><HalfSpace material="floor"/></Ground>
+  </systems>
+  <forces><Gravity acceleration="0 0 -10"/></forces>
+  <elements><Contact between="wood floor">LAW</Contact></elements>
+  <simulation until="0.2" step="1e-3"/>
+  <record signals="block.x block.vx" every="10ms"/>
+</dynamy>"""
+
+
+class Disc:
+    """Coulomb's disc by its support function S_B(y) = mu |y|."""
+
+    def __init__(self, mu):
+        self.mu = mu
+
+    def support(self, y):
+        n = np.linalg.norm(y)
+        if n == 0.0:
+            return 0.0, np.zeros_like(y), np.zeros((y.size, y.size))
+        e = y / n
+        return self.mu * n, self.mu * e, self.mu / n * (np.eye(y.size) - np.outer(e, e))
+
+
+class ProxDisc:
+    """The same law by its projection (rows of one r)."""
+
+    def __init__(self, mu):
+        self.mu = mu
+
+    def prox(self, z, r, dt):
+        N = max(0.0, z[0])
+        T = np.linalg.norm(z[1:])
+        return [N, *(z[1:] * min(1.0, self.mu * N / T) if T > 0.0 else z[1:])]
+
+
+class Module(unittest.TestCase):
+    def test_a_file_runs_as_in_the_program(self):
+        model = dynamy.load(str(SOURCE / "models" / "bouncing_ball.xml"), e=0.5)
+        signals, figures = dynamy.run(model)
+        self.assertEqual(figures["state"], "finished")
+        self.assertTrue(figures["checks_passed"])
+        flight = signals["t"] < 0.45
+        z = 1.1 - 0.5 * 9.81 * signals["t"][flight] ** 2
+        self.assertLess(np.abs(signals["ball.z"][flight] - z).max(), 1e-11)  # 4500 roundings
+
+    def test_a_model_is_built_element_by_element(self):
+        model = dynamy.Model()
+        ball = dynamy.element("Sphere", radius=0.1, mass=1, material="rubber")
+        model.add(dynamy.element("RigidBody", "ball", [ball], position=(0, 0, 1.1)))
+        model.add(dynamy.element("Ground", "world", [dynamy.element("HalfSpace", material="floor")]))
+        model.add(dynamy.element("Gravity", acceleration=(0, 0, -10)))
+        law = dynamy.element("Unilateral", epsilonN=0.5)
+        model.add(dynamy.element("Contact", children=[law], between="rubber floor"))
+        model.until, model.step = 0.8, 1e-4
+        model.record = ["ball.z"]
+        model.build()
+        signals, figures = dynamy.run(model)
+        # Impact at √0.2 s with √20 m/s; peak 0.1 + 0.25 · 1 m at 0.2^½ (1 + 0.5) = 0.67 s. The impact
+        # is seen up to a step late: 4.5 m/s · 1.5 · 1e-4 s = 0.7 mm.
+        self.assertLess(abs(signals["ball.z"][signals["t"] > 0.5].max() - 0.35), 0.7e-3)
+        self.assertEqual(figures["impacts"], 1)
+        with self.assertRaisesRegex(dynamy.ModelError, "part of a model already"):
+            model.add(ball)
+
+    def test_steps_are_those_of_a_run(self):
+        model = dynamy.load(str(SOURCE / "models" / "woodpecker.xml"))
+        last = []
+        dynamy.run(model, each=lambda x: last.append((x.t, x.q.copy())) or len(last) < 300)
+        simulation = dynamy.Simulation(model)
+        for t, q in last:
+            self.assertTrue(simulation.step()["solved"])
+            self.assertAlmostEqual(simulation.state.t, t, delta=1e-12)
+            # The run counts t = i Δt, steps add it up: rounding of t, 1e-17 s, times speeds of 10/s.
+            self.assertLess(np.abs(simulation.state.q - q).max(), 1e-14)
+        self.assertEqual(len(last), 300)
+
+    def test_a_state_is_written_between_steps(self):
+        model = dynamy.model(SLIDE.replace("LAW", '<UnilateralCoulomb mu="{mu}"/>'), mu=0)
+        simulation = dynamy.Simulation(model)
+        simulation.state.u[0] = 5.0
+        before = simulation.energy
+        simulation.step(1e-3)
+        self.assertAlmostEqual(simulation.state.u[0], 5.0, delta=1e-14)
+        self.assertAlmostEqual(simulation.energy, before, delta=1e-12)
+        (contact,) = simulation.contacts
+        self.assertAlmostEqual(contact["Lambda"][0], 1e-3 * 10.0, delta=1e-12)  # m g Δt
+        with self.assertRaises(ValueError):
+            simulation.state.q = [1.0]
+
+    def test_laws_in_python_agree_with_coulombs(self):
+        dynamy.register_law("PythonDisc", Disc, {"mu": None})
+        dynamy.register_law("PythonProxDisc", ProxDisc, {"mu": 0.3})
+        runs = [dynamy.run(dynamy.model(SLIDE.replace("LAW", law)))[0]
+                for law in ('<UnilateralCoulomb mu="{mu}"/>', '<PythonDisc mu="{mu}"/>',
+                            '<PythonProxDisc/>')]
+        # v = 2 − μ g t while it slides (it rolls at 2/7 of 2/(μ g) = 0.19 s): the exact step.
+        slides = runs[0]["t"] < 0.18
+        for run in runs:
+            v = 2.0 - 0.3 * 10.0 * run["t"][slides]
+            # Rounding in 180 steps, 2e-16 each, and the solver's tolerance, 1e-10 of m g Δt/m a step.
+            self.assertLess(np.abs(run["block.vx"][slides] - v).max(), 180 * 1e-12)
+            self.assertLess(np.abs(run["block.x"] - runs[0]["block.x"]).max(), 180 * 1e-12 * 0.2)
+
+    def test_a_run_goes_into_a_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            model = dynamy.model(SLIDE.replace("LAW", '<UnilateralCoulomb mu="{mu}"/>'))
+            signals, figures = dynamy.run(model, out=folder + "/run")
+            self.assertIsNone(signals)
+            run = dynamy_run.Run(folder + "/run")
+            self.assertEqual(run.facts["steps"], figures["steps"])
+            self.assertEqual(run.units["block.x"], "m")
+            self.assertEqual(len(run.t), 21)
+            self.assertTrue((Path(folder) / "run" / "replay.html").is_file())
+
+    def test_mistakes_are_told(self):
+        with self.assertRaisesRegex(dynamy.ModelError, 'did you mean "RigidBody"'):
+            dynamy.element("RigidBdy")
+        with self.assertRaisesRegex(dynamy.ModelError, 'did you mean "radius"'):
+            dynamy.element("Sphere", raduis=1)
+        with self.assertRaisesRegex(dynamy.ModelError, r"takes no solver"):
+            dynamy.element("Sphere", "s", [dynamy.element("ProxGaussSeidel")], radius=1)
+        with self.assertRaisesRegex(dynamy.ModelError, "model:2"):
+            dynamy.model('<dynamy version="1">\n<sytems/></dynamy>')
+
+    def test_a_broken_law_ends_the_run_and_says_why(self):
+        class Broken:
+            def prox(self, z, r, dt):
+                return [0.0]
+
+        dynamy.register_law("PythonBroken", Broken)
+        figures = dynamy.run(dynamy.model(SLIDE.replace("LAW", "<PythonBroken/>")))[1]
+        self.assertEqual(figures["state"], "failed")
+        self.assertIn("prox has to return", figures["reason"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
