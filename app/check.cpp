@@ -123,7 +123,8 @@ void addCheck(CLI::App& app, Program& program) {
   CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its size");
   c->add_option("MODEL", t->model, "XML file")->required();
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
-  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->add_option("--plugin", program.libraries, "shared library with further types")
+      ->type_name("LIBRARY");
   c->add_flag("--json", t->json, "print JSON");
   c->callback([t, &program] {
     program.load();

@@ -129,14 +129,19 @@ void addCompare(CLI::App& app, Program& program) {
   auto t = std::make_shared<Task>();
   CLI::App* c = app.add_subcommand("compare", "error against work of schemes and steps on a model");
   c->add_option("MODEL", t->choice.model, "XML file")->required();
-  c->add_option("--integrators", t->integrators, "schemes; default: the model's")->delimiter(',');
+  c->add_option("--integrators", t->integrators, "schemes; default: the model's")
+      ->delimiter(',')
+      ->type_name("SCHEMES");
   c->add_option("--steps", t->steps, "step lengths; default: the model's and its halves")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->type_name("TIMES");
   c->add_option("--until", t->until, "end time")->type_name("TIME");
-  c->add_option("--solver", t->choice.solver, "inclusion solver");
+  c->add_option("--solver", t->choice.solver, "inclusion solver")->type_name("SOLVER");
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
-  c->add_option("--csv", t->csv, "table as a file; default: runs/MODEL-compare.csv");
-  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->add_option("--csv", t->csv, "table as a file; default: runs/MODEL-compare.csv")
+      ->type_name("FILE");
+  c->add_option("--plugin", program.libraries, "shared library with further types")
+      ->type_name("LIBRARY");
   c->callback([t, &program] { compare(program, *t); });
 }
 

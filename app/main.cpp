@@ -63,6 +63,18 @@ std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
   return all;
 }
 
+/// Shown below the commands, and a part of the manual page.
+constexpr const char* kFooter =
+    "Exit status:\n"
+    "  0   done, all checks passed\n"
+    "  1   the simulation or a check failed, or a file cannot be written\n"
+    "  2   error in a model, a plug-in or a file\n"
+    "  64  wrong command line\n"
+    "Environment:\n"
+    "  DYNAMY_PLUGIN_PATH  folders, separated by ':', that are searched for plug-ins\n"
+    "Files:\n"
+    "  runs/MODEL  what a run writes, if --out does not name another folder";
+
 int run(int argc, char** argv) {
   Program program;
   CLI::App app{"dynamY: simulation of multibody systems with impacts and friction", "dynamy"};
@@ -77,6 +89,9 @@ int run(int argc, char** argv) {
   addCompare(app, program);
   addView(app, program);
   addSolve(app, program);
+  addCompletion(app, program);
+  addManual(app, program);
+  app.footer(kFooter);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

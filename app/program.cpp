@@ -4,7 +4,10 @@
 
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/core/version.hpp>
+#include <dynamy/io/frames_file.hpp>
+#include <dynamy/io/libraries.hpp>
 #include <dynamy/io/plugin.hpp>
+#include <dynamy/io/vocabulary.hpp>
 #include <filesystem>
 
 namespace dynamy::app {
@@ -51,9 +54,11 @@ std::string versionText() {
   const PluginInfo f = frameworkFingerprint();
   std::string out = fmt::format("dynamY {}\n", versionString());
   out += fmt::format(" compiler   {}, {}\n", f.compiler, f.standardLibrary);
-  out += fmt::format(" Eigen      {}.{}.{}, alignment {} bytes\n", f.eigenWorld, f.eigenMajor,
-                     f.eigenMinor, f.eigenMaxAlignBytes);
-  out += fmt::format(" plug-ins   binary interface {}\n", f.abi);
+  out += fmt::format(" libraries  {}\n", libraryVersions());
+  out += fmt::format(" plug-ins   binary interface {}, Eigen alignment {} bytes\n", f.abi,
+                     f.eigenMaxAlignBytes);
+  out += fmt::format(" formats    models {}, frames {}; contact problems of FCLIB; replay\n",
+                     kModelVersion, kFramesVersion);
 #ifdef NDEBUG
   out += " build      release";
 #else

@@ -58,5 +58,7 @@ void addSchema(CLI::App& app, Program& program);
 void addCompare(CLI::App& app, Program& program);
 void addView(CLI::App& app, Program& program);
 void addSolve(CLI::App& app, Program& program);
+void addCompletion(CLI::App& app, Program& program);
+void addManual(CLI::App& app, Program& program);
 
 }  // namespace dynamy::app

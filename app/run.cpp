@@ -41,11 +41,14 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
   c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
-  c->add_option("--integrator", t->choice.integrator, "scheme, replaces the model's");
-  c->add_option("--solver", t->choice.solver, "inclusion solver, replaces the model's");
+  c->add_option("--integrator", t->choice.integrator, "scheme, replaces the model's")
+      ->type_name("SCHEME");
+  c->add_option("--solver", t->choice.solver, "inclusion solver, replaces the model's")
+      ->type_name("SOLVER");
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
-  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->add_option("--plugin", program.libraries, "shared library with further types")
+      ->type_name("LIBRARY");
   addShow(*c, *t);
   c->callback([t, &program] {
     t->choice.until = given(t->until, "--until");

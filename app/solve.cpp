@@ -154,7 +154,9 @@ void addSolve(CLI::App& app, Program& program) {
   auto t = std::make_shared<Task>();
   CLI::App* c = app.add_subcommand("solve", "a contact problem of the FCLIB layout (HDF5)");
   c->add_option("PROBLEM", t->problem, "HDF5 file, local or global, 2D or 3D")->required();
-  c->add_option("--solver", t->solver, "inclusion solver")->capture_default_str();
+  c->add_option("--solver", t->solver, "inclusion solver")
+      ->type_name("SOLVER")
+      ->capture_default_str();
   c->add_option("--tolerance", t->tolerance, "FCLIB's residual at which the solver stops")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
@@ -162,7 +164,8 @@ void addSolve(CLI::App& app, Program& program) {
   c->add_option("--reactions", t->reactions, "HDF5 file for the problem with /solution/r and u")
       ->type_name("FILE");
   c->add_flag("--json", t->json, "the result as JSON");
-  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->add_option("--plugin", program.libraries, "shared library with further types")
+      ->type_name("LIBRARY");
   c->callback([t, &program] { solve(program, *t); });
 }
 

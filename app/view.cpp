@@ -49,7 +49,7 @@ int view(const ViewOptions& options) {
 void addView(CLI::App& app, Program& program) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* sub = app.add_subcommand("view", "write replay.html of a run anew and open it");
-  sub->add_option("folder", options->folder, "run folder, e.g. runs/ball")->required();
+  sub->add_option("DIR", options->folder, "run folder, e.g. runs/ball")->required();
   sub->add_flag("--no-browser", options->noBrowser, "only write the page");
   sub->callback([options, &program] { program.exitCode = view(*options); });
 }

@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::string_view kMagic = "DYNFRAME";
 constexpr std::string_view kChunk = "CHNK";
-constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kByteOrder = 0x01020304u;
 constexpr std::size_t kFileHead = 24;   // magic, version, byte order, poses, bytes of JSON
 constexpr std::size_t kChunkHead = 40;  // "CHNK", frames, bytes, first and last t, CRC, 0
@@ -65,7 +64,7 @@ FramesFile::FramesFile(const std::filesystem::path& path, const Scene& scene)
   JsonWriter writer(json);
   write(writer, scene);
   head_ = kMagic;
-  appendBytes(head_, kVersion);
+  appendBytes(head_, kFramesVersion);
   appendBytes(head_, kByteOrder);
   appendBytes(head_, static_cast<std::uint32_t>(poses_));
   appendBytes(head_, static_cast<std::uint32_t>(json.size()));
@@ -146,10 +145,10 @@ Frames readFrames(const std::filesystem::path& path) {
     throw FileError(path.string(), "the byte order mark is broken");
   }
   const auto version = readBytes<std::uint32_t>(&text[8]);
-  if (version != kVersion) {
+  if (version != kFramesVersion) {
     throw FileError(path.string(), "has version " + std::to_string(version) +
                                        " of the format, this program reads version " +
-                                       std::to_string(kVersion));
+                                       std::to_string(kFramesVersion));
   }
   const std::size_t json = readBytes<std::uint32_t>(&text[20]);
   if (text.size() < kFileHead + json + 4 || readBytes<std::uint32_t>(&text[kFileHead + json]) !=

@@ -24,6 +24,9 @@
 
 namespace dynamy {
 
+/// Version of the format that is written and read.
+inline constexpr std::uint32_t kFramesVersion = 2;
+
 /// Where a frame K of the scene is.
 struct Pose {
   Eigen::Vector3d r_OS_I = Eigen::Vector3d::Zero();          ///< [m]

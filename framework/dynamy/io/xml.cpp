@@ -264,4 +264,9 @@ std::vector<XmlWord> xmlWords(std::string_view value) {
 std::string escapeXmlText(std::string_view text) { return escaped(text, false); }
 std::string escapeXmlValue(std::string_view text) { return escaped(text, true); }
 
+std::string xmlParserText() {
+  return "tinyxml2 " + std::to_string(TINYXML2_MAJOR_VERSION) + '.' +
+         std::to_string(TINYXML2_MINOR_VERSION) + '.' + std::to_string(TINYXML2_PATCH_VERSION);
+}
+
 }  // namespace dynamy

@@ -88,4 +88,7 @@ std::string escapeXmlText(std::string_view text);
 /// Text as a value between quotes of either kind; line ends and tabs become entities, too.
 std::string escapeXmlValue(std::string_view text);
 
+/// The parser and its version, "tinyxml2 9.0.0".
+std::string xmlParserText();
+
 }  // namespace dynamy

@@ -1,0 +1,40 @@
+/// The commands of the program as data: what --help shows, for the manual page and the completion
+/// of shells. Rejected: texts written beside the declarations, which stay behind them.
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace dynamy::app {
+
+/// One option or argument.
+struct OptionText {
+  std::vector<std::string> names;    ///< "--until"; of an argument its word, "MODEL"
+  std::string value;                 ///< word for what follows, "TIME"; empty for a flag
+  std::vector<std::string> choices;  ///< words that it may be, if there are few
+  std::string text, standard;        ///< what for; the value without it
+  bool argument = false, required = false;
+};
+
+/// One sub-command.
+struct CommandText {
+  std::string name, text;
+  std::vector<OptionText> options;  ///< in the order of --help: arguments first
+};
+
+/// All sub-commands in the order of --help.
+std::vector<CommandText> commandTexts(const CLI::App& app);
+
+/// Options of the program itself: --help, --version.
+std::vector<OptionText> optionTexts(const CLI::App& app);
+
+/// "MODEL [--until TIME] [--quiet]": what may follow the name of the command.
+std::string synopsis(const CommandText& command);
+
+/// The page for man(1).
+std::string manualPage(const CLI::App& app);
+
+/// The script that completes words for "bash", "zsh" or "fish".
+std::string completionScript(const CLI::App& app, const std::string& shell);
+
+}  // namespace dynamy::app
