@@ -115,6 +115,7 @@ TEST(Architecture, TopLevelHoldsNothingButTheAgreedFolders) {
                                         "CMakePresets.json",
                                         "README.md",
                                         "LICENSE",
+                                        "CITATION.cff",
                                         "CHANGELOG.md",
                                         "CONTRIBUTING.md",
                                         "framework",

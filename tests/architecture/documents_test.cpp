@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -51,13 +52,84 @@ std::vector<std::pair<std::string, int>> found(const SourceFile& file, const cha
   return all;
 }
 
+std::vector<std::string> matches(const std::string& line, const char* pattern) {
+  std::vector<std::string> all;
+  const std::regex regex(pattern);
+  for (std::sregex_iterator it(line.begin(), line.end(), regex), end; it != end; ++it)
+    all.push_back((*it)[1]);
+  return all;
+}
+
+// What a link may name behind its #: explicit ids, and headings as web pages of Markdown name them.
+std::set<std::string> parts(const SourceFile& file) {
+  std::set<std::string> all;
+  for (const auto& [id, line] : found(file, R"re(<a id="([^"]+)">)re")) all.insert(id);
+  for (const auto& [heading, line] : found(file, R"(^#+ (.*)$)")) {
+    std::string slug;
+    for (const char c : heading) {
+      if (c == ' ')
+        slug += '-';
+      else if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c < 0)
+        slug += static_cast<char>(c < 0 ? c : std::tolower(c));
+    }
+    all.insert(slug);
+  }
+  return all;
+}
+
 }  // namespace
 
-TEST(Documents, LinksLeadToFiles) {
-  for (const SourceFile* file : filesUnder({"doc/"}, {".md"}))
-    for (const auto& [target, line] : found(*file, R"(\]\(([^)#:]+)\))"))
-      EXPECT_TRUE(exists(withoutDots(folderOf(file->path) + target)))
-          << place(*file, line) << ": " << target;
+TEST(Documents, LinksLeadToFilesAndTheirParts) {
+  for (const SourceFile* file : filesUnder({"doc/", "README.md", "CONTRIBUTING.md"}, {".md"}))
+    for (const auto& [link, line] : found(*file, R"(\]\(([^):]+)\))")) {
+      const std::size_t hash = link.find('#');
+      const std::string target =
+          hash == 0 ? file->path : withoutDots(folderOf(file->path) + link.substr(0, hash));
+      EXPECT_TRUE(exists(target)) << place(*file, line) << ": " << link;
+      if (hash == std::string::npos || !exists(target)) continue;
+      EXPECT_TRUE(parts(sourceFile(target)).contains(link.substr(hash + 1)))
+          << place(*file, line) << ": " << link;
+    }
+}
+
+TEST(Documents, EveryPageIsLinkedFromTheIndexInTwoClicks) {
+  std::set<std::string> reached;
+  const auto linked = [&](const SourceFile& from) {
+    for (const auto& [link, line] : found(from, R"(\]\(([^):#]+)(?:#[^)]*)?\))"))
+      reached.insert(withoutDots(folderOf(from.path) + link));
+  };
+  linked(sourceFile("doc/index.md"));
+  for (const std::string& page : std::set<std::string>(reached))
+    if (page.ends_with(".md")) linked(sourceFile(page));
+  for (const SourceFile* file : filesUnder({"doc/"}, {".md", ".svg"}))
+    EXPECT_TRUE(file->path == "doc/index.md" || reached.contains(file->path)) << file->path;
+}
+
+TEST(Documents, CitedSectionsAndEquationsExist) {
+  std::set<std::string> sections, equations;
+  for (const SourceFile* file : filesUnder({"doc/theory/"}, {".md"})) {
+    for (const auto& [number, line] : found(*file, R"(^#+ (?:Note )?(\d+(?:\.\d+)?) )"))
+      sections.insert(number);
+    for (const auto& [number, line] : found(*file, R"(^ {4}\((\d+\.\d+)\) )"))
+      equations.insert(number);
+  }
+  ASSERT_GT(equations.size(), 50u);
+  for (const SourceFile* file :
+       filesUnder({"framework/", "elements/", "plugins/", "app/", "tests/", "doc/"},
+                  {".hpp", ".cpp", ".md"}))
+    for (std::size_t i = 0; i < file->lines.size(); ++i) {
+      const std::string& line = file->lines[i];
+      const std::string where = place(*file, static_cast<int>(i) + 1) + ": " + line;
+      for (const std::string& number : matches(line, R"(\btheory (\d+(?:\.\d+)?))"))
+        EXPECT_TRUE(sections.contains(number)) << where;
+      // Equations stand in parentheses; those of a book behind its key.
+      const bool comment = line.find("///") != std::string::npos || file->path.ends_with(".md");
+      if (!comment || std::regex_search(line, std::regex(R"(\[[a-z_]+\d{4})"))) continue;
+      for (const std::string& number : matches(line, R"(\((\d{1,2}\.[1-9]\d?)\))")) {
+        const bool ours = sections.contains(number.substr(0, number.find('.')));
+        EXPECT_TRUE(!ours || equations.contains(number)) << where;
+      }
+    }
 }
 
 TEST(Documents, CitedLiteratureIsListed) {
@@ -83,7 +155,7 @@ TEST(Documents, EquationNumbersOfOnePageAreUnique) {
 
 TEST(Documents, MarkedBlocksCanBeTakenOut) {
   const std::regex known(
-      R"(<!-- test: (run \S+\.xml|check \S+\.xml|file \S+|build \S+|shell( fails \d+)?|inside [a-z]+|output) -->)");
+      R"(<!-- test: (run \S+\.xml|check \S+\.xml|file \S+|build \S+|shell( fails \d+)?|inside [a-z]+|python|module|output) -->)");
   for (const SourceFile* file : filesUnder({"doc/", "README.md"}, {".md"}))
     for (std::size_t i = 0; i + 1 < file->lines.size(); ++i) {
       if (!file->lines[i].starts_with("<!-- test:")) continue;

@@ -1,4 +1,4 @@
-/// Energy-conserving midpoint for joints, with staggered contacts (theory 3.8):
+/// Energy-conserving midpoint for joints, with staggered contacts (theory 34.4):
 ///
 ///   q^M = q^A ⊕ Δt/2 v,  q^E = q^A ⊕ Δt v,  u^E = 2v − u^A
 ///   2M(v − u^A) − Δt h(q^M, v) − W̃ Λ_J − W Λ_c = 0

@@ -1,4 +1,4 @@
-/// JointNewton: the equations of the energy-conserving midpoint with joints (theory 3.8) and
+/// JointNewton: the equations of the energy-conserving midpoint with joints (theory 34.4) and
 /// Newton's iteration on them.
 ///
 ///   q^M = q^A ⊕ Δt/2 v,   q^E = q^A ⊕ Δt v,   u^E = 2v − u^A

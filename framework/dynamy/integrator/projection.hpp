@@ -1,4 +1,4 @@
-/// Projection on the constraints in the metric of the mass, after a step (theory 3.6):
+/// Projection on the constraints in the metric of the mass, after a step (theory 34.3):
 ///
 ///   positions    min ½ δᵀMδ  with  g + Wᵀδ = 0 (joints),  g + Wᵀδ ≥ 0 (contacts);   q ← q ⊕ δ
 ///   velocities   M(u⁺ − u) = WΛ,  −γ⁺ ∈ N_C(Λ),  ε = 0:  joints and the contacts that carried

@@ -1,4 +1,4 @@
-/// Staggered Moreau midpoint (theory 3.7): the midpoint rule with contacts aimed at the gap of the
+/// Staggered Moreau midpoint (theory 34.1): the midpoint rule with contacts aimed at the gap of the
 /// NEXT midpoint, since midpoints advance by Δt u^E:
 ///
 ///   q^M = q^A ⊕ Δt/2 u^A,   overlaps repaired in the metric of the mass
