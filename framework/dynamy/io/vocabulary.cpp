@@ -44,7 +44,7 @@ Word simulation() {
   a.child(Kind::scheme, 0, 1, "scheme of time stepping");
   a.child(Kind::solver, 0, 1, "solver of the inclusion problem");
   a.child(Kind::impact, 0, 1, "impact law");
-  a.example("<simulation until=\"5\" step=\"1e-3\"><MoreauMidpoint/></simulation>");
+  a.example("<simulation until=\"5\" step=\"1e-3\"><EnergyMomentum/></simulation>");
   return w;
 }
 

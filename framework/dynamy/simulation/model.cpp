@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/integrator/moreau_midpoint.hpp>
+#include <dynamy/integrator/energy_momentum.hpp>
 #include <dynamy/simulation/model.hpp>
 #include <dynamy/solver/automatic.hpp>
 
@@ -64,7 +64,7 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
-  if (!scheme_) scheme_ = makeDefault<MoreauMidpoint>("MoreauMidpoint");
+  if (!scheme_) scheme_ = makeDefault<EnergyMomentum>("EnergyMomentum");
   if (!solver_) solver_ = makeDefault<Automatic>("Automatic");
   if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");
   std::vector<const PartialMechanicalSystem*> systems;
