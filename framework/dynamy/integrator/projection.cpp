@@ -125,8 +125,11 @@ double Projection::largestGap(const ContactSet& c) const {
 
 bool Projection::repair(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                         int slot, Level level) {
+  double reach = 0.0;  // gaps up to it take part
+  if (level == Level::touch)
+    for (const double g : s.slot(0).contacts.position) reach = std::max(reach, 2.0 * g);
   const auto violation = [&] {
-    const ContactSet& c = s.evaluate(x, slot).contacts;
+    const ContactSet& c = s.evaluate(x, slot, reach).contacts;
     if (level == Level::touch) return std::max(largestOverlap(c), largestGap(c));
     return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
   };
@@ -134,7 +137,7 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver& solver, State& x, 
   for (int turn = 0; worst > tolerance; ++turn) {
     if (turn == kMostTurns || !std::isfinite(worst)) return false;
     // Gaps that the way of a few violations can close take part.
-    const Evaluation& e = s.evaluate(x, slot, 8.0 * worst);
+    const Evaluation& e = s.evaluate(x, slot, std::max(reach, 8.0 * worst));
     select(e.contacts, x, level);
     if (!solve(e, solver) && turn > 2) return false;
     delta_ /= kTau;
