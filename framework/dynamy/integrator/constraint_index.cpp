@@ -19,8 +19,7 @@ StepReport ConstraintIndex::step(MechanicalSystem& s, InclusionSolver& solver, S
   s.bias(false);
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
   s.linearlyImplicit(x, kImplicitEnd);
-  if (anyUnilateral(*problem.contacts))
-    return {dt, {}, problem.size(), "a unilateral contact closes, and this level knows no impact"};
+  if (anyUnilateral(*problem.contacts)) return {dt, {}, problem.size(), lacks(Asked::contact)};
   SolveReport solved;
   if (index_ == 3) {  // g(q^E) = 0
     solved = level_.solve(s, problem, solver, x, dt, 1);

@@ -20,6 +20,11 @@ class ConstraintIndex final : public OneStep {
   static void declare(Attributes& a);
   int order() const override { return 1; }
   int evaluations() const override { return 2; }
+  std::string_view lacks(Asked what) const override {
+    return what == Asked::stiffForces
+               ? std::string_view()
+               : "a unilateral contact closes, and this level knows no impact";
+  }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
 
  private:

@@ -1,5 +1,5 @@
-/// Half-explicit Heun scheme (theory 31.9): order 2 with the laws on velocity level, impacts within
-/// the step, as in the half-explicit relatives of D1Minus.
+/// Half-explicit Heun scheme (theory (31.10), (31.11)): order 2 with the laws on velocity level,
+/// impacts within the step, as in the half-explicit relatives of D1Minus.
 ///
 ///   Q = q^A + Δt F u^A,    M^A (U − u^A) − Δt h^A − W^A Λ₁ = 0,   laws with W(Q)ᵀU + ε γ^A and Λ₁
 ///   q^E = q^A + Δt/2 F (u^A + U)
@@ -20,6 +20,11 @@ class HalfExplicitHeun final : public OneStep {
   static void declare(Attributes& a);
   int order() const override { return 2; }
   int evaluations() const override { return 3; }
+  std::string_view lacks(Asked what) const override {
+    return what == Asked::stiffForces
+               ? "it takes forces explicitly, and Δt is beyond the limit of a stiff element"
+               : std::string_view();
+  }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
 
  private:

@@ -38,6 +38,13 @@ void MechanicalSystem::linearlyImplicit(const State& x, const ImplicitWeights& w
   freeVelocity(implicitFree_);
 }
 
+bool MechanicalSystem::explicitIsUnstable(const State& x, double dt, double limit, int slot) {
+  if (!stiff_.any()) return false;
+  const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  stiff_.evaluate(*parts_.topology, parts_.forces, e.kinematics, x);
+  return stiff_.explicitIsUnstable(e.mass, dt, limit);
+}
+
 void MechanicalSystem::applyInverseMass(const Eigen::VectorXd& in, Eigen::VectorXd& out) const {
   const MassMatrix& mass = slots_[static_cast<std::size_t>(slot_)].mass;
   out.resize(in.size());

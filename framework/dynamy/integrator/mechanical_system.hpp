@@ -69,6 +69,9 @@ class MechanicalSystem {
   ///   M̂ (u^E − u^A) = Δt (h + Δt s K u^A) + WΛ,   M̂ = M − b Δt D − a Δt² K
   /// Nothing happens in models without stiff elements.
   void linearlyImplicit(const State& x, const ImplicitWeights& weights, int slot = 0);
+  /// True: a rule that is explicit in h and stable up to ωΔt = `limit` is not so for the stiff
+  /// elements at x, which is evaluated in slot `slot`.
+  bool explicitIsUnstable(const State& x, double dt, double limit, int slot);
   /// The operator M̂ alone, with the derivatives at x, which is evaluated in slot `slot`.
   void implicitMass(const State& x, double dt, const ImplicitWeights& weights, int slot);
   /// out = M̂⁻¹ in; M⁻¹ of the problem's slot in models without stiff elements.

@@ -7,12 +7,15 @@ namespace {
 constexpr int kMostIterations = 30;
 constexpr double kConverged = 1e-13;  ///< change of h(q^A, u^½), relative
 constexpr double kSlow = 1e-9;        ///< a change that no longer falls is taken below this
+constexpr double kLeapfrog = 2.0;     ///< stable up to this ωΔt
 
 }  // namespace
 
 StepReport NonsmoothRattle::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                  double dt) {
   begin_ = x;
+  s.evaluateAhead(begin_, dt, 1);  // M, h, W at q^A
+  if (s.explicitIsUnstable(begin_, dt, kLeapfrog, 1)) return {dt, {}, 0, lacks(Asked::stiffForces)};
   const auto first = positions(s, solver, x, dt);
   auto solved = velocities(s, solver, x, dt);
   solved.iterations += first.iterations;
@@ -22,7 +25,6 @@ StepReport NonsmoothRattle::step(MechanicalSystem& s, InclusionSolver& solver, S
 
 SolveReport NonsmoothRattle::positions(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                        double dt) {
-  s.evaluateAhead(begin_, dt, 1);  // M, h, W at q^A
   keys_.clear();
   addKeys(s.slot(1).contacts, keys_);
   SolveReport solved;

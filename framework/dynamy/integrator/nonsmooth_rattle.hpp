@@ -1,5 +1,5 @@
-/// Nonsmooth RATTLE (theory 31.7): positions and velocities both at the end, order 2 between
-/// impacts.
+/// Nonsmooth RATTLE (theory (31.7), (31.8)): positions and velocities both at the end, order 2
+/// between impacts.
 ///
 ///   M^A (u^½ − u^A) − Δt/2 h(q^A, u^½) − W^A Λ₁ = 0,   q^E = q^A + Δt (F u^½ + β)
 ///        ξ_N = g(q^E)/Δt,  ξ_T = γ_T(u^½),   −ξ ∈ N_C(Λ₁)
@@ -21,6 +21,11 @@ class NonsmoothRattle final : public OneStep {
   static void declare(Attributes& a);
   int order() const override { return 2; }
   int evaluations() const override { return 2; }
+  std::string_view lacks(Asked what) const override {
+    return what == Asked::stiffForces
+               ? "it takes forces explicitly, and Δt is beyond the limit of a stiff element"
+               : std::string_view();
+  }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
 
  private:

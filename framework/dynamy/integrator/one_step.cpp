@@ -1,3 +1,5 @@
+#include <cmath>
+#include <dynamy/integrator/displacement_level.hpp>
 #include <dynamy/integrator/one_step.hpp>
 
 namespace dynamy {
@@ -16,6 +18,27 @@ StepReport OneStep::advance(MechanicalSystem& s, InclusionSolver& solver, State&
   }
   total.dt = H;
   return total;
+}
+
+std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s,
+                                          const RememberedImpulses& last) const {
+  constexpr int kMaxDim = 8;
+  if (!s.impactLaw().newtons() && !lacks(Asked::impactLaw).empty()) return lacks(Asked::impactLaw);
+  // An impact: a contact that did not press before closes faster than forces explain.
+  const InclusionProblem& p = s.problem();
+  for (int i = 0; i < p.size(); ++i) {
+    const auto first = static_cast<std::size_t>(p.row0(i));
+    if (!p.law(i).unilateral() || s.Lambda(p.row0(i)) <= 0.0) continue;
+    const double closing = -p.gammaA[first];
+    if (closing <= 2.0 * std::abs(p.gammaFree[first] + closing)) continue;
+    if (pressed(last, p.contacts->key[static_cast<std::size_t>(i)])) continue;
+    double epsilon[kMaxDim] = {};
+    p.law(i).epsilon(p.dim(i), epsilon);
+    if (epsilon[0] > 0.0 && !lacks(Asked::rebound).empty()) return lacks(Asked::rebound);
+    if (p.dim(i) > 1 && !lacks(Asked::frictionAtImpact).empty())
+      return lacks(Asked::frictionAtImpact);
+  }
+  return {};
 }
 
 void OneStep::interpolate(const MechanicalSystem&, const State& a, const State& b, double theta,

@@ -29,7 +29,19 @@ StepReport PaoliSchatzman::step(MechanicalSystem& s, InclusionSolver& solver, St
   }
   // q_{k+1} = q_k + Δt u_{k+1},  g(q_{k+1}) + ε g(q_{k−1}) ≥ 0
   const auto solved = level_.solve(s, problem, solver, x, dt, 1, offset_);
-  return {dt, solved, problem.size()};
+  return {dt, solved, problem.size(), lackingAtImpact(s, before_.impulses)};
+}
+
+std::string_view PaoliSchatzman::lacks(Asked what) const {
+  switch (what) {
+    case Asked::frictionAtImpact:
+      return "a contact with friction is hit, and this scheme spreads an impact over two steps, "
+             "for which no friction is defined";
+    case Asked::impactLaw:
+      return "restitution is a mean of its positions, it takes no impact law";
+    default:
+      return {};
+  }
 }
 
 void PaoliSchatzman::gapsBefore(MechanicalSystem& s, const InclusionProblem& problem,

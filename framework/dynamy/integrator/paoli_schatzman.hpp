@@ -1,4 +1,4 @@
-/// Paoli and Schatzman's scheme (theory 31.5): two steps, laws on displacement level.
+/// Paoli and Schatzman's scheme (theory (31.5)): two steps, laws on displacement level.
 ///
 ///   M (q_{k+1} − 2 q_k + q_{k−1})/Δt = h Δt + WΛ,   ξ_N = (g(q_{k+1}) + ε g(q_{k−1}))/Δt
 ///   u_k = (q_k − q_{k−1})/Δt is the velocity of the state; M, h, W at q_k
@@ -18,6 +18,7 @@ class PaoliSchatzman final : public OneStep {
   static void declare(Attributes& a);
   int order() const override { return 1; }
   int evaluations() const override { return 2; }
+  std::string_view lacks(Asked what) const override;
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
 
  private:

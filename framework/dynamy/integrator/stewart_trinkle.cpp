@@ -9,9 +9,21 @@ StepReport StewartTrinkle::step(MechanicalSystem& s, InclusionSolver& solver, St
   s.linearlyImplicit(x, kImplicitEnd);
   aimAtPositions(problem, dt);                            // ξ_N = γ_N^E + g/Δt
   const auto solved = solver.solve(problem, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-  s.velocityFromImpulses(x);                              // u^E = u^A + M⁻¹(h Δt + W Λ)
-  s.moveConfiguration(x, dt);                             // q^E = q^A + Δt (F u^E + β)
-  return {dt, solved, problem.size()};
+  const auto lacking = lackingAtImpact(s, x.impulses);
+  s.velocityFromImpulses(x);   // u^E = u^A + M⁻¹(h Δt + W Λ)
+  s.moveConfiguration(x, dt);  // q^E = q^A + Δt (F u^E + β)
+  return {dt, solved, problem.size(), lacking};
+}
+
+std::string_view StewartTrinkle::lacks(Asked what) const {
+  switch (what) {
+    case Asked::rebound:
+      return "a contact with restitution closes, and this scheme knows no rebound";
+    case Asked::impactLaw:
+      return "it stops what arrives by its own law and takes no impact law";
+    default:
+      return {};
+  }
 }
 
 void StewartTrinkle::declare(Attributes& a) {

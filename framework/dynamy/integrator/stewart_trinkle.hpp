@@ -1,5 +1,5 @@
-/// Stewart and Trinkle's scheme (theory 31.4): the gap at the end of the step, linearised, in the
-/// law.
+/// Stewart and Trinkle's scheme (theory (31.2), (31.3)): the gap at the end of the step,
+/// linearised, in the law.
 ///
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ_N = γ_N^E + g/Δt,   ξ_T = γ_T^E,   −ξ_i ∈ N_{C_i}(Λ_i)
 ///   q^E = q^A + Δt (F u^E + β)
@@ -15,6 +15,7 @@ class StewartTrinkle final : public OneStep {
   explicit StewartTrinkle(const Parameters& x) : OneStep(x) {}
   static void declare(Attributes& a);
   int order() const override { return 1; }
+  std::string_view lacks(Asked what) const override;
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
 };
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <dynamy/integrator/stiff_part.hpp>
 
 namespace dynamy {
@@ -75,6 +76,28 @@ void StiffPart::applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in,
   part_ = lu_.solve(part_).eval();
   for (std::size_t k = 0; k < touched_.size(); ++k)
     out[touched_[k]] = part_[static_cast<Eigen::Index>(k)];
+}
+
+bool StiffPart::explicitIsUnstable(const MassMatrix& mass, double dt, double limit) {
+  // Power iteration for M⁻¹K and M⁻¹D. Quotients of Rayleigh never exceed the largest eigenvalue:
+  // a step that is stable is not taken for one that is not.
+  constexpr int kIterations = 12;
+  for (const bool damping : {false, true}) {
+    const double most = damping ? 2.0 / dt : limit * limit / (dt * dt);
+    probe_.resize(nu_), column_.resize(nu_);
+    for (int j = 0; j < nu_; ++j) probe_[j] = std::sin(1.0 + j);
+    for (int i = 0; i < kIterations; ++i) {
+      force_.setZero(nu_);
+      for (const StiffEntry& e : entries_) force_[e.i] -= (damping ? e.D : e.K) * probe_[e.j];
+      mass.apply(view(std::as_const(probe_)), view(column_));
+      if (probe_.dot(force_) > most * probe_.dot(column_)) return true;
+      mass.applyInverse(view(std::as_const(force_)), view(probe_));
+      const double size = probe_.norm();
+      if (size == 0.0) break;
+      probe_ /= size;
+    }
+  }
+  return false;
 }
 
 void StiffPart::addK(double scale, const Eigen::VectorXd& v, Eigen::VectorXd& out) const {

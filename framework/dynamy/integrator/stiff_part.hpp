@@ -37,6 +37,8 @@ class StiffPart {
   void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights);
   /// out = M̂⁻¹ in; in and out may not overlap.
   void applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  /// ωΔt > limit for an oscillation, or Δt d/m > 2, the limit of Euler's explicit rule.
+  bool explicitIsUnstable(const MassMatrix& mass, double dt, double limit);
   /// out += scale K v.
   void addK(double scale, const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
   /// Gives Ĝ = Wᵀ M̂⁻¹ W to `delassus`.
@@ -59,7 +61,7 @@ class StiffPart {
   Eigen::MatrixXd Mhat_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
   mutable Eigen::VectorXd part_;
-  Eigen::VectorXd force_, column_;
+  Eigen::VectorXd force_, column_, probe_;
   std::vector<double> row_;
 };
 

@@ -17,6 +17,8 @@ class ImpactLaw : public Element {
   /// Poses c from γ_free, γ^A and the laws' ε and solves; Λ: start in, percussions out. A group of
   /// contacts whose impact gains energy is solved again with smaller ε; the report says so.
   SolveReport solve(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const;
+  /// True: ξ = γ⁺ + ε γ⁻ says it all, so that a scheme may pose it by itself.
+  virtual bool newtons() const { return false; }
 
  protected:
   /// The law as it is stated, with factor[i] ε_i for contact i.
@@ -41,6 +43,7 @@ class NewtonImpact final : public ImpactLaw {
  public:
   NewtonImpact() = default;
   explicit NewtonImpact(const Parameters& x) : ImpactLaw(x) {}
+  bool newtons() const override { return true; }
   static void declare(Attributes& a);
 
  protected:
