@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/generalized_alpha.hpp>
 #include <dynamy/integrator/velocity_iteration.hpp>
@@ -23,52 +24,17 @@ void GeneralizedAlpha::start(MechanicalSystem& s, State& x) {
 
 StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                   double dt) {
-  const double alphaM = (2.0 * rho_ - 1.0) / (1.0 + rho_), alphaF = rho_ / (1.0 + rho_);
-  const double gamma = 0.5 + alphaF - alphaM, beta = 0.25 * (gamma + 0.5) * (gamma + 0.5);
-  const double share = (1.0 - alphaF) / (1.0 - alphaM);  // ∂a^E/∂v̇^E
   start(s, x);
   begin_ = x;
-
-  // Active: closed at q^A or at the forecast, or pressed in the last step.
-  keys_.clear();
-  addKeys(s.evaluate(x, 1).contacts, keys_);
-  mean_ = begin_.u + 0.5 * dt * aA_;
-  s.move(x, mean_, dt);
-  addKeys(s.evaluate(x, 0).contacts, keys_);
-  addPressed(begin_.impulses, keys_);
-
+  activeContacts(s, x, dt);
   s.freeze(keys_);
   vdot_ = vdotA_;
   w_.setZero(x.u.size());
   SolveReport solved;
   VelocityIteration iteration(kMostIterations);
   for (bool last = false; !last;) {
-    a_ = (1.0 - alphaF) / (1.0 - alphaM) * vdot_ + alphaF / (1.0 - alphaM) * vdotA_ -
-         alphaM / (1.0 - alphaM) * aA_;
-    uTilde_ = begin_.u + dt * ((1.0 - gamma) * aA_ + gamma * a_);
-    mean_ = begin_.u + dt * ((0.5 - beta) * aA_ + beta * a_) + 0.5 * w_;
-    x.t = begin_.t, x.q = begin_.q;
-    s.move(x, mean_, dt);
-    x.u = uTilde_ + w_;
-    s.evaluate(x, 0);  // M, h, W at q^E, u^E
-    auto& problem = s.impactProblem(begin_, dt);
-    s.freeVelocity(uTilde_);
-    const auto found = s.impactLaw().solve(problem, solver, s.Lambda());  // −ξ ∈ N_C(Λ)
-    addSolve(solved, found);
-    solved.status = found.status;
-    s.velocityFromImpulses(x);
-    begin_.impulses = x.impulses;
-    change_ = x.u - uTilde_ - w_;
-    w_ = x.u - uTilde_;  // w = M⁻¹WΛ
-    double change = change_.lpNorm<Eigen::Infinity>();
-    // Newton for M v̇ = h
-    residual_.resize(x.u.size());
-    s.slot(0).mass.apply(view(std::as_const(vdot_)), view(residual_));
-    residual_ = s.slot(0).h - residual_;
-    s.implicitMass(x, dt, {0.0, beta * share, gamma * share}, 0);
-    s.applyInverseMass(residual_, change_);
-    vdot_ += change_;
-    change = std::max(change, dt * change_.lpNorm<Eigen::Infinity>());
+    place(s, x, dt);  // a^E, ũ, and M, h, W at q^E, u^E
+    const double change = correct(s, solver, x, dt, solved);
     const double size = x.u.lpNorm<Eigen::Infinity>();
     last = iteration.done(s, change, size, dt, solved);
   }
@@ -77,7 +43,71 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
   return {dt, solved, s.problem().size()};
 }
 
-GeneralizedAlpha::GeneralizedAlpha(const Parameters& x) : OneStep(x), rho_(x["rho"]) {}
+/// Closed at q^A or at the forecast, or pressed in the last step.
+void GeneralizedAlpha::activeContacts(MechanicalSystem& s, State& x, double dt) {
+  keys_.clear();
+  addKeys(s.evaluate(x, 1).contacts, keys_);
+  mean_ = begin_.u + 0.5 * dt * aA_;
+  s.move(x, mean_, dt);
+  addKeys(s.evaluate(x, 0).contacts, keys_);
+  addPressed(begin_.impulses, keys_);
+}
+
+void GeneralizedAlpha::place(MechanicalSystem& s, State& x, double dt) {
+  a_ = ((1.0 - alphaF_) * vdot_ + alphaF_ * vdotA_ - alphaM_ * aA_) / (1.0 - alphaM_);
+  uTilde_ = begin_.u + dt * ((1.0 - gamma_) * aA_ + gamma_ * a_);
+  mean_ = begin_.u + dt * ((0.5 - beta_) * aA_ + beta_ * a_) + 0.5 * w_;
+  x.t = begin_.t, x.q = begin_.q;
+  s.move(x, mean_, dt);
+  x.u = uTilde_ + w_;
+  s.evaluate(x, 0);
+}
+
+double GeneralizedAlpha::correct(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                                 SolveReport& solved) {
+  const double share = (1.0 - alphaF_) / (1.0 - alphaM_);  // ∂a^E/∂v̇^E
+  const double perVdot = gamma_ * share * dt;              // ∂ũ/∂v̇^E
+  // u_free = ũ + w + M̂⁻¹ [∂ũ/∂v̇ (h − M v̇) − M w],   u^E = u_free + M̂⁻¹WΛ
+  h_ = s.slot(0).h, hNonPotential_ = s.slot(0).hNonPotential;
+  uFree_ = -perVdot * vdot_ - w_;
+  residual_.resize(x.u.size());
+  s.slot(0).mass.apply(view(std::as_const(uFree_)), view(residual_));
+  residual_ += perVdot * h_;
+  auto& problem = s.impactProblem(begin_, dt);
+  s.implicitMass(x, dt, {0.0, beta_ * share, gamma_ * share}, 0);
+  s.applyInverseMass(residual_, uFree_);
+  uFree_ += x.u;
+  s.freeVelocity(uFree_);
+  const auto last = s.impactLaw().solve(problem, solver, s.Lambda());  // −ξ ∈ N_C(Λ)
+  addSolve(solved, last);
+  solved.status = last.status;
+  s.velocityFromImpulses(x);
+  s.usedForce(h_, hNonPotential_);
+  begin_.impulses = x.impulses;
+  // w = M⁻¹WΛ; v̇ gains M̂⁻¹(h − M v̇) and, per ∂ũ/∂v̇, what springs make of the change of w
+  const MassMatrix& mass = s.slot(0).mass;
+  mass.apply(view(std::as_const(vdot_)), view(residual_));
+  residual_ = h_ - residual_;
+  s.applyInverseMass(residual_, change_);
+  vdot_ += change_;
+  double change = dt * change_.lpNorm<Eigen::Infinity>();
+  mass.apply(view(std::as_const(w_)), view(residual_));
+  residual_ = -residual_;
+  addForce(s.slot(0).contacts, s.Lambda().data(), residual_);  // WΛ − M w
+  s.applyInverseMass(residual_, uFree_);
+  mass.applyInverse(view(std::as_const(residual_)), view(change_));
+  w_ += change_;
+  change = std::max(change, change_.lpNorm<Eigen::Infinity>());
+  vdot_ += (uFree_ - change_) / perVdot;  // 0 to the last bit without stiff elements
+  return std::max(change, (uFree_ - change_).lpNorm<Eigen::Infinity>());
+}
+
+GeneralizedAlpha::GeneralizedAlpha(const Parameters& x) : OneStep(x) { weights(x["rho"]); }
+
+void GeneralizedAlpha::weights(double rho) {
+  alphaM_ = (2.0 * rho - 1.0) / (1.0 + rho), alphaF_ = rho / (1.0 + rho);
+  gamma_ = 0.5 + alphaF_ - alphaM_, beta_ = 0.25 * (gamma_ + 0.5) * (gamma_ + 0.5);
+}
 
 void GeneralizedAlpha::declare(Attributes& a) {
   a.about(
