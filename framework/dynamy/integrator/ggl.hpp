@@ -1,5 +1,5 @@
-/// Stabilised scheme of Gear, Gupta and Leimkuhler (theory 31.10): laws on velocity and on position
-/// level, with a multiplier each.
+/// Stabilised scheme of Gear, Gupta and Leimkuhler (theory (31.12), (31.13)): laws on velocity and
+/// on position level, with a multiplier each.
 ///
 ///   q^E = q^A + Δt (F u^A + β) + F M⁻¹Wτ,    0 ≤ g(q^E) ⊥ τ ≥ 0      (joints: g(q^E) = 0)
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)

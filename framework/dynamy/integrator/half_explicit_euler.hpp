@@ -1,5 +1,5 @@
-/// Half-explicit Euler step of Stiegelmeyr, Funk, Foerg and Pfeiffer (theory 3.3): W and the law at
-/// the END position.
+/// Half-explicit Euler step of Stiegelmeyr, Funk, Foerg and Pfeiffer (theory (3.7)): W and the law
+/// at the END position.
 ///
 ///   q^E = q^A + Δt (F u^A + β)
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)

@@ -32,6 +32,9 @@ class JointNewton {
   void newtonStep();
   /// What all unknowns gain per impulse along w (nu numbers): K⁻¹ [w; 0].
   void respond(const double* w, std::vector<double>& response) const;
+  int unknowns() const { return unknowns_; }
+  /// x ← K⁻¹ x, unknowns() numbers in the order of the walk.
+  void solve(double* x) const { K_.solve(x); }
   /// (dv, dΛ) += factor · response.
   void add(const std::vector<double>& response, double factor);
   /// w·v of a response.

@@ -1,4 +1,4 @@
-/// Moreau's midpoint rule (theory 3.2), explicit in positions, one inclusion per step:
+/// Moreau's midpoint rule (theory (3.6)), explicit in positions, one inclusion per step:
 ///
 ///   q^M = q^A + Δt/2 (F u^A + β)
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)

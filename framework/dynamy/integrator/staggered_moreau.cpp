@@ -28,6 +28,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   bool apart = true;
   const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
   auto& problem = pose(s, solver, x, dt);                 // ξ = G Λ + c
+  s.linearlyImplicit(x, kImplicitMidpoint);
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
   s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
   x.impulses.corrected = !solved.warmAccepted;

@@ -1,4 +1,4 @@
-/// Modified Θ-method (theory 31.6), implicit in the smooth forces, Moreau's inclusion:
+/// Modified Θ-method (theory (31.6)), implicit in the smooth forces, Moreau's inclusion:
 ///
 ///   q^M = q^A + (1−Θ)Δt (F u^A + β)
 ///   M(u^E − u^A) − Δt [Θ h(q^E,u^E,t^E) + (1−Θ) h(q^A,u^A,t^A)] − WΛ = 0
