@@ -8,10 +8,21 @@ void Gravity::declare(Attributes& a) {
       "Uniform field of gravity: every mass m feels the force m g. Systems written as formulas "
       "(Coordinates) have their weight in their own potential and do not answer.");
   a.vector("acceleration", Unit::acceleration, 3, "0 0 -9.81", "acceleration of free fall");
+  a.add(AttributeType::expressions, "change", std::nullopt,
+        "x; y; z as formulas of t, added to the acceleration [m/s^2]: a shaken or tilted scene")
+      .mayBeAbsent();
   a.example("<Gravity acceleration=\"0 0 -9.81\"/>");
 }
 
-Gravity::Gravity(const Parameters& x) : ExternalForce(x), g_I_(x["acceleration"].vec3()) {}
+Gravity::Gravity(const Parameters& x)
+    : ExternalForce(x), g_I_(x["acceleration"].vec3()), change_(x, "change", 3) {}
+
+Vec3 Gravity::field(double t) const {
+  if (change_.empty()) return g_I_;
+  Vec3 change;
+  change_.eval(t, change.data());
+  return g_I_ + change;
+}
 
 void Gravity::connect(Topology& topology) {
   parts_.clear();
@@ -26,7 +37,7 @@ void Gravity::connect(Topology& topology) {
     topology.systems()[i]->initialState({q.data(), q.size()}, {u.data(), u.size()});
     felt = felt || feelsGravity(*topology.systems()[i], {q.data(), q.size()});
   }
-  if (!felt && !g_I_.isZero(0.0))
+  if (!felt && !(g_I_.isZero(0.0) && change_.empty()))
     throw ModelError("no system of the model feels gravity",
                      "write its potential into the system itself, e.g. <Coordinates … "
                      "potential=\"m*9.81*z\">, and leave <Gravity> out");
@@ -34,14 +45,16 @@ void Gravity::connect(Topology& topology) {
 }
 
 void Gravity::addTo(const Kinematics& k, ForceSink& sink) const {
+  const Vec3 g_I = field(k.t());
   for (const Part& part : parts_) {
-    part.system->gravity(k.t(), k.q(part.handle), g_I_, {h_.data(), part.handle.nu});
+    part.system->gravity(k.t(), k.q(part.handle), g_I, {h_.data(), part.handle.nu});
     sink.generalised(part.handle, {h_.data(), part.handle.nu});
   }
 }
 
 double Gravity::potentialEnergy(const Kinematics& k) const {
   double V = 0.0;
+  if (!hasPotential()) return V;
   for (const Part& part : parts_)
     V += part.system->gravity(k.t(), k.q(part.handle), g_I_, {h_.data(), part.handle.nu});
   return V;

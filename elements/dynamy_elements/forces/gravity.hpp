@@ -1,7 +1,8 @@
-/// Gravity: uniform field.   h += Σ J_Sᵀ m g,   V = −Σ m g·r_OS
+/// Gravity: uniform field, constant or as told.   h += Σ J_Sᵀ m g(t),   V = −Σ m g·r_OS
 #pragma once
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/system/external_force.hpp>
+#include <dynamy_elements/formulas.hpp>
 
 namespace dynamy {
 
@@ -12,7 +13,8 @@ class Gravity final : public ExternalForce {
   explicit Gravity(const Parameters& x);
   void connect(Topology& topology) override;
   void addTo(const Kinematics& k, ForceSink& sink) const override;
-  bool hasPotential() const override { return true; }
+  /// A field that changes does work that no potential of q gives.
+  bool hasPotential() const override { return change_.empty(); }
   double potentialEnergy(const Kinematics& k) const override;
 
  private:
@@ -20,7 +22,9 @@ class Gravity final : public ExternalForce {
     const PartialMechanicalSystem* system;
     SystemHandle handle;
   };
+  Vec3 field(double t) const;
   Vec3 g_I_;
+  TimeFormulas change_;
   std::vector<Part> parts_;
   mutable Eigen::VectorXd h_;  ///< scratch, sized in connect()
 };

@@ -65,6 +65,23 @@ TEST(Gravity, IsTheGradientOfItsPotential) {
   expectPotentialFits(m);
 }
 
+TEST(Gravity, ChangesAsToldAndDoesWorkThen) {
+  Model m;
+  addBodies(m);
+  m.add<Gravity>("g", {{"acceleration", {0.0, 0.0, -9.81}}, {"change", "2*t; 0; t"}});
+  m.build();
+  const ExternalForce& gravity = *m.forces().at(0);
+  EXPECT_FALSE(gravity.hasPotential());
+  Motion motion(m, 0.25);
+  const Forces f = forces(gravity, motion);
+  // Body a of 2 kg at t = 0.25: 2 (0.5, 0, -9.81 + 0.25).
+  EXPECT_DOUBLE_EQ(f.h[0], 1.0);
+  EXPECT_DOUBLE_EQ(f.h[1], 0.0);
+  EXPECT_DOUBLE_EQ(f.h[2], 2.0 * (-9.81 + 0.25));
+  EXPECT_EQ(f.nonPotential, f.h);
+  EXPECT_EQ(gravity.potentialEnergy(motion.at(0.0)), 0.0);
+}
+
 TEST(SpringDamper, IsTheGradientOfItsPotentialWithoutItsDamper) {
   Model m;
   addBodies(m);
