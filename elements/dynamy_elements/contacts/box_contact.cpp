@@ -9,6 +9,8 @@ namespace {
 constexpr double kSame = 1e-6;
 /// Sine of the angle from which two edges have a normal of their own.
 constexpr double kCross = 0.05;
+/// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
+constexpr double kLikeFace = 0.7;
 
 /// Edge number 4 · axis + 2 bits for the signs of the other two axes.
 struct Edge {
@@ -56,18 +58,20 @@ struct Separation {
     return best;
   }
 
-  /// Axes e_i × e_j of an edge of A and an edge of B.
-  Axis edges() const {
+  /// Axes e_i × e_j of an edge of A and an edge of B; those that do not separate by more than
+  /// `least` are passed over before their root is taken.
+  Axis edges(double least) const {
     Axis best;
+    const double bound = std::min(least, 0.0);  // the root is at most 1
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        const double square = 1.0 - C(i, j) * C(i, j);
-        if (square < kCross * kCross) continue;
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
         const double along = t[i2] * C(i1, j) - t[i1] * C(i2, j);
-        const double s = (std::abs(along) - hA[i1] * a(i2, j) - hA[i2] * a(i1, j) -
-                          hB[j1] * a(i, j2) - hB[j2] * a(i, j1)) /
-                         std::sqrt(square);
+        const double over = std::abs(along) - hA[i1] * a(i2, j) - hA[i2] * a(i1, j) -
+                            hB[j1] * a(i, j2) - hB[j2] * a(i, j1);
+        const double square = 1.0 - C(i, j) * C(i, j);
+        if (over <= bound || square < kCross * kCross) continue;
+        const double s = over / std::sqrt(square);
         if (s > best.separation) best = {s, i, j, along < 0.0 ? -1.0 : 1.0};
       }
     return best;
@@ -89,36 +93,49 @@ Vec3 normalOf(const PlacedBox& box, int face) {
   return (face > 0 ? 1.0 : -1.0) * box.R.col(axisOf(face));
 }
 
-/// Vertex `p` moving with `mover` over the face of `box`; `sign` +1: box is A.
-ContactPoint vertexOnFace(const PlacedBox& box, int face, const PlacedBox& mover, const Vec3& p,
-                          double sign) {
-  ContactPoint out;
-  const int k = axisOf(face);
-  const Vec3 n = normalOf(box, face);
-  out.g = n.dot(p - box.c) - box.half[k];
-  out.d[0] = sign * n;
-  // The other two axes of the face, right-handed with n.
-  out.d[1] = box.R.col((k + 1) % 3);
-  out.d[2] = out.d[0].cross(out.d[1]);
-  for (int i = 0; i < 3; ++i) out.ddot[i] = box.frame->Omega_I.cross(out.d[i]);
-  out.P = p;
-  out.Pdot = mover.frame->velocity(p - mover.frame->r_OS_I);
-  return out;
-}
+/// A face that vertices of the other box may touch: directions once for all of them.
+class Face {
+ public:
+  /// `sign` +1: box is A. `rates`: of the directions and of the points as well.
+  Face(const PlacedBox& box, int face, double sign, bool rates) : box_(box), rates_(rates) {
+    const int k = axisOf(face);
+    n_ = normalOf(box, face), half_ = box.half[k];
+    at_.d[0] = sign * n_;
+    // The other two axes of the face, right-handed with n.
+    at_.d[1] = box.R.col((k + 1) % 3);
+    at_.d[2] = at_.d[0].cross(at_.d[1]);
+    if (rates)
+      for (int i = 0; i < 3; ++i) at_.ddot[i] = box.frame->Omega_I.cross(at_.d[i]);
+  }
+  /// Vertex p that moves with `mover`.
+  void contact(const PlacedBox& mover, const Vec3& p, ContactPoint& out) const {
+    out = at_;
+    out.g = n_.dot(p - box_.c) - half_;
+    out.P = p;
+    if (rates_) out.Pdot = mover.frame->velocity(p - mover.frame->r_OS_I);
+  }
 
-/// Closest points of two lines, parameters from the middles; false: parallel.
+ private:
+  const PlacedBox& box_;
+  bool rates_;
+  Vec3 n_;
+  double half_;
+  ContactPoint at_;
+};
+
+/// Closest points of two lines, parameters from the middles; of parallel ones they mean nothing.
 struct Crossing {
-  double s = 0.0, t = 0.0;
+  bool parallel;
+  double s, t;
   Vec3 PA, PB, n;
-  bool of(const Edge& a, const Edge& b) {
+  Crossing(const Edge& a, const Edge& b) {
     const Vec3 cross = a.e.cross(b.e), d = b.o - a.o;
     const double square = cross.squaredNorm(), c = a.e.dot(b.e);
-    if (square < kCross * kCross) return false;
+    parallel = square < kCross * kCross;
     const double da = d.dot(a.e), db = d.dot(b.e);
     s = (da - c * db) / square, t = (c * da - db) / square;
     PA = a.o + s * a.e, PB = b.o + t * b.e;
     n = cross / std::sqrt(square);
-    return true;
   }
 };
 
@@ -143,87 +160,151 @@ ContactPoint edgeOnEdge(const PlacedBox& A, const Edge& a, const PlacedBox& B, c
   return out;
 }
 
-/// Collects contacts; points that coincide seen along the normal are one, the first counts.
+/// Collects contacts by their places x, y on the face of A; of places that coincide the first
+/// counts.
 class Manifold {
  public:
-  Manifold(const Vec3& n, double same, std::array<BoxContact, kMostBoxContacts>& out)
-      : n_(n), same2_(same * same), out_(&out) {}
-  /// Is there room for a contact at P, and none yet?
-  bool wants(const Vec3& P) const {
+  explicit Manifold(double same) : same2_(same * same) {}
+  /// Is there room for a contact at (x, y), and none yet? Then it is taken.
+  bool takes(double x, double y) {
     for (int i = 0; i < size_; ++i) {
-      const Vec3 d = (*out_)[static_cast<std::size_t>(i)].at.P - P;
-      const double along = n_.dot(d);
-      if (d.squaredNorm() - along * along <= same2_) return false;
+      const double dx = x_[i] - x, dy = y_[i] - y;
+      if (dx * dx + dy * dy <= same2_) return false;
     }
-    return size_ < kMostBoxContacts;
-  }
-  void add(int id, const ContactPoint& at) {
-    (*out_)[static_cast<std::size_t>(size_++)] = {id, at};
+    if (size_ == kMostBoxContacts) return false;
+    x_[size_] = x, y_[size_++] = y;
+    return true;
   }
   int size() const { return size_; }
 
  private:
-  Vec3 n_;
-  double same2_;
-  std::array<BoxContact, kMostBoxContacts>* out_;
+  double same2_, x_[kMostBoxContacts], y_[kMostBoxContacts];
   int size_ = 0;
 };
 
-/// Is p, seen along the face's normal, on the face?
-bool over(const PlacedBox& box, int face, const Vec3& p, double same) {
-  const Vec3 local = box.R.transpose() * (p - box.c);
-  for (int k = 0; k < 3; ++k)
-    if (k != axisOf(face) && std::abs(local[k]) > box.half[k] + same) return false;
-  return true;
+/// One of the four edges that border a face: its number, which axis it is along, and its middle.
+struct Border {
+  int number = 0, axis = 0;
+  Vec3 middle;  ///< in axes of its box
+};
+
+/// In the order of their numbers.
+void borders(const Vec3& half, int face, Border* out) {
+  const int k = axisOf(face), positive = face > 0 ? 1 : 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == k) continue;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    for (int side = 0; side < 2; ++side, ++out) {
+      const int bitU = u == k ? positive : side, bitV = u == k ? side : positive;
+      out->number = 4 * axis + bitU + 2 * bitV, out->axis = axis;
+      out->middle[axis] = 0.0;
+      out->middle[u] = bitU ? half[u] : -half[u], out->middle[v] = bitV ? half[v] : -half[v];
+    }
+  }
 }
 
 bool onFace(int vertex, int face) { return ((vertex >> axisOf(face)) & 1) == (face > 0 ? 1 : 0); }
-/// Edge `number` borders the face.
-bool bordersFace(int number, int face) {
-  const int axis = number / 4, k = axisOf(face);
-  if (axis == k) return false;
-  const int bit = k == (axis + 1) % 3 ? number & 1 : (number >> 1) & 1;
-  return bit == (face > 0 ? 1 : 0);
-}
 
-/// The four edges that border a face.
-void edgesOf(int face, int* numbers) {
-  int n = 0;
-  for (int i = 0; i < 12; ++i)
-    if (bordersFace(i, face)) numbers[n++] = i;
-}
+/// The intersection of two faces seen along the normal of A's. All places are looked at in axes of
+/// A, so that one that is no contact costs a few products; a contact is then computed from the
+/// bodies' frames.
+class FacePair {
+ public:
+  FacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const Separation& in,
+           double same, bool rates, std::array<BoxContact, kMostBoxContacts>& out)
+      : A_(A),
+        B_(B),
+        faceA_(faceA),
+        faceB_(faceB),
+        in_(in),
+        same_(same),
+        rates_(rates),
+        x_((axisOf(faceA) + 1) % 3),
+        y_((axisOf(faceA) + 2) % 3),
+        found_(4.0 * same),
+        out_(out) {}
 
-int betweenFaces(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, double same,
-                 std::array<BoxContact, kMostBoxContacts>& out) {
-  const Vec3 nA = normalOf(A, faceA);
-  Manifold manifold(nA, 4.0 * same, out);
-  for (int i = 0; i < 8; ++i) {
-    if (!onFace(i, faceB)) continue;
-    const Vec3 p = B.vertex(i);
-    if (over(A, faceA, p, same) && manifold.wants(p))
-      manifold.add(i, vertexOnFace(A, faceA, B, p, 1.0));
+  int contacts() {
+    // A face that lies inside of the other one is the intersection: its vertices are all of it.
+    if (!verticesOfB() && !verticesOfA()) edges();
+    return found_.size();
   }
-  for (int i = 0; i < 8; ++i) {
-    if (!onFace(i, faceA)) continue;
-    const Vec3 p = A.vertex(i);
-    if (over(B, faceB, p, same) && manifold.wants(p))
-      manifold.add(8 + i, vertexOnFace(B, faceB, A, p, -1.0));
+
+ private:
+  BoxContact& last() { return out_[static_cast<std::size_t>(found_.size() - 1)]; }
+  bool takes(const Vec3& p_A) { return found_.takes(p_A[x_], p_A[y_]); }
+  /// Is p, from the centre of a box in its axes, over the face along axis k?
+  bool over(const Vec3& half, int k, const Vec3& p) const {
+    const int u = (k + 1) % 3, v = (k + 2) % 3;
+    return std::abs(p[u]) <= half[u] + same_ && std::abs(p[v]) <= half[v] + same_;
   }
-  int edgesA[4], edgesB[4];
-  edgesOf(faceA, edgesA), edgesOf(faceB, edgesB);
-  const Edge b[4] = {{B, edgesB[0]}, {B, edgesB[1]}, {B, edgesB[2]}, {B, edgesB[3]}};
-  for (const int i : edgesA) {
-    const Edge a(A, i);
-    for (int j = 0; j < 4; ++j) {
-      Crossing at;
-      if (!at.of(a, b[j]) || std::abs(at.s) > a.half + same || std::abs(at.t) > b[j].half + same)
-        continue;
-      if (std::abs(at.n.dot(nA)) < 0.7 || !manifold.wants(at.PB)) continue;
-      manifold.add(16 + 12 * i + edgesB[j], edgeOnEdge(A, a, B, b[j], at, nA));
+
+  /// True: all of the face's vertices are over the other face.
+  bool verticesOfB() {
+    const Face onA(A_, faceA_, 1.0, rates_);
+    int inside = 0;
+    for (int i = 0; i < 8; ++i) {
+      if (!onFace(i, faceB_)) continue;
+      const Vec3 p_A = in_.t + in_.C * B_.corner(i);
+      if (!over(A_.half, axisOf(faceA_), p_A)) continue;
+      ++inside;
+      if (!takes(p_A)) continue;
+      last().id = i;
+      onA.contact(B_, B_.vertex(i), last().at);
     }
+    return inside == 4;
   }
-  return manifold.size();
-}
+  bool verticesOfA() {
+    const Face onB(B_, faceB_, -1.0, rates_);
+    int inside = 0;
+    for (int i = 0; i < 8; ++i) {
+      if (!onFace(i, faceA_)) continue;
+      const Vec3 p_A = A_.corner(i), p_B = in_.C.transpose() * (p_A - in_.t);
+      if (!over(B_.half, axisOf(faceB_), p_B)) continue;
+      ++inside;
+      if (!takes(p_A)) continue;
+      last().id = 8 + i;
+      onB.contact(A_, A_.vertex(i), last().at);
+    }
+    return inside == 4;
+  }
+
+  void edges() {
+    Border a[4], b[4];
+    borders(A_.half, faceA_, a), borders(B_.half, faceB_, b);
+    for (Border& edge : b) edge.middle = in_.t + in_.C * edge.middle;
+    for (const Border& i : a)
+      for (const Border& j : b) edge(i, j);
+  }
+
+  /// Closest points o_A + s e_A, o_B + t e_B, both middles in axes of A.
+  void edge(const Border& a, const Border& b) {
+    const int k = axisOf(faceA_);
+    const Vec3 eB = in_.C.col(b.axis), d = b.middle - a.middle;
+    const int u = (a.axis + 1) % 3, v = (a.axis + 2) % 3;
+    const double square = eB[u] * eB[u] + eB[v] * eB[v];
+    // Edges that cross at an angle, with a normal like that of the face: k is u or v.
+    const double normal = k == u ? eB[v] : eB[u];
+    if (square < kCross * kCross || normal * normal < kLikeFace * kLikeFace * square) return;
+    const double c = eB[a.axis], da = d[a.axis], db = d.dot(eB);
+    const double s = (da - c * db) / square, t = (c * da - db) / square;
+    if (std::abs(s) > A_.half[a.axis] + same_ || std::abs(t) > B_.half[b.axis] + same_) return;
+    if (!takes(b.middle + t * eB)) return;
+    const Edge edgeA(A_, a.number), edgeB(B_, b.number);
+    const Crossing at(edgeA, edgeB);
+    last().id = 16 + 12 * a.number + b.number;
+    last().at = edgeOnEdge(A_, edgeA, B_, edgeB, at, normalOf(A_, faceA_));
+  }
+
+  const PlacedBox &A_, &B_;
+  int faceA_, faceB_;
+  const Separation& in_;
+  double same_;
+  bool rates_;
+  int x_, y_;  ///< axes of A in its face
+  Manifold found_;
+  std::array<BoxContact, kMostBoxContacts>& out_;
+};
 
 /// Number of the edge along `axis` that is outermost in direction n.
 int outerEdge(const PlacedBox& box, int axis, const Vec3& n) {
@@ -237,31 +318,31 @@ PlacedBox placedBox(const Frame& frame, const TouchingShape& box) {
   return {&frame, frame.r_OS_I + frame.A_IK * box.p_K, frame.A_IK * box.A_KB, box.half};
 }
 
-int betweenBoxes(const PlacedBox& A, const PlacedBox& B, double reach,
+int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
                  std::array<BoxContact, kMostBoxContacts>& out) {
-  const double balls = A.half.norm() + B.half.norm() + reach;
-  if ((B.c - A.c).squaredNorm() > balls * balls) return 0;
   const double same = kSame * std::min(A.half.minCoeff(), B.half.minCoeff());
   const Separation separation(A, B);
-  const Axis face = separation.faces(), edge = separation.edges();
-  if (edge.separation > face.separation + 4.0 * same) {
+  const Axis face = separation.faces();
+  const double least = face.separation + 4.0 * same;
+  const Axis edge = separation.edges(least);
+  if (edge.separation > least) {
     const Vec3 n = edge.sign * A.R.col(edge.i).cross(B.R.col(edge.j)).normalized();
     const int i = outerEdge(A, edge.i, n), j = outerEdge(B, edge.j, -n);
     const Edge a(A, i), b(B, j);
-    Crossing at;
-    const bool meets = at.of(a, b);
-    if (meets && std::abs(at.s) <= a.half && std::abs(at.t) <= b.half) {
+    const Crossing at(a, b);
+    if (!at.parallel && std::abs(at.s) <= a.half && std::abs(at.t) <= b.half) {
       out[0] = {16 + 12 * i + j, edgeOnEdge(A, a, B, b, at, n)};
       return 1;
     }
   }
   const Vec3 n = face.sign * (face.i < 3 ? A.R.col(face.i) : B.R.col(face.i - 3));
-  return betweenFaces(A, faceAlong(A, n), B, faceAlong(B, -n), same, out);
+  return FacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same, rates, out).contacts();
 }
 
 double separation(const PlacedBox& A, const PlacedBox& B) {
   const Separation all(A, B);
-  return std::max(all.faces().separation, all.edges().separation);
+  const double ofFaces = all.faces().separation;
+  return std::max(ofFaces, all.edges(ofFaces).separation);
 }
 
 }  // namespace dynamy

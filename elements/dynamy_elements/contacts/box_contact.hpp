@@ -21,10 +21,12 @@ struct PlacedBox {
   Vec3 c = Vec3::Zero();      ///< centre [m]
   Mat3 R = Mat3::Identity();  ///< its axes in the world
   Vec3 half = Vec3::Zero();   ///< half edge lengths [m]
-  Vec3 vertex(int i) const {  ///< i: bit k set = positive side of axis k
-    return c + R * Vec3(i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(),
-                        i & 4 ? half.z() : -half.z());
+  /// Vertex i from the centre, in the box's axes; bit k set: on the positive side of axis k.
+  Vec3 corner(int i) const {
+    return {i & 1 ? half.x() : -half.x(), i & 2 ? half.y() : -half.y(),
+            i & 4 ? half.z() : -half.z()};
   }
+  Vec3 vertex(int i) const { return c + R * corner(i); }
 };
 PlacedBox placedBox(const Frame& frame, const TouchingShape& box);
 
@@ -37,9 +39,9 @@ struct BoxContact {
 inline constexpr int kBoxFeatures = 16 + 144;
 inline constexpr int kMostBoxContacts = 16;
 
-/// Contacts between A and B, normals from A to B; returns how many. Boxes whose bounding balls are
-/// further apart than `reach` have none.
-int betweenBoxes(const PlacedBox& A, const PlacedBox& B, double reach,
+/// Contacts between A and B, normals from A to B, at any distance; returns how many. `rates`: with
+/// ddot and Pdot.
+int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
                  std::array<BoxContact, kMostBoxContacts>& out);
 
 /// Largest separation of A and B along the 15 axes [m], negative: depth of their overlap. At most

@@ -54,23 +54,29 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   return out;
 }
 
-ContactPoint overHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B,
-                           const RoundFeature& feature, const Vec3& plane) {
+OverHalfSpace::OverHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B)
+    : A_(A),
+      B_(B),
+      halfSpace_(halfSpace),
+      n_I_(A.A_IK * halfSpace.n_K),
+      n_B_(B.A_IK.transpose() * n_I_),
+      height_(n_I_.dot(B.r_OS_I - A.r_OS_I - A.A_IK * halfSpace.p_K)) {}
+
+ContactPoint OverHalfSpace::contact(const RoundFeature& feature, const Vec3& plane) const {
   ContactPoint out;
-  const Vec3 n = A.A_IK * halfSpace.n_K, rho_I = B.A_IK * feature.c_K;
-  const Vec3 c = B.r_OS_I + rho_I, p = A.r_OS_I + A.A_IK * halfSpace.p_K;
-  out.g = n.dot(c - p) - feature.radius;
-  out.d[0] = n;
+  const Vec3 rho_I = B_.A_IK * feature.c_K;
+  out.g = gap(feature);
+  out.d[0] = n_I_;
   if (plane.isZero(0.0)) {
     Vec3 t1, t2;
-    tangents(halfSpace.n_K, t1, t2);
-    out.d[1] = A.A_IK * t1, out.d[2] = A.A_IK * t2;
+    tangents(halfSpace_.n_K, t1, t2);
+    out.d[1] = A_.A_IK * t1, out.d[2] = A_.A_IK * t2;
   } else {
-    out.d[1] = n.cross(plane), out.d[2] = plane;
+    out.d[1] = n_I_.cross(plane), out.d[2] = plane;
   }
-  for (int i = 0; i < 3; ++i) out.ddot[i] = A.Omega_I.cross(out.d[i]);
-  out.P = c - feature.radius * n;
-  out.Pdot = B.velocity(rho_I) - feature.radius * out.ddot[0];
+  for (int i = 0; i < 3; ++i) out.ddot[i] = A_.Omega_I.cross(out.d[i]);
+  out.P = B_.r_OS_I + rho_I - feature.radius * n_I_;
+  out.Pdot = B_.velocity(rho_I) - feature.radius * out.ddot[0];
   return out;
 }
 

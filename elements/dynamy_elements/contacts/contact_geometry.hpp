@@ -35,9 +35,23 @@ struct ContactPoint {
   Vec3 d[3], ddot[3];        ///< n, t1, t2 and their rates
 };
 
-/// Feature of B over the half space of A. The tangents are fixed in A, or lie in the plane.
-ContactPoint overHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B,
-                           const RoundFeature& feature, const Vec3& plane);
+/// Features of B over the half space of A. The tangents are fixed in A, or lie in the plane.
+class OverHalfSpace {
+ public:
+  OverHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B);
+  /// Of one feature; a few products, as most features of a body are nowhere near.
+  double gap(const RoundFeature& feature) const {
+    return height_ + n_B_.dot(feature.c_K) - feature.radius;
+  }
+  ContactPoint contact(const RoundFeature& feature, const Vec3& plane) const;
+
+ private:
+  const Frame &A_, &B_;
+  const TouchingShape& halfSpace_;
+  Vec3 n_I_, n_B_;  ///< the normal in the world and in axes of B
+  double height_;   ///< of B's origin [m]
+};
+
 /// Two round features.
 ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
                           const RoundFeature& b, const Vec3& plane);

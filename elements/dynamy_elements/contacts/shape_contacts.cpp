@@ -159,7 +159,11 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
     const Vec3 n = search.start.frame(pair.A.frame).A_IK * pair.A.n_K;
     if (std::abs(n.dot(pair.plane)) > 1e-12) pair.plane.setZero();
   }
-  if (pair.law->dim(offeredRows(pair.plane)) > offeredRows(pair.plane))
+  pair.rows = offeredRows(pair.plane);
+  // Box contacts are reported as early as those of balls are.
+  pair.balls = 1.25 * (pair.A.half.norm() + pair.B.half.norm());
+  pair.offsets = pair.A.p_K.norm() + pair.B.p_K.norm();
+  if (pair.law->dim(pair.rows) > pair.rows)
     search.fault(
         ma, mb,
         pairFault(*a.shape, *b.shape, "the law has more rows than a contact in a plane offers",
@@ -178,19 +182,16 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
     const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
     const std::uint64_t id = i * kMaxFeatures;
     if (pair.A.kind == Touch::halfSpace) {
-      for (std::size_t f = 0; f < pair.B.features.size(); ++f)
-        emit(pair, id + f, overHalfSpace(A, pair.A, B, pair.B.features[f], pair.plane), k, sink);
+      const OverHalfSpace over(A, pair.A, B);
+      for (std::size_t f = 0; f < pair.B.features.size(); ++f) {
+        const RoundFeature& feature = pair.B.features[f];
+        emit(pair, id + f, over.gap(feature), k, sink,
+             [&] { return over.contact(feature, pair.plane); });
+      }
       continue;
     }
     if (areBoxes(pair.A, pair.B)) {
-      std::array<BoxContact, kMostBoxContacts> at;
-      // Reported as early as balls are.
-      const double reach = 0.25 * (pair.A.half.norm() + pair.B.half.norm()) + sink.request().gTol;
-      const int n = betweenBoxes(placedBox(A, pair.A), placedBox(B, pair.B), reach, at);
-      for (int c = 0; c < n; ++c) {
-        const BoxContact& contact = at[static_cast<std::size_t>(c)];
-        emit(pair, id + static_cast<std::uint64_t>(contact.id), contact.at, k, sink);
-      }
+      boxes(pair, id, k, sink);
       continue;
     }
     if (isBallOnBox(pair.A, pair.B)) {
@@ -198,7 +199,8 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
       // Reported as early as two balls are.
       const double reach = 0.5 * (ball.radius + pair.A.half.minCoeff());
       const ContactPoint at = ballOnBox(A, pair.A, B, ball, pair.plane);
-      if (sink.request().refresh || at.g <= reach) emit(pair, id, at, k, sink);
+      if (sink.request().refresh || at.g <= reach)
+        emit(pair, id, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
       continue;
     }
     // Balls further apart than half the sum of their radii are not reported.
@@ -206,14 +208,36 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
     const double reach = 1.5 * (a.radius + b.radius);
     const Vec3 r = B.r_OS_I + B.A_IK * b.c_K - A.r_OS_I - A.A_IK * a.c_K;
     if (!sink.request().refresh && r.squaredNorm() > reach * reach) continue;
-    emit(pair, id, betweenBalls(A, a, B, b, pair.plane), k, sink);
+    const ContactPoint at = betweenBalls(A, a, B, b, pair.plane);
+    emit(pair, id, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
   }
 }
 
-void ShapeContacts::emit(const Pair& pair, std::uint64_t id, const ContactPoint& at,
-                         const Kinematics& k, ContactSink& sink) const {
-  ContactRows rows = sink.add(id, at.g, *pair.law, offeredRows(pair.plane));
+void ShapeContacts::boxes(const Pair& pair, std::uint64_t id, const Kinematics& k,
+                          ContactSink& sink) const {
+  const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
+  // First the frames, whose origins are not far from the centres, then the centres.
+  const double balls = pair.balls + sink.request().gTol, far = balls + pair.offsets;
+  const Vec3 d = B.r_OS_I - A.r_OS_I;
+  if (d.squaredNorm() > far * far) return;
+  const Vec3 r = d + B.A_IK * pair.B.p_K - A.A_IK * pair.A.p_K;
+  if (r.squaredNorm() > balls * balls) return;
+  std::array<BoxContact, kMostBoxContacts> found;
+  const int n =
+      betweenBoxes(placedBox(A, pair.A), placedBox(B, pair.B), sink.request().bias, found);
+  for (int c = 0; c < n; ++c) {
+    const BoxContact& contact = found[static_cast<std::size_t>(c)];
+    emit(pair, id + static_cast<std::uint64_t>(contact.id), contact.at.g, k, sink,
+         [&]() -> const ContactPoint& { return contact.at; });
+  }
+}
+
+template <class At>
+void ShapeContacts::emit(const Pair& pair, std::uint64_t id, double g, const Kinematics& k,
+                         ContactSink& sink, At&& closed) const {
+  ContactRows rows = sink.add(id, g, *pair.law, pair.rows);
   if (!rows) return;
+  const ContactPoint& at = closed();
   const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
   const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
   pointContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2]);

@@ -44,14 +44,20 @@ class ShapeContacts final : public NonSmoothElement {
     TouchingShape A, B;
     const SetValuedForceLaw* law = nullptr;
     Vec3 plane = Vec3::Zero();
+    int rows = 4;        ///< normal, tangents, spin about the normal; in a plane normal and tangent
+    double balls = 0.0;  ///< boxes whose centres are further apart than this are not looked at [m]
+    double offsets = 0.0;  ///< of the centres from the origins of their frames [m]
     std::string name;
   };
   struct Search;
   void addPair(const ShapeInstance& a, const ShapeInstance& b, Search& search);
   void expectOneRulePerPair() const;
   const ContactRule* rule(const std::string& a, const std::string& b) const;
-  void emit(const Pair& pair, std::uint64_t id, const ContactPoint& at, const Kinematics& k,
-            ContactSink& sink) const;
+  /// Reports gap g; `at` makes the contact of it if it is closed.
+  template <class At>
+  void emit(const Pair& pair, std::uint64_t id, double g, const Kinematics& k, ContactSink& sink,
+            At&& at) const;
+  void boxes(const Pair& pair, std::uint64_t id, const Kinematics& k, ContactSink& sink) const;
   // Along the path of a step (shape_sweep.cpp).
   /// A shape that takes part in a pair, and how far of the frame's origin it reaches [m].
   struct Mover {

@@ -172,8 +172,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
 
 /// Gap of feature f of B, of the boxes if both are.
 double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) {
-  if (pair.A.kind == Touch::halfSpace)
-    return overHalfSpace(A, pair.A, B, pair.B.features[f], pair.plane).g;
+  if (pair.A.kind == Touch::halfSpace) return OverHalfSpace(A, pair.A, B).gap(pair.B.features[f]);
   if (pair.A.kind == Touch::round)
     return betweenBalls(A, pair.A.features[0], B, pair.B.features[0], pair.plane).g;
   if (pair.B.kind == Touch::round) return ballOnBox(A, pair.A, B, pair.B.features[0], pair.plane).g;

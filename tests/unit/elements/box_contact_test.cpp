@@ -63,7 +63,7 @@ TEST(BoxContact, SmallestGapIsTheDistanceWhereFeaturesMeet) {
     const double distance = (b - a).norm();
     if (distance < 1e-2 || distance > 0.5) continue;
     Contacts out;
-    const int n = betweenBoxes(A.box, B.box, 1.0, out);
+    const int n = betweenBoxes(A.box, B.box, true, out);
     double smallest = 1e300;
     for (int i = 0; i < n; ++i) {
       // Both points of a contact belong to their boxes, as far as features nearer than 1e-6 are
@@ -106,7 +106,7 @@ TEST(BoxContact, OfTwoFacesIsThePolygonTheyShare) {
     const Body B(Vec3(0.4 * uniform(random), 0.4 * uniform(random), 0.5 + gap),
                  turned({0.0, 0.0, turn}), hB);
     Contacts out;
-    const int n = betweenBoxes(A.box, B.box, 1.0, out);
+    const int n = betweenBoxes(A.box, B.box, true, out);
     Polygon expected;
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
       expected.emplace_back((B.box.c + B.box.R * Vec3(x * hB.x(), y * hB.y(), 0.0)).head<2>());
@@ -133,7 +133,7 @@ TEST(BoxContact, OfAlignedCubesIsTheirFourCorners) {
     const Body A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
     const Body B(Vec3(shift, -shift, 1.0), Mat3::Identity(), Vec3::Constant(0.5));
     Contacts out;
-    ASSERT_EQ(betweenBoxes(A.box, B.box, 1.0, out), 4) << shift;
+    ASSERT_EQ(betweenBoxes(A.box, B.box, true, out), 4) << shift;
     for (int i = 0; i < 4; ++i) EXPECT_EQ(out[static_cast<std::size_t>(i)].id, i) << shift;
   }
 }
@@ -142,7 +142,7 @@ TEST(BoxContact, OfAWideBoxOnANarrowOneStandsOnTheNarrowOne) {
   const Body A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
   const Body B(Vec3(0, 0, 0.6), Mat3::Identity(), Vec3(2.0, 0.5, 0.1));
   Contacts out;
-  ASSERT_EQ(betweenBoxes(A.box, B.box, 1.0, out), 4);
+  ASSERT_EQ(betweenBoxes(A.box, B.box, true, out), 4);
   for (int i = 0; i < 4; ++i) {
     EXPECT_GE(out[static_cast<std::size_t>(i)].id, 8);
     EXPECT_NEAR(out[static_cast<std::size_t>(i)].at.g, 0.0, 1e-15);
@@ -159,7 +159,7 @@ void movedOn(const Body& A, const Body& B, double s, Contacts& out, int& n) {
   const auto [cB, RB] = moved(B);
   const Body a(cA, RA, A.box.half, A.frame.v_S_I, A.frame.Omega_I),
       b(cB, RB, B.box.half, B.frame.v_S_I, B.frame.Omega_I);
-  n = betweenBoxes(a.box, b.box, 1.0, out);
+  n = betweenBoxes(a.box, b.box, true, out);
 }
 
 TEST(BoxContact, RatesAreThoseOfTheMotion) {
@@ -175,7 +175,7 @@ TEST(BoxContact, RatesAreThoseOfTheMotion) {
     const Body A(Vec3::Zero(), turned(2.0 * vec()), Vec3(0.5, 0.7, 0.3), vec(), vec());
     const Body B(1.3 * vec().normalized(), turned(2.0 * vec()), Vec3(0.6, 0.4, 0.5), vec(), vec());
     Contacts here, before, after;
-    int n = betweenBoxes(A.box, B.box, 1.0, here), nBefore = 0, nAfter = 0;
+    int n = betweenBoxes(A.box, B.box, true, here), nBefore = 0, nAfter = 0;
     movedOn(A, B, -s, before, nBefore);
     movedOn(A, B, s, after, nAfter);
     for (int i = 0; i < n; ++i) {
