@@ -51,6 +51,8 @@ class ContactSet {
   void clear();
   /// γ = Wᵀu + χ, rows() entries.
   void gamma(ConstVec u, Vec gamma) const;
+  /// sum += |Wᵀ| v, rows() entries: with v ≥ |u| what the rounding of Wᵀu is measured by.
+  void addAbsolute(ConstVec v, double* sum) const;
   /// Index of the closed contact of element `element` with number `id`, or −1.
   int find(int element, std::uint64_t id) const;
 };
@@ -58,6 +60,10 @@ class ContactSet {
 /// Key of contact `id` (< 2^40) of contact element number `element`.
 inline ContactKey contactKey(int element, std::uint64_t id) {
   return {(static_cast<std::uint64_t>(element) << 40) | id};
+}
+/// Its number within the element.
+inline std::uint64_t contactNumber(ContactKey key) {
+  return key.value & ((std::uint64_t{1} << 40) - 1);
 }
 
 }  // namespace dynamy

@@ -7,9 +7,10 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
                              int geometric) {
   ContactSet& c = *set_;
   const ContactKey key = contactKey(element_, id);
+  const bool unilateral = law.unilateral();
   const bool closed = request_.refresh
                           ? std::binary_search(request_.frozen.begin(), request_.frozen.end(), key)
-                          : !law.unilateral() || g <= request_.gTol;
+                          : !unilateral || g <= request_.gTol;
   c.candidateKey.push_back(key);
   c.g.push_back(g);
   c.candidateElement.push_back(element_);
@@ -22,11 +23,10 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.candidate.push_back(static_cast<int>(c.g.size()) - 1);
   c.row0.push_back(c.row0.back() + dim);
   c.segment0.push_back(c.segment0.back());
-  c.chi.resize(c.chi.size() + static_cast<std::size_t>(dim), 0.0);
-  c.position.resize(c.position.size() + static_cast<std::size_t>(dim), 0.0);
-  if (law.unilateral() || dim == 1)
-    c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(index)])] = g;
-  if (request_.bias) c.bias.resize(c.bias.size() + static_cast<std::size_t>(dim), 0.0);
+  c.position.push_back(unilateral || dim == 1 ? g : 0.0);
+  for (int r = 1; r < dim; ++r) c.position.push_back(0.0);
+  for (int r = 0; r < dim; ++r) c.chi.push_back(0.0);
+  for (int r = 0; request_.bias && r < dim; ++r) c.bias.push_back(0.0);
   c.point.push_back(Vec3::Zero());
   for (auto* directions : {&c.normal, &c.t1, &c.t2}) directions->push_back(Vec3::Zero());
   return {c, index, request_.bias};
@@ -36,7 +36,7 @@ Block ContactRows::segment(int block, int u0, int nu) {
   ContactSet& c = *set_;
   const int rows = dim();
   const auto offset = static_cast<std::ptrdiff_t>(c.W.size());
-  c.W.resize(c.W.size() + static_cast<std::size_t>(rows) * static_cast<std::size_t>(nu), 0.0);
+  c.W.resize(c.W.size() + static_cast<std::size_t>(rows) * static_cast<std::size_t>(nu));
   c.segment.push_back({block, u0, nu, offset});
   ++c.segment0.back();
   return {c.W.data() + offset, rows, nu};
@@ -51,6 +51,19 @@ void ContactRows::place(const Vec3& point, const Vec3& normal, const Vec3& t1, c
 void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const Vec3& direction,
                  double sign) {
   const Vec3 moment = rho_I.cross(direction);
+  if (frame.central) {
+    Eigen::Map<Eigen::Matrix<double, 1, 6>> out(W.data() + row * W.cols());
+    out.head<3>() += sign * direction.transpose();
+    out.tail<3>() += sign * moment.transpose().lazyProduct(frame.A_IK);
+    return;
+  }
+  if (frame.nu() == 6) {
+    using Jacobian = Eigen::Map<const Eigen::Matrix<double, 3, 6>>;
+    Eigen::Map<Eigen::Matrix<double, 1, 6>>{W.data() + row * W.cols()} +=
+        sign * (direction.transpose().lazyProduct(Jacobian(frame.J_S_I.data())) +
+                moment.transpose().lazyProduct(Jacobian(frame.J_R_I.data())));
+    return;
+  }
   for (int j = 0; j < frame.nu(); ++j)
     W(row, j) += sign * (frame.J_S_I.col(j).dot(direction) + frame.J_R_I.col(j).dot(moment));
 }
@@ -60,6 +73,24 @@ namespace {
 /// Row of the spin about the normal, where a law has one.
 constexpr int kSpinRow = 3;
 
+/// Dᵀ J_S + (ρ × D)ᵀ J_R for the directions n, t1, t2 at once, of a block of six velocities.
+void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* direction,
+               double sign) {
+  Mat3 D, moment;
+  for (int r = 0; r < 3; ++r) {
+    D.row(r) = sign * *direction[r];
+    moment.row(r) = sign * rho.cross(*direction[r]);
+  }
+  Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>> out(W.data());
+  if (f.central) {
+    out.leftCols<3>() = D;
+    out.rightCols<3>() = moment.lazyProduct(f.A_IK);
+    return;
+  }
+  using Jacobian = Eigen::Map<const Eigen::Matrix<double, 3, 6>>;
+  out = D.lazyProduct(Jacobian(f.J_S_I.data())) + moment.lazyProduct(Jacobian(f.J_R_I.data()));
+}
+
 /// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`; the
 /// fourth row is the angular velocity along its direction.
 void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* const* direction,
@@ -68,7 +99,10 @@ void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* con
   const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
   if (f.block >= 0) {
     Block W = rows.segment(f.block, f.u0, f.nu());
-    for (int r = 0; r < dim && r < kSpinRow; ++r) addPointRow(W, r, f, rho, *direction[r], sign);
+    if (dim >= kSpinRow && f.nu() == 6)
+      threeRows(W, f, rho, direction, sign);
+    else
+      for (int r = 0; r < dim && r < kSpinRow; ++r) addPointRow(W, r, f, rho, *direction[r], sign);
     for (int j = 0; dim > kSpinRow && j < f.nu(); ++j)
       W(kSpinRow, j) += sign * f.J_R_I.col(j).dot(*direction[kSpinRow]);
   }

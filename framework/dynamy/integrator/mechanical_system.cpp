@@ -18,7 +18,7 @@ MechanicalSystem::MechanicalSystem(const SystemParts& parts, int slots) : parts_
   energyKinematics_.resize(topology);
   uFree_.setZero(topology.nu());
   uA_.setZero(topology.nu());
-  work_.setZero(topology.nu()), implicitFree_.setZero(topology.nu());
+  work_.setZero(topology.nu()), change_ = work_, implicitFree_.setZero(topology.nu());
   problem_.contacts = &slots_.front().contacts;
   stiff_.resize(topology, parts_.forces);
 }
@@ -40,23 +40,6 @@ namespace {
 /// A contact that closes faster than the forces of so many steps explain has an impact.
 constexpr double kImpact = 4.0;
 
-/// Twice the way of the fastest block in Δt, angles as lengths.
-double wayAhead(const Evaluation& e, const State& x, double dt) {
-  double largest = 0.0;
-  for (int b = 0; b < e.mass.blocks(); ++b) {
-    const int n = e.mass.nu(b), u0 = e.mass.u0(b);
-    const double* A = e.mass.inverse(b).data();
-    double speed = 0.0;
-    for (int i = 0; i < n; ++i) {
-      double a = 0.0;
-      for (int j = 0; j < n; ++j) a += A[i * n + j] * e.h[u0 + j];
-      speed += std::abs(x.u[u0 + i]) + dt * std::abs(a);
-    }
-    largest = std::max(largest, speed);
-  }
-  return 2.0 * dt * largest;
-}
-
 }  // namespace
 
 const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double reach) {
@@ -69,7 +52,16 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double re
 const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int slot) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   smooth(x, e);
-  detect(wayAhead(e, x, dt), e);
+  // Twice the way of the fastest block in Δt, angles as lengths.
+  e.mass.applyInverse(view(std::as_const(e.h)), view(work_));
+  double largest = 0.0;
+  for (int b = 0; b < e.mass.blocks(); ++b) {
+    double speed = 0.0;
+    for (int i = e.mass.u0(b); i < e.mass.u0(b) + e.mass.nu(b); ++i)
+      speed += std::abs(x.u[i]) + dt * std::abs(work_[i]);
+    largest = std::max(largest, speed);
+  }
+  detect(2.0 * dt * largest, e);
   return e;
 }
 
@@ -107,17 +99,8 @@ void MechanicalSystem::detect(double reach, Evaluation& e) const {
 
 double MechanicalSystem::largestChange(double dt) const {
   const Evaluation& e = slots_.front();
-  double largest = 0.0;
-  for (int b = 0; b < e.mass.blocks(); ++b) {
-    const int n = e.mass.nu(b);
-    const ConstBlock A = e.mass.inverse(b);
-    for (int i = 0; i < n; ++i) {
-      double a = 0.0;
-      for (int j = 0; j < n; ++j) a += A(i, j) * e.h[e.mass.u0(b) + j];
-      largest = std::max(largest, std::abs(a));
-    }
-  }
-  return dt * largest;
+  e.mass.applyInverse(view(e.h), view(change_));
+  return change_.size() == 0 ? 0.0 : dt * change_.cwiseAbs().maxCoeff();
 }
 
 InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int slot,
@@ -196,23 +179,18 @@ double MechanicalSystem::changeByForces(int i) const {
 
 void MechanicalSystem::roundingOfC() {
   // Rounding of γ = Wᵀu + χ: a few ε of the sum of absolute values.
+  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
   const ContactSet& c = *problem_.contacts;
+  work_ = uA_.cwiseAbs().cwiseMax(uFree_.cwiseAbs());
   problem_.cNoise.resize(static_cast<std::size_t>(c.rows()));
-  for (int i = 0; i < c.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    for (int r = 0; r < c.dim(i); ++r) {
-      const auto row = static_cast<std::size_t>(c.row0[at] + r);
-      double sum = std::abs(c.chi[row]);
-      const double ofGap = r == 0 && c.law[at]->unilateral() ? gapNoise_ : 0.0;
-      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
-        const Segment& s = c.segment[static_cast<std::size_t>(k)];
-        const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
-        for (int j = 0; j < s.nu; ++j)
-          sum += std::abs(w[j]) * std::max(std::abs(uA_[s.u0 + j]), std::abs(uFree_[s.u0 + j]));
-      }
-      problem_.cNoise[row] = ofGap + 4.0 * std::numeric_limits<double>::epsilon() * sum;
-    }
-  }
+  for (std::size_t row = 0; row < problem_.cNoise.size(); ++row)
+    problem_.cNoise[row] = std::abs(c.chi[row]);
+  c.addAbsolute(view(std::as_const(work_)), problem_.cNoise.data());
+  for (double& noise : problem_.cNoise) noise *= kRounding;
+  if (gapNoise_ == 0.0) return;
+  for (int i = 0; i < c.size(); ++i)
+    if (const auto at = static_cast<std::size_t>(i); c.law[at]->unilateral())
+      problem_.cNoise[static_cast<std::size_t>(c.row0[at])] += gapNoise_;
 }
 
 double MechanicalSystem::velocityAskedOf(int i) const {

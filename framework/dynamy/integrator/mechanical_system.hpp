@@ -134,6 +134,7 @@ class MechanicalSystem {
   Delassus::Form form_ = Delassus::Form::automatic;
   InclusionProblem problem_;
   Eigen::VectorXd uFree_, uA_, work_, implicitFree_;
+  mutable Eigen::VectorXd change_;  // M⁻¹h
   std::vector<double> gammaWork_;
   std::vector<double> Lambda_;
   int indefinite_ = -1;

@@ -32,10 +32,11 @@ bool rests(const ContactSet& c, int i) {
 
 double largestOverlap(const ContactSet& c) {
   double worst = 0.0;
-  for (int i = 0; i < c.size(); ++i)
-    if (rests(c, i))
-      worst = std::max(worst,
-                       -c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])]);
+  for (int i = 0; i < c.size(); ++i) {
+    const double overlap =
+        -c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])];
+    if (overlap > worst && rests(c, i)) worst = overlap;
+  }
   return worst;
 }
 

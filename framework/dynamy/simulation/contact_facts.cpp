@@ -101,7 +101,7 @@ ContactRecord contactRecord(const StepView& view, int contact) {
 
 std::string contactName(const Model& model, ContactKey key) {
   const auto element = static_cast<std::size_t>(key.value >> 40);
-  const std::uint64_t id = key.value & ((std::uint64_t{1} << 40) - 1);
+  const std::uint64_t id = contactNumber(key);
   if (element >= model.contacts().size()) return "contact";
   const NonSmoothElement& e = *model.contacts()[element];
   std::string name = e.name();

@@ -7,6 +7,9 @@ namespace {
 
 /// Rows up to which the dense matrix pays: n² numbers stay in the first-level cache.
 constexpr int kDenseRows = 64;
+/// Rows from which it pays only where the bodies have more velocities than there are rows: else
+/// Newton's method works in velocities, and W is all it needs.
+constexpr int kFewRows = 16;
 
 /// Six velocities: unrolled and vectorised, where most of the work of a stack is.
 using RigidBody = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
@@ -17,6 +20,9 @@ double dot(const double* a, const double* b, int n) {
   for (int j = 0; j < n; ++j) s += a[j] * b[j];
   return s;
 }
+
+/// Three rows of a rigid body, the contact of bodies in space.
+using ThreeRows = Eigen::Map<const Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>;
 
 /// out = A x for `rows` of n numbers: the sums of a contact's rows run side by side, each in the
 /// order of dot().
@@ -32,7 +38,6 @@ void dots(const double* A, const double* x, int n, double* out) {
 
 void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form form) {
   contacts_ = &contacts, mass_ = &mass, n_ = contacts.rows(), given_ = sparse_ = false;
-  assembled_ = form == Form::assembled || (form == Form::automatic && n_ <= kDenseRows);
   // M⁻¹ w, row after row, beside W.
   minvW_.resize(contacts.W.size());
   for (int i = 0; i < contacts.size(); ++i)
@@ -40,20 +45,38 @@ void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form
          k < contacts.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
       const Segment& s = contacts.segment[static_cast<std::size_t>(k)];
       const double* A = mass.inverse(s.block).data();
-      for (int r = 0; r < contacts.dim(i); ++r) {
-        const double* w = contacts.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
-        double* out = minvW_.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
-        for (int j = 0; j < s.nu; ++j)
-          out[j] = dot(A + static_cast<std::ptrdiff_t>(j) * s.nu, w, s.nu);
+      const double* diagonal = mass.inverseDiagonal(s.block);
+      const double* w = contacts.W.data() + s.w;
+      double* out = minvW_.data() + s.w;
+      if (diagonal && s.nu == 6 && contacts.dim(i) == 3) {
+        Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>{out} =
+            ThreeRows(w).array().rowwise() * RigidBody(diagonal).transpose().array();
+        continue;
       }
+      for (int r = 0; r < contacts.dim(i); ++r, w += s.nu, out += s.nu)
+        if (diagonal)
+          for (int j = 0; j < s.nu; ++j) out[j] = diagonal[j] * w[j];
+        else
+          for (int j = 0; j < s.nu; ++j)
+            out[j] = dot(A + static_cast<std::ptrdiff_t>(j) * s.nu, w, s.nu);
     }
   linkBlocks();
   fillDiagonal();
+  assembled_ = form == Form::assembled || (form == Form::automatic && densePays());
   if (assembled_)
     fillDense();
   else
     v_.resize(static_cast<std::size_t>(
         mass.blocks() == 0 ? 0 : mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1)));
+}
+
+bool Delassus::densePays() const {
+  if (n_ <= kFewRows || n_ > kDenseRows) return n_ <= kFewRows;
+  int velocities = 0;  // of touched blocks
+  for (int b = 0; b < mass_->blocks(); ++b)
+    if (blockFirst_[static_cast<std::size_t>(b) + 1] > blockFirst_[static_cast<std::size_t>(b)])
+      velocities += mass_->nu(b);
+  return n_ <= velocities;
 }
 
 void Delassus::given(const ContactSet& contacts, BlockRows G) {
@@ -88,7 +111,29 @@ void Delassus::fillDiagonal() {
   }
   diagonal_.resize(static_cast<std::size_t>(size));
   for (int i = 0; i < contacts.size(); ++i)
-    block(i, i, diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)]);
+    fillBlock(i, diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)]);
+}
+
+void Delassus::fillBlock(int i, double* out) const {
+  const ContactSet& c = *contacts_;
+  const int first = c.segment0[static_cast<std::size_t>(i)],
+            end = c.segment0[static_cast<std::size_t>(i) + 1];
+  bool spatial = !given_ && c.dim(i) == 3;
+  for (int k = first; spatial && k < end; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    spatial =
+        s.nu == 6 && (k == first || s.block != c.segment[static_cast<std::size_t>(first)].block);
+  }
+  if (!spatial || end - first > 2) return block(i, i, out);
+  // One or two rigid bodies: six of nine numbers, G_ii is symmetric.
+  std::fill(out, out + 9, 0.0);
+  for (int k = first; k < end; ++k) {
+    const std::ptrdiff_t w = c.segment[static_cast<std::size_t>(k)].w;
+    const double *W = c.W.data() + w, *M = minvW_.data() + w;
+    for (int r = 0; r < 3; ++r)
+      for (int m = r; m < 3; ++m) out[3 * r + m] += RigidBody(W + 6 * r).dot(RigidBody(M + 6 * m));
+  }
+  out[3] = out[1], out[6] = out[2], out[7] = out[5];
 }
 
 const BlockRows& Delassus::blockRows() {
@@ -199,6 +244,11 @@ void Delassus::row(int i, const double* Lambda, double* out) const {
   for (int k = c.segment0[static_cast<std::size_t>(i)];
        k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
     const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    if (s.nu == 6 && dim == 3) {
+      Eigen::Map<Eigen::Vector3d>{out} +=
+          ThreeRows(c.W.data() + s.w).lazyProduct(RigidBody(v_.data() + s.u0));
+      continue;
+    }
     for (int r = 0; r < dim; ++r)
       out[r] +=
           dot(c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu, v_.data() + s.u0, s.nu);
@@ -216,6 +266,13 @@ void Delassus::addTo(int i, const double* delta, double* u) const {
        k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
     const Segment& s = c.segment[static_cast<std::size_t>(k)];
     double* v = u + s.u0;
+    if (s.nu == 6 && c.dim(i) == 3) {
+      Eigen::Map<Eigen::Matrix<double, 6, 1>>{v} +=
+          ThreeRows(minvW_.data() + s.w)
+              .transpose()
+              .lazyProduct(Eigen::Map<const Eigen::Vector3d>(delta));
+      continue;
+    }
     for (int r = 0; r < c.dim(i); ++r) {
       const double* w = minvW_.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
       if (s.nu == 6)
@@ -269,20 +326,8 @@ void Delassus::applyAbsolute(const double* x, double* y) {
           for (int j = 0; j < s.nu; ++j) v[j] += std::abs(w[j] * x[c.row0[at] + r]);
     }
   }
-  for (int i = 0; i < c.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    std::fill(y + c.row0[at], y + c.row0[at + 1], 0.0);
-    for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
-      const Segment& s = c.segment[static_cast<std::size_t>(k)];
-      const double* w = c.W.data() + s.w;
-      const double* v = absolute_.data() + s.u0;
-      for (int r = 0; r < c.dim(i); ++r, w += s.nu)
-        if (s.nu == 6)
-          y[c.row0[at] + r] += RigidBody(w).cwiseAbs().dot(RigidBody(v));
-        else
-          for (int j = 0; j < s.nu; ++j) y[c.row0[at] + r] += std::abs(w[j]) * v[j];
-    }
-  }
+  std::fill(y, y + n_, 0.0);
+  c.addAbsolute({absolute_.data(), static_cast<Eigen::Index>(absolute_.size())}, y);
 }
 
 void Delassus::neighbours(int i, std::vector<int>& out) const {

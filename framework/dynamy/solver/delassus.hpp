@@ -67,6 +67,8 @@ class Delassus {
  private:
   void linkBlocks();
   void fillDiagonal();
+  bool densePays() const;
+  void fillBlock(int i, double* out) const;
   void fillDense();
   void addTo(int i, const double* delta, double* u) const;
   const ContactSet* contacts_ = nullptr;

@@ -1,10 +1,17 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/solver/impact_law.hpp>
 
 namespace dynamy {
 namespace {
 constexpr int kMaxDim = 8;
+
+/// Is γ^A of row k more than rounding?
+bool beyondNoise(const InclusionProblem& problem, std::size_t k) {
+  return std::abs(problem.gammaA[k]) > (problem.cNoise.empty() ? 0.0 : problem.cNoise[k]);
 }
+
+}  // namespace
 
 SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const {
   std::vector<double>& factor = guard_.factor(problem);
@@ -24,10 +31,16 @@ SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver,
 }
 
 void poseRestitution(InclusionProblem& problem, const std::vector<double>& factor) {
+  const SetValuedForceLaw* last = nullptr;
+  double epsilon[kMaxDim] = {};
+  int rows = 0;
   for (int i = 0; i < problem.size(); ++i) {
     const int dim = problem.dim(i), first = problem.row0(i);
-    double epsilon[kMaxDim] = {};
-    problem.law(i).epsilon(dim, epsilon);
+    if (&problem.law(i) != last || dim != rows) {  // most neighbours share one
+      last = &problem.law(i), rows = dim;
+      std::fill(epsilon, epsilon + kMaxDim, 0.0);
+      last->epsilon(dim, epsilon);
+    }
     const double f = factor[static_cast<std::size_t>(i)];
     for (int r = 0; r < dim; ++r) {
       const auto k = static_cast<std::size_t>(first + r);
@@ -48,13 +61,16 @@ void addSolve(SolveReport& total, const SolveReport& last) {
 bool rebounds(const InclusionProblem& problem) {
   for (int i = 0; i < problem.size(); ++i) {
     const int dim = problem.dim(i), first = problem.row0(i);
+    bool moves = false;
+    for (std::size_t k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(first + dim);
+         ++k)
+      moves = moves || beyondNoise(problem, k);
+    if (!moves) continue;
     double epsilon[kMaxDim] = {};
     problem.law(i).epsilon(dim, epsilon);
-    for (int r = 0; r < dim; ++r) {
-      const auto k = static_cast<std::size_t>(first + r);
-      const double noise = problem.cNoise.empty() ? 0.0 : problem.cNoise[k];
-      if (epsilon[r] != 0.0 && std::abs(problem.gammaA[k]) > noise) return true;
-    }
+    for (int r = 0; r < dim; ++r)
+      if (epsilon[r] != 0.0 && beyondNoise(problem, static_cast<std::size_t>(first + r)))
+        return true;
   }
   return false;
 }

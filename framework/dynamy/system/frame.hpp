@@ -19,8 +19,10 @@ struct Frame {
   Mat3X J_S_I{nullptr, 3,
               0};  ///< 3 × nu of the block; memory belongs to the workspace; zero at first
   Mat3X J_R_I{nullptr, 3, 0};  ///< 3 × nu
-  int block = -1;              ///< mass block the frame moves with, −1: none (ground)
-  int u0 = 0;                  ///< first velocity of that block in u
+  /// The centre of mass of a free body with its own axes: J_S = (I, 0), J_R = (0, A_IK).
+  bool central = false;
+  int block = -1;  ///< mass block the frame moves with, −1: none (ground)
+  int u0 = 0;      ///< first velocity of that block in u
 
   int nu() const { return static_cast<int>(J_S_I.cols()); }
   /// Velocity of the body point at lever arm rho_I from S.

@@ -44,6 +44,20 @@ bool invert(const double* M, int n, double* inverse) {
 
 }  // namespace
 
+bool MassMatrix::invertBlock(int b) {
+  const int n = nu(b);
+  const double* M = data_.data() + offset(b);
+  bool diagonal = true;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j) diagonal = diagonal && M[i * n + j] == 0.0 && M[j * n + i] == 0.0;
+  diagonal_[static_cast<std::size_t>(b)] = diagonal ? 1 : 0;
+  double* inverse = inverse_.data() + offset(b);
+  if (!invert(M, n, inverse)) return false;
+  for (int i = 0; i < n; ++i)
+    inverseDiagonal_[static_cast<std::size_t>(u0(b) + i)] = inverse[i * n + i];
+  return true;
+}
+
 void MassMatrix::resize(const Topology& topology) {
   nu_.clear(), u0_.clear(), offset_.clear();
   std::ptrdiff_t size = 0;
@@ -58,6 +72,8 @@ void MassMatrix::resize(const Topology& topology) {
   }
   data_.assign(static_cast<std::size_t>(size), 0.0);
   inverse_.assign(static_cast<std::size_t>(size), 0.0);
+  inverseDiagonal_.assign(static_cast<std::size_t>(topology.nu()), 0.0);
+  diagonal_.assign(nu_.size(), 0);
   constant_.clear();
   for (const PartialMechanicalSystem* s : topology.systems())
     constant_.push_back(s->blocks().constantMass);
@@ -72,8 +88,7 @@ int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
     topology.systems()[s]->M(t, {q.data() + h.q0, h.nq},
                              {data_.data() + offset(h.block0), h.blockNu, h.blocks});
     for (int b = h.block0; b < h.block0 + h.blocks; ++b)
-      if (!invert(data_.data() + offset(b), h.blockNu, inverse_.data() + offset(b)) && failed < 0)
-        failed = static_cast<int>(s);
+      if (!invertBlock(b) && failed < 0) failed = static_cast<int>(s);
   }
   first_ = false;
   return failed;
@@ -85,6 +100,10 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
     const double* A = inverse_.data() + offset(b);
     const double* x = in.data() + u0(b);
     double* y = out.data() + u0(b);
+    if (const double* d = inverseDiagonal(b)) {
+      for (int i = 0; i < n; ++i) y[i] = d[i] * x[i];
+      continue;
+    }
     for (int i = 0; i < n; ++i) {
       double s = 0.0;
       for (int j = 0; j < n; ++j) s += A[i * n + j] * x[j];

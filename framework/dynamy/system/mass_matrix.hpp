@@ -20,6 +20,11 @@ class MassMatrix {
   ConstBlock inverse(int block) const {
     return {inverse_.data() + offset(block), nu(block), nu(block)};
   }
+  /// The diagonal of M⁻¹ where that is all of it (free bodies in principal axes), else null.
+  const double* inverseDiagonal(int block) const {
+    const auto b = static_cast<std::size_t>(block);
+    return diagonal_[b] ? inverseDiagonal_.data() + u0_[b] : nullptr;
+  }
   int nu(int block) const { return nu_[static_cast<std::size_t>(block)]; }
   int u0(int block) const { return u0_[static_cast<std::size_t>(block)]; }
   int blocks() const { return static_cast<int>(nu_.size()); }
@@ -30,10 +35,12 @@ class MassMatrix {
   double kineticEnergy(ConstVec u) const;
 
  private:
+  bool invertBlock(int block);
   std::ptrdiff_t offset(int block) const { return offset_[static_cast<std::size_t>(block)]; }
   std::vector<int> nu_, u0_;
   std::vector<std::ptrdiff_t> offset_;
-  std::vector<double> data_, inverse_;
+  std::vector<double> data_, inverse_, inverseDiagonal_;
+  std::vector<char> diagonal_;  // of a block: M is diagonal
   std::vector<bool> constant_;
   bool first_ = true;
 };

@@ -94,7 +94,7 @@ class ContactCheck {
     const auto i = static_cast<std::size_t>(contact);
     const auto element = static_cast<std::size_t>(here_.element[i]);
     return fmt::format("{}: contact {}", nameOf(*model_.contacts()[element], "contact element"),
-                       here_.key[i].value & ((std::uint64_t{1} << 40) - 1));
+                       contactNumber(here_.key[i]));
   }
   void evaluate(const State& x, ContactSet& out) {
     ContactRequest request;

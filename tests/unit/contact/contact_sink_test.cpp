@@ -65,6 +65,20 @@ TEST(ContactSet, AddsTheSegmentsAndChiOfGamma) {
   EXPECT_EQ(gamma[1], 6.0 + 0.5 + 10.0);
 }
 
+TEST(ContactSet, AddsAbsoluteValuesOfBlocksOfAllSizes) {
+  ContactSet set;
+  set.clear();
+  ContactSink sink(set, {});
+  auto rows = sink.add(0, 0.0, kCoulomb, 2);
+  rows.segment(0, 0, 6) << 1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.5;
+  rows.segment(1, 6, 2) << 1.0, -1.0, 0.5, 0.0;
+  const Eigen::VectorXd v{{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0}};
+  Eigen::VectorXd sum{{100.0, 200.0}};
+  set.addAbsolute({v.data(), 8}, sum.data());
+  EXPECT_EQ(sum[0], 100.0 + 1.0 + 4.0 + 9.0 + 16.0 + 25.0 + 36.0 + 7.0 + 8.0);
+  EXPECT_EQ(sum[1], 200.0 + 3.0 + 3.0 + 3.5);
+}
+
 TEST(PointContact, GivesTheRelativeVelocityOfThePointsOfBothBodies) {
   // Body: r = (1, 0, 0), v = (u0, u1, 0), Ω = u2 e_z, velocities u = (1, 2, 3). Wall: moves at
   // (0.5, 0, 0) and turns, both without velocities of its own.

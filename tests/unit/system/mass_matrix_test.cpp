@@ -84,6 +84,22 @@ TEST(MassMatrix, AppliesBlocksToTheirOwnSlices) {
   EXPECT_NEAR(x.mass.kineticEnergy({in.data(), 4}), 0.5 * (8.0 + 16.0 + 5.0), 1e-14);
 }
 
+TEST(MassMatrix, KnowsWhichBlocksAreDiagonal) {
+  const Masses a({Eigen::MatrixXd{{2.0, 0.0}, {0.0, 4.0}}}, true),
+      b({Eigen::MatrixXd{{2.0, 1.0}, {1.0, 1.0}}}, true);
+  Evaluated x({&a, &b});
+  x.at(0.0);
+  ASSERT_NE(x.mass.inverseDiagonal(0), nullptr);
+  EXPECT_EQ(x.mass.inverseDiagonal(1), nullptr);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(x.mass.inverseDiagonal(0)[i], x.mass.inverse(0)(i, i));
+  const Eigen::VectorXd in{{3.0, 5.0, 0.0, 0.0}};
+  Eigen::VectorXd out(4);
+  x.mass.applyInverse({in.data(), 4}, {out.data(), 4});
+  // 1/√M squared: a few ε.
+  EXPECT_DOUBLE_EQ(out[0], 1.5);
+  EXPECT_DOUBLE_EQ(out[1], 1.25);
+}
+
 TEST(MassMatrix, EvaluatesConstantMassesOnce) {
   const Masses constant({Eigen::MatrixXd{{2.0}}}, true), varying({Eigen::MatrixXd{{2.0}}}, false);
   Evaluated x({&constant, &varying});
