@@ -201,19 +201,25 @@ SimpleSet UnilateralCoulomb::simpleSet(const LawInput& in) const {
 bool UnilateralCoulomb::proxDerivative(const LawInput& in, double rho, const double* xi,
                                        const double* Lambda, double* A, double* B) const {
   const int n = in.dim, k = n - 1;
-  double z[3] = {}, P[4], e[2];
+  double z[3] = {}, P[4], e[2], square = 0.0;
   for (int i = 0; i < n; ++i) z[i] = Lambda[i] - rho * xi[i];
-  Eigen::Map<RowMatrix> a(A, n, n), b(B, n, n);
-  a.setIdentity();
-  b.setZero();
-  if (!(z[0] > 0.0)) return true;
-  a(0, 0) = 0.0, b(0, 0) = rho;
-  if (k == 0) return true;
+  for (int i = 1; i < n; ++i) square += z[i] * z[i];
+  const bool pressed = z[0] > 0.0;
+  // Stick: A = 0, B = ρ I; open: A = I, B = 0.
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      A[i * n + j] = !pressed && i == j ? 1.0 : 0.0;
+      B[i * n + j] = pressed && i == j ? rho : 0.0;
+    }
+  if (!pressed || square <= mu_ * mu_ * z[0] * z[0]) return true;
   ballDerivative(mu_ * z[0], z + 1, k, P, e);
   for (int i = 0; i < k; ++i) {
-    a(1 + i, 0) = -mu_ * e[i], b(1 + i, 0) = rho * mu_ * e[i];
-    for (int j = 0; j < k; ++j)
-      a(1 + i, 1 + j) -= P[i * k + j], b(1 + i, 1 + j) = rho * P[i * k + j];
+    double *a = A + (1 + i) * n, *b = B + (1 + i) * n;
+    a[0] = -mu_ * e[i], b[0] = rho * mu_ * e[i];
+    for (int j = 0; j < k; ++j) {
+      a[1 + j] = (i == j ? 1.0 : 0.0) - P[i * k + j];
+      b[1 + j] = rho * P[i * k + j];
+    }
   }
   return true;
 }

@@ -93,6 +93,7 @@ bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& rep
       for (int k = 0; k < kRestartSweeps; ++k) gaussSeidel_.sweep(p, r_.data(), trial.data());
     }
     SolveReport again;
+    again.residuals = residuals(p, view(std::as_const(trial)), scratch_);
     rescue_.solve(p, schedule, options_.tolerance, view(trial), again);
     report.iterations += again.iterations, report.newton += again.newton;
     report.rejected += again.rejected;

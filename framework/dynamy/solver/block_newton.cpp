@@ -67,10 +67,16 @@ bool BlockNewton::prepare(const InclusionProblem& p) {
                                  &trialF_, &centre_, &best_})
     v->resize(rows);
   recent_.reserve(64);
-  // A law without derivative shows at once.
-  std::fill(r_.begin(), r_.end(), 1.0);
-  std::fill(Lambda_.begin(), Lambda_.end(), 0.0);
-  return map(p, Lambda_.data(), p.c.data(), blocks_.F.data(), true) >= 0.0;
+  // A law without derivative shows at once; most neighbours share one.
+  const SetValuedForceLaw* last = nullptr;
+  for (int i = 0; i < p.size(); ++i) {
+    if (&p.law(i) == last) continue;
+    last = &p.law(i);
+    double A[kMaxDim * kMaxDim], B[kMaxDim * kMaxDim];
+    const double Lambda[kMaxDim] = {};
+    if (!last->proxDerivative(p.input(i), 1.0, p.c.data() + p.row0(i), Lambda, A, B)) return false;
+  }
+  return true;
 }
 
 void BlockNewton::chooseSteps(const InclusionProblem& p, const NewtonSchedule& s) {
@@ -195,7 +201,6 @@ void BlockNewton::solve(const InclusionProblem& p, const NewtonSchedule& s, doub
   chooseSteps(p, s);
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), Lambda_.begin());
   best_ = Lambda_;
-  report.residuals = residuals(p, view(Lambda), scratch_);
   bool solved = report.residuals.largest() <= tolerance, enough = false;
   double a = s.start, failed = 0.0;
   int growth = 0, steps = 0;

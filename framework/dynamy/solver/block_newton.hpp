@@ -37,7 +37,7 @@ class BlockNewton {
   /// eigenvalue, or there are more than 20 000 contacts.
   bool prepare(const InclusionProblem& problem);
   /// Goes on from Λ; Λ is the best one found. Adds to the counts of `report` and sets its residuals
-  /// and status. \pre prepare() of the same problem
+  /// and status. \pre prepare() of the same problem; the residuals in `report` are those of Λ
   void solve(const InclusionProblem& problem, const NewtonSchedule& schedule, double tolerance,
              Vec Lambda, SolveReport& report);
   /// Up to three steps from a Λ that is good enough; kept only if it is better.

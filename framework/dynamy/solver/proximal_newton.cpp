@@ -13,9 +13,13 @@ constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
 constexpr double kWarmBlock = 1e-8;       ///< the same for block rows
 constexpr double kWarmVelocities = 1e-6;  ///< the same in velocities, which divide by a
-constexpr double kCold = 3e-3;            ///< start of a after sweeps
-constexpr double kPressed = 3e-4;         ///< start of a when all contacts are pressed at first
-constexpr double kInner = 0.8;  ///< an inner problem is solved at this part of its first |F|
+/// Where no contact changes its state, one step with an a as small as rounding allows is all: it is
+/// tried first, twice at most.
+constexpr double kTried = 1e-8;
+constexpr int kTries = 2;
+constexpr double kCold = 3e-3;     ///< start of a after sweeps
+constexpr double kPressed = 3e-4;  ///< start of a when all contacts are pressed at first
+constexpr double kInner = 0.8;     ///< an inner problem is solved at this part of its first |F|
 /// Rows up to which the dense form is faster than the sparse one in velocities.
 constexpr int kMinVelocities = 16;
 constexpr int kMaxDense = 200;      ///< Newton steps of the dense form, then block rows are tried
@@ -253,6 +257,14 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   const double warm = block_.inVelocities() ? kWarmVelocities : kWarmBlock;
   schedule.start = pressed ? kPressed : (cold ? kCold : warm);
   int before = report.iterations;
+  if (!cold && block_.inVelocities()) {
+    NewtonSchedule once = schedule;
+    once.start = kTried, once.maxNewton = kTries;
+    block_.solve(p, once, options_.tolerance, Lambda, report);
+    report.note("proximal Newton, tried", before);
+    if (report.ok()) return report;
+    before = report.iterations;
+  }
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   report.note(report.method, before);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
