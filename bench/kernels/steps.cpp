@@ -58,10 +58,17 @@ struct Case {
   double dt;
   long steps;
 };
-constexpr Case kCases[] = {
-    {"bouncing_ball", 1e-4, 20000},          {"woodpecker", 1e-5, 30000},
-    {"woodpecker_expressions", 1e-5, 30000}, {"double_pendulum", 1e-4, 50000},
-    {"block_on_slope", 1e-3, 10000},         {"falling_box", 1e-3, 2000}};
+constexpr Case kCases[] = {{"bouncing_ball", 1e-4, 20000},
+                           {"woodpecker", 1e-5, 30000},
+                           {"woodpecker_expressions", 1e-5, 30000},
+                           {"double_pendulum", 1e-4, 50000},
+                           {"block_on_slope", 1e-3, 10000},
+                           {"falling_box", 1e-3, 2000},
+                           {"tower", 1e-3, 10000},
+                           {"tower_swung", 1e-3, 10000},
+                           {"ratio_stack", 1e-3, 10000},
+                           {"ratio_stack_swung", 1e-3, 10000},
+                           {"heavy_chain", 1e-3, 5000}};
 
 int count(long steps, const std::string& file, double dt) {
   Scene scene(file);
