@@ -27,13 +27,15 @@ TEST(StepCounts, AStackAtRestIsLeftAloneByTheSolver) {
   const Counts tower = counts("tower", 1e-3, 2000), ratio = counts("ratio_stack", 1e-3, 2000);
   EXPECT_LT(tower.newton, 0.1);
   EXPECT_LT(ratio.newton, 0.6);
-  EXPECT_EQ(tower.evaluations, 1.0);
-  EXPECT_EQ(ratio.evaluations, 1.0);
+  // One evaluation a step; the scheme looks for joints once.
+  EXPECT_LE(tower.evaluations, 1.0 + 1.0 / 2000);
+  EXPECT_LE(ratio.evaluations, 1.0 + 1.0 / 2000);
 }
 
 TEST(StepCounts, AStackUnderAChangingLoadTakesFewNewtonSteps) {
-  // No contact changes its state: the inclusion is linear there, one step of the proximal iteration
-  // leaves 1e-6 of the change of the load, the second one nothing.
+  // No contact changes its state: the inclusion is linear there. Two steps of the proximal
+  // iteration solve it for equal masses; the ratio of 10 000 takes two more with a larger
+  // parameter.
   EXPECT_LT(counts("tower_swung", 1e-3, 1000).newton, 2.1);
   EXPECT_LT(counts("ratio_stack_swung", 1e-3, 1000).newton, 4.2);
 }

@@ -81,6 +81,20 @@ double PlanarBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   return -m_ * (g_I[plane_.a] * q[0] + g_I[plane_.b] * q[1]);
 }
 
+bool PlanarBody::moveTangent(ConstVec, double, Block T) const {
+  T.setIdentity();
+  return true;
+}
+
+bool PlanarBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3&,
+                                Block K) const {
+  // The lever arm turns: δ(n × ρ) = n × (n × ρ) δφ = (n n·ρ − ρ) δφ.
+  const Vec3 rho_I = axes(q[2]) * (parts_.position(id) - r_BS_K_);
+  K.setZero();
+  K(2, 2) = (plane_.n.dot(rho_I) * plane_.n - rho_I).dot(F_I);
+  return true;
+}
+
 void PlanarBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   out.block = 0;
   // Out of the plane S stays where the body's origin was put; the offset of S has no meaning there.

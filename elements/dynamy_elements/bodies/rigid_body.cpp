@@ -112,6 +112,29 @@ void RigidBody::move(double, Vec q, ConstVec u, double dt) const {
   rotate(q.data() + 3, dt * u.tail<3>());
 }
 
+bool RigidBody::dh(double, ConstVec, ConstVec u, int, Block K, Block D) const {
+  const Vec3 Omega = u.tail<3>();
+  K.setZero(), D.setZero();
+  D.bottomRightCorner<3, 3>() = skew(mass_.J_S_K * Omega) - skew(Omega) * mass_.J_S_K;
+  return true;
+}
+
+bool RigidBody::moveTangent(ConstVec u, double dt, Block T) const {
+  T.setIdentity();
+  T.bottomRightCorner<3, 3>() = rotationTangent(dt * u.tail<3>());
+  return true;
+}
+
+bool RigidBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
+                               Block K) const {
+  // J_Sᵀ F + J_Rᵀ M = (F, Aᵀ M + ρ_K × Aᵀ F),  δ(Aᵀ x) = (Aᵀ x) × δθ_K.
+  const Mat3 A = rotationMatrix(q.data() + 3);
+  const Vec3 rho_K = parts_.position(id) - mass_.r_BS_K;
+  K.setZero();
+  K.bottomRightCorner<3, 3>() = skew(A.transpose() * M_I) + skew(rho_K) * skew(A.transpose() * F_I);
+  return true;
+}
+
 void RigidBody::normalise(Vec q) const { q.tail<4>().normalize(); }
 
 double RigidBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
@@ -131,6 +154,8 @@ void RigidBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const 
   out.J_S_I.setZero(), out.J_R_I.setZero();
   out.J_S_I.leftCols<3>().setIdentity();
   out.J_R_I.rightCols<3>() = out.A_IK;
+  out.central = id == 0 && mass_.r_BS_K.isZero(0.0);
+  if (out.central) return;
   const Vec3 rho_K = parts_.position(id) - mass_.r_BS_K;
   shiftFrame(out, out.A_IK * rho_K, parts_.axes(id));
 }

@@ -25,6 +25,11 @@ class RigidBody final : public PartialMechanicalSystem {
   void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const override;
   void move(double t, Vec q, ConstVec u, double dt) const override;
   void normalise(Vec q) const override;
+  /// The gyroscopic term: D = (J Ω)~ − Ω~ J, K = 0.
+  bool dh(double t, ConstVec q, ConstVec u, int block, Block K, Block D) const override;
+  bool moveTangent(ConstVec u, double dt, Block T) const override;
+  bool frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
+                      Block K) const override;
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }

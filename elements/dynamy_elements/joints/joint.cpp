@@ -5,34 +5,23 @@
 
 namespace dynamy {
 
-/// Both frames and the line between the two joint points.
-struct Joint::Pose {
-  const Frame &A, &B;
-  Vec3 rhoA_I, rhoB_I, r_PQ;
-
-  Pose(const Frame& a, const Frame& b, const Vec3& pointA, const Vec3& pointB)
-      : A(a),
-        B(b),
-        rhoA_I(a.A_IK * pointA),
-        rhoB_I(b.A_IK * pointB),
-        r_PQ(b.r_OS_I + rhoB_I - a.r_OS_I - rhoA_I) {}
-
-  double error(const JointRow& row) const {
-    switch (row.kind) {
-      case JointRow::Kind::point:
-        return (A.A_IK * row.d_A).dot(r_PQ);
-      case JointRow::Kind::angle:
-        return (A.A_IK * row.d_A).dot(B.A_IK * row.b_B);
-      case JointRow::Kind::distance:
-        return r_PQ.norm() - row.length;
-      case JointRow::Kind::spin:
-        return 0.0;
-    }
-    return 0.0;
+double Joint::Pose::error(const JointRow& row) const {
+  switch (row.kind) {
+    case JointRow::Kind::point:
+      return (A.A_IK * row.d_A).dot(r_PQ);
+    case JointRow::Kind::angle:
+      return (A.A_IK * row.d_A).dot(B.A_IK * row.b_B);
+    case JointRow::Kind::distance:
+      return r_PQ.norm() - row.length;
+    case JointRow::Kind::spin:
+      return 0.0;
   }
-};
+  return 0.0;
+}
 
 namespace {
+
+constexpr int kMostRows = 8;
 
 /// Acceleration at u̇ = 0 of the body point at rho_I.
 Vec3 pointBias(const Frame& f, const Vec3& rho_I) {
@@ -43,14 +32,49 @@ void addSpin(Block W, int row, const Frame& f, const Vec3& w, double sign) {
   for (int j = 0; j < f.nu(); ++j) W(row, j) += sign * f.J_R_I.col(j).dot(w);
 }
 
-/// One row: line of action of the relative velocity, and what γ̇ has beyond Wᵀu̇.
-struct RowValues {
+}  // namespace
+
+/// Line of action of the relative velocity in one row.
+struct Joint::RowValues {
   bool spin = false;
   Vec3 w = Vec3::Zero();  ///< direction of the point rows, axis of the others
-  double bias = 0.0;
 };
 
-}  // namespace
+void Joint::Pose::line(const JointRow& row, RowValues& v) const {
+  switch (row.kind) {
+    case JointRow::Kind::point:
+      v.w = A.A_IK * row.d_A;
+      break;
+    case JointRow::Kind::distance:
+      v.w = r_PQ.normalized();
+      break;
+    case JointRow::Kind::angle:
+      v.spin = true;
+      v.w = (B.A_IK * row.b_B).cross(A.A_IK * row.d_A);
+      break;
+    case JointRow::Kind::spin:
+      v.spin = true;
+      v.w = A.A_IK * row.d_A;
+      break;
+  }
+}
+
+/// What γ̇ has beyond Wᵀu̇.
+double Joint::Pose::bias(const JointRow& row, const RowValues& v) const {
+  const Vec3 d = A.A_IK * row.d_A, b = B.A_IK * row.b_B, ddot = A.Omega_I.cross(d);
+  if (v.spin) {
+    const bool angle = row.kind == JointRow::Kind::angle;
+    const Vec3 wdot = angle ? Vec3(B.Omega_I.cross(b).cross(d) + b.cross(ddot)) : ddot;
+    return v.w.dot(B.bias_R_I - A.bias_R_I) + wdot.dot(B.Omega_I - A.Omega_I);
+  }
+  const Vec3 v_PQ = B.velocity(rhoB_I) - A.velocity(rhoA_I);
+  const double ofPoints = v.w.dot(pointBias(B, rhoB_I) - pointBias(A, rhoA_I));
+  if (row.kind == JointRow::Kind::distance) {
+    const double along = v.w.dot(v_PQ);
+    return ofPoints + (v_PQ.squaredNorm() - along * along) / r_PQ.norm();
+  }
+  return ofPoints + 2.0 * ddot.dot(v_PQ) + (A.bias_R_I.cross(d) + A.Omega_I.cross(ddot)).dot(r_PQ);
+}
 
 // ---- declaration -------------------------------------------------------------------------------
 
@@ -121,53 +145,29 @@ void Joint::addDistance(double length) {
 
 // ---- contacts ----------------------------------------------------------------------------------
 
-void Joint::emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& rows, double g,
+void Joint::emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& rows,
                  const SetValuedForceLaw& law, ContactSink& sink) const {
+  double error[kMostRows], square = 0.0;
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    error[r] = p.error(rows[r]), square += error[r] * error[r];
+  const double g = &law == &bilateral_ ? std::sqrt(square) : 0.0;  // friction has no error
   ContactRows out = sink.add(id, g, law, static_cast<int>(rows.size()));
   if (!out) return;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    out.position(static_cast<int>(r)) = p.error(rows[r]);
+  for (std::size_t r = 0; r < rows.size(); ++r) out.position(static_cast<int>(r)) = error[r];
   const Frame &A = p.A, &B = p.B;
-  const Vec3 v_PQ = B.velocity(p.rhoB_I) - A.velocity(p.rhoA_I);
   const Vec3 rhoAQ_I = p.rhoA_I + p.r_PQ;  // A's point that is at Q now
-
-  // Directions and biases.
-  RowValues values[8];
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    RowValues& v = values[i];
-    const Vec3 d = A.A_IK * rows[i].d_A, b = B.A_IK * rows[i].b_B;
-    const Vec3 ddot = A.Omega_I.cross(d);
-    switch (rows[i].kind) {
-      case JointRow::Kind::point:
-        v.w = d;
-        v.bias = d.dot(pointBias(B, p.rhoB_I) - pointBias(A, p.rhoA_I)) + 2.0 * ddot.dot(v_PQ) +
-                 (A.bias_R_I.cross(d) + A.Omega_I.cross(ddot)).dot(p.r_PQ);
-        break;
-      case JointRow::Kind::distance: {
-        v.w = p.r_PQ.normalized();
-        const double along = v.w.dot(v_PQ);
-        v.bias = v.w.dot(pointBias(B, p.rhoB_I) - pointBias(A, p.rhoA_I)) +
-                 (v_PQ.squaredNorm() - along * along) / p.r_PQ.norm();
-        break;
-      }
-      case JointRow::Kind::angle:
-      case JointRow::Kind::spin: {
-        const bool angle = rows[i].kind == JointRow::Kind::angle;
-        v.spin = true;
-        v.w = angle ? Vec3(b.cross(d)) : d;
-        const Vec3 wdot = angle ? Vec3(B.Omega_I.cross(b).cross(d) + b.cross(ddot)) : ddot;
-        v.bias = v.w.dot(B.bias_R_I - A.bias_R_I) + wdot.dot(B.Omega_I - A.Omega_I);
-        break;
-      }
-    }
-  }
+  RowValues values[kMostRows];
+  for (std::size_t i = 0; i < rows.size(); ++i) p.line(rows[i], values[i]);
+  if (out.wantsBias())
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      out.bias(static_cast<int>(i)) = p.bias(rows[i], values[i]);
 
   // Segments, χ and bias of both sides. A distance row may take A's own point as well: w is along
   // r_PQ, so that the lever arms P and Q give the same.
   const auto addSide = [&](const Frame& f, const Vec3& rho, double sign) {
     const auto n = static_cast<int>(rows.size());
     if (f.block >= 0) {
-      Block W = out.segment(f.block, f.u0, f.nu());
+      const Block W = out.segment(f.block, f.u0, f.nu());
       for (int r = 0; r < n; ++r)
         values[r].spin ? addSpin(W, r, f, values[r].w, sign)
                        : addPointRow(W, r, f, rho, values[r].w, sign);
@@ -178,21 +178,14 @@ void Joint::emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& r
   };
   addSide(A, rhoAQ_I, -1.0);
   addSide(B, p.rhoB_I, 1.0);
-  if (out.wantsBias())
-    for (std::size_t r = 0; r < rows.size(); ++r) out.bias(static_cast<int>(r)) = values[r].bias;
   out.place(B.r_OS_I + p.rhoB_I, Vec3::Zero());
 }
 
 void Joint::contacts(const Kinematics& k, ContactSink& sink) const {
   const Pose p(k.frame(frames_.A), k.frame(frames_.B), pointA_, pointB_);
-  const auto norm = [&p](const std::vector<JointRow>& rows) {
-    double square = 0.0;
-    for (const JointRow& row : rows) square += p.error(row) * p.error(row);
-    return std::sqrt(square);
-  };
-  if (!points_.empty()) emit(p, 0, points_, norm(points_), bilateral_, sink);
-  if (!angles_.empty()) emit(p, 1, angles_, norm(angles_), bilateral_, sink);
-  if (!free_.empty()) emit(p, 2, free_, 0.0, *friction_, sink);
+  if (!points_.empty()) emit(p, 0, points_, bilateral_, sink);
+  if (!angles_.empty()) emit(p, 1, angles_, bilateral_, sink);
+  if (!free_.empty()) emit(p, 2, free_, *friction_, sink);
 }
 
 std::vector<double> Joint::errors(const Kinematics& k) const {

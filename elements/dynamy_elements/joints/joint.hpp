@@ -33,6 +33,8 @@ class Joint : public NonSmoothElement {
   void connect(Topology& topology) final;
   void contacts(const Kinematics& k, ContactSink& sink) const final;
   void describe(Description& d) const override;
+  bool jointForces(const Kinematics& k, std::uint64_t id, const double* Lambda,
+                   JointForces& out) const final;
 
   /// Position errors of all rows, without friction [m, –]. For tests and projections.
   std::vector<double> errors(const Kinematics& k) const;
@@ -59,8 +61,22 @@ class Joint : public NonSmoothElement {
   void addDistance(double length);
 
  private:
-  struct Pose;
-  void emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& rows, double g,
+  struct RowValues;
+  /// Both frames and the line between the two joint points.
+  struct Pose {
+    const Frame &A, &B;
+    Vec3 rhoA_I, rhoB_I, r_PQ;  ///< lever arms of P and Q, and the line between them
+    Pose(const Frame& a, const Frame& b, const Vec3& pointA, const Vec3& pointB)
+        : A(a),
+          B(b),
+          rhoA_I(a.A_IK * pointA),
+          rhoB_I(b.A_IK * pointB),
+          r_PQ(b.r_OS_I + rhoB_I - a.r_OS_I - rhoA_I) {}
+    double error(const JointRow& row) const;
+    void line(const JointRow& row, RowValues& out) const;
+    double bias(const JointRow& row, const RowValues& v) const;
+  };
+  void emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& rows,
             const SetValuedForceLaw& law, ContactSink& sink) const;
   FramePair frames_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();

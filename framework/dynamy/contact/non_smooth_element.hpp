@@ -6,6 +6,15 @@
 
 namespace dynamy {
 
+/// Forces of a joint on its two frames, and how they turn with them.
+struct JointForces {
+  FrameHandle frame[2];
+  Vec3 F[2], M[2];  ///< on frame A and B, about their origins, in I [N, N m, times the unit of Λ]
+  /// Derivatives of (F_A, M_A, F_B, M_B) with respect to displacements and small rotations
+  /// (δr_A, δθ_A, δr_B, δθ_B) of the two frames, in I.
+  Eigen::Matrix<double, 12, 12> D;
+};
+
 class NonSmoothElement : public Element {
  public:
   static constexpr Kind kKind = Kind::contact;
@@ -22,6 +31,12 @@ class NonSmoothElement : public Element {
   /// Changes the numbers the element reserved by Topology::memory, from the end of an accepted
   /// step. Called once per step, in no other place; a rejected step is rolled back with its State.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
+  /// Forces of its joint `id` for percussions Λ and their derivative, for Newton's method on
+  /// positions; false (default): not offered, differences are taken.
+  virtual bool jointForces(const Kinematics&, std::uint64_t /*id*/, const double* /*Lambda*/,
+                           JointForces& /*out*/) const {
+    return false;
+  }
   /// Name of one of its contacts in reports, the element's own left out; "": its number is shown.
   virtual std::string contactName(std::uint64_t /*id*/) const { return {}; }
 };

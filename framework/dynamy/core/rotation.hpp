@@ -47,6 +47,17 @@ inline void rotate(double* p, const Vec3& theta_K) {
   for (int i = 0; i < 4; ++i) p[i] *= scale;
 }
 
+/// T of the rotation by θ + δ after which that by θ is undone: exp(θ + δ) = exp(θ) exp(T δ) to
+/// first order, T = I − (1 − cos θ)/θ² θ~ + (θ − sin θ)/θ³ θ~².
+inline Mat3 rotationTangent(const Vec3& theta) {
+  const double square = theta.squaredNorm(), half = 0.5 * std::sqrt(square), s = sinc(half);
+  const Mat3 S = skew(theta);
+  // (θ − sin θ)/θ³, which cancels for small θ: its series to θ⁴, then good to 1e-11.
+  const double c = square < 1e-2 ? (1.0 - square / 20.0 * (1.0 - square / 42.0)) / 6.0
+                                 : (1.0 - sinc(2.0 * half)) / square;
+  return Mat3::Identity() - 0.5 * s * s * S + c * S * S;
+}
+
 /// ṗ = ½ p ∘ (0, K_Ω).
 inline void quaternionRate(const double* p, const Vec3& Omega_K, double* pdot) {
   const double w = p[0], x = p[1], y = p[2], z = p[3];

@@ -29,6 +29,7 @@ class BandedLu {
   int n_ = 0, b_ = 0, width_ = 0;
   std::vector<double> a_;  // row i: columns i − b … i + 2b
   std::vector<int> pivot_;
+  std::vector<int> last_;  // column of the last entry of a row that may differ from zero
 };
 
 }  // namespace dynamy

@@ -10,6 +10,9 @@ constexpr int kMostTurns = 25;
 /// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
 /// with an old one it is the last if what is left of it after another turn drowns in rounding.
 constexpr double kLast = 1e-10, kLeft = 1e-15;
+/// The same with a new tangent in closed form, which takes forces of elements as constant: what it
+/// leaves is good to kSlow, else differences take its place.
+constexpr double kLastClosed = 1e-13;
 /// A correction of this many lengths is on the way to nowhere.
 constexpr double kLost = 1e3;
 /// Corrections that shrink by less than this ask for a new tangent.
@@ -46,7 +49,8 @@ StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, S
 StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                   double dt) {
   xA_ = x;
-  newton_.begin(s, xA_, dt);  // v = u^A; M, h, contacts at q^A
+  newton_.begin(s, xA_, dt);  // M, h, contacts at q^A
+  startMean(xA_, dt);         // v
   // An impact must not act on turning links for a whole step: it is a jump at q^A.
   const auto jump = projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt));
   if (jump) newton_.v = xA_.u;
@@ -60,7 +64,27 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   s.move(x, newton_.v, dt);       // q^E = q^A ⊕ Δt v
   x.u = 2.0 * newton_.v - xA_.u;  // u^E = 2v − u^A
   if (project_ && !projection_.velocities(s, solver, x)) solved.status = SolveStatus::stalled;
+  jump ? x.scheme.resize(0) : keepMean(x, dt);
   return {dt, solved, s.problem().size()};
+}
+
+/// v goes on as the means of the last two steps do: they are smooth where the velocities at the
+/// ends, which satisfy joints in the mean only, jump to and fro. x.scheme holds both and their Δt.
+void EnergyMomentum::startMean(const State& x, double dt) {
+  const Eigen::Index nu = x.u.size();
+  if (x.scheme.size() != 2 * nu + 2) return;  // v = u^A
+  const double last = x.scheme[2 * nu], earlier = x.scheme[2 * nu + 1];
+  newton_.v = x.scheme.head(nu);
+  if (earlier > 0.0)
+    newton_.v += (dt + last) / (last + earlier) * (x.scheme.head(nu) - x.scheme.segment(nu, nu));
+}
+
+void EnergyMomentum::keepMean(State& x, double dt) const {
+  const Eigen::Index nu = x.u.size();
+  if (x.scheme.size() != 2 * nu + 2) x.scheme.setZero(2 * nu + 2);
+  x.scheme.segment(nu, nu) = x.scheme.head(nu);
+  x.scheme[2 * nu + 1] = x.scheme[2 * nu];
+  x.scheme.head(nu) = newton_.v, x.scheme[2 * nu] = dt;
 }
 
 SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, const State& x,
@@ -71,13 +95,14 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   contacts_.select(s, x, dt);
   double before = 0.0;
   bool fresh = true;
+  auto tangent = JointNewton::Tangent::closedForm;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     newton_.residual(s, contacts_.impulse());
     contacts_.select(s, x, dt);
     ++report.iterations;
     if (fresh) {
       ++report.newton;
-      if (!newton_.linearise(s, contacts_.impulse())) break;
+      if (!newton_.linearise(s, contacts_.impulse(), tangent)) break;
     }
     newton_.newtonStep();
     const SolveReport inner = contacts_.solve(s, solver, x, newton_);
@@ -89,11 +114,15 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     report.energyGain = inner.energyGain, report.repaired = inner.repaired;
     if (!std::isfinite(way) || way > kLost * length) break;
     const double rate = turn > 0 ? way / before : 1.0;
-    if (way <= kLast * length && (fresh || rate * way <= kLeft * length)) {
+    const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;
+    const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
+    if (last || (way <= kLast * length && rate * way <= kLeft * length)) {
       newton_.residual(s, contacts_.impulse());
       return report;
     }
-    fresh = turn > 0 && rate > kSlow;
+    const bool slow = turn > 0 && rate > kSlow;
+    if (slow && fresh) tangent = JointNewton::Tangent::differences;
+    fresh = slow;
     before = way;
   }
   if (report.status == SolveStatus::solved) report.status = SolveStatus::maxIterations;

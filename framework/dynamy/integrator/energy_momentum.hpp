@@ -32,6 +32,8 @@ class EnergyMomentum final : public OneStep {
   StepReport joined(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt);
   void hand(MechanicalSystem& s, State& x, double dt);
+  void startMean(const State& x, double dt);
+  void keepMean(State& x, double dt) const;
   enum class Joints { unknown, none, some } joints_ = Joints::unknown;
   StaggeredMoreau staggered_;
   JointNewton newton_;

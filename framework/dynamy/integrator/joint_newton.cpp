@@ -240,10 +240,48 @@ void JointNewton::addJointColumns(const Evaluation& e) {
   }
 }
 
-bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse) {
+bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
+                            Tangent wanted) {
   K_.reset(unknowns_, band_);
-  force0_ = Rv_, g0_ = Rg_, gRate0_ = gRate_;
   addJointColumns(s.slot(0));
+  tangent_ = Tangent::closedForm;
+  if (wanted == Tangent::differences || !offered_ || !(offered_ = closedForm(s))) {
+    tangent_ = Tangent::differences;
+    differences(s, contactImpulse);
+  }
+  return K_.factor();
+}
+
+bool JointNewton::closedForm(const MechanicalSystem& s) {
+  if (!parts_.begin(s, midpoint, v, dt_)) return false;
+  for (std::size_t b = 0; b < blockNu_.size(); ++b) {
+    const int first = nodes_[at(blockNode_[b])].first;
+    const JointTangent::Matrix6& K = parts_.ofBlock(static_cast<int>(b));
+    for (int i = 0; i < blockNu_[b]; ++i)
+      for (int j = 0; j < blockNu_[b]; ++j) K_.at(first + i, first + j) += K(i, j);
+  }
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const std::size_t row = at(jointRow_[k]);
+    if (!parts_.joint(s, joints_[k], endJoints_[k], Lambda.data() + row, gRate_.data() + row))
+      return false;
+    const int rows = jointRow_[k + 1] - jointRow_[k], firstRow = nodes_[at(jointNode_[k])].first;
+    for (int b = 0; b < parts_.sides(); ++b) {
+      const int column = nodes_[at(blockNode_[at(parts_.block(b))])].first;
+      for (int j = 0; j < parts_.nu(b); ++j) {
+        for (int r = 0; r < rows; ++r) K_.at(firstRow + r, column + j) += parts_.ofGap(b)(r, j);
+        for (int a = 0; a < parts_.sides(); ++a) {
+          const int first = nodes_[at(blockNode_[at(parts_.block(a))])].first;
+          for (int i = 0; i < parts_.nu(a); ++i)
+            K_.at(first + i, column + j) -= parts_.ofForce(a, b)(i, j);
+        }
+      }
+    }
+  }
+  return true;
+}
+
+void JointNewton::differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse) {
+  force0_ = Rv_, g0_ = Rg_, gRate0_ = gRate_;
   base_ = v;
   const double d = kDifference / dt_;
   for (int colour = 0; colour < colours_; ++colour)
@@ -258,7 +296,6 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
       v = base_;
     }
   Rv_ = force0_, Rg_ = g0_, gRate_ = gRate0_;
-  return K_.factor();
 }
 
 void JointNewton::newtonStep() {

@@ -10,13 +10,14 @@
 /// g(q^A): joints that hold do no work, whatever Δt. ω is of third order in v, so that W̃ is smooth
 /// where the motion turns back; without the difference of g it would not be. W, M, h at (t^M, q^M).
 ///
-/// K = ∂R/∂(v, Λ) must contain how W turns with v; without that heavy chains diverge. It is taken
+/// K = ∂R/∂(v, Λ) must contain how W turns with v; without that heavy chains diverge. Bodies and
+/// joints that know it tell it (moveTangent, frameStiffness, jointForces); with others K is taken
 /// by differences, all bodies of one colour at once: no two of them share a neighbour, so that
 /// elements need not know second derivatives. Rows and columns follow a walk along the mechanism,
 /// and K is a band.
 #pragma once
 #include <dynamy/integrator/banded_lu.hpp>
-#include <dynamy/integrator/mechanical_system.hpp>
+#include <dynamy/integrator/joint_tangent.hpp>
 
 namespace dynamy {
 
@@ -26,8 +27,13 @@ class JointNewton {
   bool begin(MechanicalSystem& s, const State& x, double dt);
   /// Evaluates R at v, Λ and the impulses of contacts, W_c Λ_c, nu numbers.
   void residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
+  /// How K is found: in closed form where all bodies and joints offer it, else by differences.
+  enum class Tangent { closedForm, differences };
   /// K at the last residual; false: singular.
-  bool linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
+  bool linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
+                 Tangent wanted = Tangent::closedForm);
+  /// How the last K was found.
+  Tangent tangent() const { return tangent_; }
   /// Newton's step −K⁻¹R, not yet taken: dv(), dLambda().
   void newtonStep();
   /// What all unknowns gain per impulse along w (nu numbers): K⁻¹ [w; 0].
@@ -60,6 +66,8 @@ class JointNewton {
   void order(const std::vector<std::vector<int>>& near);
   void colour();
   void addJointColumns(const Evaluation& e);
+  void differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
+  bool closedForm(const MechanicalSystem& s);
   void addColumn(int node, int column, const Eigen::VectorXd& force, double perturbation);
   void jointForces(const Evaluation& e, Eigen::VectorXd& out);
   void findJoints(const ContactSet& c, std::vector<int>& out) const;
@@ -75,6 +83,9 @@ class JointNewton {
   Eigen::VectorXd Rv_, force_, force0_, momentum_, uE_, base_;
   std::vector<double> Rg_, g0_, gA_, gRate_, gRate0_, work_;
   BandedLu K_;
+  Tangent tangent_ = Tangent::differences;
+  bool offered_ = true;  // until an element refuses the closed form
+  JointTangent parts_;
 };
 
 }  // namespace dynamy

@@ -70,10 +70,21 @@ class PartialMechanicalSystem : public Element {
   virtual int frames() const { return 0; }
   /// True: h has stiff parts, schemes take them linearly implicitly from dh.
   virtual bool stiff() const { return false; }
-  /// Stiff parts K = ∂h/∂q F, D = ∂h/∂u of one block for implicit schemes, all entries; false:
-  /// none. Called only if stiff().
+  /// Parts K = ∂h/∂q F, D = ∂h/∂u of one block, all entries; false: none. Schemes that take stiff
+  /// parts linearly implicitly ask systems that are stiff(); Newton's method on positions asks all.
   virtual bool dh(double /*t*/, ConstVec /*q*/, ConstVec /*u*/, int /*block*/, Block /*K*/,
                   Block /*D*/) const {
+    return false;
+  }
+  /// Derivatives for Newton's method on positions, for systems of one block with constant mass, all
+  /// entries; false (default): not offered, differences are taken.
+  ///
+  /// T of move():  q ⊕ Δt (u + δ) = (q ⊕ Δt u) ⊕ Δt T δ to first order; the unit matrix where q̇ =
+  /// u.
+  virtual bool moveTangent(ConstVec /*u*/, double /*dt*/, Block /*T*/) const { return false; }
+  /// K = ∂(J_Sᵀ F + J_Rᵀ M)/∂q F of frame `id`, with F_I [N] and M_I [N m] held in I.
+  virtual bool frameStiffness(double /*t*/, ConstVec /*q*/, int /*id*/, const Vec3& /*F_I*/,
+                              const Vec3& /*M_I*/, Block /*K*/) const {
     return false;
   }
 };
