@@ -1,6 +1,8 @@
 #include "run_text.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
 
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/core/version.hpp>
@@ -157,6 +159,18 @@ std::string headText(const Model& model, const RunChoice& choice) {
   return out;
 }
 
+/// Warns of a scheme that changes the energy by itself: by more than 1 % of what moves in the run,
+/// and by more than the rounding of its potential.
+std::string discretisationText(const EnergyReport& e) {
+  const double moves =
+      std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart), std::abs(e.works())});
+  const double change = std::abs(e.discretisation);
+  if (!(change > 0.01 * moves && change > 1e-9 * std::abs(e.potentialStart))) return {};
+  return fmt::format(
+      " THE DISCRETISATION CHANGED THE ENERGY by {:.2g} of what moves: take a smaller step\n",
+      change / moves);
+}
+
 std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
                        const std::filesystem::path& folder) {
   std::string out =
@@ -170,6 +184,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
+  out += discretisationText(e);
   if (r.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
                        counted(r.parted, "step"));
@@ -184,7 +199,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (r.jointError.value > 0.0)
     out += fmt::format(" worst joint error {:.2g} m at {} (t = {:.6g} s)\n", r.jointError.value,
                        r.jointError.name, r.jointError.t);
-  if (r.solves > 0) {
+  if (r.solves > 0 || r.unconverged > 0) {
     out += fmt::format(" solver  {}, {:.3g} iterations on average, at most {}, ",
                        counted(r.solves, "solve"), r.iterationsMean(), r.iterationsMax);
     out += r.unconverged == 0

@@ -116,11 +116,8 @@ bool Projection::isTouched(ContactKey key) const {
 
 double Projection::largestGap(const ContactSet& c) const {
   double largest = 0.0;
-  for (int i = 0; i < c.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (isTouched(c.key[at]))
-      largest = std::max(largest, c.position[static_cast<std::size_t>(c.row0[at])]);
-  }
+  for (std::size_t i = 0; i < c.g.size(); ++i)  // open ones, too
+    if (isTouched(c.candidateKey[i])) largest = std::max(largest, c.g[i]);
   return largest;
 }
 

@@ -11,6 +11,29 @@ constexpr int kMostPieces = 4096;
 constexpr double kFactor = 2.0;
 /// … if they lead further than this many g_tol.
 constexpr double kNoWay = 1e6;
+/// A contact is there at gaps below this many g_tol.
+constexpr double kNear = 1e3;
+/// Of the largest velocity: what closes faster is one of the fast bodies.
+constexpr double kComparable = 0.1;
+/// Of the step: too short to matter.
+constexpr double kMoment = 1e-9;
+
+/// A gap law that looks beyond the end of the step brakes a fast body far from the contact: then
+/// the middle of the step, so that the halves come near to it.
+Passing braked(const MechanicalSystem& s, const State& a, double dt) {
+  const ContactSet& c = s.slot(0).contacts;
+  const InclusionProblem& p = s.problem();
+  if (p.contacts != &c || a.u.size() == 0) return {};
+  const double fast = kComparable * a.u.cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < c.law.size(); ++i) {
+    const int row = c.row0[i];
+    const auto r = static_cast<std::size_t>(row);
+    if (c.law[i]->unilateral() && c.position[r] > kNear * s.gTol() && -p.gammaA[r] > fast &&
+        s.Lambda(row) > 0.0)
+      return {0.5 * dt, kMoment * dt, c.key[i]};
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -47,7 +70,7 @@ Passing Sweep::look(const MechanicalSystem& s, const OneStep& scheme, const Stat
     s.move(at_, a.u, dt / n);
   }
   search();
-  return first;
+  return first ? first : braked(s, a, dt);
 }
 
 int Sweep::pieces(const MechanicalSystem& s, const State& a, const State& b) {

@@ -34,6 +34,8 @@ void StepStatistics::step(const StepView& v) {
         r.residual.contact = c.key[static_cast<std::size_t>(e.worst)];
     }
   }
+  // An implicit scheme may miss its equations without any contact.
+  if (v.report.contacts == 0 && !v.report.solved.ok()) ++r.unconverged;
   gaps(v);
   statuses(v);
 }

@@ -256,7 +256,7 @@ void Simulation::noteUnsolved() {
     return contactText(model_, p.contacts->key[static_cast<std::size_t>(i)]);
   };
   // A scheme may solve other problems than the last one in a step.
-  const bool known = stepReport_.contacts == p.size();
+  const bool known = p.size() > 0 && stepReport_.contacts == p.size();
   u.contact = known && solved.residuals.worst >= 0 ? name(solved.residuals.worst) : "";
   u.findings.clear();
   if (!known || diagnoses_++ >= kMostDiagnoses) return;
