@@ -176,6 +176,7 @@ int freeDirections(const DenseProblem& dense, const Eigen::MatrixXd& kernel) {
     left.middleRows(at, dim) -= dense.proxJacobian(i) * kernel.middleRows(at, dim);
     at += dim;
   }
+  if (!left.allFinite()) return 0;  // pivoting by size reads out of bounds where nothing compares
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
   qr.setThreshold(1e-9);
   return static_cast<int>(kernel.cols() - (left.norm() > 1e-9 ? qr.rank() : 0));
