@@ -66,6 +66,13 @@ void write(JsonWriter& json, const EnergyReport& e) {
   json.endObject();
 }
 
+void write(JsonWriter& json, const std::vector<Warning>& warnings) {
+  json.key("warnings").beginArray();
+  for (const Warning& w : warnings)
+    json.beginObject().member("kind", w.kind).member("text", w.text).endObject();
+  json.endArray();
+}
+
 void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
   json.key("checks").beginArray();
   for (const CheckResult& c : checks) {
@@ -145,6 +152,13 @@ void writeProblems(JsonWriter& json, const ProblemDump& d) {
   if (d.refused() > 0) json.member("problemsLeftOutBecause", d.refusedBecause());
 }
 
+std::string warningsText(const RunReport& r) {
+  std::string out;
+  for (const Warning& w : r.warnings)
+    if (w.kind != "unsolved") out += fmt::format(" WARNING  {}: {}\n", w.kind, w.text);
+  return out;
+}
+
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 std::string headText(const Model& model, const RunChoice& choice) {
@@ -207,7 +221,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
                : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
                              r.unconverged, r.residual.value, r.residual.name, r.residual.t);
   }
-  out += unsolvedText(r);
+  out += unsolvedText(r) + warningsText(r);
   int width = 0;
   for (const CheckResult& c : checks) width = std::max(width, characterCount(checkText(c)));
   for (const CheckResult& c : checks) out += checkLine(c, width);
@@ -255,6 +269,10 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   write(json, "jointError", r.jointError);
   json.member("cpu_s", r.cpu).member("wall_s", r.wall);
   write(json, r.energy);
+  json.key("figures").beginObject();
+  for (const RunFigure& f : runFigures()) json.member(f.name, f.value(r));
+  json.endObject();
+  write(json, r.warnings);
   write(json, checks);
   json.key("signals").beginArray();
   for (const SignalName& s : recordedSignals(model))

@@ -2,6 +2,7 @@
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model_scene.hpp>
 #include <dynamy/io/settings_reader.hpp>
+#include <dynamy/simulation/run_watch.hpp>
 
 namespace dynamy {
 
@@ -114,6 +115,8 @@ bool SettingsReader::checkIsSound(const XmlNode& node, const Scope& scope,
     fault(x["over"].place, "over goes with a measure such as \"max\"; use at");
   if (x["over"].given && !(x["over"].numbers[0] < x["over"].numbers[1]))
     fault(x["over"].place, "over expects the earlier time first");
+  if (runFigure(x["signal"].text) != nullptr && (x["measure"].given || x["at"].given))
+    fault(x["signal"].place, "a figure of the whole run has neither measure nor time");
   return faults_->size() == before;
 }
 
@@ -147,8 +150,11 @@ void SettingsReader::readCheck(const XmlNode& node, const Scope& scope, const Pa
 void SettingsReader::verify(const std::string& signal, const Place& place,
                             const std::string& element) const {
   if (model_->signal(signal) != nullptr) return;
+  if (element == "check" && runFigure(signal) != nullptr) return;
   std::vector<std::string> known;
   for (const NamedSignal& s : model_->signals()) known.push_back(s.name);
+  if (element == "check")
+    for (const RunFigure& f : runFigures()) known.push_back(std::string("run.") + f.name);
   const bool all = signal.ends_with(".*");
   if (all) {
     const std::string prefix = signal.substr(0, signal.size() - 1);

@@ -63,7 +63,8 @@ Word record() {
 Word check() {
   Word w = word("check", "What must come out: a measure of a signal lies in a band.", {"doc"});
   Attributes& a = w.attributes;
-  a.add(AttributeType::text, "signal", std::nullopt, "name such as ball.z");
+  a.add(AttributeType::text, "signal", std::nullopt,
+        "name such as ball.z, or a figure of the run's report such as run.penetration");
   a.choice("measure", {"value", "mean", "min", "max", "period", "count"}, "value",
            "what is taken of the signal");
   a.required("at", Unit::time, "time of the value; default: the end").nonNegative().mayBeAbsent();

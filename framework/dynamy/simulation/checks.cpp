@@ -32,6 +32,7 @@ std::vector<const NamedSignal*> signalsOf(const Model& model) {
   std::vector<const NamedSignal*> out;
   Diagnostics faults;
   for (const CheckSettings& c : model.checks) {
+    if (runFigure(c.signal) != nullptr) continue;
     out.push_back(model.signal(c.signal));
     if (out.back() != nullptr) continue;
     std::vector<std::string> known;
@@ -122,14 +123,15 @@ void Measurement::archive(Archive& a) {
   a(sign_), a(whole_), a(integral_), a(times_), a(values_);
 }
 
-Checks::Checks(const Model& model) : sampler_(model, signalsOf(model)) {
+Checks::Checks(const Model& model) : all_(model.checks), sampler_(model, signalsOf(model)) {
   const double steps = model.simulation.step > 0.0 ? model.simulation.until / model.simulation.step
                                                    : static_cast<double>(kMostSamples);
-  for (const CheckSettings& c : model.checks) {
+  for (const CheckSettings& c : all_) {
+    if (runFigure(c.signal) != nullptr) continue;
     measurements_.emplace_back(c);
     measurements_.back().reserve(static_cast<std::size_t>(std::clamp(steps, 0.0, 1e9)) + 4);
   }
-  values_.resize(model.checks.size());
+  values_.resize(measurements_.size());
 }
 
 void Checks::start(const StepView& initial) {
@@ -171,26 +173,37 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
 
 void Checks::finish(const StepView& last) { t_ = last.after.t; }
 
-std::vector<CheckResult> Checks::results() const {
+CheckResult Checks::measured(const Measurement& m) const {
+  const CheckSettings& c = m.settings();
+  CheckResult r;
+  const bool value = c.measure == Measure::value;
+  if (value)
+    r.over = std::isnan(c.at) ? "at the end" : "at " + numberText(c.at) + " s";
+  else if (c.from > 0.0 || std::isfinite(c.to))
+    r.over = "over " + numberText(c.from) + " … " +
+             (std::isfinite(c.to) ? numberText(c.to) : std::string("end")) + " s";
+  r.got = m.result();
+  // A run that ended before the interval did has not measured what was asked for.
+  const double needed = value ? c.at : c.to;
+  if (std::isfinite(needed) && t_ < needed * (1.0 - 1e-9))
+    r.note = "the run ended at " + numberText(t_) + " s", r.got = kNaN;
+  else if (std::isnan(r.got))
+    r.note = c.measure == Measure::period ? "fewer than two crossings" : "no sample";
+  return r;
+}
+
+std::vector<CheckResult> Checks::results(const RunReport& report) const {
   std::vector<CheckResult> out;
-  for (const Measurement& m : measurements_) {
-    const CheckSettings& c = m.settings();
+  auto m = measurements_.begin();
+  for (const CheckSettings& c : all_) {
+    const RunFigure* figure = runFigure(c.signal);
     CheckResult r;
+    if (figure != nullptr)
+      r.got = figure->value(report);
+    else
+      r = measured(*m++);
     r.signal = c.signal, r.measure = measureText(c.measure), r.expected = c.text;
     r.low = c.low, r.high = c.high, r.place = c.place;
-    const bool value = c.measure == Measure::value;
-    if (value)
-      r.over = std::isnan(c.at) ? "at the end" : "at " + numberText(c.at) + " s";
-    else if (c.from > 0.0 || std::isfinite(c.to))
-      r.over = "over " + numberText(c.from) + " … " +
-               (std::isfinite(c.to) ? numberText(c.to) : std::string("end")) + " s";
-    r.got = m.result();
-    // A run that ended before the interval did has not measured what was asked for.
-    const double needed = value ? c.at : c.to;
-    if (std::isfinite(needed) && t_ < needed * (1.0 - 1e-9))
-      r.note = "the run ended at " + numberText(t_) + " s", r.got = kNaN;
-    else if (std::isnan(r.got))
-      r.note = c.measure == Measure::period ? "fewer than two crossings" : "no sample";
     r.pass = r.got >= c.low && r.got <= c.high;
     out.push_back(std::move(r));
   }

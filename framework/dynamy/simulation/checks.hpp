@@ -8,8 +8,11 @@
 ///           after the signal was 5 % of its range below, so that chatter is one crossing.
 ///           Rejected: distances of maxima, which a flat top or an impact's spike displaces.
 ///   count   whole-number signals (status, latch): upward jumps; others: changes of sign
+///
+/// A signal `run.NAME` is a figure of the run's report instead, with the value at the end.
 #pragma once
 #include <dynamy/core/compensated_sum.hpp>
+#include <dynamy/simulation/run_watch.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
 
 namespace dynamy {
@@ -53,8 +56,8 @@ class Checks final : public Observer {
  public:
   /// Throws ModelError for unknown signals.
   explicit Checks(const Model& model);
-  /// After the run.
-  std::vector<CheckResult> results() const;
+  /// After the run, whose report is needed for the figures of checks such as run.penetration.
+  std::vector<CheckResult> results(const RunReport& report) const;
 
   void start(const StepView& initial) override;
   void step(const StepView& view) override;
@@ -63,8 +66,10 @@ class Checks final : public Observer {
 
  private:
   void feed(const StepView& view, std::size_t i, double end);
+  CheckResult measured(const Measurement& m) const;
+  std::vector<CheckSettings> all_;
   SignalSampler sampler_;
-  std::vector<Measurement> measurements_;
+  std::vector<Measurement> measurements_;  ///< of the checks that are no figure of the report
   std::vector<double> values_;
   double t_ = 0.0;
 };

@@ -4,6 +4,12 @@
 
 namespace dynamy {
 
+void RunTrust::archive(Archive& a) {
+  for (double* x : {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise,
+                    &energyRiseTime, &omegaDt, &turn, &way, &fall, &leap})
+    a(*x);
+}
+
 void RunReport::archive(Archive& a) {
   a.section("report");
   a(t), a(steps), a(rejected), a(parted), a(evaluations), a(solves), a(iterations),
@@ -11,6 +17,7 @@ void RunReport::archive(Archive& a) {
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
   a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);
+  a(trust);
 }
 
 void StepStatistics::step(const StepView& v) {
@@ -43,12 +50,11 @@ void StepStatistics::step(const StepView& v) {
 void StepStatistics::gaps(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
-    const bool joint =
-        c.closedIndex[i] >= 0 && !c.law[static_cast<std::size_t>(c.closedIndex[i])]->unilateral();
-    Worst& worst = joint ? report_.jointError : report_.penetration;
-    const double value = joint ? c.g[i] : -c.g[i];
-    if (value > worst.value)
-      worst.value = value, worst.t = v.system.slot(0).t, worst.contact = c.candidateKey[i];
+    const int closed = c.closedIndex[i];
+    if (closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral()) continue;
+    Worst& worst = report_.penetration;
+    if (-c.g[i] > worst.value)
+      worst.value = -c.g[i], worst.t = v.system.slot(0).t, worst.contact = c.candidateKey[i];
   }
 }
 
@@ -91,11 +97,6 @@ void StepStatistics::switched(double t, const Seen& from, const Seen& to) {
   };
   if (sink_ == nullptr || to.impact || (isOpen(to) && (from.impact || isOpen(from)))) return;
   sink_->event({t, to.key, from.status, to.status, false, 0.0, 0.0});
-}
-
-void StepStatistics::finish(const StepView& last) {
-  for (Worst* w : {&report_.residual, &report_.penetration, &report_.jointError})
-    if (w->value > 0.0) w->name = contactName(last.model, w->contact);
 }
 
 void StepStatistics::archive(Archive& a) {

@@ -12,7 +12,7 @@ struct Worst {
   double value = 0.0;
   double t = 0.0;  ///< [s]
   ContactKey contact;
-  std::string name;  ///< of the contact; filled at the end
+  std::string name;  ///< of the contact; filled at the end of the run
   void archive(Archive& a) { a(value), a(t), a(contact), a(name); }
 };
 
@@ -31,11 +31,34 @@ struct Unsolved {
   }
 };
 
+/// What the figures of a run can be trusted for; RunWatch has the formulas.
+struct RunTrust {
+  double kineticMax = 0.0;                          ///< largest T seen [J]
+  double stepEnergy = 0.0;                          ///< what the forces alone give in a step [J]
+  double energyError = 0.0, energyErrorTime = 0.0;  ///< [J], [s]
+  double energyRise = 0.0, energyRiseTime = 0.0;    ///< [J], [s]
+  double omegaDt = 0.0;                             ///< resolution of smooth motion
+  double turn = 0.0;                                ///< [rad]
+  double way = 0.0;                                 ///< of the fastest frame in a step [m]
+  double fall = 0.0;                                ///< by the forces alone in a step [m]
+  double leap = 0.0;                                ///< way in a step over the sizes of shapes
+  /// What energies are compared with [J].
+  double energyScale() const { return kineticMax > stepEnergy ? kineticMax : stepEnergy; }
+  void archive(Archive& a);
+};
+
+/// A reason not to trust the figures of a run.
+struct Warning {
+  std::string kind;  ///< one word: "energy", "overlap", …
+  std::string text;  ///< what, where, when; what to do
+};
+
 struct RunReport {
   enum class Ended { finished, stopped, failed };
   Ended ended = Ended::finished;
-  std::string reason;  ///< why it failed; empty: it did not
-  double t = 0.0;      ///< time reached [s]
+  std::string reason;    ///< why it failed; empty: it did not
+  bool refused = false;  ///< it failed because the scheme does not admit the scene
+  double t = 0.0;        ///< time reached [s]
 
   long steps = 0, rejected = 0;
   long swept = 0;        ///< attempted steps whose path was looked along for fast bodies
@@ -52,10 +75,12 @@ struct RunReport {
   Unsolved unsolved;
   Worst residual;                ///< largest of E_f, E_u
   Worst penetration;             ///< −g of unilateral contacts where the step saw them [m]
-  Worst jointError;              ///< position error of joints [m]
+  Worst jointError;              ///< position error of joints at ends of steps [m]
   double cpu = 0.0, wall = 0.0;  ///< [s]
   EnergyReport energy;
-  std::uint64_t hash = 0;  ///< of all recorded numbers and the final state
+  RunTrust trust;
+  std::vector<Warning> warnings;  ///< at the end of the run
+  std::uint64_t hash = 0;         ///< of all recorded numbers and the final state
 
   double iterationsMean() const {
     return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0.0;
@@ -70,7 +95,6 @@ class StepStatistics final : public Observer {
   /// Tells `sink` of impacts and switches from now on.
   void tell(RecordSink& sink) { sink_ = &sink; }
   void step(const StepView& view) override;
-  void finish(const StepView& last) override;
   void archive(Archive& a) override;
 
  private:

@@ -58,6 +58,7 @@ Simulation::Simulation(Model& model)
       loop_(stepOf(model), model.simulation.onNonConvergence),
       statistics_(report_),
       ledger_(model),
+      watch_(model, ledger_, report_),
       checks_(model) {
   for (const auto& o : model.observers()) observers_.push_back(o.get());
 }
@@ -74,7 +75,7 @@ void Simulation::onCheckpoint(double every, std::function<void(const std::string
 
 template <class Call>
 void Simulation::forAll(Call&& call) {
-  call(statistics_), call(ledger_), call(checks_);
+  call(statistics_), call(ledger_), call(watch_), call(checks_);
   if (ledgerRows_) call(*ledgerRows_);
   if (recorder_) call(*recorder_);
   for (Observer* o : observers_) call(*o);
@@ -209,6 +210,7 @@ bool Simulation::fail(const Passing& p) {
 bool Simulation::accept() {
   if (!sound()) {
     std::string reason = fault();
+    report_.refused = !stepReport_.refused.empty();
     x_ = before_;
     stepReport_ = {};
     return endBecause(std::move(reason));

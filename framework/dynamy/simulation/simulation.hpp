@@ -14,7 +14,7 @@
 #include <dynamy/simulation/checks.hpp>
 #include <dynamy/simulation/ledger_rows.hpp>
 #include <dynamy/simulation/recorder.hpp>
-#include <dynamy/simulation/run_report.hpp>
+#include <dynamy/simulation/run_watch.hpp>
 #include <dynamy/simulation/time_loop.hpp>
 #include <functional>
 
@@ -43,7 +43,7 @@ class Simulation final : private Stepper {
   const RunReport& run();
   const RunReport& report() const { return report_; }
   const State& state() const { return x_; }
-  std::vector<CheckResult> checks() const { return checks_.results(); }
+  std::vector<CheckResult> checks() const { return checks_.results(report_); }
   /// What `resume` takes: the state at the end of the run, before a last shortened step.
   const std::string& checkpoint() const { return checkpoint_; }
 
@@ -83,6 +83,7 @@ class Simulation final : private Stepper {
   RunReport report_;
   StepStatistics statistics_;
   EnergyLedger ledger_;
+  RunWatch watch_;
   Checks checks_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<LedgerRows> ledgerRows_;

@@ -1,0 +1,133 @@
+/// What the figures of a finished run say against it, and the figures that checks may ask for.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <dynamy/simulation/run_watch.hpp>
+
+namespace dynamy {
+namespace {
+
+// Limits of what is told; doc/stability.md derives them.
+constexpr double kEnergy = 0.01;      ///< of the largest kinetic energy
+constexpr double kOverlap = 0.01;     ///< of the scene's length
+constexpr double kOverlapWays = 2.0;  ///< of the way in a step
+constexpr double kJoint = 1e-3;       ///< of the scene's length
+constexpr double kOmegaDt = 1.0;      ///< [rad]
+constexpr double kTurn = 1.0;         ///< [rad]
+constexpr double kRounding = 1e-9;    ///< shares below this are not told
+
+double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
+
+using Warnings = std::vector<Warning>;
+
+void aboutSolver(const RunReport& r, Warnings& out) {
+  if (r.unconverged == 0) return;
+  out.push_back(
+      {"unsolved", fmt::format("{} of {} inclusions missed their tolerance, residual {:.2g} at most"
+                               "; their forces and velocities are not to be trusted",
+                               r.unconverged, r.solves, r.residual.value)});
+}
+
+void aboutEnergy(const RunReport& r, Warnings& out) {
+  const RunTrust& t = r.trust;
+  const double rise = ratio(t.energyRise, t.energyScale());
+  const double error = ratio(t.energyError, t.energyScale());
+  if (rise > kEnergy)
+    out.push_back({"energy gain",
+                   fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
+                               "and nothing brought it in; take a smaller step",
+                               t.energyRise, t.energyRiseTime, rise)});
+  else if (error > kEnergy)
+    out.push_back({"energy", fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "
+                                         "where no force did work: the scheme's own error; take a "
+                                         "smaller step",
+                                         t.energyError, t.energyErrorTime, error)});
+}
+
+void aboutImpacts(const RunReport& r, Warnings& out) {
+  if (ratio(r.energyGain.value, r.trust.energyScale()) < kRounding) return;
+  out.push_back({"impact law", fmt::format("{} impacts would have gained energy, {:.2g} J at most "
+                                           "(t = {:.6g} s): less rebound was taken",
+                                           r.repairedImpacts, r.energyGain.value, r.energyGain.t)});
+}
+
+void aboutPositions(const RunReport& r, double length, Warnings& out) {
+  const double overlap = r.penetration.value;
+  if (overlap > kOverlap * length)
+    out.push_back(
+        {"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                                "of the scene's length",
+                                overlap, r.penetration.name, r.penetration.t, overlap / length)});
+  else if (overlap > std::max(kOverlapWays * r.trust.way, kRounding * length))
+    out.push_back({"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                                          "times the way of the fastest in a step",
+                                          overlap, r.penetration.name, r.penetration.t,
+                                          ratio(overlap, r.trust.way))});
+  if (r.jointError.value > kJoint * length)
+    out.push_back({"joints", fmt::format("joint {} is off by {:.2g} m (t = {:.6g} s), {:.2g} of "
+                                         "the scene's length: project=\"both\" in <simulation>, or "
+                                         "a scheme that holds positions, keeps it",
+                                         r.jointError.name, r.jointError.value, r.jointError.t,
+                                         r.jointError.value / length)});
+}
+
+void aboutStep(const RunReport& r, double length, Warnings& out) {
+  const RunTrust& t = r.trust;
+  if (t.omegaDt > kOmegaDt)
+    out.push_back({"resolution", fmt::format("the motion turns by {:.2g} rad in a step (omega dt); "
+                                             "take a smaller step",
+                                             t.omegaDt)});
+  if (t.turn > kTurn)
+    out.push_back({"resolution", fmt::format("a body turns by {:.2g} rad in a step; take a smaller "
+                                             "step",
+                                             t.turn)});
+  if (t.fall > length)
+    out.push_back({"resolution", fmt::format("forces alone lead {:.2g} m in a step, {:.2g} times "
+                                             "the scene's length; take a smaller step",
+                                             t.fall, t.fall / length)});
+}
+
+constexpr std::array<RunFigure, 10> kFigures = {{
+    {"energyError", "energy that no force accounts for, over the largest T",
+     [](const RunReport& r) { return ratio(r.trust.energyError, r.trust.energyScale()); }},
+    {"energyRise", "rise of T + V that nothing brought in, over the largest T",
+     [](const RunReport& r) { return ratio(r.trust.energyRise, r.trust.energyScale()); }},
+    {"impactGain", "energy that impacts would have gained by their law [J]",
+     [](const RunReport& r) { return r.energyGain.value; }},
+    {"penetration", "worst overlap of a unilateral contact [m]",
+     [](const RunReport& r) { return r.penetration.value; }},
+    {"jointError", "worst position error of a joint [m]",
+     [](const RunReport& r) { return r.jointError.value; }},
+    {"unsolved", "inclusions that missed their tolerance",
+     [](const RunReport& r) { return static_cast<double>(r.unconverged); }},
+    {"residual", "largest residual of an inclusion",
+     [](const RunReport& r) { return r.residual.value; }},
+    {"impacts", "impacts", [](const RunReport& r) { return static_cast<double>(r.impacts); }},
+    {"switches", "changes of a contact's status",
+     [](const RunReport& r) { return static_cast<double>(r.switches); }},
+    {"steps", "steps", [](const RunReport& r) { return static_cast<double>(r.steps); }},
+}};
+
+}  // namespace
+
+std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
+  Warnings out;
+  aboutSolver(report, out);
+  aboutEnergy(report, out);
+  aboutImpacts(report, out);
+  aboutPositions(report, sceneLength, out);
+  aboutStep(report, sceneLength, out);
+  return out;
+}
+
+std::span<const RunFigure> runFigures() { return kFigures; }
+
+const RunFigure* runFigure(std::string_view signal) {
+  if (!signal.starts_with("run.")) return nullptr;
+  for (const RunFigure& f : kFigures)
+    if (signal.substr(4) == f.name) return &f;
+  return nullptr;
+}
+
+}  // namespace dynamy
