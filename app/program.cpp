@@ -9,6 +9,7 @@
 #include <dynamy/io/plugin.hpp>
 #include <dynamy/io/vocabulary.hpp>
 #include <filesystem>
+#include <sstream>
 
 namespace dynamy::app {
 
@@ -33,12 +34,20 @@ double seconds(const std::string& text, const std::string& option) {
 std::pair<std::string, std::string> assignment(const std::string& text) {
   const std::size_t at = text.find('=');
   if (at == std::string::npos || at == 0)
-    throw CLI::ValidationError("--set", '"' + text + "\": expected name=value");
+    throw CLI::ValidationError('"' + text + '"', "expected name=value");
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& name,
+std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& words,
                                        Kind kind) {
+  std::istringstream in(words);
+  std::string name, given;
+  in >> name;
+  std::vector<GivenValue> values;
+  while (in >> given) {
+    const auto [attribute, value] = assignment(given);
+    values.emplace_back(attribute, value);
+  }
   const RegisteredType* type = registry.find(name);
   if (type == nullptr || type->kind != kind) {
     std::vector<std::string> known;
@@ -47,7 +56,7 @@ std::unique_ptr<Element> methodElement(const Registry& registry, const std::stri
     throw ModelError("no " + std::string(kindText(kind)) + " named \"" + name + '"',
                      unknownNameHint(name, known));
   }
-  return type->make(Parameters::of(type->attributes, type->name, "", {}));
+  return type->make(Parameters::of(type->attributes, type->name, "", values));
 }
 
 std::string versionText() {

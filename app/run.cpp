@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "run_job.hpp"
+#include "error_bar.hpp"
 
 namespace dynamy::app {
 namespace {
@@ -41,7 +41,7 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
   c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
-  c->add_option("--integrator", t->choice.integrator, "scheme, replaces the model's")
+  c->add_option("--integrator", t->choice.integrator, "scheme, replaces the model's; with attributes: \"ThetaMethod theta=1\"")
       ->type_name("SCHEME");
   c->add_option("--solver", t->choice.solver, "inclusion solver, replaces the model's")
       ->type_name("SOLVER");
@@ -49,6 +49,8 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
   c->add_option("--plugin", program.libraries, "shared library with further types")
       ->type_name("LIBRARY");
+  c->add_flag("--error-bar", t->show.errorBar,
+              "run again with half the step, and say how far the figures of the checks move");
   addShow(*c, *t);
   c->callback([t, &program] {
     t->choice.until = given(t->until, "--until");
@@ -60,7 +62,10 @@ void addRun(CLI::App& app, Program& program) {
     const auto folder =
         t->out.empty() ? RunFolder::defaultPath(t->choice.model) : std::filesystem::path(t->out);
     Model model = chosenModel(program, t->choice);
-    program.exitCode = runInto(folder, model, t->choice, t->show, std::nullopt);
+    std::vector<CheckResult> checks;
+    program.exitCode = runInto(folder, model, t->choice, t->show, std::nullopt, checks);
+    if (t->show.errorBar)
+      fmt::print(t->show.json ? stderr : stdout, "{}", errorBarsText(program, t->choice, checks));
   });
 }
 
@@ -83,7 +88,8 @@ void addResume(CLI::App& app, Program& program) {
     if (model.sourceText != from.modelText)
       throw ModelError(from.choice.model + " has changed since the run",
                        "the run's own model is " + folder.model().string());
-    program.exitCode = runInto(folder.path(), model, from.choice, t->show, from.simulation);
+    std::vector<CheckResult> checks;
+    program.exitCode = runInto(folder.path(), model, from.choice, t->show, from.simulation, checks);
   });
 }
 

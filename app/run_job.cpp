@@ -81,7 +81,7 @@ Model chosenModel(Program& program, RunChoice& choice) {
 }
 
 int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
-            const std::optional<std::string>& checkpoint) {
+            const std::optional<std::string>& checkpoint, std::vector<CheckResult>& checks) {
   Simulation simulation(model);  // first: a model it refuses leaves an older run alone
   const RunFolder folder = checkpoint ? RunFolder::existing(path) : RunFolder(path);
   std::optional<RunRecording> recording;
@@ -120,7 +120,7 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   // Files first: what is printed is then true.
   recording->flush();
   if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
-  const std::vector<CheckResult> checks = simulation.checks();
+  checks = simulation.checks();
   folder.writeFacts([&](JsonWriter& j) {
     writeFacts(j, model, choice, report, checks, "");
     if (problems) writeProblems(j, *problems);

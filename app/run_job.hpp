@@ -23,6 +23,7 @@ struct RunChoice {
 struct RunShow {
   bool json = false, quiet = false;
   double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
+  bool errorBar = false;         ///< a second run with half the step
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
 };
 
@@ -31,9 +32,10 @@ struct RunShow {
 Model chosenModel(Program& program, RunChoice& choice);
 
 /// Runs `model` into the folder `path`, from `checkpoint` if it is given, and prints the result.
-/// Returns the exit code. Throws FileError.
+/// Returns the exit code; `checks` receives their results. Throws FileError.
 int runInto(const std::filesystem::path& path, Model& model, const RunChoice& choice,
-            const RunShow& show, const std::optional<std::string>& checkpoint);
+            const RunShow& show, const std::optional<std::string>& checkpoint,
+            std::vector<CheckResult>& checks);
 
 /// A checkpoint file in parts. Throws FileError, ModelError.
 struct Checkpoint {

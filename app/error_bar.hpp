@@ -1,0 +1,19 @@
+/// The error bar of a figure: twice its change when the step is halved. That is its error for a
+/// scheme of order one, and more than it for a higher one; what it cannot show is an error that
+/// both steps share.
+#pragma once
+#include <dynamy/simulation/checks.hpp>
+
+#include "run_job.hpp"
+
+namespace dynamy::app {
+
+/// Bars of the checks of a run, from those of a run with half the step.
+std::vector<double> errorBars(const std::vector<CheckResult>& whole,
+                              const std::vector<CheckResult>& half);
+
+/// Runs `choice` again with half the step, nothing recorded, and says the bars of `whole`.
+std::string errorBarsText(Program& program, RunChoice choice,
+                          const std::vector<CheckResult>& whole);
+
+}  // namespace dynamy::app
