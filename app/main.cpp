@@ -89,6 +89,7 @@ int run(int argc, char** argv) {
   addCompare(app, program);
   addView(app, program);
   addSolve(app, program);
+  addBench(app, program);
   addCompletion(app, program);
   addManual(app, program);
   app.footer(kFooter);

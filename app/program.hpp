@@ -33,16 +33,17 @@ double seconds(const std::string& text, const std::string& option);
 /// "name=value" → both. Throws CLI::ValidationError.
 std::pair<std::string, std::string> assignment(const std::string& text);
 
-/// A scheme, solver or impact law by its registered name, with default attributes. Throws
-/// ModelError with the nearest name of this kind.
+/// A scheme, solver or impact law by its registered name, with default attributes but for those
+/// that follow the name: "ConstraintIndex index=3". Throws ModelError with the nearest name of this
+/// kind.
 template <class T>
-std::unique_ptr<T> method(const Registry& registry, const std::string& name);
-std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& name,
+std::unique_ptr<T> method(const Registry& registry, const std::string& words);
+std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& words,
                                        Kind kind);
 template <class T>
-std::unique_ptr<T> method(const Registry& registry, const std::string& name) {
+std::unique_ptr<T> method(const Registry& registry, const std::string& words) {
   return std::unique_ptr<T>(
-      static_cast<T*>(methodElement(registry, name, T::kKind).release()));  // the kind tells
+      static_cast<T*>(methodElement(registry, words, T::kKind).release()));  // the kind tells
 }
 
 /// The version and what the program was built with, several lines.
@@ -60,5 +61,6 @@ void addView(CLI::App& app, Program& program);
 void addSolve(CLI::App& app, Program& program);
 void addCompletion(CLI::App& app, Program& program);
 void addManual(CLI::App& app, Program& program);
+void addBench(CLI::App& app, Program& program);
 
 }  // namespace dynamy::app

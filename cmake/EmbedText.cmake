@@ -1,5 +1,6 @@
 # Text files as string literals of a C++ file.
-#   cmake -DOUT=viewer_files.cpp -DFILES="a.html|b.js" -P EmbedText.cmake
+#   cmake -DOUT=viewer_files.cpp -DFILES="a.html|b.js" -DHEADER=dynamy/io/viewer_files.hpp
+#         -DNAMESPACE=dynamy -DFUNCTION=viewerFile -P EmbedText.cmake
 # Raw literals keep the text as it is; they are cut into pieces because compilers limit one literal.
 # Rejected: xxd (not everywhere), #embed (C++26), ld -r -b binary (one linker only).
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -23,22 +24,22 @@ if(CMAKE_SCRIPT_MODE_FILE)
     endwhile()
     string(APPEND entries "        \"\";\n    return {text, sizeof(text) - 1};\n  }\n")
   endforeach()
-  file(WRITE "${OUT}" "// Made by the build from app/viewer.\n#include <dynamy/io/viewer_files.hpp>\n\n"
-    "namespace dynamy {\n\nstd::string_view viewerFile(std::string_view name) {\n${entries}"
-    "  return {};\n}\n\n}  // namespace dynamy\n")
+  file(WRITE "${OUT}" "// Made by the build.\n#include <${HEADER}>\n\n"
+    "namespace ${NAMESPACE} {\n\nstd::string_view ${FUNCTION}(std::string_view name) {\n${entries}"
+    "  return {};\n}\n\n}  // namespace ${NAMESPACE}\n")
   return()
 endif()
 
-# dynamy_embed_viewer(target): adds viewer_files.cpp with all of app/viewer to `target`.
-function(dynamy_embed_viewer target)
-  file(GLOB files CONFIGURE_DEPENDS
-    ${PROJECT_SOURCE_DIR}/app/viewer/*.html ${PROJECT_SOURCE_DIR}/app/viewer/*.css
-    ${PROJECT_SOURCE_DIR}/app/viewer/built/*.js)
-  string(REPLACE ";" "|" joined "${files}")
-  set(out ${CMAKE_CURRENT_BINARY_DIR}/viewer_files.cpp)
+# dynamy_embed(target FUNCTION name HEADER header NAMESPACE namespace FILES file…): adds a file to
+# `target` that defines FUNCTION, declared in HEADER, which returns the text of a file by its name.
+function(dynamy_embed target)
+  cmake_parse_arguments(arg "" "FUNCTION;HEADER;NAMESPACE" "FILES" ${ARGN})
+  string(REPLACE ";" "|" joined "${arg_FILES}")
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${arg_FUNCTION}.cpp)
   set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
-  add_custom_command(OUTPUT ${out} DEPENDS ${files} ${script} VERBATIM
-    COMMAND ${CMAKE_COMMAND} "-DOUT=${out}" "-DFILES=${joined}" -P ${script}
-    COMMENT "Embedding app/viewer")
+  add_custom_command(OUTPUT ${out} DEPENDS ${arg_FILES} ${script} VERBATIM
+    COMMAND ${CMAKE_COMMAND} "-DOUT=${out}" "-DFILES=${joined}" "-DHEADER=${arg_HEADER}"
+            "-DNAMESPACE=${arg_NAMESPACE}" "-DFUNCTION=${arg_FUNCTION}" -P ${script}
+    COMMENT "Embedding the text of ${arg_FUNCTION}")
   target_sources(${target} PRIVATE ${out})
 endfunction()

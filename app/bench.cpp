@@ -1,0 +1,172 @@
+/// dynamy bench stability: every scheme and every solver on scenes where such methods fail.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/file_error.hpp>
+#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/output_file.hpp>
+#include <map>
+#include <memory>
+
+#include "stability_page.hpp"
+
+namespace dynamy::app {
+namespace {
+
+/// Variants of schemes that are methods of their own; all others run with their defaults.
+constexpr std::array kVariants = {"ConstraintIndex index=1", "ConstraintIndex index=3",
+                                  "StaggeredMoreau joints=stabilised", "ThetaMethod theta=1"};
+
+struct StabilityChoice {
+  std::string out = "runs/stability", folder;
+  std::vector<std::string> scenes, schemes, solvers;
+  std::vector<std::string> steps;
+  bool quick = false, all = false;
+  int jobs = 1;
+  double limit = 10.0;
+};
+
+std::vector<std::string> namesOf(const Registry& registry, Kind kind) {
+  std::vector<std::string> out;
+  for (const RegisteredType* t : registry.types())
+    if (t->kind == kind) out.push_back(t->name);
+  return out;
+}
+
+std::vector<std::string> allSchemes(const Registry& registry) {
+  std::vector<std::string> out = namesOf(registry, Kind::scheme);
+  out.insert(out.end(), kVariants.begin(), kVariants.end());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// What a model that says nothing is run with.
+std::pair<std::string, std::string> ownMethods(Program& program, const StabilityScene& scene) {
+  const Model model =
+      loadModelText(scene.text, scene.name + ".xml", program.registry, program.plugins);
+  return {model.scheme().type(), model.solver().type()};
+}
+
+std::vector<StabilityScene> chosenScenes(const StabilityChoice& c) {
+  std::vector<StabilityScene> all = stabilityScenes(c.folder), out;
+  std::vector<std::string> known;
+  for (const StabilityScene& s : all) known.push_back(s.name);
+  for (const std::string& name : c.scenes)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw CLI::ValidationError("--scene",
+                                 "no scene \"" + name + '"' + didYouMean(nearest(name, known)));
+  for (StabilityScene& s : all) {
+    const bool asked = std::find(c.scenes.begin(), c.scenes.end(), s.name) != c.scenes.end();
+    if (!c.scenes.empty() && !asked) continue;
+    if (c.quick && s.quickStep <= 0.0 && !asked) continue;
+    if (c.quick && s.quickStep > 0.0) s.steps = {s.quickStep};
+    if (!c.steps.empty()) s.steps.clear();
+    for (const std::string& step : c.steps) s.steps.push_back(seconds(step, "--step"));
+    out.push_back(std::move(s));
+  }
+  return out;
+}
+
+/// Schemes × the own solver, and the own scheme × solvers; all with all where asked for.
+std::vector<StabilityTask> chosenTasks(const Registry& registry, const StabilityChoice& c,
+                                       const StabilityMatrix& m) {
+  const std::vector<std::string> schemes = c.schemes.empty() ? allSchemes(registry) : c.schemes;
+  const std::vector<std::string> solvers =
+      c.solvers.empty() ? namesOf(registry, Kind::solver) : c.solvers;
+  const bool product = c.all || (!c.schemes.empty() && !c.solvers.empty());
+  const std::string ownScheme = c.schemes.size() == 1 ? c.schemes.front() : m.scheme;
+  const std::string ownSolver = c.solvers.size() == 1 ? c.solvers.front() : m.solver;
+  std::vector<StabilityTask> out;
+  for (std::size_t i = 0; i < m.scenes.size(); ++i)
+    for (const double step : m.scenes[i].steps)
+      for (const std::string& scheme : schemes)
+        for (const std::string& solver : solvers) {
+          StabilityTask t{static_cast<int>(i), scheme, solver, step, false, false};
+          t.ofSchemes = solver == ownSolver, t.ofSolvers = scheme == ownScheme;
+          if (product || t.ofSchemes || t.ofSolvers) out.push_back(std::move(t));
+        }
+  return out;
+}
+
+void say(const StabilityMatrix& m, double wall) {
+  std::array<long, 4> count{};
+  for (const StabilityResult& r : m.results) ++count[static_cast<std::size_t>(r.verdict)];
+  fmt::print(" {} cells: {} pass, {} refused, {} fail and say so, {} fail silently   {:.3g} s\n",
+             m.results.size(), count[0], count[1], count[2], count[3], wall);
+  for (std::size_t i = 0; i < m.results.size(); ++i) {
+    const StabilityTask& t = m.tasks[i];
+    const StabilityResult& r = m.results[i];
+    const bool own = t.scheme == m.scheme && t.solver == m.solver;
+    if (r.verdict == Verdict::silent || (own && r.verdict != Verdict::pass))
+      fmt::print(" {:<7} {} {} {} dt = {:g}: {:.6g}, pass mark {}\n{}", verdictText(r.verdict),
+                 m.scenes[static_cast<std::size_t>(t.scene)].name, t.scheme, t.solver, t.step,
+                 r.figure, r.passMark, own && !r.words.empty() ? "   " + r.words : "");
+  }
+}
+
+void writeMatrix(const StabilityMatrix& m, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder / "scenes");
+  for (const StabilityScene& s : m.scenes)
+    writeWholeFile(folder / "scenes" / (s.name + ".xml"), s.text);
+  writeWholeFile(folder / "stability.csv", stabilityCsv(m));
+  writeWholeFile(folder / "stability.svg", stabilitySvg(m));
+  writeWholeFile(folder / "stability.html", stabilityPage(m, (folder / "scenes").string()));
+  fmt::print(" wrote   {}/  stability.html stability.svg stability.csv scenes/\n", folder.string());
+}
+
+void benchStability(Program& program, const StabilityChoice& c) {
+  program.load();
+  StabilityMatrix m;
+  m.scenes = chosenScenes(c);
+  if (m.scenes.empty()) throw CLI::ValidationError("--scene", "no scene is left");
+  for (const StabilityScene& s : m.scenes)
+    std::tie(m.scheme, m.solver) = ownMethods(program, s);  // throws where a scene is at fault
+  m.tasks = chosenTasks(program.registry, c, m);
+  for (const StabilityTask& t : m.tasks) {
+    methodElement(program.registry, t.scheme, Kind::scheme);
+    methodElement(program.registry, t.solver, Kind::solver);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  m.results = runCells(program, m.scenes, m.tasks, c.jobs, c.limit, [&](std::size_t n) {
+    if (terminal) fmt::print(stderr, "\r {} of {} cells", n, m.tasks.size());
+  });
+  if (terminal) fmt::print(stderr, "\r{:30}\r", "");
+  say(m, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  writeMatrix(m, c.out);
+  for (const StabilityResult& r : m.results)
+    if (r.verdict == Verdict::silent) program.exitCode = kFailed;
+}
+
+}  // namespace
+
+void addBench(CLI::App& app, Program& program) {
+  auto t = std::make_shared<StabilityChoice>();
+  CLI::App* bench = app.add_subcommand("bench", "charts of what the methods can do");
+  bench->require_subcommand(1);
+  CLI::App* c = bench->add_subcommand(
+      "stability",
+      "schemes and solvers on scenes where such methods fail; exit 1: one fails "
+      "without saying so");
+  c->add_option("--out", t->out, "folder of page, picture and table")->type_name("DIR");
+  c->add_flag("--quick", t->quick, "a part that takes a minute");
+  c->add_flag("--all", t->all, "all schemes with all solvers, not only with the default one");
+  c->add_option("--scenes", t->folder, "folder of other scenes: catalogue.txt and models")
+      ->type_name("DIR");
+  c->add_option("--scene", t->scenes, "these scenes only")->delimiter(',');
+  c->add_option("--scheme", t->schemes,
+                "these schemes only; with attributes: \"ThetaMethod theta=1\"")
+      ->delimiter(',');
+  c->add_option("--solver", t->solvers, "these solvers only")->delimiter(',');
+  c->add_option("--step", t->steps, "these steps instead of the scenes' own")->delimiter(',');
+  c->add_option("-j,--jobs", t->jobs, "cells at the same time")->check(CLI::PositiveNumber);
+  c->add_option("--limit", t->limit, "CPU time of a cell [s]")->check(CLI::Range(1.0, 3600.0));
+  c->add_option("--plugin", program.libraries, "shared library with further types");
+  c->callback([t, &program] { benchStability(program, *t); });
+}
+
+}  // namespace dynamy::app
