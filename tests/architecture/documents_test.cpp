@@ -153,6 +153,42 @@ TEST(Documents, EquationNumbersOfOnePageAreUnique) {
   }
 }
 
+TEST(Documents, EverySnippetIsTakenOutByATest) {
+  // Of the architecture the next test speaks; theory shows what is planned.
+  const std::set<std::string> languages{"```xml", "```cpp", "```python", "```cmake"};
+  for (const SourceFile* file : filesUnder({"doc/", "README.md"}, {".md"})) {
+    const std::string& path = file->path;
+    if (path.starts_with("doc/reference/") || path.starts_with("doc/theory/")) continue;
+    if (path == "doc/architecture.md") continue;
+    for (std::size_t i = 1; i < file->lines.size(); ++i)
+      if (languages.contains(file->lines[i])) {
+        EXPECT_TRUE(file->lines[i - 1].starts_with("<!-- test: "))
+            << place(*file, static_cast<int>(i) + 1);
+      }
+  }
+}
+
+TEST(Documents, TheArchitectureShowsTheStepThatIsCompiled) {
+  const auto bare = [](std::string line) {
+    line = withoutComment(line);
+    std::erase_if(line, [](unsigned char c) { return std::isspace(c) != 0; });
+    return line;
+  };
+  std::string compiled;
+  for (const std::string& line :
+       sourceFile("framework/dynamy/integrator/moreau_midpoint.cpp").lines)
+    compiled += bare(line);
+  bool inside = false;
+  int shown = 0;
+  for (const std::string& line : sourceFile("doc/architecture.md").lines) {
+    if (inside && line == "```") break;
+    if (inside) EXPECT_NE(compiled.find(bare(line)), std::string::npos) << line;
+    shown += inside ? 1 : 0;
+    inside = inside || line == "```cpp";
+  }
+  EXPECT_GE(shown, 6);
+}
+
 TEST(Documents, MarkedBlocksCanBeTakenOut) {
   const std::regex known(
       R"(<!-- test: (run \S+\.xml|check \S+\.xml|file \S+|build \S+|shell( fails \d+)?|inside [a-z]+|python|module|output) -->)");

@@ -68,6 +68,7 @@ class DocumentTest : public ProgramTest {
 TEST_F(DocumentTest, Readme) { follow("README.md"); }
 TEST_F(DocumentTest, FirstRun) { follow("doc/tutorial/01_first_run.md"); }
 TEST_F(DocumentTest, FirstModel) { follow("doc/tutorial/02_first_model.md"); }
+TEST_F(DocumentTest, RunFolder) { follow("doc/run_folder.md"); }
 TEST_F(DocumentTest, Python) { follow("doc/python.md"); }
 TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
 #ifndef DYNAMY_SANITIZED
