@@ -72,6 +72,32 @@ TEST_F(Examples, OfEveryTypeRun) {
   }
 }
 
+TEST_F(Examples, OfEveryWordOfTheModelFileAreAccepted) {
+  write("hopper.xml", "<dynamy version=\"1\"><parameter name=\"opening\" value=\"1\"/></dynamy>");
+  ASSERT_EQ(call("list --names"), 0) << err();
+  std::istringstream names(out());
+  int words = 0;
+  for (std::string name; std::getline(names, name);) {
+    ASSERT_EQ(call("describe " + name), 0) << err();
+    if (out().find("word of the model file") == std::string::npos) continue;
+    const std::string example = exampleIn(out());
+    EXPECT_NE(example, "") << name << " has no example";
+    const auto lacks = [&](const char* text) { return example.find(text) == std::string::npos; };
+    std::string model = "<dynamy version=\"1\">\n<parameter name=\"r\" value=\"0.01\"/>\n";
+    if (lacks("<replicate"))
+      model +=
+          example + "<systems><RigidBody name=\"ball\" mass=\"1\" inertia=\"1 1 1\"/></systems>\n";
+    else
+      model += "<systems>" + example + "</systems>\n";
+    if (lacks("<simulation")) model += "<simulation until=\"1\" step=\"1e-3\"/>\n";
+    write("example.xml", name == "dynamy" ? example : model + "</dynamy>\n");
+    EXPECT_EQ(call("check example.xml"), 0) << name << "\n"
+                                            << err() << readWholeFile(path("example.xml"));
+    ++words;
+  }
+  EXPECT_GE(words, 14);
+}
+
 TEST_F(Examples, TheReferencePagesAreThoseOfTheProgram) {
   ASSERT_EQ(call("describe --pages pages"), 0) << err();
   const fs::path kept = fs::path(DYNAMY_SOURCE_DIR) / "doc" / "reference";

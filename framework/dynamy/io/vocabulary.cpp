@@ -101,7 +101,8 @@ Word replicate() {
       .between(0, kMostTurns);
   w.attributes.add(AttributeType::name, "index", "i", "name of the index in expressions");
   w.attributes.example(
-      "<replicate count=\"3\"><RigidBody name=\"ball\" position=\"0 0 {0.3*i}\"/></replicate>");
+      "<replicate count=\"3\"><RigidBody name=\"ball\" position=\"0 0 {0.3*i}\"><Sphere "
+      "radius=\"0.1\" mass=\"1\"/></RigidBody></replicate>");
   return w;
 }
 
@@ -113,19 +114,36 @@ Vocabulary::Vocabulary() {
                     "simulation", "record", "check", "include", "replicate"});
   root.attributes.add(AttributeType::integer, "version", "1", "version of the file format");
   root.attributes.add(AttributeType::text, "title", "", "title of the replay; default: file name");
+  root.attributes.example(
+      "<dynamy version=\"1\" title=\"Free fall\">\n"
+      "  <systems><RigidBody name=\"ball\"><Sphere radius=\"0.1\" "
+      "mass=\"1\"/></RigidBody></systems>\n"
+      "  <forces><Gravity/></forces>\n"
+      "  <simulation until=\"1\" step=\"1e-3\"/>\n"
+      "</dynamy>");
   words_.push_back(std::move(root));
   words_.push_back(word("doc", "Text for people."));
   words_.back().text = true;
+  words_.back().attributes.example("<doc>A ball falls from 1 m.</doc>");
   words_.push_back(word("plugin", "A shared library with further types.", {"doc"}));
   words_.back().attributes.add(AttributeType::text, "library", std::nullopt, "name or path");
+  words_.back().attributes.example("<plugin library=\"woodpecker\"/>");
   words_.push_back(parameter());
   words_.push_back(word("defaults", "Attributes that elements of a type take if they lack them."));
+  words_.back().attributes.example(
+      "<defaults><Sphere material=\"rubber\"/><Sphere class=\"heavy\" mass=\"5kg\"/></defaults>");
   words_.push_back(word("systems", "All that has coordinates or carries shapes.",
                         {"doc", "replicate"}, {Kind::system}));
+  words_.back().attributes.example(
+      "<systems><PointMass name=\"bob\" position=\"0 0 1\" mass=\"1\"/></systems>");
   words_.push_back(
       word("forces", "Gravity, springs, dampers, actuators.", {"doc", "replicate"}, {Kind::force}));
+  words_.back().attributes.example("<forces><Gravity acceleration=\"0 0 -9.81\"/></forces>");
   words_.push_back(word("elements", "Contacts, joints, clutches, observers.", {"doc", "replicate"},
                         {Kind::contact, Kind::rule, Kind::observer}));
+  words_.back().attributes.example(
+      "<elements><Contact between=\"rubber concrete\"><UnilateralCoulomb mu=\"0.3\"/></Contact>"
+      "</elements>");
   words_.push_back(simulation());
   words_.push_back(record());
   words_.push_back(check());
@@ -133,6 +151,8 @@ Vocabulary::Vocabulary() {
   words_.push_back(word("set", "Replaces a parameter of the included model."));
   words_.back().attributes.add(AttributeType::name, "name", std::nullopt, "parameter there");
   words_.back().attributes.required("value", Unit::any, "its value, with parameters of this file");
+  words_.back().attributes.example(
+      "<include file=\"hopper.xml\"><set name=\"opening\" value=\"0.12\"/></include>");
   words_.push_back(replicate());
 }
 
