@@ -132,6 +132,17 @@ TEST(Documents, CitedSectionsAndEquationsExist) {
     }
 }
 
+TEST(Documents, EveryModelIsShown) {
+  const std::vector<std::string>& page = sourceFile("doc/models.md").lines;
+  for (const SourceFile* model : filesUnder({"models/"}, {".xml"})) {
+    const std::size_t from = std::string("models/").size();
+    const std::string row = "| `" + model->path.substr(from, model->path.size() - from - 4) + "` |";
+    EXPECT_TRUE(std::any_of(page.begin(), page.end(),
+                            [&](const std::string& line) { return line.starts_with(row); }))
+        << "doc/models.md has no row " << row;
+  }
+}
+
 TEST(Documents, CitedLiteratureIsListed) {
   std::set<std::string> keys;
   std::smatch match;
