@@ -46,15 +46,24 @@ class Callback final : public Observer {
  public:
   Callback(py::object call, std::atomic<bool>& stop) : call_(std::move(call)), stop_(stop) {}
   void step(const StepView& view) override {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (call_.is_none()) return;
-    const py::object answer = call_(view.after);
-    if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>()) stop_ = true;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (call_.is_none()) return;
+      const py::object answer = call_(view.after);
+      if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>()) stop_ = true;
+    } catch (const py::error_already_set&) {
+      fault_ = std::current_exception(), stop_ = true;
+    }
+  }
+  /// Raises what the function raised, or Ctrl-C.
+  void raise() const {
+    if (fault_) std::rethrow_exception(fault_);
   }
 
  private:
   py::object call_;
   std::atomic<bool>& stop_;
+  std::exception_ptr fault_;
 };
 
 const char* endText(RunReport::Ended ended) {
@@ -105,6 +114,7 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
   if (out.empty()) {
     simulation.record(table);
     simulation.run();
+    callback.raise();
     return py::make_tuple(table.columns(recordedSignals(model)), figures(simulation));
   }
   const RunFolder folder(out);
@@ -113,6 +123,7 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
   writeWholeFile(folder.model(), model.sourceText);
   simulation.run();
   recording.flush();
+  callback.raise();
   writeFolderFacts(folder, model, simulation.report());
   writeReplay(folder.path());
   return py::make_tuple(py::none(), figures(simulation));
@@ -139,7 +150,7 @@ class Steps {
     if (!report.refused.empty()) throw std::runtime_error(std::string(report.refused));
     return out;
   }
-  /// Closed contacts of the last step: name, gap, percussions.
+  /// Closed contacts of the last step: name, percussions.
   py::list contacts() {
     py::list out;
     const ContactSet& c = system_.slot(0).contacts;

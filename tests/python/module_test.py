@@ -147,6 +147,13 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(dynamy.ModelError, "model:2"):
             dynamy.model('<dynamy version="1">\n<sytems/></dynamy>')
 
+    def test_what_the_callback_raises_is_raised(self):
+        def each(state):
+            raise KeyError("mine")
+
+        with self.assertRaisesRegex(KeyError, "mine"):
+            dynamy.run(dynamy.load(str(SOURCE / "models" / "bouncing_ball.xml")), each=each)
+
     def test_a_broken_law_ends_the_run_and_says_why(self):
         class Broken:
             def prox(self, z, r, dt):
