@@ -12,41 +12,7 @@ constexpr std::size_t kBufferBytes = 1 << 16;
 constexpr std::size_t kBytesPerNumber = 26;  // 24 digits at most, and a comma or the line's end
 constexpr auto kDue = std::chrono::milliseconds(500);
 
-/// Splits the head of the table; quotes may hold commas and line ends. Returns the bytes it took.
-std::size_t readHead(std::string_view text, std::vector<std::string>& fields) {
-  fields.assign(1, "");
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"') {
-      fields.back() += text[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (!quoted && c == ',') {
-      fields.emplace_back();
-    } else if (!quoted && c == '\n') {
-      return i + 1;
-    } else if (quoted || c != '\r') {
-      fields.back() += c;
-    }
-  }
-  return text.size();
-}
-
 }  // namespace
-
-void appendCsvField(std::string& out, std::string_view name) {
-  if (name.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += name;
-    return;
-  }
-  out += '"';
-  for (const char c : name) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  out += '"';
-}
 
 SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals)
     : file_(path), columns_(signals.size()) {
@@ -101,7 +67,7 @@ void SignalsFile::flush() {
 SignalTable readSignals(const std::filesystem::path& path) {
   const std::string text = readWholeFile(path);
   std::vector<std::string> names;
-  std::size_t at = readHead(text, names);
+  std::size_t at = readCsvLine(text, names);
   if (names.front() != "t") throw FileError(path.string() + ":1", "the first column must be t");
 
   SignalTable table;

@@ -7,6 +7,7 @@
 /// slower, depend on the locale and lose digits or waste them.
 
 #include <chrono>
+#include <dynamy/io/csv.hpp>
 #include <dynamy/io/output_file.hpp>
 #include <span>
 #include <string>
@@ -19,9 +20,6 @@ struct SignalName {
   std::string name;
   std::string unit;
 };
-
-/// A name as a field of CSV: quoted only where a comma, a quote or a line's end makes it needed.
-void appendCsvField(std::string& out, std::string_view name);
 
 class SignalsFile {
  public:

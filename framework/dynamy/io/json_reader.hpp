@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Reads JSON that this program wrote: the facts of a run and of a sweep. A tree of values; what is
+/// not there reads as null, so that facts of an older version can be shown, too. Objects keep the
+/// order of their members; duplicate names and numbers beyond double are not looked for.
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dynamy {
+
+class JsonValue {
+ public:
+  enum class Type { null, boolean, number, text, array, object };
+  Type type = Type::null;
+  bool flag = false;
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not a number, or null
+  std::string text;
+  std::vector<std::string> names;  ///< of an object: of `items`
+  std::vector<JsonValue> items;    ///< of an array or object
+
+  /// Member of an object; a null value if there is none.
+  const JsonValue& operator[](std::string_view name) const;
+  explicit operator bool() const { return type != Type::null; }
+};
+
+/// The value in `text`. \throws FileError "file:line:column: what was expected"
+JsonValue readJson(std::string_view text, const std::string& file);
+
+}  // namespace dynamy
