@@ -86,6 +86,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
            const Read& read) {
   Faults faults;
   ModelSource source(registry, plugins, options.set, faults);
+  source.noteFiles(options.files);
   read(source);
   const bool whole = allElementsAreKnown(faults);
 

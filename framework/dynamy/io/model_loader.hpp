@@ -12,6 +12,9 @@ namespace dynamy {
 struct LoadOptions {
   Overrides set;      ///< parameters: (name, value)
   bool build = true;  ///< false: the caller changes the model and calls build() itself
+  /// Gets the model, what it includes and its plug-ins, also those that were looked for in vain and
+  /// also if the model is faulty: whoever waits for a change watches these.
+  std::vector<std::filesystem::path>* files = nullptr;
 };
 
 /// Reads the model in `file` and builds it. The types it uses must be registered already, but for

@@ -44,6 +44,7 @@ ModelSource::ModelSource(Registry& registry, PluginLoader& plugins, const Overri
       faults_(&faults) {}
 
 void ModelSource::read(const fs::path& file) {
+  note(file);
   Including from;
   from.chain.push_back(resolved(file));
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -135,6 +136,7 @@ void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
       typesAreMissing_ = true;
       continue;
     }
+    for (const fs::path& file : plugins_->candidates(x["library"].text, scope.folder)) note(file);
     try {
       plugins_->load(x["library"].text, scope.folder, *registry_);
     } catch (const ModelError& e) {
@@ -310,6 +312,7 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
   Parameters x;
   if (!readWord(node, scope, x)) return;
   const fs::path file = scope.folder / x["file"].text;
+  note(file);
   Including inner{from.chain, &node, &scope};
   inner.chain.push_back(resolved(file));
   const auto& last = inner.chain.back();

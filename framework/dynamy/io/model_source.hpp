@@ -22,6 +22,8 @@ class ModelSource {
  public:
   ModelSource(Registry& registry, PluginLoader& plugins, const Overrides& overrides,
               Faults& faults);
+  /// Appends to `files` every file that is read from now on, and those that were looked for.
+  void noteFiles(std::vector<std::filesystem::path>* files) { noted_ = files; }
 
   /// Reads the model and all it includes. Throws ModelError if the first file cannot be read.
   void read(const std::filesystem::path& file);
@@ -58,6 +60,9 @@ class ModelSource {
   std::vector<const Scope*> turns(const XmlNode& replicate, const Scope& scope);
   bool readWord(const XmlNode& node, const Scope& scope, Parameters& x);
   void noText(const XmlNode& node, const Scope& scope);
+  void note(const std::filesystem::path& file) {
+    if (noted_ != nullptr) noted_->push_back(file);
+  }
 
   Registry* registry_;
   PluginLoader* plugins_;
@@ -65,6 +70,7 @@ class ModelSource {
   std::vector<bool> overrideUsed_;
   std::vector<std::string> parameterNames_;
   Faults* faults_;
+  std::vector<std::filesystem::path>* noted_ = nullptr;
   Vocabulary vocabulary_;
   std::deque<XmlDocument> documents_;
   std::deque<Scope> scopes_;

@@ -61,6 +61,12 @@ std::string linkerReason(const std::string& what) {
   return what.substr(begin + before.size(), end - begin - before.size());
 }
 
+/// A path is taken as it is; a name is searched.
+bool isPath(const std::string& library) {
+  const fs::path given(library);
+  return given.has_parent_path() || given.extension() == ".so";
+}
+
 /// Keeps the library in memory whatever is closed later.
 void pin(const fs::path& file) { ::dlopen(file.c_str(), RTLD_LAZY | RTLD_NODELETE | RTLD_NOLOAD); }
 
@@ -112,18 +118,18 @@ PluginLoader::PluginLoader() {
   }
 }
 
+std::vector<fs::path> PluginLoader::candidates(const std::string& library,
+                                               const fs::path& modelFolder) const {
+  const fs::path file = isPath(library) ? fs::path(library) : fs::path("lib" + library + ".so");
+  if (file.is_absolute()) return {file};
+  std::vector<fs::path> out;
+  if (!modelFolder.empty()) out.push_back(modelFolder / file);
+  for (const fs::path& folder : folders_) out.push_back(folder / file);
+  return out;
+}
+
 fs::path PluginLoader::find(const std::string& library, const fs::path& modelFolder) const {
-  // A path is taken as it is; a name is searched.
-  const fs::path given(library);
-  const bool isPath = given.has_parent_path() || given.extension() == ".so";
-  const fs::path file = isPath ? given : fs::path("lib" + library + ".so");
-  std::vector<fs::path> tried;
-  if (file.is_absolute()) {
-    tried.push_back(file);
-  } else {
-    if (!modelFolder.empty()) tried.push_back(modelFolder / file);
-    for (const fs::path& folder : folders_) tried.push_back(folder / file);
-  }
+  const std::vector<fs::path> tried = candidates(library, modelFolder);
   std::error_code error;
   for (const fs::path& path : tried)
     if (fs::is_regular_file(path, error)) return fs::canonical(path);
@@ -135,7 +141,8 @@ fs::path PluginLoader::find(const std::string& library, const fs::path& modelFol
       if (std::find(known.begin(), known.end(), name) == known.end())
         known.push_back(std::move(name));
   Diagnostic d{.text = "no library \"" + library + '"',
-               .hint = didYouMean(nearest(isPath ? given.stem().string() : library, known))};
+               .hint = didYouMean(
+                   nearest(isPath(library) ? fs::path(library).stem().string() : library, known))};
   std::vector<std::string> told;
   for (const fs::path& path : tried) {
     std::string text = "looked for " + fs::absolute(path).lexically_normal().string();

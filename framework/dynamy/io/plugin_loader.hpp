@@ -40,6 +40,9 @@ class PluginLoader {
   void load(const std::string& library, const std::filesystem::path& modelFolder,
             Registry& registry);
   const std::vector<Loaded>& loaded() const { return loaded_; }
+  /// The files that `load` looks at, in their order; the first one that exists is taken.
+  std::vector<std::filesystem::path> candidates(const std::string& library,
+                                                const std::filesystem::path& modelFolder) const;
 
  private:
   std::filesystem::path find(const std::string& library,

@@ -43,6 +43,8 @@ class Simulation final : private Stepper {
   const RunReport& run();
   const RunReport& report() const { return report_; }
   const State& state() const { return x_; }
+  /// The step that was tried last; dt = 0: none yet.
+  const StepReport& lastStep() const { return stepReport_; }
   std::vector<CheckResult> checks() const { return checks_.results(report_); }
   /// What `resume` takes: the state at the end of the run, before a last shortened step.
   const std::string& checkpoint() const { return checkpoint_; }
