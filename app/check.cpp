@@ -5,6 +5,7 @@
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/simulation.hpp>
+#include <dynamy/testing/check_element.hpp>
 #include <memory>
 
 #include "program.hpp"
@@ -117,7 +118,7 @@ void addCheck(CLI::App& app, Program& program) {
   struct Texts {
     std::string model;
     std::vector<std::string> set;
-    bool json = false;
+    bool json = false, elements = false;
   };
   auto t = std::make_shared<Texts>();
   CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its size");
@@ -126,6 +127,10 @@ void addCheck(CLI::App& app, Program& program) {
   c->add_option("--plugin", program.libraries, "shared library with further types")
       ->type_name("LIBRARY");
   c->add_flag("--json", t->json, "print JSON");
+  c->add_flag(
+      "--elements", t->elements,
+      "also compare M, h, frames, W, chi and prox of every element with differences and name "
+      "each wrong entry");
   c->callback([t, &program] {
     program.load();
     LoadOptions options;
@@ -134,6 +139,11 @@ void addCheck(CLI::App& app, Program& program) {
     const Simulation verified(model);  // signals of checks, step
     const Sizes sizes = sizesOf(model);
     fmt::print("{}", t->json ? json(model, sizes) : text(model, sizes));
+    if (!t->elements) return;
+    const Verdict verdict = checkModel(model);
+    for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
+    if (!t->json && verdict) fmt::print(" every entry of its elements agrees with differences\n");
+    if (!verdict) program.exitCode = kFailed;
   });
 }
 

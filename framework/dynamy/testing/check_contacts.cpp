@@ -44,9 +44,12 @@ class Motion {
     for (double& x : x_.u) x += options_.speed * uniform();
     x_.t = options_.reach * std::abs(uniform());
   }
-  State after(double s) const {
+  State after(double s) const { return after(s, x_.u); }
+  /// Along another velocity than that of the state.
+  State after(double s, const Eigen::VectorXd& u) const {
     State x = x_;
-    move(x, x_.u, s);
+    x.u = u;
+    move(x, u, s);
     return x;
   }
   const State& x() const { return x_; }
@@ -75,7 +78,7 @@ class ContactCheck {
   ContactCheck(Model& model, const CheckOptions& options)
       : model_(model), options_(options), motion_(model, options) {}
 
-  CheckResult run() {
+  Verdict run() {
     for (int i = 0; i < options_.states && result_; ++i) {
       motion_.sample(i);
       freeze();
@@ -131,6 +134,8 @@ class ContactCheck {
   bool shapesFit();
   void checkAffine();
   void checkGaps();
+  void explain(int contact);
+  std::string velocityName(int u) const;
   void checkBias();
   void checkLaws();
 
@@ -140,7 +145,7 @@ class ContactCheck {
   std::vector<ContactKey> frozen_;
   ContactSet here_, there_;
   std::set<std::pair<const SetValuedForceLaw*, int>> laws_;
-  CheckResult result_;
+  Verdict result_;
 };
 
 bool ContactCheck::shapesFit() {
@@ -165,11 +170,16 @@ bool ContactCheck::shapesFit() {
       if (!std::isfinite(here_.chi[static_cast<std::size_t>(r)]))
         result_.fault(fmt::format("{}: chi[{}] is not finite", label(i), r - here_.row0[c]));
   }
-  for (const double w : here_.W)
-    if (!std::isfinite(w)) {
-      result_.fault("an entry of W is not finite");
-      break;
+  for (int i = 0; i < here_.size(); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    for (int k = here_.segment0[c]; k < here_.segment0[c + 1]; ++k) {
+      const Segment& s = here_.segment[static_cast<std::size_t>(k)];
+      for (int w = 0; w < here_.dim(i) * s.nu; ++w)
+        if (const double x = here_.W[static_cast<std::size_t>(s.w + w)]; !std::isfinite(x))
+          result_.fault(fmt::format("{}: W[{},{}] = {}: not written?", label(i), w / s.nu,
+                                    velocityName(s.u0 + w % s.nu), x));
     }
+  }
   return static_cast<bool>(result_);
 }
 
@@ -238,6 +248,55 @@ void ContactCheck::checkGaps() {
           "{}: gamma_N = Wᵀu + chi = {:.9g} m/s, but dg/dt = {:.9g} m/s along the motion (g = "
           "{:.6g} m)",
           label(i), gammaN, D.value[i], here_.g[static_cast<std::size_t>(here_.candidate[c])]));
+    else
+      continue;
+    explain(i);
+  }
+}
+
+/// "bead.vx", or "u[3]" where the system does not name it.
+std::string ContactCheck::velocityName(int u) const {
+  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
+    const SystemHandle& h = model_.topology().system(static_cast<int>(i));
+    if (u < h.u0 || u >= h.u0 + h.nu) continue;
+    for (const auto& [name, k] : model_.description(static_cast<int>(i)).velocities)
+      if (k == u - h.u0) return nameOf(*model_.systems()[i], "system") + '.' + name;
+  }
+  return fmt::format("u[{}]", u);
+}
+
+/// dg/dt is affine in u: χ_N is its value at u = 0, each W_N what a unit velocity adds to it.
+void ContactCheck::explain(int contact) {
+  const auto c = static_cast<std::size_t>(contact);
+  const auto rate = [&](const Eigen::VectorXd& u) {
+    return testing::differentiate([&](double s) {
+      evaluate(motion_.after(s, u), there_);
+      const int j = find(there_, here_.key[c]);
+      const auto k = static_cast<std::size_t>(std::max(j, 0));
+      return Eigen::VectorXd::Constant(
+                 1, j < 0 ? std::numeric_limits<double>::quiet_NaN()
+                          : there_.g[static_cast<std::size_t>(there_.candidate[k])])
+          .eval();
+    });
+  };
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(motion_.x().u.size());
+  const testing::Difference still = rate(u);
+  const double chi = here_.chi[static_cast<std::size_t>(here_.row0[c])];
+  if (!(std::abs(chi - still.value[0]) <= still.error + 64.0 * kEps * std::abs(chi)))
+    result_.fault(fmt::format("{}: chi_N = {:.6g} m/s, but dg/dt at u = 0 is {:.6g} m/s",
+                              label(contact), chi, still.value[0]));
+  for (int k = here_.segment0[c]; k < here_.segment0[c + 1]; ++k) {
+    const Segment& s = here_.segment[static_cast<std::size_t>(k)];
+    for (int j = 0; j < s.nu; ++j) {
+      u[s.u0 + j] = 1.0;
+      const testing::Difference D = rate(u);
+      u[s.u0 + j] = 0.0;
+      const double W = here_.W[static_cast<std::size_t>(s.w + j)],
+                   expected = D.value[0] - still.value[0];
+      if (!(std::abs(W - expected) <= D.error + still.error + 64.0 * kEps * (1.0 + std::abs(W))))
+        result_.fault(fmt::format("{}: W_N of {} = {:.6g}, but it changes dg/dt by {:.6g}",
+                                  label(contact), velocityName(s.u0 + j), W, expected));
+    }
   }
 }
 
@@ -282,12 +341,12 @@ void ContactCheck::checkLaws() {
 
 }  // namespace
 
-CheckResult checkContacts(Model& model, const CheckOptions& options) {
+Verdict checkContacts(Model& model, const CheckOptions& options) {
   return ContactCheck(model, options).run();
 }
 
-CheckResult checkForces(Model& model, const CheckOptions& options) {
-  CheckResult result;
+Verdict checkForces(Model& model, const CheckOptions& options) {
+  Verdict result;
   Motion motion(model, options);
   const int nu = model.topology().nu();
   Eigen::VectorXd h(nu), nonPotential(nu);

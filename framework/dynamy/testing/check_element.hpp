@@ -1,6 +1,6 @@
 /// Checks of user elements: do M, h, q̇, frames, W, χ, bias and prox fit together?
 ///
-///   const CheckResult check = checkSystem(toy);
+///   const Verdict check = checkSystem(toy);
 ///   EXPECT_TRUE(check) << check.message();      // toy: M[2,1] = 0.3 but M[1,2] = 0.2: not
 ///   symmetric
 ///
@@ -22,7 +22,7 @@ class Registry;
 class PluginLoader;
 
 /// True if nothing is wrong; else each wrong entry in words.
-class CheckResult {
+class Verdict {
  public:
   explicit operator bool() const { return faults_.empty(); }
   /// One fault a line; "" if there is none.
@@ -30,12 +30,12 @@ class CheckResult {
   const std::vector<std::string>& faults() const { return faults_; }
   void fault(std::string text);
   /// Takes over the faults of a part.
-  void add(const CheckResult& part);
+  void add(const Verdict& part);
 
  private:
   std::vector<std::string> faults_;
 };
-std::ostream& operator<<(std::ostream& out, const CheckResult& check);
+std::ostream& operator<<(std::ostream& out, const Verdict& check);
 
 struct CheckOptions {
   unsigned seed = 1;
@@ -53,27 +53,28 @@ struct CheckOptions {
 ///
 /// and the like for `gravity`; frames: v = J u + ν, ṙ_OS = v_S, Ȧ = Ω × A, A proper orthonormal,
 /// β = v̇ at u̇ = 0, equal results at the second call.
-CheckResult checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options = {});
+Verdict checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options = {});
 
 /// Checks all contact elements of a built model, each contact as if closed, for either sign of its
-/// gap: W and χ do not depend on u; γ_N = Wᵀu + χ equals dg/dt [m/s]; the bias equals dγ/dt at
+/// gap: W and χ do not depend on u; γ_N = Wᵀu + χ equals dg/dt [m/s], else the entries of W_N and
+/// χ_N that are wrong are named; the bias equals dγ/dt at
 /// u̇ = 0 [m/s²]; segments name existing mass blocks.
-CheckResult checkContacts(Model& model, const CheckOptions& options = {});
+Verdict checkContacts(Model& model, const CheckOptions& options = {});
 
 /// Checks the forces of a built model that say they have a potential: force·u + V̇ = 0 [W].
-CheckResult checkForces(Model& model, const CheckOptions& options = {});
+Verdict checkForces(Model& model, const CheckOptions& options = {});
 
 /// Checks a force law with `dim` rows at random arguments z = Λ − r ξ: prox is idempotent, does not
 /// expand distances in the metric diag(r)⁻¹ (at equal normal force), its result is in C, solutions
 /// do not depend on r, Λ·ξ ≤ 0 if 0 ∈ C, `naturalMap` vanishes at solutions, `proxDerivative`
 /// equals differences, `status` fits the projection.
-CheckResult checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options = {});
+Verdict checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options = {});
 
 /// All of the above for every element of a built model.
-CheckResult checkModel(Model& model, const CheckOptions& options = {});
+Verdict checkModel(Model& model, const CheckOptions& options = {});
 
 /// The same for a model file; what is wrong with the file itself is a fault like the others.
-CheckResult checkModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
+Verdict checkModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
                        const CheckOptions& options = {});
 
 }  // namespace dynamy

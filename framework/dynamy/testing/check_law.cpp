@@ -22,7 +22,7 @@ class LawCheck {
     name_ = law.type().empty() ? "law" : law.type();
   }
 
-  CheckResult run() {
+  Verdict run() {
     if (dim_ < 1 || dim_ > kMaxRows) {
       fault("1 to 8 rows are possible");
       return result_;
@@ -109,7 +109,7 @@ class LawCheck {
   std::string name_;
   double dt_ = 1.0, scale_ = 0.0;
   Rows gammaA_, r_, z_, p_, xi_;
-  CheckResult result_;
+  Verdict result_;
 };
 
 void LawCheck::checkProjection() {
@@ -217,7 +217,7 @@ void LawCheck::checkDerivative() {
 
 }  // namespace
 
-CheckResult checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options) {
+Verdict checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options) {
   return LawCheck(law, dim, options).run();
 }
 

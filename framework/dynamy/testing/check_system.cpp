@@ -26,7 +26,7 @@ class SystemCheck {
     nq_ = blocks_.nq * blocks_.capacity, nu_ = blocks_.nu * blocks_.capacity;
   }
 
-  CheckResult run() {
+  Verdict run() {
     if (blocks_.nq < 0 || blocks_.nu < 0 || blocks_.capacity < 0) {
       fault("blocks() has a negative size");
       return result_;
@@ -147,7 +147,7 @@ class SystemCheck {
   int nq_ = 0, nu_ = 0;
   double t_ = 0.0;
   Eigen::VectorXd qStart_, uStart_, startMass_, q_, u_;
-  CheckResult result_;
+  Verdict result_;
 };
 
 void SystemCheck::checkMass() {
@@ -336,7 +336,7 @@ void SystemCheck::checkFrameRates(int id, const Frame& f) {
 
 }  // namespace
 
-CheckResult checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options) {
+Verdict checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options) {
   return SystemCheck(system, options).run();
 }
 

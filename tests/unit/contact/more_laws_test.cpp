@@ -15,9 +15,9 @@ namespace {
 
 TEST(ForceLimit, FulfilsTheDefinitionsOfALaw) {
   for (const int dim : {1, 3}) {
-    const CheckResult two = checkLaw(ForceLimit(-0.5, 2.0), dim);
+    const Verdict two = checkLaw(ForceLimit(-0.5, 2.0), dim);
     EXPECT_TRUE(two) << two.message();
-    const CheckResult one = checkLaw(ForceLimit(-convex::kInfinity, 0.3), dim);
+    const Verdict one = checkLaw(ForceLimit(-convex::kInfinity, 0.3), dim);
     EXPECT_TRUE(one) << one.message();
   }
 }
@@ -56,7 +56,7 @@ TEST(ForceLimit, RefusesLimitsInTheWrongOrder) {
 TEST(UnilateralOrthotropic, FulfilsTheDefinitionsOfALaw) {
   for (const int dim : {1, 2, 3})
     for (const double angle : {0.0, 0.7}) {
-      const CheckResult result = checkLaw(UnilateralOrthotropic(0.0, 0.0, 0.1, 0.5, angle), dim);
+      const Verdict result = checkLaw(UnilateralOrthotropic(0.0, 0.0, 0.1, 0.5, angle), dim);
       EXPECT_TRUE(result) << "dim " << dim << ", angle " << angle << ": " << result.message();
     }
 }
@@ -122,7 +122,7 @@ TEST(UnilateralOrthotropic, StopsWhereTheExactMotionStops) {
 
 TEST(UnilateralDrilling, FulfilsTheDefinitionsOfALaw) {
   for (const auto set : {UnilateralDrilling::Set::contensou, UnilateralDrilling::Set::ellipsoid}) {
-    const CheckResult result = checkLaw(UnilateralDrilling(0.3, 0.4, set), 4);
+    const Verdict result = checkLaw(UnilateralDrilling(0.3, 0.4, set), 4);
     EXPECT_TRUE(result) << result.message();
   }
 }

@@ -7,7 +7,7 @@ namespace dynamy {
 namespace {
 
 TEST(UnilateralRolling, FulfilsTheDefinitionsOfALaw) {
-  const CheckResult result = checkLaw(UnilateralRolling(0.6, 0.05), 5);
+  const Verdict result = checkLaw(UnilateralRolling(0.6, 0.05), 5);
   EXPECT_TRUE(result) << result.message();
 }
 

@@ -102,6 +102,7 @@ class Bead final : public PartialMechanicalSystem {
   void initialState(Vec q, Vec u) const override { q[0] = 0.3, u[0] = 1.0; }
   void M(double, ConstVec, MassBlocks M) const override { M[0](0, 0) = 2.0; }
   void h(double, ConstVec, ConstVec, Vec h) const override { h[0] = 0.0; }
+  void describe(Description& d) const override { d.velocity("speed", Unit::velocity, 0); }
 };
 
 /// Wall at d(t) = 0.3 + 0.1 sin 5t: g = d − x², curved on purpose.
@@ -123,7 +124,7 @@ class MovingWall final : public SimpleContact {
   double chi_, w_;
 };
 
-CheckResult checkWall(double chi, double w) {
+Verdict checkWall(double chi, double w) {
   Model model;
   model.add<Bead>("bead", {});
   model.add<MovingWall>("wall", {{"on", "bead"}, {"chi", chi}, {"w", w}});
@@ -155,22 +156,22 @@ class OddLaw final : public SetValuedForceLaw {
   double projection_, derivative_;
 };
 
-bool says(const CheckResult& check, const std::string& text) {
+bool says(const Verdict& check, const std::string& text) {
   return check.message().find(text) != std::string::npos;
 }
 
 TEST(CheckSystem, AcceptsADoublePendulum) {
-  const CheckResult check = checkSystem(DoublePendulum());
+  const Verdict check = checkSystem(DoublePendulum());
   EXPECT_TRUE(check) << check.message();
 }
 
 TEST(CheckSystem, AcceptsABodyThatTurnsByTheExponentialMap) {
-  const CheckResult check = checkSystem(Top(true));
+  const Verdict check = checkSystem(Top(true));
   EXPECT_TRUE(check) << check.message();
 }
 
 TEST(CheckSystem, NamesTheEntryOfAnAsymmetricMassMatrix) {
-  const CheckResult check = checkSystem(DoublePendulum(Mistake::asymmetric));
+  const Verdict check = checkSystem(DoublePendulum(Mistake::asymmetric));
   // cos(1.1) = 0.45359612142…
   EXPECT_EQ(check.message(),
             "system: M[1,0] = 0.553596121 but M[0,1] = 0.453596121: not symmetric");
@@ -209,16 +210,29 @@ TEST(CheckSystem, ReportsAMoveThatLeavesTheUnitQuaternions) {
 }
 
 TEST(CheckContacts, AcceptsAMovingCurvedWall) {
-  const CheckResult check = checkWall(1.0, 1.0);
+  const Verdict check = checkWall(1.0, 1.0);
   EXPECT_TRUE(check) << check.message();
 }
 
+// At the start t = 0, x = 0.3: dg/dt = 0.5 − 0.6 u.
 TEST(CheckContacts, ReportsAWrongChi) {
-  EXPECT_TRUE(says(checkWall(0.5, 1.0), "wall: contact 0: gamma_N"));
+  const Verdict check = checkWall(0.5, 1.0);
+  EXPECT_TRUE(says(check, "wall: contact 0: gamma_N")) << check;
+  EXPECT_TRUE(says(check, "wall: contact 0: chi_N = 0.25 m/s, but dg/dt at u = 0 is 0.5 m/s"))
+      << check;
+  EXPECT_FALSE(says(check, "W_N")) << check;
 }
 
 TEST(CheckContacts, ReportsAWrongW) {
-  EXPECT_TRUE(says(checkWall(1.0, -1.0), "wall: contact 0: gamma_N"));
+  const Verdict check = checkWall(1.0, -1.0);
+  EXPECT_TRUE(says(check, "wall: contact 0: gamma_N")) << check;
+  EXPECT_TRUE(says(check, "wall: contact 0: W_N of bead.speed = 0.6, but it changes dg/dt by -0.6"))
+      << check;
+  EXPECT_FALSE(says(check, "chi_N")) << check;
+}
+
+TEST(CheckContacts, NamesAnEntryThatIsNotFinite) {
+  EXPECT_TRUE(says(checkWall(1.0, 1e308), "wall: contact 0: W[0,bead.speed] = "));
 }
 
 TEST(CheckModel, TakesAFileThatCannotBeReadForAFault) {
@@ -229,14 +243,14 @@ TEST(CheckModel, TakesAFileThatCannotBeReadForAFault) {
 
 TEST(CheckLaw, AcceptsTheStandardLaws) {
   for (const int dim : {1, 2, 3}) {
-    const CheckResult coulomb = checkLaw(UnilateralCoulomb(0.5, 0.2, 0.4), dim);
+    const Verdict coulomb = checkLaw(UnilateralCoulomb(0.5, 0.2, 0.4), dim);
     EXPECT_TRUE(coulomb) << dim << " rows: " << coulomb.message();
-    const CheckResult given = checkLaw(GivenFriction(2.0, 1.5), dim);
+    const Verdict given = checkLaw(GivenFriction(2.0, 1.5), dim);
     EXPECT_TRUE(given) << dim << " rows: " << given.message();
-    const CheckResult joint = checkLaw(Bilateral(), dim);
+    const Verdict joint = checkLaw(Bilateral(), dim);
     EXPECT_TRUE(joint) << dim << " rows: " << joint.message();
   }
-  const CheckResult unilateral = checkLaw(Unilateral(0.3), 1);
+  const Verdict unilateral = checkLaw(Unilateral(0.3), 1);
   EXPECT_TRUE(unilateral) << unilateral.message();
 }
 
