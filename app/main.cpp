@@ -4,8 +4,6 @@
 
 #include <cstdio>
 #include <dynamy/core/suggestion.hpp>
-#include <dynamy/io/file_error.hpp>
-#include <fstream>
 
 #include "program.hpp"
 
@@ -50,19 +48,6 @@ int usage(const CLI::App& app, const CLI::ParseError& error,
   return kUsage;
 }
 
-/// An error that was found after the files were read shows its line, too.
-std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
-  for (Diagnostic& d : all) {
-    if (!d.sourceLine.empty() || d.place.line <= 0 || d.place.file.empty()) continue;
-    std::ifstream in(d.place.file);
-    for (int i = 0; i < d.place.line && std::getline(in, d.sourceLine); ++i) {
-    }
-    if (!in) d.sourceLine.clear();
-    if (!d.sourceLine.empty() && d.sourceLine.back() == '\r') d.sourceLine.pop_back();
-  }
-  return all;
-}
-
 /// Shown below the commands, and a part of the manual page.
 constexpr const char* kFooter =
     "Exit status:\n"
@@ -89,27 +74,21 @@ int run(int argc, char** argv) {
   addCompare(app, program);
   addView(app, program);
   addSolve(app, program);
+  addSweep(app, program);
+  addReport(app, program);
+  addNewPlugin(app, program);
   addBench(app, program);
   addCompletion(app, program);
   addManual(app, program);
   app.footer(kFooter);
   try {
-    app.parse(argc, argv);
+    return withErrorsTold([&] {
+      app.parse(argc, argv);
+      return program.exitCode;
+    });
   } catch (const CLI::ParseError& e) {
     return usage(app, e, std::vector<std::string>(argv + 1, argv + argc));
-  } catch (const ModelError& e) {
-    fmt::print(stderr, "{}\n", format(withSourceLines(e.diagnostics())));
-    const std::size_t n = e.diagnostics().size();
-    fmt::print(stderr, "{} error{}\n", n, n == 1 ? "" : "s");
-    return kModel;
-  } catch (const FileError& e) {
-    fmt::print(stderr, "dynamy: {}\n", e.what());
-    return kFailed;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "dynamy: {}\n", e.what());
-    return kFailed;
   }
-  return program.exitCode;
 }
 
 }  // namespace

@@ -9,9 +9,42 @@
 #include <dynamy/io/plugin.hpp>
 #include <dynamy/io/vocabulary.hpp>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace dynamy::app {
+namespace {
+
+/// An error that was found after the files were read shows its line, too.
+std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
+  for (Diagnostic& d : all) {
+    if (!d.sourceLine.empty() || d.place.line <= 0 || d.place.file.empty()) continue;
+    std::ifstream in(d.place.file);
+    for (int i = 0; i < d.place.line && std::getline(in, d.sourceLine); ++i) {
+    }
+    if (!in) d.sourceLine.clear();
+    if (!d.sourceLine.empty() && d.sourceLine.back() == '\r') d.sourceLine.pop_back();
+  }
+  return all;
+}
+
+}  // namespace
+
+int withErrorsTold(const std::function<int()>& call) {
+  try {
+    return call();
+  } catch (const CLI::ParseError&) {
+    throw;
+  } catch (const ModelError& e) {
+    fmt::print(stderr, "{}\n", format(withSourceLines(e.diagnostics())));
+    const std::size_t n = e.diagnostics().size();
+    fmt::print(stderr, "{} error{}\n", n, n == 1 ? "" : "s");
+    return kModel;
+  } catch (const std::exception& e) {  // of files: path and reason
+    fmt::print(stderr, "dynamy: {}\n", e.what());
+    return kFailed;
+  }
+}
 
 void Program::load() {
   registerFramework(registry);

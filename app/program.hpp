@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <dynamy/io/plugin_loader.hpp>
 #include <dynamy/io/registry.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,10 @@ std::unique_ptr<T> method(const Registry& registry, const std::string& words) {
       static_cast<T*>(methodElement(registry, words, T::kKind).release()));  // the kind tells
 }
 
+/// Calls it; errors of models, files and others are printed and become an exit code. Those of the
+/// command line (CLI::ParseError) are passed on.
+int withErrorsTold(const std::function<int()>& call);
+
 /// The version and what the program was built with, several lines.
 std::string versionText();
 
@@ -61,6 +66,9 @@ void addView(CLI::App& app, Program& program);
 void addSolve(CLI::App& app, Program& program);
 void addCompletion(CLI::App& app, Program& program);
 void addManual(CLI::App& app, Program& program);
+void addSweep(CLI::App& app, Program& program);
+void addNewPlugin(CLI::App& app, Program& program);
+void addReport(CLI::App& app, Program& program);
 void addBench(CLI::App& app, Program& program);
 
 }  // namespace dynamy::app

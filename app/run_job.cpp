@@ -49,6 +49,25 @@ ReplaySize writePictures(const RunFolder& folder, const Model& model) {
   return writeReplay(folder.path());
 }
 
+int exitCode(const RunReport& report, const std::vector<CheckResult>& checks) {
+  bool good = report.ended == RunReport::Ended::finished;
+  for (const CheckResult& c : checks) good = good && c.pass;
+  return good ? kOk : kFailed;
+}
+
+void print(const RunFolder& folder, const Model& model, const RunShow& show,
+           const RunReport& report, const std::vector<CheckResult>& checks, const ReplaySize& size,
+           const std::string& problems) {
+  if (!show.quiet) fmt::print(stderr, "{}", thinningText(size));
+  if (show.json)
+    fmt::print("{}", readWholeFile(folder.facts()));
+  else if (!show.quiet)
+    fmt::print("{}{}", resultText(model, report, checks, folder.path()), problems);
+  else
+    fmt::print(stderr, "{}{}", failedChecks(checks), unsolvedText(report));
+  if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
+}
+
 }  // namespace
 
 void RunChoice::archive(Archive& a) {
@@ -61,9 +80,9 @@ void RunChoice::archive(Archive& a) {
     set.emplace_back(names[i], values[i]);
 }
 
-Model chosenModel(Program& program, RunChoice& choice) {
+Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files) {
   LoadOptions options;
-  options.set = choice.set;
+  options.set = choice.set, options.files = files;
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   SimulationSettings& s = model.simulation;
   if (choice.until > 0.0) s.until = choice.until;
@@ -100,19 +119,22 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   RunReport running = simulation.report();
   folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, running, {}, "running"); });
 
-  Progress progress(show.quiet || show.json);
+  const bool silent = show.quiet || show.json || show.tell;
+  Progress progress(silent, simulation.state().t, model.simulation.until);
   const auto save = [&](const std::string& bytes) {
     writeWholeFile(folder.checkpoint(), checkpointBytes(choice, model.sourceText, bytes));
   };
   simulation.onIdle([&] {
     recording->flushIfDue();
-    progress.show(simulation.state().t, model.simulation.until, simulation.report().steps);
+    const StepReport& last = simulation.lastStep();
+    progress.show({simulation.state().t, simulation.report().steps, last.contacts,
+                   last.solved.residuals.largest(), simulation.report().unconverged});
   });
   simulation.onCheckpoint(show.checkpointEvery, save);
   interrupted() = false;
   simulation.stopWhen(interrupted());
   const auto before = std::signal(SIGINT, onInterrupt);
-  if (!show.quiet && !show.json) fmt::print("{}", headText(model, choice));
+  if (!silent) fmt::print("{}", headText(model, choice));
   const RunReport& report = simulation.run();
   std::signal(SIGINT, before);
   progress.end();
@@ -126,19 +148,12 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
     if (problems) writeProblems(j, *problems);
   });
   const ReplaySize size = writePictures(folder, model);
-  if (!show.quiet) fmt::print(stderr, "{}", thinningText(size));
-  if (show.json)
-    fmt::print("{}", readWholeFile(folder.facts()));
-  else if (!show.quiet)
-    fmt::print("{}{}", resultText(model, report, checks, folder.path()),
-               problems ? problemsText(*problems, folder.problems()) : "");
-  else if (const std::string failed = failedChecks(checks); !failed.empty())
-    fmt::print(stderr, "{}", failed);
-  if (show.quiet) fmt::print(stderr, "{}", unsolvedText(report));
-  if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
-  bool good = report.ended == RunReport::Ended::finished;
-  for (const CheckResult& c : checks) good = good && c.pass;
-  return good ? kOk : kFailed;
+  if (show.tell)
+    show.tell(report, checks);
+  else
+    print(folder, model, show, report, checks, size,
+          problems ? problemsText(*problems, folder.problems()) : "");
+  return exitCode(report, checks);
 }
 
 Checkpoint readCheckpoint(const fs::path& file) {

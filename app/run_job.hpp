@@ -2,6 +2,7 @@
 #pragma once
 #include <dynamy/io/run_folder.hpp>
 #include <dynamy/simulation/simulation.hpp>
+#include <functional>
 #include <optional>
 
 #include "program.hpp"
@@ -25,11 +26,14 @@ struct RunShow {
   double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
   bool errorBar = false;         ///< a second run with half the step
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
+  /// Gets the result instead of a person: nothing is printed then.
+  std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;
 };
 
 /// The model with all choices applied; `choice` gets absolute path, end time and sample time.
-/// Throws ModelError.
-Model chosenModel(Program& program, RunChoice& choice);
+/// `files` gets those that were read (LoadOptions). Throws ModelError.
+Model chosenModel(Program& program, RunChoice& choice,
+                  std::vector<std::filesystem::path>* files = nullptr);
 
 /// Runs `model` into the folder `path`, from `checkpoint` if it is given, and prints the result.
 /// Returns the exit code; `checks` receives their results. Throws FileError.

@@ -27,11 +27,6 @@ std::string stateText(const RunReport& r) {
   return "";
 }
 
-std::string checkText(const CheckResult& c) {
-  return (c.measure == "value" ? c.signal : c.measure + " " + c.signal) +
-         (c.over.empty() ? "" : " " + c.over);
-}
-
 std::string checkLine(const CheckResult& c, int width) {
   const std::string what = checkText(c);
   const int blanks = width - characterCount(what);
@@ -100,6 +95,11 @@ void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice
 }
 
 }  // namespace
+
+std::string checkText(const CheckResult& c) {
+  return (c.measure == "value" ? c.signal : c.measure + " " + c.signal) +
+         (c.over.empty() ? "" : " " + c.over);
+}
 
 std::string failedChecks(const std::vector<CheckResult>& checks) {
   std::string out;

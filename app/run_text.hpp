@@ -20,6 +20,9 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
                 const RunReport& report, const std::vector<CheckResult>& checks,
                 const std::string& state);
 
+/// "max ball.z 0.4 … 1 s"
+std::string checkText(const CheckResult& check);
+
 /// The lines of the checks that failed, for calls that print nothing else; "" if all hold.
 std::string failedChecks(const std::vector<CheckResult>& checks);
 

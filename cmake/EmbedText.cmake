@@ -1,6 +1,6 @@
 # Text files as string literals of a C++ file.
-#   cmake -DOUT=viewer_files.cpp -DFILES="a.html|b.js" -DHEADER=dynamy/io/viewer_files.hpp
-#         -DNAMESPACE=dynamy -DFUNCTION=viewerFile -P EmbedText.cmake
+#   cmake -DOUT=viewer_files.cpp -DFILES="a.html|b.js" -DHEADER=a/b.hpp -DFUNCTION=a::viewerFile -P EmbedText.cmake
+# makes the function std::string_view FUNCTION(std::string_view name), which HEADER declares.
 # Raw literals keep the text as it is; they are cut into pieces because compilers limit one literal.
 # Rejected: xxd (not everywhere), #embed (C++26), ld -r -b binary (one linker only).
 if(CMAKE_SCRIPT_MODE_FILE)
@@ -24,22 +24,20 @@ if(CMAKE_SCRIPT_MODE_FILE)
     endwhile()
     string(APPEND entries "        \"\";\n    return {text, sizeof(text) - 1};\n  }\n")
   endforeach()
-  file(WRITE "${OUT}" "// Made by the build.\n#include <${HEADER}>\n\n"
-    "namespace ${NAMESPACE} {\n\nstd::string_view ${FUNCTION}(std::string_view name) {\n${entries}"
-    "  return {};\n}\n\n}  // namespace ${NAMESPACE}\n")
+  file(WRITE "${OUT}" "// Made by the build.\n#include ${HEADER}\n\n"
+    "std::string_view ${FUNCTION}(std::string_view name) {\n${entries}  return {};\n}\n")
   return()
 endif()
 
-# dynamy_embed(target FUNCTION name HEADER header NAMESPACE namespace FILES file…): adds a file to
-# `target` that defines FUNCTION, declared in HEADER, which returns the text of a file by its name.
-function(dynamy_embed target)
-  cmake_parse_arguments(arg "" "FUNCTION;HEADER;NAMESPACE" "FILES" ${ARGN})
-  string(REPLACE ";" "|" joined "${arg_FILES}")
-  set(out ${CMAKE_CURRENT_BINARY_DIR}/${arg_FUNCTION}.cpp)
+# dynamy_embed_text(target header function files...): adds a source with the text of all files to `target`.
+function(dynamy_embed_text target header function)
+  string(REPLACE ";" "|" joined "${ARGN}")
+  string(REGEX REPLACE ".*::" "" name ${function})
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
   set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
-  add_custom_command(OUTPUT ${out} DEPENDS ${arg_FILES} ${script} VERBATIM
-    COMMAND ${CMAKE_COMMAND} "-DOUT=${out}" "-DFILES=${joined}" "-DHEADER=${arg_HEADER}"
-            "-DNAMESPACE=${arg_NAMESPACE}" "-DFUNCTION=${arg_FUNCTION}" -P ${script}
-    COMMENT "Embedding the text of ${arg_FUNCTION}")
+  add_custom_command(OUTPUT ${out} DEPENDS ${ARGN} ${script} VERBATIM
+    COMMAND ${CMAKE_COMMAND} "-DOUT=${out}" "-DFILES=${joined}" "-DHEADER=${header}" "-DFUNCTION=${function}"
+            -P ${script}
+    COMMENT "Embedding the texts of ${target}")
   target_sources(${target} PRIVATE ${out})
 endfunction()

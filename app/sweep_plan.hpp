@@ -1,0 +1,46 @@
+/// What varies in a sweep, and the runs that follow from it.
+///
+///   mu=0.1:0.5:9          nine values, equal distances       mu=1e-3:1:4:log   equal ratios
+///   mu=0.3,0.5,0.7        a list                             mu=0.3            the same in all
+///   runs mu=uniform(0.1,0.5)   --samples values drawn at random   mu=normal(0.3,0.05)
+///
+/// Grids and lists are combined with each other, the last one varies fastest; each combination is
+/// taken --samples times if anything is drawn. All values are written down in the manifest before
+/// the first run: whoever computes a run, here or on another machine, reads them from there.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace dynamy::app {
+
+/// The values of one parameter or option ("--step").
+struct Variation {
+  enum class Draw { none, uniform, normal };
+  std::string name;
+  std::vector<std::string> values;  ///< empty if they are drawn
+  Draw draw = Draw::none;
+  double a = 0.0, b = 0.0;  ///< bounds, or mean and standard deviation
+  bool fixed() const { return draw == Draw::none && values.size() == 1; }
+};
+
+/// Reads the part behind "NAME="; `option` for messages. Throws CLI::ValidationError.
+Variation readVariation(const std::string& name, const std::string& text,
+                        const std::string& option);
+
+/// One line a run, one column a varied name.
+struct SweepPlan {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Throws CLI::ValidationError if nothing varies or if there are more than a million runs.
+SweepPlan planOf(const std::vector<Variation>& variations, int samples, std::uint64_t seed);
+
+/// A plan from a table of the user's own; a column "id" is left out. Throws FileError.
+SweepPlan readTable(const std::string& file);
+
+/// manifest.csv: id, then the plan's columns.
+std::string manifestText(const SweepPlan& plan);
+
+}  // namespace dynamy::app
