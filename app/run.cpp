@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "error_bar.hpp"
+#include "run_job.hpp"
+#include "watch.hpp"
 
 namespace dynamy::app {
 namespace {
@@ -14,6 +16,7 @@ struct Texts {
   std::vector<std::string> set;
   RunChoice choice;
   RunShow show;
+  bool watch = false;
 };
 
 void addShow(CLI::App& command, Texts& t) {
@@ -33,6 +36,29 @@ double given(const std::string& text, const std::string& option) {
   return text.empty() ? 0.0 : seconds(text, option);
 }
 
+/// `tell` gets the files that were read, also if the model is faulty.
+int run(Program& program, Texts& t, const TellFiles& tell) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& library : program.libraries)
+    for (const auto& file : program.plugins.candidates(library, ".")) files.push_back(file);
+  std::optional<Model> model;
+  try {
+    program.load();
+    model = chosenModel(program, t.choice, &files);
+  } catch (const ModelError&) {
+    tell(files);
+    throw;
+  }
+  tell(files);
+  const auto folder =
+      t.out.empty() ? RunFolder::defaultPath(t.choice.model) : std::filesystem::path(t.out);
+  std::vector<CheckResult> checks;
+  const int code = runInto(folder, *model, t.choice, t.show, std::nullopt, checks);
+  if (t.show.errorBar)
+    fmt::print(t.show.json ? stderr : stdout, "{}", errorBarsText(program, t.choice, checks));
+  return code;
+}
+
 }  // namespace
 
 void addRun(CLI::App& app, Program& program) {
@@ -41,7 +67,8 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
   c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
-  c->add_option("--integrator", t->choice.integrator, "scheme, replaces the model's; with attributes: \"ThetaMethod theta=1\"")
+  c->add_option("--integrator", t->choice.integrator,
+                "scheme, replaces the model's; with attributes: \"ThetaMethod theta=1\"")
       ->type_name("SCHEME");
   c->add_option("--solver", t->choice.solver, "inclusion solver, replaces the model's")
       ->type_name("SOLVER");
@@ -52,20 +79,18 @@ void addRun(CLI::App& app, Program& program) {
   c->add_flag("--error-bar", t->show.errorBar,
               "run again with half the step, and say how far the figures of the checks move");
   addShow(*c, *t);
+  c->add_flag("--watch", t->watch,
+              "run again whenever the model, what it includes or one of its plug-ins changes");
   c->callback([t, &program] {
     t->choice.until = given(t->until, "--until");
     t->choice.step = given(t->step, "--step");
     t->show.checkpointEvery = given(t->checkpoint, "--checkpoint");
     for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
     t->choice.libraries = program.libraries;
-    program.load();
-    const auto folder =
-        t->out.empty() ? RunFolder::defaultPath(t->choice.model) : std::filesystem::path(t->out);
-    Model model = chosenModel(program, t->choice);
-    std::vector<CheckResult> checks;
-    program.exitCode = runInto(folder, model, t->choice, t->show, std::nullopt, checks);
-    if (t->show.errorBar)
-      fmt::print(t->show.json ? stderr : stdout, "{}", errorBarsText(program, t->choice, checks));
+    program.exitCode =
+        t->watch
+            ? watch(t->choice.model, [&](const TellFiles& tell) { return run(program, *t, tell); })
+            : run(program, *t, [](const auto&) {});
   });
 }
 
