@@ -42,6 +42,8 @@ class RunFolder {
   std::filesystem::path ledger() const { return path_ / "ledger.csv"; }
   std::filesystem::path frames() const { return path_ / "frames.bin"; }
   std::filesystem::path replay() const { return path_ / "replay.html"; }
+  /// What `dynamy report` writes.
+  std::filesystem::path report() const { return path_ / "report.html"; }
   /// Inclusion problems, if they were asked for.
   std::filesystem::path problems() const { return path_ / "problems"; }
   /// What `dynamy resume` goes on from.
