@@ -78,6 +78,8 @@ TEST_F(DocumentTest, Install) { follow("doc/install.md"); }
 TEST_F(DocumentTest, FirstPluginAgainstTheInstalledPackage) {
   follow("doc/tutorial/03_first_plugin.md");
 }
+using LongDocumentTest = DocumentTest;
+TEST_F(LongDocumentTest, NewPlugin) { follow("doc/new_plugin.md"); }
 #endif
 
 }  // namespace
