@@ -80,10 +80,10 @@ std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>> solvers() 
   std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>> out;
   out.emplace_back("Lemke", std::make_unique<LemkeSolver>(LemkeOptions{.polish = false}));
   ProximalNewtonOptions newton;
-  newton.maxNewton = 100, newton.maxGentle = 100, newton.maxIterations = 500;
+  newton.maxNewton = 100, newton.maxPatient = 100, newton.maxIterations = 500;
   out.emplace_back("proximal Newton", std::make_unique<ProximalNewton>(newton));
   AutomaticOptions automatic;
-  automatic.maxNewton = 100, automatic.maxGentle = 100, automatic.maxIterations = 500;
+  automatic.maxNewton = 100, automatic.maxPatient = 100, automatic.maxIterations = 500;
   out.emplace_back("Automatic", std::make_unique<Automatic>(automatic));
   ProxOptions sweeps;
   sweeps.maxIterations = 2000;

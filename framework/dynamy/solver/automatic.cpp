@@ -16,7 +16,8 @@ constexpr int kAlternations = 20;
 
 Automatic::Automatic(const AutomaticOptions& options)
     : options_(options),
-      newton_({options.tolerance, options.maxNewton, options.maxIterations, 64, options.maxGentle}),
+      newton_(
+          {options.tolerance, options.maxNewton, options.maxIterations, 64, options.maxPatient}),
       lemke_({.tolerance = options.tolerance, .polish = false}),
       admm_({.tolerance = options.tolerance, .maxIterations = kAlternations}) {}
 
@@ -24,8 +25,8 @@ Automatic::Automatic(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxNewton"].integer(), 4 * x["maxNewton"].integer(),
                x["maxIterations"].integer(), x["minimalNorm"].flag()},
-      newton_(
-          {options_.tolerance, options_.maxNewton, options_.maxIterations, 64, options_.maxGentle}),
+      newton_({options_.tolerance, options_.maxNewton, options_.maxIterations, 64,
+               options_.maxPatient}),
       lemke_({.tolerance = options_.tolerance, .polish = false}),
       admm_({.tolerance = options_.tolerance, .maxIterations = kAlternations}) {}
 
@@ -124,11 +125,11 @@ bool Automatic::alternate(const InclusionProblem& p, Vec Lambda, SolveReport& re
 void Automatic::declare(Attributes& a) {
   a.about(
       "Chooses: accepts a good start, one contact in closed form, sweeps while they pay, then the "
-      "proximal Newton method, a gentler one, Gauss-Seidel.");
+      "proximal Newton method, the same with other steps, Gauss-Seidel.");
   a.optional("tolerance", Unit::none, 1e-10, "residuals E_f and E_u at which the solver stops")
       .positive();
   a.add(AttributeType::integer, "maxNewton", "500",
-        "Newton steps; four times as many of the gentler schedule")
+        "Newton steps; four times as many of the second try")
       .min = 1;
   a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of the last stage").min = 1;
   a.add(AttributeType::flag, "minimalNorm", "false",

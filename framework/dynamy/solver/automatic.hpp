@@ -1,7 +1,7 @@
 /// Automatic: the choice of a solver that users need not think about.                (theory 7.5)
 ///
 ///   start good enough → accept it · one contact → closed form · large factors → ADMM
-///   · sweeps while they pay → proximal Newton → the same, gentler → Gauss–Seidel
+///   · sweeps while they pay → proximal Newton → the same, other ρ → Gauss–Seidel
 ///   → proximal Newton from other starts
 ///
 /// Every stage starts from the best Λ of the one before and is judged by the same residuals. An
@@ -17,8 +17,8 @@ namespace dynamy {
 
 struct AutomaticOptions {
   double tolerance = 1e-10;   ///< of E_f and E_u, or of the problem's own measure
-  int maxNewton = 500;        ///< Newton steps, then the gentle schedule
-  int maxGentle = 2000;       ///< Newton steps of that, then sweeps
+  int maxNewton = 500;        ///< Newton steps, then those with another ρ
+  int maxPatient = 2000;      ///< Newton steps of these, then sweeps
   int maxIterations = 10000;  ///< sweeps of the last stage
   bool minimalNorm = false;   ///< of forces that are not unique, the smallest ones
 };

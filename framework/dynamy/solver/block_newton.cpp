@@ -10,7 +10,7 @@ namespace {
 constexpr int kMaxDim = 8;
 constexpr int kMemory = 5;      ///< values of |F| a step is compared with
 constexpr int kHalvings = 9;    ///< t = 1 … 2⁻⁹
-constexpr int kMaxGrowth = 12;  ///< failed inner problems in a row until the schedule gives up
+constexpr int kMaxGrowth = 24;  ///< failed inner problems in a row until the schedule gives up
 constexpr double kLargest = 1e3;
 /// Above, sweeps are the better use of memory and time.
 constexpr int kMaxContacts = 20'000;
@@ -36,7 +36,8 @@ double largestEigenvalue(const double* block, int dim, int a, int b) {
 
 NewtonSchedule NewtonSchedule::gentle() {
   NewtonSchedule s;
-  s.fast = 2, s.slow = 6, s.maxInner = 25, s.grow = 2.0, s.maxNewton = 2000;
+  s.fast = 2, s.shrink = 0.1, s.slow = 6, s.maxInner = 25, s.grow = 2.0, s.maxNewton = 2000;
+  s.least = 1e-9, s.inner = 0.3, s.lineSearch = true;
   return s;
 }
 
@@ -138,7 +139,9 @@ bool BlockNewton::judge(const InclusionProblem& p, double tolerance, SolveReport
   return report.residuals.largest() <= tolerance;
 }
 
-void BlockNewton::lineSearch(const InclusionProblem& p, double reference) {
+double BlockNewton::lineSearch(const InclusionProblem& p) {
+  const auto from = recent_.size() > kMemory ? recent_.end() - kMemory : recent_.begin();
+  const double reference = *std::max_element(from, recent_.end());
   // ξ is linear in t: no product with G on the way.
   double least = std::numeric_limits<double>::infinity(), best = 1.0, t = 1.0;
   for (int h = 0; h <= kHalvings; ++h, t *= 0.5) {
@@ -150,9 +153,13 @@ void BlockNewton::lineSearch(const InclusionProblem& p, double reference) {
     if (norm < least) least = norm, best = t;
     if (norm < reference) break;
   }
+  return best;
+}
+
+void BlockNewton::go(double t) {
   for (std::size_t k = 0; k < Lambda_.size(); ++k) {
-    Lambda_[k] += best * dLambda_[k];
-    xi_[k] += best * dXi_[k];
+    Lambda_[k] += t * dLambda_[k];
+    xi_[k] += t * dXi_[k];
   }
 }
 
@@ -171,8 +178,7 @@ BlockNewton::Inner BlockNewton::inner(const InclusionProblem& p, const NewtonSch
     system_->multiply(p, dLambda_.data(), dXi_.data());
     for (int i = 0; i < p.size(); ++i)
       for (int k = row0[i]; k < row0[i + 1]; ++k) dXi_[k] += blocks_.a[i] * dLambda_[k];
-    const auto from = recent_.size() > kMemory ? recent_.end() - kMemory : recent_.begin();
-    lineSearch(p, *std::max_element(from, recent_.end()));
+    go(s.lineSearch ? lineSearch(p) : 1.0);
     if (judge(p, tolerance, report)) return Inner::solved;
     recent_.push_back(map(p, Lambda_.data(), xi_.data(), blocks_.F.data(), true));
     if (recent_.back() <= s.inner * first) return Inner::converged;
@@ -210,7 +216,7 @@ void BlockNewton::solve(const InclusionProblem& p, const NewtonSchedule& s, doub
     const Inner result = inner(p, schedule, tolerance, report, steps);
     solved = result == Inner::solved, enough = result == Inner::enough;
     if (result == Inner::converged) {
-      a *= steps <= s.fast ? 0.1 : (steps <= s.slow ? 0.5 : 1.0);
+      a *= steps <= s.fast ? s.shrink : (steps <= s.slow ? 0.5 : 1.0);
       a = std::max({a, s.least, 1.5 * failed});
       failed *= 0.5;
       growth = 0;

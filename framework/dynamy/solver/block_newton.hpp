@@ -5,9 +5,12 @@
 ///   inner:  F = Λ − prox(Λ − Rξ) = 0,   (A + B (G + diag(a))) ΔΛ = −F
 ///
 /// G need not be symmetric and may have any rank. λ_i = λ_max(sym G_ii), so that a has no unit.
-/// Measured choices: norm |F|² = Σ λ_i |F_i|² (an energy), line search t = 1 … 2⁻⁹ against the
-/// largest of the last five |F|, inner stop 0.3 |F_0|. More than half of all steps would be lost in
-/// inner problems with too small an a; the parameter that failed is remembered therefore.
+/// Every inner step is taken whole. A line search on |F| was the rule before and was rejected:
+/// forces on their cones that slide by almost nothing must turn along a circle; a step along its
+/// tangent is good to first order but leaves the cone by the square of the angle, |F| rises, and
+/// the search cuts the steps down to nothing. The next whole step repairs it (the effect that
+/// Maratos found in constrained optimisation). An inner problem that is not solved in a few steps
+/// is discarded for a larger a; the parameter that failed is remembered.
 #pragma once
 #include <dynamy/solver/inclusion_solver.hpp>
 #include <dynamy/solver/newton_system.hpp>
@@ -17,17 +20,19 @@ namespace dynamy {
 /// How the proximal parameter moves.
 struct NewtonSchedule {
   double start = 3e-3;          ///< a of the first outer step
-  double least = 1e-9;          ///< below, the regularisation drowns in rounding
-  double inner = 0.3;           ///< an inner problem is solved at this part of its first |F|
-  int fast = 4;                 ///< inner steps up to which a is divided by 10
-  int slow = 12;                ///< … by 2
-  int maxInner = 40;            ///< above, the inner problem is given up
-  double grow = 4.0;            ///< a after that
+  double least = 1e-12;         ///< below, the regularisation drowns in rounding
+  double inner = 0.8;           ///< an inner problem is solved at this part of its first |F|
+  int fast = 3;                 ///< inner steps up to which a is multiplied by `shrink`
+  double shrink = 0.15;         ///< …
+  int slow = 6;                 ///< … by 0.5
+  int maxInner = 8;             ///< above, the inner problem is given up
+  double grow = 2.0;            ///< a after that
   int maxNewton = 500;          ///< Newton steps in all
   double rho = 2.0;             ///< r_i = ρ/λ_i …
   bool separateNormal = false;  ///< … or r_N = ρ/G_NN, r_T = ρ/λ_max(G_TT)
+  bool lineSearch = false;      ///< t = 1 … 2⁻⁹ against the largest of the last five |F|
 
-  /// For problems on which the schedule above stagnates.
+  /// With line search and small changes of a, where whole steps stagnate.
   static NewtonSchedule gentle();
 };
 
@@ -59,8 +64,10 @@ class BlockNewton {
   void relativeVelocity(const InclusionProblem& p, const double* Lambda, double* xi) const;
   Inner inner(const InclusionProblem& p, const NewtonSchedule& s, double tolerance,
               SolveReport& report, int& steps);
-  /// Goes along ΔΛ; returns |F| at the new Λ.
-  void lineSearch(const InclusionProblem& p, double reference);
+  /// The t by which to go along ΔΛ.
+  double lineSearch(const InclusionProblem& p);
+  /// Λ += t ΔΛ, and ξ with it.
+  void go(double t);
   bool judge(const InclusionProblem& p, double tolerance, SolveReport& report);
 
   NewtonSystemChoice systems_;

@@ -19,7 +19,10 @@ constexpr double kTried = 1e-8;
 constexpr int kTries = 2;
 constexpr double kCold = 3e-3;     ///< start of a after sweeps
 constexpr double kPressed = 3e-4;  ///< start of a when all contacts are pressed at first
-constexpr double kInner = 0.8;     ///< an inner problem is solved at this part of its first |F|
+/// ρ of the second try: of 88 inclusions of landing stacks, 2 needs up to 2150 steps, 10 up to
+/// 1650.
+constexpr double kPatientRho = 10.0;
+constexpr double kInner = 0.8;  ///< an inner problem is solved at this part of its first |F|
 /// Rows up to which the dense form is faster than the sparse one in velocities.
 constexpr int kMinVelocities = 16;
 constexpr int kMaxDense = 200;      ///< Newton steps of the dense form, then block rows are tried
@@ -253,7 +256,6 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   NewtonSchedule schedule;
   schedule.separateNormal = true;
   schedule.maxNewton = options_.maxNewton;
-  schedule.inner = kInner;
   const double warm = block_.inVelocities() ? kWarmVelocities : kWarmBlock;
   schedule.start = pressed ? kPressed : (cold ? kCold : warm);
   int before = report.iterations;
@@ -269,10 +271,9 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   report.note(report.method, before);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
   if (block_.tooLarge()) return finish(p, Lambda, report);
-  schedule = NewtonSchedule::gentle();
-  schedule.separateNormal = true;
-  schedule.maxNewton = options_.maxGentle;
-  report.method = "proximal Newton, gentle";
+  schedule.start = kCold, schedule.rho = kPatientRho;
+  schedule.maxNewton = options_.maxPatient;
+  report.method = "proximal Newton, longer steps";
   before = report.iterations;
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   report.note(report.method, before);
@@ -308,7 +309,7 @@ void ProximalNewton::declare(Attributes& a) {
   a.optional("tolerance", Unit::none, 1e-10, "residuals E_f and E_u at which the solver stops")
       .positive();
   a.add(AttributeType::integer, "maxNewton", "500",
-        "Newton steps, then a gentler schedule and Gauss-Seidel go on")
+        "Newton steps, then four times as many with longer steps rho, and Gauss-Seidel")
       .min = 1;
   a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of Gauss-Seidel").min = 1;
   a.example(

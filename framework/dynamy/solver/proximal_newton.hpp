@@ -8,7 +8,7 @@
 /// λ_i bounds the largest eigenvalue of G_ii, so a has no unit. The proximal term makes every inner
 /// problem regular whatever the rank of G (redundant contacts); it vanishes at the solution, so
 /// that the exact law is solved. Plain Newton (a = 0) was rejected: it fails on rank-deficient
-/// stacks. What the schedule does not solve is tried with a gentler one, then by Gauss–Seidel; laws
+/// stacks. What the schedule does not solve is tried with another ρ, then by Gauss–Seidel; laws
 /// that do not offer a derivative go to Gauss–Seidel at once.
 #pragma once
 #include <dynamy/solver/block_newton.hpp>
@@ -18,10 +18,10 @@ namespace dynamy {
 
 struct ProximalNewtonOptions {
   double tolerance = 1e-10;   ///< of E_f and E_u
-  int maxNewton = 500;        ///< Newton steps, then the gentle schedule goes on
+  int maxNewton = 500;        ///< Newton steps, then those with another ρ
   int maxIterations = 10000;  ///< of Gauss–Seidel
   int maxRows = 64;           ///< dense form up to here
-  int maxGentle = 2000;       ///< Newton steps of the gentle schedule, then Gauss–Seidel goes on
+  int maxPatient = 2000;      ///< Newton steps with it, then Gauss–Seidel goes on
 };
 
 class ProximalNewton final : public InclusionSolver {

@@ -139,7 +139,7 @@ TEST(Automatic, NeverCallsAnUnconvergedAnswerSolved) {
   BothForms both(40, 60, 15);
   const Never never;
   both.given->problem().rule = &never;
-  Automatic solver({.tolerance = 1e-10, .maxNewton = 10, .maxGentle = 10, .maxIterations = 10});
+  Automatic solver({.tolerance = 1e-10, .maxNewton = 10, .maxPatient = 10, .maxIterations = 10});
   VectorXd Lambda = VectorXd::Zero(120);
   EXPECT_FALSE(solver.solve(both.given->problem(), view(Lambda)).ok());
   EXPECT_TRUE(Lambda.allFinite());
