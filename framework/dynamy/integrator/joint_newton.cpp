@@ -14,6 +14,13 @@ constexpr double kRegular = 1e-10;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+bool massDependsOnPosition(const Topology& topology) {
+  return std::any_of(topology.systems().begin(), topology.systems().end(), [](const auto* system) {
+    const Blocks blocks = system->blocks();
+    return blocks.nu > 0 && !blocks.constantMass;
+  });
+}
+
 }  // namespace
 
 void JointNewton::findJoints(const ContactSet& c, std::vector<int>& out) const {
@@ -26,8 +33,8 @@ bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
   xA_ = &x, dt_ = dt;
   const ContactSet& c = s.evaluateAhead(x, dt, 0).contacts;
   findJoints(c, joints_);
-  if (joints_.empty()) return false;
-  bool same = keys_.size() == joints_.size();
+  if (joints_.empty() && !massDependsOnPosition(*s.parts().topology)) return false;
+  bool same = !blockNu_.empty() && keys_.size() == joints_.size();
   for (std::size_t k = 0; same && k < joints_.size(); ++k) same = keys_[k] == c.key[at(joints_[k])];
   if (!same) connect(s, c);
   for (std::size_t k = 0; k < joints_.size(); ++k)

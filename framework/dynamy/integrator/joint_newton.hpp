@@ -23,7 +23,8 @@ namespace dynamy {
 
 class JointNewton {
  public:
-  /// Starts a step from x: v = u^A, Λ from the last step. False: there are no joints.
+  /// Starts a step from x: v = u^A, Λ from the last step. False: there are no joints, and no masses
+  /// that depend on q.
   bool begin(MechanicalSystem& s, const State& x, double dt);
   /// Evaluates R at v, Λ and the impulses of contacts, W_c Λ_c, nu numbers.
   void residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
