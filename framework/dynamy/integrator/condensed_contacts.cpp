@@ -20,8 +20,14 @@ void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
 
 }  // namespace
 
-void CondensedContacts::begin(const State& x, double dt) {
-  contacts_.clear(), Lambda_.clear();
+void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double dt) {
+  contacts_.clear(), Lambda_.clear(), closed_.clear();
+  const ContactSet& all = s.slot(0).contacts;
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (all.position[static_cast<std::size_t>(all.row0[at])] <= s.gTol())
+      closed_.push_back(all.key[at]);
+  }
   last_ = x.impulses;
   const double scale = last_.dt > 0.0 ? dt / last_.dt : 0.0;
   for (double& L : last_.Lambda) L *= scale;
@@ -64,6 +70,19 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, doubl
   if (n > 0) contacts_.gamma(view(xA.u), {problem_.gammaA.data(), contacts_.rows()});
 }
 
+double CondensedContacts::aim(int i, double gTol) const {
+  const auto at = static_cast<std::size_t>(i);
+  const auto first = static_cast<std::size_t>(contacts_.row0[at]);
+  double epsilon[8] = {};
+  problem_.law(i).epsilon(problem_.dim(i), epsilon);
+  const double position = contacts_.position[first], g = position > gTol ? position : 0.0;
+  const double begin = problem_.gammaA[first];
+  if (epsilon[0] > 0.0 && begin < 0.0 &&
+      std::find(closed_.begin(), closed_.end(), contacts_.key[at]) == closed_.end())
+    return g / dt_ + 4.0 * (std::abs(problem_.gammaFree[first]) + std::abs(begin));
+  return g / dt_ + (1.0 - epsilon[0]) * std::max(0.0, begin);
+}
+
 SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
                                      const State& xA, JointNewton& newton) {
   const int n = contacts_.rows();
@@ -102,11 +121,11 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
     G.first.push_back(static_cast<int>(G.column.size()));
   }
   delassus_.given(contacts_, std::move(G));
-  double uRef = std::numeric_limits<double>::min();
+  // Where all contacts open or wait, nothing is asked of them but rounding: forces set the scale.
+  double uRef = std::max(std::numeric_limits<double>::min(), s.largestChange(dt_));
   for (int i = 0; i < contacts_.size(); ++i) {
     const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
-    const double g = contacts_.position[first];
-    if (problem_.law(i).unilateral() && g > s.gTol()) problem_.gammaFree[first] += g / dt_;
+    if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }
   problem_.uRef = uRef, problem_.warmStart = 1.0;

@@ -13,8 +13,8 @@ namespace dynamy {
 
 class CondensedContacts {
  public:
-  /// Starts a step: no impulses but those remembered in x.
-  void begin(const State& x, double dt);
+  /// Starts a step, slot 0 being evaluated at q^A: no impulses but those remembered in x.
+  void begin(const MechanicalSystem& s, const State& x, double dt);
   /// Takes the contacts of slot 0 that are no joints.
   void select(const MechanicalSystem& s, const State& xA, double dt);
   /// Solves them on the linear model and corrects the Newton step by it.
@@ -27,11 +27,16 @@ class CondensedContacts {
   const double* of(ContactKey key) const;
 
  private:
+  /// What γ_N^E + ε γ_N^A of contact i aims at: the gap in the next step. One that opens with γ^A >
+  /// 0 may close again with −γ^A at most, so that its work Λ (γ^A + γ^E)/2 is never positive. One
+  /// that is to rebound waits until a step begins with it closed: there it is an impact.
+  double aim(int i, double gTol) const;
   double start(ContactKey key, int row) const;
   ContactSet contacts_;
   Delassus delassus_;
   InclusionProblem problem_;
   RememberedImpulses last_;
+  std::vector<ContactKey> closed_;  // at q^A
   double dt_ = 0.0;
   std::vector<double> Lambda_, old_;
   std::vector<std::vector<double>> response_;

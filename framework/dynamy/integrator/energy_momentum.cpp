@@ -91,7 +91,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
                                   double dt) {
   SolveReport report;
   const double length = std::max(1e-6, x.q.cwiseAbs().maxCoeff());
-  contacts_.begin(x, dt);
+  contacts_.begin(s, x, dt);
   contacts_.select(s, x, dt);
   double before = 0.0;
   bool fresh = true;
