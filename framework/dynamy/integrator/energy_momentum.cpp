@@ -102,7 +102,13 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     ++report.iterations;
     if (fresh) {
       ++report.newton;
-      if (!newton_.linearise(s, contacts_.impulse(), tangent)) break;
+      if (!newton_.linearise(s, contacts_.impulse(), tangent)) {
+        // A force that is no number ends the run, with the name of its system.
+        const Eigen::VectorXd& h = s.slot(0).h;
+        for (Eigen::Index k = 0; k < h.size(); ++k)
+          if (!std::isfinite(h[k])) newton_.v[k] = h[k];
+        break;
+      }
     }
     newton_.newtonStep();
     const SolveReport inner = contacts_.solve(s, solver, x, newton_);

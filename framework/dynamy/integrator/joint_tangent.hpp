@@ -1,4 +1,4 @@
-/// JointTangent: the parts of K of JointNewton in closed form (theory 3.8). With T_M, T_E the
+/// JointTangent: the parts of K of JointNewton in closed form (theory 34.4). With T_M, T_E the
 /// tangents of the half and the whole step (q_A ⊕ Δt (v + δ) = q_E ⊕ Δt T_E δ), of a block, and of
 /// the blocks a, b of one joint:
 ///

@@ -46,9 +46,8 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
   // first the new run.json, so that the folder is one of ours at every moment
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
-  for (const fs::path& file :
-       {model(), signals(), signalsPlot(), events(), ledger(), frames(), replay(), report(),
-        checkpoint()}) {
+  for (const fs::path& file : {model(), signals(), signalsPlot(), events(), ledger(), frames(),
+                               replay(), report(), checkpoint()}) {
     fs::remove(file, error);
     if (error) throw FileError(file.string(), "cannot replace: " + error.message());
   }
