@@ -35,8 +35,7 @@ struct Landing {
   std::vector<double> cost;           ///< of every step, ascending, in evaluations of the system
 };
 
-/// What a Newton step and a sweep cost beside one evaluation of system and contacts, from counted
-/// instructions of the tower (theory 36.2).
+/// What a Newton step and a sweep cost beside one evaluation of system and contacts: estimates.
 constexpr double kNewtonCost = 4.0, kSweepCost = 0.5;
 
 /// `file` of models/; each box moved and turned by k (m, rad) times numbers of [−1, 1], and each

@@ -75,6 +75,6 @@ Verdict checkModel(Model& model, const CheckOptions& options = {});
 
 /// The same for a model file; what is wrong with the file itself is a fault like the others.
 Verdict checkModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
-                       const CheckOptions& options = {});
+                   const CheckOptions& options = {});
 
 }  // namespace dynamy
