@@ -1,6 +1,7 @@
 /// Disturbed stacks that land: every inclusion on the way is solved, and they stand afterwards.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <reference/landing.hpp>
 
@@ -22,8 +23,11 @@ void expectStands(const char* file, double height, double k, double dt, double u
   print(file, k, dt, seed, l);
   EXPECT_EQ(l.unsolvedSteps, 0);
   EXPECT_EQ(l.silent, 0);
-  // Midpoints do not overlap; an end between two of them lies lower by g Δt²/8 at most.
-  EXPECT_LT(l.overlap, 9.81 * dt * dt / 8.0);
+  // Midpoints do not overlap; an end between two of them lies lower by g Δt²/8 at most. An impact,
+  // faster than 4 g Δt, may wait for a step (theory 34.1); the body on top falls by 10 · 4 k.
+  const double fastest = std::sqrt(2.0 * 9.81 * 40.0 * k);
+  const double waits = fastest > 4.0 * 9.81 * dt ? fastest * dt : 0.0;
+  EXPECT_LT(l.overlap, 9.81 * dt * dt / 8.0 + waits);
   // All tilts are gone: what is left of them, 2 arcmin, would lower a corner by 1e-3 k.
   EXPECT_NEAR(l.lowest, height, 1e-3 * k + 1e-10);
 }

@@ -8,6 +8,10 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostTurns = 12;
+/// Rows up to which contacts are closed before their impact.
+constexpr int kMostTouched = 200;
+/// Added to the diagonal, of its largest entry: rows that depend on each other then share.
+constexpr double kRedundant = 1e-10;
 /// A displacement δ is a velocity δ/τ for the time τ; so short that q̇ = Fu + β moves by Fδ alone.
 constexpr double kTau = 1e-9;
 
@@ -94,18 +98,18 @@ bool Projection::solve(const Evaluation& e, InclusionSolver& solver) {
 
 bool Projection::positions(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                            int slot) {
-  return repair(s, solver, x, tolerance, slot, Level::position);
+  return repair(s, &solver, x, tolerance, slot, Level::position);
 }
 
 bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                           int slot) {
-  return repair(s, solver, x, tolerance, slot, Level::overlap);
+  return repair(s, &solver, x, tolerance, slot, Level::overlap);
 }
 
-bool Projection::touch(MechanicalSystem& s, InclusionSolver& solver, State& x,
-                       const std::vector<ContactKey>& keys, double tolerance, int slot) {
+bool Projection::touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys,
+                       double tolerance, int slot) {
   touched_ = keys, start_ = x;
-  if (repair(s, solver, x, tolerance, slot, Level::touch)) return true;
+  if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return true;
   x = start_;
   return false;
 }
@@ -121,7 +125,38 @@ double Projection::largestGap(const ContactSet& c) const {
   return largest;
 }
 
-bool Projection::repair(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+/// δ = M⁻¹W Λ with g + Wᵀδ = 0 for the rows that are to be closed or held; the others follow. One
+/// linear system: redundant rows share, contradicting ones are told by the gaps they leave.
+bool Projection::close(const Evaluation& e) {
+  int rows = 0;
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
+  if (rows > kMostTouched) return false;
+  const Eigen::Index nu = e.h.size();
+  W_.setZero(nu, rows), MInvW_.resize(nu, rows);
+  Eigen::VectorXd g(rows);
+  int column = 0;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (contacts_.law[at] != &bilateral_) continue;
+    for (int r = 0; r < contacts_.dim(i); ++r, ++column) {
+      g[column] = contacts_.position[static_cast<std::size_t>(contacts_.row0[at] + r)];
+      for (int k = contacts_.segment0[at]; k < contacts_.segment0[at + 1]; ++k) {
+        const Segment& segment = contacts_.segment[static_cast<std::size_t>(k)];
+        const double* w =
+            contacts_.W.data() + segment.w + static_cast<std::ptrdiff_t>(r) * segment.nu;
+        for (int j = 0; j < segment.nu; ++j) W_(segment.u0 + j, column) += w[j];
+      }
+      e.mass.applyInverse({W_.col(column).data(), nu}, {MInvW_.col(column).data(), nu});
+    }
+  }
+  Eigen::MatrixXd G = W_.transpose() * MInvW_;
+  G.diagonal().array() += kRedundant * G.diagonal().maxCoeff();
+  delta_ = MInvW_ * -G.ldlt().solve(g);
+  return true;
+}
+
+bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance,
                         int slot, Level level) {
   double reach = 0.0;  // gaps up to it take part
   if (level == Level::touch)
@@ -137,12 +172,14 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver& solver, State& x, 
     // Gaps that the way of a few violations can close take part.
     const Evaluation& e = s.evaluate(x, slot, std::max(reach, 8.0 * worst));
     select(e.contacts, x, level);
-    if (!solve(e, solver) && turn > 2) return false;
+    if (level == Level::touch ? !close(e) : !solve(e, *solver) && turn > 2) return false;
     delta_ /= kTau;
     const double t = x.t;
     s.move(x, delta_, kTau);
     x.t = t;
+    const double before = worst;
     worst = violation();
+    if (level == Level::touch && !(worst < 0.5 * before)) return false;
   }
   return true;
 }

@@ -27,9 +27,9 @@ class Projection {
                 int slot = 1);
   /// Closes the contacts `keys` (sorted), which are about to be reached, without opening one that
   /// carries: only what moves towards them moves. Rates of joints held. False: they contradict each
-  /// other, x is as it was.
-  bool touch(MechanicalSystem& s, InclusionSolver& solver, State& x,
-             const std::vector<ContactKey>& keys, double tolerance, int slot = 1);
+  /// other or are too many, x is as it was.
+  bool touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys, double tolerance,
+             int slot = 1);
   /// Takes from x.u what leaves the constraints at x.q; evaluates into `slot`.
   bool velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot = 1);
 
@@ -41,8 +41,10 @@ class Projection {
 
  private:
   enum class Level { position, overlap, touch, velocity };
-  bool repair(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance, int slot,
+  /// `solver` may be null for Level::touch.
+  bool repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance, int slot,
               Level level);
+  bool close(const Evaluation& e);
   bool isTouched(ContactKey key) const;
   double largestGap(const ContactSet& c) const;
   void select(const ContactSet& all, const State& x, Level level);
@@ -56,6 +58,7 @@ class Projection {
   InclusionProblem problem_;
   std::vector<double> Lambda_;
   Eigen::VectorXd delta_;
+  Eigen::MatrixXd W_, MInvW_;        // of the contacts to be closed, nu × rows
   std::vector<ContactKey> touched_;  // to be closed
   State start_;
   Unilateral unilateral_;

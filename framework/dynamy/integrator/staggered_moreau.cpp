@@ -27,7 +27,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   s.moveConfiguration(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
   bool apart = true;
   const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
-  auto& problem = pose(s, solver, x, dt);                 // ξ = G Λ + c
+  auto& problem = pose(s, x, dt);                         // ξ = G Λ + c
   s.linearlyImplicit(x, kImplicitMidpoint);
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
   s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
@@ -45,8 +45,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
 
 /// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they
 /// contradict each other they wait, and the next step finds an overlap.
-InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                        double dt) {
+InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kRounding * s.gTol();
   PositionAim aim{kDead * dt * s.largestChange(dt) + rounding,
@@ -58,7 +57,7 @@ InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, InclusionSolver& so
   InclusionProblem* problem = &s.impactProblem(x, dt, 0, &aim);
   if (!s.arriving().empty()) {
     arriving_ = s.arriving();
-    if (projection_.touch(s, solver, x, arriving_, 0.5 * s.gTol())) {
+    if (projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
       s.evaluateAhead(x, dt);
       arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
       std::sort(arrived_.begin(), arrived_.end());

@@ -41,7 +41,7 @@ class StaggeredMoreau final : public OneStep {
  private:
   const Evaluation& detect(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                            bool& apart);
-  InclusionProblem& pose(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
+  InclusionProblem& pose(MechanicalSystem& s, State& x, double dt);
   Options options_;
   Projection projection_;
   std::vector<ContactKey> arrived_;  // lifted out of an overlap, or closed, in this step
