@@ -251,11 +251,15 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
                             Tangent wanted) {
   K_.reset(unknowns_, band_);
   addJointColumns(s.slot(0));
-  tangent_ = Tangent::closedForm;
-  if (wanted == Tangent::differences || !offered_ || !(offered_ = closedForm(s))) {
-    tangent_ = Tangent::differences;
-    differences(s, contactImpulse);
+  if (wanted == Tangent::closedForm && offered_) {
+    offered_ = closedForm(s);
+    if (!offered_) {  // what it has begun goes
+      K_.reset(unknowns_, band_);
+      addJointColumns(s.slot(0));
+    }
   }
+  tangent_ = wanted == Tangent::closedForm && offered_ ? wanted : Tangent::differences;
+  if (tangent_ == Tangent::differences) differences(s, contactImpulse);
   return K_.factor();
 }
 
