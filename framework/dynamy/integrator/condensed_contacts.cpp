@@ -7,6 +7,9 @@
 namespace dynamy {
 namespace {
 
+/// Slip of less than so many times its rounding does not count as driven.
+constexpr double kDriving = 1e3;
+
 /// Column of contact i's row r, as nu numbers.
 void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
   w.setZero();
@@ -126,6 +129,10 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
   for (int i = 0; i < contacts_.size(); ++i) {
     const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
     if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
+    if (std::find(meanSlip_.begin(), meanSlip_.end(), contacts_.key[static_cast<std::size_t>(i)]) !=
+        meanSlip_.end())
+      for (std::size_t r = first + 1; r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
+        problem_.gammaFree[r] += problem_.gammaA[r];
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }
   problem_.uRef = uRef, problem_.warmStart = 1.0;
@@ -143,6 +150,27 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
           Lambda_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)] * w_;
     }
   return report;
+}
+
+bool CondensedContacts::frictionDrives(const Eigen::VectorXd& v, const State& xA) {
+  meanSlip_.clear();
+  uE_ = 2.0 * v - xA.u;
+  std::vector<double>& gammaE = problem_.c;  // of no more use in this step
+  if (contacts_.size() > 0)
+    contacts_.gamma(view(std::as_const(uE_)), {gammaE.data(), contacts_.rows()});
+  for (int i = 0; i < contacts_.size(); ++i) {
+    if (!problem_.law(i).unilateral()) continue;
+    const auto at = static_cast<std::size_t>(i);
+    double work = 0.0, speed = 0.0, noise = 0.0;
+    for (auto r = static_cast<std::size_t>(contacts_.row0[at]) + 1;
+         r < static_cast<std::size_t>(contacts_.row0[at + 1]); ++r) {
+      work += 0.5 * Lambda_[r] * (problem_.gammaA[r] + gammaE[r]);
+      speed = std::max(speed, std::abs(problem_.gammaA[r]) + std::abs(gammaE[r]));
+      noise = std::max(noise, problem_.cNoise[r]);
+    }
+    if (work > 0.0 && speed > kDriving * noise) meanSlip_.push_back(contacts_.key[at]);
+  }
+  return !meanSlip_.empty();
 }
 
 const double* CondensedContacts::of(ContactKey key) const {

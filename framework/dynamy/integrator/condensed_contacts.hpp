@@ -20,6 +20,11 @@ class CondensedContacts {
   /// Solves them on the linear model and corrects the Newton step by it.
   SolveReport solve(const MechanicalSystem& s, InclusionSolver& solver, const State& xA,
                     JointNewton& newton);
+  /// Whether friction drove instead of braking in the step with mean velocity v: where slip turns
+  /// to stick, Λ_T(γ_T^A + γ_T^E)/2 may be positive. A step from begin(…) on then takes the mean
+  /// slip in these contacts, ξ_T = γ_T^E + γ_T^A, until forgetMeanSlip().
+  bool frictionDrives(const Eigen::VectorXd& v, const State& xA);
+  void forgetMeanSlip() { meanSlip_.clear(); }
   /// W_c Λ_c, nu numbers.
   const Eigen::VectorXd& impulse() const { return impulse_; }
   int size() const { return contacts_.size(); }
@@ -37,6 +42,7 @@ class CondensedContacts {
   InclusionProblem problem_;
   RememberedImpulses last_;
   std::vector<ContactKey> closed_;  // at q^A
+  std::vector<ContactKey> meanSlip_;
   double dt_ = 0.0;
   std::vector<double> Lambda_, old_;
   std::vector<std::vector<double>> response_;

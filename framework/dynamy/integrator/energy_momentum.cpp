@@ -54,7 +54,14 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   // An impact must not act on turning links for a whole step: it is a jump at q^A.
   const auto jump = projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt));
   if (jump) newton_.v = xA_.u;
+  contacts_.forgetMeanSlip();
   SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c
+  if (solved.ok() && contacts_.frictionDrives(newton_.v, xA_)) {
+    const SolveReport first = solved;
+    newton_.begin(s, xA_, dt);
+    solved = solve(s, solver, xA_, dt);
+    solved.iterations += first.iterations, solved.newton += first.newton;
+  }
   if (jump) {
     solved.energyGain += jump->energyGain, solved.repaired += jump->repaired;
     solved.iterations += jump->iterations, solved.newton += jump->newton;
