@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "program.hpp"
+#include "run_text.hpp"
 
 namespace dynamy::app {
 namespace {
@@ -83,8 +84,8 @@ std::string text(const Model& model, const Sizes& s) {
   out +=
       fmt::format(" at the start: gaps {}   closed contacts {}   unknowns {}   energy {:.6g} J\n",
                   s.gaps, s.closed, s.unknowns, s.energy);
-  out += fmt::format(" {}   {}   step {:g} s   to t = {:g} s   length of the scene {:.3g} m\n",
-                     model.scheme().type(), model.solver().type(), model.simulation.step,
+  out += fmt::format(" {}   {}   {}   to t = {:g} s   length of the scene {:.3g} m\n",
+                     model.scheme().type(), model.solver().type(), stepText(model),
                      model.simulation.until, model.length());
   if (!s.weightless.empty())
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
@@ -107,7 +108,8 @@ std::string json(const Model& model, const Sizes& s) {
   j.member("unknowns", s.unknowns).member("energy", s.energy);
   j.member("penetration", s.penetration.value).member("withoutGravity", s.weightless);
   j.member("integrator", model.scheme().type()).member("solver", model.solver().type());
-  j.member("step", model.simulation.step).member("until", model.simulation.until);
+  j.member("step", model.simulation.step).member("tolerance", model.simulation.tolerance);
+  j.member("until", model.simulation.until);
   j.member("length", model.length()).endObject();
   return out + "\n";
 }

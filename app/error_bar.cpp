@@ -17,11 +17,19 @@ std::vector<double> errorBars(const std::vector<CheckResult>& whole,
 std::string errorBarsText(Program& program, RunChoice choice,
                           const std::vector<CheckResult>& whole) {
   RunChoice own = choice;
-  choice.step = 0.5 * chosenModel(program, own).simulation.step;
+  const SimulationSettings given = chosenModel(program, own).simulation;
+  const bool tolerance = given.tolerance > 0.0;
+  if (tolerance)
+    choice.tolerance = 0.1 * given.tolerance;
+  else
+    choice.step = 0.5 * given.step;
   Model model = chosenModel(program, choice);
   Simulation simulation(model);
   const RunReport& report = simulation.run();
-  std::string out = fmt::format(" error bars by a run with half the step, {:g} s:\n", choice.step);
+  std::string out =
+      tolerance ? fmt::format(" error bars by a run with a tenth of the tolerance, {:g}:\n",
+                              choice.tolerance)
+                : fmt::format(" error bars by a run with half the step, {:g} s:\n", choice.step);
   if (whole.empty()) out += "   the model has no <check>: nothing to compare\n";
   if (report.ended != RunReport::Ended::finished)
     return out + "   it ended early: " + report.reason + '\n';

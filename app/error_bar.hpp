@@ -1,6 +1,6 @@
-/// The error bar of a figure: twice its change when the step is halved. That is its error for a
-/// scheme of order one, and more than it for a higher one; what it cannot show is an error that
-/// both steps share.
+/// The error bar of a figure: twice its change when the step is halved, or the tolerance divided by
+/// ten. That is its error for a scheme of order one, and more than it for a higher one; what it
+/// cannot show is an error that both runs share.
 #pragma once
 #include <dynamy/simulation/checks.hpp>
 

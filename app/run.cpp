@@ -67,6 +67,10 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
   c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
+  c->add_option("--tolerance", t->choice.tolerance,
+                "accuracy, replaces the model's; the program chooses the steps")
+      ->type_name("NUMBER")
+      ->check(CLI::PositiveNumber);
   c->add_option("--integrator", t->choice.integrator,
                 "scheme, replaces the model's; with attributes: \"ThetaMethod theta=1\"")
       ->type_name("SCHEME");
@@ -77,7 +81,8 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--plugin", program.libraries, "shared library with further types")
       ->type_name("LIBRARY");
   c->add_flag("--error-bar", t->show.errorBar,
-              "run again with half the step, and say how far the figures of the checks move");
+              "run again with half the step, or a tenth of the tolerance, and say how far the "
+              "figures of the checks move");
   addShow(*c, *t);
   c->add_flag("--watch", t->watch,
               "run again whenever the model, what it includes or one of its plug-ins changes");

@@ -73,7 +73,8 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
 void RunChoice::archive(Archive& a) {
   std::vector<std::string> names, values;
   for (const auto& [name, value] : set) names.push_back(name), values.push_back(value);
-  a(model), a(names), a(values), a(until), a(step), a(every), a(integrator), a(solver);
+  a(model), a(names), a(values), a(until), a(step), a(tolerance), a(every), a(integrator),
+      a(solver);
   a(libraries);
   set.clear();
   for (std::size_t i = 0; i < names.size() && i < values.size(); ++i)
@@ -86,7 +87,11 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   SimulationSettings& s = model.simulation;
   if (choice.until > 0.0) s.until = choice.until;
-  if (choice.step > 0.0) s.step = choice.step;
+  if (choice.step > 0.0) s.step = choice.step, s.tolerance = 0.0;
+  if (choice.tolerance > 0.0) {
+    s.tolerance = choice.tolerance;
+    if (!(choice.step > 0.0)) s.step = 0.0;
+  }
   if (choice.every > 0.0) model.record.every = choice.every;
   if (!choice.integrator.empty())
     model.scheme(method<OneStep>(program.registry, choice.integrator));

@@ -15,6 +15,7 @@ struct RunChoice {
   std::vector<std::pair<std::string, std::string>> set;
   double until = 0.0, step = 0.0;  ///< [s]; 0: as the model says
   double every = 0.0;              ///< [s]; 0: as the model says
+  double tolerance = 0.0;          ///< 0: as the model says
   std::string integrator, solver;  ///< empty: as the model says
   std::vector<std::string> libraries;
   void archive(Archive& a);
@@ -24,7 +25,7 @@ struct RunChoice {
 struct RunShow {
   bool json = false, quiet = false;
   double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
-  bool errorBar = false;         ///< a second run with half the step
+  bool errorBar = false;         ///< a second run with half the step, or a tenth of the tolerance
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
   /// Gets the result instead of a person: nothing is printed then.
   std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;

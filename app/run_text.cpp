@@ -11,8 +11,8 @@
 namespace dynamy::app {
 namespace {
 
-std::string counted(long n, const std::string& what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+std::string counted(long n, const std::string& what, const std::string& many = {}) {
+  return fmt::format("{} {}", n, n == 1 ? what : many.empty() ? what + 's' : many);
 }
 
 std::string stateText(const RunReport& r) {
@@ -84,6 +84,7 @@ void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
 void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice) {
   json.key("settings").beginObject();
   json.member("until", model.simulation.until).member("step", model.simulation.step);
+  json.member("tolerance", model.simulation.tolerance);
   json.member("integrator", model.scheme().type()).member("solver", model.solver().type());
   json.member("impactLaw", model.impactLaw().type());
   const double gTol = model.simulation.gTol;
@@ -161,6 +162,13 @@ std::string warningsText(const RunReport& r) {
 
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
+std::string stepText(const Model& model) {
+  const SimulationSettings& s = model.simulation;
+  if (!model.scheme().choosesSteps()) return fmt::format("step {:g} s", s.step);
+  return fmt::format("tolerance {:g}", s.tolerance) +
+         (s.step > 0.0 ? fmt::format("   steps up to {:g} s", s.step) : "");
+}
+
 std::string headText(const Model& model, const RunChoice& choice) {
   const Topology& t = model.topology();
   std::string out =
@@ -168,8 +176,8 @@ std::string headText(const Model& model, const RunChoice& choice) {
                   model.sourceFile.empty() ? choice.model : model.sourceFile,
                   counted(static_cast<long>(model.systems().size()), "system"), t.nq(), t.nu(),
                   counted(static_cast<long>(model.contacts().size()), "contact element"));
-  out += fmt::format(" {}   {}   step {:g} s   to t = {:g} s\n", model.scheme().type(),
-                     model.solver().type(), model.simulation.step, model.simulation.until);
+  out += fmt::format(" {}   {}   {}   to t = {:g} s\n", model.scheme().type(),
+                     model.solver().type(), stepText(model), model.simulation.until);
   return out;
 }
 
@@ -199,6 +207,11 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
   out += discretisationText(e);
+  if (r.located > 0 || r.accumulations > 0)
+    out +=
+        fmt::format(" {} located, {} passed, {}{}\n", counted(r.located, "switch", "switches"),
+                    counted(r.accumulations, "accumulation"), counted(r.evaluations, "evaluation"),
+                    r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
   if (r.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
                        counted(r.parted, "step"));
@@ -256,7 +269,8 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
   json.member("parted", r.parted);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
-  json.member("switches", r.switches);
+  json.member("switches", r.switches).member("switchesLocated", r.located);
+  json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
   json.member("repairedImpacts", r.repairedImpacts);
   write(json, "energyGain", r.energyGain);
   json.key("solver").beginObject().member("solves", r.solves);

@@ -9,6 +9,8 @@
 namespace dynamy::app {
 
 /// Model, sizes, scheme, solver, step and end time: two lines.
+/// "step 0.001 s" or "tolerance 1e-06".
+std::string stepText(const Model& model);
 std::string headText(const Model& model, const RunChoice& choice);
 
 /// Steps, energy, penetration, solver, checks, files and hash.

@@ -140,7 +140,7 @@ class Steps {
     if (!(dt > 0.0)) throw ModelError("no step is given", "say step(1e-3), or model.step = 1e-3");
     const double t = x_.t;
     const StepReport report = model_.scheme().step(system_, model_.solver(), x_, dt);
-    x_.t = t + dt;
+    if (!model_.scheme().choosesSteps()) x_.t = t + dt;
     system_.remember(x_);
     py::dict out;
     out["contacts"] = report.contacts, out["solved"] = report.solved.ok();

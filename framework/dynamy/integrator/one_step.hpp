@@ -4,12 +4,36 @@
 
 namespace dynamy {
 
+/// What a scheme that chooses its steps did to take one of them.
+struct StepCounts {
+  int rejected = 0;       ///< tries that were too long
+  int switches = 0;       ///< located
+  int impacts = 0;        ///< instants with an impact
+  int accumulations = 0;  ///< infinite sequences of impacts that were passed
+  int undecided = 0;      ///< switches at which no status was consistent, or several were
+};
+
+/// Works of a step, for the energy ledger, of schemes that integrate them better than the ledger
+/// can from the two ends [J].
+struct StepWorks {
+  bool given = false;
+  double nonPotential = 0.0, friction = 0.0, normal = 0.0, joints = 0.0, boundaries = 0.0;
+};
+
 struct StepReport {
-  double dt = 0.0;  ///< [s]
+  double dt = 0.0;  ///< length of the step that was taken [s]
   SolveReport solved;
   int contacts = 0;  ///< in the inclusion problem
   /// Why the scheme cannot take this step, whatever Δt is (it knows no impact, …); empty: it can.
   std::string_view refused{};
+  StepCounts counts{};
+  StepWorks works{};
+};
+
+/// What a scheme that chooses its steps works to.
+struct Accuracy {
+  double tolerance = 1e-6;  ///< of positions over `length`, angles, and velocities over U
+  double length = 1.0;      ///< of the scene [m]
 };
 
 /// What a model may ask of a scheme that not every scheme is defined for.
@@ -31,6 +55,13 @@ class OneStep : public Element {
   /// Why the definition of the scheme leaves this out; empty: it does not. A step that is asked for
   /// it is refused with these words.
   virtual std::string_view lacks(Asked /*what*/) const { return {}; }
+  /// True: the scheme chooses the lengths of its steps. step() then goes on by at most dt, sets x.t
+  /// and reports the length it took; what it keeps from step to step is in x.scheme.
+  virtual bool choosesSteps() const { return false; }
+  /// Before a run, to schemes that choose their steps.
+  virtual void aim(const Accuracy&) {}
+  /// The length it would try next from x, if nothing bounds it [s]; 0: not known.
+  virtual double nextStep(const State& /*x*/) const { return 0.0; }
   /// Advances x by dt. Neither prints nor throws.
   virtual StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) = 0;
   /// n sub-steps of a macro step of length H.

@@ -39,6 +39,13 @@ void EnergyLedger::start(const StepView& initial) {
 }
 
 void EnergyLedger::step(const StepView& v) {
+  if (const StepWorks& w = v.report.works; w.given) {
+    nonPotential_.add(w.nonPotential), friction_.add(w.friction), normal_.add(w.normal);
+    joints_.add(w.joints), boundaries_.add(w.boundaries);
+    const double gain = w.friction + w.normal;
+    if (gain > report_.largestGain) report_.largestGain = gain, report_.largestGainTime = v.after.t;
+    return;
+  }
   const Evaluation& e = v.system.slot(0);
   const double dt = v.report.dt;
   uMean_ = 0.5 * (v.before.u + v.after.u);

@@ -15,6 +15,7 @@ void RunReport::archive(Archive& a) {
   a(t), a(steps), a(rejected), a(parted), a(evaluations), a(solves), a(iterations),
       a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
+  a(located), a(accumulations), a(undecided);
   a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);
   a(trust);
@@ -24,6 +25,9 @@ void StepStatistics::step(const StepView& v) {
   RunReport& r = report_;
   ++r.steps;
   r.t = v.after.t;
+  const StepCounts& counts = v.report.counts;
+  r.rejected += counts.rejected, r.located += counts.switches;
+  r.accumulations += counts.accumulations, r.undecided += counts.undecided;
   r.contactsMax = std::max(r.contactsMax, v.report.contacts);
   r.repairedImpacts += v.report.solved.repaired;
   if (v.report.solved.energyGain > r.energyGain.value)

@@ -55,7 +55,8 @@ void RunWatch::collectShapes(const Model& model) {
 void RunWatch::start(const StepView& initial) { sample(initial); }
 
 void RunWatch::step(const StepView& view) {
-  if (view.index <= kFirst || view.index % kEvery < 3) {
+  // Steps that a scheme chooses resolve the motion by their own measure.
+  if (!view.scheme.choosesSteps() && (view.index <= kFirst || view.index % kEvery < 3)) {
     travel(view);
     resolution(view);
   } else {

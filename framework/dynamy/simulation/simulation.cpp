@@ -1,5 +1,6 @@
 #include <ctime>
 #include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/own_steps.hpp>
 #include <dynamy/simulation/simulation.hpp>
 #include <dynamy/solver/diagnosis.hpp>
 #include <exception>
@@ -16,7 +17,7 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
-double stepOf(const Model& model) {
+std::unique_ptr<TimeLoop> loopOf(Model& model) {
   const SimulationSettings& s = model.simulation;
   Diagnostic d;
   if (model.systems().empty()) {
@@ -25,18 +26,22 @@ double stepOf(const Model& model) {
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
   }
-  if (s.step > 0.0) return s.step;
+  if (model.scheme().choosesSteps()) {
+    model.scheme().aim({s.tolerance > 0.0 ? s.tolerance : Accuracy{}.tolerance, model.length()});
+    return std::make_unique<OwnSteps>(s.step, s.onNonConvergence);
+  }
+  if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence);
   d.place = s.place, d.element = "simulation";
   if (s.place.line == 0) {
     d.place = Place(model.sourceFile), d.element.clear();
-    d.text = "no <simulation> says how long and with which step";
-    d.hint = "add <simulation until=\"1\" step=\"1e-3\"/>";
+    d.text = "no <simulation> says how long and how accurately";
+    d.hint = "add <simulation until=\"1\" tolerance=\"1e-6\"/>, or step=\"1e-3\"";
   } else if (s.tolerance > 0.0) {
-    d.text = "this version cannot choose the steps for a tolerance";
-    d.hint = "replace it by a step, e.g. step=\"1e-3\", or run with --step 1e-3";
+    d.text = "<" + model.scheme().type() + "> takes steps of given length, not a tolerance";
+    d.hint = "leave the scheme out, or replace the tolerance by a step, e.g. step=\"1e-3\"";
   } else {
-    d.text = "no step is given";
-    d.hint = "add one, e.g. step=\"1e-3\", or run with --step 1e-3";
+    d.text = "neither a tolerance nor a step is given";
+    d.hint = "add one, e.g. tolerance=\"1e-6\", or run with --tolerance 1e-6";
   }
   throw ModelError(d);
 }
@@ -55,7 +60,7 @@ Simulation::Simulation(Model& model)
       system_(model.mechanicalSystem()),
       x_(model.initialState()),
       before_(x_),
-      loop_(stepOf(model), model.simulation.onNonConvergence),
+      loop_(loopOf(model)),
       statistics_(report_),
       ledger_(model),
       watch_(model, ledger_, report_),
@@ -84,7 +89,7 @@ void Simulation::forAll(Call&& call) {
 void Simulation::archive(Archive& a) {
   a.section("dynamy checkpoint 1");
   archiveState(a, x_);
-  a(loop_), a(report_);
+  a(*loop_), a(report_);
   forAll([&a](Observer& o) { o.archive(a); });
 }
 
@@ -132,7 +137,7 @@ void Simulation::loop() {
     endBecause(reason);
     return;
   }
-  loop_.run(*this, model_.simulation.until);
+  loop_->run(*this, model_.simulation.until);
 }
 
 void Simulation::end() {
@@ -173,7 +178,7 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   before_ = x_;
   const long evaluations = system_.evaluations();
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
-  x_.t = tEnd;
+  if (!model_.scheme().choosesSteps()) x_.t = tEnd;
   project();
   system_.remember(x_);
   report_.evaluations += system_.evaluations() - evaluations;

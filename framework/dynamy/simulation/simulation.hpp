@@ -58,6 +58,7 @@ class Simulation final : private Stepper {
   Passing passing() override;
   bool fail(const Passing& p) override;
   double t() const override { return x_.t; }
+  double nextStep() const override { return model_.scheme().nextStep(x_); }
   bool pause(bool asked) override;
 
   void begin();
@@ -81,7 +82,7 @@ class Simulation final : private Stepper {
   Projection projection_;
   Sweep sweep_;
   std::vector<double> zero_, gammaE_;
-  FixedStep loop_;
+  std::unique_ptr<TimeLoop> loop_;
   RunReport report_;
   StepStatistics statistics_;
   EnergyLedger ledger_;

@@ -14,7 +14,8 @@ class Stepper {
  public:
   virtual ~Stepper() = default;
   /// One step of the scheme from the current state, of length dt to the instant tEnd (= t + dt but
-  /// for rounding). The state before stays at hand until accept() or reject().
+  /// for rounding). Schemes that choose their steps may stop earlier. The state before stays at
+  /// hand until accept() or reject().
   virtual StepReport attempt(double tEnd, double dt) = 0;
   /// Takes the attempted step; observers see it. False: the run is to end (failed or stopped).
   virtual bool accept() = 0;
@@ -29,6 +30,8 @@ class Stepper {
   /// Ends the run as failed: `p` is the last of too many passings in one step. Always false.
   virtual bool fail(const Passing& p) = 0;
   virtual double t() const = 0;
+  /// Length that the scheme would try next [s]; 0: it has no say, or does not know.
+  virtual double nextStep() const = 0;
   /// Between two full steps of the loop: what is archived here can be resumed. `asked`: keep it in
   /// any case, because the next step is shortened by the end time. False: the run is to end.
   virtual bool pause(bool asked) = 0;
