@@ -33,11 +33,11 @@ TEST(StepCounts, AStackAtRestIsLeftAloneByTheSolver) {
 }
 
 TEST(StepCounts, AStackUnderAChangingLoadTakesFewNewtonSteps) {
-  // No contact changes its state: the inclusion is linear there. Two steps of the proximal
-  // iteration solve it for equal masses; the ratio of 10 000 takes two more with a larger
-  // parameter.
-  EXPECT_LT(counts("tower_swung", 1e-3, 1000).newton, 2.1);
-  EXPECT_LT(counts("ratio_stack_swung", 1e-3, 1000).newton, 4.2);
+  // No contact changes its state: the inclusion is linear there, and solved with one factorisation
+  // a step. One substitution does for equal masses, the ratio of 10 000 takes a second one; the
+  // first load takes Newton's method some forty steps.
+  EXPECT_LT(counts("tower_swung", 1e-3, 1000).newton, 1.3);
+  EXPECT_LT(counts("ratio_stack_swung", 1e-3, 1000).newton, 2.1);
 }
 
 }  // namespace

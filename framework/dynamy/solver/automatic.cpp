@@ -68,7 +68,7 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
     report.note("sweeps", before);
     if (solved) return report;
   }
-  report = newton_.refine(p, Lambda, report, cold);
+  report = newton_.refine(p, Lambda, report, cold, scratch_.data());
   if (!report.ok()) restarts(p, Lambda, report);
   return report;
 }

@@ -70,7 +70,7 @@ inline double acceptedStart(const InclusionProblem& problem, double tolerance) {
 }
 
 /// Residuals of Λ, recomputed from scratch; infinite, with its contact as `worst`, if a number in ξ
-/// or Λ is not finite. `scratch` keeps its memory.
+/// or Λ is not finite. `scratch` keeps its memory; it begins with ξ.
 Residuals residuals(const InclusionProblem& problem, ConstVec Lambda, std::vector<double>& scratch);
 
 /// Bound of the largest eigenvalue of a contact's diagonal block: its largest row sum (exact for

@@ -34,6 +34,7 @@ class NewtonSystem {
   virtual bool solve(const InclusionProblem& problem, const NewtonBlocks& n,
                      std::vector<double>& dLambda) = 0;
   /// Factors G + diag(a) with one a > 0 a contact, for any number of solutions; false: singular.
+  /// In velocities, a may be infinite: nothing acts on that contact.
   virtual bool factorShifted(const InclusionProblem& problem, const std::vector<double>& a) = 0;
   /// x = (G + diag(a))⁻¹ r; false: not finite. \pre factorShifted(), no solve() since
   virtual bool solveShifted(const InclusionProblem& problem, const double* r,

@@ -169,7 +169,7 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
     report.note("sweeps", 0);
     if (start.ok()) return report;
   }
-  return refine(p, Lambda, report, cold);
+  return refine(p, Lambda, report, cold, scratch_.data());
 }
 
 SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, SolveReport report) {
@@ -233,9 +233,12 @@ bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, Solv
 }
 
 SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveReport report,
-                                   bool cold) {
+                                   bool cold, const double* xi) {
   report.status = SolveStatus::solved, report.method = "proximal Newton";
   const bool good = report.residuals.largest() <= options_.tolerance;
+  if (xi && !cold && !good && p.G->hasBodies() && p.rows() > kMinVelocities &&
+      held_.solve(p, xi, options_.tolerance, Lambda, report))
+    return report;
   const bool pressed = cold && press(p, Lambda);
   if (pressed) report.residuals = residuals(p, view(Lambda), scratch_);
   // Few bodies under many contacts: velocities are the smaller system.

@@ -12,6 +12,7 @@
 /// that do not offer a derivative go to Gauss–Seidel at once.
 #pragma once
 #include <dynamy/solver/block_newton.hpp>
+#include <dynamy/solver/held_states.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {
@@ -30,8 +31,10 @@ class ProximalNewton final : public InclusionSolver {
   explicit ProximalNewton(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
-  /// Goes on from Λ whose residuals are in `report`; `cold`: Λ is no neighbour of the solution.
-  SolveReport refine(const InclusionProblem& problem, Vec Lambda, SolveReport report, bool cold);
+  /// Goes on from Λ whose residuals are in `report`; `cold`: Λ is no neighbour of the solution,
+  /// else xi = GΛ + c, if it is known.
+  SolveReport refine(const InclusionProblem& problem, Vec Lambda, SolveReport report, bool cold,
+                     const double* xi = nullptr);
 
  private:
   /// Dense form with a proximal parameter that starts at `a`; true: solved.
@@ -53,6 +56,7 @@ class ProximalNewton final : public InclusionSolver {
 
   ProximalNewtonOptions options_;
   ProxGaussSeidel starter_, fallback_;
+  HeldStates held_;
   BlockNewton block_;
   std::vector<double> lambda_, xi_, F_, A_, B_, J_, dLambda_, centre_, trial_, best_, scratch_;
 };

@@ -37,12 +37,13 @@ class Compliances {
     }
     return true;
   }
-  /// C = I/a and f = −r/a: the equations (G + diag(a)) x = r.
+  /// C = I/a and f = −r/a: the equations (G + diag(a)) x = r; x_i = 0 where a_i is infinite.
   void shifted(const InclusionProblem& p, const std::vector<double>& a) {
-    open.assign(static_cast<std::size_t>(p.size()), 0), block0.clear(), C.clear();
+    open.resize(static_cast<std::size_t>(p.size())), block0.clear(), C.clear();
     shift = a;
     for (int i = 0; i < p.size(); ++i) {
       const int d = p.dim(i);
+      open[i] = std::isinf(a[i]) ? 1 : 0;
       block0.push_back(static_cast<std::ptrdiff_t>(C.size()));
       C.resize(C.size() + static_cast<std::size_t>(d * d), 0.0);
       for (int k = 0; k < d; ++k) C[block0[i] + k * (d + 1)] = 1.0 / a[i];
