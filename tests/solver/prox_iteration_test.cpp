@@ -89,6 +89,32 @@ TEST(ProxJacobi, DivergesBeyondTwoOverTheLargestEigenvalueAndSaysSo) {
   }
 }
 
+TEST(ProxJacobi, OnRedundantLegsContractsByHalfAtAnEighthAndDivergesAboveASixth) {
+  // A plate on four legs (F16): G_ij = 1 + x_i x_j/J_y + y_i y_j/J_x = 1 ± 3 ± 3 has the
+  // eigenvalues 0, 4, 12, 12, and the iteration the factors 1 − rλ; that of the null space is 1 and
+  // moves nothing.
+  MatrixXd G(4, 4);
+  const double x[] = {1, 1, -1, -1}, y[] = {1, -1, 1, -1};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) G(i, j) = 1.0 + 3.0 * x[i] * x[j] + 3.0 * y[i] * y[j];
+  const auto solve = [&](double r, Eigen::Vector4d& Lambda) {
+    fixture::Inclusion plate(fixture::symmetricRoot(G), kUnilateral);
+    InclusionProblem& p = plate.pose(-(G * Eigen::Vector4d(0.4, 0.3, 0.2, 0.1)));
+    // The diagonal is 7: r = factor/7. The start is off by an eigenvector of 12.
+    ProxJacobi solver({.relaxation = Relaxation::exact, .factor = 7.0 * r});
+    Lambda = Eigen::Vector4d(0.4 + 1e-3, 0.3 + 1e-3, 0.2 - 1e-3, 0.1 - 1e-3);
+    return solver.solve(p, view(Lambda));
+  };
+  Eigen::Vector4d Lambda;
+  const SolveReport halved = solve(0.125, Lambda);
+  EXPECT_EQ(halved.status, SolveStatus::solved);
+  // From 1e-3 of Λ to 1e-10 by halves: log2(1e7) = 23.3 sweeps, and one test behind.
+  EXPECT_LE(halved.iterations, 26);
+  EXPECT_GE(halved.iterations, 20);
+  EXPECT_LT((G * (Lambda - Eigen::Vector4d(0.4, 0.3, 0.2, 0.1))).norm(), 1e-8);
+  EXPECT_FALSE(solve(0.17, Lambda).ok());
+}
+
 TEST(ProxJacobi, DivergesWithTheDiagonalOnNearlyParallelContactsAndSaysSo) {
   fixture::Inclusion x(fixture::symmetricRoot(kOnes), kBilateral);
   VectorXd Lambda = VectorXd::Zero(3);

@@ -86,6 +86,24 @@ double CondensedContacts::aim(int i, double gTol) const {
   return g / dt_ + (1.0 - epsilon[0]) * std::max(0.0, begin);
 }
 
+/// The aims of the contacts and the scales of the problem.
+void CondensedContacts::pose(const MechanicalSystem& s) {
+  // Where all contacts open or wait, nothing is asked of them but rounding: forces set the scale.
+  double uRef = std::max(std::numeric_limits<double>::min(), s.largestChange(dt_));
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
+    if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
+    if (std::find(meanSlip_.begin(), meanSlip_.end(), contacts_.key[static_cast<std::size_t>(i)]) !=
+        meanSlip_.end())
+      for (std::size_t r = first + 1; r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
+        problem_.gammaFree[r] += problem_.gammaA[r];
+    uRef = std::max(uRef, -problem_.gammaFree[first]);
+  }
+  problem_.uRef = uRef, problem_.warmStart = 1.0;
+  for (double& noise : problem_.cNoise)
+    noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
+}
+
 SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
                                      const State& xA, JointNewton& newton) {
   const int n = contacts_.rows();
@@ -124,20 +142,7 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
     G.first.push_back(static_cast<int>(G.column.size()));
   }
   delassus_.given(contacts_, std::move(G));
-  // Where all contacts open or wait, nothing is asked of them but rounding: forces set the scale.
-  double uRef = std::max(std::numeric_limits<double>::min(), s.largestChange(dt_));
-  for (int i = 0; i < contacts_.size(); ++i) {
-    const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
-    if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
-    if (std::find(meanSlip_.begin(), meanSlip_.end(), contacts_.key[static_cast<std::size_t>(i)]) !=
-        meanSlip_.end())
-      for (std::size_t r = first + 1; r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
-        problem_.gammaFree[r] += problem_.gammaA[r];
-    uRef = std::max(uRef, -problem_.gammaFree[first]);
-  }
-  problem_.uRef = uRef, problem_.warmStart = 1.0;
-  for (double& noise : problem_.cNoise)
-    noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
+  pose(s);
   const SolveReport report =
       s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
   for (std::size_t r = 0; r < rows; ++r)

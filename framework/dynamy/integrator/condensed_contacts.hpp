@@ -36,6 +36,7 @@ class CondensedContacts {
   /// 0 may close again with −γ^A at most, so that its work Λ (γ^A + γ^E)/2 is never positive. One
   /// that is to rebound waits until a step begins with it closed: there it is an impact.
   double aim(int i, double gTol) const;
+  void pose(const MechanicalSystem& s);
   double start(ContactKey key, int row) const;
   ContactSet contacts_;
   Delassus delassus_;

@@ -52,7 +52,7 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   newton_.begin(s, xA_, dt);  // M, h, contacts at q^A
   startMean(xA_, dt);         // v
   // An impact must not act on turning links for a whole step: it is a jump at q^A.
-  const auto jump = projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt));
+  const auto jump = projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt), jump_);
   if (jump) newton_.v = xA_.u;
   contacts_.forgetMeanSlip();
   SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c
@@ -67,12 +67,14 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
     solved.iterations += jump->iterations, solved.newton += jump->newton;
     if (!jump->ok()) solved.status = jump->status, solved.residuals = jump->residuals;
   }
-  hand(s, x, dt);
+  hand(s, x, dt, jump.has_value());
   s.move(x, newton_.v, dt);       // q^E = q^A ⊕ Δt v
   x.u = 2.0 * newton_.v - xA_.u;  // u^E = 2v − u^A
   if (project_ && !projection_.velocities(s, solver, x)) solved.status = SolveStatus::stalled;
   jump ? x.scheme.resize(0) : keepMean(x, dt);
-  return {dt, solved, s.problem().size()};
+  StepReport report{dt, solved, s.problem().size()};
+  if (jump) report.jump = &jump_;
+  return report;
 }
 
 /// v goes on as the means of the last two steps do: they are smooth where the velocities at the
@@ -144,7 +146,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
 }
 
 /// The impulses go where observers and the next step look for them.
-void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt) {
+void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt, bool jump) {
   x.t = xA_.t + dt / 2;
   s.impactProblem(x, dt, 0);
   const ContactSet& c = s.slot(0).contacts;
@@ -158,8 +160,17 @@ void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt) {
     for (int r = 0; r < c.dim(i); ++r) Lambda[c.row0[at] + r] = from ? from[r] : 0.0;
     if (isJoint) ++joint, row += c.dim(i);
   }
-  s.keepImpulses(x);
+  s.keepImpulses(x);  // those of a jump do not come again
   x.t = xA_.t;
+  if (!jump) return;
+  jump_.Lambda.assign(static_cast<std::size_t>(c.rows()), 0.0);
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double* percussions = projection_.percussions(c.key[at]);
+    for (int r = 0; percussions && r < c.dim(i); ++r)
+      Lambda[c.row0[at] + r] += jump_.Lambda[static_cast<std::size_t>(c.row0[at] + r)] =
+          percussions[r];
+  }
 }
 
 void EnergyMomentum::interpolate(const MechanicalSystem& s, const State& a, const State& b,

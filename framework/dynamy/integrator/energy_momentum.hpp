@@ -31,7 +31,7 @@ class EnergyMomentum final : public OneStep {
   StepReport halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt, int depth);
   StepReport joined(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt);
-  void hand(MechanicalSystem& s, State& x, double dt);
+  void hand(MechanicalSystem& s, State& x, double dt, bool jump);
   void startMean(const State& x, double dt);
   void keepMean(State& x, double dt) const;
   enum class Joints { unknown, none, some } joints_ = Joints::unknown;
@@ -42,6 +42,7 @@ class EnergyMomentum final : public OneStep {
   State start_[kMostHalvings + 1], xA_;
   bool project_ = false;
   Projection projection_;
+  Jump jump_;
 };
 
 }  // namespace dynamy

@@ -54,6 +54,9 @@ class MechanicalSystem {
   /// The same with the contacts that may close within Δt: reach is twice the way that the fastest
   /// block goes with |u| + Δt|M⁻¹h|, angles as lengths.
   const Evaluation& evaluateAhead(const State& x, double dt, int slot = 0);
+  /// Gyroscopic terms in h of slot 0 at the mean velocity of the coming step, see
+  /// PartialMechanicalSystem::gyroscopicAtMean. x: what the slot was evaluated at.
+  void gyroscopicAtMean(const State& x, double dt);
   /// u_free = u^A + M⁻¹hΔt,  γ's, G, start of Λ by contact key:   ξ = GΛ + c. With an aim, γ_free
   /// holds its terms as well.
   InclusionProblem& impactProblem(const State& x, double dt, int slot = 0,

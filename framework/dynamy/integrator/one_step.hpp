@@ -20,6 +20,13 @@ struct StepWorks {
   double nonPotential = 0.0, friction = 0.0, normal = 0.0, joints = 0.0, boundaries = 0.0;
 };
 
+/// An impact that a scheme takes as a jump before its step, at q^A.
+struct Jump {
+  Eigen::VectorXd u;           ///< velocities after it: the step starts with them
+  std::vector<double> Lambda;  ///< its share of the step's percussions, row by row [N s]
+  StepWorks works;             ///< of its percussions
+};
+
 struct StepReport {
   double dt = 0.0;  ///< length of the step that was taken [s]
   SolveReport solved;
@@ -28,6 +35,7 @@ struct StepReport {
   std::string_view refused{};
   StepCounts counts{};
   StepWorks works{};
+  const Jump* jump = nullptr;  ///< the scheme's own, until its next step; null: there was none
 };
 
 /// What a scheme that chooses its steps works to.

@@ -211,7 +211,8 @@ double Projection::closing(const ContactSet& all, int i, double gamma, double dt
 }
 
 std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, InclusionSolver& solver,
-                                              State& x, double dt, double least, int slot) {
+                                              State& x, double dt, double least, Jump& jump,
+                                              int slot) {
   const Evaluation& e = s.slot(slot);
   const ContactSet& all = e.contacts;
   delta_.resize(all.rows());
@@ -247,7 +248,32 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   const SolveReport solved =
       s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
   delassus_.addVelocity(Lambda_.data(), view(x.u));
+  works(x, jump);
   return solved;
+}
+
+/// Of the impact that has just led to x.u: ΣΛγ̄ with γ̄ = ½(γ⁻ + γ⁺).
+void Projection::works(const State& x, Jump& jump) {
+  jump.u = x.u;
+  StepWorks& w = jump.works = {};
+  w.given = true;
+  contacts_.gamma(view(x.u), {problem_.c.data(), static_cast<Eigen::Index>(problem_.c.size())});
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      const RowKind kind = problem_.law(i).rowKind(r);
+      const auto row = static_cast<std::size_t>(problem_.row0(i) + r);
+      (kind == RowKind::normal     ? w.normal
+       : kind == RowKind::friction ? w.friction
+                                   : w.joints) +=
+          Lambda_[row] * 0.5 * (problem_.gammaA[row] + problem_.c[row]);
+      w.boundaries -= Lambda_[row] * contacts_.chi[row];
+    }
+}
+
+const double* Projection::percussions(ContactKey key) const {
+  const auto at = std::find(contacts_.key.begin(), contacts_.key.end(), key);
+  if (at == contacts_.key.end()) return nullptr;
+  return Lambda_.data() + contacts_.row0[static_cast<std::size_t>(at - contacts_.key.begin())];
 }
 
 bool Projection::velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot) {

@@ -10,7 +10,7 @@
 /// and changes the momentum.
 #pragma once
 #include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/integrator/mechanical_system.hpp>
+#include <dynamy/integrator/one_step.hpp>
 #include <optional>
 
 namespace dynamy {
@@ -35,9 +35,11 @@ class Projection {
 
   /// Impact at fixed x.q of joints and contacts of slot `slot`, evaluated there before, if one of
   /// them closes within Δt with more than `least` [m/s]:  M(u⁺ − u) = WΛ,  ξ = γ⁺ + εγ⁻ + s. Empty:
-  /// there was none.
+  /// there was none. Fills u and the works of `jump`.
   std::optional<SolveReport> impact(const MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                    double dt, double least, int slot = 0);
+                                    double dt, double least, Jump& jump, int slot = 0);
+  /// Percussions of contact `key` in the last impact, or null.
+  const double* percussions(ContactKey key) const;
 
  private:
   enum class Level { position, overlap, touch, velocity };
@@ -53,6 +55,7 @@ class Projection {
   static double closing(const ContactSet& all, int i, double gamma, double dt);
   /// True if any row of `contacts_` moves off by more than rounding; fills c.
   bool offVelocities(const State& x);
+  void works(const State& x, Jump& jump);
   ContactSet contacts_;
   Delassus delassus_;
   InclusionProblem problem_;

@@ -20,6 +20,13 @@ bool hasJoints(const ContactSet& contacts) {
   return false;
 }
 
+/// M, h, contacts at q^M; gyroscopic terms at the mean velocity, where they do no work.
+const Evaluation& ahead(MechanicalSystem& s, const State& x, double dt) {
+  const Evaluation& e = s.evaluateAhead(x, dt);
+  s.gyroscopicAtMean(x, dt);
+  return e;
+}
+
 }  // namespace
 
 StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
@@ -58,7 +65,7 @@ InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt
   if (!s.arriving().empty()) {
     arriving_ = s.arriving();
     if (projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
-      s.evaluateAhead(x, dt);
+      ahead(s, x, dt);
       arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
       std::sort(arrived_.begin(), arrived_.end());
       aim.arrived = arrived_;
@@ -72,7 +79,7 @@ InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt
 /// Evaluates at q^M; overlaps are repaired before. apart: false if they could not be.
 const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                           double dt, bool& apart) {
-  const Evaluation& e = s.evaluateAhead(x, dt);
+  const Evaluation& e = ahead(s, x, dt);
   arrived_.clear();
   if (largestOverlap(e.contacts) <= s.gTol()) return e;
   for (int i = 0; i < e.contacts.size(); ++i) {
@@ -82,7 +89,7 @@ const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& 
   }
   std::sort(arrived_.begin(), arrived_.end());
   apart = projection_.overlaps(s, solver, x, 0.5 * s.gTol());
-  return s.evaluateAhead(x, dt);
+  return ahead(s, x, dt);
 }
 
 void StaggeredMoreau::interpolate(const MechanicalSystem& s, const State& a, const State& b,

@@ -7,6 +7,9 @@
 ///   s_J = γ^A  (joints hold the mean velocity)   or   s_J = κ g^M/Δt, capped  (stabilised)
 ///   q^E = q^M ⊕ Δt/2 u^E,   joints projected
 ///
+/// h at q^M and u^A, gyroscopic terms of free bodies at the mean velocity of their free motion: at
+/// u^A they would drive a spinning body.
+///
 /// Rounding can no longer carry a resting contact away: its gap is asked back in the next step, and
 /// with that a start that fulfils the solver's tolerance is good enough. The dead band keeps
 /// rounding of gaps out of the rates; it must be small, because four corners with different s make

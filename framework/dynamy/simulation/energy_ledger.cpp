@@ -40,35 +40,49 @@ void EnergyLedger::start(const StepView& initial) {
 
 void EnergyLedger::step(const StepView& v) {
   if (const StepWorks& w = v.report.works; w.given) {
-    nonPotential_.add(w.nonPotential), friction_.add(w.friction), normal_.add(w.normal);
-    joints_.add(w.joints), boundaries_.add(w.boundaries);
+    add(w);
     const double gain = w.friction + w.normal;
     if (gain > report_.largestGain) report_.largestGain = gain, report_.largestGainTime = v.after.t;
     return;
   }
   const Evaluation& e = v.system.slot(0);
   const double dt = v.report.dt;
-  uMean_ = 0.5 * (v.before.u + v.after.u);
+  const Jump* jump = v.report.jump;
+  const Eigen::VectorXd& uA = jump ? jump->u : v.before.u;
+  uMean_ = 0.5 * (uA + v.after.u);
   momentum_.resize(uMean_.size());
   e.mass.apply(view(std::as_const(uMean_)), view(momentum_));
-  const double dT = momentum_.dot(v.after.u) - momentum_.dot(v.before.u);
+  const double dT = momentum_.dot(v.after.u) - momentum_.dot(uA);
   const double workH = dt * e.h.dot(uMean_);
   nonPotential_.add(dt * e.hNonPotential.dot(uMean_));
+  if (jump) add(jump->works);
   imbalance_.add(dT), imbalance_.add(-workH), imbalance_.add(-contactWork(v));
 }
 
+void EnergyLedger::add(const StepWorks& w) {
+  nonPotential_.add(w.nonPotential), friction_.add(w.friction), normal_.add(w.normal);
+  joints_.add(w.joints), boundaries_.add(w.boundaries);
+}
+
+/// Works of the step behind its jump, if it had one.
 double EnergyLedger::contactWork(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
-  const std::vector<double>& gammaA = v.system.problem().gammaA;
   if (c.size() == 0 || v.Lambda.size() != c.rows()) return 0.0;
+  const Jump* jump = v.report.jump;
+  if (jump) {
+    gammaA_.resize(static_cast<std::size_t>(c.rows()));
+    c.gamma(view(jump->u), {gammaA_.data(), c.rows()});
+  }
+  const std::vector<double>& gammaA = jump ? gammaA_ : v.system.problem().gammaA;
   double all = 0.0, gain = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     for (int r = 0; r < c.dim(i); ++r) {
       const int k = c.row0[at] + r;
       const auto row = static_cast<std::size_t>(k);
-      const double work = v.Lambda[k] * 0.5 * (gammaA[row] + v.gammaE[k]);
-      const double brought = -v.Lambda[k] * c.chi[row];
+      const double Lambda = v.Lambda[k] - (jump ? jump->Lambda[row] : 0.0);
+      const double work = Lambda * 0.5 * (gammaA[row] + v.gammaE[k]);
+      const double brought = -Lambda * c.chi[row];
       const RowKind kind = c.law[at]->rowKind(r);
       (kind == RowKind::normal     ? normal_
        : kind == RowKind::friction ? friction_

@@ -59,11 +59,13 @@ class EnergyLedger final : public Observer {
   void archive(Archive& a) override;
 
  private:
+  void add(const StepWorks& w);
   double contactWork(const StepView& view);
   EnergyMeter meter_;
   EnergyReport report_;
   CompensatedSum nonPotential_, friction_, normal_, joints_, boundaries_, imbalance_;
   Eigen::VectorXd uMean_, momentum_;
+  std::vector<double> gammaA_;  // after a jump
 };
 
 }  // namespace dynamy

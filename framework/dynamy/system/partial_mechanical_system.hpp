@@ -51,6 +51,12 @@ class PartialMechanicalSystem : public Element {
   virtual void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const;
   /// q ← q ⊕ Δt q̇ with u constant; default q += Δt q̇(t, q, u); rotations use the exponential map.
   virtual void move(double t, Vec q, ConstVec u, double dt) const;
+  /// For systems with gyroscopic terms that change u much in a step: in, h holds all forces at u^A,
+  /// those of other elements included; out, the own gyroscopic terms are those at the mean
+  /// velocity ½(u^A + u_free) with M (u_free − u^A) = Δt h, where they do no work. Only for systems
+  /// with constant mass. Default: nothing is done.
+  virtual void gyroscopicAtMean(double /*t*/, ConstVec /*q*/, ConstVec /*uA*/, double /*dt*/,
+                                Vec /*h*/) const {}
   /// Brings q back on its manifold after linear combinations (unit quaternions); default: nothing
   /// to do.
   virtual void normalise(Vec) const {}
