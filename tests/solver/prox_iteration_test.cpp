@@ -97,7 +97,7 @@ TEST(ProxJacobi, OnRedundantLegsContractsByHalfAtAnEighthAndDivergesAboveASixth)
   const double x[] = {1, 1, -1, -1}, y[] = {1, -1, 1, -1};
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) G(i, j) = 1.0 + 3.0 * x[i] * x[j] + 3.0 * y[i] * y[j];
-  const auto solve = [&](double r, Eigen::Vector4d& Lambda) {
+  const auto solve = [&](double r, VectorXd& Lambda) {
     fixture::Inclusion plate(fixture::symmetricRoot(G), kUnilateral);
     InclusionProblem& p = plate.pose(-(G * Eigen::Vector4d(0.4, 0.3, 0.2, 0.1)));
     // The diagonal is 7: r = factor/7. The start is off by an eigenvector of 12.
@@ -105,7 +105,7 @@ TEST(ProxJacobi, OnRedundantLegsContractsByHalfAtAnEighthAndDivergesAboveASixth)
     Lambda = Eigen::Vector4d(0.4 + 1e-3, 0.3 + 1e-3, 0.2 - 1e-3, 0.1 - 1e-3);
     return solver.solve(p, view(Lambda));
   };
-  Eigen::Vector4d Lambda;
+  VectorXd Lambda;
   const SolveReport halved = solve(0.125, Lambda);
   EXPECT_EQ(halved.status, SolveStatus::solved);
   // From 1e-3 of Λ to 1e-10 by halves: log2(1e7) = 23.3 sweeps, and one test behind.
