@@ -167,6 +167,7 @@ void addBench(CLI::App& app, Program& program) {
   c->add_option("--limit", t->limit, "CPU time of a cell [s]")->check(CLI::Range(1.0, 3600.0));
   c->add_option("--plugin", program.libraries, "shared library with further types");
   c->callback([t, &program] { benchStability(program, *t); });
+  addBenchPrecision(*bench, program);
 }
 
 }  // namespace dynamy::app

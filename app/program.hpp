@@ -70,5 +70,6 @@ void addSweep(CLI::App& app, Program& program);
 void addNewPlugin(CLI::App& app, Program& program);
 void addReport(CLI::App& app, Program& program);
 void addBench(CLI::App& app, Program& program);
+void addBenchPrecision(CLI::App& bench, Program& program);  ///< below `bench`
 
 }  // namespace dynamy::app
