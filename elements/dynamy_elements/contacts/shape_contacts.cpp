@@ -160,8 +160,8 @@ void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Sear
     if (std::abs(n.dot(pair.plane)) > 1e-12) pair.plane.setZero();
   }
   pair.rows = offeredRows(pair.plane);
-  // Box contacts are reported as early as those of balls are.
-  pair.balls = 1.25 * (pair.A.half.norm() + pair.B.half.norm());
+  // Boxes are looked at where their circumscribed balls meet.
+  pair.balls = pair.A.half.norm() + pair.B.half.norm();
   pair.offsets = pair.A.p_K.norm() + pair.B.p_K.norm();
   if (pair.law->dim(pair.rows) > pair.rows)
     search.fault(
