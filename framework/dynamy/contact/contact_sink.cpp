@@ -17,16 +17,16 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.closedIndex.push_back(closed ? c.size() : -1);
   if (!closed) return {};
   const int index = c.size(), dim = law.dim(geometric);
+  const auto row = c.chi.size(), rows = row + static_cast<std::size_t>(dim);
   c.key.push_back(key);
   c.law.push_back(&law);
   c.element.push_back(element_);
   c.candidate.push_back(static_cast<int>(c.g.size()) - 1);
   c.row0.push_back(c.row0.back() + dim);
   c.segment0.push_back(c.segment0.back());
-  c.position.push_back(unilateral || dim == 1 ? g : 0.0);
-  for (int r = 1; r < dim; ++r) c.position.push_back(0.0);
-  for (int r = 0; r < dim; ++r) c.chi.push_back(0.0);
-  for (int r = 0; request_.bias && r < dim; ++r) c.bias.push_back(0.0);
+  c.position.resize(rows), c.chi.resize(rows);
+  if (unilateral || dim == 1) c.position[row] = g;
+  if (request_.bias) c.bias.resize(rows);
   c.point.push_back(Vec3::Zero());
   for (auto* directions : {&c.normal, &c.t1, &c.t2}) directions->push_back(Vec3::Zero());
   return {c, index, request_.bias};
@@ -76,19 +76,29 @@ constexpr int kSpinRow = 3;
 /// Dᵀ J_S + (ρ × D)ᵀ J_R for the directions n, t1, t2 at once, of a block of six velocities.
 void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* direction,
                double sign) {
+  if (f.central) {  // written out: a stack has eighty of these a step
+    const double* A = f.A_IK.data();
+    double* out = W.data();
+    for (int r = 0; r < 3; ++r, out += 6) {
+      const double x = sign * direction[r]->x(), y = sign * direction[r]->y(),
+                   z = sign * direction[r]->z();
+      const double mx = rho.y() * z - rho.z() * y, my = rho.z() * x - rho.x() * z,
+                   mz = rho.x() * y - rho.y() * x;
+      out[0] = x, out[1] = y, out[2] = z;
+      out[3] = mx * A[0] + my * A[1] + mz * A[2];
+      out[4] = mx * A[3] + my * A[4] + mz * A[5];
+      out[5] = mx * A[6] + my * A[7] + mz * A[8];
+    }
+    return;
+  }
   Mat3 D, moment;
   for (int r = 0; r < 3; ++r) {
     D.row(r) = sign * *direction[r];
     moment.row(r) = sign * rho.cross(*direction[r]);
   }
-  Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>> out(W.data());
-  if (f.central) {
-    out.leftCols<3>() = D;
-    out.rightCols<3>() = moment.lazyProduct(f.A_IK);
-    return;
-  }
   using Jacobian = Eigen::Map<const Eigen::Matrix<double, 3, 6>>;
-  out = D.lazyProduct(Jacobian(f.J_S_I.data())) + moment.lazyProduct(Jacobian(f.J_R_I.data()));
+  Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>{W.data()} =
+      D.lazyProduct(Jacobian(f.J_S_I.data())) + moment.lazyProduct(Jacobian(f.J_R_I.data()));
 }
 
 /// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`; the
@@ -96,7 +106,6 @@ void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* dire
 void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* const* direction,
              double sign) {
   const int dim = rows.dim();
-  const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
   if (f.block >= 0) {
     Block W = rows.segment(f.block, f.u0, f.nu());
     if (dim >= kSpinRow && f.nu() == 6)
@@ -106,8 +115,11 @@ void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* con
     for (int j = 0; dim > kSpinRow && j < f.nu(); ++j)
       W(kSpinRow, j) += sign * f.J_R_I.col(j).dot(*direction[kSpinRow]);
   }
-  for (int r = 0; r < dim; ++r)
-    rows.chi(r) += sign * (r < kSpinRow ? nu : f.nu_R_I).dot(*direction[r]);
+  if (!f.central) {  // else ν = 0
+    const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
+    for (int r = 0; r < dim; ++r)
+      rows.chi(r) += sign * (r < kSpinRow ? nu : f.nu_R_I).dot(*direction[r]);
+  }
   if (!rows.wantsBias()) return;
   const Vec3 a = f.bias_S_I + f.bias_R_I.cross(rho) + f.Omega_I.cross(f.Omega_I.cross(rho));
   for (int r = 0; r < dim; ++r)
