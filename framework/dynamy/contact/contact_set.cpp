@@ -1,5 +1,5 @@
 #include <cmath>
-#include <dynamy/contact/contact_set.hpp>
+#include <dynamy/contact/spatial_rows.hpp>
 
 namespace dynamy {
 namespace {
@@ -18,6 +18,13 @@ void ContactSet::clear() {
 }
 
 void ContactSet::gamma(ConstVec u, Vec gamma) const {
+  if (spatial::all(*this)) {
+    std::copy(chi.begin(), chi.end(), gamma.data());
+    spatial::forSegments(*this, [&](int i, int k, const Segment& s) {
+      spatial::addProduct(W.data() + spatial::kNumbers * k, u.data() + s.u0, gamma.data() + 3 * i);
+    });
+    return;
+  }
   for (int i = 0; i < size(); ++i) {
     const int first = row0[static_cast<std::size_t>(i)], rows = dim(i);
     for (int r = 0; r < rows; ++r) gamma[first + r] = chi[static_cast<std::size_t>(first + r)];
@@ -27,8 +34,7 @@ void ContactSet::gamma(ConstVec u, Vec gamma) const {
       const double* w = W.data() + s.w;
       const double* v = u.data() + s.u0;
       if (s.nu == 6 && rows == 3) {
-        Eigen::Map<Vec3>{gamma.data() + first} +=
-            Eigen::Map<const Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>(w).lazyProduct(Six(v));
+        spatial::addProduct(w, v, gamma.data() + first);
         continue;
       }
       if (s.nu == 6) {
@@ -45,6 +51,14 @@ void ContactSet::gamma(ConstVec u, Vec gamma) const {
 }
 
 void ContactSet::addAbsolute(ConstVec v, double* sum) const {
+  if (spatial::all(*this)) {
+    spatial::forSegments(*this, [&](int i, int k, const Segment& s) {
+      const double* w = W.data() + spatial::kNumbers * k;
+      for (int r = 0; r < 3; ++r, w += 6)
+        sum[3 * i + r] += Six(w).cwiseAbs().dot(Six(v.data() + s.u0));
+    });
+    return;
+  }
   for (int i = 0; i < size(); ++i)
     for (int k = segment0[static_cast<std::size_t>(i)];
          k < segment0[static_cast<std::size_t>(i) + 1]; ++k) {

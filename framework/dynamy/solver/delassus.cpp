@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/spatial_rows.hpp>
 #include <dynamy/solver/delassus.hpp>
+#include <dynamy/solver/free_bodies.hpp>
 
 namespace dynamy {
 namespace {
@@ -21,9 +23,6 @@ double dot(const double* a, const double* b, int n) {
   return s;
 }
 
-/// Three rows of a rigid body, the contact of bodies in space.
-using ThreeRows = Eigen::Map<const Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>;
-
 /// out = A x for `rows` of n numbers: the sums of a contact's rows run side by side, each in the
 /// order of dot().
 template <int rows>
@@ -34,12 +33,8 @@ void dots(const double* A, const double* x, int n, double* out) {
   for (int r = 0; r < rows; ++r) out[r] = s[r];
 }
 
-}  // namespace
-
-void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form form) {
-  contacts_ = &contacts, mass_ = &mass, n_ = contacts.rows(), given_ = sparse_ = false;
-  // M⁻¹ w, row after row, beside W.
-  minvW_.resize(contacts.W.size());
+/// M⁻¹ w, row after row, beside W.
+void inverseTimesW(const ContactSet& contacts, const MassMatrix& mass, std::vector<double>& minvW) {
   for (int i = 0; i < contacts.size(); ++i)
     for (int k = contacts.segment0[static_cast<std::size_t>(i)];
          k < contacts.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
@@ -47,10 +42,11 @@ void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form
       const double* A = mass.inverse(s.block).data();
       const double* diagonal = mass.inverseDiagonal(s.block);
       const double* w = contacts.W.data() + s.w;
-      double* out = minvW_.data() + s.w;
+      double* out = minvW.data() + s.w;
       if (diagonal && s.nu == 6 && contacts.dim(i) == 3) {
-        Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>{out} =
-            ThreeRows(w).array().rowwise() * RigidBody(diagonal).transpose().array();
+        for (int r = 0; r < 3; ++r)
+          Eigen::Map<Eigen::Matrix<double, 6, 1>>{out + 6 * r} =
+              RigidBody(w + 6 * r).cwiseProduct(RigidBody(diagonal));
         continue;
       }
       for (int r = 0; r < contacts.dim(i); ++r, w += s.nu, out += s.nu)
@@ -60,8 +56,18 @@ void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form
           for (int j = 0; j < s.nu; ++j)
             out[j] = dot(A + static_cast<std::ptrdiff_t>(j) * s.nu, w, s.nu);
     }
+}
+
+}  // namespace
+
+void Delassus::assemble(const ContactSet& contacts, const MassMatrix& mass, Form form) {
+  contacts_ = &contacts, mass_ = &mass, n_ = contacts.rows(), given_ = sparse_ = false;
+  minvW_.resize(contacts.W.size());
   linkBlocks();
-  fillDiagonal();
+  if (!freeBodies(contacts, mass, minvW_, diagonal0_, diagonal_)) {
+    inverseTimesW(contacts, mass, minvW_);
+    fillDiagonal();
+  }
   assembled_ = form == Form::assembled || (form == Form::automatic && densePays());
   if (assembled_)
     fillDense();
@@ -222,8 +228,7 @@ void Delassus::fillDense() {
 void Delassus::begin(const double* Lambda) {
   if (assembled_ || given_) return;
   std::fill(v_.begin(), v_.end(), 0.0);
-  for (int i = 0; i < contacts_->size(); ++i)
-    changed(i, Lambda + contacts_->row0[static_cast<std::size_t>(i)]);
+  addVelocity(Lambda, {v_.data(), static_cast<Eigen::Index>(v_.size())});
 }
 
 void Delassus::row(int i, const double* Lambda, double* out) const {
@@ -245,8 +250,7 @@ void Delassus::row(int i, const double* Lambda, double* out) const {
        k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
     const Segment& s = c.segment[static_cast<std::size_t>(k)];
     if (s.nu == 6 && dim == 3) {
-      Eigen::Map<Eigen::Vector3d>{out} +=
-          ThreeRows(c.W.data() + s.w).lazyProduct(RigidBody(v_.data() + s.u0));
+      spatial::addProduct(c.W.data() + s.w, v_.data() + s.u0, out);
       continue;
     }
     for (int r = 0; r < dim; ++r)
@@ -267,10 +271,7 @@ void Delassus::addTo(int i, const double* delta, double* u) const {
     const Segment& s = c.segment[static_cast<std::size_t>(k)];
     double* v = u + s.u0;
     if (s.nu == 6 && c.dim(i) == 3) {
-      Eigen::Map<Eigen::Matrix<double, 6, 1>>{v} +=
-          ThreeRows(minvW_.data() + s.w)
-              .transpose()
-              .lazyProduct(Eigen::Map<const Eigen::Vector3d>(delta));
+      spatial::addTransposed(minvW_.data() + s.w, delta, v);
       continue;
     }
     for (int r = 0; r < c.dim(i); ++r) {
@@ -284,12 +285,26 @@ void Delassus::addTo(int i, const double* delta, double* u) const {
 }
 
 void Delassus::addVelocity(const double* Lambda, Vec u) const {
+  if (spatial::all(*contacts_)) {
+    spatial::forSegments(*contacts_, [&](int i, int k, const Segment& s) {
+      spatial::addTransposed(minvW_.data() + spatial::kNumbers * k, Lambda + 3 * i,
+                             u.data() + s.u0);
+    });
+    return;
+  }
   for (int i = 0; i < contacts_->size(); ++i)
     addTo(i, Lambda + contacts_->row0[static_cast<std::size_t>(i)], u.data());
 }
 
 void Delassus::apply(const double* x, double* y) {
   begin(x);
+  if (!assembled_ && !given_ && spatial::all(*contacts_)) {
+    std::fill(y, y + n_, 0.0);
+    spatial::forSegments(*contacts_, [&](int i, int k, const Segment& s) {
+      spatial::addProduct(contacts_->W.data() + spatial::kNumbers * k, v_.data() + s.u0, y + 3 * i);
+    });
+    return;
+  }
   for (int i = 0; i < contacts_->size(); ++i)
     row(i, x, y + contacts_->row0[static_cast<std::size_t>(i)]);
 }

@@ -15,13 +15,18 @@ using Eigen::VectorXd;
 constexpr unsigned kSeed = 7;
 const UnilateralCoulomb kCoulomb(0.0, 0.0, 0.5);
 
-/// Five blocks of 1 … 6 velocities; 14 contacts of 1 … 3 rows that share them by two and three.
+/// Five blocks of 1 … 6 velocities; 14 contacts of 1 … 3 rows that share them by two and three. Or
+/// five free bodies, one with a diagonal mass, and three rows a contact.
 struct Random {
-  Random() : random(kSeed) {
+  explicit Random(bool freeBodies = false) : random(kSeed) {
     std::cout << "seed " << kSeed << '\n';
     std::vector<MatrixXd> masses;
     int nu = 0;
-    for (const int n : {1, 3, 6, 2, 6}) masses.push_back(fixture::randomMass(random, n)), nu += n;
+    for (int n : {1, 3, 6, 2, 6}) {
+      if (freeBodies) n = 6;
+      masses.push_back(fixture::randomMass(random, n)), nu += n;
+    }
+    if (freeBodies) masses[1] = VectorXd::LinSpaced(6, 1.0, 3.0).asDiagonal();
     M = MatrixXd::Zero(nu, nu);
     int at = 0;
     for (const MatrixXd& block : masses) {
@@ -30,7 +35,7 @@ struct Random {
     }
     problem = std::make_unique<fixture::Inclusion>(masses);
     for (int i = 0; i < 14; ++i) {
-      MatrixXd Wt = fixture::randomMatrix(random, 1 + i % 3, nu);
+      MatrixXd Wt = fixture::randomMatrix(random, freeBodies ? 3 : 1 + i % 3, nu);
       for (int b = 0; b < problem->mass.blocks(); ++b)
         if ((i + b) % 5 > 1 + i % 2)
           Wt.middleCols(problem->mass.u0(b), problem->mass.nu(b)).setZero();
@@ -49,11 +54,31 @@ struct Random {
 double tolerance(const MatrixXd& G) { return 4e-12 * G.cwiseAbs().maxCoeff(); }
 
 TEST(Delassus, IsTheSameAssembledMatrixFreeAndDense) {
-  Random r;
-  for (const auto form : {Delassus::Form::assembled, Delassus::Form::matrixFree}) {
-    r.problem->pose(VectorXd::Ones(r.G.rows()), 1.0, form);
-    EXPECT_EQ(r.problem->G.assembled(), form == Delassus::Form::assembled);
-    EXPECT_LE((r.problem->dense() - r.G).cwiseAbs().maxCoeff(), tolerance(r.G));
+  for (const bool freeBodies : {false, true}) {
+    Random r(freeBodies);
+    for (const auto form : {Delassus::Form::assembled, Delassus::Form::matrixFree}) {
+      r.problem->pose(VectorXd::Ones(r.G.rows()), 1.0, form);
+      EXPECT_EQ(r.problem->G.assembled(), form == Delassus::Form::assembled);
+      EXPECT_LE((r.problem->dense() - r.G).cwiseAbs().maxCoeff(), tolerance(r.G));
+    }
+  }
+}
+
+TEST(ContactSet, GivesRelativeVelocitiesOfAllKindsOfBlocks) {
+  for (const bool freeBodies : {false, true}) {
+    Random r(freeBodies);
+    const VectorXd u = fixture::randomMatrix(r.random, static_cast<int>(r.M.rows()), 1);
+    VectorXd gamma(r.W.cols()), sum = VectorXd::Ones(r.W.cols());
+    r.problem->contacts.chi[2] = 0.5;
+    r.problem->contacts.gamma(view(u), view(gamma));
+    r.problem->contacts.addAbsolute({u.data(), u.size()}, sum.data());
+    VectorXd expected = r.W.transpose() * u;
+    expected[2] += 0.5;
+    // 30 products of numbers of order one: a few hundred roundings at most.
+    EXPECT_LE((gamma - expected).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_LE(
+        (sum - VectorXd::Ones(r.W.cols()) - r.W.cwiseAbs().transpose() * u).cwiseAbs().maxCoeff(),
+        1e-13);
   }
 }
 

@@ -1,0 +1,45 @@
+/// Kernels for contacts of three rows on free bodies, what stacks and heaps are made of: W is then
+/// one array of 3 × 6 numbers a segment, without anything between them.
+///
+/// The sums are those of the general loops, number by number: only the questions about sizes, as
+/// many instructions as the products themselves, are asked once a pass instead of once a segment.
+#pragma once
+#include <algorithm>
+#include <dynamy/contact/contact_set.hpp>
+
+namespace dynamy::spatial {
+
+inline constexpr std::ptrdiff_t kNumbers = 18;  ///< of a segment
+using Rows = Eigen::Map<const Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>;
+using Velocity = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
+
+/// All contacts have three rows, all segments six velocities: contact i has the rows 3i … 3i + 2,
+/// segment k the numbers 18k … 18k + 17 of W.
+inline bool all(const ContactSet& c) {
+  if (c.size() == 0 || c.segment0.size() != c.row0.size()) return false;
+  for (int i = 0; i <= c.size(); ++i)
+    if (c.row0[static_cast<std::size_t>(i)] != 3 * i) return false;
+  return std::all_of(c.segment.begin(), c.segment.end(),
+                     [](const Segment& s) { return s.nu == 6; });
+}
+
+/// Calls visit(contact, segment number, segment) in order. \pre c.row0, c.segment0 are filled
+template <class Visit>
+void forSegments(const ContactSet& c, Visit&& visit) {
+  const Segment* segment = c.segment.data();
+  const int* first = c.segment0.data();
+  for (int i = 0, n = c.size(); i < n; ++i)
+    for (int k = first[i]; k < first[i + 1]; ++k) visit(i, k, segment[k]);
+}
+
+/// out += W v
+inline void addProduct(const double* W, const double* v, double* out) {
+  Eigen::Map<Vec3>{out} += Rows(W).lazyProduct(Velocity(v));
+}
+/// v += Wᵀ x
+inline void addTransposed(const double* W, const double* x, double* v) {
+  Eigen::Map<Eigen::Matrix<double, 6, 1>>{v} +=
+      Rows(W).transpose().lazyProduct(Eigen::Map<const Vec3>(x));
+}
+
+}  // namespace dynamy::spatial
