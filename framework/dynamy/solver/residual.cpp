@@ -6,6 +6,12 @@
 namespace dynamy {
 
 double contactLambda(const double* block, int dim) {
+  if (dim == 3) {  // the contact in space, written out
+    const auto row = [block](int r) {
+      return std::abs(block[3 * r]) + std::abs(block[3 * r + 1]) + std::abs(block[3 * r + 2]);
+    };
+    return std::max({row(0), row(1), row(2)});
+  }
   double largest = 0.0;
   for (int r = 0; r < dim; ++r) {
     double sum = 0.0;
@@ -95,6 +101,25 @@ void swallowed(const InclusionProblem& p, double unknown, int i, Residuals& out)
   if (out.given != -1.0) out.given = std::max(out.given, E);
 }
 
+/// Squares of c and Λ of one contact of n rows (0: of `dim`).
+struct Squares {
+  double c = 0.0, Lambda = 0.0;
+  bool finite = true;
+};
+/// ξ += c.
+template <int n>
+Squares addC(const double* c, const double* Lambda, int dim, double* xi) {
+  Squares out;
+  double sum = 0.0;
+  for (int r = 0; r < (n > 0 ? n : dim); ++r) {
+    xi[r] += c[r];
+    out.c += c[r] * c[r], out.Lambda += Lambda[r] * Lambda[r];
+    sum += xi[r] + Lambda[r];
+  }
+  out.finite = std::isfinite(sum);
+  return out;
+}
+
 Residuals notFinite(int contact) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {.Ef = kInfinity, .Eu = kInfinity, .energy = kInfinity, .worst = contact};
@@ -126,25 +151,21 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
       lambda = substituteLambda(problem, i, absolute);
     }
     const double rho = 1.0 / lambda;
-    double e[kMaxDim] = {}, e2 = 0.0, L2 = 0.0, c2 = 0.0, sum = 0.0;
-    for (int r = 0; r < dim; ++r) {
-      const double c = problem.c[static_cast<std::size_t>(first + r)];
-      xi[r] += c;
-      c2 += c * c;
-      L2 += Lambda[first + r] * Lambda[first + r];
-      sum += xi[r] + Lambda[first + r];
-    }
+    const double *c = problem.c.data() + first, *L = Lambda.data() + first;
+    const Squares squares = dim == 3 ? addC<3>(c, L, dim, xi) : addC<0>(c, L, dim, xi);
     // A projection may swallow what is not a number: asked for here, reported as infinite.
-    if (!std::isfinite(sum)) return notFinite(i);
+    if (!squares.finite) return notFinite(i);
+    double e[kMaxDim] = {}, e2 = 0.0;
+    const double length = std::sqrt(squares.Lambda);
     problem.law(i).naturalMap(problem.input(i), rho, xi, Lambda.data() + first, e);
     for (int r = 0; r < dim; ++r) e2 += e[r] * e[r];
     velocity[i] = std::sqrt(e2) * lambda;
-    const double resolution = std::numeric_limits<double>::epsilon() * std::sqrt(L2) * lambda;
+    const double resolution = std::numeric_limits<double>::epsilon() * length * lambda;
     if (resolution > unknown) unknown = resolution, lost = i;
     scale[i] = rho;
-    largestLambda = std::max({largestLambda, std::sqrt(L2), rho * problem.uRef});
+    largestLambda = std::max({largestLambda, length, rho * problem.uRef});
     spurious += e2 * lambda;
-    available += rho * c2;
+    available += rho * squares.c;
   }
   Residuals out = measure(problem, velocity, scale, nullptr, largestLambda);
   if (out.Eu > kFine && out.Eu <= kCoarse) {

@@ -36,7 +36,7 @@ class SparseVelocities final : public NewtonSystem {
   }
   bool factorShifted(const InclusionProblem& p, const std::vector<double>& a) override {
     compliance_.shifted(p, a);
-    assemble(p);
+    assemble(p, true);
     return lu_.factor();
   }
   bool solveShifted(const InclusionProblem& p, const double* r, std::vector<double>& x) override {
@@ -99,7 +99,7 @@ class SparseVelocities final : public NewtonSystem {
     return percussions(p, dLambda);
   }
 
-  void assemble(const InclusionProblem& p) {
+  void assemble(const InclusionProblem& p, bool shifted = false) {
     const ContactSet& c = *p.contacts;
     lu_.setZero();
     for (std::size_t k = 0; k < touched_.touched.size(); ++k) {
@@ -128,7 +128,7 @@ class SparseVelocities final : public NewtonSystem {
           add<2>(c, i, place);
           break;
         case 3:
-          add<3>(c, i, place);
+          shifted ? addShifted<3>(c, i, place) : add<3>(c, i, place);
           break;
         default:
           addGeneral(c, i, place);
@@ -143,6 +143,20 @@ class SparseVelocities final : public NewtonSystem {
     for (int r = 0; r < d; ++r)
       for (int k = 0; k < s.nu; ++k) out(r, k) = c.W[s.w + r * s.nu + k];
     return out;
+  }
+  /// The same with C = I/a, as in factorShifted(): symmetric, half of it is computed.
+  template <int d>
+  void addShifted(const ContactSet& c, int i, Matrix* const* place) {
+    const int m = c.segment0[i + 1] - c.segment0[i];
+    const double C = compliance_.C[compliance_.block0[i]];
+    for (int a = 0; a < m; ++a) {
+      const Rows<d> Wa = rows<d>(c, c.segment[c.segment0[i] + a]) * C;
+      for (int b = a; b < m; ++b) {
+        const Matrix WCW = Wa.transpose().lazyProduct(rows<d>(c, c.segment[c.segment0[i] + b]));
+        *place[a * m + b] += WCW;
+        if (b > a) *place[b * m + a] += WCW.transpose();
+      }
+    }
   }
   /// W C Wᵀ of a contact with d rows.
   template <int d>
