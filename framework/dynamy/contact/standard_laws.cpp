@@ -25,6 +25,11 @@ void projectBall(double radius, const double* r, int k, double* x) {
     x[0] = convex::prox(convex::symmetricInterval(radius), x[0]);
     return;
   }
+  if (k == 2 && r[0] == r[1]) {  // the usual case
+    const double length = std::sqrt(x[0] * x[0] + x[1] * x[1]);
+    if (length > radius) x[0] *= radius / length, x[1] *= radius / length;
+    return;
+  }
   Eigen::Map<Eigen::VectorXd> z(x, k);
   const bool equal = std::all_of(r, r + k, [r](double value) { return value == r[0]; });
   if (equal) {

@@ -10,9 +10,10 @@ constexpr double kRows = 400.0;
 double penetration(const ContactSet& c) {
   double worst = 0.0;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
-    const bool joint =
-        c.closedIndex[i] >= 0 && !c.law[static_cast<std::size_t>(c.closedIndex[i])]->unilateral();
-    if (!joint) worst = std::max(worst, -c.g[i]);
+    if (!(-c.g[i] > worst)) continue;
+    const int closed = c.closedIndex[i];
+    const bool joint = closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral();
+    if (!joint) worst = -c.g[i];
   }
   return worst;
 }

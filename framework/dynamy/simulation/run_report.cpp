@@ -53,12 +53,12 @@ void StepStatistics::step(const StepView& v) {
 
 void StepStatistics::gaps(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
+  Worst& worst = report_.penetration;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
+    if (!(-c.g[i] > worst.value)) continue;
     const int closed = c.closedIndex[i];
     if (closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral()) continue;
-    Worst& worst = report_.penetration;
-    if (-c.g[i] > worst.value)
-      worst.value = -c.g[i], worst.t = v.system.slot(0).t, worst.contact = c.candidateKey[i];
+    worst.value = -c.g[i], worst.t = v.system.slot(0).t, worst.contact = c.candidateKey[i];
   }
 }
 

@@ -114,8 +114,17 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
 
 void MassMatrix::apply(ConstVec in, Vec out) const {
   // By coefficient: a temporary would take memory in every step.
-  for (int b = 0; b < blocks(); ++b)
-    Vec(out.data() + u0(b), nu(b)) = M(b).lazyProduct(ConstVec(in.data() + u0(b), nu(b)));
+  for (int b = 0; b < blocks(); ++b) {
+    const int n = nu(b);
+    const ConstVec x(in.data() + u0(b), n);
+    Vec y(out.data() + u0(b), n);
+    if (!inverseDiagonal(b)) {
+      y = M(b).lazyProduct(x);
+      continue;
+    }
+    const double* A = data_.data() + offset(b);
+    for (int i = 0; i < n; ++i) y[i] = A[i * (n + 1)] * x[i];
+  }
 }
 
 double MassMatrix::kineticEnergy(ConstVec u) const {
@@ -124,9 +133,10 @@ double MassMatrix::kineticEnergy(ConstVec u) const {
     const int n = nu(b);
     const double* A = data_.data() + offset(b);
     const double* x = u.data() + u0(b);
+    const bool diagonal = inverseDiagonal(b) != nullptr;
     for (int i = 0; i < n; ++i) {
-      double s = 0.0;
-      for (int j = 0; j < n; ++j) s += A[i * n + j] * x[j];
+      double s = diagonal ? A[i * (n + 1)] * x[i] : 0.0;
+      for (int j = 0; !diagonal && j < n; ++j) s += A[i * n + j] * x[j];
       T += 0.5 * x[i] * s;
     }
   }
