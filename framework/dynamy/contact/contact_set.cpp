@@ -19,10 +19,14 @@ void ContactSet::clear() {
 
 void ContactSet::gamma(ConstVec u, Vec gamma) const {
   if (spatial::all(*this)) {
-    std::copy(chi.begin(), chi.end(), gamma.data());
-    spatial::forSegments(*this, [&](int i, int k, const Segment& s) {
-      spatial::addProduct(W.data() + spatial::kNumbers * k, u.data() + s.u0, gamma.data() + 3 * i);
-    });
+    spatial::forContacts(
+        *this,
+        [&](spatial::RowSums& sums, int k, const Segment& s) {
+          sums.add(W.data() + spatial::kNumbers * k, u.data() + s.u0);
+        },
+        [&](int i, const spatial::RowSums& sums) {
+          sums.put(chi.data() + 3 * i, gamma.data() + 3 * i);
+        });
     return;
   }
   for (int i = 0; i < size(); ++i) {
@@ -52,11 +56,12 @@ void ContactSet::gamma(ConstVec u, Vec gamma) const {
 
 void ContactSet::addAbsolute(ConstVec v, double* sum) const {
   if (spatial::all(*this)) {
-    spatial::forSegments(*this, [&](int i, int k, const Segment& s) {
-      const double* w = W.data() + spatial::kNumbers * k;
-      for (int r = 0; r < 3; ++r, w += 6)
-        sum[3 * i + r] += Six(w).cwiseAbs().dot(Six(v.data() + s.u0));
-    });
+    spatial::forContacts(
+        *this,
+        [&](spatial::RowSums& sums, int k, const Segment& s) {
+          sums.addAbsolute(W.data() + spatial::kNumbers * k, v.data() + s.u0);
+        },
+        [&](int i, const spatial::RowSums& sums) { sums.put(sum + 3 * i, sum + 3 * i); });
     return;
   }
   for (int i = 0; i < size(); ++i)

@@ -1,8 +1,8 @@
 /// Kernels for contacts of three rows on free bodies, what stacks and heaps are made of: W is then
 /// one array of 3 × 6 numbers a segment, without anything between them.
 ///
-/// The sums are those of the general loops, number by number: only the questions about sizes, as
-/// many instructions as the products themselves, are asked once a pass instead of once a segment.
+/// Questions about sizes, as many instructions as the products themselves, are asked once a pass
+/// instead of once a segment.
 #pragma once
 #include <algorithm>
 #include <dynamy/contact/contact_set.hpp>
@@ -30,6 +30,48 @@ void forSegments(const ContactSet& c, Visit&& visit) {
   const int* first = c.segment0.data();
   for (int i = 0, n = c.size(); i < n; ++i)
     for (int k = first[i]; k < first[i + 1]; ++k) visit(i, k, segment[k]);
+}
+
+/// W v of a contact over all of its segments: pairs are summed up first, halves at the end.
+class RowSums {
+ public:
+  void add(const double* W, const double* v) {
+    const Pair a = Load(v), b = Load(v + 2), c = Load(v + 4);
+    n_ += Load(W) * a + Load(W + 2) * b + Load(W + 4) * c;
+    t_ += Load(W + 6) * a + Load(W + 8) * b + Load(W + 10) * c;
+    s_ += Load(W + 12) * a + Load(W + 14) * b + Load(W + 16) * c;
+  }
+  /// The same with |W|.
+  void addAbsolute(const double* W, const double* v) {
+    const Pair a = Load(v), b = Load(v + 2), c = Load(v + 4);
+    n_ += Load(W).abs() * a + Load(W + 2).abs() * b + Load(W + 4).abs() * c;
+    t_ += Load(W + 6).abs() * a + Load(W + 8).abs() * b + Load(W + 10).abs() * c;
+    s_ += Load(W + 12).abs() * a + Load(W + 14).abs() * b + Load(W + 16).abs() * c;
+  }
+  /// out = start + W v
+  void put(const double* start, double* out) const {
+    out[0] = start[0] + (n_[0] + n_[1]);
+    out[1] = start[1] + (t_[0] + t_[1]);
+    out[2] = start[2] + (s_[0] + s_[1]);
+  }
+
+ private:
+  using Pair = Eigen::Array2d;
+  using Load = Eigen::Map<const Pair>;
+  Pair n_ = Pair::Zero(), t_ = Pair::Zero(), s_ = Pair::Zero();
+};
+
+/// Calls add(sums, segment number, segment) for the segments of each contact, put(contact, sums)
+/// after them.
+template <class Add, class Put>
+void forContacts(const ContactSet& c, Add&& add, Put&& put) {
+  const Segment* segment = c.segment.data();
+  const int* first = c.segment0.data();
+  for (int i = 0, n = c.size(); i < n; ++i) {
+    RowSums sums;
+    for (int k = first[i]; k < first[i + 1]; ++k) add(sums, k, segment[k]);
+    put(i, sums);
+  }
 }
 
 /// out += W v

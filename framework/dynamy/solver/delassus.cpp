@@ -299,10 +299,13 @@ void Delassus::addVelocity(const double* Lambda, Vec u) const {
 void Delassus::apply(const double* x, double* y) {
   begin(x);
   if (!assembled_ && !given_ && spatial::all(*contacts_)) {
-    std::fill(y, y + n_, 0.0);
-    spatial::forSegments(*contacts_, [&](int i, int k, const Segment& s) {
-      spatial::addProduct(contacts_->W.data() + spatial::kNumbers * k, v_.data() + s.u0, y + 3 * i);
-    });
+    constexpr double kZero[3] = {};
+    spatial::forContacts(
+        *contacts_,
+        [&](spatial::RowSums& sums, int k, const Segment& s) {
+          sums.add(contacts_->W.data() + spatial::kNumbers * k, v_.data() + s.u0);
+        },
+        [&](int i, const spatial::RowSums& sums) { sums.put(kZero, y + 3 * i); });
     return;
   }
   for (int i = 0; i < contacts_->size(); ++i)
