@@ -18,7 +18,7 @@ namespace dynamy::app {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kLong = 2.0;  ///< [s] points that cost more are run once
+constexpr double kLong = 0.5;  ///< [s] points that cost more are run once
 
 struct PrecisionChoice {
   std::string out = "runs/work_precision", folder, peersIn;

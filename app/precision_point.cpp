@@ -44,11 +44,9 @@ Model ownModel(Program& program, const PrecisionScene& scene, const PrecisionPoi
                               program.plugins, LoadOptions{});
   if (p.setting.empty()) return model;
   if (!p.own.words.empty()) model.scheme(method<OneStep>(program.registry, p.own.words));
-  if (p.own.byTolerance) {
-    model.simulation.tolerance = std::stod(p.setting);
-  } else {
-    model.simulation.step = seconds(p.setting, "the catalogue");
-  }
+  const double setting = seconds(p.setting, "the catalogue");
+  model.simulation.tolerance = p.own.byTolerance ? setting : 0.0;
+  model.simulation.step = p.own.byTolerance ? 0.0 : setting;
   return model;
 }
 
