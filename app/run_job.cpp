@@ -95,6 +95,8 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   if (choice.every > 0.0) model.record.every = choice.every;
   if (!choice.integrator.empty())
     model.scheme(method<OneStep>(program.registry, choice.integrator));
+  else if (choice.tolerance > 0.0 && !model.scheme().choosesSteps())
+    model.scheme(method<OneStep>(program.registry, "LocatedDormandPrince"));
   if (!choice.solver.empty())
     model.solver(method<InclusionSolver>(program.registry, choice.solver));
   // The default sample time depends on the end time; a resumed run keeps it.

@@ -270,6 +270,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("parted", r.parted);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
   json.member("switches", r.switches).member("switchesLocated", r.located);
+  json.member("accumulationEnd", r.accumulationEnd);
   json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
   json.member("repairedImpacts", r.repairedImpacts);
   write(json, "energyGain", r.energyGain);

@@ -1,16 +1,18 @@
 /// OneStep: one step of one scheme.
 #pragma once
 #include <dynamy/integrator/mechanical_system.hpp>
+#include <span>
 
 namespace dynamy {
 
 /// What a scheme that chooses its steps did to take one of them.
 struct StepCounts {
-  int rejected = 0;       ///< tries that were too long
-  int switches = 0;       ///< located
-  int impacts = 0;        ///< instants with an impact
-  int accumulations = 0;  ///< infinite sequences of impacts that were passed
-  int undecided = 0;      ///< switches at which no status was consistent, or several were
+  int rejected = 0;              ///< tries that were too long
+  int switches = 0;              ///< located
+  int impacts = 0;               ///< instants with an impact
+  int accumulations = 0;         ///< infinite sequences of impacts that were passed
+  int undecided = 0;             ///< switches at which no status was consistent, or several were
+  double accumulationEnd = 0.0;  ///< when the last of these sequences comes to rest [s]
 };
 
 /// Works of a step, for the energy ledger, of schemes that integrate them better than the ledger
@@ -27,6 +29,12 @@ struct Jump {
   StepWorks works;             ///< of its percussions
 };
 
+/// Status of a contact from the end of a step on, of schemes that hold it themselves.
+struct HeldStatus {
+  ContactKey key;
+  Status status = Status::open;
+};
+
 struct StepReport {
   double dt = 0.0;  ///< length of the step that was taken [s]
   SolveReport solved;
@@ -35,6 +43,8 @@ struct StepReport {
   std::string_view refused{};
   StepCounts counts{};
   StepWorks works{};
+  bool ownStatuses = false;                ///< statuses are those below, all others are open
+  std::span<const HeldStatus> statuses{};  ///< valid until the next step
   const Jump* jump = nullptr;  ///< the scheme's own, until its next step; null: there was none
 };
 
@@ -66,6 +76,8 @@ class OneStep : public Element {
   /// True: the scheme chooses the lengths of its steps. step() then goes on by at most dt, sets x.t
   /// and reports the length it took; what it keeps from step to step is in x.scheme.
   virtual bool choosesSteps() const { return false; }
+  /// True: it finds the contacts that its path comes to by itself, however fast bodies are.
+  virtual bool findsContacts() const { return false; }
   /// Before a run, to schemes that choose their steps.
   virtual void aim(const Accuracy&) {}
   /// The length it would try next from x, if nothing bounds it [s]; 0: not known.

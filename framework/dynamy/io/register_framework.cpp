@@ -8,6 +8,7 @@
 #include <dynamy/integrator/ggl.hpp>
 #include <dynamy/integrator/half_explicit_euler.hpp>
 #include <dynamy/integrator/half_explicit_heun.hpp>
+#include <dynamy/integrator/located_dormand_prince.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/integrator/nonsmooth_rattle.hpp>
 #include <dynamy/integrator/paoli_schatzman.hpp>
@@ -43,6 +44,7 @@ void registerFramework(Registry& registry) {
   registry.add<NonsmoothRattle>("NonsmoothRattle");
   registry.add<GeneralizedAlpha>("GeneralizedAlpha");
   registry.add<HalfExplicitHeun>("HalfExplicitHeun");
+  registry.add<LocatedDormandPrince>("LocatedDormandPrince");
   registry.add<ConstraintIndex>("ConstraintIndex");
   registry.add<Ggl>("Ggl");
   registry.add<Admm>("Admm");

@@ -7,6 +7,7 @@ namespace dynamy {
 namespace {
 
 using Measure = CheckSettings::Measure;
+constexpr int kWithin = 32;  ///< samples of a step that a scheme chose
 constexpr std::size_t kMostSamples = std::size_t{1} << 20;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -165,6 +166,12 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
   }
   if (c.from > tE + hair || c.to < tA + hair) return;
   if (c.from > tA + hair && c.from < tE - hair) m.add(c.from, inside(c.from));
+  // Steps that a scheme chooses may hold a whole swing.
+  const int parts = view.scheme.choosesSteps() ? kWithin : 1;
+  for (int k = 1; k < parts; ++k)
+    if (const double t = tA + (tE - tA) * k / parts;
+        t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)
+      m.add(t, inside(t));
   if (c.to >= tE - hair)
     m.add(tE, end);
   else

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/integrator/energy_momentum.hpp>
+#include <dynamy/integrator/located_dormand_prince.hpp>
 #include <dynamy/simulation/model.hpp>
 #include <dynamy/solver/automatic.hpp>
 
@@ -64,6 +65,8 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
+  if (!scheme_ && simulation.tolerance > 0.0)
+    scheme_ = makeDefault<LocatedDormandPrince>("LocatedDormandPrince");
   if (!scheme_) scheme_ = makeDefault<EnergyMomentum>("EnergyMomentum");
   if (!solver_) solver_ = makeDefault<Automatic>("Automatic");
   if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");

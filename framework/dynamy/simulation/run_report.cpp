@@ -15,7 +15,7 @@ void RunReport::archive(Archive& a) {
   a(t), a(steps), a(rejected), a(parted), a(evaluations), a(solves), a(iterations),
       a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
-  a(located), a(accumulations), a(undecided);
+  a(located), a(accumulations), a(accumulationEnd), a(undecided);
   a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);
   a(trust);
@@ -27,6 +27,7 @@ void StepStatistics::step(const StepView& v) {
   r.t = v.after.t;
   const StepCounts& counts = v.report.counts;
   r.rejected += counts.rejected, r.located += counts.switches;
+  if (counts.accumulations > 0) r.accumulationEnd = counts.accumulationEnd;
   r.accumulations += counts.accumulations, r.undecided += counts.undecided;
   r.contactsMax = std::max(r.contactsMax, v.report.contacts);
   r.repairedImpacts += v.report.solved.repaired;
@@ -62,13 +63,26 @@ void StepStatistics::gaps(const StepView& v) {
   }
 }
 
+namespace {
+
+/// Of contact i from the end of the step on.
+Status statusAfter(const StepView& v, int i) {
+  if (!v.report.ownStatuses) return contactStatus(v, i);
+  const ContactKey key = v.system.slot(0).contacts.key[static_cast<std::size_t>(i)];
+  for (const HeldStatus& s : v.report.statuses)
+    if (s.key == key) return s.status;
+  return Status::open;
+}
+
+}  // namespace
+
 void StepStatistics::statuses(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
   now_.clear();
   now_.reserve(before_.capacity());
   for (int i = 0; i < c.size(); ++i) {
     const ContactKey key = c.key[static_cast<std::size_t>(i)];
-    now_.push_back({key, contactStatus(v, i), isImpact(v, i)});
+    now_.push_back({key, statusAfter(v, i), isImpact(v, i)});
     if (!now_.back().impact) continue;
     ++report_.impacts;
     if (sink_ == nullptr) continue;

@@ -7,6 +7,7 @@
 namespace dynamy {
 namespace {
 
+constexpr double kPotential = 1e-9;  ///< of V, the least that energies are compared with
 constexpr double kSamples = 256.0;  ///< of the energy in a run
 /// After the first steps three in a row of so many are looked at, so that watching costs little.
 constexpr long kFirst = 256, kEvery = 16;
@@ -101,6 +102,9 @@ void RunWatch::energy(const StepView& view) {
   sampled_ = unexplained, sampledImpacts_ = report_.impacts;
   const double error = std::abs(unexplained_);
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
+  // Without steps of given length: what rounding leaves of potential energies.
+  if (view.scheme.choosesSteps())
+    trust.stepEnergy = std::max(trust.stepEnergy, kPotential * std::abs(e.potentialEnd));
   const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
 }

@@ -200,6 +200,7 @@ bool Simulation::sound() const {
 }
 
 Passing Simulation::passing() {
+  if (model_.scheme().findsContacts()) return {};
   const Passing p = sweep_.look(system_, model_.scheme(), before_, x_);
   report_.swept = sweep_.paths();
   if (p) ++report_.parted;
@@ -221,8 +222,10 @@ bool Simulation::accept() {
     return endBecause(std::move(reason));
   }
   if (!stepReport_.solved.ok()) noteUnsolved();
+  const long evaluations = system_.evaluations();
   const StepView step = view(true);
   forAll([&](Observer& o) { o.step(step); });
+  report_.evaluations += system_.evaluations() - evaluations;  // of dense output
   return true;
 }
 

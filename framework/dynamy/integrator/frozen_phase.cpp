@@ -1,0 +1,322 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/frozen_phase.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Pivots below this share of the largest belong to redundant rows.
+constexpr double kRank = 1e-10;
+/// A slip slower than this has the direction that was decided [m/s]; laws with two levels of
+/// friction are then asked for the one of slip.
+constexpr double kLeastSlip = 1e-6;
+/// A slip in space slower than this has the direction that was decided [m/s].
+constexpr double kLeastDirection = 1e-12;
+constexpr int kMostTurns = 200;    ///< of the directions of slips that start
+constexpr double kTurned = 1e-14;  ///< change of a direction that ends them
+
+}  // namespace
+
+const Held* FrozenPhase::find(ContactKey key) const {
+  for (const Held& h : held)
+    if (h.key == key) return &h;
+  return nullptr;
+}
+
+Held* FrozenPhase::find(ContactKey key) {
+  for (Held& h : held)
+    if (h.key == key) return &h;
+  return nullptr;
+}
+
+void FrozenPhase::keys(std::vector<ContactKey>& out) const {
+  for (const Held& h : held) out.push_back(h.key);
+  std::sort(out.begin(), out.end());
+}
+
+bool FrozenPhase::bounds(const SetValuedForceLaw& law, int dim, const double* gamma, Bounds& out) {
+  const SimpleSet set = law.simpleSet({dim, 1.0, gamma, nullptr});
+  out.lower = set.lower, out.upper = set.upper;
+  switch (set.shape) {
+    case SimpleSet::Shape::all:
+      out.form = Form::joint;
+      return true;
+    case SimpleSet::Shape::interval:
+      out.form = law.unilateral() ? Form::normal : Form::given;
+      return dim == 1;
+    case SimpleSet::Shape::ball:
+      out.form = Form::given, out.lower = -set.upper;
+      return true;
+    case SimpleSet::Shape::friction:
+      out.form = Form::cone;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
+  const ContactSet& c = e.contacts;
+  const std::size_t n = held.size();
+  index_.resize(n), form_.resize(n), bounds_.resize(n), row0_.assign(n + 1, 0);
+  std::size_t cursor = 0;
+  for (std::size_t i = 0; i < n; ++i) {  // contacts come in the same order, with others between
+    while (cursor < c.key.size() && c.key[cursor] != held[i].key) ++cursor;
+    if (cursor == c.key.size()) {
+      fault_ = "a contact that is held is no longer reported by its element (two boxes?)";
+      return false;
+    }
+    index_[i] = static_cast<int>(cursor);
+    row0_[i + 1] = row0_[i] + c.dim(index_[i]);
+  }
+  const int rows = row0_.back();
+  W_.setZero(u.size(), rows), MInvW_.resize(u.size(), rows);
+  gamma_.resize(rows), bias_.resize(rows), position_.resize(rows), chi_.resize(c.chi.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(index_[i]);
+    for (int r = 0; r < dim(i); ++r) {
+      const int row = row0_[i] + r;
+      const auto from = static_cast<std::size_t>(c.row0[at] + r);
+      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+        const Segment& s = c.segment[static_cast<std::size_t>(k)];
+        const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+        for (int j = 0; j < s.nu; ++j) W_(s.u0 + j, row) += w[j];
+      }
+      bias_[row] = c.bias.size() > from ? c.bias[from] : 0.0;
+      position_[row] = c.position[from];
+      chi_[static_cast<std::size_t>(row)] = c.chi[from];
+      gamma_[row] = W_.col(row).dot(u) + c.chi[from];
+      e.mass.applyInverse({W_.col(row).data(), u.size()}, {MInvW_.col(row).data(), u.size()});
+    }
+  }
+  return true;
+}
+
+void FrozenPhase::columns(std::size_t i) {
+  const Held& h = held[i];
+  const int first = row0_[i], d = dim(i);
+  const auto unknown = [&](int row) {
+    P_(row, static_cast<Eigen::Index>(kept_.size())) = 1.0;
+    kept_.push_back(row);
+  };
+  if (!h.slips) {
+    for (int r = 0; r < d; ++r) unknown(first + r);
+    return;
+  }
+  const bool cone = form_[i] == Form::cone;
+  const int tangent = cone ? first + 1 : first, k = cone ? d - 1 : d;
+  if (cone) unknown(first);
+  // t of the stage; of one tangent, and of a slip that starts, what was decided.
+  const double length = k > 1 ? gamma_.segment(tangent, k).norm() : 0.0;
+  const bool decided = k == 2 && (h.starts || !(length > kLeastDirection));
+  for (int r = 0; r < k; ++r) {
+    const double t = decided ? h.direction[static_cast<std::size_t>(r)]
+                     : k > 1 ? gamma_[tangent + r] / std::max(length, 1e-300)
+                             : h.sign;
+    if (cone)
+      P_(tangent + r, static_cast<Eigen::Index>(kept_.size()) - 1) = -bounds_[i].upper * t;
+    else
+      p0_[tangent + r] = t > 0.0 ? bounds_[i].lower * t : -bounds_[i].upper * t;
+  }
+}
+
+bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {
+  fault_ = {};
+  if (!gather(e, u)) return false;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
+    double slip[Held::kMostRows] = {};
+    const bool fits = dim(i) <= Held::kMostRows;
+    for (int r = 0; fits && r < dim(i); ++r) slip[r] = gamma_[row0_[i] + r];
+    if (held[i].slips && dim(i) == 1 && std::abs(slip[0]) < kLeastSlip)
+      slip[0] = held[i].sign * kLeastSlip;
+    if (!fits || !bounds(law, dim(i), held[i].slips ? slip : nullptr, bounds_[i])) {
+      fault_ =
+          "a law whose smooth phases have no closed form here (drilling, rolling, orthotropic "
+          "or a user's set): give a step and another scheme";
+      return false;
+    }
+    form_[i] = bounds_[i].form;
+  }
+  solve(e);
+  for (int i = 0; i < kMostTurns && turnStarting() > kTurned; ++i) solve(e);
+  a = free_;
+  finish(e, u);
+  return true;
+}
+
+void FrozenPhase::solve(const Evaluation& e) {
+  const int n = rows();
+  P_.setZero(n, n), p0_.setZero(n), kept_.clear();
+  for (std::size_t i = 0; i < held.size(); ++i) columns(i);
+  // (Sᵀ G P) d = −Sᵀ(Wᵀ M⁻¹(h + W(p₀ + P π₀)) + w̄),  π₀ of the last decision.
+  free_.resize(e.h.size());
+  e.mass.applyInverse(view(e.h), view(free_));
+  const auto m = static_cast<Eigen::Index>(kept_.size());
+  lambda_ = p0_;
+  work_.resize(m);
+  std::size_t of = 0;
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const int row = kept_[static_cast<std::size_t>(k)];
+    while (row >= row0_[of + 1]) ++of;
+    work_[k] = held[of].lambda[static_cast<std::size_t>(row - row0_[of])];
+  }
+  lambda_.noalias() += P_.leftCols(m) * work_;
+  free_.noalias() += MInvW_ * lambda_;
+  redundant_ = false;
+  if (m == 0) return;
+  A_.resize(m, m), rhs_.resize(m);
+  MP_.noalias() = MInvW_ * P_.leftCols(m);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const int row = kept_[static_cast<std::size_t>(k)];
+    rhs_[k] = -(W_.col(row).dot(free_) + bias_[row]);
+    A_.row(k).noalias() = W_.col(row).transpose() * MP_;
+  }
+  qr_.setThreshold(kRank);
+  qr_.compute(A_);
+  redundant_ = qr_.rank() < m;
+  work_ = qr_.solve(rhs_);
+  free_.noalias() += MP_ * work_;
+  lambda_.noalias() += P_.leftCols(m) * work_;
+}
+
+double FrozenPhase::leastMargin() const {
+  double least = 1e300, value = 0.0;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (margin(i, value)) least = std::min(least, value);
+  return least;
+}
+
+bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {
+  if (!accelerate(e, u, a)) return false;
+  if (!redundant_) return true;
+  const std::vector<Held> decided = held;
+  const auto scale = [&](double part) {
+    for (std::size_t i = 0; i < held.size(); ++i)
+      for (std::size_t r = 0; r < held[i].lambda.size(); ++r)
+        held[i].lambda[r] = part * decided[i].lambda[r];
+  };
+  double best = 1.0, least = leastMargin();
+  for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+    scale(part);
+    if (!accelerate(e, u, a)) return false;
+    if (const double margin = leastMargin(); margin > least) least = margin, best = part;
+  }
+  scale(best);
+  return accelerate(e, u, a);
+}
+
+double FrozenPhase::turnStarting() {
+  // t ← −(λ_T − r γ̇_T)/|…| with r = 1/G_TT: the fixed point is −γ̇_T ∈ N_C(λ_T).
+  double change = 0.0;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    Held& h = held[i];
+    const int first = row0_[i] + (form_[i] == Form::cone ? 1 : 0);
+    if (!h.starts || row0_[i + 1] - first != 2) continue;
+    double G = 0.0, z[2];
+    for (int r = 0; r < 2; ++r) G += 0.5 * W_.col(first + r).dot(MInvW_.col(first + r));
+    for (int r = 0; r < 2; ++r)
+      z[r] = (W_.col(first + r).dot(free_) + bias_[first + r]) / G - lambda_[first + r];
+    const double length = std::hypot(z[0], z[1]);
+    if (!(length > 0.0)) continue;
+    for (std::size_t r = 0; r < 2; ++r) {
+      change = std::max(change, std::abs(z[r] / length - h.direction[r]));
+      h.direction[r] = z[r] / length;
+    }
+  }
+  return change;
+}
+
+void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
+  gammaDot_.noalias() = W_.transpose() * free_;
+  gammaDot_ += bias_;
+  forceScale_ = lambda_.size() > 0 ? lambda_.lpNorm<Eigen::Infinity>() : 0.0;
+  for (const Bounds& b : bounds_)
+    if (b.form == Form::given && std::isfinite(b.upper))
+      forceScale_ = std::max(forceScale_, b.upper);
+  power_ = {e.hNonPotential.dot(u), 0.0, 0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < held.size(); ++i)
+    for (int r = 0; r < dim(i); ++r) {
+      const int row = row0_[i] + r;
+      const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
+      const RowKind kind = law.rowKind(r);
+      power_[kind == RowKind::friction ? 1
+             : kind == RowKind::normal ? 2
+                                       : 3] += lambda_[row] * gamma_[row];
+      power_[4] -= lambda_[row] * chi_[static_cast<std::size_t>(row)];
+    }
+}
+
+bool FrozenPhase::margin(std::size_t i, double& value) const {
+  const int first = row0_[i], d = dim(i);
+  const Bounds& b = bounds_[i];
+  switch (form_[i]) {
+    case Form::joint:
+      return false;
+    case Form::normal:
+      value = lambda_[first];
+      return true;
+    case Form::cone:
+      value = lambda_[first];
+      if (!held[i].slips)
+        value = std::min(value, b.upper * value - lambda_.segment(first + 1, d - 1).norm());
+      return true;
+    case Form::given:
+      if (held[i].slips) return false;
+      value = d > 1 ? b.upper - lambda_.segment(first, d).norm()
+                    : std::min(b.upper - lambda_[first], lambda_[first] - b.lower);
+      return true;
+  }
+  return false;
+}
+
+bool FrozenPhase::correction(const Evaluation& e, Eigen::VectorXd& delta) {
+  const auto m = static_cast<Eigen::Index>(kept_.size());
+  bool off = false;
+  for (Eigen::Index k = 0; k < m; ++k) off = off || rhs_[k] != 0.0;
+  delta.setZero(e.h.size());
+  if (!off) return false;
+  A_.resize(m, m);
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (Eigen::Index j = 0; j < m; ++j)
+      A_(k, j) = W_.col(kept_[static_cast<std::size_t>(k)])
+                     .dot(MInvW_.col(kept_[static_cast<std::size_t>(j)]));
+  qr_.setThreshold(kRank);
+  qr_.compute(A_);
+  work_ = qr_.solve(rhs_);
+  for (Eigen::Index k = 0; k < m; ++k)
+    delta += work_[k] * MInvW_.col(kept_[static_cast<std::size_t>(k)]);
+  return true;
+}
+
+bool FrozenPhase::positionCorrection(const Evaluation& e, Eigen::VectorXd& delta) {
+  work_.setZero(e.h.size());
+  if (!gather(e, work_)) return false;
+  kept_.clear();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
+    for (int r = 0; r < dim(i); ++r)
+      if (law.rowKind(r) != RowKind::friction) kept_.push_back(row0_[i] + r);
+  }
+  rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
+  for (std::size_t k = 0; k < kept_.size(); ++k)
+    rhs_[static_cast<Eigen::Index>(k)] = -position_[kept_[k]];
+  return correction(e, delta);
+}
+
+bool FrozenPhase::velocityCorrection(const Evaluation& e, const Eigen::VectorXd& u,
+                                     Eigen::VectorXd& delta) {
+  if (!gather(e, u)) return false;
+  kept_.clear();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
+    for (int r = 0; r < dim(i); ++r)
+      if (!held[i].slips || law.rowKind(r) == RowKind::normal) kept_.push_back(row0_[i] + r);
+  }
+  rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
+  for (std::size_t k = 0; k < kept_.size(); ++k)
+    rhs_[static_cast<Eigen::Index>(k)] = -gamma_[kept_[k]];
+  return correction(e, delta);
+}
+
+}  // namespace dynamy

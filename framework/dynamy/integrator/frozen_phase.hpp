@@ -1,0 +1,107 @@
+/// FrozenPhase: the motion between two switches, with the status of every contact held
+/// (theory 50.1):
+///
+///   M u̇ = h + W (P π + p₀),   Sᵀ (Wᵀ u̇ + w̄) = 0     ⇒     (Sᵀ G P) π = −Sᵀ (Wᵀ M⁻¹(h + W p₀) + w̄)
+///
+///   joint, sticking or frictionless closed contact     P = S = I
+///   slip of a cone                                     P = e_N − μ t,  S = e_N,  t = γ_T/|γ_T|
+///   slip of a set of given size                        p₀ = −a t, no unknown
+///
+/// In one tangent t is a sign that was decided at the switch: it does not flip while stages pass
+/// zero, so the motion goes on smoothly past its end, and one look at the path finds the end.
+/// Redundant rows share what the last decision gave them, changed as little as possible; the
+/// accelerations do not depend on it.
+#pragma once
+#include <Eigen/QR>
+#include <array>
+#include <dynamy/integrator/mechanical_system.hpp>
+
+namespace dynamy {
+
+/// One contact with its status.
+struct Held {
+  static constexpr int kMostRows = 6;
+  ContactKey key;
+  bool slips = false;
+  double sign = 0.0;  ///< of γ_T, where the slip has one direction
+  /// In space a slip that has just begun has the direction of γ̇_T, by an inclusion on acceleration
+  /// level: γ_T is too small to have one (theory 20.6).
+  bool starts = false;
+  double turned = 0.0;  ///< ∫ |γ_T| dθ of the turning direction since [m/s]
+  std::array<double, 2> direction{1.0, 0.0};  ///< decided; of a slip that starts: the present one
+  double mutedUntil = -1.0;                   ///< its force and slip are not looked at before [s]
+  std::array<double, kMostRows> lambda{};     ///< as the last decision gave them [N]
+};
+
+class FrozenPhase {
+ public:
+  enum class Form : std::uint8_t { joint, normal, cone, given };
+
+  /// Joints, then closed contacts and sets of given size, in order of emission.
+  std::vector<Held> held;
+
+  const Held* find(ContactKey key) const;
+  Held* find(ContactKey key);
+  /// Sorted keys of all.
+  void keys(std::vector<ContactKey>& out) const;
+  /// Accelerations from what is evaluated in `e`, with u. False: fault() says why.
+  bool accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
+  /// Where rows are redundant: the forces, between those of the decision and the smallest, that
+  /// keep furthest from all bounds, from now on.
+  bool share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
+  std::string_view fault() const { return fault_; }
+
+  /// Forces of the last acceleration: rows of held[i] from row0(i) on.
+  const Eigen::VectorXd& lambda() const { return lambda_; }
+  int row0(std::size_t i) const { return row0_[i]; }
+  int dim(std::size_t i) const { return row0_[i + 1] - row0_[i]; }
+  int rows() const { return row0_.empty() ? 0 : row0_.back(); }
+  Form form(std::size_t i) const { return form_[i]; }
+  /// γ and γ̇ of the same rows in the last acceleration.
+  const Eigen::VectorXd& gamma() const { return gamma_; }
+  double gammaDot(int row) const { return gammaDot_[row]; }
+  /// Power of the last acceleration: without potential, friction, normal, joints, moving ground
+  /// [W].
+  const std::array<double, 5>& power() const { return power_; }
+  /// Number that is positive as long as the force of held[i] permits the status, over the largest
+  /// force; not for those without a bound (false).
+  bool margin(std::size_t i, double& value) const;
+  double forceScale() const { return forceScale_; }
+
+  /// δ = M⁻¹W Λ with g + Wᵀδ = 0 for all positions of the rows that are held; false: none is off.
+  bool positionCorrection(const Evaluation& e, Eigen::VectorXd& delta);
+  /// The same with γ of the held rows.
+  bool velocityCorrection(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& delta);
+
+  /// Form of a law with `dim` rows, and its numbers for forces (Δt = 1); false: it has none.
+  struct Bounds {
+    Form form = Form::joint;
+    double lower = 0.0, upper = 0.0;
+  };
+  static bool bounds(const SetValuedForceLaw& law, int dim, const double* gamma, Bounds& out);
+
+ private:
+  void solve(const Evaluation& e);
+  double leastMargin() const;
+  double turnStarting();
+  bool gather(const Evaluation& e, const Eigen::VectorXd& u);
+  void columns(std::size_t i);
+  void finish(const Evaluation& e, const Eigen::VectorXd& u);
+  bool correction(const Evaluation& e, Eigen::VectorXd& delta);
+  std::vector<int> row0_, index_;
+  std::vector<Form> form_;
+  std::vector<Bounds> bounds_;
+  std::string_view fault_;
+  Eigen::MatrixXd W_, MInvW_;  // nu × rows
+  Eigen::MatrixXd P_;          // rows × unknowns
+  std::vector<int> kept_;      // S: the row of each unknown
+  Eigen::VectorXd p0_, gamma_, bias_, lambda_, gammaDot_, free_, work_, rhs_, position_;
+  Eigen::MatrixXd A_, MP_;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;
+  std::vector<double> chi_;
+  std::array<double, 5> power_{};
+  double forceScale_ = 0.0;
+  bool redundant_ = false;
+};
+
+}  // namespace dynamy

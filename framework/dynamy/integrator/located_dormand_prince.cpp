@@ -1,0 +1,371 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/integrator/located_dormand_prince.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kLoose = 1e-3;                             ///< from this tolerance up order 5
+constexpr double kFirstStep = 0.02;                         ///< of T
+constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
+constexpr double kAtOnce = 1e-6;      ///< events within this part of the step are at one instant
+constexpr double kMostTurned = 30.0;  ///< k of theory 20.6, in units of the tolerance
+constexpr int kMostNulls = 5;
+constexpr double kMuted = 1e-3;       ///< of the step
+constexpr double kProject = 1e-3;     ///< corrections below this part of the tolerance wait
+constexpr int kMostTries = 2000;      ///< of one step
+constexpr double kLeastStep = 1e-14;  ///< of the time and of T
+constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
+constexpr double kSafety = 0.9, kShrink = 0.2, kGrow = 6.0;
+
+}  // namespace
+
+LocatedDormandPrince::LocatedDormandPrince(const Parameters& x) : OneStep(x) {}
+
+void LocatedDormandPrince::declare(Attributes& a) {
+  a.about(
+      "Steps by tolerance: Dormand and Prince's explicit method of order 8 (5 at loose tolerances) "
+      "between switches, which are located; impacts and new contact states by inclusions. The "
+      "scheme of every run with a tolerance.");
+  a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
+}
+
+void LocatedDormandPrince::aim(const Accuracy& accuracy) {
+  accuracy_ = accuracy;
+  table_ = accuracy.tolerance >= kLoose ? &dormandPrince5() : &dormandPrince8();
+  ready_ = false;
+}
+
+double LocatedDormandPrince::nextStep(const State& x) const {
+  return x.scheme.size() > 0 ? x.scheme[0] : 0.0;
+}
+
+bool LocatedDormandPrince::refuse(std::string_view why) {
+  why_ = why;
+  return false;
+}
+
+bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
+  s.freeze(phaseKeys_);
+  s.evaluate(p.x, 0);
+  if (!phase_.accelerate(s.slot(0), p.x.u, p.a)) return refuse(phase_.fault());
+  p.lambda = phase_.lambda(), p.power = phase_.power();
+  smooth_.rates(s, p);
+  return true;
+}
+
+void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                                 StepReport& report) {
+  from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
+  phaseKeys_.clear(), phase_.held.clear();
+  s.freeze(phaseKeys_);
+  s.evaluate(from_.x, 0);
+  norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length);
+  H_ = kFirstStep * norm_.time(), lookAhead_ = kLookAhead, lastEvent_ = -1e300, nulls_ = 0;
+  event(s, solver, from_, report, {});
+}
+
+// ---- events ------------------------------------------------------------------------------------
+
+bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
+                                 StepReport& report, const std::vector<ContactKey>& stopped) {
+  const SwitchEvent::Result r =
+      event_.process(s, solver, probe_, phase_, p, smooth_, lookAhead_ * H_, stopped);
+  if (!r.fault.empty()) return refuse(r.fault);
+  if (!r.solved.ok()) report.solved = r.solved;
+  report.solved.repaired += r.solved.repaired;
+  report.solved.energyGain = std::max(report.solved.energyGain, r.solved.energyGain);
+  report.counts.impacts += r.impact ? 1 : 0;
+  report.counts.accumulations += r.accumulations;
+  if (r.accumulations > 0) report.counts.accumulationEnd = r.accumulationEnd;
+  report.counts.undecided += r.undecided ? 1 : 0;
+  for (const Percussion& q : event_.percussions()) told_.push_back(q);
+  for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
+  noteNull(r, p);
+  phaseKeys_.clear();
+  phase_.keys(phaseKeys_);
+  return true;
+}
+
+void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoint& p) {
+  const bool atOnce = p.x.t - lastEvent_ <= kAtOnce * H_;
+  lastEvent_ = p.x.t;
+  if (r.changed || r.impact || !atOnce) {
+    if (!atOnce) lookAhead_ = kLookAhead, nulls_ = 0;
+    return;
+  }
+  lookAhead_ = std::min(10.0 * lookAhead_, kMostLookAhead);
+  if (++nulls_ < kMostNulls) return;
+  for (Held& h : phase_.held) h.mutedUntil = p.x.t + kMuted * H_;
+  nulls_ = 0;
+}
+
+bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, double& most,
+                                StepReport& report, bool& stopped) {
+  // Slip in space ends where |γ_T| reaches zero, in a singular way: the end is taken analytically,
+  // for all contacts whose slip is that short at once.
+  stopped = false;
+  stopping_.clear();
+  double last = 0.0, bound = most;
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    const Held& h = phase_.held[i];
+    const int first = phase_.row0(i) + (phase_.form(i) == FrozenPhase::Form::cone ? 1 : 0);
+    const int k = phase_.row0(i + 1) - first;
+    if (!h.slips || k < 2 || h.starts || h.mutedUntil > from_.x.t) continue;
+    double v = 0.0, along = 0.0, rate = 0.0;
+    for (int r = 0; r < k; ++r) {
+      const double g = phase_.gamma()[first + r], d = phase_.gammaDot(first + r);
+      v += g * g, along += g * d, rate += d * d;
+    }
+    v = std::sqrt(v);
+    if (!(along < 0.0)) continue;
+    const double T = -v * v / along, path = 0.5 * v * T, tol = norm_.tolerance();
+    const double sine = std::max(0.0, 1.0 - along * along / (v * v * rate));
+    if (path > tol * norm_.length() || T * sine > 10.0 * tol * norm_.time() || T > most) {
+      bound = std::min(bound, 0.75 * T);
+      continue;
+    }
+    stopping_.push_back(h.key);
+    last = std::max(last, T);
+  }
+  if (stopping_.empty()) {
+    most = bound;
+    return true;
+  }
+  trial_ = from_, oldPhase_ = phase_;
+  delta_ = from_.x.u + 0.5 * last * from_.a;
+  s.move(from_.x, delta_, last);
+  from_.x.u += last * from_.a;
+  if (!event(s, solver, from_, report, stopping_)) return false;
+  stopped = std::all_of(stopping_.begin(), stopping_.end(), [&](ContactKey key) {
+    const Held* after = phase_.find(key);
+    return after == nullptr || !after->slips;
+  });
+  if (stopped) return true;
+  from_ = trial_, phase_ = oldPhase_;  // they slip on: not a stop
+  for (Held& h : phase_.held)
+    if (std::find(stopping_.begin(), stopping_.end(), h.key) != stopping_.end())
+      h.mutedUntil = from_.x.t + 2.0 * last;
+  phaseKeys_.clear();
+  phase_.keys(phaseKeys_);
+  return evaluateEnd(s, from_);
+}
+
+// ---- steps -------------------------------------------------------------------------------------
+
+double LocatedDormandPrince::turn() {
+  // What the directions of slips that start have turned in the trial, over what they may.
+  double past = 0.0;
+  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    Held& h = phase_.held[i];
+    if (!h.starts) continue;
+    const int first = phase_.row0(i) + (phase_.form(i) == FrozenPhase::Form::cone ? 1 : 0);
+    const double* gamma = phase_.gamma().data() + first;
+    const Held& before = startHeld_[i];
+    const double cross =
+        before.direction[0] * h.direction[1] - before.direction[1] * h.direction[0];
+    h.turned = before.turned + std::hypot(gamma[0], gamma[1]) * std::abs(cross);
+    past = std::max(past, h.turned / most);
+  }
+  return past;
+}
+
+bool LocatedDormandPrince::endStarts() {
+  bool any = false;
+  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    Held& h = phase_.held[i];
+    if (!h.starts) continue;
+    const int first = phase_.row0(i) + (phase_.form(i) == FrozenPhase::Form::cone ? 1 : 0);
+    double along = 0.0;
+    for (int r = 0; r < 2; ++r) along += phase_.gamma()[first + r] * phase_.gammaDot(first + r);
+    if (h.turned > most || !(along > 0.0)) h.starts = false, any = true;
+  }
+  return any;
+}
+
+LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, double h,
+                                                          bool looked, StepReport& report,
+                                                          Switch& found) {
+  s.freeze(phaseKeys_);
+  phase_.held = startHeld_;
+  const auto reject = [&](double factor) {
+    ++report.counts.rejected;
+    H_ = h * factor;
+    return Tried::rejected;
+  };
+  to_.x.memory = from_.x.memory;
+  if (!smooth_.take(s, phase_, from_, h, to_.x)) {
+    if (!phase_.fault().empty()) return refuse(phase_.fault()), Tried::failed;
+    return reject(kShrink);
+  }
+  if (smooth_.errorNeedsEnd()) {
+    if (!evaluateEnd(s, to_)) return Tried::failed;
+    smooth_.end(to_);
+  }
+  const double error = smooth_.error(norm_, from_.x, to_.x);
+  if (!std::isfinite(error)) return reject(kShrink);
+  const double factor = kSafety * std::pow(std::max(error, 1e-10), -1.0 / table_->order);
+  if (error > 1.0) return reject(std::clamp(factor, kShrink, 1.0));
+  if (!smooth_.errorNeedsEnd() && !evaluateEnd(s, to_)) return Tried::failed;
+  if (!to_.a.allFinite()) return reject(kShrink);
+  if (const double past = turn(); past > 2.0)
+    return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7));
+  found = {};
+  if (search_.any()) {
+    path_.through(s, from_, to_);
+    search_.atEnd(phase_);
+    const double width = 0.1 * std::cbrt(0.01 * norm_.tolerance());
+    if (!search_.find(s, probe_, phase_, path_, looked, width, found))
+      return refuse(phase_.fault().empty()
+                        ? "contacts appear and disappear (two boxes): their gaps cannot be followed"
+                        : phase_.fault()),
+             Tried::failed;
+  }
+  if (found.kind == Switch::Kind::look) return Tried::again;
+  // A step that was bounded from outside says little about the next.
+  const double next = h * std::min(factor, kGrow);
+  H_ = h < H_ ? std::max(H_, next) : next;
+  return found ? Tried::located : Tried::accepted;
+}
+
+bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w) {
+  s.freeze(phaseKeys_);
+  const double length = w.theta * h;
+  if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_.fault());
+  return evaluateEnd(s, to_) && polish(s, length, w);
+}
+
+bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w) {
+  double slope = w.slope, last = 0.0, moved = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    double value = 0.0;
+    if (!search_.value(probe_, phase_, to_.x, w, value))
+      return refuse("contacts appear and disappear (two boxes): their gaps cannot be followed");
+    if (i > 0 && moved != 0.0 && value != last) {
+      const double secant = (value - last) / moved;
+      if (secant * slope > 0.0) slope = secant;
+    }
+    if (!(slope < 0.0)) return true;  // grazing: the switch is where the search found it
+    const double d = -value / slope;
+    if (std::abs(d) <= (w.force ? 1e-8 : 1e-15) * h || std::abs(d) > 0.5 * h) return true;
+    last = value, moved = d;
+    if (std::abs(d / h) * (d / h) * (d / h) > 0.01 * norm_.tolerance()) {
+      trial_ = to_;
+      SmoothStep& own = smoothOwn_;
+      if (!own.take(s, phase_, trial_, d, to_.x)) return refuse(phase_.fault());
+      if (!evaluateEnd(s, to_)) return false;
+    } else {
+      delta_ = to_.x.u + 0.5 * d * to_.a;
+      s.move(to_.x, delta_, d);
+      to_.x.u += d * to_.a;
+      if (w.force && !evaluateEnd(s, to_)) return false;
+    }
+  }
+  return true;
+}
+
+bool LocatedDormandPrince::project(MechanicalSystem& s, PhasePoint& p) {
+  if (phase_.held.empty()) return true;
+  double off = 0.0;
+  const auto measure = [&] {
+    for (Eigen::Index i = 0; i < delta_.size(); ++i)
+      off = std::max(off, norm_.velocity(i, delta_[i], 0.0));
+  };
+  Eigen::VectorXd& position = trial_.qdot;
+  if (phase_.positionCorrection(s.slot(0), position)) delta_ = position / norm_.time(), measure();
+  const bool moves = off > 0.0;
+  const bool turns = phase_.velocityCorrection(s.slot(0), p.x.u, delta_);
+  if (turns) measure();
+  if (off <= kProject) return true;
+  if (turns) p.x.u += delta_;
+  if (moves) {
+    constexpr double kTau = 1e-9;
+    const double t = p.x.t;
+    position /= kTau;
+    s.move(p.x, position, kTau);
+    p.x.t = t;
+  }
+  return evaluateEnd(s, p);
+}
+
+bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                                 StepReport& report) {
+  const bool same = system_ == &s;
+  why_ = {}, system_ = &s, denseReady_ = false;
+  told_.clear(), works_ = {};
+  stepKeys_.clear(), impulse_.resize(0);
+  s.bias(true);
+  if (!ready_) {
+    smooth_.prepare(s, *table_), smoothOwn_.prepare(s, *table_);
+    probe_.prepare(s, x);
+    event_.prepare(s, norm_);
+    ready_ = true;
+  }
+  if (x.scheme.size() == 0)
+    begin(s, solver, x, report);
+  else if (same && goesOn(x))
+    std::swap(from_, to_);
+  else
+    restore(s, x);
+  search_.prepare(kGapNoise * norm_.length(), kSpeedNoise * norm_.speed());
+  return why_.empty();
+}
+
+bool LocatedDormandPrince::advance(MechanicalSystem& s, InclusionSolver& solver, double most,
+                                   StepReport& report, bool& done) {
+  if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time()))
+    return refuse("the steps have become too short: no status of the contacts lasts");
+  if (!search_.begin(probe_, phase_, from_.x))
+    return refuse("contacts appear and disappear (two boxes): their gaps cannot be followed");
+  bool stopped = false;
+  double bound = most;
+  if (!stop(s, solver, bound, report, stopped)) return false;
+  if (stopped) {
+    ++report.counts.switches;
+    to_ = from_, done = true;
+    return true;
+  }
+  double h = std::min(H_, bound);
+  startHeld_ = phase_.held;
+  Switch found;
+  Tried tried = attempt(s, h, false, report, found);
+  if (tried == Tried::again) h *= found.theta, tried = attempt(s, h, true, report, found);
+  if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
+  if (found) ++report.counts.switches;
+  if (found.kind == Switch::Kind::atStart) return event(s, solver, from_, report, {});
+  if (found && !repeat(s, h, found)) return false;
+  if (!found && h == most) to_.x.t = from_.x.t + most;
+  done = true;
+  keepImpulses();
+  stepFrom_ = from_, stepTo_ = to_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
+  const bool ended = endStarts();
+  if (found) return event(s, solver, to_, report, {});
+  return project(s, to_) && (!ended || evaluateEnd(s, to_));
+}
+
+StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                      double dt) {
+  StepReport report;
+  bool done = false, good = enter(s, solver, x, report);
+  for (int tries = 0; good && !done; ++tries)
+    good = tries < kMostTries
+               ? advance(s, solver, x.t + dt - from_.x.t, report, done)
+               : refuse("the steps have become too short: no status of the contacts lasts");
+  if (good) {
+    const double t = x.t;
+    x.t = to_.x.t == t + dt ? t + dt : to_.x.t;
+    x.q = to_.x.q, x.u = to_.x.u;
+    store(x);
+    report.dt = x.t - t;
+    tell(s, x, report);
+  } else {
+    report.refused = why_;
+  }
+  s.thaw();
+  return report;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,123 @@
+// LocatedDormandPrince: what it keeps from step to step, and what it tells of a step.
+#include <algorithm>
+#include <dynamy/integrator/located_dormand_prince.hpp>
+
+namespace dynamy {
+namespace {
+
+/// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
+/// there, number of held contacts; then for each element, number, slip, sign, end of muting,
+/// whether the slip starts, what it has turned, its direction, λ.
+constexpr int kHead = 6, kPerHeld = 9 + Held::kMostRows;
+
+}  // namespace
+
+void LocatedDormandPrince::store(State& x) {
+  const std::size_t n = phase_.held.size();
+  x.scheme.resize(static_cast<Eigen::Index>(kHead + kPerHeld * n));
+  x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
+      static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Held& h = phase_.held[i];
+    double* out = x.scheme.data() + kHead + kPerHeld * i;
+    out[0] = static_cast<double>(h.key.value >> 40);
+    out[1] = static_cast<double>(contactNumber(h.key));
+    out[2] = h.slips ? 1.0 : 0.0, out[3] = h.sign, out[4] = h.mutedUntil;
+    out[5] = h.starts ? 1.0 : 0.0, out[6] = h.turned;
+    out[7] = h.direction[0], out[8] = h.direction[1];
+    std::copy(h.lambda.begin(), h.lambda.end(), out + 9);
+  }
+  stored_ = x.scheme;
+}
+
+bool LocatedDormandPrince::goesOn(const State& x) const {
+  return x.t == to_.x.t && x.scheme.size() == stored_.size() && x.scheme == stored_ &&
+         x.q == to_.x.q && x.u == to_.x.u && x.memory == to_.x.memory;
+}
+
+bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
+  H_ = x.scheme[0], lookAhead_ = x.scheme[2], lastEvent_ = x.scheme[3];
+  nulls_ = static_cast<int>(x.scheme[4]);
+  if (norm_.time() != x.scheme[1])
+    norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
+  phase_.held.resize(static_cast<std::size_t>(x.scheme[5]));
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    Held& h = phase_.held[i];
+    const double* in = x.scheme.data() + kHead + kPerHeld * i;
+    h.key = contactKey(static_cast<int>(in[0]), static_cast<std::uint64_t>(in[1]));
+    h.slips = in[2] != 0.0, h.sign = in[3], h.mutedUntil = in[4];
+    h.starts = in[5] != 0.0, h.turned = in[6], h.direction = {in[7], in[8]};
+    std::copy(in + 9, in + kPerHeld, h.lambda.begin());
+  }
+  phaseKeys_.clear();
+  phase_.keys(phaseKeys_);
+  from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
+  return evaluateEnd(s, from_);
+}
+
+void LocatedDormandPrince::keepImpulses() {
+  stepKeys_.clear();
+  impulse_ = smooth_.impulse();
+  for (std::size_t i = 0; i < phase_.held.size(); ++i)
+    stepKeys_.push_back({phase_.held[i].key, phase_.row0(i), phase_.dim(i)});
+  for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += smooth_.works()[k];
+}
+
+void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& report) {
+  InclusionProblem& p = s.impactProblem(x, report.dt, 0);
+  const ContactSet& c = *p.contacts;
+  Vec Lambda = s.Lambda();
+  Lambda.setZero();
+  delta_.resize(c.rows());
+  c.gamma(view(std::as_const(x.u)), view(delta_));
+  for (int k = 0; k < c.rows(); ++k) p.gammaA[static_cast<std::size_t>(k)] = delta_[k];
+  for (int i = 0; i < c.size(); ++i)  // what the projection leaves is no impact
+    if (c.law[static_cast<std::size_t>(i)]->unilateral())
+      p.gammaA[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])] = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const int first = c.row0[at];
+    for (const Impulse& m : stepKeys_)
+      for (int r = 0; m.key == c.key[at] && r < m.dim; ++r)
+        Lambda[first + r] += impulse_[m.row + r];
+    for (const Percussion& q : told_)
+      for (int r = 0; q.key == c.key[at] && r < q.dim; ++r) {
+        const auto k = static_cast<std::size_t>(r);
+        Lambda[first + r] += q.Lambda[k];
+        p.gammaA[static_cast<std::size_t>(first + r)] = q.gammaMinus[k];
+      }
+  }
+  p.gammaFree = p.gammaA;
+  statuses_.clear();
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    const FrozenPhase::Form form = phase_.form(i);
+    const bool slips = phase_.held[i].slips || form == FrozenPhase::Form::normal;
+    statuses_.push_back({phase_.held[i].key, form == FrozenPhase::Form::joint ? Status::locked
+                                             : slips                          ? Status::slip
+                                                                              : Status::stick});
+  }
+  report.ownStatuses = true, report.statuses = statuses_;
+  x.impulses = {};
+  report.contacts = c.size();
+  report.works = {true, works_[0], works_[1], works_[2], works_[3], works_[4]};
+}
+
+void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a, const State& b,
+                                       double theta, State& out) const {
+  const bool known = system_ == &s && stepFrom_.x.t == a.t && stepFrom_.x.q == a.q;
+  if (!known) {
+    OneStep::interpolate(s, a, b, theta, out);
+    return;
+  }
+  if (!denseReady_) {
+    system_->freeze(stepPhaseKeys_);
+    denseReady_ = smooth_.prepareDense(*system_, stepPhase_, stepFrom_, stepTo_);
+    system_->thaw();
+  }
+  const double t = a.t + theta * (b.t - a.t);
+  out.memory = b.memory;
+  smooth_.dense(std::clamp((t - stepFrom_.x.t) / smooth_.length(), 0.0, 1.5), out);
+  out.t = t;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,82 @@
+/// SmoothStep: one explicit Runge–Kutta step of a frozen phase, and the paths through it.
+///
+///   q̇ = F(q,t) u + β,   u̇ = a(t, q, u)  of FrozenPhase
+///
+/// Stages are combined in the numbers of q themselves; unit quaternions leave their sphere by the
+/// local error and are normalised at the end of the step. The field goes on smoothly off the
+/// sphere, so the order stays. Canonical coordinates of each step were rejected as a default: no
+/// element would have to know more, but every stage would convert.
+#pragma once
+#include <dynamy/integrator/butcher_tableau.hpp>
+#include <dynamy/integrator/error_norm.hpp>
+#include <dynamy/integrator/frozen_phase.hpp>
+
+namespace dynamy {
+
+/// q̇ of all systems at x.
+void configurationRate(const Topology& topology, const State& x, Eigen::VectorXd& qdot);
+
+/// A state with its derivatives in the present phase.
+struct PhasePoint {
+  State x;
+  Eigen::VectorXd qdot, qddot, a;
+  Eigen::VectorXd lambda;         ///< rows of the phase [N]
+  std::array<double, 5> power{};  ///< as FrozenPhase::power [W]
+};
+
+/// Quintic through positions, velocities and accelerations of two points; no further evaluation.
+class QuinticPath {
+ public:
+  void through(const MechanicalSystem& s, const PhasePoint& from, const PhasePoint& to);
+  void at(double theta, State& out) const;
+  double length() const { return h_; }
+
+ private:
+  const PhasePoint *from_ = nullptr, *to_ = nullptr;
+  double h_ = 0.0;
+  bool derivative_ = false;  // u = q̇ in all systems
+};
+
+class SmoothStep {
+ public:
+  void prepare(const MechanicalSystem& s, const ButcherTableau& table);
+  /// True: q̇ = u everywhere.
+  bool plain() const { return plain_; }
+  /// q̇ and q̈ of a point whose x and a are known.
+  void rates(const MechanicalSystem& s, PhasePoint& p) const;
+
+  /// From `from`, whose derivatives are known, over h. `to` gets t, q, u; stages are evaluated in
+  /// slot 1. False: fault() of the phase, or numbers that are not finite.
+  bool take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h, State& to);
+  /// The derivative at the end of the last step, which the estimate of order 5 needs.
+  void end(const PhasePoint& to) {
+    Q_.col(table_->stages) = to.qdot, U_.col(table_->stages) = to.a;
+  }
+  bool errorNeedsEnd() const { return table_->error3 == nullptr; }
+  /// Error of the last step in units of the tolerance.
+  double error(const ErrorNorm& norm, const State& from, const State& to) const;
+  /// ∫λ dt and works of the last step, rows as in the phase.
+  const Eigen::VectorXd& impulse() const { return impulse_; }
+  const std::array<double, 5>& works() const { return works_; }
+
+  /// Dense output of the last step, whose end is `to`: evaluates what it still needs.
+  bool prepareDense(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
+                    const PhasePoint& to);
+  void dense(double theta, State& out) const;
+  double length() const { return h_; }
+
+ private:
+  bool stage(MechanicalSystem& s, FrozenPhase& phase, int i);
+  void combine(const PhasePoint& from, int row, State& out) const;
+  const ButcherTableau* table_ = nullptr;
+  bool plain_ = false;
+  double h_ = 0.0;
+  State stage_;
+  Eigen::MatrixXd Q_, U_;  // derivatives of stage i in column i
+  Eigen::VectorXd impulse_;
+  std::array<double, 5> works_{};
+  std::array<Eigen::VectorXd, 8> denseQ_, denseU_;
+  double t0_ = 0.0;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,320 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/switch_event.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kTouch = 1e-10;   ///< gaps up to this part of L take part in an impact
+constexpr double kRest = 1e-10;    ///< speeds below this part of U rest
+constexpr double kSlip = 1e-9;     ///< slips above this part of U go on
+constexpr double kDecided = 1e-8;  ///< of the velocities a decision asks for: zero
+constexpr double kClear = 1e3;     ///< a slip enters a decision with this multiple of them at least
+constexpr double kZeno = 0.1;      ///< z: heights below z tol L are none
+constexpr double kZenoFloor = 1e-12;
+constexpr int kMostTurns = 12;
+constexpr double kTau = 1e-9;  ///< a displacement δ is a velocity δ/τ for the time τ
+
+bool has(const std::vector<ContactKey>& keys, ContactKey key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+}  // namespace
+
+void SwitchEvent::prepare(const MechanicalSystem&, const ErrorNorm& norm) { norm_ = &norm; }
+
+bool SwitchEvent::takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
+  if (!probe.look(x)) return false;
+  keys_.clear();
+  for (int i = 0; i < probe.size(); ++i) {
+    const bool touches = probe.law(i).unilateral() && probe.gap(i) <= kTouch * norm_->length() &&
+                         probe.gamma(i) <= kRest * norm_->speed();
+    if (!probe.law(i).unilateral() || touches || phase.find(probe.key(i)) != nullptr)
+      keys_.push_back(probe.key(i));
+  }
+  std::sort(keys_.begin(), keys_.end());
+  return true;
+}
+
+bool SwitchEvent::projectPositions(MechanicalSystem& s, FrozenPhase& phase, State& x) {
+  bool moved = false;
+  const double t = x.t;
+  for (int i = 0; i < 4 && phase.positionCorrection(s.slot(0), delta_); ++i) {
+    const double size = delta_.lpNorm<Eigen::Infinity>();
+    if (!(size > 0.0)) break;
+    delta_ /= kTau;
+    s.move(x, delta_, kTau);
+    x.t = t, moved = true;
+    s.evaluate(x, 0);
+    if (size < 1e-12 * norm_->length()) break;
+  }
+  return moved;
+}
+
+void SwitchEvent::projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x) {
+  if (phase.velocityCorrection(s.slot(0), x.u, delta_)) x.u += delta_;
+}
+
+SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver,
+                                         ContactProbe& probe, FrozenPhase& phase, PhasePoint& p,
+                                         const SmoothStep& smooth, double lookAhead,
+                                         const std::vector<ContactKey>& stopped) {
+  Result r;
+  percussions_.clear(), plastic_.clear(), shut_.clear(), works_ = {};
+  State& x = p.x;
+  if (!takePart(probe, phase, x)) {
+    r.fault = "contacts appear and disappear (two boxes): their gaps cannot be followed";
+    return r;
+  }
+  s.freeze(keys_);
+  s.evaluate(x, 0);
+  projectPositions(s, phase, x);
+  projectVelocities(s, phase, x);
+  uBefore_ = x.u;
+  for (int turn = 0;; ++turn) {
+    x.u = uBefore_;
+    percussions_.clear(), works_ = {};
+    r.impact = impact(s, solver, x, r);
+    decide(s, solver, x, lookAhead, phase, stopped, next_, r);
+    s.freeze(keys_);
+    s.evaluate(x, 0);
+    projectVelocities(s, next_, x);
+    if (!next_.share(s.slot(0), x.u, p.a)) {
+      r.fault = next_.fault();
+      return r;
+    }
+    if (turn == kMostTurns || !staysClosed(s, next_, p, r)) break;
+  }
+  p.lambda = next_.lambda(), p.power = next_.power();
+  smooth.rates(s, p);
+  // Has any status changed?
+  r.changed = next_.held.size() != phase.held.size();
+  for (std::size_t i = 0; i < next_.held.size() && !r.changed; ++i) {
+    const Held &a = next_.held[i], &b = phase.held[i];
+    r.changed = a.key != b.key || a.slips != b.slips || a.sign != b.sign;
+  }
+  phase = next_;
+  return r;
+}
+
+bool SwitchEvent::impact(MechanicalSystem& s, InclusionSolver& solver, State& x, Result& r) {
+  ContactSet& c = s.contactsOf(0);
+  gamma_.resize(c.rows());
+  c.gamma(view(std::as_const(x.u)), view(gamma_));
+  double fastest = 0.0;
+  for (int i = 0; i < c.size(); ++i)
+    if (c.law[static_cast<std::size_t>(i)]->unilateral())
+      fastest = std::max(fastest, -gamma_[c.row0[static_cast<std::size_t>(i)]]);
+  leaves_ = std::max(kRest * norm_->speed(), 1e-9 * fastest);
+  if (fastest > kRest * norm_->speed()) {
+    wrappers_.clear();
+    for (std::size_t i = 0; i < c.law.size(); ++i)
+      if (has(plastic_, c.key[i])) {
+        wrappers_.push_back(std::make_unique<WithoutRebound>(c.law[i]));
+        c.law[i] = wrappers_.back().get();
+      }
+    x.impulses = {};
+    gammaBefore_ = gamma_;
+    auto& problem = s.impactProblem(x, 0.0, 0);
+    const SolveReport solved = s.impactLaw().solve(problem, solver, s.Lambda());
+    if (!solved.ok()) r.solved = solved;
+    r.solved.repaired += solved.repaired;
+    r.solved.energyGain = std::max(r.solved.energyGain, solved.energyGain);
+    s.velocityFromImpulses(x);
+    x.impulses = {};
+    c.gamma(view(std::as_const(x.u)), view(gamma_));
+    notePercussions(s);
+  }
+  if (!shut_.empty()) shut(s, x);
+  return !percussions_.empty();
+}
+
+void SwitchEvent::notePercussions(const MechanicalSystem& s) {
+  const ContactSet& c = s.slot(0).contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    Percussion p{c.key[at], std::min(c.dim(i), Held::kMostRows), {}, {}};
+    for (int k = 0; k < p.dim; ++k) {
+      const int row = c.row0[at] + k;
+      const double Lambda = s.Lambda(row), work = 0.5 * Lambda * (gammaBefore_[row] + gamma_[row]);
+      p.Lambda[static_cast<std::size_t>(k)] = Lambda;
+      p.gammaMinus[static_cast<std::size_t>(k)] = gammaBefore_[row];
+      const RowKind kind = c.law[at]->rowKind(k);
+      works_[kind == RowKind::friction ? 1 : kind == RowKind::normal ? 2 : 3] += work;
+      works_[4] -= Lambda * c.chi[static_cast<std::size_t>(row)];
+    }
+    percussions_.push_back(p);
+  }
+}
+
+void SwitchEvent::shut(MechanicalSystem& s, State& x) {
+  // In the metric of the mass, without a percussion of friction; what is closed stays so.
+  const ContactSet& c = s.slot(0).contacts;
+  shutPhase_.held.clear();
+  for (std::size_t i = 0; i < c.key.size(); ++i) {
+    const bool unilateral = c.law[i]->unilateral();
+    if (unilateral && !has(shut_, c.key[i]) && gamma_[c.row0[i]] > leaves_) continue;
+    shutPhase_.held.push_back({});
+    shutPhase_.held.back().key = c.key[i];
+    shutPhase_.held.back().slips = c.law[i]->rowKind(0) != RowKind::joint;
+  }
+  projectVelocities(s, shutPhase_, x);
+}
+
+void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
+  const ContactSet& c = s.slot(0).contacts;
+  gamma_.resize(c.rows());
+  c.gamma(view(x.u), view(gamma_));
+  closing_.clear();
+  gammaBefore_.resize(gamma_.size());
+  Eigen::Index rows = 0;
+  for (std::size_t i = 0; i < c.key.size(); ++i) {
+    const int first = c.row0[i], d = c.dim(static_cast<int>(i));
+    if (c.law[i]->unilateral() && gamma_[first] > leaves_) continue;
+    closing_.push_back(c.key[i]);
+    gammaBefore_.segment(rows, d) = gamma_.segment(first, d);
+    rows += d;
+  }
+  gammaBefore_.conservativeResize(rows);
+  std::sort(closing_.begin(), closing_.end());
+}
+
+double SwitchEvent::pose(InclusionProblem& p, const std::vector<ContactKey>& stopped) {
+  // Resting rows lose their residual; slips keep their direction and are made clear.
+  const double slipSpeed = kSlip * norm_->speed();
+  std::vector<double>& c = p.gammaFree;
+  double asked = 0.0;
+  slips_.assign(static_cast<std::size_t>(p.size()), 0);
+  const auto tangent = [&](int i) { return p.law(i).rowKind(0) == RowKind::normal ? 1 : 0; };
+  for (int i = 0; i < p.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const int first = p.row0(i), d = p.dim(i), t = tangent(i);
+    const bool joint = p.law(i).rowKind(0) == RowKind::joint;
+    const double speed = joint || t == d ? 0.0 : gammaBefore_.segment(first + t, d - t).norm();
+    slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]);
+    for (int k = 0; k < d; ++k) {
+      const auto row = static_cast<std::size_t>(first + k);
+      p.gammaA[row] = slips_[at] && k >= t ? gammaBefore_[first + k] : 0.0;
+      if (slips_[at] && k >= t) continue;
+      c[row] -= gammaBefore_[first + k];
+      asked = std::max(asked, std::abs(c[row]));
+    }
+  }
+  if (!(asked > 0.0)) asked = 1e-12 * norm_->speed();
+  for (int i = 0; i < p.size(); ++i) {
+    if (!slips_[static_cast<std::size_t>(i)]) continue;
+    const int t = tangent(i), d = p.dim(i) - t;
+    Eigen::Map<Eigen::VectorXd> slip(c.data() + p.row0(i) + t, d);
+    slip = gammaBefore_.segment(p.row0(i) + t, d);
+    const double speed = slip.norm();
+    slip *= std::max(1.0, kClear * asked / speed);
+  }
+  p.c = c;
+  p.uRef = asked;
+  return asked;
+}
+
+void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                         double lookAhead, const FrozenPhase& old,
+                         const std::vector<ContactKey>& stopped, FrozenPhase& phase, Result& r) {
+  chooseClosed(s, x);
+  phase.held.clear();
+  if (closing_.empty()) return;
+  look_ = x;
+  look_.impulses = {};
+  s.move(look_, x.u, lookAhead);
+  s.freeze(closing_);
+  s.evaluate(look_, 1);
+  InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);
+  if (p.rows() != gammaBefore_.size()) {
+    r.fault = "contacts appear and disappear (two boxes): their gaps cannot be followed";
+    return;
+  }
+  pose(p, stopped);
+  Vec Lambda = s.Lambda();
+  Lambda.setZero();
+  const SolveReport solved = solver.solve(p, Lambda);
+  if (!solved.ok()) r.undecided = true, r.solved = solved;
+  // ξ = GΛ + c, contact by contact.
+  xi_.resize(gammaBefore_.size());
+  p.G->begin(Lambda.data());
+  for (int i = 0; i < p.size(); ++i) p.G->row(i, Lambda.data(), xi_.data() + p.row0(i));
+  for (Eigen::Index k = 0; k < xi_.size(); ++k) xi_[k] += p.c[static_cast<std::size_t>(k)];
+  for (int i = 0; i < p.size(); ++i)
+    readStatus(p, view(std::as_const(Lambda)), i,
+               slips_[static_cast<std::size_t>(i)] ? gammaBefore_.data() + p.row0(i) : nullptr,
+               lookAhead, old, phase);
+}
+
+void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, const double* slip,
+                             double lookAhead, const FrozenPhase& old, FrozenPhase& phase) {
+  const SetValuedForceLaw& law = p.law(i);
+  const int first = p.row0(i), d = p.dim(i);
+  const double asked = p.uRef, G = p.G->diagonalBlock(i)[0];
+  const bool normal = law.rowKind(0) == RowKind::normal;
+  // Closed: the percussion is worth more than what the contact leaves with.
+  if (normal && !(G * Lambda[first] > std::max(xi_[first], kDecided * asked))) return;
+  Held h;
+  h.key = p.contacts->key[static_cast<std::size_t>(i)];
+  for (int k = 0; k < d && k < Held::kMostRows; ++k)
+    h.lambda[static_cast<std::size_t>(k)] = Lambda[first + k] / lookAhead;
+  if (const Held* before = old.find(h.key)) h.mutedUntil = before->mutedUntil;
+  const int tangent = normal ? 1 : 0;
+  if (law.rowKind(0) != RowKind::joint && d > tangent) {
+    double square = 0.0;
+    for (int k = tangent; k < d; ++k) square += xi_[first + k] * xi_[first + k];
+    h.slips = slip != nullptr || std::sqrt(square) > kDecided * asked;
+    const double* direction = slip ? slip + tangent : xi_.data() + first + tangent;
+    if (h.slips) h.sign = direction[0] < 0.0 ? -1.0 : 1.0;
+    if (h.slips && d - tangent == 2) {
+      const double length = std::hypot(direction[0], direction[1]);
+      h.direction = {direction[0] / length, direction[1] / length};
+      // A slip that goes on starting keeps what it has turned.
+      const Held* before = old.find(h.key);
+      h.starts = slip == nullptr || (before != nullptr && before->starts);
+      if (slip != nullptr && h.starts) h.turned = before->turned, h.direction = before->direction;
+    }
+  }
+  phase.held.push_back(h);
+}
+
+bool SwitchEvent::staysClosed(const MechanicalSystem& s, const FrozenPhase& phase,
+                              const PhasePoint& p, Result& r) {
+  const ContactSet& c = s.slot(0).contacts;
+  gamma_.resize(c.rows());
+  c.gamma(view(p.x.u), view(gamma_));
+  const double height = std::max(kZeno * norm_->tolerance(), kZenoFloor) * norm_->length();
+  bool any = false;
+  for (std::size_t i = 0; i < c.key.size(); ++i) {
+    if (!c.law[i]->unilateral() || phase.find(c.key[i]) != nullptr) continue;
+    const int row = c.row0[i];
+    const double v = gamma_[row];
+    if (!(v > leaves_)) continue;
+    double back = -c.bias[static_cast<std::size_t>(row)];
+    for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k) {
+      const Segment& segment = c.segment[static_cast<std::size_t>(k)];
+      for (int j = 0; j < segment.nu; ++j)
+        back -= c.W[static_cast<std::size_t>(segment.w + j)] * p.a[segment.u0 + j];
+    }
+    if (!(back > 0.0 && v * v <= 2.0 * back * height)) continue;
+    // With a rebound of its own: the impact once more without it; else by projection.
+    const auto hit = std::find_if(percussions_.begin(), percussions_.end(),
+                                  [&](const Percussion& q) { return q.key == c.key[i]; });
+    const bool struck = hit != percussions_.end() && hit->gammaMinus[0] < -leaves_;
+    double epsilon[Held::kMostRows] = {};
+    c.law[i]->epsilon(c.dim(static_cast<int>(i)), epsilon);
+    if (struck && epsilon[0] > 0.0 && !has(plastic_, c.key[i]))
+      plastic_.push_back(c.key[i]);
+    else if (!has(shut_, c.key[i]))
+      shut_.push_back(c.key[i]);
+    else
+      continue;
+    // What is left of the sequence takes 2v/(a(1 − ε)).
+    const double rebound = struck ? std::min(epsilon[0], 0.999999) : 0.0;
+    r.accumulationEnd = p.x.t + 2.0 * v / (back * (1.0 - rebound));
+    any = true, ++r.accumulations;
+  }
+  return any;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,104 @@
+/// SwitchEvent: what happens at the instant of a switch (theory 50.4).
+///
+///   1  project with the old status
+///   2  impact of all contacts that are closed or touch:   M(u⁺ − u⁻) = WΛ by the impact law
+///   3  decide the new status by one inclusion that looks ahead by h_s,
+///          ξ = G(q + h_s u) Λ + W(q + h_s u)ᵀ(u + h_s M⁻¹h) + χ − residual of resting rows
+///   4  project with the new status, accelerations
+///   5  contacts that leave and are back within the tolerance stay closed:  v²/(2a) ≤ z tol L
+///
+/// Looking ahead is what makes a switch from stick to slip decidable: at the switch itself the
+/// force lies on the bound. It needs no enumeration and works for redundant contacts, since it is
+/// an inclusion like any other.
+#pragma once
+#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/integrator/contact_probe.hpp>
+#include <dynamy/integrator/smooth_step.hpp>
+#include <memory>
+
+namespace dynamy {
+
+/// Another law without its restitution.
+class WithoutRebound final : public SetValuedForceLaw {
+ public:
+  explicit WithoutRebound(const SetValuedForceLaw* of = nullptr) : law_(of) {}
+  int dim(int geometric) const override { return law_->dim(geometric); }
+  bool unilateral() const override { return law_->unilateral(); }
+  RowKind rowKind(int row) const override { return law_->rowKind(row); }
+  int groupEnd(int row, int dim) const override { return law_->groupEnd(row, dim); }
+  void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override {
+    law_->prox(in, r, xi, Lambda);
+  }
+  void naturalMap(const LawInput& in, double rho, const double* xi, const double* Lambda,
+                  double* e) const override {
+    law_->naturalMap(in, rho, xi, Lambda, e);
+  }
+  bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
+                      double* A, double* B) const override {
+    return law_->proxDerivative(in, rho, xi, Lambda, A, B);
+  }
+  SimpleSet simpleSet(const LawInput& in) const override { return law_->simpleSet(in); }
+  Status status(const LawInput& in, const double* argument) const override {
+    return law_->status(in, argument);
+  }
+
+ private:
+  const SetValuedForceLaw* law_;
+};
+
+/// Percussions and velocities before them of one contact at the event, for the report of the step.
+struct Percussion {
+  ContactKey key;
+  int dim = 0;
+  std::array<double, Held::kMostRows> Lambda{}, gammaMinus{};
+};
+
+class SwitchEvent {
+ public:
+  struct Result {
+    bool impact = false, changed = false, undecided = false;
+    int accumulations = 0;
+    double accumulationEnd = 0.0;  ///< [s]
+    SolveReport solved;
+    std::string_view fault;
+  };
+  void prepare(const MechanicalSystem& s, const ErrorNorm& norm);
+  /// At x: changes x, `phase` and p (accelerations under the new status). `lookAhead`: h_s;
+  /// `stopped`: contacts whose slip ends here whatever is left of it. Slot 0 is left evaluated at x
+  /// with all contacts that took part.
+  Result process(MechanicalSystem& s, InclusionSolver& solver, ContactProbe& probe,
+                 FrozenPhase& phase, PhasePoint& p, const SmoothStep& smooth, double lookAhead,
+                 const std::vector<ContactKey>& stopped);
+  /// Those of the last process().
+  const std::vector<Percussion>& percussions() const { return percussions_; }
+  const std::array<double, 5>& works() const { return works_; }
+
+ private:
+  bool takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x);
+  bool projectPositions(MechanicalSystem& s, FrozenPhase& phase, State& x);
+  void projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x);
+  bool impact(MechanicalSystem& s, InclusionSolver& solver, State& x, Result& r);
+  void notePercussions(const MechanicalSystem& s);
+  void shut(MechanicalSystem& s, State& x);
+  void chooseClosed(MechanicalSystem& s, const State& x);
+  double pose(InclusionProblem& p, const std::vector<ContactKey>& stopped);
+  void decide(MechanicalSystem& s, InclusionSolver& solver, const State& x, double lookAhead,
+              const FrozenPhase& old, const std::vector<ContactKey>& stopped, FrozenPhase& phase,
+              Result& r);
+  void readStatus(const InclusionProblem& p, ConstVec Lambda, int i, const double* slip,
+                  double lookAhead, const FrozenPhase& old, FrozenPhase& phase);
+  bool staysClosed(const MechanicalSystem& s, const FrozenPhase& phase, const PhasePoint& p,
+                   Result& r);
+  const ErrorNorm* norm_ = nullptr;
+  std::vector<ContactKey> keys_, closing_, plastic_, shut_;
+  std::vector<std::unique_ptr<WithoutRebound>> wrappers_;
+  std::vector<Percussion> percussions_;
+  std::array<double, 5> works_{};
+  Eigen::VectorXd uBefore_, delta_, gamma_, gammaBefore_, xi_;
+  double leaves_ = 0.0;  // speed above which a contact leaves [m/s]
+  std::vector<char> slips_;
+  State look_;
+  FrozenPhase next_, shutPhase_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,292 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/switch_search.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kForceNoise = 1e-12;  ///< of the largest force
+constexpr int kHalvings = 46;          ///< for monitors that start at zero: θ down to 1e-15
+constexpr int kForceHalvings = 20;
+constexpr int kMostRefinements = 160;
+constexpr double kStart = 1e3;  ///< of the noise: a value that starts below starts at zero
+/// A gap whose smallest value is below this share of its range in the step is looked at again.
+constexpr double kNear = 0.02;
+
+}  // namespace
+
+void SwitchSearch::prepare(double gapNoise, double speedNoise) {
+  gapNoise_ = gapNoise, speedNoise_ = speedNoise;
+}
+
+bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
+  kinematic_.clear(), force_.clear();
+  if (!probe.look(x)) return false;
+  for (int i = 0; i < probe.size(); ++i)
+    if (probe.law(i).unilateral() && phase.find(probe.key(i)) == nullptr)
+      kinematic_.push_back({true, i, 0, 1.0, false});
+  for (std::size_t i = 0; i < phase.held.size(); ++i) {
+    const Held& h = phase.held[i];
+    const FrozenPhase::Form form = phase.form(i);
+    double margin = 0.0;
+    const bool muted = h.mutedUntil > x.t;
+    const int row = form == FrozenPhase::Form::cone ? 1 : 0;
+    if (h.slips && phase.dim(i) - row == 1 && !muted)
+      kinematic_.push_back({false, probe.find(h.key), row, h.sign, false});
+    if (phase.margin(i, margin) && (!muted || form == FrozenPhase::Form::normal || h.slips))
+      force_.push_back({false, static_cast<int>(i), 0, 1.0, false});
+  }
+  values_.resize(static_cast<Eigen::Index>(kinematic_.size()), kSamples + 1);
+  rates_.setZero(values_.rows(), values_.cols());
+  kinematics(probe, work_);
+  values_.col(0) = work_;
+  for (std::size_t m = 0; m < kinematic_.size(); ++m) {
+    Monitor& k = kinematic_[m];
+    k.zeroStart = values_(static_cast<Eigen::Index>(m), 0) <= kStart * noise(k);
+    if (k.gap) rates_(static_cast<Eigen::Index>(m), 0) = probe.gamma(k.contact);
+  }
+  forces(phase, startForces_);
+  for (std::size_t m = 0; m < force_.size(); ++m)
+    force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise;
+  return true;
+}
+
+void SwitchSearch::kinematics(const ContactProbe& probe, Eigen::VectorXd& out) const {
+  out.resize(static_cast<Eigen::Index>(kinematic_.size()));
+  for (std::size_t m = 0; m < kinematic_.size(); ++m) {
+    const Monitor& k = kinematic_[m];
+    out[static_cast<Eigen::Index>(m)] =
+        k.gap ? probe.gap(k.contact) : k.sign * probe.gamma(k.contact, k.row);
+  }
+}
+
+void SwitchSearch::forces(const FrozenPhase& phase, Eigen::VectorXd& out) const {
+  out.resize(static_cast<Eigen::Index>(force_.size()));
+  const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
+  for (std::size_t m = 0; m < force_.size(); ++m) {
+    double value = 0.0;
+    phase.margin(static_cast<std::size_t>(force_[m].contact), value);
+    out[static_cast<Eigen::Index>(m)] = value / scale;
+  }
+}
+
+bool SwitchSearch::kinematicAt(ContactProbe& probe, const QuinticPath& path, int monitor,
+                               double theta, double& v) {
+  path.at(theta, at_);
+  if (!probe.look(at_)) return false;
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
+  v = k.gap ? probe.gap(k.contact) : k.sign * probe.gamma(k.contact, k.row);
+  return true;
+}
+
+bool SwitchSearch::forceAt(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path,
+                           int monitor, double theta, double& v) {
+  path.at(theta, at_);
+  s.evaluate(at_, 1);
+  Eigen::VectorXd& a = work_;
+  if (!phase.accelerate(s.slot(1), at_.u, a)) return false;
+  const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
+  phase.margin(static_cast<std::size_t>(force_[static_cast<std::size_t>(monitor)].contact), v);
+  v /= scale;
+  return true;
+}
+
+bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
+                          const QuinticPath& path) {
+  for (int j = 1; j <= kSamples && !kinematic_.empty(); ++j) {
+    path.at(static_cast<double>(j) / kSamples, at_);
+    if (!probe.look(at_)) return false;
+    kinematics(probe, work_);
+    values_.col(j) = work_;
+    for (std::size_t m = 0; m < kinematic_.size(); ++m)
+      if (kinematic_[m].gap)
+        rates_(static_cast<Eigen::Index>(m), j) = probe.gamma(kinematic_[m].contact);
+  }
+  if (force_.empty()) return true;
+  double unused = 0.0;
+  if (!forceAt(s, phase, path, 0, 0.5, unused)) return false;
+  forces(phase, middleForces_);
+  return true;
+}
+
+template <class Value>
+bool SwitchSearch::refine(double a, double fa, double b, double fb, double width, Value&& value,
+                          double& root, double& slope) {
+  // The regula falsi with Illinois' weights, and a halving where it stays on one side.
+  int side = 0;
+  slope = (fb - fa) / (b - a);
+  double wa = fa, wb = fb;  // weighted
+  for (int i = 0; i < kMostRefinements && b - a > width; ++i) {
+    double c = wa > 0.0 && i % 3 != 2 ? (a * wb - b * wa) / (wb - wa) : 0.5 * (a + b);
+    if (!(c > a && c < b)) c = 0.5 * (a + b);
+    double fc = 0.0;
+    if (!value(c, fc)) return false;
+    slope = fc > 0.0 ? (fc - fb) / (c - b) : (fc - fa) / (c - a);
+    if (fc == 0.0) {
+      a = b = c;
+    } else if (fc > 0.0) {
+      a = c, fa = wa = fc;
+      if (side == 1) wb *= 0.5;
+      side = 1;
+    } else {
+      b = c, fb = wb = fc;
+      if (side == -1) wa *= 0.5;
+      side = -1;
+    }
+  }
+  root = fa > 0.0 && fb < 0.0 && b > a ? (a * fb - b * fa) / (fb - fa) : a;
+  return true;
+}
+
+bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
+                                   Switch& first) {
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
+  int j = 1;
+  while (j <= kSamples && !(values_(monitor, j) < -noise(k))) ++j;
+  if (j > kSamples) return true;
+  double b = static_cast<double>(j) / kSamples, a = b - 1.0 / kSamples;
+  if (a >= first.theta) return true;
+  double fb = values_(monitor, j), fa = values_(monitor, j - 1);
+  if (j == 1 && k.zeroStart) {
+    for (int i = 0;; ++i) {
+      if (i == kHalvings) {
+        first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
+        return true;
+      }
+      double v = 0.0;
+      if (!kinematicAt(probe, path, monitor, 0.5 * b, v)) return false;
+      if (v > 0.0) {
+        a = 0.5 * b, fa = v;
+        break;
+      }
+      b *= 0.5, fb = v;
+    }
+  }
+  double root = a, slope = 0.0;
+  if (fa > 0.0 && !refine(
+                      a, fa, b, fb, 1e-14,
+                      [&](double t, double& v) { return kinematicAt(probe, path, monitor, t, v); },
+                      root, slope))
+    return false;
+  if (!(root < first.theta)) return true;
+  if (root <= 0.0) {
+    first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
+    return true;
+  }
+  // The slope at the root itself.
+  const double d = 1e-4;
+  double before = 0.0, after = 0.0;
+  if (!kinematicAt(probe, path, monitor, root - d, before) ||
+      !kinematicAt(probe, path, monitor, root + d, after))
+    return false;
+  first = {Switch::Kind::root, root, false, monitor, (after - before) / (2.0 * d * path.length())};
+  return true;
+}
+
+bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path,
+                               int monitor, double width, Switch& first) {
+  const Monitor& k = force_[static_cast<std::size_t>(monitor)];
+  const double samples[3] = {startForces_[monitor], middleForces_[monitor], endForces_[monitor]};
+  int j = 1;
+  while (j <= 2 && !(samples[j] < -kForceNoise)) ++j;
+  if (j > 2) return true;
+  double b = 0.5 * j, a = b - 0.5, fb = samples[j], fa = samples[j - 1];
+  if (a >= first.theta) return true;
+  if (j == 1 && k.zeroStart) {
+    for (int i = 0;; ++i) {
+      if (i == kForceHalvings) {
+        first = {Switch::Kind::atStart, 0.0, true, monitor, 0.0};
+        return true;
+      }
+      double v = 0.0;
+      if (!forceAt(s, phase, path, monitor, 0.5 * b, v)) return false;
+      if (v > kForceNoise) {
+        a = 0.5 * b, fa = v;
+        break;
+      }
+      b *= 0.5, fb = v;
+    }
+  }
+  double root = a, slope = 0.0;
+  if (fa > 0.0 &&
+      !refine(
+          a, fa, b, fb, width,
+          [&](double t, double& v) { return forceAt(s, phase, path, monitor, t, v); }, root, slope))
+    return false;
+  if (!(root < first.theta)) return true;
+  first = {root > 0.0 ? Switch::Kind::root : Switch::Kind::atStart, root, true, monitor,
+           slope / path.length()};
+  return true;
+}
+
+bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first) {
+  if (!kinematic_[static_cast<std::size_t>(monitor)].gap) return true;
+  const double high = values_.row(monitor).maxCoeff();
+  for (int j = 0; j < kSamples; ++j) {
+    double a = static_cast<double>(j) / kSamples, b = a + 1.0 / kSamples;
+    if (a >= first.theta) return true;
+    if (!(rates_(monitor, j) < 0.0 && rates_(monitor, j + 1) > 0.0)) continue;
+    if (j == 0 && kinematic_[static_cast<std::size_t>(monitor)].zeroStart) continue;
+    double fa = rates_(monitor, j), fb = rates_(monitor, j + 1), c = b, v = 0.0;
+    for (int i = 0; i < 12; ++i) {
+      c = i % 4 == 3 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+      if (!kinematicAt(probe, path, monitor, c, v)) return false;
+      const double rate = probe.gamma(kinematic_[static_cast<std::size_t>(monitor)].contact);
+      if (rate < 0.0)
+        a = c, fa = rate;
+      else
+        b = c, fb = rate;
+      if (v < -gapNoise_) break;
+    }
+    if (v < -gapNoise_) {  // a dip between two samples: the root lies before it
+      values_(monitor, j + 1) = v;
+      double root = 0.0, slope = 0.0, fA = values_(monitor, j);
+      const double A = static_cast<double>(j) / kSamples;
+      if (!refine(
+              A, fA, c, v, 1e-14,
+              [&](double t, double& x) { return kinematicAt(probe, path, monitor, t, x); }, root,
+              slope))
+        return false;
+      if (root < first.theta)
+        first = {Switch::Kind::root, root, false, monitor, slope / path.length()};
+      return true;
+    }
+    if (v < kNear * high && c < first.theta && c > 0.0)
+      first = {Switch::Kind::look, c, false, monitor, 0.0};
+  }
+  return true;
+}
+
+bool SwitchSearch::find(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
+                        const QuinticPath& path, bool looked, double width, Switch& out) {
+  out = {};
+  if (!any()) return true;
+  if (!sample(s, probe, phase, path)) return false;
+  Switch first;
+  first.theta = 2.0;
+  for (int m = 0; m < static_cast<int>(kinematic_.size()); ++m)
+    if (!kinematicSwitch(probe, path, m, first)) return false;
+  for (int m = 0; m < static_cast<int>(kinematic_.size()) && !looked; ++m)
+    if (!near(probe, path, m, first)) return false;
+  for (int m = 0; m < static_cast<int>(force_.size()); ++m)
+    if (!forceSwitch(s, phase, path, m, width, first)) return false;
+  if (first) out = first;
+  return true;
+}
+
+bool SwitchSearch::value(ContactProbe& probe, const FrozenPhase& phase, const State& x,
+                         const Switch& w, double& out) {
+  if (w.force) {
+    const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
+    phase.margin(static_cast<std::size_t>(force_[static_cast<std::size_t>(w.monitor)].contact),
+                 out);
+    out /= scale;
+    return true;
+  }
+  if (!probe.look(x)) return false;
+  const Monitor& k = kinematic_[static_cast<std::size_t>(w.monitor)];
+  out = k.gap ? probe.gap(k.contact) : k.sign * probe.gamma(k.contact, k.row);
+  return true;
+}
+
+}  // namespace dynamy

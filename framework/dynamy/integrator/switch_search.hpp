@@ -1,0 +1,78 @@
+/// SwitchSearch: finds on the path through a trial step where the status of a contact ends
+/// (theory 50.3).
+///
+/// A monitor is a number that is positive while the status holds:
+///
+///   open      gap g                       slip in one direction   s γ_T
+///   closed    λ_N                         stick                   distance of λ_T from the bound
+///
+/// Gaps and slips are sampled at eight points without any force; forces at the middle and the end.
+/// Every bracket is refined to a root, and roots are compared, never brackets.
+#pragma once
+#include <dynamy/integrator/contact_probe.hpp>
+#include <dynamy/integrator/smooth_step.hpp>
+
+namespace dynamy {
+
+struct Switch {
+  enum class Kind : std::uint8_t { none, atStart, root, look };
+  Kind kind = Kind::none;
+  double theta = 1.0;  ///< part of the step
+  bool force = false;  ///< a monitor of forces: its value takes an evaluation
+  int monitor = -1;
+  double slope = 0.0;  ///< of the monitor at the root, per second
+  explicit operator bool() const { return kind != Kind::none; }
+};
+
+class SwitchSearch {
+ public:
+  /// `noise`: what is zero of gaps [m] and of velocities [m/s].
+  void prepare(double gapNoise, double speedNoise);
+  /// Monitors of `phase` and their values at the start of a step; `x`: the start; the phase has
+  /// the forces there. False: contacts changed.
+  bool begin(ContactProbe& probe, const FrozenPhase& phase, const State& x);
+  /// The first switch on `path`; `end` holds forces at its end. `looked`: gaps that come near are
+  /// not looked at again. `width`: how closely a root of forces is found, as a part of the step.
+  /// False: a fault of the phase or of contacts.
+  bool find(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase, const QuinticPath& path,
+            bool looked, double width, Switch& out);
+  /// Value of the monitor of `w` at x, by kinematics or with the forces the phase has there.
+  bool value(ContactProbe& probe, const FrozenPhase& phase, const State& x, const Switch& w,
+             double& out);
+  bool any() const { return !kinematic_.empty() || !force_.empty(); }
+  /// Forces at the end of the path, to be told before find().
+  void atEnd(const FrozenPhase& phase) { forces(phase, endForces_); }
+
+ private:
+  struct Monitor {
+    bool gap = false;
+    int contact = 0;  // of the probe; of a force: index in the phase
+    int row = 0;      // of γ within the contact
+    double sign = 1.0;
+    bool zeroStart = false;
+  };
+  static constexpr int kSamples = 8;
+  void kinematics(const ContactProbe& probe, Eigen::VectorXd& out) const;
+  void forces(const FrozenPhase& phase, Eigen::VectorXd& out) const;
+  double noise(const Monitor& m) const { return m.gap ? gapNoise_ : speedNoise_; }
+  bool sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
+              const QuinticPath& path);
+  bool kinematicAt(ContactProbe& probe, const QuinticPath& path, int monitor, double theta,
+                   double& v);
+  bool forceAt(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
+               double theta, double& v);
+  template <class Value>
+  bool refine(double a, double fa, double b, double fb, double width, Value&& value, double& root,
+              double& slope);
+  bool kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
+  bool forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
+                   double width, Switch& first);
+  bool near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
+  std::vector<Monitor> kinematic_, force_;
+  double gapNoise_ = 0.0, speedNoise_ = 0.0;
+  Eigen::MatrixXd values_, rates_;  // kinematic × (kSamples + 1)
+  Eigen::VectorXd startForces_, middleForces_, endForces_, work_;
+  State at_;
+};
+
+}  // namespace dynamy
