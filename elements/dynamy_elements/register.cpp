@@ -5,6 +5,7 @@
 #include <dynamy/contact/orthotropic_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/io/plugin.hpp>
+#include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
 #include <dynamy_elements/bodies/point_mass.hpp>
@@ -14,6 +15,7 @@
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
+#include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
 #include <dynamy_elements/joints/joints.hpp>
 
@@ -25,6 +27,7 @@ void registerElements(Registry& r) {
   r.add<PointMass>("PointMass");
   r.add<PlanarBody>("PlanarBody");
   r.add<RigidBody>("RigidBody");
+  r.add<Grains>("Grains");
   r.add<NamedFrame>("Frame");
 
   r.add<Sphere>("Sphere");
@@ -36,6 +39,9 @@ void registerElements(Registry& r) {
   r.add<CircleShape>("Circle");
   r.add<CylinderShape>("Cylinder");
   r.add<CapsuleShape>("Capsule");
+  r.add<ConeShape>("Cone");
+  r.add<TorusShape>("Torus");
+  r.add<EllipsoidShape>("Ellipsoid");
 
   r.add<Gravity>("Gravity");
   r.add<SpringDamper>("SpringDamper");

@@ -5,6 +5,7 @@ import {clamp, lastAtOrBefore, type Pose, type Q4, type V3} from "./math";
 export interface SceneShape {
   kind: string; name?: string; frame: number; position: V3; orientation: Q4; colour?: string;
   style?: string; radius?: number; halfLength?: number; halfExtents?: V3; points?: V3[]; frameEnd?: number;
+  tube?: number; triangles?: V3[];
 }
 export interface Scene {
   view: string; follow?: number; frames: {name: string; place: string}[]; shapes: SceneShape[];

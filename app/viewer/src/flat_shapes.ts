@@ -170,6 +170,67 @@ function cylinder(shape: SceneShape, pose: Pose): Item {
   };
 }
 
+/** A body of triangles, those that face the viewer from back to front. */
+function solid(points: V3[], triangles: V3[], centre: V3): Item {
+  return {
+    centre, planes: [], least: n => Math.min(...points.map(p => dot(n, p))), points: () => points,
+    paint(ctx, camera, colour) {
+      const all = new Path2D(), faces: {n: V3; corners: V3[]; depth: number}[] = [];
+      for (const t of triangles) {
+        const corners = t.map(i => points[i]), n = unit(cross(sub(corners[1], corners[0]), sub(corners[2], corners[0])));
+        if (dot(n, camera.toward) > 1e-3) faces.push({n, corners, depth: dot(mean(corners), camera.toward)});
+      }
+      faces.sort((a, b) => a.depth - b.depth);
+      for (const {n, corners} of faces) {
+        const path = pathOf(corners.map(p => camera.project(p)));
+        ctx.fillStyle = ctx.strokeStyle = lit(colour, camera, n);
+        ctx.lineWidth = 0.7;
+        ctx.fill(path);
+        ctx.stroke(path);
+        all.addPath(path);
+      }
+      return all;
+    }
+  };
+}
+
+/** A surface over a grid of m × n cells, the second direction closed. */
+function grid(pose: Pose, m: number, n: number, at: (s: number, phi: number) => V3): Item {
+  const points: V3[] = [], triangles: V3[] = [];
+  for (let i = 0; i <= m; ++i) for (let j = 0; j < n; ++j) points.push(add(pose.r, rotated(pose.q, at(i / m, 2 * Math.PI * j / n))));
+  for (let i = 0; i < m; ++i) {
+    for (let j = 0; j < n; ++j) {
+      const [a, b] = [i * n + j, i * n + (j + 1) % n];
+      triangles.push([a, b, b + n], [a, b + n, a + n]);
+    }
+  }
+  return solid(points, triangles, pose.r);
+}
+
+function ellipsoid(shape: SceneShape, pose: Pose): Item {
+  const [a, b, c] = shape.halfExtents ?? [0, 0, 0];
+  return grid(pose, 14, 28, (s, phi) => {
+    const r = Math.sin(Math.PI * s);
+    return [a * r * Math.cos(phi), b * r * Math.sin(phi), -c * Math.cos(Math.PI * s)];
+  });
+}
+
+function torus(shape: SceneShape, pose: Pose): Item {
+  const R = shape.radius ?? 0, tube = shape.tube ?? 0;
+  return grid(pose, 14, 40, (s, phi) => {
+    const r = R - tube * Math.cos(2 * Math.PI * s);
+    return [r * Math.cos(phi), r * Math.sin(phi), -tube * Math.sin(2 * Math.PI * s)];
+  });
+}
+
+function cone(shape: SceneShape, pose: Pose): Item {
+  const R = shape.radius ?? 0, height = 2 * (shape.halfLength ?? 0);
+  return grid(pose, 2, 40, (s, phi) => {
+    const r = s === 0.5 ? R : 0;
+    return [r * Math.cos(phi), r * Math.sin(phi), s === 1 ? height : 0];
+  });
+}
+
 function circle(shape: SceneShape, pose: Pose): Item {
   const [a, b, n] = kAxes.map(v => rotated(pose.q, v)), R = shape.radius ?? 0;
   const item = area(ring(pose.r, a, b, R, 64), pose.r, n);
@@ -185,7 +246,11 @@ function circle(shape: SceneShape, pose: Pose): Item {
 const mean = (points: V3[]): V3 => scaled(points.reduce(add, [0, 0, 0]), 1 / (points.length || 1));
 
 export const kItems: Record<string, (shape: SceneShape, pose: Pose, end: Pose) => Item> = {
-  sphere, box, capsule, cylinder, circle,
+  sphere, box, capsule, cylinder, circle, ellipsoid, torus, cone,
+  mesh(shape, pose) {
+    const points = (shape.points ?? []).map(p => add(pose.r, rotated(pose.q, p)));
+    return solid(points, shape.triangles ?? [], mean(points));
+  },
   polygon(shape, pose) {
     const points = (shape.points ?? []).map(p => add(pose.r, rotated(pose.q, p)));
     const n: V3 = points.length > 2 ? unit(cross(sub(points[1], points[0]), sub(points[2], points[0]))) : [0, 0, 1];

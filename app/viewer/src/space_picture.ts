@@ -8,7 +8,8 @@ import {kFieldOfView, type Camera} from "./camera";
 import type {SceneShape} from "./data";
 import {add, cross, across, dot, niceTicks, rotated, scaled, sub, type V3} from "./math";
 import type {SceneModel} from "./scene_model";
-import {ball, barBetween, capsule, cube, cubeEdges, cylinder, groupKey, helix, slabGeometry, slabOf, type Slab} from "./space_shapes";
+import {ball, barBetween, capsule, cone, cube, cubeEdges, cylinder, groupKey, helix, meshGeometry, slabGeometry, slabOf, torus,
+  type Slab} from "./space_shapes";
 import {colourOf, mixed, theme} from "./theme";
 
 const kMany = 1500;  // from here on, and without a graphics card: coarse spheres, no shadows
@@ -67,6 +68,9 @@ export class SpacePicture {
       if (key === "sphere") geometry = ball(many && coarse);
       else if (key === "box") { geometry = cube(); edges = cubeEdges(); }
       else if (key === "cylinder") geometry = cylinder();
+      else if (key === "cone") geometry = cone();
+      else if (shape.kind === "torus") geometry = torus(shape.radius ?? 0, shape.tube ?? 0);
+      else if (shape.kind === "mesh") ({solid: geometry, edges} = meshGeometry(shape));
       else if (shape.kind === "capsule") geometry = capsule(shape.radius ?? 0, shape.halfLength ?? 0);
       else {
         const under = slabs.get(shape.frame) ?? [], slab = slabOf(shape.points ?? [], under);
@@ -286,8 +290,8 @@ function poseMatrix(r: V3, q: [number, number, number, number]): Matrix4 {
 /** Place of a shape in its frame with its sizes. */
 function localOf(shape: SceneShape): Matrix4 {
   const R = shape.radius ?? 1;
-  const [a, b, c]: V3 = shape.kind === "sphere" ? [R, R, R] : shape.kind === "box" ? shape.halfExtents ?? [1, 1, 1]
-    : shape.kind === "cylinder" ? [R, R, shape.halfLength ?? 1] : shape.kind === "circle" ? [R, R, 0.08 * R] : [1, 1, 1];
+  const [a, b, c]: V3 = shape.kind === "sphere" ? [R, R, R] : shape.kind === "box" || shape.kind === "ellipsoid"
+    ? shape.halfExtents ?? [1, 1, 1] : shape.kind === "cylinder" || shape.kind === "cone" ? [R, R, shape.halfLength ?? 1] : shape.kind === "circle" ? [R, R, 0.08 * R] : [1, 1, 1];
   return poseMatrix(shape.position, shape.orientation).scale(new Vector3(a, b, c));
 }
 

@@ -1,7 +1,7 @@
 // Geometries of the spatial picture. Round bodies carry sectors of two brightnesses, so that one
 // sees them turn; plane outlines become slabs that lie on each other as they are painted.
-import {BoxGeometry, BufferGeometry, CapsuleGeometry, CylinderGeometry, EdgesGeometry, Float32BufferAttribute,
-  Matrix4, SphereGeometry} from "three";
+import {BoxGeometry, BufferGeometry, CapsuleGeometry, ConeGeometry, CylinderGeometry, EdgesGeometry, Float32BufferAttribute,
+  Matrix4, SphereGeometry, TorusGeometry} from "three";
 import type {SceneShape} from "./data";
 import {add, cross, dot, norm, scaled, sub, unit, type V3} from "./math";
 
@@ -37,6 +37,24 @@ export function cylinder(): BufferGeometry {
 export function capsule(radius: number, halfLength: number): BufferGeometry {
   const g = new CapsuleGeometry(radius, 2 * halfLength, 12, 28).applyMatrix4(new Matrix4().makeRotationX(Math.PI / 2));
   return sectors(g, (x, y) => x * y > 0);
+}
+
+/** A cone of radius 1 about z, its base at z = 0, its tip at z = 2. */
+export function cone(): BufferGeometry {
+  const g = new ConeGeometry(1, 2, 48).applyMatrix4(new Matrix4().makeRotationX(Math.PI / 2).setPosition(0, 0, 1));
+  return sectors(g, (x, y) => x * y > 0);
+}
+
+export function torus(radius: number, tube: number): BufferGeometry {
+  return sectors(new TorusGeometry(radius, tube, 20, 64), (x, y) => x * y > 0);
+}
+
+/** Triangles with the edges between faces that meet at an angle. */
+export function meshGeometry({points = [], triangles = []}: SceneShape): {solid: BufferGeometry; edges: BufferGeometry} {
+  const solid = new BufferGeometry(), at = triangles.flatMap(t => t.flatMap(i => points[i]));
+  solid.setAttribute("position", new Float32BufferAttribute(at, 3));
+  solid.computeVertexNormals();
+  return {solid: sectors(solid, () => false), edges: new EdgesGeometry(solid, 12)};
 }
 
 /** A cube from −1 to 1. */
@@ -106,7 +124,9 @@ export function barBetween(p: V3, q: V3, radius: number): Matrix4 {
 /** What tells two shapes that can share one geometry. */
 export function groupKey(shape: SceneShape, index: number): string {
   if (shape.kind === "capsule") return `capsule ${shape.radius} ${shape.halfLength}`;
-  if (shape.kind === "polygon") return `polygon ${index}`;
+  if (shape.kind === "torus") return `torus ${shape.radius} ${shape.tube}`;
+  if (shape.kind === "polygon" || shape.kind === "mesh") return `${shape.kind} ${index}`;
+  if (shape.kind === "ellipsoid") return "sphere";
   if (shape.kind === "circle") return "cylinder";
   return shape.kind;
 }

@@ -14,44 +14,17 @@ void tangentRates(const Vec3& n, const Vec3& ndot, Vec3& t1dot, Vec3& t2dot) {
   t2dot = Vec3(bdot, 2.0 * n.y() * ndot.y() * a + n.y() * n.y() * adot, -ndot.y());
 }
 
-/// The corners of a box; with an edge along `plane` only those of its middle section.
-std::vector<RoundFeature> corners(const Shape& shape, const std::vector<Vec3>& points,
-                                  const Vec3& plane_K) {
-  std::vector<RoundFeature> out;
-  const Vec3 plane_B = shape.A_KB().transpose() * plane_K;
-  int along = -1;
-  // A unit vector along an axis, up to the rounding of an orientation.
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(plane_B[i]) > 1.0 - 1e-12) along = i;
-  for (Vec3 point : points) {
-    if (along >= 0 && point[along] > 0.0) continue;
-    if (along >= 0) point[along] = 0.0;
-    out.push_back({shape.r_SB_K() + shape.A_KB() * point, 0.0});
-  }
-  return out;
-}
-
 }  // namespace
 
-TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) {
-  const Shape& shape = *instance.shape;
-  const ShapeGeometry g = shape.geometry();
-  TouchingShape out;
-  out.shape = instance.shape, out.frame = instance.frame, out.system = instance.system;
-  if (g.type == "Sphere" || g.type == "Point") {
-    out.kind = TouchingShape::Kind::round;
-    out.features.push_back({shape.r_SB_K(), g.type == "Sphere" ? g.size[0] : 0.0});
-  } else if (g.type == "Box") {
-    out.kind = TouchingShape::Kind::corners;
-    out.features = corners(shape, g.points, plane_K);
-    out.p_K = shape.r_SB_K(), out.A_KB = shape.A_KB();
-    out.half = 0.5 * Vec3(g.size[0], g.size[1], g.size[2]);
-  } else if (g.type == "HalfSpace") {
-    out.kind = TouchingShape::Kind::halfSpace;
-    out.n_K = shape.A_KB() * g.points[0];
-    out.p_K = shape.r_SB_K();
+void setDirections(ContactPoint& out, const Vec3& n, const Vec3& ndot, const Vec3& plane) {
+  out.d[0] = n, out.ddot[0] = ndot;
+  if (plane.isZero(0.0)) {
+    tangents(n, out.d[1], out.d[2]);
+    tangentRates(n, ndot, out.ddot[1], out.ddot[2]);
+  } else {
+    out.d[1] = n.cross(plane), out.ddot[1] = ndot.cross(plane);
+    out.d[2] = plane, out.ddot[2].setZero();
   }
-  return out;
 }
 
 OverHalfSpace::OverHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B)
@@ -62,9 +35,8 @@ OverHalfSpace::OverHalfSpace(const Frame& A, const TouchingShape& halfSpace, con
       n_B_(B.A_IK.transpose() * n_I_),
       height_(n_I_.dot(B.r_OS_I - A.r_OS_I - A.A_IK * halfSpace.p_K)) {}
 
-ContactPoint OverHalfSpace::contact(const RoundFeature& feature, const Vec3& plane) const {
+ContactPoint OverHalfSpace::contact(const SupportFeature& feature, const Vec3& plane) const {
   ContactPoint out;
-  const Vec3 rho_I = B_.A_IK * feature.c_K;
   out.g = gap(feature);
   out.d[0] = n_I_;
   if (plane.isZero(0.0)) {
@@ -75,8 +47,17 @@ ContactPoint OverHalfSpace::contact(const RoundFeature& feature, const Vec3& pla
     out.d[1] = n_I_.cross(plane), out.d[2] = plane;
   }
   for (int i = 0; i < 3; ++i) out.ddot[i] = A_.Omega_I.cross(out.d[i]);
-  out.P = B_.r_OS_I + rho_I - feature.radius * n_I_;
-  out.Pdot = B_.velocity(rho_I) - feature.radius * out.ddot[0];
+  if (feature.kind == SupportFeature::Kind::ball) {
+    const Vec3 rho_I = B_.A_IK * feature.c_K;
+    out.P = B_.r_OS_I + rho_I - feature.radius * n_I_;
+    out.Pdot = B_.velocity(rho_I) - feature.radius * out.ddot[0];
+    return out;
+  }
+  // The lowest point wanders over the body as the direction to the plane does.
+  const Vec3 rho_I = B_.A_IK * feature.point(-n_B_);
+  const Vec3 ddot_B = -B_.A_IK.transpose() * (A_.Omega_I - B_.Omega_I).cross(n_I_);
+  out.P = B_.r_OS_I + rho_I;
+  out.Pdot = B_.velocity(rho_I) + B_.A_IK * (feature.pointDerivative(-n_B_) * ddot_B);
   return out;
 }
 
@@ -90,14 +71,7 @@ ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
   // Centres that coincide have no normal; any one separates them.
   const Vec3 n = distance > 0.0 ? Vec3(r / distance) : Vec3(Vec3::UnitZ());
   const Vec3 ndot = distance > 0.0 ? Vec3((v - n.dot(v) * n) / distance) : Vec3(Vec3::Zero());
-  out.d[0] = n, out.ddot[0] = ndot;
-  if (plane.isZero(0.0)) {
-    tangents(n, out.d[1], out.d[2]);
-    tangentRates(n, ndot, out.ddot[1], out.ddot[2]);
-  } else {
-    out.d[1] = n.cross(plane), out.ddot[1] = ndot.cross(plane);
-    out.d[2] = plane, out.ddot[2].setZero();
-  }
+  setDirections(out, n, ndot, plane);
   out.P = A.r_OS_I + rhoA + a.radius * n;
   out.Pdot = A.velocity(rhoA) + a.radius * ndot;
   return out;

@@ -1,31 +1,8 @@
-/// Geometry of contact: what of a shape can touch, and where two of them touch.
+/// Geometry of contact: where two shapes touch, before, while and after they do.
 #pragma once
-#include <dynamy/system/topology.hpp>
-#include <vector>
+#include <dynamy_elements/contacts/touching_shape.hpp>
 
 namespace dynamy {
-
-/// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
-struct RoundFeature {
-  Vec3 c_K = Vec3::Zero();  ///< in axes of the frame, from its origin [m]
-  double radius = 0.0;      ///< [m]
-};
-
-/// A shape as contact sees it: a half space, or one or several round features.
-struct TouchingShape {
-  enum class Kind : std::uint8_t { none, halfSpace, round, corners } kind = Kind::none;
-  const Shape* shape = nullptr;
-  FrameHandle frame;
-  int system = -1;
-  std::vector<RoundFeature> features;
-  Vec3 n_K = Vec3::Zero(), p_K = Vec3::Zero();  ///< half space: normal and a point of its plane
-  Mat3 A_KB = Mat3::Identity();                 ///< box: its axes, about p_K
-  Vec3 half = Vec3::Zero();                     ///< box: half edge lengths [m]
-};
-
-/// Takes a shape apart. `plane`: normal of the plane of motion in the shape's frame, or zero; a box
-/// with an edge along it has four corners there instead of eight. Kind::none: cannot touch.
-TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K);
 
 /// Place, directions and their rates of one contact.
 struct ContactPoint {
@@ -35,15 +12,23 @@ struct ContactPoint {
   Vec3 d[3], ddot[3];        ///< n, t1, t2 and their rates
 };
 
+/// Normal and tangents with their rates: the tangents follow from n, or one lies in the plane.
+void setDirections(ContactPoint& out, const Vec3& n, const Vec3& ndot, const Vec3& plane);
+
 /// Features of B over the half space of A. The tangents are fixed in A, or lie in the plane.
 class OverHalfSpace {
  public:
   OverHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B);
   /// Of one feature; a few products, as most features of a body are nowhere near.
-  double gap(const RoundFeature& feature) const {
+  double gap(const SupportFeature& feature) const {
+    if (feature.kind != SupportFeature::Kind::ball) return height_ - feature.support(-n_B_);
     return height_ + n_B_.dot(feature.c_K) - feature.radius;
   }
-  ContactPoint contact(const RoundFeature& feature, const Vec3& plane) const;
+  bool touches(const SupportFeature& feature) const {
+    const bool always = feature.kind == SupportFeature::Kind::ball && !feature.flatOnly;
+    return always || feature.touches(-n_B_);
+  }
+  ContactPoint contact(const SupportFeature& feature, const Vec3& plane) const;
 
  private:
   const Frame &A_, &B_;

@@ -1,36 +1,23 @@
+// Who can touch whom: groups of like shapes, the rule of each two groups.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/simulation/model.hpp>
-#include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
 #include <dynamy_elements/frame_pair.hpp>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace dynamy {
 namespace {
 
 using Touch = TouchingShape::Kind;
 
-constexpr int kMostNamedPairs = 64;  ///< beyond, single contacts have no signals
-
-/// Is a contact of these two implemented? Half spaces never meet, points neither.
-enum class Meeting { never, implemented, missing };
-Meeting meeting(const TouchingShape& a, const TouchingShape& b, bool inPlane) {
-  if (a.kind == Touch::halfSpace && b.kind == Touch::halfSpace) return Meeting::never;
-  if (a.kind == Touch::none || b.kind == Touch::none) return Meeting::missing;
-  if (a.kind == Touch::halfSpace || b.kind == Touch::halfSpace) return Meeting::implemented;
-  if (a.kind == Touch::round && b.kind == Touch::round)
-    return a.features[0].radius + b.features[0].radius > 0.0 ? Meeting::implemented
-                                                             : Meeting::never;
-  // Boxes that move in one plane would need polygons; a ball does with a box's section.
-  if (a.kind == Touch::corners && b.kind == Touch::corners)
-    return a.features.size() == 8 && b.features.size() == 8 ? Meeting::implemented
-                                                            : Meeting::missing;
-  const TouchingShape& box = a.kind == Touch::corners ? a : b;
-  return inPlane == (box.features.size() == 4) ? Meeting::implemented : Meeting::missing;
-}
+constexpr std::int64_t kMostNamedPairs = 64;  ///< beyond, single contacts have no signals
+constexpr std::uint64_t kMostNamedFeatures = 32;
+/// Of the 40 bits of a contact's number.
+constexpr double kMostNumbers = 1099511627776.0;
 
 Diagnostic pairFault(const Shape& a, const Shape& b, std::string text, std::string hint) {
   Diagnostic d;
@@ -41,21 +28,14 @@ Diagnostic pairFault(const Shape& a, const Shape& b, std::string text, std::stri
   return d;
 }
 
-std::string label(const TouchingShape& s, const Topology& topology) {
-  const std::string& system = topology.systems()[static_cast<std::size_t>(s.system)]->name();
-  if (!s.shape->name().empty()) return s.shape->name();
-  return system.empty() ? "body" + std::to_string(s.system) : system;
-}
-
-bool isBallOnBox(const TouchingShape& A, const TouchingShape& B) {
-  return A.kind == Touch::corners && B.kind == Touch::round;
-}
-bool areBoxes(const TouchingShape& A, const TouchingShape& B) {
-  return A.kind == Touch::corners && B.kind == Touch::corners;
-}
-
 /// Normal, tangents, spin about the normal; in a plane normal and tangent.
 int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
+
+/// Shapes further apart than half their sizes are not reported.
+double earlyReach(const TouchingShape& s) {
+  if (s.kind == Touch::box) return 0.25 * s.bound;
+  return std::isfinite(s.thickness) ? 0.5 * s.thickness : 0.0;
+}
 
 }  // namespace
 
@@ -82,13 +62,17 @@ const ContactRule* ShapeContacts::rule(const std::string& a, const std::string& 
   return nullptr;
 }
 
-/// What connect() looks at for every pair of shapes.
+/// What connect() looks at.
 struct ShapeContacts::Search {
-  explicit Search(Topology& t) : topology(t), shapes(t.shapesWithMaterial()), start(t) {
+  explicit Search(Topology& t) : topology(t), instances(t.shapesWithMaterial()), start(t) {
     for (const PartialMechanicalSystem* s : t.systems()) blocks.push_back(s->blocks());
   }
-  const Blocks& blocksOf(const ShapeInstance& s) const {
-    return blocks[static_cast<std::size_t>(s.system)];
+  const Blocks& blocksOf(std::size_t shape) const {
+    return blocks[static_cast<std::size_t>(instances[shape].system)];
+  }
+  TouchingShape take(std::size_t shape, const Vec3& plane) const {
+    const ShapeInstance& s = instances[shape];
+    return touchingShape(s, start.frame(s.frame).A_IK.transpose() * plane);
   }
   /// Tells a fault once per pair of words.
   void fault(const std::string& a, const std::string& b, Diagnostic d) {
@@ -96,177 +80,214 @@ struct ShapeContacts::Search {
   }
 
   const Topology& topology;
-  std::vector<ShapeInstance> shapes;
+  std::vector<ShapeInstance> instances;
   StartKinematics start;
   std::vector<Blocks> blocks;
+  /// Of each group: a shape, and one of another body or −1.
+  struct Members {
+    std::size_t first;
+    int another = -1;
+    std::int64_t count = 1;
+  };
+  std::vector<Members> groups;
   Diagnostics faults;
   std::set<std::pair<std::string, std::string>> told;
-  std::map<std::string, int> names;
 };
 
 void ShapeContacts::connect(Topology& topology) {
-  pairs_.clear();
   expectOneRulePerPair();
   Search search(topology);
-  for (std::size_t i = 0; i < search.shapes.size(); ++i)
-    for (std::size_t j = i + 1; j < search.shapes.size(); ++j)
-      addPair(search.shapes[i], search.shapes[j], search);
+  planes_ = {Vec3::Zero()};
+  shapes_.assign(1, {});
+  const std::size_t n = search.instances.size();
+  for (std::size_t i = 0; i < n; ++i) shapes_[0].push_back(search.take(i, Vec3::Zero()));
+  for (std::size_t i = 0; i < n; ++i) planeIndex(search.blocksOf(i).planeNormal, search);
+  group(search);
+  pairRules_.clear(), pairs_ = 0;
+  table_.assign(groups_ * groups_, -1);
+  for (std::size_t a = 0; a < groups_; ++a)
+    for (std::size_t b = a; b < groups_; ++b) addRule(search, a, b);
   search.faults.throwIfAny();
-  noteMovers();
+  countPairs(search);
+  balls_.reserve(n);
 }
 
-void ShapeContacts::addPair(const ShapeInstance& a, const ShapeInstance& b, Search& search) {
-  const Blocks &blocksA = search.blocksOf(a), &blocksB = search.blocksOf(b);
-  if (a.system == b.system || (blocksA.nu == 0 && blocksB.nu == 0)) return;
-  Pair pair;
-  pair.plane = commonPlane(blocksA, blocksB);
-  const auto shapeOf = [&](const ShapeInstance& s) {
-    return touchingShape(s, search.start.frame(s.frame).A_IK.transpose() * pair.plane);
+std::size_t ShapeContacts::planeIndex(const Vec3& plane, Search& search) {
+  for (std::size_t p = 0; p < planes_.size(); ++p)
+    if (planes_[p] == plane) return p;
+  planes_.push_back(plane);
+  shapes_.emplace_back();
+  for (std::size_t i = 0; i < search.instances.size(); ++i)
+    shapes_.back().push_back(search.take(i, plane));
+  return planes_.size() - 1;
+}
+
+/// Bodies and groups of all shapes. What does not move has groups of its own, as planes differ.
+void ShapeContacts::group(Search& search) {
+  const std::size_t n = search.instances.size();
+  body_.resize(n), group_.resize(n), early_.resize(n), names_.resize(n);
+  flats_.clear();
+  thinnest_ = std::numeric_limits<double>::infinity();
+  using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int>;
+  std::map<Key, int> known;
+  std::map<std::string, int> names;
+  for (std::size_t i = 0; i < n; ++i) {
+    const ShapeInstance& s = search.instances[i];
+    const Blocks& blocks = search.blocksOf(i);
+    const TouchingShape &inSpace = shapes_[0][i],
+                        &own = shapes_[planeIndex(blocks.planeNormal, search)][i];
+    const bool moves = blocks.nu > 0;
+    // One body: a system, or one of the many of a population.
+    const int systems = static_cast<int>(search.blocks.size());
+    body_[i] = blocks.capacity == 1 ? s.system : systems + search.start.frame(s.frame).block;
+    const bool alone = !moves || own.kind == Touch::halfSpace;
+    const Key key{
+        s.shape->material(),    blocks.planeNormal.x(),           blocks.planeNormal.y(),
+        blocks.planeNormal.z(), alone ? static_cast<int>(i) : -1, static_cast<int>(own.kind),
+        own.features.size(),    static_cast<int>(inSpace.kind)};
+    const auto [at, isNew] = known.try_emplace(key, static_cast<int>(search.groups.size()));
+    group_[i] = at->second;
+    if (isNew) {
+      search.groups.push_back({.first = i});
+    } else {
+      Search::Members& members = search.groups[static_cast<std::size_t>(at->second)];
+      ++members.count;
+      if (members.another < 0 && body_[members.first] != body_[i])
+        members.another = static_cast<int>(i);
+    }
+    early_[i] = std::max(earlyReach(inSpace), earlyReach(own));
+    thinnest_ = std::min(thinnest_, std::min(inSpace.thickness, own.thickness));
+    if (inSpace.kind == Touch::halfSpace) flats_.push_back(static_cast<int>(i));
+    // The shape's name, else that of its system.
+    const std::string& system =
+        search.topology.systems()[static_cast<std::size_t>(s.system)]->name();
+    std::string& name = names_[i];
+    name = s.shape->name();
+    if (name.empty()) name = system.empty() ? "body" + std::to_string(s.system) : system;
+    if (const int count = ++names[name]; count > 1) name += "#" + std::to_string(count);
+  }
+  groups_ = search.groups.size();
+}
+
+void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
+  // Two shapes that stand for the groups: of different bodies, one of which moves.
+  const Search::Members &first = search.groups[a], &second = search.groups[b];
+  std::size_t i = first.first, j = second.first;
+  if (body_[i] == body_[j]) {
+    if (second.another >= 0) {
+      j = static_cast<std::size_t>(second.another);
+    } else if (first.another >= 0) {
+      i = static_cast<std::size_t>(first.another);
+    } else {
+      return;
+    }
+  }
+  const Blocks &blocksA = search.blocksOf(i), &blocksB = search.blocksOf(j);
+  if (blocksA.nu == 0 && blocksB.nu == 0) return;
+  PairRule made;
+  const Vec3 plane = commonPlane(blocksA, blocksB);
+  made.plane = planeIndex(plane, search);
+  const auto inOrder = [&](std::size_t p) {
+    const TouchingShape *A = &shapes_[p][i], *B = &shapes_[p][j];
+    if (A->kind < B->kind) std::swap(A, B);
+    return std::pair(A, B);
   };
-  pair.A = shapeOf(a), pair.B = shapeOf(b);
-  const Meeting meets = meeting(pair.A, pair.B, !pair.plane.isZero(0.0));
-  if (meets == Meeting::never) return;
+  auto [A, B] = inOrder(made.plane);
+  made.meets = meeting(*A, *B, !plane.isZero(0.0));
+  if (made.meets == Meeting::never) return;
 
   // The law of the two materials.
-  const std::string &ma = a.shape->material(), &mb = b.shape->material();
+  const Shape &shapeA = *search.instances[i].shape, &shapeB = *search.instances[j].shape;
+  const std::string &ma = shapeA.material(), &mb = shapeB.material();
   const std::string both = "between=\"" + ma + " " + mb + "\"";
   const ContactRule* found = rule(ma, mb);
   if (!found) {
     search.fault(ma, mb,
-                 pairFault(*a.shape, *b.shape,
+                 pairFault(shapeA, shapeB,
                            "no law for contact of the materials \"" + ma + "\" and \"" + mb + "\"",
                            "add <Contact " + both + ">…</Contact>, or <NoContact " + both + "/>"));
     return;
   }
   if (!found->law()) return;
-  if (meets == Meeting::missing) {
+  if (made.meets == Meeting::missing) {
     search.fault(
-        a.shape->type() + ma, b.shape->type() + mb,
+        shapeA.type() + ma, shapeB.type() + mb,
         pairFault(
-            *a.shape, *b.shape,
-            "contact of a " + a.shape->type() + " with a " + b.shape->type() + " is not available",
-            "use balls and points on all, boxes on half spaces, boxes in space, or <NoContact " +
+            shapeA, shapeB,
+            "contact of a " + shapeA.type() + " with a " + shapeB.type() + " is not available",
+            "use balls and points on all, others on half spaces, boxes in space, or <NoContact " +
                 both + "/>"));
     return;
   }
-  pair.law = found->law();
+  made.law = found->law();
 
-  // The half space is A, else the box. One that cuts the plane of motion at an angle needs both
-  // tangents.
-  if (pair.B.kind == Touch::halfSpace || isBallOnBox(pair.B, pair.A)) std::swap(pair.A, pair.B);
-  const bool onHalfSpace = pair.A.kind == Touch::halfSpace;
-  if (onHalfSpace && !pair.plane.isZero(0.0)) {
-    const Vec3 n = search.start.frame(pair.A.frame).A_IK * pair.A.n_K;
-    if (std::abs(n.dot(pair.plane)) > 1e-12) pair.plane.setZero();
+  // A half space that cuts the plane of motion at an angle needs both tangents.
+  if (made.meets == Meeting::overHalfSpace && !plane.isZero(0.0)) {
+    const Vec3 n = search.start.frame(A->frame).A_IK * A->n_K;
+    if (std::abs(n.dot(plane)) > 1e-12) made.plane = 0;
   }
-  pair.rows = offeredRows(pair.plane);
-  // Boxes are looked at where their circumscribed balls meet.
-  pair.balls = pair.A.half.norm() + pair.B.half.norm();
-  pair.offsets = pair.A.p_K.norm() + pair.B.p_K.norm();
-  if (pair.law->dim(pair.rows) > pair.rows)
-    search.fault(
-        ma, mb,
-        pairFault(*a.shape, *b.shape, "the law has more rows than a contact in a plane offers",
-                  "take a law without a spin row, or bodies in space"));
-  const std::string nameA = label(pair.A, search.topology), nameB = label(pair.B, search.topology);
-  pair.name =
-      onHalfSpace || isBallOnBox(pair.A, pair.B) ? nameB + "-" + nameA : nameA + "-" + nameB;
-  if (const int count = ++search.names[pair.name]; count > 1)
-    pair.name += "#" + std::to_string(count);
-  pairs_.push_back(std::move(pair));
+  made.rows = offeredRows(planes_[made.plane]);
+  if (made.law->dim(made.rows) > made.rows)
+    search.fault(ma, mb,
+                 pairFault(shapeA, shapeB, "the law has more rows than a contact in a plane offers",
+                           "take a law without a spin row, or bodies in space"));
+  made.features = featuresOf(made.meets, *A, *B);
+  table_[a * groups_ + b] = table_[b * groups_ + a] = static_cast<int>(pairRules_.size());
+  pairRules_.push_back(made);
 }
 
-void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Pair& pair = pairs_[i];
-    const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
-    const std::uint64_t id = i * kMaxFeatures;
-    if (pair.A.kind == Touch::halfSpace) {
-      const OverHalfSpace over(A, pair.A, B);
-      for (std::size_t f = 0; f < pair.B.features.size(); ++f) {
-        const RoundFeature& feature = pair.B.features[f];
-        emit(pair, id + f, over.gap(feature), k, sink,
-             [&] { return over.contact(feature, pair.plane); });
-      }
-      continue;
+/// How many pairs there are and how many contacts each may have; lists them if they are few.
+void ShapeContacts::countPairs(const Search& search) {
+  const std::size_t n = body_.size();
+  pairs_ = 0, features_ = 1;
+  for (std::size_t a = 0; a < groups_; ++a)
+    for (std::size_t b = a; b < groups_; ++b) {
+      if (table_[a * groups_ + b] < 0) continue;
+      const std::int64_t count = search.groups[a].count;
+      pairs_ += a == b ? count * (count - 1) / 2 : count * search.groups[b].count;
     }
-    if (areBoxes(pair.A, pair.B)) {
-      boxes(pair, id, k, sink);
-      continue;
-    }
-    if (isBallOnBox(pair.A, pair.B)) {
-      const RoundFeature& ball = pair.B.features[0];
-      // Reported as early as two balls are.
-      const double reach = 0.5 * (ball.radius + pair.A.half.minCoeff());
-      const ContactPoint at = ballOnBox(A, pair.A, B, ball, pair.plane);
-      if (sink.request().refresh || at.g <= reach)
-        emit(pair, id, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
-      continue;
-    }
-    // Balls further apart than half the sum of their radii are not reported.
-    const RoundFeature &a = pair.A.features[0], &b = pair.B.features[0];
-    const double reach = 1.5 * (a.radius + b.radius);
-    const Vec3 r = B.r_OS_I + B.A_IK * b.c_K - A.r_OS_I - A.A_IK * a.c_K;
-    if (!sink.request().refresh && r.squaredNorm() > reach * reach) continue;
-    const ContactPoint at = betweenBalls(A, a, B, b, pair.plane);
-    emit(pair, id, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
-  }
+  for (const PairRule& r : pairRules_) features_ = std::max(features_, r.features);
+  // Less those of one body, whose shapes lie next to each other.
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n && body_[j] == body_[i]; ++j)
+      if (table_[entry(i, j)] >= 0) --pairs_;
+  namedPairs_.clear();
+  if (pairs_ <= kMostNamedPairs)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j)
+        if (pairOf(static_cast<int>(i), static_cast<int>(j)))
+          namedPairs_.emplace_back(static_cast<int>(i), static_cast<int>(j));
+  const auto all = static_cast<double>(n);
+  if (static_cast<double>(features_) * all * all > kMostNumbers)
+    throw ModelError("there are too many shapes to number their contacts: " + std::to_string(n) +
+                         " shapes with up to " + std::to_string(features_) + " contacts of two",
+                     "give shapes that nothing touches no material");
 }
 
-void ShapeContacts::boxes(const Pair& pair, std::uint64_t id, const Kinematics& k,
-                          ContactSink& sink) const {
-  const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
-  // First the frames, whose origins are not far from the centres, then the centres.
-  const double balls = pair.balls + sink.request().gTol, far = balls + pair.offsets;
-  const Vec3 d = B.r_OS_I - A.r_OS_I;
-  if (d.squaredNorm() > far * far) return;
-  const Vec3 r = d + B.A_IK * pair.B.p_K - A.A_IK * pair.A.p_K;
-  if (r.squaredNorm() > balls * balls) return;
-  std::array<BoxContact, kMostBoxContacts> found;
-  const int n =
-      betweenBoxes(placedBox(A, pair.A), placedBox(B, pair.B), sink.request().bias, found);
-  for (int c = 0; c < n; ++c) {
-    const BoxContact& contact = found[static_cast<std::size_t>(c)];
-    emit(pair, id + static_cast<std::uint64_t>(contact.id), contact.at.g, k, sink,
-         [&]() -> const ContactPoint& { return contact.at; });
-  }
+ShapeContacts::Pair ShapeContacts::pairOf(int i, int j) const {
+  if (i > j) std::swap(i, j);
+  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+  const int made = table_[entry(a, b)];
+  if (made < 0 || body_[a] == body_[b]) return {};
+  Pair out;
+  out.rule = &pairRules_[static_cast<std::size_t>(made)];
+  out.A = &shapes_[out.rule->plane][a], out.B = &shapes_[out.rule->plane][b];
+  if (out.A->kind < out.B->kind) std::swap(out.A, out.B);
+  out.id = (a * body_.size() + b) * features_;
+  return out;
 }
-
-template <class At>
-void ShapeContacts::emit(const Pair& pair, std::uint64_t id, double g, const Kinematics& k,
-                         ContactSink& sink, At&& closed) const {
-  ContactRows rows = sink.add(id, g, *pair.law, pair.rows);
-  if (!rows) return;
-  const ContactPoint& at = closed();
-  const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
-  const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
-  pointContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2]);
-  if (!rows.wantsBias()) return;
-  // The point of contact moves with Ṗ, not with a body.
-  const Vec3 v_BA = B.velocity(rhoB) - A.velocity(rhoA);
-  const Vec3 a_BA = B.bias_S_I + B.bias_R_I.cross(rhoB) + B.Omega_I.cross(at.Pdot - B.v_S_I) -
-                    A.bias_S_I - A.bias_R_I.cross(rhoA) - A.Omega_I.cross(at.Pdot - A.v_S_I);
-  for (int r = 0; r < rows.dim() && r < 3; ++r)
-    rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
-  if (rows.dim() > 3)  // the spin about the normal
-    rows.bias(3) = at.ddot[0].dot(B.Omega_I - A.Omega_I) + at.d[0].dot(B.bias_R_I - A.bias_R_I);
-}
-
-namespace {
-
-std::string boxFeature(std::uint64_t id) {
-  if (id < 8) return "B.corner" + std::to_string(id);
-  if (id < 16) return "A.corner" + std::to_string(id - 8);
-  return "edges" + std::to_string((id - 16) / 12) + "-" + std::to_string((id - 16) % 12);
-}
-
-}  // namespace
 
 std::string ShapeContacts::contactName(std::uint64_t id) const {
-  const Pair& pair = pairs_[static_cast<std::size_t>(id / kMaxFeatures)];
-  if (areBoxes(pair.A, pair.B)) return pair.name + '.' + boxFeature(id % kMaxFeatures);
-  const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
-  return single ? pair.name : pair.name + ".corner" + std::to_string(id % kMaxFeatures);
+  const std::uint64_t pairNumber = id / features_, n = body_.size();
+  const auto i = static_cast<int>(pairNumber / n), j = static_cast<int>(pairNumber % n);
+  const Pair pair = pairOf(i, j);
+  if (!pair) return {};
+  // What rests on something comes first.
+  std::string a = names_[static_cast<std::size_t>(i)], b = names_[static_cast<std::size_t>(j)];
+  const bool swapped = pair.A != &shapes_[pair.rule->plane][static_cast<std::size_t>(i)];
+  if (swapped != (pair.A->kind != pair.B->kind)) std::swap(a, b);
+  const std::string feature = featureName(pair.rule->meets, *pair.A, *pair.B, id % features_);
+  return a + "-" + b + (feature.empty() ? "" : "." + feature);
 }
 
 void ShapeContacts::describe(Description& d) const {
@@ -274,17 +295,12 @@ void ShapeContacts::describe(Description& d) const {
     return static_cast<double>(
         std::count(v.contacts->element.begin(), v.contacts->element.end(), v.element));
   });
-  if (pairs() > kMostNamedPairs) return;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Pair& pair = pairs_[i];
-    const int geometric = pair.plane.isZero(0.0) ? 3 : 2;
-    if (areBoxes(pair.A, pair.B)) continue;  // 160 possible contacts: by their count alone
-    const bool single = pair.A.kind != Touch::halfSpace || pair.B.features.size() == 1;
-    const std::size_t features = single ? 1 : pair.B.features.size();
-    for (std::size_t f = 0; f < features; ++f) {
-      const std::uint64_t id = i * kMaxFeatures + f;
-      describeContact(d, id, geometric, *pair.law, contactName(id) + ".");
-    }
+  for (const auto& [i, j] : namedPairs_) {
+    const Pair pair = pairOf(i, j);
+    const int geometric = pair.rule->plane == 0 ? 3 : 2;
+    if (pair.rule->features > kMostNamedFeatures) continue;  // by their count alone
+    for (std::uint64_t f = 0; f < pair.rule->features; ++f)
+      describeContact(d, pair.id + f, geometric, *pair.rule->law, contactName(pair.id + f) + ".");
   }
 }
 

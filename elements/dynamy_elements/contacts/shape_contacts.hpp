@@ -1,6 +1,6 @@
 /// ShapeContacts: all contacts between shapes that have a material, one element for the model.
 ///
-///   ball, point or corner, half space   g = n·(c − p) − R             n fixed in the half space
+///   feature of a shape, half space      g = n·(c − p) − h(−n)         n fixed in the half space
 ///   ball or point, ball                 g = |c_B − c_A| − R_A − R_B   n = (c_B − c_A)/|…|
 ///   ball or point, box                  g = |c − p| − R               p of the box, nearest to c
 ///   box, box                            vertices on faces, edges on edges (box_contact.hpp)
@@ -12,12 +12,16 @@
 ///   γ̇ − Wᵀu̇ = ḋ·v_BA + d·(β_B + Ω_B × (Ṗ − v_B) − β_A − Ω_A × (Ṗ − v_A))
 ///
 /// A contact of two systems that move in one plane has the rows n, t only. The laws come from
-/// ContactRules by pair of materials. One element per `<Contact>` was rejected: each would need its
-/// own search for pairs.
+/// ContactRules by pair of materials. Shapes that are alike form a group; what two of them do with
+/// each other is found once per pair of groups, so that 100 000 grains cost no more memory than
+/// themselves. Who is near whom comes from BroadPhase; half spaces look at all.
+/// One element per `<Contact>` was rejected: each would need its own search for pairs.
 #pragma once
 #include <dynamy/contact/contact_rule.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy_elements/contacts/broad_phase.hpp>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
+#include <dynamy_elements/contacts/meeting.hpp>
 
 namespace dynamy {
 
@@ -28,52 +32,77 @@ class ShapeContacts final : public NonSmoothElement {
   /// `rules`: borrowed from the model.
   explicit ShapeContacts(std::vector<const ContactRule*> rules) : rules_(std::move(rules)) {}
 
-  /// Finds the pairs. Throws ModelError naming every pair of materials without a rule or with two,
-  /// and every pair of shapes whose contact is not implemented.
+  /// Finds out who can touch whom. Throws ModelError naming every pair of materials without a rule
+  /// or with two, and every pair of shapes whose contact is not implemented.
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
   std::string contactName(std::uint64_t id) const override;
   int piecesToSweep(const Kinematics& k, double dt) const override;
   Passing firstPassing(const SweptPath& path, int element) const override;
-  int pairs() const { return static_cast<int>(pairs_.size()); }
+  /// How many pairs of shapes can touch.
+  std::int64_t pairs() const { return pairs_; }
 
  private:
-  /// Two shapes that can touch; A is the half space if there is one, else the box.
-  struct Pair {
-    TouchingShape A, B;
+  /// What the shapes of two groups do with each other.
+  struct PairRule {
+    Meeting meets = Meeting::never;
     const SetValuedForceLaw* law = nullptr;
-    Vec3 plane = Vec3::Zero();
-    int rows = 4;        ///< normal, tangents, spin about the normal; in a plane normal and tangent
-    double balls = 0.0;  ///< boxes whose centres are further apart than this are not looked at [m]
-    double offsets = 0.0;  ///< of the centres from the origins of their frames [m]
-    std::string name;
+    std::size_t plane = 0;       ///< index into `planes_`
+    std::uint64_t features = 1;  ///< contacts of two of them
+    int rows = 4;  ///< normal, tangents, spin about the normal; in a plane normal, tangent
+  };
+  /// Two shapes, A the one of the higher kind: half space before box before ball; i < j otherwise.
+  struct Pair {
+    const PairRule* rule = nullptr;
+    const TouchingShape *A = nullptr, *B = nullptr;
+    std::uint64_t id = 0;  ///< of its first contact
+    explicit operator bool() const { return rule != nullptr; }
   };
   struct Search;
-  void addPair(const ShapeInstance& a, const ShapeInstance& b, Search& search);
+  void group(Search& search);
+  void addRule(Search& search, std::size_t a, std::size_t b);
   void expectOneRulePerPair() const;
   const ContactRule* rule(const std::string& a, const std::string& b) const;
+  std::size_t planeIndex(const Vec3& plane, Search& search);
+  void countPairs(const Search& search);
+  /// Of two shapes in the table.
+  std::size_t entry(std::size_t i, std::size_t j) const {
+    return static_cast<std::size_t>(group_[i]) * groups_ + static_cast<std::size_t>(group_[j]);
+  }
+  /// Of the shapes i, j in any order; false: they never touch.
+  Pair pairOf(int i, int j) const;
+  void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  void overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   /// Reports gap g; `at` makes the contact of it if it is closed.
   template <class At>
-  void emit(const Pair& pair, std::uint64_t id, double g, const Kinematics& k, ContactSink& sink,
+  void emit(const Pair& pair, std::size_t feature, double g, const Kinematics& k, ContactSink& sink,
             At&& at) const;
-  void boxes(const Pair& pair, std::uint64_t id, const Kinematics& k, ContactSink& sink) const;
   // Along the path of a step (shape_sweep.cpp).
-  /// A shape that takes part in a pair, and how far of the frame's origin it reaches [m].
-  struct Mover {
-    const Shape* shape;
-    FrameHandle frame;
-    double lever;
-  };
-  void noteMovers();
-  static double thickness(const Pair& pair);
-  static double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B);
-  static Passing passing(const Pair& pair, std::size_t f, const SweptPath& path);
-  static constexpr std::uint64_t kMaxFeatures = 256;  ///< of one pair
+  /// Calls `f` for all pairs within balls_, and of those of half spaces and all shapes.
+  template <class F>
+  void forNearPairs(F&& f) const;
+  double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const;
+  Passing passing(const Pair& pair, std::size_t f, const SweptPath& path) const;
+
   std::vector<const ContactRule*> rules_;
-  std::vector<Pair> pairs_;
-  std::vector<Mover> movers_;
-  double thinnest_ = 0.0;  ///< of all pairs [m]
+  std::vector<Vec3> planes_;  ///< of motion; the first is zero: space
+  /// What of the shapes touches, in space and in each plane.
+  std::vector<std::vector<TouchingShape>> shapes_;
+  std::vector<int> body_;      ///< per shape; those of one body never touch
+  std::vector<int> group_;     ///< per shape
+  std::vector<double> early_;  ///< per shape: distance from which on it is reported [m]
+  std::vector<int> flats_;     ///< half spaces
+  std::size_t groups_ = 0;
+  std::vector<int> table_;  ///< groups × groups: index into `pairRules_`, −1: never
+  std::vector<PairRule> pairRules_;
+  std::vector<std::string> names_;               ///< per shape
+  std::vector<std::pair<int, int>> namedPairs_;  ///< all, if there are few
+  std::int64_t pairs_ = 0;
+  std::uint64_t features_ = 1;  ///< most contacts of one pair
+  double thinnest_ = 0.0;       ///< of all shapes [m]
+  mutable std::vector<BroadPhase::Ball> balls_;
+  mutable BroadPhase broad_;
 };
 
 /// Completion of a model: adds ShapeContacts if any shape has a material.

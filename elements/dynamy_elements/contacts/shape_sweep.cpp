@@ -1,6 +1,6 @@
 // Shapes along the path of a step: which are fast, and which contact they pass first (theory 37).
 //
-//   fast       way of both in the step > thickness of the thinner: radius, least half edge
+//   fast       way of both in the step > thickness of the thinner: half of its least width
 //   passed     gap below −d somewhere on the path, d = 1e-6 of the thickness
 //
 // In axes of one of two shapes a point of the other moves almost straight while a piece lasts, and
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
 
 namespace dynamy {
@@ -29,19 +30,9 @@ constexpr double kTurn = 0.5;
 constexpr int kMostParts = 64;
 constexpr double kGolden = 0.6180339887498949;
 
-/// Radius about the shape's middle.
-double size(const TouchingShape& s) {
-  return s.kind == Touch::round ? s.features[0].radius : s.half.norm();
-}
-Vec3 middle_K(const TouchingShape& s) { return s.kind == Touch::round ? s.features[0].c_K : s.p_K; }
 /// What can go how far round the origin of the frame.
 double lever(const TouchingShape& s) {
-  return s.kind == Touch::round ? s.features[0].c_K.norm() : s.p_K.norm() + s.half.norm();
-}
-double thicknessOf(const TouchingShape& s) {
-  if (s.kind == Touch::corners) return s.half.minCoeff();
-  if (s.kind == Touch::round && s.features[0].radius > 0.0) return s.features[0].radius;
-  return kInfinity;  // half spaces and points
+  return s.p_K.norm() + (s.kind == Touch::ball ? 0.0 : s.bound);
 }
 
 Vec3 rotationVector(const Mat3& A) {
@@ -70,15 +61,15 @@ struct FramePiece {
 /// place.
 template <class Pose>
 double leverOfA(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
-  return a.kind == Touch::round ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
+  return a.kind == Touch::ball ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
 }
 
 /// Lower bound of the distance.
 template <class Pose>
 double apart(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
-  const Vec3 r = B.r_OS_I + B.A_IK * middle_K(b) - A.r_OS_I - A.A_IK * middle_K(a);
+  const Vec3 r = B.r_OS_I + B.A_IK * b.p_K - A.r_OS_I - A.A_IK * a.p_K;
   const bool flat = a.kind == Touch::halfSpace;
-  return (flat ? r.dot(A.A_IK * a.n_K) : r.norm() - size(a)) - size(b);
+  return (flat ? r.dot(A.A_IK * a.n_K) : r.norm() - a.bound) - b.bound;
 }
 
 /// Both shapes on one piece of the path.
@@ -90,7 +81,7 @@ struct PairPiece {
       : a(path, A.frame, k), b(path, B.frame, k) {
     const double go = (b.way() - a.way()).norm(), turnA = a.theta_K.norm(),
                  turnB = b.theta_K.norm(), leverB = lever(B), own = turnB * leverB;
-    const bool round = A.kind == Touch::round;
+    const bool round = A.kind == Touch::ball;
     const double leverA = leverOfA(A, B, *a.a, *b.a) + (round ? 0.0 : go);
     L = go + turnA * leverA + own;
     bend = (round ? 0.0 : 2.0 * turnA * (go + own)) + turnA * turnA * leverA + turnB * own;
@@ -127,84 +118,133 @@ double crossing(Gap& gap, double a, double b, double level, double width) {
 
 }  // namespace
 
-double ShapeContacts::thickness(const Pair& pair) {
-  return std::min(thicknessOf(pair.A), thicknessOf(pair.B));
+namespace {
+
+double thickness(const TouchingShape& A, const TouchingShape& B) {
+  return std::min(A.thickness, B.thickness);
 }
 
-void ShapeContacts::noteMovers() {
-  movers_.clear(), thinnest_ = kInfinity;
-  for (const Pair& pair : pairs_) {
-    thinnest_ = std::min(thinnest_, thickness(pair));
-    for (const TouchingShape* s : {&pair.A, &pair.B}) {
-      const bool known = std::any_of(movers_.begin(), movers_.end(),
-                                     [&](const Mover& m) { return m.shape == s->shape; });
-      // A half space reaches everywhere.
-      const bool flat = s->kind == Touch::halfSpace;
-      if (!known) movers_.push_back({s->shape, s->frame, flat ? kInfinity : lever(*s)});
-    }
-  }
+}  // namespace
+
+template <class F>
+void ShapeContacts::forNearPairs(F&& f) const {
+  const int n = static_cast<int>(balls_.size());
+  for (const int h : flats_)
+    for (int i = 0; i < n; ++i)
+      if (i != h && balls_[static_cast<std::size_t>(i)].radius >= 0.0)
+        if (const Pair pair = pairOf(h, i)) f(pair);
+  for (const auto& [i, j] : broad_.near(balls_))
+    if (const Pair pair = pairOf(i, j)) f(pair);
 }
 
 int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
   // No two shapes together go further than the thinnest is thick: done.
-  double most = 0.0, second = 0.0;
-  for (const Mover& m : movers_) {
-    const Frame& f = k.frame(m.frame);
+  const std::vector<TouchingShape>& shapes = shapes_[0];
+  const auto way = [&](const TouchingShape& s) {
+    const Frame& f = k.frame(s.frame);
     const double turn = f.Omega_I.norm();
-    const double w = dt * (f.v_S_I.norm() + (turn > 0.0 ? turn * m.lever : 0.0));
+    // A half space reaches everywhere.
+    const double arm = s.kind == Touch::halfSpace ? kInfinity : lever(s);
+    return dt * (f.v_S_I.norm() + (turn > 0.0 ? turn * arm : 0.0));
+  };
+  double most = 0.0, second = 0.0;
+  for (const TouchingShape& s : shapes) {
+    const double w = way(s);
     second = std::max(second, std::min(most, w)), most = std::max(most, w);
   }
   if (most + second <= thinnest_) return 0;
-  double turn = -1.0;
-  for (const Pair& pair : pairs_) {
-    const double thick = thickness(pair);
-    const Frame &A = k.frame(pair.A.frame), &B = k.frame(pair.B.frame);
-    const double both =
-        dt * ((B.v_S_I - A.v_S_I).norm() + A.Omega_I.norm() * leverOfA(pair.A, pair.B, A, B) +
-              B.Omega_I.norm() * lever(pair.B));
-    if (both <= thick || thick == kInfinity || apart(pair.A, pair.B, A, B) > 2.0 * both) continue;
-    for (const auto& [shape, frame] : {std::pair{&pair.A, &A}, std::pair{&pair.B, &B}})
-      turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
+  // The pairs below are no further apart than twice their ways.
+  balls_.clear();
+  for (const TouchingShape& s : shapes) {
+    const Frame& f = k.frame(s.frame);
+    const bool flat = s.kind == Touch::halfSpace;
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, flat ? -1.0 : s.bound + 2.0 * way(s)});
   }
+  double turn = -1.0;
+  forNearPairs([&](const Pair& pair) {
+    const double thick = thickness(*pair.A, *pair.B);
+    const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+    const double both =
+        dt * ((B.v_S_I - A.v_S_I).norm() + A.Omega_I.norm() * leverOfA(*pair.A, *pair.B, A, B) +
+              B.Omega_I.norm() * lever(*pair.B));
+    if (both <= thick || thick == kInfinity || apart(*pair.A, *pair.B, A, B) > 2.0 * both) return;
+    for (const auto& [shape, frame] : {std::pair{pair.A, &A}, std::pair{pair.B, &B}})
+      turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
+  });
   // An even number: schemes change velocities in the middle.
   return turn < 0.0 ? 0 : 2 * std::max(1, static_cast<int>(std::ceil(0.5 * turn / kTurn)));
 }
 
 /// Gap of feature f of B, of the boxes if both are.
-double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) {
-  if (pair.A.kind == Touch::halfSpace) return OverHalfSpace(A, pair.A, B).gap(pair.B.features[f]);
-  if (pair.A.kind == Touch::round)
-    return betweenBalls(A, pair.A.features[0], B, pair.B.features[0], pair.plane).g;
-  if (pair.B.kind == Touch::round) return ballOnBox(A, pair.A, B, pair.B.features[0], pair.plane).g;
-  return separation(placedBox(A, pair.A), placedBox(B, pair.B));
+double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const {
+  const Vec3& plane = planes_[pair.rule->plane];
+  const TouchingShape &a = *pair.A, &b = *pair.B;
+  switch (pair.rule->meets) {
+    case Meeting::overHalfSpace:
+      return OverHalfSpace(A, a, B).gap(b.features[f]);
+    case Meeting::balls:
+      return betweenBalls(A, a.features[0], B, b.features[0], plane).g;
+    case Meeting::ballOnBox:
+      return ballOnBox(A, a, B, b.features[0], plane).g;
+    case Meeting::ballOnCapsule:
+      return ballOnCapsule(A, a, B, b.features[0], plane).g;
+    case Meeting::ballOnCylinder:
+      return ballOnCylinder(A, a, B, b.features[0]).g;
+    case Meeting::capsules:
+    case Meeting::capsuleOnBox: {
+      RoundContacts found;
+      const bool capsules = pair.rule->meets == Meeting::capsules;
+      const int n =
+          capsules ? betweenCapsules(A, a, B, b, plane, found) : capsuleOnBox(A, a, B, b, found);
+      double least = kInfinity;
+      for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
+      return least;
+    }
+    default:
+      return separation(placedBox(A, a), placedBox(B, b));
+  }
 }
 
 Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
+  // Balls that hold the shapes all along the path.
+  balls_.clear();
+  for (const TouchingShape& s : shapes_[0]) {
+    double way = 0.0;
+    for (int piece = 0; piece < path.pieces(); ++piece) {
+      const FramePiece f(path, s.frame, piece);
+      way += f.way().norm() + f.theta_K.norm() * (s.kind == Touch::halfSpace ? 0.0 : lever(s));
+    }
+    const SweptPose& f = path.pose(s.frame, 0);
+    const bool flat = s.kind == Touch::halfSpace;
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, flat ? -1.0 : s.bound + way});
+  }
   Passing first;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const Pair& pair = pairs_[i];
-    const double thick = thickness(pair);
-    if (thick == kInfinity) continue;
+  forNearPairs([&](const Pair& pair) {
+    const double thick = thickness(*pair.A, *pair.B);
+    if (thick == kInfinity) return;
     double both = 0.0;
-    for (int k = 0; k < path.pieces(); ++k) both += PairPiece(pair.A, pair.B, path, k).L;
-    const SweptPose &A = path.pose(pair.A.frame, 0), &B = path.pose(pair.B.frame, 0);
-    if (both <= thick || apart(pair.A, pair.B, A, B) > both) continue;
-    const std::size_t features = pair.A.kind == Touch::halfSpace ? pair.B.features.size() : 1;
+    for (int k = 0; k < path.pieces(); ++k) both += PairPiece(*pair.A, *pair.B, path, k).L;
+    const SweptPose &A = path.pose(pair.A->frame, 0), &B = path.pose(pair.B->frame, 0);
+    if (both <= thick || apart(*pair.A, *pair.B, A, B) > both) return;
+    const bool single = pair.rule->meets != Meeting::overHalfSpace;
+    const std::size_t features = single ? 1 : pair.B->features.size();
     for (std::size_t f = 0; f < features; ++f) {
+      if (pair.B->features[f].flatOnly) continue;  // the rim it is on tells
       Passing p = passing(pair, f, path);
-      p.contact = contactKey(element, i * kMaxFeatures + f);
+      p.contact = contactKey(element, pair.id + f);
       if (p.t < first.t) first = p;
     }
-  }
+  });
   return first;
 }
 
-Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path) {
-  const double depth = std::max(kDepth * thickness(pair), kLeastDepth * path.resolution());
+Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path) const {
+  const double depth =
+      std::max(kDepth * thickness(*pair.A, *pair.B), kLeastDepth * path.resolution());
   Frame A, B;
   double start = 0.0;
   for (int k = 0; k < path.pieces(); ++k) {
-    const PairPiece piece(pair.A, pair.B, path, k);
+    const PairPiece piece(*pair.A, *pair.B, path, k);
     auto gapAt = [&](double s) {
       piece.a.at(s, A), piece.b.at(s, B);
       return gap(pair, f, A, B);

@@ -1,7 +1,8 @@
 /// Shapes: geometry, volume and inertia for unit density.
 ///
-/// Sphere, Box, HalfSpace and Point take part in contact; the others are drawn, and carry mass
-/// where they have a volume. One file for all: each class is its declaration and a closed form.
+/// Here those with corners, points and planes; round_shapes.hpp has those that turn about an axis.
+/// Each class is its declaration and a closed form; what touches what stands in
+/// contacts/touching_shape.hpp.
 #pragma once
 #include <dynamy/system/shape.hpp>
 
@@ -73,41 +74,6 @@ class PolygonShape final : public Shape {
 
  private:
   std::vector<Vec3> points_;
-};
-
-/// Circle about the shape's z axis; drawn.
-class CircleShape final : public Shape {
- public:
-  static void declare(Attributes& a);
-  explicit CircleShape(const Parameters& x);
-  ShapeGeometry geometry() const override;
-
- private:
-  double radius_;
-};
-
-/// Solid cylinder along the shape's z axis.
-class CylinderShape final : public Shape {
- public:
-  static void declare(Attributes& a);
-  explicit CylinderShape(const Parameters& x);
-  ShapeGeometry geometry() const override;
-  MassProperties massProperties() const override;
-
- private:
-  double radius_, length_;
-};
-
-/// Cylinder along z with half balls on both ends; `length` between their centres.
-class CapsuleShape final : public Shape {
- public:
-  static void declare(Attributes& a);
-  explicit CapsuleShape(const Parameters& x);
-  ShapeGeometry geometry() const override;
-  MassProperties massProperties() const override;
-
- private:
-  double radius_, length_;
 };
 
 }  // namespace dynamy

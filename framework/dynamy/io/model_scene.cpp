@@ -28,7 +28,9 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
       {"Box", ShapeKind::box},         {"HalfSpace", ShapeKind::halfspace},
       {"Circle", ShapeKind::circle},   {"Cylinder", ShapeKind::cylinder},
       {"Capsule", ShapeKind::capsule}, {"Polygon", ShapeKind::polygon},
-      {"Line", ShapeKind::segment}};
+      {"Line", ShapeKind::segment},    {"Ellipsoid", ShapeKind::ellipsoid},
+      {"Torus", ShapeKind::torus},     {"Cone", ShapeKind::cone},
+      {"Polyhedron", ShapeKind::mesh}, {"Mesh", ShapeKind::mesh}};
   SceneShape s;
   const auto kind = kinds.find(g.type);
   s.kind = kind == kinds.end() ? ShapeKind::segment : kind->second;
@@ -40,16 +42,24 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
       break;
     case ShapeKind::cylinder:
     case ShapeKind::capsule:
+    case ShapeKind::cone:
       s.radius = g.size[0], s.halfLength = 0.5 * g.size[1];
       break;
     case ShapeKind::box:
       s.halfExtents = {0.5 * g.size[0], 0.5 * g.size[1], 0.5 * g.size[2]};
+      break;
+    case ShapeKind::ellipsoid:
+      s.halfExtents = {g.size[0], g.size[1], g.size[2]};
+      break;
+    case ShapeKind::torus:
+      s.radius = g.size[0], s.tube = g.size[1];
       break;
     case ShapeKind::halfspace:
       if (!g.points.empty()) turn.setFromTwoVectors(Vec3::UnitZ(), g.points.front());
       break;
     default:
       for (const Vec3& p : g.points) s.points.push_back(array(p));
+      s.triangles = g.triangles;
   }
   return s;
 }
@@ -60,14 +70,19 @@ Scene modelScene(const Model& model) {
   Scene scene;
   scene.view = model.view;
   const std::vector<DrawnFrame> frames = drawnFrames(model);
+  std::multimap<std::pair<int, int>, const PlacedShape*> placed;  // in order of the shapes
+  for (std::size_t i = 0; i < model.systems().size(); ++i)
+    for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
+      placed.emplace(std::pair(static_cast<int>(i), p.frame), &p);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     scene.frames.push_back(frameOf(model, frames[k]));
     const std::string& name = scene.frames.back().name;
     if (scene.follow < 0 && !model.record.follow.empty() &&
         (name == model.record.follow || name.starts_with(model.record.follow + ".")))
       scene.follow = static_cast<int>(k);
-    for (const PlacedShape& p : model.description(frames[k].system).shapes) {
-      if (p.frame != frames[k].id) continue;
+    const auto range = placed.equal_range({frames[k].system, frames[k].id});
+    for (auto at = range.first; at != range.second; ++at) {
+      const PlacedShape& p = *at->second;
       Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
       SceneShape s = geometryOf(p.shape->geometry(), turn);
       const Eigen::Quaterniond A = Eigen::Quaterniond(p.shape->A_KB()) * turn;

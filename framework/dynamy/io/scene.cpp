@@ -21,6 +21,14 @@ const char* nameOf(ShapeKind kind) {
       return "segment";
     case ShapeKind::polygon:
       return "polygon";
+    case ShapeKind::ellipsoid:
+      return "ellipsoid";
+    case ShapeKind::torus:
+      return "torus";
+    case ShapeKind::cone:
+      return "cone";
+    case ShapeKind::mesh:
+      return "mesh";
     case ShapeKind::link:
       return "link";
   }
@@ -34,14 +42,20 @@ void write(JsonWriter& json, const SceneShape& shape) {
   json.member("frame", shape.frame);
   json.key("position").values(shape.position);
   json.key("orientation").values(shape.orientation);
-  const bool isLong = shape.kind == capsule || shape.kind == cylinder;
+  const bool isLong = shape.kind == capsule || shape.kind == cylinder || shape.kind == cone;
   // A ball without radius is a point, drawn as a dot.
   if (shape.radius > 0 || shape.kind == sphere) json.member("radius", shape.radius);
   if (isLong) json.member("halfLength", shape.halfLength);
-  if (shape.kind == box) json.key("halfExtents").values(shape.halfExtents);
+  if (shape.kind == torus) json.member("tube", shape.tube);
+  if (shape.kind == box || shape.kind == ellipsoid) json.key("halfExtents").values(shape.halfExtents);
   if (!shape.points.empty()) {
     json.key("points").beginArray();
     for (const auto& point : shape.points) json.values(point);
+    json.endArray();
+  }
+  if (!shape.triangles.empty()) {
+    json.key("triangles").beginArray();
+    for (const auto& triangle : shape.triangles) json.values(triangle);
     json.endArray();
   }
   if (shape.kind == link) json.member("frameEnd", shape.frameEnd);

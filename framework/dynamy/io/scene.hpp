@@ -27,6 +27,10 @@ enum class ShapeKind {
   halfspace,  ///< matter below the local x–y plane; local z is the outward normal
   segment,    ///< line through points[0], points[1], …; radius > 0: its thickness is 2 radius
   polygon,    ///< filled area with the corners points[0], …, plane and convex
+  ellipsoid,  ///< halfExtents: its semi-axes
+  torus,      ///< radius of the circle about the local z, tube
+  cone,       ///< radius of the base at local z = 0, halfLength: half of the height of its tip
+  mesh,       ///< points and triangles of them, counterclockwise from outside
   link        ///< from points[0] in frame to points[1] in frameEnd: rods, ropes, springs
 };
 
@@ -39,9 +43,11 @@ struct SceneShape {
   std::array<double, 3> position{0, 0, 0};        ///< r_KS_K [m]
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< unit quaternion w x y z of A_KS
   double radius = 0;                              ///< [m]
+  double tube = 0;                                ///< of a torus: radius of its tube [m]
   double halfLength = 0;                          ///< [m]
   std::array<double, 3> halfExtents{0, 0, 0};     ///< [m]
   std::vector<std::array<double, 3>> points{};    ///< in S [m]
+  std::vector<std::array<int, 3>> triangles{};    ///< of a mesh: indices of points
   int frameEnd = -1;                              ///< of a link: the frame of points[1]
   std::string colour{};  ///< "#rrggbb"; empty: the viewer chooses one a frame
   std::string style{};   ///< of a link or segment: "", "dashed" or "spring"

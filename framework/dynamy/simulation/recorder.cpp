@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/recorder.hpp>
+#include <set>
 #include <utility>
 
 namespace dynamy {
@@ -27,13 +28,11 @@ double spacing(double given, double until) {
 
 std::vector<DrawnFrame> drawnFrames(const Model& model) {
   std::vector<DrawnFrame> out;
-  for (std::size_t i = 0; i < model.systems().size(); ++i)
-    for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes) {
-      const auto same = [&](const DrawnFrame& f) {
-        return f.system == static_cast<int>(i) && f.id == p.frame;
-      };
-      if (std::none_of(out.begin(), out.end(), same)) out.push_back({static_cast<int>(i), p.frame});
-    }
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    std::set<int> seen;
+    for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
+      if (seen.insert(p.frame).second) out.push_back({static_cast<int>(i), p.frame});
+  }
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/run_watch.hpp>
 #include <limits>
+#include <map>
 
 namespace dynamy {
 namespace {
@@ -12,11 +13,22 @@ constexpr double kSamples = 256.0;  ///< of the energy in a run
 /// After the first steps three in a row of so many are looked at, so that watching costs little.
 constexpr long kFirst = 256, kEvery = 16;
 
+/// Smallest extent along an axis [m]; infinite for what is flat: nothing passes the ground.
+double extent(const std::vector<Vec3>& points) {
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double least = (high - low).minCoeff();
+  return least > 0.0 ? least : std::numeric_limits<double>::infinity();
+}
+
 /// Smallest extent of a shape [m]; infinite for a half space, which nothing passes.
 double smallestSize(const ShapeGeometry& g) {
   if (g.type == "HalfSpace") return std::numeric_limits<double>::infinity();
   if (g.type == "Box") return std::min({g.size[0], g.size[1], g.size[2]});
-  if (g.type == "Cylinder") return std::min(2.0 * g.size[0], g.size[1]);
+  if (g.type == "Cylinder" || g.type == "Cone") return std::min(2.0 * g.size[0], g.size[1]);
+  if (g.type == "Ellipsoid") return 2.0 * std::min({g.size[0], g.size[1], g.size[2]});
+  if (g.type == "Torus") return 2.0 * g.size[1];
+  if (g.type == "Mesh" || g.type == "Polyhedron") return extent(g.points);
   return g.type == "Point" ? 0.0 : 2.0 * g.size[0];
 }
 
@@ -42,14 +54,22 @@ void RunWatch::collectShapes(const Model& model) {
     for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
       if (!p.shape->material().empty())
         shapes.push_back({static_cast<int>(i), p.frame, smallestSize(p.shape->geometry())});
+  // Two points never touch; of the others the smallest of another system decides.
+  std::sort(shapes.begin(), shapes.end(),
+            [](const Sized& a, const Sized& b) { return a.size < b.size; });
   const std::vector<std::pair<int, int>>& asked = model.topology().requestedFrames();
+  std::map<std::pair<int, int>, int> frames;
+  for (std::size_t i = 0; i < asked.size(); ++i) frames.emplace(asked[i], static_cast<int>(i));
   for (const Sized& a : shapes) {
-    double size = std::numeric_limits<double>::infinity();
-    for (const Sized& b : shapes)  // two points never touch
-      if (b.system != a.system && a.size + b.size > 0.0) size = std::min(size, a.size + b.size);
-    const auto at = std::find(asked.begin(), asked.end(), std::pair(a.system, a.frame));
-    if (at != asked.end() && std::isfinite(size))
-      movers_.push_back({{static_cast<int>(at - asked.begin())}, size});
+    const auto partner = std::find_if(shapes.begin(), shapes.end(), [&](const Sized& b) {
+      const bool many = model.topology().system(b.system).blocks > 1;
+      const bool another = b.system != a.system || (many && b.frame != a.frame);
+      return another && a.size + b.size > 0.0;
+    });
+    const auto at = frames.find({a.system, a.frame});
+    if (partner == shapes.end() || at == frames.end()) continue;
+    const double size = a.size + partner->size;
+    if (std::isfinite(size)) movers_.push_back({{at->second}, size});
   }
 }
 

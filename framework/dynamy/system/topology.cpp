@@ -1,6 +1,7 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/topology.hpp>
+#include <map>
 
 namespace dynamy {
 namespace {
@@ -85,11 +86,18 @@ MemoryHandle Topology::memoryOf(const Element& owner) const {
 }
 
 std::vector<ShapeInstance> Topology::shapesWithMaterial() {
+  // As frame(), without a search through all frames for each of many shapes.
+  std::map<std::pair<int, int>, int> known;
+  for (std::size_t i = 0; i < requested_.size(); ++i)
+    known.emplace(requested_[i], static_cast<int>(i));
   std::vector<ShapeInstance> out;
   out.reserve(materials_.size());
-  for (const Placed& p : materials_)
-    out.push_back(
-        {p.shape, frame(handles_[static_cast<std::size_t>(p.system)], p.frame), p.system});
+  for (const Placed& p : materials_) {
+    const auto [at, isNew] =
+        known.try_emplace({p.system, p.frame}, static_cast<int>(requested_.size()));
+    if (isNew) requested_.emplace_back(p.system, p.frame);
+    out.push_back({p.shape, {at->second}, p.system});
+  }
   return out;
 }
 

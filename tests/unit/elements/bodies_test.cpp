@@ -5,6 +5,7 @@
 #include <dynamy_elements/bodies/planar_body.hpp>
 #include <dynamy_elements/bodies/point_mass.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
+#include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
 
 #include <numbers>

@@ -1,0 +1,54 @@
+/// BroadPhase: which of n balls are near each other, in O(n) by grids.
+///
+///   pairs (i, j), i < j, with |c_i − c_j| ≤ R_i + R_j, ordered by i, then j
+///
+/// Level k is a grid of cells of edge s 2^k; a ball lives on the lowest level whose edge is at
+/// least its diameter, in the cell of its middle. Two balls of one level that are near are in equal
+/// or neighbouring cells; a ball meets larger ones in the 27 cells about its middle on their level.
+/// Cells are hashed, so that only those with balls cost memory. Few balls are compared one by one.
+///
+/// A tree over the balls was rejected: heaps change everywhere in every step, and a grid is made
+/// anew in less time than a tree is refitted. All memory is kept; nothing is allocated once the
+/// largest heap has been seen.
+#pragma once
+#include <dynamy/core/types.hpp>
+#include <utility>
+#include <vector>
+
+namespace dynamy {
+
+class BroadPhase {
+ public:
+  using Pair = std::pair<int, int>;
+  /// A ball around a shape and all of its neighbourhood that matters.
+  struct Ball {
+    Vec3 c = Vec3::Zero();  ///< [m]
+    double radius = 0.0;    ///< [m]; below zero: takes no part
+  };
+  /// Valid until the next call.
+  const std::vector<Pair>& near(const std::vector<Ball>& balls);
+
+ private:
+  static constexpr int kLevels = 32;
+  struct Cell {
+    int x = 0, y = 0, z = 0, level = 0;
+    bool operator==(const Cell&) const = default;
+  };
+  void compareAll(const std::vector<Ball>& balls);
+  bool fill(const std::vector<Ball>& balls);
+  void lookAround(const std::vector<Ball>& balls, int i);
+  void lookInto(const std::vector<Ball>& balls, int i, const Cell& cell, bool later);
+  void order(std::size_t n);
+  Cell cellOf(const Vec3& c, int level) const;
+  std::size_t bucket(const Cell& cell) const;
+
+  double edge_ = 1.0;  ///< of level 0 [m]
+  bool used_[kLevels] = {};
+  std::vector<Cell> cell_;  ///< per ball
+  std::vector<int> first_;  ///< per bucket, into `members_`
+  std::vector<int> members_;
+  std::vector<Pair> pairs_, ordered_;
+  std::vector<int> firstOf_;  ///< per ball, into `ordered_`
+};
+
+}  // namespace dynamy

@@ -1,0 +1,65 @@
+#include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/meeting.hpp>
+#include <dynamy_elements/contacts/round_contact.hpp>
+
+namespace dynamy {
+
+using Touch = TouchingShape::Kind;
+
+Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
+  if (A.kind == Touch::none || B.kind == Touch::none) return Meeting::missing;
+  if (A.kind == Touch::halfSpace)
+    return B.kind == Touch::halfSpace ? Meeting::never : Meeting::overHalfSpace;
+  if (A.kind == Touch::ball) return A.bound + B.bound > 0.0 ? Meeting::balls : Meeting::never;
+  // Boxes that move in one plane would need polygons; a ball does with a box's section.
+  if (A.kind == Touch::box && B.kind == Touch::box)
+    return A.isBox(8) && B.isBox(8) ? Meeting::boxes : Meeting::missing;
+  if (A.kind == Touch::box && B.kind == Touch::ball)
+    return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
+  if (A.kind == Touch::capsule)
+    return B.kind == Touch::capsule ? Meeting::capsules : Meeting::ballOnCapsule;
+  if (A.kind == Touch::cylinder && B.kind == Touch::ball) return Meeting::ballOnCylinder;
+  if (A.kind == Touch::box && B.kind == Touch::capsule && !inPlane && A.isBox(8))
+    return Meeting::capsuleOnBox;
+  return Meeting::missing;
+}
+
+std::uint64_t featuresOf(Meeting meets, const TouchingShape&, const TouchingShape& B) {
+  switch (meets) {
+    case Meeting::overHalfSpace:
+      return B.features.size();
+    case Meeting::capsules:
+      return kCapsules;
+    case Meeting::capsuleOnBox:
+      return kCapsuleOnBox;
+    case Meeting::boxes:
+      return kBoxFeatures;
+    default:
+      return 1;
+  }
+}
+
+namespace {
+
+std::string boxFeature(std::uint64_t f) {
+  if (f < 8) return "B.corner" + std::to_string(f);
+  if (f < 16) return "A.corner" + std::to_string(f - 8);
+  return "edges" + std::to_string((f - 16) / 12) + "-" + std::to_string((f - 16) % 12);
+}
+
+}  // namespace
+
+std::string featureName(Meeting meets, const TouchingShape&, const TouchingShape& B,
+                        std::uint64_t f) {
+  if (meets == Meeting::boxes) return boxFeature(f);
+  if (meets == Meeting::capsules)
+    return f == 0 ? "crossing" : (f < 3 ? "B.end" : "A.end") + std::to_string((f - 1) % 2);
+  if (meets == Meeting::capsuleOnBox) {
+    if (f < 2) return "B.end" + std::to_string(f);
+    return f < 14 ? "edge" + std::to_string(f - 2) : "A.corner" + std::to_string(f - 14);
+  }
+  if (meets == Meeting::overHalfSpace && B.features.size() > 1) return B.features[f].name;
+  return {};
+}
+
+}  // namespace dynamy

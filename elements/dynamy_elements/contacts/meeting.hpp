@@ -1,0 +1,31 @@
+/// Which contact two kinds of shapes make: the table of pairs.
+#pragma once
+#include <dynamy_elements/contacts/touching_shape.hpp>
+#include <limits>
+
+namespace dynamy {
+
+enum class Meeting : std::uint8_t {
+  never,          ///< half spaces do not meet, points neither
+  missing,        ///< not implemented
+  overHalfSpace,  ///< features of B over the half space A
+  balls,
+  ballOnBox,  ///< B on A
+  ballOnCapsule,
+  ballOnCylinder,
+  capsules,
+  capsuleOnBox,
+  boxes
+};
+
+/// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.
+Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane);
+
+/// How many contacts two shapes may make, numbered from 0.
+std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingShape& B);
+
+/// Name of contact number f of the two; empty: there is only one.
+std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
+                        std::uint64_t f);
+
+}  // namespace dynamy

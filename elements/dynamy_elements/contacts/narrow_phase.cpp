@@ -1,0 +1,124 @@
+// Contacts of the shapes that are near each other.
+#include <cmath>
+#include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/round_contact.hpp>
+#include <dynamy_elements/contacts/shape_contacts.hpp>
+
+namespace dynamy {
+
+void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
+  const std::vector<TouchingShape>& shapes = shapes_[0];
+  const int n = static_cast<int>(shapes.size());
+  // Contacts that are to count as closed are looked for at any distance.
+  const double further = sink.request().refresh ? std::numeric_limits<double>::infinity()
+                                                : 0.5 * std::max(sink.request().gTol, 0.0);
+  balls_.clear();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const TouchingShape& s = shapes[i];
+    const Frame& f = k.frame(s.frame);
+    const bool bounded = std::isfinite(s.bound);
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, bounded ? s.bound + early_[i] + further : -1.0});
+  }
+  // Half spaces: all contacts of few shapes, so that their gaps can be followed, else near ones.
+  const bool all = !namedPairs_.empty() || sink.request().refresh;
+  for (const int h : flats_) {
+    const TouchingShape& flat = shapes[static_cast<std::size_t>(h)];
+    const Frame& A = k.frame(flat.frame);
+    const Vec3 normal = A.A_IK * flat.n_K;
+    const Vec3 onPlane = A.r_OS_I + A.A_IK * flat.p_K;
+    for (int i = 0; i < n; ++i) {
+      const BroadPhase::Ball& ball = balls_[static_cast<std::size_t>(i)];
+      if (ball.radius < 0.0 || (!all && normal.dot(ball.c - onPlane) > ball.radius)) continue;
+      if (const Pair pair = pairOf(h, i)) overHalfSpace(pair, k, sink);
+    }
+  }
+  for (const auto& [i, j] : broad_.near(balls_))
+    if (const Pair pair = pairOf(i, j)) narrow(pair, k, sink);
+}
+
+void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+  const OverHalfSpace over(k.frame(pair.A->frame), *pair.A, k.frame(pair.B->frame));
+  for (std::size_t f = 0; f < pair.B->features.size(); ++f) {
+    const SupportFeature& feature = pair.B->features[f];
+    if (!over.touches(feature)) continue;
+    emit(pair, f, over.gap(feature), k, sink,
+         [&] { return over.contact(feature, planes_[pair.rule->plane]); });
+  }
+}
+
+void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  const Vec3& plane = planes_[pair.rule->plane];
+  switch (pair.rule->meets) {
+    case Meeting::balls: {
+      const ContactPoint at = betweenBalls(A, pair.A->features[0], B, pair.B->features[0], plane);
+      emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+      return;
+    }
+    case Meeting::ballOnBox: {
+      const ContactPoint at = ballOnBox(A, *pair.A, B, pair.B->features[0], plane);
+      // Reported as early as two balls are.
+      const double reach = 0.5 * (pair.B->bound + pair.A->half.minCoeff());
+      if (sink.request().refresh || at.g <= reach)
+        emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+      return;
+    }
+    case Meeting::ballOnCapsule:
+    case Meeting::ballOnCylinder: {
+      const RoundFeature& ball = pair.B->features[0];
+      const ContactPoint at = pair.rule->meets == Meeting::ballOnCapsule
+                                  ? ballOnCapsule(A, *pair.A, B, ball, plane)
+                                  : ballOnCylinder(A, *pair.A, B, ball);
+      emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+      return;
+    }
+    case Meeting::capsules:
+    case Meeting::capsuleOnBox: {
+      RoundContacts found;
+      const int n = pair.rule->meets == Meeting::capsules
+                        ? betweenCapsules(A, *pair.A, B, *pair.B, plane, found)
+                        : capsuleOnBox(A, *pair.A, B, *pair.B, found);
+      for (int c = 0; c < n; ++c) {
+        const BoxContact& contact = found[static_cast<std::size_t>(c)];
+        emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,
+             [&]() -> const ContactPoint& { return contact.at; });
+      }
+      return;
+    }
+    case Meeting::boxes: {
+      std::array<BoxContact, kMostBoxContacts> found;
+      const int n =
+          betweenBoxes(placedBox(A, *pair.A), placedBox(B, *pair.B), sink.request().bias, found);
+      for (int c = 0; c < n; ++c) {
+        const BoxContact& contact = found[static_cast<std::size_t>(c)];
+        emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,
+             [&]() -> const ContactPoint& { return contact.at; });
+      }
+      return;
+    }
+    default:
+      return;
+  }
+}
+
+template <class At>
+void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const Kinematics& k,
+                         ContactSink& sink, At&& closed) const {
+  ContactRows rows = sink.add(pair.id + feature, g, *pair.rule->law, pair.rule->rows);
+  if (!rows) return;
+  const ContactPoint& at = closed();
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
+  pointContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2]);
+  if (!rows.wantsBias()) return;
+  // The point of contact moves with Ṗ, not with a body.
+  const Vec3 v_BA = B.velocity(rhoB) - A.velocity(rhoA);
+  const Vec3 a_BA = B.bias_S_I + B.bias_R_I.cross(rhoB) + B.Omega_I.cross(at.Pdot - B.v_S_I) -
+                    A.bias_S_I - A.bias_R_I.cross(rhoA) - A.Omega_I.cross(at.Pdot - A.v_S_I);
+  for (int r = 0; r < rows.dim() && r < 3; ++r)
+    rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
+  if (rows.dim() > 3)  // the spin about the normal
+    rows.bias(3) = at.ddot[0].dot(B.Omega_I - A.Omega_I) + at.d[0].dot(B.bias_R_I - A.bias_R_I);
+}
+
+}  // namespace dynamy

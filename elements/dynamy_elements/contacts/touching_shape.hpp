@@ -1,0 +1,78 @@
+/// A shape as contact sees it: what of it can touch.
+///
+/// A feature is a convex part of the shape by its support function: h(d) = max over its points x of
+/// d·x, for |d| = 1 in axes of the frame. The point that touches a plane with the outward normal
+/// −d, and how it wanders while d turns, are the derivatives:
+///
+///   x = ∇h(d),   ẋ = H ḋ,   H = ∇²h(d)                      [Schneider, Convex bodies, 1.7
+///   and 2.5]
+///
+///   ball (corner, point: R = 0)   h = d·c + R             H = R (I − d dᵀ)
+///   rim: tube of radius r around  h = d·c + ρ s + r       H = ρ (I − a aᵀ − e eᵀ)/s + r (I − d dᵀ)
+///     a circle of radius ρ about a                        s = |d − (a·d) a|,  e = (d − (a·d) a)/s
+///   ellipsoid, D: semi-axes       h = d·c + |D d|         H = (D² − x xᵀ)/|D d|,   x = D² d/|D d|
+///
+/// A rim that lies flat (s = 0) touches all around: four points of it that are fixed in the body
+/// stand for the circle there, beside the lowest one.
+#pragma once
+#include <dynamy/system/topology.hpp>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
+struct RoundFeature {
+  Vec3 c_K = Vec3::Zero();  ///< in axes of the frame, from its origin [m]
+  double radius = 0.0;      ///< [m]
+};
+
+/// A convex part of a shape.
+struct SupportFeature : RoundFeature {
+  enum class Kind : std::uint8_t { ball, rim, ellipsoid } kind = Kind::ball;
+  bool flatOnly = false;         ///< touches while the circle about `axis_K` lies almost flat
+  Vec3 axis_K = Vec3::Zero();    ///< rim: a
+  double rho = 0.0;              ///< rim: radius of the circle; `radius` is that of the tube [m]
+  Mat3 square_K = Mat3::Zero();  ///< ellipsoid: D² in axes of the frame [m²]
+  std::string name;              ///< in names of contacts; empty: the shape has no other
+
+  double support(const Vec3& d_K) const;        ///< h(d) [m]
+  Vec3 point(const Vec3& d_K) const;            ///< x(d) [m]
+  Mat3 pointDerivative(const Vec3& d_K) const;  ///< H(d) [m]
+  /// Whether it can touch a plane with the normal −d: the lowest point of a flat rim is any.
+  bool touches(const Vec3& d_K) const;
+};
+
+/// A shape as contact sees it: a half space, or its features.
+struct TouchingShape {
+  /// In a pair the shape of the later kind is A.
+  enum class Kind : std::uint8_t {
+    none,
+    ball,
+    capsule,
+    cylinder,
+    other,
+    box,
+    halfSpace
+  } kind = Kind::none;
+  const Shape* shape = nullptr;
+  FrameHandle frame;
+  int system = -1;
+  std::vector<SupportFeature> features;
+  Vec3 n_K = Vec3::Zero();  ///< half space: its normal
+  Vec3 p_K = Vec3::Zero();  ///< half space: a point of its plane; else the middle
+  Mat3 A_KB = Mat3::Identity();
+  /// Half edge lengths of a box; of a capsule or cylinder: radius, radius, half length [m].
+  Vec3 half = Vec3::Zero();
+  double bound = 0.0;      ///< radius of a ball about the middle that holds the shape [m]
+  double thickness = 0.0;  ///< half of its least width; infinite: nothing passes it, or a point [m]
+
+  bool isBox(std::size_t corners) const { return kind == Kind::box && features.size() == corners; }
+};
+
+/// Takes a shape apart. `plane`: normal of the plane of motion in the shape's frame, or zero; in a
+/// plane a shape is its section: a box with an edge along the normal has four corners there, a
+/// cylinder along it is a ball. Kind::none: cannot touch.
+TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K);
+
+}  // namespace dynamy

@@ -1,0 +1,128 @@
+// Populations of grains: like rigid bodies one by one, packed without overlap, reproducible.
+#include <dynamy_elements/bodies/grains.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <dynamy/simulation/simulation.hpp>
+#include <dynamy_elements/forces/gravity.hpp>
+
+#include "shape_models.hpp"
+
+namespace dynamy {
+namespace {
+
+using namespace testing;
+
+std::unique_ptr<Grains> grains(Given given, double radius = 0.05) {
+  given.push_back({"within", {-0.5, -0.5, 0.0, 0.5, 0.5, 1.0}});
+  return std::make_unique<Grains>(
+      Parameters::of<Grains>("Grains", "sand", given)
+          .with(std::make_unique<Sphere>(Parameters::of<Sphere>(
+              "Sphere", "", {{"radius", radius}, {"density", 2500.0}, {"material", "sand"}}))));
+}
+
+struct Start {
+  Eigen::VectorXd q, u;
+  explicit Start(const Grains& g) : q(7 * g.frames()), u(6 * g.frames()) {
+    g.initialState({q.data(), q.size()}, {u.data(), u.size()});
+  }
+};
+
+/// Radii from the shapes that it places on its frames.
+std::vector<double> radii(const Grains& g) {
+  Description d;
+  g.describe(d);
+  std::vector<double> out;
+  for (const PlacedShape& p : d.shapes) out.push_back(p.shape->geometry().size[0]);
+  return out;
+}
+
+void expectNoOverlap(const Grains& g) {
+  const Start start(g);
+  const std::vector<double> R = radii(g);
+  for (std::size_t i = 0; i < R.size(); ++i) {
+    const Vec3 a = start.q.segment<3>(7 * static_cast<Eigen::Index>(i));
+    EXPECT_GE((a.head<2>().cwiseAbs().array() + R[i]).maxCoeff(), 0.0);
+    EXPECT_LE(a.head<2>().cwiseAbs().maxCoeff() + R[i], 0.5 + 1e-12);
+    EXPECT_GE(a.z(), R[i] - 1e-12);
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 b = start.q.segment<3>(7 * static_cast<Eigen::Index>(j));
+      EXPECT_GE((a - b).norm(), R[i] + R[j]) << i << ' ' << j;
+    }
+  }
+}
+
+TEST(Grains, ArePackedWithoutOverlap) {
+  expectNoOverlap(*grains({{"count", 400.0}, {"jitter", 0.01}, {"sizes", {0.5, 1.0}}}));
+  expectNoOverlap(
+      *grains({{"count", 300.0}, {"packing", "random"}, {"sizes", {0.5, 1.2}}, {"seed", 5.0}}));
+}
+
+TEST(Grains, AreTheSameForASeed) {
+  const auto state = [](double seed) {
+    return Start(*grains({{"count", 50.0}, {"jitter", 0.01}, {"turned", "true"}, {"seed", seed}}))
+        .q;
+  };
+  EXPECT_EQ(state(3.0), state(3.0));
+  EXPECT_NE(state(3.0), state(4.0));
+}
+
+TEST(Grains, HaveTheSizesOfTheirDistribution) {
+  // Mean of s: uniform 3/4·…: byNumber (a+b)/2; byVolume ∫s·s⁻³/∫s⁻³ = 2ab/(a+b); lognormal: median
+  // √(ab). 10 000 numbers: the mean of numbers in [0.5, 1] is within 4 · 0.15/100 of it.
+  const auto mean = [](const char* distribution) {
+    const auto R = radii(
+        *grains({{"count", 10000.0}, {"sizes", {0.5, 1.0}}, {"distribution", distribution}}, 1e-3));
+    EXPECT_GE(*std::min_element(R.begin(), R.end()), 0.5e-3);
+    EXPECT_LE(*std::max_element(R.begin(), R.end()), 1e-3);
+    double sum = 0.0;
+    for (const double r : R) sum += r;
+    return 1e3 * sum / static_cast<double>(R.size());
+  };
+  EXPECT_NEAR(mean("byNumber"), 0.75, 6e-3);
+  EXPECT_NEAR(mean("byVolume"), 2.0 * 0.5 / 1.5, 6e-3);
+  // Mean of a lognormal e^(μ + σ²/2) with σ = ln 2/(2 √(2 ln 100)) = 0.1142; its cut tails are
+  // symmetric in ln s and move it by less than 1e-3.
+  EXPECT_NEAR(mean("lognormal"), std::sqrt(0.5) * std::exp(0.5 * 0.1142 * 0.1142), 6e-3);
+}
+
+TEST(Grains, SayWhenThereIsNoPlace) {
+  EXPECT_THROW(grains({{"count", 2000.0}, {"packing", "random"}}), ModelError);
+  EXPECT_THROW(grains({{"count", 10.0}, {"pitch", 0.09}}), ModelError);
+  EXPECT_THROW(grains({{"count", 10.0}}, 0.6), ModelError);
+}
+
+/// Runs for 0.3 s with walls; the heights of all balls at the end.
+Eigen::VectorXd settled(Model& m) {
+  addBody<Ground, HalfSpace>(m, "floor", {}, "HalfSpace", {{"material", "wall"}});
+  addRule(m, "sand wall");
+  addRule(m, "sand sand");
+  m.add(std::make_unique<Gravity>(Parameters::of<Gravity>("Gravity", "", {})));
+  m.addCompletion(addShapeContacts);
+  m.simulation.until = 0.3, m.simulation.step = 2e-3;
+  m.build();
+  Simulation simulation(m);
+  simulation.run();
+  const Eigen::VectorXd& q = simulation.state().q;
+  Eigen::VectorXd z(q.size() / 7);
+  for (Eigen::Index i = 0; i < z.size(); ++i) z[i] = q[7 * i + 2];
+  return z;
+}
+
+TEST(Grains, MoveAsRigidBodiesOneByOneDo) {
+  Model together, apart;
+  together.add(grains({{"count", 40.0}, {"jitter", 0.01}, {"velocity", {0.5, 0.0, -1.0}}}));
+  const Start start(*grains({{"count", 40.0}, {"jitter", 0.01}, {"velocity", {0.5, 0.0, -1.0}}}));
+  for (Eigen::Index i = 0; i < 40; ++i)
+    addBody<RigidBody, Sphere>(
+        apart, "ball" + std::to_string(i),
+        {{"position", Vec3(start.q.segment<3>(7 * i))}, {"velocity", {0.5, 0.0, -1.0}}}, "Sphere",
+        {{"radius", 0.05}, {"density", 2500.0}, {"material", "sand"}});
+  const Eigen::VectorXd a = settled(together), b = settled(apart);
+  ASSERT_EQ(a.size(), b.size());
+  // The same arithmetic in the same order.
+  EXPECT_EQ((a - b).cwiseAbs().maxCoeff(), 0.0);
+}
+
+}  // namespace
+}  // namespace dynamy
