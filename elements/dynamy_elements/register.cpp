@@ -15,6 +15,7 @@
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
+#include <dynamy_elements/geometry/faceted_shapes.hpp>
 #include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
 #include <dynamy_elements/joints/joints.hpp>
@@ -42,6 +43,9 @@ void registerElements(Registry& r) {
   r.add<ConeShape>("Cone");
   r.add<TorusShape>("Torus");
   r.add<EllipsoidShape>("Ellipsoid");
+  r.add<PolyhedronShape>("Polyhedron");
+  r.add<MeshShape>("Mesh");
+  r.add<HeightFieldShape>("HeightField");
 
   r.add<Gravity>("Gravity");
   r.add<SpringDamper>("SpringDamper");

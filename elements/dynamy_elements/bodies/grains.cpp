@@ -3,6 +3,7 @@
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/system/kinematics.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
+#include <dynamy_elements/bodies/gyroscopic.hpp>
 
 namespace dynamy {
 namespace {
@@ -31,11 +32,11 @@ class ScaledShape final : public Shape {
 
 std::unique_ptr<Shape> scaled(const Shape& like, double s) {
   const Eigen::Quaterniond p(like.A_KB());
-  Parameters x = Parameters::of<ScaledShape>(like.type(), like.name(),
-                                             {{"material", like.material()},
-                                              {"colour", like.colour()},
-                                              {"position", Vec3(s * like.r_SB_K())},
-                                              {"orientation", {p.w(), p.x(), p.y(), p.z()}}});
+  std::vector<GivenValue> given{{"position", Vec3(s * like.r_SB_K())},
+                                {"orientation", {p.w(), p.x(), p.y(), p.z()}}};
+  if (!like.material().empty()) given.emplace_back("material", like.material());
+  if (!like.colour().empty()) given.emplace_back("colour", like.colour());
+  const Parameters x = Parameters::of<ScaledShape>(like.type(), like.name(), given);
   return std::make_unique<ScaledShape>(x, like, s);
 }
 
@@ -219,6 +220,11 @@ void Grains::h(double, ConstVec, ConstVec u, Vec h) const {
     part(h, i, 6).head<3>().setZero();
     part(h, i, 6).tail<3>() = -Omega.cross(grains_[i].J_S_K * Omega);
   }
+}
+
+void Grains::gyroscopicAtMean(double, ConstVec, ConstVec uA, double dt, Vec h) const {
+  for (std::size_t i = 0; i < grains_.size(); ++i)
+    dynamy::gyroscopicAtMean(grains_[i].J_S_K, part(uA, i, 6).tail<3>(), dt, h.data() + 6 * i + 3);
 }
 
 void Grains::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {

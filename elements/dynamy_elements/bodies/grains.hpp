@@ -22,6 +22,7 @@ class Grains final : public PartialMechanicalSystem {
   void initialState(Vec q, Vec u) const override;
   void M(double t, ConstVec q, MassBlocks M) const override;
   void h(double t, ConstVec q, ConstVec u, Vec h) const override;
+  void gyroscopicAtMean(double t, ConstVec q, ConstVec uA, double dt, Vec h) const override;
   void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const override;
   void move(double t, Vec q, ConstVec u, double dt) const override;
   void normalise(Vec q) const override;

@@ -1,6 +1,6 @@
 #include <Eigen/Eigenvalues>
-#include <cmath>
 #include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/bodies/gyroscopic.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
 
 namespace dynamy {
@@ -33,28 +33,6 @@ BodyMass readMass(const Parameters& x, const BodyParts& parts) {
     throw ModelError("the body's shapes have mass but no inertia",
                      "add mass and inertia to the body, or use shapes with a volume");
   return out;
-}
-
-/// Turning by less than this in a step, a body notices nothing of where its gyroscopic term is
-/// taken: the change is this share of a term that is itself Ω²Δt.
-constexpr double kHardlyTurns = 1e-8;
-constexpr int kMostParts = 100000;
-
-/// Ω after J(Ω^E − Ω^A) = Δt (M − Ω̄ × JΩ̄), by Newton's method; false: no convergence.
-bool turnedByMean(const Mat3& J, const Vec3& M, double dt, Vec3& Omega) {
-  Vec3 mean = Omega;
-  for (int turn = 0; turn < 12; ++turn) {
-    const Vec3 L = J * mean;
-    const Vec3 rest = J * (mean - Omega) - 0.5 * dt * (M - mean.cross(L));
-    const Vec3 d = (J + 0.5 * dt * (skew(mean) * J - skew(L))).inverse() * rest;
-    mean -= d;
-    // Convergence is quadratic: what this correction leaves is below rounding.
-    if (!(d.squaredNorm() > 1e-18 * mean.squaredNorm())) {
-      Omega = 2.0 * mean - Omega;
-      return true;
-    }
-  }
-  return false;
 }
 
 const char* const kRate[3] = {"Omega_x", "Omega_y", "Omega_z"};
@@ -126,19 +104,7 @@ void RigidBody::h(double, ConstVec, ConstVec u, Vec h) const {
 }
 
 void RigidBody::gyroscopicAtMean(double, ConstVec, ConstVec uA, double dt, Vec h) const {
-  const Mat3& J = mass_.J_S_K;
-  const Vec3 Omega = uA.tail<3>();
-  const double turn = dt * Omega.norm();
-  if (!(turn > kHardlyTurns)) return;
-  const Vec3 M = h.tail<3>() + Omega.cross(J * Omega);
-  for (double parts = std::ceil(turn); parts <= kMostParts; parts *= 2.0) {
-    Vec3 end = Omega;
-    int done = 0;
-    while (done < parts && turnedByMean(J, M, dt / parts, end)) ++done;
-    if (done < parts) continue;
-    h.tail<3>() = J * (end - Omega) / dt;
-    return;
-  }
+  dynamy::gyroscopicAtMean(mass_.J_S_K, uA.tail<3>(), dt, h.data() + 3);
 }
 
 void RigidBody::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {

@@ -1,6 +1,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
+#include <dynamy_elements/contacts/surface.hpp>
 
 namespace dynamy {
 
@@ -9,13 +10,16 @@ using Touch = TouchingShape::Kind;
 Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (A.kind == Touch::none || B.kind == Touch::none) return Meeting::missing;
   if (A.kind == Touch::halfSpace)
-    return B.kind == Touch::halfSpace ? Meeting::never : Meeting::overHalfSpace;
+    return B.kind == Touch::halfSpace ? Meeting::never
+           : B.features.empty()       ? Meeting::missing
+                                      : Meeting::overHalfSpace;
   if (A.kind == Touch::ball) return A.bound + B.bound > 0.0 ? Meeting::balls : Meeting::never;
   // Boxes that move in one plane would need polygons; a ball does with a box's section.
   if (A.kind == Touch::box && B.kind == Touch::box)
     return A.isBox(8) && B.isBox(8) ? Meeting::boxes : Meeting::missing;
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
+  if (A.kind == Touch::surface && B.kind == Touch::ball && !inPlane) return Meeting::ballOnSurface;
   if (A.kind == Touch::capsule)
     return B.kind == Touch::capsule ? Meeting::capsules : Meeting::ballOnCapsule;
   if (A.kind == Touch::cylinder && B.kind == Touch::ball) return Meeting::ballOnCylinder;
@@ -24,10 +28,12 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   return Meeting::missing;
 }
 
-std::uint64_t featuresOf(Meeting meets, const TouchingShape&, const TouchingShape& B) {
+std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingShape& B) {
   switch (meets) {
     case Meeting::overHalfSpace:
       return B.features.size();
+    case Meeting::ballOnSurface:
+      return static_cast<std::uint64_t>(A.surface->features());
     case Meeting::capsules:
       return kCapsules;
     case Meeting::capsuleOnBox:
@@ -49,9 +55,10 @@ std::string boxFeature(std::uint64_t f) {
 
 }  // namespace
 
-std::string featureName(Meeting meets, const TouchingShape&, const TouchingShape& B,
+std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
                         std::uint64_t f) {
   if (meets == Meeting::boxes) return boxFeature(f);
+  if (meets == Meeting::ballOnSurface) return A.surface->featureName(static_cast<int>(f));
   if (meets == Meeting::capsules)
     return f == 0 ? "crossing" : (f < 3 ? "B.end" : "A.end") + std::to_string((f - 1) % 2);
   if (meets == Meeting::capsuleOnBox) {

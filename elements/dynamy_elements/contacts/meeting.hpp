@@ -15,6 +15,7 @@ enum class Meeting : std::uint8_t {
   ballOnCylinder,
   capsules,
   capsuleOnBox,
+  ballOnSurface,  ///< of a polyhedron, mesh or height field
   boxes
 };
 

@@ -3,32 +3,68 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
+#include <dynamy_elements/contacts/surface.hpp>
 
 namespace dynamy {
+
+namespace {
+
+/// Of the thickness of a shape among many: how far it is seen in any case.
+constexpr double kAtRest = 0.05;
+
+}  // namespace
+
+/// Few shapes are seen early, so that their gaps can be followed. Of many, each is seen as far as
+/// it goes while the fastest goes as far as is asked for: a reach τ max |u| is τ (|v| + l |Ω|) for
+/// it.
+void ShapeContacts::lookAhead(const Kinematics& k, const ContactRequest& request) const {
+  const std::vector<TouchingShape>& shapes = shapes_[0];
+  const double all = std::max(request.gTol, 0.0);
+  if (!namedPairs_.empty() || request.refresh) {
+    // Contacts that are to count as closed are looked for at any distance.
+    const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.5 * all;
+    for (std::size_t i = 0; i < shapes.size(); ++i) reach_[i] = early_[i] + further;
+    return;
+  }
+  double fastest = 0.0;
+  for (const TouchingShape& s : shapes) {
+    const Frame& f = k.frame(s.frame);
+    fastest = std::max(fastest, f.v_S_I.norm() + f.Omega_I.norm());
+  }
+  const double tau = fastest > 0.0 ? all / fastest : 0.0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const TouchingShape& s = shapes[i];
+    const Frame& f = k.frame(s.frame);
+    const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
+    const double w = f.v_S_I.norm() + (std::isfinite(arm) ? arm : 0.0) * f.Omega_I.norm();
+    const double rest = std::isfinite(s.thickness) ? kAtRest * s.thickness : 0.0;
+    reach_[i] = std::min(tau * w, all) + rest;
+  }
+}
 
 void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   const std::vector<TouchingShape>& shapes = shapes_[0];
   const int n = static_cast<int>(shapes.size());
-  // Contacts that are to count as closed are looked for at any distance.
-  const double further = sink.request().refresh ? std::numeric_limits<double>::infinity()
-                                                : 0.5 * std::max(sink.request().gTol, 0.0);
+  lookAhead(k, sink.request());
   balls_.clear();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
     const bool bounded = std::isfinite(s.bound);
-    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, bounded ? s.bound + early_[i] + further : -1.0});
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, bounded ? s.bound + reach_[i] : -1.0});
   }
   // Half spaces: all contacts of few shapes, so that their gaps can be followed, else near ones.
   const bool all = !namedPairs_.empty() || sink.request().refresh;
   for (const int h : flats_) {
-    const TouchingShape& flat = shapes[static_cast<std::size_t>(h)];
+    const auto at = static_cast<std::size_t>(h);
+    const TouchingShape& flat = shapes[at];
     const Frame& A = k.frame(flat.frame);
     const Vec3 normal = A.A_IK * flat.n_K;
     const Vec3 onPlane = A.r_OS_I + A.A_IK * flat.p_K;
     for (int i = 0; i < n; ++i) {
       const BroadPhase::Ball& ball = balls_[static_cast<std::size_t>(i)];
-      if (ball.radius < 0.0 || (!all && normal.dot(ball.c - onPlane) > ball.radius)) continue;
+      if (ball.radius < 0.0 || (!all && normal.dot(ball.c - onPlane) > ball.radius + reach_[at]))
+        continue;
       if (const Pair pair = pairOf(h, i)) overHalfSpace(pair, k, sink);
     }
   }
@@ -85,6 +121,19 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       }
       return;
     }
+    case Meeting::ballOnSurface: {
+      SurfaceContacts found;
+      const double further = sink.request().refresh ? std::numeric_limits<double>::infinity()
+                                                    : std::max(sink.request().gTol, 0.0);
+      const RoundFeature& ball = pair.B->features[0];
+      const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
+      for (int c = 0; c < n; ++c) {
+        const SurfaceContact& contact = found[static_cast<std::size_t>(c)];
+        emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,
+             [&]() -> const ContactPoint& { return contact.at; });
+      }
+      return;
+    }
     case Meeting::boxes: {
       std::array<BoxContact, kMostBoxContacts> found;
       const int n =
@@ -104,6 +153,8 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
 template <class At>
 void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const Kinematics& k,
                          ContactSink& sink, At&& closed) const {
+  // Of many shapes only those that can touch in the step.
+  if (namedPairs_.empty() && !sink.request().refresh && g > reach_[pair.i] + reach_[pair.j]) return;
   ContactRows rows = sink.add(pair.id + feature, g, *pair.rule->law, pair.rule->rows);
   if (!rows) return;
   const ContactPoint& at = closed();

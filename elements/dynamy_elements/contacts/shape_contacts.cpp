@@ -33,7 +33,8 @@ int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
 
 /// Shapes further apart than half their sizes are not reported.
 double earlyReach(const TouchingShape& s) {
-  if (s.kind == Touch::box) return 0.25 * s.bound;
+  // Boxes are looked at where their circumscribed balls meet.
+  if (s.kind == Touch::box) return 0.0;
   return std::isfinite(s.thickness) ? 0.5 * s.thickness : 0.0;
 }
 
@@ -101,6 +102,7 @@ void ShapeContacts::connect(Topology& topology) {
   shapes_.assign(1, {});
   const std::size_t n = search.instances.size();
   for (std::size_t i = 0; i < n; ++i) shapes_[0].push_back(search.take(i, Vec3::Zero()));
+  makeSurfaces();
   for (std::size_t i = 0; i < n; ++i) planeIndex(search.blocksOf(i).planeNormal, search);
   group(search);
   pairRules_.clear(), pairs_ = 0;
@@ -109,7 +111,20 @@ void ShapeContacts::connect(Topology& topology) {
     for (std::size_t b = a; b < groups_; ++b) addRule(search, a, b);
   search.faults.throwIfAny();
   countPairs(search);
-  balls_.reserve(n);
+  balls_.reserve(n), reach_.resize(n);
+}
+
+/// Polyhedra and meshes, in axes of the frames that carry them.
+void ShapeContacts::makeSurfaces() {
+  surfaces_.clear();
+  for (TouchingShape& s : shapes_[0]) {
+    if (s.kind != Touch::surface) continue;
+    const ShapeGeometry g = s.shape->geometry();
+    std::vector<Vec3> points;
+    for (const Vec3& p : g.points) points.push_back(s.p_K + s.A_KB * p);
+    surfaces_.push_back(std::make_unique<Surface>(points, g.type == "Polyhedron"));
+    s.surface = surfaces_.back().get();
+  }
 }
 
 std::size_t ShapeContacts::planeIndex(const Vec3& plane, Search& search) {
@@ -273,7 +288,7 @@ ShapeContacts::Pair ShapeContacts::pairOf(int i, int j) const {
   out.rule = &pairRules_[static_cast<std::size_t>(made)];
   out.A = &shapes_[out.rule->plane][a], out.B = &shapes_[out.rule->plane][b];
   if (out.A->kind < out.B->kind) std::swap(out.A, out.B);
-  out.id = (a * body_.size() + b) * features_;
+  out.id = (a * body_.size() + b) * features_, out.i = a, out.j = b;
   return out;
 }
 

@@ -22,6 +22,7 @@
 #include <dynamy_elements/contacts/broad_phase.hpp>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
+#include <dynamy_elements/contacts/surface.hpp>
 
 namespace dynamy {
 
@@ -56,7 +57,8 @@ class ShapeContacts final : public NonSmoothElement {
   struct Pair {
     const PairRule* rule = nullptr;
     const TouchingShape *A = nullptr, *B = nullptr;
-    std::uint64_t id = 0;  ///< of its first contact
+    std::uint64_t id = 0;      ///< of its first contact
+    std::size_t i = 0, j = 0;  ///< the shapes
     explicit operator bool() const { return rule != nullptr; }
   };
   struct Search;
@@ -70,6 +72,8 @@ class ShapeContacts final : public NonSmoothElement {
   std::size_t entry(std::size_t i, std::size_t j) const {
     return static_cast<std::size_t>(group_[i]) * groups_ + static_cast<std::size_t>(group_[j]);
   }
+  /// How far beyond its bound each shape is to be seen, into reach_.
+  void lookAhead(const Kinematics& k, const ContactRequest& request) const;
   /// Of the shapes i, j in any order; false: they never touch.
   Pair pairOf(int i, int j) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
@@ -85,10 +89,12 @@ class ShapeContacts final : public NonSmoothElement {
   double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const;
   Passing passing(const Pair& pair, std::size_t f, const SweptPath& path) const;
 
+  void makeSurfaces();
   std::vector<const ContactRule*> rules_;
   std::vector<Vec3> planes_;  ///< of motion; the first is zero: space
   /// What of the shapes touches, in space and in each plane.
   std::vector<std::vector<TouchingShape>> shapes_;
+  std::vector<std::unique_ptr<const Surface>> surfaces_;
   std::vector<int> body_;      ///< per shape; those of one body never touch
   std::vector<int> group_;     ///< per shape
   std::vector<double> early_;  ///< per shape: distance from which on it is reported [m]
@@ -99,8 +105,9 @@ class ShapeContacts final : public NonSmoothElement {
   std::vector<std::string> names_;               ///< per shape
   std::vector<std::pair<int, int>> namedPairs_;  ///< all, if there are few
   std::int64_t pairs_ = 0;
-  std::uint64_t features_ = 1;  ///< most contacts of one pair
-  double thinnest_ = 0.0;       ///< of all shapes [m]
+  std::uint64_t features_ = 1;         ///< most contacts of one pair
+  double thinnest_ = 0.0;              ///< of all shapes [m]
+  mutable std::vector<double> reach_;  ///< per shape [m]
   mutable std::vector<BroadPhase::Ball> balls_;
   mutable BroadPhase broad_;
 };

@@ -10,6 +10,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
+#include <dynamy_elements/contacts/surface.hpp>
 
 namespace dynamy {
 namespace {
@@ -26,6 +27,8 @@ constexpr double kLeastDepth = 16.0;
 constexpr double kTiming = 0.1;
 /// Largest turn of one piece [rad].
 constexpr double kTurn = 0.5;
+/// Radii from which on a ball looks out for a surface that it may pass.
+constexpr double kSeen = 1000.0;
 /// Most parts of a piece between which bodies are taken to move straight.
 constexpr int kMostParts = 64;
 constexpr double kGolden = 0.6180339887498949;
@@ -190,6 +193,14 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       return ballOnCapsule(A, a, B, b.features[0], plane).g;
     case Meeting::ballOnCylinder:
       return ballOnCylinder(A, a, B, b.features[0]).g;
+    case Meeting::ballOnSurface: {
+      SurfaceContacts found;
+      const RoundFeature& ball = b.features[0];
+      const int n = a.surface->contacts(A, B, ball, kSeen * b.bound, found);
+      double least = kInfinity;
+      for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
+      return least;
+    }
     case Meeting::capsules:
     case Meeting::capsuleOnBox: {
       RoundContacts found;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy_elements/contacts/surface.hpp>
 #include <dynamy_elements/contacts/touching_shape.hpp>
 #include <limits>
 
@@ -185,6 +186,29 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   feature.square_K = A * semi.cwiseAbs2().asDiagonal() * A.transpose();
 }
 
+/// Half of the least width of a convex body: across one of its faces, or less where edges face each
+/// other, which is never thinner than the largest ball inside.
+double halfWidth(const ShapeGeometry& g) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 2 < g.points.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return g.points[i + k]; };
+    const Vec3 n = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    double deepest = 0.0;
+    for (const Vec3& p : g.points) deepest = std::max(deepest, n.dot(at(0) - p));
+    least = std::min(least, 0.5 * deepest);
+  }
+  return least;
+}
+
+void surface(Features& f, const ShapeGeometry& g, TouchingShape& out) {
+  if (!f.inSpace()) return;
+  out.kind = Touch::surface, out.thickness = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
+  if (g.type != "Polyhedron") return;
+  out.thickness = halfWidth(g);
+  f.corners(Surface(g.points, true).points());
+}
+
 }  // namespace
 
 TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) {
@@ -219,6 +243,8 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
     cone(f, g, out);
   } else if (g.type == "Torus") {
     torus(f, g, out);
+  } else if (g.type == "Polyhedron" || g.type == "Mesh") {
+    surface(f, g, out);
   } else if (g.type == "Ellipsoid") {
     ellipsoid(f, g, out);
   }

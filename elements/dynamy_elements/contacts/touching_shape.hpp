@@ -21,6 +21,8 @@
 
 namespace dynamy {
 
+class Surface;
+
 /// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
 struct RoundFeature {
   Vec3 c_K = Vec3::Zero();  ///< in axes of the frame, from its origin [m]
@@ -53,6 +55,7 @@ struct TouchingShape {
     cylinder,
     other,
     box,
+    surface,
     halfSpace
   } kind = Kind::none;
   const Shape* shape = nullptr;
@@ -64,7 +67,8 @@ struct TouchingShape {
   Mat3 A_KB = Mat3::Identity();
   /// Half edge lengths of a box; of a capsule or cylinder: radius, radius, half length [m].
   Vec3 half = Vec3::Zero();
-  double bound = 0.0;      ///< radius of a ball about the middle that holds the shape [m]
+  const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
+  double bound = 0.0;                ///< radius of a ball about the middle that holds the shape [m]
   double thickness = 0.0;  ///< half of its least width; infinite: nothing passes it, or a point [m]
 
   bool isBox(std::size_t corners) const { return kind == Kind::box && features.size() == corners; }

@@ -59,7 +59,9 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
       break;
     default:
       for (const Vec3& p : g.points) s.points.push_back(array(p));
-      s.triangles = g.triangles;
+      for (int i = 0; s.kind == ShapeKind::mesh && i + 2 < static_cast<int>(s.points.size());
+           i += 3)
+        s.triangles.push_back({i, i + 1, i + 2});
   }
   return s;
 }

@@ -14,10 +14,6 @@ namespace dynamy {
 ///
 ///   Sphere, Circle, Point   size[0] radius (of a Point: of its dot, may be 0); Circle about z
 ///   Cylinder, Capsule       size[0] radius, size[1] length along z
-///   Cone                    size[0] radius at z = 0, size[1] height of the tip
-///   Torus                   size[0] radius of the circle about z, size[1] radius of the tube
-///   Ellipsoid               size[0…2] semi-axes
-///   Polyhedron, Mesh        points, triangles; of a Polyhedron: convex
 ///   Box                     size[0…2] edge lengths, points: its eight corners
 ///   HalfSpace               points[0]: outward unit normal; the origin lies in the plane
 ///   Line, Polygon           points
@@ -26,7 +22,6 @@ struct ShapeGeometry {
   std::array<double, 4> size{};  ///< [m], by type: Sphere radius; Box edge lengths x y z; …
   std::vector<Vec3> points;      ///< corners, vertices or curve points in shape axes [m]
   std::string colour;            ///< CSS colour or empty
-  std::vector<std::array<int, 3>> triangles{};  ///< of the points, counterclockwise from outside
 };
 
 /// Volume, centre and inertia for unit density.
