@@ -39,7 +39,7 @@ void freeTop(double h, Answer& a) {
 void pendulum(double h, Answer& a, bool rods, bool rk4) {
   const double half = 0.5 * std::acos(-1.0);
   BulletWorld w({0, 0, -9.81});
-  const double centre = rods ? 0.5 : 1.0, inertia = rods ? 1.0 / 12 : 1e-12;
+  const double centre = rods ? 0.5 : 1.0, inertia = rods ? 1.0 / 12 : 1e-15;
   w.chain({{1, 1, centre, inertia}, {1, 1, centre, inertia}}, rk4);
   const auto angles = [&](std::size_t) {
     const double upper = half - w.tree->getJointPos(0);

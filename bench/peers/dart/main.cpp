@@ -1,5 +1,6 @@
 /// DART on the scenes of bench/work_precision: joints in reduced coordinates, semi-implicit Euler,
 /// contacts as a boxed linear complementarity problem by Dantzig's method, its default.
+#include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/dart.hpp>
 
 #include "../peer.hpp"
@@ -14,6 +15,9 @@ WorldPtr makeWorld(double h, const Eigen::Vector3d& gravity) {
   WorldPtr w = dart::simulation::World::create();
   w->setTimeStep(h);
   w->setGravity(gravity);
+  // Its default detector turns a ball into a polyhedron, which does not roll.
+  w->getConstraintSolver()->setCollisionDetector(
+      dart::collision::DARTCollisionDetector::create());
   return w;
 }
 
@@ -99,7 +103,11 @@ SkeletonPtr chain(const WorldPtr& w, const std::vector<Link>& links) {
     RevoluteJoint::Properties p;
     p.mAxis = Eigen::Vector3d::UnitY();
     p.mT_ParentBodyToJoint.translation() = Eigen::Vector3d(at, 0, 0);
-    BodyNode* b = s->createJointAndBodyNodePair<RevoluteJoint>(before, p).second;
+    const std::string number = std::to_string(s->getNumBodyNodes());
+    p.mName = "hinge" + number;
+    BodyNode* b = s->createJointAndBodyNodePair<RevoluteJoint>(
+                       before, p, BodyNode::AspectProperties("link" + number))
+                      .second;
     b->setInertia(
         Inertia(l.mass, Eigen::Vector3d(l.centre, 0, 0),
                 Eigen::Matrix3d(

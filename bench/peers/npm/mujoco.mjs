@@ -50,7 +50,7 @@ function freeTop(h, a) {
 }
 
 function pendulum(h, a, rods) {
-  const at = rods ? 0.5 : 1, inertia = rods ? 1 / 12 : 1e-9;
+  const at = rods ? 0.5 : 1, inertia = rods ? 1 / 12 : 1e-14;
   const link = (pos, inside) => `<body pos="${pos} 0 0"><joint type="hinge" axis="0 1 0"/>
     <inertial pos="${at} 0 0" mass="1" diaginertia="${0.5 * inertia} ${inertia} ${inertia}"/>${inside}</body>`;
   const w = world(h, { integrator: "RK4" }, link(0, link(1, "")));
