@@ -39,7 +39,16 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
+  /// One step of the scheme; of one that chooses its steps as many as dt takes.
   const StepReport& step(double dt) {
+    const double end = x_.t + dt, last = 1e-14 * (std::abs(end) + dt);
+    do {
+      oneStep(end - x_.t);
+    } while (model_.scheme().choosesSteps() && end - x_.t > last && report_.refused.empty());
+    return report_;
+  }
+  /// One step, no longer than dt.
+  const StepReport& oneStep(double dt) {
     report_ = model_.scheme().step(*system_, model_.solver(), x_, dt);
     solved_ = solved_ && report_.solved.ok();
     return report_;

@@ -63,6 +63,8 @@ constexpr Bounds kBounds[] = {
     {"GeneralizedAlpha", {6.1, 4}, {4.1, 2}},
     {"HalfExplicitHeun", {6, 5}, {6, 4}},
     {"Ggl", {5, 4}, {5, 4}},
+    {"AugmentedMoreau", {3, 3}, {3, 3}},
+    {"AugmentedMoreauOne", {1, 1}, {1, 1}},
     {"StaggeredMoreau", {5.1, 2}, {5.1, 3}},
     {"EnergyMomentum", {5.1, 2}, {11.1, 0}},
     {"Index1", {0, 0}, {1, 1}},

@@ -9,6 +9,13 @@ namespace dynamy::reference {
 namespace {
 
 class SchemeLimit : public testing::TestWithParam<SchemeOrders> {};
+/// Across impacts; a scheme that is better there may be so, as far as states between steps tell it.
+void expectOrderOne(const std::vector<double>& dt, const std::vector<double>& error, double by) {
+  const Fit fit = fitOrder(dt, error);
+  const bool better = SchemeLimit::GetParam().position[index(Situation::impacts)] > 1.0;
+  EXPECT_GT(fit.order, 1.0 - by) << fit;
+  EXPECT_TRUE(better || fit.order < 1.0 + by) << fit;
+}
 std::string schemeName(const testing::TestParamInfo<SchemeOrders>& p) { return p.param.name; }
 
 // ---- rocking block -----------------------------------------------------------------------------
@@ -61,9 +68,8 @@ TEST_P(SchemeLimit, OfTheRockingBlockIsHousners) {
     time.push_back(worst[0]), peak[0].push_back(worst[1]), peak[1].push_back(worst[2]);
   }
   // Order one across impacts; 8 samples of the envelope scatter by a third, over a factor of 8.
-  EXPECT_NEAR(fitOrder(dt, time).order, 1.0, 0.3) << fitOrder(dt, time);
-  for (int i = 0; i < 2; ++i)
-    EXPECT_NEAR(fitOrder(dt, peak[i]).order, 1.0, 0.3) << fitOrder(dt, peak[i]);
+  expectOrderOne(dt, time, 0.3);
+  for (const std::vector<double>& p : peak) expectOrderOne(dt, p, 0.3);
   // All to the same limit: the block arrives at 0.65 rad/s · 0.1 m and penetrates or is braked
   // within one step of each of three impacts; that moves the third one by some 10 steps each.
   EXPECT_LT(time.back(), 100.0 * 2e-3 / 8.0);
@@ -122,8 +128,8 @@ TEST_P(SchemeLimit, OfTheWoodpeckerIsTheEventDrivenOne) {
     }
     time.push_back(worst[0]), angle.push_back(worst[1]);
   }
-  EXPECT_NEAR(fitOrder(dt, time).order, 1.0, 0.35) << fitOrder(dt, time);
-  EXPECT_NEAR(fitOrder(dt, angle).order, 1.0, 0.35) << fitOrder(dt, angle);
+  expectOrderOne(dt, time, 0.35);
+  expectOrderOne(dt, angle, 0.35);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllSchemes, SchemeLimit, testing::ValuesIn(kAllSchemes), schemeName);

@@ -46,6 +46,8 @@ inline constexpr SchemeOrders kAllSchemes[] = {
     {"GeneralizedAlpha", "GeneralizedAlpha", {2, 1, 1, 1, 1}, {2, 1, 1, 1, 1}},
     {"HalfExplicitHeun", "HalfExplicitHeun", {2, 2, 2, 2, 1}, {2, 2, 2, 2, 1}},
     {"Ggl", "Ggl", {1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}},
+    {"AugmentedMoreau", "AugmentedMoreau order=\"2\"", {2, 1, 1, 1, 2}, {2, 1, 1, 1, 2}},
+    {"AugmentedMoreauOne", "AugmentedMoreau order=\"1\"", {1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}},
     {"StaggeredMoreau", "StaggeredMoreau", {1, 1, 1, 2, 1}, {1, 1, 1, 2, 1}},
     {"EnergyMomentum", "EnergyMomentum", {1, 1, 1, 2, 1}, {1, 1, 1, 2, 1}},
     {"Index1", "ConstraintIndex index=\"1\"", {1, 0, 0, 1, 0}, {1, 0, 0, 1, 0}},

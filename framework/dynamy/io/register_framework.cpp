@@ -2,6 +2,7 @@
 /// plug-ins, the standard ones too.
 
 #include <dynamy/integrator/anitescu_potra.hpp>
+#include <dynamy/integrator/augmented_moreau.hpp>
 #include <dynamy/integrator/constraint_index.hpp>
 #include <dynamy/integrator/energy_momentum.hpp>
 #include <dynamy/integrator/generalized_alpha.hpp>
@@ -37,6 +38,7 @@ void registerFramework(Registry& registry) {
   registry.add<HalfExplicitEuler>("HalfExplicitEuler");
   registry.add<EnergyMomentum>("EnergyMomentum");
   registry.add<StaggeredMoreau>("StaggeredMoreau");
+  registry.add<AugmentedMoreau>("AugmentedMoreau");
   registry.add<StewartTrinkle>("StewartTrinkle");
   registry.add<AnitescuPotra>("AnitescuPotra");
   registry.add<PaoliSchatzman>("PaoliSchatzman");

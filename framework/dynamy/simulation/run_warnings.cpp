@@ -59,7 +59,7 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
         {"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
                                 "of the scene's length",
                                 overlap, r.penetration.name, r.penetration.t, overlap / length)});
-  else if (overlap > std::max(kOverlapWays * r.trust.way, kRounding * length))
+  else if (r.trust.way > 0.0 && overlap > std::max(kOverlapWays * r.trust.way, kRounding * length))
     out.push_back({"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
                                           "times the way of the fastest in a step",
                                           overlap, r.penetration.name, r.penetration.t,
