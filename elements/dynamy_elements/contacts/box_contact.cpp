@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
@@ -96,7 +97,7 @@ Vec3 normalOf(const PlacedBox& box, int face) {
 /// A face that vertices of the other box may touch: directions once for all of them.
 class Face {
  public:
-  /// `sign` +1: box is A. `rates`: of the directions and of the points as well.
+  /// `sign` +1: box is A. `rates`: of the directions and of the points as well, else zero.
   Face(const PlacedBox& box, int face, double sign, bool rates) : box_(box), rates_(rates) {
     const int k = axisOf(face);
     n_ = normalOf(box, face), half_ = box.half[k];
@@ -104,8 +105,8 @@ class Face {
     // The other two axes of the face, right-handed with n.
     at_.d[1] = box.R.col((k + 1) % 3);
     at_.d[2] = at_.d[0].cross(at_.d[1]);
-    if (rates)
-      for (int i = 0; i < 3; ++i) at_.ddot[i] = box.frame->Omega_I.cross(at_.d[i]);
+    for (int i = 0; i < 3; ++i)
+      at_.ddot[i] = rates ? Vec3(box.frame->Omega_I.cross(at_.d[i])) : Vec3(Vec3::Zero());
   }
   /// Vertex p that moves with `mover`.
   void contact(const PlacedBox& mover, const Vec3& p, ContactPoint& out) const {
@@ -337,6 +338,27 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
   }
   const Vec3 n = face.sign * (face.i < 3 ? A.R.col(face.i) : B.R.col(face.i - 3));
   return FacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same, rates, out).contacts();
+}
+
+void closeTogether(const PlacedBox& A, double reach, bool rates, std::span<BoxContact> contacts) {
+  const auto near = [reach](const BoxContact& c) { return c.at.g <= reach; };
+  const auto closed = std::count_if(contacts.begin(), contacts.end(), near);
+  if (closed < 2) return;
+  const ContactPoint lowest =
+      std::min_element(contacts.begin(), contacts.end(),
+                       [](const BoxContact& a, const BoxContact& b) { return a.at.g < b.at.g; })
+          ->at;
+  const int face = faceAlong(A, lowest.d[0]);
+  const Vec3 n = normalOf(A, face), t1 = A.R.col((axisOf(face) + 1) % 3), t2 = n.cross(t1);
+  const Vec3 ndot = A.frame->Omega_I.cross(n);
+  for (BoxContact& c : contacts) {
+    if (!near(c)) continue;
+    ContactPoint& at = c.at;
+    intoPlane(n, ndot, lowest, at);
+    if (closed < 3) continue;
+    at.d[1] = t1, at.d[2] = t2;
+    if (rates) at.ddot[1] = A.frame->Omega_I.cross(t1), at.ddot[2] = A.frame->Omega_I.cross(t2);
+  }
 }
 
 double separation(const PlacedBox& A, const PlacedBox& B) {

@@ -12,6 +12,7 @@
 #pragma once
 #include <array>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
+#include <span>
 
 namespace dynamy {
 
@@ -43,6 +44,12 @@ inline constexpr int kMostBoxContacts = 16;
 /// ddot and Pdot.
 int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
                  std::array<BoxContact, kMostBoxContacts>& out);
+
+/// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved
+/// into one plane along that face; where there are three and more, so that their gaps tell how far
+/// the two faces can be tilted, all slide along it. Normals, gaps and γ_N stay. Otherwise sticking
+/// contacts contradict each other by the tilt, and every contact has to slide by almost nothing.
+void closeTogether(const PlacedBox& A, double reach, bool rates, std::span<BoxContact> contacts);
 
 /// Largest separation of A and B along the 15 axes [m], negative: depth of their overlap. At most
 /// their distance, and zero where they touch.

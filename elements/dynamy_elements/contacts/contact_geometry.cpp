@@ -27,6 +27,15 @@ void setDirections(ContactPoint& out, const Vec3& n, const Vec3& ndot, const Vec
   }
 }
 
+void intoPlane(const Vec3& n, const Vec3& ndot, const ContactPoint& lowest, ContactPoint& at) {
+  const Vec3 r = at.P - lowest.P, rdot = at.Pdot - lowest.Pdot;
+  const double along = n.dot(at.d[0]), alongdot = ndot.dot(at.d[0]) + n.dot(at.ddot[0]);
+  const double way = n.dot(r) / along;
+  const double waydot = (ndot.dot(r) + n.dot(rdot) - way * alongdot) / along;
+  at.P -= way * at.d[0];
+  at.Pdot -= waydot * at.d[0] + way * at.ddot[0];
+}
+
 OverHalfSpace::OverHalfSpace(const Frame& A, const TouchingShape& halfSpace, const Frame& B)
     : A_(A),
       B_(B),

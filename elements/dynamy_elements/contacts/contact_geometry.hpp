@@ -15,6 +15,12 @@ struct ContactPoint {
 /// Normal and tangents with their rates: the tangents follow from n, or one lies in the plane.
 void setDirections(ContactPoint& out, const Vec3& n, const Vec3& ndot, const Vec3& plane);
 
+/// Moves `at` along its own normal into the plane through `lowest` with normal n: γ_N stays what it
+/// is, and contacts of two faces that close together do not contradict each other when they stick.
+/// At different heights a turn of the face would have them slide by ω times the difference, which
+/// is nothing but the gaps that are left.                                       (theory 36.1)
+void intoPlane(const Vec3& n, const Vec3& ndot, const ContactPoint& lowest, ContactPoint& at);
+
 /// Features of B over the half space of A. The tangents are fixed in A, or lie in the plane.
 class OverHalfSpace {
  public:

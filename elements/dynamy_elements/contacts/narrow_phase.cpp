@@ -1,4 +1,5 @@
 // Contacts of the shapes that are near each other.
+#include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
@@ -6,8 +7,16 @@
 #include <dynamy_elements/contacts/surface.hpp>
 
 namespace dynamy {
-
 namespace {
+
+/// The lowest corner of a box; null: B is no box.
+const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShape& B) {
+  if (B.kind != TouchingShape::Kind::box) return nullptr;
+  const auto lower = [&](const SupportFeature& a, const SupportFeature& b) {
+    return over.gap(a) < over.gap(b);
+  };
+  return &*std::min_element(B.features.begin(), B.features.end(), lower);
+}
 
 /// Of the thickness of a shape among many: how far it is seen in any case.
 constexpr double kAtRest = 0.05;
@@ -74,11 +83,17 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
 
 void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const OverHalfSpace over(k.frame(pair.A->frame), *pair.A, k.frame(pair.B->frame));
+  const Vec3& plane = planes_[pair.rule->plane];
+  const SupportFeature* lowest = lowestCorner(over, *pair.B);
   for (std::size_t f = 0; f < pair.B->features.size(); ++f) {
     const SupportFeature& feature = pair.B->features[f];
     if (!over.touches(feature)) continue;
-    emit(pair, f, over.gap(feature), k, sink,
-         [&] { return over.contact(feature, planes_[pair.rule->plane]); });
+    emit(pair, f, over.gap(feature), k, sink, [&] {
+      ContactPoint at = over.contact(feature, plane);
+      if (lowest && &feature != lowest)
+        intoPlane(at.d[0], at.ddot[0], over.contact(*lowest, plane), at);
+      return at;
+    });
   }
 }
 
@@ -136,8 +151,10 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
     }
     case Meeting::boxes: {
       std::array<BoxContact, kMostBoxContacts> found;
-      const int n =
-          betweenBoxes(placedBox(A, *pair.A), placedBox(B, *pair.B), sink.request().bias, found);
+      const PlacedBox a = placedBox(A, *pair.A);
+      const ContactRequest& asked = sink.request();
+      const int n = betweenBoxes(a, placedBox(B, *pair.B), asked.bias, found);
+      closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
       for (int c = 0; c < n; ++c) {
         const BoxContact& contact = found[static_cast<std::size_t>(c)];
         emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,

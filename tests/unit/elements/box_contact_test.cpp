@@ -198,5 +198,115 @@ TEST(BoxContact, RatesAreThoseOfTheMotion) {
   EXPECT_GT(edges, 30) << "seed " << kSeed;
 }
 
+/// Two boxes that lie on each other, B displaced and tilted by about k.
+struct Lying {
+  Body A, B;
+  template <class Random>
+  Lying(double k, Random&& vec, const Vec3& turn = Vec3::Zero())
+      : A(Vec3::Zero(), turned(vec()), Vec3(0.5, 0.7, 0.3), vec(), vec()),
+        B(A.box.R * (Vec3(0.0, 0.0, 0.8 + 2.0 * k) + k * vec()),
+          turned(A.box.R * (turn + k * vec())) * A.box.R, Vec3(0.5, 0.7, 0.5), vec(), vec()) {}
+};
+
+/// Rows of the velocity of B's point at P relative to A's along d, for [v; Ω] of B at B's centre.
+Eigen::Matrix<double, 1, 6> row(const Body& B, const Vec3& P, const Vec3& d) {
+  Eigen::Matrix<double, 1, 6> out;
+  out << d.transpose(), (P - B.frame.r_OS_I).cross(d).transpose();
+  return out;
+}
+
+TEST(BoxContact, ThatClosesTogetherCanStickTogether) {
+  constexpr unsigned kSeed = 11;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vec = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  constexpr double k = 1e-3;
+  int compared = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    // Vertices of one, vertices of both, and edges that cross at half a right angle.
+    const Lying on(k, vec, trial % 3 == 2 ? Vec3(0, 0, 0.8) : Vec3::Zero());
+    Contacts found;
+    const int n = betweenBoxes(on.A.box, on.B.box, true, found);
+    if (n < 4) continue;  // two edges are nearest
+    ++compared;
+    const Contacts before = found;
+    closeTogether(on.A.box, 20.0 * k, true, {found.data(), static_cast<std::size_t>(n)});
+    Eigen::MatrixXd T(2 * n, 6), was(2 * n, 6);
+    for (int i = 0; i < n; ++i) {
+      const ContactPoint &at = found[static_cast<std::size_t>(i)].at,
+                         &old = before[static_cast<std::size_t>(i)].at;
+      EXPECT_EQ(at.g, old.g);
+      // Rounding of numbers of about 1.
+      EXPECT_LT((row(on.B, at.P, at.d[0]) - row(on.B, old.P, old.d[0])).norm(), 1e-14);
+      // Gaps and tilts are a few k, and so is the way of a point.
+      EXPECT_LT((at.P - old.P).norm(), 20.0 * k);
+      for (int t = 0; t < 2; ++t) {
+        T.row(2 * i + t) = row(on.B, at.P, at.d[1 + t]);
+        was.row(2 * i + t) = row(on.B, old.P, old.d[1 + t]);
+      }
+    }
+    // Bodies that slide on each other have three ways to do it, whatever the number of contacts.
+    const Eigen::VectorXd s = T.jacobiSvd().singularValues();
+    EXPECT_GT(s[2], 0.1);
+    EXPECT_LT(s[3], 1e-14);
+    EXPECT_GT(was.jacobiSvd().singularValues()[3], 0.01 * k);
+  }
+  EXPECT_GT(compared, 20) << "seed " << kSeed;
+}
+
+TEST(BoxContact, TwoThatCloseTogetherSlideOnTheirOwnFaces) {
+  // Tilted about an edge of B: nothing tells the tilt but the two contacts, so they stay as they
+  // are.
+  const Body A(Vec3::Zero(), Mat3::Identity(), Vec3(2, 2, 0.5));
+  const Body B(Vec3(0, 0, 1.05), turned(Vec3(0, 0.1, 0)), Vec3::Constant(0.5));
+  Contacts found;
+  const int n = betweenBoxes(A.box, B.box, true, found);
+  const Contacts before = found;
+  closeTogether(A.box, 0.01, true, {found.data(), static_cast<std::size_t>(n)});
+  for (int i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    EXPECT_LT((found[at].at.P - before[at].at.P).norm(), 1e-15);
+    for (int d = 0; d < 3; ++d) EXPECT_EQ(found[at].at.d[d], before[at].at.d[d]);
+  }
+}
+
+TEST(BoxContact, RatesStayThoseOfTheMotionWhereContactsCloseTogether) {
+  constexpr unsigned kSeed = 12;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vec = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  constexpr double s = 1e-5, reach = 0.2;
+  constexpr double kTolerance = 3e-6;  // as in RatesAreThoseOfTheMotion
+  int compared = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Lying on(2e-2, vec, trial % 2 ? Vec3(0, 0, 0.8) : Vec3::Zero());
+    Contacts c[3];
+    int n[3] = {betweenBoxes(on.A.box, on.B.box, true, c[0]), 0, 0};
+    closeTogether(on.A.box, reach, true, {c[0].data(), static_cast<std::size_t>(n[0])});
+    for (const int side : {1, 2}) {
+      const double way = side == 1 ? -s : s;
+      const auto moved = [way](const Body& x) {
+        return std::pair<Vec3, Mat3>(x.frame.r_OS_I + way * x.frame.v_S_I,
+                                     turned(way * x.frame.Omega_I) * x.frame.A_IK);
+      };
+      const auto [cA, RA] = moved(on.A);
+      const auto [cB, RB] = moved(on.B);
+      const Body a(cA, RA, on.A.box.half), b(cB, RB, on.B.box.half);
+      n[side] = betweenBoxes(a.box, b.box, false, c[side]);
+      closeTogether(a.box, reach, false, {c[side].data(), static_cast<std::size_t>(n[side])});
+    }
+    if (n[1] != n[0] || n[2] != n[0]) continue;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n[0]); ++i) {
+      ASSERT_EQ(c[1][i].id, c[2][i].id);
+      ++compared;
+      const ContactPoint &at = c[0][i].at, &before = c[1][i].at, &after = c[2][i].at;
+      EXPECT_LT((at.Pdot - (after.P - before.P) / (2.0 * s)).norm(), kTolerance);
+      for (int d = 0; d < 3; ++d)
+        EXPECT_LT((at.ddot[d] - (after.d[d] - before.d[d]) / (2.0 * s)).norm(), kTolerance);
+    }
+  }
+  EXPECT_GT(compared, 100) << "seed " << kSeed;
+}
+
 }  // namespace
 }  // namespace dynamy
