@@ -13,6 +13,9 @@ constexpr double kRounding = 1e-3;
 /// Of the noise of gaps, in the step after a correction: four corners of a face contradict each
 /// other by a quarter of the dead band.
 constexpr double kStricter = 1.0 / 3.0;
+/// Newton steps up to which a solve corrects a stack at rest. Where it takes more, something lands,
+/// and rates may differ by all of that noise.
+constexpr int kCorrection = 4;
 
 bool hasJoints(const ContactSet& contacts) {
   for (int i = 0; i < contacts.size(); ++i)
@@ -38,7 +41,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   s.linearlyImplicit(x, kImplicitMidpoint);
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
   s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
-  x.impulses.corrected = !solved.warmAccepted;
+  x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
   s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
   StepReport report{dt, solved, problem.size()};
   if (!apart) report.solved.status = SolveStatus::stalled;
