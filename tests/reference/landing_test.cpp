@@ -18,7 +18,7 @@ void print(const char* file, double k, double dt, unsigned seed, const Landing& 
 long mostNewton(double k, double dt) {
   if (k < 1e-7) return 15;
   if (k < 1e-4) return 60;
-  return dt > 7e-3 ? 100 : (dt > 3e-3 ? 300 : 1000);
+  return dt > 7e-3 ? 100 : (dt > 3e-3 ? 300 : 800);
 }
 
 /// Bodies stand when the one on top is at the height of the undisturbed stack.
