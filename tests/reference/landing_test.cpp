@@ -17,7 +17,7 @@ void print(const char* file, double k, double dt, unsigned seed, const Landing& 
 /// Most Newton steps of a step: counts of this code, rounded up (theory 36.2), not laws of nature.
 long mostNewton(double k, double dt) {
   if (k < 1e-7) return 15;
-  if (k < 1e-4) return 60;
+  if (k < 1e-4) return 100;
   return dt > 7e-3 ? 100 : (dt > 3e-3 ? 300 : 800);
 }
 
