@@ -122,6 +122,26 @@ TEST(LocatedBlock, RocksAsLongAsTheClosedFormSays) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(t[i], truth[i], 1e-10);
 }
 
+TEST(LocatedBlock, ComesToRestWithoutRestitution) {
+  LocatedRun block("rocking_block", 1e-6, 12.0);
+  EXPECT_EQ(block.run().ended, RunReport::Ended::finished) << block.report().reason;
+  EXPECT_LT(block.state().u.lpNorm<Eigen::Infinity>(), 1e-9);
+  // What is off by less than 1e-3 tol L is left: 1e-9 m over the width of 0.2 m.
+  EXPECT_LT(std::abs(block.state().q[2]), 5e-9);
+  // η = 0.942 a turn in angular rate, until its rise of 1e-7 L: some 110 turns.
+  EXPECT_LT(block.report().located, 200);
+}
+
+TEST(LocatedBlock, ABoxInSpaceFallsTumblesAndRests) {
+  for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
+    LocatedRun box("falling_box", tolerance, 3.0);
+    EXPECT_EQ(box.run().ended, RunReport::Ended::finished) << box.report().reason;
+    EXPECT_LT(box.state().u.lpNorm<Eigen::Infinity>(), 1e-9) << tolerance;
+    EXPECT_NEAR(box.state().q[2], 0.075, 1e-7) << tolerance;  // its half height
+    EXPECT_LT(box.report().located, 100) << tolerance;
+  }
+}
+
 // ---- friction ----------------------------------------------------------------------------------
 
 TEST(LocatedOscillator, StopsWhereTheClosedFormSays) {

@@ -53,6 +53,13 @@ double ErrorNorm::position(Eigen::Index i, double error, double value) const {
   return std::abs(error) / (tolerance_ * std::max(q_[i], std::abs(value)));
 }
 
+double ErrorNorm::fastestTurn(const Eigen::VectorXd& u) const {
+  double fastest = 0.0;
+  for (Eigen::Index i = 0; i < u.size(); ++i)
+    if (u_[i] == 1.0) fastest = std::max(fastest, std::abs(u[i]));
+  return fastest;
+}
+
 double ErrorNorm::velocity(Eigen::Index i, double error, double value) const {
   return std::abs(error) / (tolerance_ * std::max(u_[i] / time_, std::abs(value)));
 }

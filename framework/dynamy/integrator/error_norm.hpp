@@ -26,6 +26,8 @@ class ErrorNorm {
   /// Error of one position or velocity, in units of the tolerance.
   double position(Eigen::Index i, double error, double value) const;
   double velocity(Eigen::Index i, double error, double value) const;
+  /// Largest of the velocities that are not of lengths [rad/s].
+  double fastestTurn(const Eigen::VectorXd& u) const;
 
  private:
   void scales(const MechanicalSystem& s);

@@ -172,10 +172,19 @@ void FrozenPhase::solve(const Evaluation& e) {
     rhs_[k] = -(W_.col(row).dot(free_) + bias_[row]);
     A_.row(k).noalias() = W_.col(row).transpose() * MP_;
   }
+  // Smallest in units of what each contact carries, so that one that is pressed hard holds more.
+  scale_.resize(m);
+  of = 0;
+  for (Eigen::Index k = 0; k < m; ++k) {
+    while (kept_[static_cast<std::size_t>(k)] >= row0_[of + 1]) ++of;
+    scale_[k] = held[of].weight;
+    A_.col(k) *= scale_[k];
+  }
   qr_.setThreshold(kRank);
   qr_.compute(A_);
   redundant_ = qr_.rank() < m;
   work_ = qr_.solve(rhs_);
+  work_.array() *= scale_.array();
   free_.noalias() += MP_ * work_;
   lambda_.noalias() += P_.leftCols(m) * work_;
 }
@@ -191,18 +200,23 @@ bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::Ve
   if (!accelerate(e, u, a)) return false;
   if (!redundant_) return true;
   const std::vector<Held> decided = held;
-  const auto scale = [&](double part) {
-    for (std::size_t i = 0; i < held.size(); ++i)
+  const auto take = [&](double part, bool weighted) {
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      held[i].weight = weighted ? decided[i].weight : 1.0;
       for (std::size_t r = 0; r < held[i].lambda.size(); ++r)
         held[i].lambda[r] = part * decided[i].lambda[r];
+    }
   };
   double best = 1.0, least = leastMargin();
-  for (const double part : {0.0, 0.25, 0.5, 0.75}) {
-    scale(part);
-    if (!accelerate(e, u, a)) return false;
-    if (const double margin = leastMargin(); margin > least) least = margin, best = part;
-  }
-  scale(best);
+  bool bestWeighted = true;
+  for (const bool weighted : {true, false})
+    for (const double part : {0.0, 0.25, 0.5, 0.75}) {
+      take(part, weighted);
+      if (!accelerate(e, u, a)) return false;
+      if (const double margin = leastMargin(); margin > least)
+        least = margin, best = part, bestWeighted = weighted;
+    }
+  take(best, bestWeighted);
   return accelerate(e, u, a);
 }
 

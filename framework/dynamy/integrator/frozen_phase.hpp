@@ -30,7 +30,8 @@ struct Held {
   double turned = 0.0;  ///< ∫ |γ_T| dθ of the turning direction since [m/s]
   std::array<double, 2> direction{1.0, 0.0};  ///< decided; of a slip that starts: the present one
   double mutedUntil = -1.0;                   ///< its force and slip are not looked at before [s]
-  std::array<double, kMostRows> lambda{};     ///< as the last decision gave them [N]
+  double weight = 1.0;  ///< of its forces where rows are redundant: λ_N of the decision [N]
+  std::array<double, kMostRows> lambda{};  ///< as the last decision gave them [N]
 };
 
 class FrozenPhase {
@@ -95,7 +96,7 @@ class FrozenPhase {
   Eigen::MatrixXd W_, MInvW_;  // nu × rows
   Eigen::MatrixXd P_;          // rows × unknowns
   std::vector<int> kept_;      // S: the row of each unknown
-  Eigen::VectorXd p0_, gamma_, bias_, lambda_, gammaDot_, free_, work_, rhs_, position_;
+  Eigen::VectorXd p0_, gamma_, bias_, lambda_, gammaDot_, free_, work_, rhs_, position_, scale_;
   Eigen::MatrixXd A_, MP_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;
   std::vector<double> chi_;

@@ -14,6 +14,7 @@ constexpr double kMostTurned = 30.0;  ///< k of theory 20.6, in units of the tol
 constexpr int kMostNulls = 5;
 constexpr double kMuted = 1e-3;       ///< of the step
 constexpr double kProject = 1e-3;     ///< corrections below this part of the tolerance wait
+constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
 constexpr int kMostTries = 2000;      ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
@@ -329,10 +330,14 @@ bool LocatedDormandPrince::advance(MechanicalSystem& s, InclusionSolver& solver,
     return true;
   }
   double h = std::min(H_, bound);
+  // What turns must not turn past a contact between two samples of the search.
+  if (const double turn = norm_.fastestTurn(from_.x.u); search_.gaps() && turn * h > kMostTurn)
+    h = kMostTurn / turn;
   startHeld_ = phase_.held;
   Switch found;
   Tried tried = attempt(s, h, false, report, found);
   if (tried == Tried::again) h *= found.theta, tried = attempt(s, h, true, report, found);
+  if (tried == Tried::rejected) phase_.held = startHeld_;  // directions as they were
   if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
   if (found) ++report.counts.switches;
   if (found.kind == Switch::Kind::atStart) return event(s, solver, from_, report, {});

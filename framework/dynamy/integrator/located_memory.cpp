@@ -7,8 +7,8 @@ namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
 /// there, number of held contacts; then for each element, number, slip, sign, end of muting,
-/// whether the slip starts, what it has turned, its direction, λ.
-constexpr int kHead = 6, kPerHeld = 9 + Held::kMostRows;
+/// whether the slip starts, what it has turned, its direction, weight, λ.
+constexpr int kHead = 6, kPerHeld = 10 + Held::kMostRows;
 
 }  // namespace
 
@@ -25,7 +25,8 @@ void LocatedDormandPrince::store(State& x) {
     out[2] = h.slips ? 1.0 : 0.0, out[3] = h.sign, out[4] = h.mutedUntil;
     out[5] = h.starts ? 1.0 : 0.0, out[6] = h.turned;
     out[7] = h.direction[0], out[8] = h.direction[1];
-    std::copy(h.lambda.begin(), h.lambda.end(), out + 9);
+    out[9] = h.weight;
+    std::copy(h.lambda.begin(), h.lambda.end(), out + 10);
   }
   stored_ = x.scheme;
 }
@@ -47,7 +48,8 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
     h.key = contactKey(static_cast<int>(in[0]), static_cast<std::uint64_t>(in[1]));
     h.slips = in[2] != 0.0, h.sign = in[3], h.mutedUntil = in[4];
     h.starts = in[5] != 0.0, h.turned = in[6], h.direction = {in[7], in[8]};
-    std::copy(in + 9, in + kPerHeld, h.lambda.begin());
+    h.weight = in[9];
+    std::copy(in + 10, in + kPerHeld, h.lambda.begin());
   }
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);

@@ -156,7 +156,13 @@ void SwitchEvent::shut(MechanicalSystem& s, State& x) {
     if (unilateral && !has(shut_, c.key[i]) && gamma_[c.row0[i]] > leaves_) continue;
     shutPhase_.held.push_back({});
     shutPhase_.held.back().key = c.key[i];
-    shutPhase_.held.back().slips = c.law[i]->rowKind(0) != RowKind::joint;
+    // What sticks goes on sticking.
+    double slip = 0.0;
+    const int tangent = unilateral ? 1 : 0;
+    for (int k = tangent; k < c.dim(static_cast<int>(i)); ++k)
+      slip = std::max(slip, std::abs(gamma_[c.row0[i] + k]));
+    shutPhase_.held.back().slips =
+        c.law[i]->rowKind(0) != RowKind::joint && slip > kSlip * norm_->speed();
   }
   projectVelocities(s, shutPhase_, x);
 }
@@ -258,6 +264,7 @@ void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, 
   h.key = p.contacts->key[static_cast<std::size_t>(i)];
   for (int k = 0; k < d && k < Held::kMostRows; ++k)
     h.lambda[static_cast<std::size_t>(k)] = Lambda[first + k] / lookAhead;
+  if (normal && d > 1) h.weight = Lambda[first] / lookAhead;
   if (const Held* before = old.find(h.key)) h.mutedUntil = before->mutedUntil;
   const int tangent = normal ? 1 : 0;
   if (law.rowKind(0) != RowKind::joint && d > tangent) {

@@ -12,6 +12,7 @@ constexpr int kMostRefinements = 160;
 constexpr double kStart = 1e3;  ///< of the noise: a value that starts below starts at zero
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
 constexpr double kNear = 0.02;
+constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
 
 }  // namespace
 
@@ -221,15 +222,16 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
 
 bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first) {
   if (!kinematic_[static_cast<std::size_t>(monitor)].gap) return true;
-  const double high = values_.row(monitor).maxCoeff();
   for (int j = 0; j < kSamples; ++j) {
     double a = static_cast<double>(j) / kSamples, b = a + 1.0 / kSamples;
     if (a >= first.theta) return true;
     if (!(rates_(monitor, j) < 0.0 && rates_(monitor, j + 1) > 0.0)) continue;
     if (j == 0 && kinematic_[static_cast<std::size_t>(monitor)].zeroStart) continue;
+    // The range of the gap so far; what lies behind may be a fall that no contact stops.
+    const double high = values_.row(monitor).head(j + 1).maxCoeff();
     double fa = rates_(monitor, j), fb = rates_(monitor, j + 1), c = b, v = 0.0;
-    for (int i = 0; i < 12; ++i) {
-      c = i % 4 == 3 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
+    for (int i = 0; i < 40 && b - a > kMinimum; ++i) {
+      c = i % 2 == 1 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
       if (!kinematicAt(probe, path, monitor, c, v)) return false;
       const double rate = probe.gamma(kinematic_[static_cast<std::size_t>(monitor)].contact);
       if (rate < 0.0)

@@ -39,6 +39,8 @@ class SwitchSearch {
   /// Value of the monitor of `w` at x, by kinematics or with the forces the phase has there.
   bool value(ContactProbe& probe, const FrozenPhase& phase, const State& x, const Switch& w,
              double& out);
+  /// True: there are open contacts.
+  bool gaps() const { return !kinematic_.empty() && kinematic_.front().gap; }
   bool any() const { return !kinematic_.empty() || !force_.empty(); }
   /// Forces at the end of the path, to be told before find().
   void atEnd(const FrozenPhase& phase) { forces(phase, endForces_); }
