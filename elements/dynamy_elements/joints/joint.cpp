@@ -197,6 +197,8 @@ std::vector<double> Joint::errors(const Kinematics& k) const {
 }
 
 void Joint::describe(Description& d) const {
+  if (!points_.empty() && points_.front().kind == JointRow::Kind::distance)
+    d.link({frames_.A.index, frames_.B.index, pointA_, pointB_});
   if (!points_.empty()) describeContact(d, 0, static_cast<int>(points_.size()), bilateral_);
   if (!angles_.empty())
     describeContact(d, 1, static_cast<int>(angles_.size()), bilateral_, "angles.");

@@ -66,6 +66,26 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
   return s;
 }
 
+/// Index of the frame with handle `f` among the drawn ones.
+int drawnIndex(const Model& model, const std::vector<DrawnFrame>& drawn, int f) {
+  const auto [system, id] = model.topology().requestedFrames()[static_cast<std::size_t>(f)];
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    if (drawn[k].system == system && drawn[k].id == id) return static_cast<int>(k);
+  return -1;
+}
+
+void addLinks(const Model& model, const std::vector<DrawnFrame>& drawn, Scene& scene) {
+  for (const Description& d : model.descriptions())
+    for (const PlacedLink& l : d.links) {
+      SceneShape s;
+      s.kind = ShapeKind::link;
+      s.frame = drawnIndex(model, drawn, l.frameA), s.frameEnd = drawnIndex(model, drawn, l.frameB);
+      s.points = {array(l.pointA), array(l.pointB)};
+      if (l.spring) s.style = "spring";
+      scene.shapes.push_back(std::move(s));
+    }
+}
+
 }  // namespace
 
 Scene modelScene(const Model& model) {
@@ -95,6 +115,7 @@ Scene modelScene(const Model& model) {
       scene.shapes.push_back(std::move(s));
     }
   }
+  addLinks(model, frames, scene);
   return scene;
 }
 

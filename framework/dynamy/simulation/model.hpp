@@ -73,6 +73,8 @@ class Model {
   const std::vector<std::unique_ptr<ExternalForce>>& forces() const { return forces_; }
   const std::vector<std::unique_ptr<ContactRule>>& rules() const { return rules_; }
   const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
+  /// Of systems, then contact elements, then forces.
+  const std::vector<Description>& descriptions() const { return descriptions_; }
   const Description& description(int system) const {
     return descriptions_[static_cast<std::size_t>(system)];
   }

@@ -28,11 +28,18 @@ double spacing(double given, double until) {
 
 std::vector<DrawnFrame> drawnFrames(const Model& model) {
   std::vector<DrawnFrame> out;
-  for (std::size_t i = 0; i < model.systems().size(); ++i) {
-    std::set<int> seen;
+  std::set<std::pair<int, int>> seen;
+  const auto add = [&](int system, int id) {
+    if (seen.insert({system, id}).second) out.push_back({system, id});
+  };
+  for (std::size_t i = 0; i < model.systems().size(); ++i)
     for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
-      if (seen.insert(p.frame).second) out.push_back({static_cast<int>(i), p.frame});
-  }
+      add(static_cast<int>(i), p.frame);
+  const auto& frames = model.topology().requestedFrames();
+  for (const Description& d : model.descriptions())
+    for (const PlacedLink& l : d.links)
+      for (const int f : {l.frameA, l.frameB})
+        add(frames[static_cast<std::size_t>(f)].first, frames[static_cast<std::size_t>(f)].second);
   return out;
 }
 

@@ -41,6 +41,13 @@ struct PlacedShape {
   int frame = 0;  ///< frame id within the system
 };
 
+/// Something drawn from a point of one frame to one of another: spring, rope, rod.
+struct PlacedLink {
+  int frameA = 0, frameB = 0;  ///< FrameHandle::index
+  Vec3 pointA, pointB;         ///< in axes of the frames [m]
+  bool spring = false;  ///< drawn as a coil
+};
+
 class Description {
  public:
   /// q[i] of the element's own system as signal `name`.
@@ -49,12 +56,15 @@ class Description {
   void velocity(std::string name, Unit unit, int i, std::string text = {});
   void signal(std::string name, Unit unit, std::string text, SignalFunction value);
   void shape(const Shape& shape, int frame) { shapes.push_back({&shape, frame}); }
+  /// For elements between frames: what the replay draws of them.
+  void link(const PlacedLink& l) { links.push_back(l); }
   void frame(std::string name, int id) { frames.push_back({std::move(name), id}); }
 
   std::vector<Signal> signals;
   /// Names of q[i] and u[i] as given above: elements with formulas find the coordinates by them.
   std::vector<std::pair<std::string, int>> coordinates, velocities;
   std::vector<PlacedShape> shapes;
+  std::vector<PlacedLink> links;
   std::vector<std::pair<std::string, int>> frames;
 };
 
