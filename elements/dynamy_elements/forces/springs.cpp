@@ -93,7 +93,8 @@ double SpringDamper::potentialEnergy(const Kinematics& k) const {
 }
 
 void SpringDamper::describe(Description& d) const {
-  d.link({frames_.A.index, frames_.B.index, pointA_, pointB_, true});
+  if (stiffness_ > 0.0 || damping_ > 0.0)  // else it only measures
+    d.link({frames_.A.index, frames_.B.index, pointA_, pointB_, true});
   d.signal("length", Unit::length, "distance of the points",
            [this](const SignalView& v) { return line(*v.kinematics).l; });
   d.signal("force", Unit::force, "pull of spring and damper", [this](const SignalView& v) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <dynamy/simulation/contact_facts.hpp>
@@ -6,6 +7,8 @@ namespace dynamy {
 namespace {
 
 constexpr int kMaxRows = 8;
+/// What the forces of so many steps explain is no impact of a contact that was closed.
+constexpr double kImpact = 4.0;
 
 std::string elementText(const Element& e) {
   std::string text = e.type().empty() ? "" : "<" + e.type();
@@ -49,7 +52,14 @@ bool isImpact(const StepView& view, int contact) {
   if (p.gammaA.size() <= row || view.Lambda.size() != c.rows()) return false;
   const double smooth = std::abs(p.gammaFree[row] - p.gammaA[row]);
   const double floor = 1e-9 * view.model.length();
-  return -p.gammaA[row] > std::max(smooth, floor) && view.Lambda[c.row0[at]] > 0.0;
+  if (!(-p.gammaA[row] > std::max(smooth, floor) && view.Lambda[c.row0[at]] > 0.0)) return false;
+  // A contact that carried before and goes over something round closes by the turn of its normal.
+  const RememberedImpulses& old = view.before.impulses;
+  const auto found = std::find(old.key.begin(), old.key.end(), c.key[at]);
+  if (found == old.key.end()) return true;
+  const int first = old.first[static_cast<std::size_t>(found - old.key.begin())];
+  return !(old.Lambda[static_cast<std::size_t>(first)] > 0.0) ||
+         -p.gammaA[row] > kImpact * view.system.largestChange(view.report.dt);
 }
 
 namespace {
