@@ -12,6 +12,7 @@ namespace {
 constexpr double kEnergy = 0.01;      ///< of the largest kinetic energy
 constexpr double kOverlap = 0.01;     ///< of the scene's length
 constexpr double kOverlapWays = 2.0;  ///< of the way in a step
+constexpr double kStart = 1e-6;       ///< of the scene's length
 constexpr double kJoint = 1e-3;       ///< of the scene's length
 constexpr double kOmegaDt = 1.0;      ///< [rad]
 constexpr double kTurn = 1.0;         ///< [rad]
@@ -54,7 +55,12 @@ void aboutImpacts(const RunReport& r, Warnings& out) {
 
 void aboutPositions(const RunReport& r, double length, Warnings& out) {
   const double overlap = r.penetration.value;
-  if (overlap > kOverlap * length)
+  if (r.penetration.t == 0.0 && overlap > kStart * length)
+    out.push_back(
+        {"start", fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
+                              "them apart changes the energy",
+                              overlap, r.penetration.name)});
+  else if (overlap > kOverlap * length)
     out.push_back(
         {"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
                                 "of the scene's length",

@@ -73,7 +73,10 @@ void RunWatch::collectShapes(const Model& model) {
   }
 }
 
-void RunWatch::start(const StepView& initial) { sample(initial); }
+void RunWatch::start(const StepView& initial) {
+  sample(initial);
+  positions(initial.after);  // bodies may overlap as the model puts them
+}
 
 void RunWatch::step(const StepView& view) {
   // Steps that a scheme chooses resolve the motion by their own measure.

@@ -56,12 +56,20 @@ TEST(RunWatch, TellsEnergyThatNoForceAccountsFor) {
 
 TEST(RunWatch, TellsOverlapsByTheSizeOfTheSceneAndByTheStep) {
   RunReport r;
-  r.penetration.value = 0.02, r.trust.way = 1.0;
+  r.penetration.value = 0.02, r.penetration.t = 1.0, r.trust.way = 1.0;
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "overlap"));
   EXPECT_FALSE(warns(warningsOf(r, 10.0), "overlap"));
   r.penetration.value = 1e-4, r.trust.way = 1e-5;  // ten times what a step can overlap
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "overlap"));
   r.penetration.value = 1e-12, r.trust.way = 0.0;  // rounding
+  EXPECT_TRUE(warningsOf(r, 1.0).empty());
+}
+
+TEST(RunWatch, TellsThatTheModelPutsBodiesIntoEachOther) {
+  RunReport r;
+  r.penetration.value = 1e-3, r.trust.way = 1.0;  // at t = 0
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "start"));
+  r.penetration.value = 1e-7;  // numbers of a file are rounded
   EXPECT_TRUE(warningsOf(r, 1.0).empty());
 }
 
