@@ -184,8 +184,11 @@ std::string headText(const Model& model, const RunChoice& choice) {
 /// Warns of a scheme that changes the energy by itself: by more than 1 % of what moves in the run,
 /// and by more than the rounding of its potential.
 std::string discretisationText(const EnergyReport& e) {
+  // Works one by one: what drives bring in and friction takes may cancel.
   const double moves =
-      std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart), std::abs(e.works())});
+      std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart),
+                std::abs(e.nonPotential) + std::abs(e.friction) + std::abs(e.normal) +
+                    std::abs(e.joints) + std::abs(e.boundaries)});
   const double change = std::abs(e.discretisation);
   if (!(change > 0.01 * moves && change > 1e-9 * std::abs(e.potentialStart))) return {};
   return fmt::format(
