@@ -100,6 +100,11 @@ void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, Contact
 void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   const Vec3& plane = planes_[pair.rule->plane];
+  const auto emitAll = [&](const auto& found, int n) {
+    for (auto c = found.begin(); c != found.begin() + n; ++c)
+      emit(pair, static_cast<std::size_t>(c->id), c->at.g, k, sink,
+           [&]() -> const ContactPoint& { return c->at; });
+  };
   switch (pair.rule->meets) {
     case Meeting::balls: {
       const ContactPoint at = betweenBalls(A, pair.A->features[0], B, pair.B->features[0], plane);
@@ -129,12 +134,7 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       const int n = pair.rule->meets == Meeting::capsules
                         ? betweenCapsules(A, *pair.A, B, *pair.B, plane, found)
                         : capsuleOnBox(A, *pair.A, B, *pair.B, found);
-      for (int c = 0; c < n; ++c) {
-        const BoxContact& contact = found[static_cast<std::size_t>(c)];
-        emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,
-             [&]() -> const ContactPoint& { return contact.at; });
-      }
-      return;
+      return emitAll(found, n);
     }
     case Meeting::ballOnSurface: {
       SurfaceContacts found;
@@ -142,12 +142,7 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
                                                     : std::max(sink.request().gTol, 0.0);
       const RoundFeature& ball = pair.B->features[0];
       const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
-      for (int c = 0; c < n; ++c) {
-        const SurfaceContact& contact = found[static_cast<std::size_t>(c)];
-        emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,
-             [&]() -> const ContactPoint& { return contact.at; });
-      }
-      return;
+      return emitAll(found, n);
     }
     case Meeting::boxes: {
       std::array<BoxContact, kMostBoxContacts> found;
@@ -155,12 +150,7 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       const ContactRequest& asked = sink.request();
       const int n = betweenBoxes(a, placedBox(B, *pair.B), asked.bias, found);
       closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
-      for (int c = 0; c < n; ++c) {
-        const BoxContact& contact = found[static_cast<std::size_t>(c)];
-        emit(pair, static_cast<std::size_t>(contact.id), contact.at.g, k, sink,
-             [&]() -> const ContactPoint& { return contact.at; });
-      }
-      return;
+      return emitAll(found, n);
     }
     default:
       return;
