@@ -16,8 +16,7 @@ WorldPtr makeWorld(double h, const Eigen::Vector3d& gravity) {
   w->setTimeStep(h);
   w->setGravity(gravity);
   // Its default detector turns a ball into a polyhedron, which does not roll.
-  w->getConstraintSolver()->setCollisionDetector(
-      dart::collision::DARTCollisionDetector::create());
+  w->getConstraintSolver()->setCollisionDetector(dart::collision::DARTCollisionDetector::create());
   return w;
 }
 

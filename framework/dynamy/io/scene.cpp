@@ -47,7 +47,8 @@ void write(JsonWriter& json, const SceneShape& shape) {
   if (shape.radius > 0 || shape.kind == sphere) json.member("radius", shape.radius);
   if (isLong) json.member("halfLength", shape.halfLength);
   if (shape.kind == torus) json.member("tube", shape.tube);
-  if (shape.kind == box || shape.kind == ellipsoid) json.key("halfExtents").values(shape.halfExtents);
+  if (shape.kind == box || shape.kind == ellipsoid)
+    json.key("halfExtents").values(shape.halfExtents);
   if (!shape.points.empty()) {
     json.key("points").beginArray();
     for (const auto& point : shape.points) json.values(point);

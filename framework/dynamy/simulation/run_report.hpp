@@ -69,10 +69,10 @@ struct RunReport {
   int iterationsMax = 0;
   long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance
   long impacts = 0, switches = 0;
-  long located = 0;        ///< switches whose instants were located
-  long accumulations = 0;  ///< infinite sequences of impacts that were passed
+  long located = 0;              ///< switches whose instants were located
+  long accumulations = 0;        ///< infinite sequences of impacts that were passed
   double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
-  long undecided = 0;      ///< switches at which no status was consistent, or several were
+  long undecided = 0;            ///< switches at which no status was consistent, or several were
   int contactsMax = 0;
   long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
   Worst energyGain;          ///< the largest such gain, before the repair [J]

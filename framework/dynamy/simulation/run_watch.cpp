@@ -9,7 +9,7 @@ namespace dynamy {
 namespace {
 
 constexpr double kPotential = 1e-9;  ///< of V, the least that energies are compared with
-constexpr double kSamples = 256.0;  ///< of the energy in a run
+constexpr double kSamples = 256.0;   ///< of the energy in a run
 /// After the first steps three in a row of so many are looked at, so that watching costs little.
 constexpr long kFirst = 256, kEvery = 16;
 

@@ -45,7 +45,7 @@ struct PlacedShape {
 struct PlacedLink {
   int frameA = 0, frameB = 0;  ///< FrameHandle::index
   Vec3 pointA, pointB;         ///< in axes of the frames [m]
-  bool spring = false;  ///< drawn as a coil
+  bool spring = false;         ///< drawn as a coil
 };
 
 class Description {
