@@ -35,8 +35,9 @@ std::optional<std::vector<Vec3>> latticePlaces(std::size_t count, const Region& 
   std::vector<Vec3> out;
   out.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 cell(static_cast<double>(i % x), static_cast<double>(i / x % y),
-                    static_cast<double>(i / (x * y)));
+    const std::size_t column = i % x, row = i / x % y, layer = i / (x * y);
+    const Vec3 cell(static_cast<double>(column), static_cast<double>(row),
+                    static_cast<double>(layer));
     Vec3 c = region.low + pitch * (cell + Vec3::Constant(0.5));
     for (double& coordinate : c) coordinate += numbers.uniform(-jitter, jitter);
     out.push_back(c);

@@ -28,6 +28,24 @@ Diagnostic pairFault(const Shape& a, const Shape& b, std::string text, std::stri
   return d;
 }
 
+std::string between(const Shape& a, const Shape& b) {
+  return "between=\"" + a.material() + " " + b.material() + "\"";
+}
+
+Diagnostic missingLaw(const Shape& a, const Shape& b) {
+  return pairFault(
+      a, b,
+      "no law for contact of the materials \"" + a.material() + "\" and \"" + b.material() + "\"",
+      "add <Contact " + between(a, b) + ">…</Contact>, or <NoContact " + between(a, b) + "/>");
+}
+
+Diagnostic missingPair(const Shape& a, const Shape& b) {
+  return pairFault(
+      a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
+      "use balls and points on all, others on half spaces, boxes in space, or <NoContact " +
+          between(a, b) + "/>");
+}
+
 /// Normal, tangents, spin about the normal; in a plane normal and tangent.
 int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
 
@@ -214,26 +232,11 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   // The law of the two materials.
   const Shape &shapeA = *search.instances[i].shape, &shapeB = *search.instances[j].shape;
   const std::string &ma = shapeA.material(), &mb = shapeB.material();
-  const std::string both = "between=\"" + ma + " " + mb + "\"";
   const ContactRule* found = rule(ma, mb);
-  if (!found) {
-    search.fault(ma, mb,
-                 pairFault(shapeA, shapeB,
-                           "no law for contact of the materials \"" + ma + "\" and \"" + mb + "\"",
-                           "add <Contact " + both + ">…</Contact>, or <NoContact " + both + "/>"));
-    return;
-  }
+  if (!found) return search.fault(ma, mb, missingLaw(shapeA, shapeB));
   if (!found->law()) return;
-  if (made.meets == Meeting::missing) {
-    search.fault(
-        shapeA.type() + ma, shapeB.type() + mb,
-        pairFault(
-            shapeA, shapeB,
-            "contact of a " + shapeA.type() + " with a " + shapeB.type() + " is not available",
-            "use balls and points on all, others on half spaces, boxes in space, or <NoContact " +
-                both + "/>"));
-    return;
-  }
+  if (made.meets == Meeting::missing)
+    return search.fault(shapeA.type() + ma, shapeB.type() + mb, missingPair(shapeA, shapeB));
   made.law = found->law();
 
   // A half space that cuts the plane of motion at an angle needs both tangents.

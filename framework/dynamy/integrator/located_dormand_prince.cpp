@@ -315,8 +315,8 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
   return why_.empty();
 }
 
-bool LocatedDormandPrince::advance(MechanicalSystem& s, InclusionSolver& solver, double most,
-                                   StepReport& report, bool& done) {
+bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, double most,
+                                StepReport& report, bool& done) {
   if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time()))
     return refuse("the steps have become too short: no status of the contacts lasts");
   if (!search_.begin(probe_, phase_, from_.x))
@@ -357,7 +357,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   bool done = false, good = enter(s, solver, x, report);
   for (int tries = 0; good && !done; ++tries)
     good = tries < kMostTries
-               ? advance(s, solver, x.t + dt - from_.x.t, report, done)
+               ? goOn(s, solver, x.t + dt - from_.x.t, report, done)
                : refuse("the steps have become too short: no status of the contacts lasts");
   if (good) {
     const double t = x.t;

@@ -45,8 +45,8 @@ class LocatedDormandPrince final : public OneStep {
   bool event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report,
              const std::vector<ContactKey>& stopped);
   bool enter(MechanicalSystem& s, InclusionSolver& solver, const State& x, StepReport& report);
-  bool advance(MechanicalSystem& s, InclusionSolver& solver, double most, StepReport& report,
-               bool& done);
+  bool goOn(MechanicalSystem& s, InclusionSolver& solver, double most, StepReport& report,
+            bool& done);
   Tried attempt(MechanicalSystem& s, double h, bool looked, StepReport& report, Switch& found);
   bool repeat(MechanicalSystem& s, double h, const Switch& w);
   bool polish(MechanicalSystem& s, double h, const Switch& w);

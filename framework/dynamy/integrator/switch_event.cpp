@@ -197,7 +197,7 @@ double SwitchEvent::pose(InclusionProblem& p, const std::vector<ContactKey>& sto
     const int first = p.row0(i), d = p.dim(i), t = tangent(i);
     const bool joint = p.law(i).rowKind(0) == RowKind::joint;
     const double speed = joint || t == d ? 0.0 : gammaBefore_.segment(first + t, d - t).norm();
-    slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]);
+    slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]) ? 1 : 0;
     for (int k = 0; k < d; ++k) {
       const auto row = static_cast<std::size_t>(first + k);
       p.gammaA[row] = slips_[at] && k >= t ? gammaBefore_[first + k] : 0.0;
