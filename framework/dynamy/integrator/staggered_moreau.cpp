@@ -75,7 +75,8 @@ InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt
       problem = &s.impactProblem(x, dt, 0, &aim);
     }
   }
-  problem->warmStart = x.impulses.corrected ? 0.1 : 1.0;  // gaps are asked back in the next step
+  // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
+  problem->warmStart = 0.1;  // gaps are asked back in the next step
   return *problem;
 }
 
