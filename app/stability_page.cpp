@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <dynamy/io/csv.hpp>
 #include <dynamy/io/json_writer.hpp>
 #include <dynamy/io/svg_plot.hpp>
 #include <map>
@@ -13,12 +14,10 @@
 namespace dynamy::app {
 namespace {
 
-/// A text as a field of a CSV file.
 std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
+  std::string out;
+  appendCsvField(out, text);
+  return out;
 }
 
 const StabilityScene& sceneOf(const StabilityMatrix& m, const StabilityTask& t) {

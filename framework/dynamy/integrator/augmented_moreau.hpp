@@ -33,6 +33,7 @@ class AugmentedMoreau final : public OneStep {
                : std::string_view();
   }
   bool choosesSteps() const override { return true; }
+  bool needsStep() const override { return true; }  // Δt_max
   double nextStep(const State& x) const override;
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
   void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,

@@ -76,6 +76,8 @@ class OneStep : public Element {
   /// True: the scheme chooses the lengths of its steps. step() then goes on by at most dt, sets x.t
   /// and reports the length it took; what it keeps from step to step is in x.scheme.
   virtual bool choosesSteps() const { return false; }
+  /// True: a run has to say its step, which bounds those that the scheme chooses.
+  virtual bool needsStep() const { return !choosesSteps(); }
   /// True: it finds the contacts that its path comes to by itself, however fast bodies are.
   virtual bool findsContacts() const { return false; }
   /// Before a run, to schemes that choose their steps.

@@ -26,7 +26,7 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
   }
-  if (model.scheme().choosesSteps()) {
+  if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep())) {
     model.scheme().aim({s.tolerance > 0.0 ? s.tolerance : Accuracy{}.tolerance, model.length()});
     return std::make_unique<OwnSteps>(s.step, s.onNonConvergence);
   }
