@@ -6,25 +6,14 @@
 namespace dynamy {
 namespace {
 
-/// Of the smaller box: features nearer than this are one.
-constexpr double kSame = 1e-6;
-/// Sine of the angle from which two edges have a normal of their own.
-constexpr double kCross = 0.05;
-/// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
-constexpr double kLikeFace = 0.7;
-
 /// Edge number 4 · axis + 2 bits for the signs of the other two axes.
-struct Edge {
-  Vec3 o, e;  ///< middle, unit direction
-  double half;
-  Edge(const PlacedBox& box, int number) {
-    const int axis = number / 4, u = (axis + 1) % 3, v = (axis + 2) % 3;
-    Vec3 local = Vec3::Zero();
-    local[u] = number & 1 ? box.half[u] : -box.half[u];
-    local[v] = number & 2 ? box.half[v] : -box.half[v];
-    o = box.c + box.R * local, e = box.R.col(axis), half = box.half[axis];
-  }
-};
+PlacedEdge placedEdge(const PlacedBox& box, int number) {
+  const int axis = number / 4, u = (axis + 1) % 3, v = (axis + 2) % 3;
+  Vec3 local = Vec3::Zero();
+  local[u] = number & 1 ? box.half[u] : -box.half[u];
+  local[v] = number & 2 ? box.half[v] : -box.half[v];
+  return {box.c + box.R * local, box.R.col(axis), box.half[axis]};
+}
 
 /// Largest separation along the axes of one kind, and which.
 struct Axis {
@@ -94,94 +83,11 @@ Vec3 normalOf(const PlacedBox& box, int face) {
   return (face > 0 ? 1.0 : -1.0) * box.R.col(axisOf(face));
 }
 
-/// A face that vertices of the other box may touch: directions once for all of them.
-class Face {
- public:
-  /// `sign` +1: box is A. `rates`: of the directions and of the points as well, else zero.
-  Face(const PlacedBox& box, int face, double sign, bool rates) : box_(box), rates_(rates) {
-    const int k = axisOf(face);
-    n_ = normalOf(box, face), half_ = box.half[k];
-    at_.d[0] = sign * n_;
-    // The other two axes of the face, right-handed with n.
-    at_.d[1] = box.R.col((k + 1) % 3);
-    at_.d[2] = at_.d[0].cross(at_.d[1]);
-    for (int i = 0; i < 3; ++i)
-      at_.ddot[i] = rates ? Vec3(box.frame->Omega_I.cross(at_.d[i])) : Vec3(Vec3::Zero());
-  }
-  /// Vertex p that moves with `mover`.
-  void contact(const PlacedBox& mover, const Vec3& p, ContactPoint& out) const {
-    out = at_;
-    out.g = n_.dot(p - box_.c) - half_;
-    out.P = p;
-    if (rates_) out.Pdot = mover.frame->velocity(p - mover.frame->r_OS_I);
-  }
-
- private:
-  const PlacedBox& box_;
-  bool rates_;
-  Vec3 n_;
-  double half_;
-  ContactPoint at_;
-};
-
-/// Closest points of two lines, parameters from the middles; of parallel ones they mean nothing.
-struct Crossing {
-  bool parallel;
-  double s, t;
-  Vec3 PA, PB, n;
-  Crossing(const Edge& a, const Edge& b) {
-    const Vec3 cross = a.e.cross(b.e), d = b.o - a.o;
-    const double square = cross.squaredNorm(), c = a.e.dot(b.e);
-    parallel = square < kCross * kCross;
-    const double da = d.dot(a.e), db = d.dot(b.e);
-    s = (da - c * db) / square, t = (c * da - db) / square;
-    PA = a.o + s * a.e, PB = b.o + t * b.e;
-    n = cross / std::sqrt(square);
-  }
-};
-
-ContactPoint edgeOnEdge(const PlacedBox& A, const Edge& a, const PlacedBox& B, const Edge& b,
-                        const Crossing& at, const Vec3& towardsB) {
-  ContactPoint out;
-  const Frame &fA = *A.frame, &fB = *B.frame;
-  const double sign = at.n.dot(towardsB) < 0.0 ? -1.0 : 1.0;
-  const Vec3 n = sign * at.n, d = at.PB - at.PA;
-  const Vec3 eAdot = fA.Omega_I.cross(a.e), eBdot = fB.Omega_I.cross(b.e);
-  const Vec3 cross = a.e.cross(b.e), crossdot = eAdot.cross(b.e) + a.e.cross(eBdot);
-  const Vec3 ndot = sign * (crossdot - at.n * at.n.dot(crossdot)) / cross.norm();
-  out.g = n.dot(d);
-  out.d[0] = n, out.d[1] = a.e, out.d[2] = n.cross(a.e);
-  out.ddot[0] = ndot, out.ddot[1] = eAdot, out.ddot[2] = ndot.cross(a.e) + n.cross(eAdot);
-  // d ⟂ e_A, e_B for all times: ḋ·e + d·ė = 0 with ḋ = v_B − v_A + ṫ e_B − ṡ e_A gives ṫ.
-  const Vec3 vB = fB.velocity(at.PB - fB.r_OS_I), v = vB - fA.velocity(at.PA - fA.r_OS_I);
-  const double c = a.e.dot(b.e), ra = v.dot(a.e) + d.dot(eAdot), rb = v.dot(b.e) + d.dot(eBdot);
-  const double tdot = (c * ra - rb) / (1.0 - c * c);
-  out.P = at.PB;
-  out.Pdot = vB + tdot * b.e;
-  return out;
+/// `sign` +1: box is A.
+PlacedFace placedFace(const PlacedBox& box, int face, double sign, bool rates) {
+  const int k = axisOf(face);
+  return {*box.frame, normalOf(box, face), box.c, box.half[k], box.R.col((k + 1) % 3), sign, rates};
 }
-
-/// Collects contacts by their places x, y on the face of A; of places that coincide the first
-/// counts.
-class Manifold {
- public:
-  explicit Manifold(double same) : same2_(same * same) {}
-  /// Is there room for a contact at (x, y), and none yet? Then it is taken.
-  bool takes(double x, double y) {
-    for (int i = 0; i < size_; ++i) {
-      const double dx = x_[i] - x, dy = y_[i] - y;
-      if (dx * dx + dy * dy <= same2_) return false;
-    }
-    if (size_ == kMostBoxContacts) return false;
-    x_[size_] = x, y_[size_++] = y;
-    return true;
-  }
-  int size() const { return size_; }
-
- private:
-  double same2_, x_[kMostBoxContacts], y_[kMostBoxContacts];
-  int size_ = 0;
-};
 
 /// One of the four edges that border a face: its number, which axis it is along, and its middle.
 struct Border {
@@ -242,7 +148,7 @@ class FacePair {
 
   /// True: all of the face's vertices are over the other face.
   bool verticesOfB() {
-    const Face onA(A_, faceA_, 1.0, rates_);
+    const PlacedFace onA = placedFace(A_, faceA_, 1.0, rates_);
     int inside = 0;
     for (int i = 0; i < 8; ++i) {
       if (!onFace(i, faceB_)) continue;
@@ -251,12 +157,12 @@ class FacePair {
       ++inside;
       if (!takes(p_A)) continue;
       last().id = i;
-      onA.contact(B_, B_.vertex(i), last().at);
+      onA.contact(*B_.frame, B_.vertex(i), last().at);
     }
     return inside == 4;
   }
   bool verticesOfA() {
-    const Face onB(B_, faceB_, -1.0, rates_);
+    const PlacedFace onB = placedFace(B_, faceB_, -1.0, rates_);
     int inside = 0;
     for (int i = 0; i < 8; ++i) {
       if (!onFace(i, faceA_)) continue;
@@ -265,7 +171,7 @@ class FacePair {
       ++inside;
       if (!takes(p_A)) continue;
       last().id = 8 + i;
-      onB.contact(A_, A_.vertex(i), last().at);
+      onB.contact(*A_.frame, A_.vertex(i), last().at);
     }
     return inside == 4;
   }
@@ -291,10 +197,10 @@ class FacePair {
     const double s = (da - c * db) / square, t = (c * da - db) / square;
     if (std::abs(s) > A_.half[a.axis] + same_ || std::abs(t) > B_.half[b.axis] + same_) return;
     if (!takes(b.middle + t * eB)) return;
-    const Edge edgeA(A_, a.number), edgeB(B_, b.number);
-    const Crossing at(edgeA, edgeB);
+    const PlacedEdge edgeA = placedEdge(A_, a.number), edgeB = placedEdge(B_, b.number);
+    const EdgeCrossing at(edgeA, edgeB);
     last().id = 16 + 12 * a.number + b.number;
-    last().at = edgeOnEdge(A_, edgeA, B_, edgeB, at, normalOf(A_, faceA_));
+    last().at = edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, at, normalOf(A_, faceA_));
   }
 
   const PlacedBox &A_, &B_;
@@ -303,7 +209,7 @@ class FacePair {
   double same_;
   bool rates_;
   int x_, y_;  ///< axes of A in its face
-  Manifold found_;
+  Manifold<kMostBoxContacts> found_;
   std::array<BoxContact, kMostBoxContacts>& out_;
 };
 
@@ -321,7 +227,7 @@ PlacedBox placedBox(const Frame& frame, const TouchingShape& box) {
 
 int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
                  std::array<BoxContact, kMostBoxContacts>& out) {
-  const double same = kSame * std::min(A.half.minCoeff(), B.half.minCoeff());
+  const double same = kSameFeature * std::min(A.half.minCoeff(), B.half.minCoeff());
   const Separation separation(A, B);
   const Axis face = separation.faces();
   const double least = face.separation + 4.0 * same;
@@ -329,10 +235,10 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
   if (edge.separation > least) {
     const Vec3 n = edge.sign * A.R.col(edge.i).cross(B.R.col(edge.j)).normalized();
     const int i = outerEdge(A, edge.i, n), j = outerEdge(B, edge.j, -n);
-    const Edge a(A, i), b(B, j);
-    const Crossing at(a, b);
+    const PlacedEdge a = placedEdge(A, i), b = placedEdge(B, j);
+    const EdgeCrossing at(a, b);
     if (!at.parallel && std::abs(at.s) <= a.half && std::abs(at.t) <= b.half) {
-      out[0] = {16 + 12 * i + j, edgeOnEdge(A, a, B, b, at, n)};
+      out[0] = {16 + 12 * i + j, edgeOnEdge(*A.frame, a, *B.frame, b, at, n)};
       return 1;
     }
   }
@@ -341,24 +247,10 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
 }
 
 void closeTogether(const PlacedBox& A, double reach, bool rates, std::span<BoxContact> contacts) {
-  const auto near = [reach](const BoxContact& c) { return c.at.g <= reach; };
-  const auto closed = std::count_if(contacts.begin(), contacts.end(), near);
-  if (closed < 2) return;
-  const ContactPoint lowest =
-      std::min_element(contacts.begin(), contacts.end(),
-                       [](const BoxContact& a, const BoxContact& b) { return a.at.g < b.at.g; })
-          ->at;
-  const int face = faceAlong(A, lowest.d[0]);
-  const Vec3 n = normalOf(A, face), t1 = A.R.col((axisOf(face) + 1) % 3), t2 = n.cross(t1);
-  const Vec3 ndot = A.frame->Omega_I.cross(n);
-  for (BoxContact& c : contacts) {
-    if (!near(c)) continue;
-    ContactPoint& at = c.at;
-    intoPlane(n, ndot, lowest, at);
-    if (closed < 3) continue;
-    at.d[1] = t1, at.d[2] = t2;
-    if (rates) at.ddot[1] = A.frame->Omega_I.cross(t1), at.ddot[2] = A.frame->Omega_I.cross(t2);
-  }
+  closeTogetherOn(*A.frame, reach, rates, contacts, [&](Vec3& n, Vec3& t) {
+    const int face = faceAlong(A, n);
+    n = normalOf(A, face), t = A.R.col((axisOf(face) + 1) % 3);
+  });
 }
 
 double separation(const PlacedBox& A, const PlacedBox& B) {

@@ -12,6 +12,12 @@ struct ContactPoint {
   Vec3 d[3], ddot[3];        ///< n, t1, t2 and their rates
 };
 
+/// A contact of a pair and its number, which stays.
+struct NumberedContact {
+  int id = 0;
+  ContactPoint at;
+};
+
 /// Normal and tangents with their rates: the tangents follow from n, or one lies in the plane.
 void setDirections(ContactPoint& out, const Vec3& n, const Vec3& ndot, const Vec3& plane);
 

@@ -1,7 +1,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
-#include <dynamy_elements/contacts/surface.hpp>
+#include <dynamy_elements/contacts/surface_contact.hpp>
 
 namespace dynamy {
 
@@ -19,7 +19,11 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
     return A.isBox(8) && B.isBox(8) ? Meeting::boxes : Meeting::missing;
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
-  if (A.kind == Touch::surface && B.kind == Touch::ball && !inPlane) return Meeting::ballOnSurface;
+  if (!inPlane && A.surface) {
+    if (B.kind == Touch::ball) return Meeting::ballOnSurface;
+    if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
+    if (B.polyhedron) return A.polyhedron ? Meeting::polyhedra : Meeting::polyhedronOnMesh;
+  }
   if (A.kind == Touch::capsule)
     return B.kind == Touch::capsule ? Meeting::capsules : Meeting::ballOnCapsule;
   if (A.kind == Touch::cylinder && B.kind == Touch::ball) return Meeting::ballOnCylinder;
@@ -38,6 +42,12 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
       return kCapsules;
     case Meeting::capsuleOnBox:
       return kCapsuleOnBox;
+    case Meeting::capsuleOnSurface:
+      return static_cast<std::uint64_t>(capsuleFeatures(*A.surface));
+    case Meeting::polyhedra:
+      return static_cast<std::uint64_t>(polyhedraFeatures(*A.polyhedron, *B.polyhedron));
+    case Meeting::polyhedronOnMesh:
+      return meshFeatures(*A.surface, *B.polyhedron);
     case Meeting::boxes:
       return kBoxFeatures;
     default:
@@ -53,11 +63,42 @@ std::string boxFeature(std::uint64_t f) {
   return "edges" + std::to_string((f - 16) / 12) + "-" + std::to_string((f - 16) % 12);
 }
 
+std::string edgePair(std::uint64_t i, std::size_t edgesOfB) {
+  return "edges" + std::to_string(i / edgesOfB) + "-" + std::to_string(i % edgesOfB);
+}
+
+std::string ofPolyhedra(const Polyhedron& A, const Polyhedron& B, std::uint64_t f) {
+  const std::size_t b = B.corners().size(), a = A.corners().size();
+  if (f < b) return "B.corner" + std::to_string(f);
+  if (f < a + b) return "A.corner" + std::to_string(f - b);
+  return edgePair(f - a - b, B.edges().size());
+}
+
+std::string onMesh(const Surface& A, const Polyhedron& B, std::uint64_t f) {
+  const std::size_t faces = A.faces().size(), b = B.corners().size() * faces,
+                    a = static_cast<std::size_t>(A.corners());
+  if (f < b) return "B.corner" + std::to_string(f / faces) + "-face" + std::to_string(f % faces);
+  if (f < a + b) return "A.corner" + std::to_string(f - b);
+  return edgePair(f - a - b, B.edges().size());
+}
+
+std::string ofCapsule(const Surface& A, std::uint64_t f) {
+  const auto all = static_cast<std::uint64_t>(A.features()),
+             edges = static_cast<std::uint64_t>(A.edges());
+  if (f < 2 * all)
+    return "B.end" + std::to_string(f / all) + "-" + A.featureName(static_cast<int>(f % all));
+  f -= 2 * all;
+  return f < edges ? "edge" + std::to_string(f) : "A.corner" + std::to_string(f - edges);
+}
+
 }  // namespace
 
 std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
                         std::uint64_t f) {
   if (meets == Meeting::boxes) return boxFeature(f);
+  if (meets == Meeting::polyhedra) return ofPolyhedra(*A.polyhedron, *B.polyhedron, f);
+  if (meets == Meeting::polyhedronOnMesh) return onMesh(*A.surface, *B.polyhedron, f);
+  if (meets == Meeting::capsuleOnSurface) return ofCapsule(*A.surface, f);
   if (meets == Meeting::ballOnSurface) return A.surface->featureName(static_cast<int>(f));
   if (meets == Meeting::capsules)
     return f == 0 ? "crossing" : (f < 3 ? "B.end" : "A.end") + std::to_string((f - 1) % 2);

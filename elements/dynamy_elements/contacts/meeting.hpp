@@ -16,7 +16,10 @@ enum class Meeting : std::uint8_t {
   capsules,
   capsuleOnBox,
   ballOnSurface,  ///< of a polyhedron, mesh or height field
-  boxes
+  capsuleOnSurface,
+  boxes,
+  polyhedra,        ///< one of them may be a box
+  polyhedronOnMesh  ///< or a box on a mesh
 };
 
 /// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.

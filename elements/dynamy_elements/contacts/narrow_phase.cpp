@@ -4,7 +4,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
-#include <dynamy_elements/contacts/surface.hpp>
+#include <dynamy_elements/contacts/surface_contact.hpp>
 
 namespace dynamy {
 namespace {
@@ -97,14 +97,15 @@ void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, Contact
   }
 }
 
+/// How far B is seen from a surface of A, which has one side: at most by its size [m].
+double ShapeContacts::seenFrom(const Pair& pair, const ContactSink& sink) const {
+  if (sink.request().refresh) return pair.B->bound;
+  return std::min(pair.B->bound, 0.5 * pair.B->thickness + std::max(sink.request().gTol, 0.0));
+}
+
 void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   const Vec3& plane = planes_[pair.rule->plane];
-  const auto emitAll = [&](const auto& found, int n) {
-    for (auto c = found.begin(); c != found.begin() + n; ++c)
-      emit(pair, static_cast<std::size_t>(c->id), c->at.g, k, sink,
-           [&]() -> const ContactPoint& { return c->at; });
-  };
   switch (pair.rule->meets) {
     case Meeting::balls: {
       const ContactPoint at = betweenBalls(A, pair.A->features[0], B, pair.B->features[0], plane);
@@ -134,7 +135,7 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       const int n = pair.rule->meets == Meeting::capsules
                         ? betweenCapsules(A, *pair.A, B, *pair.B, plane, found)
                         : capsuleOnBox(A, *pair.A, B, *pair.B, found);
-      return emitAll(found, n);
+      return emitAll(pair, found, n, k, sink);
     }
     case Meeting::ballOnSurface: {
       SurfaceContacts found;
@@ -142,7 +143,38 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
                                                     : std::max(sink.request().gTol, 0.0);
       const RoundFeature& ball = pair.B->features[0];
       const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
-      return emitAll(found, n);
+      return emitAll(pair, found, n, k, sink);
+    }
+    default:
+      return narrowFaceted(pair, k, sink);
+  }
+}
+
+void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  switch (pair.rule->meets) {
+    case Meeting::capsuleOnSurface: {
+      OnSurfaceContacts found;
+      const int n = capsuleOnSurface(A, *pair.A->surface, B, *pair.B, seenFrom(pair, sink), found);
+      return emitAll(pair, found, n, k, sink);
+    }
+    case Meeting::polyhedronOnMesh: {
+      OnSurfaceContacts found;
+      return emitAll(pair, found,
+                     polyhedronOnMesh(A, *pair.A->surface, placedPolyhedron(B, *pair.B),
+                                      seenFrom(pair, sink), sink.request().bias, found),
+                     k, sink);
+    }
+    case Meeting::polyhedra: {
+      PolyhedraContacts found;
+      const PlacedPolyhedron a = placedPolyhedron(A, *pair.A);
+      const ContactRequest& asked = sink.request();
+      const double reach = namedPairs_.empty() && !asked.refresh
+                               ? reach_[pair.i] + reach_[pair.j]
+                               : std::numeric_limits<double>::infinity();
+      const int n = betweenPolyhedra(a, placedPolyhedron(B, *pair.B), reach, asked.bias, found);
+      closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
+      return emitAll(pair, found, n, k, sink);
     }
     case Meeting::boxes: {
       std::array<BoxContact, kMostBoxContacts> found;
@@ -150,11 +182,19 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       const ContactRequest& asked = sink.request();
       const int n = betweenBoxes(a, placedBox(B, *pair.B), asked.bias, found);
       closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
-      return emitAll(found, n);
+      return emitAll(pair, found, n, k, sink);
     }
     default:
       return;
   }
+}
+
+template <class Found>
+void ShapeContacts::emitAll(const Pair& pair, const Found& found, int n, const Kinematics& k,
+                            ContactSink& sink) const {
+  for (auto c = found.begin(); c != found.begin() + n; ++c)
+    emit(pair, static_cast<std::size_t>(c->id), c->at.g, k, sink,
+         [&]() -> const ContactPoint& { return c->at; });
 }
 
 template <class At>

@@ -1,90 +1,18 @@
 #include <cmath>
 #include <dynamy_elements/contacts/round_contact.hpp>
+#include <dynamy_elements/contacts/segments.hpp>
 
 namespace dynamy {
 namespace {
 
-/// Square of the sine below which two segments are parallel: their ends tell everything then.
-constexpr double kParallel = 1e-10;
 /// Of a half length or radius: nearer than this to an edge, a face takes its place.
 constexpr double kOnEdge = 1e-9;
-
-/// A segment that moves with a frame.
-struct Segment {
-  const Frame* frame;
-  Vec3 o, e, edot;  ///< middle, unit direction and its rate
-  double half;
-  Segment(const Frame& f, const Vec3& middle_I, const Vec3& direction_I, double halfLength)
-      : frame(&f),
-        o(middle_I),
-        e(direction_I),
-        edot(f.Omega_I.cross(direction_I)),
-        half(halfLength) {}
-  Vec3 velocity(const Vec3& p) const { return frame->velocity(p - frame->r_OS_I); }
-};
-
-Segment axisOf(const Frame& f, const TouchingShape& capsule) {
-  return {f, f.r_OS_I + f.A_IK * capsule.p_K, f.A_IK * capsule.A_KB.col(2), capsule.half.z()};
-}
-
-/// A contact from the way d between two points and its rate, the point p on A and its rate.
-ContactPoint fromWay(const Vec3& d, const Vec3& ddot, double RA, double RB, const Vec3& p,
-                     const Vec3& pdot, const Vec3& otherwise, const Vec3& plane) {
-  ContactPoint out;
-  const double distance = d.norm();
-  const Vec3 n = distance > 0.0 ? Vec3(d / distance) : otherwise;
-  const Vec3 ndot = distance > 0.0 ? Vec3((ddot - n.dot(ddot) * n) / distance) : Vec3(Vec3::Zero());
-  out.g = distance - RA - RB;
-  setDirections(out, n, ndot, plane);
-  out.P = p + RA * n, out.Pdot = pdot + RA * ndot;
-  return out;
-}
-
-/// Point c with velocity v and radius RB over the inside of a segment of radius RA.
-ContactPoint overSegment(const Segment& a, double RA, const Vec3& c, const Vec3& v, double RB,
-                         const Vec3& plane) {
-  const double s = a.e.dot(c - a.o);
-  const Vec3 p = a.o + s * a.e, d = c - p, vp = a.velocity(p), w = v - vp;
-  // d ⟂ e for all times: ḋ·e + d·ė = 0 with ḋ = w − ṡ e.
-  const double sdot = w.dot(a.e) + d.dot(a.edot);
-  const Vec3 aside = plane.isZero(0.0) ? a.e.unitOrthogonal() : plane.cross(a.e);
-  return fromWay(d, w - sdot * a.e, RA, RB, p, vp + sdot * a.e, aside, plane);
-}
-
-/// Two segments that cross; `inside`: both closest points are between the ends.
-struct Crossing {
-  bool inside = false;
-  double s = 0.0, t = 0.0, c = 0.0, square = 0.0;
-  Crossing(const Segment& a, const Segment& b) : c(a.e.dot(b.e)) {
-    const Vec3 d = b.o - a.o;
-    square = a.e.cross(b.e).squaredNorm();
-    if (square < kParallel) return;
-    const double da = d.dot(a.e), db = d.dot(b.e);
-    s = (da - c * db) / square, t = (c * da - db) / square;
-    inside = std::abs(s) < a.half && std::abs(t) < b.half;
-  }
-};
-
-ContactPoint across(const Segment& a, double RA, const Segment& b, double RB, const Crossing& at) {
-  const Vec3 pA = a.o + at.s * a.e, pB = b.o + at.t * b.e, d = pB - pA;
-  const Vec3 vA = a.velocity(pA), w = b.velocity(pB) - vA;
-  // d ⟂ e_A, e_B for all times: ḋ·e + d·ė = 0 with ḋ = w + ṫ e_B − ṡ e_A gives ṡ and ṫ.
-  const double ra = w.dot(a.e) + d.dot(a.edot), rb = w.dot(b.e) + d.dot(b.edot);
-  const double tdot = (at.c * ra - rb) / at.square, sdot = ra + at.c * tdot;
-  return fromWay(d, w + tdot * b.e - sdot * a.e, RA, RB, pA, vA + sdot * a.e,
-                 a.e.cross(b.e).normalized(), Vec3::Zero());
-}
-
-/// The same contact seen from the other body.
-void turnRound(ContactPoint& c) {
-  for (const int i : {0, 1}) c.d[i] = -c.d[i], c.ddot[i] = -c.ddot[i];
-}
 
 }  // namespace
 
 ContactPoint ballOnCapsule(const Frame& A, const TouchingShape& capsule, const Frame& B,
                            const RoundFeature& ball, const Vec3& plane) {
-  const Segment a = axisOf(A, capsule);
+  const Segment a = capsuleAxis(A, capsule);
   const Vec3 rhoB = B.A_IK * ball.c_K, c = B.r_OS_I + rhoB;
   const double s = a.e.dot(c - a.o);
   if (std::abs(s) >= a.half)
@@ -94,10 +22,10 @@ ContactPoint ballOnCapsule(const Frame& A, const TouchingShape& capsule, const F
 
 int betweenCapsules(const Frame& A, const TouchingShape& a, const Frame& B, const TouchingShape& b,
                     const Vec3& plane, RoundContacts& out) {
-  const Segment sa = axisOf(A, a), sb = axisOf(B, b);
+  const Segment sa = capsuleAxis(A, a), sb = capsuleAxis(B, b);
   std::size_t n = 0;
   if (plane.isZero(0.0))
-    if (const Crossing at(sa, sb); at.inside)
+    if (const SegmentCrossing at(sa, sb); at.inside)
       out[n++] = {0, across(sa, a.thickness, sb, b.thickness, at)};
   for (std::size_t end = 0; end < 2; ++end)
     out[n++] = {1 + static_cast<int>(end), ballOnCapsule(A, a, B, b.features[end], plane)};
@@ -129,7 +57,7 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
   const Vec3 none = Vec3::Zero();
   const Mat3 R = A.A_IK * box.A_KB;
   const Vec3 middle = A.r_OS_I + A.A_IK * box.p_K;
-  const Segment axis = axisOf(B, capsule);
+  const Segment axis = capsuleAxis(B, capsule);
   std::size_t n = 0;
   for (std::size_t end = 0; end < 2; ++end)
     out[n++] = {static_cast<int>(end), ballOnBox(A, box, B, capsule.features[end], none)};
@@ -138,7 +66,7 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
     Vec3 p = none;
     p[u] = number & 1 ? box.half[u] : -box.half[u], p[v] = number & 2 ? box.half[v] : -box.half[v];
     const Segment edge(A, middle + R * p, R.col(k), box.half[k]);
-    const Crossing at(edge, axis);
+    const SegmentCrossing at(edge, axis);
     if (!at.inside) continue;
     const ContactPoint contact = across(edge, 0.0, axis, capsule.thickness, at);
     if (pointsOut(R.transpose() * contact.d[0], p, k)) out[n++] = {2 + number, contact};
@@ -157,7 +85,7 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
 ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const Frame& B,
                             const RoundFeature& ball) {
   const double R = cylinder.half.x(), half = cylinder.half.z();
-  const Segment axis = axisOf(A, cylinder);
+  const Segment axis = capsuleAxis(A, cylinder);
   const Vec3 rhoB = B.A_IK * ball.c_K, c = B.r_OS_I + rhoB, v = B.velocity(rhoB);
   const double z = axis.e.dot(c - axis.o), side = z < 0.0 ? -1.0 : 1.0;
   const double beyond = std::abs(z) - half;

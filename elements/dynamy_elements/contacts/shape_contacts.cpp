@@ -42,7 +42,8 @@ Diagnostic missingLaw(const Shape& a, const Shape& b) {
 Diagnostic missingPair(const Shape& a, const Shape& b) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
-      "use balls and points on all, others on half spaces, boxes in space, or <NoContact " +
+      "use balls, points and half spaces with all, boxes, capsules and polyhedra with each other "
+      "in space, or <NoContact " +
           between(a, b) + "/>");
 }
 
@@ -132,11 +133,30 @@ void ShapeContacts::connect(Topology& topology) {
   balls_.reserve(n), reach_.resize(n);
 }
 
-/// Polyhedra and meshes, in axes of the frames that carry them.
+/// Surfaces of polyhedra and meshes, in axes of the frames that carry them; and polyhedra, boxes as
+/// well if there are some or meshes, one for all shapes that are equal.
 void ShapeContacts::makeSurfaces() {
-  surfaces_.clear();
+  surfaces_.clear(), polyhedra_.clear();
+  const auto faceted = [](const TouchingShape& s) {
+    return s.kind == Touch::polyhedron || s.kind == Touch::surface;
+  };
+  if (std::none_of(shapes_[0].begin(), shapes_[0].end(), faceted)) return;
+  std::map<std::vector<double>, const Polyhedron*> known;
   for (TouchingShape& s : shapes_[0]) {
-    if (s.kind != Touch::surface) continue;
+    if (s.kind != Touch::polyhedron && !s.isBox(8)) continue;
+    const std::vector<Vec3> triangles =
+        s.kind == Touch::box ? boxTriangles(s.half) : s.shape->geometry().points;
+    std::vector<double> key;
+    for (const Vec3& p : triangles) key.insert(key.end(), p.begin(), p.end());
+    const auto [at, isNew] = known.try_emplace(std::move(key), nullptr);
+    if (isNew) {
+      polyhedra_.push_back(std::make_unique<Polyhedron>(triangles));
+      at->second = polyhedra_.back().get();
+    }
+    s.polyhedron = at->second;
+  }
+  for (TouchingShape& s : shapes_[0]) {
+    if (!faceted(s)) continue;
     const ShapeGeometry g = s.shape->geometry();
     std::vector<Vec3> points;
     for (const Vec3& p : g.points) points.push_back(s.p_K + s.A_KB * p);

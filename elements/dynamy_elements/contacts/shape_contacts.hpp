@@ -3,7 +3,8 @@
 ///   feature of a shape, half space      g = n·(c − p) − h(−n)         n fixed in the half space
 ///   ball or point, ball                 g = |c_B − c_A| − R_A − R_B   n = (c_B − c_A)/|…|
 ///   ball or point, box                  g = |c − p| − R               p of the box, nearest to c
-///   box, box                            vertices on faces, edges on edges (box_contact.hpp)
+///   polyhedra, boxes among them         vertices on faces, edges on edges (facets.hpp)
+///   polyhedron, capsule on a mesh       the same with all that stands out (surface_contact.hpp)
 ///
 ///   γ = (n, t1, t2)ᵀ (v_B(P) − v_A(P)),   P the point of contact
 ///
@@ -22,6 +23,7 @@
 #include <dynamy_elements/contacts/broad_phase.hpp>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
+#include <dynamy_elements/contacts/polyhedron.hpp>
 #include <dynamy_elements/contacts/surface.hpp>
 
 namespace dynamy {
@@ -77,6 +79,11 @@ class ShapeContacts final : public NonSmoothElement {
   /// Of the shapes i, j in any order; false: they never touch.
   Pair pairOf(int i, int j) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  void narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  template <class Found>
+  void emitAll(const Pair& pair, const Found& found, int n, const Kinematics& k,
+               ContactSink& sink) const;
+  double seenFrom(const Pair& pair, const ContactSink& sink) const;
   void overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   /// Reports gap g; `at` makes the contact of it if it is closed.
   template <class At>
@@ -95,6 +102,7 @@ class ShapeContacts final : public NonSmoothElement {
   /// What of the shapes touches, in space and in each plane.
   std::vector<std::vector<TouchingShape>> shapes_;
   std::vector<std::unique_ptr<const Surface>> surfaces_;
+  std::vector<std::unique_ptr<const Polyhedron>> polyhedra_;
   std::vector<int> body_;      ///< per shape; those of one body never touch
   std::vector<int> group_;     ///< per shape
   std::vector<double> early_;  ///< per shape: distance from which on it is reported [m]

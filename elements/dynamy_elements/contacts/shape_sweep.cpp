@@ -10,7 +10,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
-#include <dynamy_elements/contacts/surface.hpp>
+#include <dynamy_elements/contacts/surface_contact.hpp>
 
 namespace dynamy {
 namespace {
@@ -178,6 +178,17 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
   return turn < 0.0 ? 0 : 2 * std::max(1, static_cast<int>(std::ceil(0.5 * turn / kTurn)));
 }
 
+namespace {
+
+template <class Contacts>
+double leastGap(const Contacts& found, int n) {
+  double least = kInfinity;
+  for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
+  return least;
+}
+
+}  // namespace
+
 /// Gap of feature f of B, of the boxes if both are.
 double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const {
   const Vec3& plane = planes_[pair.rule->plane];
@@ -197,9 +208,7 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       SurfaceContacts found;
       const RoundFeature& ball = b.features[0];
       const int n = a.surface->contacts(A, B, ball, kSeen * b.bound, found);
-      double least = kInfinity;
-      for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
-      return least;
+      return leastGap(found, n);
     }
     case Meeting::capsules:
     case Meeting::capsuleOnBox: {
@@ -207,10 +216,19 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       const bool capsules = pair.rule->meets == Meeting::capsules;
       const int n =
           capsules ? betweenCapsules(A, a, B, b, plane, found) : capsuleOnBox(A, a, B, b, found);
-      double least = kInfinity;
-      for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
-      return least;
+      return leastGap(found, n);
     }
+    case Meeting::capsuleOnSurface:
+    case Meeting::polyhedronOnMesh: {
+      OnSurfaceContacts found;
+      const bool capsule = pair.rule->meets == Meeting::capsuleOnSurface;
+      const int n =
+          capsule ? capsuleOnSurface(A, *a.surface, B, b, kSeen * b.bound, found)
+                  : polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), b.bound, false, found);
+      return leastGap(found, n);
+    }
+    case Meeting::polyhedra:
+      return separation(placedPolyhedron(A, a), placedPolyhedron(B, b));
     default:
       return separation(placedBox(A, a), placedBox(B, b));
   }

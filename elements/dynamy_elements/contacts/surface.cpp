@@ -14,7 +14,6 @@ constexpr double kOnePlane = 1e-9;
 constexpr double kBeside = 1e-12;
 /// Faces of a leaf.
 constexpr int kLeaf = 4;
-constexpr int kDeepest = 64;
 
 }  // namespace
 
@@ -71,7 +70,7 @@ void Surface::findEdges() {
 void Surface::findCorners() {
   std::map<int, std::set<int>> neighbours;
   std::map<int, std::vector<int>> facesOf;
-  std::map<int, int> standOut;
+  std::map<int, std::vector<Vec3>> standOut;  // directions of the edges
   for (std::size_t i = 0; i < faces_.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const int v = faces_[i].v[k];
@@ -79,9 +78,15 @@ void Surface::findCorners() {
       neighbours[v].insert(faces_[i].v[(k + 2) % 3]);
       facesOf[v].push_back(static_cast<int>(i));
     }
-  for (const Edge& e : edges_) ++standOut[e.a], ++standOut[e.b];
+  for (const Edge& e : edges_) {
+    const Vec3 along = (at(e.b) - at(e.a)).normalized();
+    standOut[e.a].push_back(along), standOut[e.b].emplace_back(-along);
+  }
   for (const auto& [v, others] : neighbours) {
-    if (standOut[v] < 2) continue;
+    const std::vector<Vec3>& out = standOut[v];
+    const bool oneLine =
+        out.size() == 2 && out[0].dot(out[1]) < 0.0 && out[0].cross(out[1]).norm() <= kOnePlane;
+    if (out.size() < 2 || oneLine) continue;
     Corner c{v, {others.begin(), others.end()}, facesOf[v]};
     Face& face = faces_[static_cast<std::size_t>(c.faces.front())];
     for (std::size_t k = 0; k < 3; ++k)
@@ -164,7 +169,7 @@ int Surface::contacts(const Frame& A, const Frame& B, const RoundFeature& ball, 
   const Vec3 c = A.A_IK.transpose() * (c_I - A.r_OS_I);
   Query q{A, B, ball, c, c_I, B.velocity(rho), ball.radius + reach, out};
   const double far = q.reach;
-  int stack[kDeepest], top = 0;
+  int stack[kDeepestBranch], top = 0;
   stack[top++] = 0;
   while (top > 0) {
     const int at = stack[--top];
@@ -174,7 +179,7 @@ int Surface::contacts(const Frame& A, const Frame& B, const RoundFeature& ball, 
     if (node.right < 0) {
       for (int i = 0; i < node.count; ++i)
         lookAt(order_[static_cast<std::size_t>(node.first + i)], q);
-    } else if (top + 2 <= kDeepest) {
+    } else if (top + 2 <= kDeepestBranch) {
       stack[top++] = node.right, stack[top++] = at + 1;
     }
   }
@@ -184,6 +189,24 @@ int Surface::contacts(const Frame& A, const Frame& B, const RoundFeature& ball, 
     q.take(q.deepest, q.height, n, A.Omega_I.cross(n));
   }
   return q.count;
+}
+
+bool Surface::inWedge(int i, const Vec3& way) const {
+  const Edge& e = edge(i);
+  const Face &first = faces_[static_cast<std::size_t>(e.f)],
+             &second = faces_[static_cast<std::size_t>(e.g < 0 ? e.f : e.g)];
+  return way.dot(first.out[static_cast<std::size_t>(e.sideF)]) > 0.0 &&
+         (e.g < 0 ? way.dot(first.n) > 0.0
+                  : way.dot(second.out[static_cast<std::size_t>(e.sideG)]) > 0.0);
+}
+
+bool Surface::inCone(int i, const Vec3& way) const {
+  const Corner& c = corner(i);
+  for (const int other : c.others)
+    if (way.dot(at(other) - at(c.v)) > 0.0) return false;
+  return std::any_of(c.faces.begin(), c.faces.end(), [&](int face) {
+    return way.dot(faces_[static_cast<std::size_t>(face)].n) > 0.0;
+  });
 }
 
 void Surface::lookAt(int number, Query& q) const {
@@ -208,23 +231,14 @@ void Surface::lookAt(int number, Query& q) const {
     if (s <= 0.0 || s >= (at(e.b) - a).norm()) continue;
     const Vec3 way = d - s * along;
     if (way.squaredNorm() > q.reach * q.reach) continue;
-    const Face &first = faces_[static_cast<std::size_t>(e.f)],
-               &second = faces_[static_cast<std::size_t>(e.g < 0 ? e.f : e.g)];
-    const bool wedge = way.dot(first.out[static_cast<std::size_t>(e.sideF)]) > 0.0 &&
-                       (e.g < 0 ? way.dot(first.n) > 0.0
-                                : way.dot(second.out[static_cast<std::size_t>(e.sideG)]) > 0.0);
-    if (wedge) q.takeFrom(faces + number2, a + s * along, along);
+    if (inWedge(number2, way)) q.takeFrom(faces + number2, a + s * along, along);
   }
   for (const int number2 : f.corner) {
     if (number2 < 0) continue;
     const Corner& c = corners_[static_cast<std::size_t>(number2)];
     const Vec3 d = q.c - at(c.v);
     if (d.squaredNorm() > q.reach * q.reach) continue;
-    bool nearest = true, outside = false;
-    for (const int other : c.others) nearest = nearest && d.dot(at(other) - at(c.v)) <= 0.0;
-    for (const int face : c.faces)
-      outside = outside || d.dot(faces_[static_cast<std::size_t>(face)].n) > 0.0;
-    if (nearest && outside) q.takeFrom(faces + edges + number2, at(c.v), Vec3::Zero());
+    if (inCone(number2, d)) q.takeFrom(faces + edges + number2, at(c.v), Vec3::Zero());
   }
 }
 

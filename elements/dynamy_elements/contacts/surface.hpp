@@ -13,11 +13,8 @@
 
 namespace dynamy {
 
-/// A contact and its number on the surface: faces, then edges, then corners.
-struct SurfaceContact {
-  int id = 0;
-  ContactPoint at;
-};
+/// Numbers: faces, then edges, then corners.
+using SurfaceContact = NumberedContact;
 inline constexpr int kMostSurfaceContacts = 12;
 using SurfaceContacts = std::array<SurfaceContact, kMostSurfaceContacts>;
 
@@ -35,7 +32,6 @@ class Surface {
   int contacts(const Frame& A, const Frame& B, const RoundFeature& ball, double reach,
                SurfaceContacts& out) const;
 
- private:
   struct Face {
     std::array<int, 3> v;
     Vec3 n;
@@ -50,6 +46,22 @@ class Surface {
     int v;
     std::vector<int> others, faces;  ///< at the other ends of its edges
   };
+  const std::vector<Face>& faces() const { return faces_; }
+  const Edge& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
+  const Corner& corner(int i) const { return corners_[static_cast<std::size_t>(i)]; }
+  int edges() const { return static_cast<int>(edges_.size()); }
+  int corners() const { return static_cast<int>(corners_.size()); }
+  const Vec3& at(int i) const { return points_[static_cast<std::size_t>(i)]; }
+  /// Is `way`, from edge i to somewhere, in the wedge between the normals of its faces?
+  bool inWedge(int i, const Vec3& way) const;
+  /// Is `way` in the cone of the normals around corner i?
+  bool inCone(int i, const Vec3& way) const;
+  /// Calls f for the number of every face in whose box, or that of its neighbours in the tree,
+  /// `box` reaches.
+  template <class F>
+  void forFacesNear(const Eigen::AlignedBox3d& box, F&& f) const;
+
+ private:
   struct Node {
     Eigen::AlignedBox3d box;
     int first = 0, count = 0;  ///< faces of a leaf
@@ -60,7 +72,6 @@ class Surface {
   void findCorners();
   int build(int first, int count);
   void lookAt(int face, Query& q) const;
-  const Vec3& at(int i) const { return points_[static_cast<std::size_t>(i)]; }
 
   std::vector<Vec3> points_;
   std::vector<Face> faces_;
@@ -70,5 +81,24 @@ class Surface {
   std::vector<Node> nodes_;
   bool closed_;
 };
+
+/// Deepest branch of the tree that is followed.
+inline constexpr int kDeepestBranch = 64;
+
+template <class F>
+void Surface::forFacesNear(const Eigen::AlignedBox3d& box, F&& f) const {
+  int stack[kDeepestBranch], top = 0;
+  stack[top++] = 0;
+  while (top > 0) {
+    const int number = stack[--top];
+    const Node& node = nodes_[static_cast<std::size_t>(number)];
+    if (!node.box.intersects(box)) continue;
+    if (node.right < 0) {
+      for (int i = 0; i < node.count; ++i) f(order_[static_cast<std::size_t>(node.first + i)]);
+    } else if (top + 2 <= kDeepestBranch) {
+      stack[top++] = node.right, stack[top++] = number + 1;
+    }
+  }
+}
 
 }  // namespace dynamy

@@ -205,6 +205,7 @@ void surface(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   out.kind = Touch::surface, out.thickness = std::numeric_limits<double>::infinity();
   for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
   if (g.type != "Polyhedron") return;
+  out.kind = Touch::polyhedron;
   out.thickness = halfWidth(g);
   f.corners(Surface(g.points, true).points());
 }

@@ -22,6 +22,7 @@
 namespace dynamy {
 
 class Surface;
+class Polyhedron;
 
 /// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
 struct RoundFeature {
@@ -55,6 +56,7 @@ struct TouchingShape {
     cylinder,
     other,
     box,
+    polyhedron,
     surface,
     halfSpace
   } kind = Kind::none;
@@ -68,7 +70,9 @@ struct TouchingShape {
   /// Half edge lengths of a box; of a capsule or cylinder: radius, radius, half length [m].
   Vec3 half = Vec3::Zero();
   const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
-  double bound = 0.0;                ///< radius of a ball about the middle that holds the shape [m]
+  /// Of a polyhedron, or of a box that may meet one, in axes of the shape; borrowed.
+  const Polyhedron* polyhedron = nullptr;
+  double bound = 0.0;      ///< radius of a ball about the middle that holds the shape [m]
   double thickness = 0.0;  ///< half of its least width; infinite: nothing passes it, or a point [m]
 
   bool isBox(std::size_t corners) const { return kind == Kind::box && features.size() == corners; }

@@ -44,7 +44,9 @@ MassProperties Sphere::massProperties() const {
 void Box::declare(Attributes& a) {
   a.about(
       "Cuboid about its origin with edges along its axes: V = a b c, J_x = m (b² + c²)/12, … Its "
-      "corners touch half spaces, its faces and edges other boxes.");
+      "corners touch half spaces, its faces, edges and corners in space boxes, polyhedra, "
+      "capsules, "
+      "balls and meshes.");
   a.requiredVector("size", Unit::length, 3, "edge lengths along x, y, z").positive();
   a.example("<Box size=\"0.4 0.2 0.1\" density=\"2700\" material=\"steel\"/>");
 }
