@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/located_dormand_prince.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr double kLoose = 1e-3;                             ///< from this tolerance up order 5
 constexpr double kFirstStep = 0.02;                         ///< of T
 constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
 constexpr double kAtOnce = 1e-6;      ///< events within this part of the step are at one instant
@@ -18,25 +16,9 @@ constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
 constexpr int kMostTries = 2000;      ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
-constexpr double kSafety = 0.9, kShrink = 0.2, kGrow = 6.0;
+constexpr double kSafety = 0.9, kShrink = 0.2;
 
 }  // namespace
-
-LocatedDormandPrince::LocatedDormandPrince(const Parameters& x) : OneStep(x) {}
-
-void LocatedDormandPrince::declare(Attributes& a) {
-  a.about(
-      "Steps by tolerance: Dormand and Prince's explicit method of order 8 (5 at loose tolerances) "
-      "between switches, which are located; impacts and new contact states by inclusions. The "
-      "scheme of every run with a tolerance.");
-  a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
-}
-
-void LocatedDormandPrince::aim(const Accuracy& accuracy) {
-  accuracy_ = accuracy;
-  table_ = accuracy.tolerance >= kLoose ? &dormandPrince5() : &dormandPrince8();
-  ready_ = false;
-}
 
 double LocatedDormandPrince::nextStep(const State& x) const {
   return x.scheme.size() > 0 ? x.scheme[0] : 0.0;
@@ -63,6 +45,8 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
   s.freeze(phaseKeys_);
   s.evaluate(from_.x, 0);
   norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length);
+  const bool implicit = stiff_ == Stiff::always;
+  smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   H_ = kFirstStep * norm_.time(), lookAhead_ = kLookAhead, lastEvent_ = -1e300, nulls_ = 0;
   event(s, solver, from_, report, {});
 }
@@ -208,10 +192,14 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   }
   const double error = smooth_.error(norm_, from_.x, to_.x);
   if (!std::isfinite(error)) return reject(kShrink);
-  const double factor = kSafety * std::pow(std::max(error, 1e-10), -1.0 / table_->order);
+  const double factor = kSafety * std::pow(std::max(error, 1e-10), -1.0 / smooth_.errorOrder());
   if (error > 1.0) return reject(std::clamp(factor, kShrink, 1.0));
   if (!smooth_.errorNeedsEnd() && !evaluateEnd(s, to_)) return Tried::failed;
   if (!to_.a.allFinite()) return reject(kShrink);
+  if (stiff_ == Stiff::automatic && smooth_.outgrown(norm_, to_)) {
+    const bool implicit = !smooth_.implicit();
+    smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
+  }
   if (const double past = turn(); past > 2.0)
     return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7));
   found = {};
@@ -227,7 +215,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
   // A step that was bounded from outside says little about the next.
-  const double next = h * std::min(factor, kGrow);
+  const double next = h * std::min(factor, smooth_.mostGrowth());
   H_ = h < H_ ? std::max(H_, next) : next;
   return found ? Tried::located : Tried::accepted;
 }

@@ -1,7 +1,8 @@
 /// LocatedDormandPrince: any accuracy that is asked for, across switches too (theory 50).
 ///
 ///   smooth phases   Dormand and Prince's order 8(5,3), at tolerances from 1e-3 up 5(4), on
-///                   M u̇ = h + Wλ,  Wᵀu̇ + w̄ = 0  with the status of every contact held
+///                   M u̇ = h + Wλ,  Wᵀu̇ + w̄ = 0  with the status of every contact held; Radau IIA
+///                   of order 5 while it is stiff
 ///   switches        where a gap, a slip or the reserve of a force reaches zero: found on the path
 ///                   through the step, the step repeated to there, the rest taken away by Newton
 ///   at a switch     impact, decision of the new status by an inclusion, projection
@@ -16,7 +17,7 @@
 
 namespace dynamy {
 
-class LocatedDormandPrince final : public OneStep {
+class LocatedDormandPrince : public OneStep {
  public:
   LocatedDormandPrince() = default;
   explicit LocatedDormandPrince(const Parameters& x);
@@ -29,6 +30,11 @@ class LocatedDormandPrince final : public OneStep {
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
   void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
                    State& out) const override;
+
+ protected:
+  /// Smooth phases by `table`, whatever the tolerance.
+  LocatedDormandPrince(const Parameters& x, const ButcherTableau& table);
+  static void declareStiff(Attributes& a);
 
  private:
   struct Impulse {
@@ -60,7 +66,9 @@ class LocatedDormandPrince final : public OneStep {
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
 
+  enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
   Accuracy accuracy_;
+  const ButcherTableau* given_ = nullptr;  // the one to take, else one that fits the tolerance
   const ButcherTableau* table_ = &dormandPrince8();
   ErrorNorm norm_;
   FrozenPhase phase_, oldPhase_;

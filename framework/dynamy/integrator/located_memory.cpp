@@ -6,9 +6,10 @@ namespace dynamy {
 namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
-/// there, number of held contacts; then for each element, number, slip, sign, end of muting,
+/// there, whether steps are implicit and what speaks for the other kind (two counts), number of
+/// held contacts; then for each element, number, slip, sign, end of muting,
 /// whether the slip starts, what it has turned, its direction, weight, λ.
-constexpr int kHead = 6, kPerHeld = 10 + Held::kMostRows;
+constexpr int kHead = 9, kPerHeld = 10 + Held::kMostRows;
 
 }  // namespace
 
@@ -16,6 +17,7 @@ void LocatedDormandPrince::store(State& x) {
   const std::size_t n = phase_.held.size();
   x.scheme.resize(static_cast<Eigen::Index>(kHead + kPerHeld * n));
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
+      smooth_.implicit() ? 1.0 : 0.0, smooth_.counted()[0], smooth_.counted()[1],
       static_cast<double>(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Held& h = phase_.held[i];
@@ -41,7 +43,10 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
   nulls_ = static_cast<int>(x.scheme[4]);
   if (norm_.time() != x.scheme[1])
     norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
-  phase_.held.resize(static_cast<std::size_t>(x.scheme[5]));
+  const bool implicit = x.scheme[5] != 0.0;
+  smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
+  smooth_.counted({static_cast<int>(x.scheme[6]), static_cast<int>(x.scheme[7])});
+  phase_.held.resize(static_cast<std::size_t>(x.scheme[8]));
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     Held& h = phase_.held[i];
     const double* in = x.scheme.data() + kHead + kPerHeld * i;

@@ -120,8 +120,9 @@ bool SmoothStep::stage(MechanicalSystem& s, FrozenPhase& phase, int i) {
 
 bool SmoothStep::take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h,
                       State& to) {
-  h_ = h, t0_ = from.x.t;
+  h_ = h, t0_ = from.x.t, tookImplicit_ = implicit_;
   stage_.memory = from.x.memory;
+  if (implicit_) return takeImplicit(s, phase, from, h, to);
   Q_.col(0) = from.qdot, U_.col(0) = from.a;
   impulse_.setZero(from.lambda.size()), works_ = {};
   const auto collect = [&](int i, const Eigen::VectorXd& lambda,
@@ -140,6 +141,10 @@ bool SmoothStep::take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint&
   }
   to.t = from.x.t + h;
   combine(from, table_->stages, to);
+  return finish(s, to);
+}
+
+bool SmoothStep::finish(const MechanicalSystem& s, State& to) const {
   const Topology& topology = *s.parts().topology;
   if (!plain_)
     for (std::size_t i = 0; i < topology.systems().size(); ++i)
@@ -149,6 +154,7 @@ bool SmoothStep::take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint&
 }
 
 double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& to) const {
+  if (tookImplicit_) return radauError_;
   // Order 8: |h| e5²/√(e5² + 0.01 e3²) of each component; order 5: its one estimate.
   const int n = table_->stages, estimate = errorNeedsEnd() ? n + 1 : n;
   double worst = 0.0;
@@ -173,6 +179,7 @@ double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& 
 
 bool SmoothStep::prepareDense(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
                               const PhasePoint& to) {
+  if (tookImplicit_) return true;
   const int n = table_->stages;
   Q_.col(n) = to.qdot, U_.col(n) = to.a;
   stage_.memory = from.x.memory;
@@ -199,6 +206,12 @@ bool SmoothStep::prepareDense(MechanicalSystem& s, FrozenPhase& phase, const Pha
 }
 
 void SmoothStep::dense(double theta, State& out) const {
+  if (tookImplicit_) {
+    Eigen::VectorXd y;
+    radau_.dense(theta, y);
+    out.q = y.head(Q_.rows()), out.u = y.tail(U_.rows()), out.t = t0_ + theta * h_;
+    return;
+  }
   const double r = 1.0 - theta;
   const auto value = [&](const std::array<Eigen::VectorXd, 8>& c, Eigen::VectorXd& y) {
     y = c[7];

@@ -1,4 +1,5 @@
-/// SmoothStep: one explicit Runge–Kutta step of a frozen phase, and the paths through it.
+/// SmoothStep: one Runge–Kutta step of a frozen phase, and the paths through it: explicit, and
+/// implicit (RadauStep) while the motion is stiff.
 ///
 ///   q̇ = F(q,t) u + β,   u̇ = a(t, q, u)  of FrozenPhase
 ///
@@ -10,6 +11,7 @@
 #include <dynamy/integrator/butcher_tableau.hpp>
 #include <dynamy/integrator/error_norm.hpp>
 #include <dynamy/integrator/frozen_phase.hpp>
+#include <dynamy/integrator/radau_step.hpp>
 
 namespace dynamy {
 
@@ -40,6 +42,21 @@ class QuinticPath {
 class SmoothStep {
  public:
   void prepare(const MechanicalSystem& s, const ButcherTableau& table);
+  /// From now on steps are implicit, or explicit again; `norm` measures what Newton's method
+  /// leaves.
+  void implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm);
+  bool implicit() const { return implicit_; }
+  /// p of |error| ~ h^p of one step.
+  int errorOrder() const { return implicit_ ? 4 : table_->order; }
+  /// By how much the next step may be longer than the last.
+  double mostGrowth() const;
+  /// Looks at a step that was accepted, whose end is `to`: true if the other kind of method should
+  /// take over. Explicit: h |λ| has been at the bound of stability for many steps; implicit: it has
+  /// been small for some.
+  bool outgrown(const ErrorNorm& norm, const PhasePoint& to);
+  /// What `outgrown` has counted, to be kept with a state.
+  std::array<int, 2> counted() const { return {stiff_, other_}; }
+  void counted(std::array<int, 2> n) { stiff_ = n[0], other_ = n[1]; }
   /// True: q̇ = u everywhere.
   bool plain() const { return plain_; }
   /// q̇ and q̈ of a point whose x and a are known.
@@ -52,7 +69,7 @@ class SmoothStep {
   void end(const PhasePoint& to) {
     Q_.col(table_->stages) = to.qdot, U_.col(table_->stages) = to.a;
   }
-  bool errorNeedsEnd() const { return table_->error3 == nullptr; }
+  bool errorNeedsEnd() const { return !implicit_ && table_->error3 == nullptr; }
   /// Error of the last step in units of the tolerance.
   double error(const ErrorNorm& norm, const State& from, const State& to) const;
   /// ∫λ dt and works of the last step, rows as in the phase.
@@ -68,6 +85,10 @@ class SmoothStep {
  private:
   bool stage(MechanicalSystem& s, FrozenPhase& phase, int i);
   void combine(const PhasePoint& from, int row, State& out) const;
+  bool takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h,
+                    State& to);
+  double stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq, const Eigen::VectorXd& du) const;
+  bool finish(const MechanicalSystem& s, State& to) const;
   const ButcherTableau* table_ = nullptr;
   bool plain_ = false;
   double h_ = 0.0;
@@ -77,6 +98,12 @@ class SmoothStep {
   std::array<double, 5> works_{};
   std::array<Eigen::VectorXd, 8> denseQ_, denseU_;
   double t0_ = 0.0;
+  // Implicit steps: y = (q, u) and y' where the last one began.
+  bool implicit_ = false, tookImplicit_ = false, failed_ = false;
+  int stiff_ = 0, other_ = 0;
+  RadauStep radau_;
+  double radauError_ = 0.0;
+  Eigen::VectorXd y_, f_, yNew_, fNew_;
 };
 
 }  // namespace dynamy

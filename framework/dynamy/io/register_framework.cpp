@@ -10,6 +10,7 @@
 #include <dynamy/integrator/half_explicit_euler.hpp>
 #include <dynamy/integrator/half_explicit_heun.hpp>
 #include <dynamy/integrator/located_dormand_prince.hpp>
+#include <dynamy/integrator/located_gragg.hpp>
 #include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/integrator/nonsmooth_rattle.hpp>
 #include <dynamy/integrator/paoli_schatzman.hpp>
@@ -47,6 +48,7 @@ void registerFramework(Registry& registry) {
   registry.add<GeneralizedAlpha>("GeneralizedAlpha");
   registry.add<HalfExplicitHeun>("HalfExplicitHeun");
   registry.add<LocatedDormandPrince>("LocatedDormandPrince");
+  registry.add<LocatedGragg>("LocatedGragg");
   registry.add<ConstraintIndex>("ConstraintIndex");
   registry.add<Ggl>("Ggl");
   registry.add<Admm>("Admm");

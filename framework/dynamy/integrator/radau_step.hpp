@@ -1,0 +1,65 @@
+/// RadauStep: one step of the Radau IIA method of order 5 through a frozen phase, for forces that
+/// are stiff [hairer_wanner1996, IV.8]. With y = (q, u), y' = f(t, y) of SmoothStep:
+///
+///   z_i = h Σ_j a_ij f(t + c_j h, y + z_j),   i = 1, 2, 3,   y⁺ = y + z₃
+///
+/// by Newton's method with one Jacobian ∂f/∂y at the start of the step. With A⁻¹ = T Λ T⁻¹ its
+/// equations fall into a real and a complex one, of as many unknowns as y has. The Jacobian is
+/// taken by differences along the motion that is constrained by the contacts that are held: it
+/// needs nothing of an element. Keeping it for the next step was rejected, since a run that is
+/// resumed would not have it.
+#pragma once
+#include <Eigen/LU>
+#include <array>
+#include <functional>
+
+namespace dynamy {
+
+class RadauStep {
+ public:
+  /// f(t, y) at stage number `stage` (−1: for the Jacobian); false where it cannot be evaluated.
+  using Field =
+      std::function<bool(double t, const Eigen::VectorXd& y, int stage, Eigen::VectorXd& f)>;
+  RadauStep();
+  /// A change d of y_i counts |d|/(tolerance max(scale_i, |y_i|)).
+  void prepare(const Eigen::VectorXd& scale, double tolerance) {
+    scale_ = scale, tolerance_ = tolerance;
+  }
+  /// From (t, y) with y' = f and y'' (or a guess of it) given. `fresh`: y is not where the last
+  /// call began, the Jacobian is another. False: Newton's method does not converge, or a number is
+  /// not finite.
+  bool take(const Field& field, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& f,
+            const Eigen::VectorXd& second, double h, bool fresh);
+  /// Of Newton's method in the last step.
+  int iterations() const { return iterations_; }
+  const Eigen::VectorXd& end() const { return end_; }
+  /// Error of the last step in units of the tolerance; evaluates once more where it is above 1.
+  double error(const Field& field);
+  /// Largest |eigenvalue| of the Jacobian [1/s].
+  double fastest() const;
+  /// y on the path through the stages, 0 ≤ θ ≤ 1.
+  void dense(double theta, Eigen::VectorXd& y) const;
+  /// Weight of stage i in ∫ … dt over the step, over h.
+  static double weight(int stage);
+  static double node(int stage);
+
+ private:
+  bool jacobian(const Field& field);
+  void factorise();
+  bool newton(const Field& field, const Eigen::VectorXd& second);
+  void correct();
+  double measure(const Eigen::VectorXd& change) const;
+  double tolerance_ = 1e-6, t_ = 0.0, h_ = 0.0, factorised_ = 0.0;
+  Eigen::VectorXd scale_, y_, f_, end_;
+  Eigen::MatrixXd J_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> real_;
+  Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
+  Eigen::Matrix3d A_, T_, TInverse_;
+  int iterations_ = 0;
+  double gamma_ = 0.0, alpha_ = 0.0, beta_ = 0.0;
+  std::array<Eigen::VectorXd, 3> z_, w_, F_;
+  Eigen::VectorXd work_, change_;
+  Eigen::VectorXcd pair_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,113 @@
+// SmoothStep: implicit steps, and when they take over.
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/smooth_step.hpp>
+
+namespace dynamy {
+namespace {
+
+// Stiff is what keeps h |λ| above this bound of stability for so many steps, of which not too many
+// in turn were below it [hairer_wanner1996, IV.2].
+constexpr double kBound5 = 3.25, kBound8 = 6.1;
+constexpr int kManySteps = 15, kOthers = 6;
+/// An implicit step of less than this h |λ| could be taken explicitly, too;
+constexpr double kSmall = 2.0;
+constexpr double kMostGrowth = 6.0;
+constexpr int kSomeSteps = 10;  ///< after so many it is.
+
+}  // namespace
+
+void SmoothStep::implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm) {
+  implicit_ = wanted, stiff_ = 0, other_ = 0;
+  y_.resize(0);
+  if (!wanted) return;
+  const Topology& topology = *s.parts().topology;
+  const Eigen::Index nq = topology.nq(), nu = topology.nu();
+  Eigen::VectorXd scale(nq + nu);
+  for (Eigen::Index i = 0; i < nq; ++i)
+    scale[i] = 1.0 / (norm.tolerance() * norm.position(i, 1.0, 0.0));
+  for (Eigen::Index i = 0; i < nu; ++i)
+    scale[nq + i] = 1.0 / (norm.tolerance() * norm.velocity(i, 1.0, 0.0));
+  radau_.prepare(scale, norm.tolerance());
+}
+
+bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
+                              double h, State& to) {
+  const Eigen::Index nq = from.x.q.size(), nu = from.x.u.size();
+  std::array<Eigen::VectorXd, 3> lambda;
+  std::array<std::array<double, 5>, 3> power{};
+  const RadauStep::Field field = [&](double t, const Eigen::VectorXd& y, int i,
+                                     Eigen::VectorXd& f) {
+    stage_.t = t, stage_.q = y.head(nq), stage_.u = y.tail(nu);
+    s.evaluate(stage_, 1);
+    Eigen::VectorXd& a = denseU_[7];
+    if (!phase.accelerate(s.slot(1), stage_.u, a)) return false;
+    configurationRate(*s.parts().topology, stage_, denseQ_[7]);
+    f.resize(nq + nu);
+    f << denseQ_[7], a;
+    if (i < 0) return true;
+    lambda[static_cast<std::size_t>(i)] = phase.lambda();
+    power[static_cast<std::size_t>(i)] = phase.power();
+    return true;
+  };
+  yNew_.resize(nq + nu), fNew_.resize(nq + nu);
+  yNew_ << from.x.q, from.x.u;
+  fNew_ << from.qdot, from.a;
+  // The same forces at the same state: the same Jacobian.
+  const bool fresh = y_.size() == 0 || y_ != yNew_ || f_ != fNew_;
+  y_ = yNew_, f_ = fNew_;
+  Eigen::VectorXd second = Eigen::VectorXd::Zero(nq + nu);
+  second.head(nq) = from.qddot;
+  if (fresh) failed_ = false;
+  if (!radau_.take(field, from.x.t, y_, f_, second, h, fresh)) {
+    failed_ = true;
+    return false;
+  }
+  impulse_.setZero(from.lambda.size()), works_ = {};
+  for (std::size_t i = 0; i < lambda.size(); ++i) {
+    const double weight = h * RadauStep::weight(static_cast<int>(i));
+    impulse_ += weight * lambda[i];
+    for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += weight * power[i][k];
+  }
+  radauError_ = radau_.error(field);
+  to.t = from.x.t + h, to.q = radau_.end().head(nq), to.u = radau_.end().tail(nu);
+  return finish(s, to);
+}
+
+double SmoothStep::mostGrowth() const {
+  // Where Newton's method is slow, or has just failed, a longer step would only fail.
+  constexpr int kSlow = 5;
+  if (!tookImplicit_) return kMostGrowth;
+  return failed_ ? 1.0 : radau_.iterations() > kSlow ? 1.2 : kMostGrowth;
+}
+
+double SmoothStep::stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq,
+                           const Eigen::VectorXd& du) const {
+  double size = 0.0;
+  for (Eigen::Index i = 0; i < dq.size(); ++i) size = std::max(size, norm.position(i, dq[i], 0.0));
+  for (Eigen::Index i = 0; i < du.size(); ++i) size = std::max(size, norm.velocity(i, du[i], 0.0));
+  return size;
+}
+
+bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
+  double product = 0.0, bound = kSmall;
+  if (tookImplicit_) {
+    product = h_ * radau_.fastest();
+  } else {
+    // Two states at the end of the step, the last stage and the result, differ by what is stiff.
+    const int last = table_->stages - 1;
+    if (table_->nodes[last] != 1.0) return false;
+    const double states = stretch(norm, to.x.q - stage_.q, to.x.u - stage_.u);
+    const double rates = stretch(norm, to.qdot - Q_.col(last), to.a - U_.col(last));
+    if (states > 0.0) product = h_ * rates / states;
+    bound = table_->order >= 8 ? kBound8 : kBound5;
+  }
+  if (tookImplicit_ != (product > bound)) {
+    other_ = 0;
+    return ++stiff_ >= (tookImplicit_ ? kSomeSteps : kManySteps);
+  }
+  if (++other_ >= kOthers || tookImplicit_) stiff_ = 0;
+  return false;
+}
+
+}  // namespace dynamy

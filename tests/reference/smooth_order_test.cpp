@@ -1,0 +1,122 @@
+/// Orders of the methods for smooth phases in a contact that lasts: a point slides with friction
+/// through a curved bowl (theory 50.8). Fixed steps of SmoothStep, no projection.
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <dynamy/integrator/gragg_tableau.hpp>
+#include <dynamy/integrator/smooth_step.hpp>
+#include <reference/located_run.hpp>
+#include <reference/order.hpp>
+#include <reference/scheme_table.hpp>
+
+namespace dynamy::reference {
+namespace {
+
+constexpr double kMu = 0.2, kEnd = 0.8;
+
+/// Slides from 0 to kEnd in n steps with the status of the contact held; error of q and u.
+double slideError(const ButcherTableau* table, int n) {
+  Scene scene("bowl", {.text = modelWith("MoreauMidpoint", Bowl::sections(kMu))});
+  MechanicalSystem& s = scene.system();
+  s.bias(true);
+  SmoothStep smooth;
+  smooth.prepare(s, table ? *table : dormandPrince8());
+  PhasePoint from, to;
+  from.x = scene.state();
+  s.evaluate(from.x, 0);
+  ErrorNorm norm;
+  norm.start(s, from.x, 0, 1e-12, 1.0);  // what Newton's method leaves of Radau's equations
+  smooth.implicit(table == nullptr, s, norm);
+  FrozenPhase phase;
+  Held held;
+  held.key = s.slot(0).contacts.key.at(0);
+  held.slips = true, held.sign = 1.0;
+  phase.held = {held};
+  const std::vector<ContactKey> keys{held.key};
+  const auto accelerate = [&](PhasePoint& p) {
+    s.freeze(keys);
+    s.evaluate(p.x, 0);
+    EXPECT_TRUE(phase.accelerate(s.slot(0), p.x.u, p.a)) << phase.fault();
+    p.lambda = phase.lambda(), p.power = phase.power();
+    smooth.rates(s, p);
+  };
+  accelerate(from);
+  for (int k = 0; k < n; ++k) {
+    to.x.memory = from.x.memory;
+    if (!smooth.take(s, phase, from, kEnd / n, to.x)) return 1.0;  // too long for Newton's method
+    accelerate(to);
+    std::swap(from, to);
+  }
+  s.thaw();
+  const Truth truth = Bowl::truth(kMu, kEnd);
+  return std::max((from.x.q - truth.q).norm(), (from.x.u - truth.u).norm());
+}
+
+/// Slope over those of 1, √2, 2, 2√2 … steps whose error lies between 1e-12 and 1e-5. Below, the
+/// truth, good to 1e-13, and rounding have a part; above, the next powers of steps as long as half
+/// of the way.
+Fit orderOf(const ButcherTableau* table, std::ostringstream& log) {
+  std::vector<double> h, error;
+  for (int k = 0; k <= 24; ++k) {
+    const int n = static_cast<int>(std::lround(std::exp2(0.5 * k)));
+    const double e = slideError(table, n);
+    if (e < 1e-12) break;
+    if (e > 1e-5) continue;
+    h.push_back(kEnd / n), error.push_back(e);
+    log << "  " << n << " steps: " << e << '\n';
+  }
+  EXPECT_GE(h.size(), 3U);
+  return fitOrder(h, error);
+}
+
+TEST(SmoothOrder, MethodsHaveTheirOrderInLastingFrictionOnACurvedSurface) {
+  struct Row {
+    const char* name;
+    const ButcherTableau* table;
+    double order;
+  };
+  const Row rows[] = {{"Gragg 2", &graggTableau(2), 2},
+                      {"Gragg 4", &graggTableau(4), 4},
+                      {"Gragg 6", &graggTableau(6), 6},
+                      {"Gragg 8", &graggTableau(8), 8},
+                      {"Dormand and Prince 8", &dormandPrince8(), 8},
+                      {"Radau IIA", nullptr, 5}};
+  for (const Row& row : rows) {
+    std::ostringstream log;
+    const Fit fit = orderOf(row.table, log);
+    // Dormand and Prince's has so small a principal error that the next power shows: 8.4.
+    const double above = row.table == &dormandPrince8() ? 0.6 : 0.2;
+    EXPECT_GT(fit.order, row.order - 0.2) << row.name << '\n' << log.str();
+    EXPECT_LT(fit.order, row.order + above) << row.name << '\n' << log.str();
+    RecordProperty(row.name, std::to_string(fit.order));
+  }
+}
+
+/// x'' = −10⁶(x − sin t) − 2·10⁴x', −50.13 and −19950 1/s, beside y'' = −y − 0.1y'.
+const char* const kStiff =
+    "<dynamy version=\"1\"><simulation until=\"10\" tolerance=\"1e-6\"/><systems><Coordinates "
+    "name=\"x\" q=\"x y\" q0=\"0 1\" u0=\"0 0\" M=\"1 ; 0 ; 1\" h=\"-1e6*(x - sin(t)) - 2e4*x_dot "
+    "; "
+    "-y - 0.1*y_dot\"/></systems></dynamy>";
+
+TEST(StiffForces, ATakenToleranceIsMetWithImplicitSteps) {
+  // x → Im(10⁶/(10⁶ − 1 + 2·10⁴i) e^{it}); its own motion, e^{−501} at 10 s, has gone.
+  const std::complex<double> i(0.0, 1.0), e = std::exp(10.0 * i);
+  const std::complex<double> x = 1e6 / (1e6 - 1.0 + 2e4 * i) * e;
+  const double w = std::sqrt(1.0 - 0.05 * 0.05);
+  const double y = std::exp(-0.5) * (std::cos(10.0 * w) + 0.05 / w * std::sin(10.0 * w));
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    LocatedRun run(kStiff, tolerance, 10.0);
+    run.run();
+    const State& end = run.state();
+    // The error of a step is within the tolerance, and the motion damps errors.
+    EXPECT_NEAR(end.q[0], x.imag(), 10.0 * tolerance);
+    EXPECT_NEAR(end.u[0], (i * x).imag(), 10.0 * tolerance);
+    EXPECT_NEAR(end.q[1], y, 10.0 * tolerance);
+    // Explicit steps are as short as 6/19950 s: 33 000 steps of 12.
+    EXPECT_LT(run.report().evaluations, tolerance < 1e-8 ? 20000 : 4000) << tolerance;
+  }
+}
+
+}  // namespace
+}  // namespace dynamy::reference
