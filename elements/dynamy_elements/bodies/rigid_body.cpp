@@ -43,8 +43,9 @@ const char* const kQuaternion[4] = {"qw", "qx", "qy", "qz"};
 void RigidBody::declare(Attributes& a) {
   a.about(
       "Free rigid body: m v' = f, J Ω' + Ω × J Ω = M. Signals: x y z and vx vy vz of the centre of "
-      "mass S, qw qx qy qz, Omega_x Omega_y Omega_z in body axes, kineticEnergy. Mass and inertia "
-      "are given, or follow from the shapes' mass or density; then S is found, too.");
+      "mass S, qw qx qy qz, Omega_x Omega_y Omega_z in body axes, Omega_I_x Omega_I_y Omega_I_z in "
+      "those of the world, kineticEnergy. Mass and inertia are given, or follow from the shapes' "
+      "mass or density; then S is found, too.");
   declarePose(a, "body");
   a.vector("velocity", Unit::velocity, 3, "0 0 0", "velocity of the centre of mass at the start");
   a.vector("angularVelocity", Unit::angularVelocity, 3, "0 0 0",
@@ -76,6 +77,11 @@ void RigidBody::describe(Description& d) const {
     d.velocity(std::string("v") + axis[i], Unit::velocity, i, "velocity of S");
   for (int i = 0; i < 3; ++i)
     d.velocity(kRate[i], Unit::angularVelocity, 3 + i, "angular velocity in body axes");
+  for (int i = 0; i < 3; ++i)
+    d.signal(std::string("Omega_I_") + axis[i], Unit::angularVelocity,
+             "angular velocity in axes of the world", [i](const SignalView& s) {
+               return rotationMatrix(s.q.data() + 3).row(i).dot(s.u.tail<3>());
+             });
   d.signal("kineticEnergy", Unit::energy, "½ m v² + ½ Ω·J Ω", [mass = mass_](const SignalView& s) {
     const Vec3 v = s.u.head<3>(), Omega = s.u.tail<3>();
     return 0.5 * mass.m * v.squaredNorm() + 0.5 * Omega.dot(mass.J_S_K * Omega);

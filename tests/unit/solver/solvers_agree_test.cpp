@@ -40,6 +40,8 @@ std::vector<Named> laws() {
   add("UnilateralOrthotropic", 3, new UnilateralOrthotropic(0.0, 0.0, 0.1, 0.4, 0.5));
   add("UnilateralDrilling", 4, new UnilateralDrilling(0.3, 0.5));
   add("UnilateralDrilling, ellipsoid", 4, new UnilateralDrilling(0.3, 0.5, Set::ellipsoid));
+  add("UnilateralDrilling, Hertz", 4,
+      new UnilateralDrilling(0.3, 0.5, Set::contensou, 0.0, UnilateralDrilling::Pressure::hertz));
   add("GivenFriction", 2, new GivenFriction(0.4, 0.4));
   add("ForceLimit", 2, new ForceLimit(-0.1, 0.6));
   return out;
