@@ -3,6 +3,7 @@
 #include <dynamy/contact/drilling_friction.hpp>
 #include <dynamy/contact/force_limit.hpp>
 #include <dynamy/contact/orthotropic_friction.hpp>
+#include <dynamy/contact/rolling_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/io/plugin.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
@@ -65,6 +66,7 @@ void registerElements(Registry& r) {
   r.add<ForceLimit>("ForceLimit");
   r.add<UnilateralOrthotropic>("UnilateralOrthotropic");
   r.add<UnilateralDrilling>("UnilateralDrilling");
+  r.add<UnilateralRolling>("UnilateralRolling");
   r.add<ContactRule>("Contact");
   r.add<NoContactRule>("NoContact");
   registerCoordinates(r);

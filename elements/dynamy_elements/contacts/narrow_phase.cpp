@@ -1,6 +1,7 @@
 // Contacts of the shapes that are near each other.
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/rolling_contact.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
@@ -18,8 +19,61 @@ const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShap
   return &*std::min_element(B.features.begin(), B.features.end(), lower);
 }
 
+/// The velocity of the point of contact over the body of B is c·(Ω_B − Ω_A) along the tangents:
+/// with H = ∇²h of its feature, n of the half space A and K = A_B H A_Bᵀ
+///
+///   ẋ = K ((Ω_B − Ω_A) × n)   ⇒   c_i = n × K t_i
+struct Contour {
+  Vec3 c[2], cdot[2];
+  /// `rates`: fills ċ.
+  Contour(const SupportFeature& feature, const Frame& A, const Frame& B, const ContactPoint& at,
+          bool rates) {
+    const Vec3 &n = at.d[0], d_B = -(B.A_IK.transpose() * n);
+    const Mat3 H = feature.pointDerivative(d_B), K = B.A_IK * H * B.A_IK.transpose();
+    for (int i = 0; i < 2; ++i) c[i] = n.cross(K * at.d[1 + i]);
+    if (!rates) return;
+    const Vec3 turn = A.Omega_I - B.Omega_I, ddot_B = -(B.A_IK.transpose() * turn.cross(n));
+    const Mat3 Hdot = curvatureRate(feature, d_B, ddot_B);
+    for (int i = 0; i < 2; ++i) {
+      // d/dt (A_B H A_Bᵀ t)
+      const Vec3& t = at.d[1 + i];
+      const Vec3 tdot_B = B.A_IK.transpose() * (at.ddot[1 + i] - B.Omega_I.cross(t));
+      const Vec3 rate =
+          B.Omega_I.cross(K * t) + B.A_IK * (Hdot * (B.A_IK.transpose() * t) + H * tdot_B);
+      cdot[i] = at.ddot[0].cross(K * t) + n.cross(rate);
+    }
+  }
+  /// Ḣ, by differences of fourth order: 1e-12 of its size.
+  static Mat3 curvatureRate(const SupportFeature& feature, const Vec3& d, const Vec3& ddot) {
+    constexpr double kStep = 2e-4;  // [rad]
+    const double speed = ddot.norm();
+    if (!(speed > 0.0)) return Mat3::Zero();
+    const auto at = [&](double angle) {
+      return feature.pointDerivative((std::cos(angle) * d + std::sin(angle) / speed * ddot));
+    };
+    return speed / (12.0 * kStep) *
+           (8.0 * (at(kStep) - at(-kStep)) - (at(2.0 * kStep) - at(-2.0 * kStep)));
+  }
+};
+
 /// Of the thickness of a shape among many: how far it is seen in any case.
 constexpr double kAtRest = 0.05;
+
+/// The point of contact moves with Ṗ, not with a body.
+void addBias(ContactRows& rows, const ContactPoint& at, const Frame& A, const Frame& B) {
+  const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
+  const Vec3 v_BA = B.velocity(rhoB) - A.velocity(rhoA);
+  const Vec3 a_BA = B.bias_S_I + B.bias_R_I.cross(rhoB) + B.Omega_I.cross(at.Pdot - B.v_S_I) -
+                    A.bias_S_I - A.bias_R_I.cross(rhoA) - A.Omega_I.cross(at.Pdot - A.v_S_I);
+  for (int r = 0; r < rows.dim() && r < 3; ++r)
+    rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
+  // Angular velocities: spin about the normal, and about the tangents.
+  const int first = rows.dim() == 5 ? 1 : 0;
+  for (int r = 3; r < rows.dim() && r < 6; ++r) {
+    const int k = first + r - 3;
+    rows.bias(r) = at.ddot[k].dot(B.Omega_I - A.Omega_I) + at.d[k].dot(B.bias_R_I - A.bias_R_I);
+  }
+}
 
 }  // namespace
 
@@ -207,16 +261,23 @@ void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const 
   const ContactPoint& at = closed();
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
-  pointContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2]);
+  if (rows.dim() <= 4) {
+    pointContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2]);
+    if (rows.wantsBias()) addBias(rows, at, A, B);
+    return;
+  }
+  if (rows.dim() <= 6) {
+    rollingContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2], nullptr);
+    if (rows.wantsBias()) addBias(rows, at, A, B);
+    return;
+  }
+  const Contour contour(pair.B->features[feature], A, B, at, rows.wantsBias());
+  rollingContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2], contour.c);
   if (!rows.wantsBias()) return;
-  // The point of contact moves with Ṗ, not with a body.
-  const Vec3 v_BA = B.velocity(rhoB) - A.velocity(rhoA);
-  const Vec3 a_BA = B.bias_S_I + B.bias_R_I.cross(rhoB) + B.Omega_I.cross(at.Pdot - B.v_S_I) -
-                    A.bias_S_I - A.bias_R_I.cross(rhoA) - A.Omega_I.cross(at.Pdot - A.v_S_I);
-  for (int r = 0; r < rows.dim() && r < 3; ++r)
-    rows.bias(r) = at.ddot[r].dot(v_BA) + at.d[r].dot(a_BA);
-  if (rows.dim() > 3)  // the spin about the normal
-    rows.bias(3) = at.ddot[0].dot(B.Omega_I - A.Omega_I) + at.d[0].dot(B.bias_R_I - A.bias_R_I);
+  addBias(rows, at, A, B);
+  for (int i = 0; i < 2; ++i)
+    rows.bias(6 + i) =
+        contour.cdot[i].dot(B.Omega_I - A.Omega_I) + contour.c[i].dot(B.bias_R_I - A.bias_R_I);
 }
 
 }  // namespace dynamy

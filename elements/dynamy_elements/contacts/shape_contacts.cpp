@@ -47,7 +47,11 @@ Diagnostic missingPair(const Shape& a, const Shape& b) {
           between(a, b) + "/>");
 }
 
-/// Normal, tangents, spin about the normal; in a plane normal and tangent.
+/// Rows of a law that feels the way of the contact over the body (rolling_contact.hpp).
+constexpr int kContourRows = 8;
+
+/// Normal, tangents, spin about the normal; in a plane normal and tangent. Laws in space may ask
+/// for rolling and the way along the contour beside.
 int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
 
 /// Shapes further apart than half their sizes are not reported.
@@ -265,7 +269,12 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
     if (std::abs(n.dot(plane)) > 1e-12) made.plane = 0;
   }
   made.rows = offeredRows(planes_[made.plane]);
-  if (made.law->dim(made.rows) > made.rows)
+  const int asked = made.law->dim(made.rows);
+  if (asked == kContourRows && made.meets != Meeting::overHalfSpace)
+    search.fault(ma, mb,
+                 pairFault(shapeA, shapeB, "the way along a contour is known on half spaces only",
+                           "leave contour=\"…\" away, or take a HalfSpace"));
+  else if (asked > (planes_[made.plane].isZero(0.0) ? kContourRows : made.rows))
     search.fault(ma, mb,
                  pairFault(shapeA, shapeB, "the law has more rows than a contact in a plane offers",
                            "take a law without a spin row, or bodies in space"));

@@ -46,8 +46,16 @@ double statusNumber(const SignalView& v, std::uint64_t id) {
 std::string rowName(const SetValuedForceLaw& law, int row, int dim) {
   const bool normal = law.rowKind(0) == RowKind::normal;
   if (normal && row == 0) return "N";
+  // What follows the tangents: see rolling_contact.hpp.
+  static constexpr const char* kAngular[] = {"spin", "roll1", "roll2", "along1", "along2"};
+  if (normal && row > 2) return kAngular[row - (dim == 5 ? 2 : 3)];
   const int tangent = normal ? row : row + 1, tangents = normal ? dim - 1 : dim;
   return tangents == 1 ? "T" : "T" + std::to_string(tangent);
+}
+
+/// Whether the row is of an angular velocity.
+bool angular(const SetValuedForceLaw& law, int row) {
+  return law.rowKind(0) == RowKind::normal && row > 2 && row < 6;
 }
 
 }  // namespace
@@ -61,12 +69,15 @@ void describeContact(Description& d, std::uint64_t id, int geometric, const SetV
            [id](const SignalView& v) { return statusNumber(v, id); });
   for (int r = 0; r < dim; ++r) {
     const std::string row = rowName(law, r, dim);
-    d.signal(prefix + "gamma_" + row, Unit::velocity, "relative velocity at the end of the step",
+    const bool turns = angular(law, r);
+    d.signal(prefix + "gamma_" + row, turns ? Unit::angularVelocity : Unit::velocity,
+             "relative velocity at the end of the step",
              [id, r](const SignalView& v) { return rowOf(v, id, r, v.gammaE); });
-    d.signal(prefix + "Lambda_" + row, Unit::impulse, "percussion of the step",
+    d.signal(prefix + "Lambda_" + row, turns ? Unit::angularImpulse : Unit::impulse,
+             "percussion of the step",
              [id, r](const SignalView& v) { return rowOf(v, id, r, v.Lambda); });
-    d.signal(prefix + "lambda_" + row, Unit::force, "force: percussion over step length",
-             [id, r](const SignalView& v) {
+    d.signal(prefix + "lambda_" + row, turns ? Unit::torque : Unit::force,
+             "force: percussion over step length", [id, r](const SignalView& v) {
                return v.dt > 0.0 ? rowOf(v, id, r, v.Lambda) / v.dt : 0.0;
              });
   }

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <dynamy/contact/contact_sink.hpp>
+#include <dynamy/contact/rolling_contact.hpp>
 
 namespace dynamy {
 
@@ -70,8 +70,8 @@ void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const 
 
 namespace {
 
-/// Row of the spin about the normal, where a law has one.
-constexpr int kSpinRow = 3;
+/// Rows of points; those behind are of angular velocities.
+constexpr int kPointRows = 3;
 
 /// Dᵀ J_S + (ρ × D)ᵀ J_R for the directions n, t1, t2 at once, of a block of six velocities.
 void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* direction,
@@ -101,29 +101,30 @@ void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* dire
       D.lazyProduct(Jacobian(f.J_S_I.data())) + moment.lazyProduct(Jacobian(f.J_R_I.data()));
 }
 
-/// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`; the
-/// fourth row is the angular velocity along its direction.
+/// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`; from
+/// the fourth row on of the angular velocity along its direction.
 void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* const* direction,
              double sign) {
   const int dim = rows.dim();
   if (f.block >= 0) {
     Block W = rows.segment(f.block, f.u0, f.nu());
-    if (dim >= kSpinRow && f.nu() == 6)
+    if (dim >= kPointRows && f.nu() == 6)
       threeRows(W, f, rho, direction, sign);
     else
-      for (int r = 0; r < dim && r < kSpinRow; ++r) addPointRow(W, r, f, rho, *direction[r], sign);
-    for (int j = 0; dim > kSpinRow && j < f.nu(); ++j)
-      W(kSpinRow, j) += sign * f.J_R_I.col(j).dot(*direction[kSpinRow]);
+      for (int r = 0; r < dim && r < kPointRows; ++r)
+        addPointRow(W, r, f, rho, *direction[r], sign);
+    for (int r = kPointRows; r < dim; ++r)
+      for (int j = 0; j < f.nu(); ++j) W(r, j) += sign * f.J_R_I.col(j).dot(*direction[r]);
   }
   if (!f.central) {  // else ν = 0
     const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
     for (int r = 0; r < dim; ++r)
-      rows.chi(r) += sign * (r < kSpinRow ? nu : f.nu_R_I).dot(*direction[r]);
+      rows.chi(r) += sign * (r < kPointRows ? nu : f.nu_R_I).dot(*direction[r]);
   }
   if (!rows.wantsBias()) return;
   const Vec3 a = f.bias_S_I + f.bias_R_I.cross(rho) + f.Omega_I.cross(f.Omega_I.cross(rho));
   for (int r = 0; r < dim; ++r)
-    rows.bias(r) += sign * (r < kSpinRow ? a : f.bias_R_I).dot(*direction[r]);
+    rows.bias(r) += sign * (r < kPointRows ? a : f.bias_R_I).dot(*direction[r]);
 }
 
 }  // namespace
@@ -131,6 +132,16 @@ void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* con
 void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
                   const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2) {
   const Vec3* direction[4] = {&n, &t1, &t2, &n};
+  addSide(rows, A, rhoA_I, direction, -1.0);
+  addSide(rows, B, rhoB_I, direction, 1.0);
+  rows.place(B.r_OS_I + rhoB_I, n, t1, t2);
+}
+
+void rollingContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
+                    const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2,
+                    const Vec3* c) {
+  const Vec3* direction[8] = {&n, &t1, &t2, &n, &t1, &t2, c, c ? c + 1 : nullptr};
+  if (rows.dim() == 5) direction[3] = &t1, direction[4] = &t2;
   addSide(rows, A, rhoA_I, direction, -1.0);
   addSide(rows, B, rhoB_I, direction, 1.0);
   rows.place(B.r_OS_I + rhoB_I, n, t1, t2);

@@ -1,96 +1,160 @@
-// Two discs over one normal force. Projection x of z onto K: with n = x_N,
+// Discs over one normal force. Projection x of z onto K: with n = x_N,
 //   min ½ (n − z_N)² + ½ Σ_b max(0, |z_b| − μ_b n)²,   n ≥ 0
 // whose derivative n − z_N − Σ_{b outside} μ_b (|z_b| − μ_b n) is monotone and piecewise linear.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/core/parameters.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kRows = 5;
-int first(int disc) { return 1 + 2 * disc; }
+constexpr int kMaxRows = 8;
 
-/// x ← nearest point of the disc; returns |x| before.
-double projectDisc(double radius, double* x) {
-  const double length = std::hypot(x[0], x[1]);
-  if (length > radius) {
-    const double q = radius / length;
-    x[0] *= q, x[1] *= q;
-  }
-  return length;
-}
-
-void projectCone(const double* mu, double* z) {
-  const double length[2] = {std::hypot(z[1], z[2]), std::hypot(z[3], z[4])};
-  // n for every choice of discs that z leaves; the right one confirms its choice.
-  double n = z[0];
-  for (int choice = 0; choice < 4; ++choice) {
-    double weight = 1.0, sum = z[0];
-    for (int b = 0; b < 2; ++b)
-      if (choice & (1 << b)) weight += mu[b] * mu[b], sum += mu[b] * length[b];
-    const double trial = sum / weight;
-    bool right = true;
-    for (int b = 0; b < 2; ++b)
-      right = right && ((choice & (1 << b)) != 0) == (length[b] > mu[b] * trial);
-    if (right) n = trial;
-  }
-  z[0] = std::max(0.0, n);
-  for (int b = 0; b < 2; ++b) projectDisc(mu[b] * z[0], z + first(b));
-}
+/// Length of the n ≤ 2 numbers at x.
+double length(const double* x, int n) { return n == 1 ? std::abs(x[0]) : std::hypot(x[0], x[1]); }
 
 }  // namespace
 
-void UnilateralRolling::project(const LawInput&, double N, const double*, int, double* x) const {
-  for (int b = 0; b < 2; ++b) projectDisc(mu_[b] * std::max(N, 0.0), x + 2 * b);
+/// The discs of `dim` rows: their first row, rows and coefficient.
+struct UnilateralRolling::Parts {
+  struct Part {
+    int first, rows;
+    double mu;
+  };
+  std::array<Part, 4> all{};
+  int count = 0;
+  Parts(const RollingCoefficients& mu, int dim) {
+    add(1, 2, mu.mu);
+    if (dim == 5) add(3, 2, mu.rolling);
+    if (dim > 5) add(3, 1, mu.drilling), add(4, 2, mu.rolling);
+    if (dim == 8) add(6, 2, mu.contour);
+  }
+  const Part* begin() const { return all.data(); }
+  const Part* end() const { return all.data() + count; }
+
+  /// z ← nearest point of K.
+  void projectCone(double* z) const {
+    double size[4] = {};
+    for (int b = 0; b < count; ++b) size[b] = length(z + at(b).first, at(b).rows);
+    // n for every choice of discs that z leaves; the right one confirms its choice.
+    double n = z[0];
+    for (int choice = 0; choice < 1 << count; ++choice) {
+      double weight = 1.0, sum = z[0];
+      for (int b = 0; b < count; ++b)
+        if (choice & (1 << b)) weight += at(b).mu * at(b).mu, sum += at(b).mu * size[b];
+      const double trial = sum / weight;
+      bool right = true;
+      for (int b = 0; b < count; ++b)
+        right = right && ((choice & (1 << b)) != 0) == (size[b] > at(b).mu * trial);
+      if (right) n = trial;
+    }
+    z[0] = std::max(0.0, n);
+    for (const Part& p : *this) projectDisc(p, z[0], z + p.first);
+  }
+  static void projectDisc(const Part& p, double N, double* x) {
+    const double size = length(x, p.rows), radius = p.mu * std::max(N, 0.0);
+    for (int i = 0; size > radius && i < p.rows; ++i) x[i] *= radius / size;
+  }
+
+ private:
+  const Part& at(int b) const { return all[static_cast<std::size_t>(b)]; }
+  void add(int first, int rows, double mu) {
+    all[static_cast<std::size_t>(count++)] = {first, rows, mu};
+  }
+};
+
+UnilateralRolling::UnilateralRolling(const Parameters& x)
+    : NormalTimesReservoir(x),
+      mu_{x["mu"], x["rolling"], x["drilling"], x["contour"]},
+      epsilonN_(x["epsilonN"]) {}
+
+void UnilateralRolling::declare(Attributes& a) {
+  a.about(
+      "Contact with dry friction and resistance to rolling: beside |Λ_T| ≤ μ Λ_N a moment about "
+      "the "
+      "tangents of at most `rolling` Λ_N, one about the normal of at most `drilling` Λ_N, and a "
+      "force of at most `contour` Λ_N against the velocity of the point of contact over the body "
+      "(half spaces only). Wheels, balls on felt, coins. Needs bodies in space.");
+  a.required("mu", Unit::none, "coefficient of friction μ").nonNegative();
+  a.optional("rolling", Unit::length, 0.0, "arm of the moment against rolling").nonNegative();
+  a.optional("drilling", Unit::length, 0.0, "arm of the moment against spin").nonNegative();
+  a.optional("contour", Unit::none, 0.0, "coefficient of the way along the body's contour")
+      .nonNegative();
+  a.optional("epsilonN", Unit::none, 0.0, "coefficient of restitution of the normal direction")
+      .between(0.0, 1.0);
+  a.example("<UnilateralRolling mu=\"0.3\" rolling=\"0.1mm\"/>");
+}
+
+int UnilateralRolling::groupEnd(int row, int dim) const {
+  if (row == 0) return 1;
+  for (const Parts::Part& p : Parts(mu_, dim))
+    if (row < p.first + p.rows) return p.first + p.rows;
+  return dim;
+}
+
+void UnilateralRolling::epsilon(int dim, double* epsilon) const {
+  std::fill(epsilon, epsilon + dim, 0.0);
+  epsilon[0] = epsilonN_;
+}
+
+void UnilateralRolling::project(const LawInput&, double N, const double*, int k, double* x) const {
+  for (const Parts::Part& p : Parts(mu_, k + 1)) Parts::projectDisc(p, N, x + p.first - 1);
 }
 
 double UnilateralRolling::support(const LawInput&, int k, const double* y, double* gradient,
                                   double* hessian) const {
   if (hessian) std::fill(hessian, hessian + k * k, 0.0);
   double S = 0.0;
-  for (int b = 0; b < 2; ++b) {
-    const double *v = y + 2 * b, length = std::hypot(v[0], v[1]);
-    S += mu_[b] * length;
-    const double e[2] = {length > 0.0 ? v[0] / length : 0.0, length > 0.0 ? v[1] / length : 0.0};
-    for (int i = 0; i < 2; ++i) {
-      if (gradient) gradient[2 * b + i] = mu_[b] * e[i];
-      for (int j = 0; hessian && length > 0.0 && j < 2; ++j)
-        hessian[(2 * b + i) * k + 2 * b + j] =
-            mu_[b] / length * ((i == j ? 1.0 : 0.0) - e[i] * e[j]);
+  for (const Parts::Part& p : Parts(mu_, k + 1)) {
+    const int first = p.first - 1;
+    const double size = length(y + first, p.rows);
+    S += p.mu * size;
+    double e[2] = {};
+    for (int i = 0; size > 0.0 && i < p.rows; ++i) e[i] = y[first + i] / size;
+    for (int i = 0; i < p.rows; ++i) {
+      if (gradient) gradient[first + i] = p.mu * e[i];
+      for (int j = 0; hessian && size > 0.0 && j < p.rows; ++j)
+        hessian[(first + i) * k + first + j] = p.mu / size * ((i == j ? 1.0 : 0.0) - e[i] * e[j]);
     }
   }
   return S;
 }
 
-void UnilateralRolling::naturalMap(const LawInput&, double rho, const double* xi,
+void UnilateralRolling::naturalMap(const LawInput& in, double rho, const double* xi,
                                    const double* Lambda, double* e) const {
-  double z[kRows];
-  const double shift = mu_[0] * std::hypot(xi[1], xi[2]) + mu_[1] * std::hypot(xi[3], xi[4]);
-  for (int i = 0; i < kRows; ++i) z[i] = Lambda[i] - rho * (xi[i] + (i == 0 ? shift : 0.0));
-  projectCone(mu_, z);
-  for (int i = 0; i < kRows; ++i) e[i] = Lambda[i] - z[i];
+  const Parts parts(mu_, in.dim);
+  double z[kMaxRows], shift = 0.0;
+  for (const Parts::Part& p : parts) shift += p.mu * length(xi + p.first, p.rows);
+  for (int i = 0; i < in.dim; ++i) z[i] = Lambda[i] - rho * (xi[i] + (i == 0 ? shift : 0.0));
+  parts.projectCone(z);
+  for (int i = 0; i < in.dim; ++i) e[i] = Lambda[i] - z[i];
 }
 
-bool UnilateralRolling::proxDerivative(const LawInput&, double rho, const double* xi,
+bool UnilateralRolling::proxDerivative(const LawInput& in, double rho, const double* xi,
                                        const double* Lambda, double* A, double* B) const {
-  Eigen::Map<Eigen::Matrix<double, kRows, kRows, Eigen::RowMajor>> a(A), b(B);
-  double z[kRows];
-  for (int i = 0; i < kRows; ++i) z[i] = Lambda[i] - rho * xi[i];
+  const int n = in.dim;
+  Eigen::Map<RowMatrix> a(A, n, n), b(B, n, n);
+  double z[kMaxRows];
+  for (int i = 0; i < n; ++i) z[i] = Lambda[i] - rho * xi[i];
   a.setIdentity(), b.setZero();
   if (!(z[0] > 0.0)) return true;
   // P = ∂p/∂z into b, then A = I − P and B = ρ P.
   b(0, 0) = 1.0;
-  for (int d = 0; d < 2; ++d) {
-    const int k = first(d);
-    const double radius = mu_[d] * z[0], length = std::hypot(z[k], z[k + 1]);
-    if (length <= radius) {
-      b(k, k) = b(k + 1, k + 1) = 1.0;
-      continue;
+  for (const Parts::Part& p : Parts(mu_, n)) {
+    const double radius = p.mu * z[0], size = length(z + p.first, p.rows);
+    for (int i = 0; i < p.rows; ++i) {
+      const int row = p.first + i;
+      if (size <= radius) {
+        b(row, row) = 1.0;
+        continue;
+      }
+      const double e = z[row] / size;
+      b(row, 0) = p.mu * e;
+      for (int j = 0; j < p.rows; ++j)
+        b(row, p.first + j) = radius / size * ((i == j ? 1.0 : 0.0) - e * z[p.first + j] / size);
     }
-    const Eigen::Vector2d e(z[k] / length, z[k + 1] / length);
-    b.block<2, 2>(k, k) = radius / length * (Eigen::Matrix2d::Identity() - e * e.transpose());
-    b.block<2, 1>(k, 0) = mu_[d] * e;
   }
   a -= b;
   b *= rho;

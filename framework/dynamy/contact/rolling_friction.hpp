@@ -1,19 +1,42 @@
-/// Unilateral contact with Coulomb friction and rolling resistance, the law of FCLIB's rolling
-/// problems [acary_bremond_huber2018]. Rows: normal, two tangents, two moments.
+/// UnilateralRolling: contact with Coulomb friction and resistance to rolling, to spin, and to the
+/// way of the contact along a body's contour.                                       (theory 9.6)
 ///
-///   K = { |Λ_T| ≤ μ Λ_N, |Λ_M| ≤ μ_r Λ_N },   S_B(y) = μ |y_T| + μ_r |y_M|
-///   law  ⇔  K* ∋ (ξ_N + μ|ξ_T| + μ_r|ξ_M|, ξ_T, ξ_M) ⊥ Λ ∈ K
+///   K = { |Λ_T| ≤ μ Λ_N, |Λ_τ| ≤ μ_s Λ_N, |Λ_M| ≤ μ_r Λ_N, |Λ_C| ≤ μ_c Λ_N }
+///   S_B(y) = μ |y_T| + μ_s |y_τ| + μ_r |y_M| + μ_c |y_C|
+///   law  ⇔  K* ∋ (ξ_N + S_B(ξ), ξ_T, …) ⊥ Λ ∈ K                    [acary_bremond_huber2018]
+///
+/// Rows, by their number, which every contact of shapes in space offers:
+///
+///   5   N, T1, T2, M1, M2                      M: angular velocities about the tangents
+///   6   N, T1, T2, τ, M1, M2                   τ: about the normal
+///   8   N, T1, T2, τ, M1, M2, C1, C2           C: velocity of the point of contact over the body
+///
+/// The parts do not weaken each other; UnilateralDrilling has the coupled set of sliding and spin.
+/// One law per part was rejected: all of them hang on the same normal force.
 #pragma once
 #include <dynamy/contact/set_valued_force_law.hpp>
 
 namespace dynamy {
 
+/// Coefficients, all ≥ 0.
+struct RollingCoefficients {
+  double mu = 0.0;
+  double rolling = 0.0;   ///< [m]
+  double drilling = 0.0;  ///< [m]
+  double contour = 0.0;   ///< [–]
+};
+
 class UnilateralRolling final : public NormalTimesReservoir {
  public:
-  /// mu [–], muRolling [m], both ≥ 0.
-  UnilateralRolling(double mu, double muRolling) : mu_{mu, muRolling} {}
-  int dim(int) const override { return 5; }
-  int groupEnd(int row, int) const override { return row == 0 ? 1 : (row < 3 ? 3 : 5); }
+  /// mu [–], muRolling [m], both ≥ 0: the law of FCLIB's rolling problems.
+  UnilateralRolling(double mu, double muRolling) : UnilateralRolling({mu, muRolling, 0.0, 0.0}) {}
+  explicit UnilateralRolling(const RollingCoefficients& mu, double epsilonN = 0.0)
+      : mu_(mu), epsilonN_(epsilonN) {}
+  explicit UnilateralRolling(const Parameters& x);
+  static void declare(Attributes& a);
+  int dim(int) const override { return mu_.contour > 0.0 ? 8 : (mu_.drilling > 0.0 ? 6 : 5); }
+  int groupEnd(int row, int dim) const override;
+  void epsilon(int dim, double* epsilon) const override;
   void project(const LawInput& in, double N, const double* r, int k, double* x) const override;
   double support(const LawInput& in, int k, const double* y, double* gradient = nullptr,
                  double* hessian = nullptr) const override;
@@ -24,7 +47,9 @@ class UnilateralRolling final : public NormalTimesReservoir {
                       double* A, double* B) const override;
 
  private:
-  double mu_[2];
+  struct Parts;
+  RollingCoefficients mu_;
+  double epsilonN_;
 };
 
 }  // namespace dynamy

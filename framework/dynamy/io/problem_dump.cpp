@@ -23,7 +23,8 @@ Friction frictionOf(const InclusionProblem& p, int i) {
   if (set.shape == SimpleSet::Shape::friction) return {true, set.upper, 0.0};
   if (set.shape == SimpleSet::Shape::interval && p.law(i).unilateral() && set.lower == 0.0)
     return {true, 0.0, 0.0};
-  if (const auto* rolling = dynamic_cast<const UnilateralRolling*>(&p.law(i))) {
+  const auto* rolling = dynamic_cast<const UnilateralRolling*>(&p.law(i));
+  if (rolling && p.input(i).dim == 5) {
     const double tangent[4] = {1.0, 0.0, 0.0, 0.0}, moment[4] = {0.0, 0.0, 1.0, 0.0};
     return {true, rolling->support(p.input(i), 4, tangent),
             rolling->support(p.input(i), 4, moment)};

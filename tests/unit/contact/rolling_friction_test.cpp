@@ -1,14 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/testing/check_element.hpp>
 
 namespace dynamy {
 namespace {
 
 TEST(UnilateralRolling, FulfilsTheDefinitionsOfALaw) {
-  const Verdict result = checkLaw(UnilateralRolling(0.6, 0.05), 5);
-  EXPECT_TRUE(result) << result.message();
+  for (const auto& [law, dim] : {std::pair{RollingCoefficients{0.6, 0.05, 0.0, 0.0}, 5},
+                                 std::pair{RollingCoefficients{0.6, 0.05, 0.2, 0.0}, 6},
+                                 std::pair{RollingCoefficients{0.6, 0.0, 0.2, 0.0}, 6},
+                                 std::pair{RollingCoefficients{0.6, 0.05, 0.2, 0.3}, 8}}) {
+    const Verdict result = checkLaw(UnilateralRolling(law), dim);
+    EXPECT_TRUE(result) << dim << " rows: " << result.message();
+  }
 }
 
 TEST(UnilateralRolling, RollsWhenTheMomentIsAtItsLimit) {
@@ -21,6 +27,20 @@ TEST(UnilateralRolling, RollsWhenTheMomentIsAtItsLimit) {
     // One projection: a few roundings of numbers of order ten.
     for (int i = 0; i < 5; ++i) EXPECT_NEAR(e[i], 0.0, 1e-14) << "row " << i << ", rho " << rho;
   }
+}
+
+TEST(UnilateralRolling, IsCoulombFrictionInItsFirstRows) {
+  const UnilateralRolling law(RollingCoefficients{0.4, 0.02, 0.01, 0.1});
+  const UnilateralCoulomb coulomb(0.0, 0.0, 0.4);
+  const double r[8] = {1.0, 2.0, 2.0, 1.0, 0.5, 0.5, 1.0, 1.0};
+  const double xi[8] = {-1.0, 0.7, -0.9, 3.0, 1.0, 0.0, -0.2, 0.0};
+  double all[8] = {}, three[3] = {};
+  law.prox({.dim = 8}, r, xi, all);
+  coulomb.prox({.dim = 3}, r, xi, three);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(all[i], three[i], 1e-15);
+  EXPECT_NEAR(all[3], -0.01, 1e-15);  // every part at its own limit
+  EXPECT_NEAR(all[4], -0.02, 1e-15);
+  EXPECT_NEAR(all[6], 0.1, 1e-15);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ std::vector<Named> laws() {
   add("UnilateralCoulomb, spatial", 3, new UnilateralCoulomb(0.0, 0.0, 0.3));
   add("UnilateralCoulomb, mu 0", 3, new UnilateralCoulomb(0.0, 0.0, 0.0));
   add("UnilateralRolling", 5, new UnilateralRolling(0.3, 0.1));
+  add("UnilateralRolling, spin", 6, new UnilateralRolling(RollingCoefficients{0.3, 0.1, 0.2, 0.0}));
   add("UnilateralOrthotropic", 3, new UnilateralOrthotropic(0.0, 0.0, 0.1, 0.4, 0.5));
   add("UnilateralDrilling", 4, new UnilateralDrilling(0.3, 0.5));
   add("UnilateralDrilling, ellipsoid", 4, new UnilateralDrilling(0.3, 0.5, Set::ellipsoid));
