@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   addRun(app, program);
   addResume(app, program);
   addCheck(app, program);
+  addEigen(app, program);
   addList(app, program);
   addDescribe(app, program);
   addSchema(app, program);

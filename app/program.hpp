@@ -58,6 +58,7 @@ std::string versionText();
 void addRun(CLI::App& app, Program& program);
 void addResume(CLI::App& app, Program& program);
 void addCheck(CLI::App& app, Program& program);
+void addEigen(CLI::App& app, Program& program);
 void addList(CLI::App& app, Program& program);
 void addDescribe(CLI::App& app, Program& program);
 void addSchema(CLI::App& app, Program& program);

@@ -12,7 +12,8 @@ export class SceneModel {
   readonly upAxis: number;
 
   constructor(readonly scene: Scene, readonly film: Film) {
-    this.bodies = scene.shapes.filter(s => s.kind in kItems);
+    // A shape that only touches is "transparent".
+    this.bodies = scene.shapes.filter(s => s.kind in kItems && s.colour !== "transparent");
     this.grounds = scene.shapes.filter(s => s.kind === "halfspace");
     this.extent = this.measure();
     const normal: V3 = this.grounds.length ? this.plane(this.grounds[0], film.begin).n : [0, 0, 1];

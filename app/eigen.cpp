@@ -1,0 +1,213 @@
+/// dynamy eigen MODEL: linearises about a steady motion; eigenvalues, critical values of a
+/// parameter.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/output_file.hpp>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+#include "eigen_text.hpp"
+#include "program.hpp"
+#include "sweep_plan.hpp"
+
+namespace dynamy::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Task {
+  std::string model, over, rootOf, out;
+  std::vector<std::string> set, start;
+  double near = LinearisationOptions{}.near;
+  bool json = false, asItIs = false;
+};
+
+/// Intervals in which a change of sign is looked for.
+constexpr int kIntervals = 20;
+constexpr int kHalvings = 6;  ///< of such an interval
+
+/// "SYSTEM.COORDINATE=VALUE" into the state. Throws ModelError with the nearest name.
+void place(const Model& model, const std::string& text, State& x) {
+  const auto [name, value] = assignment(text);
+  std::vector<std::string> known;
+  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
+    const SystemHandle& s = model.topology().system(i);
+    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
+    const Description& d = model.description(i);
+    for (const auto& [all, into, from] :
+         {std::tuple{&d.coordinates, &x.q, s.q0}, std::tuple{&d.velocities, &x.u, s.u0}})
+      for (const auto& [own, index] : *all) {
+        known.push_back(of + own);
+        if (known.back() != name) continue;
+        char* end = nullptr;
+        (*into)[from + index] = std::strtod(value.c_str(), &end);
+        if (value.empty() || *end != '\0')
+          throw CLI::ValidationError("--start", '"' + value + "\" is no number");
+        return;
+      }
+  }
+  throw ModelError("no coordinate or velocity named \"" + name + '"', unknownNameHint(name, known));
+}
+
+class Eigenvalues {
+ public:
+  Eigenvalues(Program& program, const Task& task) : program_(program), task_(task) {
+    for (const std::string& s : task.set) options_.set.push_back(assignment(s));
+  }
+  Model load() const {
+    return loadModel(task_.model, program_.registry, program_.plugins, options_);
+  }
+  Model load(const std::string& name, double value) const {
+    LoadOptions options = options_;
+    options.set.emplace_back(name, fmt::format("{}", value));
+    return loadModel(task_.model, program_.registry, program_.plugins, options);
+  }
+  Linearisation solve(Model& model) const {
+    State x = model.initialState();
+    for (const std::string& s : task_.start) place(model, s, x);
+    LinearisationOptions options;
+    options.seek = !task_.asItIs, options.near = task_.near;
+    return linearise(model, x, options);
+  }
+  Linearisation at(const std::string& name, double value) const {
+    Model model = load(name, value);
+    return solve(model);
+  }
+
+  /// A root in every interval whose ends differ in how many motions grow.
+  std::vector<CriticalValue> critical() const {
+    const auto [name, text] = assignment(task_.rootOf);
+    const Variation range =
+        readVariation(name, text + fmt::format(":{}", kIntervals + 1), "--root-of");
+    std::vector<CriticalValue> out;
+    double a = std::stod(range.values.front());
+    int before = at(name, a).growing();
+    for (std::size_t i = 1; i < range.values.size(); ++i) {
+      const double end = std::stod(range.values[i]);
+      const int after = at(name, end).growing();
+      if (after != before) out.push_back(root(name, a, end, before, after));
+      a = end, before = after;
+    }
+    return out;
+  }
+
+  Locus locus() const {
+    const auto [name, text] = assignment(task_.over);
+    Locus out;
+    out.name = name;
+    for (const std::string& value : readVariation(name, text, "--over").values) {
+      out.value.push_back(std::stod(value));
+      out.eigenvalues.push_back(at(name, out.value.back()).eigenvalues);
+    }
+    return out;
+  }
+
+ private:
+  /// Bisection by the count of growing motions, then the root of the polynomial through v as a
+  /// function of the real part at points around it: no tolerance of "zero" enters.
+  CriticalValue root(const std::string& name, double a, double b, int before, int after) const {
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (a + b);
+      (at(name, middle).growing() == before ? a : b) = middle;
+    }
+    const std::complex<double> near = crossing(at(name, 0.5 * (a + b)).eigenvalues, {});
+    constexpr int kPoints = 8;
+    double real[kPoints], value[kPoints], imaginary[kPoints];
+    for (int i = 0; i < kPoints; ++i) {
+      value[i] = a + (b - a) * (static_cast<double>(i) / (kPoints - 1) * 2.0 - 0.5);
+      const std::complex<double> z = crossing(at(name, value[i]).eigenvalues, near);
+      real[i] = z.real(), imaginary[i] = z.imag();
+    }
+    CriticalValue out{name, 0.0, 0.0, before, after};
+    for (int i = 0; i < kPoints; ++i) {  // Lagrange's form at 0
+      double weight = 1.0;
+      for (int k = 0; k < kPoints; ++k)
+        if (k != i) weight *= real[k] / (real[k] - real[i]);
+      out.value += weight * value[i], out.frequency += weight * imaginary[i];
+    }
+    return out;
+  }
+
+  /// The eigenvalue with the least real part among those of about the frequency of `near`.
+  static std::complex<double> crossing(const Eigen::VectorXcd& all, std::complex<double> near) {
+    std::complex<double> out;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::complex<double>& z : all) {
+      const double off =
+          std::abs(z.real()) + std::abs(z.imag() - near.imag()) * (near == 0.0 ? 0.0 : 1.0);
+      if (z.imag() >= 0.0 && off < least) least = off, out = z;
+    }
+    return out;
+  }
+
+  Program& program_;
+  const Task& task_;
+  LoadOptions options_;
+};
+
+void eigen(Program& program, const Task& task) {
+  const Eigenvalues all(program, task);
+  Model model = all.load();
+  const Linearisation l = all.solve(model);
+  std::vector<CriticalValue> critical;
+  if (!task.rootOf.empty()) critical = all.critical();
+  const fs::path folder = task.out.empty()
+                              ? fs::path("runs") / (fs::path(task.model).stem().string() + ".eigen")
+                              : fs::path(task.out);
+  fs::create_directories(folder);
+  writeWholeFile(folder / "eigen.csv", eigenCsv(l.eigenvalues));
+  if (!task.over.empty()) writeWholeFile(folder / "locus.csv", locusCsv(all.locus()));
+  std::string text;
+  JsonWriter j(text, 2);
+  j.beginObject();
+  writeEigen(j, model, l);
+  writeCritical(j, critical);
+  j.endObject();
+  writeWholeFile(folder / "eigen.json", text + "\n");
+  if (task.json)
+    fmt::print("{}\n", text);
+  else
+    fmt::print("{}{}", eigenText(model, l), criticalText(critical));
+  if (!task.rootOf.empty() && critical.empty())
+    fmt::print(stderr, "dynamy: no real part changes its sign in {}\n", task.rootOf);
+}
+
+}  // namespace
+
+void addEigen(CLI::App& app, Program& program) {
+  auto t = std::make_shared<Task>();
+  CLI::App* c = app.add_subcommand("eigen",
+                                   "eigenvalues of small disturbances of a steady motion, with "
+                                   "closed contacts and joints as constraints");
+  c->add_option("MODEL", t->model, "XML file")->required();
+  c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  c->add_option("--start", t->start,
+                "where the steady motion is looked for, instead of the model's start")
+      ->type_name("SYSTEM.COORDINATE=VALUE");
+  c->add_flag("--as-it-is", t->asItIs, "the start is the steady motion; none is looked for");
+  c->add_option("--near", t->near,
+                "gaps up to this part of the scene's length count as closed, slips up to this part "
+                "of the fastest velocity as sticking; default: 1e-6")
+      ->type_name("NUMBER")
+      ->check(CLI::PositiveNumber);
+  c->add_option("--root-of", t->rootOf,
+                "also where a real part changes its sign while a parameter goes from A to B")
+      ->type_name("NAME=A:B");
+  c->add_option("--over", t->over, "also the eigenvalues over a parameter, into locus.csv")
+      ->type_name("NAME=A:B:COUNT");
+  c->add_option("--out", t->out, "folder of eigen.csv and eigen.json; default: runs/MODEL.eigen")
+      ->type_name("DIR");
+  c->add_option("--plugin", program.libraries, "shared library with further types")
+      ->type_name("LIBRARY");
+  c->add_flag("--json", t->json, "print JSON");
+  c->callback([t, &program] {
+    program.load();
+    eigen(program, *t);
+  });
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,33 @@
+/// Eigenvalues of a steady motion for people and for programs.
+#pragma once
+#include <dynamy/io/json_writer.hpp>
+#include <dynamy/simulation/linearisation.hpp>
+#include <string>
+#include <vector>
+
+namespace dynamy::app {
+
+/// The value of a parameter where real parts change their sign.
+struct CriticalValue {
+  std::string name;
+  double value = 0.0;
+  double frequency = 0.0;  ///< imaginary part there [1/s]
+  int growingBelow = 0, growingAbove = 0;
+};
+
+/// Eigenvalues over a parameter, one a line.
+struct Locus {
+  std::string name;
+  std::vector<double> value;
+  std::vector<Eigen::VectorXcd> eigenvalues;
+};
+
+std::string eigenText(const Model& model, const Linearisation& l);
+std::string criticalText(const std::vector<CriticalValue>& values);
+void writeEigen(JsonWriter& json, const Model& model, const Linearisation& l);
+void writeCritical(JsonWriter& json, const std::vector<CriticalValue>& values);
+/// Columns: real, imaginary; with a locus the parameter before them.
+std::string eigenCsv(const Eigen::VectorXcd& eigenvalues);
+std::string locusCsv(const Locus& locus);
+
+}  // namespace dynamy::app
