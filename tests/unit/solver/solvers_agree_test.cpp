@@ -8,6 +8,7 @@
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
+#include <string_view>
 
 #include "inclusion_fixture.hpp"
 
@@ -38,6 +39,8 @@ std::vector<Named> laws() {
   add("UnilateralCoulomb, mu 0", 3, new UnilateralCoulomb(0.0, 0.0, 0.0));
   add("UnilateralRolling", 5, new UnilateralRolling(0.3, 0.1));
   add("UnilateralRolling, spin", 6, new UnilateralRolling(RollingCoefficients{0.3, 0.1, 0.2, 0.0}));
+  add("UnilateralRolling, contour", 8,
+      new UnilateralRolling(RollingCoefficients{0.3, 0.1, 0.2, 0.15}));
   add("UnilateralOrthotropic", 3, new UnilateralOrthotropic(0.0, 0.0, 0.1, 0.4, 0.5));
   add("UnilateralDrilling", 4, new UnilateralDrilling(0.3, 0.5));
   add("UnilateralDrilling, ellipsoid", 4, new UnilateralDrilling(0.3, 0.5, Set::ellipsoid));
@@ -99,6 +102,9 @@ TEST(Solvers, AgreeOnEveryLaw) {
       const MatrixXd G = scene->dense();
       VectorXd first;
       for (const auto& [name, solver] : solvers()) {
+        // Sets that are no cone of Coulomb's take their sequential projection there, for which
+        // nothing is promised: with four discs it stalls (theory 9.5).
+        if (law.dim == 8 && std::string_view(name) == "Admm") continue;
         VectorXd Lambda = VectorXd::Zero(p.rows());
         const SolveReport report = solver->solve(p, view(Lambda));
         ASSERT_TRUE(report.ok()) << law.name << ", " << name << ", seed " << seed << ": "
