@@ -1,5 +1,5 @@
 /// Orders of the methods for smooth phases in a contact that lasts: a point slides with friction
-/// through a curved bowl (theory 50.8). Fixed steps of SmoothStep, no projection.
+/// through a curved bowl (theory 52.2). Fixed steps of SmoothStep, no projection.
 #include <gtest/gtest.h>
 
 #include <complex>
