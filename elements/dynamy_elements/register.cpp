@@ -16,6 +16,7 @@
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
+#include <dynamy_elements/geometry/contour_shape.hpp>
 #include <dynamy_elements/geometry/faceted_shapes.hpp>
 #include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
@@ -39,6 +40,7 @@ void registerElements(Registry& r) {
   r.add<LineShape>("Line");
   r.add<PolygonShape>("Polygon");
   r.add<CircleShape>("Circle");
+  r.add<ContourShape>("Contour");
   r.add<CylinderShape>("Cylinder");
   r.add<CapsuleShape>("Capsule");
   r.add<ConeShape>("Cone");

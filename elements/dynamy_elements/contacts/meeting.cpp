@@ -1,4 +1,5 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/contour.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/surface_contact.hpp>
@@ -7,18 +8,33 @@ namespace dynamy {
 
 using Touch = TouchingShape::Kind;
 
+namespace {
+
+/// A contour that goes in may touch a plane at more than one point.
+bool goesIn(const TouchingShape& s) {
+  return s.kind == Touch::contour && !s.features[0].contour->convex();
+}
+
+}  // namespace
+
 Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (A.kind == Touch::none || B.kind == Touch::none) return Meeting::missing;
   if (A.kind == Touch::halfSpace)
-    return B.kind == Touch::halfSpace ? Meeting::never
-           : B.features.empty()       ? Meeting::missing
-                                      : Meeting::overHalfSpace;
+    return B.kind == Touch::halfSpace        ? Meeting::never
+           : B.features.empty() || goesIn(B) ? Meeting::missing
+                                             : Meeting::overHalfSpace;
   if (A.kind == Touch::ball) return A.bound + B.bound > 0.0 ? Meeting::balls : Meeting::never;
-  // Boxes that move in one plane would need polygons; a ball does with a box's section.
+  if (inPlane && !A.polygon_K.empty() && !B.polygon_K.empty()) return Meeting::polygons;
+  if (A.kind == Touch::contour && B.kind == Touch::ball) return Meeting::ballOnContour;
+  if (inPlane && A.kind != Touch::box && !A.polygon_K.empty() && B.kind == Touch::ball)
+    return Meeting::ballOnPolygon;
   if (A.kind == Touch::box && B.kind == Touch::box)
     return A.isBox(8) && B.isBox(8) ? Meeting::boxes : Meeting::missing;
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
+  if (!inPlane && B.kind == Touch::ellipsoid && A.polyhedron) return Meeting::smoothOnPolyhedron;
+  if (!inPlane && A.kind == Touch::ellipsoid)
+    return B.kind == Touch::ellipsoid || B.kind == Touch::ball ? Meeting::smooth : Meeting::missing;
   if (!inPlane && A.surface) {
     if (B.kind == Touch::ball) return Meeting::ballOnSurface;
     if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
@@ -48,6 +64,8 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
       return static_cast<std::uint64_t>(polyhedraFeatures(*A.polyhedron, *B.polyhedron));
     case Meeting::polyhedronOnMesh:
       return meshFeatures(*A.surface, *B.polyhedron);
+    case Meeting::polygons:
+      return A.polygon_K.size() + B.polygon_K.size();
     case Meeting::boxes:
       return kBoxFeatures;
     default:
@@ -96,6 +114,10 @@ std::string ofCapsule(const Surface& A, std::uint64_t f) {
 std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
                         std::uint64_t f) {
   if (meets == Meeting::boxes) return boxFeature(f);
+  if (meets == Meeting::polygons) {
+    const std::size_t b = B.polygon_K.size();
+    return f < b ? "B.corner" + std::to_string(f) : "A.corner" + std::to_string(f - b);
+  }
   if (meets == Meeting::polyhedra) return ofPolyhedra(*A.polyhedron, *B.polyhedron, f);
   if (meets == Meeting::polyhedronOnMesh) return onMesh(*A.surface, *B.polyhedron, f);
   if (meets == Meeting::capsuleOnSurface) return ofCapsule(*A.surface, f);

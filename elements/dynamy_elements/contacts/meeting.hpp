@@ -18,8 +18,13 @@ enum class Meeting : std::uint8_t {
   ballOnSurface,  ///< of a polyhedron, mesh or height field
   capsuleOnSurface,
   boxes,
-  polyhedra,        ///< one of them may be a box
-  polyhedronOnMesh  ///< or a box on a mesh
+  polyhedra,         ///< one of them may be a box
+  polyhedronOnMesh,  ///< or a box on a mesh
+  polygons,          ///< and sections with corners, in a plane
+  ballOnPolygon,
+  ballOnContour,
+  smooth,             ///< ellipsoids with each other and with balls
+  smoothOnPolyhedron  ///< or on a box
 };
 
 /// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.

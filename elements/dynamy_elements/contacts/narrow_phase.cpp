@@ -3,8 +3,10 @@
 #include <cmath>
 #include <dynamy/contact/rolling_contact.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
+#include <dynamy_elements/contacts/smooth_contact.hpp>
 #include <dynamy_elements/contacts/surface_contact.hpp>
 
 namespace dynamy {
@@ -23,11 +25,11 @@ const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShap
 /// with H = ∇²h of its feature, n of the half space A and K = A_B H A_Bᵀ
 ///
 ///   ẋ = K ((Ω_B − Ω_A) × n)   ⇒   c_i = n × K t_i
-struct Contour {
+struct ContourMotion {
   Vec3 c[2], cdot[2];
   /// `rates`: fills ċ.
-  Contour(const SupportFeature& feature, const Frame& A, const Frame& B, const ContactPoint& at,
-          bool rates) {
+  ContourMotion(const SupportFeature& feature, const Frame& A, const Frame& B,
+                const ContactPoint& at, bool rates) {
     const Vec3 &n = at.d[0], d_B = -(B.A_IK.transpose() * n);
     const Mat3 H = feature.pointDerivative(d_B), K = B.A_IK * H * B.A_IK.transpose();
     for (int i = 0; i < 2; ++i) c[i] = n.cross(K * at.d[1 + i]);
@@ -207,6 +209,14 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
 void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   switch (pair.rule->meets) {
+    case Meeting::smooth:
+    case Meeting::smoothOnPolyhedron: {
+      const SupportFeature& b = pair.B->features[0];
+      const ContactPoint at = pair.rule->meets == Meeting::smooth
+                                  ? betweenSmooth(A, pair.A->features[0], B, b)
+                                  : smoothOnPolyhedron(placedPolyhedron(A, *pair.A), B, b);
+      return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+    }
     case Meeting::capsuleOnSurface: {
       OnSurfaceContacts found;
       const int n = capsuleOnSurface(A, *pair.A->surface, B, *pair.B, seenFrom(pair, sink), found);
@@ -237,6 +247,32 @@ void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, Contact
       const int n = betweenBoxes(a, placedBox(B, *pair.B), asked.bias, found);
       closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
       return emitAll(pair, found, n, k, sink);
+    }
+    default:
+      return narrowInPlane(pair, k, sink);
+  }
+}
+
+void ShapeContacts::narrowInPlane(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  const Vec3& plane = planes_[pair.rule->plane];
+  const PlacedPolygon a{&A, &pair.A->polygon_K, plane}, b{&B, &pair.B->polygon_K, plane};
+  switch (pair.rule->meets) {
+    case Meeting::polygons: {
+      PolygonContacts found;
+      const ContactRequest& asked = sink.request();
+      const double infinity = std::numeric_limits<double>::infinity();
+      const int n = betweenPolygons(a, b, infinity, asked.bias, found);
+      closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
+      return emitAll(pair, found, n, k, sink);
+    }
+    case Meeting::ballOnPolygon:
+    case Meeting::ballOnContour: {
+      const ContactPoint at =
+          pair.rule->meets == Meeting::ballOnPolygon
+              ? ballOnPolygon(a, B, pair.B->features[0])
+              : ballOnContour(A, pair.A->features[0], B, pair.B->features[0], plane);
+      return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
     }
     default:
       return;
@@ -271,7 +307,7 @@ void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const 
     if (rows.wantsBias()) addBias(rows, at, A, B);
     return;
   }
-  const Contour contour(pair.B->features[feature], A, B, at, rows.wantsBias());
+  const ContourMotion contour(pair.B->features[feature], A, B, at, rows.wantsBias());
   rollingContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2], contour.c);
   if (!rows.wantsBias()) return;
   addBias(rows, at, A, B);

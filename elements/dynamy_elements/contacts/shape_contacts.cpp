@@ -138,13 +138,16 @@ void ShapeContacts::connect(Topology& topology) {
 }
 
 /// Surfaces of polyhedra and meshes, in axes of the frames that carry them; and polyhedra, boxes as
-/// well if there are some or meshes, one for all shapes that are equal.
+/// well if there are bodies that meet them as such, one for all shapes that are equal.
 void ShapeContacts::makeSurfaces() {
   surfaces_.clear(), polyhedra_.clear();
   const auto faceted = [](const TouchingShape& s) {
     return s.kind == Touch::polyhedron || s.kind == Touch::surface;
   };
-  if (std::none_of(shapes_[0].begin(), shapes_[0].end(), faceted)) return;
+  const auto needed = [&](const TouchingShape& s) {
+    return faceted(s) || s.kind == Touch::ellipsoid;
+  };
+  if (std::none_of(shapes_[0].begin(), shapes_[0].end(), needed)) return;
   std::map<std::vector<double>, const Polyhedron*> known;
   for (TouchingShape& s : shapes_[0]) {
     if (s.kind != Touch::polyhedron && !s.isBox(8)) continue;
@@ -176,6 +179,13 @@ std::size_t ShapeContacts::planeIndex(const Vec3& plane, Search& search) {
   shapes_.emplace_back();
   for (std::size_t i = 0; i < search.instances.size(); ++i)
     shapes_.back().push_back(search.take(i, plane));
+  for (TouchingShape& s : shapes_.back()) {
+    if (s.kind != Touch::contour) continue;
+    std::vector<double> radii;
+    for (const Vec3& p : s.shape->geometry().points) radii.push_back(p.norm());
+    contours_.push_back(std::make_unique<Contour>(std::move(radii)));
+    s.features[0].contour = contours_.back().get();
+  }
   return planes_.size() - 1;
 }
 

@@ -22,6 +22,7 @@
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy_elements/contacts/broad_phase.hpp>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
+#include <dynamy_elements/contacts/contour.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
 #include <dynamy_elements/contacts/polyhedron.hpp>
 #include <dynamy_elements/contacts/surface.hpp>
@@ -79,6 +80,7 @@ class ShapeContacts final : public NonSmoothElement {
   /// Of the shapes i, j in any order; false: they never touch.
   Pair pairOf(int i, int j) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  void narrowInPlane(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   template <class Found>
   void emitAll(const Pair& pair, const Found& found, int n, const Kinematics& k,
@@ -103,6 +105,7 @@ class ShapeContacts final : public NonSmoothElement {
   std::vector<std::vector<TouchingShape>> shapes_;
   std::vector<std::unique_ptr<const Surface>> surfaces_;
   std::vector<std::unique_ptr<const Polyhedron>> polyhedra_;
+  std::vector<std::unique_ptr<const Contour>> contours_;
   std::vector<int> body_;      ///< per shape; those of one body never touch
   std::vector<int> group_;     ///< per shape
   std::vector<double> early_;  ///< per shape: distance from which on it is reported [m]

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
+#include <dynamy_elements/contacts/smooth_contact.hpp>
 #include <dynamy_elements/contacts/surface_contact.hpp>
 
 namespace dynamy {
@@ -229,6 +231,17 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
     }
     case Meeting::polyhedra:
       return separation(placedPolyhedron(A, a), placedPolyhedron(B, b));
+    case Meeting::smooth:
+      return betweenSmooth(A, a.features[0], B, b.features[0]).g;
+    case Meeting::smoothOnPolyhedron:
+      return smoothOnPolyhedron(placedPolyhedron(A, a), B, b.features[0]).g;
+    case Meeting::polygons:
+      return separation(PlacedPolygon{&A, &a.polygon_K, plane},
+                        PlacedPolygon{&B, &b.polygon_K, plane});
+    case Meeting::ballOnPolygon:
+      return ballOnPolygon({&A, &a.polygon_K, plane}, B, b.features[0]).g;
+    case Meeting::ballOnContour:
+      return ballOnContour(A, a.features[0], B, b.features[0], plane).g;
     default:
       return separation(placedBox(A, a), placedBox(B, b));
   }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <dynamy_elements/contacts/contour.hpp>
 #include <dynamy_elements/contacts/surface.hpp>
 #include <dynamy_elements/contacts/touching_shape.hpp>
 #include <limits>
@@ -14,9 +16,14 @@ constexpr double kLevel = 1e-12;
 /// d without its part along the axis a.
 Vec3 across(const Vec3& d, const Vec3& a) { return d - a.dot(d) * a; }
 
+Contour::Vec2 inPlane(const SupportFeature& f, const Vec3& d) {
+  return (f.square_K.transpose() * d).head<2>();
+}
+
 }  // namespace
 
 double SupportFeature::support(const Vec3& d) const {
+  if (kind == Kind::contour) return d.dot(point(d));
   const double centre = d.dot(c_K);
   if (kind == Kind::rim) return centre + rho * across(d, axis_K).norm() + radius;
   if (kind == Kind::ellipsoid) return centre + std::sqrt(d.dot(square_K * d));
@@ -24,12 +31,19 @@ double SupportFeature::support(const Vec3& d) const {
 }
 
 Vec3 SupportFeature::point(const Vec3& d) const {
+  if (kind == Kind::contour)
+    return c_K + square_K.leftCols<2>() * contour->furthest(inPlane(*this, d)).x;
   if (kind == Kind::rim) return c_K + rho * across(d, axis_K).normalized() + radius * d;
   if (kind == Kind::ellipsoid) return c_K + square_K * d / std::sqrt(d.dot(square_K * d));
   return c_K + radius * d;
 }
 
 Mat3 SupportFeature::pointDerivative(const Vec3& d) const {
+  if (kind == Kind::contour) {
+    const Contour::Point at = contour->furthest(inPlane(*this, d));
+    const Vec3 t = square_K.leftCols<2>() * at.t;
+    return t * t.transpose() / at.curvature;
+  }
   if (kind == Kind::ellipsoid) {
     const Vec3 s = square_K * d;
     const double h2 = d.dot(s);
@@ -130,6 +144,7 @@ void cylinder(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     f.rim(-half, R, 0.0, "rim0"), f.rim(half, R, 0.0, "rim1");
     return;
   }
+  out.kind = Touch::section;
   const int across = 1 - f.along();  // x or y
   for (int i = 0; i < 4; ++i) {
     Vec3 corner(0.0, 0.0, i & 2 ? half : -half);
@@ -151,6 +166,7 @@ void cone(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (f.inSpace()) {
     f.rim(0.0, R, 0.0, "rim");
   } else {
+    out.kind = Touch::section;
     const int across = 1 - f.along();
     f.ball(-R * Vec3::Unit(across), 0.0, "corner0"), f.ball(R * Vec3::Unit(across), 0.0, "corner1");
   }
@@ -179,7 +195,8 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   const Vec3 semi(g.size[0], g.size[1], g.size[2]);
   const Mat3& A = out.shape->A_KB();
-  out.kind = Touch::other, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
+  out.kind = f.inSpace() ? Touch::ellipsoid : Touch::other, out.bound = semi.maxCoeff(),
+  out.thickness = semi.minCoeff();
   f.ball(Vec3::Zero(), 0.0);
   SupportFeature& feature = out.features.back();
   feature.kind = SupportFeature::Kind::ellipsoid;
@@ -210,6 +227,83 @@ void surface(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   f.corners(Surface(g.points, true).points());
 }
 
+void contour(Features& f, const ShapeGeometry& g, TouchingShape& out) {
+  out.thickness = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : g.points)
+    out.bound = std::max(out.bound, p.norm()), out.thickness = std::min(out.thickness, p.norm());
+  if (f.along() != 2) return;
+  out.kind = Touch::contour;
+  f.ball(Vec3::Zero(), 0.0);
+  out.features.back().kind = SupportFeature::Kind::contour;
+  out.features.back().square_K = out.shape->A_KB();
+}
+
+/// Two points: a capsule without a radius.
+void line(Features& f, const ShapeGeometry& g, TouchingShape& out) {
+  if (g.points.size() != 2 || (!f.inSpace() && f.along() < 0)) return;
+  const Vec3 way = g.points[1] - g.points[0];
+  const double half = 0.5 * way.norm();
+  if (!(half > 0.0) || (!f.inSpace() && std::abs(way[f.along()]) > 1e-12 * half)) return;
+  out.kind = Touch::capsule, out.bound = half, out.half = {0.0, 0.0, half};
+  f.ball(g.points[0], 0.0, "end0"), f.ball(g.points[1], 0.0, "end1");
+  const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way).toRotationMatrix();
+  out.p_K += out.A_KB * (0.5 * (g.points[0] + g.points[1])), out.A_KB = out.A_KB * turn;
+}
+
+/// A polygon that lies in the plane of motion.
+void polygon(Features& f, const ShapeGeometry& g, TouchingShape& out) {
+  // Also in space, where it does not touch: shapes are near each other by their bounds there.
+  out.thickness = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
+  if (f.along() < 0) return;
+  const auto outside = [&](const Vec3& p) {
+    return std::abs((p - g.points[0])[f.along()]) > 1e-12 * out.bound;
+  };
+  if (std::any_of(g.points.begin(), g.points.end(), outside)) return;
+  out.kind = Touch::polygon;
+  for (std::size_t i = 0; i < g.points.size(); ++i)
+    f.ball(g.points[i], 0.0, "corner" + std::to_string(i));
+}
+
+/// The corners of a section in their order about the normal, which is that of their angles.
+void orderCorners(TouchingShape& out, const Vec3& plane_K) {
+  Vec3 middle = Vec3::Zero();
+  for (const SupportFeature& f : out.features) {
+    if (f.kind != SupportFeature::Kind::ball || f.radius > 0.0) return;
+    middle += f.c_K / static_cast<double>(out.features.size());
+  }
+  std::vector<Vec3>& corners = out.polygon_K;
+  for (const SupportFeature& f : out.features) corners.push_back(f.c_K);
+  const Vec3 x = plane_K.unitOrthogonal(), y = plane_K.cross(x);
+  const auto angle = [&](const Vec3& p) {
+    return std::atan2(y.dot(p - middle), x.dot(p - middle));
+  };
+  // A polygon may run either way round.
+  const auto at = [&](std::size_t i) { return corners[i % corners.size()]; };
+  double area = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    area += plane_K.dot((at(i) - middle).cross(at(i + 1) - middle));
+  if (out.kind != Touch::polygon) {
+    std::sort(corners.begin(), corners.end(),
+              [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
+  } else if (area < 0.0) {
+    std::reverse(corners.begin(), corners.end());
+  }
+  double halfWidth = std::numeric_limits<double>::infinity();
+  bool convex = corners.size() > 2;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3 n = (at(i + 1) - at(i)).cross(plane_K).normalized();
+    double lowest = 0.0;
+    for (const Vec3& p : corners) {
+      convex = convex && n.dot(p - at(i)) < 1e-12 * out.bound;
+      lowest = std::min(lowest, n.dot(p - at(i)));
+    }
+    halfWidth = std::min(halfWidth, -0.5 * lowest);
+  }
+  if (!convex) corners.clear();
+  if (out.kind == Touch::polygon) out.thickness = halfWidth;
+}
+
 }  // namespace
 
 TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) {
@@ -224,9 +318,9 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
     out.kind = Touch::ball, out.bound = R;
     out.thickness = R > 0.0 ? R : std::numeric_limits<double>::infinity();
     f.ball(Vec3::Zero(), R);
-  } else if (g.type == "Circle" && f.along() == 2) {
-    out.kind = Touch::ball, out.bound = out.thickness = g.size[0];
-    f.ball(Vec3::Zero(), g.size[0]);
+  } else if (g.type == "Circle") {
+    out.bound = out.thickness = g.size[0];
+    if (f.along() == 2) out.kind = Touch::ball, f.ball(Vec3::Zero(), g.size[0]);
   } else if (g.type == "Box") {
     out.kind = Touch::box;
     f.corners(g.points);
@@ -248,7 +342,16 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
     surface(f, g, out);
   } else if (g.type == "Ellipsoid") {
     ellipsoid(f, g, out);
+  } else if (g.type == "Contour") {
+    contour(f, g, out);
+  } else if (g.type == "Line") {
+    line(f, g, out);
+  } else if (g.type == "Polygon") {
+    polygon(f, g, out);
   }
+  const bool section =
+      out.kind == Touch::polygon || out.kind == Touch::section || out.kind == Touch::box;
+  if (section && !f.inSpace() && f.along() >= 0) orderCorners(out, plane_K);
   return out;
 }
 

@@ -11,6 +11,7 @@
 ///   rim: tube of radius r around  h = d·c + ρ s + r       H = ρ (I − a aᵀ − e eᵀ)/s + r (I − d dᵀ)
 ///     a circle of radius ρ about a                        s = |d − (a·d) a|,  e = (d − (a·d) a)/s
 ///   ellipsoid, D: semi-axes       h = d·c + |D d|         H = (D² − x xᵀ)/|D d|,   x = D² d/|D d|
+///   contour, convex, in a plane   h = d·c + max_φ d·x(φ)  H = t tᵀ/κ
 ///
 /// A rim that lies flat (s = 0) touches all around: four points of it that are fixed in the body
 /// stand for the circle there, beside the lowest one.
@@ -23,6 +24,7 @@ namespace dynamy {
 
 class Surface;
 class Polyhedron;
+class Contour;
 
 /// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
 struct RoundFeature {
@@ -32,12 +34,14 @@ struct RoundFeature {
 
 /// A convex part of a shape.
 struct SupportFeature : RoundFeature {
-  enum class Kind : std::uint8_t { ball, rim, ellipsoid } kind = Kind::ball;
-  bool flatOnly = false;         ///< touches while the circle about `axis_K` lies almost flat
-  Vec3 axis_K = Vec3::Zero();    ///< rim: a
-  double rho = 0.0;              ///< rim: radius of the circle; `radius` is that of the tube [m]
-  Mat3 square_K = Mat3::Zero();  ///< ellipsoid: D² in axes of the frame [m²]
-  std::string name;              ///< in names of contacts; empty: the shape has no other
+  enum class Kind : std::uint8_t { ball, rim, ellipsoid, contour } kind = Kind::ball;
+  bool flatOnly = false;       ///< touches while the circle about `axis_K` lies almost flat
+  Vec3 axis_K = Vec3::Zero();  ///< rim: a
+  double rho = 0.0;            ///< rim: radius of the circle; `radius` is that of the tube [m]
+  /// Ellipsoid: D² in axes of the frame [m²]. Contour: its axes, the third across its plane.
+  Mat3 square_K = Mat3::Zero();
+  const Contour* contour = nullptr;  ///< borrowed
+  std::string name;                  ///< in names of contacts; empty: the shape has no other
 
   double support(const Vec3& d_K) const;        ///< h(d) [m]
   Vec3 point(const Vec3& d_K) const;            ///< x(d) [m]
@@ -54,7 +58,11 @@ struct TouchingShape {
     ball,
     capsule,
     cylinder,
+    ellipsoid,
     other,
+    contour,
+    section,  ///< of a round body, with corners
+    polygon,
     box,
     polyhedron,
     surface,
@@ -72,6 +80,8 @@ struct TouchingShape {
   const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
   /// Of a polyhedron, or of a box that may meet one, in axes of the shape; borrowed.
   const Polyhedron* polyhedron = nullptr;
+  /// Corners in a plane of motion if they are convex, counterclockwise about its normal.
+  std::vector<Vec3> polygon_K;
   double bound = 0.0;      ///< radius of a ball about the middle that holds the shape [m]
   double thickness = 0.0;  ///< half of its least width; infinite: nothing passes it, or a point [m]
 

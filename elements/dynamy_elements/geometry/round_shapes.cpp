@@ -105,7 +105,9 @@ MassProperties TorusShape::massProperties() const {
 
 void EllipsoidShape::declare(Attributes& a) {
   a.about(
-      "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches half spaces.");
+      "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches half spaces, "
+      "and "
+      "in space balls, ellipsoids, boxes and polyhedra.");
   a.requiredVector("semiAxes", Unit::length, 3, "half of its lengths along x, y, z").positive();
   a.example("<Ellipsoid semiAxes=\"0.3 0.2 0.1\" mass=\"1\" material=\"stone\"/>");
 }

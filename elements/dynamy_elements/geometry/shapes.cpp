@@ -98,7 +98,9 @@ ShapeGeometry PointShape::geometry() const {
 }
 
 void LineShape::declare(Attributes& a) {
-  a.about("Open line through points; drawn only.");
+  a.about(
+      "Open line through points. One of two points touches what a capsule does, circles and points "
+      "among it; others are drawn only.");
   a.requiredVector("points", Unit::length, 0, "x y z of two or more points");
   a.example("<Line points=\"0 0 0  0 0 -1\"/>");
 }
@@ -106,7 +108,10 @@ LineShape::LineShape(const Parameters& x) : Shape(x), points_(readPoints(x, 2)) 
 ShapeGeometry LineShape::geometry() const { return {"Line", {}, points_, colour()}; }
 
 void PolygonShape::declare(Attributes& a) {
-  a.about("Closed polygon through points; drawn only.");
+  a.about(
+      "Closed polygon through points. Where bodies move in its plane its corners touch half "
+      "spaces, "
+      "and, if it is convex, polygons, boxes, circles and points.");
   a.requiredVector("points", Unit::length, 0, "x y z of three or more points");
   a.example("<Polygon points=\"0 0 0  1 0 0  0 0 1\"/>");
 }

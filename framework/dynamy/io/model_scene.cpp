@@ -23,14 +23,21 @@ SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
 
 /// Kind and sizes; the orientation of a half-space turns its z axis to the normal.
 SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
-  static const std::map<std::string, ShapeKind> kinds = {
-      {"Sphere", ShapeKind::sphere},   {"Point", ShapeKind::sphere},
-      {"Box", ShapeKind::box},         {"HalfSpace", ShapeKind::halfspace},
-      {"Circle", ShapeKind::circle},   {"Cylinder", ShapeKind::cylinder},
-      {"Capsule", ShapeKind::capsule}, {"Polygon", ShapeKind::polygon},
-      {"Line", ShapeKind::segment},    {"Ellipsoid", ShapeKind::ellipsoid},
-      {"Torus", ShapeKind::torus},     {"Cone", ShapeKind::cone},
-      {"Polyhedron", ShapeKind::mesh}, {"Mesh", ShapeKind::mesh}};
+  static const std::map<std::string, ShapeKind> kinds = {{"Sphere", ShapeKind::sphere},
+                                                         {"Point", ShapeKind::sphere},
+                                                         {"Box", ShapeKind::box},
+                                                         {"HalfSpace", ShapeKind::halfspace},
+                                                         {"Circle", ShapeKind::circle},
+                                                         {"Cylinder", ShapeKind::cylinder},
+                                                         {"Capsule", ShapeKind::capsule},
+                                                         {"Polygon", ShapeKind::polygon},
+                                                         {"Contour", ShapeKind::polygon},
+                                                         {"Line", ShapeKind::segment},
+                                                         {"Ellipsoid", ShapeKind::ellipsoid},
+                                                         {"Torus", ShapeKind::torus},
+                                                         {"Cone", ShapeKind::cone},
+                                                         {"Polyhedron", ShapeKind::mesh},
+                                                         {"Mesh", ShapeKind::mesh}};
   SceneShape s;
   const auto kind = kinds.find(g.type);
   s.kind = kind == kinds.end() ? ShapeKind::segment : kind->second;

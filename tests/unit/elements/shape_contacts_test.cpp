@@ -203,10 +203,10 @@ TEST(ShapeContacts, RefuseASecondRuleForTheSameMaterials) {
 
 TEST(ShapeContacts, SayWhichPairIsNotAvailable) {
   Model m;
-  addBody<PlanarBody, Box>(m, "a", kPlanar, "Box",
-                           {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
-  addBody<PlanarBody, Box>(m, "b", kPlanar, "Box",
-                           {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
+  addBody<RigidBody, ConeShape>(m, "a", kHeavy, "Cone",
+                                {{"radius", 0.3}, {"length", 0.4}, {"material", "steel"}});
+  addBody<RigidBody, Box>(m, "b", kHeavy, "Box",
+                          {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
   addRule(m, "steel steel");
   m.addCompletion(addShapeContacts);
   EXPECT_THROW(m.build(), ModelError);
