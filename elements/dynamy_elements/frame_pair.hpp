@@ -11,6 +11,7 @@ class StartKinematics {
  public:
   explicit StartKinematics(const Topology& topology);
   const Frame& frame(FrameHandle f) const { return kinematics_.frame(f); }
+  const Kinematics& kinematics() const { return kinematics_; }
 
  private:
   Eigen::VectorXd q_, u_;

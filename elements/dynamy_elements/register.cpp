@@ -13,6 +13,8 @@
 #include <dynamy_elements/bodies/rigid_body.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
 #include <dynamy_elements/coordinates/register_coordinates.hpp>
+#include <dynamy_elements/forces/bushing.hpp>
+#include <dynamy_elements/forces/drag.hpp>
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
@@ -20,7 +22,7 @@
 #include <dynamy_elements/geometry/faceted_shapes.hpp>
 #include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
-#include <dynamy_elements/joints/joints.hpp>
+#include <dynamy_elements/joints/register_joints.hpp>
 
 namespace dynamy {
 namespace {
@@ -54,12 +56,10 @@ void registerElements(Registry& r) {
   r.add<SpringDamper>("SpringDamper");
   r.add<TorsionSpring>("TorsionSpring");
   r.add<ForceInput>("ForceInput");
+  r.add<Bushing>("Bushing");
+  r.add<Drag>("Drag");
 
-  r.add<Revolute>("Revolute");
-  r.add<Spherical>("Spherical");
-  r.add<Prismatic>("Prismatic");
-  r.add<Fixed>("Fixed");
-  r.add<Distance>("Distance");
+  registerJoints(r);
 
   r.add<Unilateral>("Unilateral");
   r.add<UnilateralCoulomb>("UnilateralCoulomb");

@@ -5,76 +5,11 @@
 
 namespace dynamy {
 
-double Joint::Pose::error(const JointRow& row) const {
-  switch (row.kind) {
-    case JointRow::Kind::point:
-      return (A.A_IK * row.d_A).dot(r_PQ);
-    case JointRow::Kind::angle:
-      return (A.A_IK * row.d_A).dot(B.A_IK * row.b_B);
-    case JointRow::Kind::distance:
-      return r_PQ.norm() - row.length;
-    case JointRow::Kind::spin:
-      return 0.0;
-  }
-  return 0.0;
-}
-
 namespace {
 
 constexpr int kMostRows = 8;
 
-/// Acceleration at u̇ = 0 of the body point at rho_I.
-Vec3 pointBias(const Frame& f, const Vec3& rho_I) {
-  return f.bias_S_I + f.bias_R_I.cross(rho_I) + f.Omega_I.cross(f.Omega_I.cross(rho_I));
-}
-
-void addSpin(Block W, int row, const Frame& f, const Vec3& w, double sign) {
-  for (int j = 0; j < f.nu(); ++j) W(row, j) += sign * f.J_R_I.col(j).dot(w);
-}
-
 }  // namespace
-
-/// Line of action of the relative velocity in one row.
-struct Joint::RowValues {
-  bool spin = false;
-  Vec3 w = Vec3::Zero();  ///< direction of the point rows, axis of the others
-};
-
-void Joint::Pose::line(const JointRow& row, RowValues& v) const {
-  switch (row.kind) {
-    case JointRow::Kind::point:
-      v.w = A.A_IK * row.d_A;
-      break;
-    case JointRow::Kind::distance:
-      v.w = r_PQ.normalized();
-      break;
-    case JointRow::Kind::angle:
-      v.spin = true;
-      v.w = (B.A_IK * row.b_B).cross(A.A_IK * row.d_A);
-      break;
-    case JointRow::Kind::spin:
-      v.spin = true;
-      v.w = A.A_IK * row.d_A;
-      break;
-  }
-}
-
-/// What γ̇ has beyond Wᵀu̇.
-double Joint::Pose::bias(const JointRow& row, const RowValues& v) const {
-  const Vec3 d = A.A_IK * row.d_A, b = B.A_IK * row.b_B, ddot = A.Omega_I.cross(d);
-  if (v.spin) {
-    const bool angle = row.kind == JointRow::Kind::angle;
-    const Vec3 wdot = angle ? Vec3(B.Omega_I.cross(b).cross(d) + b.cross(ddot)) : ddot;
-    return v.w.dot(B.bias_R_I - A.bias_R_I) + wdot.dot(B.Omega_I - A.Omega_I);
-  }
-  const Vec3 v_PQ = B.velocity(rhoB_I) - A.velocity(rhoA_I);
-  const double ofPoints = v.w.dot(pointBias(B, rhoB_I) - pointBias(A, rhoA_I));
-  if (row.kind == JointRow::Kind::distance) {
-    const double along = v.w.dot(v_PQ);
-    return ofPoints + (v_PQ.squaredNorm() - along * along) / r_PQ.norm();
-  }
-  return ofPoints + 2.0 * ddot.dot(v_PQ) + (A.bias_R_I.cross(d) + A.Omega_I.cross(ddot)).dot(r_PQ);
-}
 
 // ---- declaration -------------------------------------------------------------------------------
 
@@ -91,8 +26,8 @@ void Joint::declareAxis(Attributes& a, const std::string& text) {
   a.vector("axis", Unit::none, 3, "0 0 0", text);
 }
 
-void Joint::declareFriction(Attributes& a) {
-  a.child(Kind::law, 0, 1, "friction in the free direction, e.g. GivenFriction");
+void Joint::declareFriction(Attributes& a, const std::string& text) {
+  a.child(Kind::law, 0, 1, text);
 }
 
 Joint::Joint(const Parameters& x)
@@ -116,7 +51,7 @@ void Joint::connect(Topology& topology) {
   s.A_IA = A.A_IK, s.A_IB = B.A_IK;
   pointA_ = A.A_IK.transpose() * (s.at_I - A.r_OS_I);
   pointB_ = B.A_IK.transpose() * (s.at_I - B.r_OS_I);
-  points_.clear(), angles_.clear(), free_.clear();
+  points_.clear(), angles_.clear(), free_.clear(), coupled_.clear(), coordinates_.clear();
   build(s);
   if (points_.empty() || points_[0].kind != JointRow::Kind::distance) return;
   if (points_[0].length > 0.0) return;
@@ -143,57 +78,99 @@ void Joint::addDistance(double length) {
   points_.push_back({JointRow::Kind::distance, Vec3::Zero(), Vec3::Zero(), length});
 }
 
+void Joint::addScrew(const Start& s, const Vec3& axis_I, double h) {
+  Vec3 e, unused;
+  tangents(axis_I, e, unused);
+  coupled_.push_back({JointRow::Kind::screw, s.A_IA.transpose() * axis_I, s.A_IB.transpose() * e, h,
+                      s.A_IA.transpose() * e});
+}
+
+void Joint::measureShift(const Start& s, const Vec3& d_I, const std::string& name,
+                         const std::string& rate) {
+  coordinates_.push_back(
+      {{JointRow::Kind::point, s.A_IA.transpose() * d_I, Vec3::Zero(), 0.0}, name, rate});
+}
+
+void Joint::measureTurn(const Start& s, const Vec3& d_I, const Vec3& e_I, const std::string& name,
+                        const std::string& rate, bool inB) {
+  const Mat3 &axes = inB ? s.A_IB : s.A_IA, &other = inB ? s.A_IA : s.A_IB;
+  coordinates_.push_back({{JointRow::Kind::turn, axes.transpose() * d_I, other.transpose() * e_I,
+                           0.0, axes.transpose() * e_I},
+                          name,
+                          rate,
+                          inB});
+}
+
+void Joint::refusePlane(const std::string& hint) {
+  throw ModelError("the bodies move in one plane: the joint is for bodies in space", hint);
+}
+
 // ---- contacts ----------------------------------------------------------------------------------
 
-void Joint::emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& rows,
+void Joint::emit(const JointPose& p, std::uint64_t id, const std::vector<JointRow>& rows,
                  const SetValuedForceLaw& law, ContactSink& sink) const {
-  double error[kMostRows], square = 0.0;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-    error[r] = p.error(rows[r]), square += error[r] * error[r];
-  const double g = &law == &bilateral_ ? std::sqrt(square) : 0.0;  // friction has no error
-  ContactRows out = sink.add(id, g, law, static_cast<int>(rows.size()));
+  double error[kMostRows] = {}, square = 0.0;
+  const bool holds = &law == &bilateral_;  // friction has no error
+  for (std::size_t r = 0; holds && r < rows.size(); ++r)
+    error[r] = rowPosition(p, rows[r]), square += error[r] * error[r];
+  ContactRows out = sink.add(id, std::sqrt(square), law, static_cast<int>(rows.size()));
   if (!out) return;
-  for (std::size_t r = 0; r < rows.size(); ++r) out.position(static_cast<int>(r)) = error[r];
-  const Frame &A = p.A, &B = p.B;
-  const Vec3 rhoAQ_I = p.rhoA_I + p.r_PQ;  // A's point that is at Q now
-  RowValues values[kMostRows];
-  for (std::size_t i = 0; i < rows.size(); ++i) p.line(rows[i], values[i]);
-  if (out.wantsBias())
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      out.bias(static_cast<int>(i)) = p.bias(rows[i], values[i]);
-
-  // Segments, χ and bias of both sides. A distance row may take A's own point as well: w is along
+  const auto n = static_cast<int>(rows.size());
+  RowWrench wrench[kMostRows];
+  for (int r = 0; r < n; ++r) {
+    const JointRow& row = rows[static_cast<std::size_t>(r)];
+    out.position(r) = error[r];
+    wrench[r] = rowWrench(p, row);
+    if (out.wantsBias()) out.bias(r) = rowBias(p, row);
+  }
+  // Segments and χ of both sides. A distance row may take A's own point as well: its force is along
   // r_PQ, so that the lever arms P and Q give the same.
   const auto addSide = [&](const Frame& f, const Vec3& rho, double sign) {
-    const auto n = static_cast<int>(rows.size());
-    if (f.block >= 0) {
-      const Block W = out.segment(f.block, f.u0, f.nu());
-      for (int r = 0; r < n; ++r)
-        values[r].spin ? addSpin(W, r, f, values[r].w, sign)
-                       : addPointRow(W, r, f, rho, values[r].w, sign);
+    RateTerm term{&f, rho, {}, sign};
+    Block W(nullptr, 0, 0);
+    if (f.block >= 0) new (&W) Block(out.segment(f.block, f.u0, f.nu()));
+    for (int r = 0; r < n; ++r) {
+      term.wrench = wrench[r];
+      if (f.block >= 0) addTerm(term, W, r);
+      out.chi(r) += chiOf(term);
     }
-    const Vec3 nu = f.nu_S_I + f.nu_R_I.cross(rho);
-    for (int r = 0; r < n; ++r)
-      out.chi(r) += sign * values[r].w.dot(values[r].spin ? f.nu_R_I : nu);
   };
-  addSide(A, rhoAQ_I, -1.0);
-  addSide(B, p.rhoB_I, 1.0);
-  out.place(B.r_OS_I + p.rhoB_I, Vec3::Zero());
+  addSide(p.A, p.rhoAQ_I(), -1.0);
+  addSide(p.B, p.rhoB_I, 1.0);
+  out.place(p.B.r_OS_I + p.rhoB_I, Vec3::Zero());
 }
 
 void Joint::contacts(const Kinematics& k, ContactSink& sink) const {
-  const Pose p(k.frame(frames_.A), k.frame(frames_.B), pointA_, pointB_);
+  const JointPose p = pose(k);
   if (!points_.empty()) emit(p, 0, points_, bilateral_, sink);
   if (!angles_.empty()) emit(p, 1, angles_, bilateral_, sink);
+  if (!coupled_.empty()) emit(p, 3, coupled_, bilateral_, sink);
   if (!free_.empty()) emit(p, 2, free_, *friction_, sink);
 }
 
 std::vector<double> Joint::errors(const Kinematics& k) const {
-  const Pose p(k.frame(frames_.A), k.frame(frames_.B), pointA_, pointB_);
+  const JointPose p = pose(k);
   std::vector<double> out;
-  for (const JointRow& row : points_) out.push_back(p.error(row));
-  for (const JointRow& row : angles_) out.push_back(p.error(row));
+  for (const auto* rows : {&points_, &angles_, &coupled_})
+    for (const JointRow& row : *rows) out.push_back(rowPosition(p, row));
   return out;
+}
+
+void Joint::describeCoordinate(const Coordinate& c, Description& d) const {
+  const bool turn = c.row.kind == JointRow::Kind::turn;
+  const auto seen = [this, inB = c.inB](const SignalView& v) {
+    const JointPose p = pose(*v.kinematics);
+    return inB ? JointPose(p.B, p.A, pointB_, pointA_) : p;
+  };
+  const double sign = c.inB ? -1.0 : 1.0;
+  d.signal(c.name, turn ? Unit::angle : Unit::length,
+           turn ? "angle of B against A, between -pi and pi" : "displacement of B against A",
+           [=, row = c.row](const SignalView& v) { return sign * rowPosition(seen(v), row); });
+  d.signal(c.rate, turn ? Unit::angularVelocity : Unit::velocity, "its rate",
+           [=, row = c.row](const SignalView& v) {
+             const JointPose p = seen(v);
+             return sign * rowRate(p, rowWrench(p, row));
+           });
 }
 
 void Joint::describe(Description& d) const {
@@ -204,6 +181,9 @@ void Joint::describe(Description& d) const {
     describeContact(d, 1, static_cast<int>(angles_.size()), bilateral_, "angles.");
   if (!free_.empty())
     describeContact(d, 2, static_cast<int>(free_.size()), *friction_, "friction.");
+  if (!coupled_.empty())
+    describeContact(d, 3, static_cast<int>(coupled_.size()), bilateral_, "screw.");
+  for (const Coordinate& c : coordinates_) describeCoordinate(c, d);
 }
 
 }  // namespace dynamy

@@ -1,31 +1,16 @@
-/// Joint: bilateral constraints between two frames, made of rows of three kinds,
-///
-///   point     g = d·(r_Q − r_P),      d fixed in A
-///   angle     g = d·b,                d fixed in A, b fixed in B, perpendicular at the start
-///   distance  g = |r_Q − r_P| − l
-///
-/// with P on A and Q on B. W, χ and the bias are exact, also away from g = 0:
-///
-///   point     γ = d·(v_Q − v_P) + (Ω_A × d)·r_PQ
-///   angle     γ = (Ω_B − Ω_A)·(b × d)
-///   distance  γ = e·(v_Q − v_P)
+/// Joint: bilateral constraints between two frames, made of the rows of joint_row.hpp; W, χ and the
+/// bias are exact, also away from g = 0.
 ///
 /// Rows of different units are different contacts of the element (0 points, 1 angles, 2 friction in
-/// the free direction): a solver then scales each by itself.
+/// the free directions, 3 what couples them): a solver then scales each by itself.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy_elements/frame_pair.hpp>
+#include <dynamy_elements/joints/joint_row.hpp>
 #include <memory>
 
 namespace dynamy {
-
-struct JointRow {
-  enum class Kind : std::uint8_t { point, angle, distance, spin } kind = Kind::point;
-  Vec3 d_A = Vec3::Zero();  ///< direction in axes of A
-  Vec3 b_B = Vec3::Zero();  ///< angle rows: direction in axes of B
-  double length = 0.0;      ///< distance rows [m]
-};
 
 class Joint : public NonSmoothElement {
  public:
@@ -49,7 +34,7 @@ class Joint : public NonSmoothElement {
   };
   static void declareJoint(Attributes& a);
   static void declareAxis(Attributes& a, const std::string& text);
-  static void declareFriction(Attributes& a);
+  static void declareFriction(Attributes& a, const std::string& text);
   /// Adds the rows of the concrete joint.
   virtual void build(const Start& start) = 0;
 
@@ -59,30 +44,35 @@ class Joint : public NonSmoothElement {
   void freeDirection(const Start& s, JointRow::Kind kind, const Vec3& axis_I);
   void place(const Vec3& pointA, const Vec3& pointB) { pointA_ = pointA, pointB_ = pointB; }
   void addDistance(double length);
+  /// Displacement along the axis and angle about it, with advance h per angle [m/rad].
+  void addScrew(const Start& s, const Vec3& axis_I, double h);
+  /// Signals `name` and `rate` of the displacement of B along d_I, fixed in A, from the start.
+  void measureShift(const Start& s, const Vec3& d_I, const std::string& name,
+                    const std::string& rate);
+  /// The same of the angle about d_I from where e_I is at the start; e_I fixed in B. `inB`: d_I is
+  /// fixed in B and e_I in A, for axes that B carries.
+  void measureTurn(const Start& s, const Vec3& d_I, const Vec3& e_I, const std::string& name,
+                   const std::string& rate, bool inB = false);
+  [[noreturn]] static void refusePlane(const std::string& hint);
 
  private:
-  struct RowValues;
-  /// Both frames and the line between the two joint points.
-  struct Pose {
-    const Frame &A, &B;
-    Vec3 rhoA_I, rhoB_I, r_PQ;  ///< lever arms of P and Q, and the line between them
-    Pose(const Frame& a, const Frame& b, const Vec3& pointA, const Vec3& pointB)
-        : A(a),
-          B(b),
-          rhoA_I(a.A_IK * pointA),
-          rhoB_I(b.A_IK * pointB),
-          r_PQ(b.r_OS_I + rhoB_I - a.r_OS_I - rhoA_I) {}
-    double error(const JointRow& row) const;
-    void line(const JointRow& row, RowValues& out) const;
-    double bias(const JointRow& row, const RowValues& v) const;
+  struct Coordinate {
+    JointRow row;
+    std::string name, rate;
+    bool inB = false;  ///< A and B exchanged, sign reversed
   };
-  void emit(const Pose& p, std::uint64_t id, const std::vector<JointRow>& rows,
+  JointPose pose(const Kinematics& k) const {
+    return {k.frame(frames_.A), k.frame(frames_.B), pointA_, pointB_};
+  }
+  void emit(const JointPose& p, std::uint64_t id, const std::vector<JointRow>& rows,
             const SetValuedForceLaw& law, ContactSink& sink) const;
+  void describeCoordinate(const Coordinate& c, Description& d) const;
   FramePair frames_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();
   bool atGiven_ = false;
   Vec3 pointA_ = Vec3::Zero(), pointB_ = Vec3::Zero();
-  std::vector<JointRow> points_, angles_, free_;
+  std::vector<JointRow> points_, angles_, free_, coupled_;
+  std::vector<Coordinate> coordinates_;
   Bilateral bilateral_;
   std::unique_ptr<SetValuedForceLaw> friction_;
 };

@@ -35,8 +35,8 @@ void addForce(const Vec3& f, const Vec3& rhoAQ_I, const Vec3& rhoB_I,
 
 bool Joint::jointForces(const Kinematics& k, std::uint64_t id, const double* Lambda,
                         JointForces& out) const {
-  if (id > 1) return false;  // friction
-  const Pose p(k.frame(frames_.A), k.frame(frames_.B), pointA_, pointB_);
+  if (id > 1) return false;  // friction, screws
+  const JointPose p = pose(k);
   out.frame[0] = frames_.A, out.frame[1] = frames_.B;
   for (int side = 0; side < 2; ++side) out.F[side].setZero(), out.M[side].setZero();
   out.D.setZero();

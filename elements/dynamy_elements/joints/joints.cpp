@@ -21,10 +21,10 @@ Mat3 triad(const Vec3& n) {
 void Revolute::declare(Attributes& a) {
   a.about(
       "Hinge: two frames share a point and an axis. Planar bodies: 2 rows, in space 5. A friction "
-      "law acts about the axis.");
+      "law acts about the axis. Signals: angle (between -pi and pi), rate.");
   declareJoint(a);
   declareAxis(a, "axis at the start, in the world; needed in space, planar bodies have their own");
-  declareFriction(a);
+  declareFriction(a, "friction about the axis, e.g. GivenFriction");
   a.example("<Revolute between=\"world rod\" at=\"0 0 1\" axis=\"0 1 0\"/>");
 }
 
@@ -34,6 +34,7 @@ void Revolute::build(const Start& s) {
   addPoint(s, e.col(1));
   if (planar(s.plane)) {
     freeDirection(s, JointRow::Kind::spin, s.plane);
+    measureTurn(s, s.plane, e.col(0), "angle", "rate");
     return;
   }
   if (s.axis_I.isZero(0.0))
@@ -44,6 +45,7 @@ void Revolute::build(const Start& s) {
   addAngle(s, t1, s.axis_I);
   addAngle(s, t2, s.axis_I);
   freeDirection(s, JointRow::Kind::spin, s.axis_I);
+  measureTurn(s, s.axis_I, t1, "angle", "rate");
 }
 
 void Spherical::declare(Attributes& a) {
@@ -60,16 +62,17 @@ void Spherical::build(const Start& s) {
 void Prismatic::declare(Attributes& a) {
   a.about(
       "Slider: B moves along an axis fixed in A and does not turn against it. Planar bodies: 2 "
-      "rows, in space 5. A friction law acts along the axis.");
+      "rows, in space 5. A friction law acts along the axis. Signals: displacement, rate.");
   declareJoint(a);
   declareAxis(a, "direction at the start, in the world");
-  declareFriction(a);
+  declareFriction(a, "friction along the axis, e.g. GivenFriction");
   a.example("<Prismatic between=\"world cart\" axis=\"1 0 0\"/>");
 }
 
 void Prismatic::build(const Start& s) {
   if (s.axis_I.isZero(0.0)) throw ModelError("a slider needs an axis", "add axis=\"1 0 0\"");
   freeDirection(s, JointRow::Kind::point, s.axis_I);
+  measureShift(s, s.axis_I, "displacement", "rate");
   if (planar(s.plane)) {
     const Vec3 across = s.plane.cross(s.axis_I);
     // A direction out of the plane leaves nothing to slide along: |across| = sine of the angle.

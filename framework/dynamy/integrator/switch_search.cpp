@@ -22,6 +22,7 @@ void SwitchSearch::prepare(double gapNoise, double speedNoise) {
 
 bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
   kinematic_.clear(), force_.clear();
+  at_.memory = x.memory;
   if (!probe.look(x)) return false;
   for (int i = 0; i < probe.size(); ++i)
     if (probe.law(i).unilateral() && phase.find(probe.key(i)) == nullptr)

@@ -28,7 +28,7 @@ double EnergyMeter::potential(const State& x) {
     V += model_.systems()[i]->potentialEnergy(x.t, slice(x.q, s.q0, s.nq));
   }
   if (model_.forces().empty()) return V;
-  kinematics_.evaluate(model_.topology(), x.t, view(x.q), view(x.u));
+  kinematics_.evaluate(model_.topology(), x.t, view(x.q), view(x.u), view(x.memory));
   for (const auto& f : model_.forces()) V += f->potentialEnergy(kinematics_);
   return V;
 }

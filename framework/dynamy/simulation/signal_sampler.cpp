@@ -61,7 +61,7 @@ void SignalSampler::place(const StepView& view, double theta) {
     view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
   }
   kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
-                       dynamy::view(std::as_const(at_.u)));
+                       dynamy::view(std::as_const(at_.u)), dynamy::view(view.after.memory));
 }
 
 double SignalSampler::value(const StepView& view, const NamedSignal& s) const {

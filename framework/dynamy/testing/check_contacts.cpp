@@ -54,7 +54,7 @@ class Motion {
   }
   const State& x() const { return x_; }
   Kinematics& kinematics(const State& x) {
-    kinematics_.evaluate(model_.topology(), x.t, view(x.q), view(x.u));
+    kinematics_.evaluate(model_.topology(), x.t, view(x.q), view(x.u), view(x.memory));
     return kinematics_;
   }
 

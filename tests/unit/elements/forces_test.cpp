@@ -4,9 +4,12 @@
 #include <dynamy_elements/bodies/planar_body.hpp>
 #include <dynamy_elements/bodies/point_mass.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
+#include <dynamy_elements/forces/bushing.hpp>
+#include <dynamy_elements/forces/drag.hpp>
 #include <dynamy_elements/forces/force_input.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/forces/springs.hpp>
+#include <dynamy_elements/joints/coordinate_forces.hpp>
 
 #include "motion.hpp"
 
@@ -162,6 +165,61 @@ TEST(ForceInput, PointsAtTheMistakeInAFormula) {
   } catch (const ModelError& error) {
     EXPECT_EQ(error.diagnostics().at(0).hint, "did you mean \"sin\"?");
   }
+}
+
+TEST(Bushing, IsTheGradientOfItsPotentialAtLargeAngles) {
+  Model m;
+  addBodies(m);
+  m.add<Bushing>("b", {{"between", "world a"},
+                       {"at", {0.3, 0.0, 0.2}},
+                       {"stiffness", {10.0, 20.0, 5.0}},
+                       {"damping", {1.0, 2.0, 3.0}},
+                       {"turnStiffness", {3.0, 1.0, 2.0}},
+                       {"turnDamping", {0.1, 0.2, 0.3}}});
+  expectPotentialFits(m);
+}
+
+TEST(Bushing, ActsOnTwoBodies) {
+  Model m;
+  addBodies(m);
+  m.add<Bushing>(
+      "b",
+      {{"between", "b a"}, {"stiffness", {10.0, 20.0, 5.0}}, {"turnStiffness", {3.0, 1.0, 2.0}}});
+  expectPotentialFits(m);
+}
+
+TEST(JointSpring, IsTheGradientOfItsPotential) {
+  for (const char* coordinate : {"angle", "displacement"}) {
+    SCOPED_TRACE(coordinate);
+    Model m;
+    addBodies(m);
+    m.add<JointSpring>("s", {{"between", "b a"},
+                             {"coordinate", coordinate},
+                             {"axis", {0.2, 0.1, 1.0}},
+                             {"stiffness", 4.0},
+                             {"damping", 0.3}});
+    expectPotentialFits(m);
+  }
+}
+
+TEST(Drag, IsThatOfTheVelocityAgainstTheWind) {
+  Model m;
+  addBodies(m);
+  m.add<Drag>("d", {{"on", "c"},
+                    {"area", 0.5},
+                    {"coefficient", 0.8},
+                    {"density", 2.0},
+                    {"viscous", 0.1},
+                    {"wind", "0; t; 3"}});
+  m.build();
+  Motion motion(m, 2.0);
+  State& x = motion.start();
+  x.u.setZero();  // v = (0, −2, −3) against the wind; 0.4 |v| + 0.1
+  const Forces f = forces(*m.forces().at(0), motion);
+  const double factor = 0.4 * std::sqrt(13.0) + 0.1;
+  const Eigen::Index first = f.h.size() - 2;
+  EXPECT_NEAR(f.h[first], 2.0 * factor, 1e-14);
+  EXPECT_NEAR(f.h[first + 1], 3.0 * factor, 1e-14);
 }
 
 }  // namespace

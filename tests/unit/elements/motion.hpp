@@ -50,7 +50,7 @@ class Motion {
   const Kinematics& at(double s) {
     x_ = moved(s);
     kinematics_.evaluate(model_->topology(), t_ + s, {x_.q.data(), x_.q.size()},
-                         {x_.u.data(), x_.u.size()});
+                         {x_.u.data(), x_.u.size()}, {x_.memory.data(), x_.memory.size()});
     return kinematics_;
   }
   /// All contacts of an element, open ones included, with bias.

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy_elements/joints/coordinate_forces.hpp>
+#include <limits>
+
+namespace dynamy {
+
+// ---- CoordinateForce ---------------------------------------------------------------------------
+
+CoordinateForce::CoordinateForce(const Parameters& x)
+    : ExternalForce(x), coordinate_(x), stiff_(x["stiff"].flag()) {}
+
+void CoordinateForce::declareForce(Attributes& a) {
+  JointCoordinate::declare(a);
+  a.add(AttributeType::flag, "stiff", "false",
+        "true: taken linearly implicitly by the schemes, for steps beyond its period");
+}
+
+void CoordinateForce::addTo(const Kinematics& k, ForceSink& sink) const {
+  const double F = force(k.t(), coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
+  coordinate_.row().addForce(k, F, sink);
+}
+
+void CoordinateForce::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
+  double c = 0.0, d = 0.0;
+  force(k.t(), coordinate_.value(k), coordinate_.rate(k), &c, &d);
+  coordinate_.row().addStiffness(k, c, d, sink);
+}
+
+void CoordinateForce::describe(Description& d) const {
+  coordinate_.describe(d);
+  const bool angle = coordinate_.isAngle();
+  d.signal("force", angle ? Unit::torque : Unit::force, angle ? "moment on B" : "force on B",
+           [this](const SignalView& v) {
+             const Kinematics& k = *v.kinematics;
+             return force(k.t(), coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
+           });
+}
+
+// ---- JointSpring -------------------------------------------------------------------------------
+
+void JointSpring::declare(Attributes& a) {
+  a.about(
+      "Spring and damper in a joint coordinate: F = -c (x - x0) - d x', V = c (x - x0)^2/2. "
+      "Angles count whole turns. Signals: position, rate, force.");
+  declareForce(a);
+  a.required("stiffness", Unit::any, "stiffness c [N m/rad or N/m]").nonNegative();
+  a.optional("damping", Unit::any, 0.0, "damping d [N m s/rad or N s/m]").nonNegative();
+  a.optional("rest", Unit::any, 0.0, "coordinate x0 without force [rad or m]");
+  a.example("<JointSpring between=\"world rod\" axis=\"0 0 1\" stiffness=\"5\" damping=\"0.2\"/>");
+}
+
+JointSpring::JointSpring(const Parameters& x)
+    : CoordinateForce(x), stiffness_(x["stiffness"]), damping_(x["damping"]), rest_(x["rest"]) {}
+
+double JointSpring::force(double, double x, double rate, double* c, double* d) const {
+  if (c) *c = stiffness_;
+  if (d) *d = damping_;
+  return -stiffness_ * (x - rest_) - damping_ * rate;
+}
+
+void JointSpring::addTo(const Kinematics& k, ForceSink& sink) const {
+  // Spring and damper apart: the first has a potential.
+  sink.hasPotential(true);
+  coordinate().row().addForce(k, -stiffness_ * (coordinate().value(k) - rest_), sink);
+  if (damping_ == 0.0) return;
+  sink.hasPotential(false);
+  coordinate().row().addForce(k, -damping_ * coordinate().rate(k), sink);
+}
+
+double JointSpring::potentialEnergy(const Kinematics& k) const {
+  const double x = coordinate().value(k) - rest_;
+  return 0.5 * stiffness_ * x * x;
+}
+
+// ---- JointForce --------------------------------------------------------------------------------
+
+void JointForce::declare(Attributes& a) {
+  a.about(
+      "Force or moment in a joint coordinate as a formula of the time t, the coordinate x and its "
+      "rate v; derivatives are exact. Signals: position, rate, force.");
+  declareForce(a);
+  a.add(AttributeType::expression, "force", std::nullopt,
+        "force or moment on B as a formula of t, x, v [N or N m]");
+  a.example("<JointForce between=\"world rod\" axis=\"0 1 0\" force=\"2*sin(t)-0.1*v*abs(v)\"/>");
+}
+
+JointForce::JointForce(const Parameters& x) : CoordinateForce(x) {
+  const ParameterValue& text = x["force"];
+  SymbolTable symbols;
+  for (const auto& [name, number] : x.symbols) symbols.constant(name, number);
+  for (const char* name : {"t", "x", "v"}) symbols.variable(name);
+  try {
+    formula_ = std::make_unique<Expression>(Expression::compile(text.text, symbols));
+  } catch (const ExpressionError& error) {
+    throw text.fault(error.message(), didYouMean(error.suggestion()), error.offset(),
+                     error.length());
+  }
+}
+
+double JointForce::force(double t, double x, double rate, double* c, double* d) const {
+  const double in[3] = {t, x, rate}, byX[3] = {0.0, 1.0, 0.0}, byRate[3] = {0.0, 0.0, 1.0};
+  if (c) *c = -formula_->derivative(in, byX);
+  if (d) *d = -formula_->derivative(in, byRate);
+  return formula_->value(in);
+}
+
+// ---- PdController ------------------------------------------------------------------------------
+
+void PdController::declare(Attributes& a) {
+  a.about(
+      "Controller that pulls a joint coordinate to a target: F = k (s - x) + d (s' - x') + f, cut "
+      "off at ±limit, with k, d, s, f as formulas of t. Signals: position, rate, force.");
+  declareForce(a);
+  a.add(AttributeType::expression, "target", "0", "target s as a formula of t [rad or m]");
+  a.add(AttributeType::expression, "stiffness", std::nullopt,
+        "gain k of the position as a formula of t [N m/rad or N/m]");
+  a.add(AttributeType::expression, "damping", "0",
+        "gain d of the rate as a formula of t [N m s/rad or N s/m]");
+  a.add(AttributeType::expression, "feedforward", "0", "force f as a formula of t [N m or N]");
+  Attribute& limit = a.add(AttributeType::number, "limit", std::nullopt,
+                           "largest force or moment [N m or N]; default: none");
+  limit.unit = Unit::any;
+  limit.mayBeAbsent().nonNegative();
+  a.example(
+      "<PdController between=\"base rod\" axis=\"0 1 0\" target=\"0.5*sin(t)\" stiffness=\"40\" "
+      "damping=\"4\" limit=\"10\"/>");
+}
+
+PdController::PdController(const Parameters& x)
+    : CoordinateForce(x),
+      target_(x, "target", 1),
+      stiffness_(x, "stiffness", 1),
+      damping_(x, "damping", 1),
+      feedforward_(x, "feedforward", 1),
+      limit_(x.has("limit") ? double(x["limit"]) : std::numeric_limits<double>::infinity()) {}
+
+double PdController::force(double t, double x, double rate, double* c, double* d) const {
+  double s = 0.0, sdot = 0.0, k = 0.0, gain = 0.0, f = 0.0;
+  target_.eval(t, &s, &sdot);
+  stiffness_.eval(t, &k);
+  damping_.eval(t, &gain);
+  feedforward_.eval(t, &f);
+  const double F = k * (s - x) + gain * (sdot - rate) + f;
+  const bool cut = std::abs(F) > limit_;
+  if (c) *c = cut ? 0.0 : k;
+  if (d) *d = cut ? 0.0 : gain;
+  return std::clamp(F, -limit_, limit_);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,74 @@
+/// Forces in one joint coordinate x:                                               (theory 40.5)
+///
+///   JointSpring    F = −c (x − x0) − d ẋ                          V = ½ c (x − x0)²
+///   JointForce     F(t, x, ẋ) by a formula
+///   PdController   F = k(t) (s(t) − x) + d(t) (ṡ(t) − ẋ) + f(t), cut off at ±limit
+///
+/// F is the force or moment on B in the direction of x. Stiff ones are taken implicitly with
+/// −∂F/∂x and −∂F/∂ẋ.
+#pragma once
+#include <dynamy/system/external_force.hpp>
+#include <dynamy_elements/formulas.hpp>
+#include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <memory>
+
+namespace dynamy {
+
+/// Base: F and its derivatives are the leaf's.
+class CoordinateForce : public ExternalForce {
+ public:
+  explicit CoordinateForce(const Parameters& x);
+  void connect(Topology& topology) final { coordinate_.connect(topology, *this); }
+  void remember(const Kinematics& k, Vec memory) const final { coordinate_.remember(k, memory); }
+  void addTo(const Kinematics& k, ForceSink& sink) const override;
+  bool stiff() const final { return stiff_; }
+  void addStiffness(const Kinematics& k, StiffnessSink& sink) const final;
+  void describe(Description& d) const final;
+
+ protected:
+  static void declareForce(Attributes& a);
+  /// F [N or N m] at (t, x, ẋ); c = −∂F/∂x, d = −∂F/∂ẋ if not null.
+  virtual double force(double t, double x, double rate, double* c, double* d) const = 0;
+  const JointCoordinate& coordinate() const { return coordinate_; }
+
+ private:
+  JointCoordinate coordinate_;
+  bool stiff_;
+};
+
+class JointSpring final : public CoordinateForce {
+ public:
+  static void declare(Attributes& a);
+  explicit JointSpring(const Parameters& x);
+  void addTo(const Kinematics& k, ForceSink& sink) const override;
+  bool hasPotential() const override { return damping_ == 0.0; }
+  double potentialEnergy(const Kinematics& k) const override;
+
+ private:
+  double force(double t, double x, double rate, double* c, double* d) const override;
+  double stiffness_, damping_, rest_;
+};
+
+class JointForce final : public CoordinateForce {
+ public:
+  static void declare(Attributes& a);
+  explicit JointForce(const Parameters& x);
+
+ private:
+  double force(double t, double x, double rate, double* c, double* d) const override;
+  /// Registers of the tape: scratch, not state.
+  mutable std::unique_ptr<Expression> formula_;
+};
+
+class PdController final : public CoordinateForce {
+ public:
+  static void declare(Attributes& a);
+  explicit PdController(const Parameters& x);
+
+ private:
+  double force(double t, double x, double rate, double* c, double* d) const override;
+  TimeFormulas target_, stiffness_, damping_, feedforward_;
+  double limit_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,81 @@
+/// What acts in one joint coordinate x as an inclusion:                             (theory 40.4)
+///
+///   JointStop      g = x − lower ≥ 0,  g = upper − x ≥ 0     unilateral laws
+///   JointDrive     g = x − motion(t) = 0                     bilateral: χ = −motion′(t)
+///   JointMotor     γ = ẋ − speed(t)                          held while |force| < limit
+///   JointFriction  γ = ẋ                                     any law that always acts
+#pragma once
+#include <dynamy/contact/force_limit.hpp>
+#include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy_elements/formulas.hpp>
+#include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <memory>
+
+namespace dynamy {
+
+/// Base of the elements with one joint coordinate.
+class CoordinateLaw : public NonSmoothElement {
+ public:
+  explicit CoordinateLaw(const Parameters& x) : NonSmoothElement(x), coordinate_(x) {}
+  void connect(Topology& topology) override { coordinate_.connect(topology, *this); }
+  void remember(const Kinematics& k, Vec memory) const final { coordinate_.remember(k, memory); }
+
+ protected:
+  const JointCoordinate& coordinate() const { return coordinate_; }
+
+ private:
+  JointCoordinate coordinate_;
+};
+
+class JointStop final : public CoordinateLaw {
+ public:
+  static void declare(Attributes& a);
+  explicit JointStop(const Parameters& x);
+  void connect(Topology& topology) override;
+  void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void describe(Description& d) const override;
+  std::string contactName(std::uint64_t id) const override { return id == 0 ? "lower" : "upper"; }
+
+ private:
+  double lower_, upper_;
+  std::unique_ptr<SetValuedForceLaw> law_;
+};
+
+class JointDrive final : public CoordinateLaw {
+ public:
+  static void declare(Attributes& a);
+  explicit JointDrive(const Parameters& x);
+  void connect(Topology& topology) override;
+  void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void describe(Description& d) const override;
+
+ private:
+  TimeFormulas motion_;
+  Bilateral bilateral_;
+};
+
+class JointMotor final : public CoordinateLaw {
+ public:
+  static void declare(Attributes& a);
+  explicit JointMotor(const Parameters& x);
+  void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void describe(Description& d) const override;
+
+ private:
+  TimeFormulas speed_;
+  ForceLimit law_;
+};
+
+class JointFriction final : public CoordinateLaw {
+ public:
+  static void declare(Attributes& a);
+  explicit JointFriction(const Parameters& x);
+  void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void describe(Description& d) const override;
+
+ private:
+  std::unique_ptr<SetValuedForceLaw> law_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,94 @@
+/// Coordinates of joints: an angle, a displacement or a distance between two frames, with rate and
+/// bias, for laws, drives, forces and gears that act in them.
+///
+///   x = start + g − g(0),   ẋ = Wᵀu + χ,   ẍ = Wᵀu̇ + bias         g: a row of joint_row.hpp
+///
+/// An angle counts whole turns. The frames tell it but for a multiple of 2π; the element keeps
+/// angle, rate and time of the end of the last step in its memory, and the multiple is that nearest
+/// to
+///
+///   x⁻ + (t − t⁻) (ẋ⁻ + ẋ)/2                                                       (theory 40.3)
+///
+/// Rejected: the multiple nearest to x⁻, which is wrong in steps of more than half a turn.
+#pragma once
+#include <dynamy/system/description.hpp>
+#include <dynamy/system/external_force.hpp>
+#include <dynamy_elements/frame_pair.hpp>
+#include <dynamy_elements/joints/joint_row.hpp>
+
+namespace dynamy {
+
+/// One coordinate between frames known by their handles.
+class CoordinateRow {
+ public:
+  CoordinateRow() = default;
+  /// Angle of B against A about axis_I from the start; reference_I: direction across the axis that
+  /// B carries and whose turn is measured, zero: any.
+  static CoordinateRow angle(const StartKinematics& k, FrameHandle A, FrameHandle B,
+                             const Vec3& axis_I, const Vec3& reference_I, double start);
+  /// Displacement of B's point that is at at_I at the start, along direction_I fixed in A.
+  static CoordinateRow displacement(const StartKinematics& k, FrameHandle A, FrameHandle B,
+                                    const Vec3& at_I, const Vec3& direction_I, double start);
+  /// Distance of a point of A from one of B, in axes of the frames.
+  static CoordinateRow distance(FrameHandle A, FrameHandle B, const Vec3& pointA,
+                                const Vec3& pointB);
+
+  /// True: the value is known but for whole turns.
+  bool turns() const { return row_.kind == JointRow::Kind::turn; }
+  double start() const { return start_; }
+  /// Numbers to be remembered from step to step.
+  int memory() const { return turns() ? kMemory : 0; }
+  /// They at the start.
+  void startMemory(const StartKinematics& k, std::vector<double>& out) const;
+  /// x [m or rad]; `memory` as left by remember(), not read without turns.
+  double value(const Kinematics& k, const double* memory) const;
+  void remember(const Kinematics& k, double* memory) const;
+  double rate(const Kinematics& k) const;
+  double bias(const Kinematics& k) const;
+  /// The two parts of factor · ẋ.
+  void terms(const Kinematics& k, double factor, RateTerm* two) const;
+  /// Force F [N or N m] in the coordinate.
+  void addForce(const Kinematics& k, double F, ForceSink& sink) const;
+  /// ∂F/∂x = −c, ∂F/∂ẋ = −d.
+  void addStiffness(const Kinematics& k, double c, double d, StiffnessSink& sink) const;
+  /// Where it acts on B, in I [m].
+  Vec3 place(const Kinematics& k) const;
+
+ private:
+  static constexpr int kMemory = 3;  // x, ẋ, t
+  JointPose pose(const Kinematics& k) const { return {k.frame(A_), k.frame(B_), pointA_, pointB_}; }
+  FrameHandle A_, B_;
+  Vec3 pointA_ = Vec3::Zero(), pointB_ = Vec3::Zero();
+  JointRow row_;
+  double start_ = 0.0;
+};
+
+/// The coordinate of an element with attributes `between`, `coordinate`, `at`, `axis`, `reference`,
+/// `start`.
+class JointCoordinate {
+ public:
+  static void declare(Attributes& a);
+  explicit JointCoordinate(const Parameters& x);
+  /// Once, in the element's connect(); reserves the memory of `owner`.
+  void connect(Topology& topology, const Element& owner);
+  /// For the element's remember().
+  void remember(const Kinematics& k, Vec memory) const { row_.remember(k, memory.data()); }
+  double value(const Kinematics& k) const { return row_.value(k, k.memory(memory_).data()); }
+  double rate(const Kinematics& k) const { return row_.rate(k); }
+  const CoordinateRow& row() const { return row_; }
+  bool isAngle() const { return angle_; }
+  /// Signals position and rate.
+  void describe(Description& d) const;
+  /// One contact of one row with γ = sign ẋ + chi, bias = sign ẍ + chiRate beside Wᵀu̇.
+  void emit(const Kinematics& k, ContactRows& out, double sign, double chi, double chiRate) const;
+
+ private:
+  FramePair frames_;
+  bool angle_, atGiven_;
+  Vec3 at_ = Vec3::Zero(), axis_, reference_;
+  double start_;
+  CoordinateRow row_;
+  MemoryHandle memory_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,68 @@
+/// One row between two frames: position, rate and bias, all exact, also away from where the joint
+/// holds. P on A, Q on B, r_PQ = r_Q − r_P:
+///
+///   point     g = d·r_PQ                    d fixed in A
+///   angle     g = d·b                       d fixed in A, b fixed in B
+///   distance  g = |r_PQ| − l
+///   spin      no position;  γ = d·(Ω_B − Ω_A)
+///   turn      g = atan2(b·(d × e), b·e)     angle about d from e, both fixed in A, to b, fixed in
+///   B screw     g = d·r_PQ − h ψ              ψ the angle of `turn`, of the turn nearest to g = 0
+///
+/// A unit force of the row acts on B with a force f at Q and a moment m, and on A's point that is
+/// at Q with the opposite, so that  γ = f·(v_Q − v_AQ) + m·(Ω_B − Ω_A). (theory 40.1, 40.2)
+#pragma once
+#include <dynamy/contact/contact_sink.hpp>
+#include <span>
+
+namespace dynamy {
+
+struct JointRow {
+  enum class Kind : std::uint8_t { point, angle, distance, spin, turn, screw } kind = Kind::point;
+  Vec3 d_A = Vec3::Zero();  ///< direction or axis in axes of A
+  Vec3 b_B = Vec3::Zero();  ///< angle, turn, screw: direction in axes of B
+  double length = 0.0;      ///< distance [m]; screw: advance h per angle [m/rad]
+  Vec3 e_A = Vec3::Zero();  ///< turn, screw: unit vector across d, in axes of A
+};
+
+/// Both frames of a joint and the line between its two points.
+struct JointPose {
+  const Frame &A, &B;
+  Vec3 rhoA_I, rhoB_I, r_PQ;  ///< lever arms of P and Q, and the line between them
+  JointPose(const Frame& a, const Frame& b, const Vec3& pointA, const Vec3& pointB)
+      : A(a),
+        B(b),
+        rhoA_I(a.A_IK * pointA),
+        rhoB_I(b.A_IK * pointB),
+        r_PQ(b.r_OS_I + rhoB_I - a.r_OS_I - rhoA_I) {}
+  Vec3 rhoAQ_I() const { return rhoA_I + r_PQ; }  ///< of A's point that is at Q now
+};
+
+/// What a unit force of a row does to B.
+struct RowWrench {
+  bool force = false, moment = false;
+  Vec3 f = Vec3::Zero(), m = Vec3::Zero();
+};
+
+/// g of the row [m, – or rad].
+double rowPosition(const JointPose& p, const JointRow& row);
+RowWrench rowWrench(const JointPose& p, const JointRow& row);
+/// γ [m/s, rad/s].
+double rowRate(const JointPose& p, const RowWrench& w);
+/// What γ̇ has beyond Wᵀu̇ [m/s², rad/s²].
+double rowBias(const JointPose& p, const JointRow& row);
+
+/// Part of one frame in γ: sign (f·v(ρ) + m·Ω).
+struct RateTerm {
+  const Frame* frame = nullptr;
+  Vec3 rho_I = Vec3::Zero();
+  RowWrench wrench;
+  double sign = 1.0;
+};
+/// Adds the terms to segment row `row` and to χ of it. Terms of one block share a segment.
+void emitRow(std::span<const RateTerm> terms, ContactRows& out);
+/// Adds one term to row `row` of a segment.
+void addTerm(const RateTerm& term, Block W, int row);
+/// Its part in χ.
+double chiOf(const RateTerm& term);
+
+}  // namespace dynamy

@@ -1,0 +1,9 @@
+/// The joints and what acts in them.
+#pragma once
+#include <dynamy/io/registry.hpp>
+
+namespace dynamy {
+
+void registerJoints(Registry& r);
+
+}  // namespace dynamy

@@ -1,0 +1,121 @@
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/joints/spatial_joints.hpp>
+#include <numbers>
+
+namespace dynamy {
+namespace {
+
+const Vec3& neededAxis(const Vec3& axis_I, const char* what) {
+  if (axis_I.isZero(0.0))
+    throw ModelError(std::string(what) + " needs an axis", "add axis=\"0 0 1\"");
+  return axis_I;
+}
+
+}  // namespace
+
+// ---- Universal ---------------------------------------------------------------------------------
+
+void Universal::declare(Attributes& a) {
+  a.about(
+      "Universal (Cardan) joint: two frames share a point, and an axis fixed in A stays "
+      "perpendicular to an axis fixed in B. 4 rows. Signals: alpha, the angle of B's axis about "
+      "that of A, beta, the angle of B about its own, and their rates.");
+  declareJoint(a);
+  declareAxis(a, "axis fixed in A at the start, in the world");
+  a.requiredVector("axisB", Unit::none, 3,
+                   "axis fixed in B at the start, in the world, perpendicular to the other");
+  a.example("<Universal between=\"world rod\" axis=\"0 1 0\" axisB=\"0 0 1\"/>");
+}
+
+Universal::Universal(const Parameters& x) : Joint(x), axisB_(x["axisB"].vec3()) {}
+
+void Universal::build(const Start& s) {
+  if (!s.plane.isZero(0.0)) refusePlane("planar bodies have the Revolute");
+  const Vec3 &a = neededAxis(s.axis_I, "a universal joint"), b = axisB_.normalized();
+  // Axes written with four digits are off by 1e-4: what was meant is told apart from what was not.
+  if (!(std::abs(a.dot(b)) < 1e-3))
+    throw ModelError("the two axes are not perpendicular",
+                     "axis is fixed in A, axisB in B; the cross joins them at a right angle");
+  const Vec3 across = (b - a.dot(b) * a).normalized();
+  for (int i = 0; i < 3; ++i) addPoint(s, Vec3::Unit(i));
+  addAngle(s, a, across);
+  measureTurn(s, a, across, "alpha", "alphaRate");
+  measureTurn(s, across, a, "beta", "betaRate", true);
+}
+
+// ---- Cylindrical, Screw ------------------------------------------------------------------------
+
+void Cylindrical::declare(Attributes& a) {
+  a.about(
+      "B turns about an axis fixed in A and moves along it. 4 rows. Signals: displacement, angle "
+      "(between -pi and pi), and their rates.");
+  declareJoint(a);
+  declareAxis(a, "axis at the start, in the world");
+  a.example("<Cylindrical between=\"world rod\" axis=\"0 0 1\"/>");
+}
+
+void Cylindrical::build(const Start& s) {
+  if (!s.plane.isZero(0.0)) refusePlane("planar bodies have the Revolute and the Prismatic");
+  const Vec3& axis = neededAxis(s.axis_I, "a cylindrical joint");
+  Vec3 t1, t2;
+  tangents(axis, t1, t2);
+  for (const Vec3& t : {t1, t2}) addPoint(s, t);
+  for (const Vec3& t : {t1, t2}) addAngle(s, t, axis);
+  measureShift(s, axis, "displacement", "speed");
+  measureTurn(s, axis, t1, "angle", "rate");
+}
+
+void Screw::declare(Attributes& a) {
+  a.about(
+      "B turns about an axis fixed in A and moves along it by the pitch in each turn: displacement "
+      "= pitch angle/(2 pi). 5 rows. A friction law acts about the axis. Signals: displacement, "
+      "angle (between -pi and pi), and their rates.");
+  declareJoint(a);
+  declareAxis(a, "axis at the start, in the world");
+  a.required("pitch", Unit::length, "advance in a turn, negative: left-handed").notZero();
+  declareFriction(a, "friction about the axis, e.g. GivenFriction");
+  a.example("<Screw between=\"world rod\" axis=\"0 0 1\" pitch=\"0.01\"/>");
+}
+
+Screw::Screw(const Parameters& x) : Joint(x), pitch_(x["pitch"]) {}
+
+void Screw::build(const Start& s) {
+  if (!s.plane.isZero(0.0)) refusePlane("in one plane a rack and a pinion do what a screw does");
+  const Vec3& axis = neededAxis(s.axis_I, "a screw");
+  Vec3 t1, t2;
+  tangents(axis, t1, t2);
+  for (const Vec3& t : {t1, t2}) addPoint(s, t);
+  for (const Vec3& t : {t1, t2}) addAngle(s, t, axis);
+  addScrew(s, axis, pitch_ / (2.0 * std::numbers::pi));
+  freeDirection(s, JointRow::Kind::spin, axis);
+  measureShift(s, axis, "displacement", "speed");
+  measureTurn(s, axis, t1, "angle", "rate");
+}
+
+// ---- PlanarJoint -------------------------------------------------------------------------------
+
+void PlanarJoint::declare(Attributes& a) {
+  a.about(
+      "B moves in a plane fixed in A and turns about its normal. 3 rows. A friction law acts on "
+      "the velocity in the plane. Signals: x, y along two directions fixed in A, angle (between "
+      "-pi and pi), and their rates.");
+  declareJoint(a);
+  declareAxis(a, "normal of the plane at the start, in the world");
+  declareFriction(a, "friction in the plane, e.g. GivenFriction");
+  a.example("<PlanarJoint between=\"world rod\" axis=\"0 0 1\"/>");
+}
+
+void PlanarJoint::build(const Start& s) {
+  if (!s.plane.isZero(0.0)) refusePlane("bodies that move in this plane are PlanarBody");
+  const Vec3& n = neededAxis(s.axis_I, "a plane");
+  Vec3 t1, t2;
+  tangents(n, t1, t2);
+  addPoint(s, n);
+  for (const Vec3& t : {t1, t2}) addAngle(s, t, n);
+  for (const Vec3& t : {t1, t2}) freeDirection(s, JointRow::Kind::point, t);
+  measureShift(s, t1, "x", "xRate");
+  measureShift(s, t2, "y", "yRate");
+  measureTurn(s, n, t1, "angle", "rate");
+}
+
+}  // namespace dynamy

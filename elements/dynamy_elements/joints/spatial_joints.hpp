@@ -1,0 +1,52 @@
+/// Joints of bodies in space with more than one freedom, or with freedoms that belong together.
+///
+///                rows                                    free
+///   Universal    3 points, 1 angle                       alpha about the axis of A, beta about
+///   that of B Cylindrical  2 points, 2 angles                      displacement and angle of one
+///   axis Screw        2 points, 2 angles, 1 screw             the angle; displacement = pitch
+///   angle/2π PlanarJoint  1 point, 2 angles                       x, y in a plane of A and the
+///   angle about its normal
+#pragma once
+#include <dynamy_elements/joints/joint.hpp>
+
+namespace dynamy {
+
+class Universal final : public Joint {
+ public:
+  static void declare(Attributes& a);
+  explicit Universal(const Parameters& x);
+
+ private:
+  void build(const Start& s) override;
+  Vec3 axisB_;
+};
+
+class Cylindrical final : public Joint {
+ public:
+  using Joint::Joint;
+  static void declare(Attributes& a);
+
+ private:
+  void build(const Start& s) override;
+};
+
+class Screw final : public Joint {
+ public:
+  static void declare(Attributes& a);
+  explicit Screw(const Parameters& x);
+
+ private:
+  void build(const Start& s) override;
+  double pitch_;
+};
+
+class PlanarJoint final : public Joint {
+ public:
+  using Joint::Joint;
+  static void declare(Attributes& a);
+
+ private:
+  void build(const Start& s) override;
+};
+
+}  // namespace dynamy
