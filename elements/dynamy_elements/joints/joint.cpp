@@ -126,14 +126,11 @@ void Joint::emit(const JointPose& p, std::uint64_t id, const std::vector<JointRo
   // Segments and χ of both sides. A distance row may take A's own point as well: its force is along
   // r_PQ, so that the lever arms P and Q give the same.
   const auto addSide = [&](const Frame& f, const Vec3& rho, double sign) {
-    RateTerm term{&f, rho, {}, sign};
-    Block W(nullptr, 0, 0);
-    if (f.block >= 0) new (&W) Block(out.segment(f.block, f.u0, f.nu()));
-    for (int r = 0; r < n; ++r) {
-      term.wrench = wrench[r];
-      if (f.block >= 0) addTerm(term, W, r);
-      out.chi(r) += chiOf(term);
+    if (f.block >= 0) {
+      const Block W = out.segment(f.block, f.u0, f.nu());
+      for (int r = 0; r < n; ++r) addWrench(W, r, f, rho, wrench[r], sign);
     }
+    for (int r = 0; r < n; ++r) out.chi(r) += sign * drivenRate(f, rho, wrench[r]);
   };
   addSide(p.A, p.rhoAQ_I(), -1.0);
   addSide(p.B, p.rhoB_I, 1.0);

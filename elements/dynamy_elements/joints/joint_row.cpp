@@ -58,51 +58,17 @@ double screwPosition(const JointPose& p, const JointRow& row) {
 
 }  // namespace
 
-double rowPosition(const JointPose& p, const JointRow& row) {
-  switch (row.kind) {
-    case JointRow::Kind::point:
-      return (p.A.A_IK * row.d_A).dot(p.r_PQ);
-    case JointRow::Kind::angle:
-      return (p.A.A_IK * row.d_A).dot(p.B.A_IK * row.b_B);
-    case JointRow::Kind::distance:
-      return p.r_PQ.norm() - row.length;
-    case JointRow::Kind::spin:
-      return 0.0;
-    case JointRow::Kind::turn:
-      return Turn(p, row).angle();
-    case JointRow::Kind::screw:
-      return screwPosition(p, row);
-  }
-  return 0.0;
+double turnPosition(const JointPose& p, const JointRow& row) {
+  if (row.kind == JointRow::Kind::screw) return screwPosition(p, row);
+  return Turn(p, row).angle();
 }
 
-RowWrench rowWrench(const JointPose& p, const JointRow& row) {
-  RowWrench w;
-  w.force = row.kind == JointRow::Kind::point || row.kind == JointRow::Kind::distance ||
-            row.kind == JointRow::Kind::screw;
-  w.moment = !w.force || row.kind == JointRow::Kind::screw;
-  switch (row.kind) {
-    case JointRow::Kind::point:
-      w.f = p.A.A_IK * row.d_A;
-      break;
-    case JointRow::Kind::distance:
-      w.f = p.r_PQ.normalized();
-      break;
-    case JointRow::Kind::angle:
-      w.m = (p.B.A_IK * row.b_B).cross(p.A.A_IK * row.d_A);
-      break;
-    case JointRow::Kind::spin:
-      w.m = p.A.A_IK * row.d_A;
-      break;
-    case JointRow::Kind::turn:
-      w.m = Turn(p, row).w();
-      break;
-    case JointRow::Kind::screw:
-      w.f = p.A.A_IK * row.d_A;
-      w.m = -row.length * Turn(p, row).w();
-      break;
-  }
-  return w;
+void turnWrench(const JointPose& p, const JointRow& row, RowWrench& out) {
+  const Turn turn(p, row);
+  out.moment = true, out.m = turn.w();
+  if (row.kind != JointRow::Kind::screw) return;
+  out.m *= -row.length;
+  out.force = true, out.f = turn.d;
 }
 
 double rowRate(const JointPose& p, const RowWrench& w) {
@@ -134,33 +100,20 @@ double rowBias(const JointPose& p, const JointRow& row) {
   return 0.0;
 }
 
-void addTerm(const RateTerm& term, Block W, int row) {
-  const Frame& f = *term.frame;
-  if (term.wrench.force) addPointRow(W, row, f, term.rho_I, term.wrench.f, term.sign);
-  if (!term.wrench.moment) return;
-  for (int j = 0; j < f.nu(); ++j) W(row, j) += term.sign * f.J_R_I.col(j).dot(term.wrench.m);
-}
-
-double chiOf(const RateTerm& term) {
-  const Frame& f = *term.frame;
-  double chi = 0.0;
-  if (term.wrench.force) chi += term.wrench.f.dot(f.nu_S_I + f.nu_R_I.cross(term.rho_I));
-  if (term.wrench.moment) chi += term.wrench.m.dot(f.nu_R_I);
-  return term.sign * chi;
-}
-
 void emitRow(std::span<const RateTerm> terms, ContactRows& out) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    out.chi(0) += chiOf(terms[i]);
+    const RateTerm& x = terms[i];
+    out.chi(0) += x.sign * drivenRate(*x.frame, x.rho_I, x.wrench);
     const int block = terms[i].frame->block;
     if (block < 0) continue;
-    const auto sameBlock = [block](const RateTerm& x) { return x.frame->block == block; };
+    const auto sameBlock = [block](const RateTerm& y) { return y.frame->block == block; };
     bool done = false;
     for (std::size_t k = 0; k < i && !done; ++k) done = sameBlock(terms[k]);
     if (done) continue;
-    const Block W = out.segment(block, terms[i].frame->u0, terms[i].frame->nu());
+    const Block W = out.segment(block, x.frame->u0, x.frame->nu());
     for (std::size_t k = i; k < terms.size(); ++k)
-      if (sameBlock(terms[k])) addTerm(terms[k], W, 0);
+      if (const RateTerm& y = terms[k]; sameBlock(y))
+        addWrench(W, 0, *y.frame, y.rho_I, y.wrench, y.sign);
   }
 }
 

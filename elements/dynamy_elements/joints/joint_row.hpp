@@ -43,13 +43,66 @@ struct RowWrench {
   Vec3 f = Vec3::Zero(), m = Vec3::Zero();
 };
 
+/// The same for turns and screws, whose angle takes more to find.
+double turnPosition(const JointPose& p, const JointRow& row);
+void turnWrench(const JointPose& p, const JointRow& row, RowWrench& out);
+
 /// g of the row [m, – or rad].
-double rowPosition(const JointPose& p, const JointRow& row);
-RowWrench rowWrench(const JointPose& p, const JointRow& row);
+inline double rowPosition(const JointPose& p, const JointRow& row) {
+  switch (row.kind) {
+    case JointRow::Kind::point:
+      return (p.A.A_IK * row.d_A).dot(p.r_PQ);
+    case JointRow::Kind::angle:
+      return (p.A.A_IK * row.d_A).dot(p.B.A_IK * row.b_B);
+    case JointRow::Kind::distance:
+      return p.r_PQ.norm() - row.length;
+    case JointRow::Kind::spin:
+      return 0.0;
+    default:
+      return turnPosition(p, row);
+  }
+}
+
+inline RowWrench rowWrench(const JointPose& p, const JointRow& row) {
+  RowWrench w;
+  switch (row.kind) {
+    case JointRow::Kind::point:
+      w.force = true, w.f = p.A.A_IK * row.d_A;
+      break;
+    case JointRow::Kind::distance:
+      w.force = true, w.f = p.r_PQ.normalized();
+      break;
+    case JointRow::Kind::angle:
+      w.moment = true, w.m = (p.B.A_IK * row.b_B).cross(p.A.A_IK * row.d_A);
+      break;
+    case JointRow::Kind::spin:
+      w.moment = true, w.m = p.A.A_IK * row.d_A;
+      break;
+    default:
+      turnWrench(p, row, w);
+  }
+  return w;
+}
+
 /// γ [m/s, rad/s].
 double rowRate(const JointPose& p, const RowWrench& w);
 /// What γ̇ has beyond Wᵀu̇ [m/s², rad/s²].
 double rowBias(const JointPose& p, const JointRow& row);
+
+/// Adds sign (f·v(ρ) + m·Ω) of frame f to row `row` of its segment.
+inline void addWrench(Block W, int row, const Frame& f, const Vec3& rho_I, const RowWrench& w,
+                      double sign) {
+  if (w.force) addPointRow(W, row, f, rho_I, w.f, sign);
+  if (!w.moment) return;
+  for (int j = 0; j < f.nu(); ++j) W(row, j) += sign * f.J_R_I.col(j).dot(w.m);
+}
+/// f·v(ρ) + m·Ω of the part of the velocities that is not from u.
+inline double drivenRate(const Frame& f, const Vec3& rho_I, const RowWrench& w) {
+  double chi = 0.0;
+  if (w.force) chi += w.f.dot(f.nu_S_I + f.nu_R_I.cross(rho_I));
+  if (w.moment) chi += w.m.dot(f.nu_R_I);
+  return chi;
+}
 
 /// Part of one frame in γ: sign (f·v(ρ) + m·Ω).
 struct RateTerm {
@@ -58,11 +111,7 @@ struct RateTerm {
   RowWrench wrench;
   double sign = 1.0;
 };
-/// Adds the terms to segment row `row` and to χ of it. Terms of one block share a segment.
+/// Writes segments and χ of a contact of one row. Terms of one block share a segment.
 void emitRow(std::span<const RateTerm> terms, ContactRows& out);
-/// Adds one term to row `row` of a segment.
-void addTerm(const RateTerm& term, Block W, int row);
-/// Its part in χ.
-double chiOf(const RateTerm& term);
 
 }  // namespace dynamy

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/joints/spatial_joints.hpp>
 #include <numbers>

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy_elements/joints/transmissions.hpp>
+#include <tuple>
 
 namespace dynamy {
 namespace {
