@@ -28,6 +28,11 @@ void addShow(CLI::App& command, Texts& t) {
                   "solved, to DIR/problems, for dynamy solve")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--threads", t.show.threads,
+                  "threads that work on a step of many contacts; the same numbers with any")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
   command.add_option("--checkpoint", t.checkpoint, "write a checkpoint every TIME of wall time")
       ->type_name("TIME");
 }

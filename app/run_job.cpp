@@ -116,6 +116,7 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   else
     recording.emplace(folder, model);
   simulation.record(*recording);
+  simulation.threads(show.threads);
   if (checkpoint)
     simulation.resume(*checkpoint);
   else

@@ -26,6 +26,7 @@ struct RunShow {
   bool json = false, quiet = false;
   double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
   bool errorBar = false;         ///< a second run with half the step, or a tenth of the tolerance
+  int threads = 1;               ///< the same numbers with any
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
   /// Gets the result instead of a person: nothing is printed then.
   std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;

@@ -4,6 +4,7 @@
 #include <dynamy/system/kinematics.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/gyroscopic.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -55,6 +56,8 @@ double bound(const Shape& shape) {
   return out + (shape.massProperties().centre_B).norm();
 }
 
+bool absent(ConstVec q, std::size_t i) { return GrainExchange::absent(q.data() + 7 * i); }
+
 template <class Vector>
 auto part(Vector&& v, std::size_t i, int n) {
   return v.segment(static_cast<Eigen::Index>(i) * n, n);
@@ -66,7 +69,7 @@ void Grains::declare(Attributes& a) {
   a.about(
       "Many free bodies of one shape in many sizes, packed without overlap into an upright box: "
       "m v' = f, J Ω' + Ω × J Ω = M for each. The numbers drawn depend on the seed alone. Signals: "
-      "kineticEnergy, meanX, meanY, meanZ, maxZ, maxSpeed.");
+      "kineticEnergy, present, meanX, meanY, meanZ, maxZ, maxSpeed.");
   a.add(AttributeType::integer, "count", std::nullopt, "how many").atLeast(1).max = 1e6;
   a.requiredVector("within", Unit::length, 6,
                    "box to pack them into: lowest x y z, highest x y z; a lattice grows upwards as "
@@ -86,6 +89,7 @@ void Grains::declare(Attributes& a) {
   a.add(AttributeType::flag, "turned", "false", "true: attitudes at random");
   a.add(AttributeType::integer, "seed", "1", "another seed, another heap").nonNegative();
   a.vector("velocity", Unit::velocity, 3, "0 0 0", "of all of them at the start");
+  GrainExchange::declare(a);
   a.child(Kind::shape, 1, 1, "the shape, with a density or mass (of a grain of size 1)");
   a.example(
       "<Grains name=\"sand\" count=\"50\" within=\"0 0 0  1 1 1\" sizes=\"0.8 1.2\">"
@@ -152,6 +156,7 @@ void Grains::place(const Parameters& x, SeededNumbers& numbers) {
                            "at least the largest diameter and twice the jitter: " +
                                numberText(2.0 * (largest + jitter)),
                            0, x["pitch"].text.size());
+  exchange_ = std::make_unique<const GrainExchange>(x, radii);
   if (pitch == 0.0) pitch = 2.0 * (largest + jitter);
   const auto places = lattice ? latticePlaces(grains_.size(), region, pitch, jitter, numbers)
                               : randomPlaces(radii, region, numbers);
@@ -175,18 +180,27 @@ void Grains::describe(Description& d) const {
     }
     return T;
   });
+  // Of those that are there.
+  const auto over = [this](const SignalView& s, const auto& visit) {
+    int count = 0;
+    for (std::size_t i = 0; i < grains_.size(); ++i)
+      if (!absent(s.q, i)) visit(i), ++count;
+    return count;
+  };
+  d.signal("present", Unit::none, "how many there are",
+           [over](const SignalView& s) { return double(over(s, [](std::size_t) {})); });
   const char* const axis[3] = {"X", "Y", "Z"};
   for (int k = 0; k < 3; ++k)
     d.signal(std::string("mean") + axis[k], Unit::length, "mean of all grains",
-             [this, k](const SignalView& s) {
+             [over, k](const SignalView& s) {
                double sum = 0.0;
-               for (std::size_t i = 0; i < grains_.size(); ++i) sum += part(s.q, i, 7)[k];
-               return sum / count();
+               const int n = over(s, [&](std::size_t i) { sum += part(s.q, i, 7)[k]; });
+               return sum / std::max(n, 1);
              });
-  d.signal("maxZ", Unit::length, "highest centre", [this](const SignalView& s) {
-    double most = s.q[2];
-    for (std::size_t i = 0; i < grains_.size(); ++i) most = std::max(most, part(s.q, i, 7)[2]);
-    return most;
+  d.signal("maxZ", Unit::length, "highest centre", [over](const SignalView& s) {
+    double most = -std::numeric_limits<double>::infinity();
+    const int n = over(s, [&](std::size_t i) { most = std::max(most, part(s.q, i, 7)[2]); });
+    return n > 0 ? most : 0.0;
   });
   d.signal("maxSpeed", Unit::velocity, "largest speed", [this](const SignalView& s) {
     double most = 0.0;
@@ -202,6 +216,8 @@ void Grains::initialState(Vec q, Vec u) const {
     part(q, i, 7).head<3>() = grains_[i].r_OS_I;
     for (int k = 0; k < 4; ++k) part(q, i, 7)[3 + k] = grains_[i].p[k];
     part(u, i, 6).head<3>() = v_S_I_;
+    if (i >= static_cast<std::size_t>(exchange_->present()))
+      exchange_->remove(q.data() + 7 * i, u.data() + 6 * i);
   }
 }
 
@@ -236,20 +252,23 @@ void Grains::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
 
 void Grains::move(double, Vec q, ConstVec u, double dt) const {
   for (std::size_t i = 0; i < grains_.size(); ++i) {
+    if (GrainExchange::absent(q.data() + 7 * i)) continue;
     part(q, i, 7).head<3>() += dt * part(u, i, 6).head<3>();
     rotate(q.data() + 7 * i + 3, dt * part(u, i, 6).tail<3>());
   }
 }
 
 void Grains::normalise(Vec q) const {
-  for (std::size_t i = 0; i < grains_.size(); ++i) part(q, i, 7).tail<4>().normalize();
+  for (std::size_t i = 0; i < grains_.size(); ++i)
+    if (!GrainExchange::absent(q.data() + 7 * i)) part(q, i, 7).tail<4>().normalize();
 }
 
 double Grains::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   double V = 0.0;
   for (std::size_t i = 0; i < grains_.size(); ++i) {
-    part(h, i, 6).head<3>() = grains_[i].m * g_I;
-    part(h, i, 6).tail<3>().setZero();
+    part(h, i, 6).setZero();
+    // Absent ones rest in the feeder.
+    if (!absent(q, i)) part(h, i, 6).head<3>() = grains_[i].m * g_I;
     V -= grains_[i].m * g_I.dot(part(q, i, 7).head<3>());
   }
   return V;
@@ -258,6 +277,7 @@ double Grains::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
 void Grains::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   const auto i = static_cast<std::size_t>(id);
   out.block = id;
+  out.absent = absent(q, i);
   out.r_OS_I = part(q, i, 7).head<3>();
   out.A_IK = rotationMatrix(q.data() + 7 * i + 3);
   out.v_S_I = part(u, i, 6).head<3>();

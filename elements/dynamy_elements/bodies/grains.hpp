@@ -8,7 +8,7 @@
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
-#include <dynamy_elements/bodies/packing.hpp>
+#include <dynamy_elements/bodies/grain_exchange.hpp>
 
 namespace dynamy {
 
@@ -29,6 +29,10 @@ class Grains final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return count(); }
+  bool renews() const override { return exchange_->any(); }
+  bool renew(double tA, double tE, Vec q, Vec u) const override {
+    return exchange_->renew(tA, tE, q, u);
+  }
 
  private:
   struct Grain {
@@ -45,6 +49,7 @@ class Grains final : public PartialMechanicalSystem {
   std::vector<double> size_;                       ///< factors
   std::vector<std::unique_ptr<Shape>> ownShapes_;  ///< one per grain if sizes differ
   std::vector<Grain> grains_;
+  std::unique_ptr<const GrainExchange> exchange_;
   Vec3 v_S_I_;
 };
 

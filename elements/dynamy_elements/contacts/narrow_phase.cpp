@@ -115,7 +115,7 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
-    const bool bounded = std::isfinite(s.bound);
+    const bool bounded = std::isfinite(s.bound) && !f.absent;
     balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, bounded ? s.bound + reach_[i] : -1.0});
   }
   // Half spaces: all contacts of few shapes, so that their gaps can be followed, else near ones.

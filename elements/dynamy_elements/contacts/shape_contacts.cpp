@@ -1,7 +1,6 @@
 // Who can touch whom: groups of like shapes, the rule of each two groups.
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/simulation/model.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
 #include <dynamy_elements/frame_pair.hpp>
@@ -15,7 +14,6 @@ namespace {
 using Touch = TouchingShape::Kind;
 
 constexpr std::int64_t kMostNamedPairs = 64;  ///< beyond, single contacts have no signals
-constexpr std::uint64_t kMostNamedFeatures = 32;
 /// Of the 40 bits of a contact's number.
 constexpr double kMostNumbers = 1099511627776.0;
 
@@ -193,6 +191,7 @@ std::size_t ShapeContacts::planeIndex(const Vec3& plane, Search& search) {
 void ShapeContacts::group(Search& search) {
   const std::size_t n = search.instances.size();
   body_.resize(n), group_.resize(n), early_.resize(n), names_.resize(n);
+  ground_.assign(n, -1), grounds_.clear();
   flats_.clear();
   thinnest_ = std::numeric_limits<double>::infinity();
   using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int>;
@@ -231,6 +230,11 @@ void ShapeContacts::group(Search& search) {
     std::string& name = names_[i];
     name = s.shape->name();
     if (name.empty()) name = system.empty() ? "body" + std::to_string(s.system) : system;
+    if (!moves && !system.empty()) {
+      const auto named = std::find(grounds_.begin(), grounds_.end(), system);
+      ground_[i] = static_cast<int>(named - grounds_.begin());
+      if (named == grounds_.end()) grounds_.push_back(system);
+    }
     if (const int count = ++names[name]; count > 1) name += "#" + std::to_string(count);
   }
   groups_ = search.groups.size();
@@ -345,20 +349,6 @@ std::string ShapeContacts::contactName(std::uint64_t id) const {
   if (swapped != (pair.A->kind != pair.B->kind)) std::swap(a, b);
   const std::string feature = featureName(pair.rule->meets, *pair.A, *pair.B, id % features_);
   return a + "-" + b + (feature.empty() ? "" : "." + feature);
-}
-
-void ShapeContacts::describe(Description& d) const {
-  d.signal("contacts.count", Unit::none, "closed contacts between shapes", [](const SignalView& v) {
-    return static_cast<double>(
-        std::count(v.contacts->element.begin(), v.contacts->element.end(), v.element));
-  });
-  for (const auto& [i, j] : namedPairs_) {
-    const Pair pair = pairOf(i, j);
-    const int geometric = pair.rule->plane == 0 ? 3 : 2;
-    if (pair.rule->features > kMostNamedFeatures) continue;  // by their count alone
-    for (std::uint64_t f = 0; f < pair.rule->features; ++f)
-      describeContact(d, pair.id + f, geometric, *pair.rule->law, contactName(pair.id + f) + ".");
-  }
 }
 
 void addShapeContacts(Model& model) {

@@ -30,6 +30,7 @@
 namespace dynamy {
 
 class Model;
+struct SignalView;
 
 class ShapeContacts final : public NonSmoothElement {
  public:
@@ -98,6 +99,7 @@ class ShapeContacts final : public NonSmoothElement {
   double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const;
   Passing passing(const Pair& pair, std::size_t f, const SweptPath& path) const;
 
+  double load(const SignalView& v, int ground, int axis) const;
   void makeSurfaces();
   std::vector<const ContactRule*> rules_;
   std::vector<Vec3> planes_;  ///< of motion; the first is zero: space
@@ -106,10 +108,12 @@ class ShapeContacts final : public NonSmoothElement {
   std::vector<std::unique_ptr<const Surface>> surfaces_;
   std::vector<std::unique_ptr<const Polyhedron>> polyhedra_;
   std::vector<std::unique_ptr<const Contour>> contours_;
-  std::vector<int> body_;      ///< per shape; those of one body never touch
-  std::vector<int> group_;     ///< per shape
-  std::vector<double> early_;  ///< per shape: distance from which on it is reported [m]
-  std::vector<int> flats_;     ///< half spaces
+  std::vector<int> body_;             ///< per shape; those of one body never touch
+  std::vector<int> group_;            ///< per shape
+  std::vector<int> ground_;           ///< per shape: index into `grounds_`, −1: of a body
+  std::vector<std::string> grounds_;  ///< names of systems without velocities
+  std::vector<double> early_;         ///< per shape: distance from which on it is reported [m]
+  std::vector<int> flats_;            ///< half spaces
   std::size_t groups_ = 0;
   std::vector<int> table_;  ///< groups × groups: index into `pairRules_`, −1: never
   std::vector<PairRule> pairRules_;

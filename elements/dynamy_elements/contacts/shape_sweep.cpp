@@ -162,8 +162,8 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
   balls_.clear();
   for (const TouchingShape& s : shapes) {
     const Frame& f = k.frame(s.frame);
-    const bool flat = s.kind == Touch::halfSpace;
-    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, flat ? -1.0 : s.bound + 2.0 * way(s)});
+    const bool out = s.kind == Touch::halfSpace || f.absent;
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, out ? -1.0 : s.bound + 2.0 * way(s)});
   }
   double turn = -1.0;
   forNearPairs([&](const Pair& pair) {

@@ -111,14 +111,6 @@ void addKeys(const ContactSet& set, std::vector<ContactKey>& keys) {
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
-bool pressed(const RememberedImpulses& last, ContactKey key) {
-  for (std::size_t i = 0; i < last.key.size(); ++i)
-    if (last.key[i] == key)
-      return last.first[i] < last.first[i + 1] &&
-             last.Lambda[static_cast<std::size_t>(last.first[i])] > 0.0;
-  return false;
-}
-
 void addPressed(const RememberedImpulses& last, std::vector<ContactKey>& keys) {
   for (std::size_t i = 0; i < last.key.size(); ++i)
     if (last.first[i] < last.first[i + 1] &&

@@ -41,8 +41,6 @@ void addForce(const ContactSet& contacts, const double* Lambda, Eigen::VectorXd&
 void carry(const RememberedImpulses& from, const ContactSet& to, std::vector<double>& Lambda);
 /// Keys of the closed contacts of `set` added to `keys`, which stay ascending.
 void addKeys(const ContactSet& set, std::vector<ContactKey>& keys);
-/// Contact `key` pressed in the last step.
-bool pressed(const RememberedImpulses& last, ContactKey key);
 /// Keys of contacts that pressed in the last step, added likewise.
 void addPressed(const RememberedImpulses& last, std::vector<ContactKey>& keys);
 

@@ -33,6 +33,17 @@ void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const
   x.t += dt;
 }
 
+bool MechanicalSystem::renew(double tA, State& x) const {
+  const Topology& topology = *parts_.topology;
+  bool changed = false;
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& s = topology.system(static_cast<int>(i));
+    if (topology.systems()[i]->renew(tA, x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu)))
+      changed = true;
+  }
+  return changed;
+}
+
 void MechanicalSystem::moveConfiguration(State& x, double dt) { move(x, x.u, dt); }
 
 namespace {
@@ -241,21 +252,18 @@ void MechanicalSystem::scales() {
 void MechanicalSystem::startImpulses(const State& x) {
   const ContactSet& c = *problem_.contacts;
   Lambda_.assign(static_cast<std::size_t>(c.rows()), 0.0);
+  pressedBefore_.assign(static_cast<std::size_t>(c.size()), 0);
   const RememberedImpulses& old = x.impulses;
   if (old.key.empty() || old.dt <= 0.0) return;
   const double scale = problem_.dt / old.dt;
-  // Order rarely changes: try the next remembered key first, search only when it is another one.
-  std::size_t cursor = 0;
+  remembered_.build(old.key);
   for (int i = 0; i < c.size(); ++i) {
-    const ContactKey key = c.key[static_cast<std::size_t>(i)];
-    std::size_t at = cursor;
-    if (at >= old.key.size() || old.key[at] != key) {
-      at = static_cast<std::size_t>(std::find(old.key.begin(), old.key.end(), key) -
-                                    old.key.begin());
-      if (at == old.key.size()) continue;
-    }
-    cursor = at + 1;
+    const int found = remembered_.find(c.key[static_cast<std::size_t>(i)]);
+    if (found < 0) continue;
+    const auto at = static_cast<std::size_t>(found);
     const int first = old.first[at], dim = old.first[at + 1] - first;
+    pressedBefore_[static_cast<std::size_t>(i)] =
+        dim > 0 && old.Lambda[static_cast<std::size_t>(first)] > 0.0 ? 1 : 0;
     if (dim != c.dim(i)) continue;
     for (int r = 0; r < dim; ++r)
       Lambda_[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r)] =

@@ -4,6 +4,7 @@
 /// A slot (Evaluation) holds everything evaluated at one (t, q, u). Data are produced by a stage in
 /// fixed order and const afterwards; "is up to date" flags were rejected.
 #pragma once
+#include <dynamy/contact/key_index.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/integrator/stiff_part.hpp>
 #include <dynamy/solver/impact_law.hpp>
@@ -90,6 +91,14 @@ class MechanicalSystem {
   /// Remembers Λ by key in x; for schemes that find velocities themselves.
   void keepImpulses(State& x) const;
 
+  /// Contact i of the problem just posed pressed in the step before.
+  bool pressedBefore(int i) const { return pressedBefore_[static_cast<std::size_t>(i)] != 0; }
+  /// Lets systems take blocks away and bring others, after the step that began at tA. True: they
+  /// did.
+  bool renew(double tA, State& x) const;
+  /// Threads that work on a step; null: the caller's alone. Borrowed.
+  void workers(Workers* w) { problem_.workers = w; }
+
   /// Lets elements that reserved memory change it; the time loop calls it after every step.
   void remember(State& x);
 
@@ -140,6 +149,8 @@ class MechanicalSystem {
   mutable Eigen::VectorXd change_;  // M⁻¹h
   std::vector<double> gammaWork_;
   std::vector<double> Lambda_;
+  KeyIndex remembered_;  // of the impulses that the problem starts from
+  std::vector<char> pressedBefore_;
   int indefinite_ = -1;
   double gapNoise_ = 0.0;  // of rates that aim at gaps
   int slot_ = 0;           // of the present problem

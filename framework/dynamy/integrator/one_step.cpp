@@ -1,5 +1,4 @@
 #include <cmath>
-#include <dynamy/integrator/displacement_level.hpp>
 #include <dynamy/integrator/one_step.hpp>
 
 namespace dynamy {
@@ -20,8 +19,7 @@ StepReport OneStep::advance(MechanicalSystem& s, InclusionSolver& solver, State&
   return total;
 }
 
-std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s,
-                                          const RememberedImpulses& last) const {
+std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s) const {
   constexpr int kMaxDim = 8;
   if (!s.impactLaw().newtons() && !lacks(Asked::impactLaw).empty()) return lacks(Asked::impactLaw);
   // An impact: a contact that did not press before closes faster than forces explain.
@@ -31,7 +29,7 @@ std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s,
     if (!p.law(i).unilateral() || s.Lambda(p.row0(i)) <= 0.0) continue;
     const double closing = -p.gammaA[first];
     if (closing <= 2.0 * std::abs(p.gammaFree[first] + closing)) continue;
-    if (pressed(last, p.contacts->key[static_cast<std::size_t>(i)])) continue;
+    if (s.pressedBefore(i)) continue;
     double epsilon[kMaxDim] = {};
     p.law(i).epsilon(p.dim(i), epsilon);
     if (epsilon[0] > 0.0 && !lacks(Asked::rebound).empty()) return lacks(Asked::rebound);

@@ -96,8 +96,8 @@ class OneStep : public Element {
 
  protected:
   /// For schemes with laws of their own: what an impact in the problem just solved asks of them and
-  /// they lack; empty: nothing. `last`: impulses of the step before.
-  std::string_view lackingAtImpact(const MechanicalSystem& s, const RememberedImpulses& last) const;
+  /// they lack; empty: nothing.
+  std::string_view lackingAtImpact(const MechanicalSystem& s) const;
 };
 
 }  // namespace dynamy

@@ -29,7 +29,7 @@ StepReport PaoliSchatzman::step(MechanicalSystem& s, InclusionSolver& solver, St
   }
   // q_{k+1} = q_k + Δt u_{k+1},  g(q_{k+1}) + ε g(q_{k−1}) ≥ 0
   const auto solved = level_.solve(s, problem, solver, x, dt, 1, offset_);
-  return {dt, solved, problem.size(), lackingAtImpact(s, before_.impulses)};
+  return {dt, solved, problem.size(), lackingAtImpact(s)};
 }
 
 std::string_view PaoliSchatzman::lacks(Asked what) const {

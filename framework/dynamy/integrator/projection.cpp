@@ -16,11 +16,11 @@ constexpr double kRedundant = 1e-10;
 constexpr double kTau = 1e-9;
 
 /// Normal impulse of contact `key` in the last step, 0 if it had none.
-double carried(const RememberedImpulses& impulses, ContactKey key) {
-  const auto at = std::find(impulses.key.begin(), impulses.key.end(), key);
-  if (at == impulses.key.end()) return 0.0;
-  const auto i = static_cast<std::size_t>(at - impulses.key.begin());
-  return impulses.Lambda[static_cast<std::size_t>(impulses.first[i])];
+double carried(const KeyIndex& index, const RememberedImpulses& impulses, ContactKey key) {
+  const int i = index.find(key);
+  return i < 0 ? 0.0
+               : impulses
+                     .Lambda[static_cast<std::size_t>(impulses.first[static_cast<std::size_t>(i)])];
 }
 
 /// A unilateral contact without restitution.
@@ -57,13 +57,14 @@ double largestViolation(const ContactSet& c) {
 
 void Projection::select(const ContactSet& all, const State& x, Level level) {
   contacts_.clear();
+  remembered_.build(x.impulses.key);
   // At a midpoint, where overlaps are repaired and contacts touched, joints may be off by design
   // and do not move; nor do contacts that carry, while others are touched.
   const bool midpoint = level == Level::overlap || level == Level::touch;
   for (int i = 0; i < all.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const SetValuedForceLaw& law = *all.law[at];
-    const bool carries = law.unilateral() && carried(x.impulses, all.key[at]) > 0.0;
+    const bool carries = law.unilateral() && carried(remembered_, x.impulses, all.key[at]) > 0.0;
     if (law.unilateral()) {
       if (level == Level::touch && (isTouched(all.key[at]) || carries)) {
         append(all, i, 1, bilateral_, contacts_);

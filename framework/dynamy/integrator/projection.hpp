@@ -64,6 +64,7 @@ class Projection {
   Eigen::MatrixXd W_, MInvW_;        // of the contacts to be closed, nu × rows
   std::vector<ContactKey> touched_;  // to be closed
   State start_;
+  KeyIndex remembered_;  // of the impulses of the last step
   Unilateral unilateral_;
   Bilateral bilateral_;
 };

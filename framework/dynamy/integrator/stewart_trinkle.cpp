@@ -9,7 +9,7 @@ StepReport StewartTrinkle::step(MechanicalSystem& s, InclusionSolver& solver, St
   s.linearlyImplicit(x, kImplicitEnd);
   aimAtPositions(problem, dt);                            // ξ_N = γ_N^E + g/Δt
   const auto solved = solver.solve(problem, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-  const auto lacking = lackingAtImpact(s, x.impulses);
+  const auto lacking = lackingAtImpact(s);
   s.velocityFromImpulses(x);   // u^E = u^A + M⁻¹(h Δt + W Λ)
   s.moveConfiguration(x, dt);  // q^E = q^A + Δt (F u^E + β)
   return {dt, solved, problem.size(), lacking};

@@ -7,9 +7,6 @@ namespace dynamy {
 namespace {
 
 constexpr int kMaxRows = 8;
-/// What the forces of so many steps explain is no impact of a contact that was closed.
-constexpr double kImpact = 4.0;
-
 std::string elementText(const Element& e) {
   std::string text = e.type().empty() ? "" : "<" + e.type();
   if (!e.name().empty())
@@ -43,25 +40,6 @@ Status contactStatus(const StepView& view, int contact) {
   return c.law[at]->status({dim, view.report.dt, gammaA.data() + first, nullptr}, argument.data());
 }
 
-bool isImpact(const StepView& view, int contact) {
-  const ContactSet& c = view.system.slot(0).contacts;
-  const auto at = static_cast<std::size_t>(contact);
-  if (c.law[at]->rowKind(0) != RowKind::normal) return false;
-  const auto row = static_cast<std::size_t>(c.row0[at]);
-  const InclusionProblem& p = view.system.problem();
-  if (p.gammaA.size() <= row || view.Lambda.size() != c.rows()) return false;
-  const double smooth = std::abs(p.gammaFree[row] - p.gammaA[row]);
-  const double floor = 1e-9 * view.model.length();
-  if (!(-p.gammaA[row] > std::max(smooth, floor) && view.Lambda[c.row0[at]] > 0.0)) return false;
-  // A contact that carried before and goes over something round closes by the turn of its normal.
-  const RememberedImpulses& old = view.before.impulses;
-  const auto found = std::find(old.key.begin(), old.key.end(), c.key[at]);
-  if (found == old.key.end()) return true;
-  const int first = old.first[static_cast<std::size_t>(found - old.key.begin())];
-  return !(old.Lambda[static_cast<std::size_t>(first)] > 0.0) ||
-         -p.gammaA[row] > kImpact * view.system.largestChange(view.report.dt);
-}
-
 namespace {
 
 /// |prox_C(Λ_N, 100 Λ_N, 0, …)| of the tangential rows [N s].
@@ -93,14 +71,14 @@ bool spins(const StepView& view, int contact) {
 
 }  // namespace
 
-ContactRecord contactRecord(const StepView& view, int contact) {
+ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;
   const auto at = static_cast<std::size_t>(contact);
   const int first = c.row0[at], dim = c.dim(contact);
   ContactRecord out;
   out.point = c.point[at], out.normal = c.normal[at];
   out.status = contactStatus(view, contact);
-  out.impact = isImpact(view, contact);
+  out.impact = impacts(view, contact);
   out.spin = out.status == Status::slip && dim > 3 && spins(view, contact);
   const Vec3* const direction[] = {&c.normal[at], &c.t1[at], &c.t2[at]};
   for (int r = 0; r < dim && r < 3; ++r)

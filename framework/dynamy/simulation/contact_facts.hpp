@@ -2,6 +2,7 @@
 #pragma once
 #include <dynamy/simulation/model.hpp>
 #include <dynamy/simulation/record_sink.hpp>
+#include <dynamy/simulation/step_impacts.hpp>
 #include <string>
 
 namespace dynamy {
@@ -10,15 +11,9 @@ namespace dynamy {
 /// ξ = γ^E + ε γ^A.
 Status contactStatus(const StepView& view, int contact);
 
-/// True if the contact closed with an approach speed −γ_N^A greater than what smooth forces alone
-/// change in one step, |γ_free − γ^A|, and carried a normal percussion. The settling of a resting
-/// contact is no impact then, and no threshold has to be chosen; speeds below 1e-9 of the scene's
-/// length per second do not count.
-bool isImpact(const StepView& view, int contact);
-
 /// What a picture of one closed contact shows. Its friction limit is the projection of a tangential
 /// force far outside the law's set, so that any law tells it.
-ContactRecord contactRecord(const StepView& view, int contact);
+ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int contact);
 
 /// "floor", "Contact#2" for elements without a name, "floor/17" for one contact of many.
 std::string contactName(const Model& model, ContactKey key);

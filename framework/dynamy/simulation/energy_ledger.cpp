@@ -64,6 +64,11 @@ void EnergyLedger::add(const StepWorks& w) {
   joints_.add(w.joints), boundaries_.add(w.boundaries);
 }
 
+void EnergyLedger::bring(const State& before, const State& after) {
+  boundaries_.add(meter_.kinetic(after) + meter_.potential(after));
+  boundaries_.add(-meter_.kinetic(before) - meter_.potential(before));
+}
+
 /// Works of the step behind its jump, if it had one.
 double EnergyLedger::contactWork(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;

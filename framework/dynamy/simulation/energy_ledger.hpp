@@ -55,6 +55,8 @@ class EnergyLedger final : public Observer {
 
   void start(const StepView& initial) override;
   void step(const StepView& view) override;
+  /// Blocks were brought and taken away between two steps: their energy crosses the boundaries.
+  void bring(const State& before, const State& after);
   void finish(const StepView& last) override;
   void archive(Archive& a) override;
 

@@ -106,10 +106,11 @@ void Recorder::contacts(const StepView& view) {
   contacts_.clear();
   const ContactSet& c = view.system.slot(0).contacts;
   if (view.report.dt <= 0.0 || view.Lambda.size() != c.rows()) return;
+  impacts_.look();
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (c.normal[at].isZero(0.0)) continue;  // has no place in the scene
-    contacts_.push_back(contactRecord(view, i));
+    contacts_.push_back(contactRecord(view, impacts_, i));
   }
 }
 

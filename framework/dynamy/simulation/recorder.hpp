@@ -7,6 +7,7 @@
 #include <dynamy/core/hash.hpp>
 #include <dynamy/simulation/record_sink.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
+#include <dynamy/simulation/step_impacts.hpp>
 #include <dynamy/simulation/time_grid.hpp>
 
 namespace dynamy {
@@ -42,6 +43,7 @@ class Recorder final : public Observer {
   Topology drawn_;
   Kinematics kinematics_;
   State at_;
+  StepImpacts impacts_;
   TimeGrid rows_, frames_;
   long nextRow_ = 0, nextFrame_ = 0;
   double lastRow_ = -1.0, lastFrame_ = -1.0;

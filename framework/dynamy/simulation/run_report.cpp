@@ -80,9 +80,10 @@ void StepStatistics::statuses(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
   now_.clear();
   now_.reserve(before_.capacity());
+  impacts_.look();
   for (int i = 0; i < c.size(); ++i) {
     const ContactKey key = c.key[static_cast<std::size_t>(i)];
-    now_.push_back({key, statusAfter(v, i), isImpact(v, i)});
+    now_.push_back({key, statusAfter(v, i), impacts_(v, i)});
     if (!now_.back().impact) continue;
     ++report_.impacts;
     if (sink_ == nullptr) continue;

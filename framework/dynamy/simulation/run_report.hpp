@@ -3,6 +3,7 @@
 #include <dynamy/core/hash.hpp>
 #include <dynamy/simulation/energy_ledger.hpp>
 #include <dynamy/simulation/record_sink.hpp>
+#include <dynamy/simulation/step_impacts.hpp>
 #include <string>
 
 namespace dynamy {
@@ -113,6 +114,7 @@ class StepStatistics final : public Observer {
   void switched(double t, const Seen& from, const Seen& to);
   RunReport& report_;
   RecordSink* sink_ = nullptr;
+  StepImpacts impacts_;
   std::vector<Seen> before_, now_;
 };
 

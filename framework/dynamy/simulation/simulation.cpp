@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ctime>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/own_steps.hpp>
@@ -66,12 +67,22 @@ Simulation::Simulation(Model& model)
       watch_(model, ledger_, report_),
       checks_(model) {
   for (const auto& o : model.observers()) observers_.push_back(o.get());
+  renews_ = std::any_of(model.systems().begin(), model.systems().end(),
+                        [](const auto& s) { return s->renews(); });
 }
 
 void Simulation::record(RecordSink& sink) {
   recorder_ = std::make_unique<Recorder>(model_, sink);
   ledgerRows_ = std::make_unique<LedgerRows>(ledger_, sink, model_.simulation.until);
   statistics_.tell(sink);
+}
+
+void Simulation::threads(int count) {
+  system_.workers(nullptr);
+  workers_.reset();
+  if (count < 2) return;
+  workers_ = std::make_unique<Workers>(count);
+  system_.workers(workers_.get());
 }
 
 void Simulation::onCheckpoint(double every, std::function<void(const std::string&)> call) {
@@ -226,7 +237,15 @@ bool Simulation::accept() {
   const StepView step = view(true);
   forAll([&](Observer& o) { o.step(step); });
   report_.evaluations += system_.evaluations() - evaluations;  // of dense output
+  renew();
   return true;
+}
+
+void Simulation::renew() {
+  if (!renews_) return;
+  const double tA = before_.t;
+  const State old = x_;
+  if (system_.renew(tA, x_)) ledger_.bring(old, x_);
 }
 
 void Simulation::reject() {

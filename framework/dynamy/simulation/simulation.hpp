@@ -30,6 +30,8 @@ class Simulation final : private Stepper {
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
   void record(RecordSink& sink);
   void observe(Observer& observer) { observers_.push_back(&observer); }
+  /// Works on each step with `count` threads; the same bits with any number.
+  void threads(int count);
   /// Called about ten times a second of wall time, for progress and files with rare rows.
   void onIdle(std::function<void()> call) { idle_ = std::move(call); }
   /// Called with the bytes of a checkpoint every `seconds` of wall time.
@@ -73,9 +75,11 @@ class Simulation final : private Stepper {
   void archive(Archive& a);
   void keep();
   void project();
+  void renew();
 
   using Clock = std::chrono::steady_clock;
   Model& model_;
+  std::unique_ptr<Workers> workers_;
   MechanicalSystem system_;
   State x_, before_;
   StepReport stepReport_;
@@ -97,7 +101,7 @@ class Simulation final : private Stepper {
   double saveEvery_ = 0.0;
   Clock::time_point lastIdle_, lastSave_;
   std::string checkpoint_;
-  bool resumed_ = false;
+  bool resumed_ = false, renews_ = false;
   int diagnoses_ = 0;
 };
 

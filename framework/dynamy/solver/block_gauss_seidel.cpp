@@ -11,6 +11,7 @@ constexpr int kMaxDim = 8;
 }  // namespace
 
 void BlockGaussSeidel::sweep(const InclusionProblem& p, const double* r, double* Lambda) {
+  if (balls_.prepared()) return balls_.sweep(p, Lambda);
   for (int i = 0; i < p.size(); ++i) contact(p, i, r, Lambda);
   if (!options().symmetric) return;
   for (int i = p.size() - 1; i >= 0; --i) contact(p, i, r, Lambda);

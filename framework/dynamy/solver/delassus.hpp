@@ -57,6 +57,9 @@ class Delassus {
   /// Tells that block i of Λ changed by `delta`.
   void changed(int i, const double* delta);
 
+  /// v of a sweep in matrix-free form, for sweeps with kernels of their own; null in other forms.
+  double* sweepVelocities() { return assembled_ || given_ ? nullptr : v_.data(); }
+
   const ContactSet& contacts() const { return *contacts_; }
   /// False: G was given, there are no bodies, mass() and addVelocity() must not be called.
   bool hasBodies() const { return !given_; }

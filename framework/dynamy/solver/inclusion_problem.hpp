@@ -2,6 +2,7 @@
 ///
 /// Solvers see operators and laws, never elements.
 #pragma once
+#include <dynamy/core/workers.hpp>
 #include <dynamy/solver/delassus.hpp>
 #include <dynamy/solver/stopping_rule.hpp>
 
@@ -25,6 +26,7 @@ struct InclusionProblem {
   double warmStart = 0.0;
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;
+  Workers* workers = nullptr;  ///< null: the caller's thread alone
 
   int size() const { return contacts->size(); }
   int rows() const { return contacts->rows(); }

@@ -21,8 +21,9 @@ struct Frame {
   Mat3X J_R_I{nullptr, 3, 0};  ///< 3 × nu
   /// The centre of mass of a free body with its own axes: J_S = (I, 0), J_R = (0, A_IK).
   bool central = false;
-  int block = -1;  ///< mass block the frame moves with, −1: none (ground)
-  int u0 = 0;      ///< first velocity of that block in u
+  bool absent = false;  ///< of a body that takes no part at present: nothing touches it
+  int block = -1;       ///< mass block the frame moves with, −1: none (ground)
+  int u0 = 0;           ///< first velocity of that block in u
 
   int nu() const { return static_cast<int>(J_S_I.cols()); }
   /// Velocity of the body point at lever arm rho_I from S.

@@ -60,6 +60,10 @@ class PartialMechanicalSystem : public Element {
   /// Brings q back on its manifold after linear combinations (unit quaternions); default: nothing
   /// to do.
   virtual void normalise(Vec) const {}
+  /// Between two steps: a population may take blocks away and bring others, by q alone, so that a
+  /// checkpoint knows them. tA, tE: the step that has been accepted [s]. True: q or u changed.
+  virtual bool renews() const { return false; }  ///< whether it ever does
+  virtual bool renew(double /*tA*/, double /*tE*/, Vec /*q*/, Vec /*u*/) const { return false; }
   /// V(q,t) of the forces in h that have a potential [J].
   virtual double potentialEnergy(double, ConstVec) const { return 0.0; }
   /// Uniform field of gravity g_I [m/s²]: writes its generalised force Σ J_Sᵀ m g into h (all

@@ -1,7 +1,6 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/topology.hpp>
-#include <map>
 
 namespace dynamy {
 namespace {
@@ -33,6 +32,7 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
     Description d;
     s->describe(d);
     frameNames_.push_back(std::move(d.frames));
+    indexOf_.emplace_back();
     for (const PlacedShape& p : d.shapes)
       if (!p.shape->material().empty()) materials_.push_back({p.shape, p.frame, h.index});
   }
@@ -64,10 +64,14 @@ FrameHandle Topology::frame(std::string_view name, const Element& asking) {
 }
 
 FrameHandle Topology::frame(const SystemHandle& system, int id) {
-  for (std::size_t i = 0; i < requested_.size(); ++i)
-    if (requested_[i] == std::pair(system.index, id)) return {static_cast<int>(i)};
-  requested_.emplace_back(system.index, id);
-  return {static_cast<int>(requested_.size()) - 1};
+  std::vector<int>& known = indexOf_[static_cast<std::size_t>(system.index)];
+  const auto at = static_cast<std::size_t>(id);
+  if (at >= known.size()) known.resize(at + 1, -1);
+  if (known[at] < 0) {
+    known[at] = static_cast<int>(requested_.size());
+    requested_.emplace_back(system.index, id);
+  }
+  return {known[at]};
 }
 
 MemoryHandle Topology::memory(const Element& owner, const std::vector<double>& initial) {
@@ -86,18 +90,11 @@ MemoryHandle Topology::memoryOf(const Element& owner) const {
 }
 
 std::vector<ShapeInstance> Topology::shapesWithMaterial() {
-  // As frame(), without a search through all frames for each of many shapes.
-  std::map<std::pair<int, int>, int> known;
-  for (std::size_t i = 0; i < requested_.size(); ++i)
-    known.emplace(requested_[i], static_cast<int>(i));
   std::vector<ShapeInstance> out;
   out.reserve(materials_.size());
-  for (const Placed& p : materials_) {
-    const auto [at, isNew] =
-        known.try_emplace({p.system, p.frame}, static_cast<int>(requested_.size()));
-    if (isNew) requested_.emplace_back(p.system, p.frame);
-    out.push_back({p.shape, {at->second}, p.system});
-  }
+  for (const Placed& p : materials_)
+    out.push_back(
+        {p.shape, frame(handles_[static_cast<std::size_t>(p.system)], p.frame), p.system});
   return out;
 }
 

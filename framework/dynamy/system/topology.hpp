@@ -69,6 +69,8 @@ class Topology {
   std::vector<const PartialMechanicalSystem*> systems_;
   std::vector<SystemHandle> handles_;
   std::vector<std::pair<int, int>> requested_;
+  std::vector<std::vector<int>>
+      indexOf_;  // per system and frame id: of requested_, −1: not asked for
   std::vector<std::pair<const Element*, MemoryHandle>> memories_;
   std::vector<double> memoryStart_;
   struct Placed {

@@ -1,0 +1,57 @@
+#include <dynamy/core/workers.hpp>
+
+namespace dynamy {
+namespace {
+
+/// How often a waiting thread looks before it sleeps: sweeps follow each other within microseconds.
+constexpr int kLooks = 2000;
+
+/// Waits until `value` is not `old` any more.
+template <class T>
+void await(const std::atomic<T>& value, T old) {
+  for (int i = 0; i < kLooks; ++i)
+    if (value.load(std::memory_order_acquire) != old) return;
+  value.wait(old, std::memory_order_acquire);
+}
+
+}  // namespace
+
+Workers::Workers(int threads) {
+  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+}
+
+Workers::~Workers() {
+  end_.store(true);
+  task_.fetch_add(1);
+  task_.notify_all();
+  for (std::thread& t : threads_) t.join();
+}
+
+void Workers::take() {
+  for (int part = next_.fetch_add(1); part < parts_; part = next_.fetch_add(1)) call_(job_, part);
+}
+
+void Workers::share(int parts, void* job) {
+  parts_ = parts, job_ = job;
+  if (threads_.empty() || parts < 2) {
+    for (int part = 0; part < parts; ++part) call_(job, part);
+    return;
+  }
+  next_.store(0);
+  busy_.store(static_cast<int>(threads_.size()));
+  task_.fetch_add(1, std::memory_order_release);
+  task_.notify_all();
+  take();
+  for (int busy = busy_.load(); busy > 0; busy = busy_.load()) await(busy_, busy);
+}
+
+void Workers::work() {
+  for (unsigned seen = 0;; ++seen) {
+    await(task_, seen);
+    if (end_.load()) return;
+    take();
+    if (busy_.fetch_sub(1) == 1) busy_.notify_all();
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,122 @@
+// Heaps of balls: the packed sweeps against others, any number of threads, grains that come and go.
+#include <gtest/gtest.h>
+
+#include <dynamy/solver/block_gauss_seidel.hpp>
+#include <reference/scene.hpp>
+#include <support/load_model.hpp>
+
+namespace dynamy {
+namespace {
+
+using reference::Scene;
+
+/// A model from text with the standard elements.
+class TextModel {
+ public:
+  explicit TextModel(const std::string& text) : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
+    registerFramework(registry_);
+    plugins_.load(kStandardElements, ".", registry_);
+    model_ = std::make_unique<Model>(loadModelText(text, "heap.xml", registry_, plugins_));
+  }
+  Model& operator*() { return *model_; }
+
+ private:
+  Registry registry_;
+  PluginLoader plugins_;
+  std::unique_ptr<Model> model_;
+};
+
+/// A lattice of balls that touch, above a floor, let go.
+std::string heap(int n, int nx, const std::string& solver) {
+  const std::string w = std::to_string(0.05 * nx);
+  return "<dynamy version=\"1\"><systems><Grains name=\"balls\" count=\"" + std::to_string(n) +
+         "\" within=\"-" + w + " -" + w + " 0 " + w + " " + w +
+         " 1\" pitch=\"0.1\"><Sphere radius=\"0.05\" density=\"1000\" material=\"stone\"/></Grains>"
+         "<Ground><HalfSpace material=\"stone\" normal=\"0.1 0 1\" position=\"0 0 -0.05\"/>"
+         "</Ground></systems><forces><Gravity/></forces><elements><Contact between=\"stone stone\">"
+         "<UnilateralCoulomb mu=\"0.3\"/></Contact></elements><simulation until=\"0.03\" "
+         "step=\"5e-3\"><StewartTrinkle/>" +
+         solver + "</simulation></dynamy>";
+}
+
+TEST(Heap, PackedSweepsFindTheVelocitiesThatOthersFind) {
+  // 160 balls, from 300 contacts on. Velocities are unique, forces are not. Both are solved to
+  // 1e-10 of velocities of 0.05 m/s a step; what six steps make of it stays below 1e-8 m/s.
+  Scene packed("", {.text = heap(160, 5, "<BlockGaussSeidel tolerance=\"1e-10\"/>")});
+  Scene other("", {.text = heap(160, 5, "<ProximalNewton tolerance=\"1e-10\"/>")});
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_TRUE(packed.step(5e-3).solved.ok());
+    ASSERT_TRUE(other.step(5e-3).solved.ok());
+    EXPECT_GT(packed.system().problem().size(), 100);
+    EXPECT_LT((packed.state().u - other.state().u).cwiseAbs().maxCoeff(), 1e-8) << i;
+  }
+}
+
+TEST(Heap, HasTheSameBitsWithAnyNumberOfThreads) {
+  // More than 6000 contacts: the sweeps are cut into parts.
+  const auto run = [](int threads) {
+    TextModel model(heap(2600, 16, "<BlockGaussSeidel maxIterations=\"20\"/>"));
+    Simulation simulation(*model);
+    simulation.threads(threads);
+    const RunReport report = simulation.run();
+    EXPECT_GT(report.contactsMax, 6000);
+    return report.hash;
+  };
+  const std::uint64_t alone = run(1);
+  EXPECT_EQ(run(2), alone);
+  EXPECT_EQ(run(3), alone);
+}
+
+/// Balls fall from a feeder without touching each other, and are taken away below.
+std::string stream(double until) {
+  return "<dynamy version=\"1\"><systems><Grains name=\"balls\" count=\"12\" present=\"2\" "
+         "within=\"5 5 0 6 6 1\" feed=\"10\" feedWithin=\"-1 -1 2 1 1 2\" "
+         "takeWithin=\"-1 -1 -9 1 1 0\" velocity=\"0 0 -1\"><Sphere radius=\"0.01\" "
+         "density=\"1000\" material=\"stone\"/></Grains></systems><forces><Gravity/></forces>"
+         "<elements><NoContact between=\"stone stone\"/></elements><simulation until=\"" +
+         std::to_string(until) + "\" step=\"1e-3\"><MoreauMidpoint/></simulation></dynamy>";
+}
+
+int present(const State& x) {
+  int count = 0;
+  for (Eigen::Index i = 0; i < x.q.size() / 7; ++i)
+    if (!x.q.segment<4>(7 * i + 3).isZero(0.0)) ++count;
+  return count;
+}
+
+TEST(Heap, GrainsComeAtTheirRateAndGoWhereTheyAreTaken) {
+  // Fed at 0.1 s, 0.2 s, …; 2 m down take (√(v² + 2gh) − v)/g = 0.54471 s: at 0.62 s those fed at
+  // 0.1 … 0.6 s have come, none has gone; at 0.66 s the first has gone. Two never meet the sink.
+  const auto at = [](double until) {
+    TextModel model(stream(until));
+    Simulation simulation(*model);
+    simulation.run();
+    return present(simulation.state());
+  };
+  EXPECT_EQ(at(0.05), 2);
+  EXPECT_EQ(at(0.62), 2 + 6);
+  EXPECT_EQ(at(0.66), 2 + 5);
+  EXPECT_EQ(at(1.96), 2 + 5);  // as many come as go, and more than there are have come
+}
+
+TEST(Heap, EnergyOfGrainsThatComeAndGoIsInTheLedger) {
+  TextModel model(stream(2.0));
+  Simulation simulation(*model);
+  const EnergyReport e = simulation.run().energy;
+  EXPECT_GT(std::abs(e.boundaries), 1e-3);
+  // Free fall: the midpoint rule has the energy exact up to rounding of 1 J in 2000 steps.
+  EXPECT_NEAR(e.discretisation, 0.0, 1e-10);
+}
+
+TEST(Heap, ARunWithAFeederGoesOnWhereItStopped) {
+  TextModel shortRun(stream(0.955)), longRun(stream(2.0)), resumed(stream(2.0));
+  Simulation a(*shortRun), b(*longRun), c(*resumed);
+  a.run(), b.run();
+  c.resume(a.checkpoint());
+  c.run();
+  EXPECT_EQ(c.state().q, b.state().q);
+  EXPECT_EQ(c.state().u, b.state().u);
+}
+
+}  // namespace
+}  // namespace dynamy
