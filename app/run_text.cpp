@@ -250,11 +250,16 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
 }
 
 std::string thinningText(const ReplaySize& size) {
-  if (!size.thinned()) return {};
-  return fmt::format(
-      "dynamy: replay.html shows {} of {} frames: all would take {:.0f} MB; <record frames=…> sets "
-      "how many are recorded\n",
-      size.frames, size.recorded, static_cast<double>(size.wholeBytes) * 1e-6);
+  std::string out;
+  if (size.contacts < size.contactsRecorded)
+    out = fmt::format("dynamy: replay.html shows the {} strongest of up to {} contacts\n",
+                      size.contacts, size.contactsRecorded);
+  if (!size.thinned()) return out;
+  return out + fmt::format(
+                   "dynamy: replay.html shows {} of {} frames: all would take {:.0f} MB; <record "
+                   "frames=…> sets "
+                   "how many are recorded\n",
+                   size.frames, size.recorded, static_cast<double>(size.wholeBytes) * 1e-6);
 }
 
 void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,

@@ -7,11 +7,16 @@
 #include <dynamy/io/bytes.hpp>
 #include <dynamy/io/replay_coding.hpp>
 #include <limits>
+#include <numeric>
 
 namespace dynamy {
 namespace {
 
 constexpr std::size_t kManyPoses = 50;  // from here on 12 bits of a quaternion are enough
+/// Of so many poses nobody sees more of a body than these parts of the scene, and turns of its
+/// components in a quaternion.
+constexpr double kSeenPlace = 1.0 / 8192.0, kSeenTurn = 1.0 / 256.0;
+constexpr std::size_t kArrows = 100;  ///< contacts of a frame that are kept in any case
 using Column = std::vector<std::uint16_t>;
 
 /// Smallest and largest of the numbers that a coordinate takes; not finite ones do not count.
@@ -25,11 +30,18 @@ struct Range {
     hi = std::max(hi, x);
   }
   bool isConstant() const { return !(lo < hi); }
-  /// lo … hi as 0 … steps.
-  std::uint16_t rounded(float x, int steps = 65535) const {
+  /// lo … hi as 0 … steps, in multiples of `unit`.
+  std::uint16_t rounded(float x, int steps = 65535, int unit = 1) const {
     if (isConstant() || !std::isfinite(x)) return 0;
     const double share = (static_cast<double>(x) - lo) / (static_cast<double>(hi) - lo);
-    return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * steps));
+    const long c = unit * std::lround(std::clamp(share, 0.0, 1.0) * steps / unit);
+    return static_cast<std::uint16_t>(std::min<long>(c, steps));
+  }
+  /// The largest power of two whose steps are not above `seen`; 1 if one step is.
+  int unit(int steps, double seen) const {
+    int out = 1;
+    while (out < steps && 2.0 * out * (static_cast<double>(hi) - lo) <= seen * steps) out *= 2;
+    return out;
   }
 };
 
@@ -96,6 +108,24 @@ std::uint16_t upperHalf(float x) {
   return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(x) >> 16);
 }
 
+/// Indices of the contacts of frame f that are kept, ascending.
+void strongest(const Frames& frames, std::size_t f, std::size_t most,
+               std::vector<std::size_t>& kept) {
+  kept.resize(frames.firstContact[f + 1] - frames.firstContact[f]);
+  std::iota(kept.begin(), kept.end(), std::size_t{frames.firstContact[f]});
+  if (kept.size() <= most) return;
+  const auto force = [&frames](std::size_t c) {
+    const float* const x = &frames.contact[c * Frames::kContactNumbers + 6];
+    return x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+  };
+  std::nth_element(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(most), kept.end(),
+                   [&](std::size_t a, std::size_t b) {
+                     return force(a) > force(b) || (force(a) == force(b) && a < b);
+                   });
+  kept.resize(most);
+  std::sort(kept.begin(), kept.end());
+}
+
 }  // namespace
 
 std::string deflated(std::string_view bytes) {
@@ -121,19 +151,31 @@ CodedPoses codedPoses(const Frames& frames, const std::vector<std::size_t>& kept
   const std::size_t width = frames.poses * Frames::kPoseNumbers;
   CodedPoses out;
   if (frames.poses >= kManyPoses) out.turnSteps = 4095;
+  const bool many = frames.poses >= kManyPoses;
+  std::vector<Range> ranges(width);
+  double extent = 0.0;  // of the scene
+  std::array<Range, 3> box;
+  for (std::size_t k = 0; k < width; ++k) {
+    for (std::size_t at = k; at < poses.size(); at += width) ranges[k].take(poses[at]);
+    const std::size_t axis = k % Frames::kPoseNumbers;
+    if (axis < 3) box[axis].take(ranges[k].lo), box[axis].take(ranges[k].hi);
+  }
+  for (const Range& b : box)
+    if (!b.isConstant()) extent = std::max(extent, static_cast<double>(b.hi) - b.lo);
   Planes planes;
   Column column;
   for (std::size_t k = 0; k < width; ++k) {
-    Range range;
-    for (std::size_t at = k; at < poses.size(); at += width) range.take(poses[at]);
+    Range& range = ranges[k];
     if (range.lo > range.hi) range = {0, 0};
     appendBytes(out.ranges, range.lo);
     appendBytes(out.ranges, range.hi);
     if (range.isConstant()) continue;
     column.clear();
-    const int steps = k % Frames::kPoseNumbers < 3 ? 65535 : out.turnSteps;
+    const bool place = k % Frames::kPoseNumbers < 3;
+    const int steps = place ? 65535 : out.turnSteps;
+    const int unit = many ? range.unit(steps, place ? kSeenPlace * extent : kSeenTurn) : 1;
     for (std::size_t at = k; at < poses.size(); at += width)
-      column.push_back(range.rounded(poses[at], steps));
+      column.push_back(range.rounded(poses[at], steps, unit));
     const int order = bestOrder(column);
     out.orders += static_cast<char>(order);
     planes.add(column, order);
@@ -149,10 +191,15 @@ CodedContacts codedContacts(const Frames& frames, const std::vector<std::size_t>
   constexpr Range normal{-1, 1};
   CodedContacts out;
   std::array<Column, Frames::kContactNumbers> columns;
+  const std::size_t most = frames.poses < kManyPoses ? std::numeric_limits<std::size_t>::max()
+                                                     : std::max(kArrows, frames.poses / 10);
+  std::vector<std::size_t> shown;
   for (const std::size_t f : kept) {
-    const std::size_t first = frames.firstContact[f], end = frames.firstContact[f + 1];
-    appendBytes(out.counts, static_cast<std::uint32_t>(end - first));
-    for (std::size_t c = first; c < end; ++c) {
+    strongest(frames, f, most, shown);
+    const std::size_t recorded = frames.firstContact[f + 1] - frames.firstContact[f];
+    out.recorded = std::max(out.recorded, recorded), out.kept = std::max(out.kept, shown.size());
+    appendBytes(out.counts, static_cast<std::uint32_t>(shown.size()));
+    for (const std::size_t c : shown) {
       const float* const x = &frames.contact[c * Frames::kContactNumbers];
       for (std::size_t k = 0; k < 3; ++k) columns[k].push_back(box[k].rounded(x[k]));
       for (std::size_t k = 3; k < 6; ++k) columns[k].push_back(normal.rounded(x[k]));

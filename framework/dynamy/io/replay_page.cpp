@@ -53,6 +53,7 @@ void writeFrames(JsonWriter& json, const Frames& frames, std::size_t bytes, Repl
     if (needed <= bytes || kept.size() <= 2) {
       size.frames = kept.size(), size.poseBytes = poses.data.size();
       size.contactBytes = contacts.data.size();
+      size.contacts = contacts.kept, size.contactsRecorded = contacts.recorded;
       writeFrames(json, frames, kept, poses, contacts);
       return;
     }

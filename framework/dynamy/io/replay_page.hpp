@@ -26,9 +26,10 @@ struct ReplayText {
 
 /// How much of a film a page holds.
 struct ReplaySize {
-  std::size_t frames = 0, recorded = 0;         ///< in the page; in frames.bin
-  std::size_t poseBytes = 0, contactBytes = 0;  ///< [byte] in the page, as text
-  std::size_t wholeBytes = 0;                   ///< [byte] that all frames would take
+  std::size_t frames = 0, recorded = 0;            ///< in the page; in frames.bin
+  std::size_t poseBytes = 0, contactBytes = 0;     ///< [byte] in the page, as text
+  std::size_t contacts = 0, contactsRecorded = 0;  ///< most of one frame: in the page; there
+  std::size_t wholeBytes = 0;                      ///< [byte] that all frames would take
   bool thinned() const { return frames < recorded; }
 };
 
