@@ -1,6 +1,6 @@
 /// GrainExchange: which grains of a population are there; a feeder brings them, a sink takes them.
 ///
-///   present   |p| = 1;  absent   p = 0, u = 0, r at the feeder        (38.4)
+///   present   |p| = 1;  absent   p = 0, u = 0, r at the feeder        (38.8)
 ///   fed in (tA, tE]      floor(ν tE) − floor(ν tA)   of them, the lowest numbers that are absent
 ///   taken at tE          those whose centre is in the sink's box
 ///
