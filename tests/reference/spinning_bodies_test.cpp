@@ -14,7 +14,7 @@ constexpr double kR1 = 15e-3, kA1 = 3e-3, kA2 = 16e-3, kR2 = 5e-3;
 /// Inclination of the axis to the vertical while the large ball touches.
 double theta(Scene& scene) { return std::acos((kR1 - scene.q("top")[2]) / kA1); }
 
-TEST(TippeTop, TendsToTheTruthWithOrderOneUnderMoreausRule) {
+TEST(LongTippeTop, TendsToTheTruthWithOrderOneUnderMoreausRule) {
   const double truth[] = {0.50627368, 1.05807826, 1.57128303};
   const double at[] = {0.5, 0.75, 1.0};
   const std::vector<double> dt = halvings(1e-4, 5);
@@ -47,7 +47,7 @@ double stemTouches(double R) {
   return scene.state().t - 2.5e-5;
 }
 
-TEST(TippeTop, TurnsOverLaterOrSoonerWithItsPatch) {
+TEST(LongTippeTop, TurnsOverLaterOrSoonerWithItsPatch) {
   // Half a unit of the last digit, half of a step, and rounding of the sum of steps.
   EXPECT_NEAR(stemTouches(0.1e-3), 1.4457, 7.6e-5);
   EXPECT_NEAR(stemTouches(0.2e-3), 1.3649, 7.6e-5);
