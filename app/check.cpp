@@ -7,6 +7,7 @@
 #include <dynamy/simulation/simulation.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <memory>
+#include <optional>
 
 #include "program.hpp"
 #include "run_text.hpp"
@@ -75,7 +76,27 @@ Sizes sizesOf(Model& model) {
   return s;
 }
 
-std::string text(const Model& model, const Sizes& s) {
+/// What the scene costs in the other coordinates of its joints; empty if there are none to choose.
+struct Alternative {
+  std::string coordinates;
+  Sizes sizes;
+};
+
+std::optional<Alternative> otherCoordinates(const Model& model, const std::string& file,
+                                            LoadOptions options, Program& program) {
+  const bool minimal = model.simulation.coordinates == JointCoordinates::minimal;
+  options.coordinates = minimal ? JointCoordinates::absolute : JointCoordinates::minimal;
+  options.build = false;
+  try {
+    Model other = loadModel(file, program.registry, program.plugins, options);
+    other.build();
+    return Alternative{minimal ? "absolute" : "minimal", sizesOf(other)};
+  } catch (const ModelError&) {
+    return {};  // no joint makes a tree
+  }
+}
+
+std::string text(const Model& model, const Sizes& s, const std::optional<Alternative>& other) {
   std::string out = fmt::format("{}: ok\n", model.sourceFile);
   out += fmt::format(" systems {}   forces {}   contact elements {}   signals {}   checks {}\n",
                      s.systems, s.forces, s.contactElements, s.signals, s.checks);
@@ -87,6 +108,10 @@ std::string text(const Model& model, const Sizes& s) {
   out += fmt::format(" {}   {}   {}   to t = {:g} s   length of the scene {:.3g} m\n",
                      model.scheme().type(), model.solver().type(), stepText(model),
                      model.simulation.until, model.length());
+  for (const std::string& line : model.composed) out += " " + line + "\n";
+  if (other)
+    out += fmt::format(" in {} coordinates of the joints: q {}   u {}   unknowns {}\n",
+                       other->coordinates, other->sizes.nq, other->sizes.nu, other->sizes.unknowns);
   if (!s.weightless.empty())
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
                        s.weightless);
@@ -97,7 +122,7 @@ std::string text(const Model& model, const Sizes& s) {
   return out;
 }
 
-std::string json(const Model& model, const Sizes& s) {
+std::string json(const Model& model, const Sizes& s, const std::optional<Alternative>& other) {
   std::string out;
   JsonWriter j(out, 2);
   j.beginObject().member("model", model.sourceFile).member("ok", true);
@@ -110,7 +135,16 @@ std::string json(const Model& model, const Sizes& s) {
   j.member("integrator", model.scheme().type()).member("solver", model.solver().type());
   j.member("step", model.simulation.step).member("tolerance", model.simulation.tolerance);
   j.member("until", model.simulation.until);
-  j.member("length", model.length()).endObject();
+  j.member("length", model.length());
+  if (other)
+    j.key("otherCoordinates")
+        .beginObject()
+        .member("coordinates", other->coordinates)
+        .member("q", other->sizes.nq)
+        .member("u", other->sizes.nu)
+        .member("unknowns", other->sizes.unknowns)
+        .endObject();
+  j.endObject();
   return out + "\n";
 }
 
@@ -140,7 +174,8 @@ void addCheck(CLI::App& app, Program& program) {
     Model model = loadModel(t->model, program.registry, program.plugins, options);
     const Simulation verified(model);  // signals of checks, step
     const Sizes sizes = sizesOf(model);
-    fmt::print("{}", t->json ? json(model, sizes) : text(model, sizes));
+    const auto other = otherCoordinates(model, t->model, options, program);
+    fmt::print("{}", t->json ? json(model, sizes, other) : text(model, sizes, other));
     if (!t->elements) return;
     const Verdict verdict = checkModel(model);
     for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);

@@ -23,6 +23,7 @@
 #include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
 #include <dynamy_elements/joints/register_joints.hpp>
+#include <dynamy_elements/trees/compose_trees.hpp>
 
 namespace dynamy {
 namespace {
@@ -72,6 +73,7 @@ void registerElements(Registry& r) {
   r.add<ContactRule>("Contact");
   r.add<NoContactRule>("NoContact");
   registerCoordinates(r);
+  r.addCompletion(composeTrees);
   r.addCompletion(addShapeContacts);
 }
 

@@ -37,6 +37,11 @@ Ground::Ground(const Parameters& x)
 
 void Ground::describe(Description& d) const { parts_.describe(d); }
 
+bool Ground::rigidPart(RigidPart& out) const {
+  out.fixed = motion_.empty() && rotation_.empty();
+  return out.fixed;
+}
+
 void Ground::frame(double t, ConstVec, ConstVec, int id, Frame& out) const {
   out.block = -1;
   Vec3 s = Vec3::Zero(), ds = Vec3::Zero(), dds = Vec3::Zero();

@@ -23,6 +23,7 @@ class Ground final : public PartialMechanicalSystem {
   void h(double, ConstVec, ConstVec, Vec) const override {}
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
+  bool rigidPart(RigidPart& out) const override;
 
  private:
   BodyParts parts_;

@@ -95,6 +95,17 @@ bool PlanarBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, con
   return true;
 }
 
+bool PlanarBody::rigidPart(RigidPart& out) const {
+  // Out of the plane S counts as in the plane of B: nothing turns about any other axis.
+  out = {false, m_, r_BS_K_, J_ * Mat3::Identity()};
+  return true;
+}
+
+void PlanarBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {
+  q << motion.r_OS_I[plane_.a], motion.r_OS_I[plane_.b], phi_ + motion.angle;
+  u << motion.v_S_I[plane_.a], motion.v_S_I[plane_.b], motion.Omega_I.dot(plane_.n);
+}
+
 void PlanarBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   out.block = 0;
   // Out of the plane S stays where the body's origin was put; the offset of S has no meaning there.

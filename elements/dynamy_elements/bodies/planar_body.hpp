@@ -24,6 +24,8 @@ class PlanarBody final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
+  bool rigidPart(RigidPart& out) const override;
+  void ownState(const RigidMotion& motion, Vec q, Vec u) const override;
   bool moveTangent(ConstVec u, double dt, Block T) const override;
   bool frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;

@@ -154,6 +154,18 @@ double RigidBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   return -mass_.m * g_I.dot(q.head<3>());
 }
 
+bool RigidBody::rigidPart(RigidPart& out) const {
+  out = {false, mass_.m, mass_.r_BS_K, mass_.J_S_K};
+  return true;
+}
+
+void RigidBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {
+  q.head<3>() = motion.r_OS_I;
+  quaternionProduct(motion.p.data(), p_.data(), q.data() + 3);
+  u.head<3>() = motion.v_S_I;
+  u.tail<3>() = rotationMatrix(q.data() + 3).transpose() * motion.Omega_I;
+}
+
 void RigidBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   out.block = 0;
   out.r_OS_I = q.head<3>();

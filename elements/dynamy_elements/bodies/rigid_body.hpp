@@ -36,6 +36,8 @@ class RigidBody final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
+  bool rigidPart(RigidPart& out) const override;
+  void ownState(const RigidMotion& motion, Vec q, Vec u) const override;
 
  private:
   BodyParts parts_;

@@ -101,7 +101,14 @@ struct ShapeContacts::Search {
     if (told.insert(std::minmax(a, b)).second) faults.add(std::move(d));
   }
 
+  /// Number of a body that is part of a tree, other than those of systems and populations.
+  int partNumber(const NamedBody* part) {
+    const auto [at, isNew] = parts.try_emplace(part, -2 - static_cast<int>(parts.size()));
+    return at->second;
+  }
+
   const Topology& topology;
+  std::map<const NamedBody*, int> parts;
   std::vector<ShapeInstance> instances;
   StartKinematics start;
   std::vector<Blocks> blocks;
@@ -203,9 +210,14 @@ void ShapeContacts::group(Search& search) {
     const TouchingShape &inSpace = shapes_[0][i],
                         &own = shapes_[planeIndex(blocks.planeNormal, search)][i];
     const bool moves = blocks.nu > 0;
-    // One body: a system, or one of the many of a population.
+    // One body: a system, one of the many of a population, or a part of a tree.
     const int systems = static_cast<int>(search.blocks.size());
-    body_[i] = blocks.capacity == 1 ? s.system : systems + search.start.frame(s.frame).block;
+    const NamedBody* part = search.topology.body(
+        s.system,
+        search.topology.requestedFrames()[static_cast<std::size_t>(s.frame.index)].second);
+    body_[i] = part                   ? search.partNumber(part)
+               : blocks.capacity == 1 ? s.system
+                                      : systems + search.start.frame(s.frame).block;
     const bool alone = !moves || own.kind == Touch::halfSpace;
     const Key key{
         s.shape->material(),    blocks.planeNormal.x(),           blocks.planeNormal.y(),
@@ -226,7 +238,7 @@ void ShapeContacts::group(Search& search) {
     if (inSpace.kind == Touch::halfSpace) flats_.push_back(static_cast<int>(i));
     // The shape's name, else that of its system.
     const std::string& system =
-        search.topology.systems()[static_cast<std::size_t>(s.system)]->name();
+        part ? part->name : search.topology.systems()[static_cast<std::size_t>(s.system)]->name();
     std::string& name = names_[i];
     name = s.shape->name();
     if (name.empty()) name = system.empty() ? "body" + std::to_string(s.system) : system;

@@ -44,7 +44,7 @@ void Joint::connect(Topology& topology) {
   frames_.connect(topology, *this);
   const StartKinematics start(topology);
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
-  Start s;
+  Start& s = start_;
   s.at_I = atGiven_ ? at_ : B.r_OS_I;
   s.plane = frames_.planeNormal;
   s.axis_I = axis_.norm() > 0.0 ? Vec3(axis_.normalized()) : Vec3(Vec3::Zero());
@@ -53,12 +53,24 @@ void Joint::connect(Topology& topology) {
   pointB_ = B.A_IK.transpose() * (s.at_I - B.r_OS_I);
   points_.clear(), angles_.clear(), free_.clear(), coupled_.clear(), coordinates_.clear();
   build(s);
+  if (coordinate_) points_.clear(), angles_.clear();
   if (points_.empty() || points_[0].kind != JointRow::Kind::distance) return;
   if (points_[0].length > 0.0) return;
   points_[0].length = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
   if (!(points_[0].length > 0.0))
     throw ModelError("the two points coincide at the start",
                      "a distance of 0 is a Spherical joint");
+}
+
+bool Joint::jointMotion(Topology& topology, JointMotion& out) {
+  connect(topology);
+  const auto systemOf = [&](FrameHandle f) {
+    return topology.requestedFrames()[static_cast<std::size_t>(f.index)].first;
+  };
+  out.systemA = systemOf(frames_.A), out.systemB = systemOf(frames_.B);
+  out.at_I = start_.at_I;
+  out.free.clear();
+  return freeMotions(start_, out.free);
 }
 
 void Joint::addPoint(const Start& s, const Vec3& direction_I) {

@@ -20,6 +20,8 @@ class Joint : public NonSmoothElement {
   void describe(Description& d) const override;
   bool jointForces(const Kinematics& k, std::uint64_t id, const double* Lambda,
                    JointForces& out) const final;
+  bool jointMotion(Topology& topology, JointMotion& out) final;
+  void becomeCoordinate() final { coordinate_ = true; }
 
   /// Position errors of all rows, without friction [m, –]. For tests and projections.
   std::vector<double> errors(const Kinematics& k) const;
@@ -37,6 +39,11 @@ class Joint : public NonSmoothElement {
   static void declareFriction(Attributes& a, const std::string& text);
   /// Adds the rows of the concrete joint.
   virtual void build(const Start& start) = 0;
+  /// What it leaves free, one motion after the other; false (default): nothing a tree could take as
+  /// coordinates.
+  virtual bool freeMotions(const Start& /*start*/, std::vector<FreeMotion>& /*out*/) const {
+    return false;
+  }
 
   void addPoint(const Start& s, const Vec3& direction_I);
   void addAngle(const Start& s, const Vec3& d_I, const Vec3& b_I);
@@ -70,6 +77,8 @@ class Joint : public NonSmoothElement {
   FramePair frames_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();
   bool atGiven_ = false;
+  Start start_;
+  bool coordinate_ = false;  // of a tree: without points_ and angles_
   Vec3 pointA_ = Vec3::Zero(), pointB_ = Vec3::Zero();
   std::vector<JointRow> points_, angles_, free_, coupled_;
   std::vector<Coordinate> coordinates_;

@@ -48,6 +48,11 @@ void Revolute::build(const Start& s) {
   measureTurn(s, s.axis_I, t1, "angle", "rate");
 }
 
+bool Revolute::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  out.push_back({FreeMotion::Kind::turn, planar(s.plane) ? s.plane : s.axis_I});
+  return true;
+}
+
 void Spherical::declare(Attributes& a) {
   a.about("Ball and socket: two frames share a point. Planar bodies: 2 rows, in space 3.");
   declareJoint(a);
@@ -57,6 +62,14 @@ void Spherical::declare(Attributes& a) {
 void Spherical::build(const Start& s) {
   const Mat3 e = triad(s.plane);
   for (int i = 0; i < (planar(s.plane) ? 2 : 3); ++i) addPoint(s, e.col(i));
+}
+
+bool Spherical::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  if (planar(s.plane))
+    out.push_back({FreeMotion::Kind::turn, s.plane});
+  else
+    out.push_back({FreeMotion::Kind::ball});
+  return true;
 }
 
 void Prismatic::declare(Attributes& a) {
@@ -92,6 +105,11 @@ void Prismatic::build(const Start& s) {
   addAngle(s, s.axis_I, t1);
 }
 
+bool Prismatic::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  out.push_back({FreeMotion::Kind::slide, s.axis_I});
+  return true;
+}
+
 void Fixed::declare(Attributes& a) {
   a.about("Two frames are one. Planar bodies: 3 rows, in space 6.");
   declareJoint(a);
@@ -108,6 +126,8 @@ void Fixed::build(const Start& s) {
   addAngle(s, e.col(1), e.col(2));
   addAngle(s, e.col(2), e.col(0));
 }
+
+bool Fixed::freeMotions(const Start&, std::vector<FreeMotion>&) const { return true; }
 
 void Distance::declare(Attributes& a) {
   a.about("Two points keep their distance: a massless rod. One row.");

@@ -18,6 +18,7 @@ class Revolute final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Spherical final : public Joint {
@@ -27,6 +28,7 @@ class Spherical final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Prismatic final : public Joint {
@@ -36,6 +38,7 @@ class Prismatic final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Fixed final : public Joint {
@@ -45,6 +48,7 @@ class Fixed final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Distance final : public Joint {

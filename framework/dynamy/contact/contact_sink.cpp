@@ -35,6 +35,10 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
 Block ContactRows::segment(int block, int u0, int nu) {
   ContactSet& c = *set_;
   const int rows = dim();
+  // Two bodies of one tree share their block.
+  for (int k = c.segment0[static_cast<std::size_t>(index_)]; k < c.segment0.back(); ++k)
+    if (const Segment& s = c.segment[static_cast<std::size_t>(k)]; s.block == block)
+      return {c.W.data() + s.w, rows, nu};
   const auto offset = static_cast<std::ptrdiff_t>(c.W.size());
   c.W.resize(c.W.size() + static_cast<std::size_t>(rows) * static_cast<std::size_t>(nu));
   c.segment.push_back({block, u0, nu, offset});
@@ -97,7 +101,7 @@ void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* dire
     moment.row(r) = sign * rho.cross(*direction[r]);
   }
   using Jacobian = Eigen::Map<const Eigen::Matrix<double, 3, 6>>;
-  Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>{W.data()} =
+  Eigen::Map<Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>{W.data()} +=
       D.lazyProduct(Jacobian(f.J_S_I.data())) + moment.lazyProduct(Jacobian(f.J_R_I.data()));
 }
 

@@ -18,8 +18,8 @@ class ContactRows {
   explicit operator bool() const { return set_ != nullptr; }
   int dim() const { return set_->dim(index_); }
   bool wantsBias() const { return bias_; }
-  /// Adds a segment: dim × nu entries of Wᵀ for one mass block, zeroed. `u0`: first velocity of the
-  /// block.
+  /// The segment of one mass block: dim × nu entries of Wᵀ, zeroed at its first call; add to it,
+  /// as two bodies of a contact may share a block. `u0`: first velocity of the block.
   Block segment(int block, int u0, int nu);
   double& chi(int row) {
     return set_->chi[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];

@@ -37,6 +37,12 @@ class NonSmoothElement : public Element {
                            JointForces& /*out*/) const {
     return false;
   }
+  /// For joints between rigid bodies: what they leave free at the start. Asked before connect(), in
+  /// the topology of all bodies; false (default): always a law between its frames.
+  virtual bool jointMotion(Topology& /*topology*/, JointMotion& /*out*/) { return false; }
+  /// Its motion is a coordinate of a tree from now on: of its laws only those in the free
+  /// directions remain. Called before connect().
+  virtual void becomeCoordinate() {}
   /// Name of one of its contacts in reports, the element's own left out; "": its number is shown.
   virtual std::string contactName(std::uint64_t /*id*/) const { return {}; }
 };

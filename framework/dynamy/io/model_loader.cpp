@@ -105,6 +105,8 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   SettingsReader settings(model, source, reader, faults);
   for (const ModelItem& item : source.settings()) settings.read(item);
 
+  if (options.coordinates) model.simulation.coordinates = *options.coordinates;
+
   // The model itself knows its title, text and where it came from.
   model.sourceFile = source.document().name();
   model.doc = documentation(source.document().root());

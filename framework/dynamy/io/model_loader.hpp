@@ -6,12 +6,14 @@
 #pragma once
 #include <dynamy/io/model_source.hpp>
 #include <dynamy/simulation/model.hpp>
+#include <optional>
 
 namespace dynamy {
 
 struct LoadOptions {
   Overrides set;      ///< parameters: (name, value)
   bool build = true;  ///< false: the caller changes the model and calls build() itself
+  std::optional<JointCoordinates> coordinates = {};  ///< instead of those the file says
   /// Gets the model, what it includes and its plug-ins, also those that were looked for in vain and
   /// also if the model is faulty: whoever waits for a change watches these.
   std::vector<std::filesystem::path>* files = nullptr;

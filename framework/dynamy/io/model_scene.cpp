@@ -10,14 +10,16 @@ std::array<double, 3> array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
   const PartialMechanicalSystem& system = *model.systems()[static_cast<std::size_t>(f.system)];
+  const NamedBody* body = model.topology().body(f.system, f.id);
   std::string name = system.name().empty() ? system.type() : system.name();
-  if (system.frames() > 1) {
-    std::string part = std::to_string(f.id);
+  if (body) name = body->name;
+  if (body ? body->frames > 1 : system.frames() > 1) {
+    std::string part = std::to_string(f.id - (body ? body->frame : 0));
     for (const auto& [label, id] : model.description(f.system).frames)
       if (id == f.id) part = label;
     name += "." + part;
   }
-  const Place& place = system.place();
+  const Place& place = body ? body->place : system.place();
   return {name, place.line > 0 ? place.file + ":" + std::to_string(place.line) : ""};
 }
 

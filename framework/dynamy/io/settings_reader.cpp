@@ -56,6 +56,11 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
                 : word == "positions" ? Project::positions
                                       : Project::both;
   }
+  if (x["coordinates"].given) {
+    s.coordinates =
+        x["coordinates"].text == "minimal" ? JointCoordinates::minimal : JointCoordinates::absolute;
+    s.coordinatesPlace = x["coordinates"].place;
+  }
   if (s.place.line == 0) s.place = node.place;
 }
 

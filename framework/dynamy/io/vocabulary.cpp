@@ -41,6 +41,9 @@ Word simulation() {
   a.choice("project", {"none", "positions", "both"}, "none",
            "after a step of any scheme: positions, or velocities as well, are brought back to "
            "joints and contacts in the metric of the mass");
+  a.choice("coordinates", {"absolute", "minimal"}, "absolute",
+           "of bodies with joints: absolute, joints are constraints; minimal, those of the joints "
+           "of a spanning tree, only joints that close loops are constraints");
   a.child(Kind::scheme, 0, 1, "scheme of time stepping");
   a.child(Kind::solver, 0, 1, "solver of the inclusion problem");
   a.child(Kind::impact, 0, 1, "impact law");

@@ -60,6 +60,16 @@ void Model::add(Kind kind, std::unique_ptr<Element> element) {
 
 void Model::scheme(std::unique_ptr<OneStep> scheme) { scheme_ = std::move(scheme); }
 void Model::solver(std::unique_ptr<InclusionSolver> solver) { solver_ = std::move(solver); }
+
+std::vector<std::unique_ptr<PartialMechanicalSystem>> Model::takeSystems(
+    const std::vector<int>& indices) {
+  expects(topology_ == nullptr, "systems are taken before build() lays them out");
+  std::vector<std::unique_ptr<PartialMechanicalSystem>> out;
+  for (const int i : indices) out.push_back(std::move(systems_[static_cast<std::size_t>(i)]));
+  systems_.erase(std::remove(systems_.begin(), systems_.end(), nullptr), systems_.end());
+  return out;
+}
+
 void Model::addCompletion(Completion completion) { completions_.push_back(std::move(completion)); }
 
 void Model::build() {

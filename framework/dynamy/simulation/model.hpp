@@ -52,6 +52,9 @@ class Model {
   T& add(const std::string& name, const std::vector<GivenValue>& given) {
     return add(std::make_unique<T>(Parameters::of<T>({}, name, given)));
   }
+  /// For completions: takes systems out, e.g. to put them into one; `indices` ascending.
+  std::vector<std::unique_ptr<PartialMechanicalSystem>> takeSystems(
+      const std::vector<int>& indices);
   /// Called at the beginning of build(): adds what follows from other elements (contact geometry
   /// from shapes).
   void addCompletion(Completion completion);
@@ -63,7 +66,8 @@ class Model {
   RecordSettings record;
   std::vector<CheckSettings> checks;
   std::string title, sourceFile, sourceText, doc;
-  std::string view;  ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
+  std::vector<std::string> composed;  ///< what completions made of joints, for reports
+  std::string view;                   ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
 
   // After build().
   Topology& topology() { return *topology_; }

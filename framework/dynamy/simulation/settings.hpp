@@ -13,6 +13,12 @@ enum class NonConvergence { stop, warn, retry };
 /// What is projected on the constraints after a step (theory 34.3).
 enum class Project { none, positions, both };
 
+/// Coordinates of bodies that joints connect (theory 39).
+enum class JointCoordinates {
+  absolute,  ///< of each body; joints are bilateral laws
+  minimal    ///< of the joints of spanning trees; joints that close loops are bilateral laws
+};
+
 struct SimulationSettings {
   double until = 1.0;      ///< end time [s]
   double step = 0.0;       ///< Δt [s]; 0: not given
@@ -20,6 +26,8 @@ struct SimulationSettings {
   double gTol = -1.0;      ///< closed: g ≤ gTol [m]; negative: 1e-12 of the scene's length
   NonConvergence onNonConvergence = NonConvergence::warn;
   Project project = Project::none;
+  JointCoordinates coordinates = JointCoordinates::absolute;
+  Place coordinatesPlace;
   Place place;
 };
 

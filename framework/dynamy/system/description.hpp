@@ -2,6 +2,7 @@
 /// frames, shapes, memory.
 #pragma once
 #include <dynamy/core/attributes.hpp>
+#include <dynamy/core/error.hpp>
 #include <dynamy/core/types.hpp>
 #include <functional>
 #include <string>
@@ -48,6 +49,14 @@ struct PlacedLink {
   bool spring = false;         ///< drawn as a coil
 };
 
+/// A body of a system that consists of several; found under its own name like a system.
+struct NamedBody {
+  std::string name;
+  int frame = 0;   ///< the first of its frames
+  int frames = 1;  ///< how many
+  Place place;     ///< in the model file
+};
+
 class Description {
  public:
   /// q[i] of the element's own system as signal `name`.
@@ -60,7 +69,11 @@ class Description {
   void link(const PlacedLink& l) { links.push_back(l); }
   void frame(std::string name, int id) { frames.push_back({std::move(name), id}); }
 
+  /// The frames from `frame` on belong to a body of its own; in ascending order.
+  void body(NamedBody b) { bodies.push_back(std::move(b)); }
+
   std::vector<Signal> signals;
+  std::vector<NamedBody> bodies;
   /// Names of q[i] and u[i] as given above: elements with formulas find the coordinates by them.
   std::vector<std::pair<std::string, int>> coordinates, velocities;
   std::vector<PlacedShape> shapes;

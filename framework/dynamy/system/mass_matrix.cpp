@@ -44,7 +44,7 @@ bool invert(const double* M, int n, double* inverse) {
 
 }  // namespace
 
-bool MassMatrix::invertBlock(int b) {
+bool MassMatrix::invertBlock(int b) const {
   const int n = nu(b);
   const double* M = data_.data() + offset(b);
   bool diagonal = true;
@@ -52,10 +52,18 @@ bool MassMatrix::invertBlock(int b) {
     for (int j = 0; j < i; ++j) diagonal = diagonal && M[i * n + j] == 0.0 && M[j * n + i] == 0.0;
   diagonal_[static_cast<std::size_t>(b)] = diagonal ? 1 : 0;
   double* inverse = inverse_.data() + offset(b);
+  has_[static_cast<std::size_t>(b)] = Has::inverse;
   if (!invert(M, n, inverse)) return false;
   for (int i = 0; i < n; ++i)
     inverseDiagonal_[static_cast<std::size_t>(u0(b) + i)] = inverse[i * n + i];
   return true;
+}
+
+void MassMatrix::make(int b) const {
+  if (has_[static_cast<std::size_t>(b)] != Has::nothing) return;
+  const Deferred& d = deferred_[static_cast<std::size_t>(b)];
+  d.system->M(d.t, view(d.q), {data_.data() + offset(b), nu(b), 1});
+  has_[static_cast<std::size_t>(b)] = Has::mass;
 }
 
 void MassMatrix::resize(const Topology& topology) {
@@ -74,6 +82,14 @@ void MassMatrix::resize(const Topology& topology) {
   inverse_.assign(static_cast<std::size_t>(size), 0.0);
   inverseDiagonal_.assign(static_cast<std::size_t>(topology.nu()), 0.0);
   diagonal_.assign(nu_.size(), 0);
+  has_.assign(nu_.size(), Has::inverse);
+  deferred_.assign(nu_.size(), {});
+  for (std::size_t s = 0; s < topology.systems().size(); ++s) {
+    const SystemHandle& h = topology.system(static_cast<int>(s));
+    const Blocks blocks = topology.systems()[s]->blocks();
+    if (blocks.ownInverse && !blocks.constantMass && h.blocks == 1)
+      deferred_[static_cast<std::size_t>(h.block0)].system = topology.systems()[s];
+  }
   constant_.clear();
   for (const PartialMechanicalSystem* s : topology.systems())
     constant_.push_back(s->blocks().constantMass);
@@ -85,6 +101,12 @@ int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
   for (std::size_t s = 0; s < constant_.size(); ++s) {
     const SystemHandle& h = topology.system(static_cast<int>(s));
     if ((constant_[s] && !first_) || h.blocks == 0) continue;
+    if (Deferred& d = deferred_[static_cast<std::size_t>(h.block0)]; d.system && !first_) {
+      d.t = t, d.q = q.segment(h.q0, h.nq);
+      has_[static_cast<std::size_t>(h.block0)] = Has::nothing;
+      diagonal_[static_cast<std::size_t>(h.block0)] = 0;
+      continue;
+    }
     topology.systems()[s]->M(t, {q.data() + h.q0, h.nq},
                              {data_.data() + offset(h.block0), h.blockNu, h.blocks});
     for (int b = h.block0; b < h.block0 + h.blocks; ++b)
@@ -100,6 +122,11 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
     const double* A = inverse_.data() + offset(b);
     const double* x = in.data() + u0(b);
     double* y = out.data() + u0(b);
+    if (has_[static_cast<std::size_t>(b)] != Has::inverse) {
+      const Deferred& d = deferred_[static_cast<std::size_t>(b)];
+      d.system->applyInverseMass(d.t, view(d.q), {x, n}, {y, n});
+      continue;
+    }
     if (const double* d = inverseDiagonal(b)) {
       for (int i = 0; i < n; ++i) y[i] = d[i] * x[i];
       continue;
@@ -131,7 +158,7 @@ double MassMatrix::kineticEnergy(ConstVec u) const {
   double T = 0.0;
   for (int b = 0; b < blocks(); ++b) {
     const int n = nu(b);
-    const double* A = data_.data() + offset(b);
+    const double* A = M(b).data();
     const double* x = u.data() + u0(b);
     const bool diagonal = inverseDiagonal(b) != nullptr;
     for (int i = 0; i < n; ++i) {

@@ -3,7 +3,8 @@
 ///
 /// The inverse of each (small) block is stored: M⁻¹w is then one small product, which is what
 /// contacts need many times a step. Keeping Cholesky factors was rejected for small blocks: two
-/// triangular solves with divisions are slower, and equally accurate here.
+/// triangular solves with divisions are slower, and equally accurate here. Systems that apply M⁻¹
+/// themselves (Blocks::ownInverse) have both made when they are first asked for in an evaluation.
 #pragma once
 #include <dynamy/system/topology.hpp>
 
@@ -16,8 +17,12 @@ class MassMatrix {
   /// the index of the first system whose M is not positive definite, or −1.
   int evaluate(const Topology& topology, double t, ConstVec q);
 
-  ConstBlock M(int block) const { return {data_.data() + offset(block), nu(block), nu(block)}; }
+  ConstBlock M(int block) const {
+    if (has_[static_cast<std::size_t>(block)] == Has::nothing) make(block);
+    return {data_.data() + offset(block), nu(block), nu(block)};
+  }
   ConstBlock inverse(int block) const {
+    if (has_[static_cast<std::size_t>(block)] != Has::inverse) make(block), invertBlock(block);
     return {inverse_.data() + offset(block), nu(block), nu(block)};
   }
   /// The diagonal of M⁻¹ where that is all of it (free bodies in principal axes), else null.
@@ -35,12 +40,22 @@ class MassMatrix {
   double kineticEnergy(ConstVec u) const;
 
  private:
-  bool invertBlock(int block);
+  enum class Has : char { nothing, mass, inverse };
+  /// A system that applies M⁻¹ itself, and where: M and its inverse are made on demand.
+  struct Deferred {
+    const PartialMechanicalSystem* system = nullptr;
+    double t = 0.0;
+    Eigen::VectorXd q;
+  };
+  bool invertBlock(int block) const;
+  void make(int block) const;
   std::ptrdiff_t offset(int block) const { return offset_[static_cast<std::size_t>(block)]; }
   std::vector<int> nu_, u0_;
   std::vector<std::ptrdiff_t> offset_;
-  std::vector<double> data_, inverse_, inverseDiagonal_;
-  std::vector<char> diagonal_;  // of a block: M is diagonal
+  mutable std::vector<double> data_, inverse_, inverseDiagonal_;
+  mutable std::vector<char> diagonal_;  // of a block: M is diagonal
+  mutable std::vector<Has> has_;
+  std::vector<Deferred> deferred_;  // per block; without a system: made in every evaluation
   std::vector<bool> constant_;
   bool first_ = true;
 };

@@ -8,6 +8,7 @@
 #pragma once
 #include <dynamy/core/element.hpp>
 #include <dynamy/system/frame.hpp>
+#include <dynamy/system/tree_part.hpp>
 
 namespace dynamy {
 
@@ -19,6 +20,9 @@ struct Blocks {
   /// Unit normal of the plane that all frames of the system move in; zero: motion in space.
   /// Contacts and joints between such systems need fewer rows.
   Vec3 planeNormal = Vec3::Zero();
+  /// applyInverseMass() is offered: M is made only if something else asks for it. For systems of
+  /// one block with many velocities.
+  bool ownInverse = false;
 };
 
 /// Writable view of the mass matrices of all blocks of one system, nu × nu each, row after row.
@@ -44,6 +48,8 @@ class PartialMechanicalSystem : public Element {
   virtual void initialState(Vec q, Vec u) const = 0;
   /// Mass matrices, symmetric positive definite; all entries are to be written.
   virtual void M(double t, ConstVec q, MassBlocks M) const = 0;
+  /// out = M⁻¹ in, for systems whose Blocks say ownInverse; default: never called.
+  virtual void applyInverseMass(double /*t*/, ConstVec /*q*/, ConstVec /*in*/, Vec /*out*/) const {}
   /// All smooth forces, gyroscopic terms included (not those of ExternalForce elements); all
   /// entries are to be written.
   virtual void h(double t, ConstVec q, ConstVec u, Vec h) const = 0;
@@ -97,6 +103,11 @@ class PartialMechanicalSystem : public Element {
                               const Vec3& /*M_I*/, Block /*K*/) const {
     return false;
   }
+  /// For systems that are one rigid body, or stand still: what a tree of joints needs of them (its
+  /// frames are fixed on it); false (default): not to be carried by joints.
+  virtual bool rigidPart(RigidPart& /*out*/) const { return false; }
+  /// q and u of such a body from its motion since the start; for its signals.
+  virtual void ownState(const RigidMotion& /*motion*/, Vec /*q*/, Vec /*u*/) const {}
 };
 
 /// Whether the system answers to a uniform field of gravity in any direction, at position q; its

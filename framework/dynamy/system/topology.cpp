@@ -33,6 +33,7 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
     s->describe(d);
     frameNames_.push_back(std::move(d.frames));
     indexOf_.emplace_back();
+    bodies_.push_back(std::move(d.bodies));
     for (const PlacedShape& p : d.shapes)
       if (!p.shape->material().empty()) materials_.push_back({p.shape, p.frame, h.index});
   }
@@ -53,14 +54,28 @@ FrameHandle Topology::frame(std::string_view name, const Element& asking) {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
     const std::string& system = systems_[i]->name();
-    if (system == name && systems_[i]->frames() > 0) return frame(handles_[i], 0);
-    if (systems_[i]->frames() > 0) known.push_back(system);
+    const bool several = !bodies_[i].empty();
+    if (!several && system == name && systems_[i]->frames() > 0) return frame(handles_[i], 0);
+    if (!several && systems_[i]->frames() > 0) known.push_back(system);
+    for (const NamedBody& b : bodies_[i]) {
+      if (b.name == name) return frame(handles_[i], b.frame);
+      known.push_back(b.name);
+    }
     for (const auto& [label, id] : frameNames_[i]) {
-      if (name == system + "." + label) return frame(handles_[i], id);
-      known.push_back(system + "." + label);
+      const std::string whole =
+          (several ? body(static_cast<int>(i), id)->name : system) + "." + label;
+      if (name == whole) return frame(handles_[i], id);
+      known.push_back(whole);
     }
   }
   unknown(asking, "frame", name, known);
+}
+
+const NamedBody* Topology::body(int system, int id) const {
+  const NamedBody* out = nullptr;
+  for (const NamedBody& b : bodies_[static_cast<std::size_t>(system)])
+    if (b.frame <= id) out = &b;
+  return out;
 }
 
 FrameHandle Topology::frame(const SystemHandle& system, int id) {

@@ -2,6 +2,7 @@
 /// connect().
 #pragma once
 #include <dynamy/core/types.hpp>
+#include <dynamy/system/description.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy/system/shape.hpp>
 #include <string>
@@ -48,6 +49,8 @@ class Topology {
   /// evaluated in every step.
   FrameHandle frame(std::string_view name, const Element& asking);
   FrameHandle frame(const SystemHandle& system, int id);
+  /// Which of the bodies of a system that consists of several carries frame `id`; null: it is one.
+  const NamedBody* body(int system, int id) const;
   /// All shapes of all systems that have a material; asks for their frames.
   std::vector<ShapeInstance> shapesWithMaterial();
 
@@ -79,6 +82,7 @@ class Topology {
   };
   std::vector<Placed> materials_;
   std::vector<std::vector<std::pair<std::string, int>>> frameNames_;  // per system
+  std::vector<std::vector<NamedBody>> bodies_;                        // the same
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
 

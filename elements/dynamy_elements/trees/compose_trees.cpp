@@ -1,0 +1,224 @@
+#include <algorithm>
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/trees/compose_trees.hpp>
+#include <dynamy_elements/trees/tree_system.hpp>
+#include <numeric>
+
+namespace dynamy {
+namespace {
+
+/// Velocities that joints do not allow count from here [m/s, rad/s]; below is rounding of the file.
+constexpr double kLost = 1e-9;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::string title(const Element& e) {
+  return e.name().empty() ? "a " + e.type() : "\"" + e.name() + "\"";
+}
+
+struct Edge {
+  NonSmoothElement* joint;
+  JointMotion motion;
+  int freedom() const {
+    int n = 0;
+    for (const FreeMotion& m : motion.free) n += m.kind == FreeMotion::Kind::ball ? 3 : 1;
+    return n;
+  }
+};
+
+/// A joint's motions as A moves against B: the last one first, the other way round.
+std::vector<FreeMotion> reversed(std::vector<FreeMotion> free) {
+  std::reverse(free.begin(), free.end());
+  for (FreeMotion& m : free) m.axis_I = -m.axis_I;
+  return free;
+}
+
+class Composer {
+ public:
+  explicit Composer(Model& model) : model_(model) {
+    for (const auto& s : model.systems()) {
+      RigidPart part;
+      rigid_.push_back(s->rigidPart(part));
+      fixed_.push_back(rigid_.back() && part.fixed);
+    }
+  }
+  void compose();
+
+ private:
+  void findEdges();
+  std::string whyNot(const JointMotion& m) const;
+  void span();
+  void buildTrees();
+  void grow(TreeSystem& tree, int from, int index);
+  std::unique_ptr<TreeSystem> begin(int first) const;
+  void finish(std::unique_ptr<TreeSystem> tree, const std::string& on);
+  const PartialMechanicalSystem& system(int i) const { return *model_.systems()[at(i)]; }
+  int group(int i) {
+    while (parent_[at(i)] != i) i = parent_[at(i)];
+    return i;
+  }
+  void note(std::string text) { model_.composed.push_back(std::move(text)); }
+
+  Model& model_;
+  std::vector<bool> rigid_, fixed_;
+  std::vector<Edge> edges_;                 // of the trees, in the order of the model
+  std::vector<int> parent_;                 // of the groups
+  std::vector<std::vector<int>> edgesOf_;   // per system
+  std::vector<TreeSystem::System> bodies_;  // taken out, by index of the system
+  std::vector<std::unique_ptr<TreeSystem>> trees_;
+  bool any_ = false;
+};
+
+std::string Composer::whyNot(const JointMotion& m) const {
+  for (const int i : {m.systemA, m.systemB})
+    if (!rigid_[at(i)]) {
+      const bool moves = system(i).blocks().nu > 0;
+      return title(system(i)) + (moves ? " is not one rigid body" : " moves as told");
+    }
+  const Vec3 a = system(m.systemA).blocks().planeNormal, b = system(m.systemB).blocks().planeNormal;
+  if (!fixed_[at(m.systemA)] && !fixed_[at(m.systemB)] && a != b)
+    return "its bodies do not move in the same plane";
+  return {};
+}
+
+void Composer::findEdges() {
+  std::vector<const PartialMechanicalSystem*> systems;
+  for (const auto& s : model_.systems()) systems.push_back(s.get());
+  Topology topology(systems);
+  for (const auto& contact : model_.contacts()) {
+    Edge edge{contact.get(), {}};
+    try {
+      if (!contact->jointMotion(topology, edge.motion)) continue;
+    } catch (const ModelError&) {
+      continue;  // connect() tells it with all other faults
+    }
+    any_ = true;
+    if (const std::string why = whyNot(edge.motion); !why.empty())
+      note(title(*contact) + " stays a constraint: " + why);
+    else
+      edges_.push_back(std::move(edge));
+  }
+}
+
+/// Keeps the edges of a spanning tree. All that stands still is one.
+void Composer::span() {
+  parent_.resize(rigid_.size());
+  std::iota(parent_.begin(), parent_.end(), 0);
+  const auto ground = std::find(fixed_.begin(), fixed_.end(), true) - fixed_.begin();
+  for (std::size_t i = 0; i < fixed_.size(); ++i)
+    if (fixed_[i]) parent_[i] = static_cast<int>(ground);
+  std::vector<std::size_t> order(edges_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return edges_[a].freedom() < edges_[b].freedom();
+  });
+  std::vector<bool> kept(edges_.size());
+  for (const std::size_t e : order) {
+    const int a = group(edges_[e].motion.systemA), b = group(edges_[e].motion.systemB);
+    kept[e] = a != b;
+    if (a != b) parent_[at(std::max(a, b))] = std::min(a, b);
+  }
+  std::vector<Edge> tree;
+  edgesOf_.assign(rigid_.size(), {});
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    if (!kept[e]) {
+      note(title(*edges_[e].joint) + " closes a loop: it stays a constraint");
+      continue;
+    }
+    for (const int i : {edges_[e].motion.systemA, edges_[e].motion.systemB})
+      edgesOf_[at(i)].push_back(static_cast<int>(tree.size()));
+    tree.push_back(std::move(edges_[e]));
+  }
+  edges_ = std::move(tree);
+}
+
+std::unique_ptr<TreeSystem> Composer::begin(int first) const {
+  const PartialMechanicalSystem& body = *bodies_[at(first)];
+  Parameters x;
+  x.type = "Tree", x.place = body.place();
+  return std::make_unique<TreeSystem>(x, body.blocks().planeNormal);
+}
+
+/// Everything behind system `from`, which the tree carries as `index`; breadth first.
+void Composer::grow(TreeSystem& tree, int from, int index) {
+  std::vector<std::pair<int, int>> queue{{from, index}};
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const auto [system, carried] = queue[next];
+    for (const int e : edgesOf_[at(system)]) {
+      const JointMotion& m = edges_[at(e)].motion;
+      const bool forward = m.systemA == system;
+      const int other = forward ? m.systemB : m.systemA;
+      if (!bodies_[at(other)]) continue;  // where it came from
+      queue.emplace_back(other, tree.carry(std::move(bodies_[at(other)]), carried, m.at_I,
+                                           forward ? m.free : reversed(m.free)));
+      edges_[at(e)].joint->becomeCoordinate();
+    }
+  }
+}
+
+void Composer::finish(std::unique_ptr<TreeSystem> tree, const std::string& on) {
+  const double lost = tree->finish();
+  note("tree of " + std::to_string(tree->bodies()) + (tree->bodies() == 1 ? " body" : " bodies") +
+       " on " + on + ": q " + std::to_string(tree->nq()) + ", u " + std::to_string(tree->nu()));
+  if (lost > kLost)
+    note("its joints change velocities given at the start, by " + std::to_string(lost) +
+         " m/s or rad/s at most");
+  trees_.push_back(std::move(tree));
+}
+
+void Composer::buildTrees() {
+  // Only bodies with joints leave the model.
+  std::vector<int> taken;
+  for (std::size_t i = 0; i < edgesOf_.size(); ++i)
+    if (!edgesOf_[i].empty() && !fixed_[i]) taken.push_back(static_cast<int>(i));
+  std::vector<std::string> titles;
+  for (const auto& s : model_.systems()) titles.push_back(title(*s));
+  bodies_.resize(rigid_.size());
+  std::vector<TreeSystem::System> out = model_.takeSystems(taken);
+  for (std::size_t k = 0; k < taken.size(); ++k) bodies_[at(taken[k])] = std::move(out[k]);
+
+  for (Edge& e : edges_) {
+    const JointMotion& m = e.motion;
+    const bool onA = fixed_[at(m.systemA)], onB = fixed_[at(m.systemB)];
+    if (!onA && !onB) continue;
+    const int first = onA ? m.systemB : m.systemA;
+    auto tree = begin(first);
+    const int index =
+        tree->carry(std::move(bodies_[at(first)]), -1, m.at_I, onA ? m.free : reversed(m.free));
+    e.joint->becomeCoordinate();
+    grow(*tree, first, index);
+    finish(std::move(tree), titles[at(onA ? m.systemA : m.systemB)]);
+  }
+  for (const int first : taken) {
+    if (!bodies_[at(first)]) continue;
+    auto tree = begin(first);
+    const Vec3 n = bodies_[at(first)]->blocks().planeNormal;
+    const int index = tree->carryLoose(std::move(bodies_[at(first)]), n);
+    grow(*tree, first, index);
+    finish(std::move(tree), "nothing");
+  }
+  for (auto& tree : trees_) model_.add(Kind::system, std::move(tree));
+}
+
+void Composer::compose() {
+  findEdges();
+  if (edges_.empty()) {
+    Diagnostic d;
+    d.place = model_.simulation.coordinatesPlace;
+    d.element = "simulation";
+    d.text = "no joint of the model makes a tree: minimal coordinates have nothing to act on";
+    d.hint = any_ ? model_.composed.front()
+                  : "joints between rigid bodies do, e.g. Revolute, Spherical, Prismatic or Fixed";
+    throw ModelError(d);
+  }
+  span();
+  buildTrees();
+}
+
+}  // namespace
+
+void composeTrees(Model& model) {
+  if (model.simulation.coordinates == JointCoordinates::minimal) Composer(model).compose();
+}
+
+}  // namespace dynamy

@@ -1,0 +1,313 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <dynamy/core/rotation.hpp>
+#include <dynamy_elements/bodies/body_parts.hpp>
+#include <dynamy_elements/trees/tree_system.hpp>
+
+namespace dynamy {
+
+using Free = FreeMotion::Kind;
+
+// ---- making ------------------------------------------------------------------------------------
+
+int TreeSystem::carry(System system, int parent, const Vec3& at_I,
+                      const std::vector<FreeMotion>& free) {
+  Body body;
+  body.node = parent < 0 ? -1 : bodies_[static_cast<std::size_t>(parent)].node;
+  body.first = tree_.size();
+  for (const FreeMotion& motion : free) {
+    TreeNode node;
+    node.kind = motion.kind, node.parent = body.node;
+    node.axis = motion.axis_I, node.pitch = motion.pitch;
+    // All axes are those of the world at the start.
+    node.arm = at_I;
+    for (int k = body.node; k >= 0; k = tree_.node(k).parent) node.arm -= tree_.node(k).arm;
+    body.node = tree_.add(node);
+  }
+  body.system = std::move(system);
+  body.system->rigidPart(body.part);
+  body.blocks = body.system->blocks();
+  placeFrames(body);
+  bodies_.push_back(std::move(body));
+  return bodies() - 1;
+}
+
+int TreeSystem::carryLoose(System system, const Vec3& n) {
+  Eigen::VectorXd q(system->blocks().nq), u(system->blocks().nu);
+  system->initialState(view(q), view(u));
+  RigidPart part;
+  system->rigidPart(part);
+  Frame f;
+  std::vector<double> jacobians(static_cast<std::size_t>(6 * u.size()));
+  new (&f.J_S_I) Mat3X(jacobians.data(), 3, u.size());
+  new (&f.J_R_I) Mat3X(jacobians.data() + 3 * u.size(), 3, u.size());
+  system->frame(0.0, view(std::as_const(q)), view(std::as_const(u)), 0, f);
+  std::vector<FreeMotion> free;
+  if (n.isZero(0.0)) {
+    for (int i = 0; i < 3; ++i) free.push_back({Free::slide, Vec3::Unit(i)});
+    free.push_back({Free::ball});
+  } else {
+    Vec3 e1, e2;
+    tangents(n, e1, e2);
+    free = {{Free::slide, e1}, {Free::slide, e2}, {Free::turn, n}};
+  }
+  return carry(std::move(system), -1, f.r_OS_I + f.A_IK * part.r_BS_K, free);
+}
+
+/// Frames of the body from its node's origin, its mass, its velocity at the start.
+void TreeSystem::placeFrames(Body& body) {
+  Vec3 origin = Vec3::Zero();
+  for (int k = body.node; k >= 0; k = tree_.node(k).parent) origin += tree_.node(k).arm;
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(body.blocks.nq),
+                  u = Eigen::VectorXd::Zero(body.blocks.nu);
+  body.system->initialState(view(q), view(u));
+  std::vector<double> jacobians(static_cast<std::size_t>(6 * body.blocks.nu));
+  body.frame0 = frames();
+  for (int id = 0; id < body.system->frames(); ++id) {
+    Frame f;
+    new (&f.J_S_I) Mat3X(jacobians.data(), 3, body.blocks.nu);
+    new (&f.J_R_I) Mat3X(jacobians.data() + 3 * body.blocks.nu, 3, body.blocks.nu);
+    const Eigen::VectorXd &cq = q, &cu = u;
+    body.system->frame(0.0, view(cq), view(cu), id, f);
+    frames_.push_back({body.node, f.r_OS_I - origin, f.A_IK});
+    if (id > 0) continue;
+    const Vec3 rho = f.A_IK * body.part.r_BS_K;
+    body.S = f.r_OS_I + rho - origin;
+    body.v = f.velocity(rho), body.Omega = f.Omega_I;
+    if (body.node >= 0)
+      tree_.addMass(body.node, body.part.m, body.S, f.A_IK * body.part.J_S_K * f.A_IK.transpose());
+  }
+}
+
+double TreeSystem::finish() {
+  const auto n = static_cast<std::size_t>(tree_.size());
+  work_.x.resize(n), work_.inertia.resize(n), work_.wrench.resize(2 * n);
+  work_.factors.resize(n);
+  work_.q.assign(static_cast<std::size_t>(nq()), 0.0);
+  work_.u.assign(static_cast<std::size_t>(nu()), 0.0);
+  u0_.setZero(nu()), start_.setZero(nq());
+  for (int k = 0; k < tree_.size(); ++k)
+    if (tree_.node(k).kind == Free::ball) start_[tree_.node(k).q0] = 1.0;
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(nu());
+  const Tree::Motions& x = at(view(std::as_const(start_)));
+
+  // M u = Σ Jᵀ (m v, J Ω): the impact that lets the joints hold.
+  for (Vec3& w : work_.wrench) w.setZero();
+  bool any = false;
+  for (const Body& b : bodies_) {
+    any = any || !b.v.isZero(0.0) || !b.Omega.isZero(0.0);
+    if (b.node < 0) continue;
+    const Mat3 A = frames_[static_cast<std::size_t>(b.frame0)].A;
+    const Vec3 p = b.part.m * b.v, L = A * (b.part.J_S_K * (A.transpose() * b.Omega));
+    work_.wrench[2 * static_cast<std::size_t>(b.node)] += p;
+    work_.wrench[2 * static_cast<std::size_t>(b.node) + 1] += L + b.S.cross(p);
+  }
+  if (!any || nu() == 0) return 0.0;
+  tree_.project(x, work_.wrench, view(momentum));
+  RowMatrix mass(nu(), nu());
+  tree_.mass(x, work_.inertia, {mass.data(), nu(), nu()});
+  u0_ = mass.ldlt().solve(momentum);
+  double change = 0.0;
+  at(view(std::as_const(start_)), view(std::as_const(u0_)));
+  for (const Body& b : bodies_) {
+    const RigidMotion is = motionOf(b, start_.data(), work_.x);
+    change = std::max({change, (is.v_S_I - b.v).norm(), (is.Omega_I - b.Omega).norm()});
+  }
+  return change;
+}
+
+// ---- workspace ---------------------------------------------------------------------------------
+
+const Tree::Motions& TreeSystem::at(ConstVec q) const {
+  if (work_.posed && std::equal(q.data(), q.data() + q.size(), work_.q.data())) return work_.x;
+  std::copy(q.data(), q.data() + q.size(), work_.q.data());
+  work_.posed = true, work_.moves = work_.factored = false;
+  tree_.pose(work_.q.data(), work_.x);
+  return work_.x;
+}
+
+const Tree::Motions& TreeSystem::at(ConstVec q, ConstVec u) const {
+  at(q);
+  if (work_.moves && std::equal(u.data(), u.data() + u.size(), work_.u.data())) return work_.x;
+  std::copy(u.data(), u.data() + u.size(), work_.u.data());
+  work_.moves = true;
+  tree_.rates(work_.u.data(), work_.x);
+  return work_.x;
+}
+
+// ---- equations of motion -----------------------------------------------------------------------
+
+void TreeSystem::initialState(Vec q, Vec u) const { q = start_, u = u0_; }
+
+void TreeSystem::M(double, ConstVec q, MassBlocks M) const {
+  if (nu() == 0) return;
+  // To the last bit what it was, where it does not depend on q.
+  tree_.mass(tree_.constantMass() ? at(view(start_)) : at(q), work_.inertia, M[0]);
+}
+
+void TreeSystem::applyInverseMass(double, ConstVec q, ConstVec in, Vec out) const {
+  const Tree::Motions& x = at(q);
+  if (!work_.factored) tree_.factor(x, work_.factors);
+  work_.factored = true;
+  tree_.solve(x, work_.factors, in, work_.wrench, out);
+}
+
+void TreeSystem::h(double, ConstVec q, ConstVec u, Vec h) const {
+  tree_.gyroscopic(at(q, u), work_.wrench, h);
+}
+
+double TreeSystem::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
+  return tree_.gravity(at(q), g_I, h);
+}
+
+void TreeSystem::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
+  for (int k = 0; k < tree_.size(); ++k) {
+    const TreeNode& node = tree_.node(k);
+    if (node.kind == Free::ball)
+      quaternionRate(q.data() + node.q0, u.segment<3>(node.u0), qdot.data() + node.q0);
+    else
+      qdot[node.q0] = u[node.u0];
+  }
+}
+
+void TreeSystem::move(double, Vec q, ConstVec u, double dt) const {
+  for (int k = 0; k < tree_.size(); ++k) {
+    const TreeNode& node = tree_.node(k);
+    if (node.kind == Free::ball)
+      rotate(q.data() + node.q0, dt * u.segment<3>(node.u0));
+    else
+      q[node.q0] += dt * u[node.u0];
+  }
+}
+
+void TreeSystem::normalise(Vec q) const {
+  for (int k = 0; k < tree_.size(); ++k)
+    if (tree_.node(k).kind == Free::ball) q.segment<4>(tree_.node(k).q0).normalize();
+}
+
+void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
+  const FixedFrame& f = frames_[static_cast<std::size_t>(id)];
+  out.nu_S_I.setZero(), out.nu_R_I.setZero();
+  if (f.node < 0) {
+    out.block = -1;
+    out.r_OS_I = f.r, out.A_IK = f.A;
+    out.v_S_I.setZero(), out.Omega_I.setZero(), out.bias_S_I.setZero(), out.bias_R_I.setZero();
+    return;
+  }
+  out.block = 0;
+  const Tree::Motions& x = at(q, u);
+  const NodeMotion& node = x[static_cast<std::size_t>(f.node)];
+  const Vec3 rho = node.A * f.r, drag = node.Omega.cross(rho);
+  out.r_OS_I = node.r + rho, out.A_IK = node.A * f.A;
+  out.v_S_I = node.v + drag, out.Omega_I = node.Omega;
+  out.bias_S_I = node.biasS + node.biasR.cross(rho) + node.Omega.cross(drag);
+  out.bias_R_I = node.biasR;
+  for (int k = f.node; k >= 0; k = tree_.node(k).parent) {
+    const Tree::Columns c = tree_.columns(x, k);
+    const Vec3 arm = out.r_OS_I - x[static_cast<std::size_t>(k)].r;
+    for (int j = 0; j < c.n; ++j) {
+      out.J_R_I.col(tree_.node(k).u0 + j) = c.w[j];
+      out.J_S_I.col(tree_.node(k).u0 + j) = c.v[j] + c.w[j].cross(arm);
+    }
+  }
+}
+
+// ---- names -------------------------------------------------------------------------------------
+
+RigidMotion TreeSystem::motionOf(const Body& body, const double* q, const Tree::Motions& x) const {
+  RigidMotion out;
+  if (body.node < 0) {
+    out.r_OS_I = body.S;
+    return out;
+  }
+  const NodeMotion& node = x[static_cast<std::size_t>(body.node)];
+  const Vec3 rho = node.A * body.S;
+  out.r_OS_I = node.r + rho;
+  out.v_S_I = node.v + node.Omega.cross(rho), out.Omega_I = node.Omega;
+  for (int k = body.node; k >= 0; k = tree_.node(k).parent) {
+    const TreeNode& n = tree_.node(k);
+    const double* at = q + n.q0;
+    if (n.kind == Free::slide) continue;
+    double turn[4], product[4];
+    if (n.kind == Free::ball)
+      std::copy(at, at + 4, turn);
+    else
+      axisQuaternion(n.axis, *at, turn), out.angle += n.axis.dot(planeNormal_) * *at;
+    quaternionProduct(turn, out.p.data(), product);
+    std::copy(product, product + 4, out.p.begin());
+  }
+  return out;
+}
+
+double TreeSystem::ownSignal(const Body& body, const SignalFunction& f, const SignalView& v) const {
+  constexpr int kMost = 16;
+  double q[kMost] = {}, u[kMost] = {};
+  expects(body.blocks.nq <= kMost && body.blocks.nu <= kMost, "a rigid body has few coordinates");
+  const RigidMotion motion = motionOf(body, v.q.data(), at(v.q, v.u));
+  body.system->ownState(motion, {q, body.blocks.nq}, {u, body.blocks.nu});
+  return f({.t = v.t,
+            .q = {q, body.blocks.nq},
+            .u = {u, body.blocks.nu},
+            .kinematics = v.kinematics,
+            .contacts = v.contacts,
+            .Lambda = v.Lambda,
+            .gammaE = v.gammaE,
+            .memory = v.memory,
+            .dt = v.dt,
+            .element = v.element});
+}
+
+void TreeSystem::describe(Description& d) const {
+  for (const Body& body : bodies_) {
+    describeBody(body, d);
+    describeJoint(body, d);
+  }
+}
+
+void TreeSystem::describeBody(const Body& body, Description& d) const {
+  const std::string& name = body.system->name();
+  Description own;
+  body.system->describe(own);
+  d.body({name, body.frame0, body.system->frames(), body.system->place()});
+  for (const PlacedShape& p : own.shapes) d.shape(*p.shape, body.frame0 + p.frame);
+  for (const auto& [label, id] : own.frames) d.frame(label, body.frame0 + id);
+  for (const Signal& s : own.signals)
+    d.signal(name.empty() ? s.name : name + "." + s.name, s.unit, s.text,
+             [this, &body, f = s.value](const SignalView& v) { return ownSignal(body, f, v); });
+}
+
+/// Coordinates of the body's joint: body.joint.angle and so on, numbered where there are several.
+void TreeSystem::describeJoint(const Body& body, Description& d) const {
+  const std::string start =
+      (body.system->name().empty() ? "" : body.system->name() + ".") + "joint.";
+  int turns = 0, slides = 0;
+  const auto count = [&](auto kind) {
+    int n = 0;
+    for (int k = body.first; k <= body.node; ++k) n += kind(tree_.node(k).kind) ? 1 : 0;
+    return n;
+  };
+  const auto isSlide = [](Free kind) { return kind == Free::slide; };
+  const auto isTurn = [](Free kind) { return kind == Free::turn || kind == Free::screw; };
+  const bool manyTurns = count(isTurn) > 1, manySlides = count(isSlide) > 1;
+  for (int k = body.first; k <= body.node; ++k) {
+    const TreeNode& n = tree_.node(k);
+    if (n.kind == Free::ball) {
+      const char axes[] = "wxyz";
+      for (int i = 0; i < 4; ++i)
+        d.coordinate(start + "q" + axes[i], Unit::none, n.q0 + i, "quaternion since the start");
+      for (int i = 0; i < 3; ++i)
+        d.velocity(start + "Omega_" + axes[i + 1], Unit::angularVelocity, n.u0 + i,
+                   "relative angular velocity in axes of the body's side");
+    } else if (isSlide(n.kind)) {
+      const std::string number = manySlides ? std::to_string(++slides) : "";
+      d.coordinate(start + "way" + number, Unit::length, n.q0, "way since the start");
+      d.velocity(start + "speed" + number, Unit::velocity, n.u0, "its rate");
+    } else {
+      const std::string number = manyTurns ? std::to_string(++turns) : "";
+      d.coordinate(start + "angle" + number, Unit::angle, n.q0, "angle since the start");
+      d.velocity(start + "rate" + number, Unit::angularVelocity, n.u0, "its rate");
+    }
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,93 @@
+/// TreeSystem: bodies that joints connect, as one system in the coordinates of these joints. It
+/// owns the bodies; their frames, shapes and signals keep their names.
+///
+///   M(q) u̇ = h(q, u) + W λ,   q = 0 and unit quaternions where the model file puts the bodies
+///
+/// Made by composeTrees() from the bodies and joints of a model, never by a tag.
+#pragma once
+#include <dynamy/core/parameters.hpp>
+#include <dynamy_elements/trees/tree.hpp>
+#include <memory>
+
+namespace dynamy {
+
+class TreeSystem final : public PartialMechanicalSystem {
+ public:
+  using System = std::unique_ptr<PartialMechanicalSystem>;
+  /// `x`: type and place of the first body. `planeNormal`: as in Blocks.
+  TreeSystem(const Parameters& x, const Vec3& planeNormal)
+      : PartialMechanicalSystem(x), planeNormal_(planeNormal) {}
+
+  /// Puts a body behind `parent` (index of another one, −1: what stands still), moving against it
+  /// as `free` says at the point `at_I`. Returns its index.
+  int carry(System body, int parent, const Vec3& at_I, const std::vector<FreeMotion>& free);
+  /// The same for a body that nothing holds: it moves freely in the plane with normal `n`, in space
+  /// if n = 0.
+  int carryLoose(System body, const Vec3& n);
+  /// After the last body: velocities at the start. Of those the bodies bring, what joints do not
+  /// allow is lost as by an impact; returns the largest change of a body's velocity [m/s, rad/s].
+  double finish();
+
+  Blocks blocks() const override {
+    return {nq(), nu(), 1, tree_.constantMass(), planeNormal_, nu() > kDense};
+  }
+  void describe(Description& d) const override;
+  void initialState(Vec q, Vec u) const override;
+  void M(double t, ConstVec q, MassBlocks M) const override;
+  void applyInverseMass(double t, ConstVec q, ConstVec in, Vec out) const override;
+  void h(double t, ConstVec q, ConstVec u, Vec h) const override;
+  void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const override;
+  void move(double t, Vec q, ConstVec u, double dt) const override;
+  void normalise(Vec q) const override;
+  double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
+  void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
+  int frames() const override { return static_cast<int>(frames_.size()); }
+
+  int nq() const { return tree_.nq(); }
+  int nu() const { return tree_.nu(); }
+  int bodies() const { return static_cast<int>(bodies_.size()); }
+
+ private:
+  static constexpr int kDense = 12;  // velocities up to which M⁻¹ as a matrix costs no more
+  struct Body {
+    System system;
+    int node = -1;  // it is fixed to; −1: to what stands still
+    int first = 0;  // node of its joint's first motion, node + 1 if it has none
+    int frame0 = 0;
+    Vec3 S = Vec3::Zero();  // centre of mass from the node's origin, in its axes
+    RigidPart part;
+    Blocks blocks;
+    Vec3 v = Vec3::Zero(), Omega = Vec3::Zero();  // given at the start
+  };
+  struct FixedFrame {
+    int node;
+    Vec3 r;  // from the node's origin, in its axes
+    Mat3 A;
+  };
+  void placeFrames(Body& body);
+  void describeBody(const Body& body, Description& d) const;
+  void describeJoint(const Body& body, Description& d) const;
+  double ownSignal(const Body& body, const SignalFunction& f, const SignalView& v) const;
+  RigidMotion motionOf(const Body& body, const double* q, const Tree::Motions& x) const;
+  // What was computed last, and for which numbers: the questions of one evaluation come one after
+  // the other with the same q and u.
+  const Tree::Motions& at(ConstVec q) const;
+  const Tree::Motions& at(ConstVec q, ConstVec u) const;
+
+  Tree tree_;
+  Vec3 planeNormal_;
+  std::vector<Body> bodies_;
+  std::vector<FixedFrame> frames_;
+  Eigen::VectorXd start_, u0_;  // q and u at the start
+  struct Workspace {
+    std::vector<double> q, u;
+    bool posed = false, moves = false, factored = false;
+    Tree::Motions x;
+    std::vector<Tree::Articulated> factors;
+    std::vector<Mat3> inertia;
+    std::vector<Vec3> wrench;
+  };
+  mutable Workspace work_;
+};
+
+}  // namespace dynamy
