@@ -174,6 +174,11 @@ void SettingsReader::verify(const std::string& signal, const Place& place,
   for (const std::string& name : known)
     if (!owner.empty() && name.starts_with(owner)) same.push_back(name);
   std::string hint = didYouMean(nearest(signal, known));
+  if (hint.empty() && model_->simulation.coordinates == JointCoordinates::minimal)
+    for (const auto& joint : model_->contacts())
+      if (!owner.empty() && owner == joint->name() + ".")
+        hint = "in minimal coordinates \"" + joint->name() +
+               "\" may be a coordinate, which has no percussions";
   if (hint.empty()) hint = unknownNameHint(signal, same.empty() ? known : same);
   faults_->add({.place = place,
                 .element = element,
