@@ -41,6 +41,7 @@ Joint::Joint(const Parameters& x)
 // ---- connect -----------------------------------------------------------------------------------
 
 void Joint::connect(Topology& topology) {
+  if (ofTree_ && free_.empty()) return;  // a coordinate needs no frames
   frames_.connect(topology, *this);
   const StartKinematics start(topology);
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
@@ -53,13 +54,18 @@ void Joint::connect(Topology& topology) {
   pointB_ = B.A_IK.transpose() * (s.at_I - B.r_OS_I);
   points_.clear(), angles_.clear(), free_.clear(), coupled_.clear(), coordinates_.clear();
   build(s);
-  if (coordinate_) points_.clear(), angles_.clear();
+  if (ofTree_) points_.clear(), angles_.clear();
   if (points_.empty() || points_[0].kind != JointRow::Kind::distance) return;
   if (points_[0].length > 0.0) return;
   points_[0].length = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
   if (!(points_[0].length > 0.0))
     throw ModelError("the two points coincide at the start",
                      "a distance of 0 is a Spherical joint");
+}
+
+void Joint::becomeCoordinate() {
+  ofTree_ = true;
+  points_.clear(), angles_.clear();
 }
 
 bool Joint::jointMotion(Topology& topology, JointMotion& out) {

@@ -21,7 +21,7 @@ class Joint : public NonSmoothElement {
   bool jointForces(const Kinematics& k, std::uint64_t id, const double* Lambda,
                    JointForces& out) const final;
   bool jointMotion(Topology& topology, JointMotion& out) final;
-  void becomeCoordinate() final { coordinate_ = true; }
+  void becomeCoordinate() final;
 
   /// Position errors of all rows, without friction [m, –]. For tests and projections.
   std::vector<double> errors(const Kinematics& k) const;
@@ -78,7 +78,7 @@ class Joint : public NonSmoothElement {
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();
   bool atGiven_ = false;
   Start start_;
-  bool coordinate_ = false;  // of a tree: without points_ and angles_
+  bool ofTree_ = false;  // of a tree: without points_ and angles_
   Vec3 pointA_ = Vec3::Zero(), pointB_ = Vec3::Zero();
   std::vector<JointRow> points_, angles_, free_, coupled_;
   std::vector<Coordinate> coordinates_;

@@ -1,5 +1,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cstring>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 #include <dynamy_elements/trees/tree_system.hpp>
@@ -118,8 +119,17 @@ double TreeSystem::finish() {
 
 // ---- workspace ---------------------------------------------------------------------------------
 
+namespace {
+
+/// Bit by bit: what was computed for NaN is not computed again.
+bool same(ConstVec a, const std::vector<double>& b) {
+  return b.empty() || std::memcmp(a.data(), b.data(), b.size() * sizeof(double)) == 0;
+}
+
+}  // namespace
+
 const Tree::Motions& TreeSystem::at(ConstVec q) const {
-  if (work_.posed && std::equal(q.data(), q.data() + q.size(), work_.q.data())) return work_.x;
+  if (work_.posed && same(q, work_.q)) return work_.x;
   std::copy(q.data(), q.data() + q.size(), work_.q.data());
   work_.posed = true, work_.moves = work_.factored = false;
   tree_.pose(work_.q.data(), work_.x);
@@ -128,7 +138,7 @@ const Tree::Motions& TreeSystem::at(ConstVec q) const {
 
 const Tree::Motions& TreeSystem::at(ConstVec q, ConstVec u) const {
   at(q);
-  if (work_.moves && std::equal(u.data(), u.data() + u.size(), work_.u.data())) return work_.x;
+  if (work_.moves && same(u, work_.u)) return work_.x;
   std::copy(u.data(), u.data() + u.size(), work_.u.data());
   work_.moves = true;
   tree_.rates(work_.u.data(), work_.x);
@@ -185,6 +195,34 @@ void TreeSystem::normalise(Vec q) const {
     if (tree_.node(k).kind == Free::ball) q.segment<4>(tree_.node(k).q0).normalize();
 }
 
+namespace {
+
+/// Columns of a frame for the velocities of a node before it: w and v + w × (r − r_K).
+void addColumns(const TreeNode& node, const NodeMotion& at, Frame& f) {
+  const Vec3 arm = f.r_OS_I - at.r;
+  double *S = f.J_S_I.data() + 3 * node.u0, *R = f.J_R_I.data() + 3 * node.u0;
+  using Column = Eigen::Map<Vec3>;
+  switch (node.kind) {
+    case Free::turn:
+      Column{R} = at.a, Column{S} = at.a.cross(arm);
+      break;
+    case Free::slide:
+      Column{R}.setZero(), Column{S} = at.a;
+      break;
+    case Free::screw:
+      Column{R} = at.a, Column{S} = at.a.cross(arm) + node.pitch * at.a;
+      break;
+    case Free::ball:
+      for (int i = 0; i < 3; ++i) {
+        Column{R + 3 * i} = at.A.col(i);
+        Column{S + 3 * i} = at.A.col(i).cross(arm);
+      }
+      break;
+  }
+}
+
+}  // namespace
+
 void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   const FixedFrame& f = frames_[static_cast<std::size_t>(id)];
   out.nu_S_I.setZero(), out.nu_R_I.setZero();
@@ -202,14 +240,8 @@ void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const
   out.v_S_I = node.v + drag, out.Omega_I = node.Omega;
   out.bias_S_I = node.biasS + node.biasR.cross(rho) + node.Omega.cross(drag);
   out.bias_R_I = node.biasR;
-  for (int k = f.node; k >= 0; k = tree_.node(k).parent) {
-    const Tree::Columns c = tree_.columns(x, k);
-    const Vec3 arm = out.r_OS_I - x[static_cast<std::size_t>(k)].r;
-    for (int j = 0; j < c.n; ++j) {
-      out.J_R_I.col(tree_.node(k).u0 + j) = c.w[j];
-      out.J_S_I.col(tree_.node(k).u0 + j) = c.v[j] + c.w[j].cross(arm);
-    }
-  }
+  for (int k = f.node; k >= 0; k = tree_.node(k).parent)
+    addColumns(tree_.node(k), x[static_cast<std::size_t>(k)], out);
 }
 
 // ---- names -------------------------------------------------------------------------------------

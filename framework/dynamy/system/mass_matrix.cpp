@@ -101,16 +101,18 @@ int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
   for (std::size_t s = 0; s < constant_.size(); ++s) {
     const SystemHandle& h = topology.system(static_cast<int>(s));
     if ((constant_[s] && !first_) || h.blocks == 0) continue;
-    if (Deferred& d = deferred_[static_cast<std::size_t>(h.block0)]; d.system && !first_) {
-      d.t = t, d.q = q.segment(h.q0, h.nq);
-      has_[static_cast<std::size_t>(h.block0)] = Has::nothing;
-      diagonal_[static_cast<std::size_t>(h.block0)] = 0;
-      continue;
+    Deferred& d = deferred_[static_cast<std::size_t>(h.block0)];
+    if (!d.system || first_) {
+      topology.systems()[s]->M(t, {q.data() + h.q0, h.nq},
+                               {data_.data() + offset(h.block0), h.blockNu, h.blocks});
+      for (int b = h.block0; b < h.block0 + h.blocks; ++b)
+        if (!invertBlock(b) && failed < 0) failed = static_cast<int>(s);
     }
-    topology.systems()[s]->M(t, {q.data() + h.q0, h.nq},
-                             {data_.data() + offset(h.block0), h.blockNu, h.blocks});
-    for (int b = h.block0; b < h.block0 + h.blocks; ++b)
-      if (!invertBlock(b) && failed < 0) failed = static_cast<int>(s);
+    if (!d.system) continue;
+    // Also the first time: a run that is resumed has to give the same bits.
+    d.t = t, d.q = q.segment(h.q0, h.nq);
+    has_[static_cast<std::size_t>(h.block0)] = Has::nothing;
+    diagonal_[static_cast<std::size_t>(h.block0)] = 0;
   }
   first_ = false;
   return failed;
