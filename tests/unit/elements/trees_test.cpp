@@ -191,6 +191,19 @@ TEST(Trees, KeepAJointToWhatMovesAsToldAsAConstraint) {
   EXPECT_EQ(m.composed.front(), "\"driven\" stays a constraint: \"crank\" moves as told");
 }
 
+TEST(Trees, KeepTheFrictionOfAJoint) {
+  Model m = scene();
+  planarRod(m, "a", 0.5);
+  Parameters x = Parameters::of<Revolute>("Revolute", "hinge",
+                                          {{"between", "world a"}, {"at", {0.0, 0.0, 0.0}}});
+  x.children.push_back({Kind::law, std::make_unique<GivenFriction>(1.0, 1.0)});
+  m.add(std::make_unique<Revolute>(x));
+  m.build();
+  EXPECT_EQ(m.topology().nu(), 1);
+  EXPECT_EQ(unknowns(m), 1);
+  EXPECT_TRUE(checkContacts(m));
+}
+
 TEST(Trees, SayThatNoJointMakesOne) {
   Model m = scene();
   planarRod(m, "a", 0.5);
