@@ -41,7 +41,8 @@ Joint::Joint(const Parameters& x)
 // ---- connect -----------------------------------------------------------------------------------
 
 void Joint::connect(Topology& topology) {
-  if (ofTree_ && free_.empty()) return;  // a coordinate needs no frames
+  // A coordinate needs no frames, but for friction and signals.
+  if (ofTree_ && free_.empty() && coordinates_.empty()) return;
   frames_.connect(topology, *this);
   const StartKinematics start(topology);
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
@@ -54,7 +55,7 @@ void Joint::connect(Topology& topology) {
   pointB_ = B.A_IK.transpose() * (s.at_I - B.r_OS_I);
   points_.clear(), angles_.clear(), free_.clear(), coupled_.clear(), coordinates_.clear();
   build(s);
-  if (ofTree_) points_.clear(), angles_.clear();
+  if (ofTree_) points_.clear(), angles_.clear(), coupled_.clear();
   if (points_.empty() || points_[0].kind != JointRow::Kind::distance) return;
   if (points_[0].length > 0.0) return;
   points_[0].length = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
@@ -65,7 +66,7 @@ void Joint::connect(Topology& topology) {
 
 void Joint::becomeCoordinate() {
   ofTree_ = true;
-  points_.clear(), angles_.clear();
+  points_.clear(), angles_.clear(), coupled_.clear();
 }
 
 bool Joint::jointMotion(Topology& topology, JointMotion& out) {
@@ -156,6 +157,7 @@ void Joint::emit(const JointPose& p, std::uint64_t id, const std::vector<JointRo
 }
 
 void Joint::contacts(const Kinematics& k, ContactSink& sink) const {
+  if (points_.empty() && angles_.empty() && coupled_.empty() && free_.empty()) return;
   const JointPose p = pose(k);
   if (!points_.empty()) emit(p, 0, points_, bilateral_, sink);
   if (!angles_.empty()) emit(p, 1, angles_, bilateral_, sink);
@@ -164,6 +166,7 @@ void Joint::contacts(const Kinematics& k, ContactSink& sink) const {
 }
 
 std::vector<double> Joint::errors(const Kinematics& k) const {
+  if (ofTree_) return {};
   const JointPose p = pose(k);
   std::vector<double> out;
   for (const auto* rows : {&points_, &angles_, &coupled_})
