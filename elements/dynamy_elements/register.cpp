@@ -1,10 +1,14 @@
 // The standard elements, registered like any plug-in's.
+#include <dynamy/contact/adhesion.hpp>
+#include <dynamy/contact/belt_friction.hpp>
 #include <dynamy/contact/contact_rule.hpp>
 #include <dynamy/contact/drilling_friction.hpp>
 #include <dynamy/contact/force_limit.hpp>
 #include <dynamy/contact/orthotropic_friction.hpp>
+#include <dynamy/contact/preloaded_spring.hpp>
 #include <dynamy/contact/rolling_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/contact/stribeck_friction.hpp>
 #include <dynamy/io/plugin.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
@@ -23,6 +27,7 @@
 #include <dynamy_elements/geometry/round_shapes.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
 #include <dynamy_elements/joints/register_joints.hpp>
+#include <dynamy_elements/joints/sheave_rope.hpp>
 #include <dynamy_elements/trees/compose_trees.hpp>
 
 namespace dynamy {
@@ -61,12 +66,19 @@ void registerElements(Registry& r) {
   r.add<Drag>("Drag");
 
   registerJoints(r);
+  r.add<SheaveRope>("SheaveRope");
 
   r.add<Unilateral>("Unilateral");
   r.add<UnilateralCoulomb>("UnilateralCoulomb");
   r.add<Bilateral>("Bilateral");
   r.add<GivenFriction>("GivenFriction");
   r.add<ForceLimit>("ForceLimit");
+  r.add<OneWayClutch>("OneWayClutch");
+  r.add<PreloadedSpring>("PreloadedSpring");
+  r.add<StribeckFriction>("StribeckFriction");
+  r.add<UnilateralStribeck>("UnilateralStribeck");
+  r.add<UnilateralAdhesion>("UnilateralAdhesion");
+  r.add<BeltFriction>("BeltFriction");
   r.add<UnilateralOrthotropic>("UnilateralOrthotropic");
   r.add<UnilateralDrilling>("UnilateralDrilling");
   r.add<UnilateralRolling>("UnilateralRolling");

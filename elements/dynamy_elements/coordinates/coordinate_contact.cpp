@@ -16,6 +16,7 @@ void CoordinateContact::declare(Attributes& a) {
         "slip directions of t and q: one component per coordinate, directions separated by |");
   a.add(AttributeType::expressions, "slipVelocity", "",
         "slip velocities instead of directions: formulas affine in the velocities [m/s]");
+  ReservoirSwitch::declare(a, "t, positions and velocities");
   a.child(Kind::law, 0, 1, "law of the contact; default: Unilateral with epsilonN = 0");
   a.example(
       "<CoordinateContact on=\"pendulum\" gap=\"0.2 - 0.5*sin(phi)\">"
@@ -28,7 +29,8 @@ CoordinateContact::CoordinateContact(const Parameters& x)
       gapText_(x, "gap"),
       slipText_(x, "slip"),
       slipVelocityText_(x, "slipVelocity"),
-      law_(x.takeOne<SetValuedForceLaw>()) {
+      law_(x.takeOne<SetValuedForceLaw>()),
+      switch_(x) {
   if (!law_) law_ = std::make_unique<Unilateral>(0.0);
   names_.parameters = x.symbols;
   if (!slipText_.empty() && !slipVelocityText_.empty())
@@ -48,6 +50,7 @@ void CoordinateContact::connect(Topology& topology) {
   system_ = topology.system(on_, *this);
   nameCoordinates(*topology.systems()[static_cast<std::size_t>(system_.index)]);
   compile();
+  switch_.connect(topology, *this, *law_, names_);
 }
 
 void CoordinateContact::nameCoordinates(const PartialMechanicalSystem& system) {
@@ -110,15 +113,22 @@ void CoordinateContact::compile() {
   faults.throwIfAny();
 }
 
-void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
+void CoordinateContact::inputs(const Kinematics& k) const {
   const int n = names_.n();
   x_[FormulaNames::kTime] = k.t();
   std::copy_n(k.q(system_).data(), n, x_.begin() + 1);
   std::copy_n(k.u(system_).data(), n, x_.begin() + 1 + n);
   std::copy_n(k.u(system_).data(), n, w_.begin() + 1);
+}
+
+void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
+  if (!switch_.engaged(k)) return;
+  const int n = names_.n();
+  inputs(k);
   const double g = gap_ ? gap_->eval(x_.data())[0] : 0.0;
   auto out = sink.add(0, law_->unilateral() ? g : std::abs(g), *law_, rows());
   if (!out) return;
+  out.scale(switch_.scale(x_.data()));
   Block W = out.segment(system_.block0, system_.u0, n);
   const int first = gap_ ? 1 : 0;
   if (gap_ && out.dim() > 0) gapRow(x_.data(), out, W);
@@ -156,6 +166,14 @@ void CoordinateContact::slipRows(const double* x, int first, ContactRows& out, B
   }
 }
 
-void CoordinateContact::describe(Description& d) const { describeContact(d, 0, rows(), *law_); }
+void CoordinateContact::remember(const Kinematics& k, Vec memory) const {
+  inputs(k);
+  switch_.remember(x_.data(), memory);
+}
+
+void CoordinateContact::describe(Description& d) const {
+  describeContact(d, 0, rows(), *law_);
+  switch_.describe(d);
+}
 
 }  // namespace dynamy

@@ -7,7 +7,7 @@
 /// users' own. Rejected: a contact inside `<Coordinates>`, which no other system could use.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy_elements/coordinates/formulas.hpp>
+#include <dynamy_elements/reservoir_switch.hpp>
 #include <memory>
 
 namespace dynamy {
@@ -20,6 +20,7 @@ class CoordinateContact final : public NonSmoothElement {
 
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
+  void remember(const Kinematics& k, Vec memory) const override;
   void describe(Description& d) const override;
 
   /// Rows on offer: the normal one, if there is a gap, then the tangential ones.
@@ -28,6 +29,7 @@ class CoordinateContact final : public NonSmoothElement {
  private:
   void nameCoordinates(const PartialMechanicalSystem& system);
   void compile();
+  void inputs(const Kinematics& k) const;
   void gapRow(const double* x, ContactRows& out, Block W) const;
   void slipRows(const double* x, int first, ContactRows& out, Block W) const;
   bool directions() const { return slipVelocityText_.empty(); }
@@ -36,6 +38,7 @@ class CoordinateContact final : public NonSmoothElement {
   FormulaText gapText_, slipText_, slipVelocityText_;
   int tangents_ = 0;
   std::unique_ptr<SetValuedForceLaw> law_;
+  ReservoirSwitch switch_;
   FormulaNames names_;
   SystemHandle system_;
   std::vector<int> q_, u_;

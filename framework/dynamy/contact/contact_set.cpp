@@ -13,7 +13,7 @@ void ContactSet::clear() {
   candidateKey.clear(), g.clear(), candidateElement.clear(), closedIndex.clear();
   key.clear(), law.clear(), element.clear(), candidate.clear();
   row0.assign(1, 0), segment0.assign(1, 0);
-  segment.clear(), W.clear(), chi.clear(), bias.clear(), position.clear();
+  segment.clear(), W.clear(), chi.clear(), bias.clear(), position.clear(), scale.clear();
   point.clear(), normal.clear(), t1.clear(), t2.clear();
 }
 

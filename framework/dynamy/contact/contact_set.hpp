@@ -39,6 +39,7 @@ class ContactSet {
   /// Per row: what γ is the rate of and the constraint wants to be zero or positive: the gap in the
   /// normal row, the signed position error of each joint row, 0 in rows without one [m].
   std::vector<double> position;
+  std::vector<double> scale;  ///< per contact: factor on the set of its law; empty: 1
   // For the replay: where the contact is [m], the directions of the rows N, T1, T2 (zero: not
   // known; a zero normal: the contact has no place).
   std::vector<Vec3> point, normal, t1, t2;
@@ -49,6 +50,13 @@ class ContactSet {
     return row0[static_cast<std::size_t>(i) + 1] - row0[static_cast<std::size_t>(i)];
   }
   void clear();
+  /// What law i is asked with; gammaA: all rows, null: not known.
+  LawInput input(int i, double dt, const double* gammaA) const {
+    const auto at = static_cast<std::size_t>(i);
+    const std::ptrdiff_t first = row0[at];
+    return {dim(i), dt, gammaA ? gammaA + first : nullptr,
+            position.empty() ? nullptr : position.data() + first, scale.empty() ? 1.0 : scale[at]};
+  }
   /// γ = Wᵀu + χ, rows() entries.
   void gamma(ConstVec u, Vec gamma) const;
   /// sum += |Wᵀ| v, rows() entries: with v ≥ |u| what the rounding of Wᵀu is measured by.

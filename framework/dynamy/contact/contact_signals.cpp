@@ -39,7 +39,7 @@ double statusNumber(const SignalView& v, std::uint64_t id) {
   const double small = speed > 0.0 ? kSmall * size / speed : 0.0;
   for (int r = 0; r < dim && r < 8; ++r)
     argument[r] = v.Lambda[first + r] - small * v.gammaE[first + r];
-  const LawInput in{dim, v.dt, v.gammaE.data() + first, nullptr};
+  const LawInput in = v.contacts->input(i, v.dt, v.gammaE.data());
   return static_cast<double>(v.contacts->law[at]->status(in, argument));
 }
 

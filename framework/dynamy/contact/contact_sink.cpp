@@ -26,6 +26,7 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.segment0.push_back(c.segment0.back());
   c.position.resize(rows), c.chi.resize(rows);
   if (unilateral || dim == 1) c.position[row] = g;
+  c.scale.push_back(1.0);
   if (request_.bias) c.bias.resize(rows);
   c.point.push_back(Vec3::Zero());
   for (auto* directions : {&c.normal, &c.t1, &c.t2}) directions->push_back(Vec3::Zero());

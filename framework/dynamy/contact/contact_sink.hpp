@@ -33,6 +33,8 @@ class ContactRows {
     return set_
         ->position[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
   }
+  /// Factor ≥ 0 on the set of a law that scales(): a reservoir that is switched or varies.
+  void scale(double factor) { set_->scale[static_cast<std::size_t>(index_)] = factor; }
   /// For the replay: where the contact is [m], its normal and, if known, the directions of the
   /// tangential rows; all in I.
   void place(const Vec3& point, const Vec3& normal, const Vec3& t1 = Vec3::Zero(),

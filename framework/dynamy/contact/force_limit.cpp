@@ -32,8 +32,9 @@ ForceLimit::ForceLimit(const Parameters& x)
 
 convex::Interval ForceLimit::interval(const LawInput& in) const {
   // ∞ · 0 is no number: an infinite limit stays infinite in an impact.
-  return {std::isinf(limit_.lower) ? limit_.lower : limit_.lower * in.dt,
-          std::isinf(limit_.upper) ? limit_.upper : limit_.upper * in.dt};
+  const double factor = in.scale * in.dt;
+  return {std::isinf(limit_.lower) ? limit_.lower : limit_.lower * factor,
+          std::isinf(limit_.upper) ? limit_.upper : limit_.upper * factor};
 }
 
 SimpleSet ForceLimit::simpleSet(const LawInput& in) const {
@@ -67,5 +68,31 @@ Status ForceLimit::status(const LawInput& in, const double* argument) const {
   }
   return Status::locked;
 }
+
+void OneWayClutch::declare(Attributes& a) {
+  a.about(
+      "A clutch that turns freely one way and holds the other: 0 ≤ γ ⊥ λ ≥ 0, C = ℝ₀⁺ (free = "
+      "negative: both signs reversed). A moment beyond the limit, if there is one, makes it slip. "
+      "Sprag clutches, ratchets, free wheels.");
+  a.choice("free", {"positive", "negative"}, "positive", "sign of the velocity that is free");
+  Attribute& limit = a.add(AttributeType::number, "limit", std::nullopt,
+                           "largest force it holds [N]; of a rotation [N m]; default: any");
+  limit.unit = Unit::force;
+  limit.optionalValue = true;
+  limit.nonNegative();
+  a.example("<OneWayClutch free=\"positive\"/>");
+}
+
+namespace {
+
+convex::Interval oneWay(const Parameters& x) {
+  const double limit = x.has("limit") ? double(x["limit"]) : convex::kInfinity;
+  return x["free"].text == "positive" ? convex::Interval{0.0, limit}
+                                      : convex::Interval{-limit, 0.0};
+}
+
+}  // namespace
+
+OneWayClutch::OneWayClutch(const Parameters& x) : ForceLimit(x, oneWay(x)) {}
 
 }  // namespace dynamy

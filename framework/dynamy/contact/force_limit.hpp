@@ -12,7 +12,7 @@
 
 namespace dynamy {
 
-class ForceLimit final : public SetValuedForceLaw {
+class ForceLimit : public SetValuedForceLaw {
  public:
   /// lower ≤ upper [N or N m], ±∞ allowed.
   ForceLimit(double lower, double upper) : limit_{lower, upper} {}
@@ -21,6 +21,7 @@ class ForceLimit final : public SetValuedForceLaw {
   int dim(int geometric) const override { return geometric; }
   bool unilateral() const override { return false; }
   RowKind rowKind(int) const override { return RowKind::friction; }
+  bool scales() const override { return true; }
   SimpleSet simpleSet(const LawInput& in) const override;
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
@@ -28,9 +29,20 @@ class ForceLimit final : public SetValuedForceLaw {
   /// Of several rows the first that is at a limit.
   Status status(const LawInput& in, const double* argument) const override;
 
+ protected:
+  ForceLimit(const Parameters& x, convex::Interval limit) : SetValuedForceLaw(x), limit_(limit) {}
+
  private:
   convex::Interval interval(const LawInput& in) const;
   convex::Interval limit_;
+};
+
+/// Sprag clutch, ratchet, free wheel: C = ℝ₀⁺ (free in the positive direction), ℝ₀⁻ (negative), cut
+/// at ±limit Δt where one is given. No gap: it acts at all times.              (theory 42.1)
+class OneWayClutch final : public ForceLimit {
+ public:
+  explicit OneWayClutch(const Parameters& x);
+  static void declare(Attributes& a);
 };
 
 }  // namespace dynamy

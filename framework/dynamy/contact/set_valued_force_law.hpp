@@ -26,7 +26,9 @@ struct LawInput {
   int dim = 1;      ///< rows of this contact
   double dt = 0.0;  ///< sets of fixed size scale with it: a·dt in a step, 0 in a pure impact [s]
   const double* gammaA = nullptr;  ///< relative velocities at the beginning of the step, dim [m/s]
-  const double* reservoir = nullptr;  ///< forces of other laws the set depends on (lagged), or null
+  /// What each row's γ is the rate of (ContactSet::position), dim, or null: zero  [m, rad].
+  const double* position = nullptr;
+  double scale = 1.0;  ///< factor on the set, given by the element (ContactRows::scale)
 };
 
 /// The set of one contact where it is among those whose inclusion −(DΛ + b) ∈ N_C(Λ) has a closed
@@ -58,6 +60,9 @@ class SetValuedForceLaw : public Element {
   /// a friction disc; a spin row with another unit is a group of its own, although it belongs to
   /// the same convex set).
   virtual int groupEnd(int row, int /*dim*/) const { return row + 1; }
+  /// True: the set is multiplied by LawInput::scale. Elements that switch or vary a reservoir ask
+  /// for it.
+  virtual bool scales() const { return false; }
   /// Coefficients of restitution ε, one per row.
   virtual void epsilon(int dim, double* epsilon) const;
 

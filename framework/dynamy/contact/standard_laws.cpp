@@ -254,7 +254,7 @@ double GivenFriction::radius(const LawInput& in) const {
   double square = 0.0;
   if (in.gammaA)
     for (int i = 0; i < in.dim; ++i) square += in.gammaA[i] * in.gammaA[i];
-  return in.dt * (square > kRestVelocity * kRestVelocity ? kinetic_ : static_);
+  return in.scale * in.dt * (square > kRestVelocity * kRestVelocity ? kinetic_ : static_);
 }
 
 void GivenFriction::prox(const LawInput& in, const double* r, const double* xi,

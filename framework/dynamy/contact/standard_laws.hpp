@@ -43,7 +43,7 @@ class Unilateral final : public SetValuedForceLaw {
 
 /// Unilateral contact with Coulomb friction: B = disc of radius μ (spatial) or interval [−μ, μ]
 /// (planar).
-class UnilateralCoulomb final : public NormalTimesReservoir {
+class UnilateralCoulomb : public NormalTimesReservoir {
  public:
   UnilateralCoulomb(double epsilonN, double epsilonT, double mu)
       : epsilonN_(epsilonN), epsilonT_(epsilonT), mu_(mu) {}
@@ -62,6 +62,10 @@ class UnilateralCoulomb final : public NormalTimesReservoir {
   SimpleSet simpleSet(const LawInput& in) const override;
   double mu() const { return mu_; }
 
+ protected:
+  UnilateralCoulomb(const Parameters& x, double epsilonN, double mu)
+      : NormalTimesReservoir(x), epsilonN_(epsilonN), epsilonT_(0.0), mu_(mu) {}
+
  private:
   double epsilonN_, epsilonT_, mu_;
 };
@@ -77,6 +81,7 @@ class GivenFriction final : public SetValuedForceLaw {
   int dim(int geometric) const override { return geometric; }
   bool unilateral() const override { return false; }
   RowKind rowKind(int) const override { return RowKind::friction; }
+  bool scales() const override { return true; }
   int groupEnd(int, int dim) const override { return dim; }
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,

@@ -34,8 +34,8 @@ void FrozenPhase::keys(std::vector<ContactKey>& out) const {
   std::sort(out.begin(), out.end());
 }
 
-bool FrozenPhase::bounds(const SetValuedForceLaw& law, int dim, const double* gamma, Bounds& out) {
-  const SimpleSet set = law.simpleSet({dim, 1.0, gamma, nullptr});
+bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out) {
+  const SimpleSet set = law.simpleSet(in);
   out.lower = set.lower, out.upper = set.upper;
   switch (set.shape) {
     case SimpleSet::Shape::all:
@@ -43,7 +43,7 @@ bool FrozenPhase::bounds(const SetValuedForceLaw& law, int dim, const double* ga
       return true;
     case SimpleSet::Shape::interval:
       out.form = law.unilateral() ? Form::normal : Form::given;
-      return dim == 1;
+      return in.dim == 1;
     case SimpleSet::Shape::ball:
       out.form = Form::given, out.lower = -set.upper;
       return true;
@@ -130,7 +130,9 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     for (int r = 0; fits && r < dim(i); ++r) slip[r] = gamma_[row0_[i] + r];
     if (held[i].slips && dim(i) == 1 && std::abs(slip[0]) < kLeastSlip)
       slip[0] = held[i].sign * kLeastSlip;
-    if (!fits || !bounds(law, dim(i), held[i].slips ? slip : nullptr, bounds_[i])) {
+    LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
+    if (held[i].slips) in.gammaA = slip;
+    if (!fits || !bounds(law, in, bounds_[i])) {
       fault_ =
           "a law whose smooth phases have no closed form here (drilling, rolling, orthotropic "
           "or a user's set): give a step and another scheme";

@@ -79,7 +79,7 @@ class FrozenPhase {
     Form form = Form::joint;
     double lower = 0.0, upper = 0.0;
   };
-  static bool bounds(const SetValuedForceLaw& law, int dim, const double* gamma, Bounds& out);
+  static bool bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out);
 
  private:
   void solve(const Evaluation& e);

@@ -37,7 +37,7 @@ Status contactStatus(const StepView& view, int contact) {
     const double xi = view.gammaE[first + r] + epsilon[k] * gammaA[row];
     argument[k] = view.Lambda[first + r] - xi;
   }
-  return c.law[at]->status({dim, view.report.dt, gammaA.data() + first, nullptr}, argument.data());
+  return c.law[at]->status(c.input(contact, view.report.dt, gammaA.data()), argument.data());
 }
 
 namespace {

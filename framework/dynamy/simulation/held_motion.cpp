@@ -14,7 +14,9 @@ bool begins(const ContactSet& c, int i, const double* gamma, double still, Held&
   const SetValuedForceLaw& law = *c.law[at];
   out.key = c.key[at];
   FrozenPhase::Bounds bounds;
-  if (c.dim(i) > Held::kMostRows || !FrozenPhase::bounds(law, c.dim(i), gamma, bounds))
+  LawInput in = c.input(i, 1.0, nullptr);
+  in.gammaA = gamma;
+  if (in.dim > Held::kMostRows || !FrozenPhase::bounds(law, in, bounds))
     return true;  // accelerate() tells why not
   if (law.unilateral() && gamma[0] > still) return false;
   const bool cone = bounds.form == FrozenPhase::Form::cone;

@@ -104,7 +104,9 @@ void RunWatch::positions(const State& x) {
   const ContactSet& c = ends_.evaluate(x).contacts;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int closed = c.closedIndex[i];
-    const bool joint = closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral();
+    const SetValuedForceLaw* law = closed >= 0 ? c.law[static_cast<std::size_t>(closed)] : nullptr;
+    const bool joint = law != nullptr && !law->unilateral();
+    if (joint && law->rowKind(0) != RowKind::joint) continue;  // friction and springs have no error
     Worst& worst = joint ? report_.jointError : report_.penetration;
     const double value = joint ? c.g[i] : -c.g[i];
     if (value > worst.value) worst.value = value, worst.t = x.t, worst.contact = c.candidateKey[i];

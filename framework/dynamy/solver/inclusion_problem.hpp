@@ -33,7 +33,7 @@ struct InclusionProblem {
   int row0(int i) const { return contacts->row0[static_cast<std::size_t>(i)]; }
   int dim(int i) const { return contacts->dim(i); }
   const SetValuedForceLaw& law(int i) const { return *contacts->law[static_cast<std::size_t>(i)]; }
-  LawInput input(int i) const { return {dim(i), dt, gammaA.data() + row0(i), nullptr}; }
+  LawInput input(int i) const { return contacts->input(i, dt, gammaA.data()); }
 };
 
 }  // namespace dynamy

@@ -32,7 +32,7 @@ void SequentialImpact::hit(InclusionProblem& problem, int i, double factor) cons
   for (int k = 0; k < dim; ++k)
     c[k] = (1.0 + factor * epsilon[k]) * gamma_[static_cast<std::size_t>(first + k)];
   std::fill_n(r, dim, 1.0 / contactLambda(G, dim));
-  const LawInput in{dim, 0.0, gamma_.data() + first, nullptr};
+  const LawInput in = problem.contacts->input(i, 0.0, gamma_.data());
   for (int step = 0; step < kLocalIterations; ++step) {
     double before[kMaxDim], change = 0.0, size = 0.0;
     std::copy_n(L, dim, before);

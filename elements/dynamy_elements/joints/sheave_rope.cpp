@@ -1,0 +1,218 @@
+#include <cmath>
+#include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy_elements/joints/sheave_rope.hpp>
+#include <limits>
+#include <numbers>
+
+namespace dynamy {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kRounding = 1e-9;  ///< of an angle of wrap that is zero [rad]
+
+/// Adds `factor` times a·Ω to a row.
+void addSpin(Block W, int row, const Frame& f, const Vec3& a, double factor) {
+  for (int j = 0; j < f.nu(); ++j) W(row, j) += factor * f.J_R_I.col(j).dot(a);
+}
+
+/// Acceleration at u̇ = 0 of the body point at rho_I.
+Vec3 pointBias(const Frame& f, const Vec3& rho_I) {
+  return f.bias_S_I + f.bias_R_I.cross(rho_I) + f.Omega_I.cross(f.Omega_I.cross(rho_I));
+}
+
+}  // namespace
+
+void SheaveRope::declare(Attributes& a) {
+  a.about(
+      "A massless, inextensible rope from a point of A over a sheave to a point of B; it can go "
+      "slack. Law: Unilateral (default: it runs freely over the sheave) or BeltFriction. Signals: "
+      "slack g, forceA and forceB of the strands.");
+  FramePair::declare(a);
+  a.vector("pointA", Unit::length, 3, "0 0 0", "end on A, in axes of A");
+  a.vector("pointB", Unit::length, 3, "0 0 0", "end on B, in axes of B");
+  a.reference("sheave", "frame", "frame in the centre of the sheave: a system, or system.frame");
+  a.required("radius", Unit::length, "radius of the sheave").positive();
+  a.vector("axis", Unit::none, 3, "0 0 0",
+           "axis of the sheave at the start, in the world; planar bodies have their own");
+  a.vector(
+       "side", Unit::none, 3, "0 0 1",
+       "side of the sheave on which the middle of the wrap lies, in the world; default: the top")
+      .notZero();
+  a.add(AttributeType::integer, "turns", "0", "full turns besides the angle of the geometry")
+      .nonNegative();
+  Attribute& length = a.add(AttributeType::number, "length", std::nullopt,
+                            "length of the rope; default: taut at the start");
+  length.unit = Unit::length;
+  length.mayBeAbsent().positive();
+  Attribute& breaks = a.add(AttributeType::number, "breaksAt", std::nullopt,
+                            "time at which the rope breaks, for good; default: never");
+  breaks.unit = Unit::time;
+  breaks.optionalValue = true;
+  a.reference("carrier", "frame",
+              "frame that carries the sheave: the replay draws the strands to it")
+      .mayBeAbsent();
+  a.child(Kind::law, 0, 1, "law of the rope on the sheave; default: Unilateral with epsilonN = 0");
+  a.example(
+      "<SheaveRope between=\"cabin counterweight\" sheave=\"sheave\" radius=\"0.25\">"
+      "<BeltFriction mu=\"0.2\" wrap=\"180deg\"/></SheaveRope>");
+}
+
+SheaveRope::SheaveRope(const Parameters& x)
+    : NonSmoothElement(x),
+      frames_(x),
+      pointA_(x["pointA"].vec3()),
+      pointB_(x["pointB"].vec3()),
+      axis_(x["axis"].vec3()),
+      side_(x["side"].vec3().normalized()),
+      sheaveName_(x["sheave"].text),
+      carrierName_(x.has("carrier") ? x["carrier"].text : std::string()),
+      radius_(x["radius"]),
+      length_(x.has("length") ? double(x["length"]) : 0.0),
+      breaksAt_(x.has("breaksAt") ? double(x["breaksAt"])
+                                  : std::numeric_limits<double>::infinity()),
+      turns_(x["turns"].integer()),
+      law_(x.takeOne<SetValuedForceLaw>()) {
+  if (!law_) law_ = std::make_unique<Unilateral>(0.0);
+  if (!law_->unilateral())
+    throw ModelError("a rope needs a law that acts while it is taut",
+                     "<BeltFriction mu=\"0.2\" wrap=\"180deg\"/> or <Unilateral/>");
+}
+
+SheaveRope::~SheaveRope() = default;
+
+SheaveRope::Strand SheaveRope::strand(const Frame& body, const Vec3& point, const Frame& sheave,
+                                      const Vec3& axis_I, double turn) const {
+  Strand out;
+  out.rho_I = body.A_IK * point;
+  Vec3 e = body.r_OS_I + out.rho_I - sheave.r_OS_I;
+  e -= axis_I.dot(e) * axis_I;
+  const double D = e.norm();
+  out.length = std::sqrt(std::max(D * D - radius_ * radius_, 0.0));
+  // e = r n + l t with t = turn a × n, turned back by the angle between n and e.
+  out.n = (radius_ * e - turn * out.length * axis_I.cross(e)) / (D * D);
+  out.t = turn * axis_I.cross(out.n);
+  return out;
+}
+
+double SheaveRope::wrap(const Strand& a, const Strand& b, const Vec3& axis_I, double sense) const {
+  return std::atan2(sense * axis_I.dot(a.n.cross(b.n)), a.n.dot(b.n));
+}
+
+void SheaveRope::chooseSense(const Frame& A, const Frame& B, const Frame& S, const Vec3& axis_I) {
+  // Either way round, straight or with crossed strands, may pass the wanted side: the shorter arc.
+  double best = -2.0;
+  for (const double sense : {1.0, -1.0}) {
+    const Strand a = strand(A, pointA_, S, axis_I, -sense),
+                 b = strand(B, pointB_, S, axis_I, sense);
+    double theta = wrap(a, b, axis_I, sense);
+    if (theta < -kRounding) theta += kTurn;
+    const double half = 0.5 * sense * theta;
+    const Vec3 middle = std::cos(half) * a.n + std::sin(half) * axis_I.cross(a.n);
+    const double along = middle.dot(side_), score = along > 0.0 ? 2.0 - theta / kTurn : along;
+    if (score <= best) continue;
+    best = score, sense_ = sense, wrap0_ = theta + kTurn * turns_;
+  }
+}
+
+void SheaveRope::connect(Topology& topology) {
+  frames_.connect(topology, *this);
+  sheave_ = topology.frame(sheaveName_, *this);
+  if (!carrierName_.empty()) carrier_ = topology.frame(carrierName_, *this);
+  const StartKinematics start(topology);
+  const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B), &S = start.frame(sheave_);
+  const Vec3 given = axis_.isZero(0.0) ? frames_.planeNormal : axis_;
+  if (given.isZero(0.0))
+    throw ModelError("the axis of the sheave is missing", "add axis=\"0 1 0\"");
+  const Vec3 axis_I = given.normalized();
+  axis_S_ = S.A_IK.transpose() * axis_I;
+  chooseSense(A, B, S, axis_I);
+  const Strand a = strand(A, pointA_, S, axis_I, -sense_),
+               b = strand(B, pointB_, S, axis_I, sense_);
+  if (!(a.length > 0.0 && b.length > 0.0))
+    throw ModelError("an end of the rope lies within the sheave",
+                     "move it out or take a smaller radius");
+  const double taut = a.length + b.length + radius_ * wrap0_;
+  if (length_ == 0.0) length_ = taut;
+  if (!carrierName_.empty()) {
+    const Frame& C = start.frame(carrier_);
+    for (int i = 0; i < 2; ++i)
+      drawn_[i] = C.A_IK.transpose() * (S.r_OS_I + radius_ * (i == 0 ? a.n : b.n) - C.r_OS_I);
+  }
+}
+
+void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
+  if (k.t() >= breaksAt_) return;
+  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B), &S = k.frame(sheave_);
+  const Vec3 axis_I = S.A_IK * axis_S_;
+  const Strand a = strand(A, pointA_, S, axis_I, -sense_),
+               b = strand(B, pointB_, S, axis_I, sense_);
+  // The turn next to that of the start: the rope is never longer or shorter by a whole one.
+  double theta = wrap(a, b, axis_I, sense_);
+  theta += kTurn * std::round((wrap0_ - theta) / kTurn);
+  ContactRows out = sink.add(0, length_ - a.length - b.length - radius_ * theta, *law_, 2);
+  if (!out) return;
+  const bool slips = out.dim() > 1;
+  const auto end = [&](const Frame& f, const Strand& s, double slip) {
+    if (f.block >= 0) {
+      const Block W = out.segment(f.block, f.u0, f.nu());
+      addPointRow(W, 0, f, s.rho_I, s.t, -1.0);
+      if (slips) addPointRow(W, 1, f, s.rho_I, s.t, slip);
+    }
+    const double nu = s.t.dot(f.nu_S_I + f.nu_R_I.cross(s.rho_I));
+    out.chi(0) -= nu;
+    if (slips) out.chi(1) += slip * nu;
+  };
+  end(A, a, -0.5);
+  end(B, b, 0.5);
+  const Vec3 pull = a.t + b.t, across = 0.5 * (a.t - b.t);
+  if (S.block >= 0) {
+    const Block W = out.segment(S.block, S.u0, S.nu());
+    addPointRow(W, 0, S, Vec3::Zero(), pull, 1.0);
+    if (slips) {
+      addPointRow(W, 1, S, Vec3::Zero(), across, 1.0);
+      addSpin(W, 1, S, axis_I, -sense_ * radius_);
+    }
+  }
+  out.chi(0) += pull.dot(S.nu_S_I);
+  if (slips) out.chi(1) += across.dot(S.nu_S_I) - sense_ * radius_ * axis_I.dot(S.nu_R_I);
+  if (out.wantsBias()) bias(out, k, a, b);
+}
+
+void SheaveRope::bias(ContactRows& out, const Kinematics& k, const Strand& a,
+                      const Strand& b) const {
+  const Frame& S = k.frame(sheave_);
+  // A strand of length l whose end moves across it with v_n turns: ṫ·v = v_n²/l.
+  const auto end = [&](const Frame& f, const Strand& s) {
+    const double across = s.n.dot(f.velocity(s.rho_I) - S.v_S_I);
+    return s.t.dot(pointBias(f, s.rho_I) - S.bias_S_I) + across * across / s.length;
+  };
+  const double ofA = end(k.frame(frames_.A), a), ofB = end(k.frame(frames_.B), b);
+  out.bias(0) = -ofA - ofB;
+  if (out.dim() > 1)
+    out.bias(1) = 0.5 * (ofB - ofA) - sense_ * radius_ * (S.A_IK * axis_S_).dot(S.bias_R_I);
+}
+
+double SheaveRope::force(const SignalView& v, double sign) {
+  const int i = v.contacts->find(v.element, 0);
+  if (i < 0 || !(v.dt > 0.0) || v.Lambda.size() == 0) return 0.0;
+  const int first = v.contacts->row0[static_cast<std::size_t>(i)];
+  const double traction = v.contacts->dim(i) > 1 ? v.Lambda[first + 1] : 0.0;
+  return (v.Lambda[first] + 0.5 * sign * traction) / v.dt;
+}
+
+void SheaveRope::drawStrands(Description& d) const {
+  d.link({frames_.A.index, carrier_.index, pointA_, drawn_[0]});
+  d.link({frames_.B.index, carrier_.index, pointB_, drawn_[1]});
+}
+
+void SheaveRope::describe(Description& d) const {
+  if (!carrierName_.empty()) drawStrands(d);
+  describeContact(d, 0, 2, *law_);
+  d.signal("forceA", Unit::force, "rope force at A",
+           [](const SignalView& v) { return force(v, 1.0); });
+  d.signal("forceB", Unit::force, "rope force at B",
+           [](const SignalView& v) { return force(v, -1.0); });
+}
+
+}  // namespace dynamy
