@@ -12,8 +12,11 @@ namespace dynamy::app {
 std::vector<double> errorBars(const std::vector<CheckResult>& whole,
                               const std::vector<CheckResult>& half);
 
-/// Runs `choice` again with half the step, nothing recorded, and says the bars of `whole`.
-std::string errorBarsText(Program& program, RunChoice choice,
-                          const std::vector<CheckResult>& whole);
+/// Runs `choice` again with half the step or a tenth of the tolerance, no folder written, and says
+/// the bars of the checks `whole` and of all recorded signals, those of the run in the file
+/// `signals`; where differences grow exponentially, up to when the motion can be told. Throws
+/// FileError.
+std::string errorBarsText(Program& program, RunChoice choice, const std::vector<CheckResult>& whole,
+                          const std::filesystem::path& signals);
 
 }  // namespace dynamy::app

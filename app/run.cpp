@@ -60,7 +60,8 @@ int run(Program& program, Texts& t, const TellFiles& tell) {
   std::vector<CheckResult> checks;
   const int code = runInto(folder, *model, t.choice, t.show, std::nullopt, checks);
   if (t.show.errorBar)
-    fmt::print(t.show.json ? stderr : stdout, "{}", errorBarsText(program, t.choice, checks));
+    fmt::print(t.show.json ? stderr : stdout, "{}",
+               errorBarsText(program, t.choice, checks, folder / "signals.csv"));
   return code;
 }
 
@@ -87,7 +88,7 @@ void addRun(CLI::App& app, Program& program) {
       ->type_name("LIBRARY");
   c->add_flag("--error-bar", t->show.errorBar,
               "run again with half the step, or a tenth of the tolerance, and say how far the "
-              "figures of the checks move");
+              "figures of the checks and the recorded signals move");
   addShow(*c, *t);
   c->add_flag("--watch", t->watch,
               "run again whenever the model, what it includes or one of its plug-ins changes");

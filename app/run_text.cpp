@@ -196,6 +196,17 @@ std::string discretisationText(const EnergyReport& e) {
       change / moves);
 }
 
+/// What the evaluations of a run to a tolerance were for.
+std::string effortText(const RunReport& r) {
+  const StepEffort& e = r.effort;
+  const long told = e.smooth + e.rejected + e.switches + e.events;
+  if (told == 0) return {};
+  return fmt::format(
+      " {}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}\n",
+      counted(r.evaluations, "evaluation"), e.smooth, e.rejected, e.switches, e.events,
+      r.evaluations > told ? fmt::format(", output {}", r.evaluations - told) : "");
+}
+
 std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
                        const std::filesystem::path& folder) {
   std::string out =
@@ -211,10 +222,10 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
   out += discretisationText(e);
   if (r.located > 0 || r.accumulations > 0)
-    out +=
-        fmt::format(" {} located, {} passed, {}{}\n", counted(r.located, "switch", "switches"),
-                    counted(r.accumulations, "accumulation"), counted(r.evaluations, "evaluation"),
-                    r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
+    out += fmt::format(" {} located, {} passed{}\n", counted(r.located, "switch", "switches"),
+                       counted(r.accumulations, "accumulation"),
+                       r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
+  out += effortText(r);
   if (r.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
                        counted(r.parted, "step"));
@@ -280,6 +291,9 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("switches", r.switches).member("switchesLocated", r.located);
   json.member("accumulationEnd", r.accumulationEnd);
   json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
+  json.key("effort").beginObject();
+  json.member("smooth", r.effort.smooth).member("rejected", r.effort.rejected);
+  json.member("switches", r.effort.switches).member("events", r.effort.events).endObject();
   json.member("repairedImpacts", r.repairedImpacts);
   write(json, "energyGain", r.energyGain);
   json.key("solver").beginObject().member("solves", r.solves);

@@ -5,6 +5,7 @@
 #include <dynamy/io/plugin_loader.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/simulation.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,9 +15,11 @@ namespace dynamy::reference {
 class LocatedRun final : public RecordSink {
  public:
   /// `what`: a name in models/, or a text that begins with '<'.
-  LocatedRun(const std::string& what, double tolerance, double until, const Overrides& set = {})
+  LocatedRun(const std::string& what, double tolerance, double until, const Overrides& set = {},
+             const std::function<void(Registry&)>& types = {})
       : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
     registerFramework(registry_);
+    if (types) types(registry_);
     plugins_.load(kStandardElements, {}, registry_);
     LoadOptions options;
     options.set = set;

@@ -256,13 +256,5 @@ TEST(LocatedRunning, GoesOnFromACheckpointBitForBit) {
   EXPECT_EQ(resumed.report().located, longRun.report().located);
 }
 
-TEST(LocatedRunning, RefusesALawWithoutAClosedFormOfItsPhases) {
-  LocatedRun puck("orthotropic_puck", 1e-6, 0.1);
-  const RunReport& r = puck.run();
-  EXPECT_EQ(r.ended, RunReport::Ended::failed);
-  EXPECT_TRUE(r.refused);
-  EXPECT_NE(r.reason.find("no closed form"), std::string::npos) << r.reason;
-}
-
 }  // namespace
 }  // namespace dynamy::reference

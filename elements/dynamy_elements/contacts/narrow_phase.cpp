@@ -12,13 +12,16 @@
 namespace dynamy {
 namespace {
 
-/// The lowest corner of a box; null: B is no box.
-const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShape& B) {
+/// The lowest corner of a box among those that may be closed; null: B is no box. Where contacts are
+/// asked for by name, a corner that is not must not move them as it passes below.
+const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShape& B,
+                                   std::uint64_t id, const ContactSink& sink) {
   if (B.kind != TouchingShape::Kind::box) return nullptr;
-  const auto lower = [&](const SupportFeature& a, const SupportFeature& b) {
-    return over.gap(a) < over.gap(b);
-  };
-  return &*std::min_element(B.features.begin(), B.features.end(), lower);
+  const SupportFeature* lowest = nullptr;
+  for (std::size_t f = 0; f < B.features.size(); ++f)
+    if (!sink.leftOut(id + f) && (!lowest || over.gap(B.features[f]) < over.gap(*lowest)))
+      lowest = &B.features[f];
+  return lowest;
 }
 
 /// The velocity of the point of contact over the body of B is c·(Ω_B − Ω_A) along the tangents:
@@ -140,7 +143,7 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
 void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const OverHalfSpace over(k.frame(pair.A->frame), *pair.A, k.frame(pair.B->frame));
   const Vec3& plane = planes_[pair.rule->plane];
-  const SupportFeature* lowest = lowestCorner(over, *pair.B);
+  const SupportFeature* lowest = lowestCorner(over, *pair.B, pair.id, sink);
   for (std::size_t f = 0; f < pair.B->features.size(); ++f) {
     const SupportFeature& feature = pair.B->features[f];
     if (!over.touches(feature)) continue;

@@ -5,6 +5,7 @@
 ///     rows.segment(frame)… ; rows.chi(0) = …;
 ///   }
 #pragma once
+#include <algorithm>
 #include <dynamy/contact/contact_set.hpp>
 #include <dynamy/system/kinematics.hpp>
 
@@ -65,6 +66,11 @@ class ContactSink {
   /// Set by the framework before each element.
   void element(int index) { element_ = index; }
   const ContactRequest& request() const { return request_; }
+  /// True: contact `id` of this element is not among those that are asked for by name.
+  bool leftOut(std::uint64_t id) const {
+    return request_.refresh && !std::binary_search(request_.frozen.begin(), request_.frozen.end(),
+                                                   contactKey(element_, id));
+  }
 
  private:
   ContactSet* set_;

@@ -37,6 +37,8 @@ class UnilateralRolling final : public NormalTimesReservoir {
   int dim(int) const override { return mu_.contour > 0.0 ? 8 : (mu_.drilling > 0.0 ? 6 : 5); }
   int groupEnd(int row, int dim) const override;
   void epsilon(int dim, double* epsilon) const override;
+  /// None whose slip is in all rows or in none: some of the parts may rest.
+  const NormalTimesReservoir* reservoir() const override { return nullptr; }
   void project(const LawInput& in, double N, const double* r, int k, double* x) const override;
   double support(const LawInput& in, int k, const double* y, double* gradient = nullptr,
                  double* hessian = nullptr) const override;

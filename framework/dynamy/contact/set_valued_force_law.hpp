@@ -45,6 +45,8 @@ struct SimpleSet {
   double lower = 0.0, upper = 0.0;
 };
 
+class NormalTimesReservoir;
+
 class SetValuedForceLaw : public Element {
  public:
   static constexpr Kind kKind = Kind::law;
@@ -81,6 +83,8 @@ class SetValuedForceLaw : public Element {
                               const double* Lambda, double* A, double* B) const;
   /// Which simple set C is, the same for every Λ; default: none.
   virtual SimpleSet simpleSet(const LawInput& /*in*/) const { return {}; }
+  /// The law itself where it is a normal force times a reservoir; default: it is not.
+  virtual const NormalTimesReservoir* reservoir() const { return nullptr; }
   /// Discrete state for the argument Λ − r ξ.
   virtual Status status(const LawInput& in, const double* argument) const = 0;
 };
@@ -96,6 +100,7 @@ class NormalTimesReservoir : public SetValuedForceLaw {
  public:
   using SetValuedForceLaw::SetValuedForceLaw;
   bool unilateral() const override { return true; }
+  const NormalTimesReservoir* reservoir() const override { return this; }
   RowKind rowKind(int row) const override { return row == 0 ? RowKind::normal : RowKind::friction; }
   int groupEnd(int row, int dim) const override { return row == 0 ? 1 : dim; }
   /// Normal first, Λ_N = max(0, Λ_N − r_N ξ_N), then Λ_T = projection of Λ_T − r_T ξ_T on Λ_N B.

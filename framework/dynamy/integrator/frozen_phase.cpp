@@ -12,8 +12,9 @@ constexpr double kRank = 1e-10;
 constexpr double kLeastSlip = 1e-6;
 /// A slip in space slower than this has the direction that was decided [m/s].
 constexpr double kLeastDirection = 1e-12;
-constexpr int kMostTurns = 200;    ///< of the directions of slips that start
-constexpr double kTurned = 1e-14;  ///< change of a direction that ends them
+constexpr double kClearMargin = 1e-3;  ///< of the largest force
+constexpr int kMostTurns = 200;        ///< of the directions of slips that start
+constexpr double kTurned = 1e-14;      ///< change of a direction that ends them
 
 }  // namespace
 
@@ -51,8 +52,31 @@ bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bound
       out.form = Form::cone;
       return true;
     default:
-      return false;
+      break;
   }
+  // A reservoir: its widths along the rows are S_B(e_r).
+  out.set = law.reservoir();
+  if (out.set == nullptr || dim < 2 || dim > Held::kMostRows) return false;
+  out.form = Form::reservoir, out.upper = 0.0;
+  const LawInput in{dim, 1.0, gamma, nullptr};
+  for (int r = 0; r < dim - 1; ++r) {
+    double axis[Held::kMostRows] = {};
+    axis[r] = 1.0;
+    out.weight[static_cast<std::size_t>(r)] = out.set->support(in, dim - 1, axis);
+    // Lengths alone are forces over Λ_N; a spin row comes last.
+    if (r < 2) out.upper = std::max(out.upper, out.weight[static_cast<std::size_t>(r)]);
+  }
+  for (double& w : out.weight) w = out.upper > 0.0 ? w / out.upper : 1.0;
+  return out.upper > 0.0;
+}
+
+double slipSpeed(const FrozenPhase::Bounds& b, int rows, const double* gamma) {
+  double square = 0.0;
+  for (int r = 0; r < rows; ++r) {
+    const double v = b.weight[static_cast<std::size_t>(r)] * gamma[r];
+    square += v * v;
+  }
+  return std::sqrt(square);
 }
 
 bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
@@ -103,20 +127,27 @@ void FrozenPhase::columns(std::size_t i) {
     for (int r = 0; r < d; ++r) unknown(first + r);
     return;
   }
-  const bool cone = form_[i] == Form::cone;
-  const int tangent = cone ? first + 1 : first, k = cone ? d - 1 : d;
-  if (cone) unknown(first);
-  // t of the stage; of one tangent, and of a slip that starts, what was decided.
-  const double length = k > 1 ? gamma_.segment(tangent, k).norm() : 0.0;
-  const bool decided = k == 2 && (h.starts || !(length > kLeastDirection));
+  const int tangent = slip0(i), k = slipRows(i);
+  const bool normal = tangent > first;
+  if (normal) unknown(first);
+  // γ_T of the stage; of one tangent, and of a slip that starts, what was decided.
+  const double speed = slipSpeed(bounds_[i], k, gamma_.data() + tangent);
+  const bool decided = k > 1 && (h.starts || !(speed > kLeastDirection));
+  const double* t = decided ? h.direction.data() : k > 1 ? gamma_.data() + tangent : &h.sign;
+  if (form_[i] == Form::reservoir) {
+    double force[Held::kMostRows];
+    bounds_[i].set->support({dim(i), 1.0, gamma_.data() + first, nullptr}, k, t, force);
+    for (int r = 0; r < k; ++r)
+      P_(tangent + r, static_cast<Eigen::Index>(kept_.size()) - 1) = -force[r];
+    return;
+  }
+  const double length = k > 1 ? ConstVec(t, k).norm() : 1.0;
   for (int r = 0; r < k; ++r) {
-    const double t = decided ? h.direction[static_cast<std::size_t>(r)]
-                     : k > 1 ? gamma_[tangent + r] / std::max(length, 1e-300)
-                             : h.sign;
-    if (cone)
-      P_(tangent + r, static_cast<Eigen::Index>(kept_.size()) - 1) = -bounds_[i].upper * t;
+    const double e = t[r] / length;
+    if (normal)
+      P_(tangent + r, static_cast<Eigen::Index>(kept_.size()) - 1) = -bounds_[i].upper * e;
     else
-      p0_[tangent + r] = t > 0.0 ? bounds_[i].lower * t : -bounds_[i].upper * t;
+      p0_[tangent + r] = e > 0.0 ? bounds_[i].lower * e : -bounds_[i].upper * e;
   }
 }
 
@@ -134,8 +165,8 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     if (held[i].slips) in.gammaA = slip;
     if (!fits || !bounds(law, in, bounds_[i])) {
       fault_ =
-          "a law whose smooth phases have no closed form here (drilling, rolling, orthotropic "
-          "or a user's set): give a step and another scheme";
+          "a law whose smooth phases have no closed form here (a set with edges or without a "
+          "width, a user's own): give a step and another scheme";
       return false;
     }
     form_[i] = bounds_[i].form;
@@ -209,8 +240,13 @@ bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::Ve
         held[i].lambda[r] = part * decided[i].lambda[r];
     }
   };
+  // Where slips differ, motion depends on the shares: the smallest forces, if all bounds permit
+  // them, are a choice that no rounding and no solver changes.
   double best = 1.0, least = leastMargin();
   bool bestWeighted = true;
+  take(0.0, false);
+  if (!accelerate(e, u, a)) return false;
+  if (leastMargin() > kClearMargin * forceScale_) return true;
   for (const bool weighted : {true, false})
     for (const double part : {0.0, 0.25, 0.5, 0.75}) {
       take(part, weighted);
@@ -227,17 +263,28 @@ double FrozenPhase::turnStarting() {
   double change = 0.0;
   for (std::size_t i = 0; i < held.size(); ++i) {
     Held& h = held[i];
-    const int first = row0_[i] + (form_[i] == Form::cone ? 1 : 0);
-    if (!h.starts || row0_[i + 1] - first != 2) continue;
-    double G = 0.0, z[2];
-    for (int r = 0; r < 2; ++r) G += 0.5 * W_.col(first + r).dot(MInvW_.col(first + r));
-    for (int r = 0; r < 2; ++r)
-      z[r] = (W_.col(first + r).dot(free_) + bias_[first + r]) / G - lambda_[first + r];
-    const double length = std::hypot(z[0], z[1]);
+    const int first = slip0(i), k = slipRows(i);
+    if (!h.starts || k < 2) continue;
+    double r[Held::kMostRows], z[Held::kMostRows], y[Held::kMostRows];
+    double G = 0.0;
+    for (int n = 0; n < k; ++n) {
+      r[n] = 1.0 / W_.col(first + n).dot(MInvW_.col(first + n));
+      G += 1.0 / (r[n] * k);
+    }
+    for (int n = 0; n < k; ++n) {
+      if (form_[i] != Form::reservoir) r[n] = 1.0 / G;
+      y[n] = z[n] = lambda_[first + n] - r[n] * (W_.col(first + n).dot(free_) + bias_[first + n]);
+    }
+    if (form_[i] == Form::reservoir)
+      bounds_[i].set->project({dim(i), 1.0, gamma_.data() + row0_[i], nullptr}, lambda_[row0_[i]],
+                              r, k, y);
+    for (int n = 0; n < k; ++n) y[n] = form_[i] == Form::reservoir ? (y[n] - z[n]) / r[n] : -z[n];
+    const double length = slipSpeed(bounds_[i], k, y);
     if (!(length > 0.0)) continue;
-    for (std::size_t r = 0; r < 2; ++r) {
-      change = std::max(change, std::abs(z[r] / length - h.direction[r]));
-      h.direction[r] = z[r] / length;
+    for (int n = 0; n < k; ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      change = std::max(change, bounds_[i].weight[at] * std::abs(y[n] / length - h.direction[at]));
+      h.direction[at] = y[n] / length;
     }
   }
   return change;
@@ -261,78 +308,6 @@ void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
                                        : 3] += lambda_[row] * gamma_[row];
       power_[4] -= lambda_[row] * chi_[static_cast<std::size_t>(row)];
     }
-}
-
-bool FrozenPhase::margin(std::size_t i, double& value) const {
-  const int first = row0_[i], d = dim(i);
-  const Bounds& b = bounds_[i];
-  switch (form_[i]) {
-    case Form::joint:
-      return false;
-    case Form::normal:
-      value = lambda_[first];
-      return true;
-    case Form::cone:
-      value = lambda_[first];
-      if (!held[i].slips)
-        value = std::min(value, b.upper * value - lambda_.segment(first + 1, d - 1).norm());
-      return true;
-    case Form::given:
-      if (held[i].slips) return false;
-      value = d > 1 ? b.upper - lambda_.segment(first, d).norm()
-                    : std::min(b.upper - lambda_[first], lambda_[first] - b.lower);
-      return true;
-  }
-  return false;
-}
-
-bool FrozenPhase::correction(const Evaluation& e, Eigen::VectorXd& delta) {
-  const auto m = static_cast<Eigen::Index>(kept_.size());
-  bool off = false;
-  for (Eigen::Index k = 0; k < m; ++k) off = off || rhs_[k] != 0.0;
-  delta.setZero(e.h.size());
-  if (!off) return false;
-  A_.resize(m, m);
-  for (Eigen::Index k = 0; k < m; ++k)
-    for (Eigen::Index j = 0; j < m; ++j)
-      A_(k, j) = W_.col(kept_[static_cast<std::size_t>(k)])
-                     .dot(MInvW_.col(kept_[static_cast<std::size_t>(j)]));
-  qr_.setThreshold(kRank);
-  qr_.compute(A_);
-  work_ = qr_.solve(rhs_);
-  for (Eigen::Index k = 0; k < m; ++k)
-    delta += work_[k] * MInvW_.col(kept_[static_cast<std::size_t>(k)]);
-  return true;
-}
-
-bool FrozenPhase::positionCorrection(const Evaluation& e, Eigen::VectorXd& delta) {
-  work_.setZero(e.h.size());
-  if (!gather(e, work_)) return false;
-  kept_.clear();
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
-    for (int r = 0; r < dim(i); ++r)
-      if (law.rowKind(r) != RowKind::friction) kept_.push_back(row0_[i] + r);
-  }
-  rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
-  for (std::size_t k = 0; k < kept_.size(); ++k)
-    rhs_[static_cast<Eigen::Index>(k)] = -position_[kept_[k]];
-  return correction(e, delta);
-}
-
-bool FrozenPhase::velocityCorrection(const Evaluation& e, const Eigen::VectorXd& u,
-                                     Eigen::VectorXd& delta) {
-  if (!gather(e, u)) return false;
-  kept_.clear();
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
-    for (int r = 0; r < dim(i); ++r)
-      if (!held[i].slips || law.rowKind(r) == RowKind::normal) kept_.push_back(row0_[i] + r);
-  }
-  rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
-  for (std::size_t k = 0; k < kept_.size(); ++k)
-    rhs_[static_cast<Eigen::Index>(k)] = -gamma_[kept_[k]];
-  return correction(e, delta);
 }
 
 }  // namespace dynamy

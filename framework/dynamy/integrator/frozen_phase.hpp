@@ -5,6 +5,7 @@
 ///
 ///   joint, sticking or frictionless closed contact     P = S = I
 ///   slip of a cone                                     P = e_N − μ t,  S = e_N,  t = γ_T/|γ_T|
+///   slip of a reservoir B in several rows              P = e_N − ∇S_B(γ_T),  S = e_N
 ///   slip of a set of given size                        p₀ = −a t, no unknown
 ///
 /// In one tangent t is a sign that was decided at the switch: it does not flip while stages pass
@@ -24,19 +25,20 @@ struct Held {
   ContactKey key;
   bool slips = false;
   double sign = 0.0;  ///< of γ_T, where the slip has one direction
-  /// In space a slip that has just begun has the direction of γ̇_T, by an inclusion on acceleration
-  /// level: γ_T is too small to have one (theory 20.6).
+  /// In several rows a slip that has just begun has the direction of γ̇_T, by an inclusion on
+  /// acceleration level: γ_T is too small to have one (theory 20.6).
   bool starts = false;
   double turned = 0.0;  ///< ∫ |γ_T| dθ of the turning direction since [m/s]
-  std::array<double, 2> direction{1.0, 0.0};  ///< decided; of a slip that starts: the present one
-  double mutedUntil = -1.0;                   ///< its force and slip are not looked at before [s]
-  double weight = 1.0;  ///< of its forces where rows are redundant: λ_N of the decision [N]
+  std::array<double, kMostRows - 1> direction{
+      1.0};                  ///< decided; of a slip that starts: the present one
+  double mutedUntil = -1.0;  ///< its force and slip are not looked at before [s]
+  double weight = 1.0;       ///< of its forces where rows are redundant: λ_N of the decision [N]
   std::array<double, kMostRows> lambda{};  ///< as the last decision gave them [N]
 };
 
 class FrozenPhase {
  public:
-  enum class Form : std::uint8_t { joint, normal, cone, given };
+  enum class Form : std::uint8_t { joint, normal, cone, reservoir, given };
 
   /// Joints, then closed contacts and sets of given size, in order of emission.
   std::vector<Held> held;
@@ -58,6 +60,15 @@ class FrozenPhase {
   int dim(std::size_t i) const { return row0_[i + 1] - row0_[i]; }
   int rows() const { return row0_.empty() ? 0 : row0_.back(); }
   Form form(std::size_t i) const { return form_[i]; }
+  /// First row of the slip of held[i], and their number.
+  int slip0(std::size_t i) const {
+    return row0_[i] + (form_[i] == Form::cone || form_[i] == Form::reservoir ? 1 : 0);
+  }
+  int slipRows(std::size_t i) const { return row0_[i + 1] - slip0(i); }
+  /// What row r of the slip is worth, so that spins compare with speeds: S_B(e_r) over the largest.
+  double slipWeight(std::size_t i, int r) const {
+    return bounds_[i].weight[static_cast<std::size_t>(r)];
+  }
   /// γ and γ̇ of the same rows in the last acceleration.
   const Eigen::VectorXd& gamma() const { return gamma_; }
   double gammaDot(int row) const { return gammaDot_[row]; }
@@ -78,12 +89,15 @@ class FrozenPhase {
   struct Bounds {
     Form form = Form::joint;
     double lower = 0.0, upper = 0.0;
+    const NormalTimesReservoir* set = nullptr;                                ///< of a reservoir
+    std::array<double, Held::kMostRows - 1> weight{1.0, 1.0, 1.0, 1.0, 1.0};  ///< of rows of slip
   };
   static bool bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out);
 
  private:
   void solve(const Evaluation& e);
   double leastMargin() const;
+  double gauge(std::size_t i, const double* x) const;
   double turnStarting();
   bool gather(const Evaluation& e, const Eigen::VectorXd& u);
   void columns(std::size_t i);
@@ -104,5 +118,8 @@ class FrozenPhase {
   double forceScale_ = 0.0;
   bool redundant_ = false;
 };
+
+/// Speed of a slip γ_T of `rows` rows, spins by their weights [m/s].
+double slipSpeed(const FrozenPhase::Bounds& b, int rows, const double* gamma);
 
 }  // namespace dynamy

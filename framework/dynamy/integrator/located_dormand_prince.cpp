@@ -7,11 +7,11 @@ namespace {
 
 constexpr double kFirstStep = 0.02;                         ///< of T
 constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
-constexpr double kAtOnce = 1e-6;      ///< events within this part of the step are at one instant
-constexpr double kMostTurned = 30.0;  ///< k of theory 20.6, in units of the tolerance
+constexpr double kAtOnce = 1e-6;  ///< events within this part of the step are at one instant
 constexpr int kMostNulls = 5;
 constexpr double kMuted = 1e-3;       ///< of the step
 constexpr double kProject = 1e-3;     ///< corrections below this part of the tolerance wait
+constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
 constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
 constexpr int kMostTries = 2000;      ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
@@ -38,6 +38,12 @@ bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
   return true;
 }
 
+void LocatedDormandPrince::book(const MechanicalSystem& s, long StepEffort::*what,
+                                StepReport& report) {
+  report.counts.effort.*what += s.evaluations() - booked_;
+  booked_ = s.evaluations();
+}
+
 void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, const State& x,
                                  StepReport& report) {
   from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
@@ -49,6 +55,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   H_ = kFirstStep * norm_.time(), lookAhead_ = kLookAhead, lastEvent_ = -1e300, nulls_ = 0;
   event(s, solver, from_, report, {});
+  book(s, &StepEffort::events, report);
 }
 
 // ---- events ------------------------------------------------------------------------------------
@@ -62,6 +69,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   report.solved.repaired += r.solved.repaired;
   report.solved.energyGain = std::max(report.solved.energyGain, r.solved.energyGain);
   report.counts.impacts += r.impact ? 1 : 0;
+  if (r.impact) uBeforeImpact_ = event_.uBefore(), tImpact_ = p.x.t;
   report.counts.accumulations += r.accumulations;
   if (r.accumulations > 0) report.counts.accumulationEnd = r.accumulationEnd;
   report.counts.undecided += r.undecided ? 1 : 0;
@@ -86,90 +94,7 @@ void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoi
   nulls_ = 0;
 }
 
-bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, double& most,
-                                StepReport& report, bool& stopped) {
-  // Slip in space ends where |γ_T| reaches zero, in a singular way: the end is taken analytically,
-  // for all contacts whose slip is that short at once.
-  stopped = false;
-  stopping_.clear();
-  double last = 0.0, bound = most;
-  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
-    const Held& h = phase_.held[i];
-    const int first = phase_.row0(i) + (phase_.form(i) == FrozenPhase::Form::cone ? 1 : 0);
-    const int k = phase_.row0(i + 1) - first;
-    if (!h.slips || k < 2 || h.starts || h.mutedUntil > from_.x.t) continue;
-    double v = 0.0, along = 0.0, rate = 0.0;
-    for (int r = 0; r < k; ++r) {
-      const double g = phase_.gamma()[first + r], d = phase_.gammaDot(first + r);
-      v += g * g, along += g * d, rate += d * d;
-    }
-    v = std::sqrt(v);
-    if (!(along < 0.0)) continue;
-    const double T = -v * v / along, path = 0.5 * v * T, tol = norm_.tolerance();
-    const double sine = std::max(0.0, 1.0 - along * along / (v * v * rate));
-    if (path > tol * norm_.length() || T * sine > 10.0 * tol * norm_.time() || T > most) {
-      bound = std::min(bound, 0.75 * T);
-      continue;
-    }
-    stopping_.push_back(h.key);
-    last = std::max(last, T);
-  }
-  if (stopping_.empty()) {
-    most = bound;
-    return true;
-  }
-  trial_ = from_, oldPhase_ = phase_;
-  delta_ = from_.x.u + 0.5 * last * from_.a;
-  s.move(from_.x, delta_, last);
-  from_.x.u += last * from_.a;
-  if (!event(s, solver, from_, report, stopping_)) return false;
-  stopped = std::all_of(stopping_.begin(), stopping_.end(), [&](ContactKey key) {
-    const Held* after = phase_.find(key);
-    return after == nullptr || !after->slips;
-  });
-  if (stopped) return true;
-  from_ = trial_, phase_ = oldPhase_;  // they slip on: not a stop
-  for (Held& h : phase_.held)
-    if (std::find(stopping_.begin(), stopping_.end(), h.key) != stopping_.end())
-      h.mutedUntil = from_.x.t + 2.0 * last;
-  phaseKeys_.clear();
-  phase_.keys(phaseKeys_);
-  return evaluateEnd(s, from_);
-}
-
 // ---- steps -------------------------------------------------------------------------------------
-
-double LocatedDormandPrince::turn() {
-  // What the directions of slips that start have turned in the trial, over what they may.
-  double past = 0.0;
-  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
-  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
-    Held& h = phase_.held[i];
-    if (!h.starts) continue;
-    const int first = phase_.row0(i) + (phase_.form(i) == FrozenPhase::Form::cone ? 1 : 0);
-    const double* gamma = phase_.gamma().data() + first;
-    const Held& before = startHeld_[i];
-    const double cross =
-        before.direction[0] * h.direction[1] - before.direction[1] * h.direction[0];
-    h.turned = before.turned + std::hypot(gamma[0], gamma[1]) * std::abs(cross);
-    past = std::max(past, h.turned / most);
-  }
-  return past;
-}
-
-bool LocatedDormandPrince::endStarts() {
-  bool any = false;
-  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
-  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
-    Held& h = phase_.held[i];
-    if (!h.starts) continue;
-    const int first = phase_.row0(i) + (phase_.form(i) == FrozenPhase::Form::cone ? 1 : 0);
-    double along = 0.0;
-    for (int r = 0; r < 2; ++r) along += phase_.gamma()[first + r] * phase_.gammaDot(first + r);
-    if (h.turned > most || !(along > 0.0)) h.starts = false, any = true;
-  }
-  return any;
-}
 
 LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, double h,
                                                           bool looked, StepReport& report,
@@ -269,6 +194,7 @@ bool LocatedDormandPrince::project(MechanicalSystem& s, PhasePoint& p) {
   const bool turns = phase_.velocityCorrection(s.slot(0), p.x.u, delta_);
   if (turns) measure();
   if (off <= kProject) return true;
+  if (off > kSuspicious && !checkBias(s, p)) return false;
   if (turns) p.x.u += delta_;
   if (moves) {
     constexpr double kTau = 1e-9;
@@ -285,6 +211,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
   const bool same = system_ == &s;
   why_ = {}, system_ = &s, denseReady_ = false;
   told_.clear(), works_ = {};
+  booked_ = s.evaluations(), tImpact_ = -1e300;
   stepKeys_.clear(), impulse_.resize(0);
   s.bias(true);
   if (!ready_) {
@@ -312,6 +239,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   bool stopped = false;
   double bound = most;
   if (!stop(s, solver, bound, report, stopped)) return false;
+  book(s, &StepEffort::events, report);
   if (stopped) {
     ++report.counts.switches;
     to_ = from_, done = true;
@@ -324,19 +252,34 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   startHeld_ = phase_.held;
   Switch found;
   Tried tried = attempt(s, h, false, report, found);
-  if (tried == Tried::again) h *= found.theta, tried = attempt(s, h, true, report, found);
+  if (tried == Tried::again) {
+    book(s, &StepEffort::switches, report);
+    h *= found.theta, tried = attempt(s, h, true, report, found);
+  }
   if (tried == Tried::rejected) phase_.held = startHeld_;  // directions as they were
+  book(s,
+       tried == Tried::rejected ? &StepEffort::rejected
+       : found                  ? &StepEffort::switches
+                                : &StepEffort::smooth,
+       report);
   if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
   if (found) ++report.counts.switches;
-  if (found.kind == Switch::Kind::atStart) return event(s, solver, from_, report, {});
+  if (found.kind == Switch::Kind::atStart) {
+    const bool good = event(s, solver, from_, report, {});
+    book(s, &StepEffort::events, report);
+    return good;
+  }
   if (found && !repeat(s, h, found)) return false;
+  if (found) book(s, &StepEffort::switches, report);
   if (!found && h == most) to_.x.t = from_.x.t + most;
   done = true;
   keepImpulses();
   stepFrom_ = from_, stepTo_ = to_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
   const bool ended = endStarts();
-  if (found) return event(s, solver, to_, report, {});
-  return project(s, to_) && (!ended || evaluateEnd(s, to_));
+  const bool good = found ? event(s, solver, to_, report, {})
+                          : project(s, to_) && (!ended || evaluateEnd(s, to_));
+  book(s, found ? &StepEffort::events : &StepEffort::smooth, report);
+  return good;
 }
 
 StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
@@ -353,6 +296,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     x.q = to_.x.q, x.u = to_.x.u;
     store(x);
     report.dt = x.t - t;
+    if (tImpact_ == to_.x.t && report.dt > 0.0) report.uBeforeImpact = &uBeforeImpact_;
     tell(s, x, report);
   } else {
     report.refused = why_;

@@ -56,6 +56,8 @@ class LocatedDormandPrince : public OneStep {
   Tried attempt(MechanicalSystem& s, double h, bool looked, StepReport& report, Switch& found);
   bool repeat(MechanicalSystem& s, double h, const Switch& w);
   bool polish(MechanicalSystem& s, double h, const Switch& w);
+  /// True: an open contact penetrates at from_.
+  bool closesOpen();
   double turn();
   bool endStarts();
   bool project(MechanicalSystem& s, PhasePoint& p);
@@ -65,6 +67,9 @@ class LocatedDormandPrince : public OneStep {
   void keepImpulses();
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
+  void book(const MechanicalSystem& s, long StepEffort::*what, StepReport& report);
+  bool checkBias(MechanicalSystem& s, const PhasePoint& p);
+  bool refuseBias(const MechanicalSystem& s, int element, int row, double told, double found);
 
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
   Accuracy accuracy_;
@@ -92,6 +97,11 @@ class LocatedDormandPrince : public OneStep {
   int nulls_ = 0;
   bool ready_ = false;
   std::string_view why_;
+  std::string whyOwn_;  // what why_ points to, if it names an element
+  Eigen::VectorXd uBeforeImpact_, gammaDot_, toldDot_, rates_;
+  std::vector<double> sums_;
+  double tImpact_ = -1e300;
+  long booked_ = 0;
   MechanicalSystem* system_ = nullptr;
   mutable bool denseReady_ = false;
 };

@@ -7,9 +7,10 @@ namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
 /// there, whether steps are implicit and what speaks for the other kind (two counts), number of
-/// held contacts; then for each element, number, slip, sign, end of muting,
-/// whether the slip starts, what it has turned, its direction, weight, λ.
-constexpr int kHead = 9, kPerHeld = 10 + Held::kMostRows;
+/// held contacts; then for each element, number, slip, sign, end of muting, whether the slip
+/// starts, what it has turned, weight, direction, λ.
+constexpr int kHead = 9, kDirection = Held::kMostRows - 1;
+constexpr int kPerHeld = 8 + kDirection + Held::kMostRows;
 
 }  // namespace
 
@@ -26,9 +27,9 @@ void LocatedDormandPrince::store(State& x) {
     out[1] = static_cast<double>(contactNumber(h.key));
     out[2] = h.slips ? 1.0 : 0.0, out[3] = h.sign, out[4] = h.mutedUntil;
     out[5] = h.starts ? 1.0 : 0.0, out[6] = h.turned;
-    out[7] = h.direction[0], out[8] = h.direction[1];
-    out[9] = h.weight;
-    std::copy(h.lambda.begin(), h.lambda.end(), out + 10);
+    out[7] = h.weight;
+    std::copy(h.direction.begin(), h.direction.end(), out + 8);
+    std::copy(h.lambda.begin(), h.lambda.end(), out + 8 + kDirection);
   }
   stored_ = x.scheme;
 }
@@ -52,9 +53,9 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
     const double* in = x.scheme.data() + kHead + kPerHeld * i;
     h.key = contactKey(static_cast<int>(in[0]), static_cast<std::uint64_t>(in[1]));
     h.slips = in[2] != 0.0, h.sign = in[3], h.mutedUntil = in[4];
-    h.starts = in[5] != 0.0, h.turned = in[6], h.direction = {in[7], in[8]};
-    h.weight = in[9];
-    std::copy(in + 10, in + kPerHeld, h.lambda.begin());
+    h.starts = in[5] != 0.0, h.turned = in[6], h.weight = in[7];
+    std::copy(in + 8, in + 8 + kDirection, h.direction.begin());
+    std::copy(in + 8 + kDirection, in + kPerHeld, h.lambda.begin());
   }
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);

@@ -5,8 +5,17 @@
 
 namespace dynamy {
 
+/// Evaluations of M, h and contacts by what they were for.
+struct StepEffort {
+  long smooth = 0;    ///< steps within phases
+  long rejected = 0;  ///< steps that were too long
+  long switches = 0;  ///< finding instants, and steps to them
+  long events = 0;    ///< impacts, decisions, projections
+};
+
 /// What a scheme that chooses its steps did to take one of them.
 struct StepCounts {
+  StepEffort effort{};
   int rejected = 0;              ///< tries that were too long
   int switches = 0;              ///< located
   int impacts = 0;               ///< instants with an impact
@@ -45,6 +54,9 @@ struct StepReport {
   StepWorks works{};
   bool ownStatuses = false;                ///< statuses are those below, all others are open
   std::span<const HeldStatus> statuses{};  ///< valid until the next step
+  /// Velocities right before an impact at the end of the step, the scheme's own until its next
+  /// step; null: there is none.
+  const Eigen::VectorXd* uBeforeImpact = nullptr;
   const Jump* jump = nullptr;  ///< the scheme's own, until its next step; null: there was none
 };
 

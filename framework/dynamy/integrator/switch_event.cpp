@@ -13,10 +13,18 @@ constexpr double kClear = 1e3;     ///< a slip enters a decision with this multi
 constexpr double kZeno = 0.1;      ///< z: heights below z tol L are none
 constexpr double kZenoFloor = 1e-12;
 constexpr int kMostTurns = 12;
-constexpr double kTau = 1e-9;  ///< a displacement δ is a velocity δ/τ for the time τ
+constexpr int kMostOffered = 16;  ///< rows of a contact, of laws that are refused too
+constexpr double kTau = 1e-9;     ///< a displacement δ is a velocity δ/τ for the time τ
 
 bool has(const std::vector<ContactKey>& keys, ContactKey key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+/// |γ_T| of a contact with relative velocities `gamma`, tangents from row `tangent` on.
+double speedOf(const SetValuedForceLaw& law, int dim, const double* gamma, int tangent) {
+  FrozenPhase::Bounds b;
+  FrozenPhase::bounds(law, dim, nullptr, b);  // weights are 1 where it has none
+  return slipSpeed(b, std::min(dim, Held::kMostRows) - tangent, gamma + tangent);
 }
 
 }  // namespace
@@ -85,6 +93,10 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
     }
     if (turn == kMostTurns || !staysClosed(s, next_, p, r)) break;
   }
+  if (!accelerateAlone(s, p)) {
+    r.fault = next_.fault();
+    return r;
+  }
   p.lambda = next_.lambda(), p.power = next_.power();
   smooth.rates(s, p);
   // Has any status changed?
@@ -95,6 +107,17 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   }
   phase = next_;
   return r;
+}
+
+bool SwitchEvent::accelerateAlone(MechanicalSystem& s, PhasePoint& p) {
+  // Elements may place contacts by others that are closed with them, and those that have left are
+  // no more: the phase begins with the field that it goes on with.
+  if (next_.held.size() == keys_.size()) return true;
+  closing_.clear();
+  next_.keys(closing_);
+  s.freeze(closing_);
+  s.evaluate(p.x, 1);
+  return next_.accelerate(s.slot(1), p.x.u, p.a);
 }
 
 bool SwitchEvent::impact(MechanicalSystem& s, InclusionSolver& solver, State& x, Result& r) {
@@ -196,7 +219,8 @@ double SwitchEvent::pose(InclusionProblem& p, const std::vector<ContactKey>& sto
     const auto at = static_cast<std::size_t>(i);
     const int first = p.row0(i), d = p.dim(i), t = tangent(i);
     const bool joint = p.law(i).rowKind(0) == RowKind::joint;
-    const double speed = joint || t == d ? 0.0 : gammaBefore_.segment(first + t, d - t).norm();
+    const double speed =
+        joint || t == d ? 0.0 : speedOf(p.law(i), d, gammaBefore_.data() + first, t);
     slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]) ? 1 : 0;
     for (int k = 0; k < d; ++k) {
       const auto row = static_cast<std::size_t>(first + k);
@@ -212,7 +236,7 @@ double SwitchEvent::pose(InclusionProblem& p, const std::vector<ContactKey>& sto
     const int t = tangent(i), d = p.dim(i) - t;
     Eigen::Map<Eigen::VectorXd> slip(c.data() + p.row0(i) + t, d);
     slip = gammaBefore_.segment(p.row0(i) + t, d);
-    const double speed = slip.norm();
+    const double speed = speedOf(p.law(i), p.dim(i), gammaBefore_.data() + p.row0(i), t);
     slip *= std::max(1.0, kClear * asked / speed);
   }
   p.c = c;
@@ -268,17 +292,17 @@ void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, 
   if (const Held* before = old.find(h.key)) h.mutedUntil = before->mutedUntil;
   const int tangent = normal ? 1 : 0;
   if (law.rowKind(0) != RowKind::joint && d > tangent) {
-    double square = 0.0;
-    for (int k = tangent; k < d; ++k) square += xi_[first + k] * xi_[first + k];
-    h.slips = slip != nullptr || std::sqrt(square) > kDecided * asked;
+    h.slips = slip != nullptr || speedOf(law, d, xi_.data() + first, tangent) > kDecided * asked;
     const double* direction = slip ? slip + tangent : xi_.data() + first + tangent;
     if (h.slips) h.sign = direction[0] < 0.0 ? -1.0 : 1.0;
-    if (h.slips && d - tangent == 2) {
-      const double length = std::hypot(direction[0], direction[1]);
-      h.direction = {direction[0] / length, direction[1] / length};
-      // A slip that goes on starting keeps what it has turned.
+    if (h.slips && d - tangent > 1) {
+      const double length = speedOf(law, d, direction - tangent, tangent);
+      for (int k = 0; k < d - tangent && k < Held::kMostRows - 1; ++k)
+        h.direction[static_cast<std::size_t>(k)] = direction[k] / length;
+      // A slip that goes on starting keeps what it has turned; an impact is none's beginning.
       const Held* before = old.find(h.key);
-      h.starts = slip == nullptr || (before != nullptr && before->starts);
+      const bool goesOn = before != nullptr && before->starts && percussions_.empty();
+      h.starts = slip == nullptr || goesOn;
       if (slip != nullptr && h.starts) h.turned = before->turned, h.direction = before->direction;
     }
   }
@@ -308,7 +332,7 @@ bool SwitchEvent::staysClosed(const MechanicalSystem& s, const FrozenPhase& phas
     const auto hit = std::find_if(percussions_.begin(), percussions_.end(),
                                   [&](const Percussion& q) { return q.key == c.key[i]; });
     const bool struck = hit != percussions_.end() && hit->gammaMinus[0] < -leaves_;
-    double epsilon[Held::kMostRows] = {};
+    double epsilon[kMostOffered] = {};
     c.law[i]->epsilon(c.dim(static_cast<int>(i)), epsilon);
     if (struck && epsilon[0] > 0.0 && !has(plastic_, c.key[i]))
       plastic_.push_back(c.key[i]);

@@ -38,6 +38,7 @@ class WithoutRebound final : public SetValuedForceLaw {
     return law_->proxDerivative(in, rho, xi, Lambda, A, B);
   }
   SimpleSet simpleSet(const LawInput& in) const override { return law_->simpleSet(in); }
+  const NormalTimesReservoir* reservoir() const override { return law_->reservoir(); }
   Status status(const LawInput& in, const double* argument) const override {
     return law_->status(in, argument);
   }
@@ -72,11 +73,14 @@ class SwitchEvent {
   /// Those of the last process().
   const std::vector<Percussion>& percussions() const { return percussions_; }
   const std::array<double, 5>& works() const { return works_; }
+  /// Velocities before its impact.
+  const Eigen::VectorXd& uBefore() const { return uBefore_; }
 
  private:
   bool takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x);
   bool projectPositions(MechanicalSystem& s, FrozenPhase& phase, State& x);
   void projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x);
+  bool accelerateAlone(MechanicalSystem& s, PhasePoint& p);
   bool impact(MechanicalSystem& s, InclusionSolver& solver, State& x, Result& r);
   void notePercussions(const MechanicalSystem& s);
   void shut(MechanicalSystem& s, State& x);

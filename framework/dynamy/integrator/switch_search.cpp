@@ -32,8 +32,8 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
     const FrozenPhase::Form form = phase.form(i);
     double margin = 0.0;
     const bool muted = h.mutedUntil > x.t;
-    const int row = form == FrozenPhase::Form::cone ? 1 : 0;
-    if (h.slips && phase.dim(i) - row == 1 && !muted)
+    const int row = phase.slip0(i) - phase.row0(i);
+    if (h.slips && phase.slipRows(i) == 1 && !muted)
       kinematic_.push_back({false, probe.find(h.key), row, h.sign, false});
     if (phase.margin(i, margin) && (!muted || form == FrozenPhase::Form::normal || h.slips))
       force_.push_back({false, static_cast<int>(i), 0, 1.0, false});

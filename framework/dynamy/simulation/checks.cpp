@@ -172,10 +172,12 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
     if (const double t = tA + (tE - tA) * k / parts;
         t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)
       m.add(t, inside(t));
-  if (c.to >= tE - hair)
+  if (c.to >= tE - hair) {
+    if (view.report.uBeforeImpact != nullptr) m.add(tE, sampler_.sampleBeforeImpact(view, i));
     m.add(tE, end);
-  else
+  } else {
     m.add(c.to, inside(c.to));
+  }
 }
 
 void Checks::finish(const StepView& last) { t_ = last.after.t; }

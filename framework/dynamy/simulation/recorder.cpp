@@ -63,8 +63,18 @@ void Recorder::start(const StepView& initial) {
 }
 
 void Recorder::step(const StepView& view) {
-  for (; reached(view, rows_.at(nextRow_)); ++nextRow_)
-    row(view, rows_.at(nextRow_), fraction(view, rows_.at(nextRow_)));
+  for (double t = rows_.at(nextRow_); reached(view, t) && fraction(view, t) < 1.0;
+       t = rows_.at(++nextRow_))
+    row(view, t, fraction(view, t));
+  // An impact whose instant is known has a row on each side of it.
+  const bool jumps = view.report.uBeforeImpact != nullptr;
+  if (jumps) {
+    sampler_.sampleBeforeImpact(view, values_);
+    write(view.after.t);
+  }
+  const bool due = reached(view, rows_.at(nextRow_));
+  if (due || jumps) row(view, due ? rows_.at(nextRow_) : view.after.t, 1.0);
+  if (due) ++nextRow_;
   if (poses_.empty()) return;
   for (; reached(view, frames_.at(nextFrame_)); ++nextFrame_)
     frame(view, frames_.at(nextFrame_), fraction(view, frames_.at(nextFrame_)));
@@ -79,6 +89,10 @@ void Recorder::finish(const StepView& last) {
 
 void Recorder::row(const StepView& view, double t, double theta) {
   sampler_.sample(view, theta, values_);
+  write(t);
+}
+
+void Recorder::write(double t) {
   hash_.add(t);
   hash_.add(values_);
   lastRow_ = t;

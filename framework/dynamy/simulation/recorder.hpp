@@ -36,6 +36,7 @@ class Recorder final : public Observer {
 
  private:
   void row(const StepView& view, double t, double theta);
+  void write(double t);
   void frame(const StepView& view, double t, double theta);
   void contacts(const StepView& view);
   RecordSink& sink_;

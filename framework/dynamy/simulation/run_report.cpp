@@ -16,6 +16,7 @@ void RunReport::archive(Archive& a) {
       a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
   a(located), a(accumulations), a(accumulationEnd), a(undecided);
+  a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events);
   a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);
   a(trust);
@@ -27,6 +28,8 @@ void StepStatistics::step(const StepView& v) {
   r.t = v.after.t;
   const StepCounts& counts = v.report.counts;
   r.rejected += counts.rejected, r.located += counts.switches;
+  r.effort.smooth += counts.effort.smooth, r.effort.rejected += counts.effort.rejected;
+  r.effort.switches += counts.effort.switches, r.effort.events += counts.effort.events;
   if (counts.accumulations > 0) r.accumulationEnd = counts.accumulationEnd;
   r.accumulations += counts.accumulations, r.undecided += counts.undecided;
   r.contactsMax = std::max(r.contactsMax, v.report.contacts);

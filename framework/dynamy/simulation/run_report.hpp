@@ -73,6 +73,7 @@ struct RunReport {
   long located = 0;              ///< switches whose instants were located
   long accumulations = 0;        ///< infinite sequences of impacts that were passed
   double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
+  StepEffort effort;             ///< what the evaluations of a scheme with own steps were for
   long undecided = 0;            ///< switches at which no status was consistent, or several were
   int contactsMax = 0;
   long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy

@@ -64,6 +64,12 @@ void SignalSampler::place(const StepView& view, double theta) {
                        dynamy::view(std::as_const(at_.u)), dynamy::view(view.after.memory));
 }
 
+void SignalSampler::placeBeforeImpact(const StepView& view) {
+  at_.t = view.after.t, at_.q = view.after.q, at_.u = *view.report.uBeforeImpact;
+  kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
+                       dynamy::view(std::as_const(at_.u)));
+}
+
 double SignalSampler::value(const StepView& view, const NamedSignal& s) const {
   const auto part = [](const Eigen::VectorXd& v, int first, int n) {
     return ConstVec(v.data() + first, n);
@@ -93,6 +99,17 @@ void SignalSampler::sample(const StepView& view, double theta, std::span<double>
 
 double SignalSampler::sampleOne(const StepView& view, double theta, std::size_t i) {
   place(view, theta);
+  return value(view, *signals_[i]);
+}
+
+void SignalSampler::sampleBeforeImpact(const StepView& view, std::span<double> out) {
+  if (signals_.empty()) return;
+  placeBeforeImpact(view);
+  for (std::size_t i = 0; i < signals_.size(); ++i) out[i] = value(view, *signals_[i]);
+}
+
+double SignalSampler::sampleBeforeImpact(const StepView& view, std::size_t i) {
+  placeBeforeImpact(view);
   return value(view, *signals_[i]);
 }
 

@@ -21,9 +21,13 @@ class SignalSampler {
   void sample(const StepView& view, double theta, std::span<double> out);
   /// Signal number i alone.
   double sampleOne(const StepView& view, double theta, std::size_t i);
+  /// The same right before the impact at the end of the step, which the report must have.
+  void sampleBeforeImpact(const StepView& view, std::span<double> out);
+  double sampleBeforeImpact(const StepView& view, std::size_t i);
 
  private:
   void place(const StepView& view, double theta);
+  void placeBeforeImpact(const StepView& view);
   double value(const StepView& view, const NamedSignal& signal) const;
   const Model& model_;
   std::vector<const NamedSignal*> signals_;

@@ -1,0 +1,166 @@
+// LocatedDormandPrince: ends of slip in space, starts of slip, and whether elements tell how their
+// rows turn.
+#include <algorithm>
+#include <cmath>
+#include <dynamy/integrator/located_dormand_prince.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kMostTurned = 30.0;   ///< k of theory 20.6, in units of the tolerance
+constexpr double kShareOfStop = 0.75;  ///< steps end before slip does
+constexpr double kDifference = 1e-4;   ///< of T: for γ̇ by differences
+constexpr double kBias = 1e-3;         ///< of the sum of absolute values in γ̇
+
+}  // namespace
+
+bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, double& most,
+                                StepReport& report, bool& stopped) {
+  // Slip in space ends where |γ_T| reaches zero, in a singular way: the end is taken analytically,
+  // for all contacts whose slip is that short at once.
+  stopped = false;
+  stopping_.clear();
+  double last = 0.0, bound = most;
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    const Held& h = phase_.held[i];
+    const int first = phase_.slip0(i), k = phase_.slipRows(i);
+    if (!h.slips || k < 2 || h.starts || h.mutedUntil > from_.x.t) continue;
+    double v = 0.0, along = 0.0, rate = 0.0;
+    for (int r = 0; r < k; ++r) {
+      const double w = phase_.slipWeight(i, r);
+      const double g = w * phase_.gamma()[first + r], d = w * phase_.gammaDot(first + r);
+      v += g * g, along += g * d, rate += d * d;
+    }
+    v = std::sqrt(v);
+    if (!(along < 0.0)) continue;
+    const double T = -v * v / along, path = 0.5 * v * T, tol = norm_.tolerance();
+    const double sine = std::max(0.0, 1.0 - along * along / (v * v * rate));
+    if (path > tol * norm_.length() || T * sine > 10.0 * tol * norm_.time() || T > most) {
+      bound = std::min(bound, kShareOfStop * T);
+      continue;
+    }
+    stopping_.push_back(h.key);
+    last = std::max(last, T);
+  }
+  if (stopping_.empty()) {
+    most = bound;
+    return true;
+  }
+  trial_ = from_, oldPhase_ = phase_;
+  delta_ = from_.x.u + 0.5 * last * from_.a;
+  s.move(from_.x, delta_, last);
+  from_.x.u += last * from_.a;
+  if (closesOpen()) {  // an impact comes first: it is looked for in steps
+    from_ = trial_;
+    most = std::min(bound, kShareOfStop * last);
+    return true;
+  }
+  if (!event(s, solver, from_, report, stopping_)) return false;
+  stopped = std::all_of(stopping_.begin(), stopping_.end(), [&](ContactKey key) {
+    const Held* after = phase_.find(key);
+    return after == nullptr || !after->slips;
+  });
+  if (stopped) return true;
+  from_ = trial_, phase_ = oldPhase_;  // they slip on: not a stop
+  for (Held& h : phase_.held)
+    if (std::find(stopping_.begin(), stopping_.end(), h.key) != stopping_.end())
+      h.mutedUntil = from_.x.t + 2.0 * last;
+  phaseKeys_.clear();
+  phase_.keys(phaseKeys_);
+  return evaluateEnd(s, from_);
+}
+
+bool LocatedDormandPrince::closesOpen() {
+  if (!probe_.look(from_.x)) return true;
+  for (int i = 0; i < probe_.size(); ++i)
+    if (probe_.law(i).unilateral() && probe_.gap(i) < 0.0 && phase_.find(probe_.key(i)) == nullptr)
+      return true;
+  return false;
+}
+
+double LocatedDormandPrince::turn() {
+  // What the directions of slips that start have turned in the trial, over what they may.
+  double past = 0.0;
+  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    Held& h = phase_.held[i];
+    if (!h.starts) continue;
+    const int first = phase_.slip0(i), k = phase_.slipRows(i);
+    const Held& before = startHeld_[i];
+    double speed = 0.0, along = 0.0, across = 0.0;
+    for (int turn = 0; turn < 2; ++turn)  // both have length 1: first the cosine, then the rest
+      for (int r = 0; r < k; ++r) {
+        const double w = phase_.slipWeight(i, r), g = w * phase_.gamma()[first + r];
+        const double a = w * before.direction[static_cast<std::size_t>(r)],
+                     b = w * h.direction[static_cast<std::size_t>(r)];
+        if (turn == 0)
+          along += a * b, speed += g * g;
+        else
+          across += (b - along * a) * (b - along * a);
+      }
+    h.turned = before.turned + std::sqrt(speed * across);
+    past = std::max(past, h.turned / most);
+  }
+  return past;
+}
+
+bool LocatedDormandPrince::endStarts() {
+  bool any = false;
+  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    Held& h = phase_.held[i];
+    if (!h.starts) continue;
+    double along = 0.0;
+    for (int r = 0; r < phase_.slipRows(i); ++r) {
+      const double w = phase_.slipWeight(i, r);
+      const int row = phase_.slip0(i) + r;
+      along += w * w * phase_.gamma()[row] * phase_.gammaDot(row);
+    }
+    if (h.turned > most || !(along > 0.0)) h.starts = false, any = true;
+  }
+  return any;
+}
+
+bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
+  // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8.
+  const double d = kDifference * norm_.time();
+  const auto gammaAt = [&](double tau, Eigen::VectorXd& gamma) {
+    trial_.x = p.x;
+    rates_ = p.x.u + 0.5 * tau * p.a;
+    s.move(trial_.x, rates_, tau);
+    trial_.x.u += tau * p.a;
+    s.evaluate(trial_.x, 1);
+    gamma.resize(s.slot(1).contacts.rows());
+    s.slot(1).contacts.gamma(view(std::as_const(trial_.x.u)), view(gamma));
+  };
+  s.freeze(phaseKeys_);
+  gammaAt(-d, toldDot_), gammaAt(d, gammaDot_);
+  gammaDot_ = (gammaDot_ - toldDot_) / (2.0 * d);
+  const ContactSet& c = s.slot(0).contacts;
+  c.gamma(view(p.a), view(toldDot_));
+  rates_ = p.a.cwiseAbs();
+  sums_.assign(static_cast<std::size_t>(c.rows()), 0.0);
+  c.addAbsolute(view(std::as_const(rates_)), sums_.data());
+  for (int i = 0; i < c.size(); ++i)
+    for (int r = c.row0[static_cast<std::size_t>(i)];
+         r < c.row0[static_cast<std::size_t>(i)] + c.dim(i); ++r) {
+      const auto row = static_cast<std::size_t>(r);
+      const double told = toldDot_[r] - c.chi[row] + c.bias[row], found = gammaDot_[r];
+      if (std::abs(found - told) > kBias * (sums_[row] + std::abs(found)))
+        return refuseBias(s, c.element[static_cast<std::size_t>(i)],
+                          r - c.row0[static_cast<std::size_t>(i)], told, found);
+    }
+  return true;
+}
+
+bool LocatedDormandPrince::refuseBias(const MechanicalSystem& s, int element, int row, double told,
+                                      double found) {
+  const NonSmoothElement& e = *s.parts().contacts[static_cast<std::size_t>(element)];
+  const std::string name = e.name().empty() ? "" : " name=\"" + e.name() + "\"";
+  whyOwn_ = "<" + e.type() + name + "> tells a wrong bias of its row " + std::to_string(row) +
+            ": with it γ changes by " + numberText(told) + " a second, along the motion by " +
+            numberText(found) + "; let contacts() tell γ̇ − Wᵀu̇, or run with a step";
+  return refuse(whyOwn_);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <dynamy/io/run_difference.hpp>
+
+namespace dynamy {
+namespace {
+
+/// sin t, and the same off by `error`(t), at 0 … 10 s.
+template <class Error>
+std::pair<SignalTable, SignalTable> twoRuns(Error&& error) {
+  SignalTable a, b;
+  a.signals = b.signals = {{"x", ""}};
+  a.columns.resize(1), b.columns.resize(1);
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = 0.01 * i;
+    a.t.push_back(t), b.t.push_back(t);
+    a.columns[0].push_back(std::sin(t)), b.columns[0].push_back(std::sin(t) + error(t));
+  }
+  return {a, b};
+}
+
+TEST(RunDifference, FindsTheRateOfExponentialGrowthAndWhereItEnds) {
+  const auto [a, b] = twoRuns([](double t) { return 1e-9 * std::exp(1.2 * t); });
+  const RunDifference d = runDifference(a, b);
+  EXPECT_TRUE(d.chaotic);
+  // Exact up to rounding of sin t, 1e-16 of at least 1e-9.
+  EXPECT_NEAR(d.growth, 1.2, 1e-6);
+  EXPECT_NEAR(d.horizon, std::log(RunDifference::kLost * 2.0 / 1e-9) / 1.2, 1e-3);
+}
+
+TEST(RunDifference, DoesNotTakeAPowerForChaos) {
+  const auto [a, b] = twoRuns([](double t) { return 1e-9 * std::pow(t, 4); });
+  const RunDifference d = runDifference(a, b);
+  EXPECT_FALSE(d.chaotic);
+  EXPECT_TRUE(std::isinf(d.horizon));
+  EXPECT_NEAR(d.signals[0].difference, 1e-5, 1e-12);
+}
+
+TEST(RunDifference, ComparesAtCommonInstantsAlone) {
+  SignalTable a, b;
+  a.signals = b.signals = {{"x", "m"}};
+  a.t = {0.0, 0.5, 0.5, 1.0}, a.columns = {{0.0, -1.0, 1.0, 2.0}};  // an impact at 0.5 s
+  b.t = {0.0, 0.4, 0.4, 0.5, 1.0}, b.columns = {{0.0, -9.0, 9.0, 1.5, 2.25}};
+  const RunDifference d = runDifference(a, b);
+  EXPECT_EQ(d.signals[0].end, 2.0);
+  EXPECT_EQ(d.signals[0].difference, 0.25);
+  EXPECT_EQ(d.signals[0].largest, 0.5);
+  EXPECT_EQ(d.signals[0].t, 0.5);
+}
+
+}  // namespace
+}  // namespace dynamy
