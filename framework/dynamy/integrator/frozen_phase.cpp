@@ -56,9 +56,9 @@ bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bound
   }
   // A reservoir: its widths along the rows are S_B(e_r).
   out.set = law.reservoir();
+  const int dim = in.dim;
   if (out.set == nullptr || dim < 2 || dim > Held::kMostRows) return false;
   out.form = Form::reservoir, out.upper = 0.0;
-  const LawInput in{dim, 1.0, gamma, nullptr};
   for (int r = 0; r < dim - 1; ++r) {
     double axis[Held::kMostRows] = {};
     axis[r] = 1.0;
