@@ -44,7 +44,7 @@ double FrozenPhase::gauge(std::size_t i, const double* x) const {
   // Smallest N with x ∈ N B: S_B(y) where ½ S_B² − x·y is smallest, x = S_B(y) ∇S_B(y).
   const int k = slipRows(i);
   const Bounds& b = bounds_[i];
-  const LawInput in{k + 1, 1.0, gamma_.data() + row0_[i], nullptr};
+  const LawInput in{.dim = k + 1, .dt = 1.0, .gammaA = gamma_.data() + row0_[i]};
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Held::kMostRows - 1,
                                Held::kMostRows - 1>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Held::kMostRows - 1, 1>;

@@ -23,7 +23,7 @@ bool has(const std::vector<ContactKey>& keys, ContactKey key) {
 /// |γ_T| of a contact with relative velocities `gamma`, tangents from row `tangent` on.
 double speedOf(const SetValuedForceLaw& law, int dim, const double* gamma, int tangent) {
   FrozenPhase::Bounds b;
-  FrozenPhase::bounds(law, dim, nullptr, b);  // weights are 1 where it has none
+  FrozenPhase::bounds(law, {.dim = dim, .dt = 1.0}, b);  // weights are 1 where it has none
   return slipSpeed(b, std::min(dim, Held::kMostRows) - tangent, gamma + tangent);
 }
 
