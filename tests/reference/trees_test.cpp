@@ -101,12 +101,12 @@ TEST(Trees, TurnAHeavyTopOnABallJointAsEulerAnglesDo) {
     </systems>
     <forces><Gravity acceleration="0 0 -9.81"/></forces>
     <elements><Spherical name="foot" between="world top" at="0 0 0"/></elements>)";
-  const std::string angles = R"(
+  const std::string angles = R"xml(
     <systems>
       <Coordinates name="top" q="phi theta psi" units="rad rad rad" q0="0 {pi/6} 0" u0="0 0 10"
                    kineticEnergy="0.375*(theta_dot^2 + (phi_dot*sin(theta))^2) + 0.3*(psi_dot + phi_dot*cos(theta))^2"
                    potential="4.905*cos(theta)"/>
-    </systems>)";
+    </systems>)xml";
   const Signals a(angles, "absolute", 1e-12, 2.0, {"top.phi", "top.theta"}),
       s(body, "minimal", 1e-12, 2.0, {"top.x", "top.y", "top.z"});
   const double phi = a.values[0], theta = a.values[1];
