@@ -54,7 +54,8 @@ void SheaveRope::declare(Attributes& a) {
       .mayBeAbsent();
   a.child(Kind::law, 0, 1, "law of the rope on the sheave; default: Unilateral with epsilonN = 0");
   a.example(
-      "<SheaveRope between=\"ball bob\" sheave=\"rod\" radius=\"0.25\">"
+      "<SheaveRope between=\"ball bob\" pointA=\"-0.25 0 -1\" pointB=\"0.25 0 -1\" sheave=\"rod\" "
+      "axis=\"0 1 0\" radius=\"0.25\">"
       "<BeltFriction mu=\"0.2\" wrap=\"180deg\"/></SheaveRope>");
 }
 
