@@ -16,7 +16,7 @@ bool inside(const Region& box, const Vec3& c) {
 
 Region region(const Parameters& x, const char* name) {
   const Eigen::VectorXd v = x[name].vector();
-  const Region box{v.head<3>(), v.tail<3>()};
+  Region box{v.head<3>(), v.tail<3>()};
   if ((box.low.array() > box.high.array()).any())
     throw x[name].fault("a lowest coordinate is above the highest", "lowest x y z, highest x y z",
                         0, x[name].text.size());
