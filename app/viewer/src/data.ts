@@ -1,6 +1,6 @@
 // From the JSON of the page to numbers. Formats: doc/replay.md.
 import {unzlibSync} from "fflate";
-import {clamp, lastAtOrBefore, type Pose, type Q4, type V3} from "./math";
+import {clamp, lastAtOrBefore, scaled, unit, type Pose, type Q4, type V3} from "./math";
 
 export interface SceneShape {
   kind: string; name?: string; frame: number; position: V3; orientation: Q4; colour?: string;
@@ -11,10 +11,11 @@ export interface Scene {
   view: string; follow?: number; frames: {name: string; place: string}[]; shapes: SceneShape[];
 }
 export interface PageData {
-  title: string; model: {name: string; text: string}; run: Record<string, unknown> | null; scene: Scene;
+  title: string; model: {name: string; text: string}; run: Record<string, unknown> | null; scene: string;
   frames: {
-    count: number; recorded: number; poses: number; turnSteps: number; t: string; ranges: string; orders: string;
-    data: string; contacts: {box: number[]; counts: string; data: string};
+    count: number; recorded: number; poses: number; placeSteps: number; turnSteps: number; t: string; ranges: string;
+    orders: string; data: string;
+    contacts: {box: number[]; placeSteps: number; turnSteps: number; octaveSteps: number; counts: string; data: string};
   };
   signals: {name: string; unit: string; t?: string; y: string}[];
   events: string; ledger: string;
@@ -66,12 +67,9 @@ function unfold(bytes: Uint8Array, columns: number, count: number, orders: Array
   return out;
 }
 
-const kFloatBits = new DataView(new ArrayBuffer(4));
-/** The float whose upper 16 bits are given, the lower ones being zero. */
-function upperHalfFloat(bits: number): number {
-  kFloatBits.setUint16(0, bits);
-  return kFloatBits.getFloat32(0);
-}
+const kContactColumns = 12, kNone = -32768;
+/** 2^(x / steps); nothing is 0. */
+const power = (x: number, steps: number): number => x === kNone ? 0 : 2 ** (x / steps);
 
 /** Poses and contacts of all frames. */
 export class Film {
@@ -83,8 +81,8 @@ export class Film {
 
   private constructor(
       readonly poses: number, readonly t: Float64Array, readonly lo: Float32Array, hi: Float32Array,
-      private readonly course: Uint16Array, turnSteps: number, private readonly box: number[],
-      counts: Uint32Array, private readonly contact: Uint16Array) {
+      private readonly course: Uint16Array, counts: Uint32Array, private readonly contact: Int16Array,
+      private readonly coding: PageData["frames"]) {
     this.count = t.length;
     this.now = new Float32Array(7 * poses);
     this.varying = new Int32Array(7 * poses).fill(-1);
@@ -93,7 +91,7 @@ export class Film {
     for (let k = 0; k < 7 * poses; ++k) {
       if (!(lo[k] < hi[k])) continue;
       this.varying[k] = this.columns++;
-      this.step[k] = (hi[k] - lo[k]) / (k % 7 < 3 ? 65535 : turnSteps);
+      this.step[k] = (hi[k] - lo[k]) / (k % 7 < 3 ? coding.placeSteps : coding.turnSteps);
     }
     this.firstContact = new Uint32Array(counts.length + 1);
     for (let f = 0; f < counts.length; ++f) this.firstContact[f + 1] = this.firstContact[f] + counts[f];
@@ -108,13 +106,13 @@ export class Film {
     const course = unfold(data, orders.length, t.length, orders);
     const view = viewOf(counts);
     const n = Uint32Array.from({length: view.byteLength / 4}, (_, i) => view.getUint32(4 * i, true));
-    const marks = unfold(contact, 11, contact.length / 22, new Uint8Array(11).fill(1));
-    return new Film(frames.poses, t, part(0), part(1), course, frames.turnSteps, frames.contacts.box, n, marks);
+    const marks = unfold(contact, kContactColumns, contact.length / 2 / kContactColumns, new Uint8Array(kContactColumns));
+    return new Film(frames.poses, t, part(0), part(1), course, n, new Int16Array(marks.buffer), frames);
   }
 
   get begin(): number { return this.count ? this.t[0] : 0; }
   get end(): number { return this.count ? this.t[this.count - 1] : 0; }
-  get contactCount(): number { return this.contact.length / 11; }
+  get contactCount(): number { return this.contact.length / kContactColumns; }
 
   /** Index of the last frame at or before t. */
   indexAt(t: number): number { return lastAtOrBefore(this.t, t); }
@@ -190,11 +188,12 @@ export class Film {
   }
 
   contactAt(c: number): Contact {
-    const x = this.contact.subarray(11 * c, 11 * c + 11), {box} = this;
-    const at = (k: number): number => box[2 * k] + (box[2 * k + 1] - box[2 * k]) * x[k] / 65535;
-    const n = (k: number): number => 2 * x[k] / 65535 - 1;
-    const F = (k: number): number => upperHalfFloat(x[k]);
-    return {r: [at(0), at(1), at(2)], n: [n(3), n(4), n(5)], F: [F(6), F(7), F(8)], state: x[9], limit: F(10)};
+    const x = this.contact.subarray(kContactColumns * c, kContactColumns * (c + 1));
+    const {box, placeSteps, octaveSteps} = this.coding.contacts;
+    const at = (k: number): number => box[2 * k] + (box[2 * k + 1] - box[2 * k]) * (x[k] & 0xffff) / placeSteps;
+    const n = unit([x[3], x[4], x[5]]), e = unit([x[3] + x[7], x[4] + x[8], x[5] + x[9]]);
+    const size = power(x[6], octaveSteps), limit = power(x[11], octaveSteps) * (size || 1);
+    return {r: [at(0), at(1), at(2)], n, F: scaled(e, size), state: x[10], limit};
   }
 
   /** A force that most contacts stay below: nine of ten of those that are not zero. */
@@ -209,6 +208,10 @@ export class Film {
     sizes.sort((a, b) => a - b);
     return sizes.length ? sizes[Math.floor(0.9 * (sizes.length - 1))] : 0;
   }
+}
+
+export async function sceneOf(data: PageData): Promise<Scene> {
+  return JSON.parse(new TextDecoder().decode(await inflated(data.scene))) as Scene;
 }
 
 export async function signalsOf(data: PageData): Promise<Signal[]> {

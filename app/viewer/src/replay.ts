@@ -1,6 +1,6 @@
 // The page: time, buttons, keys, panels, address. Starts at the end of this file.
 import {copyLink, readAddress} from "./address";
-import {eventsOf, Film, ledgerOf, signalsOf, type Event, type PageData, type Signal} from "./data";
+import {eventsOf, Film, ledgerOf, sceneOf, signalsOf, type Event, type PageData, type Scene, type Signal} from "./data";
 import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
 import {clamp, norm, shortNumber} from "./math";
 import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf} from "./panels";
@@ -25,7 +25,7 @@ export class Replay {
   private readonly list: EventList;
   private readonly model: SceneModel;
 
-  constructor(readonly data: PageData, readonly film: Film, private readonly signals: Signal[],
+  constructor(readonly data: PageData, readonly scene: Scene, readonly film: Film, private readonly signals: Signal[],
               private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams) {
     const times = [film.t, ...signals.map(s => s.t)].filter(t => t.length);
     this.begin = Math.min(...times.map(t => t[0]));
@@ -35,10 +35,10 @@ export class Replay {
     const wanted = address.get("theme");
     useTheme(wanted ? wanted === "dark" : matchMedia("(prefers-color-scheme: dark)").matches);
     document.documentElement.classList.toggle("dark", theme.dark);
-    this.model = new SceneModel(data.scene, film);
+    this.model = new SceneModel(scene, film);
     this.stage = new Stage(byId("stage"), this.model, {
       redraw: () => this.draw(), selected: frame => this.select(frame)}, address.get("webgl"));
-    const follow = data.scene.follow ?? -1;
+    const follow = scene.follow ?? -1;
     this.stage.follow(follow < film.poses ? follow : -1, this.t);
     const seek = (t: number): void => { this.pause().seek(t); };
     this.plots = new Plots(byId("plots"), panelsOf(signals).slice(0, 60), this.begin, this.end, seek);
@@ -46,7 +46,7 @@ export class Replay {
     this.list = new EventList(byId("events"), events, seek);
     const main = document.querySelector("main") as HTMLElement;
     main.classList.toggle("alone", !signals.length && !data.model.text && !data.run);
-    main.classList.toggle("unseen", !data.scene.shapes.length && signals.length > 0);
+    main.classList.toggle("unseen", !scene.shapes.length && signals.length > 0);
     this.fillPanels(ledger.size > 0);
     this.addTransport();
     this.addTools();
@@ -163,7 +163,7 @@ export class Replay {
 
   /** The camera goes with what is selected, or with what the model names; or it stands again. */
   setFollow(on: boolean): void {
-    const {stage} = this, named = this.data.scene.follow ?? this.film.firstMoving();
+    const {stage} = this, named = this.scene.follow ?? this.film.firstMoving();
     stage.follow(on ? (stage.selected >= 0 ? stage.selected : named) : -1, this.t);
     if (stage.selected < 0) stage.fit();
     byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", stage.followed >= 0);
@@ -183,8 +183,8 @@ export class Replay {
 
   /** Shows name, place in the model and state of a frame; one that does not exist: of none. */
   select(frame: number): void {
-    this.stage.selected = this.data.scene.frames[frame] ? frame : -1;
-    const box = byId("selected"), known = this.data.scene.frames[frame];
+    this.stage.selected = this.scene.frames[frame] ? frame : -1;
+    const box = byId("selected"), known = this.scene.frames[frame];
     box.replaceChildren();
     if (known) {
       const close = element("button", "\u00d7", "close");
@@ -212,7 +212,7 @@ export class Replay {
       ...(["x", "y", "z"].map((n, k) => [n, `${shortNumber(pose.r[k])} m`]) as [string, string][]),
       ["speed", `${shortNumber(norm(v))} m/s`], ["turned by", `${shortNumber(angle)}\u00b0`],
       ["turns with", `${shortNumber(norm(omega))} rad/s`]];
-    const owner = `${this.data.scene.frames[selected].name.split(".")[0]}.`;
+    const owner = `${this.scene.frames[selected].name.split(".")[0]}.`;
     for (const s of this.signals.filter(s => s.name.startsWith(owner) && !/\.[xyz]$/.test(s.name)).slice(0, 8)) {
       let i = s.t.length - 1;
       while (i > 0 && s.t[i] > this.t) --i;
@@ -379,9 +379,9 @@ export class Replay {
 
 async function start(): Promise<void> {
   const data = JSON.parse(byId("data").textContent ?? "") as PageData;
-  const [film, signals, events, ledger] = await Promise.all([
-    Film.from(data.frames), signalsOf(data), eventsOf(data), ledgerOf(data)]);
-  const replay = new Replay(data, film, signals, events, ledger, new URLSearchParams(location.hash.slice(1)));
+  const [scene, film, signals, events, ledger] = await Promise.all([
+    sceneOf(data), Film.from(data.frames), signalsOf(data), eventsOf(data), ledgerOf(data)]);
+  const replay = new Replay(data, scene, film, signals, events, ledger, new URLSearchParams(location.hash.slice(1)));
   Object.assign(window, {replay});  // for those who script the page
 }
 

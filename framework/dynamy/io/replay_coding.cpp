@@ -12,11 +12,13 @@
 namespace dynamy {
 namespace {
 
-constexpr std::size_t kManyPoses = 50;  // from here on 12 bits of a quaternion are enough
-/// Of so many poses nobody sees more of a body than these parts of the scene, and turns of its
-/// components in a quaternion.
-constexpr double kSeenPlace = 1.0 / 8192.0, kSeenTurn = 1.0 / 256.0;
+constexpr std::size_t kManyPoses = 50;
 constexpr std::size_t kArrows = 100;  ///< contacts of a frame that are kept in any case
+constexpr int kNone = -32768;         ///< in the place of a logarithm: the number is zero
+/// Of a few bodies each coordinate has a range of its own; of many nobody sees more than parts of
+/// the scene, and equal steps for all of them make their numbers alike, which deflates well.
+constexpr PoseSteps kFewPoses{65535, 65535}, kManyPosesSteps{8192, 512};
+constexpr ContactSteps kFewContacts{65535, 8192, 128}, kManyContacts{8192, 64, 8};
 using Column = std::vector<std::uint16_t>;
 
 /// Smallest and largest of the numbers that a coordinate takes; not finite ones do not count.
@@ -30,18 +32,12 @@ struct Range {
     hi = std::max(hi, x);
   }
   bool isConstant() const { return !(lo < hi); }
-  /// lo … hi as 0 … steps, in multiples of `unit`.
-  std::uint16_t rounded(float x, int steps = 65535, int unit = 1) const {
+  float length() const { return isConstant() ? 0.0f : hi - lo; }
+  /// lo … hi as 0 … steps.
+  std::uint16_t rounded(float x, int steps) const {
     if (isConstant() || !std::isfinite(x)) return 0;
     const double share = (static_cast<double>(x) - lo) / (static_cast<double>(hi) - lo);
-    const long c = unit * std::lround(std::clamp(share, 0.0, 1.0) * steps / unit);
-    return static_cast<std::uint16_t>(std::min<long>(c, steps));
-  }
-  /// The largest power of two whose steps are not above `seen`; 1 if one step is.
-  int unit(int steps, double seen) const {
-    int out = 1;
-    while (out < steps && 2.0 * out * (static_cast<double>(hi) - lo) <= seen * steps) out *= 2;
-    return out;
+    return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * steps));
   }
 };
 
@@ -103,9 +99,38 @@ std::vector<float> smoothPoses(const Frames& frames, const std::vector<std::size
   return poses;
 }
 
-/// Forces of an impact and of rest differ by powers of ten: the upper half of an f32.
-std::uint16_t upperHalf(float x) {
-  return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(x) >> 16);
+/// The box with all edges as long as the longest: one step for all axes.
+std::array<Range, 3> cube(std::array<Range, 3> box) {
+  float edge = 0.0f;
+  for (const Range& b : box) edge = std::max(edge, b.length());
+  for (Range& b : box)
+    if (b.lo <= b.hi) b.hi = b.lo + edge;
+  return box;
+}
+
+/// Forces of an impact and of rest differ by powers of ten: the logarithm, in steps.
+int logarithm(double x, int octaveSteps) {
+  if (!(x > 0.0) || !std::isfinite(x)) return kNone;
+  return static_cast<int>(std::clamp(std::lround(std::log2(x) * octaveSteps), -32767L, 32767L));
+}
+
+/// A contact as 12 integers (doc/replay.md).
+std::array<int, kContactColumns> codedContact(const float* x, const std::array<Range, 3>& box,
+                                              const ContactSteps& steps) {
+  const auto of = [](float part) { return std::isfinite(part) ? static_cast<double>(part) : 0.0; };
+  const double size = std::hypot(of(x[6]), of(x[7]), of(x[8]));
+  std::array<int, kContactColumns> out{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    out[k] = box[k].rounded(x[k], steps.place);
+    out[3 + k] = static_cast<int>(std::lround(std::clamp(of(x[3 + k]), -1.0, 1.0) * steps.turn));
+    if (size > 0.0)
+      out[7 + k] = static_cast<int>(std::lround(of(x[6 + k]) / size * steps.turn)) - out[3 + k];
+  }
+  out[6] = logarithm(size, steps.octave);
+  out[10] = static_cast<int>(x[9]);
+  const double limit = of(x[10]);
+  out[11] = logarithm(size > 0.0 ? limit / size : limit, steps.octave);
+  return out;
 }
 
 /// Indices of the contacts of frame f that are kept, ascending.
@@ -149,33 +174,30 @@ std::vector<std::size_t> keptFrames(std::size_t count, std::size_t stride) {
 CodedPoses codedPoses(const Frames& frames, const std::vector<std::size_t>& kept) {
   const std::vector<float> poses = smoothPoses(frames, kept);
   const std::size_t width = frames.poses * Frames::kPoseNumbers;
-  CodedPoses out;
-  if (frames.poses >= kManyPoses) out.turnSteps = 4095;
   const bool many = frames.poses >= kManyPoses;
   std::vector<Range> ranges(width);
-  double extent = 0.0;  // of the scene
   std::array<Range, 3> box;
   for (std::size_t k = 0; k < width; ++k) {
     for (std::size_t at = k; at < poses.size(); at += width) ranges[k].take(poses[at]);
     const std::size_t axis = k % Frames::kPoseNumbers;
     if (axis < 3) box[axis].take(ranges[k].lo), box[axis].take(ranges[k].hi);
   }
-  for (const Range& b : box)
-    if (!b.isConstant()) extent = std::max(extent, static_cast<double>(b.hi) - b.lo);
+  const std::array<Range, 3> scene = cube(box);
+  CodedPoses out;
+  out.steps = many ? kManyPosesSteps : kFewPoses;
   Planes planes;
   Column column;
   for (std::size_t k = 0; k < width; ++k) {
-    Range& range = ranges[k];
+    Range range = ranges[k];
     if (range.lo > range.hi) range = {0, 0};
+    const std::size_t axis = k % Frames::kPoseNumbers;
+    if (many && !range.isConstant()) range = axis < 3 ? scene[axis] : Range{-1, 1};
     appendBytes(out.ranges, range.lo);
     appendBytes(out.ranges, range.hi);
     if (range.isConstant()) continue;
     column.clear();
-    const bool place = k % Frames::kPoseNumbers < 3;
-    const int steps = place ? 65535 : out.turnSteps;
-    const int unit = many ? range.unit(steps, place ? kSeenPlace * extent : kSeenTurn) : 1;
     for (std::size_t at = k; at < poses.size(); at += width)
-      column.push_back(range.rounded(poses[at], steps, unit));
+      column.push_back(range.rounded(poses[at], axis < 3 ? out.steps.place : out.steps.turn));
     const int order = bestOrder(column);
     out.orders += static_cast<char>(order);
     planes.add(column, order);
@@ -185,14 +207,16 @@ CodedPoses codedPoses(const Frames& frames, const std::vector<std::size_t>& kept
 }
 
 CodedContacts codedContacts(const Frames& frames, const std::vector<std::size_t>& kept) {
+  const bool many = frames.poses >= kManyPoses;
   std::array<Range, 3> box;
   for (std::size_t at = 0; at < frames.contact.size(); at += Frames::kContactNumbers)
     for (std::size_t k = 0; k < 3; ++k) box[k].take(frames.contact[at + k]);
-  constexpr Range normal{-1, 1};
+  if (many) box = cube(box);
   CodedContacts out;
-  std::array<Column, Frames::kContactNumbers> columns;
-  const std::size_t most = frames.poses < kManyPoses ? std::numeric_limits<std::size_t>::max()
-                                                     : std::max(kArrows, frames.poses / 10);
+  out.steps = many ? kManyContacts : kFewContacts;
+  std::array<Column, kContactColumns> columns;
+  const std::size_t most =
+      many ? std::max(kArrows, frames.poses / 10) : std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> shown;
   for (const std::size_t f : kept) {
     strongest(frames, f, most, shown);
@@ -200,16 +224,13 @@ CodedContacts codedContacts(const Frames& frames, const std::vector<std::size_t>
     out.recorded = std::max(out.recorded, recorded), out.kept = std::max(out.kept, shown.size());
     appendBytes(out.counts, static_cast<std::uint32_t>(shown.size()));
     for (const std::size_t c : shown) {
-      const float* const x = &frames.contact[c * Frames::kContactNumbers];
-      for (std::size_t k = 0; k < 3; ++k) columns[k].push_back(box[k].rounded(x[k]));
-      for (std::size_t k = 3; k < 6; ++k) columns[k].push_back(normal.rounded(x[k]));
-      for (std::size_t k = 6; k < 9; ++k) columns[k].push_back(upperHalf(x[k]));
-      columns[9].push_back(static_cast<std::uint16_t>(x[9]));
-      columns[10].push_back(upperHalf(x[10]));
+      const auto x = codedContact(&frames.contact[c * Frames::kContactNumbers], box, out.steps);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        columns[k].push_back(static_cast<std::uint16_t>(x[k]));
     }
   }
   Planes planes;
-  for (const Column& column : columns) planes.add(column, 1);
+  for (const Column& column : columns) planes.add(column, 0);
   out.data = planes.text();
   const bool any = !columns[0].empty();
   for (std::size_t k = 0; k < 3; ++k)

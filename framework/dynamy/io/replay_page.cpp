@@ -28,7 +28,8 @@ std::string timesOf(const Frames& frames, const std::vector<std::size_t>& kept) 
 void writeFrames(JsonWriter& json, const Frames& frames, const std::vector<std::size_t>& kept,
                  const CodedPoses& poses, const CodedContacts& contacts) {
   json.beginObject().member("count", kept.size()).member("recorded", frames.t.size());
-  json.member("poses", frames.poses).member("turnSteps", poses.turnSteps);
+  json.member("poses", frames.poses);
+  json.member("placeSteps", poses.steps.place).member("turnSteps", poses.steps.turn);
   packedMember(json, "t", timesOf(frames, kept));
   packedMember(json, "ranges", poses.ranges);
   packedMember(json, "orders", poses.orders);
@@ -37,6 +38,8 @@ void writeFrames(JsonWriter& json, const Frames& frames, const std::vector<std::
   json.key("box").beginArray();
   for (const float x : contacts.box) json.value(x);
   json.endArray();
+  json.member("placeSteps", contacts.steps.place).member("turnSteps", contacts.steps.turn);
+  json.member("octaveSteps", contacts.steps.octave);
   packedMember(json, "counts", contacts.counts);
   json.key("data").raw('"' + contacts.data + '"').endObject().endObject();
 }
@@ -93,13 +96,13 @@ std::string replayData(const Frames& frames, const SignalTable& signals, const R
                        ReplaySize* size) {
   std::string data;
   JsonWriter json(data);
-  json.beginObject().member("format", "dynamy-replay").member("version", 2);
+  json.beginObject().member("format", "dynamy-replay").member("version", 3);
   json.member("title", text.title);
   json.key("model").beginObject();
   json.member("name", text.modelName).member("text", text.modelText).endObject();
   json.key("run").raw(text.runJson.empty() ? "null" : text.runJson);
-  json.key("scene").raw(frames.scene.empty() ? R"({"view":"","frames":[],"shapes":[]})"
-                                             : frames.scene);
+  packedMember(json, "scene",
+               frames.scene.empty() ? R"({"view":"","frames":[],"shapes":[]})" : frames.scene);
   ReplaySize counted;
   json.key("frames");
   writeFrames(json, frames, text.frameBytes, counted);

@@ -113,24 +113,98 @@ TEST(CodedPoses, ATumblingHeapTakesAtMostEightBytesABodyAndFrame) {
   EXPECT_LE(coded.data.size(), 8 * frames.poses * kFrames);
 }
 
-TEST(CodedContacts, AreReadBack) {
+TEST(CodedPoses, OfManyBodiesShareTheirSteps) {
+  // 60 points on a line of 8.192 m; each moves a little. Steps are 1 mm for every axis of each.
   Frames frames;
-  frames.poses = 0;
-  frames.t = {0.0, 1.0};
-  frames.contact = {0, 0, 0, 0, 0, 1, 1, -2, 8, 2, 3, 4, 2, 1, 0, 1, 0, 0, 0, 0.5f, 1, 5};
-  frames.firstContact = {0, 2, 2};
-  const CodedContacts coded = codedContacts(frames, keptFrames(2, 1));
-  EXPECT_EQ(readBytes<std::uint32_t>(coded.counts.data()), 2u);
-  EXPECT_EQ(readBytes<std::uint32_t>(&coded.counts[4]), 0u);
-  const auto c = columns(unpacked(coded.data), std::string(11, '\1'));
-  EXPECT_EQ(coded.box, (std::array<float, 6>{0, 4, 0, 2, 0, 1}));
-  EXPECT_EQ(c[0], (std::vector<int>{0, 65535}));
-  EXPECT_EQ(c[5], (std::vector<int>{65535, 32768}));  // 1 and 0 in −1 … 1
-  const std::vector<std::vector<float>> upper = {{1, 0}, {-2, 0}, {8, 0.5f}};
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t i = 0; i < 2; ++i)  // these floats have an empty lower half
-      EXPECT_EQ(c[6 + k][i], static_cast<int>(std::bit_cast<std::uint32_t>(upper[k][i]) >> 16));
-  EXPECT_EQ(c[9], (std::vector<int>{2, 1}));
+  frames.poses = 60;
+  const auto x = [](std::size_t f, std::size_t i) {
+    return static_cast<float>(i) * 8.192f / 59.f - (f == 1 ? 0.002f * (i == 59 ? 1.f : 0.5f) : 0.f);
+  };
+  for (std::size_t f = 0; f < 2; ++f) {
+    frames.t.push_back(static_cast<double>(f));
+    frames.firstContact.push_back(0);
+    for (std::size_t i = 0; i < frames.poses; ++i)
+      for (const float c : {x(f, i), 1.f, 2.f, 1.f, 0.f, 0.f, 0.f}) frames.pose.push_back(c);
+  }
+  const CodedPoses coded = codedPoses(frames, keptFrames(2, 1));
+  EXPECT_EQ(coded.steps.place, 8192);
+  ASSERT_EQ(coded.orders.size(), 60u);
+  const auto course = columns(unpacked(coded.data), coded.orders);
+  const auto lo = readBytes<float>(coded.ranges.data()), hi = readBytes<float>(&coded.ranges[4]);
+  for (std::size_t i = 0; i < 60; ++i) {
+    EXPECT_EQ(readBytes<float>(&coded.ranges[56 * i]), lo);
+    EXPECT_EQ(readBytes<float>(&coded.ranges[56 * i + 4]), hi);
+    for (std::size_t f = 0; f < 2; ++f)  // half a step, and what single precision leaves of 8 m
+      EXPECT_NEAR(static_cast<double>(lo) + (static_cast<double>(hi) - lo) * course[i][f] / 8192,
+                  x(f, i), 0.5e-3 + 2e-6);
+  }
+}
+
+/// Contacts of a film of `poses` poses that stand.
+Frames standing(std::size_t poses, const std::vector<std::vector<float>>& contacts) {
+  Frames frames;
+  frames.poses = poses;
+  frames.t = {0.0};
+  for (std::size_t i = 0; i < poses; ++i)
+    for (const float c : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f}) frames.pose.push_back(c);
+  for (const auto& c : contacts) frames.contact.insert(frames.contact.end(), c.begin(), c.end());
+  frames.firstContact = {0, contacts.size()};
+  return frames;
+}
+
+double powerOf(int x, int steps) {
+  return x == -32768 ? 0.0 : std::exp2(static_cast<double>(x) / steps);
+}
+
+/// Point, normal, force, state and limit as the document says they are read.
+std::vector<double> decoded(const CodedContacts& coded, const std::vector<std::vector<int>>& c,
+                            std::size_t i) {
+  std::vector<double> out;
+  std::array<int, 12> x{};
+  for (std::size_t k = 0; k < 12; ++k) x[k] = static_cast<std::int16_t>(c[k][i]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double lo = static_cast<double>(coded.box[2 * k]);
+    out.push_back(lo +
+                  (static_cast<double>(coded.box[2 * k + 1]) - lo) * c[k][i] / coded.steps.place);
+  }
+  const double n = std::hypot(x[3], x[4], x[5]);
+  for (std::size_t k = 3; k < 6; ++k) out.push_back(x[k] / n);
+  const double e = std::hypot(x[3] + x[7], x[4] + x[8], x[5] + x[9]);
+  const double size = powerOf(x[6], coded.steps.octave);
+  for (std::size_t k = 3; k < 6; ++k) out.push_back(size * (x[k] + x[4 + k]) / (e > 0 ? e : 1.0));
+  out.push_back(x[10]);
+  out.push_back(powerOf(x[11], coded.steps.octave) * (size > 0.0 ? size : 1.0));
+  return out;
+}
+
+TEST(CodedContacts, AreReadBackWithinTheirSteps) {
+  const std::vector<std::vector<float>> contacts = {
+      {0, 0, 0, 0, 0, 1, 1, -2, 8, 2, 3},                 // slips
+      {4, 2, 0, 1, 0, 0, 0, 0, 0, 1, 5},                  // no force, but a limit
+      {1, 0.3f, -2, 0.6f, 0, 0.8f, 6e5f, 0, 8e5f, 3, 0},  // along the normal, large, no limit
+      {1, 0, 0, 0, -1, 0, 1e-6f, 1e-6f, 1e-6f, 1, 4e-7f}};
+  for (const std::size_t poses : {1u, 60u}) {
+    const CodedContacts coded = codedContacts(standing(poses, contacts), keptFrames(1, 1));
+    EXPECT_EQ(readBytes<std::uint32_t>(coded.counts.data()), 4u);
+    const auto c = columns(unpacked(coded.data), std::string(12, '\0'));
+    // half a step: of a part of the box (edge 4 m), of each component, of an octave
+    const double place = 0.51 * 4.0 / coded.steps.place, turn = 1.5 / coded.steps.turn;
+    const double share = std::exp2(0.51 / coded.steps.octave) - 1.0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto& x = contacts[i];
+      const auto y = decoded(coded, c, i);
+      const double size = std::hypot(x[6], x[7], x[8]);
+      for (std::size_t k = 0; k < 11; ++k) {
+        const double limit = static_cast<double>(x[10]);
+        const double error = k < 3    ? place
+                             : k < 6  ? turn
+                             : k < 9  ? (turn + share) * size
+                             : k == 9 ? 0.0
+                                      : 2.1 * share * limit;
+        EXPECT_NEAR(y[k], static_cast<double>(x[k]), error) << "contact " << i << ", number " << k;
+      }
+    }
+  }
 }
 
 }  // namespace

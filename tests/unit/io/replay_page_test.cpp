@@ -88,7 +88,7 @@ TEST(WriteReplay, MakesThePageFromTheFilesOfARun) {
   writeReplay(folder.path());
   const std::string page = readWholeFile(folder.replay());
   EXPECT_NE(page.find("\"title\":\"my_run\""), std::string::npos);
-  EXPECT_NE(page.find("m.xml:3"), std::string::npos);
+  EXPECT_NE(page.find("\"scene\":\""), std::string::npos);
   EXPECT_NE(page.find("dynamy-run"), std::string::npos);
 }
 
