@@ -8,7 +8,7 @@ namespace {
 
 /// Rates of tangents(n): the derivative of their formula along ṅ.
 void tangentRates(const Vec3& n, const Vec3& ndot, Vec3& t1dot, Vec3& t2dot) {
-  const double s = n.z() >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z()), adot = a * a * ndot.z();
+  const double s = tangentSide(n), a = -1.0 / (s + n.z()), adot = a * a * ndot.z();
   const double bdot = (ndot.x() * n.y() + n.x() * ndot.y()) * a + n.x() * n.y() * adot;
   t1dot = Vec3(s * (2.0 * n.x() * ndot.x() * a + n.x() * n.x() * adot), s * bdot, -s * ndot.x());
   t2dot = Vec3(bdot, 2.0 * n.y() * ndot.y() * a + n.y() * n.y() * adot, -ndot.y());

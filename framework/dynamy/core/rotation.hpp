@@ -68,10 +68,14 @@ inline void quaternionRate(const double* p, const Vec3& Omega_K, double* pdot) {
   pdot[3] = 0.5 * (w * c + x * b - y * a);
 }
 
+/// The sign s in the formula of tangents(). They jump where it changes: far from n.z = 0, the
+/// normals between balls of one layer, whose impulses of the step before would fit no more.
+inline double tangentSide(const Vec3& n) { return n.z() > -0.9 ? 1.0 : -1.0; }
+
 /// Two unit vectors t1, t2 that complete the unit normal n to a right-handed frame (n, t1, t2);
-/// continuous in n except at one point.
+/// continuous in n except at n.z = −0.9.
 inline void tangents(const Vec3& n, Vec3& t1, Vec3& t2) {
-  const double s = n.z() >= 0.0 ? 1.0 : -1.0, a = -1.0 / (s + n.z()), b = n.x() * n.y() * a;
+  const double s = tangentSide(n), a = -1.0 / (s + n.z()), b = n.x() * n.y() * a;
   t1 = Vec3(1.0 + s * n.x() * n.x() * a, s * b, -s * n.x());
   t2 = Vec3(b, s + n.y() * n.y() * a, -n.y());
 }
