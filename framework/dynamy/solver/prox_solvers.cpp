@@ -16,9 +16,9 @@ Relaxation relaxationByName(const std::string& word) {
   return Relaxation::exact;
 }
 
-/// A sweep that changes Λ by less than this fraction of the tolerance is worth a full residual
-/// test.
-constexpr double kPreTest = 10.0;
+/// Residual over the change of the sweep before it, as long as no test has told better. A sweep
+/// that makes this promise worth the tolerance is worth a full test, which costs as much as three.
+constexpr double kPart = 0.1;
 /// Stalled: the best residual is not below this part of itself …
 constexpr double kProgress = 0.99;
 /// … as many sweeps ago, or half of all.
@@ -99,7 +99,7 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
 
 void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report) {
   const int passes = options_.symmetric ? 2 : 1;
-  double first = -1.0, mark = report.residuals.largest();
+  double first = -1.0, mark = report.residuals.largest(), part = kPart;
   Residuals best = report.residuals;
   Vec(best_.data(), problem.rows()) = Lambda;
   int nextTest = 1, marked = 0;
@@ -120,8 +120,9 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
     // The change alone would flatter a creeping iteration: it only says when the full test is worth
     // its price.
     const bool last = lost || report.iterations >= options_.maxIterations;
-    if (d > kPreTest * options_.tolerance && report.iterations < nextTest && !last) continue;
+    if (part * d > options_.tolerance && report.iterations < nextTest && !last) continue;
     const Residuals now = residuals(problem, view(Lambda), scratch_);
+    if (d > 0.0) part = std::max(kPart, now.largest() / d);
     if (now.largest() < best.largest()) {
       best = now;
       Vec(best_.data(), problem.rows()) = Lambda;
@@ -135,7 +136,7 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
       break;
     }
     problem.G->begin(Lambda.data());
-    nextTest = report.iterations + passes + report.iterations / 8;
+    nextTest = 2 * report.iterations + passes;
   }
   Lambda = ConstVec(best_.data(), problem.rows());
   report.residuals = best;
