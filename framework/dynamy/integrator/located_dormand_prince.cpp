@@ -13,6 +13,7 @@ constexpr double kMuted = 1e-3;       ///< of the step
 constexpr double kProject = 1e-3;     ///< corrections below this part of the tolerance wait
 constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
 constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
+constexpr int kMostFirst = 8;         ///< contacts that close before the one that was found
 constexpr int kMostTries = 2000;      ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
@@ -73,7 +74,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   report.counts.accumulations += r.accumulations;
   if (r.accumulations > 0) report.counts.accumulationEnd = r.accumulationEnd;
   report.counts.undecided += r.undecided ? 1 : 0;
-  for (const Percussion& q : event_.percussions()) told_.push_back(q);
+  keepPercussions(p.x.t);
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
   phaseKeys_.clear();
@@ -149,7 +150,13 @@ bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w
   s.freeze(phaseKeys_);
   const double length = w.theta * h;
   if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_.fault());
-  return evaluateEnd(s, to_) && polish(s, length, w);
+  if (!evaluateEnd(s, to_)) return false;
+  Switch first = w;
+  for (int i = 0; i < kMostFirst; ++i) {
+    if (!polish(s, length, first)) return false;
+    if (!search_.closedBefore(probe_, to_.x, first)) return true;
+  }
+  return true;
 }
 
 bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w) {
@@ -210,7 +217,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
                                  StepReport& report) {
   const bool same = system_ == &s;
   why_ = {}, system_ = &s, denseReady_ = false;
-  told_.clear(), works_ = {};
+  told_.clear(), impacts_.clear(), works_ = {};
   booked_ = s.evaluations(), tImpact_ = -1e300;
   stepKeys_.clear(), impulse_.resize(0);
   s.bias(true);

@@ -65,6 +65,8 @@ class LocatedDormandPrince : public OneStep {
             bool& stopped);
   void noteNull(const SwitchEvent::Result& r, const PhasePoint& p);
   void keepImpulses();
+  void keepPercussions(double t);
+  Status status(std::size_t i) const;  ///< of held[i]
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
   void book(const MechanicalSystem& s, long StepEffort::*what, StepReport& report);
@@ -89,6 +91,7 @@ class LocatedDormandPrince : public OneStep {
   std::vector<Impulse> stepKeys_;
   std::vector<Held> startHeld_;  // at the start of the step
   std::vector<Percussion> told_;
+  std::vector<LocatedImpact> impacts_;
   std::vector<HeldStatus> statuses_;
   Eigen::VectorXd delta_, impulse_, stored_;
   std::array<double, 5> works_{};

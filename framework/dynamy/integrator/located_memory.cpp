@@ -71,6 +71,24 @@ void LocatedDormandPrince::keepImpulses() {
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += smooth_.works()[k];
 }
 
+Status LocatedDormandPrince::status(std::size_t i) const {
+  const FrozenPhase::Form form = phase_.form(i);
+  if (form == FrozenPhase::Form::joint) return Status::locked;
+  return phase_.held[i].slips || form == FrozenPhase::Form::normal ? Status::slip : Status::stick;
+}
+
+void LocatedDormandPrince::keepPercussions(double t) {
+  const double floor = 1e-9 * norm_.length();  // [m/s], as for schemes with fixed steps
+  for (const Percussion& q : event_.percussions()) {
+    told_.push_back(q);
+    if (!q.unilateral || !(-q.gammaMinus[0] > floor && q.Lambda[0] > 0.0)) continue;
+    Status after = Status::open;
+    for (std::size_t i = 0; i < phase_.held.size(); ++i)
+      if (phase_.held[i].key == q.key) after = status(i);
+    impacts_.push_back({q.key, t, after, -q.gammaMinus[0], q.Lambda[0]});
+  }
+}
+
 void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& report) {
   InclusionProblem& p = s.impactProblem(x, report.dt, 0);
   const ContactSet& c = *p.contacts;
@@ -97,14 +115,9 @@ void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& repor
   }
   p.gammaFree = p.gammaA;
   statuses_.clear();
-  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
-    const FrozenPhase::Form form = phase_.form(i);
-    const bool slips = phase_.held[i].slips || form == FrozenPhase::Form::normal;
-    statuses_.push_back({phase_.held[i].key, form == FrozenPhase::Form::joint ? Status::locked
-                                             : slips                          ? Status::slip
-                                                                              : Status::stick});
-  }
-  report.ownStatuses = true, report.statuses = statuses_;
+  for (std::size_t i = 0; i < phase_.held.size(); ++i)
+    statuses_.push_back({phase_.held[i].key, status(i)});
+  report.ownStatuses = true, report.statuses = statuses_, report.impacts = impacts_;
   x.impulses = {};
   report.contacts = c.size();
   report.works = {true, works_[0], works_[1], works_[2], works_[3], works_[4]};

@@ -44,6 +44,15 @@ struct HeldStatus {
   Status status = Status::open;
 };
 
+/// Impact of a contact within a step, of schemes that find its instant.
+struct LocatedImpact {
+  ContactKey key;
+  double t = 0.0;               ///< [s]
+  Status after = Status::open;  ///< right after it
+  double speed = 0.0;           ///< of approach, −γ_N⁻ [m/s]
+  double Lambda = 0.0;          ///< normal percussion [N s]
+};
+
 struct StepReport {
   double dt = 0.0;  ///< length of the step that was taken [s]
   SolveReport solved;
@@ -54,6 +63,8 @@ struct StepReport {
   StepWorks works{};
   bool ownStatuses = false;                ///< statuses are those below, all others are open
   std::span<const HeldStatus> statuses{};  ///< valid until the next step
+  /// With own statuses: all impacts of the step, also of contacts that are far away at its end.
+  std::span<const LocatedImpact> impacts{};
   /// Velocities right before an impact at the end of the step, the scheme's own until its next
   /// step; null: there is none.
   const Eigen::VectorXd* uBeforeImpact = nullptr;

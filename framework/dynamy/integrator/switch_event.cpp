@@ -44,19 +44,24 @@ bool SwitchEvent::takePart(ContactProbe& probe, const FrozenPhase& phase, const 
   return true;
 }
 
-bool SwitchEvent::projectPositions(MechanicalSystem& s, FrozenPhase& phase, State& x) {
-  bool moved = false;
+void SwitchEvent::projectPositions(MechanicalSystem& s, State& x) {
+  // What is held and what touches together: with the held alone, those that touch would be moved
+  // into their partners by what the held have drifted.
+  shutPhase_.held.clear();
+  for (const ContactKey key : s.slot(0).contacts.key) {
+    shutPhase_.held.push_back({});
+    shutPhase_.held.back().key = key;
+  }
   const double t = x.t;
-  for (int i = 0; i < 4 && phase.positionCorrection(s.slot(0), delta_); ++i) {
+  for (int i = 0; i < 4 && shutPhase_.positionCorrection(s.slot(0), delta_); ++i) {
     const double size = delta_.lpNorm<Eigen::Infinity>();
     if (!(size > 0.0)) break;
     delta_ /= kTau;
     s.move(x, delta_, kTau);
-    x.t = t, moved = true;
+    x.t = t;
     s.evaluate(x, 0);
     if (size < 1e-12 * norm_->length()) break;
   }
-  return moved;
 }
 
 void SwitchEvent::projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x) {
@@ -76,7 +81,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   }
   s.freeze(keys_);
   s.evaluate(x, 0);
-  projectPositions(s, phase, x);
+  projectPositions(s, x);
   projectVelocities(s, phase, x);
   uBefore_ = x.u;
   for (int turn = 0;; ++turn) {
@@ -156,7 +161,11 @@ void SwitchEvent::notePercussions(const MechanicalSystem& s) {
   const ContactSet& c = s.slot(0).contacts;
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    Percussion p{c.key[at], std::min(c.dim(i), Held::kMostRows), {}, {}};
+    Percussion p{c.key[at],
+                 std::min(c.dim(i), Held::kMostRows),
+                 {},
+                 {},
+                 c.law[at]->rowKind(0) == RowKind::normal};
     for (int k = 0; k < p.dim; ++k) {
       const int row = c.row0[at] + k;
       const double Lambda = s.Lambda(row), work = 0.5 * Lambda * (gammaBefore_[row] + gamma_[row]);

@@ -52,6 +52,7 @@ struct Percussion {
   ContactKey key;
   int dim = 0;
   std::array<double, Held::kMostRows> Lambda{}, gammaMinus{};
+  bool unilateral = false;
 };
 
 class SwitchEvent {
@@ -78,7 +79,7 @@ class SwitchEvent {
 
  private:
   bool takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x);
-  bool projectPositions(MechanicalSystem& s, FrozenPhase& phase, State& x);
+  void projectPositions(MechanicalSystem& s, State& x);
   void projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x);
   bool accelerateAlone(MechanicalSystem& s, PhasePoint& p);
   bool impact(MechanicalSystem& s, InclusionSolver& solver, State& x, Result& r);

@@ -145,7 +145,13 @@ bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path,
   const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
   int j = 1;
   while (j <= kSamples && !(values_(monitor, j) < -noise(k))) ++j;
-  if (j > kSamples) return true;
+  if (j > kSamples) {
+    // A gap that closes right at the end is a switch there, not one at the start of the next step.
+    const double end = values_(monitor, kSamples), rate = rates_(monitor, kSamples);
+    if (k.gap && !k.zeroStart && end <= kStart * noise(k) && rate < 0.0 && first.theta > 1.0)
+      first = {Switch::Kind::root, 1.0, false, monitor, rate};
+    return true;
+  }
   double b = static_cast<double>(j) / kSamples, a = b - 1.0 / kSamples;
   if (a >= first.theta) return true;
   double fb = values_(monitor, j), fa = values_(monitor, j - 1);
@@ -275,6 +281,22 @@ bool SwitchSearch::find(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& p
     if (!forceSwitch(s, phase, path, m, width, first)) return false;
   if (first) out = first;
   return true;
+}
+
+bool SwitchSearch::closedBefore(ContactProbe& probe, const State& x, Switch& w) {
+  if (!gaps() || !probe.look(x)) return false;
+  Switch first;
+  double longest = 0.0;
+  for (std::size_t m = 0; m < kinematic_.size(); ++m) {
+    const Monitor& k = kinematic_[m];
+    if (!k.gap || (!w.force && static_cast<int>(m) == w.monitor)) continue;
+    const double gap = probe.gap(k.contact), rate = probe.gamma(k.contact);
+    if (!(gap < -gapNoise_ && rate < 0.0 && gap / rate > longest)) continue;
+    longest = gap / rate;
+    first = {Switch::Kind::root, w.theta, false, static_cast<int>(m), rate};
+  }
+  if (first) w = first;
+  return bool(first);
 }
 
 bool SwitchSearch::value(ContactProbe& probe, const FrozenPhase& phase, const State& x,

@@ -39,6 +39,9 @@ class SwitchSearch {
   /// Value of the monitor of `w` at x, by kinematics or with the forces the phase has there.
   bool value(ContactProbe& probe, const FrozenPhase& phase, const State& x, const Switch& w,
              double& out);
+  /// True: at x, where `w` was found, another contact has closed before: w is its switch then. Two
+  /// that close soon after one another may change places between the path and the true motion.
+  bool closedBefore(ContactProbe& probe, const State& x, Switch& w);
   /// True: there are open contacts.
   bool gaps() const { return !kinematic_.empty() && kinematic_.front().gap; }
   bool any() const { return !kinematic_.empty() || !force_.empty(); }

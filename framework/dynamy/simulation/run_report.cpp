@@ -87,12 +87,17 @@ void StepStatistics::statuses(const StepView& v) {
   for (int i = 0; i < c.size(); ++i) {
     const ContactKey key = c.key[static_cast<std::size_t>(i)];
     now_.push_back({key, statusAfter(v, i), impacts_(v, i)});
-    if (!now_.back().impact) continue;
+    if (!now_.back().impact || v.report.ownStatuses) continue;
     ++report_.impacts;
     if (sink_ == nullptr) continue;
     const int row = c.row0[static_cast<std::size_t>(i)];
     sink_->event({v.after.t, key, Status::open, now_.back().status, true,
                   -v.system.problem().gammaA[static_cast<std::size_t>(row)], v.Lambda[row]});
+  }
+  for (const LocatedImpact& i : v.report.impacts) {
+    ++report_.impacts;
+    if (sink_ != nullptr)
+      sink_->event({i.t, i.key, Status::open, i.after, true, i.speed, i.Lambda});
   }
   const auto less = [](const Seen& a, const Seen& b) { return a.key < b.key; };
   if (!std::is_sorted(now_.begin(), now_.end(), less)) std::sort(now_.begin(), now_.end(), less);

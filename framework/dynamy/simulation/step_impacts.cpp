@@ -14,6 +14,9 @@ constexpr double kImpact = 4.0;
 bool StepImpacts::operator()(const StepView& view, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;
   const auto at = static_cast<std::size_t>(contact);
+  if (view.report.ownStatuses)
+    return std::any_of(view.report.impacts.begin(), view.report.impacts.end(),
+                       [&](const LocatedImpact& i) { return i.key == c.key[at]; });
   if (c.law[at]->rowKind(0) != RowKind::normal) return false;
   const auto row = static_cast<std::size_t>(c.row0[at]);
   const InclusionProblem& p = view.system.problem();

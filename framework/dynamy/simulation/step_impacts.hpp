@@ -12,7 +12,7 @@ class StepImpacts {
   /// True if the contact closed with an approach speed −γ_N^A greater than what smooth forces alone
   /// change in one step, |γ_free − γ^A|, and carried a normal percussion. The settling of a resting
   /// contact is no impact then, and no threshold has to be chosen; speeds below 1e-9 of the scene's
-  /// length per second do not count.
+  /// length per second do not count. A scheme that finds impacts itself tells which there were.
   bool operator()(const StepView& view, int contact);
 
  private:
