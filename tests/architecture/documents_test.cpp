@@ -165,18 +165,38 @@ TEST(Documents, EquationNumbersOfOnePageAreUnique) {
 }
 
 TEST(Documents, EverySnippetIsTakenOutByATest) {
-  // Of the architecture the next test speaks; theory shows what is planned.
+  // Of the architecture the next test speaks, of the reference the tests of the program.
   const std::set<std::string> languages{"```xml", "```cpp", "```python", "```cmake"};
   for (const SourceFile* file : filesUnder({"doc/", "README.md"}, {".md"})) {
     const std::string& path = file->path;
-    if (path.starts_with("doc/reference/") || path.starts_with("doc/theory/")) continue;
-    if (path == "doc/architecture.md") continue;
+    if (path.starts_with("doc/reference/") || path == "doc/architecture.md") continue;
     for (std::size_t i = 1; i < file->lines.size(); ++i)
       if (languages.contains(file->lines[i])) {
         EXPECT_TRUE(file->lines[i - 1].starts_with("<!-- test: "))
             << place(*file, static_cast<int>(i) + 1);
       }
   }
+}
+
+TEST(Documents, EveryPageWithMarkedBlocksIsFollowed) {
+  std::string tests;
+  for (const std::string& line : sourceFile("tests/program/documents_run_test.cpp").lines)
+    tests += line;
+  for (const SourceFile* file : filesUnder({"doc/", "README.md"}, {".md"}))
+    if (std::any_of(file->lines.begin(), file->lines.end(),
+                    [](const std::string& line) { return line.starts_with("<!-- test: "); })) {
+      EXPECT_NE(tests.find("follow(\"" + file->path + "\")"), std::string::npos) << file->path;
+    }
+}
+
+TEST(Documents, EveryElementIsLinkedFromTheIndexInTwoClicks) {
+  // doc/index.md → doc/reference/index.md → the element
+  std::set<std::string> linked;
+  for (const auto& [link, line] : found(sourceFile("doc/reference/index.md"), R"(\]\(([^):]+)\))"))
+    linked.insert("doc/reference/" + link);
+  for (const SourceFile* file : filesUnder({"doc/reference/"}, {".md"}))
+    for (const auto& [element, line] : found(*file, R"re(<a id="([A-Z][^"]+)">)re"))
+      EXPECT_TRUE(linked.contains(file->path + "#" + element)) << place(*file, line);
 }
 
 TEST(Documents, TheArchitectureShowsTheStepThatIsCompiled) {
@@ -192,7 +212,7 @@ TEST(Documents, TheArchitectureShowsTheStepThatIsCompiled) {
   bool inside = false;
   int shown = 0;
   for (const std::string& line : sourceFile("doc/architecture.md").lines) {
-    if (inside && line == "```") break;
+    if (line == "```") inside = false;
     if (inside) {
       EXPECT_NE(compiled.find(bare(line)), std::string::npos) << line;
     }

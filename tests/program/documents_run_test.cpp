@@ -72,6 +72,7 @@ TEST_F(DocumentTest, RunFolder) { follow("doc/run_folder.md"); }
 TEST_F(DocumentTest, Python) { follow("doc/python.md"); }
 TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
 TEST_F(DocumentTest, Sweep) { follow("doc/sweep.md"); }
+TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
 TEST_F(DocumentTest, Report) { follow("doc/report.md"); }
 #ifndef DYNAMY_SANITIZED
 TEST_F(DocumentTest, Install) { follow("doc/install.md"); }

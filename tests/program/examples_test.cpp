@@ -45,9 +45,9 @@ std::string around(const Listed& type, const std::string& example) {
   systems += "<Ground name=\"world\"/>\n";
   if (type.kind == "system") systems += example;
   if (type.kind == "shape" || type.name == "Frame")
-    systems += (type.name == "HalfSpace"
-                    ? "<Ground>" + example + "</Ground>\n"
-                    : "<RigidBody mass=\"1\" inertia=\"1 1 1\">" + example + "</RigidBody>\n");
+    systems += (type.name == "HalfSpace" ? "<Ground>" + example + "</Ground>\n"
+                                         : "<RigidBody><Sphere radius=\"0.1\" mass=\"1\"/>" +
+                                               example + "</RigidBody>\n");
   if (type.kind == "force") forces += example;
   if (type.kind == "contact" || type.kind == "rule") elements += example;
   if (type.kind == "law") elements += "<Contact between=\"wood steel\">" + example + "</Contact>\n";

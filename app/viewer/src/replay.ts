@@ -54,8 +54,9 @@ export class Replay {
     new ResizeObserver(() => this.resize()).observe(byId("stage"));
     new ResizeObserver(() => this.resize()).observe(byId("side"));
     window.addEventListener("hashchange", () => readAddress(this, new URLSearchParams(location.hash.slice(1))));
-    this.resize();
+    this.stage.resize();
     this.setView(this.model.naturalView());
+    this.resize();
     readAddress(this, address);
   }
 
@@ -140,9 +141,11 @@ export class Replay {
     this.fillCard();
   }
 
+  /** A canvas of a new size is empty: it is drawn before the browser shows it, not a frame later. */
   private resize(): void {
-    this.stage.resize();
+    const changed = this.stage.resize();
     this.showTab(this.tab);
+    if (changed) this.drawNow();
     paintMarks(byId("marks"), this.events, this.begin, this.end);
   }
 

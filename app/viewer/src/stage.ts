@@ -21,6 +21,7 @@ export class Stage {
   followed = -1;
   private anchor: V3 = [0, 0, 0];
   private size: number;
+  private ratio = 0;
 
   constructor(private readonly box: HTMLElement, readonly model: SceneModel, private readonly handler: StageHandler,
               webgl: string | null) {
@@ -81,15 +82,18 @@ export class Stage {
     this.space?.recolour();
   }
 
-  resize(): void {
+  /** Fits the canvases to the box; whether that changed them. */
+  resize(): boolean {
     const ratio = Math.min(window.devicePixelRatio || 1, 2), {clientWidth: w, clientHeight: h} = this.box;
-    if (!w || !h) return;
+    if (!w || !h || (w === this.camera.width && h === this.camera.height && ratio === this.ratio)) return false;
+    this.ratio = ratio;
     const first = this.camera.width <= 1;
     for (const p of [this.flat, this.space, this.overlay]) p?.resize(w, h, ratio);
     const grown = Math.min(w / this.camera.width, h / this.camera.height);
     this.camera.width = w;
     this.camera.height = h;
     if (!first) this.camera.scale *= grown;
+    return true;
   }
 
   /** The picture with what lies over it, for a file. */

@@ -141,6 +141,18 @@ async function controls(file) {
   expect((await download).suggestedFilename().endsWith(".png"), "PNG");
   await page.click("#link");
   expect(page.url().includes("#t="), "the link holds the time");
+  // A canvas that has been given a size is empty: what the browser shows next must be drawn.
+  await page.evaluate(() => {
+    window.blank = 0;
+    const {replay} = window, stage = document.getElementById("stage"), draw = replay.stage.draw;
+    let drawn = 0;
+    replay.stage.draw = t => { ++drawn; draw.call(replay.stage, t); };
+    new ResizeObserver(() => { if (!drawn) ++window.blank; drawn = 0; }).observe(stage);
+    drawn = 1;
+  });
+  await page.setViewportSize({width: 1000, height: 700});
+  await page.waitForTimeout(200);
+  expect(await page.evaluate(() => window.blank) === 0, "a new size of the window: drawn at once");
   await page.keyboard.press("d");
   expect(await page.evaluate(() => document.documentElement.classList.contains("dark")), "d: dark");
   expect(page.said.length === 0, `controls: ${page.said.join("; ")}`);

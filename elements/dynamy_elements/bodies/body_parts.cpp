@@ -32,6 +32,17 @@ BodyParts::BodyParts(const Parameters& x)
   }
 }
 
+void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::string& why) {
+  for (const auto& shape : shapes) {
+    if (!(shape->mass() > 0.0) && !(shape->density() > 0.0)) continue;
+    throw ModelError(Diagnostic{.place = shape->place(),
+                                .element = shape->type(),
+                                .text = std::string(shape->mass() > 0.0 ? "mass" : "density") +
+                                        " would have no effect: " + why,
+                                .hint = "leave it out"});
+  }
+}
+
 void BodyParts::describe(Description& d) const {
   for (const auto& shape : shapes_) d.shape(*shape, 0);
   for (std::size_t i = 0; i < frames_.size(); ++i)
@@ -88,6 +99,7 @@ Attribute& BodyParts::declareMass(Attributes& a, AttributeType inertia, const st
 BodyMass BodyParts::mass(const Parameters& x, Mat3 (*J)(const ParameterValue&)) const {
   const bool given = x.has("mass");
   const double total = given ? double(x["mass"]) : 0.0;
+  if (given) refuseMass("the body has a mass of its own");
   if (x.has("inertia")) {
     if (!given)
       throw x["inertia"].fault("an inertia needs a mass beside it", "add mass=\"…\"", 0,

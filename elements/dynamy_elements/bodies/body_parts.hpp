@@ -33,6 +33,9 @@ struct BodyMass {
   Mat3 J_S_K = Mat3::Identity();  ///< [kg m²]
 };
 
+/// Throws ModelError at the first of `shapes` that has a mass or density: here it means nothing.
+void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::string& why);
+
 /// Shapes and frames of one body; frame 0 is the body's origin B with its axes K.
 class BodyParts {
  public:
@@ -45,6 +48,10 @@ class BodyParts {
   /// Origin of frame `id` from B, and its axes.
   Vec3 position(int id) const { return id == 0 ? Vec3(Vec3::Zero()) : at(id).r_BF_K(); }
   Mat3 axes(int id) const { return id == 0 ? Mat3(Mat3::Identity()) : at(id).A_KF(); }
+
+  /// Throws ModelError if a shape has a mass of its own, which would be ignored. `why`: what has
+  /// the mass instead.
+  void refuseMass(const std::string& why) const { dynamy::refuseMass(shapes_, why); }
 
   /// Mass from the shapes: each brings its `mass` or `density`; with `total` > 0 this mass is
   /// spread over the shapes' volumes. m = 0: the shapes say none.

@@ -33,7 +33,9 @@ Ground::Ground(const Parameters& x)
       A_IK_(rotationMatrix(orientation(x).data())),
       motion_(x, "motion", 3),
       rotation_(x, "rotation", 1),
-      axis_K_(x["axis"].vec3().normalized()) {}
+      axis_K_(x["axis"].vec3().normalized()) {
+  parts_.refuseMass("forces do not move a ground");
+}
 
 void Ground::describe(Description& d) const { parts_.describe(d); }
 

@@ -24,6 +24,7 @@ PointMass::PointMass(const Parameters& x)
       m_(x.has("mass") ? double(x["mass"]) : parts_.mass(0.0).m),
       r_OS_I_(x["position"].vec3()),
       v_S_I_(x["velocity"].vec3()) {
+  if (x.has("mass")) parts_.refuseMass("the point has a mass of its own");
   if (!(m_ > 0.0))
     throw ModelError("the point mass has no mass", "add mass=\"…\", or give its shapes a mass");
   if (x["plane"].text == "none") return;

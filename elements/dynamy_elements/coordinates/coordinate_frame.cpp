@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <dynamy_elements/bodies/body_parts.hpp>
 #include <dynamy_elements/coordinates/coordinate_frame.hpp>
 
 namespace dynamy {
@@ -20,6 +21,7 @@ void CoordinateFrame::declare(Attributes& a) {
 
 CoordinateFrame::CoordinateFrame(const Parameters& x)
     : Element(x), position_(x, "position"), angle_(x, "angle"), shapes_(x.take<Shape>()) {
+  refuseMass(shapes_, "M of the <Coordinates> says all of it");
   const Eigen::VectorXd axis = x["axis"].vector();
   if (position_.size() != 3)
     throw ModelError(position_.fault(

@@ -134,8 +134,11 @@ Quantity parseQuantity(std::string_view text) {
   }
   const Token& end = tokens[i + 1];
   if (end.kind != TokenKind::end) {
-    throw ExpressionError("expected the end after the number, found " + describe(end, text),
-                          end.offset, end.length);
+    const bool comma = text.substr(end.offset, 1) == ",";
+    throw ExpressionError(
+        "expected the end after the number, found " + describe(end, text) +
+            (comma ? "; decimals have a point, numbers stand between blanks" : ""),
+        end.offset, end.length);
   }
   return {sign * number.value, number.family};
 }

@@ -3,6 +3,7 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/system/shape.hpp>
+#include <numbers>
 
 namespace dynamy {
 
@@ -21,6 +22,10 @@ std::array<double, 4> orientation(const Parameters& x) {
                       euler.text.size());
   std::array<double, 4> p{1.0, 0.0, 0.0, 0.0};
   if (euler.given) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (std::abs(euler.numbers[axis]) > 2.0 * std::numbers::pi)
+        throw euler.fault("euler is in radians and turns more than once around",
+                          "90deg is an angle in degrees", 0, euler.text.size());
     for (int axis = 0; axis < 3; ++axis) {
       double turn[4];
       axisQuaternion(Vec3::Unit(axis), euler.numbers[static_cast<std::size_t>(axis)], turn);
