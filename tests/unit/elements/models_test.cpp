@@ -143,7 +143,7 @@ TEST(Models, LoadTheExamplesOfAllSystemsAndShapes) {
     if (type->kind == Kind::system)
       text = "<systems>" + example + "</systems>";
     else if (type->kind == Kind::shape)
-      text = "<systems><RigidBody name=\"b\" mass=\"1\" inertia=\"1 1 1\">" + example +
+      text = "<systems><RigidBody name=\"b\"><Sphere radius=\"0.1\" mass=\"1\"/>" + example +
              "</RigidBody></systems>";
     else if (type->kind == Kind::rule)
       text = "<elements>" + example + "</elements>";
