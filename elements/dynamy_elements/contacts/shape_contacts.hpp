@@ -78,6 +78,8 @@ class ShapeContacts final : public NonSmoothElement {
   }
   /// How far beyond its bound each shape is to be seen, into reach_.
   void lookAhead(const Kinematics& k, const ContactRequest& request) const;
+  /// Which of the near pairs can meet: gap_ ≤ way_, from turned_ as half spaces have left it.
+  void followTurns(const Kinematics& k, const std::vector<BroadPhase::Pair>& near) const;
   /// Of the shapes i, j in any order; false: they never touch.
   Pair pairOf(int i, int j) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
@@ -123,6 +125,9 @@ class ShapeContacts final : public NonSmoothElement {
   std::uint64_t features_ = 1;         ///< most contacts of one pair
   double thinnest_ = 0.0;              ///< of all shapes [m]
   mutable std::vector<double> reach_;  ///< per shape [m]
+  mutable double tau_ = 0.0;           ///< time that reach_ looks ahead [s]; 0: all pairs are taken
+  mutable std::vector<double> turned_;     ///< per shape [m]
+  mutable std::vector<double> gap_, way_;  ///< per near pair: at least, at most [m]
   mutable std::vector<BroadPhase::Ball> balls_;
   mutable BroadPhase broad_;
 };

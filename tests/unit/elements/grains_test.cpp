@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/integrator/stewart_trinkle.hpp>
 #include <dynamy/simulation/simulation.hpp>
+#include <dynamy/solver/block_gauss_seidel.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 
 #include "shape_models.hpp"
+#include "support/load_model.hpp"
 
 namespace dynamy {
 namespace {
@@ -122,6 +125,56 @@ TEST(Grains, MoveAsRigidBodiesOneByOneDo) {
   ASSERT_EQ(a.size(), b.size());
   // The same arithmetic in the same order.
   EXPECT_EQ((a - b).cwiseAbs().maxCoeff(), 0.0);
+}
+
+/// A block of three layers, 10 mm and more apart, that falls on a floor at 3 m/s.
+struct FallingBlock {
+  static constexpr double kStep = 5e-3;
+  Model m;
+  explicit FallingBlock(double floor) {
+    m.add(grains({{"count", 243.0}, {"pitch", 0.11}, {"velocity", {0.0, 0.0, -3.0}}}));
+    addBody<Ground, HalfSpace>(m, "floor", {}, "HalfSpace",
+                               {{"material", "sand"}, {"position", {0.0, 0.0, floor}}});
+    addRule(m, "sand sand");
+    m.scheme(std::make_unique<StewartTrinkle>());
+    m.solver(
+        std::make_unique<BlockGaussSeidel>(ProxOptions{.tolerance = 1e-6, .maxIterations = 10000}));
+    m.addCompletion(addShapeContacts);
+    m.simulation.step = kStep;
+    m.build();
+  }
+  int contacts(const State& x) {
+    MechanicalSystem s = m.mechanicalSystem();
+    return s.evaluateAhead(x, kStep).contacts.size();
+  }
+};
+
+TEST(Grains, ThatFallSideBySideDoNotMeet) {
+  FallingBlock block(-1.0);
+  State x = block.m.initialState();
+  EXPECT_EQ(block.contacts(x), 0);
+  // One of the middle layer stops: six may meet it, and be turned towards those next to them. Of
+  // 594 pairs of neighbours most are too far from it.
+  x.u.segment<3>(6 * (81 + 40)).setZero();
+  const int near = block.contacts(x);
+  EXPECT_GE(near, 6);
+  EXPECT_LT(near, 594 / 2);
+}
+
+TEST(Grains, ThatAreStoppedStopThoseBehindThem) {
+  FallingBlock block(0.0);
+  HandStepper stepper(block.m);
+  for (int k = 0; k < 20; ++k) EXPECT_TRUE(stepper.step(FallingBlock::kStep).solved.ok());
+  double deepest = 0.0;
+  for (Eigen::Index i = 0; i < 243; ++i) {
+    const Vec3 a = stepper.x.q.segment<3>(7 * i);
+    deepest = std::max(deepest, 0.05 - a.z());
+    for (Eigen::Index j = 0; j < i; ++j)
+      deepest = std::max(deepest, 0.1 - (a - stepper.x.q.segment<3>(7 * j)).norm());
+  }
+  // All velocities are vertical and so are the normals that close: gaps at the end of a step are
+  // forecast exactly, and what is left is the tolerance of 3 m/s. Unseen, a pair overlaps by 5 mm.
+  EXPECT_LE(deepest, 1e-6 * 3.0 * FallingBlock::kStep * 20);
 }
 
 }  // namespace
