@@ -69,7 +69,8 @@ void Grains::declare(Attributes& a) {
   a.about(
       "Many free bodies of one shape in many sizes, packed without overlap into an upright box: "
       "m v' = f, J Ω' + Ω × J Ω = M for each. The numbers drawn depend on the seed alone. Signals: "
-      "kineticEnergy, present, meanX, meanY, meanZ, maxZ, maxSpeed.");
+      "kineticEnergy, present, meanX, meanY, meanZ, lowX, highX … highZ (1 % are beyond), maxZ, "
+      "maxSpeed.");
   a.add(AttributeType::integer, "count", std::nullopt, "how many").atLeast(1).max = 1e6;
   a.requiredVector("within", Unit::length, 6,
                    "box to pack them into: lowest x y z, highest x y z; a lattice grows upwards as "
@@ -202,6 +203,20 @@ void Grains::describe(Description& d) const {
     const int n = over(s, [&](std::size_t i) { most = std::max(most, part(s.q, i, 7)[2]); });
     return n > 0 ? most : 0.0;
   });
+  // Where a heap ends, but for the few that roll away.
+  for (int k = 0; k < 3; ++k)
+    for (const double share : {0.01, 0.99})
+      d.signal(std::string(share < 0.5 ? "low" : "high") + axis[k], Unit::length,
+               share < 0.5 ? "1 % of the centres are below" : "99 % of the centres are below",
+               [this, over, k, share](const SignalView& s) {
+                 sorted_.clear();
+                 const int n =
+                     over(s, [&](std::size_t i) { sorted_.push_back(part(s.q, i, 7)[k]); });
+                 if (n == 0) return 0.0;
+                 const auto at = sorted_.begin() + static_cast<std::ptrdiff_t>(share * (n - 1));
+                 std::nth_element(sorted_.begin(), at, sorted_.end());
+                 return *at;
+               });
   d.signal("maxSpeed", Unit::velocity, "largest speed", [this](const SignalView& s) {
     double most = 0.0;
     for (std::size_t i = 0; i < grains_.size(); ++i)
