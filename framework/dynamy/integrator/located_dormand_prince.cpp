@@ -10,7 +10,7 @@ constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
 constexpr double kAtOnce = 1e-6;  ///< events within this part of the step are at one instant
 constexpr int kMostNulls = 5;
 constexpr double kMuted = 1e-3;       ///< of the step
-constexpr double kProject = 1e-3;     ///< corrections below this part of the tolerance wait
+constexpr double kProject = 5e-4;     ///< corrections below this part of the tolerance wait
 constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
 constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
 constexpr int kMostFirst = 8;         ///< contacts that close before the one that was found
@@ -54,6 +54,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
   norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length);
   const bool implicit = stiff_ == Stiff::always;
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
+  from_.a.setZero(from_.x.u.size());
   H_ = kFirstStep * norm_.time(), lookAhead_ = kLookAhead, lastEvent_ = -1e300, nulls_ = 0;
   event(s, solver, from_, report, {});
   book(s, &StepEffort::events, report);
@@ -127,7 +128,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
     smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   }
   if (const double past = turn(); past > 2.0)
-    return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7));
+    return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7)), Tried::turned;
   found = {};
   if (search_.any()) {
     path_.through(s, from_, to_);
@@ -256,6 +257,9 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   // What turns must not turn past a contact between two samples of the search.
   if (const double turn = norm_.fastestTurn(from_.x.u); search_.gaps() && turn * h > kMostTurn)
     h = kMostTurn / turn;
+  // What is muted may pass its bound: not for longer than it is meant to.
+  for (const Held& held : phase_.held)
+    if (!held.slips && held.mutedUntil > from_.x.t) h = std::min(h, held.mutedUntil - from_.x.t);
   startHeld_ = phase_.held;
   Switch found;
   Tried tried = attempt(s, h, false, report, found);
@@ -263,7 +267,10 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
     book(s, &StepEffort::switches, report);
     h *= found.theta, tried = attempt(s, h, true, report, found);
   }
-  if (tried == Tried::rejected) phase_.held = startHeld_;  // directions as they were
+  if (tried == Tried::rejected || tried == Tried::turned)
+    phase_.held = startHeld_;  // directions as they were
+  if (tried == Tried::turned && !endClearStarts(s, h)) return false;
+  if (tried == Tried::turned) tried = Tried::rejected;
   book(s,
        tried == Tried::rejected ? &StepEffort::rejected
        : found                  ? &StepEffort::switches

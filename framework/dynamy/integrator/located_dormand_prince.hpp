@@ -41,7 +41,7 @@ class LocatedDormandPrince : public OneStep {
     ContactKey key;
     int row, dim;
   };
-  enum class Tried : std::uint8_t { accepted, rejected, located, again, failed };
+  enum class Tried : std::uint8_t { accepted, rejected, turned, located, again, failed };
   bool restore(MechanicalSystem& s, const State& x);
   void store(State& x);
   /// x is where the last step ended: nothing has to be evaluated anew.
@@ -60,6 +60,10 @@ class LocatedDormandPrince : public OneStep {
   bool closesOpen();
   double turn();
   bool endStarts();
+  /// The slip of held[i] has begun for good, for steps of length h.
+  bool slipIsClear(std::size_t i, double h) const;
+  /// Ends starts of slip that are none any more at from_, for a step of length h.
+  bool endClearStarts(MechanicalSystem& s, double h);
   bool project(MechanicalSystem& s, PhasePoint& p);
   bool stop(MechanicalSystem& s, InclusionSolver& solver, double& most, StepReport& report,
             bool& stopped);

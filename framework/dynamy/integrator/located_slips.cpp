@@ -55,6 +55,8 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
     most = std::min(bound, kShareOfStop * last);
     return true;
   }
+  const std::size_t told = told_.size(), struck = impacts_.size();
+  const std::array<double, 5> works = works_;
   if (!event(s, solver, from_, report, stopping_)) return false;
   stopped = std::all_of(stopping_.begin(), stopping_.end(), [&](ContactKey key) {
     const Held* after = phase_.find(key);
@@ -62,6 +64,7 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
   });
   if (stopped) return true;
   from_ = trial_, phase_ = oldPhase_;  // they slip on: not a stop
+  told_.resize(told), impacts_.resize(struck), works_ = works;
   for (Held& h : phase_.held)
     if (std::find(stopping_.begin(), stopping_.end(), h.key) != stopping_.end())
       h.mutedUntil = from_.x.t + 2.0 * last;
@@ -104,6 +107,33 @@ double LocatedDormandPrince::turn() {
   return past;
 }
 
+bool LocatedDormandPrince::slipIsClear(std::size_t i, double h) const {
+  // Along its direction, and forces change it by less than itself within h: γ_T has a direction of
+  // its own. That of γ̇_T is not needed any more; where γ̇_T vanishes there is none.
+  const Held& held = phase_.held[i];
+  const double most = kMostTurned * norm_.tolerance() * norm_.speed();
+  double speed = 0.0, rate = 0.0, along = 0.0;
+  for (int r = 0; r < phase_.slipRows(i); ++r) {
+    const double w = phase_.slipWeight(i, r);
+    const int row = phase_.slip0(i) + r;
+    const double g = w * phase_.gamma()[row], d = w * phase_.gammaDot(row);
+    speed += g * g, rate += d * d;
+    along += g * w * held.direction[static_cast<std::size_t>(r)];
+  }
+  const double across = std::sqrt(std::max(0.0, speed - along * along));
+  return speed > rate * h * h && along > 0.0 && across <= most;
+}
+
+bool LocatedDormandPrince::endClearStarts(MechanicalSystem& s, double h) {
+  if (!evaluateEnd(s, from_)) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < phase_.held.size(); ++i)
+    if (phase_.held[i].starts && slipIsClear(i, h)) phase_.held[i].starts = false, any = true;
+  if (!any) return true;
+  startHeld_ = phase_.held;
+  return evaluateEnd(s, from_);
+}
+
 bool LocatedDormandPrince::endStarts() {
   bool any = false;
   const double most = kMostTurned * norm_.tolerance() * norm_.speed();
@@ -116,7 +146,7 @@ bool LocatedDormandPrince::endStarts() {
       const int row = phase_.slip0(i) + r;
       along += w * w * phase_.gamma()[row] * phase_.gammaDot(row);
     }
-    if (h.turned > most || !(along > 0.0)) h.starts = false, any = true;
+    if (h.turned > most || !(along > 0.0) || slipIsClear(i, H_)) h.starts = false, any = true;
   }
   return any;
 }

@@ -83,7 +83,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   s.evaluate(x, 0);
   projectPositions(s, x);
   projectVelocities(s, phase, x);
-  uBefore_ = x.u;
+  uBefore_ = x.u, aBefore_ = p.a;
   for (int turn = 0;; ++turn) {
     x.u = uBefore_;
     percussions_.clear(), works_ = {};
@@ -217,8 +217,9 @@ void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
   std::sort(closing_.begin(), closing_.end());
 }
 
-double SwitchEvent::pose(InclusionProblem& p, const std::vector<ContactKey>& stopped) {
-  // Resting rows lose their residual; slips keep their direction and are made clear.
+double SwitchEvent::pose(InclusionProblem& p, bool jumped, const std::vector<ContactKey>& stopped) {
+  // Resting rows lose their residual; slips keep their direction and are made clear. After a jump
+  // the turn of the rows is that of W over h_s, else h_s w̄ at its end.
   const double slipSpeed = kSlip * norm_->speed();
   std::vector<double>& c = p.gammaFree;
   double asked = 0.0;
@@ -233,9 +234,9 @@ double SwitchEvent::pose(InclusionProblem& p, const std::vector<ContactKey>& sto
     slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]) ? 1 : 0;
     for (int k = 0; k < d; ++k) {
       const auto row = static_cast<std::size_t>(first + k);
+      c[row] -= jumped ? gammaBefore_[first + k] : p.gammaA[row] - p.dt * p.contacts->bias[row];
       p.gammaA[row] = slips_[at] && k >= t ? gammaBefore_[first + k] : 0.0;
       if (slips_[at] && k >= t) continue;
-      c[row] -= gammaBefore_[first + k];
       asked = std::max(asked, std::abs(c[row]));
     }
   }
@@ -262,14 +263,18 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   look_ = x;
   look_.impulses = {};
   s.move(look_, x.u, lookAhead);
+  // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
+  const bool jumped = !percussions_.empty() || !shut_.empty();
+  if (!jumped) look_.u += lookAhead * aBefore_;
   s.freeze(closing_);
   s.evaluate(look_, 1);
+  look_.u = x.u;
   InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);
   if (p.rows() != gammaBefore_.size()) {
     r.fault = "contacts appear and disappear (two boxes): their gaps cannot be followed";
     return;
   }
-  pose(p, stopped);
+  pose(p, jumped, stopped);
   Vec Lambda = s.Lambda();
   Lambda.setZero();
   const SolveReport solved = solver.solve(p, Lambda);

@@ -86,7 +86,7 @@ class SwitchEvent {
   void notePercussions(const MechanicalSystem& s);
   void shut(MechanicalSystem& s, State& x);
   void chooseClosed(MechanicalSystem& s, const State& x);
-  double pose(InclusionProblem& p, const std::vector<ContactKey>& stopped);
+  double pose(InclusionProblem& p, bool jumped, const std::vector<ContactKey>& stopped);
   void decide(MechanicalSystem& s, InclusionSolver& solver, const State& x, double lookAhead,
               const FrozenPhase& old, const std::vector<ContactKey>& stopped, FrozenPhase& phase,
               Result& r);
@@ -99,7 +99,7 @@ class SwitchEvent {
   std::vector<std::unique_ptr<WithoutRebound>> wrappers_;
   std::vector<Percussion> percussions_;
   std::array<double, 5> works_{};
-  Eigen::VectorXd uBefore_, delta_, gamma_, gammaBefore_, xi_;
+  Eigen::VectorXd uBefore_, aBefore_, delta_, gamma_, gammaBefore_, xi_;
   double leaves_ = 0.0;  // speed above which a contact leaves [m/s]
   std::vector<char> slips_;
   State look_;
