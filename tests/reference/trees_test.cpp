@@ -135,6 +135,64 @@ TEST(Trees, MoveAChainOfBallJointsAsInAbsoluteCoordinates) {
                    {"link[5].x", "link[5].y", "link[5].z", "link[1].Omega_x", "link[2].qw"}, 1e-5);
 }
 
+/// A body on a joint to the world, `joint` with its attributes, and a rod that hangs from the body.
+std::string onJoint(const std::string& joint) {
+  return R"(
+    <systems>
+      <RigidBody name="first" position="0.3 0.1 -0.2" mass="1" inertia="0.02 0.03 0.04"/>
+      <RigidBody name="second" position="0.6 0.1 -0.5" mass="0.5" inertia="0.01 0.01 0.002"/>
+      <Ground name="world"/>
+    </systems>
+    <forces><Gravity acceleration="0 0 -9.81"/></forces>
+    <elements>)" +
+         joint + R"(<Spherical name="s" between="first second" at="0.6 0.1 -0.2"/></elements>)";
+}
+
+TEST(Trees, MoveUniversalCylindricalScrewAndPlanarJointsAsInAbsoluteCoordinates) {
+  const std::string between = R"( name="j" between="world first" at="0 0 0" )";
+  for (const char* joint :
+       {R"(<Universal axis="0 1 0" axisB="0.6 0 0.8")", R"(<Cylindrical axis="0.6 0 0.8")",
+        R"(<Screw axis="0.6 0 0.8" pitch="0.4")", R"(<PlanarJoint axis="0.6 0 0.8")"}) {
+    SCOPED_TRACE(joint);
+    expectSameMotion(onJoint(joint + between + "/>"), 0.5,
+                     {"first.x", "first.y", "first.z", "second.x", "second.y", "second.z"}, 1e-6);
+  }
+}
+
+TEST(Trees, RunDownAScrewWithConstantAcceleration) {
+  // s = p phi/2 pi: (m + J (2 pi/p)^2) s'' = m g. The end is 0.6 m below the start; every step is
+  // exact but for rounding, of some 1e3 steps at most.
+  const std::string body = R"(
+    <systems>
+      <RigidBody name="nut" mass="2" inertia="0.01 0.01 0.004"/>
+      <Ground name="world"/>
+    </systems>
+    <forces><Gravity acceleration="0 0 -9.81"/></forces>
+    <elements><Screw name="j" between="world nut" axis="0 0 1" pitch="0.3"/></elements>)";
+  const double turns = 2.0 * std::numbers::pi / 0.3, a = 2.0 * 9.81 / (2.0 + 0.004 * turns * turns);
+  const Signals s(body, "minimal", 1e-10, 0.4, {"nut.z", "nut.vz", "nut.Omega_z"});
+  EXPECT_NEAR(s.values[0], -a * 0.4 * 0.4 / 2.0, 1e-11);
+  EXPECT_NEAR(s.values[1], -a * 0.4, 1e-11);
+  EXPECT_NEAR(s.values[2], -a * 0.4 * turns, 1e-10);
+}
+
+TEST(Trees, SlideDownAPlaneAndTurnAsAFreePuckDoes) {
+  // A plane inclined by 30 degrees about y: g sin(30) along it; the turn about its normal stays.
+  const std::string body = R"(
+    <systems>
+      <RigidBody name="puck" mass="2" inertia="0.01 0.01 0.02" euler="0 {pi/6} 0" angularVelocity="0 0 3"/>
+      <Ground name="world"/>
+    </systems>
+    <forces><Gravity acceleration="0 0 -9.81"/></forces>
+    <elements><PlanarJoint name="j" between="world puck" axis="{sin(pi/6)} 0 {cos(pi/6)}"/></elements>)";
+  const double way = 9.81 * 0.5 * 0.16 / 2.0;  // g sin(30) t^2/2 at 0.4 s, rounding as above
+  const Signals s(body, "minimal", 1e-10, 0.4, {"puck.x", "puck.y", "puck.z", "puck.Omega_z"});
+  EXPECT_NEAR(s.values[0], way * std::cos(std::numbers::pi / 6), 1e-11);
+  EXPECT_NEAR(s.values[1], 0.0, 1e-11);
+  EXPECT_NEAR(s.values[2], -way / 2.0, 1e-11);
+  EXPECT_NEAR(s.values[3], 3.0, 1e-11);
+}
+
 TEST(Trees, MoveASliderCrankAsInAbsoluteCoordinates) {
   // A loop: the slider's hinge or its guide closes it.
   const std::string crank = R"(

@@ -12,6 +12,9 @@ const Vec3& neededAxis(const Vec3& axis_I, const char* what) {
   return axis_I;
 }
 
+/// The axis of B as build() takes it: exactly perpendicular to that of A.
+Vec3 perpendicular(const Vec3& b, const Vec3& a) { return (b - a.dot(b) * a).normalized(); }
+
 }  // namespace
 
 // ---- Universal ---------------------------------------------------------------------------------
@@ -37,11 +40,17 @@ void Universal::build(const Start& s) {
   if (!(std::abs(a.dot(b)) < 1e-3))
     throw ModelError("the two axes are not perpendicular",
                      "axis is fixed in A, axisB in B; the cross joins them at a right angle");
-  const Vec3 across = (b - a.dot(b) * a).normalized();
+  const Vec3 across = perpendicular(b, a);
   for (int i = 0; i < 3; ++i) addPoint(s, Vec3::Unit(i));
   addAngle(s, a, across);
   measureTurn(s, a, across, "alpha", "alphaRate");
   measureTurn(s, across, a, "beta", "betaRate", true);
+}
+
+bool Universal::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  out.push_back({FreeMotion::Kind::turn, s.axis_I});
+  out.push_back({FreeMotion::Kind::turn, perpendicular(axisB_.normalized(), s.axis_I)});
+  return true;
 }
 
 // ---- Cylindrical, Screw ------------------------------------------------------------------------
@@ -64,6 +73,12 @@ void Cylindrical::build(const Start& s) {
   for (const Vec3& t : {t1, t2}) addAngle(s, t, axis);
   measureShift(s, axis, "displacement", "speed");
   measureTurn(s, axis, t1, "angle", "rate");
+}
+
+bool Cylindrical::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  out.push_back({FreeMotion::Kind::slide, s.axis_I});
+  out.push_back({FreeMotion::Kind::turn, s.axis_I});
+  return true;
 }
 
 void Screw::declare(Attributes& a) {
@@ -93,6 +108,11 @@ void Screw::build(const Start& s) {
   measureTurn(s, axis, t1, "angle", "rate");
 }
 
+bool Screw::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  out.push_back({FreeMotion::Kind::screw, s.axis_I, pitch_ / (2.0 * std::numbers::pi)});
+  return true;
+}
+
 // ---- PlanarJoint -------------------------------------------------------------------------------
 
 void PlanarJoint::declare(Attributes& a) {
@@ -117,6 +137,15 @@ void PlanarJoint::build(const Start& s) {
   measureShift(s, t1, "x", "xRate");
   measureShift(s, t2, "y", "yRate");
   measureTurn(s, n, t1, "angle", "rate");
+}
+
+bool PlanarJoint::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+  Vec3 t1, t2;
+  tangents(s.axis_I, t1, t2);
+  out.push_back({FreeMotion::Kind::slide, t1});
+  out.push_back({FreeMotion::Kind::slide, t2});
+  out.push_back({FreeMotion::Kind::turn, s.axis_I});
+  return true;
 }
 
 }  // namespace dynamy

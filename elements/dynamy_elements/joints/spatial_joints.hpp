@@ -18,6 +18,7 @@ class Universal final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
   Vec3 axisB_;
 };
 
@@ -28,6 +29,7 @@ class Cylindrical final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Screw final : public Joint {
@@ -37,6 +39,7 @@ class Screw final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
   double pitch_;
 };
 
@@ -47,6 +50,7 @@ class PlanarJoint final : public Joint {
 
  private:
   void build(const Start& s) override;
+  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
 };
 
 }  // namespace dynamy
