@@ -1,6 +1,7 @@
 /// dynamy check MODEL: reads, builds and verifies; tells the size of the scene.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <dynamy/io/json_writer.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
@@ -63,6 +64,11 @@ Sizes sizesOf(Model& model) {
     d.text = "the mass matrix is not positive definite at the start";
     throw ModelError(d);
   }
+  for (std::size_t i = 0; i < c.g.size(); ++i)
+    if (std::isnan(c.g[i]))
+      throw ModelError(
+          "the gap of " + contactText(model, c.candidateKey[i]) + " is not a number at the start",
+          "dynamy check --elements compares all that it computes with differences");
   s.gaps = c.g.size(), s.closed = c.size(), s.unknowns = c.rows();
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int k = c.closedIndex[i];

@@ -46,7 +46,8 @@ std::string rowSvg(const std::vector<const EventLine*>& events, double y, double
   };
   std::string bars, ticks;
   double since = begin;
-  std::string status;
+  std::string status, afterImpact;
+  bool hit = false;
   const auto bar = [&](double until) {
     if (const std::string colour = colourOf(status); !colour.empty())
       bars += fmt::format("<rect x='{:.2f}' y='{:.1f}' width='{:.2f}' height='{}' fill='{}'/>\n",
@@ -55,13 +56,16 @@ std::string rowSvg(const std::vector<const EventLine*>& events, double y, double
   };
   for (const EventLine* e : events) {
     status = e->from;  // a contact that opens right after its impact has no event of its own
+    if (hit) afterImpact = status;
     bar(e->t);
-    since = e->t, status = e->to;
-    if (!e->impact) continue;
+    since = e->t, status = e->to, hit = e->impact;
+    if (!hit) continue;
     const double height = 6 + (kRow - 6) * (fastest > 0.0 ? e->speed / fastest : 1.0);
     ticks += fmt::format("<path d='M{0:.2f} {1:.1f}V{2:.1f}'/>\n", x(e->t), y + kRow - 1,
                          y + kRow - 1 - height);
   }
+  // Whether it opened after its last impact no event tells: as after the one before.
+  if (hit && !afterImpact.empty()) status = afterImpact;
   bar(end);
   return bars + "<g stroke='#b3261e' stroke-width='1.3'>" + ticks + "</g>\n";
 }

@@ -130,6 +130,17 @@ TEST_F(ProgramTest, JsonIsTheContentOfRunJsonAndNothingElse) {
   EXPECT_EQ(err(), "");
 }
 
+TEST_F(ProgramTest, AGapThatIsNoNumberEndsTheRunInsteadOfPassingForOpen) {
+  write("m.xml",
+        "<dynamy version=\"1\">\n<systems><Coordinates name=\"p\" q=\"x\" units=\"m\" u0=\"1\" "
+        "M=\"1\"/></systems>\n<elements><CoordinateContact name=\"stop\" on=\"p\" "
+        "gap=\"sqrt(0.255 - x)\"><Unilateral/></CoordinateContact></elements>\n"
+        "<simulation until=\"1\" step=\"0.01\"/></dynamy>\n");
+  EXPECT_EQ(call("run m.xml --out o"), 1);
+  EXPECT_NE((out() + err()).find("the gap of stop (m.xml:3:11) is not a number"), std::string::npos)
+      << out() << err();
+}
+
 TEST_F(ProgramTest, QuietPrintsNothingButFailedChecks) {
   write("ball.xml", ballXml(0.1, "1e-3"));
   EXPECT_EQ(call("run ball.xml --quiet"), 0);

@@ -8,6 +8,23 @@ namespace fs = std::filesystem;
 
 using Report = ProgramTest;
 
+/// The drawing that stands as base64 behind `mark`.
+std::string drawingAfter(const std::string& page, const std::string& mark) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  unsigned word = 0;
+  int bits = 0;
+  const std::size_t at = page.find(mark);
+  if (at == std::string::npos) return out;
+  for (std::size_t i = page.find(',', at) + 1; i < page.size(); ++i) {
+    const std::size_t digit = digits.find(page[i]);
+    if (digit == std::string::npos) break;
+    word = word << 6 | static_cast<unsigned>(digit);
+    if ((bits += 6) >= 8) out += static_cast<char>(word >> (bits -= 8) & 0xff);
+  }
+  return out;
+}
+
 TEST_F(Report, OfTheWoodpeckerHasAllSections) {
   const std::string models = std::string(DYNAMY_SOURCE_DIR) + "/models/";
   ASSERT_EQ(call("run " + models + "woodpecker.xml --quiet --until 1 --out o"), 1) << err();
@@ -23,6 +40,12 @@ TEST_F(Report, OfTheWoodpeckerHasAllSections) {
   EXPECT_NE(page.find("FAILS"), std::string::npos);  // the checks at 2.95 s
   EXPECT_NE(page.find("holds"), std::string::npos);
   EXPECT_NE(page.find("&lt;parameter name=&quot;mu&quot;"), std::string::npos);
+  // The beak bounces off after each impact, also after the last one: no bar of a closed contact.
+  const std::string drawing = drawingAfter(page, "status of the contacts over time\" src=\"");
+  const std::size_t beak = drawing.find(">beak</text>");
+  ASSERT_NE(beak, std::string::npos) << drawing;
+  EXPECT_EQ(drawing.substr(beak, drawing.find("<g stroke", beak) - beak).find("<rect"),
+            std::string::npos);
   // One file: nothing is fetched.
   for (const char* outside : {"src=\"http", "href=\"http", "<link", "@import", "<script"})
     EXPECT_EQ(page.find(outside), std::string::npos) << outside;

@@ -98,8 +98,12 @@ GivenValue::GivenValue(std::string n, const Vec3& v)
 const ParameterValue& Parameters::operator[](std::string_view attribute) const {
   for (const ParameterValue& v : values)
     if (v.declaration->name == attribute) return v;
-  throw std::logic_error(label(type, name) + " does not declare the attribute \"" +
-                         std::string(attribute) + '"');
+  std::vector<std::string> known;
+  for (const ParameterValue& v : values) known.push_back(v.declaration->name);
+  const std::string near = nearest(attribute, known);
+  throw std::logic_error("it reads the attribute \"" + std::string(attribute) +
+                         "\", which its declare() does not name" +
+                         (near.empty() ? std::string() : " — did you mean \"" + near + "\"?"));
 }
 
 bool Parameters::has(std::string_view attribute) const {

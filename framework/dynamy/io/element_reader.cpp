@@ -84,6 +84,8 @@ std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& s
   } catch (const ExpressionError& e) {
     faults_->add(scope, node.place, node, e.message(),
                  e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
+  } catch (const std::exception& e) {  // a plug-in's own, or one of the libraries it uses
+    faults_->add(scope, node.place, node, "its constructor failed: " + std::string(e.what()), "");
   }
   return nullptr;
 }

@@ -54,6 +54,13 @@ void archiveState(Archive& a, State& x) {
   a(x.impulses.corrected);
 }
 
+/// Index of a gap that is not a number in the last evaluation, which would pass for open; −1: none.
+int gapWithoutNumber(const MechanicalSystem& system) {
+  const std::vector<double>& g = system.slot(0).contacts.g;
+  const auto at = std::find_if(g.begin(), g.end(), [](double x) { return std::isnan(x); });
+  return at == g.end() ? -1 : static_cast<int>(at - g.begin());
+}
+
 }  // namespace
 
 Simulation::Simulation(Model& model)
@@ -207,7 +214,7 @@ void Simulation::project() {
 
 bool Simulation::sound() const {
   return stepReport_.refused.empty() && system_.indefiniteMass() < 0 && x_.q.allFinite() &&
-         x_.u.allFinite();
+         x_.u.allFinite() && gapWithoutNumber(system_) < 0;
 }
 
 Passing Simulation::passing() {
@@ -336,6 +343,10 @@ std::string Simulation::fault() const {
           return when + letter + "[" + std::to_string(k) + "] of " +
                  systemName(model_, static_cast<int>(i)) + " is not finite";
   }
+  if (const int i = gapWithoutNumber(system_); i >= 0)
+    return when + "the gap of " +
+           contactText(model_, system_.slot(0).contacts.candidateKey[static_cast<std::size_t>(i)]) +
+           " is not a number";
   return {};
 }
 

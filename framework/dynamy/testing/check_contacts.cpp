@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
 #include <limits>
@@ -124,6 +125,9 @@ class ContactCheck {
     std::sort(frozen_.begin(), frozen_.end());
     if (std::adjacent_find(frozen_.begin(), frozen_.end()) != frozen_.end())
       result_.fault("two contacts of one element have the same number");
+    for (std::size_t i = 0; i < here_.g.size(); ++i)
+      if (std::isnan(here_.g[i]))
+        result_.fault(contactName(model_, here_.candidateKey[i]) + ": g is not a number");
   }
   /// Index of the contact `key` in `set`; −1: not reported there.
   static int find(const ContactSet& set, ContactKey key) {

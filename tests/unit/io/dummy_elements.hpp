@@ -4,6 +4,7 @@
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/io/registry.hpp>
 #include <dynamy/system/external_force.hpp>
+#include <stdexcept>
 
 namespace dynamy::dummy {
 
@@ -28,6 +29,8 @@ class Ball final : public PartialMechanicalSystem {
         shapes(x.take<Shape>()) {
     if (const std::size_t at = drive.find("??"); at != std::string::npos)
       throw x["drive"].fault("two question marks", "leave them out", at, 2);
+    if (drive == "crash") throw std::runtime_error("no table of drives");
+    if (drive == "misspelt") drive = x["dirve"].text;
   }
   Blocks blocks() const override { return {1, 1, 1, true}; }
   void initialState(Vec q, Vec u) const override { q[0] = z_, u[0] = 0.0; }

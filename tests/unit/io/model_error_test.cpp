@@ -115,6 +115,14 @@ TEST(ModelLoaderError, OfAnElementItselfGetsItsPlaceInTheValue) {
             "      |                                        ^~");
 }
 
+TEST(ModelLoaderError, OfAConstructorThatThrowsGetsThePlaceOfItsElement) {
+  EXPECT_EQ(firstLine(inSystems("<Ball mass=\"1\" drive=\"crash\"/>")),
+            "m.xml:2:10: error: <Ball>: its constructor failed: no table of drives");
+  EXPECT_EQ(firstLine(inSystems("<Ball mass=\"1\" drive=\"misspelt\"/>")),
+            "m.xml:2:10: error: <Ball>: its constructor failed: it reads the attribute \"dirve\", "
+            "which its declare() does not name — did you mean \"drive\"?");
+}
+
 TEST(ModelLoaderError, OfAConnectionGetsTheLineOfItsElement) {
   EXPECT_EQ(
       errors(around("<systems><Ball name=\"b\" mass=\"1\"/></systems>\n"

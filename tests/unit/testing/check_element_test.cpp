@@ -124,6 +124,15 @@ class MovingWall final : public SimpleContact {
   double chi_, w_;
 };
 
+/// g = √(0.05 − x): no number where the bead begins.
+class RootWall final : public SimpleContact {
+ public:
+  static void declare(Attributes&) {}
+  explicit RootWall(const Parameters& x) : SimpleContact(x) {}
+  double g(double, ConstVec q) const override { return std::sqrt(0.05 - q[0]); }
+  void gamma(double, ConstVec, ConstVec u, Vec gamma) const override { gamma[0] = -u[0]; }
+};
+
 Verdict checkWall(double chi, double w) {
   Model model;
   model.add<Bead>("bead", {});
@@ -233,6 +242,14 @@ TEST(CheckContacts, ReportsAWrongW) {
 
 TEST(CheckContacts, NamesAnEntryThatIsNotFinite) {
   EXPECT_TRUE(says(checkWall(1.0, 1e308), "wall: contact 0: W[0,bead.speed] = "));
+}
+
+TEST(CheckContacts, NamesAGapThatIsNoNumber) {
+  Model model;
+  model.add<Bead>("bead", {});
+  model.add<RootWall>("wall", {{"on", "bead"}});
+  model.build();
+  EXPECT_TRUE(says(checkModel(model), "wall: g is not a number"));
 }
 
 TEST(CheckModel, TakesAFileThatCannotBeReadForAFault) {
