@@ -199,11 +199,12 @@ std::string discretisationText(const EnergyReport& e) {
 /// What the evaluations of a run to a tolerance were for.
 std::string effortText(const RunReport& r) {
   const StepEffort& e = r.effort;
-  const long told = e.smooth + e.rejected + e.switches + e.events;
+  const long told = e.smooth + e.rejected + e.switches + e.events + e.stepping;
   if (told == 0) return {};
   return fmt::format(
-      " {}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}\n",
+      " {}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}{}\n",
       counted(r.evaluations, "evaluation"), e.smooth, e.rejected, e.switches, e.events,
+      e.stepping > 0 ? fmt::format(", steps in time {}", e.stepping) : "",
       r.evaluations > told ? fmt::format(", output {}", r.evaluations - told) : "");
 }
 
@@ -225,6 +226,10 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
     out += fmt::format(" {} located, {} passed{}\n", counted(r.located, "switch", "switches"),
                        counted(r.accumulations, "accumulation"),
                        r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
+  if (const SteppingReport& s = r.stepping; s.periods > 0)
+    out += fmt::format(" {} in time over {:.4g} s in {} ({}): switches too dense to be located\n",
+                       counted(s.steps, "step"), s.time, counted(s.periods, "period"),
+                       counted(s.stalls, "stall"));
   out += effortText(r);
   if (r.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
@@ -293,7 +298,13 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
   json.key("effort").beginObject();
   json.member("smooth", r.effort.smooth).member("rejected", r.effort.rejected);
-  json.member("switches", r.effort.switches).member("events", r.effort.events).endObject();
+  json.member("switches", r.effort.switches).member("events", r.effort.events);
+  json.member("stepping", r.effort.stepping).endObject();
+  json.key("stepping").beginObject().member("periods", r.stepping.periods);
+  json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
+  json.member("time", r.stepping.time).member("longest", r.stepping.longest);
+  json.member("error", r.stepping.error).member("firstTime", r.stepping.first.t);
+  json.member("firstContact", r.stepping.first.name).endObject();
   json.member("repairedImpacts", r.repairedImpacts);
   write(json, "energyGain", r.energyGain);
   json.key("solver").beginObject().member("solves", r.solves);

@@ -16,7 +16,8 @@ class LocatedRun final : public RecordSink {
  public:
   /// `what`: a name in models/, or a text that begins with '<'.
   LocatedRun(const std::string& what, double tolerance, double until, const Overrides& set = {},
-             const std::function<void(Registry&)>& types = {})
+             const std::function<void(Registry&)>& types = {},
+             std::unique_ptr<OneStep> scheme = std::make_unique<LocatedDormandPrince>())
       : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
     registerFramework(registry_);
     if (types) types(registry_);
@@ -27,7 +28,7 @@ class LocatedRun final : public RecordSink {
         what.starts_with('<') ? loadModelText(what, "scene.xml", registry_, plugins_, options)
                               : loadModel(DYNAMY_SOURCE_DIR "/models/" + what + ".xml", registry_,
                                           plugins_, options));
-    model_->scheme(std::make_unique<LocatedDormandPrince>());
+    model_->scheme(std::move(scheme));
     model_->checks.clear();
     SimulationSettings& s = model_->simulation;
     s.until = until, s.step = 0.0, s.tolerance = tolerance;

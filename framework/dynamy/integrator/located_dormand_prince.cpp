@@ -9,12 +9,13 @@ constexpr double kFirstStep = 0.02;                         ///< of T
 constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
 constexpr double kAtOnce = 1e-6;  ///< events within this part of the step are at one instant
 constexpr int kMostNulls = 5;
+constexpr double kRapid = 1e-7;       ///< of T: so soon after each other plain events have no end
 constexpr double kMuted = 1e-3;       ///< of the step
 constexpr double kProject = 5e-4;     ///< corrections below this part of the tolerance wait
 constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
 constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
 constexpr int kMostFirst = 8;         ///< contacts that close before the one that was found
-constexpr int kMostTries = 2000;      ///< of one step
+constexpr int kMostTries = 60;        ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
 constexpr double kSafety = 0.9, kShrink = 0.2;
@@ -28,6 +29,13 @@ double LocatedDormandPrince::nextStep(const State& x) const {
 bool LocatedDormandPrince::refuse(std::string_view why) {
   why_ = why;
   return false;
+}
+
+bool LocatedDormandPrince::stall() {
+  stalled_ = true;
+  return refuse(plain_ ? "events follow each other without end (an accumulation of impacts, or "
+                         "slip in space that ends): this scheme has no way past"
+                       : "the steps have become too short: no status of the contacts lasts");
 }
 
 bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
@@ -51,11 +59,18 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
   phaseKeys_.clear(), phase_.held.clear();
   s.freeze(phaseKeys_);
   s.evaluate(from_.x, 0);
-  norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length);
+  if (x.scheme.size() == 0) {
+    norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length);
+    governor_.scales(norm_.tolerance(), norm_.time());
+    governor_.reset();
+  } else if (norm_.time() != x.scheme[1]) {
+    norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
+  }
   const bool implicit = stiff_ == Stiff::always;
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   from_.a.setZero(from_.x.u.size());
   H_ = kFirstStep * norm_.time(), lookAhead_ = kLookAhead, lastEvent_ = -1e300, nulls_ = 0;
+  release({});
   event(s, solver, from_, report, {});
   book(s, &StepEffort::events, report);
 }
@@ -64,8 +79,9 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
 
 bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
                                  StepReport& report, const std::vector<ContactKey>& stopped) {
+  const double unit = plain_ ? norm_.time() : lookAhead_ * H_;
   const SwitchEvent::Result r =
-      event_.process(s, solver, probe_, phase_, p, smooth_, lookAhead_ * H_, stopped);
+      event_.process(s, solver, probe_, phase_, p, smooth_, unit, stopped);
   if (!r.fault.empty()) return refuse(r.fault);
   if (!r.solved.ok()) report.solved = r.solved;
   report.solved.repaired += r.solved.repaired;
@@ -78,12 +94,29 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   keepPercussions(p.x.t);
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
+  if (plain_ && nulls_ == kMostNulls) return stall();
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
   return true;
 }
 
+void LocatedDormandPrince::release(const Switch& w) {
+  // Stick whose friction has reached its bound slips against it: without a look ahead nothing else
+  // says so.
+  event_.release({}, 0.0);
+  if (!plain_ || !w || !w.force) return;
+  const ContactKey key = search_.contact(probe_, phase_, w);
+  for (std::size_t i = 0; i < phase_.held.size(); ++i)
+    if (const Held& h = phase_.held[i]; h.key == key && !h.slips && phase_.slipRows(i) == 1)
+      event_.release(key, phase_.lambda()[phase_.slip0(i)] > 0.0 ? -1.0 : 1.0);
+}
+
 void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoint& p) {
+  if (plain_) {  // nothing but a count of events that follow each other at once
+    nulls_ = p.x.t - lastEvent_ <= kRapid * norm_.time() ? nulls_ + 1 : 0;
+    lastEvent_ = p.x.t;
+    return;
+  }
   const bool atOnce = p.x.t - lastEvent_ <= kAtOnce * H_;
   lastEvent_ = p.x.t;
   if (r.changed || r.impact || !atOnce) {
@@ -218,6 +251,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
                                  StepReport& report) {
   const bool same = system_ == &s;
   why_ = {}, system_ = &s, denseReady_ = false;
+  stalled_ = stepped_ = false, lastSwitched_ = governor_.turnedAt();
   told_.clear(), impacts_.clear(), works_ = {};
   booked_ = s.evaluations(), tImpact_ = -1e300;
   stepKeys_.clear(), impulse_.resize(0);
@@ -226,10 +260,12 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
     smooth_.prepare(s, *table_), smoothOwn_.prepare(s, *table_);
     probe_.prepare(s, x);
     event_.prepare(s, norm_);
+    event_.plain(plain_);
     ready_ = true;
   }
-  if (x.scheme.size() == 0)
-    begin(s, solver, x, report);
+  const bool anew = x.scheme.size() > 0 && governor_.mode() == SwitchGovernor::Mode::decideAnew;
+  if (x.scheme.size() == 0 || anew)
+    governor_.locate(), begin(s, solver, x, report);
   else if (same && goesOn(x))
     std::swap(from_, to_);
   else
@@ -240,8 +276,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
 
 bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, double most,
                                 StepReport& report, bool& done) {
-  if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time()))
-    return refuse("the steps have become too short: no status of the contacts lasts");
+  if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time())) return stall();
   if (!search_.begin(probe_, phase_, from_.x))
     return refuse("contacts appear and disappear (two boxes): their gaps cannot be followed");
   bool stopped = false;
@@ -277,8 +312,9 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
                                 : &StepEffort::smooth,
        report);
   if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
-  if (found) ++report.counts.switches;
+  if (found) ++report.counts.switches, lastSwitched_ = search_.contact(probe_, phase_, found);
   if (found.kind == Switch::Kind::atStart) {
+    release(found);
     const bool good = event(s, solver, from_, report, {});
     book(s, &StepEffort::events, report);
     return good;
@@ -290,26 +326,48 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   keepImpulses();
   stepFrom_ = from_, stepTo_ = to_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
   const bool ended = endStarts();
+  release(found);
   const bool good = found ? event(s, solver, to_, report, {})
                           : project(s, to_) && (!ended || evaluateEnd(s, to_));
   book(s, found ? &StepEffort::events : &StepEffort::smooth, report);
   return good;
 }
 
-StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                      double dt) {
-  StepReport report;
+bool LocatedDormandPrince::advance(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                                   double dt, StepReport& report) {
   bool done = false, good = enter(s, solver, x, report);
   for (int tries = 0; good && !done; ++tries)
-    good = tries < kMostTries
-               ? goOn(s, solver, x.t + dt - from_.x.t, report, done)
-               : refuse("the steps have become too short: no status of the contacts lasts");
+    good = tries < kMostTries ? goOn(s, solver, x.t + dt - from_.x.t, report, done) : stall();
+  return good;
+}
+
+StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                      double dt) {
+  if (stepsInTime(x)) {
+    resumeStepping(s, x);
+    return stepInTime(s, solver, x, dt);
+  }
+  StepReport report;
+  const long before = s.evaluations();
+  const bool good = advance(s, solver, x, dt, report);
+  if (!good && stalled_ && !plain_) {
+    beginStepping(x);
+    governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
+    const StepEffort spent = report.counts.effort;
+    report = stepInTime(s, solver, x, dt);
+    report.counts.effort.rejected += spent.smooth + spent.rejected + spent.switches + spent.events;
+    return report;
+  }
   if (good) {
     const double t = x.t;
     x.t = to_.x.t == t + dt ? t + dt : to_.x.t;
     x.q = to_.x.q, x.u = to_.x.u;
-    store(x);
     report.dt = x.t - t;
+    const long n = s.evaluations() - before;
+    if (!plain_)
+      governor_.located(x.t, report.dt, n, locatedWork(s, static_cast<double>(n)),
+                        steppedWork(s, 1.0, 4.0), lastSwitched_);
+    store(x);
     if (tImpact_ == to_.x.t && report.dt > 0.0) report.uBeforeImpact = &uBeforeImpact_;
     tell(s, x, report);
   } else {

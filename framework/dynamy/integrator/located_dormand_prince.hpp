@@ -6,13 +6,15 @@
 ///   switches        where a gap, a slip or the reserve of a force reaches zero: found on the path
 ///                   through the step, the step repeated to there, the rest taken away by Newton
 ///   at a switch     impact, decision of the new status by an inclusion, projection
+///   dense switches  steps of EnergyMomentum, as long as the tolerance permits (SwitchGovernor)
 ///
 /// Extrapolated Gragg in place of Dormand and Prince needs 1.2 to 1.8 times the evaluations at
 /// equal error. Taking the state at the switch from the dense output was rejected: errors grow up
 /// to tenfold.
 #pragma once
-#include <dynamy/integrator/one_step.hpp>
+#include <dynamy/integrator/energy_momentum.hpp>
 #include <dynamy/integrator/switch_event.hpp>
+#include <dynamy/integrator/switch_governor.hpp>
 #include <dynamy/integrator/switch_search.hpp>
 
 namespace dynamy {
@@ -24,7 +26,7 @@ class LocatedDormandPrince : public OneStep {
   static void declare(Attributes& a);
   int order() const override { return table_->order; }
   bool choosesSteps() const override { return true; }
-  bool findsContacts() const override { return true; }
+  bool findsContacts() const override { return !stepped_; }
   void aim(const Accuracy& accuracy) override;
   double nextStep(const State& x) const override;
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
@@ -34,6 +36,8 @@ class LocatedDormandPrince : public OneStep {
  protected:
   /// Smooth phases by `table`, whatever the tolerance.
   LocatedDormandPrince(const Parameters& x, const ButcherTableau& table);
+  /// Event-driven as in the book, by `table`.
+  void plain(const ButcherTableau& table) { given_ = table_ = &table, plain_ = true; }
   static void declareStiff(Attributes& a);
 
  private:
@@ -47,6 +51,17 @@ class LocatedDormandPrince : public OneStep {
   /// x is where the last step ended: nothing has to be evaluated anew.
   bool goesOn(const State& x) const;
   void begin(MechanicalSystem& s, InclusionSolver& solver, const State& x, StepReport& report);
+  bool advance(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt,
+               StepReport& report);
+  // Steps in time.
+  bool stepsInTime(const State& x);
+  void beginStepping(const State& x);
+  void resumeStepping(const MechanicalSystem& s, const State& x);
+  void storeStepping(State& x) const;
+  StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
+  double steppedError(const MechanicalSystem& s, const State& a, const State& b, double h);
+  double locatedWork(const MechanicalSystem& s, double evaluations) const;
+  double steppedWork(const MechanicalSystem& s, double evaluations, double newton) const;
   bool evaluateEnd(MechanicalSystem& s, PhasePoint& p);
   bool event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report,
              const std::vector<ContactKey>& stopped);
@@ -67,17 +82,21 @@ class LocatedDormandPrince : public OneStep {
   bool project(MechanicalSystem& s, PhasePoint& p);
   bool stop(MechanicalSystem& s, InclusionSolver& solver, double& most, StepReport& report,
             bool& stopped);
+  void release(const Switch& w);
   void noteNull(const SwitchEvent::Result& r, const PhasePoint& p);
   void keepImpulses();
   void keepPercussions(double t);
   Status status(std::size_t i) const;  ///< of held[i]
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
+  bool stall();
   void book(const MechanicalSystem& s, long StepEffort::*what, StepReport& report);
   bool checkBias(MechanicalSystem& s, const PhasePoint& p);
   bool refuseBias(const MechanicalSystem& s, int element, int row, double told, double found);
 
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
+  /// Numbers at the front of State::scheme, see located_memory.cpp.
+  static constexpr int kHead = 9;
   Accuracy accuracy_;
   const ButcherTableau* given_ = nullptr;  // the one to take, else one that fits the tolerance
   const ButcherTableau* table_ = &dormandPrince8();
@@ -111,6 +130,14 @@ class LocatedDormandPrince : public OneStep {
   long booked_ = 0;
   MechanicalSystem* system_ = nullptr;
   mutable bool denseReady_ = false;
+  bool plain_ = false;  // nothing that goes beyond the book
+  bool stalled_ = false, stepped_ = false;
+  SwitchGovernor governor_;
+  EnergyMomentum timeStepping_;
+  ContactKey lastSwitched_;
+  Eigen::Matrix<double, kHead, 1> head_;
+  Eigen::VectorXd rate_;  // Δu/Δt of the last step in time
+  State steppedFrom_;
 };
 
 }  // namespace dynamy

@@ -7,22 +7,33 @@ namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
 /// there, whether steps are implicit and what speaks for the other kind (two counts), number of
-/// held contacts; then for each element, number, slip, sign, end of muting, whether the slip
-/// starts, what it has turned, weight, direction, λ.
-constexpr int kHead = 9, kDirection = Held::kMostRows - 1;
+/// held contacts; what the governor keeps; then for each element, number, slip, sign, end of
+/// muting, whether the slip starts, what it has turned, weight, direction, λ.
+constexpr int kDirection = Held::kMostRows - 1;
 constexpr int kPerHeld = 8 + kDirection + Held::kMostRows;
 
 }  // namespace
 
 void LocatedDormandPrince::store(State& x) {
   const std::size_t n = phase_.held.size();
-  x.scheme.resize(static_cast<Eigen::Index>(kHead + kPerHeld * n));
+  const auto governed = governor_.numbers();
+  if (governor_.mode() == SwitchGovernor::Mode::step) {
+    beginStepping(x);
+    x.scheme.resize(0);
+    storeStepping(x);
+    x.impulses = {};
+    stored_.resize(0);
+    return;
+  }
+  constexpr int kFirst = kHead + SwitchGovernor::kNumbers;
+  x.scheme.resize(static_cast<Eigen::Index>(kFirst + kPerHeld * n));
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
       smooth_.implicit() ? 1.0 : 0.0, smooth_.counted()[0], smooth_.counted()[1],
       static_cast<double>(n);
+  std::copy(governed.begin(), governed.end(), x.scheme.data() + kHead);
   for (std::size_t i = 0; i < n; ++i) {
     const Held& h = phase_.held[i];
-    double* out = x.scheme.data() + kHead + kPerHeld * i;
+    double* out = x.scheme.data() + kFirst + kPerHeld * i;
     out[0] = static_cast<double>(h.key.value >> 40);
     out[1] = static_cast<double>(contactNumber(h.key));
     out[2] = h.slips ? 1.0 : 0.0, out[3] = h.sign, out[4] = h.mutedUntil;
@@ -50,7 +61,7 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
   phase_.held.resize(static_cast<std::size_t>(x.scheme[8]));
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     Held& h = phase_.held[i];
-    const double* in = x.scheme.data() + kHead + kPerHeld * i;
+    const double* in = x.scheme.data() + kHead + SwitchGovernor::kNumbers + kPerHeld * i;
     h.key = contactKey(static_cast<int>(in[0]), static_cast<std::uint64_t>(in[1]));
     h.slips = in[2] != 0.0, h.sign = in[3], h.mutedUntil = in[4];
     h.starts = in[5] != 0.0, h.turned = in[6], h.weight = in[7];
@@ -125,6 +136,10 @@ void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& repor
 
 void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                        double theta, State& out) const {
+  if (stepped_ && system_ == &s) {
+    timeStepping_.interpolate(s, a, b, theta, out);
+    return;
+  }
   const bool known = system_ == &s && stepFrom_.x.t == a.t && stepFrom_.x.q == a.q;
   if (!known) {
     OneStep::interpolate(s, a, b, theta, out);

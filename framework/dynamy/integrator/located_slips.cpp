@@ -11,6 +11,7 @@ constexpr double kMostTurned = 30.0;   ///< k of theory 20.6, in units of the to
 constexpr double kShareOfStop = 0.75;  ///< steps end before slip does
 constexpr double kDifference = 1e-4;   ///< of T: for γ̇ by differences
 constexpr double kBias = 1e-3;         ///< of the sum of absolute values in γ̇
+constexpr double kBiasNoise = 1e-12;   ///< of L/T² and 1/T²: rates that are none
 
 }  // namespace
 
@@ -20,6 +21,7 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
   // for all contacts whose slip is that short at once.
   stopped = false;
   stopping_.clear();
+  if (plain_) return true;
   double last = 0.0, bound = most;
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     const Held& h = phase_.held[i];
@@ -40,6 +42,7 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
       continue;
     }
     stopping_.push_back(h.key);
+    lastSwitched_ = h.key;
     last = std::max(last, T);
   }
   if (stopping_.empty()) {
@@ -163,6 +166,7 @@ bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
     gamma.resize(s.slot(1).contacts.rows());
     s.slot(1).contacts.gamma(view(std::as_const(trial_.x.u)), view(gamma));
   };
+  const double T = norm_.time(), noise = kBiasNoise * std::max(1.0, norm_.length()) / (T * T);
   s.freeze(phaseKeys_);
   gammaAt(-d, toldDot_), gammaAt(d, gammaDot_);
   gammaDot_ = (gammaDot_ - toldDot_) / (2.0 * d);
@@ -176,7 +180,7 @@ bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
          r < c.row0[static_cast<std::size_t>(i)] + c.dim(i); ++r) {
       const auto row = static_cast<std::size_t>(r);
       const double told = toldDot_[r] - c.chi[row] + c.bias[row], found = gammaDot_[r];
-      if (std::abs(found - told) > kBias * (sums_[row] + std::abs(found)))
+      if (std::abs(found - told) > kBias * (sums_[row] + std::abs(found)) + noise)
         return refuseBias(s, c.element[static_cast<std::size_t>(i)],
                           r - c.row0[static_cast<std::size_t>(i)], told, found);
     }

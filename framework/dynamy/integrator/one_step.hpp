@@ -11,7 +11,11 @@ struct StepEffort {
   long rejected = 0;  ///< steps that were too long
   long switches = 0;  ///< finding instants, and steps to them
   long events = 0;    ///< impacts, decisions, projections
+  long stepping = 0;  ///< steps in time, past switches that were not located
 };
+
+/// Why a scheme that locates switches turns to steps in time.
+enum class TurnedBy : std::uint8_t { none, stall, density };
 
 /// What a scheme that chooses its steps did to take one of them.
 struct StepCounts {
@@ -22,6 +26,10 @@ struct StepCounts {
   int accumulations = 0;         ///< infinite sequences of impacts that were passed
   int undecided = 0;             ///< switches at which no status was consistent, or several were
   double accumulationEnd = 0.0;  ///< when the last of these sequences comes to rest [s]
+  bool stepped = false;          ///< a step in time: switches in it were not located
+  double stepError = 0.0;        ///< of such a step, in units of the tolerance
+  TurnedBy turnedBy = TurnedBy::none;  ///< the step is the first of such steps
+  ContactKey turnedAt;                 ///< the contact that switched too often
 };
 
 /// Works of a step, for the energy ledger, of schemes that integrate them better than the ledger

@@ -96,7 +96,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
       r.fault = next_.fault();
       return r;
     }
-    if (turn == kMostTurns || !staysClosed(s, next_, p, r)) break;
+    if (plain_ || turn == kMostTurns || !staysClosed(s, next_, p, r)) break;
   }
   if (!accelerateAlone(s, p)) {
     r.fault = next_.fault();
@@ -217,6 +217,18 @@ void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
   std::sort(closing_.begin(), closing_.end());
 }
 
+void SwitchEvent::accelerationLevel(InclusionProblem& p, double unit) {
+  // γ̇ = Wᵀu̇ + w̄ in units of time, and the slip that a bound has let go.
+  const ContactSet& c = *p.contacts;
+  for (std::size_t k = 0; k < p.gammaFree.size() && k < c.bias.size(); ++k)
+    p.gammaFree[k] += unit * c.bias[k];
+  for (int i = 0; i < p.size() && direction_ != 0.0; ++i) {
+    if (c.key[static_cast<std::size_t>(i)] != released_) continue;
+    const int t = p.law(i).rowKind(0) == RowKind::normal ? 1 : 0;
+    gammaBefore_[p.row0(i) + t] = 2.0 * kSlip * norm_->speed() * direction_;
+  }
+}
+
 double SwitchEvent::pose(InclusionProblem& p, bool jumped, const std::vector<ContactKey>& stopped) {
   // Resting rows lose their residual; slips keep their direction and are made clear. After a jump
   // the turn of the rows is that of W over h_s, else h_s w̄ at its end.
@@ -262,10 +274,10 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   if (closing_.empty()) return;
   look_ = x;
   look_.impulses = {};
-  s.move(look_, x.u, lookAhead);
+  if (!plain_) s.move(look_, x.u, lookAhead);
   // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
   const bool jumped = !percussions_.empty() || !shut_.empty();
-  if (!jumped) look_.u += lookAhead * aBefore_;
+  if (!jumped && !plain_) look_.u += lookAhead * aBefore_;
   s.freeze(closing_);
   s.evaluate(look_, 1);
   look_.u = x.u;
@@ -274,7 +286,8 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
     r.fault = "contacts appear and disappear (two boxes): their gaps cannot be followed";
     return;
   }
-  pose(p, jumped, stopped);
+  if (plain_) accelerationLevel(p, lookAhead);
+  pose(p, jumped || plain_, stopped);
   Vec Lambda = s.Lambda();
   Lambda.setZero();
   const SolveReport solved = solver.solve(p, Lambda);

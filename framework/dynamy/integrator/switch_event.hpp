@@ -65,6 +65,12 @@ class SwitchEvent {
     std::string_view fault;
   };
   void prepare(const MechanicalSystem& s, const ErrorNorm& norm);
+  /// Plain: decisions by the inclusion on the level of accelerations at the instant itself,
+  /// contacts that leave are open however soon they are back.
+  void plain(bool wanted) { plain_ = wanted; }
+  /// In plain decisions from now on this contact, whose friction has reached its bound, slips in
+  /// its one tangent with the sign of `direction`; 0: none is let go.
+  void release(ContactKey key, double direction) { released_ = key, direction_ = direction; }
   /// At x: changes x, `phase` and p (accelerations under the new status). `lookAhead`: h_s;
   /// `stopped`: contacts whose slip ends here whatever is left of it. Slot 0 is left evaluated at x
   /// with all contacts that took part.
@@ -86,6 +92,7 @@ class SwitchEvent {
   void notePercussions(const MechanicalSystem& s);
   void shut(MechanicalSystem& s, State& x);
   void chooseClosed(MechanicalSystem& s, const State& x);
+  void accelerationLevel(InclusionProblem& p, double unit);
   double pose(InclusionProblem& p, bool jumped, const std::vector<ContactKey>& stopped);
   void decide(MechanicalSystem& s, InclusionSolver& solver, const State& x, double lookAhead,
               const FrozenPhase& old, const std::vector<ContactKey>& stopped, FrozenPhase& phase,
@@ -100,6 +107,9 @@ class SwitchEvent {
   std::vector<Percussion> percussions_;
   std::array<double, 5> works_{};
   Eigen::VectorXd uBefore_, aBefore_, delta_, gamma_, gammaBefore_, xi_;
+  bool plain_ = false;
+  ContactKey released_;
+  double direction_ = 0.0;
   double leaves_ = 0.0;  // speed above which a contact leaves [m/s]
   std::vector<char> slips_;
   State look_;

@@ -299,6 +299,13 @@ bool SwitchSearch::closedBefore(ContactProbe& probe, const State& x, Switch& w) 
   return bool(first);
 }
 
+ContactKey SwitchSearch::contact(const ContactProbe& probe, const FrozenPhase& phase,
+                                 const Switch& w) const {
+  const auto m = static_cast<std::size_t>(w.monitor);
+  return w.force ? phase.held[static_cast<std::size_t>(force_[m].contact)].key
+                 : probe.key(kinematic_[m].contact);
+}
+
 bool SwitchSearch::value(ContactProbe& probe, const FrozenPhase& phase, const State& x,
                          const Switch& w, double& out) {
   if (w.force) {

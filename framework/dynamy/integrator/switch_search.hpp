@@ -42,6 +42,8 @@ class SwitchSearch {
   /// True: at x, where `w` was found, another contact has closed before: w is its switch then. Two
   /// that close soon after one another may change places between the path and the true motion.
   bool closedBefore(ContactProbe& probe, const State& x, Switch& w);
+  /// The contact of a switch that was found.
+  ContactKey contact(const ContactProbe& probe, const FrozenPhase& phase, const Switch& w) const;
   /// True: there are open contacts.
   bool gaps() const { return !kinematic_.empty() && kinematic_.front().gap; }
   bool any() const { return !kinematic_.empty() || !force_.empty(); }

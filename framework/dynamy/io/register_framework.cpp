@@ -5,6 +5,7 @@
 #include <dynamy/integrator/augmented_moreau.hpp>
 #include <dynamy/integrator/constraint_index.hpp>
 #include <dynamy/integrator/energy_momentum.hpp>
+#include <dynamy/integrator/event_driven.hpp>
 #include <dynamy/integrator/generalized_alpha.hpp>
 #include <dynamy/integrator/ggl.hpp>
 #include <dynamy/integrator/half_explicit_euler.hpp>
@@ -49,6 +50,7 @@ void registerFramework(Registry& registry) {
   registry.add<HalfExplicitHeun>("HalfExplicitHeun");
   registry.add<LocatedDormandPrince>("LocatedDormandPrince");
   registry.add<LocatedGragg>("LocatedGragg");
+  registry.add<EventDriven>("EventDriven");
   registry.add<ConstraintIndex>("ConstraintIndex");
   registry.add<Ggl>("Ggl");
   registry.add<Admm>("Admm");

@@ -16,7 +16,8 @@ void RunReport::archive(Archive& a) {
       a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
   a(located), a(accumulations), a(accumulationEnd), a(undecided);
-  a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events);
+  a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);
+  a(stepping);
   a(repairedImpacts), a(energyGain);
   a(residual), a(penetration), a(jointError), a(cpu), a(wall);
   a(trust);
@@ -30,6 +31,8 @@ void StepStatistics::step(const StepView& v) {
   r.rejected += counts.rejected, r.located += counts.switches;
   r.effort.smooth += counts.effort.smooth, r.effort.rejected += counts.effort.rejected;
   r.effort.switches += counts.effort.switches, r.effort.events += counts.effort.events;
+  r.effort.stepping += counts.effort.stepping;
+  if (counts.stepped) stepped(v);
   if (counts.accumulations > 0) r.accumulationEnd = counts.accumulationEnd;
   r.accumulations += counts.accumulations, r.undecided += counts.undecided;
   r.contactsMax = std::max(r.contactsMax, v.report.contacts);
@@ -53,6 +56,17 @@ void StepStatistics::step(const StepView& v) {
   if (v.report.contacts == 0 && !v.report.solved.ok()) ++r.unconverged;
   gaps(v);
   statuses(v);
+}
+
+void StepStatistics::stepped(const StepView& v) {
+  SteppingReport& r = report_.stepping;
+  const StepCounts& counts = v.report.counts;
+  if (counts.turnedBy != TurnedBy::none) {
+    if (++r.periods == 1) r.first.t = v.before.t, r.first.contact = counts.turnedAt;
+    r.stalls += counts.turnedBy == TurnedBy::stall ? 1 : 0;
+  }
+  ++r.steps, r.time += v.report.dt;
+  r.longest = std::max(r.longest, v.report.dt), r.error = std::max(r.error, counts.stepError);
 }
 
 void StepStatistics::gaps(const StepView& v) {

@@ -54,6 +54,19 @@ struct Warning {
   std::string text;  ///< what, where, when; what to do
 };
 
+/// Where switches were too dense to be located, and steps in time took their place.
+struct SteppingReport {
+  long periods = 0, steps = 0;
+  long stalls = 0;       ///< periods that began because no step was short enough
+  double time = 0.0;     ///< all periods together [s]
+  double longest = 0.0;  ///< step [s]
+  double error = 0.0;    ///< largest estimated error of a step, in units of the tolerance
+  Worst first;           ///< when the first period began and the contact that switched there
+  void archive(Archive& a) {
+    a(periods), a(steps), a(stalls), a(time), a(longest), a(error), a(first);
+  }
+};
+
 struct RunReport {
   enum class Ended { finished, stopped, failed };
   Ended ended = Ended::finished;
@@ -74,7 +87,8 @@ struct RunReport {
   long accumulations = 0;        ///< infinite sequences of impacts that were passed
   double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
   StepEffort effort;             ///< what the evaluations of a scheme with own steps were for
-  long undecided = 0;            ///< switches at which no status was consistent, or several were
+  SteppingReport stepping;
+  long undecided = 0;  ///< switches at which no status was consistent, or several were
   int contactsMax = 0;
   long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
   Worst energyGain;          ///< the largest such gain, before the repair [J]
@@ -110,6 +124,7 @@ class StepStatistics final : public Observer {
     bool impact;
     void archive(Archive& a) { a(key), a(status), a(impact); }
   };
+  void stepped(const StepView& view);
   void gaps(const StepView& view);
   void statuses(const StepView& view);
   void switched(double t, const Seen& from, const Seen& to);

@@ -78,6 +78,19 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
                                          r.jointError.value / length)});
 }
 
+void aboutStepping(const RunReport& r, Warnings& out) {
+  const SteppingReport& s = r.stepping;
+  if (s.periods == 0) return;
+  const std::string at = s.first.name.empty() ? "" : " at " + s.first.name;
+  out.push_back(
+      {"time stepping",
+       fmt::format("switches{} came too fast to be located (t = {:.6g} s): {:.4g} s in {} "
+                   "period{} were stepped in time with steps up to {:.2g} s, whose errors reach "
+                   "{:.2g} times the tolerance each; it is not promised from there on",
+                   at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.longest,
+                   s.error)});
+}
+
 void aboutStep(const RunReport& r, double length, Warnings& out) {
   const RunTrust& t = r.trust;
   if (t.omegaDt > kOmegaDt)
@@ -124,6 +137,7 @@ std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
   aboutImpacts(report, out);
   aboutPositions(report, sceneLength, out);
   aboutStep(report, sceneLength, out);
+  aboutStepping(report, out);
   return out;
 }
 

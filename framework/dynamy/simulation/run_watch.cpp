@@ -184,6 +184,8 @@ void RunWatch::finish(const StepView& last) {
   sample(last);
   for (Worst* w : {&report_.residual, &report_.penetration, &report_.jointError})
     if (w->value > 0.0) w->name = contactName(last.model, w->contact);
+  if (Worst& first = report_.stepping.first; first.contact.value != 0)
+    first.name = contactName(last.model, first.contact);
   RunTrust& trust = report_.trust;
   trust.omegaDt = speed_ > 0.0 ? std::sqrt(std::sqrt(curvature_ / speed_)) : 0.0;
   report_.warnings = warningsOf(report_, model_.length());

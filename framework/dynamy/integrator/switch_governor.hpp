@@ -1,0 +1,67 @@
+/// SwitchGovernor: where locating every switch costs more than it brings, steps are taken in time
+/// without locating anything, and back (theory 50.7).
+///
+///   work of located switches over a window  >  2 Δt/h₁ · work of a step in time,  h₁ = tol T
+///   or: steps have become too short at all                              ⇒  steps in time
+///   after a while in which switches were rare                           ⇒  switches are located
+///
+/// Work is counted in floating-point operations that evaluations and solves stand for, never in
+/// seconds: a run repeats bit by bit. Whoever comes back and has to leave again soon stays away
+/// twice as long, so that the attempts cost no more than a share. One mode for the whole system:
+/// islands of their own were left out, since FrozenPhase has none either.
+#pragma once
+#include <array>
+#include <dynamy/integrator/one_step.hpp>
+
+namespace dynamy {
+
+class SwitchGovernor {
+ public:
+  enum class Mode : std::uint8_t { locate, step, decideAnew };
+  /// All that is kept from step to step, to be stored with a state.
+  static constexpr int kNumbers = 13;
+  std::array<double, kNumbers> numbers() const;
+  void numbers(const double* from);
+
+  /// T: the motion's time [s].
+  void scales(double tolerance, double T) { tolerance_ = tolerance, T_ = T; }
+  void reset() { *this = SwitchGovernor(tolerance_, T_); }
+  SwitchGovernor() = default;
+
+  Mode mode() const { return mode_; }
+  TurnedBy turnedBy() const { return turnedBy_; }
+  ContactKey turnedAt() const { return turnedAt_; }
+  void told() { turnedBy_ = TurnedBy::none; }
+
+  // While switches are located.
+  /// A step that ended at t: turns to steps in time where that is cheaper. `stepWork`: of one
+  /// of those; `at`: the contact that switched last.
+  void located(double t, double dt, long evaluations, double work, double stepWork, ContactKey at);
+  /// Steps in time from t on.
+  void turn(double t, TurnedBy why, ContactKey at);
+  /// From now on switches are located again.
+  void locate() { mode_ = Mode::locate; }
+
+  // While steps are taken in time.
+  double h() const { return h_; }
+  double least() const;
+  /// The step was too long by its error, in units of the tolerance.
+  void shorten(double h, double error);
+  /// It was taken; `again`: after having been shortened.
+  void stepped(double t, double h, double error, double work, bool again, double switchWork);
+
+ private:
+  SwitchGovernor(double tolerance, double T) : tolerance_(tolerance), T_(T) {}
+  double factor(double error) const;
+  double tolerance_ = 1e-6, T_ = 1.0;
+  Mode mode_ = Mode::locate;
+  TurnedBy turnedBy_ = TurnedBy::none;
+  ContactKey turnedAt_;
+  double h_ = 0.0;                   // of steps in time [s]
+  double began_ = 0.0, stay_ = 0.0;  // the present mode; how long steps are taken in time [s]
+  double window_ = 0.0, windowWork_ = 0.0;  // of located switches: time and work
+  double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
+  double switches_ = 0.0, stepWork_ = 0.0;  // while stepping, since began_
+};
+
+}  // namespace dynamy
