@@ -6,7 +6,7 @@ namespace dynamy {
 namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
-/// there, whether steps are implicit and what speaks for the other kind (two counts), number of
+/// there, whether steps are implicit and what speaks for the other kind (five numbers), number of
 /// held contacts; what the governor keeps; then for each element, number, slip, sign, end of
 /// muting, whether the slip starts, what it has turned, weight, direction, λ.
 constexpr int kDirection = Held::kMostRows - 1;
@@ -27,8 +27,9 @@ void LocatedDormandPrince::store(State& x) {
   }
   constexpr int kFirst = kHead + SwitchGovernor::kNumbers;
   x.scheme.resize(static_cast<Eigen::Index>(kFirst + kPerHeld * n));
+  const SmoothStep::Counted counted = smooth_.counted();
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
-      smooth_.implicit() ? 1.0 : 0.0, smooth_.counted()[0], smooth_.counted()[1],
+      smooth_.implicit() ? 1.0 : 0.0, counted[0], counted[1], counted[2], counted[3], counted[4],
       static_cast<double>(n);
   std::copy(governed.begin(), governed.end(), x.scheme.data() + kHead);
   for (std::size_t i = 0; i < n; ++i) {
@@ -57,8 +58,8 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
     norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
   const bool implicit = x.scheme[5] != 0.0;
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
-  smooth_.counted({static_cast<int>(x.scheme[6]), static_cast<int>(x.scheme[7])});
-  phase_.held.resize(static_cast<std::size_t>(x.scheme[8]));
+  smooth_.counted({x.scheme[6], x.scheme[7], x.scheme[8], x.scheme[9], x.scheme[10]});
+  phase_.held.resize(static_cast<std::size_t>(x.scheme[11]));
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     Held& h = phase_.held[i];
     const double* in = x.scheme.data() + kHead + SwitchGovernor::kNumbers + kPerHeld * i;

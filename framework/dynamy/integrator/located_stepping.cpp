@@ -66,10 +66,11 @@ void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State
 }
 
 void LocatedDormandPrince::beginStepping(const State& x) {
+  head_.setZero();
   if (x.scheme.size() > kHead)
     head_ = x.scheme.head<kHead>();
   else
-    head_ << H_, norm_.time(), lookAhead_, lastEvent_, 0.0, 0.0, 0.0, 0.0, 0.0;
+    head_.head<4>() << H_, norm_.time(), lookAhead_, lastEvent_;
   rate_.resize(0);
   steppedFrom_.scheme.resize(0);
 }

@@ -8,6 +8,7 @@
 /// sphere, so the order stays. Canonical coordinates of each step were rejected as a default: no
 /// element would have to know more, but every stage would convert.
 #pragma once
+#include <algorithm>
 #include <dynamy/integrator/butcher_tableau.hpp>
 #include <dynamy/integrator/error_norm.hpp>
 #include <dynamy/integrator/frozen_phase.hpp>
@@ -52,11 +53,14 @@ class SmoothStep {
   double mostGrowth() const;
   /// Looks at a step that was accepted, whose end is `to`: true if the other kind of method should
   /// take over. Explicit: h |λ| has been at the bound of stability for many steps; implicit: it has
-  /// been small for some.
+  /// been small for some, or they cost more than the explicit ones before did.
   bool outgrown(const ErrorNorm& norm, const PhasePoint& to);
   /// What `outgrown` has counted, to be kept with a state.
-  std::array<int, 2> counted() const { return {stiff_, other_}; }
-  void counted(std::array<int, 2> n) { stiff_ = n[0], other_ = n[1]; }
+  using Counted = std::array<double, 5>;
+  Counted counted() const { return {stiff_, other_, tried_, rate_, patience_}; }
+  void counted(const Counted& n) {
+    stiff_ = n[0], other_ = n[1], tried_ = n[2], rate_ = n[3], patience_ = std::max(1.0, n[4]);
+  }
   /// True: q̇ = u everywhere.
   bool plain() const { return plain_; }
   /// q̇ and q̈ of a point whose x and a are known.
@@ -87,6 +91,7 @@ class SmoothStep {
   void combine(const PhasePoint& from, int row, State& out) const;
   bool takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h,
                     State& to);
+  double implicitWork(Eigen::Index unknowns, int iterations) const;
   double stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq, const Eigen::VectorXd& du) const;
   bool finish(const MechanicalSystem& s, State& to) const;
   const ButcherTableau* table_ = nullptr;
@@ -100,7 +105,9 @@ class SmoothStep {
   double t0_ = 0.0;
   // Implicit steps: y = (q, u) and y' where the last one began.
   bool implicit_ = false, tookImplicit_ = false, failed_ = false;
-  int stiff_ = 0, other_ = 0;
+  // Steps at a bound, and others; implicit steps since the last change; work per time of the
+  // explicit ones before it [1/s]; factor on the steps that a change takes.
+  double stiff_ = 0.0, other_ = 0.0, tried_ = 0.0, rate_ = 0.0, patience_ = 1.0;
   RadauStep radau_;
   double radauError_ = 0.0;
   Eigen::VectorXd y_, f_, yNew_, fNew_;

@@ -14,11 +14,20 @@ constexpr int kManySteps = 15, kOthers = 6;
 constexpr double kSmall = 2.0;
 constexpr double kMostGrowth = 6.0;
 constexpr int kSomeSteps = 10;  ///< after so many it is.
+/// Implicit steps after which their work is compared: they may have grown 1296 times by then. The
+/// explicit ones before are to have cost no less than such a trial, and four times as much after
+/// each that failed.
+constexpr int kTrial = 4;
+constexpr double kDearer = 4.0;
+/// Work of a real and a complex factorisation of n unknowns, 10/3 n³, in evaluations of some 400 n.
+constexpr double kFactorise = 1.0 / 120.0;
+/// Iterations of Newton's method in a step that goes well.
+constexpr int kUsual = 4;
 
 }  // namespace
 
 void SmoothStep::implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm) {
-  implicit_ = wanted, stiff_ = 0, other_ = 0;
+  implicit_ = wanted, stiff_ = other_ = tried_ = 0.0;
   y_.resize(0);
   if (!wanted) return;
   const Topology& topology = *s.parts().topology;
@@ -74,6 +83,12 @@ bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const Pha
   return finish(s, to);
 }
 
+/// Of an implicit step, in evaluations: Jacobian, factorisations, iterations.
+double SmoothStep::implicitWork(Eigen::Index unknowns, int iterations) const {
+  const auto n = static_cast<double>(unknowns);
+  return n + kFactorise * n * n + 3.0 * iterations;
+}
+
 double SmoothStep::mostGrowth() const {
   // Where Newton's method is slow, or has just failed, a longer step would only fail.
   constexpr int kSlow = 5;
@@ -91,7 +106,13 @@ double SmoothStep::stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq,
 
 bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
   double product = 0.0, bound = kSmall;
+  const Eigen::Index unknowns = to.x.q.size() + to.x.u.size();
+  double steps = kSomeSteps;
   if (tookImplicit_) {
+    if (++tried_ >= kTrial && implicitWork(unknowns, radau_.iterations()) > rate_ * h_) {
+      patience_ *= kDearer;
+      return true;
+    }
     product = h_ * radau_.fastest();
   } else {
     // Two states at the end of the step, the last stage and the result, differ by what is stiff.
@@ -101,12 +122,15 @@ bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
     const double rates = stretch(norm, to.qdot - Q_.col(last), to.a - U_.col(last));
     if (states > 0.0) product = h_ * rates / states;
     bound = table_->order >= 8 ? kBound8 : kBound5;
+    rate_ = table_->stages / h_;
+    steps = patience_ *
+            std::max<double>(kManySteps, kTrial * implicitWork(unknowns, kUsual) / table_->stages);
   }
   if (tookImplicit_ != (product > bound)) {
-    other_ = 0;
-    return ++stiff_ >= (tookImplicit_ ? kSomeSteps : kManySteps);
+    other_ = 0.0;
+    return ++stiff_ >= steps;
   }
-  if (++other_ >= kOthers || tookImplicit_) stiff_ = 0;
+  if (++other_ >= kOthers || tookImplicit_) stiff_ = 0.0;
   return false;
 }
 
