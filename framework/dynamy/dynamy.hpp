@@ -1,5 +1,6 @@
 /// The one include of a plug-in.
 #pragma once
+#include <dynamy/contact/bilateral_rate.hpp>
 #include <dynamy/contact/convex_sets.hpp>
 #include <dynamy/contact/simple_contact.hpp>
 #include <dynamy/contact/standard_laws.hpp>

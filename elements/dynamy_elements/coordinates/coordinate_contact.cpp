@@ -1,34 +1,10 @@
 #include <algorithm>
+#include <dynamy/contact/bilateral_rate.hpp>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy_elements/coordinates/coordinate_contact.hpp>
 
 namespace dynamy {
-namespace {
-
-/// γ = 0 in rows that are rates of no position: schemes that hold joints by their positions must
-/// leave them at the level of velocities.
-class BilateralRate final : public SetValuedForceLaw {
- public:
-  int dim(int geometric) const override { return geometric; }
-  bool unilateral() const override { return false; }
-  RowKind rowKind(int) const override { return RowKind::friction; }
-  void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override {
-    law_.prox(in, r, xi, Lambda);
-  }
-  bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
-                      double* A, double* B) const override {
-    return law_.proxDerivative(in, rho, xi, Lambda, A, B);
-  }
-  SimpleSet simpleSet(const LawInput& in) const override { return law_.simpleSet(in); }
-  Status status(const LawInput&, const double*) const override { return Status::locked; }
-
- private:
-  Bilateral law_;
-};
-
-}  // namespace
 
 void CoordinateContact::declare(Attributes& a) {
   a.about(

@@ -19,7 +19,14 @@ enum class Status : std::uint8_t { open, separating, stick, slip, lower, upper, 
 std::string_view statusText(Status status);
 
 /// What the percussion of a row does in the energy ledger.
-enum class RowKind : std::uint8_t { normal, friction, joint };
+enum class RowKind : std::uint8_t {
+  normal,
+  friction,
+  joint,  ///< γ = 0, the rate of a position that is zero
+  rate    ///< γ = 0, the rate of nothing (BilateralRate)
+};
+/// Rows that hold γ = 0 whatever it takes.
+inline bool holds(RowKind kind) { return kind == RowKind::joint || kind == RowKind::rate; }
 
 /// What differs per contact.
 struct LawInput {

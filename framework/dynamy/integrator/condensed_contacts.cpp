@@ -93,9 +93,11 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
   for (int i = 0; i < contacts_.size(); ++i) {
     const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
     if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
-    if (std::find(meanSlip_.begin(), meanSlip_.end(), contacts_.key[static_cast<std::size_t>(i)]) !=
-        meanSlip_.end())
-      for (std::size_t r = first + 1; r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
+    const bool rate = problem_.law(i).rowKind(0) == RowKind::rate;
+    if (rate || std::find(meanSlip_.begin(), meanSlip_.end(),
+                          contacts_.key[static_cast<std::size_t>(i)]) != meanSlip_.end())
+      for (std::size_t r = first + (rate ? 0 : 1);
+           r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
         problem_.gammaFree[r] += problem_.gammaA[r];
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }

@@ -33,7 +33,7 @@ StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, S
   State& start = start_[depth];
   start = x;
   const StepReport whole = joined(s, solver, x, dt);
-  if (whole.solved.ok() || depth == kMostHalvings) return whole;
+  if (whole.solved.ok() || !whole.refused.empty() || depth == kMostHalvings) return whole;
   x = start;
   const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
   StepReport second = halve(s, solver, x, 0.5 * dt, depth + 1);
@@ -74,6 +74,7 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   jump ? x.scheme.resize(0) : keepMean(x, dt);
   StepReport report{dt, solved, s.problem().size()};
   if (jump) report.jump = &jump_;
+  report.refused = newton_.fault();
   return report;
 }
 

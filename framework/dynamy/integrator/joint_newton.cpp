@@ -259,8 +259,11 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
     }
   }
   tangent_ = wanted == Tangent::closedForm && offered_ ? wanted : Tangent::differences;
-  if (tangent_ == Tangent::differences) differences(s, contactImpulse);
-  return K_.factor();
+  if (tangent_ == Tangent::differences) {
+    differences(s, contactImpulse);
+    checkPositions(s);
+  }
+  return fault_.empty() && K_.factor();
 }
 
 bool JointNewton::closedForm(const MechanicalSystem& s) {
@@ -307,6 +310,31 @@ void JointNewton::differences(MechanicalSystem& s, const Eigen::VectorXd& contac
       v = base_;
     }
   Rv_ = force0_, Rg_ = g0_, gRate_ = gRate0_;
+}
+
+/// A row with velocities whose position nothing changes would hold nothing, in silence.
+void JointNewton::checkPositions(const MechanicalSystem& s) {
+  const ContactSet& c = s.slot(0).contacts;
+  for (std::size_t k = 0; k < joints_.size(); ++k)
+    for (int r = 0; r < c.dim(joints_[k]); ++r) {
+      double moves = 0.0, follows = 0.0;
+      const int row = nodes_[at(jointNode_[k])].first + r, i = joints_[k];
+      for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
+        const Segment& seg = c.segment[at(m)];
+        const int column = nodes_[at(blockNode_[at(seg.block)])].first;
+        for (int j = 0; j < seg.nu; ++j) {
+          moves = std::max(moves, std::abs(c.W[at(static_cast<int>(seg.w) + r * seg.nu + j)]));
+          follows = std::max(follows, std::abs(K_.at(row, column + j)));
+        }
+      }
+      if (moves == 0.0 || follows > 0.0) continue;
+      const Element& element = *s.parts().contacts[at(c.element[at(i)])];
+      fault_ = "the scheme holds joints by their positions, and row " + std::to_string(r) + " of " +
+               (element.name().empty() ? "an element of type " + element.type()
+                                       : '"' + element.name() + '"') +
+               " has none: write its position, or give it a BilateralRate";
+      return;
+    }
 }
 
 void JointNewton::newtonStep() {

@@ -18,6 +18,8 @@
 #pragma once
 #include <dynamy/integrator/banded_lu.hpp>
 #include <dynamy/integrator/joint_tangent.hpp>
+#include <string>
+#include <string_view>
 
 namespace dynamy {
 
@@ -33,6 +35,9 @@ class JointNewton {
   /// K at the last residual; false: singular.
   bool linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
                  Tangent wanted = Tangent::closedForm);
+  /// Set by linearise(): why positions cannot hold these joints, with the element's name; empty:
+  /// they can.
+  std::string_view fault() const { return fault_; }
   /// How the last K was found.
   Tangent tangent() const { return tangent_; }
   /// Newton's step −K⁻¹R, not yet taken: dv(), dLambda().
@@ -69,6 +74,7 @@ class JointNewton {
   void addJointColumns(const Evaluation& e);
   void differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
   bool closedForm(const MechanicalSystem& s);
+  void checkPositions(const MechanicalSystem& s);
   void addColumn(int node, int column, const Eigen::VectorXd& force, double perturbation);
   void jointForces(const Evaluation& e, Eigen::VectorXd& out);
   void findJoints(const ContactSet& c, std::vector<int>& out) const;
@@ -85,6 +91,7 @@ class JointNewton {
   std::vector<double> Rg_, g0_, gA_, gRate_, gRate0_, work_;
   BandedLu K_;
   Tangent tangent_ = Tangent::differences;
+  std::string fault_;
   bool offered_ = true;  // until an element refuses the closed form
   JointTangent parts_;
 };

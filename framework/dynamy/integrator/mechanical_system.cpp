@@ -176,7 +176,7 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
       continue;
     }
     for (int r = 0; r < c.dim(i); ++r) {
-      if (law.rowKind(r) != RowKind::joint) continue;
+      if (!holds(law.rowKind(r))) continue;
       const auto row = first + static_cast<std::size_t>(r);
       const double back = std::clamp(aim.kappa * c.position[row] / dt, -aim.cap, aim.cap);
       problem_.gammaFree[row] += aim.meanJoints ? problem_.gammaA[row] : back;

@@ -74,7 +74,8 @@ void Projection::select(const ContactSet& all, const State& x, Level level) {
       } else if (carries) {
         append(all, i, all.dim(i), law, contacts_);
       }
-    } else if (law.rowKind(0) == RowKind::joint) {
+    } else if (law.rowKind(0) == RowKind::joint ||
+               (law.rowKind(0) == RowKind::rate && level == Level::velocity)) {
       append(all, i, all.dim(i), bilateral_, contacts_);
       if (midpoint) std::fill_n(contacts_.position.end() - all.dim(i), all.dim(i), 0.0);
     }
@@ -223,7 +224,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   for (int i = 0; i < all.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const SetValuedForceLaw& law = *all.law[at];
-    if (!law.unilateral() && law.rowKind(0) != RowKind::joint) continue;
+    if (!law.unilateral() && !holds(law.rowKind(0))) continue;
     // A contact that is to rebound takes part when it is closed.
     const double g = all.position[static_cast<std::size_t>(all.row0[at])];
     if (law.unilateral() && !rests(all, i) && g > s.gTol()) continue;

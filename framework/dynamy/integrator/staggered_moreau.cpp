@@ -19,7 +19,7 @@ constexpr int kCorrection = 4;
 
 bool hasJoints(const ContactSet& contacts) {
   for (int i = 0; i < contacts.size(); ++i)
-    if (contacts.law[static_cast<std::size_t>(i)]->rowKind(0) == RowKind::joint) return true;
+    if (holds(contacts.law[static_cast<std::size_t>(i)]->rowKind(0))) return true;
   return false;
 }
 

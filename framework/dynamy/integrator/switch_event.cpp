@@ -193,8 +193,7 @@ void SwitchEvent::shut(MechanicalSystem& s, State& x) {
     const int tangent = unilateral ? 1 : 0;
     for (int k = tangent; k < c.dim(static_cast<int>(i)); ++k)
       slip = std::max(slip, std::abs(gamma_[c.row0[i] + k]));
-    shutPhase_.held.back().slips =
-        c.law[i]->rowKind(0) != RowKind::joint && slip > kSlip * norm_->speed();
+    shutPhase_.held.back().slips = !holds(c.law[i]->rowKind(0)) && slip > kSlip * norm_->speed();
   }
   projectVelocities(s, shutPhase_, x);
 }
@@ -240,7 +239,7 @@ double SwitchEvent::pose(InclusionProblem& p, bool jumped, const std::vector<Con
   for (int i = 0; i < p.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const int first = p.row0(i), d = p.dim(i), t = tangent(i);
-    const bool joint = p.law(i).rowKind(0) == RowKind::joint;
+    const bool joint = holds(p.law(i).rowKind(0));
     const double speed =
         joint || t == d ? 0.0 : speedOf(p.law(i), d, gammaBefore_.data() + first, t);
     slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]) ? 1 : 0;
@@ -276,8 +275,8 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   look_.impulses = {};
   if (!plain_) s.move(look_, x.u, lookAhead);
   // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
-  const bool jumped = !percussions_.empty() || !shut_.empty();
-  if (!jumped && !plain_) look_.u += lookAhead * aBefore_;
+  const bool jumped = plain_ || !percussions_.empty() || !shut_.empty();
+  if (!jumped) look_.u += lookAhead * aBefore_;
   s.freeze(closing_);
   s.evaluate(look_, 1);
   look_.u = x.u;
@@ -287,7 +286,7 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
     return;
   }
   if (plain_) accelerationLevel(p, lookAhead);
-  pose(p, jumped || plain_, stopped);
+  pose(p, jumped, stopped);
   Vec Lambda = s.Lambda();
   Lambda.setZero();
   const SolveReport solved = solver.solve(p, Lambda);
@@ -318,7 +317,7 @@ void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, 
   if (normal && d > 1) h.weight = Lambda[first] / lookAhead;
   if (const Held* before = old.find(h.key)) h.mutedUntil = before->mutedUntil;
   const int tangent = normal ? 1 : 0;
-  if (law.rowKind(0) != RowKind::joint && d > tangent) {
+  if (!holds(law.rowKind(0)) && d > tangent) {
     h.slips = slip != nullptr || speedOf(law, d, xi_.data() + first, tangent) > kDecided * asked;
     const double* direction = slip ? slip + tangent : xi_.data() + first + tangent;
     if (h.slips) h.sign = direction[0] < 0.0 ? -1.0 : 1.0;

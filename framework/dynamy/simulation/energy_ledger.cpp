@@ -95,7 +95,7 @@ double EnergyLedger::contactWork(const StepView& v) {
           .add(work);
       boundaries_.add(brought);
       all += work + brought;
-      if (kind != RowKind::joint) gain += work;
+      if (!holds(kind)) gain += work;
     }
   }
   if (gain > report_.largestGain) report_.largestGain = gain, report_.largestGainTime = v.after.t;

@@ -48,7 +48,7 @@ void EnergyGuard::gains(InclusionProblem& problem, ConstVec Lambda) {
     const auto g = static_cast<std::size_t>(groups_.of(i));
     for (int r = 0; r < problem.dim(i); ++r) {
       // Joints do no work; what their rows show is the turning of W within the step.
-      if (problem.law(i).rowKind(r) == RowKind::joint) continue;
+      if (holds(problem.law(i).rowKind(r))) continue;
       const auto k = static_cast<std::size_t>(problem.row0(i) + r);
       const double L = Lambda[problem.row0(i) + r], free = problem.gammaFree[k];
       const double end = free + gammaE_[k], begin = problem.gammaA[k];

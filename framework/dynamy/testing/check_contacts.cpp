@@ -1,4 +1,4 @@
-// Checks of the contacts and forces of a built model. Every candidate met at the start is frozen:
+// Checks of the contacts of a built model. Every candidate met at the start is frozen:
 // it then counts as closed whatever its gap, so that W, χ and the bias are seen for either sign of
 // g.
 #include <fmt/format.h>
@@ -8,8 +8,8 @@
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
+#include <dynamy/testing/random_motion.hpp>
 #include <limits>
-#include <random>
 #include <set>
 
 namespace dynamy {
@@ -17,62 +17,7 @@ namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
 
-std::string nameOf(const Element& e, const char* otherwise) {
-  if (!e.name().empty()) return e.name();
-  return e.type().empty() ? otherwise : e.type();
-}
-
-/// Random states of a model and the motion through them.
-class Motion {
- public:
-  Motion(Model& model, const CheckOptions& options)
-      : model_(model), options_(options), random_(options.seed), start_(model.initialState()) {
-    kinematics_.resize(model.topology());
-    x_ = start_;
-  }
-  double uniform() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
-  /// The start itself first, then states near it.
-  void sample(int i) {
-    x_ = start_;
-    if (i == 0) return;
-    Eigen::VectorXd v(start_.u.size());
-    for (double& x : v) x = options_.speed * uniform();
-    move(x_, v, options_.reach * std::abs(uniform()));
-    for (std::size_t s = 0; s < model_.systems().size(); ++s) {
-      const SystemHandle& h = model_.topology().system(static_cast<int>(s));
-      if (h.nq > 0) model_.systems()[s]->normalise(slice(x_.q, h.q0, h.nq));
-    }
-    for (double& x : x_.u) x += options_.speed * uniform();
-    x_.t = options_.reach * std::abs(uniform());
-  }
-  State after(double s) const { return after(s, x_.u); }
-  /// Along another velocity than that of the state.
-  State after(double s, const Eigen::VectorXd& u) const {
-    State x = x_;
-    x.u = u;
-    move(x, u, s);
-    return x;
-  }
-  const State& x() const { return x_; }
-  Kinematics& kinematics(const State& x) {
-    kinematics_.evaluate(model_.topology(), x.t, view(x.q), view(x.u), view(x.memory));
-    return kinematics_;
-  }
-
- private:
-  void move(State& x, const Eigen::VectorXd& v, double s) const {
-    for (std::size_t i = 0; i < model_.systems().size(); ++i) {
-      const SystemHandle& h = model_.topology().system(static_cast<int>(i));
-      if (h.nq > 0) model_.systems()[i]->move(x.t, slice(x.q, h.q0, h.nq), slice(v, h.u0, h.nu), s);
-    }
-    x.t += s;
-  }
-  Model& model_;
-  CheckOptions options_;
-  std::mt19937 random_;
-  State start_, x_;
-  Kinematics kinematics_;
-};
+using testing::Motion, testing::nameOf;
 
 class ContactCheck {
  public:
@@ -87,6 +32,7 @@ class ContactCheck {
       if (!shapesFit()) break;
       checkAffine();
       checkGaps();
+      if (i == 0) checkPositions();  // rotations tell their rates where they are closed
       if (options_.bias) checkBias();
     }
     checkLaws();
@@ -138,6 +84,7 @@ class ContactCheck {
   bool shapesFit();
   void checkAffine();
   void checkGaps();
+  void checkPositions();
   void explain(int contact);
   std::string velocityName(int u) const;
   void checkBias();
@@ -258,6 +205,44 @@ void ContactCheck::checkGaps() {
   }
 }
 
+/// γ of a joint's row is the rate of its position, where it is closed.
+void ContactCheck::checkPositions() {
+  Eigen::VectorXd gamma = Eigen::VectorXd::Zero(here_.rows()), u = motion_.x().u;
+  for (double& v : u) v += options_.speed * motion_.uniform();
+  here_.gamma(view(std::as_const(u)), view(gamma));
+  const testing::Difference D = testing::differentiate([&](double s) {
+    evaluate(motion_.after(s, u), there_);
+    Eigen::VectorXd g =
+        Eigen::VectorXd::Constant(here_.rows(), std::numeric_limits<double>::quiet_NaN());
+    for (int i = 0; i < here_.size(); ++i) {
+      const auto c = static_cast<std::size_t>(i);
+      const int j = find(there_, here_.key[c]);
+      for (int r = 0; j >= 0 && r < here_.dim(i); ++r)
+        g[here_.row0[c] + r] =
+            there_.position[static_cast<std::size_t>(there_.row0[static_cast<std::size_t>(j)] + r)];
+    }
+    return g;
+  });
+  if (!std::isfinite(D.error)) return;
+  for (int i = 0; i < here_.size(); ++i) {
+    const auto c = static_cast<std::size_t>(i);
+    const SetValuedForceLaw& law = *here_.law[c];
+    if (law.unilateral() || law.rowKind(0) != RowKind::joint) continue;
+    for (int r = 0; r < here_.dim(i); ++r) {
+      const int row = here_.row0[c] + r;
+      // An open joint's rate is off by g ω.
+      const double off = std::abs(here_.g[static_cast<std::size_t>(here_.candidate[c])]) *
+                         (1.0 + u.cwiseAbs().maxCoeff());
+      if (std::abs(gamma[row] - D.value[row]) <= D.error + off + 64.0 * kEps * std::abs(gamma[row]))
+        continue;
+      result_.fault(fmt::format(
+          "{}: gamma[{}] = Wᵀu + chi = {:.9g} m/s, but its position changes by {:.9g} m/s{}",
+          label(i), r, gamma[row], D.value[row],
+          D.value[row] == 0.0 ? ": write rows.position, or give it a BilateralRate" : ""));
+    }
+  }
+}
+
 /// "bead.vx", or "u[3]" where the system does not name it.
 std::string ContactCheck::velocityName(int u) const {
   for (std::size_t i = 0; i < model_.systems().size(); ++i) {
@@ -347,41 +332,6 @@ void ContactCheck::checkLaws() {
 
 Verdict checkContacts(Model& model, const CheckOptions& options) {
   return ContactCheck(model, options).run();
-}
-
-Verdict checkForces(Model& model, const CheckOptions& options) {
-  Verdict result;
-  Motion motion(model, options);
-  const int nu = model.topology().nu();
-  Eigen::VectorXd h(nu), nonPotential(nu);
-  for (int i = 0; i < options.states && result; ++i) {
-    motion.sample(i);
-    const State x = motion.x();
-    for (const auto& force : model.forces()) {
-      h.setZero(), nonPotential.setZero();
-      ForceSink sink(view(h), view(nonPotential));
-      sink.hasPotential(force->hasPotential());
-      force->addTo(motion.kinematics(x), sink);
-      const std::string name = nameOf(*force, "force");
-      if (!h.allFinite()) result.fault(name + ": a force is not finite");
-      if (!force->hasPotential()) continue;
-      const double V = force->potentialEnergy(motion.kinematics(x));
-      State later = x;
-      later.t += 0.37;
-      // Driven through t: its power is not all of dV/dt.
-      if (force->potentialEnergy(motion.kinematics(later)) != V) continue;
-      const testing::Difference D = testing::differentiate([&](double s) {
-        return Eigen::VectorXd::Constant(1,
-                                         force->potentialEnergy(motion.kinematics(motion.after(s))))
-            .eval();
-      });
-      const double power = h.dot(x.u), rounding = 64.0 * kEps * h.cwiseAbs().dot(x.u.cwiseAbs());
-      if (!(std::abs(power + D.value[0]) <= D.error + rounding))
-        result.fault(
-            fmt::format("{}: force·u = {:.9g} W, but -dV/dt = {:.9g} W", name, power, -D.value[0]));
-    }
-  }
-  return result;
 }
 
 }  // namespace dynamy

@@ -1,0 +1,54 @@
+// Checks of the forces of a built model.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <dynamy/testing/difference.hpp>
+#include <dynamy/testing/random_motion.hpp>
+#include <limits>
+
+namespace dynamy {
+
+namespace {
+
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+
+using testing::Motion, testing::nameOf;
+
+}  // namespace
+
+Verdict checkForces(Model& model, const CheckOptions& options) {
+  Verdict result;
+  Motion motion(model, options);
+  const int nu = model.topology().nu();
+  Eigen::VectorXd h(nu), nonPotential(nu);
+  for (int i = 0; i < options.states && result; ++i) {
+    motion.sample(i);
+    const State x = motion.x();
+    for (const auto& force : model.forces()) {
+      h.setZero(), nonPotential.setZero();
+      ForceSink sink(view(h), view(nonPotential));
+      sink.hasPotential(force->hasPotential());
+      force->addTo(motion.kinematics(x), sink);
+      const std::string name = nameOf(*force, "force");
+      if (!h.allFinite()) result.fault(name + ": a force is not finite");
+      if (!force->hasPotential()) continue;
+      const double V = force->potentialEnergy(motion.kinematics(x));
+      State later = x;
+      later.t += 0.37;
+      // Driven through t: its power is not all of dV/dt.
+      if (force->potentialEnergy(motion.kinematics(later)) != V) continue;
+      const testing::Difference D = testing::differentiate([&](double s) {
+        return Eigen::VectorXd::Constant(1,
+                                         force->potentialEnergy(motion.kinematics(motion.after(s))))
+            .eval();
+      });
+      const double power = h.dot(x.u), rounding = 64.0 * kEps * h.cwiseAbs().dot(x.u.cwiseAbs());
+      if (!(std::abs(power + D.value[0]) <= D.error + rounding))
+        result.fault(
+            fmt::format("{}: force·u = {:.9g} W, but -dV/dt = {:.9g} W", name, power, -D.value[0]));
+    }
+  }
+  return result;
+}
+
+}  // namespace dynamy
