@@ -1,6 +1,6 @@
 /// Bullet on the scene `pour` (models/pour.xml): N balls let fall into a box, friction 0.5.
 ///
-///   peer_bullet_pour N NX UNTIL STEP ITERATIONS [1]      the last: friction in one direction
+///   pour_bullet N NX UNTIL STEP ITERATIONS [1]      the last: friction in one direction
 ///
 /// Prints CPU time a step of the last quarter, and at the end the mean and the deepest overlap of
 /// the pairs that overlap, the mean height, and the kinetic energy of a ball. Worlds of rigid
