@@ -333,7 +333,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   return good;
 }
 
-bool LocatedDormandPrince::advance(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+bool LocatedDormandPrince::proceed(MechanicalSystem& s, InclusionSolver& solver, const State& x,
                                    double dt, StepReport& report) {
   bool done = false, good = enter(s, solver, x, report);
   for (int tries = 0; good && !done; ++tries)
@@ -349,7 +349,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   }
   StepReport report;
   const long before = s.evaluations();
-  const bool good = advance(s, solver, x, dt, report);
+  const bool good = proceed(s, solver, x, dt, report);
   if (!good && stalled_ && !plain_) {
     beginStepping(x);
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);

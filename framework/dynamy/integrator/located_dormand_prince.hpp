@@ -51,7 +51,7 @@ class LocatedDormandPrince : public OneStep {
   /// x is where the last step ended: nothing has to be evaluated anew.
   bool goesOn(const State& x) const;
   void begin(MechanicalSystem& s, InclusionSolver& solver, const State& x, StepReport& report);
-  bool advance(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt,
+  bool proceed(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt,
                StepReport& report);
   // Steps in time.
   bool stepsInTime(const State& x);
