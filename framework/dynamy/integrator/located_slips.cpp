@@ -21,7 +21,6 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
   // for all contacts whose slip is that short at once.
   stopped = false;
   stopping_.clear();
-  if (plain_) return true;
   double last = 0.0, bound = most;
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     const Held& h = phase_.held[i];
@@ -41,6 +40,8 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
       bound = std::min(bound, kShareOfStop * T);
       continue;
     }
+    if (plain_)
+      return refuse("slip in space ends, and its speed has no sign whose change could be found");
     stopping_.push_back(h.key);
     lastSwitched_ = h.key;
     last = std::max(last, T);
