@@ -56,13 +56,12 @@ const std::string kFunnel = R"xml(<dynamy version="1"><systems>
   <Contact between="stone floor"><UnilateralCoulomb mu="0.3" epsilonN="0.3"/></Contact></elements>
   <simulation until="1" step="1"/></dynamy>)xml";
 
-TEST(SwitchGovernor, StepsManyBouncingBallsInTimeWithinTheTolerance) {
+TEST(SwitchGovernor, KeepsManyBouncingBallsWithinTheTolerance) {
   constexpr int kBalls = 40;
   constexpr double kTolerance = 5e-3, kUntil = 2.5;
   LocatedRun run(balls(kBalls, 0.9), kTolerance, kUntil);
   const RunReport& r = run.run();
   ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
-  EXPECT_GE(r.stepping.periods, 1);
   EXPECT_EQ(r.stepping.stalls, 0);
   // Each of four or five impacts may be off by the tolerance, and its time by that over the
   // speed, which the next flight passes on: ten tolerances, as for located switches.
