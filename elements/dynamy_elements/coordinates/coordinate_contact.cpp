@@ -3,6 +3,7 @@
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy_elements/coordinates/coordinate_contact.hpp>
+#include <dynamy_elements/friction_of_law.hpp>
 
 namespace dynamy {
 
@@ -44,6 +45,11 @@ CoordinateContact::CoordinateContact(const Parameters& x)
   if (gapText_.empty() && law_->rowKind(0) == RowKind::joint)
     law_ = std::make_unique<BilateralRate>();
   tangents_ = directions() ? slipText_.rows() : slipVelocityText_.size();
+  if (tangents_ == 0 && hasFriction(*law_))
+    throw ModelError(Diagnostic{.place = place(),
+                                .element = type() + " name=\"" + name() + '"',
+                                .text = "there is no direction in which the friction could act",
+                                .hint = "add slip or slipVelocity, or take Unilateral"});
 }
 
 CoordinateContact::~CoordinateContact() = default;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy_elements/friction_of_law.hpp>
 #include <dynamy_elements/joints/coordinate_laws.hpp>
 #include <limits>
 
@@ -27,9 +28,8 @@ ContactRows oneRow(ContactSink& sink, double g, const SetValuedForceLaw& law) {
 
 void JointStop::declare(Attributes& a) {
   a.about(
-      "Stops of a joint coordinate x: x >= lower, x <= upper. Signals: position, rate, and those "
-      "of "
-      "both contacts.");
+      "Stops of a joint coordinate x: x >= lower, x <= upper; both of them: a joint with play, a "
+      "slot. Signals: position, rate, and those of both contacts.");
   JointCoordinate::declare(a);
   limit(a, "lower", "least value of the coordinate [rad or m]; default: none");
   limit(a, "upper", "largest value of the coordinate [rad or m]; default: none");
@@ -52,6 +52,10 @@ JointStop::JointStop(const Parameters& x)
   if (!law_->unilateral())
     throw ModelError("the law of a stop is not unilateral",
                      "friction in the joint is a JointFriction");
+  if (hasFriction(*law_))
+    throw ModelError("a stop has no direction in which the friction of its law could act",
+                     "take Unilateral; friction in the joint is a JointFriction, that along a wall "
+                     "a contact of shapes");
 }
 
 void JointStop::connect(Topology& topology) {

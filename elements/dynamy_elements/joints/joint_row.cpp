@@ -44,11 +44,13 @@ double pointRowBias(const JointPose& p, const Vec3& d) {
 }
 
 double distanceBias(const JointPose& p) {
+  const double l = p.r_PQ.norm();
+  if (!(l > 0.0)) return 0.0;  // no direction: the row is zero there
   const Vec3 e = p.r_PQ.normalized();
   const Vec3 v_PQ = p.B.velocity(p.rhoB_I) - p.A.velocity(p.rhoA_I);
   const double along = e.dot(v_PQ);
   return e.dot(pointBias(p.B, p.rhoB_I) - pointBias(p.A, p.rhoA_I)) +
-         (v_PQ.squaredNorm() - along * along) / p.r_PQ.norm();
+         (v_PQ.squaredNorm() - along * along) / l;
 }
 
 double screwPosition(const JointPose& p, const JointRow& row) {

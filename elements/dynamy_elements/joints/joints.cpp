@@ -130,7 +130,10 @@ void Fixed::build(const Start& s) {
 bool Fixed::freeMotions(const Start&, std::vector<FreeMotion>&) const { return true; }
 
 void Distance::declare(Attributes& a) {
-  a.about("Two points keep their distance: a massless rod. One row.");
+  a.about(
+      "Two points keep their distance: a massless rod. One row. A string between them, which can "
+      "go "
+      "slack, is a Rope.");
   FramePair::declare(a);
   a.vector("pointA", Unit::length, 3, "0 0 0", "point on A, in axes of A");
   a.vector("pointB", Unit::length, 3, "0 0 0", "point on B, in axes of B");

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy_elements/friction_of_law.hpp>
 #include <dynamy_elements/joints/transmissions.hpp>
 #include <tuple>
 
@@ -36,6 +37,9 @@ Vec3 needed(const Vec3& given, const Vec3& otherwise, const char* what) {
 Coupling::Coupling(const Parameters& x)
     : NonSmoothElement(x), law_(x.takeOne<SetValuedForceLaw>()) {
   if (!law_) law_ = std::make_unique<Bilateral>();
+  if (hasFriction(*law_))
+    throw ModelError("there is no direction in which the friction of the law could act",
+                     "take Unilateral; friction of a rope on a sheave is a SheaveRope");
 }
 
 void Coupling::declareLaw(Attributes& a, const std::string& text) {
@@ -182,8 +186,9 @@ void Rope::declare(Attributes& a) {
   a.about(
       "Rope without mass that runs without friction through points of frames, its ends tied to the "
       "first and the last: g = L - sum of the pieces. Bilateral: always taut; Unilateral: it can "
-      "go "
-      "slack. Lambda is the tension times the step. Signals: length of what it spans.");
+      "go slack. Through two points it is a tether, a string that pulls and does not push; "
+      "epsilonN of its law is the restitution of the jerk as it goes taut. Lambda is the tension "
+      "times the step. Signals: length of what it spans.");
   Attribute& through = a.add(AttributeType::names, "through", std::nullopt,
                              "two or more frames: systems, or system.frame");
   through.referenceKind = "frame";
@@ -225,8 +230,10 @@ void Rope::build(Topology& topology) {
   for (std::size_t i = 0; i + 1 < frames_.size(); ++i) {
     const Frame &A = start.frame(frames_[i]), &B = start.frame(frames_[i + 1]);
     const double l = (B.r_OS_I + B.A_IK * points_[i + 1] - A.r_OS_I - A.A_IK * points_[i]).norm();
-    if (!(l > 0.0))
-      throw ModelError("two points of the rope coincide at the start", "leave one of them out");
+    // A slack rope has no force there and needs no direction.
+    if (!(l > 0.0) && !(law().unilateral() && length_ > 0.0))
+      throw ModelError("two points of the rope coincide at the start",
+                       "leave one of them out, or say the length of a rope that can go slack");
     spanned += l;
     add(CoordinateRow::distance(frames_[i], frames_[i + 1], points_[i], points_[i + 1]), -1.0);
   }

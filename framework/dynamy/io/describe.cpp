@@ -66,6 +66,25 @@ std::string childrenText(const RegisteredType& type, const Registry& registry) {
   return out;
 }
 
+/// A hint for a word that names no type: the types whose description has it.
+std::string typesThatTellOf(const Registry& registry, std::string_view word) {
+  constexpr std::size_t kShortest = 3, kMost = 6;  // letters; types worth naming
+  const auto lower = [](std::string_view text) {
+    std::string out(text);
+    std::transform(out.begin(), out.end(), out.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return out;
+  };
+  std::vector<std::string> telling;
+  for (const RegisteredType* t : registry.types())
+    if (lower(t->attributes.aboutText()).find(lower(word)) != std::string::npos)
+      telling.push_back('<' + t->name + '>');
+  if (word.size() < kShortest || telling.empty() || telling.size() > kMost)
+    return "dynamy list shows all names";
+  return fmt::format("the description of {} has this word", fmt::join(telling, ", "));
+}
+
 }  // namespace
 
 std::string describe(const Registry& registry, std::string_view name) {
@@ -87,7 +106,7 @@ std::string describe(const Registry& registry, std::string_view name) {
   for (const Word& word : vocabulary.words()) known.push_back(word.name);
   const std::string near = nearest(name, known);
   throw ModelError("there is no \"" + std::string(name) + '"',
-                   near.empty() ? "dynamy list shows all names" : didYouMean(near));
+                   near.empty() ? typesThatTellOf(registry, name) : didYouMean(near));
 }
 
 std::string listTypes(const std::vector<const RegisteredType*>& types) {

@@ -135,6 +135,7 @@ TEST(CoordinateContactMessages, NameWhatIsWrong) {
   expectMessage({{"gap", "x"}, {"slipVelocity", "x_dot^2"}}, "must be affine in the velocities");
   expectMessage({{"gap", "x"}, {"slip", "1;0"}, {"slipVelocity", "x_dot"}}, "both given");
   expectMessage({{"slip", "1;0"}}, "the gap is missing");
+  expectMessage({{"gap", "x"}}, "no direction in which the friction could act", coulomb());
 }
 
 }  // namespace

@@ -151,6 +151,12 @@ TEST(CoordinateLawsRefuse, WhatCannotBe) {
            m.add<JointDrive>("d", {between, kAxis, {"motion", "cos(t)"}});
          }),
          "begins at 1");
+  const auto withFriction = [&](Model& m) {
+    Parameters x = Parameters::of<JointStop>("JointStop", "s", {between, kAxis, {"lower", -0.5}});
+    x.children.push_back({Kind::law, std::make_unique<UnilateralCoulomb>(0.0, 0.0, 0.3)});
+    m.add(std::make_unique<JointStop>(x));
+  };
+  expect(refusal(withFriction), "no direction in which the friction of its law could act");
 }
 
 TEST(CouplingsRefuse, WhatCannotBe) {
@@ -174,6 +180,14 @@ TEST(CouplingsRefuse, WhatCannotBe) {
            m.add<Rope>("r", {{"through", "a b"}, {"points", {0, 0, 0}}});
          }),
          "6 numbers are needed");
+  // A slack rope may begin at its hook.
+  const auto slack = [](Model& m) {
+    Parameters x = Parameters::of<Rope>(
+        "Rope", "r", {{"through", "a b"}, {"points", {0, 0, 0, 0, 0, 0}}, {"length", 2.0}});
+    x.children.push_back({Kind::law, std::make_unique<UnilateralCoulomb>(0.0, 0.0, 0.3)});
+    m.add(std::make_unique<Rope>(x));
+  };
+  expect(refusal(slack), "no direction in which the friction of the law could act");
 }
 
 TEST(JointAngle, CountsWholeTurns) {

@@ -49,6 +49,22 @@ TEST(Describe, SuggestsTheNearestName) {
   }
 }
 
+TEST(Describe, NamesTheTypesThatTellOfAWord) {
+  try {
+    describe(dummy::registry(), "Vertical");
+    FAIL();
+  } catch (const ModelError& e) {
+    EXPECT_STREQ(e.what(),
+                 "error: there is no \"Vertical\" — the description of <Ball> has this word");
+  }
+  try {
+    describe(dummy::registry(), "gyroscope");
+    FAIL();
+  } catch (const ModelError& e) {
+    EXPECT_STREQ(e.what(), "error: there is no \"gyroscope\" — dynamy list shows all names");
+  }
+}
+
 TEST(Describe, ListsTypesByKind) {
   EXPECT_EQ(listTypes(dummy::registry().types()),
             "system\n"
