@@ -56,12 +56,13 @@ const std::string kFunnel = R"xml(<dynamy version="1"><systems>
   <Contact between="stone floor"><UnilateralCoulomb mu="0.3" epsilonN="0.3"/></Contact></elements>
   <simulation until="1" step="1"/></dynamy>)xml";
 
-TEST(SwitchGovernor, KeepsManyBouncingBallsWithinTheTolerance) {
+TEST(SwitchGovernor, StepsManyBouncingBallsInTimeWithinTheTolerance) {
   constexpr int kBalls = 40;
   constexpr double kTolerance = 5e-3, kUntil = 2.5;
   LocatedRun run(balls(kBalls, 0.9), kTolerance, kUntil);
   const RunReport& r = run.run();
   ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
   EXPECT_EQ(r.stepping.stalls, 0);
   // Each of four or five impacts may be off by the tolerance, and its time by that over the
   // speed, which the next flight passes on: ten tolerances, as for located switches.
@@ -93,6 +94,19 @@ TEST(SwitchGovernor, PassesAFunnelInWhichNoStatusLasts) {
   EXPECT_EQ(run.state().q, again.state().q);
   EXPECT_EQ(run.state().u, again.state().u);
   EXPECT_EQ(r.evaluations, again.report().evaluations);
+}
+
+TEST(SwitchGovernor, FindsBackWhenAllIsAtRest) {
+  constexpr double kUntil = 4.0;
+  LocatedRun run(balls(40, 0.5), 5e-3, kUntil);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  // The highest ball rests at (1 + e)/(1 − e) √(2 z/g) = 1.28 s; periods double, so that no more
+  // than as much again goes by until switches are located for good. Steps are 1e-3 T and longer.
+  EXPECT_LT(r.stepping.time, 2.0 * 3.0 * std::sqrt(2.0 * start(39) / kG));
+  EXPECT_LT(r.stepping.steps, 1000);
+  EXPECT_EQ(run.state().u.lpNorm<Eigen::Infinity>(), 0.0);
 }
 
 TEST(SwitchGovernor, GoesOnFromACheckpointBitForBit) {

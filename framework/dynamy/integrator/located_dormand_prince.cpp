@@ -350,7 +350,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   StepReport report;
   const long before = s.evaluations();
   const bool good = proceed(s, solver, x, dt, report);
-  if (!good && stalled_ && !plain_) {
+  if (!good && stalled_ && !plain_ && search_.any()) {  // else a singular force
     beginStepping(x);
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
     const StepEffort spent = report.counts.effort;
@@ -366,7 +366,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     const long n = s.evaluations() - before;
     if (!plain_)
       governor_.located(x.t, report.dt, n, locatedWork(s, static_cast<double>(n)),
-                        steppedWork(s, 1.0, 4.0), lastSwitched_);
+                        steppedWork(s, 1.0, 4.0), report.counts.switches > 0, lastSwitched_);
     store(x);
     if (tImpact_ == to_.x.t && report.dt > 0.0) report.uBeforeImpact = &uBeforeImpact_;
     tell(s, x, report);

@@ -59,7 +59,7 @@ class LocatedDormandPrince : public OneStep {
   void resumeStepping(const MechanicalSystem& s, const State& x);
   void storeStepping(State& x) const;
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
-  double steppedError(const MechanicalSystem& s, const State& a, const State& b, double h);
+  double steppedError(MechanicalSystem& s, const State& a, const State& b, double h);
   double locatedWork(const MechanicalSystem& s, double evaluations) const;
   double steppedWork(const MechanicalSystem& s, double evaluations, double newton) const;
   bool evaluateEnd(MechanicalSystem& s, PhasePoint& p);
@@ -136,7 +136,8 @@ class LocatedDormandPrince : public OneStep {
   EnergyMomentum timeStepping_;
   ContactKey lastSwitched_;
   Eigen::Matrix<double, kHead, 1> head_;
-  Eigen::VectorXd rate_;  // Δu/Δt of the last step in time
+  Eigen::VectorXd rate_;                  // Δu/Δt of the last step in time
+  double overlap_ = 0.0, reached_ = 0.0;  // largest overlap at its end; of the trial [m]
   State steppedFrom_;
 };
 

@@ -11,6 +11,16 @@ constexpr int kDense = 64;        ///< rows above are solved by sparse methods
 
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
+constexpr double kGrown = 0.1;  ///< of an allowed overlap: less is none
+
+/// The largest overlap of unilateral contacts, of those that rebound as well [m].
+double deepest(const ContactSet& c) {
+  double overlap = 0.0;
+  for (int i = 0; i < c.size(); ++i)
+    if (const auto at = static_cast<std::size_t>(i); c.law[at]->unilateral())
+      overlap = std::max(overlap, -c.position[static_cast<std::size_t>(c.row0[at])]);
+  return overlap;
+}
 
 }  // namespace
 
@@ -27,21 +37,19 @@ double LocatedDormandPrince::steppedWork(const MechanicalSystem& s, double evalu
   return evaluations * kPerRow * (n + m) + newton / 3.0 * m * dense * dense;
 }
 
-double LocatedDormandPrince::steppedError(const MechanicalSystem& s, const State& a, const State& b,
+double LocatedDormandPrince::steppedError(MechanicalSystem& s, const State& a, const State& b,
                                           double h) {
   // Positions by the trapezoidal rule: h/2 |Δu − Δu of the step before|, an impact or h³ü/2; the
-  // first step tells the rate. Overlaps count as well.
+  // first step tells the rate. Overlaps at the end count as well, which the step itself does not
+  // look at, if they grew: one that stays, shorter steps do not mend.
   double worst = 0.0;
   const bool known = rate_.size() == a.u.size();
   for (Eigen::Index i = 0; known && i < rate_.size(); ++i)
     worst = std::max(worst, norm_.velocity(i, b.u[i] - a.u[i] - h * rate_[i], 0.0));
   worst *= 0.5 * h / norm_.time();
-  const ContactSet& c = s.slot(0).contacts;
-  double overlap = 0.0;
-  for (int k = 0; k < c.size(); ++k)
-    if (const auto at = static_cast<std::size_t>(k); c.law[at]->unilateral())
-      overlap = std::max(overlap, -c.position[static_cast<std::size_t>(c.row0[at])]);
-  worst = std::max(worst, overlap / (norm_.tolerance() * norm_.length()));
+  reached_ = deepest(s.evaluate(b, 1).contacts);
+  const double allowed = norm_.tolerance() * norm_.length(), gained = reached_ - overlap_;
+  worst = std::max(worst, (gained > kGrown * allowed ? reached_ : gained) / allowed);
   return std::isfinite(worst) && s.indefiniteMass() < 0 ? worst : 1e300;
 }
 
@@ -55,14 +63,16 @@ bool LocatedDormandPrince::stepsInTime(const State& x) {
 }
 
 void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State& x) {
-  // Behind the governor's numbers: the number of rates, they, and what the other scheme keeps.
+  // Behind the governor's numbers: the number of rates, the overlap, the rates, and what the other
+  // scheme keeps.
   const double T = x.scheme[1];
   if (norm_.time() != T) norm_.resume(s, accuracy_.tolerance, accuracy_.length, T);
   const Eigen::Index at = kHead + SwitchGovernor::kNumbers;
   const auto n = static_cast<Eigen::Index>(x.scheme[at]);
   head_ = x.scheme.head<kHead>();
-  rate_ = x.scheme.segment(at + 1, n);
-  steppedFrom_.scheme = x.scheme.tail(x.scheme.size() - at - 1 - n);
+  overlap_ = x.scheme[at + 1];
+  rate_ = x.scheme.segment(at + 2, n);
+  steppedFrom_.scheme = x.scheme.tail(x.scheme.size() - at - 2 - n);
 }
 
 void LocatedDormandPrince::beginStepping(const State& x) {
@@ -71,7 +81,7 @@ void LocatedDormandPrince::beginStepping(const State& x) {
     head_ = x.scheme.head<kHead>();
   else
     head_.head<4>() << H_, norm_.time(), lookAhead_, lastEvent_;
-  rate_.resize(0);
+  rate_.resize(0), overlap_ = 0.0;
   steppedFrom_.scheme.resize(0);
 }
 
@@ -79,12 +89,12 @@ void LocatedDormandPrince::storeStepping(State& x) const {
   const auto numbers = governor_.numbers();
   const Eigen::Index at = kHead + SwitchGovernor::kNumbers, n = rate_.size();
   const Eigen::VectorXd own = x.scheme;
-  x.scheme.resize(at + 1 + n + own.size());
+  x.scheme.resize(at + 2 + n + own.size());
   x.scheme.head<kHead>() = head_;
   x.scheme[kHead - 1] = 0.0;  // nothing is held
   std::copy(numbers.begin(), numbers.end(), x.scheme.data() + kHead);
-  x.scheme[at] = static_cast<double>(n);
-  x.scheme.segment(at + 1, n) = rate_;
+  x.scheme[at] = static_cast<double>(n), x.scheme[at + 1] = overlap_;
+  x.scheme.segment(at + 2, n) = rate_;
   x.scheme.tail(own.size()) = own;
 }
 
@@ -118,7 +128,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   const auto evaluations = static_cast<double>(s.evaluations() - before);
   governor_.stepped(x.t, h, error, steppedWork(s, evaluations, newton), rejected > 0,
                     locatedWork(s, kSwitch));
-  rate_ = (x.u - steppedFrom_.u) / h;
+  rate_ = (x.u - steppedFrom_.u) / h, overlap_ = reached_;
   storeStepping(x);
   return report;
 }

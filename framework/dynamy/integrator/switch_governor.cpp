@@ -5,11 +5,9 @@
 namespace dynamy {
 namespace {
 
-constexpr double kWindow = 3000;  ///< evaluations, about a hundred switches
-/// By so much locating switches may cost more. At 2 four of 900 boxes that come to rest were taken
-/// for dense in the burst before it, and stayed in time.
-constexpr double kDearer = 20.0;
-constexpr double kFinest = 1e-10;    ///< of T: shorter steps in time are never compared with
+constexpr double kWindow = 3000;     ///< evaluations, about a hundred switches
+constexpr double kDearer = 2.0;      ///< by so much locating switches may cost more,
+constexpr double kFast = 100.0;      ///< and motion that is fast without any
 constexpr double kLeast = 1e-5;      ///< of T: shorter steps in time are not taken,
 constexpr double kMost = 0.1;        ///< nor longer ones
 constexpr double kFirstStay = 0.05;  ///< of T
@@ -29,6 +27,7 @@ std::array<double, SwitchGovernor::kNumbers> SwitchGovernor::numbers() const {
           windowWork_,
           windowEvaluations_,
           windowStepWork_,
+          switchWork_,
           switches_,
           stepWork_};
 }
@@ -37,20 +36,21 @@ void SwitchGovernor::numbers(const double* x) {
   mode_ = static_cast<Mode>(x[0]), turnedBy_ = static_cast<TurnedBy>(x[1]);
   turnedAt_.value = static_cast<std::uint64_t>(x[2]) << 32 | static_cast<std::uint64_t>(x[3]);
   h_ = x[4], began_ = x[5], stay_ = x[6], window_ = x[7], windowWork_ = x[8];
-  windowEvaluations_ = x[9], windowStepWork_ = x[10], switches_ = x[11], stepWork_ = x[12];
+  windowEvaluations_ = x[9], windowStepWork_ = x[10], switchWork_ = x[11];
+  switches_ = x[12], stepWork_ = x[13];
 }
 
 double SwitchGovernor::least() const { return std::max(tolerance_, kLeast) * T_; }
 
 void SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
-                             ContactKey at) {
+                             bool switched, ContactKey at) {
   turnedAt_ = at;
   window_ += dt, windowWork_ += work, windowEvaluations_ += static_cast<double>(evaluations);
-  windowStepWork_ = std::max(windowStepWork_, stepWork);
+  windowStepWork_ = std::max(windowStepWork_, stepWork), switchWork_ += switched ? work : 0.0;
   if (windowEvaluations_ < kWindow) return;
-  const double steps = window_ / (std::max(tolerance_, kFinest) * T_);
-  const bool dense = windowWork_ > kDearer * steps * windowStepWork_;
-  window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = 0.0;
+  const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
+  const bool dense = switchWork_ > kDearer * instead || windowWork_ > kFast * instead;
+  window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
   if (dense) turn(t, TurnedBy::density, at);
 }
 

@@ -1,7 +1,8 @@
 /// SwitchGovernor: where locating every switch costs more than it brings, steps are taken in time
 /// without locating anything, and back (theory 50.7).
 ///
-///   work of located switches over a window  >  2 Δt/h₁ · work of a step in time,  h₁ = tol T
+///   work of steps with a switch over a window  >    2 Δt/h₁ · work of a step in time,  h₁ = tol T
+///   work of all steps                          >  100 Δt/h₁ · work of a step in time
 ///   or: steps have become too short at all                              ⇒  steps in time
 ///   after a while in which switches were rare                           ⇒  switches are located
 ///
@@ -19,7 +20,7 @@ class SwitchGovernor {
  public:
   enum class Mode : std::uint8_t { locate, step, decideAnew };
   /// All that is kept from step to step, to be stored with a state.
-  static constexpr int kNumbers = 13;
+  static constexpr int kNumbers = 14;
   std::array<double, kNumbers> numbers() const;
   void numbers(const double* from);
 
@@ -35,8 +36,9 @@ class SwitchGovernor {
 
   // While switches are located.
   /// A step that ended at t: turns to steps in time where that is cheaper. `stepWork`: of one
-  /// of those; `at`: the contact that switched last.
-  void located(double t, double dt, long evaluations, double work, double stepWork, ContactKey at);
+  /// of those; `switched`: it ended at a switch; `at`: the contact that switched last.
+  void located(double t, double dt, long evaluations, double work, double stepWork, bool switched,
+               ContactKey at);
   /// Steps in time from t on.
   void turn(double t, TurnedBy why, ContactKey at);
   /// From now on switches are located again.
@@ -61,6 +63,7 @@ class SwitchGovernor {
   double began_ = 0.0, stay_ = 0.0;  // the present mode; how long steps are taken in time [s]
   double window_ = 0.0, windowWork_ = 0.0;  // of located switches: time and work
   double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
+  double switchWork_ = 0.0;                 // that of steps with a switch
   double switches_ = 0.0, stepWork_ = 0.0;  // while stepping, since began_
 };
 
