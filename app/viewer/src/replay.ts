@@ -24,6 +24,7 @@ export class Replay {
   private readonly energy: Plots;
   private readonly list: EventList;
   private readonly model: SceneModel;
+  private sizes = "";
 
   constructor(readonly data: PageData, readonly scene: Scene, readonly film: Film, private readonly signals: Signal[],
               private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams) {
@@ -143,6 +144,9 @@ export class Replay {
 
   /** A canvas of a new size is empty: it is drawn before the browser shows it, not a frame later. */
   private resize(): void {
+    const sizes = ["stage", "side"].map(id => `${byId(id).clientWidth} ${byId(id).clientHeight}`).join();
+    if (sizes === this.sizes) return;
+    this.sizes = sizes;
     const changed = this.stage.resize();
     this.showTab(this.tab);
     if (changed) this.drawNow();
@@ -385,10 +389,12 @@ async function start(): Promise<void> {
   const [scene, film, signals, events, ledger] = await Promise.all([
     sceneOf(data), Film.from(data.frames), signalsOf(data), eventsOf(data), ledgerOf(data)]);
   const replay = new Replay(data, scene, film, signals, events, ledger, new URLSearchParams(location.hash.slice(1)));
+  document.body.classList.remove("reading");
   Object.assign(window, {replay});  // for those who script the page
 }
 
 start().catch(error => {
+  document.body.classList.remove("reading");
   byId("wait").textContent = `This page cannot be shown: ${error instanceof Error ? error.message : error}`;
   throw error;
 });

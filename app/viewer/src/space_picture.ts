@@ -1,9 +1,9 @@
 // The picture with WebGL: all shapes of one kind are one instanced mesh. three.js draws; where
 // things are comes from the film.
 import {AmbientLight, BufferGeometry, Color, DirectionalLight, DoubleSide, Float32BufferAttribute, HemisphereLight,
-  InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial, MeshStandardMaterial,
-  OrthographicCamera, PCFSoftShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene, Vector2, Vector3,
-  WebGLRenderer, type Camera as ThreeCamera, type Material} from "three";
+  InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MeshStandardMaterial,
+  MultiplyOperation, OrthographicCamera, PCFSoftShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene, Vector2, Vector3,
+  WebGLRenderer, type LineBasicMaterialParameters, type Camera as ThreeCamera, type Material} from "three";
 import {kFieldOfView, type Camera} from "./camera";
 import type {SceneShape} from "./data";
 import {add, cross, across, dot, niceTicks, rotated, scaled, sub, type V3} from "./math";
@@ -18,6 +18,7 @@ interface Instance { frame: number; local: Matrix4; shape: SceneShape }
 interface Group { mesh: InstancedMesh; instances: Instance[]; moving: boolean; edges: LineSegments[]; balls: boolean }
 
 export class SpacePicture {
+  readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly eye = new PerspectiveCamera();
@@ -33,9 +34,11 @@ export class SpacePicture {
   private marked = -2;
 
   /** Throws if there is no WebGL. */
-  constructor(readonly canvas: HTMLCanvasElement, private readonly model: SceneModel, fine: boolean) {
-    const plain = !fine && isSoftware();
-    this.renderer = new WebGLRenderer({canvas, antialias: !plain, preserveDrawingBuffer: true});
+  constructor(first: HTMLCanvasElement, private readonly model: SceneModel, fine: boolean) {
+    const {canvas, context, software: plain} = contextOf(first, fine);
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({canvas, context, antialias: !plain, preserveDrawingBuffer: true});
+    this.renderer.debug.checkShaderErrors = fine;  // else the page waits for each shader
     this.frames = Array.from({length: model.film.poses}, () => new Matrix4());
     const many = plain || model.bodies.length > kMany;
     this.renderer.shadowMap.enabled = !many;
@@ -46,7 +49,7 @@ export class SpacePicture {
     this.sun.shadow.radius = 4;
     this.scene.add(this.sun, this.sun.target, this.fill, this.ambient);
     this.addBodies(many, model.bodies.length > 200);
-    for (const shape of model.grounds) this.addGround(shape);
+    for (const shape of model.grounds) this.addGround(shape, many);
     this.recolour();
   }
 
@@ -88,7 +91,7 @@ export class SpacePicture {
     mesh.frustumCulled = false;
     mesh.castShadow = mesh.receiveShadow = !many;
     const outlines = edges && instances.length <= 300
-      ? instances.map(() => new LineSegments(edges, new LineBasicMaterial({transparent: true, opacity: 0.55}))) : [];
+      ? instances.map(() => new LineSegments(edges, lineMaterial({transparent: true, opacity: 0.55}))) : [];
     for (const o of outlines) { o.matrixAutoUpdate = false; o.frustumCulled = false; }
     this.scene.add(mesh, ...outlines);
     const moving = instances.some(i => this.model.film.moves(i.frame));
@@ -112,7 +115,7 @@ export class SpacePicture {
     let object: Mesh | Line;
     if (shape.style === "spring") {
       const g = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(helix(), 3));
-      object = new Line(g, new LineBasicMaterial());
+      object = new Line(g, lineMaterial());
     } else {
       object = new Mesh(cylinder(), new MeshStandardMaterial({vertexColors: true, roughness: 0.6}));
       object.castShadow = true;
@@ -123,16 +126,18 @@ export class SpacePicture {
     this.links.push({shape, object});
   }
 
-  private addGround(shape: SceneShape): void {
+  private addGround(shape: SceneShape, many: boolean): void {
     const {lo, hi, size} = this.model.extent, {c, n} = this.model.plane(shape, this.model.film.begin);
     const a = across(n), b = cross(n, a), middle = scaled(add(lo, hi), 0.5);
     const foot = sub(middle, scaled(n, dot(n, sub(middle, c))));
     const half = 0.9 * size, step = niceTicks(0, 2 * half, 14).step, cells = Math.ceil(half / step);
     const origin = [a, b].map(e => Math.round(dot(foot, e) / step) * step - dot(foot, e));
     const centre = add(foot, add(scaled(a, origin[0]), scaled(b, origin[1])));
+    const offset = {polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4};
+    // without shadows it needs no light, nor a program of its own beside that of lines
     const sheet = new Mesh(new PlaneGeometry(2 * cells * step, 2 * cells * step),
-      new MeshLambertMaterial({polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4}));
-    sheet.receiveShadow = true;
+      many ? new MeshBasicMaterial(offset) : new MeshLambertMaterial(offset));
+    sheet.receiveShadow = !many;
     const points: number[] = [], reach = cells * step;
     for (let i = -cells; i <= cells; ++i) {
       for (const [e, f] of [[a, b], [b, a]] as [V3, V3][]) {
@@ -141,7 +146,7 @@ export class SpacePicture {
       }
     }
     const lines = new LineSegments(new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3)),
-      new LineBasicMaterial());
+      lineMaterial());
     sheet.matrixAutoUpdate = lines.matrixAutoUpdate = false;
     sheet.matrix.makeBasis(new Vector3(...a), new Vector3(...b), new Vector3(...n)).setPosition(...centre);
     this.scene.add(sheet, lines);
@@ -166,7 +171,8 @@ export class SpacePicture {
     }
     for (const {shape, object} of this.links) (object.material as LineBasicMaterial).color.set(mixed(colourOf(shape), -0.2));
     for (const {sheet, lines} of this.grounds) {
-      (sheet.material as MeshLambertMaterial).color.set(theme.dark ? "#2a323b" : "#dfe4e9");
+      const lit = sheet.material instanceof MeshLambertMaterial;
+      (sheet.material as MeshBasicMaterial).color.set(theme.dark ? "#2a323b" : lit ? "#dfe4e9" : "#e7edf4");
       (lines.material as LineBasicMaterial).color.set(theme.groundLine);
     }
     this.fill.intensity = theme.dark ? 1.1 : 1.6;
@@ -274,13 +280,30 @@ function placeBalls({mesh, instances}: Group, now: Float32Array): void {
   }
 }
 
-/** Whether the processor draws: then shadows would take seconds. */
-function isSoftware(): boolean {
-  const gl = document.createElement("canvas").getContext("webgl2"), info = gl?.getExtension("WEBGL_debug_renderer_info");
-  if (!gl || !info) return false;
-  const name = String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+/** A material of lines that shares the program of `MeshBasicMaterial`. */
+function lineMaterial(options: LineBasicMaterialParameters = {}): LineBasicMaterial {
+  return Object.assign(new LineBasicMaterial(options), {combine: MultiplyOperation});
+}
+
+/**
+ * A canvas with a context, and whether the processor draws: then shadows would take seconds, and edges stay rough. Only
+ * a graphics card gets a second context, with smooth edges: in software each takes a tenth of a second to begin with.
+ */
+function contextOf(first: HTMLCanvasElement, fine: boolean):
+    {canvas: HTMLCanvasElement; context: WebGL2RenderingContext; software: boolean} {
+  const begin = (canvas: HTMLCanvasElement, antialias: boolean): WebGL2RenderingContext => {
+    const context = canvas.getContext("webgl2", {preserveDrawingBuffer: true, stencil: false, antialias});
+    if (!context) throw new Error("no WebGL");
+    return context;
+  };
+  first.width = innerWidth, first.height = innerHeight;  // about what it will be
+  const context = begin(first, fine), info = context.getExtension("WEBGL_debug_renderer_info");
+  const name = info ? String(context.getParameter(info.UNMASKED_RENDERER_WEBGL)) : "";
+  if (fine || /swiftshader|llvmpipe|software|basic render/i.test(name)) return {canvas: first, context, software: !fine};
+  const canvas = first.cloneNode() as HTMLCanvasElement;
+  first.replaceWith(canvas);
+  context.getExtension("WEBGL_lose_context")?.loseContext();
+  return {canvas, context: begin(canvas, true), software: false};
 }
 
 function poseMatrix(r: V3, q: [number, number, number, number]): Matrix4 {
