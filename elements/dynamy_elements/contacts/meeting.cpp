@@ -1,3 +1,4 @@
+#include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/contour.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
@@ -14,6 +15,8 @@ namespace {
 bool goesIn(const TouchingShape& s) {
   return s.kind == Touch::contour && !s.features[0].contour->convex();
 }
+
+bool isDisc(const TouchingShape& s) { return s.kind == Touch::cylinder || s.kind == Touch::torus; }
 
 }  // namespace
 
@@ -33,6 +36,9 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
   if (!inPlane && B.kind == Touch::ellipsoid && A.polyhedron) return Meeting::smoothOnPolyhedron;
+  if (!inPlane && isDisc(B) && A.polyhedron) return Meeting::discOnPolyhedron;
+  if (!inPlane && isDisc(A) && (isDisc(B) || B.kind == Touch::capsule)) return Meeting::discs;
+  if (!inPlane && A.kind == Touch::torus && B.kind == Touch::ball) return Meeting::discs;
   if (!inPlane && A.kind == Touch::ellipsoid)
     return B.kind == Touch::ellipsoid || B.kind == Touch::ball ? Meeting::smooth : Meeting::missing;
   if (!inPlane && A.surface) {
@@ -68,6 +74,10 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
       return A.polygon_K.size() + B.polygon_K.size();
     case Meeting::boxes:
       return kBoxFeatures;
+    case Meeting::discs:
+      return kDiscPair;
+    case Meeting::discOnPolyhedron:
+      return static_cast<std::uint64_t>(discFeatures(*A.polyhedron));
     default:
       return 1;
   }
@@ -90,6 +100,36 @@ std::string ofPolyhedra(const Polyhedron& A, const Polyhedron& B, std::uint64_t 
   if (f < b) return "B.corner" + std::to_string(f);
   if (f < a + b) return "A.corner" + std::to_string(f - b);
   return edgePair(f - a - b, B.edges().size());
+}
+
+std::string ofRim(std::uint64_t rim, std::uint64_t k) {
+  return "rim" + std::to_string(rim) + "." + std::to_string(k);
+}
+
+std::string ofDisc(const Polyhedron& A, std::uint64_t f) {
+  const std::size_t corners = A.corners().size(), edges = A.edges().size();
+  if (f < 2) return "B.rim" + std::to_string(f);
+  if (f < 10) return "B.rim" + std::to_string((f - 2) / 4) + ".point" + std::to_string((f - 2) % 4);
+  f -= 10;
+  if (f < corners) return "A.corner" + std::to_string(f);
+  f -= corners;
+  if (f < edges) return "edge" + std::to_string(f) + "-side";
+  f -= edges;
+  return "edge" + std::to_string(f / 4) + "-" + ofRim(f / 2 % 2, f % 2);
+}
+
+std::string ofDiscs(std::uint64_t f) {
+  if (f >= kRimPairs) {
+    f -= kRimPairs;
+    return "A.rim" + std::to_string(f / 4) + "-B." + ofRim(f / 2 % 2, f % 2);
+  }
+  if (f >= kBOnSide) return "side-B." + ofRim((f - kBOnSide) / 2, f % 2 == kBOnSide % 2 ? 0 : 1);
+  if (f >= kAOnSide) return "side-A." + ofRim((f - kAOnSide) / 2, f % 2 == kAOnSide % 2 ? 0 : 1);
+  if (f == kSides) return "sides";
+  const std::string of = f < 10 ? "B.rim" : "A.rim";
+  f %= 10;
+  if (f < 2) return of + std::to_string(f);
+  return of + std::to_string((f - 2) / 4) + ".point" + std::to_string((f - 2) % 4);
 }
 
 std::string onMesh(const Surface& A, const Polyhedron& B, std::uint64_t f) {
@@ -120,6 +160,8 @@ std::string featureName(Meeting meets, const TouchingShape& A, const TouchingSha
   }
   if (meets == Meeting::polyhedra) return ofPolyhedra(*A.polyhedron, *B.polyhedron, f);
   if (meets == Meeting::polyhedronOnMesh) return onMesh(*A.surface, *B.polyhedron, f);
+  if (meets == Meeting::discs) return ofDiscs(f);
+  if (meets == Meeting::discOnPolyhedron) return ofDisc(*A.polyhedron, f);
   if (meets == Meeting::capsuleOnSurface) return ofCapsule(*A.surface, f);
   if (meets == Meeting::ballOnSurface) return A.surface->featureName(static_cast<int>(f));
   if (meets == Meeting::capsules)

@@ -23,8 +23,10 @@ enum class Meeting : std::uint8_t {
   polygons,          ///< and sections with corners, in a plane
   ballOnPolygon,
   ballOnContour,
-  smooth,             ///< ellipsoids with each other and with balls
-  smoothOnPolyhedron  ///< or on a box
+  smooth,              ///< ellipsoids with each other and with balls
+  smoothOnPolyhedron,  ///< or on a box
+  discOnPolyhedron,    ///< a cylinder or torus, or on a box
+  discs                ///< cylinders and tori with each other, with capsules and balls
 };
 
 /// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/rolling_contact.hpp>
+#include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/contour_motion.hpp>
 #include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
@@ -23,43 +25,6 @@ const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShap
       lowest = &B.features[f];
   return lowest;
 }
-
-/// The velocity of the point of contact over the body of B is c·(Ω_B − Ω_A) along the tangents:
-/// with H = ∇²h of its feature, n of the half space A and K = A_B H A_Bᵀ
-///
-///   ẋ = K ((Ω_B − Ω_A) × n)   ⇒   c_i = n × K t_i
-struct ContourMotion {
-  Vec3 c[2], cdot[2];
-  /// `rates`: fills ċ.
-  ContourMotion(const SupportFeature& feature, const Frame& A, const Frame& B,
-                const ContactPoint& at, bool rates) {
-    const Vec3 &n = at.d[0], d_B = -(B.A_IK.transpose() * n);
-    const Mat3 H = feature.pointDerivative(d_B), K = B.A_IK * H * B.A_IK.transpose();
-    for (int i = 0; i < 2; ++i) c[i] = n.cross(K * at.d[1 + i]);
-    if (!rates) return;
-    const Vec3 turn = A.Omega_I - B.Omega_I, ddot_B = -(B.A_IK.transpose() * turn.cross(n));
-    const Mat3 Hdot = curvatureRate(feature, d_B, ddot_B);
-    for (int i = 0; i < 2; ++i) {
-      // d/dt (A_B H A_Bᵀ t)
-      const Vec3& t = at.d[1 + i];
-      const Vec3 tdot_B = B.A_IK.transpose() * (at.ddot[1 + i] - B.Omega_I.cross(t));
-      const Vec3 rate =
-          B.Omega_I.cross(K * t) + B.A_IK * (Hdot * (B.A_IK.transpose() * t) + H * tdot_B);
-      cdot[i] = at.ddot[0].cross(K * t) + n.cross(rate);
-    }
-  }
-  /// Ḣ, by differences of fourth order: 1e-12 of its size.
-  static Mat3 curvatureRate(const SupportFeature& feature, const Vec3& d, const Vec3& ddot) {
-    constexpr double kStep = 2e-4;  // [rad]
-    const double speed = ddot.norm();
-    if (!(speed > 0.0)) return Mat3::Zero();
-    const auto at = [&](double angle) {
-      return feature.pointDerivative((std::cos(angle) * d + std::sin(angle) / speed * ddot));
-    };
-    return speed / (12.0 * kStep) *
-           (8.0 * (at(kStep) - at(-kStep)) - (at(2.0 * kStep) - at(-2.0 * kStep)));
-  }
-};
 
 /// Of the thickness of a shape among many: how far it is seen in any case.
 constexpr double kAtRest = 0.05;
@@ -225,6 +190,13 @@ double ShapeContacts::seenFrom(const Pair& pair, const ContactSink& sink) const 
   return std::min(pair.B->bound, 0.5 * pair.B->thickness + std::max(sink.request().gTol, 0.0));
 }
 
+/// How far two shapes are seen by each other [m].
+double ShapeContacts::reachOf(const Pair& pair, const ContactSink& sink) const {
+  if (!namedPairs_.empty() || sink.request().refresh)
+    return std::numeric_limits<double>::infinity();
+  return reach_[pair.i] + reach_[pair.j];
+}
+
 void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   const Vec3& plane = planes_[pair.rule->plane];
@@ -295,13 +267,24 @@ void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, Contact
                                       seenFrom(pair, sink), sink.request().bias, found),
                      k, sink);
     }
+    case Meeting::discs:
+    case Meeting::discOnPolyhedron: {
+      DiscContacts found;
+      const ContactRequest& asked = sink.request();
+      const double reach = reachOf(pair, sink);
+      const DiscBody b = discBody(B, *pair.B);
+      const int n =
+          pair.rule->meets == Meeting::discs
+              ? betweenDiscs(discBody(A, *pair.A), b, reach, asked.gTol, asked.bias, found)
+              : discOnPolyhedron(placedPolyhedron(A, *pair.A), b, reach, asked.gTol, asked.bias,
+                                 found);
+      return emitAll(pair, found, n, k, sink);
+    }
     case Meeting::polyhedra: {
       PolyhedraContacts found;
       const PlacedPolyhedron a = placedPolyhedron(A, *pair.A);
       const ContactRequest& asked = sink.request();
-      const double reach = namedPairs_.empty() && !asked.refresh
-                               ? reach_[pair.i] + reach_[pair.j]
-                               : std::numeric_limits<double>::infinity();
+      const double reach = reachOf(pair, sink);
       const int n = betweenPolyhedra(a, placedPolyhedron(B, *pair.B), reach, asked.bias, found);
       closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
       return emitAll(pair, found, n, k, sink);
@@ -357,7 +340,7 @@ template <class At>
 void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const Kinematics& k,
                          ContactSink& sink, At&& closed) const {
   // Of many shapes only those that can touch in the step.
-  if (namedPairs_.empty() && !sink.request().refresh && g > reach_[pair.i] + reach_[pair.j]) return;
+  if (g > reachOf(pair, sink)) return;
   ContactRows rows = sink.add(pair.id + feature, g, *pair.rule->law, pair.rule->rows);
   if (!rows) return;
   const ContactPoint& at = closed();

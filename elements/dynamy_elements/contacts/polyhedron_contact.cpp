@@ -5,6 +5,28 @@ namespace dynamy {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+int outermost(const Polyhedron& body, const Vec3& d, double& along) {
+  int best = 0;
+  along = -kInfinity;
+  const int n = static_cast<int>(body.corners().size());
+  for (int i = 0; i < n; ++i)
+    if (const double a = d.dot(body.corner(i)); a > along) along = a, best = i;
+  return best;
+}
+
+int faceAlong(const Polyhedron& body, const Vec3& n) {
+  double along = 0.0, most = -kInfinity;
+  int best = 0;
+  for (const int f : body.facesAt(outermost(body, n, along)))
+    if (const double x = body.face(f).n.dot(n); x > most) most = x, best = f;
+  return best;
+}
+
+namespace {
+
 /// Corners of a face and crossings of its edges that fit: see kMostPolyhedraContacts.
 constexpr int kMostCorners = 12;
 
@@ -14,16 +36,6 @@ struct Axis {
   int i = -1, j = -1;
   Vec3 n = Vec3::UnitZ();
 };
-
-/// The corner outermost along d.
-int outermost(const Polyhedron& body, const Vec3& d, double& along) {
-  int best = 0;
-  along = -kInfinity;
-  const int n = static_cast<int>(body.corners().size());
-  for (int i = 0; i < n; ++i)
-    if (const double a = d.dot(body.corner(i)); a > along) along = a, best = i;
-  return best;
-}
 
 /// Both in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A).
 struct Separation {
@@ -82,15 +94,6 @@ struct Separation {
     return best;
   }
 };
-
-/// The face that looks along n most, of those around the corner that is outermost there.
-int faceAlong(const Polyhedron& body, const Vec3& n) {
-  double along = 0.0, most = -kInfinity;
-  int best = 0;
-  for (const int f : body.facesAt(outermost(body, n, along)))
-    if (const double x = body.face(f).n.dot(n); x > most) most = x, best = f;
-  return best;
-}
 
 /// The intersection of two faces seen along the normal of A's. All places are looked at in axes of
 /// A, so that one that is no contact costs a few products; a contact is then computed from the

@@ -27,6 +27,11 @@ struct PlacedPolyhedron {
 };
 PlacedPolyhedron placedPolyhedron(const Frame& frame, const TouchingShape& shape);
 
+/// The corner outermost along d, and how far out it is, in axes of the body.
+int outermost(const Polyhedron& body, const Vec3& d, double& along);
+/// The face that looks along n most, of those around the corner that is outermost there.
+int faceAlong(const Polyhedron& body, const Vec3& n);
+
 /// Number of a contact: corners of B, corners of A, then edge of A · edges of B + edge of B.
 int polyhedraFeatures(const Polyhedron& A, const Polyhedron& B);
 inline constexpr int kMostPolyhedraContacts = 32;

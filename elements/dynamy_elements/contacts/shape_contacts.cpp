@@ -40,8 +40,8 @@ Diagnostic missingLaw(const Shape& a, const Shape& b) {
 Diagnostic missingPair(const Shape& a, const Shape& b) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
-      "use balls, points and half spaces with all, boxes, capsules and polyhedra with each other "
-      "in space, or <NoContact " +
+      "use balls, points and half spaces with all, boxes, polyhedra, capsules, cylinders and tori "
+      "with each other in space, or <NoContact " +
           between(a, b) + "/>");
 }
 
@@ -150,7 +150,8 @@ void ShapeContacts::makeSurfaces() {
     return s.kind == Touch::polyhedron || s.kind == Touch::surface;
   };
   const auto needed = [&](const TouchingShape& s) {
-    return faceted(s) || s.kind == Touch::ellipsoid;
+    return faceted(s) || s.kind == Touch::ellipsoid || s.kind == Touch::cylinder ||
+           s.kind == Touch::torus;
   };
   if (std::none_of(shapes_[0].begin(), shapes_[0].end(), needed)) return;
   std::map<std::vector<double>, const Polyhedron*> known;

@@ -88,6 +88,7 @@ class ShapeContacts final : public NonSmoothElement {
   template <class Found>
   void emitAll(const Pair& pair, const Found& found, int n, const Kinematics& k,
                ContactSink& sink) const;
+  double reachOf(const Pair& pair, const ContactSink& sink) const;
   double seenFrom(const Pair& pair, const ContactSink& sink) const;
   void overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   /// Reports gap g; `at` makes the contact of it if it is closed.

@@ -7,6 +7,7 @@
 // the distance from a convex set is convex along a straight line: a minimum is found by sections.
 #include <algorithm>
 #include <cmath>
+#include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
@@ -235,6 +236,10 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       return betweenSmooth(A, a.features[0], B, b.features[0]).g;
     case Meeting::smoothOnPolyhedron:
       return smoothOnPolyhedron(placedPolyhedron(A, a), B, b.features[0]).g;
+    case Meeting::discs:
+      return separation(discBody(A, a), discBody(B, b));
+    case Meeting::discOnPolyhedron:
+      return separation(placedPolyhedron(A, a), discBody(B, b));
     case Meeting::polygons:
       return separation(PlacedPolygon{&A, &a.polygon_K, plane},
                         PlacedPolygon{&B, &b.polygon_K, plane});

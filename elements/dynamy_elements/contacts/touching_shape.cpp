@@ -184,6 +184,7 @@ void torus(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   }
   out.kind = Touch::other;
   if (f.inSpace()) {
+    out.kind = Touch::torus;
     f.rim(0.0, R, tube, "rim");
     return;
   }

@@ -58,6 +58,7 @@ struct TouchingShape {
     ball,
     capsule,
     cylinder,
+    torus,
     ellipsoid,
     other,
     contour,

@@ -1,0 +1,315 @@
+#include <cmath>
+#include <dynamy_elements/contacts/between_discs.hpp>
+#include <dynamy_elements/contacts/disc_arc.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+using Part = DiscBody::Part;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Directions of the grid, on the half of the sphere that looks from A to B.
+constexpr int kGrid = 60;
+constexpr double kGoldenAngle = 2.399963229728653;
+/// Angle beside a cap [rad].
+constexpr double kBeside = 1e-3;
+/// Newton's steps between two rims.
+constexpr int kSteps = 50;
+
+struct Apart {
+  double f = -kInfinity;
+  Vec3 n = Vec3::UnitZ();
+};
+
+/// A disc: its outermost point along d; of a direction along its axis the middle.
+Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
+  const Vec3 v = D.acrossAxis(d);
+  const double s = v.norm();
+  return s > 0.0 ? Vec3(D.middle(rim) + D.rho / s * v) : D.middle(rim);
+}
+
+/// Candidates for the direction of largest separation.
+class Search {
+ public:
+  Search(const DiscBody& A, const DiscBody& B) : A_(A), B_(B) {}
+
+  /// Caps come first: another direction has to separate by more than `more`.
+  Apart best(double more) {
+    for (const DiscBody* body : {&A_, &B_})
+      if (body->rho > 0.0)
+        for (const double side : {1.0, -1.0}) take(side * body->a);
+    least_ = best_.f + more;
+    if (A_.half > 0.0) across(A_, B_, 1.0);
+    if (B_.half > 0.0) across(B_, A_, -1.0);
+    rims();
+    return best_;
+  }
+
+ private:
+  double f(const Vec3& n) const { return -B_.support(-n) - A_.support(n); }
+  void take(const Vec3& n) {
+    if (const double s = f(n); s > std::max(best_.f, least_)) best_ = {s, n};
+  }
+  /// Across the axis of one body; `sign`: n from it to the other is that from A to B.
+  void across(const DiscBody& one, const DiscBody& other, double sign) {
+    const Vec3 x = one.a.unitOrthogonal();
+    const DiscArc arc{other, x, one.a.cross(x), other.c - one.c};
+    arc.tops(2.0 * std::numbers::pi, [&](const Vec3& n, double) { take(sign * n); });
+  }
+  void rims() {
+    const Vec3 way = B_.c - A_.c;
+    if (!(way.norm() > 0.0)) return;
+    const Vec3 z = way.normalized(), x = z.unitOrthogonal(), y = z.cross(x);
+    Apart start[2][2];
+    for (int k = 0; k < kGrid; ++k) {
+      const double up = (k + 0.5) / kGrid, out = std::sqrt(1.0 - up * up), turn = kGoldenAngle * k;
+      const Vec3 n = up * z + out * (std::cos(turn) * x + std::sin(turn) * y);
+      Apart& of = start[A_.rimAlong(n)][B_.rimAlong(-n)];
+      if (const double s = f(n); s > of.f) of = {s, n};
+    }
+    for (int i = 0; i < A_.rims(); ++i)
+      for (int j = 0; j < B_.rims(); ++j)
+        if (start[i][j].f > -kInfinity) take(between(i, j, start[i][j].n));
+    besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
+  }
+  /// At a cap f has a peak or a kink: beside it, where the other body is beyond the rim.
+  void besideCap(const DiscBody& one, const DiscBody& other, double sign) {
+    if (one.rho == 0.0) return;
+    const Vec3 a = one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
+    const Vec3 e = one.acrossAxis(outermost(other, other.rimAlong(-a), -a) - one.c);
+    if (!(e.norm() > one.rho)) return;
+    const Vec3 n = sign * (a + kBeside * e.normalized()).normalized();
+    take(between(A_.rimAlong(n), B_.rimAlong(-n), n));
+  }
+  Vec3 between(int i, int j, Vec3 n) const;
+
+  const DiscBody &A_, &B_;
+  double least_ = -kInfinity;
+  Apart best_;
+};
+
+/// How that point wanders.
+Mat3 wandering(const DiscBody& D, const Vec3& d) {
+  const Vec3 v = D.acrossAxis(d);
+  const double s = v.norm();
+  if (!(s > 0.0)) return Mat3::Zero();
+  const Vec3 t = D.a.cross(v) / s;
+  return D.rho / s * t * t.transpose();
+}
+
+Vec3 Search::between(int i, int j, Vec3 n) const {
+  const auto y = [&](const Vec3& d) { return Vec3(outermost(B_, j, -d) - outermost(A_, i, d)); };
+  double f = n.dot(y(n));
+  for (int step = 0; step < kSteps; ++step) {
+    Eigen::Matrix<double, 3, 2> T;
+    T.col(0) = n.unitOrthogonal(), T.col(1) = n.cross(T.col(0));
+    Eigen::Matrix2d K = T.transpose() * (wandering(A_, n) + wandering(B_, -n)) * T;
+    K += f * Eigen::Matrix2d::Identity();
+    // Deep inside f is no longer concave: along the gradient.
+    if (!(K(0, 0) > 0.0 && K.determinant() > 0.0)) K = K.norm() * Eigen::Matrix2d::Identity();
+    const Vec3 go = T * (K.inverse() * (T.transpose() * y(n)));
+    if (!go.allFinite()) break;
+    double part = std::min(1.0, 0.5 / go.norm());
+    Vec3 next = (n + part * go).normalized();
+    double g = next.dot(y(next));
+    // Shorter until it separates more, up to rounding.
+    for (; part > 1e-4 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
+      part *= 0.5, next = (n + part * go).normalized();
+    if (part <= 1e-4) break;
+    n = next, f = g;
+    if (go.norm() < 1e-15) break;
+  }
+  return n;
+}
+
+/// Numbers of the contacts seen from one body.
+struct Numbers {
+  int rims, points, onSide;  ///< of the other body's rims: over the cap, its points, on the side
+};
+constexpr Numbers kOnA{0, 2, kBOnSide}, kOnB{10, 12, kAOnSide};
+
+/// All contacts along the direction n.
+class Contacts {
+ public:
+  Contacts(const DiscBody& A, const DiscBody& B, const Vec3& n, double same, DiscContacts& out)
+      : A_(A), B_(B), n_(n), same_(same), found_(4.0 * same), out_(out) {
+    x_ = n.unitOrthogonal(), y_ = n.cross(x_);
+  }
+
+  int all() {
+    const Part a = A_.part(n_), b = B_.part(-n_);
+    // Of two caps the points of the smaller that lies inside are enough.
+    const bool small = A_.rho < B_.rho;
+    const DiscBody &one = small ? B_ : A_, &other = small ? A_ : B_;
+    const bool full = over(one, other, small ? -1.0 : 1.0, true, same_);
+    over(other, one, small ? 1.0 : -1.0, !full, same_);
+    if (a == Part::cap && b == Part::cap && !full) crossings();
+    if (a == Part::side && b == Part::side) sides();
+    onSide(A_, B_, 1.0), onSide(B_, A_, -1.0);
+    rims();
+    if (found_.size() == 0) any();
+    return found_.size();
+  }
+
+ private:
+  /// Takes a contact unless there is one at its place; `sign` −1: it is seen from B.
+  bool add(int id, ContactPoint at, double sign = 1.0) {
+    if (sign < 0.0)
+      for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
+    if (!(at.d[0].dot(n_) > kLikeFace) || !found_.takes(x_.dot(at.P), y_.dot(at.P))) return false;
+    out_[static_cast<std::size_t>(found_.size() - 1)] = {id, at};
+    return true;
+  }
+
+  /// Rims of `other` over the cap of `one`; true: all of its four points are. `sign` +1: `one` is
+  /// A. `beside`: how far outside of it they may be [m].
+  bool over(const DiscBody& one, const DiscBody& other, double sign, bool points, double beside) {
+    const Vec3 towards = sign * n_;
+    if (one.part(towards) != Part::cap) return false;
+    const Numbers& number = &one == &A_ ? kOnA : kOnB;
+    const Vec3 n = one.a.dot(towards) < 0.0 ? Vec3(-one.a) : one.a;
+    const PlacedFace cap(*one.frame, n, one.c, one.half + one.r, one.x, 1.0, true);
+    const auto inside = [&](const Vec3& p) {
+      return one.acrossAxis(p - one.c).norm() <= one.rho + beside;
+    };
+    const Part part = other.part(-towards);
+    const int facing = other.rimAlong(-towards);
+    for (int rim = 0; rim < other.rims(); ++rim) {
+      if ((part != Part::side && rim != facing) || !other.touches(-n)) continue;
+      ContactPoint at, there;
+      cap.contact(*other.frame, other.c, at);
+      wander(other, rim, at);
+      cap.contact(*other.frame, at.P, there);
+      at.g = there.g;
+      if (inside(at.P)) add(number.rims + rim, at, sign);
+    }
+    if (!points || part != Part::cap) return false;
+    bool all = true;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 p = other.point(facing, k) - other.r * n;
+      all = all && inside(p);
+      if (!inside(p)) continue;
+      ContactPoint at;
+      cap.contact(*other.frame, p, at);
+      // A point of a tube stays below its middle.
+      at.Pdot += other.r * (other.frame->Omega_I.cross(n) - at.ddot[0]);
+      add(number.points + 4 * facing + k, at, sign);
+    }
+    return all;
+  }
+
+  /// Where the rims of two caps cross, seen along n.
+  void crossings() {
+    const int i = A_.rimAlong(n_), j = B_.rimAlong(-n_);
+    const Vec3 way = A_.acrossAxis(B_.middle(j) - A_.middle(i));
+    const double distance = way.norm();
+    if (!(distance > kCross * std::min(A_.rho, B_.rho))) return;
+    const Vec3 e = way / distance, f = A_.a.cross(e);
+    const double along = 0.5 * (distance * distance + A_.rho * A_.rho - B_.rho * B_.rho) / distance;
+    const double square = A_.rho * A_.rho - along * along;
+    if (!(square > 0.0)) return;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 p = A_.middle(i) + along * e + side * std::sqrt(square) * f;
+      rimsAt(A_.rim(i, p - A_.middle(i)), B_.rim(j, p - B_.middle(j)), i, j);
+    }
+  }
+  void rimsAt(BodyCurve a, BodyCurve b, int i, int j) {
+    if (!toClosest(a, b)) return;
+    const bool left = (a.x - a.c).cross(b.c - a.c).dot(a.a) < 0.0;
+    add(kRimPairs + 4 * i + 2 * j + (left ? 1 : 0), curveOnCurve(a, b, n_));
+  }
+  void rims() {
+    if (A_.rho == 0.0 && B_.rho == 0.0) return;
+    if (!A_.touches(n_) || !B_.touches(-n_)) return;
+    const int i = A_.rimAlong(n_), j = B_.rimAlong(-n_);
+    const int id = kRimPairs + 4 * i + 2 * j;
+    if (A_.rho == 0.0)
+      add(id, pointOnCurve(B_.rim(j, -n_), *A_.frame, A_.middle(i), A_.r, -n_), -1.0);
+    else if (B_.rho == 0.0)
+      add(id, pointOnCurve(A_.rim(i, n_), *B_.frame, B_.middle(j), B_.r, n_));
+    else
+      rimsAt(A_.rim(i, n_), B_.rim(j, -n_), i, j);
+  }
+
+  void sides() {
+    BodyCurve a = A_.axis(), b = B_.axis();
+    if (!toClosest(a, b) || !within(A_, a.x) || !within(B_, b.x)) return;
+    add(kSides, curveOnCurve(a, b, n_));
+  }
+  bool within(const DiscBody& D, const Vec3& p) const {
+    return std::abs(D.a.dot(p - D.c)) <= D.half + same_;
+  }
+
+  /// Rims of `other` on the side of `one`: where they cross, or come nearest.
+  void onSide(const DiscBody& one, const DiscBody& other, double sign) {
+    const Vec3 towards = sign * n_;
+    if (one.part(towards) != Part::side) return;
+    const int number = (&one == &A_ ? kOnA : kOnB).onSide;
+    const Part part = other.part(-towards);
+    const int facing = other.rimAlong(-towards);
+    const BodyCurve axis = one.axis();
+    const auto take = [&](const BodyCurve& rim, int id) {
+      BodyCurve a = axis, b = rim;
+      a.go(a.t.dot(b.x - a.x));
+      if (!toClosest(a, b) || !within(one, a.x)) return;
+      add(id + (one.a.dot(b.x - b.c) > 0.0 ? 1 : 0), curveOnCurve(a, b, towards), sign);
+    };
+    if (part == Part::cap) {
+      BodyCurve crossing[2];
+      const int n = other.crossings(facing, one.c, one.a, n_, crossing);
+      for (int k = 0; k < n; ++k) take(crossing[k], number + 2 * facing);
+      if (n > 0) return;
+    }
+    for (int rim = 0; rim < other.rims(); ++rim) {
+      if (part != Part::side && rim != facing) continue;
+      if (other.rho > 0.0) {
+        if (other.touches(-towards)) take(other.rim(rim, -towards), number + 2 * rim);
+      } else if (within(one, other.middle(rim))) {
+        add(number + 2 * rim, pointOnCurve(axis, *other.frame, other.middle(rim), other.r, towards),
+            sign);
+      }
+    }
+  }
+
+  /// Where features fit only up to a rounding: a rim beside a cap, else the outermost points.
+  void any() {
+    over(A_, B_, 1.0, false, kInfinity), over(B_, A_, -1.0, false, kInfinity);
+    if (found_.size() > 0) return;
+    const PlacedFace cap(*A_.frame, n_, A_.c, A_.support(n_) - n_.dot(A_.c), A_.x, 1.0, true);
+    const int j = B_.rimAlong(-n_);
+    ContactPoint at;
+    cap.contact(*B_.frame, outermost(B_, j, -n_) - B_.r * n_, at);
+    add(kOnA.rims + j, at);
+  }
+
+  const DiscBody &A_, &B_;
+  Vec3 n_;
+  double same_;
+  Vec3 x_, y_;
+  Manifold<kMostDiscContacts> found_;
+  DiscContacts& out_;
+};
+
+}  // namespace
+
+int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double close, bool rates,
+                 DiscContacts& out) {
+  const double same = kSameFeature * std::min(A.thickness(), B.thickness());
+  const Apart apart = Search(A, B).best(4.0 * same);
+  if (apart.f > reach) return 0;
+  const int n = Contacts(A, B, apart.n, same, out).all();
+  const bool onA = A.part(apart.n) == Part::cap;
+  if (!onA && B.part(-apart.n) != Part::cap) return n;
+  const DiscBody& flat = onA ? A : B;
+  closeTogetherOn(*flat.frame, close, rates, std::span(out.data(), static_cast<std::size_t>(n)),
+                  [&](Vec3& normal, Vec3& t) {
+                    normal = flat.a.dot(normal) < 0.0 ? Vec3(-flat.a) : flat.a;
+                    t = flat.x;
+                  });
+  return n;
+}
+
+double separation(const DiscBody& A, const DiscBody& B) { return Search(A, B).best(0.0).f; }
+
+}  // namespace dynamy

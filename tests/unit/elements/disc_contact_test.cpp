@@ -1,0 +1,192 @@
+// Cylinders and tori on boxes and polyhedra against dense samples of directions, and differences.
+#include <dynamy_elements/contacts/between_discs.hpp>
+
+#include <cmath>
+
+#include "faceted_bodies.hpp"
+
+namespace dynamy {
+namespace {
+
+using namespace testing;
+
+/// A body in axes of its frame: the axis is z.
+DiscBody placedDisc(const Frame& f, double half, double rho, double r) {
+  return {&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), half, rho, r};
+}
+Mover random(Random& r, const Vec3& at) { return {at, turned(2.0 * r.vec()), r.vec(), r.vec()}; }
+
+/// The largest of f over directions on a grid, finer around the best: no f is larger than its true
+/// maximum, so that a value which f takes, and which is not below this one, is the maximum.
+double separated(const std::function<double(const Vec3&)>& f) {
+  Vec3 best = Vec3::UnitZ();
+  double most = -kInfinity;
+  const auto take = [&](const Vec3& n) {
+    if (const double s = f(n); s > most) most = s, best = n;
+  };
+  constexpr int kGrid = 40000;
+  for (int i = 0; i < kGrid; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / kGrid, angle = 2.399963229728653 * i;
+    take({std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle), z});
+  }
+  for (double width = 0.03; width > 1e-13; width *= 0.5) {
+    const Vec3 c = best, x = c.unitOrthogonal(), y = c.cross(x);
+    for (int i = -10; i <= 10; ++i)
+      for (int j = -10; j <= 10; ++j)
+        take((c + width / 10.0 * i * x + width / 10.0 * j * y).normalized());
+  }
+  return most;
+}
+
+double support(const Frame& f, const Polyhedron& body, const Vec3& n) {
+  double most = -kInfinity;
+  for (const Vec3& p : body.corners()) most = std::max(most, n.dot(f.r_OS_I + f.A_IK * p));
+  return most;
+}
+
+/// How far p is outside of a round body.
+double beyond(const DiscBody& b, const Vec3& p) {
+  const double z = b.a.dot(p - b.c), out = b.acrossAxis(p - b.c).norm();
+  return std::hypot(std::max(std::abs(z) - b.half, 0.0), std::max(out - b.rho, 0.0)) - b.r;
+}
+
+const ContactPoint& deepest(const DiscContacts& found, int n) {
+  return std::min_element(found.begin(), found.begin() + n,
+                          [](const auto& a, const auto& b) { return a.at.g < b.at.g; })
+      ->at;
+}
+
+struct Sizes {
+  double half, rho, r;
+};
+constexpr Sizes kBodies[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1}, {0.7, 0.1, 0.0}};
+
+constexpr Sizes kRound[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1},
+                            {0.7, 0.1, 0.0}, {0.4, 0.0, 0.2},  {0.0, 0.0, 0.3}};
+
+TEST(DiscContact, SeparationFromAPolyhedronIsTheLargestOfAllDirections) {
+  Random r(51);
+  int apart = 0, overlapping = 0, exact = 0;
+  for (int trial = 0; trial < 160; ++trial) {
+    const Polyhedron body =
+        trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
+    const Sizes& s = kBodies[trial / 2 % 4];
+    const Mover A = random(r, Vec3::Zero());
+    const Mover B = random(r, (0.7 + 0.5 * (1.0 + r.number())) * r.vec().normalized());
+    const DiscBody b = placedDisc(B.frame, s.half, s.rho, s.r);
+    const auto f = [&](const Vec3& n) { return -b.support(-n) - support(A.frame, body, n); };
+    const double truth = separated(f);
+    if (truth < -0.05) continue;
+    (truth > 0.0 ? apart : overlapping)++;
+    // f is one of its values, and none of the others is larger. Lengths of 1 are rounded.
+    const double g = separation(placed(A.frame, body), b);
+    EXPECT_GT(g, truth - 1e-14) << "trial " << trial << ", seed 51";
+    DiscContacts found;
+    const int n = discOnPolyhedron(placed(A.frame, body), b, kInfinity, -1.0, true, found);
+    ASSERT_GT(n, 0) << trial;
+    const ContactPoint& at = deepest(found, n);
+    // Features nearer than 1e-6 of a body are one.
+    EXPECT_NEAR(at.g, g, 1e-6) << "trial " << trial << ", seed 51";
+    EXPECT_NEAR(f(at.d[0]), at.g, 1e-6) << "trial " << trial << ", seed 51";
+    exact += std::abs(at.g - g) < 1e-13 && std::abs(f(at.d[0]) - at.g) < 1e-13;
+    if (g < 0.0) continue;
+    // Points of both, as far from each other as is told: no distance is larger than that.
+    const bool onB = beyond(b, at.P) < 1e-13;
+    EXPECT_LT(beyond(b, onB ? at.P : Vec3(at.P + at.g * at.d[0])), 1e-13) << "trial " << trial;
+    const Vec3 pA = onB ? Vec3(at.P - at.g * at.d[0]) : at.P;
+    const Vec3 p = A.frame.A_IK.transpose() * (pA - A.frame.r_OS_I);
+    for (const Polyhedron::Face& face : body.faces())
+      EXPECT_LT(face.n.dot(p) - face.height, 1e-6) << "trial " << trial << ", seed 51";
+  }
+  EXPECT_GT(apart, 30);
+  EXPECT_GT(exact, apart);
+  EXPECT_GT(overlapping, 3);
+}
+
+TEST(DiscContact, RatesOnAPolyhedronAreThoseOfTheMotion) {
+  Random r(52);
+  int compared = 0, of[4] = {};
+  for (int trial = 0; trial < 400; ++trial) {
+    const Polyhedron body =
+        trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
+    const Sizes& s = kBodies[trial / 2 % 4];
+    const Mover A = random(r, Vec3::Zero()),
+                B = random(r, (0.9 + 0.3 * r.number()) * r.vec().normalized());
+    const int fit = expectRatesFit(A, B, [&](const Frame& fA, const Frame& fB) {
+      DiscContacts out;
+      const int n = discOnPolyhedron(placed(fA, body), placedDisc(fB, s.half, s.rho, s.r),
+                                     kInfinity, -1.0, true, out);
+      return std::vector<NumberedContact>(out.begin(), out.begin() + n);
+    });
+    compared += fit, of[trial / 2 % 4] += fit;
+  }
+  EXPECT_GT(compared, 300) << "seed 52";
+  for (const int n : of) EXPECT_GT(n, 50);
+}
+
+TEST(DiscContact, SeparationOfRoundBodiesIsTheLargestOfAllDirections) {
+  Random r(53);
+  int apart = 0, overlapping = 0, exact = 0;
+  for (int trial = 0; trial < 240; ++trial) {
+    const Sizes &sA = kRound[trial % 4], &sB = kRound[trial / 4 % 6];
+    // Anywhere, with parallel axes, and on each other with a small tilt.
+    const Mover A = random(r, Vec3::Zero());
+    const Vec3 way = (0.4 + 0.6 * (1.0 + r.number())) * r.vec().normalized();
+    Mover B = random(r, way);
+    if (trial % 5 == 0) B.frame.A_IK = A.frame.A_IK;
+    if (trial % 5 == 1) {
+      B.frame.A_IK = A.frame.A_IK * turned(0.01 * r.vec());
+      B.frame.r_OS_I = A.frame.A_IK * Vec3(0.3 * r.number(), 0.3 * r.number(),
+                                           sA.half + sA.r + sB.half + sB.r + 0.01 * r.number());
+    }
+    const DiscBody a = placedDisc(A.frame, sA.half, sA.rho, sA.r),
+                   b = placedDisc(B.frame, sB.half, sB.rho, sB.r);
+    const auto f = [&](const Vec3& n) { return -b.support(-n) - a.support(n); };
+    const double truth = separated(f);
+    if (truth < -0.05) continue;
+    (truth > 0.0 ? apart : overlapping)++;
+    const double g = separation(a, b);
+    EXPECT_GT(g, truth - 1e-14) << "trial " << trial << ", seed 53";
+    DiscContacts found;
+    const int n = betweenDiscs(a, b, kInfinity, -1.0, true, found);
+    ASSERT_GT(n, 0) << trial;
+    const ContactPoint& at = deepest(found, n);
+    EXPECT_NEAR(at.g, g, 1e-6) << "trial " << trial << ", seed 53"
+                               << " id " << found[0].id << " n " << n;
+    EXPECT_NEAR(f(at.d[0]), at.g, 1e-6) << "trial " << trial << ", seed 53";
+    exact += std::abs(at.g - g) < 1e-13 && std::abs(f(at.d[0]) - at.g) < 1e-13;
+    if (g < 0.0) continue;
+    // P is on one of them, and what lies opposite on the other.
+    const bool onB = beyond(b, at.P) < 1e-13;
+    EXPECT_LT(beyond(b, onB ? at.P : Vec3(at.P + at.g * at.d[0])), 1e-6) << "trial " << trial;
+    EXPECT_LT(beyond(a, onB ? Vec3(at.P - at.g * at.d[0]) : at.P), 1e-6) << "trial " << trial;
+  }
+  EXPECT_GT(apart, 100);
+  EXPECT_GT(overlapping, 10);
+  EXPECT_GT(exact, (apart + overlapping) * 9 / 10);
+}
+
+TEST(DiscContact, RatesOfRoundBodiesAreThoseOfTheMotion) {
+  Random r(54);
+  int compared = 0;
+  for (int trial = 0; trial < 600; ++trial) {
+    const Sizes &sA = kRound[trial % 4], &sB = kRound[trial / 4 % 6];
+    const Mover A = random(r, Vec3::Zero());
+    Mover B = random(r, 1.2 * r.vec().normalized());
+    if (trial % 3 == 1) {
+      B.frame.A_IK = A.frame.A_IK * turned(0.01 * r.vec());
+      B.frame.r_OS_I = A.frame.A_IK * Vec3(0.3 * r.number(), 0.3 * r.number(),
+                                           sA.half + sA.r + sB.half + sB.r + 0.01 * r.number());
+    }
+    compared += expectRatesFit(A, B, [&](const Frame& fA, const Frame& fB) {
+      DiscContacts out;
+      const int n = betweenDiscs(placedDisc(fA, sA.half, sA.rho, sA.r),
+                                 placedDisc(fB, sB.half, sB.rho, sB.r), kInfinity, -1.0, true, out);
+      return std::vector<NumberedContact>(out.begin(), out.begin() + n);
+    });
+  }
+  EXPECT_GT(compared, 600) << "seed 54";
+}
+
+}  // namespace
+}  // namespace dynamy
