@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <dynamy/integrator/moreau_midpoint.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/io/plugin_loader.hpp>
 #include <iostream>
@@ -34,7 +35,9 @@ struct Scene {
   static Model load(const std::string& file, Registry& registry, PluginLoader& plugins) {
     registerFramework(registry);
     plugins.load(kStandardElements, ".", registry);
-    return loadModel(file, registry, plugins);
+    Model model = loadModel(file, registry, plugins);
+    if (model.scheme().choosesSteps()) model.scheme(std::make_unique<MoreauMidpoint>());
+    return model;
   }
 };
 

@@ -123,6 +123,30 @@ TEST_F(ProgramTest, WrongUsageEndsWith64AndASuggestion) {
   EXPECT_EQ(call("run ball.xml --step 3kg"), 64);
 }
 
+TEST_F(ProgramTest, AStepTakesTheTolerancesPlaceAndItTheSteps) {
+  std::string text = ballXml(0.1, "1e-3");
+  write("step.xml", text);
+  const std::string step = "step=\"1e-3\"/>";
+  text.replace(text.find(step), step.size(), "tolerance=\"1e-6\"/>");
+  write("tolerance.xml", text);
+  text.replace(text.find("1e-6\"/>"), 7, "1e-6\"><LocatedDormandPrince/></simulation>");
+  write("named.xml", text);
+  struct {
+    std::string call, scheme;
+  } const expected[] = {
+      {"step.xml", " EnergyMomentum   Automatic   step 0.001 s "},
+      {"tolerance.xml", " LocatedDormandPrince   Automatic   tolerance 1e-06 "},
+      {"tolerance.xml --step 1e-3", " EnergyMomentum   Automatic   step 0.001 s "},
+      {"step.xml --tolerance 1e-5", " LocatedDormandPrince   Automatic   tolerance 1e-05 "},
+      {"named.xml --step 1ms", "tolerance 1e-06   steps up to 0.001 s "},
+      {"step.xml --integrator LocatedDormandPrince", "tolerance 1e-06   steps up to 0.001 s "},
+  };
+  for (const auto& [arguments, scheme] : expected) {
+    ASSERT_EQ(call("run " + arguments + " --out o"), 0) << arguments << '\n' << err();
+    EXPECT_NE(out().find(scheme), std::string::npos) << arguments << '\n' << out();
+  }
+}
+
 TEST_F(ProgramTest, JsonIsTheContentOfRunJsonAndNothingElse) {
   write("ball.xml", ballXml(0.1, "1e-3"));
   ASSERT_EQ(call("run ball.xml --out o --json"), 0) << err();

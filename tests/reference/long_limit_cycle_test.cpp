@@ -18,7 +18,7 @@ struct Cycle {
 /// multiplier −0.84 leaves 1e-3 of the start, and its sign alternates in the mean.
 Cycle meanCycle(const std::string& scheme, double dt) {
   constexpr int kTransient = 40, kCycles = 100;
-  Scene scene("woodpecker", {.text = modelFile("woodpecker", scheme)});
+  Scene scene("woodpecker_expressions", {.text = modelFile("woodpecker_expressions", scheme)});
   double before = scene.state().u[2], t0 = 0.0, y0 = 0.0;
   int count = 0;
   while (scene.state().t < 0.2 * (kTransient + kCycles)) {

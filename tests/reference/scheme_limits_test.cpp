@@ -86,7 +86,7 @@ struct Turns {
 
 /// The first three turning points of the bird while the sleeve sticks.
 Turns turns(const std::string& scheme, double dt, std::string_view& refused) {
-  static const std::string file = "woodpecker";
+  static const std::string file = "woodpecker_expressions";
   Scene scene(file, {.text = modelFile(file, scheme)});
   Turns out;
   int found = 0;

@@ -19,7 +19,7 @@ struct Cycle {
 /// attracts with the multiplier −0.84: 60 cycles leave 3e-5 of the start. Single cycles scatter, so
 /// `cycles` is even and large; an impact is seen one step late at most, dt/cycles of the mean.
 Cycle meanCycle(double dt, int cycles, int transient = 60) {
-  LoadedModel toy("models/woodpecker.xml");
+  LoadedModel toy("models/woodpecker_expressions.xml");
   HandStepper s(toy.model());
   constexpr int kBeak = 0;  // the first contact of the file
   int count = 0;
@@ -43,7 +43,7 @@ TEST(Woodpecker, StickTurningPointsComeAtTheirTimes) {
   // turning point by some 1e-4 rad and 1e-4 s.
   const double time[] = {0.032805571232, 0.178588177089, 0.324727480140};
   const double phiS[] = {-0.53006127852090, -0.52897921513051, -0.52988676621187};
-  LoadedModel toy("models/woodpecker.xml");
+  LoadedModel toy("models/woodpecker_expressions.xml");
   HandStepper s(toy.model());
   int found = 0;
   double before = s.x.u[2];
@@ -62,7 +62,7 @@ TEST(Woodpecker, StickTurningPointsComeAtTheirTimes) {
 TEST(Woodpecker, SleeveSticksWhereTheSmoothSlidingEnds) {
   // Until it sticks the sleeve slides on one edge: a linear equation of two coordinates, solved
   // apart to 1e-12. Explicit Euler in the force: 1e-5 s of 0.34 m/s.
-  LoadedModel toy("models/woodpecker.xml");
+  LoadedModel toy("models/woodpecker_expressions.xml");
   HandStepper s(toy.model());
   while (s.x.t < 0.03) s.step(1e-5);
   EXPECT_NEAR(s.x.q[0], -0.004403947088, 5e-6);

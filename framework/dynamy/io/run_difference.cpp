@@ -40,6 +40,15 @@ double slope(const std::vector<double>& t, const std::vector<double>& d, std::si
   return n > 2.0 && D > 0.0 ? (n * sty - st * sy) / D : 0.0;
 }
 
+/// Whether the value of a at `row` is one of those of b there or in the rows beside it, or between
+/// them: a jump that comes a little sooner or later.
+bool onlyShifted(const std::vector<double>& a, std::size_t i, const std::vector<double>& b,
+                 std::size_t first, std::size_t last) {
+  const auto [low, high] = std::minmax_element(b.begin() + static_cast<std::ptrdiff_t>(first),
+                                               b.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  return *low <= a[i] && a[i] <= *high;
+}
+
 }  // namespace
 
 RunDifference runDifference(const SignalTable& a, const SignalTable& b, double noise) {
@@ -54,11 +63,19 @@ RunDifference runDifference(const SignalTable& a, const SignalTable& b, double n
     s.name = a.signals[c].name;
     const auto [low, high] = std::minmax_element(a.columns[c].begin(), a.columns[c].end());
     const double range = a.columns[c].empty() ? 0.0 : *high - *low;
+    const auto shifted = [&](std::size_t k) {
+      const auto& [i0, j0] = rows[k - std::min<std::size_t>(k, 1)];
+      const auto& [i1, j1] = rows[std::min(k + 1, rows.size() - 1)];
+      return onlyShifted(a.columns[c], rows[k].first, b.columns[c], j0, j1) ||
+             onlyShifted(b.columns[c], rows[k].second, a.columns[c], i0, i1);
+    };
     for (std::size_t k = 0; k < rows.size(); ++k) {
       s.end = a.columns[c][rows[k].first];
       s.difference = std::abs(s.end - b.columns[c][rows[k].second]);
       if (s.difference > s.largest) s.largest = s.difference, s.t = t[k];
-      if (range > 0.0 && s.difference > noise * range) d[k] = std::max(d[k], s.difference / range);
+      if (!(range > 0.0) || !(s.difference > noise * range)) continue;
+      if (s.difference < RunDifference::kLost * range || !shifted(k))
+        d[k] = std::max(d[k], s.difference / range);
     }
     out.signals.push_back(s);
   }

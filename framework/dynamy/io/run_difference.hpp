@@ -19,7 +19,8 @@ struct RunDifference {
   /// Differences grow exponentially: by more than e⁶ in the run at that rate, while a power of t up
   /// to the fourth gives less.
   bool chaotic = false;
-  /// When d reaches kLost: met in the run, or, if it is chaotic, by the rate [s]; else infinity.
+  /// When d reaches kLost: met in the run, or, if it is chaotic, by the rate [s]; else infinity. A
+  /// jump that comes sooner or later by less than a row, of a status or a velocity, is no loss.
   double horizon = 0.0;
   static constexpr double kLost = 0.1;
 };

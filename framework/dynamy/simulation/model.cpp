@@ -58,7 +58,9 @@ void Model::add(Kind kind, std::unique_ptr<Element> element) {
   }
 }
 
-void Model::scheme(std::unique_ptr<OneStep> scheme) { scheme_ = std::move(scheme); }
+void Model::scheme(std::unique_ptr<OneStep> scheme) {
+  scheme_ = std::move(scheme), schemeIsDefault_ = false;
+}
 void Model::solver(std::unique_ptr<InclusionSolver> solver) { solver_ = std::move(solver); }
 
 std::vector<std::unique_ptr<PartialMechanicalSystem>> Model::takeSystems(
@@ -75,6 +77,7 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
+  schemeIsDefault_ = !scheme_;
   if (!scheme_ && simulation.tolerance > 0.0)
     scheme_ = makeDefault<LocatedDormandPrince>("LocatedDormandPrince");
   if (!scheme_) scheme_ = makeDefault<EnergyMomentum>("EnergyMomentum");

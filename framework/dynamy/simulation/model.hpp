@@ -89,6 +89,8 @@ class Model {
   const InclusionSolver& solver() const { return *solver_; }
   InclusionSolver& solver() { return *solver_; }
   void scheme(std::unique_ptr<OneStep> scheme);
+  /// No scheme was named: it follows from whether there is a tolerance or a step.
+  bool schemeIsDefault() const { return schemeIsDefault_; }
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
   State initialState() const;
@@ -108,6 +110,7 @@ class Model {
   std::vector<std::unique_ptr<Observer>> observers_;
   std::vector<std::unique_ptr<Element>> others_;
   std::unique_ptr<OneStep> scheme_;
+  bool schemeIsDefault_ = false;
   std::unique_ptr<InclusionSolver> solver_;
   std::unique_ptr<ImpactLaw> impactLaw_;
   std::unique_ptr<Topology> topology_;

@@ -19,7 +19,7 @@ double seconds(std::chrono::steady_clock::duration d) {
 }
 
 std::unique_ptr<TimeLoop> loopOf(Model& model) {
-  const SimulationSettings& s = model.simulation;
+  SimulationSettings& s = model.simulation;
   Diagnostic d;
   if (model.systems().empty()) {
     d.place = Place(model.sourceFile);
@@ -28,7 +28,8 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     throw ModelError(d);
   }
   if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep())) {
-    model.scheme().aim({s.tolerance > 0.0 ? s.tolerance : Accuracy{}.tolerance, model.length()});
+    if (!(s.tolerance > 0.0)) s.tolerance = Accuracy{}.tolerance;
+    model.scheme().aim({s.tolerance, model.length()});
     return std::make_unique<OwnSteps>(s.step, s.onNonConvergence);
   }
   if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence);

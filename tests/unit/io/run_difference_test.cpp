@@ -37,6 +37,22 @@ TEST(RunDifference, DoesNotTakeAPowerForChaos) {
   EXPECT_NEAR(d.signals[0].difference, 1e-5, 1e-12);
 }
 
+TEST(RunDifference, AJumpThatComesALittleLaterLosesNothing) {
+  // A status that jumps between two rows; and one that jumps two rows later.
+  for (const double later : {0.007, 0.025}) {
+    SignalTable a, b;
+    a.signals = b.signals = {{"status", ""}};
+    a.columns.resize(1), b.columns.resize(1);
+    for (int i = 0; i <= 100; ++i) {
+      const double t = 0.01 * i;
+      a.t.push_back(t), b.t.push_back(t);
+      a.columns[0].push_back(t > 0.495 ? 3.0 : 0.0);
+      b.columns[0].push_back(t > 0.495 + later ? 3.0 : 0.0);
+    }
+    EXPECT_EQ(std::isinf(runDifference(a, b).horizon), later < 0.01) << later;
+  }
+}
+
 TEST(RunDifference, ComparesAtCommonInstantsAlone) {
   SignalTable a, b;
   a.signals = b.signals = {{"x", "m"}};
