@@ -67,6 +67,36 @@ TEST(Heap, HasTheSameBitsWithAnyNumberOfThreads) {
   EXPECT_EQ(run(3), alone);
 }
 
+/// Balls off their places at random that fall into a box.
+std::string poured(const std::string& solver) {
+  return "<dynamy version=\"1\"><systems><Grains name=\"balls\" count=\"160\" within=\"-0.22 -0.22 "
+         "0.005 0.22 0.22 10\" pitch=\"0.11\" jitter=\"0.004\" seed=\"1\"><Sphere radius=\"0.05\" "
+         "density=\"1000\" material=\"stone\"/></Grains><Ground><HalfSpace material=\"stone\"/>"
+         "<HalfSpace position=\"-0.22 0 0\" normal=\"1 0 0\" material=\"stone\"/>"
+         "<HalfSpace position=\"0.22 0 0\" normal=\"-1 0 0\" material=\"stone\"/>"
+         "<HalfSpace position=\"0 -0.22 0\" normal=\"0 1 0\" material=\"stone\"/>"
+         "<HalfSpace position=\"0 0.22 0\" normal=\"0 -1 0\" "
+         "material=\"stone\"/></Ground></systems>"
+         "<forces><Gravity/></forces><elements><Contact between=\"stone stone\">"
+         "<UnilateralCoulomb mu=\"0.5\"/></Contact></elements><simulation until=\"0.4\" "
+         "step=\"5e-3\"><StewartTrinkle/>" +
+         solver + "</simulation></dynamy>";
+}
+
+TEST(Heap, MomentumSavesHalfOfTheSweeps) {
+  // Ten layers that land, from a few to 500 contacts, each step solved to 1e-2. Other roundings
+  // let the balls fall otherwise: over six seeds 0.35 … 0.44 of the sweeps without are needed.
+  const auto sweeps = [](const std::string& momentum) {
+    TextModel model(
+        poured("<BlockGaussSeidel tolerance=\"1e-2\" maxIterations=\"20000\"" + momentum + "/>"));
+    Simulation simulation(*model);
+    const RunReport report = simulation.run();
+    EXPECT_EQ(report.unsolved.step, 0);
+    return static_cast<double>(report.iterations);
+  };
+  EXPECT_LT(sweeps(""), 0.6 * sweeps(" momentum=\"0\""));
+}
+
 /// Balls fall from a feeder without touching each other, and are taken away below.
 std::string stream(double until) {
   return "<dynamy version=\"1\"><systems><Grains name=\"balls\" count=\"12\" present=\"2\" "

@@ -36,7 +36,7 @@ void BlockGaussSeidel::contact(const InclusionProblem& p, int i, const double* r
 }
 
 void BlockGaussSeidel::declare(Attributes& a) {
-  declareCommon(a, "exact");
+  declareCommon(a, "exact", 0.7);
   declareOrder(a);
   a.about(
       "Gauss-Seidel by blocks: one contact after the other is solved exactly, in closed form for "

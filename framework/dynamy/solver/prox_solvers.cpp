@@ -49,10 +49,11 @@ ProxSolver::ProxSolver(const Parameters& x, Relaxation) : InclusionSolver(x) {
   options_.relaxation = relaxationByName(x["relaxation"].text);
   options_.factor = x["factor"];
   options_.anderson = x["anderson"].integer();
+  options_.momentum = x["momentum"];
   options_.symmetric = x.has("order") && x["order"].text == "symmetric";
 }
 
-void ProxSolver::declareCommon(Attributes& a, const char* defaultRule) {
+void ProxSolver::declareCommon(Attributes& a, const char* defaultRule, double momentum) {
   a.optional("tolerance", Unit::none, 1e-10, "residuals E_f and E_u at which the solver stops")
       .positive();
   Attribute& n =
@@ -64,6 +65,9 @@ void ProxSolver::declareCommon(Attributes& a, const char* defaultRule) {
   Attribute& depth = a.add(AttributeType::integer, "anderson", "0",
                            "depth of Anderson's acceleration, 5 to 10 are usual; 0: none");
   depth.min = 0, depth.max = Anderson::kMaxMemory;
+  a.optional("momentum", Unit::none, momentum,
+             "part of the last change by which a sweep starts further on, if not anderson; 0: none")
+      .between(0.0, 1.0);
 }
 
 void ProxSolver::declareOrder(Attributes& a) {
@@ -97,6 +101,11 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
   return report;
 }
 
+void ProxSolver::goBack(const InclusionProblem& problem, Vec Lambda) {
+  Lambda = ConstVec(best_.data(), problem.rows());
+  problem.G->begin(Lambda.data());
+}
+
 void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report) {
   const int passes = options_.symmetric ? 2 : 1;
   double first = -1.0, mark = report.residuals.largest(), part = kPart;
@@ -105,10 +114,13 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
   int nextTest = 1, marked = 0;
   report.status = SolveStatus::maxIterations;
   problem.G->begin(Lambda.data());
+  momentum_.begin(options_.anderson > 0 ? 0.0 : options_.momentum);
   for (bool fresh = true; report.iterations < options_.maxIterations; fresh = false) {
     if (!fresh && options_.anderson > 0) {
       anderson_.next(before_.data(), Lambda.data(), Lambda.data());
       problem.G->begin(Lambda.data());
+    } else if (!fresh) {
+      momentum_.next(problem, Lambda.data());
     }
     Vec(before_.data(), problem.rows()) = Lambda;
     sweep(problem, r_.data(), Lambda.data());
@@ -116,6 +128,10 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
     const double d = change(problem, r_.data(), before_.data(), Lambda.data());
     if (first < 0.0) first = d;
     const bool lost = !std::isfinite(d) || d > 1e12 * (first + 1.0);
+    if (lost && momentum_.end()) {
+      goBack(problem, Lambda);
+      continue;
+    }
     if (lost) report.status = std::isfinite(d) ? SolveStatus::diverged : SolveStatus::notFinite;
     // The change alone would flatter a creeping iteration: it only says when the full test is worth
     // its price.
@@ -126,12 +142,18 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
     if (now.largest() < best.largest()) {
       best = now;
       Vec(best_.data(), problem.rows()) = Lambda;
+    } else {
+      momentum_.halve();
     }
     if (now.largest() <= options_.tolerance) report.status = SolveStatus::solved;
     if (now.largest() <= options_.tolerance || lost || (problem.rule && problem.rule->enough()))
       break;
     if (best.largest() <= kProgress * mark) mark = best.largest(), marked = report.iterations;
     if (report.iterations - marked > std::max(kPatience * passes, report.iterations / 2)) {
+      if (momentum_.end()) {
+        goBack(problem, Lambda), marked = report.iterations;
+        continue;
+      }
       report.status = d > kGrowth * (first + 1.0) ? SolveStatus::diverged : SolveStatus::stalled;
       break;
     }

@@ -3,11 +3,13 @@
 ///   JOR:  Λ_i ← prox_{C_i}(Λ_i − r_i ξ_i(Λ))           all i from the old Λ
 ///   SOR:  the same, newest values at once
 ///
-/// Any sweep may be accelerated (Anderson). The status is `stalled` when the best residual has not
-/// fallen by 1 % for as many sweeps as half of those made, and at least 1000.
+/// Any sweep may be accelerated (Anderson, or momentum, which costs nearly nothing). The status is
+/// `stalled` when the best residual has not fallen by 1 % for as many sweeps as half of those made,
+/// and at least 1000.
 #pragma once
 #include <dynamy/solver/anderson.hpp>
 #include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/momentum.hpp>
 #include <dynamy/solver/relaxation.hpp>
 
 namespace dynamy {
@@ -19,13 +21,14 @@ struct ProxOptions {
   double factor = 1.0;     ///< multiplies r
   int anderson = 0;        ///< depth of Anderson's acceleration; 0: none
   bool symmetric = false;  ///< Gauss–Seidel: every sweep to and fro, counted as two
+  double momentum = 0.0;   ///< part of the last change by which a sweep starts further on
 };
 
 class ProxSolver : public InclusionSolver {
  public:
   explicit ProxSolver(const ProxOptions& options) : options_(options) {}
   ProxSolver(const Parameters& x, Relaxation defaultRule);
-  static void declareCommon(Attributes& a, const char* defaultRule);
+  static void declareCommon(Attributes& a, const char* defaultRule, double momentum = 0.0);
   static void declareOrder(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) final;
   const ProxOptions& options() const { return options_; }
@@ -40,9 +43,12 @@ class ProxSolver : public InclusionSolver {
  private:
   /// Sweeps until the tolerance is met; Λ is the best one that was tested.
   void iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+  /// Λ of the best test, for the next sweep.
+  void goBack(const InclusionProblem& problem, Vec Lambda);
 
   ProxOptions options_;
   Anderson anderson_;
+  Momentum momentum_;
   std::vector<double> r_, weights_, scratch_, before_, best_;
 };
 
