@@ -111,7 +111,7 @@ TEST(RoundBodies, CanStandsOnATableSmallerThanItself) {
   EXPECT_LT((can.q("can") - q).norm(), 1e-12);
 }
 
-TEST(RoundBodies, CoinRollsRoundOnABoxAsOnAHalfSpace) {
+TEST(RoundBodies, CoinRollsRoundOnABoxAndOnTrianglesAsOnAHalfSpace) {
   const auto rolled = [](const std::string& table) {
     SceneSetup setup;
     setup.text = scene(
@@ -127,8 +127,13 @@ TEST(RoundBodies, CoinRollsRoundOnABoxAsOnAHalfSpace) {
   const Eigen::VectorXd box = rolled(
                             "<Box size=\"2 2 0.1\" position=\"0 0 -0.05\" material=\"stone\"/>"),
                         plane = rolled("<HalfSpace material=\"stone\"/>");
+  // Eight triangles of one plane, whose edges the point of contact passes.
+  const Eigen::VectorXd field = rolled(
+      "<HeightField columns=\"3\" spacing=\"1 1\" position=\"-1.03 -0.98 0\" "
+      "heights=\"0 0 0 0 0 0 0 0 0\" material=\"stone\"/>");
   // Roundings of the two ways to the same gap, over 500 steps.
   EXPECT_LT((box - plane).norm(), 1e-9);
+  EXPECT_LT((field - plane).norm(), 1e-9);
 }
 
 }  // namespace

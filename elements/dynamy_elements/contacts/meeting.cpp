@@ -1,6 +1,7 @@
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/contour.hpp>
+#include <dynamy_elements/contacts/disc_on_mesh.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/surface_contact.hpp>
@@ -44,6 +45,7 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (!inPlane && A.surface) {
     if (B.kind == Touch::ball) return Meeting::ballOnSurface;
     if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
+    if (isDisc(B)) return Meeting::discOnMesh;
     if (B.polyhedron) return A.polyhedron ? Meeting::polyhedra : Meeting::polyhedronOnMesh;
   }
   if (A.kind == Touch::capsule)
@@ -76,6 +78,8 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
       return kBoxFeatures;
     case Meeting::discs:
       return kDiscPair;
+    case Meeting::discOnMesh:
+      return discOnMeshFeatures(*A.surface);
     case Meeting::discOnPolyhedron:
       return static_cast<std::uint64_t>(discFeatures(*A.polyhedron));
     default:
@@ -111,6 +115,23 @@ std::string ofDisc(const Polyhedron& A, std::uint64_t f) {
   if (f < 2) return "B.rim" + std::to_string(f);
   if (f < 10) return "B.rim" + std::to_string((f - 2) / 4) + ".point" + std::to_string((f - 2) % 4);
   f -= 10;
+  if (f < corners) return "A.corner" + std::to_string(f);
+  f -= corners;
+  if (f < edges) return "edge" + std::to_string(f) + "-side";
+  f -= edges;
+  return "edge" + std::to_string(f / 4) + "-" + ofRim(f / 2 % 2, f % 2);
+}
+
+std::string ofDiscOnMesh(const Surface& A, std::uint64_t f) {
+  const std::size_t faces = A.faces().size(), corners = static_cast<std::size_t>(A.corners()),
+                    edges = static_cast<std::size_t>(A.edges());
+  const std::string over = "-face" + std::to_string(f % faces);
+  if (f < 2 * faces) return "B.rim" + std::to_string(f / faces) + over;
+  if (f < 10 * faces) {
+    const std::uint64_t point = f / faces - 2;
+    return "B.rim" + std::to_string(point / 4) + ".point" + std::to_string(point % 4) + over;
+  }
+  f -= 10 * faces;
   if (f < corners) return "A.corner" + std::to_string(f);
   f -= corners;
   if (f < edges) return "edge" + std::to_string(f) + "-side";
@@ -161,6 +182,7 @@ std::string featureName(Meeting meets, const TouchingShape& A, const TouchingSha
   if (meets == Meeting::polyhedra) return ofPolyhedra(*A.polyhedron, *B.polyhedron, f);
   if (meets == Meeting::polyhedronOnMesh) return onMesh(*A.surface, *B.polyhedron, f);
   if (meets == Meeting::discs) return ofDiscs(f);
+  if (meets == Meeting::discOnMesh) return ofDiscOnMesh(*A.surface, f);
   if (meets == Meeting::discOnPolyhedron) return ofDisc(*A.polyhedron, f);
   if (meets == Meeting::capsuleOnSurface) return ofCapsule(*A.surface, f);
   if (meets == Meeting::ballOnSurface) return A.surface->featureName(static_cast<int>(f));

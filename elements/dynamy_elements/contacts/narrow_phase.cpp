@@ -5,6 +5,7 @@
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/contour_motion.hpp>
+#include <dynamy_elements/contacts/disc_on_mesh.hpp>
 #include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
@@ -258,6 +259,12 @@ void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, Contact
     case Meeting::capsuleOnSurface: {
       OnSurfaceContacts found;
       const int n = capsuleOnSurface(A, *pair.A->surface, B, *pair.B, seenFrom(pair, sink), found);
+      return emitAll(pair, found, n, k, sink);
+    }
+    case Meeting::discOnMesh: {
+      OnSurfaceContacts found;
+      const int n =
+          discOnMesh(A, *pair.A->surface, discBody(B, *pair.B), seenFrom(pair, sink), found);
       return emitAll(pair, found, n, k, sink);
     }
     case Meeting::polyhedronOnMesh: {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/disc_on_mesh.hpp>
 #include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
@@ -229,6 +230,10 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
           capsule ? capsuleOnSurface(A, *a.surface, B, b, kSeen * b.bound, found)
                   : polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), b.bound, false, found);
       return leastGap(found, n);
+    }
+    case Meeting::discOnMesh: {
+      OnSurfaceContacts found;
+      return leastGap(found, discOnMesh(A, *a.surface, discBody(B, b), b.bound, found));
     }
     case Meeting::polyhedra:
       return separation(placedPolyhedron(A, a), placedPolyhedron(B, b));

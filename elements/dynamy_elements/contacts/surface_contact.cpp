@@ -209,7 +209,8 @@ class OverMesh {
   Found found_;
 };
 
-/// Contacts of one plane as those of one face: their points at one height.
+}  // namespace
+
 void levelled(const Frame& A, std::span<NumberedContact> contacts) {
   const auto lowest = std::min_element(
       contacts.begin(), contacts.end(),
@@ -220,8 +221,6 @@ void levelled(const Frame& A, std::span<NumberedContact> contacts) {
     if ((c.at.d[0] - at.d[0]).squaredNorm() < 1e-18)
       intoPlane(at.d[0], A.Omega_I.cross(at.d[0]), at, c.at);
 }
-
-}  // namespace
 
 int polyhedronOnMesh(const Frame& A, const Surface& mesh, const PlacedPolyhedron& B, double reach,
                      bool rates, OnSurfaceContacts& out) {

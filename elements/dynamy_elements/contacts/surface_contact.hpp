@@ -8,6 +8,7 @@
 #pragma once
 #include <dynamy_elements/contacts/polyhedron_contact.hpp>
 #include <dynamy_elements/contacts/surface.hpp>
+#include <span>
 
 namespace dynamy {
 
@@ -25,5 +26,8 @@ int capsuleFeatures(const Surface& surface);
 int polyhedronOnMesh(const Frame& A, const Surface& mesh, const PlacedPolyhedron& B, double reach,
                      bool rates, OnSurfaceContacts& out);
 std::uint64_t meshFeatures(const Surface& mesh, const Polyhedron& B);
+
+/// Contacts of one plane as those of one face: their points at one height.
+void levelled(const Frame& A, std::span<NumberedContact> contacts);
 
 }  // namespace dynamy

@@ -26,8 +26,9 @@ void CylinderShape::declare(Attributes& a) {
   a.about(
       "Solid cylinder along z with sharp rims, a disc if it is short: V = π r² l, J_z = m r²/2, "
       "J_x = "
-      "m (3 r² + l²)/12. Touches half spaces, and in space balls, capsules, cylinders, tori, boxes "
-      "and polyhedra.");
+      "m (3 r² + l²)/12. Touches half spaces, and in space balls, capsules, cylinders, tori, "
+      "boxes, "
+      "polyhedra and meshes.");
   a.required("radius", Unit::length, "radius").positive();
   a.required("length", Unit::length, "length along z").positive();
   a.example("<Cylinder radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
@@ -88,8 +89,8 @@ void TorusShape::declare(Attributes& a) {
       "Tube of radius r around a circle of radius R about z, a tyre: V = 2 π² R r², J_z = m (R² + "
       "3/4 "
       "r²), J_x = m (R²/2 + 5/8 r²). Touches half spaces, and in space balls, capsules, cylinders, "
-      "tori, boxes "
-      "and polyhedra, none of which "
+      "tori, boxes, "
+      "polyhedra and meshes, none of which "
       "passes through its hole.");
   a.required("radius", Unit::length, "radius R of the circle in the middle of the tube").positive();
   a.required("tube", Unit::length, "radius r of the tube").positive();
