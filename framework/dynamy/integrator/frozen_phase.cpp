@@ -164,9 +164,10 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
     if (held[i].slips) in.gammaA = slip;
     if (!fits || !bounds(law, in, bounds_[i])) {
-      fault_ =
-          "a law whose smooth phases have no closed form here (a set with edges or without a "
-          "width, a user's own): give a step and another scheme";
+      ownFault_ = "the smooth phases of <" + law.type() +
+                  "> have no closed form here (a set with edges or without a width, a "
+                  "displacement, a user's own): give a step and another scheme";
+      fault_ = ownFault_;
       return false;
     }
     form_[i] = bounds_[i].form;

@@ -107,6 +107,7 @@ class FrozenPhase {
   std::vector<Form> form_;
   std::vector<Bounds> bounds_;
   std::string_view fault_;
+  std::string ownFault_;
   Eigen::MatrixXd W_, MInvW_;  // nu × rows
   Eigen::MatrixXd P_;          // rows × unknowns
   std::vector<int> kept_;      // S: the row of each unknown
