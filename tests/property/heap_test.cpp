@@ -52,6 +52,39 @@ TEST(Heap, PackedSweepsFindTheVelocitiesThatOthersFind) {
   }
 }
 
+TEST(Heap, PackedSweepsTakeOtherContactsAlong) {
+  // The lattice slides over a floor that resists rolling (five rows), and a ball above swings on a
+  // hinge: 25 contacts with the floor and the hinge are not packed. The truth are sweeps to and
+  // fro, which never pack. Both are solved to 1e-10 of 0.05 m/s a step, as above.
+  const std::string marks[] = {
+      "<HalfSpace material=\"stone\" normal=\"0.1 0 1\" position=\"0 0 -0.05\"/>", "pitch=\"0.1\"",
+      "<Ground>", "<UnilateralCoulomb mu=\"0.3\"/></Contact>"};
+  const std::string instead[] = {
+      "<HalfSpace material=\"felt\"/>", "pitch=\"0.1\" velocity=\"0.3 0.1 0\"",
+      "<RigidBody name=\"p\" position=\"0 0 5\"><Sphere radius=\"0.1\" density=\"1000\" "
+      "material=\"none\"/></RigidBody><Ground name=\"world\">",
+      "<UnilateralCoulomb mu=\"0.3\"/></Contact><Contact between=\"stone felt\">"
+      "<UnilateralRolling mu=\"0.3\" rolling=\"1e-3\"/></Contact>"
+      "<NoContact between=\"none none\"/><NoContact between=\"none stone\"/>"
+      "<NoContact between=\"none felt\"/>"
+      "<Revolute between=\"world p\" at=\"0.3 0 5\" axis=\"0 1 0\"/>"};
+  const auto text = [&](const std::string& solver) {
+    std::string out = heap(160, 5, solver);
+    for (int k = 0; k < 4; ++k) out.replace(out.find(marks[k]), marks[k].size(), instead[k]);
+    return out;
+  };
+  Scene packed("", {.text = text("<BlockGaussSeidel tolerance=\"1e-10\"/>")});
+  Scene plain("", {.text = text("<BlockGaussSeidel tolerance=\"1e-10\" order=\"symmetric\"/>")});
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_TRUE(packed.step(5e-3).solved.ok());
+    ASSERT_TRUE(plain.step(5e-3).solved.ok());
+    EXPECT_LT((packed.state().u - plain.state().u).cwiseAbs().maxCoeff(), 1e-8) << i;
+    BallSweeps sweeps;
+    ASSERT_TRUE(sweeps.prepare(packed.system().problem())) << i;
+    EXPECT_GE(sweeps.rest().size(), 26u) << i;
+  }
+}
+
 TEST(Heap, HasTheSameBitsWithAnyNumberOfThreads) {
   // More than 6000 contacts: the sweeps are cut into parts.
   const auto run = [](int threads) {

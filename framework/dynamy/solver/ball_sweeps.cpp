@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/spatial_rows.hpp>
 #include <dynamy/solver/ball_sweeps.hpp>
 
 namespace dynamy {
 namespace {
 
-/// Contacts from which on packing pays and from which on they are cut into parts.
+/// Contacts of balls from which on packing pays and from which on they are cut into parts.
 constexpr int kFew = 100, kUncut = 6000;
 /// Parts at most, and contacts of a part at least: those between parts are not shared.
 constexpr int kMostParts = 8, kLeast = 3000;
@@ -20,7 +19,9 @@ bool opposite(const double* a, const double* b) {
 }
 
 /// Two numbers of M⁻¹ of a ball; false: it is none.
-bool isotropic(const double* inverse, double& m, double& j) {
+bool isotropic(const MassMatrix& mass, const Segment& s, double& m, double& j) {
+  const double* inverse = s.nu == 6 ? mass.inverseDiagonal(s.block) : nullptr;
+  if (!inverse) return false;
   m = inverse[0], j = inverse[3];
   return inverse[1] == m && inverse[2] == m && inverse[4] == j && inverse[5] == j;
 }
@@ -29,6 +30,7 @@ bool isotropic(const double* inverse, double& m, double& j) {
 
 bool BallSweeps::pack(const InclusionProblem& p, int i, Contact& out) {
   const ContactSet& c = *p.contacts;
+  if (p.dim(i) != 3) return false;
   const SimpleSet set = p.law(i).simpleSet(p.input(i));
   if (set.shape != SimpleSet::Shape::friction) return false;
   const double* G = p.G->diagonalBlock(i);
@@ -42,25 +44,24 @@ bool BallSweeps::pack(const InclusionProblem& p, int i, Contact& out) {
   // One segment: B; its other side is the ground.
   const Segment* segment = c.segment.data() + first;
   const Segment& B = segment[count - 1];
+  const MassMatrix& mass = p.G->mass();
+  if (!isotropic(mass, B, out.mb, out.jb)) return false;
   const double* W = c.W.data() + B.w;
   std::copy(W, W + 3, out.n), std::copy(W + 6, W + 9, out.t), std::copy(W + 12, W + 15, out.s);
   std::copy(W + 9, W + 12, out.tb), std::copy(W + 15, W + 18, out.sb);
   const double small = kRounding * std::sqrt(dot(out.tb, out.tb));
   if (!(std::sqrt(dot(W + 3, W + 3)) <= small)) return false;
   out.ub = B.u0;
-  const MassMatrix& mass = p.G->mass();
-  if (!isotropic(mass.inverseDiagonal(B.block), out.mb, out.jb)) return false;
   out.ua = -1, out.ma = out.ja = 0.0;
   std::fill_n(out.ta, 3, 0.0), std::fill_n(out.sa, 3, 0.0);
   if (count == 1) return true;
   const Segment& A = segment[0];
+  if (A.block == B.block || !isotropic(mass, A, out.ma, out.ja)) return false;
   W = c.W.data() + A.w;
   std::copy(W + 9, W + 12, out.ta), std::copy(W + 15, W + 18, out.sa);
   out.ua = A.u0;
-  return A.block != B.block && opposite(W, out.n) && opposite(W + 6, out.t) &&
-         opposite(W + 12, out.s) &&
-         std::sqrt(dot(W + 3, W + 3)) <= kRounding * std::sqrt(dot(out.ta, out.ta)) &&
-         isotropic(mass.inverseDiagonal(A.block), out.ma, out.ja);
+  return opposite(W, out.n) && opposite(W + 6, out.t) && opposite(W + 12, out.s) &&
+         std::sqrt(dot(W + 3, W + 3)) <= kRounding * std::sqrt(dot(out.ta, out.ta));
 }
 
 int BallSweeps::partOf(const Contact& c, int velocities) const {
@@ -74,17 +75,19 @@ int BallSweeps::partOf(const Contact& c, int velocities) const {
 
 bool BallSweeps::prepare(const InclusionProblem& p) {
   contacts_.clear();
-  if (p.size() < kFew || !p.G->hasBodies() || !p.G->sweepVelocities() || !spatial::all(*p.contacts))
-    return false;
-  const MassMatrix& mass = p.G->mass();
-  for (const Segment& s : p.contacts->segment)
-    if (!mass.inverseDiagonal(s.block)) return false;
-  given_.resize(static_cast<std::size_t>(p.size()));
+  if (p.size() < kFew || !p.G->hasBodies() || !p.G->sweepVelocities()) return false;
+  given_.clear(), rest_.clear();
   for (int i = 0; i < p.size(); ++i)
-    if (!pack(p, i, given_[static_cast<std::size_t>(i)])) return false;
+    if (Contact c; pack(p, i, c))
+      given_.push_back(c);
+    else
+      rest_.push_back(i);
+  const int size = static_cast<int>(given_.size());
+  if (size < kFew) return false;
   // Contacts by part, in each in their order.
+  const MassMatrix& mass = p.G->mass();
   const int velocities = mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1);
-  const int parts = p.size() < kUncut ? 1 : std::min(kMostParts, p.size() / kLeast);
+  const int parts = size < kUncut ? 1 : std::min(kMostParts, size / kLeast);
   first_.assign(static_cast<std::size_t>(parts) + 2, 0);
   for (const Contact& c : given_) ++first_[static_cast<std::size_t>(partOf(c, velocities)) + 1];
   for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];

@@ -5,7 +5,7 @@
 /// A ball in space has G_ii = diag(G_NN, G_TT, G_TT), so that this is the exact solution of one
 /// contact while the others rest (theory 4.12). The normal row turns nobody, linear rows of both
 /// bodies are opposite, and M⁻¹ is two numbers: 27 numbers a contact instead of 72, a third of the
-/// work.
+/// work. Contacts of other laws and other bodies are the rest, solved by others after a sweep.
 ///
 /// Many contacts are cut into parts by the numbers of their bodies: contacts within a part come
 /// first, part after part or on as many threads, those between parts after them. The order depends
@@ -18,10 +18,12 @@ namespace dynamy {
 
 class BallSweeps {
  public:
-  /// False: the problem is another one. No allocation once large enough.
+  /// False: too few such contacts, none is taken. No allocation once large enough.
   bool prepare(const InclusionProblem& problem);
   bool prepared() const { return !contacts_.empty(); }
-  /// One sweep; the problem's G has begun one, and its velocities follow.
+  /// Contacts that are left to others, ascending.  \pre prepared()
+  const std::vector<int>& rest() const { return rest_; }
+  /// One sweep over all but the rest; the problem's G has begun one, and its velocities follow.
   void sweep(const InclusionProblem& problem, double* Lambda);
 
  private:
@@ -38,6 +40,7 @@ class BallSweeps {
   void solve(const Contact& c, const double* free, double* Lambda, double* v) const;
   std::vector<Contact> contacts_, given_;  ///< by part; as the problem has them
   std::vector<int> first_;                 ///< per part; the last one is between parts
+  std::vector<int> rest_;
 };
 
 }  // namespace dynamy

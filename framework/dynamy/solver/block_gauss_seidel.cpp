@@ -10,14 +10,27 @@ constexpr int kMaxDim = 8;
 
 }  // namespace
 
-void BlockGaussSeidel::sweep(const InclusionProblem& p, const double* r, double* Lambda) {
-  if (balls_.prepared()) return balls_.sweep(p, Lambda);
-  for (int i = 0; i < p.size(); ++i) contact(p, i, r, Lambda);
-  if (!options().symmetric) return;
-  for (int i = p.size() - 1; i >= 0; --i) contact(p, i, r, Lambda);
+void BlockGaussSeidel::prepare(const InclusionProblem& p) {
+  if (options().symmetric || !balls_.prepare(p)) return local_.prepare(p);
+  local_.clear();
+  for (const int i : balls_.rest())
+    local_.add(p.G->diagonalBlock(i), p.dim(i), p.law(i).simpleSet(p.input(i)));
 }
 
-void BlockGaussSeidel::contact(const InclusionProblem& p, int i, const double* r, double* Lambda) {
+void BlockGaussSeidel::sweep(const InclusionProblem& p, const double* r, double* Lambda) {
+  if (balls_.prepared()) {
+    balls_.sweep(p, Lambda);
+    int prepared = 0;
+    for (const int i : balls_.rest()) contact(p, i, prepared++, r, Lambda);
+    return;
+  }
+  for (int i = 0; i < p.size(); ++i) contact(p, i, i, r, Lambda);
+  if (!options().symmetric) return;
+  for (int i = p.size() - 1; i >= 0; --i) contact(p, i, i, r, Lambda);
+}
+
+void BlockGaussSeidel::contact(const InclusionProblem& p, int i, int prepared, const double* r,
+                               double* Lambda) {
   const int dim = p.dim(i), first = p.row0(i);
   const double* D = p.G->diagonalBlock(i);
   double *mine = Lambda + first, b[kMaxDim], old[kMaxDim];
@@ -28,7 +41,7 @@ void BlockGaussSeidel::contact(const InclusionProblem& p, int i, const double* r
     b[k] += p.c[static_cast<std::size_t>(first + k)] - own;
     old[k] = mine[k];
   }
-  const LocalCase found = local_.solve(i, b, mine).found;
+  const LocalCase found = local_.solve(prepared, b, mine).found;
   if (found == LocalCase::notSimple || found == LocalCase::noSolution)
     iterateContact(p.law(i), p.input(i), D, b, r + first, mine);
   for (int k = 0; k < dim; ++k) old[k] = mine[k] - old[k];

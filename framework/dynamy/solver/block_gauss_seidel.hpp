@@ -17,17 +17,17 @@ class BlockGaussSeidel final : public ProxSolver {
   explicit BlockGaussSeidel(const Parameters& x) : ProxSolver(x, Relaxation::exact) {}
   static void declare(Attributes& a);
 
-  void prepare(const InclusionProblem& problem) override {
-    if (options().symmetric || !balls_.prepare(problem)) local_.prepare(problem);
-  }
+  void prepare(const InclusionProblem& problem) override;
   /// True: sweep() needs no r of the prepared problem.
-  bool allSimple() const { return balls_.prepared() || local_.allSimple(); }
+  bool allSimple() const { return local_.allSimple(); }
   void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
 
  private:
-  void contact(const InclusionProblem& problem, int i, const double* r, double* Lambda);
-  LocalSolutions local_;
-  BallSweeps balls_;  // if the problem is of that kind
+  /// `prepared`: number of contact i in local_.
+  void contact(const InclusionProblem& problem, int i, int prepared, const double* r,
+               double* Lambda);
+  LocalSolutions local_;  // of all contacts, or of the rest
+  BallSweeps balls_;      // if there are many of that kind
 };
 
 }  // namespace dynamy
