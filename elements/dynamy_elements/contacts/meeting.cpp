@@ -40,6 +40,8 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (!inPlane && isDisc(B) && A.polyhedron) return Meeting::discOnPolyhedron;
   if (!inPlane && isDisc(A) && (isDisc(B) || B.kind == Touch::capsule)) return Meeting::discs;
   if (!inPlane && A.kind == Touch::torus && B.kind == Touch::ball) return Meeting::discs;
+  if (!inPlane && A.kind == Touch::ellipsoid && (isDisc(B) || B.kind == Touch::capsule))
+    return Meeting::smoothOnDisc;
   if (!inPlane && A.kind == Touch::ellipsoid)
     return B.kind == Touch::ellipsoid || B.kind == Touch::ball ? Meeting::smooth : Meeting::missing;
   if (!inPlane && A.surface) {

@@ -25,6 +25,7 @@ enum class Meeting : std::uint8_t {
   ballOnContour,
   smooth,              ///< ellipsoids with each other and with balls
   smoothOnPolyhedron,  ///< or on a box
+  smoothOnDisc,        ///< A on B, a cylinder, torus or capsule
   discOnPolyhedron,    ///< a cylinder or torus, or on a box
   discOnMesh,          ///< or a height field
   discs                ///< cylinders and tori with each other, with capsules and balls

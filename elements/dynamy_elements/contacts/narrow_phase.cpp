@@ -274,6 +274,10 @@ void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, Contact
                                       seenFrom(pair, sink), sink.request().bias, found),
                      k, sink);
     }
+    case Meeting::smoothOnDisc: {
+      const ContactPoint at = discOnSmooth(A, pair.A->features[0], discBody(B, *pair.B));
+      return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+    }
     case Meeting::discs:
     case Meeting::discOnPolyhedron: {
       DiscContacts found;

@@ -241,6 +241,8 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       return betweenSmooth(A, a.features[0], B, b.features[0]).g;
     case Meeting::smoothOnPolyhedron:
       return smoothOnPolyhedron(placedPolyhedron(A, a), B, b.features[0]).g;
+    case Meeting::smoothOnDisc:
+      return smoothOnDisc(discBody(B, b), A, a.features[0]).g;
     case Meeting::discs:
       return separation(discBody(A, a), discBody(B, b));
     case Meeting::discOnPolyhedron:

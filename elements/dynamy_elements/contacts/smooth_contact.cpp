@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy_elements/contacts/segments.hpp>
 #include <dynamy_elements/contacts/smooth_contact.hpp>
 #include <limits>
 
@@ -9,6 +10,10 @@ namespace {
 constexpr int kSteps = 50;
 /// Of the unit vector: a step below which n is found.
 constexpr double kFound = 1e-15;
+/// Of the unit vector: a step that changes f by less than its rounding.
+constexpr double kFlat = 1e-7;
+/// Angle beside a cap [rad].
+constexpr double kBesideCap = 1e-3;
 
 /// A feature in the world.
 struct Placed {
@@ -64,7 +69,11 @@ class Search {
       // Shorter until it separates more, up to rounding.
       for (; part > 1e-3 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
         part *= 0.5, next = (n + part * step).normalized();
-      if (part <= 1e-3) break;
+      if (part <= 1e-3) {
+        // f is flat here to its rounding, its gradient is not.
+        if (step.norm() < kFlat) n = (n + step).normalized();
+        break;
+      }
       n = next, f = g;
       if (step.norm() < kFound) break;
     }
@@ -110,15 +119,89 @@ ContactPoint onPoint(const Frame& A, const Vec3& p, const Placed& B, const Vec3*
 
 }  // namespace
 
+namespace {
+
+ContactPoint betweenSmoothFrom(const Placed& A, const Placed& B, const Vec3& start) {
+  const Search search(&A, Vec3::Zero(), B, nullptr);
+  const Vec3 n = search.best(start);
+  const Mat3 HA = A.derivative(n), HB = B.derivative(-n);
+  const OfA ofA{A.velocity(A.point(n)), HA * A.frame.Omega_I.cross(n)};
+  return contactAt(n, search.y(n), HA + HB, HB, ofA, B, Tangents(n, nullptr));
+}
+
+}  // namespace
+
 ContactPoint betweenSmooth(const Frame& fA, const SupportFeature& a, const Frame& fB,
                            const SupportFeature& b) {
   const Placed A{fA, a}, B{fB, b};
   const Vec3 way = B.centre() - A.centre();
-  const Search search(&A, Vec3::Zero(), B, nullptr);
-  const Vec3 n = search.best(way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ()));
-  const Mat3 HA = A.derivative(n), HB = B.derivative(-n);
-  const OfA ofA{A.velocity(A.point(n)), HA * fA.Omega_I.cross(n)};
-  return contactAt(n, search.y(n), HA + HB, HB, ofA, B, Tangents(n, nullptr));
+  return betweenSmoothFrom(A, B, way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ()));
+}
+
+namespace {
+
+/// Candidates for the largest separation of a round body and a feature.
+class OnDisc {
+ public:
+  OnDisc(const DiscBody& A, const Placed& B) : A_(A), B_(B) {}
+
+  ContactPoint best() {
+    if (A_.rho > 0.0)
+      for (const double side : {1.0, -1.0}) cap(side * A_.a);
+    if (A_.half > 0.0) take(onPoint(*A_.frame, A_.c, B_, &A_.a), A_.rho + A_.r);
+    for (int i = 0; i < A_.rims(); ++i) rim(i);
+    return best_;
+  }
+
+ private:
+  /// `tube`: around what the contact was found on.
+  void take(ContactPoint at, double tube) {
+    const Vec3& n = at.d[0];
+    at.g -= tube;
+    const double f = n.dot(B_.point(-n)) - A_.support(n);
+    if (f > most_) most_ = f, best_ = at;
+  }
+  void cap(const Vec3& n) {
+    const PlacedFace face(*A_.frame, n, A_.c, A_.half + A_.r, A_.x, 1.0, true);
+    ContactPoint at;
+    face.contact(B_.frame, B_.point(-n), at);
+    at.Pdot -= B_.derivative(-n) * (at.ddot[0] - B_.frame.Omega_I.cross(n));
+    take(at, 0.0);
+  }
+  void rim(int i) {
+    const Vec3 o = A_.middle(i), way = B_.centre() - o;
+    if (A_.rho == 0.0) return take(onPoint(*A_.frame, o, B_, nullptr), A_.r);
+    SupportFeature circle;
+    circle.kind = SupportFeature::Kind::rim;
+    circle.c_K = A_.frame->A_IK.transpose() * (o - A_.frame->r_OS_I);
+    circle.axis_K = A_.frame->A_IK.transpose() * A_.a;
+    circle.rho = A_.rho, circle.radius = A_.r;
+    const Placed a{*A_.frame, circle};
+    // From the point of the rim that is nearest to the middle of B, and from beside the cap.
+    const Vec3 n = i == 1 || A_.a.dot(way) > 0.0 ? A_.a : Vec3(-A_.a);
+    const Vec3 e = A_.acrossAxis(way), u = A_.acrossAxis(B_.point(-n) - o);
+    for (const Vec3& start : {e.norm() > 0.0 ? Vec3(way - A_.rho * e.normalized()) : way,
+                              u.norm() > A_.rho ? Vec3(n + kBesideCap * u.normalized()) : way})
+      if (start.norm() > 0.0) take(betweenSmoothFrom(a, B_, start.normalized()), 0.0);
+  }
+
+  const DiscBody& A_;
+  const Placed& B_;
+  double most_ = -std::numeric_limits<double>::infinity();
+  ContactPoint best_;
+};
+
+}  // namespace
+
+ContactPoint smoothOnDisc(const DiscBody& A, const Frame& B, const SupportFeature& feature) {
+  const Placed b{B, feature};
+  return OnDisc(A, b).best();
+}
+
+ContactPoint discOnSmooth(const Frame& A, const SupportFeature& feature, const DiscBody& B) {
+  ContactPoint at = smoothOnDisc(B, A, feature);
+  turnRound(at);
+  return at;
 }
 
 ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,

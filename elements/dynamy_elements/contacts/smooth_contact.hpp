@@ -9,6 +9,7 @@
 /// polyhedron n is sought across e, on a face it is known. Distances of sampled surfaces were
 /// rejected: their normals jump.
 #pragma once
+#include <dynamy_elements/contacts/disc_body.hpp>
 #include <dynamy_elements/contacts/polyhedron_contact.hpp>
 
 namespace dynamy {
@@ -19,5 +20,10 @@ ContactPoint betweenSmooth(const Frame& A, const SupportFeature& a, const Frame&
 /// Feature of B on the polyhedron A; inside the nearest face counts.
 ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
                                 const SupportFeature& feature);
+/// Feature of B on the cylinder, torus or capsule A: the largest of the separations along its caps,
+/// across its axis and from its rims.
+ContactPoint smoothOnDisc(const DiscBody& A, const Frame& B, const SupportFeature& feature);
+/// The same seen from the feature, which is A's.
+ContactPoint discOnSmooth(const Frame& A, const SupportFeature& feature, const DiscBody& B);
 
 }  // namespace dynamy

@@ -89,7 +89,7 @@ void TorusShape::declare(Attributes& a) {
       "Tube of radius r around a circle of radius R about z, a tyre: V = 2 π² R r², J_z = m (R² + "
       "3/4 "
       "r²), J_x = m (R²/2 + 5/8 r²). Touches half spaces, and in space balls, capsules, cylinders, "
-      "tori, boxes, "
+      "tori, ellipsoids, boxes, "
       "polyhedra and meshes, none of which "
       "passes through its hole.");
   a.required("radius", Unit::length, "radius R of the circle in the middle of the tube").positive();
@@ -112,7 +112,7 @@ void EllipsoidShape::declare(Attributes& a) {
   a.about(
       "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches half spaces, "
       "and "
-      "in space balls, ellipsoids, boxes and polyhedra.");
+      "in space balls, capsules, cylinders, tori, ellipsoids, boxes and polyhedra.");
   a.requiredVector("semiAxes", Unit::length, 3, "half of its lengths along x, y, z").positive();
   a.example("<Ellipsoid semiAxes=\"0.3 0.2 0.1\" mass=\"1\" material=\"stone\"/>");
 }

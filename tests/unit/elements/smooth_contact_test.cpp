@@ -146,5 +146,36 @@ TEST(SmoothContact, OfEllipsoidsOnPolyhedraIsTheLargestSeparation) {
   EXPECT_GT(compared, 20);
 }
 
+TEST(SmoothContact, OfEllipsoidsOnRoundBodiesIsTheLargestSeparation) {
+  Random r(36);
+  const SupportFeature b = ellipsoid({0.2, 0.6, 0.4});
+  // Cylinder, coin, torus, capsule: half length, radius of the discs, of the tube.
+  const double sizes[][3] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1}, {0.4, 0.0, 0.2}};
+  int met = 0, overlapping = 0, compared = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const double* s = sizes[trial % 4];
+    const auto disc = [&](const Frame& f) {
+      return DiscBody{&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), s[0], s[1], s[2]};
+    };
+    const Mover A = random(r, Vec3::Zero()),
+                B = random(r, (0.9 + 0.4 * r.number()) * r.vec().normalized());
+    const DiscBody a = disc(A.frame);
+    const auto f = [&](const Vec3& n) { return -support(B.frame, b, -n) - a.support(n); };
+    const double truth = separated(f, B.frame.r_OS_I);
+    if (truth < -0.05) continue;
+    ++met, overlapping += truth < 0.0;
+    const ContactPoint c = smoothOnDisc(a, B.frame, b);
+    // No direction separates more, and n as much: both are extreme.
+    EXPECT_GT(c.g, truth - 1e-12) << "trial " << trial << ", seed 36";
+    EXPECT_NEAR(f(c.d[0]), c.g, 1e-12) << "trial " << trial << ", seed 36";
+    compared += expectRatesFit(A, B, [&](const Frame& fA, const Frame& fB) {
+      return std::vector<NumberedContact>{{0, smoothOnDisc(disc(fA), fB, b)}};
+    });
+  }
+  EXPECT_GT(met, 100);
+  EXPECT_GT(overlapping, 5);
+  EXPECT_GT(compared, 100);
+}
+
 }  // namespace
 }  // namespace dynamy
