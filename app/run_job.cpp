@@ -102,9 +102,8 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
     model.scheme(method<OneStep>(program.registry, choice.integrator));
   else if (choice.tolerance > 0.0 && !model.scheme().choosesSteps())
     model.scheme(method<OneStep>(program.registry, "LocatedDormandPrince"));
-  else if (choice.step > 0.0 && !(choice.tolerance > 0.0) && !longest &&
-           model.scheme().choosesSteps())
-    model.scheme(method<OneStep>(program.registry, "EnergyMomentum"));
+  else
+    model.chooseScheme();
   if (!choice.solver.empty())
     model.solver(method<InclusionSolver>(program.registry, choice.solver));
   // The default sample time depends on the end time; a resumed run keeps it.

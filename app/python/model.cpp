@@ -124,7 +124,14 @@ void bindModel(py::module_& m) {
           [](Model& x, double until) { x.simulation.until = until; }, "End time [s].")
       .def_property(
           "step", [](const Model& x) { return x.simulation.step; },
-          [](Model& x, double step) { x.simulation.step = step; }, "Length of a step [s].")
+          [](Model& x, double step) { x.simulation.step = step, x.simulation.tolerance = 0.0; },
+          "Length of a step [s], in place of a tolerance.")
+      .def_property(
+          "tolerance", [](const Model& x) { return x.simulation.tolerance; },
+          [](Model& x, double tolerance) {
+            x.simulation.tolerance = tolerance, x.simulation.step = 0.0;
+          },
+          "Wanted accuracy, in place of a step: the program chooses the steps.")
       .def_property(
           "every", [](const Model& x) { return x.record.every; },
           [](Model& x, double every) { x.record.every = every; },

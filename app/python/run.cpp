@@ -133,11 +133,19 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
 class Steps {
  public:
   explicit Steps(Model& model)
-      : model_(model), system_(model.mechanicalSystem()), x_(model.initialState()) {}
+      : model_(model), system_(model.mechanicalSystem()), x_(model.initialState()) {
+    model.chooseScheme();
+    const double tolerance = model.simulation.tolerance;
+    if (model.scheme().choosesSteps())
+      model.scheme().aim({tolerance > 0.0 ? tolerance : Accuracy{}.tolerance, model.length()});
+  }
 
   py::dict step(double dt) {
     if (!(dt > 0.0)) dt = model_.simulation.step;
-    if (!(dt > 0.0)) throw ModelError("no step is given", "say step(1e-3), or model.step = 1e-3");
+    if (!(dt > 0.0) && model_.scheme().choosesSteps()) dt = model_.simulation.until - x_.t;
+    if (!(dt > 0.0))
+      throw ModelError("no step is given",
+                       "say step(1e-3), model.step = 1e-3 or model.tolerance = 1e-6");
     const double t = x_.t;
     const StepReport report = model_.scheme().step(system_, model_.solver(), x_, dt);
     if (!model_.scheme().choosesSteps()) x_.t = t + dt;
@@ -190,10 +198,10 @@ void bindRun(py::module_& m) {
   py::class_<Steps>(m, "Simulation", "Single steps of a built model.")
       .def(py::init<Model&>(), py::arg("model"), py::keep_alive<1, 2>())
       .def_property_readonly("state", &Steps::state, py::return_value_policy::reference_internal)
-      .def(
-          "step", &Steps::step, py::arg("dt") = 0.0,
-          "One step of length dt [s]; default: the model's. Returns contacts, status, iterations,\n"
-          "residual of the inclusion.")
+      .def("step", &Steps::step, py::arg("dt") = 0.0,
+           "One step of length dt [s]; default: the model's. With a tolerance, the next step of "
+           "the\n"
+           "scheme, dt at most. Returns contacts, status, iterations, residual of the inclusion.")
       .def_property_readonly("contacts", &Steps::contacts,
                              "Contacts of the last step: name, Lambda [N s].")
       .def_property_readonly("energy", &Steps::energy, "T + V [J].");

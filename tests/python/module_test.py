@@ -87,8 +87,27 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(dynamy.ModelError, "part of a model already"):
             model.add(ball)
 
-    def test_steps_are_those_of_a_run(self):
+    def test_a_tolerance_takes_the_place_of_a_step(self):
         model = dynamy.load(str(SOURCE / "models" / "woodpecker.xml"))
+        self.assertEqual((model.scheme, model.tolerance), ("LocatedDormandPrince", 1e-6))
+        model.until = 0.033
+        simulation = dynamy.Simulation(model)
+        steps = 0
+        while simulation.state.t < model.until:
+            self.assertTrue(simulation.step()["solved"])
+            steps += 1
+        self.assertLess(steps, 20)
+        # The sleeve sticks where a closed form says; ten tolerances of some 0.1 m.
+        self.assertAlmostEqual(simulation.state.q[0], -4.403947088e-3, delta=1e-6)
+        model.step = 1e-5
+        _, figures = dynamy.run(model)
+        self.assertEqual((model.scheme, figures["steps"]), ("EnergyMomentum", 3300))
+        model.tolerance = 1e-8
+        signals, _ = dynamy.run(model)
+        self.assertAlmostEqual(signals["toy.y"][-1], -4.403947088e-3, delta=1e-9)
+
+    def test_steps_are_those_of_a_run(self):
+        model = dynamy.load(str(SOURCE / "models" / "woodpecker_expressions.xml"))
         last = []
         dynamy.run(model, each=lambda x: last.append((x.t, x.q.copy())) or len(last) < 300)
         simulation = dynamy.Simulation(model)

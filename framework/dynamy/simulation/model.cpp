@@ -74,13 +74,21 @@ std::vector<std::unique_ptr<PartialMechanicalSystem>> Model::takeSystems(
 
 void Model::addCompletion(Completion completion) { completions_.push_back(std::move(completion)); }
 
+void Model::chooseScheme() {
+  if (!schemeIsDefault_) return;
+  const bool own = simulation.tolerance > 0.0;
+  if (scheme_ && scheme_->choosesSteps() == own) return;
+  if (own)
+    scheme_ = makeDefault<LocatedDormandPrince>("LocatedDormandPrince");
+  else
+    scheme_ = makeDefault<EnergyMomentum>("EnergyMomentum");
+}
+
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
   schemeIsDefault_ = !scheme_;
-  if (!scheme_ && simulation.tolerance > 0.0)
-    scheme_ = makeDefault<LocatedDormandPrince>("LocatedDormandPrince");
-  if (!scheme_) scheme_ = makeDefault<EnergyMomentum>("EnergyMomentum");
+  chooseScheme();
   if (!solver_) solver_ = makeDefault<Automatic>("Automatic");
   if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");
   std::vector<const PartialMechanicalSystem*> systems;

@@ -89,8 +89,10 @@ class Model {
   const InclusionSolver& solver() const { return *solver_; }
   InclusionSolver& solver() { return *solver_; }
   void scheme(std::unique_ptr<OneStep> scheme);
-  /// No scheme was named: it follows from whether there is a tolerance or a step.
+  /// No scheme was named: it follows from whether `simulation` has a tolerance or a step.
   bool schemeIsDefault() const { return schemeIsDefault_; }
+  /// Chooses it again, after `simulation` has changed.
+  void chooseScheme();
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
   State initialState() const;

@@ -20,6 +20,7 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 std::unique_ptr<TimeLoop> loopOf(Model& model) {
   SimulationSettings& s = model.simulation;
+  model.chooseScheme();
   Diagnostic d;
   if (model.systems().empty()) {
     d.place = Place(model.sourceFile);
