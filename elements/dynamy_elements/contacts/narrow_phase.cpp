@@ -6,6 +6,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/contour_motion.hpp>
 #include <dynamy_elements/contacts/disc_on_mesh.hpp>
+#include <dynamy_elements/contacts/grain.hpp>
 #include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
@@ -354,8 +355,16 @@ void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const 
   if (g > reachOf(pair, sink)) return;
   ContactRows rows = sink.add(pair.id + feature, g, *pair.rule->law, pair.rule->rows);
   if (!rows) return;
-  const ContactPoint& at = closed();
+  const ContactPoint& found = closed();
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  ContactPoint turned;
+  if (pair.rule->grain) {
+    const bool ofA = !pair.A->grain_K.isZero(0.0);
+    const Frame& f = ofA ? A : B;
+    turned = found;
+    alongGrain(turned, f.A_IK * (ofA ? pair.A : pair.B)->grain_K, f.Omega_I);
+  }
+  const ContactPoint& at = pair.rule->grain ? turned : found;
   const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
   if (rows.dim() <= 4) {
     pointContact(rows, A, rhoA, B, rhoB, at.d[0], at.d[1], at.d[2]);

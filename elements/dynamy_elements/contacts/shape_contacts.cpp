@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/simulation/model.hpp>
+#include <dynamy_elements/contacts/grain.hpp>
 #include <dynamy_elements/contacts/shape_contacts.hpp>
 #include <dynamy_elements/frame_pair.hpp>
 #include <map>
@@ -202,7 +203,7 @@ void ShapeContacts::group(Search& search) {
   ground_.assign(n, -1), grounds_.clear();
   flats_.clear();
   thinnest_ = std::numeric_limits<double>::infinity();
-  using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int>;
+  using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int, bool>;
   std::map<Key, int> known;
   std::map<std::string, int> names;
   for (std::size_t i = 0; i < n; ++i) {
@@ -223,7 +224,7 @@ void ShapeContacts::group(Search& search) {
     const Key key{
         s.shape->material(),    blocks.planeNormal.x(),           blocks.planeNormal.y(),
         blocks.planeNormal.z(), alone ? static_cast<int>(i) : -1, static_cast<int>(own.kind),
-        own.features.size(),    static_cast<int>(inSpace.kind)};
+        own.features.size(),    static_cast<int>(inSpace.kind),   own.grain_K.isZero(0.0)};
     const auto [at, isNew] = known.try_emplace(key, static_cast<int>(search.groups.size()));
     group_[i] = at->second;
     if (isNew) {
@@ -305,6 +306,9 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
     search.fault(ma, mb,
                  pairFault(shapeA, shapeB, "the law has more rows than a contact in a plane offers",
                            "take a law without a spin row, or bodies in space"));
+  const GrainFault grain = grainFault(*A, *B, made.meets, *made.law, made.rows);
+  if (!grain.text.empty()) search.fault(ma, mb, pairFault(shapeA, shapeB, grain.text, grain.hint));
+  made.grain = !A->grain_K.isZero(0.0) || !B->grain_K.isZero(0.0);
   made.features = featuresOf(made.meets, *A, *B);
   table_[a * groups_ + b] = table_[b * groups_ + a] = static_cast<int>(pairRules_.size());
   pairRules_.push_back(made);

@@ -54,6 +54,7 @@ class ShapeContacts final : public NonSmoothElement {
     Meeting meets = Meeting::never;
     const SetValuedForceLaw* law = nullptr;
     std::size_t plane = 0;       ///< index into `planes_`
+    bool grain = false;          ///< one of the two has one
     std::uint64_t features = 1;  ///< contacts of two of them
     int rows = 4;  ///< normal, tangents, spin about the normal; in a plane normal, tangent
   };

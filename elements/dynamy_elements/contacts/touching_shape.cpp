@@ -312,7 +312,7 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   const ShapeGeometry g = shape.geometry();
   TouchingShape out;
   out.shape = instance.shape, out.frame = instance.frame, out.system = instance.system;
-  out.p_K = shape.r_SB_K(), out.A_KB = shape.A_KB();
+  out.p_K = shape.r_SB_K(), out.A_KB = shape.A_KB(), out.grain_K = out.A_KB * shape.grain_B();
   Features f(out, shape.A_KB().transpose() * plane_K);
   if (g.type == "Sphere" || g.type == "Point") {
     const double R = g.type == "Sphere" ? g.size[0] : 0.0;

@@ -73,8 +73,9 @@ struct TouchingShape {
   FrameHandle frame;
   int system = -1;
   std::vector<SupportFeature> features;
-  Vec3 n_K = Vec3::Zero();  ///< half space: its normal
-  Vec3 p_K = Vec3::Zero();  ///< half space: a point of its plane; else the middle
+  Vec3 n_K = Vec3::Zero();      ///< half space: its normal
+  Vec3 p_K = Vec3::Zero();      ///< half space: a point of its plane; else the middle
+  Vec3 grain_K = Vec3::Zero();  ///< unit vector along which friction differs, or zero
   Mat3 A_KB = Mat3::Identity();
   /// Half edge lengths of a box; of a capsule or cylinder: radius, radius, half length [m].
   Vec3 half = Vec3::Zero();

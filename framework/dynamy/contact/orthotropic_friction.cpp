@@ -38,8 +38,9 @@ UnilateralOrthotropic::UnilateralOrthotropic(const Parameters& x)
 void UnilateralOrthotropic::declare(Attributes& a) {
   a.about(
       "Contact with friction that differs by direction: −ξ_T ∈ N_B(Λ_T), B the ellipse with "
-      "semi-axes μ1 Λ_N and μ2 Λ_N. Axis 1 is the first tangent turned by `angle`; the tangents of "
-      "a contact on a half space are fixed in it.");
+      "semi-axes μ1 Λ_N and μ2 Λ_N. Axis 1 is the first tangent turned by `angle`: the `grain` of "
+      "one of the two shapes, seen along the normal, which turns with that body; without a grain, "
+      "the tangents of a contact on a half space are fixed in it.");
   a.required("mu1", Unit::none, "coefficient of friction along axis 1").nonNegative();
   a.required("mu2", Unit::none, "coefficient of friction along axis 2").nonNegative();
   a.optional("angle", Unit::angle, 0.0, "from the first tangent to axis 1");

@@ -45,6 +45,10 @@ void Shape::declareCommon(Attributes& a) {
   declarePose(a, "shape in the frame that carries it");
   a.add(AttributeType::name, "material", "",
         "material; shapes with a material take part in contact, others are drawn only");
+  a.vector(
+      "grain", Unit::none, 3, "0 0 0",
+      "direction along which friction differs (of a runner, of wood), in the shape's axes: the "
+      "first tangent of its contacts");
   a.add(AttributeType::text, "colour", "", "CSS colour of the picture; default: by body");
   a.optional("mass", Unit::mass, 0.0, "mass of the shape; 0: not given").nonNegative();
   a.optional("density", Unit::density, 0.0, "instead of mass; 0: not given").nonNegative();
@@ -58,6 +62,7 @@ Shape::Shape(const Parameters& x)
       A_KB_(rotationMatrix(orientation(x).data())),
       mass_(x["mass"]),
       density_(x["density"]) {
+  if (const Vec3 grain = x["grain"].vec3(); !grain.isZero(0.0)) grain_B_ = grain.normalized();
   if (mass_ > 0.0 && density_ > 0.0)
     throw x["density"].fault("mass and density are both given", "give one of them", 0,
                              x["density"].text.size());

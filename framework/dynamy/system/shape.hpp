@@ -42,7 +42,7 @@ class Shape : public Element {
  public:
   static constexpr Kind kKind = Kind::shape;
   explicit Shape(const Parameters& x);
-  /// Declares material, position, orientation, colour, mass and density: what all shapes have.
+  /// Declares material, grain, position, orientation, colour, mass and density: what all shapes have.
   static void declareCommon(Attributes& a);
 
   virtual ShapeGeometry geometry() const = 0;
@@ -54,12 +54,15 @@ class Shape : public Element {
   double mass() const { return mass_; }        ///< [kg], 0: not given
   double density() const { return density_; }  ///< [kg/m³], 0: not given
   const std::string& colour() const { return colour_; }
+  /// Unit vector in shape axes along which friction differs, zero: none.
+  const Vec3& grain_B() const { return grain_B_; }
 
  private:
   std::string material_, colour_;
   Vec3 r_SB_K_ = Vec3::Zero();
   Mat3 A_KB_ = Mat3::Identity();
   double mass_ = 0.0, density_ = 0.0;
+  Vec3 grain_B_ = Vec3::Zero();
 };
 
 }  // namespace dynamy
