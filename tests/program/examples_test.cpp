@@ -89,7 +89,7 @@ TEST_F(Examples, OfEveryWordOfTheModelFileAreAccepted) {
           example + "<systems><RigidBody name=\"ball\" mass=\"1\" inertia=\"1 1 1\"/></systems>\n";
     else
       model += "<systems>" + example + "</systems>\n";
-    if (lacks("<simulation")) model += "<simulation until=\"1\" step=\"1e-3\"/>\n";
+    if (lacks("<simulation")) model += "<simulation until=\"5\" step=\"1e-3\"/>\n";
     write("example.xml", name == "dynamy" ? example : model + "</dynamy>\n");
     EXPECT_EQ(call("check example.xml"), 0) << name << "\n"
                                             << err() << readWholeFile(path("example.xml"));

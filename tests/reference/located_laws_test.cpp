@@ -96,7 +96,7 @@ TEST(LocatedPuck, StaysOnBrushedMetalUpToTheEllipseAndNoFurther) {
 template <bool kTells>
 class Bowl final : public SimpleContact {
  public:
-  static void declare(Attributes& a) { declareCommon(a); }
+  static void declare(Attributes&) {}
   using SimpleContact::SimpleContact;
   double g(double, ConstVec q) const override { return 1.0 - q.norm(); }
   void gamma(double, ConstVec q, ConstVec u, Vec gamma) const override {

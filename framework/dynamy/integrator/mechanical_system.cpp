@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/element_fault.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
 #include <limits>
 
@@ -27,8 +28,9 @@ void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const
   const Topology& topology = *parts_.topology;
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
+    const PartialMechanicalSystem& system = *topology.systems()[i];
     if (s.nq > 0)
-      topology.systems()[i]->move(x.t, slice(x.q, s.q0, s.nq), slice(v, s.u0, s.nu), dt);
+      named(system, [&] { system.move(x.t, slice(x.q, s.q0, s.nq), slice(v, s.u0, s.nu), dt); });
   }
   x.t += dt;
 }
@@ -85,15 +87,17 @@ void MechanicalSystem::smooth(const State& x, Evaluation& e) {
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
     if (s.nu == 0) continue;
-    topology.systems()[i]->h(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
-                             slice(e.h, s.u0, s.nu));
-    topology.systems()[i]->nonPotentialForce(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
-                                             slice(e.hNonPotential, s.u0, s.nu));
+    const PartialMechanicalSystem& system = *topology.systems()[i];
+    named(system, [&] {
+      const ConstVec q = slice(x.q, s.q0, s.nq), u = slice(x.u, s.u0, s.nu);
+      system.h(x.t, q, u, slice(e.h, s.u0, s.nu));
+      system.nonPotentialForce(x.t, q, u, slice(e.hNonPotential, s.u0, s.nu));
+    });
   }
   ForceSink forces(view(e.h), view(e.hNonPotential));
   for (const ExternalForce* f : parts_.forces) {
     forces.hasPotential(f->hasPotential());
-    f->addTo(e.kinematics, forces);
+    named(*f, [&] { f->addTo(e.kinematics, forces); });
   }
 }
 
@@ -114,7 +118,7 @@ void MechanicalSystem::detect(double reach, Evaluation& e) const {
   ContactSink sink(e.contacts, request);
   for (std::size_t i = 0; i < parts_.contacts.size(); ++i) {
     sink.element(static_cast<int>(i));
-    parts_.contacts[i]->contacts(e.kinematics, sink);
+    named(*parts_.contacts[i], [&] { parts_.contacts[i]->contacts(e.kinematics, sink); });
   }
 }
 

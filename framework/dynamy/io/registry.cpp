@@ -4,7 +4,36 @@
 
 namespace dynamy {
 
+namespace {
+
+/// Of elements and attributes in XML, and in messages: what an English name may have.
+bool isTypeName(const std::string& name) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return !name.empty() && isLetter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
+    return isLetter(c) || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+void expectNames(const RegisteredType& type) {
+  const std::string who = "the library \"" + type.library + "\" ";
+  constexpr const char* kHint = "a name is made of letters, digits and _ and begins with a letter";
+  if (!isTypeName(type.name))
+    throw ModelError(who + "registers a type \"" + type.name + "\", which no model can write",
+                     kHint);
+  const std::vector<Attribute>& all = type.attributes.list();
+  for (auto a = all.begin(); a != all.end(); ++a) {
+    const std::string text =
+        who + "declares the attribute \"" + a->name + "\" of <" + type.name + '>';
+    if (!isTypeName(a->name)) throw ModelError(text + ", which no model can write", kHint);
+    if (std::any_of(all.begin(), a, [&](const Attribute& b) { return a->name == b.name; }))
+      throw ModelError(text + " twice", "declareCommon of its base may have declared it");
+  }
+}
+
+}  // namespace
+
 void Registry::add(RegisteredType type) {
+  expectNames(type);
   if (const RegisteredType* first = find(type.name)) {
     if (first->library == type.library)
       throw ModelError("the library \"" + type.library + "\" registers the type \"" + type.name +

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model_scene.hpp>
@@ -150,6 +151,20 @@ void SettingsReader::readCheck(const XmlNode& node, const Scope& scope, const Pa
   }
   model_->checks.push_back(std::move(c));
   checkSignals_.push_back(x["signal"].place);
+  checkTimes_.push_back(x[x["at"].given ? "at" : "over"].place);
+}
+
+/// A check beyond the end of the run could not pass.
+void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) const {
+  const double until = model_->simulation.until;
+  const double last = check.measure == CheckSettings::Measure::value ? check.at : check.to;
+  constexpr double kRounding = 1e-9;  // of formulas that give both
+  if (!std::isfinite(last) || !(until > 0.0) || last <= until * (1.0 + kRounding)) return;
+  faults_->add({.place = place,
+                .element = "check",
+                .text = "looks for \"" + check.signal + "\" at " + numberText(last) +
+                        " s, but the run ends at " + numberText(until) + " s",
+                .hint = "take a later until, or an earlier time"});
 }
 
 void SettingsReader::verify(const std::string& signal, const Place& place,
@@ -203,8 +218,10 @@ void SettingsReader::verifySignals() const {
   const RecordSettings& r = model_->record;
   if (!r.follow.empty()) verifyFollow(r.follow, r.followPlace);
   for (std::size_t i = 0; i < r.signals.size(); ++i) verify(r.signals[i], r.places[i], "record");
-  for (std::size_t i = 0; i < model_->checks.size(); ++i)
+  for (std::size_t i = 0; i < model_->checks.size(); ++i) {
     verify(model_->checks[i].signal, checkSignals_[i], "check");
+    verifyTime(model_->checks[i], checkTimes_[i]);
+  }
 }
 
 }  // namespace dynamy

@@ -15,7 +15,7 @@ class SettingsReader {
         attributes_(faults, nullptr) {}
 
   void read(const ModelItem& item);
-  /// After build(): reports signals that no element has.
+  /// After build(): reports signals that no element has, and checks after the end.
   void verifySignals() const;
 
  private:
@@ -24,6 +24,7 @@ class SettingsReader {
   void readRecord(const Parameters& x);
   void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
   bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
+  void verifyTime(const CheckSettings& check, const Place& place) const;
   void verifyFollow(const std::string& name, const Place& place) const;
   void verify(const std::string& signal, const Place& place, const std::string& element) const;
 
@@ -34,7 +35,7 @@ class SettingsReader {
   AttributeReader attributes_;
   std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
   std::map<Kind, Place> methods_;
-  std::vector<Place> checkSignals_;
+  std::vector<Place> checkSignals_, checkTimes_;
 };
 
 }  // namespace dynamy

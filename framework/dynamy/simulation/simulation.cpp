@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <ctime>
+#include <dynamy/core/element_fault.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/own_steps.hpp>
 #include <dynamy/simulation/simulation.hpp>
@@ -61,6 +62,26 @@ int gapWithoutNumber(const MechanicalSystem& system) {
   const std::vector<double>& g = system.slot(0).contacts.g;
   const auto at = std::find_if(g.begin(), g.end(), [](double x) { return std::isnan(x); });
   return at == g.end() ? -1 : static_cast<int>(at - g.begin());
+}
+
+/// A solver that threw asked a law of the last problem: what the first one that throws says, or
+/// empty.
+std::string lawThatThrows(const MechanicalSystem& system) {
+  const InclusionProblem& p = system.problem();
+  const auto rows = static_cast<std::size_t>(p.rows());
+  if (p.gammaFree.size() != rows || p.gammaA.size() != rows) return {};  // none was set up
+  std::vector<double> r, xi, Lambda;
+  for (int i = 0; i < p.size(); ++i) {
+    const auto n = static_cast<std::size_t>(p.dim(i));
+    const auto first = p.gammaFree.begin() + p.row0(i);
+    r.assign(n, 1.0), xi.assign(first, first + p.dim(i)), Lambda.assign(n, 0.0);
+    try {
+      named(p.law(i), [&] { p.law(i).prox(p.input(i), r.data(), xi.data(), Lambda.data()); });
+    } catch (const ElementFault& e) {
+      return e.what();
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -134,8 +155,15 @@ const RunReport& Simulation::run() {
     if (!resumed_) begin();
     loop();
     end();
+  } catch (const ElementFault& e) {
+    endBecause("t = " + numberText(x_.t) + " s: " + e.what());
   } catch (const std::exception& e) {  // of observers and files: a full disk, a user's observer
-    endBecause(e.what());
+    const std::string law = lawThatThrows(system_);
+    endBecause(law.empty() ? e.what() : "t = " + numberText(x_.t) + " s: " + law);
+  } catch (...) {
+    const std::string law = lawThatThrows(system_);
+    endBecause("t = " + numberText(x_.t) +
+               " s: " + (law.empty() ? "something was thrown that is no std::exception" : law));
   }
   report_.wall = wallBefore + seconds(Clock::now() - wall);
   report_.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;

@@ -1,3 +1,4 @@
+#include <dynamy/core/element_fault.hpp>
 #include <dynamy/system/kinematics.hpp>
 #include <new>
 
@@ -27,8 +28,8 @@ void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstV
     const SystemHandle& s = topology.system(requested[i].first);
     Frame& f = frames_[i];
     f.block = 0;
-    topology.systems()[static_cast<std::size_t>(s.index)]->frame(t, this->q(s), this->u(s),
-                                                                 requested[i].second, f);
+    const PartialMechanicalSystem& system = *topology.systems()[static_cast<std::size_t>(s.index)];
+    named(system, [&] { system.frame(t, this->q(s), this->u(s), requested[i].second, f); });
     // A frame that moves with no block: of a system without velocities, or one that stands still.
     const bool moves = s.blocks > 0 && f.block >= 0;
     f.u0 = moves ? s.u0 + f.block * s.blockNu : s.u0;

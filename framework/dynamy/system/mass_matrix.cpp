@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/core/element_fault.hpp>
 #include <dynamy/system/mass_matrix.hpp>
 
 namespace dynamy {
@@ -103,8 +104,11 @@ int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
     if ((constant_[s] && !first_) || h.blocks == 0) continue;
     Deferred& d = deferred_[static_cast<std::size_t>(h.block0)];
     if (!d.system || first_) {
-      topology.systems()[s]->M(t, {q.data() + h.q0, h.nq},
-                               {data_.data() + offset(h.block0), h.blockNu, h.blocks});
+      const PartialMechanicalSystem& system = *topology.systems()[s];
+      named(system, [&] {
+        system.M(t, {q.data() + h.q0, h.nq},
+                 {data_.data() + offset(h.block0), h.blockNu, h.blocks});
+      });
       for (int b = h.block0; b < h.block0 + h.blocks; ++b)
         if (!invertBlock(b) && failed < 0) failed = static_cast<int>(s);
     }

@@ -42,7 +42,8 @@ class Shape : public Element {
  public:
   static constexpr Kind kKind = Kind::shape;
   explicit Shape(const Parameters& x);
-  /// Declares material, grain, position, orientation, colour, mass and density: what all shapes have.
+  /// Declares material, grain, position, orientation, colour, mass and density: what all shapes
+  /// have.
   static void declareCommon(Attributes& a);
 
   virtual ShapeGeometry geometry() const = 0;

@@ -176,5 +176,46 @@ TEST(Registry, NamesBothLibrariesOfATypeThatExistsTwice) {
   EXPECT_EQ(registry.find("Pendulum")->library, "a");
 }
 
+struct Twice final : Element {
+  static constexpr Kind kKind = Kind::law;
+  static void declare(Attributes& a) {
+    a.required("mu", Unit::none, "first");
+    a.optional("mu", Unit::none, 0.3, "second");
+  }
+  explicit Twice(const Parameters& x) : Element(x) {}
+};
+struct Spaced final : Element {
+  static constexpr Kind kKind = Kind::law;
+  static void declare(Attributes& a) { a.required("my mu", Unit::none, "with a space"); }
+  explicit Spaced(const Parameters& x) : Element(x) {}
+};
+
+TEST(Registry, RefusesNamesThatNoModelCanWriteAndAttributesThatAreDeclaredTwice) {
+  Registry registry;
+  registry.library("a");
+  const auto said = [&](auto&& add) {
+    try {
+      add();
+    } catch (const ModelError& e) {
+      return std::string(e.what());
+    }
+    return std::string("nothing");
+  };
+  const std::string hint = " — a name is made of letters, digits and _ and begins with a letter";
+  EXPECT_EQ(
+      said([&] { registry.add<Dummy>("My Law"); }),
+      "error: the library \"a\" registers a type \"My Law\", which no model can write" + hint);
+  for (const char* name : {"", "2Laws", "a<b"})
+    EXPECT_TRUE(said([&] { registry.add<Dummy>(name); }).ends_with("no model can write" + hint));
+  EXPECT_EQ(said([&] { registry.add<Spaced>("Spaced"); }),
+            "error: the library \"a\" declares the attribute \"my mu\" of <Spaced>, which no model "
+            "can write" +
+                hint);
+  EXPECT_EQ(said([&] { registry.add<Twice>("Twice"); }),
+            "error: the library \"a\" declares the attribute \"mu\" of <Twice> twice — "
+            "declareCommon of its base may have declared it");
+  EXPECT_TRUE(registry.types().empty());
+}
+
 }  // namespace
 }  // namespace dynamy

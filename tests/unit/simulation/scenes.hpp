@@ -78,23 +78,42 @@ class Pendulum final : public PartialMechanicalSystem {
   }
 };
 
-/// Goes wrong at t = 0.5: the force is not a number, or the mass is negative.
+/// Goes wrong at t = 0.5: the force is not a number, the mass is negative, or it throws.
 class Broken final : public PartialMechanicalSystem {
  public:
-  static void declare(Attributes& a) { a.choice("what", {"force", "mass"}, "force", "fault"); }
+  static void declare(Attributes& a) {
+    a.choice("what", {"force", "mass", "throws"}, "force", "fault");
+  }
   explicit Broken(const Parameters& x)
-      : PartialMechanicalSystem(x), mass_(x["what"].text == "mass") {}
+      : PartialMechanicalSystem(x),
+        mass_(x["what"].text == "mass"),
+        throws_(x["what"].text == "throws") {}
   Blocks blocks() const override { return {1, 1, 1, false}; }
   void initialState(Vec q, Vec u) const override { q[0] = u[0] = 0.0; }
   void M(double t, ConstVec, MassBlocks M) const override {
     M[0](0, 0) = mass_ && t > 0.5 ? -1.0 : 1.0;
   }
   void h(double t, ConstVec, ConstVec, Vec h) const override {
+    if (throws_ && t > 0.5) throw std::out_of_range("beyond the table");
     h[0] = !mass_ && t > 0.5 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
   }
 
  private:
-  bool mass_;
+  bool mass_, throws_;
+};
+
+/// A contact law that throws as soon as anything closes.
+class ThrowingLaw final : public SetValuedForceLaw {
+ public:
+  static void declare(Attributes&) {}
+  explicit ThrowingLaw(const Parameters& x) : SetValuedForceLaw(x) {}
+  int dim(int) const override { return 1; }
+  bool unilateral() const override { return true; }
+  RowKind rowKind(int) const override { return RowKind::normal; }
+  void prox(const LawInput&, const double*, const double*, double*) const override {
+    throw 42;  // not even a std::exception
+  }
+  Status status(const LawInput&, const double*) const override { return Status::open; }
 };
 
 inline void addBall(Model& m, const std::string& name, double z, double vx = 0.0) {

@@ -79,6 +79,33 @@ TEST(Simulation, StopsAtAnIndefiniteMassMatrixAndNamesTheSystem) {
   EXPECT_EQ(s.run().reason, "t = 0.6 s: the mass matrix of \"motor\" is not positive definite");
 }
 
+TEST(Simulation, AnElementThatThrowsIsNamed) {
+  Model m;
+  m.add<Broken>("motor", {{"what", "throws"}});
+  m.simulation.until = 1.0, m.simulation.step = 0.1;
+  m.build();
+  Simulation s(m);
+  EXPECT_EQ(s.run().ended, RunReport::Ended::failed);
+  const std::string& reason = s.report().reason;
+  EXPECT_TRUE(reason.starts_with("t = 0.5")) << reason;
+  EXPECT_TRUE(reason.ends_with(" s: <element name=\"motor\"> failed: beyond the table")) << reason;
+}
+
+TEST(Simulation, ALawThatThrowsIsNamed) {
+  Model m;
+  addBall(m, "ball", 0.0);
+  Parameters p = Parameters::of<Floor>({}, "floor", {{"on", "ball"}, {"belt", 0.0}});
+  p.children.push_back(
+      {Kind::law, std::make_unique<ThrowingLaw>(Parameters::of<ThrowingLaw>("Sticky", "", {}))});
+  m.add(std::make_unique<Floor>(p));
+  m.simulation.until = 1.0, m.simulation.step = 0.1;
+  m.build();
+  Simulation s(m);
+  EXPECT_EQ(s.run().ended, RunReport::Ended::failed);
+  const std::string& reason = s.report().reason;
+  EXPECT_TRUE(reason.ends_with(" s: <Sticky> threw something that is no std::exception")) << reason;
+}
+
 TEST(Simulation, AMissingStepIsAModelError) {
   Model m = ballOnFloor(1.0, 0.0, 0.5, 0.0, 1.0, 0.0);
   m.build();

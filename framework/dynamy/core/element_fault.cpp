@@ -1,0 +1,24 @@
+#include <dynamy/core/element_fault.hpp>
+
+namespace dynamy {
+
+void throwNamed(const Element& element) {
+  // One that is built in C++ may have no type, or no name.
+  const std::string type = element.type().empty() ? "element" : element.type();
+  std::string text = '<' + type;
+  if (!element.name().empty()) text += " name=\"" + element.name() + '"';
+  text += '>';
+  if (const std::string place = element.place().format(); !place.empty())
+    text += " (" + place + ')';
+  try {
+    throw;
+  } catch (const ElementFault&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw ElementFault(text + " failed: " + e.what());
+  } catch (...) {
+    throw ElementFault(text + " threw something that is no std::exception");
+  }
+}
+
+}  // namespace dynamy
