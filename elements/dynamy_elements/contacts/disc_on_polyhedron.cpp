@@ -97,15 +97,8 @@ void Search::corner(int i, double least) {
 class Manifolds {
  public:
   Manifolds(const PlacedPolyhedron& A, const DiscBody& B, const Apart& apart, double same,
-            bool rates, DiscContacts& out)
-      : A_(A),
-        B_(B),
-        body_(*A.of),
-        apart_(apart),
-        same_(same),
-        rates_(rates),
-        found_(4.0 * same),
-        out_(out) {
+            DiscContacts& out)
+      : A_(A), B_(B), body_(*A.of), apart_(apart), same_(same), found_(4.0 * same), out_(out) {
     x_ = apart.n.unitOrthogonal(), y_ = apart.n.cross(x_);
     part_ = B.part(-apart.n), rim_ = B.rimAlong(-apart.n);
   }
@@ -276,7 +269,6 @@ class Manifolds {
   const Polyhedron& body_;
   const Apart& apart_;
   double same_;
-  bool rates_;
   Vec3 x_, y_;
   Part part_ = Part::rim;
   int rim_ = 0;
@@ -299,7 +291,7 @@ int discOnPolyhedron(const PlacedPolyhedron& A, const DiscBody& B, double reach,
   const double same = sameOf(A, B);
   const Apart apart = Search(A, B).best(reach, 4.0 * same);
   if (apart.f > reach) return 0;
-  Manifolds all(A, B, apart, same, rates, out);
+  Manifolds all(A, B, apart, same, out);
   const int n = all.contacts();
   if (all.flatFace() >= 0)
     closeTogether(A, close, rates, {out.data(), static_cast<std::size_t>(n)});

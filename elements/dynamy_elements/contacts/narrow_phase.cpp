@@ -242,11 +242,11 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       return emitAll(pair, found, n, k, sink);
     }
     default:
-      return narrowFaceted(pair, k, sink);
+      return narrowSmooth(pair, k, sink);
   }
 }
 
-void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+void ShapeContacts::narrowSmooth(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   switch (pair.rule->meets) {
     case Meeting::smooth:
@@ -279,6 +279,14 @@ void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, Contact
       const ContactPoint at = discOnSmooth(A, pair.A->features[0], discBody(B, *pair.B));
       return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
     }
+    default:
+      return narrowFaceted(pair, k, sink);
+  }
+}
+
+void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  switch (pair.rule->meets) {
     case Meeting::discs:
     case Meeting::discOnPolyhedron: {
       DiscContacts found;

@@ -191,6 +191,24 @@ double leastGap(const Contacts& found, int n) {
   return least;
 }
 
+/// Gap of b on the surface of a.
+double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const Frame& B,
+                    const TouchingShape& b) {
+  if (meets == Meeting::ballOnSurface) {
+    SurfaceContacts found;
+    const int n = a.surface->contacts(A, B, b.features[0], kSeen * b.bound, found);
+    return leastGap(found, n);
+  }
+  OnSurfaceContacts found;
+  if (meets == Meeting::discOnMesh)
+    return leastGap(found, discOnMesh(A, *a.surface, discBody(B, b), b.bound, found));
+  const int n =
+      meets == Meeting::capsuleOnSurface
+          ? capsuleOnSurface(A, *a.surface, B, b, kSeen * b.bound, found)
+          : polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), b.bound, false, found);
+  return leastGap(found, n);
+}
+
 }  // namespace
 
 /// Gap of feature f of B, of the boxes if both are.
@@ -208,12 +226,11 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       return ballOnCapsule(A, a, B, b.features[0], plane).g;
     case Meeting::ballOnCylinder:
       return ballOnCylinder(A, a, B, b.features[0]).g;
-    case Meeting::ballOnSurface: {
-      SurfaceContacts found;
-      const RoundFeature& ball = b.features[0];
-      const int n = a.surface->contacts(A, B, ball, kSeen * b.bound, found);
-      return leastGap(found, n);
-    }
+    case Meeting::ballOnSurface:
+    case Meeting::capsuleOnSurface:
+    case Meeting::polyhedronOnMesh:
+    case Meeting::discOnMesh:
+      return gapOnSurface(pair.rule->meets, A, a, B, b);
     case Meeting::capsules:
     case Meeting::capsuleOnBox: {
       RoundContacts found;
@@ -221,19 +238,6 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       const int n =
           capsules ? betweenCapsules(A, a, B, b, plane, found) : capsuleOnBox(A, a, B, b, found);
       return leastGap(found, n);
-    }
-    case Meeting::capsuleOnSurface:
-    case Meeting::polyhedronOnMesh: {
-      OnSurfaceContacts found;
-      const bool capsule = pair.rule->meets == Meeting::capsuleOnSurface;
-      const int n =
-          capsule ? capsuleOnSurface(A, *a.surface, B, b, kSeen * b.bound, found)
-                  : polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), b.bound, false, found);
-      return leastGap(found, n);
-    }
-    case Meeting::discOnMesh: {
-      OnSurfaceContacts found;
-      return leastGap(found, discOnMesh(A, *a.surface, discBody(B, b), b.bound, found));
     }
     case Meeting::polyhedra:
       return separation(placedPolyhedron(A, a), placedPolyhedron(B, b));
