@@ -28,20 +28,6 @@ const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShap
   return lowest;
 }
 
-/// Of the thickness of a shape among many: how far it is seen in any case.
-constexpr double kAtRest = 0.05;
-/// How often a turn is passed on at most.
-constexpr int kTurns = 8;
-
-double restReach(const TouchingShape& s) {
-  return std::isfinite(s.thickness) ? kAtRest * s.thickness : 0.0;
-}
-
-/// A ball that turns about its middle, which is that of its body.
-bool isBall(const TouchingShape& s) {
-  return s.kind == TouchingShape::Kind::ball && s.p_K.isZero(0.0);
-}
-
 /// The point of contact moves with Ṗ, not with a body.
 void addBias(ContactRows& rows, const ContactPoint& at, const Frame& A, const Frame& B) {
   const Vec3 rhoA = at.P - A.r_OS_I, rhoB = at.P - B.r_OS_I;
@@ -59,74 +45,6 @@ void addBias(ContactRows& rows, const ContactPoint& at, const Frame& A, const Fr
 }
 
 }  // namespace
-
-/// Few shapes are seen early, so that their gaps can be followed. Of many, each is seen as far as
-/// it goes while the fastest goes as far as is asked for: a reach τ max |u| is τ (|v| + l |Ω|) for
-/// it.
-void ShapeContacts::lookAhead(const Kinematics& k, const ContactRequest& request) const {
-  const std::vector<TouchingShape>& shapes = shapes_[0];
-  const double all = std::max(request.gTol, 0.0);
-  tau_ = 0.0;
-  if (!namedPairs_.empty() || request.refresh) {
-    // Contacts that are to count as closed are looked for at any distance.
-    const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.5 * all;
-    for (std::size_t i = 0; i < shapes.size(); ++i) reach_[i] = early_[i] + further;
-    return;
-  }
-  double fastest = 0.0;
-  for (const TouchingShape& s : shapes) {
-    const Frame& f = k.frame(s.frame);
-    fastest = std::max(fastest, f.v_S_I.norm() + f.Omega_I.norm());
-  }
-  const double tau = fastest > 0.0 ? all / fastest : 0.0;
-  if (all > kAtRest * thinnest_) tau_ = tau;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const TouchingShape& s = shapes[i];
-    const Frame& f = k.frame(s.frame);
-    const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
-    const double w = f.v_S_I.norm() + (std::isfinite(arm) ? arm : 0.0) * f.Omega_I.norm();
-    reach_[i] = std::min(tau * w, all) + restReach(s);
-  }
-}
-
-/// Balls that move side by side meet nothing, however fast they are. In the time τ two of them go
-/// τ |v_j − v_i|; w_i, into turned_, is how far a shape may be thrown off its course:
-///
-///   w_i = max_j (τ |v_j − v_i| − g_ij),   then   w_i ← max(w_i, w_j − g_ij)
-///
-/// since one that is off its course by w_j moves the next one by what their gap leaves of it. Pairs
-/// with g_ij > τ |v_j − v_i| + w_i + w_j are left out. Other shapes count with all of their reach.
-void ShapeContacts::followTurns(const Kinematics& k,
-                                const std::vector<BroadPhase::Pair>& near) const {
-  const std::vector<TouchingShape>& shapes = shapes_[0];
-  gap_.resize(near.size()), way_.resize(near.size());
-  for (std::size_t n = 0; n < near.size(); ++n) {
-    const auto i = static_cast<std::size_t>(near[n].first),
-               j = static_cast<std::size_t>(near[n].second);
-    const BroadPhase::Ball &a = balls_[i], &b = balls_[j];
-    gap_[n] = (b.c - a.c).norm() - (a.radius - reach_[i]) - (b.radius - reach_[j]);
-    way_[n] = reach_[i] + reach_[j];
-    if (isBall(shapes[i]) && isBall(shapes[j]))
-      way_[n] = std::min(
-          way_[n], tau_ * (k.frame(shapes[j].frame).v_S_I - k.frame(shapes[i].frame).v_S_I).norm());
-    for (const std::size_t m : {i, j}) turned_[m] = std::max(turned_[m], way_[n] - gap_[n]);
-  }
-  bool again = true;
-  for (int pass = 0; pass < kTurns && again; ++pass) {
-    again = false;
-    for (std::size_t n = 0; n < near.size(); ++n) {
-      double &a = turned_[static_cast<std::size_t>(near[n].first)],
-             &b = turned_[static_cast<std::size_t>(near[n].second)];
-      const double gap = std::max(gap_[n], 0.0);
-      if (b < a - gap) b = a - gap, again = true;
-      if (a < b - gap) a = b - gap, again = true;
-    }
-  }
-  for (std::size_t n = 0; n < near.size(); ++n)
-    for (const int m : {near[n].first, near[n].second})
-      way_[n] +=
-          turned_[static_cast<std::size_t>(m)] + restReach(shapes[static_cast<std::size_t>(m)]);
-}
 
 void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   const std::vector<TouchingShape>& shapes = shapes_[0];
@@ -157,7 +75,7 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
       const double toIt =
           std::abs(normal.dot(k.frame(shapes[ofBall].frame).v_S_I - A.velocity(ball.c - A.r_OS_I)));
       const double way =
-          isBall(shapes[ofBall]) ? std::min(reach_[ofBall], tau_ * toIt) : reach_[ofBall];
+          shapes[ofBall].isBall() ? std::min(reach_[ofBall], tau_ * toIt) : reach_[ofBall];
       turned_[ofBall] = std::max(turned_[ofBall], beyond - reach_[ofBall] - reach_[at] + way);
       if (const Pair pair = pairOf(h, i)) overHalfSpace(pair, k, sink);
     }
@@ -233,14 +151,6 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
                         : capsuleOnBox(A, *pair.A, B, *pair.B, found);
       return emitAll(pair, found, n, k, sink);
     }
-    case Meeting::ballOnSurface: {
-      SurfaceContacts found;
-      const double further = sink.request().refresh ? std::numeric_limits<double>::infinity()
-                                                    : std::max(sink.request().gTol, 0.0);
-      const RoundFeature& ball = pair.B->features[0];
-      const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
-      return emitAll(pair, found, n, k, sink);
-    }
     default:
       return narrowSmooth(pair, k, sink);
   }
@@ -256,6 +166,27 @@ void ShapeContacts::narrowSmooth(const Pair& pair, const Kinematics& k, ContactS
                                   ? betweenSmooth(A, pair.A->features[0], B, b)
                                   : smoothOnPolyhedron(placedPolyhedron(A, *pair.A), B, b);
       return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+    }
+    case Meeting::smoothOnDisc: {
+      const ContactPoint at = discOnSmooth(A, pair.A->features[0], discBody(B, *pair.B));
+      return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
+    }
+    default:
+      return narrowOnSurface(pair, k, sink);
+  }
+}
+
+void ShapeContacts::narrowOnSurface(const Pair& pair, const Kinematics& k,
+                                    ContactSink& sink) const {
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  switch (pair.rule->meets) {
+    case Meeting::ballOnSurface: {
+      SurfaceContacts found;
+      const double further = sink.request().refresh ? std::numeric_limits<double>::infinity()
+                                                    : std::max(sink.request().gTol, 0.0);
+      const RoundFeature& ball = pair.B->features[0];
+      const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
+      return emitAll(pair, found, n, k, sink);
     }
     case Meeting::capsuleOnSurface: {
       OnSurfaceContacts found;
@@ -274,10 +205,6 @@ void ShapeContacts::narrowSmooth(const Pair& pair, const Kinematics& k, ContactS
                      polyhedronOnMesh(A, *pair.A->surface, placedPolyhedron(B, *pair.B),
                                       seenFrom(pair, sink), sink.request().bias, found),
                      k, sink);
-    }
-    case Meeting::smoothOnDisc: {
-      const ContactPoint at = discOnSmooth(A, pair.A->features[0], discBody(B, *pair.B));
-      return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
     }
     default:
       return narrowFaceted(pair, k, sink);

@@ -86,6 +86,7 @@ class ShapeContacts final : public NonSmoothElement {
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowInPlane(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowSmooth(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  void narrowOnSurface(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   template <class Found>
   void emitAll(const Pair& pair, const Found& found, int n, const Kinematics& k,

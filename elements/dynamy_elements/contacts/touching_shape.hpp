@@ -80,6 +80,8 @@ struct TouchingShape {
   /// Half edge lengths of a box; of a capsule or cylinder: radius, radius, half length [m].
   Vec3 half = Vec3::Zero();
   const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
+  /// A ball that turns about its middle, which is that of its body.
+  bool isBall() const { return kind == Kind::ball && p_K.isZero(0.0); }
   /// Of a polyhedron, or of a box that may meet one, in axes of the shape; borrowed.
   const Polyhedron* polyhedron = nullptr;
   /// Corners in a plane of motion if they are convex, counterclockwise about its normal.
