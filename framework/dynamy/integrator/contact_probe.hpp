@@ -7,6 +7,10 @@ namespace dynamy {
 
 class ContactProbe {
  public:
+  /// Why a run is refused where look() fails.
+  static constexpr const char* kUnfollowed =
+      "contacts appear and disappear (two boxes, rims on edges): their gaps cannot be followed";
+
   /// Notes all contacts that are reported at x. Those that appear later are a fault.
   void prepare(const MechanicalSystem& s, const State& x);
   /// All contacts at x; false: they are not those noted before.

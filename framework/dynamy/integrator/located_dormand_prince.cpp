@@ -168,9 +168,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
     search_.atEnd(phase_);
     const double width = 0.1 * std::cbrt(0.01 * norm_.tolerance());
     if (!search_.find(s, probe_, phase_, path_, looked, width, found))
-      return refuse(phase_.fault().empty() ? "contacts appear and disappear (two boxes, rims on "
-                                             "edges): their gaps cannot be followed"
-                                           : phase_.fault()),
+      return refuse(phase_.fault().empty() ? ContactProbe::kUnfollowed : phase_.fault()),
              Tried::failed;
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
@@ -197,10 +195,7 @@ bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w
   double slope = w.slope, last = 0.0, moved = 0.0;
   for (int i = 0; i < 8; ++i) {
     double value = 0.0;
-    if (!search_.value(probe_, phase_, to_.x, w, value))
-      return refuse(
-          "contacts appear and disappear (two boxes, rims on edges): their gaps cannot be "
-          "followed");
+    if (!search_.value(probe_, phase_, to_.x, w, value)) return refuse(ContactProbe::kUnfollowed);
     if (i > 0 && moved != 0.0 && value != last) {
       const double secant = (value - last) / moved;
       if (secant * slope > 0.0) slope = secant;
@@ -279,9 +274,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
 bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, double most,
                                 StepReport& report, bool& done) {
   if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time())) return stall();
-  if (!search_.begin(probe_, phase_, from_.x))
-    return refuse(
-        "contacts appear and disappear (two boxes, rims on edges): their gaps cannot be followed");
+  if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
   bool stopped = false;
   double bound = most;
   if (!stop(s, solver, bound, report, stopped)) return false;

@@ -76,8 +76,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   percussions_.clear(), plastic_.clear(), shut_.clear(), works_ = {};
   State& x = p.x;
   if (!takePart(probe, phase, x)) {
-    r.fault =
-        "contacts appear and disappear (two boxes, rims on edges): their gaps cannot be followed";
+    r.fault = ContactProbe::kUnfollowed;
     return r;
   }
   s.freeze(keys_);
@@ -283,8 +282,7 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   look_.u = x.u;
   InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);
   if (p.rows() != gammaBefore_.size()) {
-    r.fault =
-        "contacts appear and disappear (two boxes, rims on edges): their gaps cannot be followed";
+    r.fault = ContactProbe::kUnfollowed;
     return;
   }
   if (plain_) accelerationLevel(p, lookAhead);
