@@ -87,23 +87,14 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   SimulationSettings& s = model.simulation;
   if (choice.until > 0.0) s.until = choice.until;
-  // A scheme that the model names for its tolerance takes a step as the longest.
-  const bool longest = model.scheme().choosesSteps() && !model.schemeIsDefault();
-  if (choice.step > 0.0) {
-    s.step = choice.step;
-    if (!longest) s.tolerance = 0.0;
-  }
-  if (choice.tolerance > 0.0) {
-    s.tolerance = choice.tolerance;
-    if (!(choice.step > 0.0)) s.step = 0.0;
-  }
+  if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);
+  if (choice.step > 0.0 && choice.tolerance > 0.0)
+    s.step = choice.step;  // the longest
+  else if (choice.step > 0.0)
+    model.askStep(choice.step);
   if (choice.every > 0.0) model.record.every = choice.every;
   if (!choice.integrator.empty())
     model.scheme(method<OneStep>(program.registry, choice.integrator));
-  else if (choice.tolerance > 0.0 && !model.scheme().choosesSteps())
-    model.scheme(method<OneStep>(program.registry, "LocatedDormandPrince"));
-  else
-    model.chooseScheme();
   if (!choice.solver.empty())
     model.solver(method<InclusionSolver>(program.registry, choice.solver));
   // The default sample time depends on the end time; a resumed run keeps it.

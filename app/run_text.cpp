@@ -165,6 +165,7 @@ std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); 
 std::string stepText(const Model& model) {
   const SimulationSettings& s = model.simulation;
   if (!model.scheme().choosesSteps()) return fmt::format("step {:g} s", s.step);
+  if (model.scheme().needsStep()) return fmt::format("steps up to {:g} s", s.step);
   return fmt::format("tolerance {:g}", s.tolerance) +
          (s.step > 0.0 ? fmt::format("   steps up to {:g} s", s.step) : "");
 }

@@ -123,14 +123,10 @@ void bindModel(py::module_& m) {
           "until", [](const Model& x) { return x.simulation.until; },
           [](Model& x, double until) { x.simulation.until = until; }, "End time [s].")
       .def_property(
-          "step", [](const Model& x) { return x.simulation.step; },
-          [](Model& x, double step) { x.simulation.step = step, x.simulation.tolerance = 0.0; },
+          "step", [](const Model& x) { return x.simulation.step; }, &Model::askStep,
           "Length of a step [s], in place of a tolerance.")
       .def_property(
-          "tolerance", [](const Model& x) { return x.simulation.tolerance; },
-          [](Model& x, double tolerance) {
-            x.simulation.tolerance = tolerance, x.simulation.step = 0.0;
-          },
+          "tolerance", [](const Model& x) { return x.simulation.tolerance; }, &Model::askTolerance,
           "Wanted accuracy, in place of a step: the program chooses the steps.")
       .def_property(
           "every", [](const Model& x) { return x.record.every; },

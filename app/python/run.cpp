@@ -134,10 +134,7 @@ class Steps {
  public:
   explicit Steps(Model& model)
       : model_(model), system_(model.mechanicalSystem()), x_(model.initialState()) {
-    model.chooseScheme();
-    const double tolerance = model.simulation.tolerance;
-    if (model.scheme().choosesSteps())
-      model.scheme().aim({tolerance > 0.0 ? tolerance : Accuracy{}.tolerance, model.length()});
+    model.readyScheme();
   }
 
   py::dict step(double dt) {

@@ -131,6 +131,9 @@ TEST_F(ProgramTest, AStepTakesTheTolerancesPlaceAndItTheSteps) {
   write("tolerance.xml", text);
   text.replace(text.find("1e-6\"/>"), 7, "1e-6\"><LocatedDormandPrince/></simulation>");
   write("named.xml", text);
+  text = ballXml(0.1, "1e-3");
+  text.replace(text.find(step), step.size(), "step=\"1e-3\"><AugmentedMoreau/></simulation>");
+  write("augmented.xml", text);
   struct {
     std::string call, scheme;
   } const expected[] = {
@@ -140,6 +143,7 @@ TEST_F(ProgramTest, AStepTakesTheTolerancesPlaceAndItTheSteps) {
       {"step.xml --tolerance 1e-5", " LocatedDormandPrince   Automatic   tolerance 1e-05 "},
       {"named.xml --step 1ms", "tolerance 1e-06   steps up to 0.001 s "},
       {"step.xml --integrator LocatedDormandPrince", "tolerance 1e-06   steps up to 0.001 s "},
+      {"augmented.xml", " AugmentedMoreau   Automatic   steps up to 0.001 s "},
   };
   for (const auto& [arguments, scheme] : expected) {
     ASSERT_EQ(call("run " + arguments + " --out o"), 0) << arguments << '\n' << err();

@@ -84,6 +84,26 @@ void Model::chooseScheme() {
     scheme_ = makeDefault<EnergyMomentum>("EnergyMomentum");
 }
 
+void Model::askStep(double dt) {
+  const bool longest = scheme_ && scheme_->choosesSteps() && !schemeIsDefault_;
+  simulation.step = dt;
+  if (!longest) simulation.tolerance = 0.0;
+  chooseScheme();
+}
+
+void Model::askTolerance(double tolerance) {
+  simulation.tolerance = tolerance, simulation.step = 0.0;
+  if (scheme_ && !scheme_->choosesSteps()) schemeIsDefault_ = true;
+  chooseScheme();
+}
+
+void Model::readyScheme() {
+  chooseScheme();
+  if (!scheme_->choosesSteps() || scheme_->needsStep()) return;
+  if (!(simulation.tolerance > 0.0)) simulation.tolerance = Accuracy{}.tolerance;
+  scheme_->aim({simulation.tolerance, length_});
+}
+
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);

@@ -89,10 +89,14 @@ class Model {
   const InclusionSolver& solver() const { return *solver_; }
   InclusionSolver& solver() { return *solver_; }
   void scheme(std::unique_ptr<OneStep> scheme);
-  /// No scheme was named: it follows from whether `simulation` has a tolerance or a step.
-  bool schemeIsDefault() const { return schemeIsDefault_; }
-  /// Chooses it again, after `simulation` has changed.
-  void chooseScheme();
+  /// Steps of length dt [s] in place of a tolerance. A scheme that was named for its tolerance
+  /// keeps it and takes dt as the longest.
+  void askStep(double dt);
+  /// An accuracy in place of a step: a scheme of fixed steps gives way to LocatedDormandPrince.
+  void askTolerance(double tolerance);
+  /// What a run does first: if no scheme was named, takes the one that follows from whether
+  /// `simulation` has a tolerance or a step; tells one that chooses its steps the accuracy.
+  void readyScheme();
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
   State initialState() const;
@@ -111,8 +115,9 @@ class Model {
   std::vector<std::unique_ptr<ContactRule>> rules_;
   std::vector<std::unique_ptr<Observer>> observers_;
   std::vector<std::unique_ptr<Element>> others_;
+  void chooseScheme();
   std::unique_ptr<OneStep> scheme_;
-  bool schemeIsDefault_ = false;
+  bool schemeIsDefault_ = false;  ///< none was named
   std::unique_ptr<InclusionSolver> solver_;
   std::unique_ptr<ImpactLaw> impactLaw_;
   std::unique_ptr<Topology> topology_;

@@ -20,8 +20,8 @@ double seconds(std::chrono::steady_clock::duration d) {
 }
 
 std::unique_ptr<TimeLoop> loopOf(Model& model) {
-  SimulationSettings& s = model.simulation;
-  model.chooseScheme();
+  model.readyScheme();
+  const SimulationSettings& s = model.simulation;
   Diagnostic d;
   if (model.systems().empty()) {
     d.place = Place(model.sourceFile);
@@ -29,11 +29,8 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
   }
-  if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep())) {
-    if (!(s.tolerance > 0.0)) s.tolerance = Accuracy{}.tolerance;
-    model.scheme().aim({s.tolerance, model.length()});
+  if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
     return std::make_unique<OwnSteps>(s.step, s.onNonConvergence);
-  }
   if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence);
   d.place = s.place, d.element = "simulation";
   if (s.place.line == 0) {

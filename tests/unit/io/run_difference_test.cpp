@@ -6,22 +6,29 @@
 namespace dynamy {
 namespace {
 
-/// sin t, and the same off by `error`(t), at 0 … 10 s.
-template <class Error>
-std::pair<SignalTable, SignalTable> twoRuns(Error&& error) {
+/// Signal x of two runs, 0 … 10 s.
+template <class First, class Second>
+std::pair<SignalTable, SignalTable> twoRuns(First&& first, Second&& second) {
   SignalTable a, b;
   a.signals = b.signals = {{"x", ""}};
   a.columns.resize(1), b.columns.resize(1);
   for (int i = 0; i <= 1000; ++i) {
     const double t = 0.01 * i;
     a.t.push_back(t), b.t.push_back(t);
-    a.columns[0].push_back(std::sin(t)), b.columns[0].push_back(std::sin(t) + error(t));
+    a.columns[0].push_back(first(t)), b.columns[0].push_back(second(t));
   }
   return {a, b};
 }
 
+/// sin t, and the same off by `error`(t).
+template <class Error>
+std::pair<SignalTable, SignalTable> sines(Error&& error) {
+  return twoRuns([](double t) { return std::sin(t); },
+                 [&](double t) { return std::sin(t) + error(t); });
+}
+
 TEST(RunDifference, FindsTheRateOfExponentialGrowthAndWhereItEnds) {
-  const auto [a, b] = twoRuns([](double t) { return 1e-9 * std::exp(1.2 * t); });
+  const auto [a, b] = sines([](double t) { return 1e-9 * std::exp(1.2 * t); });
   const RunDifference d = runDifference(a, b);
   EXPECT_TRUE(d.chaotic);
   // Exact up to rounding of sin t, 1e-16 of at least 1e-9.
@@ -30,7 +37,7 @@ TEST(RunDifference, FindsTheRateOfExponentialGrowthAndWhereItEnds) {
 }
 
 TEST(RunDifference, DoesNotTakeAPowerForChaos) {
-  const auto [a, b] = twoRuns([](double t) { return 1e-9 * std::pow(t, 4); });
+  const auto [a, b] = sines([](double t) { return 1e-9 * std::pow(t, 4); });
   const RunDifference d = runDifference(a, b);
   EXPECT_FALSE(d.chaotic);
   EXPECT_TRUE(std::isinf(d.horizon));
@@ -40,15 +47,8 @@ TEST(RunDifference, DoesNotTakeAPowerForChaos) {
 TEST(RunDifference, AJumpThatComesALittleLaterLosesNothing) {
   // A status that jumps between two rows; and one that jumps two rows later.
   for (const double later : {0.007, 0.025}) {
-    SignalTable a, b;
-    a.signals = b.signals = {{"status", ""}};
-    a.columns.resize(1), b.columns.resize(1);
-    for (int i = 0; i <= 100; ++i) {
-      const double t = 0.01 * i;
-      a.t.push_back(t), b.t.push_back(t);
-      a.columns[0].push_back(t > 0.495 ? 3.0 : 0.0);
-      b.columns[0].push_back(t > 0.495 + later ? 3.0 : 0.0);
-    }
+    const auto [a, b] = twoRuns([](double t) { return t > 0.495 ? 3.0 : 0.0; },
+                                [&](double t) { return t > 0.495 + later ? 3.0 : 0.0; });
     EXPECT_EQ(std::isinf(runDifference(a, b).horizon), later < 0.01) << later;
   }
 }
