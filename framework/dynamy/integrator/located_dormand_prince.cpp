@@ -105,7 +105,7 @@ void LocatedDormandPrince::release(const Switch& w) {
   // says so.
   event_.release({}, 0.0);
   if (!plain_ || !w || !w.force) return;
-  const ContactKey key = search_.contact(probe_, phase_, w);
+  const ContactKey key = search_.contact(phase_, w);
   for (std::size_t i = 0; i < phase_.held.size(); ++i)
     if (const Held& h = phase_.held[i]; h.key == key && !h.slips && phase_.slipRows(i) == 1)
       event_.release(key, phase_.lambda()[phase_.slip0(i)] > 0.0 ? -1.0 : 1.0);
@@ -308,7 +308,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
                                 : &StepEffort::smooth,
        report);
   if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
-  if (found) ++report.counts.switches, lastSwitched_ = search_.contact(probe_, phase_, found);
+  if (found) ++report.counts.switches, lastSwitched_ = search_.contact(phase_, found);
   if (found.kind == Switch::Kind::atStart) {
     release(found);
     const bool good = event(s, solver, from_, report, {});

@@ -24,9 +24,10 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
   kinematic_.clear(), force_.clear();
   at_.memory = x.memory;
   if (!probe.look(x)) return false;
+  using Watched = Monitor::Kind;
   for (int i = 0; i < probe.size(); ++i)
     if (probe.law(i).unilateral() && phase.find(probe.key(i)) == nullptr)
-      kinematic_.push_back({true, i, 0, 1.0, false});
+      kinematic_.push_back({Watched::gap, i, 0, 1.0, false, probe.key(i)});
   for (std::size_t i = 0; i < phase.held.size(); ++i) {
     const Held& h = phase.held[i];
     const FrozenPhase::Form form = phase.form(i);
@@ -34,31 +35,34 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
     const bool muted = h.mutedUntil > x.t;
     const int row = phase.slip0(i) - phase.row0(i);
     if (h.slips && phase.slipRows(i) == 1 && !muted)
-      kinematic_.push_back({false, probe.find(h.key), row, h.sign, false});
+      kinematic_.push_back({Watched::slip, probe.find(h.key), row, h.sign, false, h.key});
     if (phase.margin(i, margin) && (!muted || form == FrozenPhase::Form::normal || h.slips))
-      force_.push_back({false, static_cast<int>(i), 0, 1.0, false});
+      force_.push_back({Watched::force, static_cast<int>(i), 0, 1.0, false, h.key});
   }
   values_.resize(static_cast<Eigen::Index>(kinematic_.size()), kSamples + 1);
   rates_.setZero(values_.rows(), values_.cols());
-  kinematics(probe, work_);
-  values_.col(0) = work_;
-  for (std::size_t m = 0; m < kinematic_.size(); ++m) {
-    Monitor& k = kinematic_[m];
-    k.zeroStart = values_(static_cast<Eigen::Index>(m), 0) <= kStart * noise(k);
-    if (k.gap) rates_(static_cast<Eigen::Index>(m), 0) = probe.gamma(k.contact);
-  }
+  column(probe, 0);
+  for (std::size_t m = 0; m < kinematic_.size(); ++m)
+    kinematic_[m].zeroStart =
+        values_(static_cast<Eigen::Index>(m), 0) <= kStart * noise(kinematic_[m]);
   forces(phase, startForces_);
   for (std::size_t m = 0; m < force_.size(); ++m)
     force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise;
   return true;
 }
 
-void SwitchSearch::kinematics(const ContactProbe& probe, Eigen::VectorXd& out) const {
-  out.resize(static_cast<Eigen::Index>(kinematic_.size()));
+double SwitchSearch::measure(const ContactProbe& probe, const Monitor& m) const {
+  return isGap(m) ? probe.gap(m.contact) : m.sign * probe.gamma(m.contact, m.row);
+}
+
+double SwitchSearch::rate(const ContactProbe& probe, const Monitor& m) const {
+  return isGap(m) ? probe.gamma(m.contact) : 0.0;
+}
+
+void SwitchSearch::column(const ContactProbe& probe, int sample) {
   for (std::size_t m = 0; m < kinematic_.size(); ++m) {
-    const Monitor& k = kinematic_[m];
-    out[static_cast<Eigen::Index>(m)] =
-        k.gap ? probe.gap(k.contact) : k.sign * probe.gamma(k.contact, k.row);
+    values_(static_cast<Eigen::Index>(m), sample) = measure(probe, kinematic_[m]);
+    rates_(static_cast<Eigen::Index>(m), sample) = rate(probe, kinematic_[m]);
   }
 }
 
@@ -76,8 +80,7 @@ bool SwitchSearch::kinematicAt(ContactProbe& probe, const QuinticPath& path, int
                                double theta, double& v) {
   path.at(theta, at_);
   if (!probe.look(at_)) return false;
-  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
-  v = k.gap ? probe.gap(k.contact) : k.sign * probe.gamma(k.contact, k.row);
+  v = measure(probe, kinematic_[static_cast<std::size_t>(monitor)]);
   return true;
 }
 
@@ -98,11 +101,7 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
   for (int j = 1; j <= kSamples && !kinematic_.empty(); ++j) {
     path.at(static_cast<double>(j) / kSamples, at_);
     if (!probe.look(at_)) return false;
-    kinematics(probe, work_);
-    values_.col(j) = work_;
-    for (std::size_t m = 0; m < kinematic_.size(); ++m)
-      if (kinematic_[m].gap)
-        rates_(static_cast<Eigen::Index>(m), j) = probe.gamma(kinematic_[m].contact);
+    column(probe, j);
   }
   if (force_.empty()) return true;
   double unused = 0.0;
@@ -148,7 +147,7 @@ bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path,
   if (j > kSamples) {
     // A gap that closes right at the end is a switch there, not one at the start of the next step.
     const double end = values_(monitor, kSamples), rate = rates_(monitor, kSamples);
-    if (k.gap && !k.zeroStart && end <= kStart * noise(k) && rate < 0.0 && first.theta > 1.0)
+    if (isGap(k) && !k.zeroStart && end <= kStart * noise(k) && rate < 0.0 && first.theta > 1.0)
       first = {Switch::Kind::root, 1.0, false, monitor, rate};
     return true;
   }
@@ -228,7 +227,7 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
 }
 
 bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first) {
-  if (!kinematic_[static_cast<std::size_t>(monitor)].gap) return true;
+  if (!isGap(kinematic_[static_cast<std::size_t>(monitor)])) return true;
   for (int j = 0; j < kSamples; ++j) {
     double a = static_cast<double>(j) / kSamples, b = a + 1.0 / kSamples;
     if (a >= first.theta) return true;
@@ -240,11 +239,11 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
     for (int i = 0; i < 40 && b - a > kMinimum; ++i) {
       c = i % 2 == 1 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
       if (!kinematicAt(probe, path, monitor, c, v)) return false;
-      const double rate = probe.gamma(kinematic_[static_cast<std::size_t>(monitor)].contact);
-      if (rate < 0.0)
-        a = c, fa = rate;
+      const double slope = rate(probe, kinematic_[static_cast<std::size_t>(monitor)]);
+      if (slope < 0.0)
+        a = c, fa = slope;
       else
-        b = c, fb = rate;
+        b = c, fb = slope;
       if (v < -gapNoise_) break;
     }
     if (v < -gapNoise_) {  // a dip between two samples: the root lies before it
@@ -289,21 +288,19 @@ bool SwitchSearch::closedBefore(ContactProbe& probe, const State& x, Switch& w) 
   double longest = 0.0;
   for (std::size_t m = 0; m < kinematic_.size(); ++m) {
     const Monitor& k = kinematic_[m];
-    if (!k.gap || (!w.force && static_cast<int>(m) == w.monitor)) continue;
-    const double gap = probe.gap(k.contact), rate = probe.gamma(k.contact);
-    if (!(gap < -gapNoise_ && rate < 0.0 && gap / rate > longest)) continue;
-    longest = gap / rate;
-    first = {Switch::Kind::root, w.theta, false, static_cast<int>(m), rate};
+    if (!isGap(k) || (!w.force && static_cast<int>(m) == w.monitor)) continue;
+    const double gap = measure(probe, k), closing = rate(probe, k);
+    if (!(gap < -gapNoise_ && closing < 0.0 && gap / closing > longest)) continue;
+    longest = gap / closing;
+    first = {Switch::Kind::root, w.theta, false, static_cast<int>(m), closing};
   }
   if (first) w = first;
   return bool(first);
 }
 
-ContactKey SwitchSearch::contact(const ContactProbe& probe, const FrozenPhase& phase,
-                                 const Switch& w) const {
+ContactKey SwitchSearch::contact(const FrozenPhase& phase, const Switch& w) const {
   const auto m = static_cast<std::size_t>(w.monitor);
-  return w.force ? phase.held[static_cast<std::size_t>(force_[m].contact)].key
-                 : probe.key(kinematic_[m].contact);
+  return w.force ? phase.held[static_cast<std::size_t>(force_[m].contact)].key : kinematic_[m].key;
 }
 
 bool SwitchSearch::value(ContactProbe& probe, const FrozenPhase& phase, const State& x,
@@ -316,8 +313,7 @@ bool SwitchSearch::value(ContactProbe& probe, const FrozenPhase& phase, const St
     return true;
   }
   if (!probe.look(x)) return false;
-  const Monitor& k = kinematic_[static_cast<std::size_t>(w.monitor)];
-  out = k.gap ? probe.gap(k.contact) : k.sign * probe.gamma(k.contact, k.row);
+  out = measure(probe, kinematic_[static_cast<std::size_t>(w.monitor)]);
   return true;
 }
 

@@ -43,25 +43,30 @@ class SwitchSearch {
   /// that close soon after one another may change places between the path and the true motion.
   bool closedBefore(ContactProbe& probe, const State& x, Switch& w);
   /// The contact of a switch that was found.
-  ContactKey contact(const ContactProbe& probe, const FrozenPhase& phase, const Switch& w) const;
+  ContactKey contact(const FrozenPhase& phase, const Switch& w) const;
   /// True: there are open contacts.
-  bool gaps() const { return !kinematic_.empty() && kinematic_.front().gap; }
+  bool gaps() const { return !kinematic_.empty() && isGap(kinematic_.front()); }
   bool any() const { return !kinematic_.empty() || !force_.empty(); }
   /// Forces at the end of the path, to be told before find().
   void atEnd(const FrozenPhase& phase) { forces(phase, endForces_); }
 
  private:
   struct Monitor {
-    bool gap = false;
+    enum class Kind : std::uint8_t { gap, slip, force } kind = Kind::gap;
     int contact = 0;  // of the probe; of a force: index in the phase
     int row = 0;      // of γ within the contact
     double sign = 1.0;
     bool zeroStart = false;
+    ContactKey key = {};
   };
+  static bool isGap(const Monitor& m) { return m.kind == Monitor::Kind::gap; }
   static constexpr int kSamples = 8;
-  void kinematics(const ContactProbe& probe, Eigen::VectorXd& out) const;
+  /// Value of a kinematic monitor, and of a gap its rate, else 0, where the probe has looked.
+  double measure(const ContactProbe& probe, const Monitor& m) const;
+  double rate(const ContactProbe& probe, const Monitor& m) const;
+  void column(const ContactProbe& probe, int sample);
   void forces(const FrozenPhase& phase, Eigen::VectorXd& out) const;
-  double noise(const Monitor& m) const { return m.gap ? gapNoise_ : speedNoise_; }
+  double noise(const Monitor& m) const { return isGap(m) ? gapNoise_ : speedNoise_; }
   bool sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
               const QuinticPath& path);
   bool kinematicAt(ContactProbe& probe, const QuinticPath& path, int monitor, double theta,
