@@ -34,6 +34,12 @@ convex::Interval PreloadedSpring::interval(const LawInput& in) const {
   return {oneSided_ ? spring : spring - a, spring + a};
 }
 
+bool PreloadedSpring::notched(const LawInput& in, NotchedForce& out) const {
+  const double factor = in.scale * in.dt, a = preload_ * factor, c = stiffness_ * factor;
+  out = oneSided_ ? NotchedForce{a, 0.0, c, 0.0} : NotchedForce{a, -a, c, c};
+  return in.dim == 1;
+}
+
 double PreloadedSpring::argument(const LawInput& in, double r, double xi, double Lambda) const {
   return in.dt > 0.0 ? Lambda - r * (xi + x(in) / in.dt) : Lambda - r * xi;
 }

@@ -31,6 +31,7 @@ class PreloadedSpring final : public SetValuedForceLaw {
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
+  bool notched(const LawInput& in, NotchedForce& out) const override;
   /// `locked` in the notch, `lower` for x > 0, `upper` for x < 0.
   Status status(const LawInput& in, const double* argument) const override;
 

@@ -39,6 +39,7 @@ class UnilateralRolling final : public NormalTimesReservoir {
   void epsilon(int dim, double* epsilon) const override;
   /// None whose slip is in all rows or in none: some of the parts may rest.
   const NormalTimesReservoir* reservoir() const override { return nullptr; }
+  const NormalTimesReservoir* discs() const override { return this; }
   void project(const LawInput& in, double N, const double* r, int k, double* x) const override;
   double support(const LawInput& in, int k, const double* y, double* gradient = nullptr,
                  double* hessian = nullptr) const override;

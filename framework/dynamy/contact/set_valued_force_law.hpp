@@ -54,6 +54,15 @@ struct SimpleSet {
 
 class NormalTimesReservoir;
 
+/// Force of a law whose set lives on the displacement x of its one row: linear on both sides of
+/// x = 0, and at x = 0, where it holds, anything between.
+///
+///   λ = below − cBelow x  (x < 0),   λ = above − cAbove x  (x > 0),   above ≤ λ ≤ below  (x = 0)
+struct NotchedForce {
+  double below = 0.0, above = 0.0;    ///< [N], times Δt in a step
+  double cBelow = 0.0, cAbove = 0.0;  ///< [N/m], times Δt in a step
+};
+
 class SetValuedForceLaw : public Element {
  public:
   static constexpr Kind kKind = Kind::law;
@@ -92,6 +101,11 @@ class SetValuedForceLaw : public Element {
   virtual SimpleSet simpleSet(const LawInput& /*in*/) const { return {}; }
   /// The law itself where it is a normal force times a reservoir; default: it is not.
   virtual const NormalTimesReservoir* reservoir() const { return nullptr; }
+  /// The law itself where it is a normal force times a product of discs, one for each group of
+  /// rows: some of them may rest while others slip. Default: it is not.
+  virtual const NormalTimesReservoir* discs() const { return nullptr; }
+  /// False: the set lives on velocities.
+  virtual bool notched(const LawInput& /*in*/, NotchedForce& /*out*/) const { return false; }
   /// Discrete state for the argument Λ − r ξ.
   virtual Status status(const LawInput& in, const double* argument) const = 0;
 };

@@ -36,6 +36,12 @@ void FrozenPhase::keys(std::vector<ContactKey>& out) const {
 }
 
 bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out) {
+  if (NotchedForce f; law.notched(in, f)) {
+    // A slip with the sign of x has the force of that side, which goes on smoothly past x = 0.
+    const double x = in.position ? in.position[0] : 0.0;
+    out.form = Form::notch, out.lower = f.above - f.cAbove * x, out.upper = f.below - f.cBelow * x;
+    return true;
+  }
   const SimpleSet set = law.simpleSet(in);
   out.lower = set.lower, out.upper = set.upper;
   switch (set.shape) {
@@ -166,7 +172,7 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     if (!fits || !bounds(law, in, bounds_[i])) {
       ownFault_ = "the smooth phases of <" + law.type() +
                   "> have no closed form here (a set with edges or without a width, a "
-                  "displacement, a user's own): give a step and another scheme";
+                  "user's own): give a step and another scheme";
       fault_ = ownFault_;
       return false;
     }
@@ -296,7 +302,7 @@ void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
   gammaDot_ += bias_;
   forceScale_ = lambda_.size() > 0 ? lambda_.lpNorm<Eigen::Infinity>() : 0.0;
   for (const Bounds& b : bounds_)
-    if (b.form == Form::given && std::isfinite(b.upper))
+    if ((b.form == Form::given || b.form == Form::notch) && std::isfinite(b.upper))
       forceScale_ = std::max(forceScale_, b.upper);
   power_ = {e.hNonPotential.dot(u), 0.0, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < held.size(); ++i)

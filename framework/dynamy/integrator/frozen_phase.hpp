@@ -7,6 +7,7 @@
 ///   slip of a cone                                     P = e_N − μ t,  S = e_N,  t = γ_T/|γ_T|
 ///   slip of a reservoir B in several rows              P = e_N − ∇S_B(γ_T),  S = e_N
 ///   slip of a set of given size                        p₀ = −a t, no unknown
+///   set on a displacement x: at x = 0; beside it       P = S = I;  p₀ = the force at x
 ///
 /// In one tangent t is a sign that was decided at the switch: it does not flip while stages pass
 /// zero, so the motion goes on smoothly past its end, and one look at the path finds the end.
@@ -23,8 +24,8 @@ namespace dynamy {
 struct Held {
   static constexpr int kMostRows = 6;
   ContactKey key;
-  bool slips = false;
-  double sign = 0.0;  ///< of γ_T, where the slip has one direction
+  bool slips = false;  ///< of a set on a displacement x: x is off zero, or leaves it
+  double sign = 0.0;   ///< of γ_T, where the slip has one direction; of x
   /// In several rows a slip that has just begun has the direction of γ̇_T, by an inclusion on
   /// acceleration level: γ_T is too small to have one (theory 20.6).
   bool starts = false;
@@ -38,7 +39,7 @@ struct Held {
 
 class FrozenPhase {
  public:
-  enum class Form : std::uint8_t { joint, normal, cone, reservoir, given };
+  enum class Form : std::uint8_t { joint, normal, cone, reservoir, given, notch };
 
   /// Joints, then closed contacts and sets of given size, in order of emission.
   std::vector<Held> held;
@@ -60,6 +61,8 @@ class FrozenPhase {
   int dim(std::size_t i) const { return row0_[i + 1] - row0_[i]; }
   int rows() const { return row0_.empty() ? 0 : row0_.back(); }
   Form form(std::size_t i) const { return form_[i]; }
+  /// A set that is nothing but zero, a reservoir that is switched off: no status to look at.
+  bool idle(std::size_t i) const { return bounds_[i].idle(); }
   /// First row of the slip of held[i], and their number.
   int slip0(std::size_t i) const {
     return row0_[i] + (form_[i] == Form::cone || form_[i] == Form::reservoir ? 1 : 0);
@@ -85,10 +88,16 @@ class FrozenPhase {
   /// The same with γ of the held rows.
   bool velocityCorrection(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& delta);
 
+  /// Is x = 0 held of a law whose set lives on displacements?
+  static bool inNotch(const SetValuedForceLaw& law, int dim, const Held& h) {
+    NotchedForce unused;
+    return !h.slips && law.notched({.dim = dim, .dt = 1.0}, unused);
+  }
   /// Form of a law with `dim` rows, and its numbers for forces (Δt = 1); false: it has none.
   struct Bounds {
     Form form = Form::joint;
     double lower = 0.0, upper = 0.0;
+    bool idle() const { return form == Form::given && !(upper > lower); }
     const NormalTimesReservoir* set = nullptr;                                ///< of a reservoir
     std::array<double, Held::kMostRows - 1> weight{1.0, 1.0, 1.0, 1.0, 1.0};  ///< of rows of slip
   };

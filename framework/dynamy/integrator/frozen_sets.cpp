@@ -32,6 +32,7 @@ bool FrozenPhase::margin(std::size_t i, double& value) const {
         value = std::min(value, b.upper * (value - gauge(i, lambda_.data() + first + 1)));
       return true;
     case Form::given:
+    case Form::notch:
       if (held[i].slips) return false;
       value = d > 1 ? b.upper - lambda_.segment(first, d).norm()
                     : std::min(b.upper - lambda_[first], lambda_[first] - b.lower);
@@ -100,7 +101,8 @@ bool FrozenPhase::positionCorrection(const Evaluation& e, Eigen::VectorXd& delta
   for (std::size_t i = 0; i < held.size(); ++i) {
     const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
     for (int r = 0; r < dim(i); ++r)
-      if (law.rowKind(r) != RowKind::friction) kept_.push_back(row0_[i] + r);
+      if (law.rowKind(r) != RowKind::friction || inNotch(law, dim(i), held[i]))
+        kept_.push_back(row0_[i] + r);
   }
   rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
   for (std::size_t k = 0; k < kept_.size(); ++k)

@@ -183,6 +183,7 @@ bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w
   const double length = w.theta * h;
   if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_.fault());
   if (!evaluateEnd(s, to_)) return false;
+  impulse_ = smooth_.impulse();
   Switch first = w;
   for (int i = 0; i < kMostFirst; ++i) {
     if (!polish(s, length, first)) return false;
@@ -209,7 +210,11 @@ bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w
       SmoothStep& own = smoothOwn_;
       if (!own.take(s, phase_, trial_, d, to_.x)) return refuse(phase_.fault());
       if (!evaluateEnd(s, to_)) return false;
+      impulse_ += own.impulse();
+      for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += own.works()[k];
     } else {
+      impulse_ += d * to_.lambda;
+      for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += d * to_.power[k];
       delta_ = to_.x.u + 0.5 * d * to_.a;
       s.move(to_.x, delta_, d);
       to_.x.u += d * to_.a;
@@ -317,6 +322,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   }
   if (found && !repeat(s, h, found)) return false;
   if (found) book(s, &StepEffort::switches, report);
+  if (!found) impulse_ = smooth_.impulse();
   if (!found && h == most) to_.x.t = from_.x.t + most;
   done = true;
   keepImpulses();

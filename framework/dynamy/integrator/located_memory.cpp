@@ -77,7 +77,6 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
 
 void LocatedDormandPrince::keepImpulses() {
   stepKeys_.clear();
-  impulse_ = smooth_.impulse();
   for (std::size_t i = 0; i < phase_.held.size(); ++i)
     stepKeys_.push_back({phase_.held[i].key, phase_.row0(i), phase_.dim(i)});
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += smooth_.works()[k];
@@ -86,6 +85,9 @@ void LocatedDormandPrince::keepImpulses() {
 Status LocatedDormandPrince::status(std::size_t i) const {
   const FrozenPhase::Form form = phase_.form(i);
   if (form == FrozenPhase::Form::joint) return Status::locked;
+  if (form == FrozenPhase::Form::notch)
+    return !phase_.held[i].slips ? Status::locked
+                                 : (phase_.held[i].sign > 0.0 ? Status::lower : Status::upper);
   return phase_.held[i].slips || form == FrozenPhase::Form::normal ? Status::slip : Status::stick;
 }
 

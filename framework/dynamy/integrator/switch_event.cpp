@@ -7,11 +7,8 @@ namespace {
 
 constexpr double kTouch = 1e-10;   ///< gaps up to this part of L take part in an impact
 constexpr double kRest = 1e-10;    ///< speeds below this part of U rest
-constexpr double kSlip = 1e-9;     ///< slips above this part of U go on
 constexpr double kDecided = 1e-8;  ///< of the velocities a decision asks for: zero
 constexpr double kClear = 1e3;     ///< a slip enters a decision with this multiple of them at least
-constexpr double kZeno = 0.1;      ///< z: heights below z tol L are none
-constexpr double kZenoFloor = 1e-12;
 constexpr int kMostTurns = 12;
 constexpr int kMostOffered = 16;  ///< rows of a contact, of laws that are refused too
 constexpr double kTau = 1e-9;     ///< a displacement δ is a velocity δ/τ for the time τ
@@ -44,13 +41,15 @@ bool SwitchEvent::takePart(ContactProbe& probe, const FrozenPhase& phase, const 
   return true;
 }
 
-void SwitchEvent::projectPositions(MechanicalSystem& s, State& x) {
+void SwitchEvent::projectPositions(MechanicalSystem& s, const FrozenPhase& phase, State& x) {
   // What is held and what touches together: with the held alone, those that touch would be moved
   // into their partners by what the held have drifted.
   shutPhase_.held.clear();
   for (const ContactKey key : s.slot(0).contacts.key) {
     shutPhase_.held.push_back({});
     shutPhase_.held.back().key = key;
+    const Held* held = phase.find(key);  // of those on displacements alone what rests in the notch
+    shutPhase_.held.back().slips = held == nullptr || held->slips;
   }
   const double t = x.t;
   for (int i = 0; i < 4 && shutPhase_.positionCorrection(s.slot(0), delta_); ++i) {
@@ -81,7 +80,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   }
   s.freeze(keys_);
   s.evaluate(x, 0);
-  projectPositions(s, x);
+  projectPositions(s, phase, x);
   projectVelocities(s, phase, x);
   uBefore_ = x.u, aBefore_ = p.a;
   for (int turn = 0;; ++turn) {
@@ -96,7 +95,9 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
       r.fault = next_.fault();
       return r;
     }
-    if (plain_ || turn == kMostTurns || !staysClosed(s, next_, p, r)) break;
+    if (plain_ || turn == kMostTurns) break;
+    const bool closed = staysClosed(s, next_, p, r), rests = staysInNotch(s, phase, next_, p, r);
+    if (!closed && !rests) break;
   }
   if (!accelerateAlone(s, p)) {
     r.fault = next_.fault();
@@ -194,6 +195,8 @@ void SwitchEvent::shut(MechanicalSystem& s, State& x) {
     for (int k = tangent; k < c.dim(static_cast<int>(i)); ++k)
       slip = std::max(slip, std::abs(gamma_[c.row0[i] + k]));
     shutPhase_.held.back().slips = !holds(c.law[i]->rowKind(0)) && slip > kSlip * norm_->speed();
+    if (const double at = side(c, i, gamma_.data() + c.row0[i]); at != 0.0)
+      shutPhase_.held.back().slips = !has(shut_, c.key[i]);
   }
   projectVelocities(s, shutPhase_, x);
 }
@@ -210,6 +213,8 @@ void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
     if (c.law[i]->unilateral() && gamma_[first] > leaves_) continue;
     closing_.push_back(c.key[i]);
     gammaBefore_.segment(rows, d) = gamma_.segment(first, d);
+    if (const double at = side(c, i, gamma_.data() + first); at != 0.0)
+      gammaBefore_[rows] = at * norm_->speed();
     rows += d;
   }
   gammaBefore_.conservativeResize(rows);
@@ -285,6 +290,7 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
     r.fault = ContactProbe::kUnfollowed;
     return;
   }
+  holdNotches(s.contactsOf(1));
   if (plain_) accelerationLevel(p, lookAhead);
   pose(p, jumped, stopped);
   Vec Lambda = s.Lambda();
@@ -318,12 +324,15 @@ void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, 
   if (const Held* before = old.find(h.key)) h.mutedUntil = before->mutedUntil;
   const int tangent = normal ? 1 : 0;
   if (!holds(law.rowKind(0)) && d > tangent) {
-    h.slips = slip != nullptr || speedOf(law, d, xi_.data() + first, tangent) > kDecided * asked;
+    FrozenPhase::Bounds set;
+    const bool idle = FrozenPhase::bounds(law, p.input(i), set) && set.idle();
+    h.slips =
+        slip != nullptr || idle || speedOf(law, d, xi_.data() + first, tangent) > kDecided * asked;
     const double* direction = slip ? slip + tangent : xi_.data() + first + tangent;
     if (h.slips) h.sign = direction[0] < 0.0 ? -1.0 : 1.0;
     if (h.slips && d - tangent > 1) {
       const double length = speedOf(law, d, direction - tangent, tangent);
-      for (int k = 0; k < d - tangent && k < Held::kMostRows - 1; ++k)
+      for (int k = 0; length > 0.0 && k < d - tangent && k < Held::kMostRows - 1; ++k)
         h.direction[static_cast<std::size_t>(k)] = direction[k] / length;
       // A slip that goes on starting keeps what it has turned; an impact is none's beginning.
       const Held* before = old.find(h.key);
@@ -335,24 +344,29 @@ void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, 
   phase.held.push_back(h);
 }
 
+double SwitchEvent::closing(const ContactSet& c, std::size_t i, const Eigen::VectorXd& a) const {
+  double back = -c.bias[static_cast<std::size_t>(c.row0[i])];
+  for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k) {
+    const Segment& segment = c.segment[static_cast<std::size_t>(k)];
+    for (int j = 0; j < segment.nu; ++j)
+      back -= c.W[static_cast<std::size_t>(segment.w + j)] * a[segment.u0 + j];
+  }
+  return back;
+}
+
 bool SwitchEvent::staysClosed(const MechanicalSystem& s, const FrozenPhase& phase,
                               const PhasePoint& p, Result& r) {
   const ContactSet& c = s.slot(0).contacts;
   gamma_.resize(c.rows());
   c.gamma(view(p.x.u), view(gamma_));
-  const double height = std::max(kZeno * norm_->tolerance(), kZenoFloor) * norm_->length();
+  const double height = zenoHeight() * norm_->length();
   bool any = false;
   for (std::size_t i = 0; i < c.key.size(); ++i) {
     if (!c.law[i]->unilateral() || phase.find(c.key[i]) != nullptr) continue;
     const int row = c.row0[i];
     const double v = gamma_[row];
     if (!(v > leaves_)) continue;
-    double back = -c.bias[static_cast<std::size_t>(row)];
-    for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k) {
-      const Segment& segment = c.segment[static_cast<std::size_t>(k)];
-      for (int j = 0; j < segment.nu; ++j)
-        back -= c.W[static_cast<std::size_t>(segment.w + j)] * p.a[segment.u0 + j];
-    }
+    const double back = closing(c, i, p.a);
     if (!(back > 0.0 && v * v <= 2.0 * back * height)) continue;
     // With a rebound of its own: the impact once more without it; else by projection.
     const auto hit = std::find_if(percussions_.begin(), percussions_.end(),

@@ -5,7 +5,8 @@
 ///   3  decide the new status by one inclusion that looks ahead by h_s,
 ///          ξ = G(q + h_s u) Λ + W(q + h_s u)ᵀ(u + h_s M⁻¹h) + χ − residual of resting rows
 ///   4  project with the new status, accelerations
-///   5  contacts that leave and are back within the tolerance stay closed:  v²/(2a) ≤ z tol L
+///   5  contacts that leave and are back within the tolerance stay closed:  v²/(2a) ≤ z tol L;
+///      so does a preloaded spring that passes its middle
 ///
 /// Looking ahead is what makes a switch from stick to slip decidable: at the switch itself the
 /// force lies on the bound. It needs no enumeration and works for redundant contacts, since it is
@@ -39,6 +40,7 @@ class WithoutRebound final : public SetValuedForceLaw {
   }
   SimpleSet simpleSet(const LawInput& in) const override { return law_->simpleSet(in); }
   const NormalTimesReservoir* reservoir() const override { return law_->reservoir(); }
+  const NormalTimesReservoir* discs() const override { return law_->discs(); }
   Status status(const LawInput& in, const double* argument) const override {
     return law_->status(in, argument);
   }
@@ -84,8 +86,11 @@ class SwitchEvent {
   const Eigen::VectorXd& uBefore() const { return uBefore_; }
 
  private:
+  static constexpr double kSlip = 1e-9;  // slips above this part of U go on
+  /// z tol, of L: what rises no higher stays.
+  double zenoHeight() const;
   bool takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x);
-  void projectPositions(MechanicalSystem& s, State& x);
+  void projectPositions(MechanicalSystem& s, const FrozenPhase& phase, State& x);
   void projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x);
   bool accelerateAlone(MechanicalSystem& s, PhasePoint& p);
   bool impact(MechanicalSystem& s, InclusionSolver& solver, State& x, Result& r);
@@ -101,6 +106,12 @@ class SwitchEvent {
                   double lookAhead, const FrozenPhase& old, FrozenPhase& phase);
   bool staysClosed(const MechanicalSystem& s, const FrozenPhase& phase, const PhasePoint& p,
                    Result& r);
+  double closing(const ContactSet& c, std::size_t i, const Eigen::VectorXd& a) const;
+  // Sets on displacements (switch_notches.cpp).
+  double side(const ContactSet& c, std::size_t i, const double* gamma) const;
+  void holdNotches(ContactSet& c);
+  bool staysInNotch(const MechanicalSystem& s, const FrozenPhase& old, const FrozenPhase& phase,
+                    const PhasePoint& p, Result& r);
   const ErrorNorm* norm_ = nullptr;
   std::vector<ContactKey> keys_, closing_, plastic_, shut_;
   std::vector<std::unique_ptr<WithoutRebound>> wrappers_;

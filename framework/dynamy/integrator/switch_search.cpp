@@ -34,7 +34,9 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
     double margin = 0.0;
     const bool muted = h.mutedUntil > x.t;
     const int row = phase.slip0(i) - phase.row0(i);
-    if (h.slips && phase.slipRows(i) == 1 && !muted)
+    if (h.slips && form == FrozenPhase::Form::notch)
+      kinematic_.push_back({Watched::gap, probe.find(h.key), 0, h.sign, false, h.key});
+    else if (h.slips && phase.slipRows(i) == 1 && !muted && !phase.idle(i))
       kinematic_.push_back({Watched::slip, probe.find(h.key), row, h.sign, false, h.key});
     if (phase.margin(i, margin) && (!muted || form == FrozenPhase::Form::normal || h.slips))
       force_.push_back({Watched::force, static_cast<int>(i), 0, 1.0, false, h.key});
@@ -52,11 +54,11 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
 }
 
 double SwitchSearch::measure(const ContactProbe& probe, const Monitor& m) const {
-  return isGap(m) ? probe.gap(m.contact) : m.sign * probe.gamma(m.contact, m.row);
+  return m.sign * (isGap(m) ? probe.gap(m.contact) : probe.gamma(m.contact, m.row));
 }
 
 double SwitchSearch::rate(const ContactProbe& probe, const Monitor& m) const {
-  return isGap(m) ? probe.gamma(m.contact) : 0.0;
+  return isGap(m) ? m.sign * probe.gamma(m.contact) : 0.0;
 }
 
 void SwitchSearch::column(const ContactProbe& probe, int sample) {

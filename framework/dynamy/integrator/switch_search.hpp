@@ -5,6 +5,7 @@
 ///
 ///   open      gap g                       slip in one direction   s γ_T
 ///   closed    λ_N                         stick                   distance of λ_T from the bound
+///   beside the notch of a preloaded spring  s x;  in it           distance of λ from the bounds
 ///
 /// Gaps and slips are sampled at eight points without any force; forces at the middle and the end.
 /// Every bracket is refined to a root, and roots are compared, never brackets.

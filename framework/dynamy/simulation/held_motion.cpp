@@ -19,6 +19,12 @@ bool begins(const ContactSet& c, int i, const double* gamma, double still, Held&
   if (in.dim > Held::kMostRows || !FrozenPhase::bounds(law, in, bounds))
     return true;  // accelerate() tells why not
   if (law.unilateral() && gamma[0] > still) return false;
+  if (bounds.form == FrozenPhase::Form::notch) {
+    const double x = in.position[0];
+    out.slips = std::abs(x) > kSticks || std::abs(gamma[0]) > kSticks;
+    out.sign = (std::abs(x) > kSticks ? x : gamma[0]) > 0.0 ? 1.0 : -1.0;
+    return true;
+  }
   const bool cone = bounds.form == FrozenPhase::Form::cone;
   if (!cone && bounds.form != FrozenPhase::Form::given) return true;
   const int first = cone ? 1 : 0, k = c.dim(i) - first;
