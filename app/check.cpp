@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/io/json_writer.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
@@ -102,6 +103,25 @@ std::optional<Alternative> otherCoordinates(const Model& model, const std::strin
   }
 }
 
+/// "wood and steel: UnilateralCoulomb (bench.xml:12)": which law each pair of materials gets, and
+/// where it is said; then the rules that no pair rests on.
+std::string lawsText(const PairLaws& laws) {
+  const auto where = [](const MaterialRule& rule) {
+    return Place(rule.place().file, rule.place().line).format();
+  };
+  std::string out;
+  for (const auto& [materials, answer] : laws.found()) {
+    const bool mixed = answer.from->type() == "Contacts";
+    out += fmt::format(" {} and {}: {}{} ({})\n", materials.first, materials.second, answer.text,
+                       mixed ? ", mixed" : "", where(*answer.from));
+  }
+  for (const MaterialRule* rule : laws.idle())
+    out += fmt::format(" note: <{}{}> ({}) never acts: no shapes that can touch ask for it\n",
+                       rule->type(), rule->name().empty() ? "" : " name=\"" + rule->name() + '"',
+                       where(*rule));
+  return out;
+}
+
 std::string text(const Model& model, const Sizes& s, const std::optional<Alternative>& other) {
   std::string out = fmt::format("{}: ok\n", model.sourceFile);
   out += fmt::format(" systems {}   forces {}   contact elements {}   signals {}   checks {}\n",
@@ -115,6 +135,7 @@ std::string text(const Model& model, const Sizes& s, const std::optional<Alterna
                      model.scheme().type(), model.solver().type(), stepText(model),
                      model.simulation.until, model.length());
   for (const std::string& line : model.composed) out += " " + line + "\n";
+  out += lawsText(model.pairLaws());
   if (other)
     out += fmt::format(" in {} coordinates of the joints: q {}   u {}   unknowns {}\n",
                        other->coordinates, other->sizes.nq, other->sizes.nu, other->sizes.unknowns);
@@ -142,6 +163,14 @@ std::string json(const Model& model, const Sizes& s, const std::optional<Alterna
   j.member("step", model.simulation.step).member("tolerance", model.simulation.tolerance);
   j.member("until", model.simulation.until);
   j.member("length", model.length());
+  j.key("laws").beginArray();
+  for (const auto& [materials, answer] : model.pairLaws().found())
+    j.beginObject()
+        .member("materials", materials.first + " " + materials.second)
+        .member("law", answer.text)
+        .member("from", answer.from->place().format())
+        .endObject();
+  j.endArray();
   if (other)
     j.key("otherCoordinates")
         .beginObject()

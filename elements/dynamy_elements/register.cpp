@@ -1,9 +1,9 @@
 // The standard elements, registered like any plug-in's.
 #include <dynamy/contact/adhesion.hpp>
 #include <dynamy/contact/belt_friction.hpp>
-#include <dynamy/contact/contact_rule.hpp>
 #include <dynamy/contact/drilling_friction.hpp>
 #include <dynamy/contact/force_limit.hpp>
+#include <dynamy/contact/material.hpp>
 #include <dynamy/contact/orthotropic_friction.hpp>
 #include <dynamy/contact/preloaded_spring.hpp>
 #include <dynamy/contact/rolling_friction.hpp>
@@ -84,6 +84,8 @@ void registerElements(Registry& r) {
   r.add<UnilateralRolling>("UnilateralRolling");
   r.add<ContactRule>("Contact");
   r.add<NoContactRule>("NoContact");
+  r.add<Material>("Material");
+  r.add<MixingRule>("Contacts");
   registerCoordinates(r);
   r.addCompletion(composeTrees);
   r.addCompletion(addShapeContacts);

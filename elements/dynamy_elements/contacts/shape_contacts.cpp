@@ -31,11 +31,10 @@ std::string between(const Shape& a, const Shape& b) {
   return "between=\"" + a.material() + " " + b.material() + "\"";
 }
 
-Diagnostic missingLaw(const Shape& a, const Shape& b) {
-  return pairFault(
-      a, b,
-      "no law for contact of the materials \"" + a.material() + "\" and \"" + b.material() + "\"",
-      "add <Contact " + between(a, b) + ">…</Contact>, or <NoContact " + between(a, b) + "/>");
+Diagnostic missingLaw(const Shape& a, const Shape& b, Diagnostic said) {
+  Diagnostic d = pairFault(a, b, std::move(said.text), std::move(said.hint));
+  d.notes.insert(d.notes.end(), said.notes.begin(), said.notes.end());
+  return d;
 }
 
 Diagnostic missingPair(const Shape& a, const Shape& b) {
@@ -61,29 +60,6 @@ double earlyReach(const TouchingShape& s) {
 }
 
 }  // namespace
-
-void ShapeContacts::expectOneRulePerPair() const {
-  Diagnostics faults;
-  for (const ContactRule* r : rules_) {
-    const ContactRule* first = rule(r->materialA(), r->materialB());
-    if (first == r) continue;
-    faults.add({.place = r->place(),
-                .element = r->type(),
-                .text = "the materials \"" + r->materialA() + "\" and \"" + r->materialB() +
-                        "\" have a rule already",
-                .hint = "remove one of the two",
-                .notes = {{.place = first->place(), .text = "the first rule"}}});
-  }
-  faults.throwIfAny();
-}
-
-const ContactRule* ShapeContacts::rule(const std::string& a, const std::string& b) const {
-  for (const ContactRule* r : rules_)
-    if ((r->materialA() == a && r->materialB() == b) ||
-        (r->materialA() == b && r->materialB() == a))
-      return r;
-  return nullptr;
-}
 
 /// What connect() looks at.
 struct ShapeContacts::Search {
@@ -125,7 +101,7 @@ struct ShapeContacts::Search {
 };
 
 void ShapeContacts::connect(Topology& topology) {
-  expectOneRulePerPair();
+  laws_->verify();
   Search search(topology);
   planes_ = {Vec3::Zero()};
   shapes_.assign(1, {});
@@ -284,12 +260,12 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   // The law of the two materials.
   const Shape &shapeA = *search.instances[i].shape, &shapeB = *search.instances[j].shape;
   const std::string &ma = shapeA.material(), &mb = shapeB.material();
-  const ContactRule* found = rule(ma, mb);
-  if (!found) return search.fault(ma, mb, missingLaw(shapeA, shapeB));
-  if (!found->law()) return;
+  const PairLaw& found = laws_->find(ma, mb);
+  if (!found.from) return search.fault(ma, mb, missingLaw(shapeA, shapeB, laws_->missing(ma, mb)));
+  if (!found.law) return;
   if (made.meets == Meeting::missing)
     return search.fault(shapeA.type() + ma, shapeB.type() + mb, missingPair(shapeA, shapeB));
-  made.law = found->law();
+  made.law = found.law;
 
   // A half space that cuts the plane of motion at an angle needs both tangents.
   if (made.meets == Meeting::overHalfSpace && !plane.isZero(0.0)) {
@@ -376,9 +352,7 @@ void addShapeContacts(Model& model) {
     for (const PlacedShape& placed : d.shapes) any = any || !placed.shape->material().empty();
   }
   if (!any) return;
-  std::vector<const ContactRule*> rules;
-  for (const auto& rule : model.rules()) rules.push_back(rule.get());
-  model.add(std::make_unique<ShapeContacts>(std::move(rules)));
+  model.add(std::make_unique<ShapeContacts>(model.pairLaws()));
 }
 
 }  // namespace dynamy

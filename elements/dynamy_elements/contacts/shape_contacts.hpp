@@ -13,13 +13,13 @@
 ///   γ̇ − Wᵀu̇ = ḋ·v_BA + d·(β_B + Ω_B × (Ṗ − v_B) − β_A − Ω_A × (Ṗ − v_A))
 ///
 /// A contact of two systems that move in one plane has the rows n, t only. The laws come from
-/// ContactRules by pair of materials. Shapes that are alike form a group; what two of them do with
+/// PairLaws by pair of materials. Shapes that are alike form a group; what two of them do with
 /// each other is found once per pair of groups, so that 100 000 grains cost no more memory than
 /// themselves. Who is near whom comes from BroadPhase; half spaces look at all.
 /// One element per `<Contact>` was rejected: each would need its own search for pairs.
 #pragma once
-#include <dynamy/contact/contact_rule.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/contact/pair_laws.hpp>
 #include <dynamy_elements/contacts/broad_phase.hpp>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
 #include <dynamy_elements/contacts/contour.hpp>
@@ -34,8 +34,8 @@ struct SignalView;
 
 class ShapeContacts final : public NonSmoothElement {
  public:
-  /// `rules`: borrowed from the model.
-  explicit ShapeContacts(std::vector<const ContactRule*> rules) : rules_(std::move(rules)) {}
+  /// `laws`: borrowed from the model.
+  explicit ShapeContacts(PairLaws& laws) : laws_(&laws) {}
 
   /// Finds out who can touch whom. Throws ModelError naming every pair of materials without a rule
   /// or with two, and every pair of shapes whose contact is not implemented.
@@ -69,8 +69,6 @@ class ShapeContacts final : public NonSmoothElement {
   struct Search;
   void group(Search& search);
   void addRule(Search& search, std::size_t a, std::size_t b);
-  void expectOneRulePerPair() const;
-  const ContactRule* rule(const std::string& a, const std::string& b) const;
   std::size_t planeIndex(const Vec3& plane, Search& search);
   void countPairs(const Search& search);
   /// Of two shapes in the table.
@@ -107,7 +105,7 @@ class ShapeContacts final : public NonSmoothElement {
 
   double load(const SignalView& v, int ground, int axis) const;
   void makeSurfaces();
-  std::vector<const ContactRule*> rules_;
+  PairLaws* laws_;
   std::vector<Vec3> planes_;  ///< of motion; the first is zero: space
   /// What of the shapes touches, in space and in each plane.
   std::vector<std::vector<TouchingShape>> shapes_;

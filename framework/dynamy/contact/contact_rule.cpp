@@ -2,6 +2,7 @@
 // switched off: <NoContact between="rubber rubber"/>.
 #include <array>
 #include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/core/parameters.hpp>
 
 namespace dynamy {
@@ -23,12 +24,15 @@ std::array<std::string, 2> materials(const Parameters& x) {
 
 }  // namespace
 
-ContactRule::ContactRule(const Parameters& x) : Element(x), law_(x.takeOne<SetValuedForceLaw>()) {
+ContactRule::ContactRule(const Parameters& x)
+    : MaterialRule(x), law_(x.takeOne<SetValuedForceLaw>()) {
   const auto [a, b] = materials(x);
   a_ = a, b_ = b;
 }
 
 ContactRule::~ContactRule() = default;
+
+void ContactRule::enter(PairLaws& laws) const { laws.enter(*this); }
 
 void ContactRule::declare(Attributes& a) {
   a.about("The force law between all shapes of two materials.");

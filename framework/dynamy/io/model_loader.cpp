@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <dynamy/contact/contact_rule.hpp>
+#include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/io/settings_reader.hpp>
@@ -34,15 +34,24 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
       if (!name.empty()) names.declare(name, Kind::system, *item.node, *item.scope, silent);
       continue;
     }
-    std::string name = elementName(*item.node, *item.scope, item.scope->prefix, faults);
-    if (!name.empty()) names.declare(name, type->kind, *item.node, *item.scope, faults);
+    // Materials are the same in all files; a body may be called like its material.
+    const bool rule = type->kind == Kind::rule;
+    std::string name = elementName(*item.node, *item.scope, rule ? "" : item.scope->prefix, faults);
+    if (!name.empty() && !rule) names.declare(name, type->kind, *item.node, *item.scope, faults);
     out.push_back({&item, type, std::move(name)});
   }
   return out;
 }
 
-/// A rule that could not be read still says that its pair of materials was thought of.
+/// A rule that could not be read still says that its materials were thought of.
 std::unique_ptr<Element> standIn(const XmlNode& node) {
+  const XmlAttribute* name = node.attribute("name");
+  if (node.tag == "Material" && name != nullptr)
+    return std::make_unique<Material>(
+        Parameters::of<Material>(node.tag, name->value, {{"mu", 1.0}}));
+  if (node.tag == "Contacts")
+    return std::make_unique<MixingRule>(
+        Parameters::of<MixingRule>(node.tag, "", {{"mixing", "min"}}));
   const XmlAttribute* between = node.attribute("between");
   if (between == nullptr || xmlWords(between->value).size() != 2) return nullptr;
   return std::make_unique<NoContactRule>(

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/integrator/energy_momentum.hpp>
 #include <dynamy/integrator/located_dormand_prince.hpp>
 #include <dynamy/simulation/model.hpp>
@@ -21,7 +22,7 @@ std::unique_ptr<T> makeDefault(const char* type) {
 
 }  // namespace
 
-Model::Model() = default;
+Model::Model() : pairLaws_(std::make_unique<PairLaws>()) {}
 Model::~Model() = default;
 Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
@@ -39,7 +40,7 @@ void Model::add(Kind kind, std::unique_ptr<Element> element) {
       forces_.push_back(as<ExternalForce>(std::move(element)));
       break;
     case Kind::rule:
-      rules_.push_back(as<ContactRule>(std::move(element)));
+      pairLaws_->add(as<MaterialRule>(std::move(element)));
       break;
     case Kind::observer:
       observers_.push_back(as<Observer>(std::move(element)));

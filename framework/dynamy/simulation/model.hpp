@@ -7,7 +7,6 @@
 /// build() composes (completions), asks every element to describe itself, lays out q and u,
 /// connects. After that it is immutable.
 #pragma once
-#include <dynamy/contact/contact_rule.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/integrator/one_step.hpp>
@@ -20,6 +19,8 @@
 #include <memory>
 
 namespace dynamy {
+
+class PairLaws;
 
 /// A signal with its full name and the element it belongs to.
 struct NamedSignal {
@@ -75,7 +76,9 @@ class Model {
   const std::vector<std::unique_ptr<PartialMechanicalSystem>>& systems() const { return systems_; }
   const std::vector<std::unique_ptr<NonSmoothElement>>& contacts() const { return contacts_; }
   const std::vector<std::unique_ptr<ExternalForce>>& forces() const { return forces_; }
-  const std::vector<std::unique_ptr<ContactRule>>& rules() const { return rules_; }
+  /// Which law two materials get.
+  PairLaws& pairLaws() { return *pairLaws_; }
+  const PairLaws& pairLaws() const { return *pairLaws_; }
   const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
   /// Of systems, then contact elements, then forces.
   const std::vector<Description>& descriptions() const { return descriptions_; }
@@ -112,7 +115,7 @@ class Model {
   std::vector<std::unique_ptr<PartialMechanicalSystem>> systems_;
   std::vector<std::unique_ptr<NonSmoothElement>> contacts_;
   std::vector<std::unique_ptr<ExternalForce>> forces_;
-  std::vector<std::unique_ptr<ContactRule>> rules_;
+  std::unique_ptr<PairLaws> pairLaws_;
   std::vector<std::unique_ptr<Observer>> observers_;
   std::vector<std::unique_ptr<Element>> others_;
   void chooseScheme();
