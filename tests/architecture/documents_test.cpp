@@ -143,6 +143,35 @@ TEST(Documents, EveryModelIsShown) {
   }
 }
 
+TEST(Documents, EveryLawIsComparedWithANumberFromOutside) {
+  const SourceFile& page = sourceFile("doc/laws.md");
+  std::set<std::string> tests;
+  for (const SourceFile* file : filesUnder({"tests/", "plugins/"}, {".cpp"})) {
+    std::string all;
+    for (const std::string& line : file->lines) all += line;
+    for (const std::string& name : matches(all, R"(\bTEST(?:_F|_P)?\((\w+, *\w+)\))"))
+      tests.insert(std::regex_replace(name, std::regex(", *"), "."));
+  }
+  // The tests and models that rows name exist; the first table, a row for each law, names one.
+  std::set<std::string> compared;
+  bool first = true;
+  for (std::size_t i = 0; i < page.lines.size(); ++i) {
+    const std::string& line = page.lines[i];
+    first = first && !line.starts_with("## ");
+    if (!line.starts_with("| `")) continue;
+    const std::vector<std::string> named = matches(line, R"(`(\w+\.\w+)`)"),
+                                   models = matches(line, R"(model `(\w+)`)");
+    const std::string where = place(page, static_cast<int>(i) + 1) + ": ";
+    for (const std::string& test : named) EXPECT_TRUE(tests.contains(test)) << where << test;
+    for (const std::string& model : models)
+      EXPECT_TRUE(exists("models/" + model + ".xml")) << where << model;
+    if (first && named.size() + models.size() > 0) compared.insert(matches(line, "^. `(\\w+)`")[0]);
+  }
+  for (const auto& [law, line] : found(sourceFile("doc/reference/law.md"), "^## (\\w+)"))
+    EXPECT_TRUE(compared.contains(law)) << "doc/laws.md has no row for " << law;
+  EXPECT_GE(compared.size(), 14u);
+}
+
 TEST(Documents, CitedLiteratureIsListed) {
   std::set<std::string> keys;
   std::smatch match;
