@@ -30,12 +30,52 @@ Held* FrozenPhase::find(ContactKey key) {
   return nullptr;
 }
 
+const Held* FrozenPhase::find(HeldKey part) const {
+  for (const Held& h : held)
+    if (h.key == part.key && h.first == part.first) return &h;
+  return nullptr;
+}
+
 void FrozenPhase::keys(std::vector<ContactKey>& out) const {
-  for (const Held& h : held) out.push_back(h.key);
+  for (const Held& h : held)
+    if (h.first == 0) out.push_back(h.key);
   std::sort(out.begin(), out.end());
 }
 
-bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out) {
+namespace {
+
+/// Coefficient of the disc that row `row` of a law of discs belongs to.
+double discSize(const NormalTimesReservoir& law, int dim, int row) {
+  double axis[Held::kMostRows] = {};
+  axis[row - 1] = 1.0;
+  return law.support({.dim = dim, .dt = 1.0}, dim - 1, axis);
+}
+
+}  // namespace
+
+void FrozenPhase::parts(const SetValuedForceLaw& law, int dim,
+                        std::vector<std::array<int, 2>>& out) {
+  out.clear();
+  const NormalTimesReservoir* discs = law.discs();
+  if (discs == nullptr || dim < 2 || dim > Held::kMostRows) {
+    out.push_back({0, dim});
+    return;
+  }
+  // Rows without a coefficient take no force at all.
+  for (int row = 1; row < dim; row = law.groupEnd(row, dim)) {
+    const int end = law.groupEnd(row, dim), first = row == 1 ? 0 : row;
+    const bool any = discSize(*discs, dim, row) > 0.0;
+    if (any || first == 0) out.push_back({first, any ? end - first : 1});
+  }
+}
+
+bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out, int first) {
+  if (const NormalTimesReservoir* discs = law.discs(); discs != nullptr && in.dim > 1) {
+    if (in.dim > Held::kMostRows) return false;
+    out.upper = discSize(*discs, in.dim, std::max(first, 1));
+    out.form = first > 0 ? Form::disc : out.upper > 0.0 ? Form::cone : Form::normal;
+    return true;
+  }
   if (NotchedForce f; law.notched(in, f)) {
     // A slip with the sign of x has the force of that side, which goes on smoothly past x = 0.
     const double x = in.position ? in.position[0] : 0.0;
@@ -97,19 +137,20 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
       return false;
     }
     index_[i] = static_cast<int>(cursor);
-    row0_[i + 1] = row0_[i] + c.dim(index_[i]);
+    row0_[i + 1] = row0_[i] + (held[i].rows > 0 ? held[i].rows : c.dim(index_[i]));
   }
   const int rows = row0_.back();
   W_.setZero(u.size(), rows), MInvW_.resize(u.size(), rows);
-  gamma_.resize(rows), bias_.resize(rows), position_.resize(rows), chi_.resize(c.chi.size());
+  gamma_.resize(rows), bias_.resize(rows), position_.resize(rows);
+  chi_.resize(static_cast<std::size_t>(rows));
   for (std::size_t i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(index_[i]);
     for (int r = 0; r < dim(i); ++r) {
-      const int row = row0_[i] + r;
-      const auto from = static_cast<std::size_t>(c.row0[at] + r);
+      const int row = row0_[i] + r, of = held[i].first + r;
+      const auto from = static_cast<std::size_t>(c.row0[at] + of);
       for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
         const Segment& s = c.segment[static_cast<std::size_t>(k)];
-        const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+        const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(of) * s.nu;
         for (int j = 0; j < s.nu; ++j) W_(s.u0 + j, row) += w[j];
       }
       bias_[row] = c.bias.size() > from ? c.bias[from] : 0.0;
@@ -129,6 +170,7 @@ void FrozenPhase::columns(std::size_t i) {
     P_(row, static_cast<Eigen::Index>(kept_.size())) = 1.0;
     kept_.push_back(row);
   };
+  if (h.first == 0) normal_ = static_cast<Eigen::Index>(kept_.size());
   if (!h.slips) {
     for (int r = 0; r < d; ++r) unknown(first + r);
     return;
@@ -143,15 +185,14 @@ void FrozenPhase::columns(std::size_t i) {
   if (form_[i] == Form::reservoir) {
     double force[Held::kMostRows];
     bounds_[i].set->support({dim(i), 1.0, gamma_.data() + first, nullptr}, k, t, force);
-    for (int r = 0; r < k; ++r)
-      P_(tangent + r, static_cast<Eigen::Index>(kept_.size()) - 1) = -force[r];
+    for (int r = 0; r < k; ++r) P_(tangent + r, normal_) = -force[r];
     return;
   }
   const double length = k > 1 ? ConstVec(t, k).norm() : 1.0;
   for (int r = 0; r < k; ++r) {
     const double e = t[r] / length;
-    if (normal)
-      P_(tangent + r, static_cast<Eigen::Index>(kept_.size()) - 1) = -bounds_[i].upper * e;
+    if (normal || form_[i] == Form::disc)
+      P_(tangent + r, normal_) = -bounds_[i].upper * e;
     else
       p0_[tangent + r] = e > 0.0 ? bounds_[i].lower * e : -bounds_[i].upper * e;
   }
@@ -169,10 +210,11 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
       slip[0] = held[i].sign * kLeastSlip;
     LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
     if (held[i].slips) in.gammaA = slip;
-    if (!fits || !bounds(law, in, bounds_[i])) {
+    const bool whole = held[i].rows == 0 && law.discs() != nullptr && dim(i) > 1;
+    if (!fits || whole || !bounds(law, in, bounds_[i], held[i].first)) {
       ownFault_ = "the smooth phases of <" + law.type() +
-                  "> have no closed form here (a set with edges or without a width, a "
-                  "user's own): give a step and another scheme";
+                  "> have no closed form here (it tells no shape of its set): give a step "
+                  "and another scheme";
       fault_ = ownFault_;
       return false;
     }
@@ -309,7 +351,7 @@ void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
     for (int r = 0; r < dim(i); ++r) {
       const int row = row0_[i] + r;
       const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
-      const RowKind kind = law.rowKind(r);
+      const RowKind kind = law.rowKind(held[i].first + r);
       power_[kind == RowKind::friction ? 1
              : kind == RowKind::normal ? 2
                                        : 3] += lambda_[row] * gamma_[row];

@@ -6,6 +6,7 @@
 ///   joint, sticking or frictionless closed contact     P = S = I
 ///   slip of a cone                                     P = e_N − μ t,  S = e_N,  t = γ_T/|γ_T|
 ///   slip of a reservoir B in several rows              P = e_N − ∇S_B(γ_T),  S = e_N
+///   discs over one λ_N, each of them                   stick: I;  slip: P = −μ_b t beside e_N
 ///   slip of a set of given size                        p₀ = −a t, no unknown
 ///   set on a displacement x: at x = 0; beside it       P = S = I;  p₀ = the force at x
 ///
@@ -20,12 +21,21 @@
 
 namespace dynamy {
 
-/// One contact with its status.
-struct Held {
-  static constexpr int kMostRows = 6;
+/// Which rows of which contact have a status of their own: those from `first` on.
+struct HeldKey {
   ContactKey key;
-  bool slips = false;  ///< of a set on a displacement x: x is off zero, or leaves it
-  double sign = 0.0;   ///< of γ_T, where the slip has one direction; of x
+  int first = 0;
+  bool operator==(const HeldKey& other) const = default;
+};
+
+/// One contact with its status, or a part of one: the first has the normal and sliding, those that
+/// follow roll or spin.
+struct Held {
+  static constexpr int kMostRows = 8;
+  ContactKey key;
+  int first = 0, rows = 0;  ///< of the contact; 0 rows: all
+  bool slips = false;       ///< of a set on a displacement x: x is off zero, or leaves it
+  double sign = 0.0;        ///< of γ_T, where the slip has one direction; of x
   /// In several rows a slip that has just begun has the direction of γ̇_T, by an inclusion on
   /// acceleration level: γ_T is too small to have one (theory 20.6).
   bool starts = false;
@@ -39,13 +49,14 @@ struct Held {
 
 class FrozenPhase {
  public:
-  enum class Form : std::uint8_t { joint, normal, cone, reservoir, given, notch };
+  enum class Form : std::uint8_t { joint, normal, cone, disc, reservoir, given, notch };
 
   /// Joints, then closed contacts and sets of given size, in order of emission.
   std::vector<Held> held;
 
   const Held* find(ContactKey key) const;
   Held* find(ContactKey key);
+  const Held* find(HeldKey part) const;
   /// Sorted keys of all.
   void keys(std::vector<ContactKey>& out) const;
   /// Accelerations from what is evaluated in `e`, with u. False: fault() says why.
@@ -98,15 +109,19 @@ class FrozenPhase {
     Form form = Form::joint;
     double lower = 0.0, upper = 0.0;
     bool idle() const { return form == Form::given && !(upper > lower); }
-    const NormalTimesReservoir* set = nullptr;                                ///< of a reservoir
-    std::array<double, Held::kMostRows - 1> weight{1.0, 1.0, 1.0, 1.0, 1.0};  ///< of rows of slip
+    const NormalTimesReservoir* set = nullptr;  ///< of a reservoir
+    std::array<double, Held::kMostRows - 1> weight{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   };
-  static bool bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out);
+  /// `first`: of the part of a law of discs.
+  static bool bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out, int first = 0);
+  /// The parts of a contact with `dim` rows that have a status of their own: first row and number.
+  static void parts(const SetValuedForceLaw& law, int dim, std::vector<std::array<int, 2>>& out);
 
  private:
   void solve(const Evaluation& e);
   double leastMargin() const;
   double gauge(std::size_t i, const double* x) const;
+  double normalForce(std::size_t i) const;
   double turnStarting();
   bool gather(const Evaluation& e, const Eigen::VectorXd& u);
   void columns(std::size_t i);
@@ -120,6 +135,7 @@ class FrozenPhase {
   Eigen::MatrixXd W_, MInvW_;  // nu × rows
   Eigen::MatrixXd P_;          // rows × unknowns
   std::vector<int> kept_;      // S: the row of each unknown
+  Eigen::Index normal_ = 0;    // unknown of the contact whose parts follow
   Eigen::VectorXd p0_, gamma_, bias_, lambda_, gammaDot_, free_, work_, rhs_, position_, scale_;
   Eigen::MatrixXd A_, MP_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;

@@ -19,12 +19,16 @@ bool FrozenPhase::margin(std::size_t i, double& value) const {
     case Form::joint:
       return false;
     case Form::normal:
-      value = lambda_[first];
+      value = lambda_[first] - b.lower;
       return true;
     case Form::cone:
       value = lambda_[first];
       if (!held[i].slips)
         value = std::min(value, b.upper * value - lambda_.segment(first + 1, d - 1).norm());
+      return true;
+    case Form::disc:
+      if (held[i].slips) return false;
+      value = normalForce(i) - lambda_.segment(first, d).norm() / b.upper;
       return true;
     case Form::reservoir:
       value = lambda_[first];
@@ -39,6 +43,11 @@ bool FrozenPhase::margin(std::size_t i, double& value) const {
       return true;
   }
   return false;
+}
+
+double FrozenPhase::normalForce(std::size_t i) const {
+  while (held[i].first > 0) --i;
+  return lambda_[row0_[i]];
 }
 
 double FrozenPhase::gauge(std::size_t i, const double* x) const {
@@ -101,7 +110,7 @@ bool FrozenPhase::positionCorrection(const Evaluation& e, Eigen::VectorXd& delta
   for (std::size_t i = 0; i < held.size(); ++i) {
     const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
     for (int r = 0; r < dim(i); ++r)
-      if (law.rowKind(r) != RowKind::friction || inNotch(law, dim(i), held[i]))
+      if (law.rowKind(held[i].first + r) != RowKind::friction || inNotch(law, dim(i), held[i]))
         kept_.push_back(row0_[i] + r);
   }
   rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
@@ -117,7 +126,8 @@ bool FrozenPhase::velocityCorrection(const Evaluation& e, const Eigen::VectorXd&
   for (std::size_t i = 0; i < held.size(); ++i) {
     const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
     for (int r = 0; r < dim(i); ++r)
-      if (!held[i].slips || law.rowKind(r) == RowKind::normal) kept_.push_back(row0_[i] + r);
+      if (!held[i].slips || law.rowKind(held[i].first + r) == RowKind::normal)
+        kept_.push_back(row0_[i] + r);
   }
   rhs_.resize(static_cast<Eigen::Index>(kept_.size()));
   for (std::size_t k = 0; k < kept_.size(); ++k)

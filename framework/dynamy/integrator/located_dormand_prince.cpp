@@ -78,7 +78,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
 // ---- events ------------------------------------------------------------------------------------
 
 bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
-                                 StepReport& report, const std::vector<ContactKey>& stopped) {
+                                 StepReport& report, const std::vector<HeldKey>& stopped) {
   const double unit = plain_ ? norm_.time() : lookAhead_ * H_;
   const SwitchEvent::Result r =
       event_.process(s, solver, probe_, phase_, p, smooth_, unit, stopped);
@@ -107,7 +107,8 @@ void LocatedDormandPrince::release(const Switch& w) {
   if (!plain_ || !w || !w.force) return;
   const ContactKey key = search_.contact(phase_, w);
   for (std::size_t i = 0; i < phase_.held.size(); ++i)
-    if (const Held& h = phase_.held[i]; h.key == key && !h.slips && phase_.slipRows(i) == 1)
+    if (const Held& h = phase_.held[i];
+        h.key == key && h.first == 0 && !h.slips && phase_.slipRows(i) == 1)
       event_.release(key, phase_.lambda()[phase_.slip0(i)] > 0.0 ? -1.0 : 1.0);
 }
 

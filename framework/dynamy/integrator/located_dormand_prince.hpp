@@ -43,7 +43,7 @@ class LocatedDormandPrince : public OneStep {
  private:
   struct Impulse {
     ContactKey key;
-    int row, dim;
+    int first, row, dim;
   };
   enum class Tried : std::uint8_t { accepted, rejected, turned, located, again, failed };
   bool restore(MechanicalSystem& s, const State& x);
@@ -64,7 +64,7 @@ class LocatedDormandPrince : public OneStep {
   double steppedWork(const MechanicalSystem& s, double evaluations, double newton) const;
   bool evaluateEnd(MechanicalSystem& s, PhasePoint& p);
   bool event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report,
-             const std::vector<ContactKey>& stopped);
+             const std::vector<HeldKey>& stopped);
   bool enter(MechanicalSystem& s, InclusionSolver& solver, const State& x, StepReport& report);
   bool goOn(MechanicalSystem& s, InclusionSolver& solver, double most, StepReport& report,
             bool& done);
@@ -110,7 +110,8 @@ class LocatedDormandPrince : public OneStep {
   SwitchSearch search_;
   SwitchEvent event_;
   PhasePoint from_, to_, trial_, stepFrom_, stepTo_;
-  std::vector<ContactKey> phaseKeys_, stepPhaseKeys_, stopping_;
+  std::vector<ContactKey> phaseKeys_, stepPhaseKeys_;
+  std::vector<HeldKey> stopping_;
   std::vector<Impulse> stepKeys_;
   std::vector<Held> startHeld_;  // at the start of the step
   std::vector<Percussion> told_;

@@ -8,9 +8,9 @@ namespace {
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
 /// there, whether steps are implicit and what speaks for the other kind (five numbers), number of
 /// held contacts; what the governor keeps; then for each element, number, slip, sign, end of
-/// muting, whether the slip starts, what it has turned, weight, direction, λ.
+/// muting, whether the slip starts, what it has turned, weight, first row and rows, direction, λ.
 constexpr int kDirection = Held::kMostRows - 1;
-constexpr int kPerHeld = 8 + kDirection + Held::kMostRows;
+constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
 
 }  // namespace
 
@@ -40,8 +40,9 @@ void LocatedDormandPrince::store(State& x) {
     out[2] = h.slips ? 1.0 : 0.0, out[3] = h.sign, out[4] = h.mutedUntil;
     out[5] = h.starts ? 1.0 : 0.0, out[6] = h.turned;
     out[7] = h.weight;
-    std::copy(h.direction.begin(), h.direction.end(), out + 8);
-    std::copy(h.lambda.begin(), h.lambda.end(), out + 8 + kDirection);
+    out[8] = h.first, out[9] = h.rows;
+    std::copy(h.direction.begin(), h.direction.end(), out + kFixed);
+    std::copy(h.lambda.begin(), h.lambda.end(), out + kFixed + kDirection);
   }
   stored_ = x.scheme;
 }
@@ -66,8 +67,9 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
     h.key = contactKey(static_cast<int>(in[0]), static_cast<std::uint64_t>(in[1]));
     h.slips = in[2] != 0.0, h.sign = in[3], h.mutedUntil = in[4];
     h.starts = in[5] != 0.0, h.turned = in[6], h.weight = in[7];
-    std::copy(in + 8, in + 8 + kDirection, h.direction.begin());
-    std::copy(in + 8 + kDirection, in + kPerHeld, h.lambda.begin());
+    h.first = static_cast<int>(in[8]), h.rows = static_cast<int>(in[9]);
+    std::copy(in + kFixed, in + kFixed + kDirection, h.direction.begin());
+    std::copy(in + kFixed + kDirection, in + kPerHeld, h.lambda.begin());
   }
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
@@ -78,7 +80,7 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
 void LocatedDormandPrince::keepImpulses() {
   stepKeys_.clear();
   for (std::size_t i = 0; i < phase_.held.size(); ++i)
-    stepKeys_.push_back({phase_.held[i].key, phase_.row0(i), phase_.dim(i)});
+    stepKeys_.push_back({phase_.held[i].key, phase_.held[i].first, phase_.row0(i), phase_.dim(i)});
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += smooth_.works()[k];
 }
 
@@ -88,7 +90,10 @@ Status LocatedDormandPrince::status(std::size_t i) const {
   if (form == FrozenPhase::Form::notch)
     return !phase_.held[i].slips ? Status::locked
                                  : (phase_.held[i].sign > 0.0 ? Status::lower : Status::upper);
-  return phase_.held[i].slips || form == FrozenPhase::Form::normal ? Status::slip : Status::stick;
+  bool slips = phase_.held[i].slips || form == FrozenPhase::Form::normal;
+  for (std::size_t k = i + 1; k < phase_.held.size() && phase_.held[k].first > 0; ++k)
+    slips = slips || phase_.held[k].slips;
+  return slips ? Status::slip : Status::stick;
 }
 
 void LocatedDormandPrince::keepPercussions(double t) {
@@ -98,7 +103,7 @@ void LocatedDormandPrince::keepPercussions(double t) {
     if (!q.unilateral || !(-q.gammaMinus[0] > floor && q.Lambda[0] > 0.0)) continue;
     Status after = Status::open;
     for (std::size_t i = 0; i < phase_.held.size(); ++i)
-      if (phase_.held[i].key == q.key) after = status(i);
+      if (phase_.held[i].key == q.key && phase_.held[i].first == 0) after = status(i);
     impacts_.push_back({q.key, t, after, -q.gammaMinus[0], q.Lambda[0]});
   }
 }
@@ -119,7 +124,7 @@ void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& repor
     const int first = c.row0[at];
     for (const Impulse& m : stepKeys_)
       for (int r = 0; m.key == c.key[at] && r < m.dim; ++r)
-        Lambda[first + r] += impulse_[m.row + r];
+        Lambda[first + m.first + r] += impulse_[m.row + r];
     for (const Percussion& q : told_)
       for (int r = 0; q.key == c.key[at] && r < q.dim; ++r) {
         const auto k = static_cast<std::size_t>(r);
@@ -130,7 +135,7 @@ void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& repor
   p.gammaFree = p.gammaA;
   statuses_.clear();
   for (std::size_t i = 0; i < phase_.held.size(); ++i)
-    statuses_.push_back({phase_.held[i].key, status(i)});
+    if (phase_.held[i].first == 0) statuses_.push_back({phase_.held[i].key, status(i)});
   report.ownStatuses = true, report.statuses = statuses_, report.impacts = impacts_;
   x.impulses = {};
   report.contacts = c.size();

@@ -36,13 +36,16 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
     if (!(along < 0.0)) continue;
     const double T = -v * v / along, path = 0.5 * v * T, tol = norm_.tolerance();
     const double sine = std::max(0.0, 1.0 - along * along / (v * v * rate));
-    if (path > tol * norm_.length() || T * sine > 10.0 * tol * norm_.time() || T > most) {
+    // The moment of a part may turn bodies: its way is one of angles.
+    const double most1 =
+        phase_.form(i) == FrozenPhase::Form::disc ? std::min(1.0, norm_.length()) : norm_.length();
+    if (path > tol * most1 || T * sine > 10.0 * tol * norm_.time() || T > most) {
       bound = std::min(bound, kShareOfStop * T);
       continue;
     }
     if (plain_)
       return refuse("slip in space ends, and its speed has no sign whose change could be found");
-    stopping_.push_back(h.key);
+    stopping_.push_back({h.key, h.first});
     lastSwitched_ = h.key;
     last = std::max(last, T);
   }
@@ -62,15 +65,25 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
   const std::size_t told = told_.size(), struck = impacts_.size();
   const std::array<double, 5> works = works_;
   if (!event(s, solver, from_, report, stopping_)) return false;
-  stopped = std::all_of(stopping_.begin(), stopping_.end(), [&](ContactKey key) {
-    const Held* after = phase_.find(key);
+  stopped = std::all_of(stopping_.begin(), stopping_.end(), [&](HeldKey part) {
+    const Held* after = phase_.find(part);
     return after == nullptr || !after->slips;
   });
-  if (stopped) return true;
+  if (stopped) {
+    // Forces are constant over it, powers of slips fall to zero.
+    stepKeys_.clear();
+    impulse_ = last * trial_.lambda;
+    for (std::size_t i = 0; i < oldPhase_.held.size(); ++i)
+      stepKeys_.push_back(
+          {oldPhase_.held[i].key, oldPhase_.held[i].first, oldPhase_.row0(i), oldPhase_.dim(i)});
+    for (std::size_t k = 0; k < works_.size(); ++k)
+      works_[k] += 0.5 * last * (trial_.power[k] + from_.power[k]);
+    return true;
+  }
   from_ = trial_, phase_ = oldPhase_;  // they slip on: not a stop
   told_.resize(told), impacts_.resize(struck), works_ = works;
   for (Held& h : phase_.held)
-    if (std::find(stopping_.begin(), stopping_.end(), h.key) != stopping_.end())
+    if (std::find(stopping_.begin(), stopping_.end(), HeldKey{h.key, h.first}) != stopping_.end())
       h.mutedUntil = from_.x.t + 2.0 * last;
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);

@@ -5,23 +5,14 @@
 namespace dynamy {
 namespace {
 
-constexpr double kTouch = 1e-10;   ///< gaps up to this part of L take part in an impact
-constexpr double kRest = 1e-10;    ///< speeds below this part of U rest
-constexpr double kDecided = 1e-8;  ///< of the velocities a decision asks for: zero
-constexpr double kClear = 1e3;     ///< a slip enters a decision with this multiple of them at least
+constexpr double kTouch = 1e-10;  ///< gaps up to this part of L take part in an impact
+constexpr double kRest = 1e-10;   ///< speeds below this part of U rest
 constexpr int kMostTurns = 12;
 constexpr int kMostOffered = 16;  ///< rows of a contact, of laws that are refused too
 constexpr double kTau = 1e-9;     ///< a displacement δ is a velocity δ/τ for the time τ
 
 bool has(const std::vector<ContactKey>& keys, ContactKey key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-/// |γ_T| of a contact with relative velocities `gamma`, tangents from row `tangent` on.
-double speedOf(const SetValuedForceLaw& law, int dim, const double* gamma, int tangent) {
-  FrozenPhase::Bounds b;
-  FrozenPhase::bounds(law, {.dim = dim, .dt = 1.0}, b);  // weights are 1 where it has none
-  return slipSpeed(b, std::min(dim, Held::kMostRows) - tangent, gamma + tangent);
 }
 
 }  // namespace
@@ -70,7 +61,7 @@ void SwitchEvent::projectVelocities(MechanicalSystem& s, FrozenPhase& phase, Sta
 SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver,
                                          ContactProbe& probe, FrozenPhase& phase, PhasePoint& p,
                                          const SmoothStep& smooth, double lookAhead,
-                                         const std::vector<ContactKey>& stopped) {
+                                         const std::vector<HeldKey>& stopped) {
   Result r;
   percussions_.clear(), plastic_.clear(), shut_.clear(), works_ = {};
   State& x = p.x;
@@ -109,7 +100,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   r.changed = next_.held.size() != phase.held.size();
   for (std::size_t i = 0; i < next_.held.size() && !r.changed; ++i) {
     const Held &a = next_.held[i], &b = phase.held[i];
-    r.changed = a.key != b.key || a.slips != b.slips || a.sign != b.sign;
+    r.changed = a.key != b.key || a.first != b.first || a.slips != b.slips || a.sign != b.sign;
   }
   phase = next_;
   return r;
@@ -118,9 +109,9 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
 bool SwitchEvent::accelerateAlone(MechanicalSystem& s, PhasePoint& p) {
   // Elements may place contacts by others that are closed with them, and those that have left are
   // no more: the phase begins with the field that it goes on with.
-  if (next_.held.size() == keys_.size()) return true;
   closing_.clear();
   next_.keys(closing_);
+  if (closing_.size() == keys_.size()) return true;
   s.freeze(closing_);
   s.evaluate(p.x, 1);
   return next_.accelerate(s.slot(1), p.x.u, p.a);
@@ -187,161 +178,21 @@ void SwitchEvent::shut(MechanicalSystem& s, State& x) {
   for (std::size_t i = 0; i < c.key.size(); ++i) {
     const bool unilateral = c.law[i]->unilateral();
     if (unilateral && !has(shut_, c.key[i]) && gamma_[c.row0[i]] > leaves_) continue;
-    shutPhase_.held.push_back({});
-    shutPhase_.held.back().key = c.key[i];
     // What sticks goes on sticking.
-    double slip = 0.0;
-    const int tangent = unilateral ? 1 : 0;
-    for (int k = tangent; k < c.dim(static_cast<int>(i)); ++k)
-      slip = std::max(slip, std::abs(gamma_[c.row0[i] + k]));
-    shutPhase_.held.back().slips = !holds(c.law[i]->rowKind(0)) && slip > kSlip * norm_->speed();
-    if (const double at = side(c, i, gamma_.data() + c.row0[i]); at != 0.0)
-      shutPhase_.held.back().slips = !has(shut_, c.key[i]);
+    const int dim = c.dim(static_cast<int>(i));
+    FrozenPhase::parts(*c.law[i], dim, parts_);
+    for (const auto& [first, rows] : parts_) {
+      double slip = 0.0;
+      for (int k = unilateral && first == 0 ? 1 : first; k < first + rows; ++k)
+        slip = std::max(slip, std::abs(gamma_[c.row0[i] + k]));
+      Held h;
+      h.key = c.key[i], h.first = first, h.rows = rows;
+      h.slips = !holds(c.law[i]->rowKind(0)) && slip > kSlip * norm_->speed();
+      if (side(c, i, gamma_.data() + c.row0[i]) != 0.0) h.slips = !has(shut_, c.key[i]);
+      shutPhase_.held.push_back(h);
+    }
   }
   projectVelocities(s, shutPhase_, x);
-}
-
-void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
-  const ContactSet& c = s.slot(0).contacts;
-  gamma_.resize(c.rows());
-  c.gamma(view(x.u), view(gamma_));
-  closing_.clear();
-  gammaBefore_.resize(gamma_.size());
-  Eigen::Index rows = 0;
-  for (std::size_t i = 0; i < c.key.size(); ++i) {
-    const int first = c.row0[i], d = c.dim(static_cast<int>(i));
-    if (c.law[i]->unilateral() && gamma_[first] > leaves_) continue;
-    closing_.push_back(c.key[i]);
-    gammaBefore_.segment(rows, d) = gamma_.segment(first, d);
-    if (const double at = side(c, i, gamma_.data() + first); at != 0.0)
-      gammaBefore_[rows] = at * norm_->speed();
-    rows += d;
-  }
-  gammaBefore_.conservativeResize(rows);
-  std::sort(closing_.begin(), closing_.end());
-}
-
-void SwitchEvent::accelerationLevel(InclusionProblem& p, double unit) {
-  // γ̇ = Wᵀu̇ + w̄ in units of time, and the slip that a bound has let go.
-  const ContactSet& c = *p.contacts;
-  for (std::size_t k = 0; k < p.gammaFree.size() && k < c.bias.size(); ++k)
-    p.gammaFree[k] += unit * c.bias[k];
-  for (int i = 0; i < p.size() && direction_ != 0.0; ++i) {
-    if (c.key[static_cast<std::size_t>(i)] != released_) continue;
-    const int t = p.law(i).rowKind(0) == RowKind::normal ? 1 : 0;
-    gammaBefore_[p.row0(i) + t] = 2.0 * kSlip * norm_->speed() * direction_;
-  }
-}
-
-double SwitchEvent::pose(InclusionProblem& p, bool jumped, const std::vector<ContactKey>& stopped) {
-  // Resting rows lose their residual; slips keep their direction and are made clear. After a jump
-  // the turn of the rows is that of W over h_s, else h_s w̄ at its end.
-  const double slipSpeed = kSlip * norm_->speed();
-  std::vector<double>& c = p.gammaFree;
-  double asked = 0.0;
-  slips_.assign(static_cast<std::size_t>(p.size()), 0);
-  const auto tangent = [&](int i) { return p.law(i).rowKind(0) == RowKind::normal ? 1 : 0; };
-  for (int i = 0; i < p.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const int first = p.row0(i), d = p.dim(i), t = tangent(i);
-    const bool joint = holds(p.law(i).rowKind(0));
-    const double speed =
-        joint || t == d ? 0.0 : speedOf(p.law(i), d, gammaBefore_.data() + first, t);
-    slips_[at] = speed > slipSpeed && !has(stopped, p.contacts->key[at]) ? 1 : 0;
-    for (int k = 0; k < d; ++k) {
-      const auto row = static_cast<std::size_t>(first + k);
-      c[row] -= jumped ? gammaBefore_[first + k] : p.gammaA[row] - p.dt * p.contacts->bias[row];
-      p.gammaA[row] = slips_[at] && k >= t ? gammaBefore_[first + k] : 0.0;
-      if (slips_[at] && k >= t) continue;
-      asked = std::max(asked, std::abs(c[row]));
-    }
-  }
-  if (!(asked > 0.0)) asked = 1e-12 * norm_->speed();
-  for (int i = 0; i < p.size(); ++i) {
-    if (!slips_[static_cast<std::size_t>(i)]) continue;
-    const int t = tangent(i), d = p.dim(i) - t;
-    Eigen::Map<Eigen::VectorXd> slip(c.data() + p.row0(i) + t, d);
-    slip = gammaBefore_.segment(p.row0(i) + t, d);
-    const double speed = speedOf(p.law(i), p.dim(i), gammaBefore_.data() + p.row0(i), t);
-    slip *= std::max(1.0, kClear * asked / speed);
-  }
-  p.c = c;
-  p.uRef = asked;
-  return asked;
-}
-
-void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const State& x,
-                         double lookAhead, const FrozenPhase& old,
-                         const std::vector<ContactKey>& stopped, FrozenPhase& phase, Result& r) {
-  chooseClosed(s, x);
-  phase.held.clear();
-  if (closing_.empty()) return;
-  look_ = x;
-  look_.impulses = {};
-  if (!plain_) s.move(look_, x.u, lookAhead);
-  // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
-  const bool jumped = plain_ || !percussions_.empty() || !shut_.empty();
-  if (!jumped) look_.u += lookAhead * aBefore_;
-  s.freeze(closing_);
-  s.evaluate(look_, 1);
-  look_.u = x.u;
-  InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);
-  if (p.rows() != gammaBefore_.size()) {
-    r.fault = ContactProbe::kUnfollowed;
-    return;
-  }
-  holdNotches(s.contactsOf(1));
-  if (plain_) accelerationLevel(p, lookAhead);
-  pose(p, jumped, stopped);
-  Vec Lambda = s.Lambda();
-  Lambda.setZero();
-  const SolveReport solved = solver.solve(p, Lambda);
-  if (!solved.ok()) r.undecided = true, r.solved = solved;
-  // ξ = GΛ + c, contact by contact.
-  xi_.resize(gammaBefore_.size());
-  p.G->begin(Lambda.data());
-  for (int i = 0; i < p.size(); ++i) p.G->row(i, Lambda.data(), xi_.data() + p.row0(i));
-  for (Eigen::Index k = 0; k < xi_.size(); ++k) xi_[k] += p.c[static_cast<std::size_t>(k)];
-  for (int i = 0; i < p.size(); ++i)
-    readStatus(p, view(std::as_const(Lambda)), i,
-               slips_[static_cast<std::size_t>(i)] ? gammaBefore_.data() + p.row0(i) : nullptr,
-               lookAhead, old, phase);
-}
-
-void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, int i, const double* slip,
-                             double lookAhead, const FrozenPhase& old, FrozenPhase& phase) {
-  const SetValuedForceLaw& law = p.law(i);
-  const int first = p.row0(i), d = p.dim(i);
-  const double asked = p.uRef, G = p.G->diagonalBlock(i)[0];
-  const bool normal = law.rowKind(0) == RowKind::normal;
-  // Closed: the percussion is worth more than what the contact leaves with.
-  if (normal && !(G * Lambda[first] > std::max(xi_[first], kDecided * asked))) return;
-  Held h;
-  h.key = p.contacts->key[static_cast<std::size_t>(i)];
-  for (int k = 0; k < d && k < Held::kMostRows; ++k)
-    h.lambda[static_cast<std::size_t>(k)] = Lambda[first + k] / lookAhead;
-  if (normal && d > 1) h.weight = Lambda[first] / lookAhead;
-  if (const Held* before = old.find(h.key)) h.mutedUntil = before->mutedUntil;
-  const int tangent = normal ? 1 : 0;
-  if (!holds(law.rowKind(0)) && d > tangent) {
-    FrozenPhase::Bounds set;
-    const bool idle = FrozenPhase::bounds(law, p.input(i), set) && set.idle();
-    h.slips =
-        slip != nullptr || idle || speedOf(law, d, xi_.data() + first, tangent) > kDecided * asked;
-    const double* direction = slip ? slip + tangent : xi_.data() + first + tangent;
-    if (h.slips) h.sign = direction[0] < 0.0 ? -1.0 : 1.0;
-    if (h.slips && d - tangent > 1) {
-      const double length = speedOf(law, d, direction - tangent, tangent);
-      for (int k = 0; length > 0.0 && k < d - tangent && k < Held::kMostRows - 1; ++k)
-        h.direction[static_cast<std::size_t>(k)] = direction[k] / length;
-      // A slip that goes on starting keeps what it has turned; an impact is none's beginning.
-      const Held* before = old.find(h.key);
-      const bool goesOn = before != nullptr && before->starts && percussions_.empty();
-      h.starts = slip == nullptr || goesOn;
-      if (slip != nullptr && h.starts) h.turned = before->turned, h.direction = before->direction;
-    }
-  }
-  phase.held.push_back(h);
 }
 
 double SwitchEvent::closing(const ContactSet& c, std::size_t i, const Eigen::VectorXd& a) const {

@@ -74,11 +74,11 @@ class SwitchEvent {
   /// its one tangent with the sign of `direction`; 0: none is let go.
   void release(ContactKey key, double direction) { released_ = key, direction_ = direction; }
   /// At x: changes x, `phase` and p (accelerations under the new status). `lookAhead`: h_s;
-  /// `stopped`: contacts whose slip ends here whatever is left of it. Slot 0 is left evaluated at x
+  /// `stopped`: parts whose slip ends here whatever is left of it. Slot 0 is left evaluated at x
   /// with all contacts that took part.
   Result process(MechanicalSystem& s, InclusionSolver& solver, ContactProbe& probe,
                  FrozenPhase& phase, PhasePoint& p, const SmoothStep& smooth, double lookAhead,
-                 const std::vector<ContactKey>& stopped);
+                 const std::vector<HeldKey>& stopped);
   /// Those of the last process().
   const std::vector<Percussion>& percussions() const { return percussions_; }
   const std::array<double, 5>& works() const { return works_; }
@@ -98,12 +98,23 @@ class SwitchEvent {
   void shut(MechanicalSystem& s, State& x);
   void chooseClosed(MechanicalSystem& s, const State& x);
   void accelerationLevel(InclusionProblem& p, double unit);
-  double pose(InclusionProblem& p, bool jumped, const std::vector<ContactKey>& stopped);
+  double pose(InclusionProblem& p, bool jumped, const std::vector<HeldKey>& stopped);
   void decide(MechanicalSystem& s, InclusionSolver& solver, const State& x, double lookAhead,
-              const FrozenPhase& old, const std::vector<ContactKey>& stopped, FrozenPhase& phase,
+              const FrozenPhase& old, const std::vector<HeldKey>& stopped, FrozenPhase& phase,
               Result& r);
-  void readStatus(const InclusionProblem& p, ConstVec Lambda, int i, const double* slip,
-                  double lookAhead, const FrozenPhase& old, FrozenPhase& phase);
+  void readStatus(const InclusionProblem& p, ConstVec Lambda, double lookAhead,
+                  const FrozenPhase& old, FrozenPhase& phase);
+  /// Rows of a contact of a decision that have a status of their own.
+  struct Block {
+    int contact, first, rows;  // of the contact
+    int row, slip, slipRows;   // of the problem; those of slip
+    bool slips = false;
+  };
+  Held status(const InclusionProblem& p, ConstVec Lambda, const Block& b, double lookAhead,
+              const FrozenPhase& old) const;
+  void findBlocks(const InclusionProblem& p);
+  /// Speed of slip of a block, `gamma` those of all rows.
+  static double speedOf(const InclusionProblem& p, const Block& b, const Eigen::VectorXd& gamma);
   bool staysClosed(const MechanicalSystem& s, const FrozenPhase& phase, const PhasePoint& p,
                    Result& r);
   double closing(const ContactSet& c, std::size_t i, const Eigen::VectorXd& a) const;
@@ -122,7 +133,8 @@ class SwitchEvent {
   ContactKey released_;
   double direction_ = 0.0;
   double leaves_ = 0.0;  // speed above which a contact leaves [m/s]
-  std::vector<char> slips_;
+  std::vector<Block> blocks_;
+  std::vector<std::array<int, 2>> parts_;
   State look_;
   FrozenPhase next_, shutPhase_;
 };

@@ -33,7 +33,7 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
     const FrozenPhase::Form form = phase.form(i);
     double margin = 0.0;
     const bool muted = h.mutedUntil > x.t;
-    const int row = phase.slip0(i) - phase.row0(i);
+    const int row = h.first + phase.slip0(i) - phase.row0(i);
     if (h.slips && form == FrozenPhase::Form::notch)
       kinematic_.push_back({Watched::gap, probe.find(h.key), 0, h.sign, false, h.key});
     else if (h.slips && phase.slipRows(i) == 1 && !muted && !phase.idle(i))
