@@ -1,6 +1,5 @@
 /// How far a round body is from a point along the directions of an arc, and where it is furthest.
 #pragma once
-#include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/disc_body.hpp>
 #include <numbers>
@@ -8,7 +7,7 @@
 namespace dynamy {
 
 /// f(θ) = −h_B(−n) − n·o on n = cos θ n_0 + sin θ m: the directions across an edge, or across the
-/// axis of another body. f'' + f ≤ 0 but where n is across B's axis or along it.
+/// axis of another body. f'' + f ≤ 0 but where n is across B's side or along its axis.
 struct DiscArc {
   const DiscBody& B;
   Vec3 n0, m;  ///< unit, m ⟂ n_0
@@ -23,12 +22,25 @@ struct DiscArc {
     const double u = n0.dot(B.a), w = m.dot(B.a);
     double places[6] = {0.0};
     int pieces = 1;
-    for (const double kink : {std::atan2(-u, w), std::atan2(w, u)})
-      for (int turn = -1; turn < 3; ++turn) {
-        const double at = kink + turn * std::numbers::pi;
-        if (at > 0.0 && at < end && pieces < 5) places[pieces++] = at;
+    const auto kinks = [&](double first, double period) {
+      for (int turn = -2; turn < 3; ++turn) {
+        const double at = first + turn * period;
+        if (!(at > 0.0 && at < end && pieces < 5)) continue;
+        // In ascending order.
+        int k = pieces++;
+        for (; k > 1 && places[k - 1] > at; --k) places[k] = places[k - 1];
+        places[k] = at;
       }
-    std::sort(places, places + pieces);
+    };
+    const double pi = std::numbers::pi, axis = std::atan2(w, u), most = std::hypot(u, w);
+    kinks(axis, pi);
+    if (!B.tip) {
+      kinks(std::atan2(-u, w), pi);
+    } else if (most > B.sine()) {
+      // −n is normal to the side of a cone: n·a = −sin β.
+      const double side = std::acos(-B.sine() / most);
+      kinks(axis + side, 2.0 * pi), kinks(axis - side, 2.0 * pi);
+    }
     places[pieces] = end;
     for (int p = 0; p < pieces; ++p) {
       if (p > 0) take(n(places[p]), f(n(places[p])));
@@ -43,14 +55,22 @@ struct DiscArc {
   /// Beside the ends of a piece slopes are taken [rad].
   static constexpr double kBeside = 1e-9;
 
+  /// Of B's outermost rim along −v, its height times `u`.
+  double up(int rim, double u) const {
+    if (B.tip) return (rim == 1 ? -B.half : B.half) * u;
+    return B.half * std::abs(u);
+  }
   double f(const Vec3& v) const {
-    return v.dot(way) - B.half * std::abs(v.dot(B.a)) - B.rho * B.acrossAxis(v).norm() - B.r;
+    const int rim = B.rimAlong(-v);
+    return v.dot(way) - up(rim, v.dot(B.a)) - B.radius(rim) * B.acrossAxis(v).norm() - B.r;
   }
   double slope(double angle) const {
     const Vec3 v = n(angle), w = -std::sin(angle) * n0 + std::cos(angle) * m;
     const double u = v.dot(B.a), du = w.dot(B.a), s = B.acrossAxis(v).norm();
-    const double rim = s > 0.0 ? B.rho * u * du / s : 0.0;
-    return w.dot(way) - std::copysign(B.half, u) * du + rim;
+    const int which = B.rimAlong(-v);
+    const double rim = s > 0.0 ? B.radius(which) * u * du / s : 0.0;
+    const double height = B.tip ? up(which, 1.0) : std::copysign(B.half, u);
+    return w.dot(way) - height * du + rim;
   }
   /// Where the slope falls through zero between l and r; −1: nowhere.
   double top(double l, double r) const {

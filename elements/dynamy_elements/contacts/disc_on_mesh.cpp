@@ -1,3 +1,4 @@
+#include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/disc_arc.hpp>
 #include <dynamy_elements/contacts/disc_on_mesh.hpp>
 
@@ -68,7 +69,7 @@ class OverMesh {
     const DiscBody::Part part = B_.part(d);
     const int facing = B_.rimAlong(d);
     for (int rim = 0; rim < B_.rims(); ++rim) {
-      if ((part != DiscBody::Part::side && rim != facing) || !B_.touches(d)) continue;
+      if ((part != DiscBody::Part::side && rim != facing) || !B_.touches(d, rim)) continue;
       ContactPoint at;
       on.contact(*B_.frame, B_.c, at);
       wander(B_, rim, at);
@@ -94,6 +95,7 @@ class OverMesh {
     const double z = way.dot(B_.a), side = z < 0.0 ? -1.0 : 1.0;
     const double out = B_.acrossAxis(way).norm();
     const int id = 10 * faces() + i;
+    if (B_.tip) return cornerOnCone(id, i, v);
     const bool above = std::abs(z) > B_.half;
     // Over a cap, or inside and nearest to it.
     if (out <= B_.rho && (above || std::abs(z) - B_.half > out - B_.rho)) {
@@ -106,6 +108,13 @@ class OverMesh {
     } else if (above) {
       fromB(id, i, pointOnCurve(B_.rim(z > 0.0 ? B_.rims() - 1 : 0, way), A_, v, 0.0, way));
     }
+  }
+
+  /// What of a cone is nearest to a corner: side, base, rim; a tip meets edges and faces.
+  void cornerOnCone(int id, int number, const Vec3& v) {
+    RoundFeature point;
+    point.c_K = inA(v);
+    fromB(id, number, ballOnCone(B_, A_, point));
   }
 
   void edge(int i) {
@@ -124,7 +133,19 @@ class OverMesh {
       return near(at.g) && mesh_.inWedge(i, A_.A_IK.transpose() * at.d[0]);
     };
     const int ofSide = 10 * faces() + mesh_.corners(), ofRims = ofSide + mesh_.edges() + 4 * i;
-    if (B_.half > 0.0) {
+    if (B_.tip) {
+      double s = 0.0, along = 0.0;
+      ContactPoint at;
+      // Both lines of the side that look across the edge.
+      for (const Vec3& towards : {Vec3(-m), m})
+        if (lineOnSide(B_, A_, line.x, line.t, towards, s, along, at) && std::abs(along) <= half &&
+            s >= 0.0 && s <= B_.slant() && counts(at))
+          take(ofSide + i, at);
+      if (std::abs(line.t.dot(B_.middle(1) - line.x)) <= half) {
+        at = pointOnCurve(line, *B_.frame, B_.middle(1), 0.0, m);
+        if (B_.fromSide(-at.d[0]) >= 0.0 && counts(at)) take(ofRims + 2, at);
+      }
+    } else if (B_.half > 0.0) {
       BodyCurve own = line, axis = B_.axis();
       if (toClosest(own, axis) && on(own) && std::abs(B_.a.dot(axis.x - B_.c)) <= B_.half)
         if (const ContactPoint at = curveOnCurve(own, axis, m); counts(at)) take(ofSide + i, at);
@@ -137,11 +158,11 @@ class OverMesh {
       // Out of the rim: away from the axis, and from the other rim.
       const Vec3 d = -c.d[0];
       const bool out = d.dot(at.x - at.c) >= 0.0 &&
-                       (B_.half == 0.0 || d.dot(B_.a) * (rim == 1 ? 1.0 : -1.0) >= 0.0);
+                       (B_.half == 0.0 || B_.fromSide(d) * (rim == 1 ? 1.0 : -1.0) >= 0.0);
       if (out && counts(c)) take(ofRims + 2 * rim + (line.t.dot(at.x - at.c) > 0.0 ? 1 : 0), c);
     };
     // Where it passes under a cap, and where B is furthest among the normals of the edge.
-    for (int rim = 0; rim < B_.rims(); ++rim) {
+    for (int rim = 0; rim < (B_.tip ? 1 : B_.rims()); ++rim) {
       BodyCurve crossing[2];
       const int n = B_.crossings(rim, line.x, line.t, m, crossing);
       for (int k = 0; k < n; ++k) onRim(rim, crossing[k]);
@@ -153,7 +174,7 @@ class OverMesh {
     const DiscArc arc{B_, n0, across, B_.c - line.x};
     arc.tops(std::atan2(across.dot(nE), n0.dot(nE)), [&](const Vec3& n, double) {
       const int rim = B_.rimAlong(-n);
-      if (B_.touches(n)) onRim(rim, B_.rim(rim, -n));
+      if (B_.radius(rim) > 0.0 && B_.touches(n)) onRim(rim, B_.rim(rim, -n));
     });
   }
 

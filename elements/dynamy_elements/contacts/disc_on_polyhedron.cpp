@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/disc_arc.hpp>
 #include <dynamy_elements/contacts/disc_on_polyhedron.hpp>
+#include <dynamy_elements/contacts/segments.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -80,12 +82,10 @@ void Search::corner(int i, double least) {
   const double z = way.dot(B_.a);
   const Vec3 beside = way - z * B_.a;
   const double out = beside.norm();
-  // The nearest point of the discs and what is between them.
-  const Vec3 nearest =
-      B_.c + std::clamp(z, -B_.half, B_.half) * B_.a + (out > B_.rho ? B_.rho / out : 1.0) * beside;
-  Vec3 d = nearest - v;
+  Vec3 d = B_.nearest(v) - v;
   // Inside, the side counts.
-  if (std::abs(z) < B_.half && out <= B_.rho) d = -beside;
+  if (std::abs(z) < B_.half && out <= B_.radiusAt(z))
+    d = -(out > 0.0 ? Vec3(B_.cosine() / out * beside) : B_.x) - B_.sine() * B_.a;
   if (!(d.norm() > 0.0)) return;
   const Vec3 n = d.normalized(), n_A = A_.R.transpose() * n;
   for (const int k : body_.neighbours(i))
@@ -145,7 +145,7 @@ class Manifolds {
     const Vec3 n = A_.R * f.n;
     const bool flat = part_ == Part::cap;
     for (int rim = 0; rim < B_.rims(); ++rim) {
-      if (!B_.touches(-n)) break;
+      if (!B_.touches(-n, rim)) continue;
       const ContactPoint at = lowest(onA, rim);
       if (body_.over(f, inA(at.P), same_)) add(rim, at);
     }
@@ -174,7 +174,9 @@ class Manifolds {
     const Vec3 v = A_.vertex(i), way = v - B_.c;
     const double z = way.dot(B_.a), beside = B_.acrossAxis(way).norm();
     const int id = 10 + i;
-    if (part_ == Part::cap && beside <= B_.rho + same_) {
+    if (B_.tip && part_ != Part::cap && (part_ == Part::side || best)) {
+      onCone(id, v, best);
+    } else if (part_ == Part::cap && beside <= B_.rho + same_) {
       const double side = apart_.n.dot(B_.a) < 0.0 ? 1.0 : -1.0;
       const PlacedFace cap(*B_.frame, side * B_.a, B_.c, B_.half + B_.r, B_.x, -1.0, true);
       ContactPoint at;
@@ -186,10 +188,24 @@ class Manifolds {
       onPoint(id, B_.rim(rim_, -apart_.n), v);
     }
   }
-  void onPoint(int id, const BodyCurve& curve, const Vec3& v) {
-    ContactPoint at = pointOnCurve(curve, *A_.frame, v, 0.0, -apart_.n);
+  /// A contact whose normal is from B.
+  void addFromB(int id, ContactPoint at) {
     for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
     add(id, at);
+  }
+  void onPoint(int id, const BodyCurve& curve, const Vec3& v) {
+    addFromB(id, pointOnCurve(curve, *A_.frame, v, 0.0, -apart_.n));
+  }
+  /// Over the side of a cone; `best`: or its rim, or its tip.
+  void onCone(int id, const Vec3& v, bool best) {
+    double s = 0.0;
+    const ContactPoint at = pointOnSide(B_, *A_.frame, v, 0.0, s);
+    if (s >= -same_ && s <= B_.slant() + same_) return addFromB(id, at);
+    if (!best) return;
+    if (rim_ == 0) return onPoint(id, B_.rim(0, -apart_.n), v);
+    const Vec3 p = B_.middle(1), vA = A_.frame->velocity(v - A_.frame->r_OS_I);
+    const Vec3 w = B_.frame->velocity(p - B_.frame->r_OS_I) - vA;
+    add(id, fromWay(p - v, w, 0.0, B_.r, v, vA, apart_.n, Vec3::Zero()));
   }
 
   bool onEdge(const PlacedEdge& e, const Vec3& p) const {
@@ -200,11 +216,14 @@ class Manifolds {
     const PlacedEdge e = A_.edge(i);
     const BodyCurve line = BodyCurve::line(*A_.frame, e.o, e.e, 0.0);
     const int onRim = 10 + static_cast<int>(body_.corners().size() + body_.edges().size()) + 4 * i;
-    if (part_ != Part::cap && B_.half > 0.0 && e.e.cross(B_.a).norm() > kCross) {
+    const int onSide = 10 + static_cast<int>(body_.corners().size()) + i;
+    if (B_.tip) {
+      edgeOnCone(e, line, onSide, onRim, best);
+    } else if (part_ != Part::cap && B_.half > 0.0 && e.e.cross(B_.a).norm() > kCross) {
       BodyCurve own = line, axis = B_.axis();
       if (toClosest(own, axis) && onEdge(e, own.x) &&
           std::abs(B_.a.dot(axis.x - B_.c)) <= B_.half + same_)
-        add(10 + static_cast<int>(body_.corners().size()) + i, curveOnCurve(own, axis, apart_.n));
+        add(onSide, curveOnCurve(own, axis, apart_.n));
     }
     if (B_.rho == 0.0) return;
     if (part_ == Part::cap) {
@@ -215,10 +234,22 @@ class Manifolds {
     }
     if (!best) return;
     for (int rim = 0; rim < B_.rims(); ++rim)
-      if (part_ == Part::side || rim == rim_) {
+      if (B_.radius(rim) > 0.0 && (part_ == Part::side || rim == rim_)) {
         const BodyCurve at = B_.rim(rim, -apart_.n);
         onRimAt(e, line, at, onRim + 2 * rim + (e.e.dot(at.x - at.c) > 0.0 ? 1 : 0));
       }
+  }
+  /// On the side of a cone, and under its tip.
+  void edgeOnCone(const PlacedEdge& e, const BodyCurve& line, int onSide, int onRim, bool best) {
+    if (part_ == Part::cap) return;
+    double s = 0.0, along = 0.0;
+    ContactPoint at;
+    if (lineOnSide(B_, *A_.frame, e.o, e.e, -apart_.n, s, along, at) &&
+        std::abs(along) <= e.half + same_ && s >= -same_ && s <= B_.slant() + same_)
+      add(onSide, at);
+    if (!best || (part_ != Part::side && rim_ == 0)) return;
+    at = pointOnCurve(line, *B_.frame, B_.middle(1), B_.r, apart_.n);
+    if (onEdge(e, B_.middle(1))) add(onRim + 2, at);
   }
   void onRimAt(const PlacedEdge& e, BodyCurve line, BodyCurve rim, int id) {
     line.go(e.e.dot(rim.x - line.x));

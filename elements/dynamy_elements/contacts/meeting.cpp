@@ -37,7 +37,8 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
   if (!inPlane && B.kind == Touch::ellipsoid && A.polyhedron) return Meeting::smoothOnPolyhedron;
-  if (!inPlane && isDisc(B) && A.polyhedron) return Meeting::discOnPolyhedron;
+  if (!inPlane && (isDisc(B) || B.kind == Touch::cone) && A.polyhedron)
+    return Meeting::discOnPolyhedron;
   if (!inPlane && isDisc(A) && (isDisc(B) || B.kind == Touch::capsule)) return Meeting::discs;
   if (!inPlane && A.kind == Touch::torus && B.kind == Touch::ball) return Meeting::discs;
   if (!inPlane && A.kind == Touch::ellipsoid && (isDisc(B) || B.kind == Touch::capsule))
@@ -47,12 +48,13 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (!inPlane && A.surface) {
     if (B.kind == Touch::ball) return Meeting::ballOnSurface;
     if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
-    if (isDisc(B)) return Meeting::discOnMesh;
+    if (isDisc(B) || B.kind == Touch::cone) return Meeting::discOnMesh;
     if (B.polyhedron) return A.polyhedron ? Meeting::polyhedra : Meeting::polyhedronOnMesh;
   }
   if (A.kind == Touch::capsule)
     return B.kind == Touch::capsule ? Meeting::capsules : Meeting::ballOnCapsule;
   if (A.kind == Touch::cylinder && B.kind == Touch::ball) return Meeting::ballOnCylinder;
+  if (A.kind == Touch::cone && B.kind == Touch::ball) return Meeting::ballOnCone;
   if (A.kind == Touch::box && B.kind == Touch::capsule && !inPlane && A.isBox(8))
     return Meeting::capsuleOnBox;
   return Meeting::missing;

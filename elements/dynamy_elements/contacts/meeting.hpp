@@ -13,6 +13,7 @@ enum class Meeting : std::uint8_t {
   ballOnBox,  ///< B on A
   ballOnCapsule,
   ballOnCylinder,
+  ballOnCone,
   capsules,
   capsuleOnBox,
   ballOnSurface,  ///< of a polyhedron, mesh or height field
@@ -26,7 +27,7 @@ enum class Meeting : std::uint8_t {
   smooth,              ///< ellipsoids with each other and with balls
   smoothOnPolyhedron,  ///< or on a box
   smoothOnDisc,        ///< A on B, a cylinder, torus or capsule
-  discOnPolyhedron,    ///< a cylinder or torus, or on a box
+  discOnPolyhedron,    ///< a cylinder, torus or cone, or on a box
   discOnMesh,          ///< or a height field
   discs                ///< cylinders and tori with each other, with capsules and balls
 };

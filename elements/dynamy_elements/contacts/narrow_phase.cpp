@@ -4,6 +4,7 @@
 #include <dynamy/contact/rolling_contact.hpp>
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/contour_motion.hpp>
 #include <dynamy_elements/contacts/disc_on_mesh.hpp>
 #include <dynamy_elements/contacts/grain.hpp>
@@ -135,11 +136,14 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
       return;
     }
     case Meeting::ballOnCapsule:
-    case Meeting::ballOnCylinder: {
+    case Meeting::ballOnCylinder:
+    case Meeting::ballOnCone: {
       const RoundFeature& ball = pair.B->features[0];
-      const ContactPoint at = pair.rule->meets == Meeting::ballOnCapsule
-                                  ? ballOnCapsule(A, *pair.A, B, ball, plane)
-                                  : ballOnCylinder(A, *pair.A, B, ball);
+      const Meeting meets = pair.rule->meets;
+      const ContactPoint at =
+          meets == Meeting::ballOnCapsule ? ballOnCapsule(A, *pair.A, B, ball, plane)
+          : meets == Meeting::ballOnCone  ? ballOnCone(discBody(A, *pair.A), B, ball)
+                                          : ballOnCylinder(A, *pair.A, B, ball);
       emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
       return;
     }

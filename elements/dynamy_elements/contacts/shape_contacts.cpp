@@ -41,7 +41,8 @@ Diagnostic missingPair(const Shape& a, const Shape& b) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
       "use balls, points and half spaces with all, boxes, polyhedra, capsules, cylinders, tori "
-      "and ellipsoids with each other in space, or <NoContact " +
+      "and ellipsoids with each other in space, cones with boxes, polyhedra and meshes, or "
+      "<NoContact " +
           between(a, b) + "/>");
 }
 
@@ -128,7 +129,7 @@ void ShapeContacts::makeSurfaces() {
   };
   const auto needed = [&](const TouchingShape& s) {
     return faceted(s) || s.kind == Touch::ellipsoid || s.kind == Touch::cylinder ||
-           s.kind == Touch::torus;
+           s.kind == Touch::torus || s.kind == Touch::cone;
   };
   if (std::none_of(shapes_[0].begin(), shapes_[0].end(), needed)) return;
   std::map<std::vector<double>, const Polyhedron*> known;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
+#include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/disc_on_mesh.hpp>
 #include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
@@ -226,6 +227,8 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
       return ballOnCapsule(A, a, B, b.features[0], plane).g;
     case Meeting::ballOnCylinder:
       return ballOnCylinder(A, a, B, b.features[0]).g;
+    case Meeting::ballOnCone:
+      return ballOnCone(discBody(A, a), B, b.features[0]).g;
     case Meeting::ballOnSurface:
     case Meeting::capsuleOnSurface:
     case Meeting::polyhedronOnMesh:

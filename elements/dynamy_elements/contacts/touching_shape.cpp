@@ -161,7 +161,7 @@ void cone(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = Touch::other, out.bound = std::max(R, length);
+  out.kind = Touch::cone, out.bound = std::max(R, length), out.half = {R, R, 0.5 * length};
   out.thickness = 0.5 * R * length / std::hypot(R, length);
   if (f.inSpace()) {
     f.rim(0.0, R, 0.0, "rim");

@@ -60,6 +60,7 @@ struct TouchingShape {
     cylinder,
     torus,
     ellipsoid,
+    cone,
     other,
     contour,
     section,  ///< of a round body, with corners
@@ -77,7 +78,8 @@ struct TouchingShape {
   Vec3 p_K = Vec3::Zero();      ///< half space: a point of its plane; else the middle
   Vec3 grain_K = Vec3::Zero();  ///< unit vector along which friction differs, or zero
   Mat3 A_KB = Mat3::Identity();
-  /// Half edge lengths of a box; of a capsule or cylinder: radius, radius, half length [m].
+  /// Half edge lengths of a box; of a capsule, cylinder or cone: radius, radius, half length
+  /// [m].
   Vec3 half = Vec3::Zero();
   const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
   /// A ball that turns about its middle, which is that of its body.

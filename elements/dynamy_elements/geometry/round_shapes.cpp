@@ -71,7 +71,8 @@ void ConeShape::declare(Attributes& a) {
   a.about(
       "Solid cone along z, base circle at z = 0, tip at z = l: V = π r² l/3, centre of mass at "
       "l/4, "
-      "J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Its rim and its tip touch half spaces.");
+      "J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches half spaces, and in space balls, boxes, "
+      "polyhedra and meshes.");
   a.required("radius", Unit::length, "radius of the base").positive();
   a.required("length", Unit::length, "height of the tip").positive();
   a.example("<Cone radius=\"0.1\" length=\"0.3\" mass=\"1\" material=\"wood\"/>");

@@ -1,5 +1,7 @@
-// Cylinders and tori on boxes and polyhedra against dense samples of directions, and differences.
+// Cylinders, tori and cones on boxes and polyhedra against dense samples of directions, and
+// differences.
 #include <dynamy_elements/contacts/between_discs.hpp>
+#include <dynamy_elements/contacts/cone_side.hpp>
 
 #include <cmath>
 
@@ -11,8 +13,8 @@ namespace {
 using namespace testing;
 
 /// A body in axes of its frame: the axis is z.
-DiscBody placedDisc(const Frame& f, double half, double rho, double r) {
-  return {&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), half, rho, r};
+DiscBody placedDisc(const Frame& f, double half, double rho, double r, bool tip = false) {
+  return {&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), half, rho, r, tip};
 }
 Mover random(Random& r, const Vec3& at) { return {at, turned(2.0 * r.vec()), r.vec(), r.vec()}; }
 
@@ -47,6 +49,18 @@ double support(const Frame& f, const Polyhedron& body, const Vec3& n) {
 /// How far p is outside of a round body.
 double beyond(const DiscBody& b, const Vec3& p) {
   const double z = b.a.dot(p - b.c), out = b.acrossAxis(p - b.c).norm();
+  if (b.tip) {
+    // Half of its section: from the base's middle to the rim and on to the tip.
+    using Vec2 = Eigen::Vector2d;
+    const Vec2 at(out, z), base(0.0, -b.half), rim(b.rho, -b.half), top(0.0, b.half);
+    const auto toSegment = [&](const Vec2& from, const Vec2& to) {
+      const double s = std::clamp((at - from).dot(to - from) / (to - from).squaredNorm(), 0.0, 1.0);
+      return (at - from - s * (to - from)).norm();
+    };
+    const double least = std::min(toSegment(base, rim), toSegment(rim, top));
+    const bool inside = z > -b.half && (out - b.rho) * 2.0 * b.half + (z + b.half) * b.rho < 0.0;
+    return inside ? -least : least;
+  }
   return std::hypot(std::max(std::abs(z) - b.half, 0.0), std::max(out - b.rho, 0.0)) - b.r;
 }
 
@@ -58,8 +72,11 @@ const ContactPoint& deepest(const DiscContacts& found, int n) {
 
 struct Sizes {
   double half, rho, r;
+  bool tip = false;
 };
-constexpr Sizes kBodies[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1}, {0.7, 0.1, 0.0}};
+constexpr Sizes kBodies[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},
+                             {0.7, 0.1, 0.0}, {0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}};
+constexpr int kKinds = 6;
 
 constexpr Sizes kRound[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1},
                             {0.7, 0.1, 0.0}, {0.4, 0.0, 0.2},  {0.0, 0.0, 0.3}};
@@ -67,13 +84,13 @@ constexpr Sizes kRound[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1},
 TEST(DiscContact, SeparationFromAPolyhedronIsTheLargestOfAllDirections) {
   Random r(51);
   int apart = 0, overlapping = 0, exact = 0;
-  for (int trial = 0; trial < 160; ++trial) {
+  for (int trial = 0; trial < 240; ++trial) {
     const Polyhedron body =
         trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
-    const Sizes& s = kBodies[trial / 2 % 4];
+    const Sizes& s = kBodies[trial / 2 % kKinds];
     const Mover A = random(r, Vec3::Zero());
     const Mover B = random(r, (0.7 + 0.5 * (1.0 + r.number())) * r.vec().normalized());
-    const DiscBody b = placedDisc(B.frame, s.half, s.rho, s.r);
+    const DiscBody b = placedDisc(B.frame, s.half, s.rho, s.r, s.tip);
     const auto f = [&](const Vec3& n) { return -b.support(-n) - support(A.frame, body, n); };
     const double truth = separated(f);
     if (truth < -0.05) continue;
@@ -105,23 +122,46 @@ TEST(DiscContact, SeparationFromAPolyhedronIsTheLargestOfAllDirections) {
 
 TEST(DiscContact, RatesOnAPolyhedronAreThoseOfTheMotion) {
   Random r(52);
-  int compared = 0, of[4] = {};
-  for (int trial = 0; trial < 400; ++trial) {
+  int compared = 0, of[kKinds] = {};
+  for (int trial = 0; trial < 600; ++trial) {
     const Polyhedron body =
         trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
-    const Sizes& s = kBodies[trial / 2 % 4];
+    const Sizes& s = kBodies[trial / 2 % kKinds];
     const Mover A = random(r, Vec3::Zero()),
                 B = random(r, (0.9 + 0.3 * r.number()) * r.vec().normalized());
     const int fit = expectRatesFit(A, B, [&](const Frame& fA, const Frame& fB) {
       DiscContacts out;
-      const int n = discOnPolyhedron(placed(fA, body), placedDisc(fB, s.half, s.rho, s.r),
+      const int n = discOnPolyhedron(placed(fA, body), placedDisc(fB, s.half, s.rho, s.r, s.tip),
                                      kInfinity, -1.0, true, out);
       return std::vector<NumberedContact>(out.begin(), out.begin() + n);
     });
-    compared += fit, of[trial / 2 % 4] += fit;
+    compared += fit, of[trial / 2 % kKinds] += fit;
   }
   EXPECT_GT(compared, 300) << "seed 52";
   for (const int n : of) EXPECT_GT(n, 50);
+}
+
+TEST(ConeContact, OfABallIsItsDistanceAndHasTheRatesOfTheMotion) {
+  Random r(55);
+  int seen[2] = {};
+  for (int trial = 0; trial < 400; ++trial) {
+    const Sizes& s = kBodies[4 + trial % 2];
+    const Mover A = random(r, Vec3::Zero()), B = random(r, (trial % 4 < 2 ? 0.8 : 0.3) * r.vec());
+    SupportFeature ball;
+    ball.c_K = 0.1 * r.vec(), ball.radius = 0.05 * (1.0 + r.number());
+    const Vec3 c = B.frame.r_OS_I + B.frame.A_IK * ball.c_K;
+    const DiscBody cone = placedDisc(A.frame, s.half, s.rho, s.r, true);
+    // Rounding of lengths of 1.
+    EXPECT_NEAR(ballOnCone(cone, B.frame, ball).g, beyond(cone, c) - ball.radius, 1e-14)
+        << "trial " << trial << ", seed 55";
+    ++seen[beyond(cone, c) < 0.0 ? 0 : 1];
+    expectRatesFit(A, B, [&](const Frame& fA, const Frame& fB) {
+      const DiscBody at = placedDisc(fA, s.half, s.rho, s.r, true);
+      return std::vector<NumberedContact>{{0, ballOnCone(at, fB, ball)}};
+    });
+  }
+  EXPECT_GT(seen[0], 10);
+  EXPECT_GT(seen[1], 200);
 }
 
 TEST(DiscContact, SeparationOfRoundBodiesIsTheLargestOfAllDirections) {

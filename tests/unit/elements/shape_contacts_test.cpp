@@ -205,8 +205,8 @@ TEST(ShapeContacts, SayWhichPairIsNotAvailable) {
   Model m;
   addBody<RigidBody, ConeShape>(m, "a", kHeavy, "Cone",
                                 {{"radius", 0.3}, {"length", 0.4}, {"material", "steel"}});
-  addBody<RigidBody, Box>(m, "b", kHeavy, "Box",
-                          {{"size", {0.3, 0.4, 0.5}}, {"material", "steel"}});
+  addBody<RigidBody, CylinderShape>(m, "b", kHeavy, "Cylinder",
+                                    {{"radius", 0.3}, {"length", 0.4}, {"material", "steel"}});
   addRule(m, "steel steel");
   m.addCompletion(addShapeContacts);
   EXPECT_THROW(m.build(), ModelError);
