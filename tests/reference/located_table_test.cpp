@@ -142,6 +142,24 @@ TEST(LocatedLaws, OfUsersAreRefusedByNameWithoutAShape) {
   EXPECT_NE(run.report().reason.find("<OwnSet>"), std::string::npos) << run.report().reason;
 }
 
+TEST(LocatedLaws, LetGoWhereTheirScaleJumps) {
+  // Held against 3 N until the friction is switched off: 3/2 (t − w)²/2. The bound jumps, which no
+  // step of Newton's method finds, and steps at rest have grown beyond the jump.
+  for (const char* w : {"2", "20"})
+    for (const double tol : {1e-4, 1e-6, 1e-9}) {
+      LocatedRun run(R"xml(<dynamy version="1"><systems><Coordinates name="body" q="x" q0="0" M="2"
+  h="3"/></systems><elements><CoordinateContact name="c" on="body" slipVelocity="x_dot"
+  scale="1 - step(t - )xml" +
+                         std::string(w) +
+                         R"xml()"><GivenFriction force="5"/></CoordinateContact></elements>
+  <simulation until="1" step="1"/></dynamy>)xml",
+                     tol, std::stod(w) + 1.0);
+      ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+      EXPECT_NEAR(run.state().q[0], 0.75, tol) << w << " " << tol;
+      EXPECT_EQ(run.report().switches, 1) << w << " " << tol;
+    }
+}
+
 TEST(LocatedLaws, PullUpToTheirForceAndNoLonger) {
   // A lift that grows by 4 N/s: off the ground after (m g + a)/4, then a τ²/2m + 4 τ³/6m.
   LocatedRun run(R"xml(<dynamy version="1"><systems><Coordinates name="body" q="x" q0="0" M="0.2"

@@ -79,7 +79,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
 
 bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
                                  StepReport& report, const std::vector<HeldKey>& stopped) {
-  const double unit = plain_ ? norm_.time() : lookAhead_ * H_;
+  const double unit = plain_ ? norm_.time() : lookAhead_ * span();
   const SwitchEvent::Result r =
       event_.process(s, solver, probe_, phase_, p, smooth_, unit, stopped);
   if (!r.fault.empty()) return refuse(r.fault);
@@ -118,7 +118,7 @@ void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoi
     lastEvent_ = p.x.t;
     return;
   }
-  const bool atOnce = p.x.t - lastEvent_ <= kAtOnce * H_;
+  const bool atOnce = p.x.t - lastEvent_ <= kAtOnce * span();
   lastEvent_ = p.x.t;
   if (r.changed || r.impact || !atOnce) {
     if (!atOnce) lookAhead_ = kLookAhead, nulls_ = 0;
@@ -126,7 +126,7 @@ void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoi
   }
   lookAhead_ = std::min(10.0 * lookAhead_, kMostLookAhead);
   if (++nulls_ < kMostNulls) return;
-  for (Held& h : phase_.held) h.mutedUntil = p.x.t + kMuted * H_;
+  for (Held& h : phase_.held) h.mutedUntil = p.x.t + kMuted * span();
   nulls_ = 0;
 }
 

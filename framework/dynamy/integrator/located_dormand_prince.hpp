@@ -83,6 +83,8 @@ class LocatedDormandPrince : public OneStep {
   bool stop(MechanicalSystem& s, InclusionSolver& solver, double& most, StepReport& report,
             bool& stopped);
   void release(const Switch& w);
+  /// What an instant is measured by: steps at rest grow beyond any time of the motion [s].
+  double span() const { return std::min(H_, norm_.time()); }
   void noteNull(const SwitchEvent::Result& r, const PhasePoint& p);
   void keepImpulses();
   void keepPercussions(double t);

@@ -9,7 +9,9 @@ constexpr double kForceNoise = 1e-12;  ///< of the largest force
 constexpr int kHalvings = 46;          ///< for monitors that start at zero: θ down to 1e-15
 constexpr int kForceHalvings = 20;
 constexpr int kMostRefinements = 160;
-constexpr double kStart = 1e3;  ///< of the noise: a value that starts below starts at zero
+constexpr double kJump = 0.1;         ///< of the fall of a force over the first bracket
+constexpr double kJumpWidth = 1e-13;  ///< how closely a jump is found, as a part of the step
+constexpr double kStart = 1e3;        ///< of the noise: a value that starts below starts at zero
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
 constexpr double kNear = 0.02;
 constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
@@ -113,7 +115,7 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
 }
 
 template <class Value>
-bool SwitchSearch::refine(double a, double fa, double b, double fb, double width, Value&& value,
+bool SwitchSearch::refine(double& a, double& fa, double& b, double& fb, double width, Value&& value,
                           double& root, double& slope) {
   // The regula falsi with Illinois' weights, and a halving where it stays on one side.
   int side = 0;
@@ -217,11 +219,14 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
     }
   }
   double root = a, slope = 0.0;
-  if (fa > 0.0 &&
-      !refine(
-          a, fa, b, fb, width,
-          [&](double t, double& v) { return forceAt(s, phase, path, monitor, t, v); }, root, slope))
-    return false;
+  const auto value = [&](double t, double& v) { return forceAt(s, phase, path, monitor, t, v); };
+  const double fall = fa - fb;
+  const bool wide = b - a > 2.0 * width;
+  if (fa > 0.0 && !refine(a, fa, b, fb, width, value, root, slope)) return false;
+  if (wide && fa > 0.0 && fa - fb > kJump * fall) {  // the bracket has shrunk, the fall has not
+    if (!refine(a, fa, b, fb, kJumpWidth, value, root, slope)) return false;
+    root = b, slope = 0.0;  // behind the jump
+  }
   if (!(root < first.theta)) return true;
   first = {root > 0.0 ? Switch::Kind::root : Switch::Kind::atStart, root, true, monitor,
            slope / path.length()};
@@ -251,7 +256,7 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
     if (v < -gapNoise_) {  // a dip between two samples: the root lies before it
       values_(monitor, j + 1) = v;
       double root = 0.0, slope = 0.0, fA = values_(monitor, j);
-      const double A = static_cast<double>(j) / kSamples;
+      double A = static_cast<double>(j) / kSamples;
       if (!refine(
               A, fA, c, v, 1e-14,
               [&](double t, double& x) { return kinematicAt(probe, path, monitor, t, x); }, root,

@@ -75,8 +75,8 @@ class SwitchSearch {
   bool forceAt(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
                double theta, double& v);
   template <class Value>
-  bool refine(double a, double fa, double b, double fb, double width, Value&& value, double& root,
-              double& slope);
+  bool refine(double& a, double& fa, double& b, double& fb, double width, Value&& value,
+              double& root, double& slope);
   bool kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   bool forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
                    double width, Switch& first);
