@@ -13,41 +13,68 @@ constexpr int kSteps = 20;
 /// Of the way between two nodes: a step below which the foot is found.
 constexpr double kFound = 1e-13;
 
+/// 120 times the six pieces of the B-spline of degree 5 that act between two nodes, as polynomials
+/// of the fraction b of the way.
+constexpr double kPieces[6][6] = {{1, -5, 10, -10, 5, -1},  {26, -50, 20, 20, -20, 5},
+                                  {66, 0, -60, 0, 30, -10}, {26, 50, 20, -20, -20, 10},
+                                  {1, 5, 10, 10, 5, -5},    {0, 0, 0, 0, 0, 1}};
+
+/// Coefficients c with c_{i−2} + 26 c_{i−1} + 66 c_i + 26 c_{i+1} + c_{i+2} = 120 r_i, round the
+/// circle: two recursions each way, one for each root |z| < 1 of 1 + 26 z + 66 z² + 26 z³ + z⁴
+/// (Unser, Aldroubi, Eden 1993), begun so early that their start is forgotten.
+std::vector<double> coefficients(const std::vector<double>& r) {
+  std::vector<double> c = r;
+  const auto n = static_cast<std::ptrdiff_t>(r.size());
+  for (const double side : {-1.0, 1.0}) {
+    // z + 1/z = −13 ± sqrt(105)
+    const double half = 0.5 * (-13.0 + side * std::sqrt(105.0));
+    const double z = half + std::sqrt(half * half - 1.0);
+    const auto early = static_cast<std::ptrdiff_t>(std::ceil(-40.0 / std::log(-z)));
+    const auto at = [&](std::ptrdiff_t i) -> double& {
+      return c[static_cast<std::size_t>(((i % n) + n) % n)];
+    };
+    double last = 0.0;
+    for (std::ptrdiff_t i = -early; i < 0; ++i) last = at(i) + z * last;
+    for (std::ptrdiff_t i = 0; i < n; ++i) at(i) = last = at(i) + z * last;
+    last = 0.0;
+    for (std::ptrdiff_t i = n + early; i > n; --i) last = z * (last - at(i - 1));
+    for (std::ptrdiff_t i = n; i > 0; --i) at(i - 1) = last = z * (last - at(i - 1));
+    const double gain = (1.0 - z) * (1.0 - 1.0 / z);
+    for (double& value : c) value *= gain;
+  }
+  return c;
+}
+
 }  // namespace
 
-Contour::Contour(std::vector<double> radii) : r_(std::move(radii)) {
+Contour::Contour(std::vector<double> radii) : r_(std::move(radii)), c_(coefficients(r_)) {
   const std::size_t n = r_.size();
   step_ = kTurn / static_cast<double>(n);
   least_ = *std::min_element(r_.begin(), r_.end());
   most_ = *std::max_element(r_.begin(), r_.end());
-  // r″ at the nodes: M_{i−1} + 4 M_i + M_{i+1} = 6 (r_{i−1} − 2 r_i + r_{i+1})/h². The sweeps of
-  // Gauss and Seidel halve their error at least, each.
-  second_.assign(n, 0.0);
-  for (int sweep = 0; sweep < 60; ++sweep)
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
-      const double rhs = 6.0 * (r_[before] - 2.0 * r_[i] + r_[after]) / (step_ * step_);
-      second_[i] = 0.25 * (rhs - second_[before] - second_[after]);
-    }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double phi = step_ * static_cast<double>(i);
+    nodes_.push_back(r_[i] * Vec2(std::cos(phi), std::sin(phi)));
+  }
   for (std::size_t i = 0; i < 2 * n; ++i)
     convex_ = convex_ && at(0.5 * step_ * static_cast<double>(i)).curvature > 0.0;
 }
 
 Vec3 Contour::radius(double phi) const {
-  const auto n = static_cast<double>(r_.size());
+  const std::size_t n = r_.size();
   double u = phi / step_;
-  u -= n * std::floor(u / n);
-  const auto i = std::min(static_cast<std::size_t>(u), r_.size() - 1), j = (i + 1) % r_.size();
-  const double b = u - static_cast<double>(i), a = 1.0 - b, h = step_;
-  const double M = second_[i], N = second_[j];
-  return {a * r_[i] + b * r_[j] + h * h / 6.0 * ((a * a * a - a) * M + (b * b * b - b) * N),
-          (r_[j] - r_[i]) / h + h / 6.0 * ((3.0 * b * b - 1.0) * N - (3.0 * a * a - 1.0) * M),
-          a * M + b * N};
-}
-
-Contour::Vec2 Contour::node(std::size_t i) const {
-  const double phi = step_ * static_cast<double>(i);
-  return r_[i] * Vec2(std::cos(phi), std::sin(phi));
+  u -= static_cast<double>(n) * std::floor(u / static_cast<double>(n));
+  const std::size_t i = std::min(static_cast<std::size_t>(u), n - 1);
+  const double b = u - static_cast<double>(i);
+  double value = 0.0, first = 0.0, second = 0.0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double c = c_[(i + n + k - 2) % n] / 120.0;
+    double p = 0.0, dp = 0.0, ddp = 0.0;  // Horner's rule, with ddp half of the second derivative
+    for (std::size_t m = 6; m-- > 0;)
+      ddp = ddp * b + dp, dp = dp * b + p, p = p * b + kPieces[k][m];
+    value += c * p, first += c * dp, second += 2.0 * c * ddp;
+  }
+  return {value, first / step_, second / (step_ * step_)};
 }
 
 Contour::Point Contour::at(double phi) const {
@@ -84,7 +111,7 @@ Contour::Point Contour::nearest(const Vec2& c) const {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < r_.size(); ++i)
-    if (const double d = (c - node(i)).squaredNorm(); d < least) least = d, best = i;
+    if (const double d = (c - nodes_[i]).squaredNorm(); d < least) least = d, best = i;
   const double phi = root(step_ * static_cast<double>(best), step_, [&](double at) {
     const Vec3 r = radius(at);
     const Vec2 e(std::cos(at), std::sin(at)), across(-e.y(), e.x());
@@ -99,7 +126,7 @@ Contour::Point Contour::furthest(const Vec2& d) const {
   std::size_t best = 0;
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < r_.size(); ++i)
-    if (const double s = d.dot(node(i)); s > most) most = s, best = i;
+    if (const double s = d.dot(nodes_[i]); s > most) most = s, best = i;
   const double phi = root(step_ * static_cast<double>(best), step_, [&](double at) {
     const Vec3 r = radius(at);
     const Vec2 e(std::cos(at), std::sin(at)), across(-e.y(), e.x());

@@ -1,10 +1,11 @@
-/// Contour: a closed smooth curve r(φ) about a point, a cam, by a periodic cubic spline.
+/// Contour: a closed smooth curve r(φ) about a point, a cam, by a periodic spline of degree 5.
 ///
 ///   x = r (cos φ, sin φ),   κ = (r² + 2 r′² − r r″)/(r² + r′²)^{3/2}
 ///
 /// Where a circle touches it and where a plane does, with the curvature: the foot of c wanders by
 /// ṡ = w·t/(1 + κ D) while c moves by w, D its distance. A polygon with many edges was rejected:
-/// its normals jump, and with them the acceleration of a follower.
+/// its normals jump, and with them the acceleration of a follower. With a cubic spline its jerk
+/// jumps, 720 times a turn, and steps of high order meet each jump.
 #pragma once
 #include <dynamy_elements/contacts/contact_geometry.hpp>
 
@@ -33,8 +34,8 @@ class Contour {
  private:
   /// r, r′, r″.
   Vec3 radius(double phi) const;
-  Vec2 node(std::size_t i) const;
-  std::vector<double> r_, second_;  ///< r and r″ at the nodes
+  std::vector<double> r_, c_;  ///< r at the nodes, coefficients of the B-splines
+  std::vector<Vec2> nodes_;
   double step_ = 0.0, least_ = 0.0, most_ = 0.0;
   bool convex_ = true;
 };
