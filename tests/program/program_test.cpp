@@ -144,6 +144,7 @@ TEST_F(ProgramTest, AStepTakesTheTolerancesPlaceAndItTheSteps) {
       {"named.xml --step 1ms", "tolerance 1e-06   steps up to 0.001 s "},
       {"step.xml --integrator LocatedDormandPrince", "tolerance 1e-06   steps up to 0.001 s "},
       {"augmented.xml", " AugmentedMoreau   Automatic   steps up to 0.001 s "},
+      {"augmented.xml --tolerance 1e-5", " LocatedDormandPrince   Automatic   tolerance 1e-05 "},
   };
   for (const auto& [arguments, scheme] : expected) {
     ASSERT_EQ(call("run " + arguments + " --out o"), 0) << arguments << '\n' << err();

@@ -20,6 +20,9 @@ std::unique_ptr<T> makeDefault(const char* type) {
   return std::make_unique<T>(Parameters::of<T>(type, "", {}));
 }
 
+/// Not AugmentedMoreau, which locates switches within steps that the run gives.
+bool takesTolerance(const OneStep& scheme) { return scheme.choosesSteps() && !scheme.needsStep(); }
+
 }  // namespace
 
 Model::Model() : pairLaws_(std::make_unique<PairLaws>()) {}
@@ -78,7 +81,7 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 void Model::chooseScheme() {
   if (!schemeIsDefault_) return;
   const bool own = simulation.tolerance > 0.0;
-  if (scheme_ && scheme_->choosesSteps() == own) return;
+  if (scheme_ && takesTolerance(*scheme_) == own) return;
   if (own)
     scheme_ = makeDefault<LocatedDormandPrince>("LocatedDormandPrince");
   else
@@ -94,13 +97,13 @@ void Model::askStep(double dt) {
 
 void Model::askTolerance(double tolerance) {
   simulation.tolerance = tolerance, simulation.step = 0.0;
-  if (scheme_ && !scheme_->choosesSteps()) schemeIsDefault_ = true;
+  if (scheme_ && !takesTolerance(*scheme_)) schemeIsDefault_ = true;
   chooseScheme();
 }
 
 void Model::readyScheme() {
   chooseScheme();
-  if (!scheme_->choosesSteps() || scheme_->needsStep()) return;
+  if (!takesTolerance(*scheme_)) return;
   if (!(simulation.tolerance > 0.0)) simulation.tolerance = Accuracy{}.tolerance;
   scheme_->aim({simulation.tolerance, length_});
 }
