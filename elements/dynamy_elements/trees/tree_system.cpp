@@ -284,6 +284,8 @@ double TreeSystem::ownSignal(const Body& body, const SignalFunction& f, const Si
             .contacts = v.contacts,
             .Lambda = v.Lambda,
             .gammaE = v.gammaE,
+            .stepContacts = v.stepContacts,
+            .stepLambda = v.stepLambda,
             .memory = v.memory,
             .dt = v.dt,
             .element = v.element});

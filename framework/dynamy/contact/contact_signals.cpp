@@ -22,7 +22,16 @@ double rowOf(const SignalView& v, std::uint64_t id, int row, const ConstVec& val
                                      : values[v.contacts->row0[static_cast<std::size_t>(i)] + row];
 }
 
-/// Status from Λ and γ^E of the step: Λ − r ξ is the prox argument for any r once the inclusion
+/// Percussion of the whole step.
+double percussion(const SignalView& v, std::uint64_t id, int row) {
+  if (v.stepContacts == nullptr) return rowOf(v, id, row, v.Lambda);
+  const int i = v.stepContacts->find(v.element, id);
+  return i < 0 || v.stepLambda.size() == 0
+             ? 0.0
+             : v.stepLambda[v.stepContacts->row0[static_cast<std::size_t>(i)] + row];
+}
+
+/// Status from Λ and γ^E: Λ − r ξ is the prox argument for any r once the inclusion
 /// holds; a small r, so that neither the unit of mass nor ε γ^A of a rebound decides.
 double statusNumber(const SignalView& v, std::uint64_t id) {
   const int i = closed(v, id);
@@ -71,13 +80,13 @@ void describeContact(Description& d, std::uint64_t id, int geometric, const SetV
     const std::string row = rowName(law, r, dim);
     const bool turns = angular(law, r);
     d.signal(prefix + "gamma_" + row, turns ? Unit::angularVelocity : Unit::velocity,
-             "relative velocity at the end of the step",
+             "relative velocity; with fixed steps at the end of the step",
              [id, r](const SignalView& v) { return rowOf(v, id, r, v.gammaE); });
     d.signal(prefix + "Lambda_" + row, turns ? Unit::angularImpulse : Unit::impulse,
              "percussion of the step",
-             [id, r](const SignalView& v) { return rowOf(v, id, r, v.Lambda); });
+             [id, r](const SignalView& v) { return percussion(v, id, r); });
     d.signal(prefix + "lambda_" + row, turns ? Unit::torque : Unit::force,
-             "force: percussion over step length", [id, r](const SignalView& v) {
+             "force; with fixed steps percussion over step length", [id, r](const SignalView& v) {
                return v.dt > 0.0 ? rowOf(v, id, r, v.Lambda) / v.dt : 0.0;
              });
   }

@@ -69,6 +69,8 @@ class FrozenPhase {
   /// Forces of the last acceleration: rows of held[i] from row0(i) on.
   const Eigen::VectorXd& lambda() const { return lambda_; }
   int row0(std::size_t i) const { return row0_[i]; }
+  /// Number of held[i] among the contacts of the last evaluation.
+  int contact(std::size_t i) const { return index_[i]; }
   int dim(std::size_t i) const { return row0_[i + 1] - row0_[i]; }
   int rows() const { return row0_.empty() ? 0 : row0_.back(); }
   Form form(std::size_t i) const { return form_[i]; }

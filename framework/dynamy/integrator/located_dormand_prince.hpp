@@ -32,6 +32,8 @@ class LocatedDormandPrince : public OneStep {
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
   void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
                    State& out) const override;
+  bool contactsAt(const MechanicalSystem& s, const State& at, bool after,
+                  ContactInstant& out) const override;
 
  protected:
   /// Smooth phases by `table`, whatever the tolerance.
@@ -104,7 +106,9 @@ class LocatedDormandPrince : public OneStep {
   const ButcherTableau* table_ = &dormandPrince8();
   ErrorNorm norm_;
   FrozenPhase phase_, oldPhase_;
-  mutable FrozenPhase stepPhase_;  // of the last step, for its dense output
+  mutable FrozenPhase stepPhase_;   // of the last step, for its dense output
+  mutable FrozenPhase afterPhase_;  // that follows it, for signals
+  mutable Eigen::VectorXd shownA_;
   mutable SmoothStep smooth_;
   SmoothStep smoothOwn_;  // of short steps to a switch
   QuinticPath path_;

@@ -164,4 +164,26 @@ void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a
   out.t = t;
 }
 
+bool LocatedDormandPrince::contactsAt(const MechanicalSystem& s, const State& at, bool after,
+                                      ContactInstant& out) const {
+  if (stepped_ || system_ != &s) return false;
+  if (after) afterPhase_ = phase_;
+  FrozenPhase& phase = after ? afterPhase_ : stepPhase_;
+  system_->freeze(after ? phaseKeys_ : stepPhaseKeys_);
+  const Evaluation& e = system_->evaluate(at, 1);
+  const bool known = phase.accelerate(e, at.u, shownA_);
+  system_->thaw();
+  if (!known) return false;
+  const ContactSet& c = e.contacts;
+  out.contacts = &c;
+  out.lambda.setZero(c.rows()), out.gamma.resize(c.rows());
+  c.gamma(view(at.u), view(out.gamma));
+  for (std::size_t i = 0; i < phase.held.size(); ++i) {
+    const int row0 = c.row0[static_cast<std::size_t>(phase.contact(i))];
+    out.lambda.segment(row0 + phase.held[i].first, phase.dim(i)) =
+        phase.lambda().segment(phase.row0(i), phase.dim(i));
+  }
+  return true;
+}
+
 }  // namespace dynamy

@@ -94,6 +94,13 @@ enum class Asked : std::uint8_t {
   stiffForces        ///< stiff elements whose period or decay Δt does not resolve
 };
 
+/// Contacts at an instant of a step.
+struct ContactInstant {
+  const ContactSet* contacts = nullptr;  ///< valid until the next evaluation
+  Eigen::VectorXd lambda;                ///< forces, rows of contacts [N]
+  Eigen::VectorXd gamma;                 ///< relative velocities Wᵀu + χ of the same rows [m/s]
+};
+
 class OneStep : public Element {
  public:
   static constexpr Kind kKind = Kind::scheme;
@@ -124,6 +131,13 @@ class OneStep : public Element {
   /// q, u of the end.
   virtual void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
                            State& out) const;
+  /// What contacts do at the instant `at` of the last step, which interpolate() gave: with the
+  /// statuses of the step, or `after` it with those that follow. False: the scheme knows the
+  /// percussions of the whole step alone.
+  virtual bool contactsAt(const MechanicalSystem& /*s*/, const State& /*at*/, bool /*after*/,
+                          ContactInstant& /*out*/) const {
+    return false;
+  }
 
  protected:
   /// For schemes with laws of their own: what an impact in the problem just solved asks of them and

@@ -173,7 +173,8 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
         t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)
       m.add(t, inside(t));
   if (c.to >= tE - hair) {
-    if (view.report.uBeforeImpact != nullptr) m.add(tE, sampler_.sampleBeforeImpact(view, i));
+    if (view.report.uBeforeImpact != nullptr || view.report.counts.switches > 0)
+      m.add(tE, sampler_.sampleBeforeImpact(view, i));
     m.add(tE, end);
   } else {
     m.add(c.to, inside(c.to));

@@ -52,22 +52,34 @@ std::vector<const NamedSignal*> chooseSignals(const Model& model,
 SignalSampler::SignalSampler(const Model& model, std::vector<const NamedSignal*> signals)
     : model_(model), signals_(std::move(signals)) {
   kinematics_.resize(model.topology());
+  for (const NamedSignal* s : signals_) ofContacts_ = ofContacts_ || s->contact >= 0;
 }
 
-void SignalSampler::place(const StepView& view, double theta) {
-  if (theta >= 1.0 || view.report.dt <= 0.0) {
+void SignalSampler::look(const StepView& view, bool after, bool ofContacts) {
+  known_ = ofContacts && view.report.dt > 0.0 &&
+           view.scheme.contactsAt(view.system, at_, after, instant_);
+  if (known_) instant_.lambda *= view.report.dt;
+}
+
+void SignalSampler::place(const StepView& view, double theta, bool ofContacts) {
+  const bool after = theta >= 1.0 || view.report.dt <= 0.0;
+  if (after) {
     at_.t = view.after.t, at_.q = view.after.q, at_.u = view.after.u;
+    at_.memory = view.after.memory;
   } else {
     view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
   }
   kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
                        dynamy::view(std::as_const(at_.u)), dynamy::view(view.after.memory));
+  look(view, after, ofContacts);
 }
 
-void SignalSampler::placeBeforeImpact(const StepView& view) {
-  at_.t = view.after.t, at_.q = view.after.q, at_.u = *view.report.uBeforeImpact;
+void SignalSampler::placeBeforeImpact(const StepView& view, bool ofContacts) {
+  at_.t = view.after.t, at_.q = view.after.q, at_.memory = view.after.memory;
+  at_.u = view.report.uBeforeImpact != nullptr ? *view.report.uBeforeImpact : view.after.u;
   kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
-                       dynamy::view(std::as_const(at_.u)));
+                       dynamy::view(std::as_const(at_.u)), dynamy::view(view.after.memory));
+  look(view, false, ofContacts);
 }
 
 double SignalSampler::value(const StepView& view, const NamedSignal& s) const {
@@ -82,9 +94,15 @@ double SignalSampler::value(const StepView& view, const NamedSignal& s) const {
     new (&seen.u) ConstVec(part(at_.u, h.u0, h.nu));
   }
   seen.kinematics = &kinematics_;
-  seen.contacts = &view.system.slot(0).contacts;
+  seen.contacts = seen.stepContacts = &view.system.slot(0).contacts;
   new (&seen.Lambda) ConstVec(view.Lambda);
+  new (&seen.stepLambda) ConstVec(view.Lambda);
   new (&seen.gammaE) ConstVec(view.gammaE);
+  if (known_) {
+    seen.contacts = instant_.contacts;
+    new (&seen.Lambda) ConstVec(instant_.lambda.data(), instant_.lambda.size());
+    new (&seen.gammaE) ConstVec(instant_.gamma.data(), instant_.gamma.size());
+  }
   new (&seen.memory) ConstVec(part(view.after.memory, s.memory0, s.memory));
   seen.dt = view.report.dt;
   seen.element = s.contact;
@@ -93,23 +111,23 @@ double SignalSampler::value(const StepView& view, const NamedSignal& s) const {
 
 void SignalSampler::sample(const StepView& view, double theta, std::span<double> out) {
   if (signals_.empty()) return;
-  place(view, theta);
+  place(view, theta, ofContacts_);
   for (std::size_t i = 0; i < signals_.size(); ++i) out[i] = value(view, *signals_[i]);
 }
 
 double SignalSampler::sampleOne(const StepView& view, double theta, std::size_t i) {
-  place(view, theta);
+  place(view, theta, signals_[i]->contact >= 0);
   return value(view, *signals_[i]);
 }
 
 void SignalSampler::sampleBeforeImpact(const StepView& view, std::span<double> out) {
   if (signals_.empty()) return;
-  placeBeforeImpact(view);
+  placeBeforeImpact(view, ofContacts_);
   for (std::size_t i = 0; i < signals_.size(); ++i) out[i] = value(view, *signals_[i]);
 }
 
 double SignalSampler::sampleBeforeImpact(const StepView& view, std::size_t i) {
-  placeBeforeImpact(view);
+  placeBeforeImpact(view, signals_[i]->contact >= 0);
   return value(view, *signals_[i]);
 }
 

@@ -17,22 +17,28 @@ class SignalSampler {
   const std::vector<const NamedSignal*>& signals() const { return signals_; }
 
   /// All signals at fraction θ ∈ [0,1] of the step; q and u from OneStep::interpolate, contact
-  /// quantities (Λ, γ^E, status) are those of the whole step. No allocation after the first call.
+  /// quantities (λ, γ, status) from OneStep::contactsAt, else those of the whole step. No
+  /// allocation after the first call.
   void sample(const StepView& view, double theta, std::span<double> out);
   /// Signal number i alone.
   double sampleOne(const StepView& view, double theta, std::size_t i);
-  /// The same right before the impact at the end of the step, which the report must have.
+  /// The same right before the switch or the impact at the end of the step.
   void sampleBeforeImpact(const StepView& view, std::span<double> out);
   double sampleBeforeImpact(const StepView& view, std::size_t i);
 
  private:
-  void place(const StepView& view, double theta);
-  void placeBeforeImpact(const StepView& view);
+  void place(const StepView& view, double theta, bool ofContacts);
+  void placeBeforeImpact(const StepView& view, bool ofContacts);
+  /// Asks the scheme for the contacts at at_, if signals of contacts are wanted.
+  void look(const StepView& view, bool after, bool ofContacts);
   double value(const StepView& view, const NamedSignal& signal) const;
   const Model& model_;
   std::vector<const NamedSignal*> signals_;
   Kinematics kinematics_;
   State at_;
+  ContactInstant instant_;
+  bool ofContacts_ = false;  // some signal may be one of contacts
+  bool known_ = false;       // instant_ is what contacts do at at_
 };
 
 }  // namespace dynamy

@@ -21,9 +21,15 @@ struct SignalView {
   ConstVec q{nullptr, 0},
       u{nullptr, 0};  ///< slices of the element's own system; empty for other elements
   const Kinematics* kinematics = nullptr;  ///< frames of the last evaluation
-  const ContactSet* contacts = nullptr;    ///< contacts of the last step
-  ConstVec Lambda{nullptr, 0};             ///< percussions of the last step [N s]
-  ConstVec gammaE{nullptr, 0};             ///< relative velocities at its end [m/s]
+  /// Contacts with percussions and relative velocities, rows in their order. A scheme of fixed
+  /// steps knows those of the last step and at its end; one that locates switches those at t, and
+  /// Lambda is the force there times dt.
+  const ContactSet* contacts = nullptr;
+  ConstVec Lambda{nullptr, 0};  ///< [N s]
+  ConstVec gammaE{nullptr, 0};  ///< [m/s]
+  /// The last step itself, impacts at its end included; null: as above.
+  const ContactSet* stepContacts = nullptr;
+  ConstVec stepLambda{nullptr, 0};         ///< percussions [N s]
   ConstVec memory{nullptr, 0};             ///< the element's own memory
   double dt = 0.0;                         ///< length of the last step [s]
   int element = -1;                        ///< index of the element among the contact elements
