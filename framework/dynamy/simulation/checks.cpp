@@ -166,18 +166,34 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
   }
   if (c.from > tE + hair || c.to < tA + hair) return;
   if (c.from > tA + hair && c.from < tE - hair) m.add(c.from, inside(c.from));
-  // Steps that a scheme chooses may hold a whole swing.
-  const int parts = view.scheme.choosesSteps() ? kWithin : 1;
-  for (int k = 1; k < parts; ++k)
-    if (const double t = tA + (tE - tA) * k / parts;
-        t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)
-      m.add(t, inside(t));
+  if (view.scheme.choosesSteps()) feedWithin(view, i);
   if (c.to >= tE - hair) {
     if (view.report.uBeforeImpact != nullptr || view.report.counts.switches > 0)
       m.add(tE, sampler_.sampleBeforeImpact(view, i));
     m.add(tE, end);
   } else {
     m.add(c.to, inside(c.to));
+  }
+}
+
+void Checks::feedWithin(const StepView& view, std::size_t i) {
+  Measurement& m = measurements_[i];
+  const CheckSettings& c = m.settings();
+  const double tA = view.before.t, tE = view.after.t, hair = 1e-9 * (tE - tA);
+  const bool extreme = c.measure == Measure::min || c.measure == Measure::max;
+  const double sign = c.measure == Measure::min ? -1.0 : 1.0;
+  double s[3] = {kNaN, kNaN, kNaN};  // the last three
+  for (int k = 1; k < kWithin; ++k) {
+    const double t = tA + (tE - tA) * k / kWithin;
+    if (!(t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)) continue;
+    s[0] = s[1], s[1] = s[2], s[2] = sampler_.sampleOne(view, (t - tA) / (tE - tA), i);
+    m.add(t, s[2]);
+    // An extreme between samples: that of the parabola through the three, where the signal has
+    // s̈/2 times the square of what its place is off.
+    const double left = sign * (s[1] - s[0]), right = sign * (s[1] - s[2]);
+    if (!extreme || !(left >= 0.0 && right >= 0.0 && left + right > 0.0)) continue;
+    const double top = k - 1 + 0.5 * (left - right) / (left + right);
+    m.between(sampler_.sampleOne(view, top / kWithin, i));
   }
 }
 

@@ -11,6 +11,7 @@
 ///
 /// A signal `run.NAME` is a figure of the run's report instead, with the value at the end.
 #pragma once
+#include <algorithm>
 #include <dynamy/core/compensated_sum.hpp>
 #include <dynamy/simulation/run_watch.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
@@ -36,6 +37,8 @@ class Measurement {
   /// Room for `samples` pairs if the measure has to keep them; no allocation up to there.
   void reserve(std::size_t samples);
   void add(double t, double s);
+  /// A value between two that were added, for the extremes.
+  void between(double s) { min_ = std::min(min_, s), max_ = std::max(max_, s); }
   /// NaN if there is not enough to measure.
   double result() const;
   void archive(Archive& a);
@@ -66,6 +69,8 @@ class Checks final : public Observer {
 
  private:
   void feed(const StepView& view, std::size_t i, double end);
+  /// Samples within a step that a scheme chose: it may hold a whole swing.
+  void feedWithin(const StepView& view, std::size_t i);
   CheckResult measured(const Measurement& m) const;
   std::vector<CheckSettings> all_;
   SignalSampler sampler_;
