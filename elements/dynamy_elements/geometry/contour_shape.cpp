@@ -36,7 +36,8 @@ void ContourShape::declare(Attributes& a) {
   a.about(
       "Closed smooth curve r(phi) about the shape's z axis, a cam: touches circles and points "
       "where "
-      "bodies move in its plane, and half spaces if it is convex. A periodic spline of degree 5 through "
+      "bodies move in its plane, and half spaces if it is convex. A periodic spline of degree 5 "
+      "through "
       "720 points, or through the radii that are given.");
   a.add(AttributeType::expression, "r", std::nullopt, "radius as a formula of phi [m]")
       .mayBeAbsent();

@@ -29,10 +29,10 @@ struct SignalView {
   ConstVec gammaE{nullptr, 0};  ///< [m/s]
   /// The last step itself, impacts at its end included; null: as above.
   const ContactSet* stepContacts = nullptr;
-  ConstVec stepLambda{nullptr, 0};         ///< percussions [N s]
-  ConstVec memory{nullptr, 0};             ///< the element's own memory
-  double dt = 0.0;                         ///< length of the last step [s]
-  int element = -1;                        ///< index of the element among the contact elements
+  ConstVec stepLambda{nullptr, 0};  ///< percussions [N s]
+  ConstVec memory{nullptr, 0};      ///< the element's own memory
+  double dt = 0.0;                  ///< length of the last step [s]
+  int element = -1;                 ///< index of the element among the contact elements
 };
 using SignalFunction = std::function<double(const SignalView&)>;
 
