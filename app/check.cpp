@@ -149,6 +149,17 @@ std::string text(const Model& model, const Sizes& s, const std::optional<Alterna
   return out;
 }
 
+void writeLaws(JsonWriter& j, const Model& model) {
+  j.key("laws").beginArray();
+  for (const auto& [materials, answer] : model.pairLaws().found())
+    j.beginObject()
+        .member("materials", materials.first + " " + materials.second)
+        .member("law", answer.text)
+        .member("from", answer.from->place().format())
+        .endObject();
+  j.endArray();
+}
+
 std::string json(const Model& model, const Sizes& s, const std::optional<Alternative>& other) {
   std::string out;
   JsonWriter j(out, 2);
@@ -163,14 +174,7 @@ std::string json(const Model& model, const Sizes& s, const std::optional<Alterna
   j.member("step", model.simulation.step).member("tolerance", model.simulation.tolerance);
   j.member("until", model.simulation.until);
   j.member("length", model.length());
-  j.key("laws").beginArray();
-  for (const auto& [materials, answer] : model.pairLaws().found())
-    j.beginObject()
-        .member("materials", materials.first + " " + materials.second)
-        .member("law", answer.text)
-        .member("from", answer.from->place().format())
-        .endObject();
-  j.endArray();
+  writeLaws(j, model);
   if (other)
     j.key("otherCoordinates")
         .beginObject()

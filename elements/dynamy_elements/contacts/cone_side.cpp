@@ -33,7 +33,7 @@ ContactPoint ballOnCone(const DiscBody& A, const Frame& B, const RoundFeature& b
   const Vec3 c = B.r_OS_I + B.A_IK * ball.c_K, way = c - A.middle(0);
   const double z = way.dot(A.a), out = A.acrossAxis(way).norm();
   double s = 0.0;
-  const ContactPoint beside = pointOnSide(A, B, c, ball.radius, s);
+  ContactPoint beside = pointOnSide(A, B, c, ball.radius, s);
   // Over the base, or inside and nearest to it.
   const bool outside = out > A.rho, below = z <= 0.0;
   if (below ? !outside || out - A.rho < kOnEdge * A.rho : -z > beside.g + ball.radius) {

@@ -82,6 +82,8 @@ class LocatedDormandPrince : public OneStep {
   /// Ends starts of slip that are none any more at from_, for a step of length h.
   bool endClearStarts(MechanicalSystem& s, double h);
   bool project(MechanicalSystem& s, PhasePoint& p);
+  /// Parts whose slip ends within the tolerance, after at most `last`; steps may go on by `bound`.
+  bool findStopping(double most, double& bound, double& last);
   bool stop(MechanicalSystem& s, InclusionSolver& solver, double& most, StepReport& report,
             bool& stopped);
   void release(const Switch& w);

@@ -15,13 +15,9 @@ constexpr double kBiasNoise = 1e-12;   ///< of L/T² and 1/T²: rates that are n
 
 }  // namespace
 
-bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, double& most,
-                                StepReport& report, bool& stopped) {
-  // Slip in space ends where |γ_T| reaches zero, in a singular way: the end is taken analytically,
-  // for all contacts whose slip is that short at once.
-  stopped = false;
+bool LocatedDormandPrince::findStopping(double most, double& bound, double& last) {
   stopping_.clear();
-  double last = 0.0, bound = most;
+  last = 0.0, bound = most;
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     const Held& h = phase_.held[i];
     const int first = phase_.slip0(i), k = phase_.slipRows(i);
@@ -49,6 +45,16 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
     lastSwitched_ = h.key;
     last = std::max(last, T);
   }
+  return true;
+}
+
+bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, double& most,
+                                StepReport& report, bool& stopped) {
+  // Slip in space ends where |γ_T| reaches zero, in a singular way: the end is taken analytically,
+  // for all contacts whose slip is that short at once.
+  stopped = false;
+  double last = 0.0, bound = most;
+  if (!findStopping(most, bound, last)) return false;
   if (stopping_.empty()) {
     most = bound;
     return true;
