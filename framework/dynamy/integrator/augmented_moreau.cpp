@@ -189,8 +189,8 @@ void AugmentedMoreau::accepted(double t, double H) {
     plan_.next = std::min(2 * H, plan_.dtMax);
 }
 
-const ContactSet& AugmentedMoreau::contactsAt(const MechanicalSystem& s, const State& x,
-                                              const ContactRequest& request) {
+const ContactSet& AugmentedMoreau::evaluatedContacts(const MechanicalSystem& s, const State& x,
+                                                     const ContactRequest& request) {
   const Topology& topology = *s.parts().topology;
   if (!ready_) kinematics_.resize(topology), ready_ = true;
   kinematics_.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory));
@@ -207,14 +207,14 @@ void AugmentedMoreau::closedAt(const MechanicalSystem& s, const State& x) {
   ContactRequest request;
   request.gTol = s.gTol();
   closed_ = pressed_;
-  addKeys(contactsAt(s, x, request), closed_);
+  addKeys(evaluatedContacts(s, x, request), closed_);
 }
 
 bool AugmentedMoreau::endIsFree(const MechanicalSystem& s, const State& x) {
   if (!options_.checkEnds) return true;
   ContactRequest gapsAlone;
   gapsAlone.refresh = true;
-  return !anyPassed(contactsAt(s, x, gapsAlone), 0.0);
+  return !anyPassed(evaluatedContacts(s, x, gapsAlone), 0.0);
 }
 
 bool AugmentedMoreau::anyPassed(const ContactSet& c, double least) const {

@@ -63,8 +63,8 @@ class AugmentedMoreau final : public OneStep {
   void extrapolated(const MechanicalSystem& s, State& x);
   enum class Rebound : std::uint8_t { all, ofNew };
   void baseStep(MechanicalSystem& s, InclusionSolver& solver, State& x, double h, Rebound rebound);
-  const ContactSet& contactsAt(const MechanicalSystem& s, const State& x,
-                               const ContactRequest& request);
+  const ContactSet& evaluatedContacts(const MechanicalSystem& s, const State& x,
+                                      const ContactRequest& request);
   void closedAt(const MechanicalSystem& s, const State& x);
   bool endIsFree(const MechanicalSystem& s, const State& x);
   bool anyPassed(const ContactSet& c, double least) const;
