@@ -175,6 +175,24 @@ TEST(LocatedBelt, HasThePeriodOfWeakeningFriction) {
   EXPECT_NEAR(slips[2] - slips[1], 12.001031294830579, 1e-10);  // truth N05e, 12 digits
 }
 
+TEST(LocatedBelt, SlipsBackIntoStickWithoutAFloorOfTheError) {
+  // Friction 1/(1 + 3 v): its slope at rest turns an error of the slip, even the least that is
+  // taken for one, into an error of the force. At 20 s the belt slips for the third time. Truth:
+  // Taylor series of 40 terms with 40 digits.
+  const std::string block = R"(<dynamy version="1"><systems><Coordinates name="block" q="x"
+      q0="0" u0="0.2" M="1" potential="x^2/2"/></systems><elements><CoordinateContact name="friction"
+      on="block" slipVelocity="x_dot - 0.2"><StribeckFriction force="1" kineticForce="0"
+      speed="{1/3}" decay="rational"/></CoordinateContact></elements>
+      <simulation until="20" step="1"/></dynamy>)";
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+    LocatedRun belt(block, tolerance, 20.0);
+    EXPECT_EQ(belt.run().ended, RunReport::Ended::finished) << belt.report().reason;
+    // K of the calibration's belt with weakening friction is 1 at its worst 2 K tol; the place is
+    // of 1 m, rounding of its 1200 evaluations 1e-12.
+    EXPECT_NEAR(belt.state().q[0], 0.00256236528282473, 10.0 * tolerance + 1e-12) << tolerance;
+  }
+}
+
 TEST(LocatedImpacts, KeepTheOrbitOfTheImpactOscillator) {
   LocatedRun mass(kImpactOscillator, 1e-12, 20.0);
   const RunReport& r = mass.run();

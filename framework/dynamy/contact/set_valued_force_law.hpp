@@ -36,6 +36,9 @@ struct LawInput {
   /// What each row's γ is the rate of (ContactSet::position), dim, or null: zero  [m, rad].
   const double* position = nullptr;
   double scale = 1.0;  ///< factor on the set, given by the element (ContactRows::scale)
+  /// Slips up to this are rest where a law has two levels of friction [m/s or rad/s]: far above
+  /// rounding of a held contact, far below any motion of interest. 0 where a slip is known as one.
+  double rest = 1e-9;
 };
 
 /// The set of one contact where it is among those whose inclusion −(DΛ + b) ∈ N_C(Λ) has a closed

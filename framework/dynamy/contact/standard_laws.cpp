@@ -14,9 +14,6 @@ namespace dynamy {
 namespace {
 
 constexpr int kMaxRows = 8;
-/// Relative velocities below this count as sticking where the law has two levels [m/s or rad/s]:
-/// far above rounding of a held contact, far below any motion of interest.
-constexpr double kRestVelocity = 1e-9;
 
 /// x ← nearest point of the ball of `radius` in the metric diag(r)⁻¹.
 void projectBall(double radius, const double* r, int k, double* x) {
@@ -254,7 +251,7 @@ double GivenFriction::radius(const LawInput& in) const {
   double square = 0.0;
   if (in.gammaA)
     for (int i = 0; i < in.dim; ++i) square += in.gammaA[i] * in.gammaA[i];
-  return in.scale * in.dt * (square > kRestVelocity * kRestVelocity ? kinetic_ : static_);
+  return in.scale * in.dt * (square > in.rest * in.rest ? kinetic_ : static_);
 }
 
 void GivenFriction::prox(const LawInput& in, const double* r, const double* xi,

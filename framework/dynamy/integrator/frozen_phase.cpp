@@ -7,11 +7,9 @@ namespace {
 
 /// Pivots below this share of the largest belong to redundant rows.
 constexpr double kRank = 1e-10;
-/// A slip slower than this has the direction that was decided [m/s]; laws with two levels of
-/// friction are then asked for the one of slip.
-constexpr double kLeastSlip = 1e-6;
-/// A slip in space slower than this has the direction that was decided [m/s].
-constexpr double kLeastDirection = 1e-12;
+/// A slip slower than this has the direction that was decided [m/s]. Friction that depends on the
+/// slip is off by its slope times this.
+constexpr double kLeastSlip = 1e-12;
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
 constexpr int kMostTurns = 200;        ///< of the directions of slips that start
 constexpr double kTurned = 1e-14;      ///< change of a direction that ends them
@@ -180,7 +178,7 @@ void FrozenPhase::columns(std::size_t i) {
   if (normal) unknown(first);
   // γ_T of the stage; of one tangent, and of a slip that starts, what was decided.
   const double speed = slipSpeed(bounds_[i], k, gamma_.data() + tangent);
-  const bool decided = k > 1 && (h.starts || !(speed > kLeastDirection));
+  const bool decided = k > 1 && (h.starts || !(speed > kLeastSlip));
   const double* t = decided ? h.direction.data() : k > 1 ? gamma_.data() + tangent : &h.sign;
   if (form_[i] == Form::reservoir) {
     double force[Held::kMostRows];
@@ -209,7 +207,7 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     if (held[i].slips && dim(i) == 1 && std::abs(slip[0]) < kLeastSlip)
       slip[0] = held[i].sign * kLeastSlip;
     LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
-    if (held[i].slips) in.gammaA = slip;
+    if (held[i].slips) in.gammaA = slip, in.rest = 0.0;
     const bool whole = held[i].rows == 0 && law.discs() != nullptr && dim(i) > 1;
     if (!fits || whole || !bounds(law, in, bounds_[i], held[i].first)) {
       ownFault_ = "the smooth phases of <" + law.type() +
