@@ -5,6 +5,7 @@
 #include <dynamy/contact/simple_contact.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <reference/located_run.hpp>
+#include <support/table.hpp>
 
 namespace dynamy::reference {
 namespace {
@@ -135,30 +136,20 @@ TEST(LocatedBias, IsAskedOfElementsThatLeaveItOut) {
 
 // ---- both sides of an impact -------------------------------------------------------------------
 
-class Rows final : public RecordSink {
- public:
-  void row(double t, std::span<const double> values) override {
-    times.push_back(t), table.emplace_back(values.begin(), values.end());
-  }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
-  std::vector<double> times;
-  std::vector<std::vector<double>> table;
-};
-
 TEST(LocatedRecording, HasARowOnEachSideOfAnImpact) {
   LocatedRun ball("bouncing_ball", 1e-10, 1.0);
-  Rows rows;
-  ball.simulation().record(rows);
+  Table table;
+  ball.simulation().record(table);
   ASSERT_EQ(ball.run().ended, RunReport::Ended::finished) << ball.report().reason;
   std::vector<std::size_t> pairs;
-  for (std::size_t i = 1; i < rows.times.size(); ++i) {
-    EXPECT_GE(rows.times[i], rows.times[i - 1]);
-    if (rows.times[i] == rows.times[i - 1]) pairs.push_back(i);
+  for (std::size_t i = 1; i < table.t.size(); ++i) {
+    EXPECT_GE(table.t[i], table.t[i - 1]);
+    if (table.t[i] == table.t[i - 1]) pairs.push_back(i);
   }
   ASSERT_EQ(static_cast<long>(pairs.size()), ball.report().impacts);
   const double speed = std::sqrt(2.0 * 9.81);  // of a fall of 1 m; e = 0.5
-  EXPECT_NEAR(rows.table[pairs[0] - 1][1], -speed, 1e-9);
-  EXPECT_NEAR(rows.table[pairs[0]][1], 0.5 * speed, 1e-9);
+  EXPECT_NEAR(table.rows[pairs[0] - 1][1], -speed, 1e-9);
+  EXPECT_NEAR(table.rows[pairs[0]][1], 0.5 * speed, 1e-9);
 }
 
 TEST(LocatedChecks, SeeTheSpeedRightBeforeAnImpact) {

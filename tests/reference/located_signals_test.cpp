@@ -4,29 +4,19 @@
 
 #include <cmath>
 #include <reference/located_run.hpp>
+#include <support/table.hpp>
 
 namespace dynamy::reference {
 namespace {
 
-class Rows final : public RecordSink {
- public:
-  void row(double t, std::span<const double> values) override {
-    times.push_back(t);
-    rows.emplace_back(values.begin(), values.end());
-  }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
-  std::vector<double> times;
-  std::vector<std::vector<double>> rows;
-};
-
-Rows record(LocatedRun& run, const std::vector<std::string>& signals, double every) {
+Table record(LocatedRun& run, const std::vector<std::string>& signals, double every) {
   run.model().record.signals = signals;
   run.model().record.places.assign(signals.size(), Place());
   run.model().record.every = every;
-  Rows rows;
-  run.simulation().record(rows);
+  Table table;
+  run.simulation().record(table);
   EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
-  return rows;
+  return table;
 }
 
 TEST(LocatedSignals, OfContactsAreThoseOfTheInstant) {
@@ -39,14 +29,14 @@ TEST(LocatedSignals, OfContactsAreThoseOfTheInstant) {
       <UnilateralCoulomb mu="0.5"/></CoordinateContact></elements>
     <simulation until="1" step="1"/></dynamy>)xml",
                  1e-8, 6.0);
-  const Rows r = record(
+  const Table r = record(
       run, {"floor.lambda_N", "floor.lambda_T", "floor.gamma_T", "floor.g", "floor.status"}, 0.13);
   // Forces are formulas of t alone. The rest is met to the tolerance, here of lengths of 1 m and
   // speeds of up to 20 m/s.
   constexpr double kForce = 1e-12, kMotion = 2e-7;
-  ASSERT_GT(r.times.size(), 40u);
-  for (std::size_t i = 1; i < r.times.size(); ++i) {
-    const double t = r.times[i], N = t < 5.0 ? 20.0 - 4.0 * t : 0.0;
+  ASSERT_GT(r.t.size(), 40u);
+  for (std::size_t i = 1; i < r.t.size(); ++i) {
+    const double t = r.t[i], N = t < 5.0 ? 20.0 - 4.0 * t : 0.0;
     EXPECT_NEAR(r.rows[i][0], N, kForce) << t;
     EXPECT_NEAR(r.rows[i][1], t < 2.0 ? -3.0 * t : -0.5 * N, kForce) << t;
     if (t < 5.0) {
@@ -67,12 +57,12 @@ TEST(LocatedSignals, PercussionsAreNoForces) {
       </CoordinateContact></elements>
     <simulation until="1" step="1"/></dynamy>)xml",
                  1e-8, 0.9);
-  const Rows r = record(run, {"floor.Lambda_N", "floor.lambda_N"}, 0.09);
+  const Table r = record(run, {"floor.Lambda_N", "floor.lambda_N"}, 0.09);
   double largest = 0.0;
-  for (std::size_t i = 0; i < r.times.size(); ++i) {
-    EXPECT_EQ(r.rows[i][1], 0.0) << r.times[i];  // closed for an instant
-    if (r.times[i] > 0.5 + 1e-8) {
-      EXPECT_EQ(r.rows[i][0], 0.0) << r.times[i];  // rows of one step share its percussion
+  for (std::size_t i = 0; i < r.t.size(); ++i) {
+    EXPECT_EQ(r.rows[i][1], 0.0) << r.t[i];  // closed for an instant
+    if (r.t[i] > 0.5 + 1e-8) {
+      EXPECT_EQ(r.rows[i][0], 0.0) << r.t[i];  // rows of one step share its percussion
     }
     largest = std::max(largest, r.rows[i][0]);
   }
@@ -91,7 +81,7 @@ TEST(LocatedSignals, OfPartsWithAStatusOfTheirOwnStandInTheirRows) {
     </elements><simulation until="1" step="1"/></dynamy>)xml",
                  1e-8, 0.5);
   const std::string contact = "ball-table.lambda_";
-  const Rows r = record(
+  const Table r = record(
       run, {contact + "N", contact + "T1", contact + "T2", contact + "roll1", contact + "roll2"},
       0.11);
   ASSERT_GT(r.rows.size(), 4u);
@@ -106,7 +96,7 @@ TEST(LocatedSignals, CapstansForcesAtTheEndAreThoseOfItsFormula) {
   // models/capstan.xml says where the numbers come from; its own tolerance is that of steps of 1
   // ms.
   LocatedRun run("capstan", 1e-9, 2.6);
-  const Rows r = record(run, {"rope.forceA", "rope.forceB"}, 0.1);
+  const Table r = record(run, {"rope.forceA", "rope.forceB"}, 0.1);
   EXPECT_NEAR(r.rows.back()[0], 720.5888187993172, 1e-9);
   EXPECT_NEAR(r.rows.back()[1], 109.41118120068282, 1e-9);
 }

@@ -111,58 +111,48 @@ TEST(RoundBodies, CanStandsOnATableSmallerThanItself) {
   EXPECT_LT((can.q("can") - q).norm(), 1e-12);
 }
 
-TEST(RoundBodies, CoinRollsRoundOnABoxAndOnTrianglesAsOnAHalfSpace) {
-  const auto rolled = [](const std::string& table) {
+/// Where a body ends that rolls for 0.5 s on each of three floors, z = 0.
+struct Rolled {
+  Eigen::VectorXd box, plane, field;
+};
+
+Rolled rolledOnThreeFloors(const std::string& body) {
+  const auto rolled = [&](const std::string& table) {
     SceneSetup setup;
-    setup.text = scene(
-        "<RigidBody name=\"coin\" position=\"0 0 0.06\" euler=\"0 -0.5 0\" angularVelocity=\"9 0 "
-        "1\"><Cylinder radius=\"0.1\" length=\"0.02\" mass=\"1\" material=\"wood\"/></RigidBody>"
-        "<Ground name=\"table\">" +
-            table + "</Ground>",
-        kWoodOnStone);
-    Scene coin("coin", std::move(setup));
-    coin.run(0.5, 1e-3);
-    return coin.q("coin");
+    setup.text = scene(body + "<Ground name=\"table\">" + table + "</Ground>", kWoodOnStone);
+    Scene run("body", std::move(setup));
+    run.run(0.5, 1e-3);
+    return run.q("body");
   };
-  const Eigen::VectorXd box = rolled(
-                            "<Box size=\"2 2 0.1\" position=\"0 0 -0.05\" material=\"stone\"/>"),
-                        plane = rolled("<HalfSpace material=\"stone\"/>");
-  // Eight triangles of one plane, whose edges the point of contact passes.
-  const Eigen::VectorXd field = rolled(
-      "<HeightField columns=\"3\" spacing=\"1 1\" position=\"-1.03 -0.98 0\" "
-      "heights=\"0 0 0 0 0 0 0 0 0\" material=\"stone\"/>");
+  // The field: eight triangles of one plane, whose edges the points of contact pass.
+  return {rolled("<Box size=\"2 2 0.1\" position=\"0 0 -0.05\" material=\"stone\"/>"),
+          rolled("<HalfSpace material=\"stone\"/>"),
+          rolled("<HeightField columns=\"3\" spacing=\"1 1\" position=\"-1.03 -0.98 0\" "
+                 "heights=\"0 0 0 0 0 0 0 0 0\" material=\"stone\"/>")};
+}
+
+TEST(RoundBodies, CoinRollsRoundOnABoxAndOnTrianglesAsOnAHalfSpace) {
+  const Rolled on = rolledOnThreeFloors(
+      "<RigidBody name=\"body\" position=\"0 0 0.06\" euler=\"0 -0.5 0\" "
+      "angularVelocity=\"9 0 1\"><Cylinder radius=\"0.1\" length=\"0.02\" mass=\"1\" "
+      "material=\"wood\"/></RigidBody>");
   // Roundings of the two ways to the same gap, over 500 steps.
-  EXPECT_LT((box - plane).norm(), 1e-9);
-  EXPECT_LT((field - plane).norm(), 1e-9);
+  EXPECT_LT((on.box - on.plane).norm(), 1e-9);
+  EXPECT_LT((on.field - on.plane).norm(), 1e-9);
 }
 
 TEST(RoundBodies, ConeRollsOnItsSideOnABoxAndOnTrianglesAsOnAHalfSpace) {
-  const auto rolled = [](const std::string& table) {
-    SceneSetup setup;
-    // On its side, the tip at the origin; half the angle there is atan(1/3).
-    setup.text = scene(
-        "<RigidBody name=\"cone\" position=\"{-0.3*cos(atan(1/3))} 0 {0.3*sin(atan(1/3))}\" "
-        "euler=\"0 {pi/2 + atan(1/3)} 0\" angularVelocity=\"3 0 1\"><Cone radius=\"0.1\" "
-        "length=\"0.3\" mass=\"1\" material=\"wood\"/></RigidBody><Ground name=\"table\">" +
-            table + "</Ground>",
-        kWoodOnStone);
-    Scene cone("cone", std::move(setup));
-    cone.run(0.5, 1e-3);
-    return cone.q("cone");
-  };
-  const Eigen::VectorXd box = rolled(
-                            "<Box size=\"2 2 0.1\" position=\"0 0 -0.05\" material=\"stone\"/>"),
-                        plane = rolled("<HalfSpace material=\"stone\"/>");
-  // Eight triangles, as above.
-  const Eigen::VectorXd field = rolled(
-      "<HeightField columns=\"3\" spacing=\"1 1\" position=\"-1.03 -0.98 0\" "
-      "heights=\"0 0 0 0 0 0 0 0 0\" material=\"stone\"/>");
+  // On its side, the tip at the origin; half the angle there is atan(1/3).
+  const Rolled on = rolledOnThreeFloors(
+      "<RigidBody name=\"body\" position=\"{-0.3*cos(atan(1/3))} 0 {0.3*sin(atan(1/3))}\" "
+      "euler=\"0 {pi/2 + atan(1/3)} 0\" angularVelocity=\"3 0 1\"><Cone radius=\"0.1\" "
+      "length=\"0.3\" mass=\"1\" material=\"wood\"/></RigidBody>");
   // Roundings of the two ways to the same gap, over 500 steps.
-  EXPECT_LT((field - box).norm(), 1e-9);
+  EXPECT_LT((on.field - on.box).norm(), 1e-9);
   // Friction along the line of contact is not unique, and the solver ends elsewhere on the half
   // space: it leaves up to 5e-10 m/s there, of 500 steps, for up to half a second, and as much for
   // the angles of a body of this size.
-  EXPECT_LT((box - plane).norm(), 2.5e-7);
+  EXPECT_LT((on.box - on.plane).norm(), 2.5e-7);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <dynamy/simulation/simulation.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <limits>
+#include <support/table.hpp>
 
 namespace dynamy::scenes {
 
@@ -136,18 +137,5 @@ inline Model ballOnFloor(double z, double vx, double epsilonN, double mu, double
   m.simulation.until = until, m.simulation.step = step;
   return m;
 }
-
-/// Keeps all rows.
-class Table final : public RecordSink {
- public:
-  void row(double at, std::span<const double> values) override {
-    t.push_back(at);
-    rows.emplace_back(values.begin(), values.end());
-  }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
-  void archive(Archive& a) override { a(t), a(rows); }
-  std::vector<double> t;
-  std::vector<std::vector<double>> rows;
-};
 
 }  // namespace dynamy::scenes
