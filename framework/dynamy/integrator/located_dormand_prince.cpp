@@ -195,6 +195,8 @@ bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w
 
 bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w) {
   double slope = w.slope, last = 0.0, moved = 0.0;
+  // Another look at a gap costs next to nothing, at a force an evaluation.
+  const double near = w.force ? std::min(1e-8, 0.01 * norm_.tolerance()) : 1e-15;
   for (int i = 0; i < 8; ++i) {
     double value = 0.0;
     if (!search_.value(probe_, phase_, to_.x, w, value)) return refuse(ContactProbe::kUnfollowed);
@@ -204,7 +206,7 @@ bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w
     }
     if (!(slope < 0.0)) return true;  // grazing: the switch is where the search found it
     const double d = -value / slope;
-    if (std::abs(d) <= (w.force ? 1e-8 : 1e-15) * h || std::abs(d) > 0.5 * h) return true;
+    if (std::abs(d) <= near * h || std::abs(d) > 0.5 * h) return true;
     last = value, moved = d;
     if (std::abs(d / h) * (d / h) * (d / h) > 0.01 * norm_.tolerance()) {
       trial_ = to_;

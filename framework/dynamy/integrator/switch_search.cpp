@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <dynamy/integrator/switch_search.hpp>
 
@@ -10,8 +11,12 @@ constexpr int kHalvings = 46;          ///< for monitors that start at zero: θ 
 constexpr int kForceHalvings = 20;
 constexpr int kMostRefinements = 160;
 constexpr double kJump = 0.1;         ///< of the fall of a force over the first bracket
-constexpr double kJumpWidth = 1e-13;  ///< how closely a jump is found, as a part of the step
-constexpr double kStart = 1e3;        ///< of the noise: a value that starts below starts at zero
+constexpr double kAside = 0.25;       ///< of the fall; half of it for a jump
+constexpr double kJumpWidth = 1e-13;  ///< a jump is not found more closely, as a part of the step
+/// Of the fall over a bracket: a larger value is no root, though the last slope, which may be that
+/// over a jump, says so.
+constexpr double kSmall = 1e-2;
+constexpr double kStart = 1e3;  ///< of the noise: a value that starts below starts at zero
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
 constexpr double kNear = 0.02;
 constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
@@ -117,30 +122,29 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
 template <class Value>
 bool SwitchSearch::refine(double& a, double& fa, double& b, double& fb, double width, Value&& value,
                           double& root, double& slope) {
-  // The regula falsi with Illinois' weights, and a halving where it stays on one side.
-  int side = 0;
+  // [alefeld_potra_shi1995]: both ends close in, with order 1.65 a look in the end.
+  bool known = true;
+  double last = a, fLast = fa;
   slope = (fb - fa) / (b - a);
-  double wa = fa, wb = fb;  // weighted
-  for (int i = 0; i < kMostRefinements && b - a > width; ++i) {
-    double c = wa > 0.0 && i % 3 != 2 ? (a * wb - b * wa) / (wb - wa) : 0.5 * (a + b);
-    if (!(c > a && c < b)) c = 0.5 * (a + b);
-    double fc = 0.0;
-    if (!value(c, fc)) return false;
-    slope = fc > 0.0 ? (fc - fb) / (c - b) : (fc - fa) / (c - a);
-    if (fc == 0.0) {
-      a = b = c;
-    } else if (fc > 0.0) {
-      a = c, fa = wa = fc;
-      if (side == 1) wb *= 0.5;
-      side = 1;
-    } else {
-      b = c, fb = wb = fc;
-      if (side == -1) wa *= 0.5;
-      side = -1;
+  const double small = kSmall * (fa - fb);
+  const auto f = [&](double t) {
+    double v = 0.0;
+    known = known && value(t, v);
+    if (t != last && v != fLast) slope = (v - fLast) / (t - last);
+    last = t, fLast = v;
+    if (!known || std::abs(v) <= std::min(0.5 * width * std::abs(slope), small)) {
+      a = b = slope < 0.0 ? t - v / slope : t, fa = fb = 0.0;
+      return 0.0;  // near enough, though one end of the bracket may be far
     }
-  }
-  root = fa > 0.0 && fb < 0.0 && b > a ? (a * fb - b * fa) / (fb - fa) : a;
-  return true;
+    (v > 0.0 ? a : b) = t, (v > 0.0 ? fa : fb) = v;
+    return v;
+  };
+  const auto near = [&](double l, double r) { return r - l <= width; };
+  std::uintmax_t most = kMostRefinements;
+  if (!near(a, b))
+    boost::math::tools::toms748_solve(f, double(a), double(b), double(fa), double(fb), near, most);
+  root = b > a ? (a * fb - b * fa) / (fb - fa) : a;
+  return known;
 }
 
 bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
@@ -223,9 +227,15 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
   const double fall = fa - fb;
   const bool wide = b - a > 2.0 * width;
   if (fa > 0.0 && !refine(a, fa, b, fb, width, value, root, slope)) return false;
-  if (wide && fa > 0.0 && fa - fb > kJump * fall) {  // the bracket has shrunk, the fall has not
-    if (!refine(a, fa, b, fb, kJumpWidth, value, root, slope)) return false;
-    root = b, slope = 0.0;  // behind the jump
+  if (wide && fa > 0.0 && fa - fb > kJump * fall) {
+    // The bracket has shrunk, the fall has not: a jump, unless the middle lies in the middle.
+    double middle = 0.0;
+    if (!value(0.5 * (a + b), middle)) return false;
+    if (std::abs(middle - 0.5 * (fa + fb)) > kAside * (fa - fb)) {
+      const double fine = std::max(kJumpWidth, width * width * width);  // no slope: 1e-5 tol
+      if (!refine(a, fa, b, fb, fine, value, root, slope)) return false;
+      root = b, slope = 0.0;  // behind the jump
+    }
   }
   if (!(root < first.theta)) return true;
   first = {root > 0.0 ? Switch::Kind::root : Switch::Kind::atStart, root, true, monitor,
