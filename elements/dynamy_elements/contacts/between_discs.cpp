@@ -1,6 +1,8 @@
 #include <cmath>
 #include <dynamy_elements/contacts/between_discs.hpp>
+#include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/disc_arc.hpp>
+#include <dynamy_elements/contacts/segments.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -26,7 +28,7 @@ struct Apart {
 Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
   const Vec3 v = D.acrossAxis(d);
   const double s = v.norm();
-  return s > 0.0 ? Vec3(D.middle(rim) + D.rho / s * v) : D.middle(rim);
+  return s > 0.0 ? Vec3(D.middle(rim) + D.radius(rim) / s * v) : D.middle(rim);
 }
 
 /// Candidates for the direction of largest separation.
@@ -38,7 +40,8 @@ class Search {
   Apart best(double more) {
     for (const DiscBody* body : {&A_, &B_})
       if (body->rho > 0.0)
-        for (const double side : {1.0, -1.0}) take(side * body->a);
+        for (const double side : {1.0, -1.0})
+          if (!(body->tip && side > 0.0)) take((body == &A_ ? side : -side) * body->a);
     least_ = best_.f + more;
     if (A_.half > 0.0) across(A_, B_, 1.0);
     if (B_.half > 0.0) across(B_, A_, -1.0);
@@ -53,8 +56,8 @@ class Search {
   }
   /// Across the axis of one body; `sign`: n from it to the other is that from A to B.
   void across(const DiscBody& one, const DiscBody& other, double sign) {
-    const Vec3 x = one.a.unitOrthogonal();
-    const DiscArc arc{other, x, one.a.cross(x), other.c - one.c};
+    const Vec3 x = one.cosine() * one.a.unitOrthogonal(), o = one.tip ? one.middle(1) : one.c;
+    const DiscArc arc{other, x, one.a.cross(x), other.c - o, one.sine() * one.a};
     arc.tops(2.0 * std::numbers::pi, [&](const Vec3& n, double) { take(sign * n); });
   }
   void rims() {
@@ -70,13 +73,26 @@ class Search {
     }
     for (int i = 0; i < A_.rims(); ++i)
       for (int j = 0; j < B_.rims(); ++j)
-        if (start[i][j].f > -kInfinity) take(between(i, j, start[i][j].n));
+        if (A_.radius(i) == 0.0 || B_.radius(j) == 0.0)
+          fromPoint(i, j);
+        else if (start[i][j].f > -kInfinity)
+          take(between(i, j, start[i][j].n));
     besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
+  }
+  /// One of the rims is a point, a tip or an end: its nearest point on the other.
+  void fromPoint(int i, int j) {
+    const bool onA = A_.radius(i) > 0.0;
+    const DiscBody& disc = onA ? A_ : B_;
+    const Vec3 p = onA ? B_.middle(j) : A_.middle(i), o = disc.middle(onA ? i : j);
+    const Vec3 beside = disc.acrossAxis(p - o);
+    const double out = beside.norm(), rho = disc.radius(onA ? i : j);
+    const Vec3 way = p - o - (out > rho ? rho / out : 1.0) * beside;
+    if (way.norm() > 0.0) take((onA ? way : Vec3(-way)).normalized());
   }
   /// At a cap f has a peak or a kink: beside it, where the other body is beyond the rim.
   void besideCap(const DiscBody& one, const DiscBody& other, double sign) {
     if (one.rho == 0.0) return;
-    const Vec3 a = one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
+    const Vec3 a = one.tip || one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
     const Vec3 e = one.acrossAxis(outermost(other, other.rimAlong(-a), -a) - one.c);
     if (!(e.norm() > one.rho)) return;
     const Vec3 n = sign * (a + kBeside * e.normalized()).normalized();
@@ -90,12 +106,12 @@ class Search {
 };
 
 /// How that point wanders.
-Mat3 wandering(const DiscBody& D, const Vec3& d) {
+Mat3 wandering(const DiscBody& D, int rim, const Vec3& d) {
   const Vec3 v = D.acrossAxis(d);
   const double s = v.norm();
   if (!(s > 0.0)) return Mat3::Zero();
   const Vec3 t = D.a.cross(v) / s;
-  return D.rho / s * t * t.transpose();
+  return D.radius(rim) / s * t * t.transpose();
 }
 
 Vec3 Search::between(int i, int j, Vec3 n) const {
@@ -104,7 +120,7 @@ Vec3 Search::between(int i, int j, Vec3 n) const {
   for (int step = 0; step < kSteps; ++step) {
     Eigen::Matrix<double, 3, 2> T;
     T.col(0) = n.unitOrthogonal(), T.col(1) = n.cross(T.col(0));
-    Eigen::Matrix2d K = T.transpose() * (wandering(A_, n) + wandering(B_, -n)) * T;
+    Eigen::Matrix2d K = T.transpose() * (wandering(A_, i, n) + wandering(B_, j, -n)) * T;
     K += f * Eigen::Matrix2d::Identity();
     // Deep inside f is no longer concave: along the gradient.
     if (!(K(0, 0) > 0.0 && K.determinant() > 0.0)) K = K.norm() * Eigen::Matrix2d::Identity();
@@ -176,7 +192,7 @@ class Contacts {
     const Part part = other.part(-towards);
     const int facing = other.rimAlong(-towards);
     for (int rim = 0; rim < other.rims(); ++rim) {
-      if ((part != Part::side && rim != facing) || !other.touches(-n)) continue;
+      if ((part != Part::side && rim != facing) || !other.touches(-n, rim)) continue;
       ContactPoint at, there;
       cap.contact(*other.frame, other.c, at);
       wander(other, rim, at);
@@ -220,22 +236,42 @@ class Contacts {
     add(kRimPairs + 4 * i + 2 * j + (left ? 1 : 0), curveOnCurve(a, b, n_));
   }
   void rims() {
-    if (A_.rho == 0.0 && B_.rho == 0.0) return;
-    if (!A_.touches(n_) || !B_.touches(-n_)) return;
     const int i = A_.rimAlong(n_), j = B_.rimAlong(-n_);
+    if (!A_.touches(n_, i) || !B_.touches(-n_, j)) return;
+    const bool pointA = A_.radius(i) == 0.0, pointB = B_.radius(j) == 0.0;
     const int id = kRimPairs + 4 * i + 2 * j;
-    if (A_.rho == 0.0)
+    if (pointA && pointB)
+      points(id, i, j);
+    else if (pointA)
       add(id, pointOnCurve(B_.rim(j, -n_), *A_.frame, A_.middle(i), A_.r, -n_), -1.0);
-    else if (B_.rho == 0.0)
+    else if (pointB)
       add(id, pointOnCurve(A_.rim(i, n_), *B_.frame, B_.middle(j), B_.r, n_));
     else
       rimsAt(A_.rim(i, n_), B_.rim(j, -n_), i, j);
   }
+  /// Tips and ends of capsules.
+  void points(int id, int i, int j) {
+    if (!A_.tip && !B_.tip) return;
+    const Vec3 a = A_.middle(i), b = B_.middle(j);
+    const Vec3 vA = A_.frame->velocity(a - A_.frame->r_OS_I),
+               vB = B_.frame->velocity(b - B_.frame->r_OS_I);
+    add(id, fromWay(b - a, vB - vA, A_.r, B_.r, a, vA, n_, Vec3::Zero()));
+  }
 
   void sides() {
+    if (A_.tip || B_.tip) {
+      ContactPoint at;
+      double sA = 0.0, sB = 0.0;
+      if (sideOnSide(A_, B_, n_, sA, sB, at) && onLine(A_, sA) && onLine(B_, sB)) add(kSides, at);
+      return;
+    }
     BodyCurve a = A_.axis(), b = B_.axis();
     if (!toClosest(a, b) || !within(A_, a.x) || !within(B_, b.x)) return;
     add(kSides, curveOnCurve(a, b, n_));
+  }
+  /// On a line of the side, from rim 0.
+  bool onLine(const DiscBody& D, double s) const {
+    return s >= -same_ && s <= (D.tip ? D.slant() : 2.0 * D.half) + same_;
   }
   bool within(const DiscBody& D, const Vec3& p) const {
     return std::abs(D.a.dot(p - D.c)) <= D.half + same_;
@@ -248,27 +284,52 @@ class Contacts {
     const int number = (&one == &A_ ? kOnA : kOnB).onSide;
     const Part part = other.part(-towards);
     const int facing = other.rimAlong(-towards);
-    const BodyCurve axis = one.axis();
     const auto take = [&](const BodyCurve& rim, int id) {
-      BodyCurve a = axis, b = rim;
-      a.go(a.t.dot(b.x - a.x));
-      if (!toClosest(a, b) || !within(one, a.x)) return;
-      add(id + (one.a.dot(b.x - b.c) > 0.0 ? 1 : 0), curveOnCurve(a, b, towards), sign);
+      ContactPoint at;
+      if (rimOnSide(one, rim, towards, at))
+        add(id + (one.a.dot(rim.x - rim.c) > 0.0 ? 1 : 0), at, sign);
     };
     if (part == Part::cap) {
       BodyCurve crossing[2];
-      const int n = other.crossings(facing, one.c, one.a, n_, crossing);
+      const Vec3 over = one.tip ? sideAlong(one, towards) : one.a;
+      const Vec3 from = one.tip ? one.middle(1) : one.c;
+      const int n = other.crossings(facing, from, over, n_, crossing);
       for (int k = 0; k < n; ++k) take(crossing[k], number + 2 * facing);
       if (n > 0) return;
     }
     for (int rim = 0; rim < other.rims(); ++rim) {
       if (part != Part::side && rim != facing) continue;
-      if (other.rho > 0.0) {
+      if (other.radius(rim) > 0.0) {
         if (other.touches(-towards)) take(other.rim(rim, -towards), number + 2 * rim);
-      } else if (within(one, other.middle(rim))) {
-        add(number + 2 * rim, pointOnCurve(axis, *other.frame, other.middle(rim), other.r, towards),
-            sign);
+      } else {
+        pointOverSide(one, other, rim, number + 2 * rim, sign);
       }
+    }
+  }
+  /// The line of a cone's side that looks along d, from the rim to the tip.
+  static Vec3 sideAlong(const DiscBody& cone, const Vec3& d) {
+    return cone.cosine() * cone.a - cone.sine() * cone.acrossAxis(d).normalized();
+  }
+  bool rimOnSide(const DiscBody& one, const BodyCurve& rim, const Vec3& towards,
+                 ContactPoint& at) const {
+    if (one.tip) {
+      double s = 0.0;
+      return circleOnSide(one, rim, s, at) && onLine(one, s);
+    }
+    BodyCurve a = one.axis(), b = rim;
+    a.go(a.t.dot(b.x - a.x));
+    if (!toClosest(a, b) || !within(one, a.x)) return false;
+    at = curveOnCurve(a, b, towards);
+    return true;
+  }
+  void pointOverSide(const DiscBody& one, const DiscBody& other, int rim, int id, double sign) {
+    const Vec3 p = other.middle(rim);
+    double s = 0.0;
+    if (one.tip) {
+      const ContactPoint at = pointOnSide(one, *other.frame, p, other.r, s);
+      if (onLine(one, s)) add(id, at, sign);
+    } else if (within(one, p)) {
+      add(id, pointOnCurve(one.axis(), *other.frame, p, other.r, sign * n_), sign);
     }
   }
 

@@ -8,6 +8,10 @@ namespace {
 
 /// Of the radius: nearer than this to the rim, the base takes its place.
 constexpr double kOnEdge = 1e-9;
+/// Newton's steps on a circle; from a good start about five are enough.
+constexpr int kSteps = 50;
+/// Of the radius: a step below which the point is found.
+constexpr double kFound = 1e-15;
 
 }  // namespace
 
@@ -51,42 +55,106 @@ ContactPoint ballOnCone(const DiscBody& A, const Frame& B, const RoundFeature& b
                  Vec3::Zero());
 }
 
+bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& out) {
+  const double sine = B.sine(), cosine = B.cosine();
+  const Vec3 middle = B.middle(0);
+  Vec3 e, across;
+  double reach = 0.0, K = 0.0;
+  // The slope m·t of the height over the side, and K, its own along the circle.
+  const auto slope = [&] {
+    const Vec3 beside = B.acrossAxis(circle.x - middle);
+    reach = beside.norm();
+    if (!(reach > 0.0)) return 0.0;
+    e = beside / reach, across = B.acrossAxis(circle.t);
+    const Vec3 m = cosine * e + sine * B.a, turned = (across - across.dot(e) * e) / reach;
+    K = cosine * turned.dot(circle.t) + m.dot(circle.curvature());
+    return m.dot(circle.t);
+  };
+  bool found = false;
+  for (int i = 0; i < kSteps && !found; ++i) {
+    const double f = slope();
+    if (!(reach > 0.0)) return false;
+    // Where the height has no least value nearby: downwards. At most half a radius at once.
+    const double most = 0.5 * circle.rho, way = K > 0.0 ? -f / K : std::copysign(most, -f);
+    circle.go(std::clamp(way, -most, most));
+    found = std::abs(way) <= kFound * circle.rho;
+  }
+  if (const double f = slope(); !(K * circle.rho > kCross * kCross) || std::abs(f) > 1e-12)
+    return false;
+
+  // ẋ = v + ṡ t, and m·t = 0 for all times.
+  const Vec3 &Omega = B.frame->Omega_I, adot = Omega.cross(B.a), v = circle.velocity();
+  const Vec3 w = v - B.frame->velocity(circle.x - B.frame->r_OS_I), aside = B.acrossAxis(w);
+  const Vec3 m = cosine * e + sine * B.a;
+  const Vec3 resting = cosine * (Omega.cross(e) + (aside - aside.dot(e) * e) / reach) + sine * adot;
+  const double sdot = -(resting.dot(circle.t) + m.dot(circle.frame->Omega_I.cross(circle.t))) / K;
+  const Vec3 mdot = resting + sdot * cosine / reach * (across - across.dot(e) * e);
+  const double z = B.a.dot(circle.x - middle);
+  s = z * cosine - (reach - B.rho) * sine;
+  out.g = (reach - B.rho) * cosine + z * sine - B.r - circle.r;
+  setDirections(out, m, mdot, Vec3::Zero());
+  out.P = circle.x - circle.r * m, out.Pdot = v + sdot * circle.t - circle.r * mdot;
+  return true;
+}
+
+namespace {
+
+/// The line of a side that looks along m, and how it turns.
+struct SideLine {
+  Vec3 p, g, pdot, gdot;  ///< on the rim [m], along the line
+  SideLine(const DiscBody& D, const Vec3& m, const Vec3& mdot) {
+    const double sine = D.sine(), cosine = D.cosine();
+    const Vec3 adot = D.frame->Omega_I.cross(D.a), middle = D.middle(0);
+    const Vec3 e = (m - sine * D.a) / cosine, edot = (mdot - sine * adot) / cosine;
+    p = middle + D.rho * e, g = cosine * D.a - sine * e;
+    pdot = D.frame->velocity(middle - D.frame->r_OS_I) + D.rho * edot;
+    gdot = cosine * adot - sine * edot;
+  }
+};
+
+}  // namespace
+
+bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, double& sA, double& sB,
+                ContactPoint& out) {
+  // n = x a_A + y b + z b × a_A, b = −a_B; the third part has the length that is left.
+  const Vec3 b = -B.a, third = b.cross(A.a);
+  const double sineA = A.sine(), sineB = B.sine(), along = A.a.dot(b);
+  const double square = third.squaredNorm();
+  if (!(square > 0.0)) return false;
+  const double x = (sineA - along * sineB) / square, y = (sineB - along * sineA) / square;
+  const double left = 1.0 - x * sineA - y * sineB;
+  if (!(left > kCross * kCross)) return false;
+  const double z = std::copysign(std::sqrt(left / square), towards.dot(third));
+  const Vec3 n = x * A.a + y * b + z * third;
+
+  // How the normal turns, and with it the lines of the sides.
+  Mat3 K;
+  K << A.a.transpose(), b.transpose(), n.transpose();
+  const Vec3 ndot = K.inverse() * Vec3(-n.dot(A.frame->Omega_I.cross(A.a)),
+                                       -n.dot(B.frame->Omega_I.cross(b)), 0.0);
+  const SideLine a(A, n, ndot), of(B, -n, -ndot);
+  const double c = a.g.dot(of.g), det = 1.0 - c * c;
+  if (!(det > kCross * kCross)) return false;
+
+  // d ⟂ both lines: closest points.
+  const Vec3 way = of.p - a.p;
+  const double wayA = way.dot(a.g), wayB = way.dot(of.g);
+  sA = (wayA - c * wayB) / det, sB = (c * wayA - wayB) / det;
+  const Vec3 xA = a.p + sA * a.g, xB = of.p + sB * of.g, d = xB - xA;
+  // … for all times: ḋ·g + d·ġ = 0 with ḋ = w + ṡ_B g_B − ṡ_A g_A.
+  const Vec3 vB = of.pdot + sB * of.gdot, w = vB - a.pdot - sA * a.gdot;
+  const double ra = w.dot(a.g) + d.dot(a.gdot), rb = w.dot(of.g) + d.dot(of.gdot);
+  out.g = n.dot(d) - A.r - B.r;
+  setDirections(out, n, ndot, Vec3::Zero());
+  out.P = xB - B.r * n, out.Pdot = vB + (c * ra - rb) / det * of.g - B.r * ndot;
+  return true;
+}
+
 bool lineOnSide(const DiscBody& B, const Frame& frame, const Vec3& o, const Vec3& t,
                 const Vec3& towards, double& s, double& sLine, ContactPoint& out) {
-  const double sine = B.sine(), cosine = B.cosine(), along = t.dot(B.a);
-  // m = x a' + y b, a' the part of a across t, b ⟂ both.
-  const Vec3 across = B.a - along * t, b = t.cross(across);
-  const double square = across.squaredNorm(), x = sine / square;
-  const double y2 = (1.0 - x * x * square) / square;
-  if (!(square > 0.0 && y2 * square > kCross * kCross)) return false;
-  const double y = std::copysign(std::sqrt(y2), towards.dot(b));
-  const Vec3 m = x * across + y * b;
-  const Vec3 e = (m - sine * B.a) / cosine, g = cosine * B.a - sine * e;
-  const double c = t.dot(g);
-  if (!(1.0 - c * c > kCross * kCross)) return false;
-
-  // How the normal turns, and with it the line of the side.
-  const Vec3 &Omega = B.frame->Omega_I, adot = Omega.cross(B.a), tdot = frame.Omega_I.cross(t);
-  Mat3 K;
-  K << B.a.transpose(), t.transpose(), m.transpose();
-  const Vec3 mdot = K.inverse() * Vec3(-m.dot(adot), -m.dot(tdot), 0.0);
-  const Vec3 edot = (mdot - sine * adot) / cosine, gdot = cosine * adot - sine * edot;
-  const Vec3 middle = B.middle(0), p = middle + B.rho * e;
-  const Vec3 pdot = B.frame->velocity(middle - B.frame->r_OS_I) + B.rho * edot;
-
-  // d ⟂ t, g: closest points of both lines.
-  const Vec3 way = p - o;
-  const double ofLine = way.dot(t), ofSide = way.dot(g), det = 1.0 - c * c;
-  sLine = (ofLine - c * ofSide) / det, s = (c * ofLine - ofSide) / det;
-  const Vec3 xA = o + sLine * t, xB = p + s * g, d = xB - xA;
-  // … for all times: ḋ·t + d·ṫ = 0, ḋ·g + d·ġ = 0 with ḋ = w + ṡ g − ṡ_line t.
-  const Vec3 w = pdot + s * gdot - frame.velocity(xA - frame.r_OS_I);
-  const double ra = w.dot(t) + d.dot(tdot), rb = w.dot(g) + d.dot(gdot);
-  const double sdot = (c * ra - rb) / det;
-  out.g = -m.dot(d) - B.r;
-  setDirections(out, -m, -mdot, Vec3::Zero());
-  out.P = xB + B.r * m, out.Pdot = pdot + s * gdot + sdot * g + B.r * mdot;
-  return true;
+  DiscBody line;
+  line.frame = &frame, line.c = o, line.a = t;
+  return sideOnSide(line, B, -towards, sLine, s, out);
 }
 
 }  // namespace dynamy

@@ -6,14 +6,17 @@
 
 namespace dynamy {
 
-/// f(θ) = −h_B(−n) − n·o on n = cos θ n_0 + sin θ m: the directions across an edge, or across the
-/// axis of another body. f'' + f ≤ 0 but where n is across B's side or along its axis.
+/// f(θ) = −h_B(−n) − n·o on n = cos θ n_0 + sin θ m + lift: the directions across an edge, across
+/// the axis of another body, or across the side of a cone, o its tip. On a great circle
+/// f'' + f ≤ 0 but where n is across B's side or along its axis; elsewhere it may have several tops
+/// between these places.
 struct DiscArc {
   const DiscBody& B;
-  Vec3 n0, m;  ///< unit, m ⟂ n_0
-  Vec3 way;    ///< from o to the middle of B [m]
+  Vec3 n0, m;                ///< m ⟂ n_0, of the same length; that is 1 without lift
+  Vec3 way;                  ///< from o to the middle of B [m]
+  Vec3 lift = Vec3::Zero();  ///< across both; a direction has the length 1
 
-  Vec3 n(double angle) const { return std::cos(angle) * n0 + std::sin(angle) * m; }
+  Vec3 n(double angle) const { return std::cos(angle) * n0 + std::sin(angle) * m + lift; }
 
   /// Calls take(n, f) for all n where f may be largest inside of 0 … end [rad].
   template <class Take>
@@ -34,24 +37,27 @@ struct DiscArc {
     };
     const double pi = std::numbers::pi, axis = std::atan2(w, u), most = std::hypot(u, w);
     kinks(axis, pi);
-    if (!B.tip) {
-      kinks(std::atan2(-u, w), pi);
-    } else if (most > B.sine()) {
-      // −n is normal to the side of a cone: n·a = −sin β.
-      const double side = std::acos(-B.sine() / most);
-      kinks(axis + side, 2.0 * pi), kinks(axis - side, 2.0 * pi);
+    // −n is normal to the side: n·a = −sin β.
+    if (const double side = -B.sine() - lift.dot(B.a); most > std::abs(side)) {
+      const double beside = std::acos(side / most);
+      kinks(axis + beside, 2.0 * pi), kinks(axis - beside, 2.0 * pi);
     }
     places[pieces] = end;
+    const int parts = lift.isZero(0.0) ? 1 : kParts;
     for (int p = 0; p < pieces; ++p) {
       if (p > 0) take(n(places[p]), f(n(places[p])));
-      const double l = places[p] + kBeside, r = places[p + 1] - kBeside;
-      if (const double at = l < r ? top(l, r) : -1.0; at >= 0.0) take(n(at), f(n(at)));
+      const double l = places[p] + kBeside, r = places[p + 1] - kBeside, width = (r - l) / parts;
+      for (int k = 0; k < (l < r ? parts : 0); ++k)
+        if (const double at = top(l + k * width, l + (k + 1) * width); at >= 0.0)
+          take(n(at), f(n(at)));
     }
   }
 
  private:
   /// Steps of a search: it halves the arc at least every second time.
   static constexpr int kSteps = 100;
+  /// In which tops are looked for one by one where there may be several.
+  static constexpr int kParts = 8;
   /// Beside the ends of a piece slopes are taken [rad].
   static constexpr double kBeside = 1e-9;
 

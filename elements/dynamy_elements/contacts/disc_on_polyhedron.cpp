@@ -145,7 +145,8 @@ class Manifolds {
     const Vec3 n = A_.R * f.n;
     const bool flat = part_ == Part::cap;
     for (int rim = 0; rim < B_.rims(); ++rim) {
-      if (!B_.touches(-n, rim)) continue;
+      // The far rim of a body that does not lie is over the near one.
+      if ((part_ != Part::side && rim != rim_) || !B_.touches(-n, rim)) continue;
       const ContactPoint at = lowest(onA, rim);
       if (body_.over(f, inA(at.P), same_)) add(rim, at);
     }

@@ -17,7 +17,9 @@ bool goesIn(const TouchingShape& s) {
   return s.kind == Touch::contour && !s.features[0].contour->convex();
 }
 
-bool isDisc(const TouchingShape& s) { return s.kind == Touch::cylinder || s.kind == Touch::torus; }
+bool isDisc(const TouchingShape& s) {
+  return s.kind == Touch::cylinder || s.kind == Touch::torus || s.kind == Touch::cone;
+}
 
 }  // namespace
 
@@ -37,8 +39,7 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
   if (!inPlane && B.kind == Touch::ellipsoid && A.polyhedron) return Meeting::smoothOnPolyhedron;
-  if (!inPlane && (isDisc(B) || B.kind == Touch::cone) && A.polyhedron)
-    return Meeting::discOnPolyhedron;
+  if (!inPlane && isDisc(B) && A.polyhedron) return Meeting::discOnPolyhedron;
   if (!inPlane && isDisc(A) && (isDisc(B) || B.kind == Touch::capsule)) return Meeting::discs;
   if (!inPlane && A.kind == Touch::torus && B.kind == Touch::ball) return Meeting::discs;
   if (!inPlane && A.kind == Touch::ellipsoid && (isDisc(B) || B.kind == Touch::capsule))
@@ -48,7 +49,7 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (!inPlane && A.surface) {
     if (B.kind == Touch::ball) return Meeting::ballOnSurface;
     if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
-    if (isDisc(B) || B.kind == Touch::cone) return Meeting::discOnMesh;
+    if (isDisc(B)) return Meeting::discOnMesh;
     if (B.polyhedron) return A.polyhedron ? Meeting::polyhedra : Meeting::polyhedronOnMesh;
   }
   if (A.kind == Touch::capsule)

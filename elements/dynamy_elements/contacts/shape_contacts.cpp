@@ -40,8 +40,8 @@ Diagnostic missingLaw(const Shape& a, const Shape& b, Diagnostic said) {
 Diagnostic missingPair(const Shape& a, const Shape& b) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
-      "use balls, points and half spaces with all, boxes, polyhedra, capsules, cylinders, tori "
-      "and ellipsoids with each other in space, cones with boxes, polyhedra and meshes, or "
+      "use balls, points and half spaces with all, boxes, polyhedra, capsules, cylinders, cones, "
+      "tori and ellipsoids with each other in space, or "
       "<NoContact " +
           between(a, b) + "/>");
 }

@@ -2,6 +2,7 @@
 #include <dynamy_elements/contacts/segments.hpp>
 #include <dynamy_elements/contacts/smooth_contact.hpp>
 #include <limits>
+#include <numbers>
 
 namespace dynamy {
 namespace {
@@ -14,6 +15,8 @@ constexpr double kFound = 1e-15;
 constexpr double kFlat = 1e-7;
 /// Angle beside a cap [rad].
 constexpr double kBesideCap = 1e-3;
+/// Directions around a cone, the best of which begins.
+constexpr int kTurns = 8;
 
 /// A feature in the world.
 struct Placed {
@@ -140,6 +143,53 @@ ContactPoint betweenSmooth(const Frame& fA, const SupportFeature& a, const Frame
 
 namespace {
 
+/// Normals of a cone's side, n = cos β e + sin β a, and how much they separate B from its tip.
+struct OverSide {
+  Vec3 e, t, n, y;
+  OverSide(const DiscBody& A, const Placed& B, const Vec3& direction)
+      : e(direction),
+        t(A.a.cross(e)),
+        n(A.cosine() * e + A.sine() * A.a),
+        y(B.point(-n) - A.middle(1)) {}
+  double f() const { return n.dot(y); }
+};
+
+/// Across the side of the cone A: f' = cos β t·y, f'' = −cos β (cos β t·H t + e·y), by angle.
+ContactPoint onSide(const DiscBody& A, const Placed& B) {
+  const Vec3 way = A.acrossAxis(B.centre() - A.c);
+  OverSide at(A, B, way.norm() > 0.0 ? Vec3(way.normalized()) : A.x);
+  const auto turned = [&](double angle) {
+    return OverSide(A, B, (std::cos(angle) * at.e + std::sin(angle) * at.t).normalized());
+  };
+  OverSide best = at;
+  for (int k = 1; k < kTurns; ++k)
+    if (const OverSide other = turned(2.0 * std::numbers::pi * k / kTurns); other.f() > best.f())
+      best = other;
+  at = best;
+  const double cosine = A.cosine();
+  const auto bend = [&] { return cosine * at.t.dot(B.derivative(-at.n) * at.t) + at.e.dot(at.y); };
+  for (int i = 0; i < kSteps; ++i) {
+    const double K = bend(), slope = at.t.dot(at.y);
+    double step = std::clamp(K > 0.0 ? slope / K : std::copysign(0.5, slope), -0.5, 0.5);
+    OverSide next = turned(step);
+    while (std::abs(step) > kFlat && next.f() < at.f()) step *= 0.5, next = turned(step);
+    at = next;
+    if (std::abs(step) < kFound) break;
+  }
+  // t·y = 0 for all times: e turns by ν beside the body.
+  const Mat3 H = B.derivative(-at.n);
+  const Vec3 &n = at.n, &t = at.t, &OmegaA = A.frame->Omega_I, tip = A.middle(1);
+  ContactPoint out;
+  out.g = at.f(), out.P = B.point(-n);
+  const Vec3 vB = B.velocity(out.P), w = vB - A.frame->velocity(tip - A.frame->r_OS_I);
+  const Vec3 turn = B.frame.Omega_I.cross(n);
+  const double nu = (t.dot(w - H * (OmegaA.cross(n) - turn)) + at.y.dot(OmegaA.cross(t))) / bend();
+  const Vec3 ndot = OmegaA.cross(n) + nu * cosine * t;
+  setDirections(out, n, ndot, Vec3::Zero());
+  out.Pdot = vB - H * (ndot - turn);
+  return out;
+}
+
 /// Candidates for the largest separation of a round body and a feature.
 class OnDisc {
  public:
@@ -147,8 +197,12 @@ class OnDisc {
 
   ContactPoint best() {
     if (A_.rho > 0.0)
-      for (const double side : {1.0, -1.0}) cap(side * A_.a);
-    if (A_.half > 0.0) take(onPoint(*A_.frame, A_.c, B_, &A_.a), A_.rho + A_.r);
+      for (const double side : {1.0, -1.0})
+        if (!(A_.tip && side > 0.0)) cap(side * A_.a);
+    if (A_.tip)
+      take(onSide(A_, B_), 0.0);
+    else if (A_.half > 0.0)
+      take(onPoint(*A_.frame, A_.c, B_, &A_.a), A_.rho + A_.r);
     for (int i = 0; i < A_.rims(); ++i) rim(i);
     return best_;
   }
@@ -170,7 +224,7 @@ class OnDisc {
   }
   void rim(int i) {
     const Vec3 o = A_.middle(i), way = B_.centre() - o;
-    if (A_.rho == 0.0) return take(onPoint(*A_.frame, o, B_, nullptr), A_.r);
+    if (A_.radius(i) == 0.0) return take(onPoint(*A_.frame, o, B_, nullptr), A_.r);
     SupportFeature circle;
     circle.kind = SupportFeature::Kind::rim;
     circle.c_K = A_.frame->A_IK.transpose() * (o - A_.frame->r_OS_I);
@@ -178,7 +232,8 @@ class OnDisc {
     circle.rho = A_.rho, circle.radius = A_.r;
     const Placed a{*A_.frame, circle};
     // From the point of the rim that is nearest to the middle of B, and from beside the cap.
-    const Vec3 n = i == 1 || A_.a.dot(way) > 0.0 ? A_.a : Vec3(-A_.a);
+    const bool up = !A_.tip && (i == 1 || A_.a.dot(way) > 0.0);
+    const Vec3 n = up ? A_.a : Vec3(-A_.a);
     const Vec3 e = A_.acrossAxis(way), u = A_.acrossAxis(B_.point(-n) - o);
     for (const Vec3& start : {e.norm() > 0.0 ? Vec3(way - A_.rho * e.normalized()) : way,
                               u.norm() > A_.rho ? Vec3(n + kBesideCap * u.normalized()) : way})

@@ -20,8 +20,8 @@ ContactPoint betweenSmooth(const Frame& A, const SupportFeature& a, const Frame&
 /// Feature of B on the polyhedron A; inside the nearest face counts.
 ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
                                 const SupportFeature& feature);
-/// Feature of B on the cylinder, torus or capsule A: the largest of the separations along its caps,
-/// across its axis and from its rims.
+/// Feature of B on the cylinder, cone, torus or capsule A: the largest of the separations along its
+/// caps, across its side and from its rims and tip.
 ContactPoint smoothOnDisc(const DiscBody& A, const Frame& B, const SupportFeature& feature);
 /// The same seen from the feature, which is A's.
 ContactPoint discOnSmooth(const Frame& A, const SupportFeature& feature, const DiscBody& B);

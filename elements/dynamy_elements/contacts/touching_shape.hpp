@@ -59,8 +59,8 @@ struct TouchingShape {
     capsule,
     cylinder,
     torus,
-    ellipsoid,
     cone,
+    ellipsoid,
     other,
     contour,
     section,  ///< of a round body, with corners

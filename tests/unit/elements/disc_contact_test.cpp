@@ -77,9 +77,14 @@ struct Sizes {
 constexpr Sizes kBodies[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},
                              {0.7, 0.1, 0.0}, {0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}};
 constexpr int kKinds = 6;
+constexpr int kTrials = 420;
 
 constexpr Sizes kRound[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1},
                             {0.7, 0.1, 0.0}, {0.4, 0.0, 0.2},  {0.0, 0.0, 0.3}};
+/// With cones: slender and blunt ones first.
+constexpr Sizes kWithCones[] = {{0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}, {0.6, 0.1, 0.0, true},
+                                {0.5, 0.3, 0.0},       {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},
+                                {0.4, 0.0, 0.2}};
 
 TEST(DiscContact, SeparationFromAPolyhedronIsTheLargestOfAllDirections) {
   Random r(51);
@@ -204,6 +209,97 @@ TEST(DiscContact, SeparationOfRoundBodiesIsTheLargestOfAllDirections) {
   EXPECT_GT(apart, 100);
   EXPECT_GT(overlapping, 10);
   EXPECT_GT(exact, (apart + overlapping) * 9 / 10);
+}
+
+/// Two bodies of which one at least is a cone: anywhere; with parallel axes, either way up; nearly
+/// upright on the other; and side on side.
+struct WithCone {
+  Sizes sA, sB;
+  Mover A, B;
+  WithCone(Random& r, int trial)
+      : sA(kWithCones[trial % 3]),
+        sB(kWithCones[trial / 3 % 7]),
+        A(random(r, Vec3::Zero())),
+        B(random(r, (0.4 + 0.6 * (1.0 + r.number())) * r.vec().normalized())) {
+    const Mat3& axes = A.frame.A_IK;
+    const Mat3 upside = Vec3(1.0, -1.0, -1.0).asDiagonal();
+    if (trial % 5 == 0) B.frame.A_IK = trial % 2 == 0 ? axes : Mat3(axes * upside);
+    if (trial % 5 == 1) {
+      B.frame.A_IK = axes * turned(0.01 * r.vec()) * upside;
+      B.frame.r_OS_I =
+          axes * Vec3(0.3 * r.number(), 0.3 * r.number(), -sA.half - sB.half - sB.r - 0.01);
+      if (trial % 2 == 0) B.frame.A_IK = B.frame.A_IK * upside;
+    }
+    if (trial % 5 == 2) {
+      // The axes so that a line of one side lies on one of the other, and a little turned.
+      const double b = (sA.tip ? std::atan2(sA.rho, 2.0 * sA.half) : 0.0) +
+                       (sB.tip ? std::atan2(sB.rho, 2.0 * sB.half) : 0.0);
+      B.frame.A_IK = axes * turned(Vec3(0.0, b, 0.0)) * turned(0.3 * r.vec()) * upside;
+      B.frame.r_OS_I =
+          axes * Vec3(sA.rho + sB.rho + sB.r + 0.1 * r.number(), 0.0, 0.2 * r.number());
+    }
+  }
+  DiscBody a(const Frame& f) const { return placedDisc(f, sA.half, sA.rho, sA.r, sA.tip); }
+  DiscBody b(const Frame& f) const { return placedDisc(f, sB.half, sB.rho, sB.r, sB.tip); }
+};
+
+TEST(ConeContact, SeparationFromRoundBodiesIsTheLargestOfAllDirections) {
+  Random r(56);
+  int apart = 0, overlapping = 0, exact = 0, seen[4] = {};
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const WithCone pair(r, trial);
+    const DiscBody a = pair.a(pair.A.frame), b = pair.b(pair.B.frame);
+    const auto f = [&](const Vec3& n) { return -b.support(-n) - a.support(n); };
+    const double truth = separated(f);
+    if (truth < -0.05) continue;
+    (truth > 0.0 ? apart : overlapping)++;
+    const double g = separation(a, b);
+    EXPECT_GT(g, truth - 1e-14) << "trial " << trial << ", seed 56";
+    // In either order.
+    EXPECT_NEAR(separation(b, a), g, 1e-14) << "trial " << trial << ", seed 56";
+    DiscContacts found;
+    const int n = betweenDiscs(a, b, kInfinity, -1.0, true, found);
+    ASSERT_GT(n, 0) << trial;
+    const ContactPoint& at = deepest(found, n);
+    EXPECT_NEAR(at.g, g, 1e-6) << "trial " << trial << ", seed 56 id " << found[0].id << " n " << n;
+    EXPECT_NEAR(f(at.d[0]), at.g, 1e-6) << "trial " << trial << ", seed 56";
+    const bool isExact = std::abs(at.g - g) < 1e-13 && std::abs(f(at.d[0]) - at.g) < 1e-13;
+    exact += isExact;
+    for (int c = 0; c < n; ++c) {
+      const int id = found[static_cast<std::size_t>(c)].id;
+      ++seen[id < kSides ? 0 : id == kSides ? 1 : id < kRimPairs ? 2 : 3];
+    }
+    if (g < 0.0) continue;
+    // P is on one of them, and what lies opposite on the other.
+    const bool onB = beyond(b, at.P) < 1e-13;
+    EXPECT_LT(beyond(b, onB ? at.P : Vec3(at.P + at.g * at.d[0])), 1e-6) << "trial " << trial;
+    EXPECT_LT(beyond(a, onB ? Vec3(at.P - at.g * at.d[0]) : at.P), 1e-6) << "trial " << trial;
+  }
+  EXPECT_GT(apart, kTrials / 3);
+  EXPECT_GT(overlapping, kTrials / 20);
+  EXPECT_GT(exact, (apart + overlapping) * 9 / 10);
+  // Over caps, sides on sides, rims and tips on sides, rims and tips on each other.
+  for (const int n : seen) EXPECT_GT(n, kTrials / 30);
+}
+
+TEST(ConeContact, RatesOnRoundBodiesAreThoseOfTheMotion) {
+  Random r(57);
+  int compared = 0, of[4] = {};
+  for (int trial = 0; trial < 900; ++trial) {
+    const WithCone pair(r, trial);
+    // Deeper inside no two features may look at each other.
+    if (separation(pair.a(pair.A.frame), pair.b(pair.B.frame)) < -0.05) continue;
+    int id = 0;
+    const int fit = expectRatesFit(pair.A, pair.B, [&](const Frame& fA, const Frame& fB) {
+      DiscContacts out;
+      const int n = betweenDiscs(pair.a(fA), pair.b(fB), kInfinity, -1.0, true, out);
+      id = out[0].id;
+      return std::vector<NumberedContact>(out.begin(), out.begin() + n);
+    });
+    compared += fit, of[id < kSides ? 0 : id == kSides ? 1 : id < kRimPairs ? 2 : 3] += fit;
+  }
+  EXPECT_GT(compared, 900) << "seed 57";
+  for (const int n : of) EXPECT_GT(n, 50);
 }
 
 TEST(DiscContact, RatesOfRoundBodiesAreThoseOfTheMotion) {

@@ -203,10 +203,10 @@ TEST(ShapeContacts, RefuseASecondRuleForTheSameMaterials) {
 
 TEST(ShapeContacts, SayWhichPairIsNotAvailable) {
   Model m;
-  addBody<RigidBody, ConeShape>(m, "a", kHeavy, "Cone",
-                                {{"radius", 0.3}, {"length", 0.4}, {"material", "steel"}});
-  addBody<RigidBody, CylinderShape>(m, "b", kHeavy, "Cylinder",
-                                    {{"radius", 0.3}, {"length", 0.4}, {"material", "steel"}});
+  addBody<PlanarBody, TorusShape>(m, "a", kPlanar, "Torus",
+                                  {{"radius", 0.3}, {"tube", 0.1}, {"material", "steel"}});
+  addBody<PlanarBody, ConeShape>(m, "b", kPlanar, "Cone",
+                                 {{"radius", 0.3}, {"length", 0.4}, {"material", "steel"}});
   addRule(m, "steel steel");
   m.addCompletion(addShapeContacts);
   EXPECT_THROW(m.build(), ModelError);

@@ -149,13 +149,15 @@ TEST(SmoothContact, OfEllipsoidsOnPolyhedraIsTheLargestSeparation) {
 TEST(SmoothContact, OfEllipsoidsOnRoundBodiesIsTheLargestSeparation) {
   Random r(36);
   const SupportFeature b = ellipsoid({0.2, 0.6, 0.4});
-  // Cylinder, coin, torus, capsule: half length, radius of the discs, of the tube.
-  const double sizes[][3] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1}, {0.4, 0.0, 0.2}};
+  // Cylinder, coin, torus, capsule, cones: half length, radius of the discs, of the tube.
+  const double sizes[][3] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1}, {0.4, 0.0, 0.2},
+                             {0.4, 0.3, 0.0}, {0.1, 0.5, 0.0},  {0.6, 0.1, 0.0}};
   int met = 0, overlapping = 0, compared = 0;
-  for (int trial = 0; trial < 200; ++trial) {
-    const double* s = sizes[trial % 4];
+  for (int trial = 0; trial < 350; ++trial) {
+    const double* s = sizes[trial % 7];
+    const bool tip = trial % 7 > 3;
     const auto disc = [&](const Frame& f) {
-      return DiscBody{&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), s[0], s[1], s[2]};
+      return DiscBody{&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), s[0], s[1], s[2], tip};
     };
     const Mover A = random(r, Vec3::Zero()),
                 B = random(r, (0.9 + 0.4 * r.number()) * r.vec().normalized());
@@ -172,9 +174,9 @@ TEST(SmoothContact, OfEllipsoidsOnRoundBodiesIsTheLargestSeparation) {
       return std::vector<NumberedContact>{{0, smoothOnDisc(disc(fA), fB, b)}};
     });
   }
-  EXPECT_GT(met, 100);
-  EXPECT_GT(overlapping, 5);
-  EXPECT_GT(compared, 100);
+  EXPECT_GT(met, 175);
+  EXPECT_GT(overlapping, 8);
+  EXPECT_GT(compared, 175);
 }
 
 }  // namespace
