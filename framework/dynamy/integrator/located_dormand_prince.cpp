@@ -67,6 +67,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
     norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
   }
   const bool implicit = stiff_ == Stiff::always;
+  smooth_.forget();
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   from_.a.setZero(from_.x.u.size());
   H_ = kFirstStep * norm_.time(), lookAhead_ = kLookAhead, lastEvent_ = -1e300, nulls_ = 0;
@@ -153,6 +154,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   }
   const double error = smooth_.error(norm_, from_.x, to_.x);
   if (!std::isfinite(error)) return reject(kShrink);
+  if (smooth_.tooLight(error)) return reject(1.0);
   const double factor = kSafety * std::pow(std::max(error, 1e-10), -1.0 / smooth_.errorOrder());
   if (error > 1.0) return reject(std::clamp(factor, kShrink, 1.0));
   if (!smooth_.errorNeedsEnd() && !evaluateEnd(s, to_)) return Tried::failed;
@@ -173,6 +175,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
              Tried::failed;
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
+  if (found) smooth_.lighten();
   // A step that was bounded from outside says little about the next.
   const double next = h * std::min(factor, smooth_.mostGrowth());
   H_ = h < H_ ? std::max(H_, next) : next;
@@ -182,6 +185,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
 bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w) {
   s.freeze(phaseKeys_);
   const double length = w.theta * h;
+  smoothOwn_.light(smooth_.light());
   if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_.fault());
   if (!evaluateEnd(s, to_)) return false;
   impulse_ = smooth_.impulse();
@@ -262,7 +266,8 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
   stepKeys_.clear(), impulse_.resize(0);
   s.bias(true);
   if (!ready_) {
-    smooth_.prepare(s, *table_), smoothOwn_.prepare(s, *table_);
+    const ButcherTableau* light = table_ == &dormandPrince8() ? &dormandPrince5() : nullptr;
+    smooth_.prepare(s, *table_, light), smoothOwn_.prepare(s, *table_, light);
     probe_.prepare(s, x);
     event_.prepare(s, norm_);
     event_.plain(plain_);

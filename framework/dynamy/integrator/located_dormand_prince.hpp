@@ -102,7 +102,7 @@ class LocatedDormandPrince : public OneStep {
 
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
   /// Numbers at the front of State::scheme, see located_memory.cpp.
-  static constexpr int kHead = 12;
+  static constexpr int kHead = 14;
   Accuracy accuracy_;
   const ButcherTableau* given_ = nullptr;  // the one to take, else one that fits the tolerance
   const ButcherTableau* table_ = &dormandPrince8();

@@ -30,7 +30,7 @@ void LocatedDormandPrince::store(State& x) {
   const SmoothStep::Counted counted = smooth_.counted();
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
       smooth_.implicit() ? 1.0 : 0.0, counted[0], counted[1], counted[2], counted[3], counted[4],
-      static_cast<double>(n);
+      counted[5], counted[6], static_cast<double>(n);
   std::copy(governed.begin(), governed.end(), x.scheme.data() + kHead);
   for (std::size_t i = 0; i < n; ++i) {
     const Held& h = phase_.held[i];
@@ -59,8 +59,10 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
     norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
   const bool implicit = x.scheme[5] != 0.0;
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
-  smooth_.counted({x.scheme[6], x.scheme[7], x.scheme[8], x.scheme[9], x.scheme[10]});
-  phase_.held.resize(static_cast<std::size_t>(x.scheme[11]));
+  SmoothStep::Counted counted;
+  std::copy_n(x.scheme.data() + 6, counted.size(), counted.begin());
+  smooth_.counted(counted);
+  phase_.held.resize(static_cast<std::size_t>(x.scheme[kHead - 1]));
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     Held& h = phase_.held[i];
     const double* in = x.scheme.data() + kHead + SwitchGovernor::kNumbers + kPerHeld * i;

@@ -66,10 +66,11 @@ void QuinticPath::at(double s, State& out) const {
 
 // ---- SmoothStep --------------------------------------------------------------------------------
 
-void SmoothStep::prepare(const MechanicalSystem& s, const ButcherTableau& table) {
-  table_ = &table;
+void SmoothStep::prepare(const MechanicalSystem& s, const ButcherTableau& table,
+                         const ButcherTableau* light) {
+  table_ = full_ = &table, light_ = light, enough_ = kEnough;
   const Topology& topology = *s.parts().topology;
-  const int columns = table.stages + 1 + table.denseStages;
+  const int columns = table.stages + 1 + table.denseStages;  // `light` has fewer
   Q_.setZero(topology.nq(), columns), U_.setZero(topology.nu(), columns);
   plain_ = isPlain(topology);
 }
@@ -153,28 +154,38 @@ bool SmoothStep::finish(const MechanicalSystem& s, State& to) const {
   return to.q.allFinite() && to.u.allFinite();
 }
 
-double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& to) const {
+double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& to) {
   if (tookImplicit_) return radauError_;
   // Order 8: |h| e5²/√(e5² + 0.01 e3²) of each component; order 5: its one estimate.
   const int n = table_->stages, estimate = errorNeedsEnd() ? n + 1 : n;
   double worst = 0.0;
-  const auto judge = [&](const Eigen::MatrixXd& K, Eigen::Index i) {
+  lighter_ = 0.0;
+  const auto judge = [&](const Eigen::MatrixXd& K, Eigen::Index i, auto&& measure) {
     double e5 = 0.0, e3 = 0.0;
     for (int j = 0; j < estimate; ++j) {
       e5 += table_->error[j] * K(i, j);
       if (table_->error3) e3 += (table_->weight(n, j) - table_->error3[j]) * K(i, j);
     }
-    if (!table_->error3) return h_ * e5;
-    const double d = e5 * e5 + 0.01 * e3 * e3;
-    return d > 0.0 ? h_ * e5 * e5 / std::sqrt(d) : 0.0;
+    const double d = e5 * e5 + 0.01 * e3 * e3, alone = measure(h_ * e5);
+    const double share = table_->error3 ? (d > 0.0 ? std::abs(e5) / std::sqrt(d) : 0.0) : 1.0;
+    worst = std::max(worst, alone * share), lighter_ = std::max(lighter_, alone);
   };
   for (Eigen::Index i = 0; i < from.q.size(); ++i)
-    worst = std::max(
-        worst, norm.position(i, judge(Q_, i), std::max(std::abs(from.q[i]), std::abs(to.q[i]))));
+    judge(Q_, i, [&](double e) {
+      return norm.position(i, e, std::max(std::abs(from.q[i]), std::abs(to.q[i])));
+    });
   for (Eigen::Index i = 0; i < from.u.size(); ++i)
-    worst = std::max(
-        worst, norm.velocity(i, judge(U_, i), std::max(std::abs(from.u[i]), std::abs(to.u[i]))));
+    judge(U_, i, [&](double e) {
+      return norm.velocity(i, e, std::max(std::abs(from.u[i]), std::abs(to.u[i])));
+    });
   return worst;
+}
+
+bool SmoothStep::tooLight(double error) {
+  constexpr double kMost = 0.1, kLess = 0.1;
+  if (tookImplicit_ || !light() || error <= kMost) return false;
+  light(false), enough_ *= kLess;
+  return true;
 }
 
 bool SmoothStep::prepareDense(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,

@@ -42,7 +42,9 @@ class QuinticPath {
 
 class SmoothStep {
  public:
-  void prepare(const MechanicalSystem& s, const ButcherTableau& table);
+  /// `light`: a method of half the work for motions that are simple, or null.
+  void prepare(const MechanicalSystem& s, const ButcherTableau& table,
+               const ButcherTableau* light = nullptr);
   /// From now on steps are implicit, or explicit again; `norm` measures what Newton's method
   /// leaves.
   void implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm);
@@ -55,11 +57,27 @@ class SmoothStep {
   /// take over. Explicit: h |λ| has been at the bound of stability for many steps; implicit: it has
   /// been small for some, or they cost more than the explicit ones before did.
   bool outgrown(const ErrorNorm& norm, const PhasePoint& to);
-  /// What `outgrown` has counted, to be kept with a state.
-  using Counted = std::array<double, 5>;
-  Counted counted() const { return {stiff_, other_, tried_, rate_, patience_}; }
+  /// From now on the light method takes the explicit steps, or no longer does.
+  void light(bool wanted) { table_ = wanted && light_ ? light_ : full_; }
+  bool light() const { return table_ == light_; }
+  /// The last step was longer than the switch in it lets it be: if the light method's error were
+  /// far below the tolerance even so, that one takes over.
+  void lighten() {
+    if (!implicit_ && !light() && lighter_ <= enough_) light(true);
+  }
+  /// The last step, of this error, was one of the light method and has to be taken again by the
+  /// other.
+  bool tooLight(double error);
+  /// What `outgrown` and `tooLight` have counted, to be kept with a state.
+  using Counted = std::array<double, 7>;
+  Counted counted() const {
+    return {stiff_, other_, tried_, rate_, patience_, light() ? 1.0 : 0.0, enough_};
+  }
+  /// A motion begins: nothing is counted yet.
+  void forget() { counted({0.0, 0.0, 0.0, 0.0, 1.0, 0.0, kEnough}); }
   void counted(const Counted& n) {
     stiff_ = n[0], other_ = n[1], tried_ = n[2], rate_ = n[3], patience_ = std::max(1.0, n[4]);
+    light(n[5] != 0.0), enough_ = n[6];
   }
   /// True: q̇ = u everywhere.
   bool plain() const { return plain_; }
@@ -75,7 +93,7 @@ class SmoothStep {
   }
   bool errorNeedsEnd() const { return !implicit_ && table_->error3 == nullptr; }
   /// Error of the last step in units of the tolerance.
-  double error(const ErrorNorm& norm, const State& from, const State& to) const;
+  double error(const ErrorNorm& norm, const State& from, const State& to);
   /// ∫λ dt and works of the last step, rows as in the phase.
   const Eigen::VectorXd& impulse() const { return impulse_; }
   const std::array<double, 5>& works() const { return works_; }
@@ -94,7 +112,11 @@ class SmoothStep {
   double implicitWork(Eigen::Index unknowns, int iterations) const;
   double stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq, const Eigen::VectorXd& du) const;
   bool finish(const MechanicalSystem& s, State& to) const;
-  const ButcherTableau* table_ = nullptr;
+  static constexpr double kEnough = 1e-2;
+  const ButcherTableau *table_ = nullptr, *full_ = nullptr, *light_ = nullptr;
+  // Error of the method of order 5 within that of order 8 in the last step, and what is far below
+  // the tolerance: less after each time that it was not.
+  double lighter_ = 0.0, enough_ = kEnough;
   bool plain_ = false;
   double h_ = 0.0;
   State stage_;
