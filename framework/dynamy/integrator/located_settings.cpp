@@ -30,10 +30,9 @@ void LocatedDormandPrince::declareStiff(Attributes& a) {
 void LocatedDormandPrince::declare(Attributes& a) {
   a.about(
       "Steps by tolerance: Dormand and Prince's explicit method of order 8 (5 at loose tolerances, "
-      "and "
-      "where the motion is simple) "
-      "between switches, which are located; impacts and new contact states by inclusions. The "
-      "scheme of every run with a tolerance.");
+      "and where the motion is simple) between switches, which are located; impacts and new "
+      "contact "
+      "states by inclusions. The scheme of every run with a tolerance.");
   declareStiff(a);
   a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
 }
