@@ -68,7 +68,7 @@ double difference(const Case& c, const End& a, const End& b) {
   const State x = m.initialState();
   s.evaluate(x);
   ErrorNorm norm;
-  norm.start(s, x, 0, 1.0, m.length());
+  norm.start(s, x, 0, 1.0, m.length(), s.slot(0).contacts);
   double worst = 0.0;
   for (Eigen::Index i = 0; i < x.q.size(); ++i)
     worst = std::max(worst, norm.position(i, a.x.q[i] - b.x.q[i], b.x.q[i]));

@@ -145,6 +145,33 @@ TEST(LocatedBlock, ABoxInSpaceFallsTumblesAndRests) {
   }
 }
 
+// ---- time scales -------------------------------------------------------------------------------
+
+TEST(LocatedScales, OfAFastTopAreNotThoseOfThePendulumBesideIt) {
+  // A double pendulum for 10 s, alone and beside a top that is braked from 1000 rad/s to rest
+  // within 0.05 s. With one time for both the pendulum's velocities had a scale of 1000 rad/s for
+  // 10 s, and its error grew 120 times.
+  const std::string pendulum = R"xml(<Coordinates name="pendulum" q="a b" units="rad rad"
+    q0="{pi/2} {pi/2}" kineticEnergy="a_dot^2 + b_dot^2/2 + a_dot*b_dot*cos(a - b)"
+    potential="-9.81*(2*cos(a) + cos(b))"/>)xml";
+  const std::string top = R"xml(<Coordinates name="top" q="s" units="rad" q0="0" u0="1000" M="1"/>
+    </systems><elements><CoordinateContact on="top" slipVelocity="s_dot"><GivenFriction
+    force="20000"/></CoordinateContact></elements>)xml";
+  const auto error = [](const std::string& systems, double tolerance) {
+    LocatedRun run("<dynamy version=\"1\"><systems>" + systems +
+                       "<simulation until=\"1\" step=\"1\"/></dynamy>",
+                   tolerance, 10.0);
+    EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    // Truth S09; in extended precision.
+    return std::hypot(run.state().q[0] + 0.5684746640162, run.state().q[1] + 0.5263937279321);
+  };
+  for (const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8}) {
+    // Steps are others, and with them the errors, by a chance factor: here up to 3.
+    EXPECT_LE(error(pendulum + top, tolerance), 10.0 * error(pendulum + "</systems>", tolerance))
+        << tolerance;
+  }
+}
+
 // ---- friction ----------------------------------------------------------------------------------
 
 TEST(LocatedOscillator, StopsWhereTheClosedFormSays) {

@@ -25,7 +25,8 @@ double slideError(const ButcherTableau* table, int n) {
   from.x = scene.state();
   s.evaluate(from.x, 0);
   ErrorNorm norm;
-  norm.start(s, from.x, 0, 1e-12, 1.0);  // what Newton's method leaves of Radau's equations
+  norm.start(s, from.x, 0, 1e-12, 1.0,
+             s.slot(0).contacts);  // what Newton's method leaves of Radau's equations
   smooth.implicit(table == nullptr, s, norm);
   FrozenPhase phase;
   Held held;

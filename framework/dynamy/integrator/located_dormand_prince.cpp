@@ -60,11 +60,12 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
   s.freeze(phaseKeys_);
   s.evaluate(from_.x, 0);
   if (x.scheme.size() == 0) {
-    norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length);
+    probe_.look(from_.x);
+    norm_.start(s, from_.x, 0, accuracy_.tolerance, accuracy_.length, probe_.contacts());
     governor_.scales(norm_.tolerance(), norm_.time());
     governor_.reset();
-  } else if (norm_.time() != x.scheme[1]) {
-    norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
+  } else {
+    resumeNorm(s, x);
   }
   const bool implicit = stiff_ == Stiff::always;
   smooth_.forget();

@@ -102,7 +102,10 @@ class LocatedDormandPrince : public OneStep {
 
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
   /// Numbers at the front of State::scheme, see located_memory.cpp.
-  static constexpr int kHead = 14;
+  static constexpr int kHead = 14, kBehind = kHead + SwitchGovernor::kNumbers;
+  /// Behind them and those of the governor: T of the island of each system.
+  Eigen::Index behindTimes() const { return kBehind + norm_.times().size(); }
+  void resumeNorm(const MechanicalSystem& s, const State& x);
   Accuracy accuracy_;
   const ButcherTableau* given_ = nullptr;  // the one to take, else one that fits the tolerance
   const ButcherTableau* table_ = &dormandPrince8();

@@ -6,8 +6,8 @@ namespace dynamy {
 namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
-/// there, whether steps are implicit and what speaks for the other kind (five numbers), number of
-/// held contacts; what the governor keeps; then for each element, number, slip, sign, end of
+/// there, whether steps are implicit, SmoothStep::Counted, number of held contacts; what the
+/// governor keeps; T of each system; then for each held contact element, number, slip, sign, end of
 /// muting, whether the slip starts, what it has turned, weight, first row and rows, direction, λ.
 constexpr int kDirection = Held::kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
@@ -25,16 +25,17 @@ void LocatedDormandPrince::store(State& x) {
     stored_.resize(0);
     return;
   }
-  constexpr int kFirst = kHead + SwitchGovernor::kNumbers;
-  x.scheme.resize(static_cast<Eigen::Index>(kFirst + kPerHeld * n));
+  const auto first = static_cast<std::size_t>(behindTimes());
+  x.scheme.resize(static_cast<Eigen::Index>(first + kPerHeld * n));
   const SmoothStep::Counted counted = smooth_.counted();
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
       smooth_.implicit() ? 1.0 : 0.0, counted[0], counted[1], counted[2], counted[3], counted[4],
       counted[5], counted[6], static_cast<double>(n);
   std::copy(governed.begin(), governed.end(), x.scheme.data() + kHead);
+  x.scheme.segment(kBehind, norm_.times().size()) = norm_.times();
   for (std::size_t i = 0; i < n; ++i) {
     const Held& h = phase_.held[i];
-    double* out = x.scheme.data() + kFirst + kPerHeld * i;
+    double* out = x.scheme.data() + first + kPerHeld * i;
     out[0] = static_cast<double>(h.key.value >> 40);
     out[1] = static_cast<double>(contactNumber(h.key));
     out[2] = h.slips ? 1.0 : 0.0, out[3] = h.sign, out[4] = h.mutedUntil;
@@ -47,6 +48,13 @@ void LocatedDormandPrince::store(State& x) {
   stored_ = x.scheme;
 }
 
+void LocatedDormandPrince::resumeNorm(const MechanicalSystem& s, const State& x) {
+  const auto systems = static_cast<Eigen::Index>(s.parts().topology->systems().size());
+  const ConstVec times(x.scheme.data() + kBehind, systems);
+  if (norm_.time() != x.scheme[1] || norm_.times().size() != systems || norm_.times() != times)
+    norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1], times);
+}
+
 bool LocatedDormandPrince::goesOn(const State& x) const {
   return x.t == to_.x.t && x.scheme.size() == stored_.size() && x.scheme == stored_ &&
          x.q == to_.x.q && x.u == to_.x.u && x.memory == to_.x.memory;
@@ -55,8 +63,7 @@ bool LocatedDormandPrince::goesOn(const State& x) const {
 bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
   H_ = x.scheme[0], lookAhead_ = x.scheme[2], lastEvent_ = x.scheme[3];
   nulls_ = static_cast<int>(x.scheme[4]);
-  if (norm_.time() != x.scheme[1])
-    norm_.resume(s, accuracy_.tolerance, accuracy_.length, x.scheme[1]);
+  resumeNorm(s, x);
   const bool implicit = x.scheme[5] != 0.0;
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   SmoothStep::Counted counted;
@@ -65,7 +72,7 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
   phase_.held.resize(static_cast<std::size_t>(x.scheme[kHead - 1]));
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
     Held& h = phase_.held[i];
-    const double* in = x.scheme.data() + kHead + SwitchGovernor::kNumbers + kPerHeld * i;
+    const double* in = x.scheme.data() + behindTimes() + kPerHeld * i;
     h.key = contactKey(static_cast<int>(in[0]), static_cast<std::uint64_t>(in[1]));
     h.slips = in[2] != 0.0, h.sign = in[3], h.mutedUntil = in[4];
     h.starts = in[5] != 0.0, h.turned = in[6], h.weight = in[7];

@@ -63,11 +63,10 @@ bool LocatedDormandPrince::stepsInTime(const State& x) {
 }
 
 void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State& x) {
-  // Behind the governor's numbers: the number of rates, the overlap, the rates, and what the other
-  // scheme keeps.
-  const double T = x.scheme[1];
-  if (norm_.time() != T) norm_.resume(s, accuracy_.tolerance, accuracy_.length, T);
-  const Eigen::Index at = kHead + SwitchGovernor::kNumbers;
+  // Behind the times of the systems: the number of rates, the overlap, the rates, and what the
+  // other scheme keeps.
+  resumeNorm(s, x);
+  const Eigen::Index at = behindTimes();
   const auto n = static_cast<Eigen::Index>(x.scheme[at]);
   head_ = x.scheme.head<kHead>();
   overlap_ = x.scheme[at + 1];
@@ -87,12 +86,13 @@ void LocatedDormandPrince::beginStepping(const State& x) {
 
 void LocatedDormandPrince::storeStepping(State& x) const {
   const auto numbers = governor_.numbers();
-  const Eigen::Index at = kHead + SwitchGovernor::kNumbers, n = rate_.size();
+  const Eigen::Index at = behindTimes(), n = rate_.size();
   const Eigen::VectorXd own = x.scheme;
   x.scheme.resize(at + 2 + n + own.size());
   x.scheme.head<kHead>() = head_;
   x.scheme[kHead - 1] = 0.0;  // nothing is held
   std::copy(numbers.begin(), numbers.end(), x.scheme.data() + kHead);
+  x.scheme.segment(kBehind, norm_.times().size()) = norm_.times();
   x.scheme[at] = static_cast<double>(n), x.scheme[at + 1] = overlap_;
   x.scheme.segment(at + 2, n) = rate_;
   x.scheme.tail(own.size()) = own;
