@@ -11,6 +11,7 @@ constexpr int kHalvings = 46;          ///< for monitors that start at zero: θ 
 constexpr int kForceHalvings = 20;
 constexpr int kMostRefinements = 160;
 constexpr double kJump = 0.1;         ///< of the fall of a force over the first bracket
+constexpr double kRootWidth = 1e-14;  ///< of roots of gaps and slips
 constexpr double kAside = 0.25;       ///< of the fall; half of it for a jump
 constexpr double kJumpWidth = 1e-13;  ///< a jump is not found more closely, as a part of the step
 /// Of the fall over a bracket: a larger value is no root, though the last slope, which may be that
@@ -120,9 +121,10 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
 }
 
 template <class Value>
-bool SwitchSearch::refine(double& a, double& fa, double& b, double& fb, double width, Value&& value,
-                          double& root, double& slope) {
+bool SwitchSearch::refine(Bracket& at, double width, double zero, Value&& value, double& root,
+                          double& slope) {
   // [alefeld_potra_shi1995]: both ends close in, with order 1.65 a look in the end.
+  auto& [a, fa, b, fb] = at;
   bool known = true;
   double last = a, fLast = fa;
   slope = (fb - fa) / (b - a);
@@ -132,7 +134,8 @@ bool SwitchSearch::refine(double& a, double& fa, double& b, double& fb, double w
     known = known && value(t, v);
     if (t != last && v != fLast) slope = (v - fLast) / (t - last);
     last = t, fLast = v;
-    if (!known || std::abs(v) <= std::min(0.5 * width * std::abs(slope), small)) {
+    const double near = std::max(zero, 0.5 * width * std::abs(slope));
+    if (!known || std::abs(v) <= std::min(near, small)) {
       a = b = slope < 0.0 ? t - v / slope : t, fa = fb = 0.0;
       return 0.0;  // near enough, though one end of the bracket may be far
     }
@@ -145,6 +148,23 @@ bool SwitchSearch::refine(double& a, double& fa, double& b, double& fb, double w
     boost::math::tools::toms748_solve(f, double(a), double(b), double(fa), double(fb), near, most);
   root = b > a ? (a * fb - b * fa) / (fb - fa) : a;
   return known;
+}
+
+bool SwitchSearch::refineKinematic(ContactProbe& probe, const QuinticPath& path, int monitor,
+                                   Bracket& at, double& root, double& slope) {
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
+  const auto value = [&](double t, double& v) { return kinematicAt(probe, path, monitor, t, v); };
+  if (!refine(at, kRootWidth, noise(k), value, root, slope)) return false;
+  slope /= path.length();
+  if (const double closing = rate(probe, k); closing < 0.0) {  // the last look was at the root
+    slope = closing;
+    return true;
+  }
+  const double d = 1e-4;
+  double before = 0.0, after = 0.0;
+  if (!value(root - d, before) || !value(root + d, after)) return false;
+  slope = (after - before) / (2.0 * d * path.length());
+  return true;
 }
 
 bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
@@ -178,23 +198,13 @@ bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path,
     }
   }
   double root = a, slope = 0.0;
-  if (fa > 0.0 && !refine(
-                      a, fa, b, fb, 1e-14,
-                      [&](double t, double& v) { return kinematicAt(probe, path, monitor, t, v); },
-                      root, slope))
-    return false;
+  Bracket at{a, fa, b, fb};
+  if (fa > 0.0 && !refineKinematic(probe, path, monitor, at, root, slope)) return false;
   if (!(root < first.theta)) return true;
-  if (root <= 0.0) {
+  if (root > 0.0)
+    first = {Switch::Kind::root, root, false, monitor, slope};
+  else
     first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
-    return true;
-  }
-  // The slope at the root itself.
-  const double d = 1e-4;
-  double before = 0.0, after = 0.0;
-  if (!kinematicAt(probe, path, monitor, root - d, before) ||
-      !kinematicAt(probe, path, monitor, root + d, after))
-    return false;
-  first = {Switch::Kind::root, root, false, monitor, (after - before) / (2.0 * d * path.length())};
   return true;
 }
 
@@ -226,15 +236,16 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
   const auto value = [&](double t, double& v) { return forceAt(s, phase, path, monitor, t, v); };
   const double fall = fa - fb;
   const bool wide = b - a > 2.0 * width;
-  if (fa > 0.0 && !refine(a, fa, b, fb, width, value, root, slope)) return false;
-  if (wide && fa > 0.0 && fa - fb > kJump * fall) {
+  Bracket at{a, fa, b, fb};
+  if (fa > 0.0 && !refine(at, width, 0.0, value, root, slope)) return false;
+  if (wide && fa > 0.0 && at.fa - at.fb > kJump * fall) {
     // The bracket has shrunk, the fall has not: a jump, unless the middle lies in the middle.
     double middle = 0.0;
-    if (!value(0.5 * (a + b), middle)) return false;
-    if (std::abs(middle - 0.5 * (fa + fb)) > kAside * (fa - fb)) {
+    if (!value(0.5 * (at.a + at.b), middle)) return false;
+    if (std::abs(middle - 0.5 * (at.fa + at.fb)) > kAside * (at.fa - at.fb)) {
       const double fine = std::max(kJumpWidth, width * width * width);  // no slope: 1e-5 tol
-      if (!refine(a, fa, b, fb, fine, value, root, slope)) return false;
-      root = b, slope = 0.0;  // behind the jump
+      if (!refine(at, fine, 0.0, value, root, slope)) return false;
+      root = at.b, slope = 0.0;  // behind the jump
     }
   }
   if (!(root < first.theta)) return true;
@@ -265,15 +276,10 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
     }
     if (v < -gapNoise_) {  // a dip between two samples: the root lies before it
       values_(monitor, j + 1) = v;
-      double root = 0.0, slope = 0.0, fA = values_(monitor, j);
-      double A = static_cast<double>(j) / kSamples;
-      if (!refine(
-              A, fA, c, v, 1e-14,
-              [&](double t, double& x) { return kinematicAt(probe, path, monitor, t, x); }, root,
-              slope))
-        return false;
-      if (root < first.theta)
-        first = {Switch::Kind::root, root, false, monitor, slope / path.length()};
+      double root = 0.0, slope = 0.0;
+      Bracket at{static_cast<double>(j) / kSamples, values_(monitor, j), c, v};
+      if (!refineKinematic(probe, path, monitor, at, root, slope)) return false;
+      if (root < first.theta) first = {Switch::Kind::root, root, false, monitor, slope};
       return true;
     }
     if (v < kNear * high && c < first.theta && c > 0.0)

@@ -74,9 +74,15 @@ class SwitchSearch {
                    double& v);
   bool forceAt(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
                double theta, double& v);
+  /// Part of the step at whose ends a monitor is positive and negative.
+  struct Bracket {
+    double a, fa, b, fb;
+  };
+  /// Shrinks it to `width`, or until a value is within ±zero. `slope`: per step.
   template <class Value>
-  bool refine(double& a, double& fa, double& b, double& fb, double width, Value&& value,
-              double& root, double& slope);
+  bool refine(Bracket& at, double width, double zero, Value&& value, double& root, double& slope);
+  bool refineKinematic(ContactProbe& probe, const QuinticPath& path, int monitor, Bracket& at,
+                       double& root, double& slope);
   bool kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   bool forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
                    double width, Switch& first);
