@@ -23,6 +23,21 @@ bool isDisc(const TouchingShape& s) {
 
 }  // namespace
 
+namespace {
+
+/// Of ellipses and of capsules on polygons, in a plane.
+Meeting roundInPlane(const TouchingShape& A, const TouchingShape& B) {
+  const bool polygon = !A.polygon_K.empty();
+  if (polygon && B.kind == Touch::capsule) return Meeting::capsuleOnPolygon;
+  if (polygon && B.kind == Touch::ellipsoid) return Meeting::smoothOnPolygon;
+  if (A.kind != Touch::ellipsoid) return Meeting::missing;
+  if (B.kind == Touch::capsule) return Meeting::capsuleOnSmooth;
+  return B.kind == Touch::ellipsoid || B.kind == Touch::ball ? Meeting::smoothInPlane
+                                                             : Meeting::missing;
+}
+
+}  // namespace
+
 Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   if (A.kind == Touch::none || B.kind == Touch::none) return Meeting::missing;
   if (A.kind == Touch::halfSpace)
@@ -31,6 +46,8 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
                                              : Meeting::overHalfSpace;
   if (A.kind == Touch::ball) return A.bound + B.bound > 0.0 ? Meeting::balls : Meeting::never;
   if (inPlane && !A.polygon_K.empty() && !B.polygon_K.empty()) return Meeting::polygons;
+  if (inPlane)
+    if (const Meeting found = roundInPlane(A, B); found != Meeting::missing) return found;
   if (A.kind == Touch::contour && B.kind == Touch::ball) return Meeting::ballOnContour;
   if (inPlane && A.kind != Touch::box && !A.polygon_K.empty() && B.kind == Touch::ball)
     return Meeting::ballOnPolygon;
@@ -50,6 +67,7 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
     if (B.kind == Touch::ball) return Meeting::ballOnSurface;
     if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
     if (isDisc(B)) return Meeting::discOnMesh;
+    if (B.kind == Touch::ellipsoid) return Meeting::smoothOnMesh;
     if (B.polyhedron) return A.polyhedron ? Meeting::polyhedra : Meeting::polyhedronOnMesh;
   }
   if (A.kind == Touch::capsule)
@@ -66,6 +84,7 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
     case Meeting::overHalfSpace:
       return B.features.size();
     case Meeting::ballOnSurface:
+    case Meeting::smoothOnMesh:
       return static_cast<std::uint64_t>(A.surface->features());
     case Meeting::capsules:
       return kCapsules;
@@ -79,6 +98,8 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
       return meshFeatures(*A.surface, *B.polyhedron);
     case Meeting::polygons:
       return A.polygon_K.size() + B.polygon_K.size();
+    case Meeting::capsuleOnPolygon:
+      return 2 + A.polygon_K.size();
     case Meeting::boxes:
       return kBoxFeatures;
     case Meeting::discs:
@@ -190,7 +211,10 @@ std::string featureName(Meeting meets, const TouchingShape& A, const TouchingSha
   if (meets == Meeting::discOnMesh) return ofDiscOnMesh(*A.surface, f);
   if (meets == Meeting::discOnPolyhedron) return ofDisc(*A.polyhedron, f);
   if (meets == Meeting::capsuleOnSurface) return ofCapsule(*A.surface, f);
-  if (meets == Meeting::ballOnSurface) return A.surface->featureName(static_cast<int>(f));
+  if (meets == Meeting::capsuleOnPolygon)
+    return f < 2 ? "B.end" + std::to_string(f) : "A.corner" + std::to_string(f - 2);
+  if (meets == Meeting::ballOnSurface || meets == Meeting::smoothOnMesh)
+    return A.surface->featureName(static_cast<int>(f));
   if (meets == Meeting::capsules)
     return f == 0 ? "crossing" : (f < 3 ? "B.end" : "A.end") + std::to_string((f - 1) % 2);
   if (meets == Meeting::capsuleOnBox) {

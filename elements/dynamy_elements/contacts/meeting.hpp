@@ -23,13 +23,18 @@ enum class Meeting : std::uint8_t {
   polyhedronOnMesh,  ///< or a box on a mesh
   polygons,          ///< and sections with corners, in a plane
   ballOnPolygon,
+  capsuleOnPolygon,
+  smoothInPlane,    ///< ellipses with each other and with circles
+  smoothOnPolygon,  ///< ellipse
+  capsuleOnSmooth,  ///< on an ellipse
   ballOnContour,
   smooth,              ///< ellipsoids with each other and with balls
   smoothOnPolyhedron,  ///< or on a box
-  smoothOnDisc,        ///< A on B, a cylinder, torus or capsule
+  smoothOnDisc,        ///< A on B, a cylinder, cone, torus or capsule
+  smoothOnMesh,        ///< or a height field
   discOnPolyhedron,    ///< a cylinder, torus or cone, or on a box
   discOnMesh,          ///< or a height field
-  discs                ///< cylinders and tori with each other, with capsules and balls
+  discs                ///< cylinders, cones and tori with each other, with capsules and balls
 };
 
 /// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.

@@ -203,6 +203,12 @@ void ShapeContacts::narrowOnSurface(const Pair& pair, const Kinematics& k,
           discOnMesh(A, *pair.A->surface, discBody(B, *pair.B), seenFrom(pair, sink), found);
       return emitAll(pair, found, n, k, sink);
     }
+    case Meeting::smoothOnMesh: {
+      OnSurfaceContacts found;
+      const int n =
+          smoothOnMesh(A, *pair.A->surface, B, pair.B->features[0], seenFrom(pair, sink), found);
+      return emitAll(pair, found, n, k, sink);
+    }
     case Meeting::polyhedronOnMesh: {
       OnSurfaceContacts found;
       return emitAll(pair, found,
@@ -253,6 +259,25 @@ void ShapeContacts::narrowFaceted(const Pair& pair, const Kinematics& k, Contact
   }
 }
 
+/// The one contact of two shapes in a plane.
+ContactPoint ShapeContacts::singleInPlane(const Pair& pair, const Frame& A, const Frame& B,
+                                          const Vec3& plane) {
+  const PlacedPolygon polygon{&A, &pair.A->polygon_K, plane};
+  const SupportFeature &a = pair.A->features[0], &b = pair.B->features[0];
+  switch (pair.rule->meets) {
+    case Meeting::smoothInPlane:
+      return smoothInPlane(A, a, B, b, plane);
+    case Meeting::smoothOnPolygon:
+      return smoothOnPolygon(polygon, B, b);
+    case Meeting::capsuleOnSmooth:
+      return capsuleOnSmooth(A, a, B, *pair.B, plane);
+    case Meeting::ballOnPolygon:
+      return ballOnPolygon(polygon, B, b);
+    default:
+      return ballOnContour(A, a, B, b, plane);
+  }
+}
+
 void ShapeContacts::narrowInPlane(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   const Vec3& plane = planes_[pair.rule->plane];
@@ -266,16 +291,14 @@ void ShapeContacts::narrowInPlane(const Pair& pair, const Kinematics& k, Contact
       closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
       return emitAll(pair, found, n, k, sink);
     }
-    case Meeting::ballOnPolygon:
-    case Meeting::ballOnContour: {
-      const ContactPoint at =
-          pair.rule->meets == Meeting::ballOnPolygon
-              ? ballOnPolygon(a, B, pair.B->features[0])
-              : ballOnContour(A, pair.A->features[0], B, pair.B->features[0], plane);
+    case Meeting::capsuleOnPolygon: {
+      CapsuleOnPolygon found;
+      return emitAll(pair, found, capsuleOnPolygon(a, B, *pair.B, found), k, sink);
+    }
+    default: {
+      const ContactPoint at = singleInPlane(pair, A, B, plane);
       return emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
     }
-    default:
-      return;
   }
 }
 

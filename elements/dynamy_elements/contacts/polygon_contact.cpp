@@ -1,4 +1,5 @@
 #include <dynamy_elements/contacts/polygon_contact.hpp>
+#include <dynamy_elements/contacts/segments.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -118,6 +119,27 @@ ContactPoint ballOnPolygon(const PlacedPolygon& A, const Frame& B, const RoundFe
   out.g = n.dot(c - A.corner(edge)) - ball.radius;
   out.P = c - ball.radius * n, out.Pdot = B.velocity(rho) - ball.radius * ndot;
   return out;
+}
+
+int capsuleOnPolygon(const PlacedPolygon& A, const Frame& B, const TouchingShape& capsule,
+                     CapsuleOnPolygon& out) {
+  const Segment axis = capsuleAxis(B, capsule);
+  const double R = capsule.features[0].radius;
+  int n = 0;
+  for (const SupportFeature& end : capsule.features) {
+    out[static_cast<std::size_t>(n)] = {n, ballOnPolygon(A, B, end)};
+    ++n;
+  }
+  for (int i = 0; i < A.size() && n < kMostCapsuleOnPolygon; ++i) {
+    const Vec3 c = A.corner(i);
+    if (std::abs(axis.e.dot(c - axis.o)) >= axis.half) continue;
+    ContactPoint at = overSegment(axis, R, c, A.frame->velocity(c - A.frame->r_OS_I), 0.0, A.plane);
+    turnRound(at);
+    const Vec3& d = at.d[0];
+    if (d.dot(A.corner(i + 1) - c) <= 0.0 && d.dot(A.corner(i + A.size() - 1) - c) <= 0.0)
+      out[static_cast<std::size_t>(n++)] = {2 + i, at};
+  }
+  return n;
 }
 
 }  // namespace dynamy

@@ -41,7 +41,7 @@ Diagnostic missingPair(const Shape& a, const Shape& b) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
       "use balls, points and half spaces with all, boxes, polyhedra, capsules, cylinders, cones, "
-      "tori and ellipsoids with each other in space, or "
+      "tori and ellipsoids with each other in space (all pairs: doc/shape_pairs.md), or "
       "<NoContact " +
           between(a, b) + "/>");
 }

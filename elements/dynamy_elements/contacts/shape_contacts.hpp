@@ -83,6 +83,8 @@ class ShapeContacts final : public NonSmoothElement {
   Pair pairOf(int i, int j) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowInPlane(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  static ContactPoint singleInPlane(const Pair& pair, const Frame& A, const Frame& B,
+                                    const Vec3& plane);
   void narrowSmooth(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowOnSurface(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowFaceted(const Pair& pair, const Kinematics& k, ContactSink& sink) const;

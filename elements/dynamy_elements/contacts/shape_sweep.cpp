@@ -201,6 +201,8 @@ double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const
     return leastGap(found, n);
   }
   OnSurfaceContacts found;
+  if (meets == Meeting::smoothOnMesh)
+    return leastGap(found, smoothOnMesh(A, *a.surface, B, b.features[0], b.bound, found));
   if (meets == Meeting::discOnMesh)
     return leastGap(found, discOnMesh(A, *a.surface, discBody(B, b), b.bound, found));
   const int n =
@@ -233,6 +235,7 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
     case Meeting::capsuleOnSurface:
     case Meeting::polyhedronOnMesh:
     case Meeting::discOnMesh:
+    case Meeting::smoothOnMesh:
       return gapOnSurface(pair.rule->meets, A, a, B, b);
     case Meeting::capsules:
     case Meeting::capsuleOnBox: {
@@ -257,10 +260,16 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
     case Meeting::polygons:
       return separation(PlacedPolygon{&A, &a.polygon_K, plane},
                         PlacedPolygon{&B, &b.polygon_K, plane});
+    case Meeting::capsuleOnPolygon: {
+      CapsuleOnPolygon found;
+      return leastGap(found, capsuleOnPolygon({&A, &a.polygon_K, plane}, B, b, found));
+    }
     case Meeting::ballOnPolygon:
-      return ballOnPolygon({&A, &a.polygon_K, plane}, B, b.features[0]).g;
     case Meeting::ballOnContour:
-      return ballOnContour(A, a.features[0], B, b.features[0], plane).g;
+    case Meeting::smoothInPlane:
+    case Meeting::smoothOnPolygon:
+    case Meeting::capsuleOnSmooth:
+      return singleInPlane(pair, A, B, plane).g;
     default:
       return separation(placedBox(A, a), placedBox(B, b));
   }

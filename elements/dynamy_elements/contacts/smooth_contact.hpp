@@ -10,7 +10,9 @@
 /// rejected: their normals jump.
 #pragma once
 #include <dynamy_elements/contacts/disc_body.hpp>
+#include <dynamy_elements/contacts/polygon_contact.hpp>
 #include <dynamy_elements/contacts/polyhedron_contact.hpp>
+#include <dynamy_elements/contacts/surface_contact.hpp>
 
 namespace dynamy {
 
@@ -25,5 +27,19 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
 ContactPoint smoothOnDisc(const DiscBody& A, const Frame& B, const SupportFeature& feature);
 /// The same seen from the feature, which is A's.
 ContactPoint discOnSmooth(const Frame& A, const SupportFeature& feature, const DiscBody& B);
+
+/// Contacts of a feature of B on the mesh of A with gaps between −reach and `reach` [m]; returns
+/// how many: its lowest point over faces, edges that stand out and corners. Numbers as those of a
+/// ball (surface.hpp).
+int smoothOnMesh(const Frame& A, const Surface& mesh, const Frame& B, const SupportFeature& feature,
+                 double reach, OnSurfaceContacts& out);
+
+/// In the plane of motion with the normal `plane`: two features, one on a polygon, inside of which
+/// the nearest edge counts, and a capsule on one.
+ContactPoint smoothInPlane(const Frame& A, const SupportFeature& a, const Frame& B,
+                           const SupportFeature& b, const Vec3& plane);
+ContactPoint smoothOnPolygon(const PlacedPolygon& A, const Frame& B, const SupportFeature& feature);
+ContactPoint capsuleOnSmooth(const Frame& A, const SupportFeature& feature, const Frame& B,
+                             const TouchingShape& capsule, const Vec3& plane);
 
 }  // namespace dynamy

@@ -196,8 +196,7 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   const Vec3 semi(g.size[0], g.size[1], g.size[2]);
   const Mat3& A = out.shape->A_KB();
-  out.kind = f.inSpace() ? Touch::ellipsoid : Touch::other, out.bound = semi.maxCoeff(),
-  out.thickness = semi.minCoeff();
+  out.kind = Touch::ellipsoid, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
   f.ball(Vec3::Zero(), 0.0);
   SupportFeature& feature = out.features.back();
   feature.kind = SupportFeature::Kind::ellipsoid;

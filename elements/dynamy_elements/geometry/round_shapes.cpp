@@ -13,9 +13,8 @@ Mat3 diagonal(double a, double b, double c) { return Vec3(a, b, c).asDiagonal();
 
 void CircleShape::declare(Attributes& a) {
   a.about(
-      "Circle about the shape's z axis; touches half spaces, points and circles where bodies move "
-      "in "
-      "its plane.");
+      "Circle about the shape's z axis. Where bodies move in its plane it touches what a ball does "
+      "there (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.example("<Circle radius=\"0.1\"/>");
 }
@@ -25,10 +24,8 @@ ShapeGeometry CircleShape::geometry() const { return {"Circle", {radius_}, {}, c
 void CylinderShape::declare(Attributes& a) {
   a.about(
       "Solid cylinder along z with sharp rims, a disc if it is short: V = π r² l, J_z = m r²/2, "
-      "J_x = "
-      "m (3 r² + l²)/12. Touches half spaces, and in space balls, capsules, cylinders, tori, "
-      "boxes, "
-      "polyhedra and meshes.");
+      "J_x = m (3 r² + l²)/12. Touches all shapes in space, polygons, boxes, capsules, ellipses "
+      "and circles in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.required("length", Unit::length, "length along z").positive();
   a.example("<Cylinder radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
@@ -46,8 +43,8 @@ MassProperties CylinderShape::massProperties() const {
 
 void CapsuleShape::declare(Attributes& a) {
   a.about(
-      "Cylinder along z with half balls on its ends: V = π r² l + 4/3 π r³. Its ends touch half "
-      "spaces.");
+      "Cylinder along z with half balls on its ends: V = π r² l + 4/3 π r³. Touches all shapes in "
+      "space, all but contours in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.required("length", Unit::length, "distance of the centres of the two half balls").positive();
   a.example("<Capsule radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
@@ -70,9 +67,8 @@ MassProperties CapsuleShape::massProperties() const {
 void ConeShape::declare(Attributes& a) {
   a.about(
       "Solid cone along z, base circle at z = 0, tip at z = l: V = π r² l/3, centre of mass at "
-      "l/4, "
-      "J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches half spaces, and in space balls, boxes, "
-      "polyhedra and meshes.");
+      "l/4, J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches all shapes in space "
+      "(doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius of the base").positive();
   a.required("length", Unit::length, "height of the tip").positive();
   a.example("<Cone radius=\"0.1\" length=\"0.3\" mass=\"1\" material=\"wood\"/>");
@@ -88,11 +84,8 @@ MassProperties ConeShape::massProperties() const {
 void TorusShape::declare(Attributes& a) {
   a.about(
       "Tube of radius r around a circle of radius R about z, a tyre: V = 2 π² R r², J_z = m (R² + "
-      "3/4 "
-      "r²), J_x = m (R²/2 + 5/8 r²). Touches half spaces, and in space balls, capsules, cylinders, "
-      "tori, ellipsoids, boxes, "
-      "polyhedra and meshes, none of which "
-      "passes through its hole.");
+      "3/4 r²), J_x = m (R²/2 + 5/8 r²). Touches all shapes in space (doc/shape_pairs.md), none of "
+      "which passes through its hole.");
   a.required("radius", Unit::length, "radius R of the circle in the middle of the tube").positive();
   a.required("tube", Unit::length, "radius r of the tube").positive();
   a.example("<Torus radius=\"0.3\" tube=\"0.05\" mass=\"2\" material=\"rubber\"/>");
@@ -111,9 +104,8 @@ MassProperties TorusShape::massProperties() const {
 
 void EllipsoidShape::declare(Attributes& a) {
   a.about(
-      "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches half spaces, "
-      "and "
-      "in space balls, capsules, cylinders, tori, ellipsoids, boxes and polyhedra.");
+      "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches all shapes in "
+      "space, all but contours in a plane (doc/shape_pairs.md).");
   a.requiredVector("semiAxes", Unit::length, 3, "half of its lengths along x, y, z").positive();
   a.example("<Ellipsoid semiAxes=\"0.3 0.2 0.1\" mass=\"1\" material=\"stone\"/>");
 }

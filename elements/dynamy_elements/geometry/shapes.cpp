@@ -28,7 +28,7 @@ std::vector<Vec3> readPoints(const Parameters& x, std::size_t least) {
 // ---- Sphere ------------------------------------------------------------------------------------
 
 void Sphere::declare(Attributes& a) {
-  a.about("Ball: V = 4/3 π r³, J = 2/5 m r². Touches half spaces, points, balls.");
+  a.about("Ball: V = 4/3 π r³, J = 2/5 m r². Touches all shapes (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.example("<Sphere radius=\"0.1\" mass=\"1\" material=\"rubber\"/>");
 }
@@ -43,10 +43,8 @@ MassProperties Sphere::massProperties() const {
 
 void Box::declare(Attributes& a) {
   a.about(
-      "Cuboid about its origin with edges along its axes: V = a b c, J_x = m (b² + c²)/12, … Its "
-      "corners touch half spaces, its faces, edges and corners in space boxes, polyhedra, "
-      "capsules, "
-      "balls and meshes.");
+      "Cuboid about its origin with edges along its axes: V = a b c, J_x = m (b² + c²)/12, … "
+      "Touches all shapes in space, all but contours in a plane (doc/shape_pairs.md).");
   a.requiredVector("size", Unit::length, 3, "edge lengths along x, y, z").positive();
   a.example("<Box size=\"0.4 0.2 0.1\" density=\"2700\" material=\"steel\"/>");
 }
@@ -87,7 +85,7 @@ ShapeGeometry HalfSpace::geometry() const { return {"HalfSpace", {}, {normal_}, 
 // ---- shapes of points --------------------------------------------------------------------------
 
 void PointShape::declare(Attributes& a) {
-  a.about("A point that touches half spaces and balls; drawn as a dot.");
+  a.about("A point that touches all shapes but points; drawn as a dot.");
   a.optional("radius", Unit::length, 0.0, "radius of the dot in the picture; no part of contact")
       .nonNegative();
   a.example("<Point position=\"0 0 -0.1\" material=\"steel\"/>");
@@ -99,8 +97,8 @@ ShapeGeometry PointShape::geometry() const {
 
 void LineShape::declare(Attributes& a) {
   a.about(
-      "Open line through points. One of two points touches what a capsule does, circles and points "
-      "among it; others are drawn only.");
+      "Open line through points. One of two points touches what a capsule does; others are drawn "
+      "only.");
   a.requiredVector("points", Unit::length, 0, "x y z of two or more points");
   a.example("<Line points=\"0 0 0  0 0 -1\"/>");
 }
@@ -110,8 +108,7 @@ ShapeGeometry LineShape::geometry() const { return {"Line", {}, points_, colour(
 void PolygonShape::declare(Attributes& a) {
   a.about(
       "Closed polygon through points. Where bodies move in its plane its corners touch half "
-      "spaces, "
-      "and, if it is convex, polygons, boxes, circles and points.");
+      "spaces, and, if it is convex, it touches all shapes but contours (doc/shape_pairs.md).");
   a.requiredVector("points", Unit::length, 0, "x y z of three or more points");
   a.example("<Polygon points=\"0 0 0  1 0 0  0 0 1\"/>");
 }

@@ -146,6 +146,26 @@ TEST(DiscContact, RatesOnAPolyhedronAreThoseOfTheMotion) {
   for (const int n : of) EXPECT_GT(n, 50);
 }
 
+TEST(DiscContact, OfAnUprightBodyIsOfTheRimThatStands) {
+  // Either way up, tilted so little that both rims are lowest at one place seen from above.
+  const Polyhedron body(boxTriangles({0.6, 0.4, 0.3}));
+  const Mover A(Vec3::Zero(), Mat3::Identity());
+  for (const int rim : {0, 1})
+    for (const double tilt : {0.0, 1e-7, 1e-3, 0.05}) {
+      const double c = std::cos(tilt), s = std::sin(tilt);
+      const Mat3 up = rim == 0 ? Mat3(Mat3::Identity()) : Mat3(Vec3(1.0, -1.0, -1.0).asDiagonal());
+      const Mover B({0.0, 0.0, 0.3 + 0.2 * c + 0.1 * s}, turned(Vec3(0.0, tilt, 0.0)) * up);
+      DiscContacts found;
+      const int n = discOnPolyhedron(placed(A.frame, body), placedDisc(B.frame, 0.2, 0.1, 0.0),
+                                     kInfinity, -1.0, true, found);
+      ASSERT_GT(n, 1);
+      for (int k = 0; k < n; ++k) {
+        const int id = found[static_cast<std::size_t>(k)].id;
+        EXPECT_EQ(id < 2 ? id : (id - 2) / 4, rim) << "tilt " << tilt << ", contact " << id;
+      }
+    }
+}
+
 TEST(ConeContact, OfABallIsItsDistanceAndHasTheRatesOfTheMotion) {
   Random r(55);
   int seen[2] = {};
@@ -245,7 +265,7 @@ struct WithCone {
 
 TEST(ConeContact, SeparationFromRoundBodiesIsTheLargestOfAllDirections) {
   Random r(56);
-  int apart = 0, overlapping = 0, exact = 0, seen[4] = {};
+  int apart = 0, overlapping = 0, exact = 0, sameNumber = 0, seen[4] = {};
   for (int trial = 0; trial < kTrials; ++trial) {
     const WithCone pair(r, trial);
     const DiscBody a = pair.a(pair.A.frame), b = pair.b(pair.B.frame);
@@ -261,6 +281,12 @@ TEST(ConeContact, SeparationFromRoundBodiesIsTheLargestOfAllDirections) {
     const int n = betweenDiscs(a, b, kInfinity, -1.0, true, found);
     ASSERT_GT(n, 0) << trial;
     const ContactPoint& at = deepest(found, n);
+    // The other way round the same contacts, with opposite normals.
+    DiscContacts turned;
+    const int m = betweenDiscs(b, a, kInfinity, -1.0, true, turned);
+    sameNumber += m == n;
+    EXPECT_NEAR(deepest(turned, m).g, at.g, 1e-6) << "trial " << trial << ", seed 56";
+    EXPECT_LT((deepest(turned, m).d[0] + at.d[0]).norm(), 1e-6) << "trial " << trial << ", seed 56";
     EXPECT_NEAR(at.g, g, 1e-6) << "trial " << trial << ", seed 56 id " << found[0].id << " n " << n;
     EXPECT_NEAR(f(at.d[0]), at.g, 1e-6) << "trial " << trial << ", seed 56";
     const bool isExact = std::abs(at.g - g) < 1e-13 && std::abs(f(at.d[0]) - at.g) < 1e-13;
@@ -278,6 +304,7 @@ TEST(ConeContact, SeparationFromRoundBodiesIsTheLargestOfAllDirections) {
   EXPECT_GT(apart, kTrials / 3);
   EXPECT_GT(overlapping, kTrials / 20);
   EXPECT_GT(exact, (apart + overlapping) * 9 / 10);
+  EXPECT_GT(sameNumber, (apart + overlapping) * 9 / 10);
   // Over caps, sides on sides, rims and tips on sides, rims and tips on each other.
   for (const int n : seen) EXPECT_GT(n, kTrials / 30);
 }
