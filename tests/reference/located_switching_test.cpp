@@ -220,6 +220,9 @@ TEST(LocatedBelt, SlipsBackIntoStickWithoutAFloorOfTheError) {
     // K of the calibration's belt with weakening friction is 1 at its worst 2 K tol; the place is
     // of 1 m, rounding of its 1200 evaluations 1e-12.
     EXPECT_NEAR(belt.state().q[0], 0.00256236528282473, 10.0 * tolerance + 1e-12) << tolerance;
+    // With a kink of the friction at the end of a slip every other step was rejected.
+    const StepEffort& effort = belt.report().effort;
+    EXPECT_LT(effort.rejected, effort.smooth) << tolerance;
   }
 }
 

@@ -7,9 +7,6 @@ namespace {
 
 /// Pivots below this share of the largest belong to redundant rows.
 constexpr double kRank = 1e-10;
-/// A slip slower than this has the direction that was decided [m/s]. Friction that depends on the
-/// slip is off by its slope times this.
-constexpr double kLeastSlip = 1e-12;
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
 constexpr int kMostTurns = 200;        ///< of the directions of slips that start
 constexpr double kTurned = 1e-14;      ///< change of a direction that ends them
@@ -178,7 +175,7 @@ void FrozenPhase::columns(std::size_t i) {
   if (normal) unknown(first);
   // γ_T of the stage; of one tangent, and of a slip that starts, what was decided.
   const double speed = slipSpeed(bounds_[i], k, gamma_.data() + tangent);
-  const bool decided = k > 1 && (h.starts || !(speed > kLeastSlip));
+  const bool decided = k > 1 && (h.starts || !(speed > Held::kLeastSlip));
   const double* t = decided ? h.direction.data() : k > 1 ? gamma_.data() + tangent : &h.sign;
   if (form_[i] == Form::reservoir) {
     double force[Held::kMostRows];
@@ -204,12 +201,9 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     double slip[Held::kMostRows] = {};
     const bool fits = dim(i) <= Held::kMostRows;
     for (int r = 0; fits && r < dim(i); ++r) slip[r] = gamma_[row0_[i] + r];
-    if (held[i].slips && dim(i) == 1 && std::abs(slip[0]) < kLeastSlip)
-      slip[0] = held[i].sign * kLeastSlip;
-    LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
-    if (held[i].slips) in.gammaA = slip, in.rest = 0.0;
+    const LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
     const bool whole = held[i].rows == 0 && law.discs() != nullptr && dim(i) > 1;
-    if (!fits || whole || !bounds(law, in, bounds_[i], held[i].first)) {
+    if (!fits || whole || !slipBounds(law, in, held[i], slip, bounds_[i])) {
       ownFault_ = "the smooth phases of <" + law.type() +
                   "> have no closed form here (it tells no shape of its set): give a step "
                   "and another scheme";

@@ -32,6 +32,9 @@ struct HeldKey {
 /// follow roll or spin.
 struct Held {
   static constexpr int kMostRows = 8;
+  /// A slip slower than this has the direction that was decided [m/s]. Friction that depends on the
+  /// slip is off by its slope times this.
+  static constexpr double kLeastSlip = 1e-12;
   ContactKey key;
   int first = 0, rows = 0;  ///< of the contact; 0 rows: all
   bool slips = false;       ///< of a set on a displacement x: x is off zero, or leaves it
@@ -116,6 +119,12 @@ class FrozenPhase {
   };
   /// `first`: of the part of a law of discs.
   static bool bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out, int first = 0);
+  /// The same for one that is held, with the relative velocities `slip`, which are changed. Past
+  /// the end of a slip in one direction, where steps that are still to be cut go, friction that
+  /// depends on the speed goes on as the polynomial of degree 3 through its values at 0, v, 2v, 3v:
+  /// with |v| it would have a kink there, and each step would end at it.
+  static bool slipBounds(const SetValuedForceLaw& law, LawInput in, const Held& h, double* slip,
+                         Bounds& out);
   /// The parts of a contact with `dim` rows that have a status of their own: first row and number.
   static void parts(const SetValuedForceLaw& law, int dim, std::vector<std::array<int, 2>>& out);
 

@@ -45,6 +45,28 @@ bool FrozenPhase::margin(std::size_t i, double& value) const {
   return false;
 }
 
+bool FrozenPhase::slipBounds(const SetValuedForceLaw& law, LawInput in, const Held& h, double* slip,
+                             Bounds& out) {
+  const int t = law.rowKind(0) == RowKind::normal ? 1 : 0;
+  if (h.slips) in.gammaA = slip, in.rest = 0.0;
+  const double v = h.sign * slip[t];
+  if (!h.slips || h.first > 0 || in.dim - t != 1 || v > Held::kLeastSlip)
+    return bounds(law, in, out, h.first);
+  slip[t] = h.sign * Held::kLeastSlip;
+  if (!bounds(law, in, out, h.first)) return false;
+  if (v > -Held::kLeastSlip || out.form == Form::notch) return true;
+  // a(−v) = 4 a(0) − 6 a(v) + 4 a(2v) − a(3v)
+  constexpr double kWeight[4] = {4.0, -6.0, 4.0, -1.0};
+  out.lower *= kWeight[0], out.upper *= kWeight[0];
+  for (int k = 1; k < 4; ++k) {
+    Bounds far;
+    slip[t] = -k * h.sign * v;
+    if (!bounds(law, in, far, h.first)) return false;
+    out.lower += kWeight[k] * far.lower, out.upper += kWeight[k] * far.upper;
+  }
+  return true;
+}
+
 double FrozenPhase::normalForce(std::size_t i) const {
   while (held[i].first > 0) --i;
   return lambda_[row0_[i]];
