@@ -28,7 +28,7 @@ struct Apart {
 Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
   const Vec3 v = D.acrossAxis(d);
   const double s = v.norm();
-  return s > 0.0 ? Vec3(D.middle(rim) + D.radius(rim) / s * v) : D.middle(rim);
+  return s > 0.0 ? Vec3(D.middle(rim) + D.radius(rim) * unitAcross(v, D.a)) : D.middle(rim);
 }
 
 /// Candidates for the direction of largest separation.

@@ -29,7 +29,7 @@ struct Ways {
 
 BodyCurve BodyCurve::circle(const Frame& f, const Vec3& middle, const Vec3& axis, double radius,
                             double tube, const Vec3& d) {
-  const Vec3 e = (d - axis.dot(d) * axis).normalized();
+  const Vec3 e = unitAcross(d, axis);
   return {&f, middle + radius * e, axis.cross(e), middle, axis, radius, tube};
 }
 

@@ -88,7 +88,7 @@ void wander(const DiscBody& B, int rim, ContactPoint& at) {
     // H ḋ with H = ρ t tᵀ/s + r (I − n nᵀ), d = −n.
     const Vec3 v = B.acrossAxis(-n);
     const double s = v.norm();
-    const Vec3 e = v / s, t = B.a.cross(e);
+    const Vec3 e = unitAcross(v, B.a), t = B.a.cross(e);
     at.P += rho * e, at.Pdot += rho / s * t.dot(turn) * t;
   }
   at.Pdot += B.frame->velocity(at.P - B.frame->r_OS_I);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/contour.hpp>
+#include <dynamy_elements/contacts/curve_contact.hpp>
 #include <dynamy_elements/contacts/surface.hpp>
 #include <dynamy_elements/contacts/touching_shape.hpp>
 #include <limits>
@@ -33,7 +34,7 @@ double SupportFeature::support(const Vec3& d) const {
 Vec3 SupportFeature::point(const Vec3& d) const {
   if (kind == Kind::contour)
     return c_K + square_K.leftCols<2>() * contour->furthest(inPlane(*this, d)).x;
-  if (kind == Kind::rim) return c_K + rho * across(d, axis_K).normalized() + radius * d;
+  if (kind == Kind::rim) return c_K + rho * unitAcross(d, axis_K) + radius * d;
   if (kind == Kind::ellipsoid) return c_K + square_K * d / std::sqrt(d.dot(square_K * d));
   return c_K + radius * d;
 }
@@ -51,7 +52,7 @@ Mat3 SupportFeature::pointDerivative(const Vec3& d) const {
   }
   Mat3 H = radius * (Mat3::Identity() - d * d.transpose());
   if (kind == Kind::rim) {
-    const Vec3 v = across(d, axis_K), e = v.normalized();
+    const Vec3 v = across(d, axis_K), e = unitAcross(v, axis_K);
     H += rho / v.norm() * (Mat3::Identity() - axis_K * axis_K.transpose() - e * e.transpose());
   }
   return H;
