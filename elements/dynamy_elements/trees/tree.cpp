@@ -165,23 +165,46 @@ void Tree::mass(const Motions& x, std::vector<Mat3>& work, Block M) const {
       Vec3 L = work[static_cast<std::size_t>(k)] * own.w[j] + at.moment.cross(own.v[j]);
       const int column = node(k).u0 + j;
       for (int i = k; i >= 0; i = node(i).parent) {
-        const Columns other = i == k ? own : columns(x, i);
-        for (int r = 0; r < other.n; ++r) {
-          const int row = node(i).u0 + r;
-          M(row, column) = M(column, row) = other.w[r].dot(L) + other.v[r].dot(p);
-        }
-        L += x[static_cast<std::size_t>(i)].d.cross(p);
+        const TreeNode& other = node(i);
+        const NodeMotion& of = x[static_cast<std::size_t>(i)];
+        double entry[3];
+        if (other.kind == Free::ball)
+          Eigen::Map<Vec3>{entry} = of.A.transpose() * L;
+        else
+          entry[0] = other.kind == Free::slide  ? of.a.dot(p)
+                     : other.kind == Free::turn ? of.a.dot(L)
+                                                : of.a.dot(L + other.pitch * p);
+        for (int r = 0; r < other.nu(); ++r)
+          M(other.u0 + r, column) = M(column, other.u0 + r) = entry[r];
+        L += of.d.cross(p);
       }
     }
+  }
+}
+
+void Tree::along(const Motions& x, int k, const Vec3& f, const Vec3& n, Vec out) const {
+  const TreeNode& of = node(k);
+  const NodeMotion& at = x[static_cast<std::size_t>(k)];
+  switch (of.kind) {
+    case Free::turn:
+      out[of.u0] = at.a.dot(n);
+      break;
+    case Free::slide:
+      out[of.u0] = at.a.dot(f);
+      break;
+    case Free::screw:
+      out[of.u0] = at.a.dot(n) + of.pitch * at.a.dot(f);
+      break;
+    case Free::ball:
+      out.segment<3>(of.u0) = at.A.transpose() * n;
+      break;
   }
 }
 
 void Tree::project(const Motions& x, std::vector<Vec3>& work, Vec out) const {
   for (int k = size() - 1; k >= 0; --k) {
     const auto at = 2 * static_cast<std::size_t>(k);
-    const Columns own = columns(x, k);
-    for (int j = 0; j < own.n; ++j)
-      out[node(k).u0 + j] = own.v[j].dot(work[at]) + own.w[j].dot(work[at + 1]);
+    along(x, k, work[at], work[at + 1], out);
     if (node(k).parent < 0) continue;
     const auto P = 2 * static_cast<std::size_t>(node(k).parent);
     work[P] += work[at];
@@ -208,8 +231,7 @@ double Tree::gravity(const Motions& x, const Vec3& g_I, Vec h) const {
   for (int k = 0; k < size(); ++k) {
     const NodeMotion& at = x[static_cast<std::size_t>(k)];
     const Vec3 f = at.mass * g_I, n = at.moment.cross(g_I);
-    const Columns own = columns(x, k);
-    for (int j = 0; j < own.n; ++j) h[node(k).u0 + j] = own.v[j].dot(f) + own.w[j].dot(n);
+    along(x, k, f, n, h);
     if (node(k).parent < 0) V -= g_I.dot(at.moment + at.mass * at.r);
   }
   return V;

@@ -81,11 +81,12 @@ class Tree {
   Columns columns(const Motions& x, int k) const;
 
   /// Inertia that a node shows to what moves it while all behind it follows freely, about its
-  /// origin: f = m a + C α, n = Cᵀ a + I α; with its parts U along the node's own columns.
+  /// origin: f = m a + C α, n = Cᵀ a + I α; of one motion S with the part U = I_A S.
   struct Articulated {
     Mat3 m, C, I;
-    Vec3 Uf[3], Un[3];
-    Mat3 inverse;  ///< D⁻¹ of the columns, D = Sᵀ U
+    Vec3 Uf, Un;
+    double inverse;   ///< 1/(Sᵀ U)
+    Mat3 inverseOfI;  ///< of a ball joint, in the world
   };
   /// Articulated inertias, linear in the number of nodes; after pose().
   void factor(const Motions& x, std::vector<Articulated>& out) const;
@@ -94,6 +95,8 @@ class Tree {
              std::vector<Vec3>& work, Vec out) const;
 
  private:
+  /// What a force f and a moment n about the origin of node k do along its own columns.
+  void along(const Motions& x, int k, const Vec3& f, const Vec3& n, Vec out) const;
   std::vector<TreeNode> nodes_;
   int nq_ = 0, nu_ = 0;
 };
