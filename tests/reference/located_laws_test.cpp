@@ -93,8 +93,10 @@ TEST(LocatedPuck, StaysOnBrushedMetalUpToTheEllipseAndNoFurther) {
 
 // ---- elements that tell a wrong bias -----------------------------------------------------------
 
+enum class Tells { bias, nothing, half };
+
 /// Inside of a bowl of radius 1 m; its bias is Wᵀ's own change, which it may leave out.
-template <bool kTells>
+template <Tells kTells>
 class Bowl final : public SimpleContact {
  public:
   static void declare(Attributes&) {}
@@ -103,9 +105,18 @@ class Bowl final : public SimpleContact {
   void gamma(double, ConstVec q, ConstVec u, Vec gamma) const override {
     gamma[0] = -q.dot(u) / q.norm();
   }
-  bool bias(const Kinematics&, Vec w) const override {
+  bool bias(const Kinematics& k, Vec w) const override {
     w.setZero();
-    return !kTells;
+    if (kTells == Tells::half) w[0] = -0.5 * k.u(systemOfTests()).squaredNorm();
+    return kTells != Tells::bias;
+  }
+
+ private:
+  /// The one system of the scene: two coordinates from the first on.
+  static SystemHandle systemOfTests() {
+    SystemHandle s;
+    s.nq = s.nu = 2;
+    return s;
   }
 };
 
@@ -116,22 +127,25 @@ std::string bowl(const std::string& type) {
          " name=\"bowl\" on=\"bead\"/></elements><simulation until=\"1\" step=\"1\"/></dynamy>";
 }
 
-TEST(LocatedBias, IsAskedOfElementsThatLeaveItOut) {
+TEST(LocatedBias, IsAskedOfElementsThatTellAWrongOne) {
   const auto types = [](Registry& r) {
-    r.add<Bowl<true>>("Bowl"), r.add<Bowl<false>>("SilentBowl");
+    r.add<Bowl<Tells::bias>>("Bowl"), r.add<Bowl<Tells::nothing>>("SilentBowl");
+    r.add<Bowl<Tells::half>>("WrongBowl");
   };
-  LocatedRun silent(bowl("SilentBowl"), 1e-6, 1.0, {}, types);
-  EXPECT_EQ(silent.run().ended, RunReport::Ended::failed);
-  EXPECT_TRUE(silent.report().refused);
-  EXPECT_NE(silent.report().reason.find("<SilentBowl name=\"bowl\"> tells a wrong bias"),
+  LocatedRun wrong(bowl("WrongBowl"), 1e-6, 1.0, {}, types);
+  EXPECT_EQ(wrong.run().ended, RunReport::Ended::failed);
+  EXPECT_TRUE(wrong.report().refused);
+  EXPECT_NE(wrong.report().reason.find("<WrongBowl name=\"bowl\"> tells a wrong bias"),
             std::string::npos)
-      << silent.report().reason;
+      << wrong.report().reason;
 
-  LocatedRun bowlRun(bowl("Bowl"), 1e-9, 1.0, {}, types);
-  EXPECT_EQ(bowlRun.run().ended, RunReport::Ended::finished) << bowlRun.report().reason;
-  // Energy of the frictionless bead.
-  const State& x = bowlRun.state();
-  EXPECT_NEAR(0.5 * x.u.squaredNorm() + 9.81 * x.q[1], 0.5, 1e-7);
+  // Energy of the frictionless bead; of one that tells none, too.
+  for (const char* type : {"Bowl", "SilentBowl"}) {
+    LocatedRun run(bowl(type), 1e-9, 1.0, {}, types);
+    EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    const State& x = run.state();
+    EXPECT_NEAR(0.5 * x.u.squaredNorm() + 9.81 * x.q[1], 0.5, 1e-7) << type;
+  }
 }
 
 // ---- both sides of an impact -------------------------------------------------------------------

@@ -29,6 +29,8 @@ class ErrorNorm {
   /// T of the island of each system [s].
   const Eigen::VectorXd& times() const { return times_; }
   double speed() const { return length_ / time_; }  ///< U = L/T [m/s]
+  /// s_i of the velocities: u_i/s_i is a rate [1/s].
+  const Eigen::VectorXd& velocityScales() const { return u_; }
   /// Error of one position or velocity, in units of the tolerance.
   double position(Eigen::Index i, double error, double value) const;
   double velocity(Eigen::Index i, double error, double value) const;

@@ -120,6 +120,27 @@ double slipSpeed(const FrozenPhase::Bounds& b, int rows, const double* gamma) {
   return std::sqrt(square);
 }
 
+void FrozenPhase::addRow(const ContactSet& c, int at, int of, Eigen::MatrixXd& W, int row) {
+  const auto i = static_cast<std::size_t>(at);
+  for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(of) * s.nu;
+    for (int j = 0; j < s.nu; ++j) W(s.u0 + j, row) += w[j];
+  }
+}
+
+int FrozenPhase::countRows(const Evaluation& e) const {
+  int n = 0;
+  for (const Held& h : held) {
+    const auto at = std::find(e.contacts.key.begin(), e.contacts.key.end(), h.key);
+    if (h.rows > 0)
+      n += h.rows;
+    else if (at != e.contacts.key.end())
+      n += e.contacts.dim(static_cast<int>(at - e.contacts.key.begin()));
+  }
+  return n;
+}
+
 bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
   const ContactSet& c = e.contacts;
   const std::size_t n = held.size();
@@ -128,7 +149,7 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
   for (std::size_t i = 0; i < n; ++i) {  // contacts come in the same order, with others between
     while (cursor < c.key.size() && c.key[cursor] != held[i].key) ++cursor;
     if (cursor == c.key.size()) {
-      fault_ = "a contact that is held is no longer reported by its element (two boxes?)";
+      fault_ = kLost;
       return false;
     }
     index_[i] = static_cast<int>(cursor);
@@ -143,11 +164,7 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
     for (int r = 0; r < dim(i); ++r) {
       const int row = row0_[i] + r, of = held[i].first + r;
       const auto from = static_cast<std::size_t>(c.row0[at] + of);
-      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
-        const Segment& s = c.segment[static_cast<std::size_t>(k)];
-        const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(of) * s.nu;
-        for (int j = 0; j < s.nu; ++j) W_(s.u0 + j, row) += w[j];
-      }
+      addRow(c, index_[i], of, W_, row);
       bias_[row] = c.bias.size() > from ? c.bias[from] : 0.0;
       position_[row] = c.position[from];
       chi_[static_cast<std::size_t>(row)] = c.chi[from];
@@ -193,9 +210,7 @@ void FrozenPhase::columns(std::size_t i) {
   }
 }
 
-bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {
-  fault_ = {};
-  if (!gather(e, u)) return false;
+bool FrozenPhase::shapes(const Evaluation& e) {
   for (std::size_t i = 0; i < held.size(); ++i) {
     const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
     double slip[Held::kMostRows] = {};
@@ -212,14 +227,25 @@ bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eige
     }
     form_[i] = bounds_[i].form;
   }
-  solve(e);
-  for (int i = 0; i < kMostTurns && turnStarting() > kTurned; ++i) solve(e);
+  return true;
+}
+
+void FrozenPhase::startDirections(const Evaluation& e) {
+  for (int i = 0; i < kMostTurns && turnStarting() > kTurned; ++i) solve(e, W_, bias_);
+}
+
+bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {
+  fault_ = {};
+  if (!gather(e, u) || !shapes(e)) return false;
+  solve(e, W_, bias_);
+  startDirections(e);
   a = free_;
   finish(e, u);
   return true;
 }
 
-void FrozenPhase::solve(const Evaluation& e) {
+void FrozenPhase::solve(const Evaluation& e, const Eigen::MatrixXd& R,
+                        const Eigen::VectorXd& bias) {
   const int n = rows();
   P_.setZero(n, n), p0_.setZero(n), kept_.clear();
   for (std::size_t i = 0; i < held.size(); ++i) columns(i);
@@ -243,8 +269,8 @@ void FrozenPhase::solve(const Evaluation& e) {
   MP_.noalias() = MInvW_ * P_.leftCols(m);
   for (Eigen::Index k = 0; k < m; ++k) {
     const int row = kept_[static_cast<std::size_t>(k)];
-    rhs_[k] = -(W_.col(row).dot(free_) + bias_[row]);
-    A_.row(k).noalias() = W_.col(row).transpose() * MP_;
+    rhs_[k] = -(R.col(row).dot(free_) + bias[row]);
+    A_.row(k).noalias() = R.col(row).transpose() * MP_;
   }
   // Smallest in units of what each contact carries, so that one that is pressed hard holds more.
   scale_.resize(m);

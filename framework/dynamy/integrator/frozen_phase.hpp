@@ -64,6 +64,11 @@ class FrozenPhase {
   void keys(std::vector<ContactKey>& out) const;
   /// Accelerations from what is evaluated in `e`, with u. False: fault() says why.
   bool accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
+  /// Half-explicit: forces at what is evaluated in `e`, with u, such that `before` + τ a does not
+  /// move in the held rows of `next`, the contacts at the position that follows; no bias is used
+  /// but by slips that start. False: fault() says why.
+  bool advance(const Evaluation& e, const Eigen::VectorXd& u, const ContactSet& next,
+               const Eigen::VectorXd& before, double tau, Eigen::VectorXd& a);
   /// Where rows are redundant: the forces, between those of the decision and the smallest, that
   /// keep furthest from all bounds, from now on.
   bool share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
@@ -76,6 +81,8 @@ class FrozenPhase {
   int contact(std::size_t i) const { return index_[i]; }
   int dim(std::size_t i) const { return row0_[i + 1] - row0_[i]; }
   int rows() const { return row0_.empty() ? 0 : row0_.back(); }
+  /// The number of rows that the phase has in `e`, which reports its contacts.
+  int countRows(const Evaluation& e) const;
   Form form(std::size_t i) const { return form_[i]; }
   /// A set that is nothing but zero, a reservoir that is switched off: no status to look at.
   bool idle(std::size_t i) const { return bounds_[i].idle(); }
@@ -129,7 +136,15 @@ class FrozenPhase {
   static void parts(const SetValuedForceLaw& law, int dim, std::vector<std::array<int, 2>>& out);
 
  private:
-  void solve(const Evaluation& e);
+  static constexpr std::string_view kLost =
+      "a contact that is held is no longer reported by its element (two boxes?)";
+  /// W column `row` += row `of` of contact `at`.
+  static void addRow(const ContactSet& c, int at, int of, Eigen::MatrixXd& W, int row);
+  bool shapes(const Evaluation& e);
+  bool rowsAhead(const ContactSet& next, const Eigen::VectorXd& before, double tau);
+  void startDirections(const Evaluation& e);
+  /// Forces for which the kept rows of `R` and `bias` have Rᵀ u̇ + bias = 0.
+  void solve(const Evaluation& e, const Eigen::MatrixXd& R, const Eigen::VectorXd& bias);
   double leastMargin() const;
   double gauge(std::size_t i, const double* x) const;
   double normalForce(std::size_t i) const;
@@ -144,10 +159,12 @@ class FrozenPhase {
   std::string_view fault_;
   std::string ownFault_;
   Eigen::MatrixXd W_, MInvW_;  // nu × rows
+  Eigen::MatrixXd ahead_;      // W at the position that follows
   Eigen::MatrixXd P_;          // rows × unknowns
   std::vector<int> kept_;      // S: the row of each unknown
   Eigen::Index normal_ = 0;    // unknown of the contact whose parts follow
-  Eigen::VectorXd p0_, gamma_, bias_, lambda_, gammaDot_, free_, work_, rhs_, position_, scale_;
+  Eigen::VectorXd p0_, gamma_, bias_, biasAhead_, lambda_, gammaDot_, free_, work_, rhs_, position_,
+      scale_;
   Eigen::MatrixXd A_, MP_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;
   std::vector<double> chi_;

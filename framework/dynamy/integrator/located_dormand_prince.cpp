@@ -67,6 +67,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
   } else {
     resumeNorm(s, x);
   }
+  untold_.clear(), useDifferences(s);
   const bool implicit = stiff_ == Stiff::always;
   smooth_.forget();
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
@@ -97,9 +98,10 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
   if (plain_ && nulls_ == kMostNulls) return stall();
+  const bool anew = findUntold(s, p.x, false);
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
-  return true;
+  return !anew || event(s, solver, p, report, {});
 }
 
 void LocatedDormandPrince::release(const Switch& w) {
@@ -306,6 +308,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   for (const Held& held : phase_.held)
     if (!held.slips && held.mutedUntil > from_.x.t) h = std::min(h, held.mutedUntil - from_.x.t);
   startHeld_ = phase_.held;
+  chooseMethod();
   Switch found;
   Tried tried = attempt(s, h, false, report, found);
   if (tried == Tried::again) {
@@ -334,6 +337,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   if (!found) impulse_ = smooth_.impulse();
   if (!found && h == most) to_.x.t = from_.x.t + most;
   done = true;
+  const std::array<double, 5> works = works_;
   keepImpulses();
   stepFrom_ = from_, stepTo_ = to_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
   const bool ended = endStarts();
@@ -341,7 +345,9 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   const bool good = found ? event(s, solver, to_, report, {})
                           : project(s, to_) && (!ended || evaluateEnd(s, to_));
   book(s, found ? &StepEffort::events : &StepEffort::smooth, report);
-  return good;
+  if (good || !foundUntold_) return good;
+  works_ = works, done = false;  // once more, with the forces that an element did not know
+  return decideUntold(s, solver, report);
 }
 
 bool LocatedDormandPrince::proceed(MechanicalSystem& s, InclusionSolver& solver, const State& x,

@@ -6,6 +6,7 @@
 ///   switches        where a gap, a slip or the reserve of a force reaches zero: found on the path
 ///                   through the step, the step repeated to there, the rest taken away by Newton
 ///   at a switch     impact, decision of the new status by an inclusion, projection
+///   no bias         HalfExplicitGragg where an element that is held tells no bias
 ///   dense switches  steps of EnergyMomentum, as long as the tolerance permits (SwitchGovernor)
 ///
 /// Extrapolated Gragg in place of Dormand and Prince needs 1.2 to 1.8 times the evaluations at
@@ -38,6 +39,8 @@ class LocatedDormandPrince : public OneStep {
  protected:
   /// Smooth phases by `table`, whatever the tolerance.
   LocatedDormandPrince(const Parameters& x, const ButcherTableau& table);
+  /// Smooth phases by the half-explicit rule with so many columns.
+  void halfExplicit(int columns) { columns_ = columns; }
   /// Event-driven as in the book, by `table`.
   void plain(const ButcherTableau& table) { given_ = table_ = &table, plain_ = true; }
   static void declareStiff(Attributes& a);
@@ -98,6 +101,12 @@ class LocatedDormandPrince : public OneStep {
   bool stall();
   void book(const MechanicalSystem& s, long StepEffort::*what, StepReport& report);
   bool checkBias(MechanicalSystem& s, const PhasePoint& p);
+  // Elements without a bias (located_untold.cpp).
+  void useDifferences(MechanicalSystem& s);
+  bool untold(int element) const;
+  bool findUntold(MechanicalSystem& s, const State& x, bool held);
+  bool decideUntold(MechanicalSystem& s, InclusionSolver& solver, StepReport& report);
+  void chooseMethod();
   bool refuseBias(const MechanicalSystem& s, int element, int row, double told, double found);
 
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
@@ -134,6 +143,10 @@ class LocatedDormandPrince : public OneStep {
   double lookAhead_ = 1e-5, lastEvent_ = -1e300;
   int nulls_ = 0;
   bool ready_ = false;
+  int columns_ = 0;          // of the half-explicit rule, if it is asked for by name
+  std::vector<int> untold_;  // elements without a bias, ascending
+  bool foundUntold_ = false;
+  std::vector<ContactKey> asked_;
   std::string_view why_;
   std::string whyOwn_;  // what why_ points to, if it names an element
   Eigen::VectorXd uBeforeImpact_, gammaDot_, toldDot_, rates_;

@@ -1,5 +1,6 @@
 /// LocatedGragg: LocatedDormandPrince with Gragg's extrapolation in the smooth phases (theory 50),
-/// for comparison. Between the ends of steps it shows Hermite's cubics.
+/// for comparison: as a tableau on accelerations, or half-explicit on velocities. Between the ends
+/// of steps it shows Hermite's cubics, half-explicit the quintic.
 #pragma once
 #include <dynamy/integrator/located_dormand_prince.hpp>
 

@@ -8,7 +8,8 @@ namespace {
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
 /// there, whether steps are implicit, SmoothStep::Counted, number of held contacts; what the
 /// governor keeps; T of each system; then for each held contact element, number, slip, sign, end of
-/// muting, whether the slip starts, what it has turned, weight, first row and rows, direction, λ.
+/// muting, whether the slip starts, what it has turned, weight, first row and rows, direction, λ;
+/// the elements without a bias.
 constexpr int kDirection = Held::kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
 
@@ -26,7 +27,7 @@ void LocatedDormandPrince::store(State& x) {
     return;
   }
   const auto first = static_cast<std::size_t>(behindTimes());
-  x.scheme.resize(static_cast<Eigen::Index>(first + kPerHeld * n));
+  x.scheme.resize(static_cast<Eigen::Index>(first + kPerHeld * n + untold_.size()));
   const SmoothStep::Counted counted = smooth_.counted();
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
       smooth_.implicit() ? 1.0 : 0.0, counted[0], counted[1], counted[2], counted[3], counted[4],
@@ -45,6 +46,7 @@ void LocatedDormandPrince::store(State& x) {
     std::copy(h.direction.begin(), h.direction.end(), out + kFixed);
     std::copy(h.lambda.begin(), h.lambda.end(), out + kFixed + kDirection);
   }
+  std::copy(untold_.begin(), untold_.end(), x.scheme.data() + first + kPerHeld * n);
   stored_ = x.scheme;
 }
 
@@ -80,6 +82,10 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
     std::copy(in + kFixed, in + kFixed + kDirection, h.direction.begin());
     std::copy(in + kFixed + kDirection, in + kPerHeld, h.lambda.begin());
   }
+  const Eigen::Index known =
+      behindTimes() + kPerHeld * static_cast<Eigen::Index>(phase_.held.size());
+  untold_.assign(x.scheme.data() + known, x.scheme.data() + x.scheme.size());
+  useDifferences(s);
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
   from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;

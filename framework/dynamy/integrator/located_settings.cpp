@@ -44,13 +44,18 @@ void LocatedDormandPrince::aim(const Accuracy& accuracy) {
 }
 
 LocatedGragg::LocatedGragg(const Parameters& x)
-    : LocatedDormandPrince(x, graggTableau(std::stoi(x["order"].text))) {}
+    : LocatedDormandPrince(x, graggTableau(std::stoi(x["order"].text))) {
+  if (x["constraint"].text == "velocity") halfExplicit(order() / 2);
+}
 
 void LocatedGragg::declare(Attributes& a) {
   a.about(
       "Steps by tolerance as those of LocatedDormandPrince, with Gragg's extrapolated midpoint "
       "rule in the smooth phases; for comparison of methods.");
   a.choice("order", {"2", "4", "6", "8"}, "8", "twice the number of columns");
+  a.choice("constraint", {"acceleration", "velocity"}, "acceleration",
+           "where closed contacts and joints are held: on accelerations, or half-explicitly on "
+           "velocities at the new position of each sub-step, which needs no bias of elements");
   declareStiff(a);
   a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedGragg order=\"6\"/></simulation>");
 }

@@ -175,6 +175,8 @@ bool LocatedDormandPrince::endStarts() {
 }
 
 bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
+  foundUntold_ = findUntold(s, p.x, true);
+  if (foundUntold_) return false;
   // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8.
   const double d = kDifference * norm_.time();
   const auto gammaAt = [&](double tau, Eigen::VectorXd& gamma) {

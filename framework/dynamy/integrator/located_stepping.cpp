@@ -80,7 +80,7 @@ void LocatedDormandPrince::beginStepping(const State& x) {
     head_ = x.scheme.head<kHead>();
   else
     head_.head<4>() << H_, norm_.time(), lookAhead_, lastEvent_;
-  rate_.resize(0), overlap_ = 0.0;
+  rate_.resize(0), overlap_ = 0.0, untold_.clear();
   steppedFrom_.scheme.resize(0);
 }
 

@@ -17,6 +17,7 @@ MechanicalSystem::MechanicalSystem(const SystemParts& parts, int slots) : parts_
     e.contacts.clear();
   }
   energyKinematics_.resize(topology);
+  look_.kinematics.resize(topology);
   uFree_.setZero(topology.nu());
   uA_.setZero(topology.nu());
   work_.setZero(topology.nu()), change_ = work_, implicitFree_.setZero(topology.nu());
@@ -59,6 +60,7 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double re
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   smooth(x, e);
   detect(reach, e);
+  if (request_.bias && !differenced_.empty()) tellDifferences(x, e);
   return e;
 }
 

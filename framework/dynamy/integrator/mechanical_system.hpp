@@ -107,6 +107,17 @@ class MechanicalSystem {
   double gTol() const { return request_.gTol; }
   /// Evaluations fill the bias γ̇ − Wᵀu̇ of the closed contacts.
   void bias(bool wanted) { request_.bias = wanted; }
+  /// The bias of these elements (indices, ascending; borrowed), which tell none, is the difference
+  /// of γ along the motion with u held, over 1e-3 of the time that x takes to go through `scales`
+  /// (of velocities, borrowed), at most of `time` [s].
+  void differences(std::span<const int> elements, const Eigen::VectorXd& scales, double time) {
+    differenced_ = elements, differenceScales_ = &scales, differenceTime_ = time;
+  }
+  /// That difference for all rows of the contacts that are asked for; false: they change.
+  bool differenceBias(const State& x, Eigen::VectorXd& out);
+  /// Contacts alone at x, as evaluate() would report them without their bias; it is no evaluation.
+  /// Valid until the next look.
+  const ContactSet& look(const State& x);
   /// Exactly the contacts with these keys (ascending) count as closed, until thaw().
   void freeze(std::span<const ContactKey> keys) { request_.frozen = keys, request_.refresh = true; }
   void thaw() { request_.frozen = {}, request_.refresh = false; }
@@ -127,6 +138,7 @@ class MechanicalSystem {
  private:
   void smooth(const State& x, Evaluation& e);
   void detect(double reach, Evaluation& e) const;
+  void tellDifferences(const State& x, Evaluation& e);
   void startImpulses(const State& x);
   void addAim(const PositionAim& aim, double dt);
   /// How much the smooth forces of this step can change γ_N of contact i, without cancellation
@@ -156,6 +168,16 @@ class MechanicalSystem {
   int slot_ = 0;           // of the present problem
   long evaluations_ = 0;
   Kinematics energyKinematics_;
+  // Looks at contacts alone.
+  struct {
+    Kinematics kinematics;
+    ContactSet contacts;
+  } look_;
+  State lookState_;
+  Eigen::VectorXd gammaLook_, biasLook_;
+  std::span<const int> differenced_;
+  const Eigen::VectorXd* differenceScales_ = nullptr;
+  double differenceTime_ = 1.0;
 };
 
 }  // namespace dynamy

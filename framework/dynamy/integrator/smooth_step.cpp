@@ -121,9 +121,14 @@ bool SmoothStep::stage(MechanicalSystem& s, FrozenPhase& phase, int i) {
 
 bool SmoothStep::take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h,
                       State& to) {
-  h_ = h, t0_ = from.x.t, tookImplicit_ = implicit_;
+  h_ = h, t0_ = from.x.t, tookImplicit_ = implicit_, tookHalf_ = halfExplicit();
   stage_.memory = from.x.memory;
   if (implicit_) return takeImplicit(s, phase, from, h, to);
+  if (tookHalf_) {
+    if (!half_.take(s, phase, from.x, h, columns_, plain_, to)) return false;
+    impulse_ = half_.impulse(), works_ = half_.works();
+    return finish(s, to);
+  }
   Q_.col(0) = from.qdot, U_.col(0) = from.a;
   impulse_.setZero(from.lambda.size()), works_ = {};
   const auto collect = [&](int i, const Eigen::VectorXd& lambda,
@@ -156,6 +161,7 @@ bool SmoothStep::finish(const MechanicalSystem& s, State& to) const {
 
 double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& to) {
   if (tookImplicit_) return radauError_;
+  if (tookHalf_) return half_.error(norm, from, to);
   // Order 8: |h| e5²/√(e5² + 0.01 e3²) of each component; order 5: its one estimate.
   const int n = table_->stages, estimate = errorNeedsEnd() ? n + 1 : n;
   double worst = 0.0;
@@ -183,7 +189,7 @@ double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& 
 
 bool SmoothStep::tooLight(double error) {
   constexpr double kMost = 0.1, kLess = 0.1;
-  if (tookImplicit_ || !light() || error <= kMost) return false;
+  if (tookImplicit_ || tookHalf_ || !light() || error <= kMost) return false;
   light(false), enough_ *= kLess;
   return true;
 }
@@ -191,6 +197,10 @@ bool SmoothStep::tooLight(double error) {
 bool SmoothStep::prepareDense(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
                               const PhasePoint& to) {
   if (tookImplicit_) return true;
+  if (tookHalf_) {
+    through_.through(s, from, to);
+    return true;
+  }
   const int n = table_->stages;
   Q_.col(n) = to.qdot, U_.col(n) = to.a;
   stage_.memory = from.x.memory;
@@ -221,6 +231,10 @@ void SmoothStep::dense(double theta, State& out) const {
     Eigen::VectorXd y;
     radau_.dense(theta, y);
     out.q = y.head(Q_.rows()), out.u = y.tail(U_.rows()), out.t = t0_ + theta * h_;
+    return;
+  }
+  if (tookHalf_) {
+    through_.at(theta, out);
     return;
   }
   const double r = 1.0 - theta;

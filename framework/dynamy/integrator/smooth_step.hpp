@@ -1,5 +1,6 @@
-/// SmoothStep: one Runge–Kutta step of a frozen phase, and the paths through it: explicit, and
-/// implicit (RadauStep) while the motion is stiff.
+/// SmoothStep: one step of a frozen phase, and the paths through it: explicit Runge–Kutta, implicit
+/// (RadauStep) while the motion is stiff, half-explicit (HalfExplicitGragg) where an element tells
+/// no bias.
 ///
 ///   q̇ = F(q,t) u + β,   u̇ = a(t, q, u)  of FrozenPhase
 ///
@@ -12,6 +13,7 @@
 #include <dynamy/integrator/butcher_tableau.hpp>
 #include <dynamy/integrator/error_norm.hpp>
 #include <dynamy/integrator/frozen_phase.hpp>
+#include <dynamy/integrator/half_explicit_gragg.hpp>
 #include <dynamy/integrator/radau_step.hpp>
 
 namespace dynamy {
@@ -49,8 +51,13 @@ class SmoothStep {
   /// leaves.
   void implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm);
   bool implicit() const { return implicit_; }
+  /// From now on explicit steps are half-explicit of so many columns, or by the table again (0).
+  void halfExplicit(int columns) { columns_ = columns; }
+  bool halfExplicit() const { return columns_ > 0 && !implicit_; }
   /// p of |error| ~ h^p of one step.
-  int errorOrder() const { return implicit_ ? 4 : table_->order; }
+  int errorOrder() const {
+    return implicit_ ? 4 : columns_ > 0 ? std::max(1, 2 * columns_ - 1) : table_->order;
+  }
   /// By how much the next step may be longer than the last.
   double mostGrowth() const;
   /// Looks at a step that was accepted, whose end is `to`: true if the other kind of method should
@@ -63,7 +70,7 @@ class SmoothStep {
   /// The last step was longer than the switch in it lets it be: if the light method's error were
   /// far below the tolerance even so, that one takes over.
   void lighten() {
-    if (!implicit_ && !light() && lighter_ <= enough_) light(true);
+    if (!implicit_ && !tookHalf_ && !light() && lighter_ <= enough_) light(true);
   }
   /// The last step, of this error, was one of the light method and has to be taken again by the
   /// other.
@@ -91,7 +98,7 @@ class SmoothStep {
   void end(const PhasePoint& to) {
     Q_.col(table_->stages) = to.qdot, U_.col(table_->stages) = to.a;
   }
-  bool errorNeedsEnd() const { return !implicit_ && table_->error3 == nullptr; }
+  bool errorNeedsEnd() const { return !implicit_ && columns_ == 0 && table_->error3 == nullptr; }
   /// Error of the last step in units of the tolerance.
   double error(const ErrorNorm& norm, const State& from, const State& to);
   /// ∫λ dt and works of the last step, rows as in the phase.
@@ -127,6 +134,11 @@ class SmoothStep {
   double t0_ = 0.0;
   // Implicit steps: y = (q, u) and y' where the last one began.
   bool implicit_ = false, tookImplicit_ = false, failed_ = false;
+  // Half-explicit ones; their dense output is the quintic through both ends.
+  int columns_ = 0;
+  bool tookHalf_ = false;
+  HalfExplicitGragg half_;
+  QuinticPath through_;
   // Steps at a bound, and others; implicit steps since the last change; work per time of the
   // explicit ones before it [1/s]; factor on the steps that a change takes.
   double stiff_ = 0.0, other_ = 0.0, tried_ = 0.0, rate_ = 0.0, patience_ = 1.0;

@@ -105,6 +105,7 @@ double SmoothStep::stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq,
 }
 
 bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
+  if (tookHalf_) return false;
   double product = 0.0, bound = kSmall;
   const Eigen::Index unknowns = to.x.q.size() + to.x.u.size();
   double steps = kSomeSteps;
