@@ -98,6 +98,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
   if (plain_ && nulls_ == kMostNulls) return stall();
+  smooth_.forgetJacobian(), smoothOwn_.forgetJacobian();
   const bool anew = findUntold(s, p.x, false);
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);

@@ -9,7 +9,8 @@ namespace {
 /// there, whether steps are implicit, SmoothStep::Counted, number of held contacts; what the
 /// governor keeps; T of each system; then for each held contact element, number, slip, sign, end of
 /// muting, whether the slip starts, what it has turned, weight, first row and rows, direction, λ;
-/// the elements without a bias.
+/// the elements without a bias; where the Jacobian of implicit steps was taken; the number of
+/// these.
 constexpr int kDirection = Held::kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
 
@@ -27,7 +28,11 @@ void LocatedDormandPrince::store(State& x) {
     return;
   }
   const auto first = static_cast<std::size_t>(behindTimes());
-  x.scheme.resize(static_cast<Eigen::Index>(first + kPerHeld * n + untold_.size()));
+  const Eigen::VectorXd place = smooth_.kept();
+  x.scheme.resize(static_cast<Eigen::Index>(first + kPerHeld * n + untold_.size() + 1) +
+                  place.size());
+  x.scheme.segment(x.scheme.size() - 1 - place.size(), place.size()) = place;
+  x.scheme[x.scheme.size() - 1] = static_cast<double>(place.size());
   const SmoothStep::Counted counted = smooth_.counted();
   x.scheme.head<kHead>() << H_, norm_.time(), lookAhead_, lastEvent_, nulls_,
       smooth_.implicit() ? 1.0 : 0.0, counted[0], counted[1], counted[2], counted[3], counted[4],
@@ -84,11 +89,15 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
   }
   const Eigen::Index known =
       behindTimes() + kPerHeld * static_cast<Eigen::Index>(phase_.held.size());
-  untold_.assign(x.scheme.data() + known, x.scheme.data() + x.scheme.size());
+  const auto placed = static_cast<Eigen::Index>(x.scheme[x.scheme.size() - 1]);
+  const Eigen::Index place = x.scheme.size() - 1 - placed;
+  untold_.assign(x.scheme.data() + known, x.scheme.data() + place);
   useDifferences(s);
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
   from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
+  s.freeze(phaseKeys_);
+  smooth_.keep(s, phase_, x, x.scheme.segment(place, placed));
   return evaluateEnd(s, from_);
 }
 

@@ -12,6 +12,8 @@ constexpr int kStages = 3;
 constexpr int kMostIterations = 10;
 /// Newton's method may leave this part of the tolerance.
 constexpr double kNewton = 0.02;
+/// A Jacobian with which Newton's method contracts like this is good for the next step.
+constexpr double kKeep = 1e-3;
 const double kRoot6 = std::sqrt(6.0);
 const double kNodes[kStages] = {(4.0 - kRoot6) / 10.0, (4.0 + kRoot6) / 10.0, 1.0};
 
@@ -53,21 +55,28 @@ double RadauStep::measure(const Eigen::VectorXd& change) const {
   return worst;
 }
 
-bool RadauStep::jacobian(const Field& field) {
-  const Eigen::Index n = y_.size();
+bool RadauStep::jacobian(const Field& field, const Place& at) {
+  const Eigen::Index n = at.y.size();
+  known_ = false, tookJacobian_ = true;
+  place_ = at;
   J_.resize(n, n);
-  work_ = y_;
+  work_ = at.y;
   for (Eigen::Index j = 0; j < n; ++j) {
     // The root of the rounding of y_j balances truncation and rounding of the difference.
     work_[j] +=
-        std::sqrt(std::numeric_limits<double>::epsilon()) * std::max(std::abs(y_[j]), scale_[j]);
-    const double d = work_[j] - y_[j];
-    if (!field(t_, work_, -1, change_) || !change_.allFinite()) return false;
-    J_.col(j) = (change_ - f_) / d;
-    work_[j] = y_[j];
+        std::sqrt(std::numeric_limits<double>::epsilon()) * std::max(std::abs(at.y[j]), scale_[j]);
+    const double d = work_[j] - at.y[j];
+    if (!field(at.t, work_, -1, change_) || !change_.allFinite()) return false;
+    J_.col(j) = (change_ - at.f) / d;
+    work_[j] = at.y[j];
   }
-  factorised_ = 0.0;
+  factorised_ = 0.0, known_ = true;
   return true;
+}
+
+bool RadauStep::keep(const Field& field, const Place& place) {
+  keeps_ = true;
+  return jacobian(field, place);
 }
 
 void RadauStep::factorise() {
@@ -124,6 +133,7 @@ bool RadauStep::newton(const Field& field, const Eigen::VectorXd& second) {
     }
     if (!std::isfinite(size)) return false;
     const double ratio = iteration > 0 ? size / std::max(before, 1e-300) : 1.0;
+    contraction_ = ratio;
     if (size == 0.0 || (iteration > 0 && ratio < 1.0 && ratio / (1.0 - ratio) * size <= kNewton))
       return true;
     if (iteration > 0 && ratio >= 1.0) return size <= kNewton;  // rounding
@@ -133,12 +143,21 @@ bool RadauStep::newton(const Field& field, const Eigen::VectorXd& second) {
 }
 
 bool RadauStep::take(const Field& field, double t, const Eigen::VectorXd& y,
-                     const Eigen::VectorXd& f, const Eigen::VectorXd& second, double h,
-                     bool fresh) {
-  t_ = t, h_ = h, y_ = y, f_ = f;
-  if (fresh && !jacobian(field)) return false;
+                     const Eigen::VectorXd& f, const Eigen::VectorXd& second, double h, bool same) {
+  t_ = t, h_ = h, y_ = y, f_ = f, tookJacobian_ = false;
+  bool here = same && known_ && place_.t == t && place_.y == y;
+  const bool take = !known_ || (!same && !keeps_);
+  if (take && !jacobian(field, {t, y, f})) return false;
+  here = here || take;
   factorise();
-  if (!newton(field, second)) return false;
+  bool good = newton(field, second);
+  if (!good && !here) {
+    if (!jacobian(field, {t, y, f})) return false;
+    factorise();
+    good = newton(field, second);
+  }
+  keeps_ = good && contraction_ <= kKeep;
+  if (!good) return false;
   end_ = y_ + z_[2];
   return end_.allFinite();
 }

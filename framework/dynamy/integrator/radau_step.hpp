@@ -6,8 +6,8 @@
 /// by Newton's method with one Jacobian ∂f/∂y at the start of the step. With A⁻¹ = T Λ T⁻¹ its
 /// equations fall into a real and a complex one, of as many unknowns as y has. The Jacobian is
 /// taken by differences along the motion that is constrained by the contacts that are held: it
-/// needs nothing of an element. Keeping it for the next step was rejected, since a run that is
-/// resumed would not have it.
+/// needs nothing of an element. It is kept while Newton's method contracts to a thousandth; where
+/// it was taken is told, so that a run that is resumed takes it there again.
 #pragma once
 #include <Eigen/LU>
 #include <array>
@@ -25,13 +25,24 @@ class RadauStep {
   void prepare(const Eigen::VectorXd& scale, double tolerance) {
     scale_ = scale, tolerance_ = tolerance;
   }
-  /// From (t, y) with y' = f and y'' (or a guess of it) given. `fresh`: y is not where the last
-  /// call began, the Jacobian is another. False: Newton's method does not converge, or a number is
-  /// not finite.
+  /// From (t, y) with y' = f and y'' (or a guess of it) given. `same`: y is where the last call
+  /// began. False: Newton's method does not converge, or a number is not finite.
   bool take(const Field& field, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& f,
-            const Eigen::VectorXd& second, double h, bool fresh);
-  /// Of Newton's method in the last step.
+            const Eigen::VectorXd& second, double h, bool same);
+  /// Where a Jacobian was taken: t, y and y'.
+  struct Place {
+    double t = 0.0;
+    Eigen::VectorXd y, f;
+  };
+  /// That of the Jacobian that the next step begins with; null: it takes a new one.
+  const Place* kept() const { return known_ && keeps_ ? &place_ : nullptr; }
+  /// Takes the Jacobian there, for the next step.
+  bool keep(const Field& field, const Place& place);
+  /// The next step takes a new one.
+  void forget() { known_ = false; }
+  /// Of Newton's method in the last step, and whether it took a Jacobian.
   int iterations() const { return iterations_; }
+  bool tookJacobian() const { return tookJacobian_; }
   const Eigen::VectorXd& end() const { return end_; }
   /// Error of the last step in units of the tolerance; evaluates once more where it is above 1.
   double error(const Field& field);
@@ -44,7 +55,7 @@ class RadauStep {
   static double node(int stage);
 
  private:
-  bool jacobian(const Field& field);
+  bool jacobian(const Field& field, const Place& at);
   void factorise();
   bool newton(const Field& field, const Eigen::VectorXd& second);
   void correct();
@@ -55,7 +66,10 @@ class RadauStep {
   Eigen::PartialPivLU<Eigen::MatrixXd> real_;
   Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
   Eigen::Matrix3d A_, T_, TInverse_;
+  Place place_;
+  bool known_ = false, keeps_ = false, tookJacobian_ = false;
   int iterations_ = 0;
+  double contraction_ = 1.0;  // of the last iterations
   double gamma_ = 0.0, alpha_ = 0.0, beta_ = 0.0;
   std::array<Eigen::VectorXd, 3> z_, w_, F_;
   Eigen::VectorXd work_, change_;

@@ -86,6 +86,12 @@ class SmoothStep {
     stiff_ = n[0], other_ = n[1], tried_ = n[2], rate_ = n[3], patience_ = std::max(1.0, n[4]);
     light(n[5] != 0.0), enough_ = n[6];
   }
+  /// Implicit steps: where the Jacobian was taken that the next one begins with, as numbers; empty:
+  /// none. Telling them to another takes it there, in slot 1.
+  Eigen::VectorXd kept() const;
+  void keep(MechanicalSystem& s, FrozenPhase& phase, const State& x, const Eigen::VectorXd& place);
+  /// The next implicit step takes a new Jacobian: the phase is another.
+  void forgetJacobian() { radau_.forget(), y_.resize(0); }
   /// True: q̇ = u everywhere.
   bool plain() const { return plain_; }
   /// q̇ and q̈ of a point whose x and a are known.
@@ -116,7 +122,8 @@ class SmoothStep {
   void combine(const PhasePoint& from, int row, State& out) const;
   bool takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h,
                     State& to);
-  double implicitWork(Eigen::Index unknowns, int iterations) const;
+  RadauStep::Field field(MechanicalSystem& s, FrozenPhase& phase);
+  double implicitWork(Eigen::Index unknowns, int iterations, bool jacobian) const;
   double stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq, const Eigen::VectorXd& du) const;
   bool finish(const MechanicalSystem& s, State& to) const;
   static constexpr double kEnough = 1e-2;
@@ -145,6 +152,8 @@ class SmoothStep {
   RadauStep radau_;
   double radauError_ = 0.0;
   Eigen::VectorXd y_, f_, yNew_, fNew_;
+  std::array<Eigen::VectorXd, 3> stageLambda_;
+  std::array<std::array<double, 5>, 3> stagePower_{};
 };
 
 }  // namespace dynamy

@@ -28,7 +28,7 @@ constexpr int kUsual = 4;
 
 void SmoothStep::implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm) {
   implicit_ = wanted, stiff_ = other_ = tried_ = 0.0;
-  y_.resize(0);
+  forgetJacobian();
   if (!wanted) return;
   const Topology& topology = *s.parts().topology;
   const Eigen::Index nq = topology.nq(), nu = topology.nu();
@@ -40,13 +40,9 @@ void SmoothStep::implicit(bool wanted, const MechanicalSystem& s, const ErrorNor
   radau_.prepare(scale, norm.tolerance());
 }
 
-bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
-                              double h, State& to) {
-  const Eigen::Index nq = from.x.q.size(), nu = from.x.u.size();
-  std::array<Eigen::VectorXd, 3> lambda;
-  std::array<std::array<double, 5>, 3> power{};
-  const RadauStep::Field field = [&](double t, const Eigen::VectorXd& y, int i,
-                                     Eigen::VectorXd& f) {
+RadauStep::Field SmoothStep::field(MechanicalSystem& s, FrozenPhase& phase) {
+  const Eigen::Index nq = Q_.rows(), nu = U_.rows();
+  return [&s, &phase, nq, nu, this](double t, const Eigen::VectorXd& y, int i, Eigen::VectorXd& f) {
     stage_.t = t, stage_.q = y.head(nq), stage_.u = y.tail(nu);
     s.evaluate(stage_, 1);
     Eigen::VectorXd& a = denseU_[7];
@@ -55,28 +51,56 @@ bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const Pha
     f.resize(nq + nu);
     f << denseQ_[7], a;
     if (i < 0) return true;
-    lambda[static_cast<std::size_t>(i)] = phase.lambda();
-    power[static_cast<std::size_t>(i)] = phase.power();
+    stageLambda_[static_cast<std::size_t>(i)] = phase.lambda();
+    stagePower_[static_cast<std::size_t>(i)] = phase.power();
     return true;
   };
+}
+
+Eigen::VectorXd SmoothStep::kept() const {
+  // What elements remember changes with every step, and the Jacobian with it.
+  const RadauStep::Place* place = radau_.kept();
+  if (!implicit_ || place == nullptr || stage_.memory.size() > 0) return {};
+  Eigen::VectorXd out(1 + 2 * place->y.size());
+  out << place->t, place->y, place->f;
+  return out;
+}
+
+void SmoothStep::keep(MechanicalSystem& s, FrozenPhase& phase, const State& x,
+                      const Eigen::VectorXd& place) {
+  forgetJacobian();
+  if (place.size() == 0) return;
+  const Eigen::Index n = (place.size() - 1) / 2;
+  stage_.memory = x.memory;
+  if (!radau_.keep(field(s, phase), {place[0], place.segment(1, n), place.tail(n)}))
+    forgetJacobian();
+}
+
+bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
+                              double h, State& to) {
+  const Eigen::Index nq = from.x.q.size(), nu = from.x.u.size();
+  const RadauStep::Field field = this->field(s, phase);
   yNew_.resize(nq + nu), fNew_.resize(nq + nu);
   yNew_ << from.x.q, from.x.u;
   fNew_ << from.qdot, from.a;
-  // The same forces at the same state: the same Jacobian.
-  const bool fresh = y_.size() == 0 || y_ != yNew_ || f_ != fNew_;
+  // The same forces at the same state: the same Jacobian. Directions of slips that start are not.
+  const bool same = y_.size() > 0 && y_ == yNew_ && f_ == fNew_;
+  const bool starts = std::any_of(phase.held.begin(), phase.held.end(),
+                                  [](const Held& held) { return held.starts; });
+  if (!same && (starts || from.x.memory.size() > 0)) radau_.forget();
   y_ = yNew_, f_ = fNew_;
   Eigen::VectorXd second = Eigen::VectorXd::Zero(nq + nu);
   second.head(nq) = from.qddot;
-  if (fresh) failed_ = false;
-  if (!radau_.take(field, from.x.t, y_, f_, second, h, fresh)) {
+  if (!same) failed_ = false;
+  if (!radau_.take(field, from.x.t, y_, f_, second, h, same)) {
     failed_ = true;
     return false;
   }
   impulse_.setZero(from.lambda.size()), works_ = {};
-  for (std::size_t i = 0; i < lambda.size(); ++i) {
+  for (std::size_t i = 0; i < stageLambda_.size(); ++i) {
     const double weight = h * RadauStep::weight(static_cast<int>(i));
-    impulse_ += weight * lambda[i];
-    for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += weight * power[i][k];
+    impulse_ += weight * stageLambda_[i];
+    for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += weight * stagePower_[i][k];
   }
   radauError_ = radau_.error(field);
   to.t = from.x.t + h, to.q = radau_.end().head(nq), to.u = radau_.end().tail(nu);
@@ -84,9 +108,9 @@ bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const Pha
 }
 
 /// Of an implicit step, in evaluations: Jacobian, factorisations, iterations.
-double SmoothStep::implicitWork(Eigen::Index unknowns, int iterations) const {
+double SmoothStep::implicitWork(Eigen::Index unknowns, int iterations, bool jacobian) const {
   const auto n = static_cast<double>(unknowns);
-  return n + kFactorise * n * n + 3.0 * iterations;
+  return (jacobian ? n : 0.0) + kFactorise * n * n + 3.0 * iterations;
 }
 
 double SmoothStep::mostGrowth() const {
@@ -110,7 +134,8 @@ bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
   const Eigen::Index unknowns = to.x.q.size() + to.x.u.size();
   double steps = kSomeSteps;
   if (tookImplicit_) {
-    if (++tried_ >= kTrial && implicitWork(unknowns, radau_.iterations()) > rate_ * h_) {
+    if (++tried_ >= kTrial &&
+        implicitWork(unknowns, radau_.iterations(), radau_.tookJacobian()) > rate_ * h_) {
       patience_ *= kDearer;
       return true;
     }
@@ -124,8 +149,8 @@ bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
     if (states > 0.0) product = h_ * rates / states;
     bound = table_->order >= 8 ? kBound8 : kBound5;
     rate_ = table_->stages / h_;
-    steps = patience_ *
-            std::max<double>(kManySteps, kTrial * implicitWork(unknowns, kUsual) / table_->stages);
+    steps = patience_ * std::max<double>(kManySteps, kTrial * implicitWork(unknowns, kUsual, true) /
+                                                         table_->stages);
   }
   if (tookImplicit_ != (product > bound)) {
     other_ = 0.0;
