@@ -131,7 +131,7 @@ bool same(ConstVec a, const std::vector<double>& b) {
 const Tree::Motions& TreeSystem::at(ConstVec q) const {
   if (work_.posed && same(q, work_.q)) return work_.x;
   std::copy(q.data(), q.data() + q.size(), work_.q.data());
-  work_.posed = true, work_.moves = work_.factored = false;
+  work_.posed = true, work_.moves = work_.factored = false, work_.shown = nullptr;
   tree_.pose(work_.q.data(), work_.x);
   return work_.x;
 }
@@ -140,7 +140,7 @@ const Tree::Motions& TreeSystem::at(ConstVec q, ConstVec u) const {
   at(q);
   if (work_.moves && same(u, work_.u)) return work_.x;
   std::copy(u.data(), u.data() + u.size(), work_.u.data());
-  work_.moves = true;
+  work_.moves = true, work_.shown = nullptr;
   tree_.rates(work_.u.data(), work_.x);
   return work_.x;
 }
@@ -272,14 +272,17 @@ RigidMotion TreeSystem::motionOf(const Body& body, const double* q, const Tree::
 }
 
 double TreeSystem::ownSignal(const Body& body, const SignalFunction& f, const SignalView& v) const {
-  constexpr int kMost = 16;
-  double q[kMost] = {}, u[kMost] = {};
-  expects(body.blocks.nq <= kMost && body.blocks.nu <= kMost, "a rigid body has few coordinates");
-  const RigidMotion motion = motionOf(body, v.q.data(), at(v.q, v.u));
-  body.system->ownState(motion, {q, body.blocks.nq}, {u, body.blocks.nu});
+  expects(body.blocks.nq <= kMostOwn && body.blocks.nu <= kMostOwn,
+          "a rigid body has few coordinates");
+  const Tree::Motions& x = at(v.q, v.u);
+  const Vec q(work_.shownQ.data(), body.blocks.nq), u(work_.shownU.data(), body.blocks.nu);
+  if (work_.shown != &body) {
+    body.system->ownState(motionOf(body, v.q.data(), x), q, u);
+    work_.shown = &body;
+  }
   return f({.t = v.t,
-            .q = {q, body.blocks.nq},
-            .u = {u, body.blocks.nu},
+            .q = {q.data(), q.size()},
+            .u = {u.data(), u.size()},
             .kinematics = v.kinematics,
             .contacts = v.contacts,
             .Lambda = v.Lambda,

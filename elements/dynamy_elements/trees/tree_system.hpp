@@ -5,6 +5,7 @@
 ///
 /// Made by composeTrees() from the bodies and joints of a model, never by a tag.
 #pragma once
+#include <array>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy_elements/trees/tree.hpp>
 #include <memory>
@@ -48,7 +49,8 @@ class TreeSystem final : public PartialMechanicalSystem {
   int bodies() const { return static_cast<int>(bodies_.size()); }
 
  private:
-  static constexpr int kDense = 12;  // velocities up to which M⁻¹ as a matrix costs no more
+  static constexpr int kMostOwn = 16;  // coordinates of a body alone
+  static constexpr int kDense = 12;    // velocities up to which M⁻¹ as a matrix costs no more
   struct Body {
     System system;
     int node = -1;  // it is fixed to; −1: to what stands still
@@ -86,6 +88,9 @@ class TreeSystem final : public PartialMechanicalSystem {
     std::vector<Tree::Articulated> factors;
     std::vector<Mat3> inertia;
     std::vector<Vec3> wrench;
+    // Of the body whose signals were asked for last, its own q and u there.
+    const Body* shown = nullptr;
+    std::array<double, kMostOwn> shownQ{}, shownU{};
   };
   mutable Workspace work_;
 };
