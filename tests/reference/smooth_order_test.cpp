@@ -65,14 +65,16 @@ double slideError(const Method& method, int n) {
 }
 
 /// Slope over those of 1, √2, 2, 2√2 … steps whose error lies between 5e-13 and 1e-5. Below, the
-/// truth, good to 1e-13, and rounding have a part; above, the next powers of steps as long as half
+/// truth, good to 1e-13, and rounding have a part, of implicit steps what Newton's method leaves of
+/// 1e-12 in each; above, the next powers of steps as long as half
 /// of the way.
 Fit orderOf(const Method& method, std::ostringstream& log) {
+  const double least = method.table != nullptr || method.columns > 0 ? 5e-13 : 1e-12;
   std::vector<double> h, error;
   for (int k = 0; k <= 24; ++k) {
     const int n = static_cast<int>(std::lround(std::exp2(0.5 * k)));
     const double e = slideError(method, n);
-    if (e < 5e-13) break;
+    if (e < least) break;
     if (e > 1e-5 || n < method.fewest) continue;
     h.push_back(kEnd / n), error.push_back(e);
     log << "  " << n << " steps: " << e << '\n';
