@@ -85,7 +85,7 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
       return B.features.size();
     case Meeting::ballOnSurface:
     case Meeting::smoothOnMesh:
-      return static_cast<std::uint64_t>(A.surface->features());
+      return static_cast<std::uint64_t>(A.surface->features()) + (A.polyhedron ? 1 : 0);
     case Meeting::capsules:
       return kCapsules;
     case Meeting::capsuleOnBox:
@@ -213,8 +213,10 @@ std::string featureName(Meeting meets, const TouchingShape& A, const TouchingSha
   if (meets == Meeting::capsuleOnSurface) return ofCapsule(*A.surface, f);
   if (meets == Meeting::capsuleOnPolygon)
     return f < 2 ? "B.end" + std::to_string(f) : "A.corner" + std::to_string(f - 2);
-  if (meets == Meeting::ballOnSurface || meets == Meeting::smoothOnMesh)
-    return A.surface->featureName(static_cast<int>(f));
+  if (meets == Meeting::ballOnSurface || meets == Meeting::smoothOnMesh) {
+    const int number = static_cast<int>(f);
+    return number < A.surface->features() ? A.surface->featureName(number) : "nearest";
+  }
   if (meets == Meeting::capsules)
     return f == 0 ? "crossing" : (f < 3 ? "B.end" : "A.end") + std::to_string((f - 1) % 2);
   if (meets == Meeting::capsuleOnBox) {

@@ -190,7 +190,15 @@ void ShapeContacts::narrowOnSurface(const Pair& pair, const Kinematics& k,
                                                     : std::max(sink.request().gTol, 0.0);
       const RoundFeature& ball = pair.B->features[0];
       const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
-      return emitAll(pair, found, n, k, sink);
+      if (!pair.A->polyhedron || !sink.request().refresh || n == 0)
+        return emitAll(pair, found, n, k, sink);
+      // The place nearest to the ball wanders over a convex body without a jump: one contact, whose
+      // gap can be followed.
+      found[0] = *std::min_element(
+          found.begin(), found.begin() + n,
+          [](const SurfaceContact& a, const SurfaceContact& b) { return a.at.g < b.at.g; });
+      found[0].id = pair.A->surface->features();
+      return emitAll(pair, found, 1, k, sink);
     }
     case Meeting::capsuleOnSurface: {
       OnSurfaceContacts found;
