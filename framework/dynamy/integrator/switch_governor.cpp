@@ -5,7 +5,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kWindow = 3000;     ///< evaluations, about a hundred switches
+constexpr double kWindow = 3000;     ///< evaluations, about a hundred switches,
+constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make each of them dear
 constexpr double kDearer = 2.0;      ///< by so much locating switches may cost more,
 constexpr double kFast = 100.0;      ///< and motion that is fast without any
 constexpr double kLeast = 1e-5;      ///< of T: shorter steps in time are not taken,
@@ -47,7 +48,7 @@ void SwitchGovernor::located(double t, double dt, long evaluations, double work,
   turnedAt_ = at;
   window_ += dt, windowWork_ += work, windowEvaluations_ += static_cast<double>(evaluations);
   windowStepWork_ = std::max(windowStepWork_, stepWork), switchWork_ += switched ? work : 0.0;
-  if (windowEvaluations_ < kWindow) return;
+  if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return;
   const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
   const bool dense = switchWork_ > kDearer * instead || windowWork_ > kFast * instead;
   window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
