@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <dynamy/core/error.hpp>
 #include <dynamy_elements/formulas.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -30,6 +32,21 @@ void TimeFormulas::eval(double t, double* f, double* df, double* ddf) const {
     if (df) df[i] = formulas_[i].derivative(&t, &one);
     if (ddf) ddf[i] = formulas_[i].secondDerivative(&t, &one, &one);
   }
+}
+
+double TimeFormulas::nextInstant(double t) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const Expression& formula : formulas_)
+    next = std::min(next, formula.set().nextInstant(t, 0));
+  return next;
+}
+
+void TimeFormulas::announce(Description& d, std::vector<const TimeFormulas*> all) {
+  announceInstants(d, [all = std::move(all)](double t) {
+    double next = std::numeric_limits<double>::infinity();
+    for (const TimeFormulas* formulas : all) next = std::min(next, formulas->nextInstant(t));
+    return next;
+  });
 }
 
 }  // namespace dynamy

@@ -2,6 +2,7 @@
 #pragma once
 #include <dynamy/core/expression.hpp>
 #include <dynamy/core/parameters.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,10 @@ class TimeFormulas {
   bool empty() const { return formulas_.empty(); }
   /// f(t); derivatives where the pointers are not null; `count` numbers each.
   void eval(double t, double* f, double* df = nullptr, double* ddf = nullptr) const;
+  /// First instant after t at which any jumps or has a kink (ExpressionSet::nextInstant).
+  double nextInstant(double t) const;
+  /// Tells of these instants (announced_signals.hpp).
+  static void announce(Description& d, std::vector<const TimeFormulas*> all);
 
  private:
   /// Registers of the tape: scratch, not state.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy_elements/reservoir_switch.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -59,6 +60,20 @@ void ReservoirSwitch::remember(const double* x, Vec memory) const {
     memory[0] = 0.0;
   else if (value[0] > 0.0)
     memory[0] = 1.0;
+}
+
+double ReservoirSwitch::switching(const Kinematics& k, const double* x) const {
+  const double* value = engage_->eval(x);
+  const bool lets = !releaseText_.empty();
+  if (engaged(k)) return lets ? value[1] : -1.0;
+  return lets ? std::min(value[0], -value[1]) : value[0];
+}
+
+double ReservoirSwitch::nextInstant(double t) const {
+  double next = std::numeric_limits<double>::infinity();
+  for (const Tape* tape : {scale_.get(), engage_.get()})
+    if (tape) next = std::min(next, tape->nextInstant(t));
+  return next;
 }
 
 void ReservoirSwitch::describe(Description& d) const {

@@ -33,6 +33,12 @@ class ReservoirSwitch {
   double scale(const double* x) const;
   /// Switches at the end of a step.
   void remember(const double* x, Vec memory) const;
+  /// There is something to engage.
+  bool engages() const { return engage_ != nullptr; }
+  /// Positive where remember() would switch; only if it engages().
+  double switching(const Kinematics& k, const double* x) const;
+  /// First instant after t at which a formula jumps or has a kink.
+  double nextInstant(double t) const;
   /// Signal `engaged`, if there is something to engage.
   void describe(Description& d) const;
 

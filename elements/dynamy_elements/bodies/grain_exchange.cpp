@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy_elements/bodies/grain_exchange.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 constexpr int kTries = 20;
 /// Of the length of a step: an instant that rounding has moved is still met.
 constexpr double kRounding = 1e-9;
+constexpr double kPassed = 1e-13;  ///< of the time: a grain that came so shortly before
 
 bool inside(const Region& box, const Vec3& c) {
   return (c.array() >= box.low.array()).all() && (c.array() <= box.high.array()).all();
@@ -87,6 +89,11 @@ void GrainExchange::feed(std::uint64_t number, Vec q, Vec u, bool& changed) cons
     changed = true;
     return;
   }
+}
+
+double GrainExchange::nextFeed(double t) const {
+  if (!(rate_ > 0.0)) return std::numeric_limits<double>::infinity();
+  return (std::floor(rate_ * t * (1.0 + kPassed)) + 1.0) / rate_;
 }
 
 bool GrainExchange::renew(double tA, double tE, Vec q, Vec u) const {

@@ -26,6 +26,8 @@ class GrainExchange {
   static bool absent(const double* q) {
     return q[3] == 0.0 && q[4] == 0.0 && q[5] == 0.0 && q[6] == 0.0;
   }
+  /// When the feeder brings the next one after t; infinity: never.
+  double nextFeed(double t) const;
   bool renew(double tA, double tE, Vec q, Vec u) const;
 
  private:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/rotation.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <dynamy/system/kinematics.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/gyroscopic.hpp>
@@ -171,6 +172,7 @@ void Grains::place(const Parameters& x, SeededNumbers& numbers) {
 }
 
 void Grains::describe(Description& d) const {
+  announceInstants(d, [this](double t) { return exchange_->nextFeed(t); });
   for (int i = 0; i < count(); ++i)
     d.shape(ownShapes_.empty() ? *shape_ : *ownShapes_[static_cast<std::size_t>(i)], i);
   d.signal("kineticEnergy", Unit::energy, "Σ ½ m v² + ½ Ω·J Ω", [this](const SignalView& s) {

@@ -37,7 +37,10 @@ Ground::Ground(const Parameters& x)
   parts_.refuseMass("forces do not move a ground");
 }
 
-void Ground::describe(Description& d) const { parts_.describe(d); }
+void Ground::describe(Description& d) const {
+  parts_.describe(d);
+  TimeFormulas::announce(d, {&motion_, &rotation_});
+}
 
 bool Ground::rigidPart(RigidPart& out) const {
   out.fixed = motion_.empty() && rotation_.empty();

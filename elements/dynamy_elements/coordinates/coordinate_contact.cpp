@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <dynamy/contact/bilateral_rate.hpp>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy/system/description.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/coordinates/coordinate_contact.hpp>
 #include <dynamy_elements/friction_of_law.hpp>
 
@@ -179,9 +179,23 @@ void CoordinateContact::remember(const Kinematics& k, Vec memory) const {
   switch_.remember(x_.data(), memory);
 }
 
+double CoordinateContact::nextInstant(double t) const {
+  double next = switch_.nextInstant(t);
+  for (const Tape* tape : {gap_.get(), slip_.get()})
+    if (tape) next = std::min(next, tape->nextInstant(t));
+  return next;
+}
+
 void CoordinateContact::describe(Description& d) const {
   describeContact(d, 0, rows(), *law_);
   switch_.describe(d);
+  announceInstants(d, [this](double t) { return nextInstant(t); });
+  if (switch_.engages())
+    d.signal(kSwitching, Unit::none, "positive where the law would be engaged or released",
+             [this](const SignalView& v) {
+               inputs(*v.kinematics);
+               return switch_.switching(*v.kinematics, x_.data());
+             });
 }
 
 }  // namespace dynamy

@@ -30,6 +30,7 @@ class CoordinateContact final : public NonSmoothElement {
   void nameCoordinates(const PartialMechanicalSystem& system);
   void compile();
   void inputs(const Kinematics& k) const;
+  double nextInstant(double t) const;
   void gapRow(const double* x, ContactRows& out, Block W) const;
   void slipRows(const double* x, int first, ContactRows& out, Block W) const;
   bool directions() const { return slipVelocityText_.empty(); }

@@ -24,6 +24,9 @@ class CoordinateFrame final : public Element {
   /// Fills `out` at x = (t, q, u); w = (1, u, 0) is the direction of the motion.
   void evaluate(const double* x, const double* w, Frame& out) const;
 
+  /// First instant after t at which a formula jumps or has a kink [s].
+  double nextInstant(double t) const { return tape_->nextInstant(t); }
+
   const std::vector<std::unique_ptr<Shape>>& shapes() const { return shapes_; }
 
  private:

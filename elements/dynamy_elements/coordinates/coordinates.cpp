@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <dynamy/core/suggestion.hpp>
-#include <dynamy/system/description.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/coordinates/coordinates.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -312,6 +313,13 @@ void Coordinates::describe(Description& d) const {
     d.frame(frames_[k]->name(), id);
     for (const auto& s : frames_[k]->shapes()) d.shape(*s, id);
   }
+  announceInstants(d, [this](double t) {
+    double next = std::numeric_limits<double>::infinity();
+    for (const Tape* tape : {mass_.get(), force_.get(), potential_.get()})
+      if (tape) next = std::min(next, tape->nextInstant(t));
+    for (const auto& frame : frames_) next = std::min(next, frame->nextInstant(t));
+    return next;
+  });
 }
 
 void Coordinates::declare(Attributes& a) {

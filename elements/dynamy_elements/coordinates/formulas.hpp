@@ -79,6 +79,8 @@ class Tape {
   const double* secondPartial(const double* x, int i, int j);
   /// Any output depends on one of the slots.
   bool dependsOn(const std::vector<int>& slots) const;
+  /// First instant after t at which any jumps or has a kink, of time alone.
+  double nextInstant(double t) const { return set_.nextInstant(t, FormulaNames::kTime); }
 
   const double* value() const { return value_.data(); }            ///< f of the last call
   const double* firstDerivative() const { return first_.data(); }  ///< f′v of the last second()

@@ -47,6 +47,7 @@ void Drag::addTo(const Kinematics& k, ForceSink& sink) const {
 void Drag::describe(Description& d) const {
   d.signal("force", Unit::force, "size of the drag",
            [this](const SignalView& v) { return force(*v.kinematics).norm(); });
+  TimeFormulas::announce(d, {&wind_});
 }
 
 }  // namespace dynamy

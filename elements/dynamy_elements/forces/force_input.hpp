@@ -11,6 +11,7 @@ class ForceInput final : public ExternalForce {
   explicit ForceInput(const Parameters& x);
   void connect(Topology& topology) override { frame_ = topology.frame(on_, *this); }
   void addTo(const Kinematics& k, ForceSink& sink) const override;
+  void describe(Description& d) const override { TimeFormulas::announce(d, {&force_, &moment_}); }
 
  private:
   std::string on_;

@@ -16,6 +16,7 @@ class Gravity final : public ExternalForce {
   /// A field that changes does work that no potential of q gives.
   bool hasPotential() const override { return change_.empty(); }
   double potentialEnergy(const Kinematics& k) const override;
+  void describe(Description& d) const override { TimeFormulas::announce(d, {&change_}); }
 
  private:
   struct Part {

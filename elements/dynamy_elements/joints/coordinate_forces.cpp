@@ -35,6 +35,7 @@ void CoordinateForce::describe(Description& d) const {
              const Kinematics& k = *v.kinematics;
              return force(k.t(), coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
            });
+  announceInstants(d, [this](double t) { return nextInstant(t); });
 }
 
 // ---- JointSpring -------------------------------------------------------------------------------
@@ -105,6 +106,8 @@ double JointForce::force(double t, double x, double rate, double* c, double* d) 
   return formula_->value(in);
 }
 
+double JointForce::nextInstant(double t) const { return formula_->set().nextInstant(t, 0); }
+
 // ---- PdController ------------------------------------------------------------------------------
 
 void PdController::declare(Attributes& a) {
@@ -146,6 +149,13 @@ double PdController::force(double t, double x, double rate, double* c, double* d
   if (c) *c = cut ? 0.0 : k;
   if (d) *d = cut ? 0.0 : gain;
   return std::clamp(F, -limit_, limit_);
+}
+
+double PdController::nextInstant(double t) const {
+  double next = target_.nextInstant(t);
+  for (const TimeFormulas* formulas : {&stiffness_, &damping_, &feedforward_})
+    next = std::min(next, formulas->nextInstant(t));
+  return next;
 }
 
 }  // namespace dynamy

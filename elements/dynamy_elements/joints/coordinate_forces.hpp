@@ -7,9 +7,11 @@
 /// F is the force or moment on B in the direction of x. Stiff ones are taken implicitly with
 /// −∂F/∂x and −∂F/∂ẋ.
 #pragma once
+#include <dynamy/system/announced_signals.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/formulas.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <limits>
 #include <memory>
 
 namespace dynamy {
@@ -29,6 +31,8 @@ class CoordinateForce : public ExternalForce {
   static void declareForce(Attributes& a);
   /// F [N or N m] at (t, x, ẋ); c = −∂F/∂x, d = −∂F/∂ẋ if not null.
   virtual double force(double t, double x, double rate, double* c, double* d) const = 0;
+  /// First instant after t at which a formula jumps or has a kink [s].
+  virtual double nextInstant(double) const { return std::numeric_limits<double>::infinity(); }
   const JointCoordinate& coordinate() const { return coordinate_; }
 
  private:
@@ -56,6 +60,7 @@ class JointForce final : public CoordinateForce {
 
  private:
   double force(double t, double x, double rate, double* c, double* d) const override;
+  double nextInstant(double t) const override;
   /// Registers of the tape: scratch, not state.
   mutable std::unique_ptr<Expression> formula_;
 };
@@ -67,6 +72,7 @@ class PdController final : public CoordinateForce {
 
  private:
   double force(double t, double x, double rate, double* c, double* d) const override;
+  double nextInstant(double t) const override;
   TimeFormulas target_, stiffness_, damping_, feedforward_;
   double limit_;
 };

@@ -118,6 +118,7 @@ void JointDrive::contacts(const Kinematics& k, ContactSink& sink) const {
 void JointDrive::describe(Description& d) const {
   coordinate().describe(d);
   describeContact(d, 0, 1, bilateral_);
+  TimeFormulas::announce(d, {&motion_});
 }
 
 // ---- JointMotor --------------------------------------------------------------------------------
@@ -146,6 +147,7 @@ void JointMotor::contacts(const Kinematics& k, ContactSink& sink) const {
 void JointMotor::describe(Description& d) const {
   coordinate().describe(d);
   describeContact(d, 0, 1, law_);
+  TimeFormulas::announce(d, {&speed_});
 }
 
 // ---- JointFriction -----------------------------------------------------------------------------

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/joints/sheave_rope.hpp>
 #include <limits>
 #include <numbers>
@@ -9,6 +10,7 @@ namespace dynamy {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kPassed = 1e-13;   ///< of the time: it has just broken
 constexpr double kRounding = 1e-9;  ///< of an angle of wrap that is zero [rad]
 
 /// Adds `factor` times a·Ω to a row.
@@ -214,6 +216,9 @@ void SheaveRope::describe(Description& d) const {
            [](const SignalView& v) { return force(v, 1.0); });
   d.signal("forceB", Unit::force, "rope force at B",
            [](const SignalView& v) { return force(v, -1.0); });
+  announceInstants(d, [this](double t) {
+    return t < breaksAt_ * (1.0 - kPassed) ? breaksAt_ : std::numeric_limits<double>::infinity();
+  });
 }
 
 }  // namespace dynamy

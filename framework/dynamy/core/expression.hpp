@@ -69,6 +69,11 @@ class ExpressionSet {
   /// listed, true says that the gradient is constant.
   bool isAffine(int output, std::span<const int> variables) const;
 
+  /// First value of x[variable] behind `after` at which step, clamp, abs, a condition, floor … of
+  /// any formula changes its branch; infinity: none. Seen where what they compare is affine in this
+  /// variable on the branch that holds, and free of the others.
+  double nextInstant(double after, int variable) const;
+
  private:
   friend class ExpressionCompiler;
   friend class ExpressionWorkspace;

@@ -1,20 +1,28 @@
 /// ContactProbe: gaps and relative velocities of all contacts, open ones too, at any state, without
 /// masses and forces: what switches are searched with.
 #pragma once
-#include <dynamy/integrator/mechanical_system.hpp>
+#include <dynamy/integrator/announcements.hpp>
 
 namespace dynamy {
 
 class ContactProbe {
  public:
-  /// Why a run is refused where look() fails.
-  static constexpr const char* kUnfollowed =
-      "contacts appear and disappear (two boxes, rims on edges): their gaps cannot be followed";
+  /// The fault where look() failed: unfollowed() says why.
+  static constexpr std::string_view kUnfollowed = "contacts appear and disappear";
 
   /// Notes all contacts that are reported at x. Those that appear later are a fault.
   void prepare(const MechanicalSystem& s, const State& x);
+  /// Notes them anew: after something was switched, or bodies were taken away or brought.
+  void list(const State& x);
   /// All contacts at x; false: they are not those noted before.
   bool look(const State& x);
+  /// Why a run is refused where look() failed: the contact that came or went, and the cause.
+  std::string unfollowed() const;
+  /// The same of a contact that is held and gone.
+  std::string lost(ContactKey key) const;
+  const Announcements& announcements() const { return announcements_; }
+  /// Numbers that are positive where an element would switch.
+  const std::vector<double>& switching() const { return switching_; }
 
   int size() const { return contacts_.size(); }
   const ContactSet& contacts() const { return contacts_; }
@@ -32,7 +40,10 @@ class ContactProbe {
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;
   ContactSet contacts_;
+  std::string why(ContactKey key, const std::string& what) const;
   std::vector<ContactKey> all_, order_;
+  Announcements announcements_;
+  std::vector<double> switching_;
   Eigen::VectorXd gamma_;
 };
 

@@ -11,7 +11,7 @@ bool FrozenPhase::rowsAhead(const ContactSet& next, const Eigen::VectorXd& befor
     // The same contacts were asked for, in the same order.
     const int at = index_[i];
     if (at >= next.size() || next.key[static_cast<std::size_t>(at)] != held[i].key) {
-      fault_ = kLost;
+      fault_ = kLost, lost_ = held[i].key;
       return false;
     }
     for (int r = 0; r < dim(i); ++r) {

@@ -149,7 +149,7 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
   for (std::size_t i = 0; i < n; ++i) {  // contacts come in the same order, with others between
     while (cursor < c.key.size() && c.key[cursor] != held[i].key) ++cursor;
     if (cursor == c.key.size()) {
-      fault_ = kLost;
+      fault_ = kLost, lost_ = held[i].key;
       return false;
     }
     index_[i] = static_cast<int>(cursor);

@@ -73,6 +73,9 @@ class FrozenPhase {
   /// keep furthest from all bounds, from now on.
   bool share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
   std::string_view fault() const { return fault_; }
+  /// The fault where contact lost() is held and not reported.
+  static constexpr std::string_view kLost = "a contact that is held is no longer reported";
+  ContactKey lost() const { return lost_; }
 
   /// Forces of the last acceleration: rows of held[i] from row0(i) on.
   const Eigen::VectorXd& lambda() const { return lambda_; }
@@ -136,8 +139,6 @@ class FrozenPhase {
   static void parts(const SetValuedForceLaw& law, int dim, std::vector<std::array<int, 2>>& out);
 
  private:
-  static constexpr std::string_view kLost =
-      "a contact that is held is no longer reported by its element (two boxes?)";
   /// W column `row` += row `of` of contact `at`.
   static void addRow(const ContactSet& c, int at, int of, Eigen::MatrixXd& W, int row);
   bool shapes(const Evaluation& e);
@@ -157,6 +158,7 @@ class FrozenPhase {
   std::vector<Form> form_;
   std::vector<Bounds> bounds_;
   std::string_view fault_;
+  ContactKey lost_;
   std::string ownFault_;
   Eigen::MatrixXd W_, MInvW_;  // nu × rows
   Eigen::MatrixXd ahead_;      // W at the position that follows

@@ -13,7 +13,6 @@ constexpr double kRapid = 1e-7;       ///< of T: so soon after each other plain 
 constexpr double kMuted = 1e-3;       ///< of the step
 constexpr double kProject = 5e-4;     ///< corrections below this part of the tolerance wait
 constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
-constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
 constexpr int kMostFirst = 8;         ///< contacts that close before the one that was found
 constexpr int kMostTries = 60;        ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
@@ -26,22 +25,10 @@ double LocatedDormandPrince::nextStep(const State& x) const {
   return x.scheme.size() > 0 ? x.scheme[0] : 0.0;
 }
 
-bool LocatedDormandPrince::refuse(std::string_view why) {
-  why_ = why;
-  return false;
-}
-
-bool LocatedDormandPrince::stall() {
-  stalled_ = true;
-  return refuse(plain_ ? "events follow each other without end (an accumulation of impacts, or "
-                         "slip in space that ends): this scheme has no way past"
-                       : "the steps have become too short: no status of the contacts lasts");
-}
-
 bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
   s.freeze(phaseKeys_);
   s.evaluate(p.x, 0);
-  if (!phase_.accelerate(s.slot(0), p.x.u, p.a)) return refuse(phase_.fault());
+  if (!phase_.accelerate(s.slot(0), p.x.u, p.a)) return refuse(phase_);
   p.lambda = phase_.lambda(), p.power = phase_.power();
   smooth_.rates(s, p);
   return true;
@@ -85,6 +72,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   const double unit = plain_ ? norm_.time() : lookAhead_ * span();
   const SwitchEvent::Result r =
       event_.process(s, solver, probe_, phase_, p, smooth_, unit, stopped);
+  if (r.fault == FrozenPhase::kLost) return refuse(whyOwn_ = probe_.lost(r.lost));
   if (!r.fault.empty()) return refuse(r.fault);
   if (!r.solved.ok()) report.solved = r.solved;
   report.solved.repaired += r.solved.repaired;
@@ -149,7 +137,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   };
   to_.x.memory = from_.x.memory;
   if (!smooth_.take(s, phase_, from_, h, to_.x)) {
-    if (!phase_.fault().empty()) return refuse(phase_.fault()), Tried::failed;
+    if (!phase_.fault().empty()) return refuse(phase_), Tried::failed;
     return reject(kShrink);
   }
   if (smooth_.errorNeedsEnd()) {
@@ -175,7 +163,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
     search_.atEnd(phase_);
     const double width = 0.1 * std::cbrt(0.01 * norm_.tolerance());
     if (!search_.find(s, probe_, phase_, path_, looked, width, found))
-      return refuse(phase_.fault().empty() ? ContactProbe::kUnfollowed : phase_.fault()),
+      return phase_.fault().empty() ? refuse(ContactProbe::kUnfollowed) : refuse(phase_),
              Tried::failed;
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
@@ -190,7 +178,7 @@ bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w
   s.freeze(phaseKeys_);
   const double length = w.theta * h;
   smoothOwn_.light(smooth_.light());
-  if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_.fault());
+  if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_);
   if (!evaluateEnd(s, to_)) return false;
   impulse_ = smooth_.impulse();
   Switch first = w;
@@ -219,7 +207,7 @@ bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w
     if (std::abs(d / h) * (d / h) * (d / h) > 0.01 * norm_.tolerance()) {
       trial_ = to_;
       SmoothStep& own = smoothOwn_;
-      if (!own.take(s, phase_, trial_, d, to_.x)) return refuse(phase_.fault());
+      if (!own.take(s, phase_, trial_, d, to_.x)) return refuse(phase_);
       if (!evaluateEnd(s, to_)) return false;
       impulse_ += own.impulse();
       for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += own.works()[k];
@@ -279,11 +267,11 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
   }
   const bool anew = x.scheme.size() > 0 && governor_.mode() == SwitchGovernor::Mode::decideAnew;
   if (x.scheme.size() == 0 || anew)
-    governor_.locate(), begin(s, solver, x, report);
+    probe_.list(x), governor_.locate(), begin(s, solver, x, report);
   else if (same && goesOn(x))
     std::swap(from_, to_);
   else
-    restore(s, x);
+    restore(s, solver, x, report);
   search_.prepare(kGapNoise * norm_.length(), kSpeedNoise * norm_.speed());
   return why_.empty();
 }
@@ -292,6 +280,13 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
                                 StepReport& report, bool& done) {
   if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time())) return stall();
   if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
+  const double until = untilInstant();
+  if (until <= 0.0) {
+    to_ = from_, done = true;
+    return passInstant(s, solver, to_, report);
+  }
+  const bool told = until < most;
+  most = std::min(most, until);
   bool stopped = false;
   double bound = most;
   if (!stop(s, solver, bound, report, stopped)) return false;
@@ -301,13 +296,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
     to_ = from_, done = true;
     return true;
   }
-  double h = std::min(H_, bound);
-  // What turns must not turn past a contact between two samples of the search.
-  if (const double turn = norm_.fastestTurn(from_.x.u); search_.gaps() && turn * h > kMostTurn)
-    h = kMostTurn / turn;
-  // What is muted may pass its bound: not for longer than it is meant to.
-  for (const Held& held : phase_.held)
-    if (!held.slips && held.mutedUntil > from_.x.t) h = std::min(h, held.mutedUntil - from_.x.t);
+  double h = shortened(std::min(H_, bound));
   startHeld_ = phase_.held;
   chooseMethod();
   Switch found;
@@ -328,8 +317,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
   if (found) ++report.counts.switches, lastSwitched_ = search_.contact(phase_, found);
   if (found.kind == Switch::Kind::atStart) {
-    release(found);
-    const bool good = event(s, solver, from_, report, {});
+    const bool good = decide(s, solver, from_, found, report);
     book(s, &StepEffort::events, report);
     return good;
   }
@@ -342,13 +330,23 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   keepImpulses();
   stepFrom_ = from_, stepTo_ = to_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
   const bool ended = endStarts();
-  release(found);
-  const bool good = found ? event(s, solver, to_, report, {})
-                          : project(s, to_) && (!ended || evaluateEnd(s, to_));
+  bool good = true;
+  if (found)
+    good = decide(s, solver, to_, found, report);
+  else if (told && h == most)
+    good = passInstant(s, solver, to_, report);
+  else
+    good = project(s, to_) && (!ended || evaluateEnd(s, to_));
   book(s, found ? &StepEffort::events : &StepEffort::smooth, report);
   if (good || !foundUntold_) return good;
   works_ = works, done = false;  // once more, with the forces that an element did not know
   return decideUntold(s, solver, report);
+}
+
+bool LocatedDormandPrince::decide(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
+                                  const Switch& w, StepReport& report) {
+  release(w);
+  return (!search_.latches(w) || throwLatch(s, p)) && event(s, solver, p, report, {});
 }
 
 bool LocatedDormandPrince::proceed(MechanicalSystem& s, InclusionSolver& solver, const State& x,
@@ -379,7 +377,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   if (good) {
     const double t = x.t;
     x.t = to_.x.t == t + dt ? t + dt : to_.x.t;
-    x.q = to_.x.q, x.u = to_.x.u;
+    x.q = to_.x.q, x.u = to_.x.u, x.memory = to_.x.memory;
     report.dt = x.t - t;
     const long n = s.evaluations() - before;
     if (!plain_)

@@ -51,7 +51,7 @@ class LocatedDormandPrince : public OneStep {
     int first, row, dim;
   };
   enum class Tried : std::uint8_t { accepted, rejected, turned, located, again, failed };
-  bool restore(MechanicalSystem& s, const State& x);
+  bool restore(MechanicalSystem& s, InclusionSolver& solver, const State& x, StepReport& report);
   void store(State& x);
   /// x is where the last step ended: nothing has to be evaluated anew.
   bool goesOn(const State& x) const;
@@ -67,13 +67,28 @@ class LocatedDormandPrince : public OneStep {
   double steppedError(MechanicalSystem& s, const State& a, const State& b, double h);
   double locatedWork(const MechanicalSystem& s, double evaluations) const;
   double steppedWork(const MechanicalSystem& s, double evaluations, double newton) const;
+  // What happens when it is told, and what elements switch (located_instants.cpp).
+  /// How long until right before the next instant at which an element jumps by the time alone.
+  double untilInstant();
+  /// From right before that instant to right behind it, with a decision.
+  bool passInstant(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report);
+  /// From a latch's root to right behind it, where its element switches.
+  bool throwLatch(MechanicalSystem& s, PhasePoint& p);
+  /// Takes the contacts that are reported at x for those to follow. True: what is held is gone, or
+  /// what always acts is not held.
+  bool relist(const State& x);
   bool evaluateEnd(MechanicalSystem& s, PhasePoint& p);
   bool event(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report,
              const std::vector<HeldKey>& stopped);
   bool enter(MechanicalSystem& s, InclusionSolver& solver, const State& x, StepReport& report);
   bool goOn(MechanicalSystem& s, InclusionSolver& solver, double most, StepReport& report,
             bool& done);
+  /// A trial of length h, as far as contacts let it go.
+  double shortened(double h) const;
   Tried attempt(MechanicalSystem& s, double h, bool looked, StepReport& report, Switch& found);
+  /// The status behind switch w at p.
+  bool decide(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, const Switch& w,
+              StepReport& report);
   bool repeat(MechanicalSystem& s, double h, const Switch& w);
   bool polish(MechanicalSystem& s, double h, const Switch& w);
   /// True: an open contact penetrates at from_.
@@ -98,6 +113,7 @@ class LocatedDormandPrince : public OneStep {
   Status status(std::size_t i) const;  ///< of held[i]
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
+  bool refuse(const FrozenPhase& phase);
   bool stall();
   void book(const MechanicalSystem& s, long StepEffort::*what, StepReport& report);
   bool checkBias(MechanicalSystem& s, const PhasePoint& p);
@@ -107,7 +123,9 @@ class LocatedDormandPrince : public OneStep {
   bool findUntold(MechanicalSystem& s, const State& x, bool held);
   bool decideUntold(MechanicalSystem& s, InclusionSolver& solver, StepReport& report);
   void chooseMethod();
-  bool refuseBias(const MechanicalSystem& s, int element, int row, double told, double found);
+  /// First row at p whose γ̇ is not `found`, −1: none; toldDot_: what elements tell of all.
+  int firstWrongBias(const MechanicalSystem& s, const PhasePoint& p, const Eigen::VectorXd& found);
+  bool refuseBias(const MechanicalSystem& s, int row, double told, double found);
 
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
   /// Numbers at the front of State::scheme, see located_memory.cpp.
@@ -147,6 +165,7 @@ class LocatedDormandPrince : public OneStep {
   std::vector<int> untold_;  // elements without a bias, ascending
   bool foundUntold_ = false;
   std::vector<ContactKey> asked_;
+  double instant_ = -1e300, instantAfter_ = 1e300;  // the next one after that time [s]
   std::string_view why_;
   std::string whyOwn_;  // what why_ points to, if it names an element
   Eigen::VectorXd uBeforeImpact_, gammaDot_, toldDot_, rates_;

@@ -67,7 +67,8 @@ bool LocatedDormandPrince::goesOn(const State& x) const {
          x.q == to_.x.q && x.u == to_.x.u && x.memory == to_.x.memory;
 }
 
-bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
+bool LocatedDormandPrince::restore(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                                   StepReport& report) {
   H_ = x.scheme[0], lookAhead_ = x.scheme[2], lastEvent_ = x.scheme[3];
   nulls_ = static_cast<int>(x.scheme[4]);
   resumeNorm(s, x);
@@ -96,9 +97,34 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, const State& x) {
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
   from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
+  // Between two steps populations take bodies away and bring others.
+  const bool renewed = x.q.size() != to_.x.q.size() || x.q != to_.x.q;
+  if (renewed && relist(x)) {
+    from_.a.setZero(x.u.size());
+    return event(s, solver, from_, report, {});
+  }
   s.freeze(phaseKeys_);
   smooth_.keep(s, phase_, x, x.scheme.segment(place, placed));
   return evaluateEnd(s, from_);
+}
+
+bool LocatedDormandPrince::refuse(std::string_view why) {
+  why_ = why;
+  if (why == ContactProbe::kUnfollowed) why_ = whyOwn_ = probe_.unfollowed();
+  return false;
+}
+
+bool LocatedDormandPrince::refuse(const FrozenPhase& phase) {
+  if (phase.fault() != FrozenPhase::kLost) return refuse(phase.fault());
+  why_ = whyOwn_ = probe_.lost(phase.lost());
+  return false;
+}
+
+bool LocatedDormandPrince::stall() {
+  stalled_ = true;
+  return refuse(plain_ ? "events follow each other without end (an accumulation of impacts, or "
+                         "slip in space that ends): this scheme has no way past"
+                       : "the steps have become too short: no status of the contacts lasts");
 }
 
 void LocatedDormandPrince::keepImpulses() {
@@ -183,7 +209,7 @@ void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a
     system_->thaw();
   }
   const double t = a.t + theta * (b.t - a.t);
-  out.memory = b.memory;
+  out.memory = theta < 1.0 ? a.memory : b.memory;
   smooth_.dense(std::clamp((t - stepFrom_.x.t) / smooth_.length(), 0.0, 1.5), out);
   out.t = t;
 }

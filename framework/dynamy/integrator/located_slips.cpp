@@ -2,11 +2,13 @@
 // rows turn.
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/contact_name.hpp>
 #include <dynamy/integrator/located_dormand_prince.hpp>
 
 namespace dynamy {
 namespace {
 
+constexpr double kMostTurn = 2.0;      ///< of a step with open contacts [rad]
 constexpr double kMostTurned = 30.0;   ///< k of theory 20.6, in units of the tolerance
 constexpr double kShareOfStop = 0.75;  ///< steps end before slip does
 constexpr double kDifference = 1e-4;   ///< of T: for γ̇ by differences
@@ -14,6 +16,16 @@ constexpr double kBias = 1e-3;         ///< of the sum of absolute values in γ�
 constexpr double kBiasNoise = 1e-12;   ///< of L/T² and 1/T²: rates that are none
 
 }  // namespace
+
+double LocatedDormandPrince::shortened(double h) const {
+  // What turns must not turn past a contact between two samples of the search.
+  if (const double turn = norm_.fastestTurn(from_.x.u); search_.gaps() && turn * h > kMostTurn)
+    h = kMostTurn / turn;
+  // What is muted may pass its bound: not for longer than it is meant to.
+  for (const Held& held : phase_.held)
+    if (!held.slips && held.mutedUntil > from_.x.t) h = std::min(h, held.mutedUntil - from_.x.t);
+  return h;
+}
 
 bool LocatedDormandPrince::findStopping(double most, double& bound, double& last) {
   stopping_.clear();
@@ -177,43 +189,64 @@ bool LocatedDormandPrince::endStarts() {
 bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
   foundUntold_ = findUntold(s, p.x, true);
   if (foundUntold_) return false;
-  // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8.
+  // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8. Where γ
+  // has a kink close by (a formula with clamp, an edge that a ball rolls over), on one side of it.
   const double d = kDifference * norm_.time();
-  const auto gammaAt = [&](double tau, Eigen::VectorXd& gamma) {
+  const auto gammaAt = [&](double tau) {
     trial_.x = p.x;
     rates_ = p.x.u + 0.5 * tau * p.a;
     s.move(trial_.x, rates_, tau);
     trial_.x.u += tau * p.a;
     s.evaluate(trial_.x, 1);
-    gamma.resize(s.slot(1).contacts.rows());
+    Eigen::VectorXd gamma(s.slot(1).contacts.rows());
     s.slot(1).contacts.gamma(view(std::as_const(trial_.x.u)), view(gamma));
+    return gamma;
   };
-  const double T = norm_.time(), noise = kBiasNoise * std::max(1.0, norm_.length()) / (T * T);
   s.freeze(phaseKeys_);
-  gammaAt(-d, toldDot_), gammaAt(d, gammaDot_);
-  gammaDot_ = (gammaDot_ - toldDot_) / (2.0 * d);
+  const Eigen::VectorXd before = gammaAt(-d), after = gammaAt(d);
+  gammaDot_ = (after - before) / (2.0 * d);
+  if (firstWrongBias(s, p, gammaDot_) < 0) return true;
+  const Eigen::VectorXd now = gammaAt(0.0);
+  int wrong = 0;
+  for (const double side : {1.0, -1.0}) {
+    gammaDot_ = (4.0 * (side > 0.0 ? after : before) - 3.0 * now - gammaAt(2.0 * side * d)) /
+                (2.0 * side * d);
+    wrong = firstWrongBias(s, p, gammaDot_);
+    if (wrong < 0) return true;
+  }
+  return refuseBias(s, wrong, toldDot_[wrong], gammaDot_[wrong]);
+}
+
+int LocatedDormandPrince::firstWrongBias(const MechanicalSystem& s, const PhasePoint& p,
+                                         const Eigen::VectorXd& found) {
+  const double T = norm_.time(), noise = kBiasNoise * std::max(1.0, norm_.length()) / (T * T);
   const ContactSet& c = s.slot(0).contacts;
+  toldDot_.resize(c.rows());
   c.gamma(view(p.a), view(toldDot_));
   rates_ = p.a.cwiseAbs();
   sums_.assign(static_cast<std::size_t>(c.rows()), 0.0);
   c.addAbsolute(view(std::as_const(rates_)), sums_.data());
-  for (int i = 0; i < c.size(); ++i)
-    for (int r = c.row0[static_cast<std::size_t>(i)];
-         r < c.row0[static_cast<std::size_t>(i)] + c.dim(i); ++r) {
-      const auto row = static_cast<std::size_t>(r);
-      const double told = toldDot_[r] - c.chi[row] + c.bias[row], found = gammaDot_[r];
-      if (std::abs(found - told) > kBias * (sums_[row] + std::abs(found)) + noise)
-        return refuseBias(s, c.element[static_cast<std::size_t>(i)],
-                          r - c.row0[static_cast<std::size_t>(i)], told, found);
-    }
-  return true;
+  for (int r = 0; r < c.rows(); ++r) {
+    const auto row = static_cast<std::size_t>(r);
+    toldDot_[r] += c.bias[row] - c.chi[row];
+    if (std::abs(found[r] - toldDot_[r]) > kBias * (sums_[row] + std::abs(found[r])) + noise)
+      return r;
+  }
+  return -1;
 }
 
-bool LocatedDormandPrince::refuseBias(const MechanicalSystem& s, int element, int row, double told,
+bool LocatedDormandPrince::refuseBias(const MechanicalSystem& s, int row, double told,
                                       double found) {
-  const NonSmoothElement& e = *s.parts().contacts[static_cast<std::size_t>(element)];
+  const ContactSet& c = s.slot(0).contacts;
+  std::size_t i = 0;
+  while (c.row0[i + 1] <= row) ++i;
+  const NonSmoothElement& e = *s.parts().contacts[static_cast<std::size_t>(c.element[i])];
   const std::string name = e.name().empty() ? "" : " name=\"" + e.name() + "\"";
-  whyOwn_ = "<" + e.type() + name + "> tells a wrong bias of its row " + std::to_string(row) +
+  const std::string who = e.type().empty()
+                              ? "contact " + contactName(e, static_cast<std::size_t>(c.element[i]),
+                                                         contactNumber(c.key[i]))
+                              : "<" + e.type() + name + ">";
+  whyOwn_ = who + " tells a wrong bias of its row " + std::to_string(row - c.row0[i]) +
             ": with it γ changes by " + numberText(told) + " a second, along the motion by " +
             numberText(found) + "; let contacts() tell γ̇ − Wᵀu̇, or run with a step";
   return refuse(whyOwn_);

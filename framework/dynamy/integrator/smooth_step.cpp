@@ -106,6 +106,8 @@ void SmoothStep::combine(const PhasePoint& from, int row, State& out) const {
 }
 
 bool SmoothStep::stage(MechanicalSystem& s, FrozenPhase& phase, int i) {
+  // Elements report nothing at places that are no numbers: the step was too long, no contact went.
+  if (!stage_.q.allFinite() || !stage_.u.allFinite()) return false;
   s.evaluate(stage_, 1);
   Eigen::VectorXd& a = denseU_[7];  // scratch until the dense output
   if (!phase.accelerate(s.slot(1), stage_.u, a)) return false;

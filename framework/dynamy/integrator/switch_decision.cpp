@@ -112,7 +112,10 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   look_.u = x.u;
   InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);
   if (p.rows() != gammaBefore_.size()) {
-    r.fault = ContactProbe::kUnfollowed;
+    const std::vector<ContactKey>& found = s.slot(1).contacts.key;
+    r.fault = FrozenPhase::kLost;
+    for (const ContactKey key : closing_)
+      if (std::find(found.begin(), found.end(), key) == found.end()) r.lost = key;
     return;
   }
   holdNotches(s.contactsOf(1));

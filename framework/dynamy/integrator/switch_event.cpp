@@ -83,7 +83,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
     s.evaluate(x, 0);
     projectVelocities(s, next_, x);
     if (!next_.share(s.slot(0), x.u, p.a)) {
-      r.fault = next_.fault();
+      r.fault = next_.fault(), r.lost = next_.lost();
       return r;
     }
     if (plain_ || turn == kMostTurns) break;
@@ -91,7 +91,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
     if (!closed && !rests) break;
   }
   if (!accelerateAlone(s, p)) {
-    r.fault = next_.fault();
+    r.fault = next_.fault(), r.lost = next_.lost();
     return r;
   }
   p.lambda = next_.lambda(), p.power = next_.power();

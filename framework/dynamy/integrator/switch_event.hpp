@@ -65,6 +65,7 @@ class SwitchEvent {
     double accumulationEnd = 0.0;  ///< [s]
     SolveReport solved;
     std::string_view fault;
+    ContactKey lost;  ///< of the fault FrozenPhase::kLost
   };
   void prepare(const MechanicalSystem& s, const ErrorNorm& norm);
   /// Plain: decisions by the inclusion on the level of accelerations at the instant itself,

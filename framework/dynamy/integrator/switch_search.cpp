@@ -49,6 +49,9 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
     if (phase.margin(i, margin) && (!muted || form == FrozenPhase::Form::normal || h.slips))
       force_.push_back({Watched::force, static_cast<int>(i), 0, 1.0, false, h.key});
   }
+  for (std::size_t i = 0; i < probe.switching().size(); ++i)
+    kinematic_.push_back(
+        {Watched::latch, static_cast<int>(i), 0, 1.0, false, probe.announcements().switcher(i)});
   values_.resize(static_cast<Eigen::Index>(kinematic_.size()), kSamples + 1);
   rates_.setZero(values_.rows(), values_.cols());
   column(probe, 0);
@@ -62,6 +65,8 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
 }
 
 double SwitchSearch::measure(const ContactProbe& probe, const Monitor& m) const {
+  if (m.kind == Monitor::Kind::latch)
+    return -probe.switching()[static_cast<std::size_t>(m.contact)];
   return m.sign * (isGap(m) ? probe.gap(m.contact) : probe.gamma(m.contact, m.row));
 }
 
@@ -125,6 +130,11 @@ bool SwitchSearch::refine(Bracket& at, double width, double zero, Value&& value,
                           double& slope) {
   // [alefeld_potra_shi1995]: both ends close in, with order 1.65 a look in the end.
   auto& [a, fa, b, fb] = at;
+  if (!(fa > 0.0 && fb < 0.0)) {  // an end that is zero but for rounding
+    slope = (fb - fa) / (b - a);
+    root = fa > 0.0 ? b : a;
+    return true;
+  }
   bool known = true;
   double last = a, fLast = fa;
   slope = (fb - fa) / (b - a);

@@ -6,6 +6,7 @@
 ///   open      gap g                       slip in one direction   s γ_T
 ///   closed    λ_N                         stick                   distance of λ_T from the bound
 ///   beside the notch of a preloaded spring  s x;  in it           distance of λ from the bounds
+///   what an element switches at             less the number that it tells (a latch)
 ///
 /// Gaps and slips are sampled at eight points without any force; forces at the middle and the end.
 /// Every bracket is refined to a root, and roots are compared, never brackets.
@@ -45,6 +46,11 @@ class SwitchSearch {
   bool closedBefore(ContactProbe& probe, const State& x, Switch& w);
   /// The contact of a switch that was found.
   ContactKey contact(const FrozenPhase& phase, const Switch& w) const;
+  /// True: an element switches there (Announcements).
+  bool latches(const Switch& w) const {
+    return w && !w.force &&
+           kinematic_[static_cast<std::size_t>(w.monitor)].kind == Monitor::Kind::latch;
+  }
   /// True: there are open contacts.
   bool gaps() const { return !kinematic_.empty() && isGap(kinematic_.front()); }
   bool any() const { return !kinematic_.empty() || !force_.empty(); }
@@ -53,8 +59,8 @@ class SwitchSearch {
 
  private:
   struct Monitor {
-    enum class Kind : std::uint8_t { gap, slip, force } kind = Kind::gap;
-    int contact = 0;  // of the probe; of a force: index in the phase
+    enum class Kind : std::uint8_t { gap, slip, latch, force } kind = Kind::gap;
+    int contact = 0;  // of the probe; of a force: index in the phase; of a latch: its number
     int row = 0;      // of γ within the contact
     double sign = 1.0;
     bool zeroStart = false;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <dynamy/contact/contact_name.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 
 namespace dynamy {
@@ -89,15 +90,8 @@ ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int cont
 
 std::string contactName(const Model& model, ContactKey key) {
   const auto element = static_cast<std::size_t>(key.value >> 40);
-  const std::uint64_t id = contactNumber(key);
   if (element >= model.contacts().size()) return "contact";
-  const NonSmoothElement& e = *model.contacts()[element];
-  std::string name = e.name();
-  if (const std::string own = e.contactName(id); !own.empty())
-    return name.empty() ? own : name + "." + own;
-  if (name.empty())
-    name = (e.type().empty() ? "contact" : e.type()) + "#" + std::to_string(element);
-  return id == 0 ? name : name + "/" + std::to_string(id);
+  return dynamy::contactName(*model.contacts()[element], element, contactNumber(key));
 }
 
 std::string contactText(const Model& model, ContactKey key) {

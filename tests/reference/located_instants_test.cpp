@@ -1,0 +1,94 @@
+// Instants that are told, and elements that switch, in runs to a tolerance (theory 50.3): forces
+// are constant between them, so that what is left over is rounding, at any tolerance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <reference/located_run.hpp>
+
+namespace dynamy::reference {
+namespace {
+
+// Of a loose run: were a single instant missed by 1e-6 s, errors would be as large.
+constexpr double kTolerance = 1e-3;
+constexpr double kRounding = 1e-11;
+
+/// A mass of 2 kg on a line, with elements `more` and force `f(t)`.
+std::string line(const std::string& force, const std::string& more = "",
+                 const std::string& start = "q0=\"0\" u0=\"0\"") {
+  return "<dynamy version=\"1\"><systems><Coordinates name=\"body\" q=\"x\" M=\"2\" " + start +
+         " h=\"" + force + "\"/></systems><elements>" + more +
+         "</elements><simulation until=\"1\" step=\"1\"/></dynamy>";
+}
+
+TEST(LocatedInstants, OfAForceThatIsSwitchedOnAndOff) {
+  // 6 N for 1 ms, in a step that would pass over it: 3 m/s² · 1 ms, and what is left of the time.
+  LocatedRun run(line("6*step(t - 0.3) - 6*step(t - 0.301)"), kTolerance, 2.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_NEAR(run.state().u[0], 3e-3, kRounding);
+  EXPECT_NEAR(run.state().q[0], 0.5 * 3.0 * 1e-6 + 3e-3 * 1.699, kRounding);
+  EXPECT_EQ(run.report().located, 2);
+}
+
+TEST(LocatedInstants, OfAKink) {
+  // A ramp of force from 0.5 s to 1 s: a = 3 (t − ½), then 1.5 m/s².
+  LocatedRun run(line("6*clamp(t - 0.5, 0, 0.5)"), kTolerance, 2.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_NEAR(run.state().u[0], 0.375 + 1.5, kRounding);
+  EXPECT_NEAR(run.state().q[0], 0.0625 + 0.375 + 0.75, kRounding);
+}
+
+TEST(LocatedInstants, OfABrakeThatIsAppliedWhileItSlips) {
+  // 3 m/s; from 0.25 s on 8 N: 4 m/s² until it stands after 0.75 s more.
+  LocatedRun run(line("0",
+                      R"xml(<CoordinateContact name="brake" on="body" slipVelocity="x_dot"
+                      scale="step(t - 0.25)"><GivenFriction force="8"/></CoordinateContact>)xml",
+                      "q0=\"0\" u0=\"3\""),
+                 kTolerance, 2.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_NEAR(run.state().q[0], 0.75 + 9.0 / 8.0, kRounding);
+  EXPECT_EQ(run.state().u[0], 0.0);
+}
+
+TEST(LocatedInstants, OfALatchThatGripsAndLetsGo) {
+  // 5 m/s² until 2 m/s at 0.4 s; then 30 N against 10 N, −10 m/s², until half a metre per second is
+  // left after 0.15 s more, where it is let go: 5 m/s² again for 0.3 s, and so on.
+  LocatedRun run(line("10", R"xml(<CoordinateContact name="jaw" on="body" slipVelocity="x_dot"
+                      engage="x_dot - 2" release="0.5 - x_dot"><GivenFriction force="30"/>
+                      </CoordinateContact>)xml"),
+                 kTolerance, 0.95);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  // 0.4 + 0.15 + 0.3 s: engaged for the second time at 0.85 s, 0.1 s before the end.
+  EXPECT_NEAR(run.state().u[0], 1.0, kRounding);
+  EXPECT_NEAR(run.state().q[0], 0.4 + 1.25 * 0.15 + 1.25 * 0.3 + 1.5 * 0.1, kRounding);
+}
+
+TEST(LocatedInstants, OfARopeThatBreaksAndAGovernorThatTrips) {
+  // elevator_rope_break: 2.5/1.15 m/s down until 0.5 s, free fall to 2.5 m/s, 0.6 g upwards.
+  LocatedRun run("elevator_rope_break", 1e-6, 3.0);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  const double g = 9.81, v0 = 2.5 / 1.15,
+               way = 0.5 * v0 + (6.25 - v0 * v0) / (2.0 * g) + 6.25 / (1.2 * g);
+  // sheave x z φ, cabin x z φ.
+  EXPECT_NEAR(run.state().q[4], 8.0 - way, 1e-9);
+  EXPECT_EQ(r.stepping.periods, 0);
+}
+
+TEST(LocatedInstants, OfAFeeder) {
+  // Three balls a second fall past each other for 1 s: the k-th since k/3 s.
+  LocatedRun run(R"xml(<dynamy version="1"><systems>
+    <Grains name="balls" count="5" present="0" within="0 0 0 1 1 1" feed="3" seed="1"
+      feedWithin="0 0 1 10 10 1"><Sphere radius="1mm" mass="1" material="a"/></Grains>
+    <Ground name="floor"><HalfSpace position="0 0 -20" material="a"/></Ground></systems>
+    <forces><Gravity/></forces><elements><Contact between="a a"><Unilateral/></Contact></elements>
+    <simulation until="1" step="1"/></dynamy>)xml",
+                 kTolerance, 1.1);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  for (int k = 1; k <= 3; ++k) {
+    const double t = 1.1 - k / 3.0;
+    EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, kRounding) << k;
+  }
+}
+
+}  // namespace
+}  // namespace dynamy::reference

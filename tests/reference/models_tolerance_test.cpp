@@ -1,0 +1,59 @@
+// Which models run to a tolerance: the table of doc/models.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <reference/located_run.hpp>
+#include <set>
+
+namespace dynamy::reference {
+namespace {
+
+/// Names behind each word of the first column: dear, refused, located.
+std::map<std::string, std::set<std::string>> documented() {
+  std::map<std::string, std::set<std::string>> out;
+  std::ifstream page(DYNAMY_SOURCE_DIR "/doc/models.md");
+  bool here = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("## ")) here = line == "## With a tolerance";
+    if (!here || !line.starts_with("| ")) continue;
+    const std::string word = line.substr(2, line.find(' ', 2) - 2);
+    for (std::size_t i = line.find('`'); i != std::string::npos;) {
+      const std::size_t end = line.find('`', i + 1);
+      out[word].insert(line.substr(i + 1, end - i - 1));
+      i = line.find('`', end + 1);
+    }
+  }
+  return out;
+}
+
+std::set<std::string> allModels() {
+  std::set<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(DYNAMY_SOURCE_DIR "/models"))
+    if (entry.path().extension() == ".xml") out.insert(entry.path().stem().string());
+  return out;
+}
+
+/// Until then, or until they fail: what is refused at once or soon is found [s].
+constexpr double kUntil = 0.02;
+
+TEST(ModelsToATolerance, AreRefusedOrNotAsTheirPageSays) {
+  const auto table = documented();
+  ASSERT_TRUE(table.contains("refused"));
+  const std::set<std::string>& refused = table.at("refused");
+  for (const std::string& name : allModels()) {
+    if (table.at("dear").contains(name)) continue;
+    const bool late = refused.contains(name);
+    LocatedRun run(name, 1e-5, late ? 2.0 : kUntil);
+    const RunReport& r = run.run();
+    EXPECT_EQ(r.refused, late) << name << ": " << r.reason;
+  }
+  for (const char* word : {"dear", "refused"})
+    for (const std::string& name : table.at(word))
+      EXPECT_TRUE(allModels().contains(name)) << "doc/models.md: " << word << " " << name;
+}
+
+}  // namespace
+}  // namespace dynamy::reference
