@@ -57,7 +57,7 @@ const std::string kFunnel = R"xml(<dynamy version="1"><systems>
   <simulation until="1" step="1"/></dynamy>)xml";
 
 TEST(SwitchGovernor, StepsManyBouncingBallsInTimeWithinTheTolerance) {
-  constexpr int kBalls = 40;
+  constexpr int kBalls = 80;
   constexpr double kTolerance = 5e-3, kUntil = 2.5;
   LocatedRun run(balls(kBalls, 0.9), kTolerance, kUntil);
   const RunReport& r = run.run();
