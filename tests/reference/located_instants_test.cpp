@@ -2,6 +2,8 @@
 // are constant between them, so that what is left over is rounding, at any tolerance.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <reference/located_run.hpp>
 
@@ -88,6 +90,24 @@ TEST(LocatedInstants, OfAFeeder) {
     const double t = 1.1 - k / 3.0;
     EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, kRounding) << k;
   }
+}
+
+TEST(LocatedRest, WarnsWhereForcesChangeUnseen) {
+  // Now and then beyond 5 N for less than 0.1 s, while steps at rest grow to 26 s. A load that
+  // grows in proportion to the time is seen, and no warning.
+  const auto warnings = [](const std::string& force) {
+    LocatedRun run(R"xml(<dynamy version="1"><systems><Coordinates name="body" q="x" units="m"
+      q0="0" M="1" h=")xml" +
+                       force + R"xml("/></systems><elements><CoordinateContact on="body"
+      slipVelocity="x_dot"><GivenFriction force="5"/></CoordinateContact></elements>
+      <simulation until="1" step="1"/></dynamy>)xml",
+                   1e-6, 40.0);
+    EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    return std::count_if(run.report().warnings.begin(), run.report().warnings.end(),
+                         [](const Warning& w) { return w.kind == "rest"; });
+  };
+  EXPECT_EQ(warnings("4.9*sin(t)^2 + 0.3*sin(7*t)"), 1);
+  EXPECT_EQ(warnings("0.1*t"), 0);
 }
 
 }  // namespace

@@ -168,6 +168,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
   if (found) smooth_.lighten();
+  if (!found) noteRest(h, report);
   // A step that was bounded from outside says little about the next.
   const double next = h * std::min(factor, smooth_.mostGrowth());
   H_ = h < H_ ? std::max(H_, next) : next;

@@ -72,6 +72,8 @@ class LocatedDormandPrince : public OneStep {
   double untilInstant();
   /// From right before that instant to right behind it, with a decision.
   bool passInstant(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report);
+  /// Tells of a step at rest that says nothing about what happens in it.
+  void noteRest(double h, StepReport& report) const;
   /// From a latch's root to right behind it, where its element switches.
   bool throwLatch(MechanicalSystem& s, PhasePoint& p);
   /// Takes the contacts that are reported at x for those to follow. True: what is held is gone, or

@@ -67,4 +67,13 @@ bool LocatedDormandPrince::relist(const State& x) {
   return gone > 0 || comes;
 }
 
+void LocatedDormandPrince::noteRest(double h, StepReport& report) const {
+  // Where nothing moves no error bounds the step, however fast forces change by the time.
+  constexpr double kStill = 1e-3;
+  const double still = kStill * norm_.tolerance() * norm_.speed();
+  if (from_.x.u.lpNorm<Eigen::Infinity>() > still || to_.x.u.lpNorm<Eigen::Infinity>() > still)
+    return;
+  if (search_.any() && search_.rough()) report.counts.unseen = std::max(report.counts.unseen, h);
+}
+
 }  // namespace dynamy

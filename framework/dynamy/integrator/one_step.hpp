@@ -26,8 +26,10 @@ struct StepCounts {
   int accumulations = 0;         ///< infinite sequences of impacts that were passed
   int undecided = 0;             ///< switches at which no status was consistent, or several were
   double accumulationEnd = 0.0;  ///< when the last of these sequences comes to rest [s]
-  bool stepped = false;          ///< a step in time: switches in it were not located
-  double stepError = 0.0;        ///< of such a step, in units of the tolerance
+  /// Length of a step in which nothing moved and forces changed faster than it looks at them [s].
+  double unseen = 0.0;
+  bool stepped = false;                ///< a step in time: switches in it were not located
+  double stepError = 0.0;              ///< of such a step, in units of the tolerance
   TurnedBy turnedBy = TurnedBy::none;  ///< the step is the first of such steps
   ContactKey turnedAt;                 ///< the contact that switched too often
 };

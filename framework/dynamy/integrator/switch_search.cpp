@@ -20,7 +20,9 @@ constexpr double kSmall = 1e-2;
 constexpr double kStart = 1e3;  ///< of the noise: a value that starts below starts at zero
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
 constexpr double kNear = 0.02;
-constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
+constexpr double kRough = 0.1;         ///< of the largest force: a second difference that is large,
+constexpr double kRoughSamples = 0.3;  ///< of the range of a slip
+constexpr double kMinimum = 1e-5;      ///< how closely the minimum is found, as a part of the step
 
 }  // namespace
 
@@ -123,6 +125,18 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
   if (!forceAt(s, phase, path, 0, 0.5, unused)) return false;
   forces(phase, middleForces_);
   return true;
+}
+
+bool SwitchSearch::rough() const {
+  for (Eigen::Index m = 0; m < startForces_.size() && !force_.empty(); ++m)
+    if (std::abs(startForces_[m] - 2.0 * middleForces_[m] + endForces_[m]) > kRough) return true;
+  for (std::size_t m = 0; m < kinematic_.size(); ++m) {
+    const auto row = values_.row(static_cast<Eigen::Index>(m));
+    const double range = row.maxCoeff() - row.minCoeff();
+    for (Eigen::Index j = 0; j + 2 < row.size() && range > kStart * noise(kinematic_[m]); ++j)
+      if (std::abs(row[j] - 2.0 * row[j + 1] + row[j + 2]) > kRoughSamples * range) return true;
+  }
+  return false;
 }
 
 template <class Value>

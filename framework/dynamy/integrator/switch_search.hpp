@@ -53,6 +53,8 @@ class SwitchSearch {
   }
   /// True: there are open contacts.
   bool gaps() const { return !kinematic_.empty() && isGap(kinematic_.front()); }
+  /// True: forces or slips of the last path change faster than its samples follow.
+  bool rough() const;
   bool any() const { return !kinematic_.empty() || !force_.empty(); }
   /// Forces at the end of the path, to be told before find().
   void atEnd(const FrozenPhase& phase) { forces(phase, endForces_); }

@@ -15,7 +15,7 @@ void RunReport::archive(Archive& a) {
   a(t), a(steps), a(rejected), a(parted), a(evaluations), a(solves), a(iterations),
       a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
-  a(located), a(accumulations), a(accumulationEnd), a(undecided);
+  a(located), a(accumulations), a(accumulationEnd), a(undecided), a(unseen);
   a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);
   a(stepping);
   a(repairedImpacts), a(energyGain);
@@ -35,6 +35,7 @@ void StepStatistics::step(const StepView& v) {
   if (counts.stepped) stepped(v);
   if (counts.accumulations > 0) r.accumulationEnd = counts.accumulationEnd;
   r.accumulations += counts.accumulations, r.undecided += counts.undecided;
+  if (counts.unseen > r.unseen.value) r.unseen.value = counts.unseen, r.unseen.t = v.before.t;
   r.contactsMax = std::max(r.contactsMax, v.report.contacts);
   r.repairedImpacts += v.report.solved.repaired;
   if (v.report.solved.energyGain > r.energyGain.value)

@@ -89,6 +89,7 @@ struct RunReport {
   StepEffort effort;             ///< what the evaluations of a scheme with own steps were for
   SteppingReport stepping;
   long undecided = 0;  ///< switches at which no status was consistent, or several were
+  Worst unseen;        ///< the longest step at rest while forces changed faster than it looks [s]
   int contactsMax = 0;
   long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
   Worst energyGain;          ///< the largest such gain, before the repair [J]

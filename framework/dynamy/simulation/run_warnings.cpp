@@ -91,6 +91,16 @@ void aboutStepping(const RunReport& r, Warnings& out) {
                    s.error)});
 }
 
+void aboutRest(const RunReport& r, Warnings& out) {
+  if (r.unseen.value <= 0.0) return;
+  out.push_back(
+      {"rest", fmt::format("nothing moved for {:.3g} s from t = {:.6g} s while forces changed "
+                           "faster than a run to a tolerance looks at them: what switches in "
+                           "between may be missed; --step {:.1g} beside the tolerance bounds "
+                           "its steps",
+                           r.unseen.value, r.unseen.t, 0.02 * r.unseen.value)});
+}
+
 void aboutStep(const RunReport& r, double length, Warnings& out) {
   const RunTrust& t = r.trust;
   if (t.omegaDt > kOmegaDt)
@@ -137,6 +147,7 @@ std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
   aboutImpacts(report, out);
   aboutPositions(report, sceneLength, out);
   aboutStep(report, sceneLength, out);
+  aboutRest(report, out);
   aboutStepping(report, out);
   return out;
 }
