@@ -26,6 +26,7 @@ double LocatedDormandPrince::nextStep(const State& x) const {
 }
 
 bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
+  search_.forget();
   s.freeze(phaseKeys_);
   s.evaluate(p.x, 0);
   if (!phase_.accelerate(s.slot(0), p.x.u, p.a)) return refuse(phase_);
@@ -86,7 +87,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
   if (plain_ && nulls_ == kMostNulls) return stall();
-  smooth_.forgetJacobian(), smoothOwn_.forgetJacobian();
+  smooth_.forgetJacobian(), smoothOwn_.forgetJacobian(), search_.forget();
   const bool anew = findUntold(s, p.x, false);
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
@@ -160,7 +161,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   found = {};
   if (search_.any()) {
     path_.through(s, from_, to_);
-    search_.atEnd(phase_);
+    search_.atEnd(phase_, to_.x.t);
     const double width = 0.1 * std::cbrt(0.01 * norm_.tolerance());
     if (!search_.find(s, probe_, phase_, path_, looked, width, found))
       return phase_.fault().empty() ? refuse(ContactProbe::kUnfollowed) : refuse(phase_),

@@ -60,7 +60,10 @@ bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const St
   for (std::size_t m = 0; m < kinematic_.size(); ++m)
     kinematic_[m].zeroStart =
         values_(static_cast<Eigen::Index>(m), 0) <= kStart * noise(kinematic_[m]);
-  forces(phase, startForces_);
+  if (x.t == end_ && endForces_.size() == static_cast<Eigen::Index>(force_.size()))
+    startForces_ = endForces_;
+  else
+    forces(phase, startForces_);
   for (std::size_t m = 0; m < force_.size(); ++m)
     force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise;
   return true;

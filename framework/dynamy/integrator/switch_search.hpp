@@ -13,6 +13,7 @@
 #pragma once
 #include <dynamy/integrator/contact_probe.hpp>
 #include <dynamy/integrator/smooth_step.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -56,8 +57,11 @@ class SwitchSearch {
   /// True: forces or slips of the last path change faster than its samples follow.
   bool rough() const;
   bool any() const { return !kinematic_.empty() || !force_.empty(); }
-  /// Forces at the end of the path, to be told before find().
-  void atEnd(const FrozenPhase& phase) { forces(phase, endForces_); }
+  /// Forces at the end of the path, t, to be told before find(). A step that begins there, with the
+  /// same statuses, begins with them: find() leaves those of other places in the phase.
+  void atEnd(const FrozenPhase& phase, double t) { forces(phase, endForces_), end_ = t; }
+  /// Statuses are others from now on.
+  void forget() { end_ = std::numeric_limits<double>::quiet_NaN(); }
 
  private:
   struct Monitor {
@@ -96,6 +100,7 @@ class SwitchSearch {
                    double width, Switch& first);
   bool near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   std::vector<Monitor> kinematic_, force_;
+  double end_ = std::numeric_limits<double>::quiet_NaN();
   double gapNoise_ = 0.0, speedNoise_ = 0.0;
   Eigen::MatrixXd values_, rates_;  // kinematic × (kSamples + 1)
   Eigen::VectorXd startForces_, middleForces_, endForces_, work_;
