@@ -302,20 +302,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   startHeld_ = phase_.held;
   chooseMethod();
   Switch found;
-  Tried tried = attempt(s, h, false, report, found);
-  if (tried == Tried::again) {
-    book(s, &StepEffort::switches, report);
-    h *= found.theta, tried = attempt(s, h, true, report, found);
-  }
-  if (tried == Tried::rejected || tried == Tried::turned)
-    phase_.held = startHeld_;  // directions as they were
-  if (tried == Tried::turned && !endClearStarts(s, h)) return false;
-  if (tried == Tried::turned) tried = Tried::rejected;
-  book(s,
-       tried == Tried::rejected ? &StepEffort::rejected
-       : found                  ? &StepEffort::switches
-                                : &StepEffort::smooth,
-       report);
+  const Tried tried = tryStep(s, h, report, found);
   if (tried == Tried::failed || tried == Tried::rejected) return tried == Tried::rejected;
   if (found) ++report.counts.switches, lastSwitched_ = search_.contact(phase_, found);
   if (found.kind == Switch::Kind::atStart) {

@@ -88,6 +88,8 @@ class LocatedDormandPrince : public OneStep {
   /// A trial of length h, as far as contacts let it go.
   double shortened(double h) const;
   Tried attempt(MechanicalSystem& s, double h, bool looked, StepReport& report, Switch& found);
+  /// attempt() of a step of h, again up to where a gap comes near; h: the step that was tried.
+  Tried tryStep(MechanicalSystem& s, double& h, StepReport& report, Switch& found);
   /// The status behind switch w at p.
   bool decide(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, const Switch& w,
               StepReport& report);

@@ -169,6 +169,24 @@ bool LocatedDormandPrince::endClearStarts(MechanicalSystem& s, double h) {
   return evaluateEnd(s, from_);
 }
 
+LocatedDormandPrince::Tried LocatedDormandPrince::tryStep(MechanicalSystem& s, double& h,
+                                                          StepReport& report, Switch& found) {
+  Tried tried = attempt(s, h, false, report, found);
+  if (tried == Tried::again) {
+    book(s, &StepEffort::switches, report);
+    h *= found.theta, tried = attempt(s, h, true, report, found);
+  }
+  if (tried == Tried::rejected || tried == Tried::turned)
+    phase_.held = startHeld_;  // directions as they were
+  if (tried == Tried::turned) tried = endClearStarts(s, h) ? Tried::rejected : Tried::failed;
+  book(s,
+       tried == Tried::rejected ? &StepEffort::rejected
+       : found                  ? &StepEffort::switches
+                                : &StepEffort::smooth,
+       report);
+  return tried;
+}
+
 bool LocatedDormandPrince::endStarts() {
   bool any = false;
   const double most = kMostTurned * norm_.tolerance() * norm_.speed();
