@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <support/load_model.hpp>
 
 namespace dynamy::reference {
@@ -16,6 +17,17 @@ std::vector<std::string> modelFiles() {
   return out;
 }
 
+/// Velocities that doc/models.md tells of a model: "| … | 6, 3 | steps, time |".
+int documentedVelocities(const std::string& name) {
+  std::ifstream page(DYNAMY_SOURCE_DIR "/doc/models.md");
+  for (std::string line; std::getline(page, line);) {
+    if (!line.starts_with("| `" + name + "` |")) continue;
+    const std::size_t cost = line.rfind(" | "), size = line.rfind("| ", cost - 1);
+    return std::stoi(line.substr(size + 2));
+  }
+  return -1;
+}
+
 class Models : public testing::TestWithParam<std::string> {};
 
 TEST_P(Models, PassTheirChecks) {
@@ -25,6 +37,7 @@ TEST_P(Models, PassTheirChecks) {
   EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
   EXPECT_EQ(report.unconverged, 0);
   expectChecksHold(simulation);
+  EXPECT_EQ(loaded.model().topology().nu(), documentedVelocities(GetParam()));
   RecordProperty("cpu_ms", static_cast<int>(1000.0 * report.cpu));
 }
 
