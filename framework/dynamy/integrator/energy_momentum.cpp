@@ -52,7 +52,7 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   newton_.begin(s, xA_, dt);  // M, h, contacts at q^A
   startMean(xA_, dt);         // v
   // An impact must not act on turning links for a whole step: it is a jump at q^A.
-  const auto jump = projection_.impact(s, solver, xA_, dt, 4.0 * s.largestChange(dt), jump_);
+  const auto jump = projection_.impact(s, solver, xA_, dt, jump_);
   if (jump) newton_.v = xA_.u;
   contacts_.forgetMeanSlip();
   SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c

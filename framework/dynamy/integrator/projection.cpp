@@ -14,6 +14,8 @@ constexpr int kMostTouched = 200;
 constexpr double kRedundant = 1e-10;
 /// A displacement δ is a velocity δ/τ for the time τ; so short that q̇ = Fu + β moves by Fδ alone.
 constexpr double kTau = 1e-9;
+/// What closes faster than the forces of so many steps explain has an impact.
+constexpr double kImpact = 4.0;
 
 /// Normal impulse of contact `key` in the last step, 0 if it had none.
 double carried(const KeyIndex& index, const RememberedImpulses& impulses, ContactKey key) {
@@ -30,6 +32,21 @@ bool rests(const ContactSet& c, int i) {
   double epsilon[8] = {};
   law.epsilon(c.dim(i), epsilon);
   return epsilon[0] == 0.0;
+}
+
+/// √(wᵀM⁻¹w), added up over the blocks, of the first row w of contact i.
+double rootOfG(const ContactSet& c, const MassMatrix& mass, int i) {
+  double root = 0.0;
+  const auto at = static_cast<std::size_t>(i);
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    const ConstVec w(c.W.data() + s.w, s.nu);
+    const ConstBlock inverse = mass.inverse(s.block);
+    double G = 0.0;
+    for (int j = 0; j < s.nu; ++j) G += w[j] * inverse.row(j).dot(w);
+    root += std::sqrt(std::max(0.0, G));
+  }
+  return root;
 }
 
 }  // namespace
@@ -213,10 +230,16 @@ double Projection::closing(const ContactSet& all, int i, double gamma, double dt
 }
 
 std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, InclusionSolver& solver,
-                                              State& x, double dt, double least, Jump& jump,
-                                              int slot) {
-  const Evaluation& e = s.slot(slot);
+                                              State& x, double dt, Jump& jump) {
+  const Evaluation& e = s.slot(0);
   const ContactSet& all = e.contacts;
+  // Forces change velocities by δ = M⁻¹hΔt, and γ_N of a contact by no more than the largest number
+  // in δ, which may be the rate of a small part, nor than √(wᵀM⁻¹w) √(δᵀMδ), which joints lessen.
+  const double largest = s.largestChange(dt);
+  change_.resize(e.h.size());
+  e.mass.applyInverse(view(e.h), view(change_));
+  const double norm = dt * std::sqrt(std::max(0.0, e.h.dot(change_)));
+  double least = 0.0;
   delta_.resize(all.rows());
   all.gamma(view(std::as_const(x.u)), view(delta_));
   bool any = false;
@@ -229,7 +252,11 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
     const double g = all.position[static_cast<std::size_t>(all.row0[at])];
     if (law.unilateral() && !rests(all, i) && g > s.gTol()) continue;
     append(all, i, all.dim(i), law, contacts_);
-    any = any || (law.unilateral() && closing(all, i, delta_[all.row0[at]], dt) > least);
+    const double closes = law.unilateral() ? closing(all, i, delta_[all.row0[at]], dt) : 0.0;
+    if (closes <= 0.0) continue;
+    const double explained = kImpact * std::min(largest, norm * rootOfG(all, e.mass, i));
+    least = std::max(least, explained);
+    any = any || closes > explained;
   }
   if (!any) return std::nullopt;
   const auto n = static_cast<std::size_t>(contacts_.rows());

@@ -33,11 +33,11 @@ class Projection {
   /// Takes from x.u what leaves the constraints at x.q; evaluates into `slot`.
   bool velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot = 1);
 
-  /// Impact at fixed x.q of joints and contacts of slot `slot`, evaluated there before, if one of
-  /// them closes within Δt with more than `least` [m/s]:  M(u⁺ − u) = WΛ,  ξ = γ⁺ + εγ⁻ + s. Empty:
-  /// there was none. Fills u and the works of `jump`.
+  /// Impact at fixed x.q of joints and contacts of slot 0, evaluated there before, if one of them
+  /// closes within Δt faster than the forces of four steps explain:  M(u⁺ − u) = WΛ,  ξ = γ⁺ + εγ⁻
+  /// + s. Empty: there was none. Fills u and the works of `jump`.
   std::optional<SolveReport> impact(const MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                    double dt, double least, Jump& jump, int slot = 0);
+                                    double dt, Jump& jump);
   /// Percussions of contact `key` in the last impact, or null.
   const double* percussions(ContactKey key) const;
 
@@ -60,7 +60,7 @@ class Projection {
   Delassus delassus_;
   InclusionProblem problem_;
   std::vector<double> Lambda_;
-  Eigen::VectorXd delta_;
+  Eigen::VectorXd delta_, change_;
   Eigen::MatrixXd W_, MInvW_;        // of the contacts to be closed, nu × rows
   std::vector<ContactKey> touched_;  // to be closed
   State start_;
