@@ -201,6 +201,50 @@ TEST(JointFriction, StopsTheWheelAndHoldsIt) {
   EXPECT_NEAR(s.u("a")[2], 0.0, 1e-10);
 }
 
+/// Two wheels in bearings, the first at 10 rad/s, the second loaded with 0.1 N m; what couples
+/// them.
+std::string coupled(const std::string& law) {
+  return scene(
+      "<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.2\" angularVelocity=\"10\"/>" +
+          wheel("b", 0.3),
+      "<ForceInput on=\"b\" moment=\"0; 0; -0.1\"/>",
+      bearing("a") + bearing("b") + "<JointFriction name=\"clutch\" between=\"a b\">" + law +
+          "</JointFriction>");
+}
+
+TEST(TorqueLimitedClutch, TakesASecondWheelAlong) {
+  // It slips with M = 1.5 N m: ω_a = 10 − M t/J_a, ω_b = (M − 0.1) t/J_b, equal at t_s; then both
+  // turn as one wheel of J_a + J_b, and the clutch passes on a share of the load to the first. What
+  // slip takes is M φ, φ = 10 t_s/2.
+  constexpr double Ja = 0.2, Jb = 0.3, M = 1.5, load = -0.1;
+  const double ts = 10.0 / (M / Ja + (M + load) / Jb), end = 1.0;
+  const double together = 10.0 - M * ts / Ja + load / (Ja + Jb) * (end - ts);
+  for (const char* law :
+       {"<ForceLimit lower=\"-1.5\" upper=\"1.5\"/>", "<GivenFriction force=\"1.5\"/>",
+        "<OneWayClutch free=\"positive\" limit=\"1.5\"/>"}) {
+    SCOPED_TRACE(law);
+    LocatedRun run(coupled(law), 1e-10, end);
+    ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    const Eigen::VectorXd &q = run.state().q, &u = run.state().u;
+    // Constant forces, one switch: the tolerance of the run with room for two phases.
+    EXPECT_NEAR(u[2], together, 1e-9);
+    EXPECT_NEAR(u[5], together, 1e-9);
+    const double slip = q[2] - q[5];
+    EXPECT_NEAR(slip, 5.0 * ts, 1e-9);
+    const double T = 0.5 * (Ja * u[2] * u[2] + Jb * u[5] * u[5]);
+    EXPECT_NEAR(T, 0.5 * Ja * 100.0 + load * q[5] - M * slip, 1e-8);
+  }
+}
+
+TEST(TorqueLimitedClutch, OfOneWayLetsTheOtherRunAhead) {
+  // The first wheel may run ahead: the load is the second's own.
+  const std::string text = coupled("<OneWayClutch free=\"negative\" limit=\"1.5\"/>");
+  LocatedRun run(text, 1e-10, 1.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_NEAR(run.state().u[2], 10.0, 1e-9);
+  EXPECT_NEAR(run.state().u[5], -0.1 / 0.3, 1e-9);
+}
+
 TEST(JointStop, ReflectsTheRate) {
   const std::string text = scene(
       "<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.5\" "

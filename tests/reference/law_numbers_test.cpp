@@ -110,7 +110,8 @@ TEST(UnilateralAdhesion, TearsOffWhereThePullEnds) {
 TEST(UnilateralAdhesion, TearsOffWhereThePullEndsWhereGapsAreInTheLaw) {
   // The load that is not held moves away by at least 2 N/s Δt/2 · Δt² in a step: 8e-12 m at 2e-4 s,
   // more than g_tol. It pulls for up to a step as well.
-  for (const char* const name : {"StaggeredMoreau", "EnergyMomentum", "PaoliSchatzman"})
+  for (const char* const name : {"StaggeredMoreau", "EnergyMomentum", "PaoliSchatzman", "Ggl",
+                                 "NonsmoothRattle", "StewartTrinkle", "AnitescuPotra"})
     for (const double dt : {4e-3, 1e-3, 2e-4})
       EXPECT_NEAR(missingSpeed(Scheme::asTheModelSays, dt, name), 0.0, 3.0 * dt * 13.0)
           << name << ", step " << dt;

@@ -1,10 +1,15 @@
 // Every law with every solver on random small problems with regular G: one solution, found by all.
 #include <gtest/gtest.h>
 
+#include <dynamy/contact/adhesion.hpp>
+#include <dynamy/contact/belt_friction.hpp>
 #include <dynamy/contact/drilling_friction.hpp>
 #include <dynamy/contact/force_limit.hpp>
 #include <dynamy/contact/orthotropic_friction.hpp>
+#include <dynamy/contact/preloaded_spring.hpp>
 #include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/contact/stribeck_friction.hpp>
+#include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
@@ -48,6 +53,22 @@ std::vector<Named> laws() {
       new UnilateralDrilling(0.3, 0.5, Set::contensou, 0.0, UnilateralDrilling::Pressure::hertz));
   add("GivenFriction", 2, new GivenFriction(0.4, 0.4));
   add("ForceLimit", 2, new ForceLimit(-0.1, 0.6));
+  const StribeckCurve falling{.atRest = 0.4, .far = 0.2, .speed = 0.3};
+  add("StribeckFriction", 2, new StribeckFriction(falling));
+  add("UnilateralStribeck", 3, new UnilateralStribeck(0.0, falling));
+  add("UnilateralAdhesion, planar", 2, new UnilateralAdhesion(0.5, 0.3, 0.0));
+  add("UnilateralAdhesion, spatial", 3, new UnilateralAdhesion(0.5, 0.3, 0.0));
+  add("PreloadedSpring", 1, new PreloadedSpring(0.7, 0.3, false));
+  add("PreloadedSpring, one side", 1, new PreloadedSpring(0.7, 0.3, true));
+  add("BeltFriction", 2,
+      new BeltFriction(
+          Parameters::of<BeltFriction>("BeltFriction", "", {{"mu", 0.2}, {"wrap", 3.0}})));
+  const auto clutch = [](const char* free, double limit) {
+    return new OneWayClutch(
+        Parameters::of<OneWayClutch>("OneWayClutch", "", {{"free", free}, {"limit", limit}}));
+  };
+  add("OneWayClutch", 1, clutch("positive", 1e9));
+  add("OneWayClutch, limited", 1, clutch("negative", 0.2));
   return out;
 }
 
