@@ -4,6 +4,7 @@
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
+#include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/joints/joints.hpp>
 #include <dynamy_elements/trees/compose_trees.hpp>
 #include <dynamy_elements/trees/tree_system.hpp>
@@ -202,6 +203,16 @@ TEST(Trees, KeepTheFrictionOfAJoint) {
   EXPECT_EQ(m.topology().nu(), 1);
   EXPECT_EQ(unknowns(m), 1);
   EXPECT_TRUE(checkContacts(m));
+}
+
+TEST(Trees, MayBeAWheelOnItsAxleUnderGravity) {
+  // Nothing of its weight comes through the axle; that is no reason to refuse the model.
+  Model m = scene();
+  m.add<PlanarBody>("wheel", {{"mass", 1.0}, {"inertia", 0.1}, {"angularVelocity", 5.0}});
+  m.add<Gravity>("", {});
+  joint<Revolute>(m, "hinge", {{"between", "world wheel"}, {"at", {0.0, 0.0, 0.0}}});
+  ASSERT_NO_THROW(m.build());
+  EXPECT_EQ(m.topology().nu(), 1);
 }
 
 TEST(Trees, SayThatNoJointMakesOne) {
