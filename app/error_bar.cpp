@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dynamy/io/run_difference.hpp>
 
 namespace dynamy::app {
 
@@ -51,15 +50,15 @@ std::string signalsText(const RunDifference& d) {
 
 }  // namespace
 
-std::string errorBarsText(Program& program, RunChoice choice, const std::vector<CheckResult>& whole,
-                          const std::filesystem::path& signals) {
+ErrorBars errorBars(Program& program, RunChoice choice, const std::vector<CheckResult>& whole,
+                    const std::filesystem::path& signals) {
   RunChoice own = choice;
   const SimulationSettings given = chosenModel(program, own).simulation;
-  const bool tolerance = given.tolerance > 0.0;
-  if (tolerance)
-    choice.tolerance = 0.1 * given.tolerance;
+  ErrorBars out;
+  if (given.tolerance > 0.0)
+    choice.tolerance = out.tolerance = given.tolerance / 10.0;
   else
-    choice.step = 0.5 * given.step;
+    choice.step = out.step = 0.5 * given.step;
   Model model = chosenModel(program, choice);
   model.record.framesPerSecond = 0.0;
   const SignalTable first = readSignals(signals);
@@ -67,19 +66,52 @@ std::string errorBarsText(Program& program, RunChoice choice, const std::vector<
   Simulation simulation(model);
   simulation.record(second);
   const RunReport& report = simulation.run();
+  if (report.ended != RunReport::Ended::finished) {
+    out.reason = report.reason;
+    return out;
+  }
+  out.checks = whole;
+  out.bars = errorBars(whole, simulation.checks());
+  out.difference = runDifference(first, second.table);
+  return out;
+}
+
+std::string errorBarsText(const ErrorBars& b) {
   std::string out =
-      tolerance ? fmt::format(" error bars by a run with a tenth of the tolerance, {:g}:\n",
-                              choice.tolerance)
-                : fmt::format(" error bars by a run with half the step, {:g} s:\n", choice.step);
-  if (report.ended != RunReport::Ended::finished)
-    return out + "   it ended early: " + report.reason + '\n';
-  const std::vector<CheckResult> half = simulation.checks();
-  const std::vector<double> bars = errorBars(whole, half);
-  for (std::size_t i = 0; i < whole.size(); ++i)
+      b.tolerance > 0.0
+          ? fmt::format(" error bars by a run with a tenth of the tolerance, {:g}:\n", b.tolerance)
+          : fmt::format(" error bars by a run with half the step, {:g} s:\n", b.step);
+  if (!b.reason.empty()) return out + "   it ended early: " + b.reason + '\n';
+  for (std::size_t i = 0; i < b.checks.size(); ++i)
     out += fmt::format("   {}{} = {:.9g} ± {:.2g}\n",
-                       whole[i].measure == "value" ? "" : whole[i].measure + " ", whole[i].signal,
-                       whole[i].got, bars[i]);
-  return out + signalsText(runDifference(first, second.table));
+                       b.checks[i].measure == "value" ? "" : b.checks[i].measure + " ",
+                       b.checks[i].signal, b.checks[i].got, b.bars[i]);
+  return out + signalsText(b.difference);
+}
+
+void writeErrorBars(JsonWriter& json, const ErrorBars& b) {
+  json.key("errorBars").beginObject();
+  json.member("tolerance", b.tolerance).member("step", b.step);
+  if (!b.reason.empty()) json.member("reason", b.reason);
+  json.key("checks").beginArray();
+  for (std::size_t i = 0; i < b.checks.size(); ++i)
+    json.beginObject()
+        .member("signal", b.checks[i].signal)
+        .member("measure", b.checks[i].measure)
+        .member("got", b.checks[i].got)
+        .member("bar", b.bars[i])
+        .endObject();
+  json.endArray().key("signals").beginArray();
+  for (const SignalDifference& s : b.difference.signals)
+    json.beginObject()
+        .member("name", s.name)
+        .member("end", s.end)
+        .member("bar", s.difference)
+        .member("largest", s.largest)
+        .member("t", s.t)
+        .endObject();
+  json.endArray().member("growth", b.difference.growth).member("chaotic", b.difference.chaotic);
+  json.member("horizon", b.difference.horizon).endObject();
 }
 
 }  // namespace dynamy::app

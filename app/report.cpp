@@ -67,6 +67,12 @@ std::string worst(const JsonValue& w, const char* unit) {
                      escapedXml(w["contact"].text), w["t"].value);
 }
 
+/// The scheme locates switches.
+bool located(const JsonValue& run) {
+  const JsonValue& e = run["effort"];
+  return e["smooth"].value + e["events"].value + e["stepping"].value > 0.0;
+}
+
 std::string resultHtml(const JsonValue& run) {
   Facts f;
   const bool finished = run["state"].text == "finished";
@@ -76,6 +82,15 @@ std::string resultHtml(const JsonValue& run) {
   f.row("time reached", shown(run["t"], "s") + " of " + shown(run["settings"]["until"], "s"));
   f.row("steps", shown(run["steps"]) + ", " + shown(run["rejected"]) + " taken back");
   f.row("impacts, switches", shown(run["impacts"]) + ", " + shown(run["switches"]));
+  if (located(run)) {
+    f.row("switches located, accumulations passed",
+          shown(run["switchesLocated"]) + ", " + shown(run["accumulationsPassed"]));
+    if (run["undecided"].value > 0.0) f.row("switches undecided", shown(run["undecided"]), "bad");
+    if (const JsonValue& s = run["stepping"]; s["periods"].value > 0.0)
+      f.row("stepped in time, switches not located", shown(s["time"], "s") + " in " +
+                                                         shown(s["periods"]) + " periods, " +
+                                                         shown(s["steps"]) + " steps");
+  }
   const JsonValue& solver = run["solver"];
   f.row("steps not solved to tolerance",
         shown(solver["unconverged"]) + " of " + shown(solver["solves"]) + " with contacts",
@@ -94,13 +109,23 @@ std::string costHtml(const JsonValue& run) {
   f.row("positions q, velocities u", shown(size["q"]) + ", " + shown(size["u"]));
   f.row("contact elements", shown(size["contactElements"]));
   f.row("closed contacts, at most", shown(size["contactsMax"]));
-  f.row("scheme, step", shown(set["integrator"]) + ", " + shown(set["step"], "s"));
+  if (set["tolerance"].value > 0.0)
+    f.row("scheme, tolerance", shown(set["integrator"]) + ", " + shown(set["tolerance"]));
+  else
+    f.row("scheme, step", shown(set["integrator"]) + ", " + shown(set["step"], "s"));
   f.row("solver", shown(set["solver"]) +
                       fmt::format(", {:.3g} iterations on average, at most ",
                                   solver["iterationsMean"].value) +
                       shown(solver["iterationsMax"]));
   f.row("impact law", shown(set["impactLaw"]));
   f.row("evaluations", shown(run["evaluations"]));
+  if (const JsonValue& e = run["effort"]; located(run)) {
+    f.row("of these: smooth motion", shown(e["smooth"]));
+    f.row("steps that were too long", shown(e["rejected"]));
+    f.row("finding switches", shown(e["switches"]));
+    f.row("switches themselves", shown(e["events"]));
+    if (e["stepping"].value > 0.0) f.row("steps in time", shown(e["stepping"]));
+  }
   const double steps = run["steps"].value;
   if (steps > 0.0)
     f.row("CPU time", fmt::format("{:.3g} s, {:.3g} µs a step", run["cpu_s"].value,
@@ -125,6 +150,35 @@ std::string checksHtml(const JsonValue& checks) {
                                     : "<span class=\"bad\">FAILS</span>"});
   }
   return rows(cells);
+}
+
+std::string errorBarsHtml(const JsonValue& b) {
+  if (!b) return {};
+  std::string out =
+      "<p>From a second run with " +
+      (b["tolerance"].value > 0.0 ? "a tenth of the tolerance, " + shown(b["tolerance"])
+                                  : "half the step, " + shown(b["step"], "s")) +
+      ".</p>\n";
+  if (b["reason"]) return out + "<p class=\"bad\">It ended early: " + shown(b["reason"]) + "</p>\n";
+  std::vector<std::vector<std::string>> cells{{"", "value", "±"}};
+  for (const JsonValue& c : b["checks"].items)
+    cells.push_back({(c["measure"].text == "value" ? "" : shown(c["measure"]) + ' ') +
+                         shown(c["signal"]) + ", checked",
+                     fmt::format("{:.9g}", c["got"].value), fmt::format("{:.2g}", c["bar"].value)});
+  for (const JsonValue& s : b["signals"].items)
+    cells.push_back({shown(s["name"]) + " at the end", fmt::format("{:.9g}", s["end"].value),
+                     fmt::format("{:.2g}, at most {:.2g} (t = {:.4g} s)", s["bar"].value,
+                                 s["largest"].value, s["t"].value)});
+  out += rows(cells);
+  if (b["chaotic"].flag)
+    out += fmt::format("<p>Differences grow tenfold every {:.3g} s: the motion is chaotic.</p>\n",
+                       std::log(10.0) / b["growth"].value);
+  if (b["horizon"].type == JsonValue::Type::number)
+    out += fmt::format(
+        "<p class=\"bad\">A tenth of the range of a signal is lost at t = {:.4g} s: beyond, no "
+        "figure of a single motion means anything.</p>\n",
+        b["horizon"].value);
+  return out;
 }
 
 std::string energyHtml(const JsonValue& e) {
@@ -200,6 +254,7 @@ std::string body(const RunFolder& folder, const JsonValue& run) {
   std::string out = "<div class=\"pair\">" + section("Result", resultHtml(run)) +
                     section("What it costs", costHtml(run)) + "</div>\n";
   out += section("Checks", checksHtml(run["checks"]));
+  out += section("Error bars", errorBarsHtml(run["errorBars"]));
   out += section("Energy", energyHtml(run["energy"]) +
                                plotHtml(energyTable(ledger), "energies and works over time"));
   out += section("Impacts and switches",

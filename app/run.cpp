@@ -16,7 +16,7 @@ struct Texts {
   std::vector<std::string> set;
   RunChoice choice;
   RunShow show;
-  bool watch = false;
+  bool watch = false, errorBar = false;
 };
 
 void addShow(CLI::App& command, Texts& t) {
@@ -58,11 +58,12 @@ int run(Program& program, Texts& t, const TellFiles& tell) {
   const auto folder =
       t.out.empty() ? RunFolder::defaultPath(t.choice.model) : std::filesystem::path(t.out);
   std::vector<CheckResult> checks;
-  const int code = runInto(folder, *model, t.choice, t.show, std::nullopt, checks);
-  if (t.show.errorBar)
-    fmt::print(t.show.json ? stderr : stdout, "{}",
-               errorBarsText(program, t.choice, checks, folder / "signals.csv"));
-  return code;
+  if (t.errorBar)
+    t.show.errorBars = [&](const std::vector<CheckResult>& whole,
+                           const std::filesystem::path& signals) {
+      return errorBars(program, t.choice, whole, signals);
+    };
+  return runInto(folder, *model, t.choice, t.show, std::nullopt, checks);
 }
 
 }  // namespace
@@ -86,7 +87,7 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
   c->add_option("--plugin", program.libraries, "shared library with further types")
       ->type_name("LIBRARY");
-  c->add_flag("--error-bar", t->show.errorBar,
+  c->add_flag("--error-bar", t->errorBar,
               "run again with half the step, or a tenth of the tolerance, and say how far the "
               "figures of the checks and the recorded signals move");
   addShow(*c, *t);

@@ -11,6 +11,7 @@
 #include <dynamy/io/run_recording.hpp>
 #include <dynamy/io/svg_plot.hpp>
 
+#include "error_bar.hpp"
 #include "progress.hpp"
 #include "run_text.hpp"
 
@@ -66,6 +67,29 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
   else
     fmt::print(stderr, "{}{}", failedChecks(checks), unsolvedText(report));
   if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
+}
+
+/// run.json, pictures and words of a run that has ended.
+void conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
+              const RunShow& show, const RunReport& report, const std::vector<CheckResult>& checks,
+              const ProblemDump* problems) {
+  std::optional<ErrorBars> bars;
+  const auto write = [&] {
+    folder.writeFacts([&](JsonWriter& j) {
+      writeFacts(j, model, choice, report, checks, "");
+      if (problems) writeProblems(j, *problems);
+      if (bars) writeErrorBars(j, *bars);
+    });
+  };
+  write();
+  const ReplaySize size = writePictures(folder, model);
+  if (show.errorBars) bars = show.errorBars(checks, folder.signals()), write();
+  if (show.tell)
+    show.tell(report, checks);
+  else
+    print(folder, model, show, report, checks, size,
+          problems ? problemsText(*problems, folder.problems()) : "");
+  if (bars && !show.json && !show.quiet && !show.tell) fmt::print("{}", errorBarsText(*bars));
 }
 
 }  // namespace
@@ -149,16 +173,7 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   recording->flush();
   if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
   checks = simulation.checks();
-  folder.writeFacts([&](JsonWriter& j) {
-    writeFacts(j, model, choice, report, checks, "");
-    if (problems) writeProblems(j, *problems);
-  });
-  const ReplaySize size = writePictures(folder, model);
-  if (show.tell)
-    show.tell(report, checks);
-  else
-    print(folder, model, show, report, checks, size,
-          problems ? problemsText(*problems, folder.problems()) : "");
+  conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr);
   return exitCode(report, checks);
 }
 

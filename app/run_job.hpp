@@ -9,6 +9,8 @@
 
 namespace dynamy::app {
 
+struct ErrorBars;
+
 /// What decides the numbers of a run, as said on the command line; stored in the checkpoint.
 struct RunChoice {
   std::string model;  ///< path
@@ -25,8 +27,10 @@ struct RunChoice {
 struct RunShow {
   bool json = false, quiet = false;
   double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
-  bool errorBar = false;         ///< a second run with half the step, or a tenth of the tolerance
-  int threads = 1;               ///< the same numbers with any
+  /// A second run with half the step, or a tenth of the tolerance: what it says about the checks
+  /// and the recorded signals in that file. Empty: none.
+  std::function<ErrorBars(const std::vector<CheckResult>&, const std::filesystem::path&)> errorBars;
+  int threads = 1;        ///< the same numbers with any
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
   /// Gets the result instead of a person: nothing is printed then.
   std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;

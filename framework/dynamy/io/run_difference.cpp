@@ -28,10 +28,11 @@ std::vector<std::pair<std::size_t, std::size_t>> common(const std::vector<double
   return out;
 }
 
-/// Slope of ln d over t, least squares.
-double slope(const std::vector<double>& t, const std::vector<double>& d, std::size_t first) {
+/// Slope of ln d over t from `first` to before `last`, least squares.
+double slope(const std::vector<double>& t, const std::vector<double>& d, std::size_t first,
+             std::size_t last) {
   double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
-  for (std::size_t i = first; i < t.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     if (!(d[i] > 0.0)) continue;
     const double y = std::log(d[i]), at = t[i] - t[first];
     n += 1.0, st += at, sy += y, stt += at * at, sty += at * y;
@@ -81,10 +82,12 @@ RunDifference runDifference(const SignalTable& a, const SignalTable& b, double n
   }
   for (std::size_t k = 1; k < d.size(); ++k) d[k] = std::max(d[k], d[k - 1]);
   if (t.size() < 3 || !(d.back() > 0.0)) return out;
-  out.growth = slope(t, d, t.size() / 2);
-  out.chaotic = out.growth * (t.back() - t.front()) > kChaotic;
   const auto lost =
       std::find_if(d.begin(), d.end(), [](double x) { return x >= RunDifference::kLost; });
+  // Differences as large as the signals grow no more.
+  const auto told = static_cast<std::size_t>(lost - d.begin());
+  out.growth = slope(t, d, told / 2, told);
+  out.chaotic = told > 0 && out.growth * (t[told - 1] - t.front()) > kChaotic;
   if (lost != d.end())
     out.horizon = t[static_cast<std::size_t>(lost - d.begin())];
   else if (out.chaotic)

@@ -13,11 +13,11 @@ struct SignalDifference {
 
 struct RunDifference {
   std::vector<SignalDifference> signals;
-  /// Growth rate of the differences in the second half of the run: the slope of ln d(t),
-  /// d = largest of all signals so far, each over its range [1/s].
+  /// Growth rate of the differences in the second half of the run, or of its part before they reach
+  /// kLost: the slope of ln d(t), d = largest of all signals so far, each over its range [1/s].
   double growth = 0.0;
-  /// Differences grow exponentially: by more than e⁶ in the run at that rate, while a power of t up
-  /// to the fourth gives less.
+  /// Differences grow exponentially: by more than e⁶ in that time at that rate, while a power of t
+  /// up to the fourth gives less.
   bool chaotic = false;
   /// When d reaches kLost: met in the run, or, if it is chaotic, by the rate [s]; else infinity. A
   /// jump that comes sooner or later by less than a row, of a status or a velocity, is no loss.

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <dynamy/io/run_difference.hpp>
 
@@ -34,6 +35,15 @@ TEST(RunDifference, FindsTheRateOfExponentialGrowthAndWhereItEnds) {
   // Exact up to rounding of sin t, 1e-16 of at least 1e-9.
   EXPECT_NEAR(d.growth, 1.2, 1e-6);
   EXPECT_NEAR(d.horizon, std::log(RunDifference::kLost * 2.0 / 1e-9) / 1.2, 1e-3);
+}
+
+TEST(RunDifference, FindsTheRateAlsoWhereTheMotionIsLostHalfway) {
+  // From 4 s on the difference is as large as the signal.
+  const auto [a, b] = sines([](double t) { return std::min(1.0, 1e-9 * std::exp(5.0 * t)); });
+  const RunDifference d = runDifference(a, b);
+  EXPECT_TRUE(d.chaotic);
+  EXPECT_NEAR(d.growth, 5.0, 1e-6);
+  EXPECT_NEAR(d.horizon, std::log(RunDifference::kLost * 2.0 / 1e-9) / 5.0, 0.1);
 }
 
 TEST(RunDifference, DoesNotTakeAPowerForChaos) {
