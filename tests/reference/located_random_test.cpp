@@ -33,6 +33,20 @@ const std::string kBox = kHead + R"xml(<RigidBody name="box" position="0 0 {z}" 
   material="stone"/></RigidBody>)xml" +
                          kTail;
 
+/// The toy between its stops, phi_M = ±0.6/5.8 and phi_S < 0.12, with any speeds.
+const std::string kToy = R"xml(<dynamy version="1"><plugin library="woodpecker"/>
+  <parameter name="mu" value="0.3"/><parameter name="e" value="0.5"/><parameter name="m" value="0"/>
+  <parameter name="s" value="0"/><parameter name="v" value="0"/><parameter name="wm" value="0"/>
+  <parameter name="ws" value="0"/>
+  <systems><Woodpecker name="toy" q0="0 {m*0.6/5.8} {s}" u0="{v} {wm} {ws}"/></systems><elements>
+    <WoodpeckerContact name="beak" on="toy" place="beak">
+      <UnilateralCoulomb epsilonN="{e}" mu="{mu}"/></WoodpeckerContact>
+    <WoodpeckerContact name="sleeve2" on="toy" place="sleeve2">
+      <UnilateralCoulomb mu="{mu}"/></WoodpeckerContact>
+    <WoodpeckerContact name="sleeve3" on="toy" place="sleeve3">
+      <UnilateralCoulomb mu="{mu}"/></WoodpeckerContact>
+  </elements><simulation until="1" step="1"/></dynamy>)xml";
+
 struct Range {
   const char* name;
   double low, high;
@@ -55,6 +69,17 @@ const std::vector<Scene>& scenes() {
       {"block", kBlock, kThrown, 6.0, false},
       {"sphere", kSphere, kThrown, 6.0, false},
       {"box", kBox, kThrown, 6.0, false},
+      {"woodpecker from any start",
+       kToy,
+       {{"mu", 0.15, 0.6},
+        {"e", 0.2, 0.8},
+        {"m", -1.0, 1.0},
+        {"s", -0.6, 0.1},
+        {"v", -0.5, 0.1},
+        {"wm", -30.0, 30.0},
+        {"ws", -12.0, 12.0}},
+       0.6,
+       false},
   };
   return all;
 }

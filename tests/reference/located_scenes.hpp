@@ -87,6 +87,27 @@ inline const std::string kRodPendulum = R"xml(<dynamy version="1">
   </elements>
   <simulation until="1" step="1"/></dynamy>)xml";
 
+/// Point mass on a rod of 1 m, let go from the horizontal (truth S01).
+inline const std::string kPendulum = R"xml(<dynamy version="1">
+  <parameter name="start" value="0"/>
+  <systems>
+    <PointMass name="bob" plane="xz" position="{-cos(start)} 0 {-sin(start)}" mass="1"/>
+    <Ground name="world"/>
+  </systems>
+  <forces><Gravity acceleration="0 0 -9.81"/></forces>
+  <elements><Distance name="rod" between="world bob"/></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+
+/// Ball on a table that shakes with 10 Hz and 1.3 g, e = 0.5, on its orbit with one impact a
+/// period, started right behind one (truth N02).
+inline const std::string kShakenBall = R"xml(<dynamy version="1">
+  <parameter name="A" value="0.0032303726374768341"/><parameter name="p" value="0.6342158689257742"/>
+  <systems><Coordinates name="ball" q="z" units="m" q0="{A*sin(p)}" u0="0.4905" M="1"
+    potential="9.81*z"/></systems>
+  <elements><CoordinateContact name="table" on="ball" gap="z - A*sin(20*pi*t + p)">
+    <Unilateral epsilonN="0.5"/></CoordinateContact></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+
 /// A cube of 1 kg that rests on its four corners.
 inline const std::string kRestingBox = R"xml(<dynamy version="1">
   <systems>
