@@ -45,6 +45,12 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
            : B.features.empty() || goesIn(B) ? Meeting::missing
                                              : Meeting::overHalfSpace;
   if (A.kind == Touch::ball) return A.bound + B.bound > 0.0 ? Meeting::balls : Meeting::never;
+  // Of two without an inside, and of a line with an edge, distances have no sign: one would pass.
+  // A mesh has one side: what is deeper than its own size is on the other, a point at once.
+  if (B.isThin() && A.isThin()) return Meeting::missing;
+  if (!inPlane && B.thickness == 0.0 && (A.kind == Touch::box || A.surface))
+    return Meeting::missing;
+  if (!inPlane && B.isThin() && A.kind == Touch::surface) return Meeting::missing;
   if (inPlane && !A.polygon_K.empty() && !B.polygon_K.empty()) return Meeting::polygons;
   if (inPlane)
     if (const Meeting found = roundInPlane(A, B); found != Meeting::missing) return found;

@@ -121,25 +121,63 @@ ContactPoint ballOnPolygon(const PlacedPolygon& A, const Frame& B, const RoundFe
   return out;
 }
 
+namespace {
+
+/// Of the size of the polygon: what it may overlap more along the side of a capsule than elsewhere.
+constexpr double kDeeper = 0.01;
+
+/// The side of a capsule's axis, without its radius, that looks at a polygon: n from the polygon.
+struct NearSide {
+  Vec3 n;
+  double deepest;  ///< a corner further past the axis than this is not beside the capsule [m]
+  NearSide(const PlacedPolygon& A, const Segment& axis) : n(A.plane.cross(axis.e)) {
+    double size = 0.0, least = std::numeric_limits<double>::infinity(), most = -least;
+    for (int i = 0; i < A.size(); ++i) {
+      const Vec3 c = A.corner(i);
+      const double h = n.dot(axis.o - c);
+      least = std::min(least, h), most = std::max(most, h);
+      size = std::max(size, (A.corner(i + 1) - c).norm());
+    }
+    if (-most > least) n = -n, least = -most;
+    // The line cuts the polygon, of which the axis may be clear: beyond an edge.
+    for (int i = 0; i < A.size() && least < 0.0; ++i) {
+      const Vec3 edge = A.normal(i);
+      const double middle = edge.dot(axis.o - A.corner(i));
+      least = std::max(least, middle - axis.half * std::abs(edge.dot(axis.e)));
+    }
+    deepest = std::min(least, 0.0) - kDeeper * size;
+  }
+};
+
+}  // namespace
+
 int capsuleOnPolygon(const PlacedPolygon& A, const Frame& B, const TouchingShape& capsule,
                      CapsuleOnPolygon& out) {
   const Segment axis = capsuleAxis(B, capsule);
   const double R = capsule.features[0].radius;
-  int n = 0;
+  int count = 0;
   for (const SupportFeature& end : capsule.features) {
-    out[static_cast<std::size_t>(n)] = {n, ballOnPolygon(A, B, end)};
-    ++n;
+    out[static_cast<std::size_t>(count)] = {count, ballOnPolygon(A, B, end)};
+    ++count;
   }
-  for (int i = 0; i < A.size() && n < kMostCapsuleOnPolygon; ++i) {
+  const NearSide side(A, axis);
+  for (int i = 0; i < A.size(); ++i) {
     const Vec3 c = A.corner(i);
-    if (std::abs(axis.e.dot(c - axis.o)) >= axis.half) continue;
-    ContactPoint at = overSegment(axis, R, c, A.frame->velocity(c - A.frame->r_OS_I), 0.0, A.plane);
-    turnRound(at);
-    const Vec3& d = at.d[0];
-    if (d.dot(A.corner(i + 1) - c) <= 0.0 && d.dot(A.corner(i + A.size() - 1) - c) <= 0.0)
-      out[static_cast<std::size_t>(n++)] = {2 + i, at};
+    const double h = side.n.dot(axis.o - c);
+    if (std::abs(axis.e.dot(c - axis.o)) >= axis.half || h < side.deepest) continue;
+    // Where there is no room the nearest ones stay.
+    NumberedContact* at = nullptr;
+    if (count < kMostCapsuleOnPolygon) {
+      at = &out[static_cast<std::size_t>(count++)];
+    } else {
+      at = std::max_element(out.begin() + 2, out.end(),
+                            [](const auto& a, const auto& b) { return a.at.g < b.at.g; });
+      if (h - R >= at->at.g) continue;
+    }
+    *at = {2 + i,
+           besideSegment(axis, R, side.n, c, A.frame->velocity(c - A.frame->r_OS_I), A.plane)};
   }
-  return n;
+  return count;
 }
 
 }  // namespace dynamy

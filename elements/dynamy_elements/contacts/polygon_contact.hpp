@@ -3,7 +3,8 @@
 ///   corner of B over an edge of A   g = n_A·(p_B − f_A)    n_A fixed in A, and the other way round
 ///   circle over an edge             g = n·(c − f) − R
 ///   circle beside a corner          g = |c − p| − R
-///   corner beside a capsule         g = |p − s| − R        s the nearest point of the axis
+///   corner beside a capsule         g = n·(s − p) − R      s the point of the axis nearest to p,
+///                                                          n ⟂ axis, from the polygon to it
 ///
 /// The edge of either polygon that separates them most, and the edge of the other that looks at it:
 /// the ends of what they share are the two contacts.
@@ -41,9 +42,12 @@ double separation(const PlacedPolygon& A, const PlacedPolygon& B);
 /// Feature of B on the polygon A; inside the nearest edge counts.
 ContactPoint ballOnPolygon(const PlacedPolygon& A, const Frame& B, const RoundFeature& ball);
 
-/// Contacts of the capsule of B on the polygon A: its ends as circles, corners beside it whose
-/// normal points out of the polygon; returns how many. Numbers: ends, corners of A.
-inline constexpr int kMostCapsuleOnPolygon = 12;
+/// Contacts of the capsule of B on the polygon A: its ends as circles, and corners beside it, seen
+/// from that side of its axis which separates the two most; returns how many. The gap of a corner
+/// has a sign, so that a capsule without a radius does not lose it. To choose corners by whether
+/// the normal points out of the polygon was rejected: where an edge is parallel to the axis that is
+/// rounding. Numbers: ends, corners of A.
+inline constexpr int kMostCapsuleOnPolygon = 34;
 using CapsuleOnPolygon = std::array<NumberedContact, kMostCapsuleOnPolygon>;
 int capsuleOnPolygon(const PlacedPolygon& A, const Frame& B, const TouchingShape& capsule,
                      CapsuleOnPolygon& out);

@@ -49,6 +49,20 @@ inline ContactPoint overSegment(const Segment& a, double RA, const Vec3& c, cons
   return fromWay(d, w - sdot * a.e, RA, RB, p, vp + sdot * a.e, aside, plane);
 }
 
+/// Point c with velocity v beside a segment of radius R in a plane; n ⟂ e is the side of the
+/// segment that looks away from c. The gap has a sign, and the normal is from c to the segment.
+inline ContactPoint besideSegment(const Segment& a, double R, const Vec3& n, const Vec3& c,
+                                  const Vec3& v, const Vec3& plane) {
+  const double s = a.e.dot(c - a.o);
+  const Vec3 p = a.o + s * a.e, vp = a.velocity(p), ndot = a.frame->Omega_I.cross(n);
+  const double sdot = (v - vp).dot(a.e) + (c - p).dot(a.edot);
+  ContactPoint out;
+  setDirections(out, n, ndot, plane);
+  out.g = n.dot(p - c) - R;
+  out.P = p - R * n, out.Pdot = vp + sdot * a.e - R * ndot;
+  return out;
+}
+
 /// Two segments that cross; `inside`: both closest points are between the ends.
 struct SegmentCrossing {
   bool inside = false;

@@ -37,13 +37,14 @@ Diagnostic missingLaw(const Shape& a, const Shape& b, Diagnostic said) {
   return d;
 }
 
-Diagnostic missingPair(const Shape& a, const Shape& b) {
+Diagnostic missingPair(const Shape& a, const Shape& b, bool thin) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
-      "use balls, points and half spaces with all, boxes, polyhedra, capsules, cylinders, cones, "
-      "tori and ellipsoids with each other in space (all pairs: doc/shape_pairs.md), or "
-      "<NoContact " +
-          between(a, b) + "/>");
+      std::string(thin ? "points and lines have no thickness and would pass through: take a small "
+                         "Sphere or a Capsule"
+                       : "use balls and half spaces with all, boxes, polyhedra, capsules, "
+                         "cylinders, cones, tori and ellipsoids with each other in space") +
+          " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
 }
 
 /// Rows of a law that feels the way of the contact over the body (rolling_contact.hpp).
@@ -52,6 +53,11 @@ constexpr int kContourRows = 8;
 /// Normal, tangents, spin about the normal; in a plane normal and tangent. Laws in space may ask
 /// for rolling and the way along the contour beside.
 int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
+
+/// What tells shapes of one kind apart: a direction of friction, no thickness.
+int traits(const TouchingShape& s) {
+  return (s.grain_K.isZero(0.0) ? 0 : 1) + (s.isThin() ? 2 : 0);
+}
 
 /// Shapes further apart than half their sizes are not reported.
 double earlyReach(const TouchingShape& s) {
@@ -180,7 +186,7 @@ void ShapeContacts::group(Search& search) {
   ground_.assign(n, -1), grounds_.clear();
   flats_.clear();
   thinnest_ = std::numeric_limits<double>::infinity();
-  using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int, bool>;
+  using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int, int>;
   std::map<Key, int> known;
   std::map<std::string, int> names;
   for (std::size_t i = 0; i < n; ++i) {
@@ -201,7 +207,7 @@ void ShapeContacts::group(Search& search) {
     const Key key{
         s.shape->material(),    blocks.planeNormal.x(),           blocks.planeNormal.y(),
         blocks.planeNormal.z(), alone ? static_cast<int>(i) : -1, static_cast<int>(own.kind),
-        own.features.size(),    static_cast<int>(inSpace.kind),   own.grain_K.isZero(0.0)};
+        own.features.size(),    static_cast<int>(inSpace.kind),   traits(own)};
     const auto [at, isNew] = known.try_emplace(key, static_cast<int>(search.groups.size()));
     group_[i] = at->second;
     if (isNew) {
@@ -265,7 +271,8 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   if (!found.from) return search.fault(ma, mb, missingLaw(shapeA, shapeB, laws_->missing(ma, mb)));
   if (!found.law) return;
   if (made.meets == Meeting::missing)
-    return search.fault(shapeA.type() + ma, shapeB.type() + mb, missingPair(shapeA, shapeB));
+    return search.fault(shapeA.type() + ma, shapeB.type() + mb,
+                        missingPair(shapeA, shapeB, A->isThin() || B->isThin()));
   made.law = found.law;
 
   // A half space that cuts the plane of motion at an angle needs both tangents.

@@ -91,6 +91,9 @@ struct TouchingShape {
   double bound = 0.0;      ///< radius of a ball about the middle that holds the shape [m]
   double thickness = 0.0;  ///< half of its least width; infinite: nothing passes it, or a point [m]
 
+  /// A point or a line: no inside, and no side on which another without one would have to stay.
+  bool isThin() const { return bound == 0.0 || thickness == 0.0; }
+
   bool isBox(std::size_t corners) const { return kind == Kind::box && features.size() == corners; }
 };
 
