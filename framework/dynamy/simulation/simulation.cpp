@@ -125,7 +125,7 @@ void Simulation::forAll(Call&& call) {
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 1");
+  a.section("dynamy checkpoint 2");  // counts changes of what follows
   archiveState(a, x_);
   a(*loop_), a(report_);
   forAll([&a](Observer& o) { o.archive(a); });

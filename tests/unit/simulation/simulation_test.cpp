@@ -235,5 +235,24 @@ TEST(Simulation, ACheckpointOfAnotherModelIsRefused) {
   EXPECT_THROW(t.resume("rubbish"), ModelError);
 }
 
+TEST(Simulation, RefusesACheckpointOfAnotherLayoutByItsNumber) {
+  Model m = ballOnFloor(1.0, 0.0, 0.5, 0.0, 0.1, 1e-2);
+  m.build();
+  Simulation s(m);
+  s.run();
+  std::string old = s.checkpoint();
+  const std::size_t number =
+      old.find("dynamy checkpoint ") + std::string("dynamy checkpoint ").size();
+  ASSERT_LT(number, old.size());
+  old[number] = '1';
+  Simulation t(m);
+  try {
+    t.resume(old);
+    FAIL() << "was taken";
+  } catch (const ModelError& e) {
+    EXPECT_NE(std::string(e.what()).find("\"dynamy checkpoint 1\""), std::string::npos) << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace dynamy
