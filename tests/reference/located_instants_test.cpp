@@ -92,6 +92,23 @@ TEST(LocatedInstants, OfAFeeder) {
   }
 }
 
+TEST(LocatedInstants, OfAFeederEndWithItsGrains) {
+  // Two grains, 300 a second for 3 s: what is told later than the second may be one instant more.
+  LocatedRun run(R"xml(<dynamy version="1"><systems>
+    <Grains name="balls" count="2" present="0" within="0 0 0 1 1 1" feed="300" seed="1"
+      feedWithin="0 0 1 10 10 1"><Sphere radius="1mm" mass="1" material="a"/></Grains>
+    <Ground name="floor"><HalfSpace position="0 0 -2000" material="a"/></Ground></systems>
+    <forces><Gravity/></forces><elements><Contact between="a a"><Unilateral/></Contact></elements>
+    <simulation until="1" step="1"/></dynamy>)xml",
+                 kTolerance, 3.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  for (int k = 1; k <= 2; ++k) {
+    const double t = 3.0 - k / 300.0;
+    EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, 10.0 * kRounding) << k;
+  }
+  EXPECT_LE(run.report().switches, 3);
+}
+
 TEST(LocatedRest, WarnsWhereForcesChangeUnseen) {
   // Now and then beyond 5 N for less than 0.1 s, while steps at rest grow to 26 s. A load that
   // grows in proportion to the time is seen, and no warning.

@@ -96,6 +96,13 @@ double GrainExchange::nextFeed(double t) const {
   return (std::floor(rate_ * t * (1.0 + kPassed)) + 1.0) / rate_;
 }
 
+bool GrainExchange::mayFeed(ConstVec q) const {
+  if (sink_ || q.size() == 0) return true;
+  std::size_t i = 0;
+  while (i < radius_.size() && !absent(q.data() + 7 * i)) ++i;
+  return i < radius_.size();
+}
+
 bool GrainExchange::renew(double tA, double tE, Vec q, Vec u) const {
   bool changed = false;
   for (std::size_t i = 0; sink_ && i < radius_.size(); ++i) {

@@ -28,6 +28,8 @@ class GrainExchange {
   }
   /// When the feeder brings the next one after t; infinity: never.
   double nextFeed(double t) const;
+  /// Whether grains may still come: with a sink always. `q`: of all grains, or empty if unknown.
+  bool mayFeed(ConstVec q) const;
   bool renew(double tA, double tE, Vec q, Vec u) const;
 
  private:

@@ -172,7 +172,12 @@ void Grains::place(const Parameters& x, SeededNumbers& numbers) {
 }
 
 void Grains::describe(Description& d) const {
-  announceInstants(d, [this](double t) { return exchange_->nextFeed(t); });
+  if (std::isfinite(exchange_->nextFeed(0.0)))
+    d.signal(kNextInstant, Unit::time, "when the feeder brings the next grain, if one is absent",
+             [this](const SignalView& v) {
+               return exchange_->mayFeed(v.q) ? exchange_->nextFeed(v.t)
+                                              : std::numeric_limits<double>::infinity();
+             });
   for (int i = 0; i < count(); ++i)
     d.shape(ownShapes_.empty() ? *shape_ : *ownShapes_[static_cast<std::size_t>(i)], i);
   d.signal("kineticEnergy", Unit::energy, "Σ ½ m v² + ½ Ω·J Ω", [this](const SignalView& s) {
