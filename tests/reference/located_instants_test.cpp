@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <cmath>
+#include <dynamy/system/announced_signals.hpp>
 #include <reference/located_run.hpp>
 
 namespace dynamy::reference {
@@ -107,6 +108,33 @@ TEST(LocatedInstants, OfAFeederEndWithItsGrains) {
     EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, 10.0 * kRounding) << k;
   }
   EXPECT_LE(run.report().switches, 3);
+}
+
+/// A brake that says when it switches, as contact elements do.
+class Brake final : public ExternalForce {
+ public:
+  static void declare(Attributes&) {}
+  explicit Brake(const Parameters& x) : ExternalForce(x) {}
+  void connect(Topology&) override {}
+  void addTo(const Kinematics&, ForceSink&) const override {}
+  void describe(Description& d) const override {
+    d.signal(kSwitching, Unit::none, "positive where it would act",
+             [](const SignalView&) { return -1.0; });
+  }
+};
+
+TEST(LocatedInstants, OfAForceThatSwitchesAreRefusedAsTheyWouldBeLate) {
+  std::string text = line("1");
+  text.replace(text.find("<elements>"), 0, "<forces>\n<Brake name=\"brake\"/></forces>");
+  try {
+    LocatedRun run(text, kTolerance, 1.0, {}, [](Registry& r) { r.add<Brake>("Brake"); });
+    FAIL() << "was taken";
+  } catch (const ModelError& e) {
+    const std::string said = e.what();
+    EXPECT_NE(said.find("scene.xml:2:1"), std::string::npos) << said;
+    EXPECT_NE(said.find("<Brake name=\"brake\">"), std::string::npos) << said;
+    EXPECT_NE(said.find("is asked of contact elements only"), std::string::npos) << said;
+  }
 }
 
 TEST(LocatedRest, WarnsWhereForcesChangeUnseen) {

@@ -5,6 +5,7 @@
 #include <dynamy/simulation/own_steps.hpp>
 #include <dynamy/simulation/simulation.hpp>
 #include <dynamy/solver/diagnosis.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <exception>
 #include <utility>
 
@@ -21,6 +22,10 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 std::unique_ptr<TimeLoop> loopOf(Model& model) {
   model.readyScheme();
+  if (model.scheme().findsContacts()) {
+    for (const auto& e : model.systems()) refuseSwitching(*e, model.scheme().type());
+    for (const auto& e : model.forces()) refuseSwitching(*e, model.scheme().type());
+  }
   const SimulationSettings& s = model.simulation;
   Diagnostic d;
   if (model.systems().empty()) {

@@ -5,9 +5,11 @@
 ///   switching     positive where remember() would switch the element, smooth along a motion; a
 ///                 step ends where it passes zero, and remember() is called there
 ///
-/// Any element may have them, those of users too. Virtual functions of their own were rejected:
-/// few elements have something to tell, and signals can be looked at like any other.
+/// Any element may have the first, contact elements the second, those of users too. They are not
+/// recorded unless they are named. Virtual functions of their own were rejected: few elements have
+/// something to tell, and signals can be looked at like any other.
 #pragma once
+#include <dynamy/core/element.hpp>
 #include <dynamy/system/description.hpp>
 
 namespace dynamy {
@@ -17,5 +19,9 @@ inline constexpr const char* kSwitching = "switching";
 
 /// Adds nextInstant if `next`, the first instant after t [s], finds any after the start at 0.
 void announceInstants(Description& d, std::function<double(double)> next);
+
+/// Schemes that locate switches ask contact elements alone for `switching`: throws a ModelError if
+/// `e`, of another kind, has it and `scheme` is such a scheme's type.
+void refuseSwitching(const Element& e, const std::string& scheme);
 
 }  // namespace dynamy
