@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <cmath>
+#include <dynamy/simulation/signal_sampler.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <reference/located_run.hpp>
 
@@ -108,6 +109,13 @@ TEST(LocatedInstants, OfAFeederEndWithItsGrains) {
     EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, 10.0 * kRounding) << k;
   }
   EXPECT_LE(run.report().switches, 3);
+}
+
+TEST(LocatedInstants, AreRecordedByNameOnly) {
+  LocatedRun run(line("6*step(t - 0.3)"), kTolerance, 1.0);
+  for (const NamedSignal* s : chooseSignals(run.model(), {}, {}))
+    EXPECT_EQ(s->name.find("nextInstant"), std::string::npos) << s->name;
+  EXPECT_EQ(chooseSignals(run.model(), {"body.nextInstant"}, {}).size(), 1u);
 }
 
 /// A brake that says when it switches, as contact elements do.

@@ -1,10 +1,17 @@
 #include <algorithm>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
+#include <dynamy/system/announced_signals.hpp>
 #include <utility>
 
 namespace dynamy {
 namespace {
+
+/// For schemes that locate switches, not for tables: nextInstant is infinite where nothing comes.
+bool isAnnouncement(std::string_view name) {
+  return name.ends_with("." + std::string(kNextInstant)) ||
+         name.ends_with("." + std::string(kSwitching));
+}
 
 bool matches(std::string_view name, std::string_view pattern) {
   if (!pattern.empty() && pattern.back() == '*')
@@ -32,7 +39,7 @@ std::vector<const NamedSignal*> chooseSignals(const Model& model,
   std::vector<const NamedSignal*> out;
   if (names.empty()) {
     for (const NamedSignal& s : model.signals())
-      if (s.system >= 0) out.push_back(&s);
+      if (s.system >= 0 && !isAnnouncement(s.name)) out.push_back(&s);
     return out;
   }
   Diagnostics faults;
