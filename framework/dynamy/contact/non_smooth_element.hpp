@@ -28,8 +28,8 @@ class NonSmoothElement : public Element {
   virtual int piecesToSweep(const Kinematics&, double /*dt*/) const { return 0; }
   /// The contact that the path passes first; `element` is the index to be put into its key.
   virtual Passing firstPassing(const SweptPath&, int /*element*/) const { return {}; }
-  /// Changes the numbers the element reserved by Topology::memory, from the end of an accepted
-  /// step. Called once per step, in no other place; a rejected step is rolled back with its State.
+  /// Changes the numbers reserved by Topology::memory, at the end of an accepted step and where any
+  /// element switches: twice in one place must be as good as once. A rejected step is rolled back.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
   /// Forces of its joint `id` for percussions Λ and their derivative, for Newton's method on
   /// positions; false (default): not offered, differences are taken.

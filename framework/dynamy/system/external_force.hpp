@@ -37,8 +37,8 @@ class ExternalForce : public Element {
   using Element::Element;
   virtual void connect(Topology& topology) = 0;
   virtual void addTo(const Kinematics& k, ForceSink& sink) const = 0;
-  /// Changes the numbers the element reserved by Topology::memory, from the end of an accepted
-  /// step. Called once per step, in no other place; a rejected step is rolled back with its State.
+  /// Changes the numbers reserved by Topology::memory, at the end of an accepted step and where any
+  /// element switches: twice in one place must be as good as once. A rejected step is rolled back.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
   /// True: all of the force derives from potentialEnergy.
   virtual bool hasPotential() const { return false; }

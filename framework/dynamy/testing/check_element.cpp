@@ -1,9 +1,18 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <dynamy/io/model_loader.hpp>
-#include <dynamy/testing/check_element.hpp>
+#include <dynamy/testing/random_motion.hpp>
 #include <ostream>
 #include <utility>
 
 namespace dynamy {
+namespace {
+
+/// Of a remembered number: angles that are followed over turns are rounded anew each time.
+constexpr double kSameMemory = 1e-12;
+
+}  // namespace
 
 std::string Verdict::message() const {
   std::string text;
@@ -25,6 +34,41 @@ std::ostream& operator<<(std::ostream& out, const Verdict& check) {
   return out << (check ? "no fault" : check.message());
 }
 
+namespace {
+
+/// Memory is changed at the end of steps and wherever any element switches: a second call in the
+/// same place must find it as the first one left it, but for rounding.
+template <class E>
+void checkMemory(Model& model, const E& element, testing::Motion& motion, Verdict& out) {
+  const MemoryHandle m = model.topology().memoryOf(element);
+  State x = motion.x();
+  if (m.size == 0) return;
+  const auto remember = [&] {
+    Eigen::VectorXd memory = x.memory;
+    element.remember(motion.kinematics(x), slice(memory, m.first, m.size));
+    x.memory = memory;
+    return Eigen::VectorXd(memory.segment(m.first, m.size));
+  };
+  const Eigen::VectorXd once = remember(), twice = remember();
+  for (int i = 0; i < m.size; ++i)
+    if (!(std::abs(twice[i] - once[i]) <= kSameMemory * (1.0 + std::abs(once[i]))))
+      out.fault(fmt::format("{}: remember() gives memory[{}] = {:.9g}, called again there {:.9g}",
+                            testing::nameOf(element, "element"), i, once[i], twice[i]));
+}
+
+Verdict checkMemories(Model& model, const CheckOptions& options) {
+  Verdict result;
+  testing::Motion motion(model, options);
+  for (int i = 0; i < options.states && result; ++i) {
+    motion.sample(i);
+    for (const auto& e : model.forces()) checkMemory(model, *e, motion, result);
+    for (const auto& e : model.contacts()) checkMemory(model, *e, motion, result);
+  }
+  return result;
+}
+
+}  // namespace
+
 Verdict checkModel(Model& model, const CheckOptions& options) {
   Verdict result;
   for (const auto& system : model.systems()) result.add(checkSystem(*system, options));
@@ -32,6 +76,7 @@ Verdict checkModel(Model& model, const CheckOptions& options) {
   if (!result) return result;
   result.add(checkForces(model, options));
   result.add(checkContacts(model, options));
+  result.add(checkMemories(model, options));
   return result;
 }
 

@@ -70,7 +70,8 @@ Verdict checkForces(Model& model, const CheckOptions& options = {});
 /// equals differences, `status` fits the projection.
 Verdict checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options = {});
 
-/// All of the above for every element of a built model.
+/// All of the above for every element of a built model; memory is the same after two calls of
+/// remember() in one place.
 Verdict checkModel(Model& model, const CheckOptions& options = {});
 
 /// The same for a model file; what is wrong with the file itself is a fault like the others.

@@ -3,6 +3,8 @@
 /// limit, a safety gear acts and never lets go.
 #include <gtest/gtest.h>
 
+#include <dynamy/testing/check_element.hpp>
+
 #include "scenes.hpp"
 
 namespace dynamy {
@@ -71,6 +73,29 @@ TEST(Memory, ACheckpointHoldsIt) {
   ASSERT_EQ(rest.run().ended, RunReport::Ended::finished);
   EXPECT_EQ(whole.state().u, rest.state().u);
   EXPECT_EQ(whole.state().q, rest.state().q);
+}
+
+/// Against the contract: how often it is asked is no part of the state.
+class Counter final : public ExternalForce {
+ public:
+  static void declare(Attributes&) {}
+  explicit Counter(const Parameters& x) : ExternalForce(x) {}
+  void connect(Topology& topology) override { topology.memory(*this, {0.0}); }
+  void addTo(const Kinematics&, ForceSink&) const override {}
+  void remember(const Kinematics&, Vec memory) const override { memory[0] += 1.0; }
+};
+
+TEST(Memory, IsTheSameAfterTwoCallsInOnePlaceOrTheCheckSaysSo) {
+  Model latch = fallingBall(0.1), counting;
+  EXPECT_TRUE(checkModel(latch)) << checkModel(latch);
+  scenes::addBall(counting, "ball", 10.0);
+  counting.add<Counter>("counter", {});
+  counting.simulation.until = 1.0, counting.simulation.step = 1e-3;
+  counting.build();
+  EXPECT_NE(checkModel(counting).message().find(
+                "counter: remember() gives memory[0] = 1, called again there 2"),
+            std::string::npos)
+      << checkModel(counting);
 }
 
 TEST(Memory, IsReservedOnce) {
