@@ -81,8 +81,8 @@ class SetValuedForceLaw : public Element {
   /// a friction disc; a spin row with another unit is a group of its own, although it belongs to
   /// the same convex set).
   virtual int groupEnd(int row, int /*dim*/) const { return row + 1; }
-  /// True: the set is multiplied by LawInput::scale. Elements that switch or vary a reservoir ask
-  /// for it.
+  /// True: the set is multiplied by LawInput::scale, which elements vary. Of a unilateral law that
+  /// has no reservoir() it is the pull, which open contacts in reach of a step do not have.
   virtual bool scales() const { return false; }
   /// Coefficients of restitution ε, one per row.
   virtual void epsilon(int dim, double* epsilon) const;

@@ -77,11 +77,12 @@ const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int
     largest = std::max(largest, speed);
   }
   detect(2.0 * dt * largest, e);
-  // What an element scales is the pull of a contact (UnilateralAdhesion): closed ones have it.
+  // What an element scales of a law without a reservoir, whose set is not a cone of friction, is
+  // the pull of a contact (UnilateralAdhesion): closed ones have it.
   ContactSet& c = e.contacts;
   for (std::size_t i = 0; i < c.law.size(); ++i)
-    if (c.law[i]->scales() && c.law[i]->unilateral() && !c.scale.empty() &&
-        c.position[static_cast<std::size_t>(c.row0[i])] > request_.gTol)
+    if (c.law[i]->scales() && c.law[i]->unilateral() && !c.law[i]->reservoir() &&
+        !c.scale.empty() && c.position[static_cast<std::size_t>(c.row0[i])] > request_.gTol)
       c.scale[i] = 0.0;
   return e;
 }

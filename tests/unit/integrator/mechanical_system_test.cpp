@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <dynamy/contact/adhesion.hpp>
 
 #include "unit/integrator/stage_fixture.hpp"
 
@@ -31,6 +32,53 @@ Scene restingStack(int n, double extra = 0.0) {
     pairs.push_back({static_cast<std::uint64_t>(n), n, -1});
   }
   return Scene(m, zero, u, pairs);
+}
+
+/// Friction whose size an element varies: it becomes hot, or wet.
+class WetFriction final : public UnilateralCoulomb {
+ public:
+  using UnilateralCoulomb::UnilateralCoulomb;
+  bool scales() const override { return true; }
+};
+
+/// The lowest mass over the ground, half as rough or as sticky as its law says.
+class Varied final : public NonSmoothElement {
+ public:
+  explicit Varied(const SetValuedForceLaw& law) : law_(law) {}
+  void connect(Topology& topology) override { system_ = topology.system(0); }
+  void contacts(const Kinematics& k, ContactSink& sink) const override {
+    auto rows = sink.add(0, k.q(system_)[0], law_, 2);
+    if (!rows) return;
+    rows.segment(0, 0, 1)(0, 0) = 1.0;
+    rows.scale(0.5);
+  }
+
+ private:
+  const SetValuedForceLaw& law_;
+  SystemHandle system_;
+};
+
+/// Scale of a contact that closes within the step.
+double scaleAhead(const SetValuedForceLaw& law) {
+  const VectorXd one = VectorXd::Ones(1), q = 0.01 * one, u = -3.0 * one;
+  fixture::Masses masses(one, q, u, fixture::Masses::weight(one));
+  Varied contact(law);
+  Topology topology({&masses});
+  contact.connect(topology);
+  NewtonImpact impact;
+  SystemParts parts;
+  parts.topology = &topology, parts.contacts = {&contact}, parts.impactLaw = &impact;
+  MechanicalSystem system(parts);
+  system.gTol(1e-12);
+  State x;
+  x.q = q, x.u = u;
+  const ContactSet& c = system.evaluateAhead(x, 0.1).contacts;
+  return c.size() == 1 ? c.scale[0] : -1.0;
+}
+
+TEST(MechanicalSystem, AnOpenContactInReachPullsNotButHasItsFriction) {
+  EXPECT_EQ(scaleAhead(UnilateralAdhesion(10.0, 0.5, 0.0)), 0.0);
+  EXPECT_EQ(scaleAhead(WetFriction(0.0, 0.0, 0.5)), 0.5);
 }
 
 TEST(MechanicalSystem, PosesTheFreeVelocity) {
