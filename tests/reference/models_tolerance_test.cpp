@@ -49,6 +49,9 @@ TEST(ModelsToATolerance, AreRefusedOrNotAsTheirPageSays) {
     LocatedRun run(name, 1e-5, late ? 2.0 : kUntil);
     const RunReport& r = run.run();
     EXPECT_EQ(r.refused, late) << name << ": " << r.reason;
+    if (!late) {
+      EXPECT_EQ(r.ended, RunReport::Ended::finished) << name << ": " << r.reason;
+    }
   }
   for (const char* word : {"dear", "refused"})
     for (const std::string& name : table.at(word))
