@@ -35,7 +35,7 @@ class HalfExplicitGragg {
   void rate(const MechanicalSystem& s, const State& x);
   const Eigen::VectorXd& best() const { return T_[static_cast<std::size_t>(columns_ - 1)]; }
   std::array<Eigen::VectorXd, kMostColumns> T_;  // q, u, ∫λ dt, works; extrapolated in place
-  Eigen::VectorXd error_, qdot_, a_, add_;
+  Eigen::VectorXd error_, qdot_, a_;
   State past_, now_, next_;
   Eigen::Index nq_ = 0, nu_ = 0, rows_ = 0;
   int columns_ = 0;
