@@ -9,6 +9,18 @@ namespace {
 
 /// Of that time: truncation 3e-14, rounding 1e-13 of the rate of γ.
 constexpr double kDifference = 1e-3;
+/// Shorter ones where contacts come or go within it, and by how much each: the last has a rounding
+/// of 3e-11.
+constexpr int kShorter = 2;
+constexpr double kShorten = 1.0 / 16.0;
+
+/// How fast x goes through `scales`, at least 1/time [1/s].
+double goesThrough(const State& x, const Eigen::VectorXd* scales, double time) {
+  double rate = 1.0 / time;
+  for (Eigen::Index i = 0; scales && i < x.u.size(); ++i)
+    rate = std::max(rate, std::abs(x.u[i]) / (*scales)[i]);
+  return rate;
+}
 
 }  // namespace
 
@@ -27,10 +39,7 @@ const ContactSet& MechanicalSystem::look(const State& x) {
 }
 
 bool MechanicalSystem::differenceBias(const State& x, Eigen::VectorXd& out) {
-  double rate = 1.0 / differenceTime_;
-  for (Eigen::Index i = 0; differenceScales_ && i < x.u.size(); ++i)
-    rate = std::max(rate, std::abs(x.u[i]) / (*differenceScales_)[i]);
-  const double d = kDifference / rate;
+  const double d = kDifference / goesThrough(x, differenceScales_, differenceTime_);
   const double weight[4] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0},
                at[4] = {-2.0, -1.0, 1.0, 2.0};
   for (int p = 0; p < 4; ++p) {
@@ -54,7 +63,16 @@ void MechanicalSystem::tellDifferences(const State& x, Evaluation& e) {
   };
   bool any = false;
   for (int i = 0; i < c.size() && !any; ++i) any = differenced(i);
-  if (!any || !differenceBias(x, biasLook_) || biasLook_.size() != c.rows()) return;
+  if (!any) return;
+  const auto tell = [&] { return differenceBias(x, biasLook_) && biasLook_.size() == c.rows(); };
+  const double time = differenceTime_;
+  bool told = tell();
+  for (int i = 0; i < kShorter && !told; ++i) {
+    differenceTime_ = kShorten / goesThrough(x, differenceScales_, differenceTime_);
+    told = tell();
+  }
+  differenceTime_ = time;
+  if (!told) return;
   for (int i = 0; i < c.size(); ++i)
     for (int r = 0; differenced(i) && r < c.dim(i); ++r) {
       const auto row = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r);

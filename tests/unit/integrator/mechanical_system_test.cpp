@@ -81,6 +81,51 @@ TEST(MechanicalSystem, AnOpenContactInReachPullsNotButHasItsFriction) {
   EXPECT_EQ(scaleAhead(WetFriction(0.0, 0.0, 0.5)), 0.5);
 }
 
+/// Point on a circle of radius 1 without its bias; behind x = `edge` there is a second contact.
+class Bead final : public NonSmoothElement {
+ public:
+  explicit Bead(double edge) : edge_(edge) {}
+  void connect(Topology& topology) override { system_ = topology.system(0); }
+  void contacts(const Kinematics& k, ContactSink& sink) const override {
+    const ConstVec q = k.q(system_);
+    for (int id = 0; id < (q[0] > edge_ ? 2 : 1); ++id)
+      if (auto rows = sink.add(static_cast<std::uint64_t>(id), 0.0, law_, 1)) {
+        rows.segment(0, 0, 1)(0, 0) = q[0] / q.norm();
+        rows.segment(1, 1, 1)(0, 0) = q[1] / q.norm();
+      }
+  }
+
+ private:
+  double edge_;
+  Unilateral law_{0.0};
+  SystemHandle system_;
+};
+
+TEST(MechanicalSystem, DifferencesOfTheBiasAreShorterWhereAContactComes) {
+  const VectorXd one = VectorXd::Ones(2), q{{0.0, 1.0}}, u{{3.0, 0.0}};
+  fixture::Masses masses(one, q, u, fixture::Masses::weight(one));
+  // The motion of 2 · 1e-3 s, over which differences are taken, goes 6 mm.
+  for (const double edge : {1.0, 4e-3}) {
+    Bead bead(edge);
+    Topology topology({&masses});
+    bead.connect(topology);
+    NewtonImpact impact;
+    SystemParts parts;
+    parts.topology = &topology, parts.contacts = {&bead}, parts.impactLaw = &impact;
+    MechanicalSystem system(parts);
+    system.gTol(1e-12), system.bias(true);
+    const std::vector<int> untold = {0};
+    const VectorXd scales = VectorXd::Constant(2, 100.0);
+    system.differences(untold, scales, 1.0);
+    State x;
+    x.q = q, x.u = u;
+    const ContactSet& c = system.evaluate(x).contacts;
+    ASSERT_EQ(c.size(), 1);
+    // γ = n·u = 9 s/√(1 + 9 s²); truncation d⁴ γ⁽⁵⁾/30 = 1.1e-9 with d = 1e-3 s.
+    EXPECT_NEAR(c.bias[0], 9.0, 1e-8) << edge;
+  }
+}
+
 TEST(MechanicalSystem, PosesTheFreeVelocity) {
   Scene s(VectorXd{{2.0}}, VectorXd{{0.0}}, VectorXd{{-3.0}}, {{0, 0, -1}});
   const InclusionProblem& p = pose(s, 0.1);
