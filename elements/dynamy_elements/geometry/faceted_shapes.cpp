@@ -31,7 +31,7 @@ ShapeGeometry faceted(const char* type, const std::vector<Vec3>& points,
 void PolyhedronShape::declare(Attributes& a) {
   a.about(
       "Convex hull of points; mass properties from its volume. Touches all shapes in space "
-      "(doc/shape_pairs.md).");
+      "but lines (doc/shape_pairs.md).");
   a.requiredVector("points", Unit::length, 0, "x y z of four or more points");
   a.example(
       "<Polyhedron points=\"0 0 0  1 0 0  0 1 0  0 0 1\" density=\"2500\" material=\"stone\"/>");
@@ -62,8 +62,8 @@ ShapeGeometry PolyhedronShape::geometry() const {
 void MeshShape::declare(Attributes& a) {
   a.about(
       "Ground of triangles with one side, the one from which their corners run counterclockwise. "
-      "All shapes but half spaces and meshes touch its faces, and edges and corners that stand "
-      "out. It carries no mass.");
+      "All shapes but points, lines, half spaces and meshes touch its faces, and edges and corners "
+      "that stand out. It carries no mass.");
   a.requiredVector("points", Unit::length, 0, "x y z of three or more points");
   a.requiredVector("triangles", Unit::none, 0, "i j k: numbers of three points, from 0, each");
   a.example("<Mesh points=\"0 0 0  1 0 0  0 1 0\" triangles=\"0 1 2\" material=\"stone\"/>");
@@ -94,7 +94,7 @@ ShapeGeometry MeshShape::geometry() const { return faceted("Mesh", points_, tria
 void HeightFieldShape::declare(Attributes& a) {
   a.about(
       "Ground of heights z over a grid in x and y, two triangles to a cell; matter is below. All "
-      "shapes but half spaces and meshes touch it. It carries no mass.");
+      "shapes but points, lines, half spaces and meshes touch it. It carries no mass.");
   a.add(AttributeType::integer, "columns", std::nullopt, "points along x").atLeast(2);
   a.requiredVector("heights", Unit::length, 0, "z of the points, row by row along x");
   a.vector("spacing", Unit::length, 2, "1 1", "of the points along x and y").positive();

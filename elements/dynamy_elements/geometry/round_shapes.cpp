@@ -24,8 +24,8 @@ ShapeGeometry CircleShape::geometry() const { return {"Circle", {radius_}, {}, c
 void CylinderShape::declare(Attributes& a) {
   a.about(
       "Solid cylinder along z with sharp rims, a disc if it is short: V = π r² l, J_z = m r²/2, "
-      "J_x = m (3 r² + l²)/12. Touches all shapes in space, polygons, boxes, capsules, ellipses "
-      "and circles in a plane (doc/shape_pairs.md).");
+      "J_x = m (3 r² + l²)/12. Touches all shapes in space, all but contours and "
+      "tori in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.required("length", Unit::length, "length along z").positive();
   a.example("<Cylinder radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
@@ -44,7 +44,7 @@ MassProperties CylinderShape::massProperties() const {
 void CapsuleShape::declare(Attributes& a) {
   a.about(
       "Cylinder along z with half balls on its ends: V = π r² l + 4/3 π r³. Touches all shapes in "
-      "space, all but contours in a plane (doc/shape_pairs.md).");
+      "space, all but contours and tori in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.required("length", Unit::length, "distance of the centres of the two half balls").positive();
   a.example("<Capsule radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
@@ -67,8 +67,8 @@ MassProperties CapsuleShape::massProperties() const {
 void ConeShape::declare(Attributes& a) {
   a.about(
       "Solid cone along z, base circle at z = 0, tip at z = l: V = π r² l/3, centre of mass at "
-      "l/4, J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches all shapes in space "
-      "(doc/shape_pairs.md).");
+      "l/4, J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches all shapes in space, all but "
+      "contours and tori in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius of the base").positive();
   a.required("length", Unit::length, "height of the tip").positive();
   a.example("<Cone radius=\"0.1\" length=\"0.3\" mass=\"1\" material=\"wood\"/>");
@@ -84,8 +84,8 @@ MassProperties ConeShape::massProperties() const {
 void TorusShape::declare(Attributes& a) {
   a.about(
       "Tube of radius r around a circle of radius R about z, a tyre: V = 2 π² R r², J_z = m (R² + "
-      "3/4 r²), J_x = m (R²/2 + 5/8 r²). Touches all shapes in space (doc/shape_pairs.md), none of "
-      "which passes through its hole.");
+      "3/4 r²), J_x = m (R²/2 + 5/8 r²). Touches all shapes in space, none of which passes through "
+      "its hole, and half spaces in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius R of the circle in the middle of the tube").positive();
   a.required("tube", Unit::length, "radius r of the tube").positive();
   a.example("<Torus radius=\"0.3\" tube=\"0.05\" mass=\"2\" material=\"rubber\"/>");
@@ -105,7 +105,7 @@ MassProperties TorusShape::massProperties() const {
 void EllipsoidShape::declare(Attributes& a) {
   a.about(
       "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches all shapes in "
-      "space, all but contours in a plane (doc/shape_pairs.md).");
+      "space, all but contours and tori in a plane (doc/shape_pairs.md).");
   a.requiredVector("semiAxes", Unit::length, 3, "half of its lengths along x, y, z").positive();
   a.example("<Ellipsoid semiAxes=\"0.3 0.2 0.1\" mass=\"1\" material=\"stone\"/>");
 }

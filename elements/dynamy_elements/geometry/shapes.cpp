@@ -28,7 +28,9 @@ std::vector<Vec3> readPoints(const Parameters& x, std::size_t least) {
 // ---- Sphere ------------------------------------------------------------------------------------
 
 void Sphere::declare(Attributes& a) {
-  a.about("Ball: V = 4/3 π r³, J = 2/5 m r². Touches all shapes (doc/shape_pairs.md).");
+  a.about(
+      "Ball: V = 4/3 π r³, J = 2/5 m r². Touches all shapes but tori in a "
+      "plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius").positive();
   a.example("<Sphere radius=\"0.1\" mass=\"1\" material=\"rubber\"/>");
 }
@@ -44,7 +46,8 @@ MassProperties Sphere::massProperties() const {
 void Box::declare(Attributes& a) {
   a.about(
       "Cuboid about its origin with edges along its axes: V = a b c, J_x = m (b² + c²)/12, … "
-      "Touches all shapes in space, all but contours in a plane (doc/shape_pairs.md).");
+      "Touches all shapes but lines in space, all but contours and tori in a plane "
+      "(doc/shape_pairs.md).");
   a.requiredVector("size", Unit::length, 3, "edge lengths along x, y, z").positive();
   a.example("<Box size=\"0.4 0.2 0.1\" density=\"2700\" material=\"steel\"/>");
 }
@@ -85,7 +88,9 @@ ShapeGeometry HalfSpace::geometry() const { return {"HalfSpace", {}, {normal_}, 
 // ---- shapes of points --------------------------------------------------------------------------
 
 void PointShape::declare(Attributes& a) {
-  a.about("A point that touches all shapes but points; drawn as a dot.");
+  a.about(
+      "A point that touches all shapes but points, lines, meshes and height fields, and tori in a "
+      "plane; drawn as a dot (doc/shape_pairs.md).");
   a.optional("radius", Unit::length, 0.0, "radius of the dot in the picture; no part of contact")
       .nonNegative();
   a.example("<Point position=\"0 0 -0.1\" material=\"steel\"/>");
@@ -97,8 +102,8 @@ ShapeGeometry PointShape::geometry() const {
 
 void LineShape::declare(Attributes& a) {
   a.about(
-      "Open line through points. One of two points touches what a capsule does; others are drawn "
-      "only.");
+      "Open line through points. One of two points touches what a capsule does, but no points, "
+      "lines and, in space, shapes with edges (doc/shape_pairs.md); others are drawn only.");
   a.requiredVector("points", Unit::length, 0, "x y z of two or more points");
   a.example("<Line points=\"0 0 0  0 0 -1\"/>");
 }
@@ -108,7 +113,8 @@ ShapeGeometry LineShape::geometry() const { return {"Line", {}, points_, colour(
 void PolygonShape::declare(Attributes& a) {
   a.about(
       "Closed polygon through points. Where bodies move in its plane its corners touch half "
-      "spaces, and, if it is convex, it touches all shapes but contours (doc/shape_pairs.md).");
+      "spaces, and, if it is convex, it touches all shapes but contours and tori "
+      "(doc/shape_pairs.md).");
   a.requiredVector("points", Unit::length, 0, "x y z of three or more points");
   a.example("<Polygon points=\"0 0 0  1 0 0  0 0 1\"/>");
 }
