@@ -41,6 +41,18 @@ TEST_P(Models, PassTheirChecks) {
   RecordProperty("cpu_ms", static_cast<int>(1000.0 * report.cpu));
 }
 
+TEST(LongHopper, OfAThousandBallsRunsOutAndRests) {
+  // The model's own checks; the mass by a second program of the generator, as in the model.
+  LoadedModel loaded("models/hopper.xml",
+                     {{"n", "1000"}, {"mass", "1.3486389419475449"}, {"b", "40mm"}});
+  loaded.model().simulation.until = 3.0;
+  Simulation simulation(loaded.model());
+  const RunReport& report = simulation.run();
+  EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
+  EXPECT_EQ(report.unconverged, 0);
+  expectChecksHold(simulation);
+}
+
 std::string modelName(const testing::TestParamInfo<std::string>& info) { return info.param; }
 INSTANTIATE_TEST_SUITE_P(Files, Models, testing::ValuesIn(modelFiles()), modelName);
 
