@@ -2,6 +2,7 @@
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/contour.hpp>
 #include <dynamy_elements/contacts/disc_on_mesh.hpp>
+#include <dynamy_elements/contacts/feature_pairs.hpp>
 #include <dynamy_elements/contacts/meeting.hpp>
 #include <dynamy_elements/contacts/round_contact.hpp>
 #include <dynamy_elements/contacts/surface_contact.hpp>
@@ -85,6 +86,13 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   return Meeting::missing;
 }
 
+std::uint64_t followedOf(Meeting meets, const TouchingShape& A, const TouchingShape& B) {
+  if (meets == Meeting::polygons)
+    return static_cast<std::uint64_t>(featurePairs(A.polygon_K, B.polygon_K));
+  if (meets != Meeting::boxes && meets != Meeting::polyhedra) return 0;
+  return static_cast<std::uint64_t>(featurePairs(*A.polyhedron, *B.polyhedron));
+}
+
 std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingShape& B) {
   switch (meets) {
     case Meeting::overHalfSpace:
@@ -99,15 +107,16 @@ std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingSh
     case Meeting::capsuleOnSurface:
       return static_cast<std::uint64_t>(capsuleFeatures(*A.surface));
     case Meeting::polyhedra:
-      return static_cast<std::uint64_t>(polyhedraFeatures(*A.polyhedron, *B.polyhedron));
+      return static_cast<std::uint64_t>(polyhedraFeatures(*A.polyhedron, *B.polyhedron)) +
+             followedOf(meets, A, B);
     case Meeting::polyhedronOnMesh:
       return meshFeatures(*A.surface, *B.polyhedron);
     case Meeting::polygons:
-      return A.polygon_K.size() + B.polygon_K.size();
+      return A.polygon_K.size() + B.polygon_K.size() + followedOf(meets, A, B);
     case Meeting::capsuleOnPolygon:
       return 2 + A.polygon_K.size();
     case Meeting::boxes:
-      return kBoxFeatures;
+      return kBoxFeatures + followedOf(meets, A, B);
     case Meeting::discs:
       return kDiscPair;
     case Meeting::discOnMesh:
@@ -136,6 +145,28 @@ std::string ofPolyhedra(const Polyhedron& A, const Polyhedron& B, std::uint64_t 
   if (f < b) return "B.corner" + std::to_string(f);
   if (f < a + b) return "A.corner" + std::to_string(f - b);
   return edgePair(f - a - b, B.edges().size());
+}
+
+/// Of pairs of features that are followed one by one.
+std::string followedName(std::size_t cornersA, std::size_t facesA, std::size_t cornersB,
+                         std::size_t facesB, std::size_t edgesB, std::uint64_t f) {
+  const auto over = [](const char* corner, std::uint64_t i, const char* face, std::uint64_t j) {
+    return corner + std::to_string(i) + face + std::to_string(j);
+  };
+  if (f < cornersB * facesA) return over("B.corner", f / facesA, "-A.face", f % facesA);
+  f -= cornersB * facesA;
+  if (f < cornersA * facesB) return over("A.corner", f / facesB, "-B.face", f % facesB);
+  return edgePair(f - cornersA * facesB, edgesB);
+}
+
+std::string followedName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
+                         std::uint64_t f) {
+  if (meets == Meeting::polygons)
+    return followedName(A.polygon_K.size(), A.polygon_K.size(), B.polygon_K.size(),
+                        B.polygon_K.size(), 1, f);
+  return followedName(A.polyhedron->corners().size(), A.polyhedron->faces().size(),
+                      B.polyhedron->corners().size(), B.polyhedron->faces().size(),
+                      B.polyhedron->edges().size(), f);
 }
 
 std::string ofRim(std::uint64_t rim, std::uint64_t k) {
@@ -206,6 +237,9 @@ std::string ofCapsule(const Surface& A, std::uint64_t f) {
 
 std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
                         std::uint64_t f) {
+  if (const std::uint64_t followed = followedOf(meets, A, B); followed > 0)
+    if (const std::uint64_t first = featuresOf(meets, A, B) - followed; f >= first)
+      return followedName(meets, A, B, f - first);
   if (meets == Meeting::boxes) return boxFeature(f);
   if (meets == Meeting::polygons) {
     const std::size_t b = B.polygon_K.size();

@@ -43,6 +43,9 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane);
 /// How many contacts two shapes may make, numbered from 0.
 std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingShape& B);
 
+/// How many of these, the last ones, are pairs of features that are followed one by one.
+std::uint64_t followedOf(Meeting meets, const TouchingShape& A, const TouchingShape& B);
+
 /// Name of contact number f of the two; empty: there is only one.
 std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
                         std::uint64_t f);

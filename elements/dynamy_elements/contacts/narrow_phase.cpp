@@ -56,7 +56,11 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
     const bool bounded = std::isfinite(s.bound) && !f.absent;
-    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, bounded ? s.bound + reach_[i] : -1.0});
+    // What is nowhere, in a trial step that was too long, is near all: pairs of features that are
+    // asked for by name are reported all the same.
+    const Vec3 c = f.r_OS_I + f.A_IK * s.p_K;
+    balls_.push_back(
+        {c.allFinite() ? c : Vec3(Vec3::Zero()), bounded ? s.bound + reach_[i] : -1.0});
   }
   turned_.assign(shapes.size(), 0.0);
   // Half spaces: all contacts of few shapes, so that their gaps can be followed, else near ones.
@@ -85,7 +89,12 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   if (tau_ > 0.0) followTurns(k, near);
   for (std::size_t m = 0; m < near.size(); ++m) {
     if (tau_ > 0.0 && gap_[m] > way_[m]) continue;
-    if (const Pair pair = pairOf(near[m].first, near[m].second)) narrow(pair, k, sink);
+    const Pair pair = pairOf(near[m].first, near[m].second);
+    if (!pair) continue;
+    if (sink.request().follow && comesAndGoes(pair))
+      follow(pair, k, sink);
+    else
+      narrow(pair, k, sink);
   }
 }
 
@@ -316,6 +325,11 @@ void ShapeContacts::emitAll(const Pair& pair, const Found& found, int n, const K
   for (auto c = found.begin(); c != found.begin() + n; ++c)
     emit(pair, static_cast<std::size_t>(c->id), c->at.g, k, sink,
          [&]() -> const ContactPoint& { return c->at; });
+}
+
+void ShapeContacts::emitPoint(const Pair& pair, std::size_t feature, const ContactPoint& at,
+                              const Kinematics& k, ContactSink& sink) const {
+  emit(pair, feature, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
 }
 
 template <class At>

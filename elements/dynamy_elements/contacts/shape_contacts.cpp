@@ -135,7 +135,7 @@ void ShapeContacts::makeSurfaces() {
   };
   const auto needed = [&](const TouchingShape& s) {
     return faceted(s) || s.kind == Touch::ellipsoid || s.kind == Touch::cylinder ||
-           s.kind == Touch::torus || s.kind == Touch::cone;
+           s.kind == Touch::torus || s.kind == Touch::cone || s.isBox(8);
   };
   if (std::none_of(shapes_[0].begin(), shapes_[0].end(), needed)) return;
   std::map<std::vector<double>, const Polyhedron*> known;
@@ -294,6 +294,7 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   if (!grain.text.empty()) search.fault(ma, mb, pairFault(shapeA, shapeB, grain.text, grain.hint));
   made.grain = !A->grain_K.isZero(0.0) || !B->grain_K.isZero(0.0);
   made.features = featuresOf(made.meets, *A, *B);
+  made.followed = made.features - followedOf(made.meets, *A, *B);
   table_[a * groups_ + b] = table_[b * groups_ + a] = static_cast<int>(pairRules_.size());
   pairRules_.push_back(made);
 }

@@ -31,6 +31,7 @@ namespace dynamy {
 
 class Model;
 struct SignalView;
+struct ContactNumbers;
 
 class ShapeContacts final : public NonSmoothElement {
  public:
@@ -56,6 +57,7 @@ class ShapeContacts final : public NonSmoothElement {
     std::size_t plane = 0;       ///< index into `planes_`
     bool grain = false;          ///< one of the two has one
     std::uint64_t features = 1;  ///< contacts of two of them
+    std::uint64_t followed = 0;  ///< of these from here on pairs of features that are followed
     int rows = 4;  ///< normal, tangents, spin about the normal; in a plane normal, tangent
   };
   /// Two shapes, A the one of the higher kind: half space before box before ball; i < j otherwise.
@@ -91,6 +93,12 @@ class ShapeContacts final : public NonSmoothElement {
   template <class Found>
   void emitAll(const Pair& pair, const Found& found, int n, const Kinematics& k,
                ContactSink& sink) const;
+  // Contacts that come and go with features, one by one (follow_pairs.cpp).
+  static bool comesAndGoes(const Pair& pair);
+  void follow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  template <class Body>
+  void followBodies(const Pair& pair, const Body& a, const Body& b, const Kinematics& k,
+                    ContactSink& sink) const;
   double reachOf(const Pair& pair, const ContactSink& sink) const;
   double seenFrom(const Pair& pair, const ContactSink& sink) const;
   void overHalfSpace(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
@@ -98,6 +106,8 @@ class ShapeContacts final : public NonSmoothElement {
   template <class At>
   void emit(const Pair& pair, std::size_t feature, double g, const Kinematics& k, ContactSink& sink,
             At&& at) const;
+  void emitPoint(const Pair& pair, std::size_t feature, const ContactPoint& at, const Kinematics& k,
+                 ContactSink& sink) const;
   // Along the path of a step (shape_sweep.cpp).
   /// Calls `f` for all pairs within balls_, and of those of half spaces and all shapes.
   template <class F>
@@ -105,6 +115,7 @@ class ShapeContacts final : public NonSmoothElement {
   double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const;
   Passing passing(const Pair& pair, std::size_t f, const SweptPath& path) const;
 
+  static ContactNumbers numbers(const Pair& pair, std::uint64_t f);
   double load(const SignalView& v, int ground, int axis) const;
   void makeSurfaces();
   PairLaws* laws_;
@@ -132,6 +143,7 @@ class ShapeContacts final : public NonSmoothElement {
   mutable double tau_ = 0.0;           ///< time that reach_ looks ahead [s]; 0: all pairs are taken
   mutable std::vector<double> turned_;     ///< per shape [m]
   mutable std::vector<double> gap_, way_;  ///< per near pair: at least, at most [m]
+  mutable std::vector<int> near_;          ///< pairs of features
   mutable std::vector<BroadPhase::Ball> balls_;
   mutable BroadPhase broad_;
 };

@@ -49,6 +49,15 @@ double ShapeContacts::load(const SignalView& v, int ground, int axis) const {
   return sum / v.dt;
 }
 
+/// Of contact f, where corners of polygons are followed over each side of the other.
+ContactNumbers ShapeContacts::numbers(const Pair& pair, std::uint64_t f) {
+  if (pair.rule->meets != Meeting::polygons) return {pair.id + f, 0, 0};
+  const std::uint64_t a = pair.A->polygon_K.size(), b = pair.B->polygon_K.size(),
+                      first = pair.id + pair.rule->followed;
+  return f < b ? ContactNumbers{pair.id + f, first + f * a, a}
+               : ContactNumbers{pair.id + f, first + a * b + (f - b) * b, b};
+}
+
 void ShapeContacts::describe(Description& d) const {
   d.signal("contacts.count", Unit::none, "closed contacts between shapes", [](const SignalView& v) {
     return static_cast<double>(
@@ -66,9 +75,10 @@ void ShapeContacts::describe(Description& d) const {
   for (const auto& [i, j] : namedPairs_) {
     const Pair pair = pairOf(i, j);
     const int geometric = pair.rule->plane == 0 ? 3 : 2;
-    if (pair.rule->features > kMostNamedFeatures) continue;  // by their count alone
-    for (std::uint64_t f = 0; f < pair.rule->features; ++f)
-      describeContact(d, pair.id + f, geometric, *pair.rule->law, contactName(pair.id + f) + ".");
+    if (pair.rule->followed > kMostNamedFeatures) continue;  // by their count alone
+    for (std::uint64_t f = 0; f < pair.rule->followed; ++f)
+      describeContact(d, numbers(pair, f), geometric, *pair.rule->law,
+                      contactName(pair.id + f) + ".");
   }
 }
 

@@ -44,6 +44,15 @@ class ContactSet {
   // known; a zero normal: the contact has no place).
   std::vector<Vec3> point, normal, t1, t2;
 
+  // Only where pairs of features are followed one by one (ContactRequest::follow).
+  /// Per contact: positive while its two features lie over one another, zero where they cease to
+  /// [m]; kAlways: of a contact that does not come and go.
+  std::vector<double> presence;
+  static constexpr double kAlways = 1e300;
+  std::vector<ContactKey> noted;  ///< pairs of features that may touch soon
+  bool comesAndGoes = false;      ///< some contacts here come and go with the features that touch
+  double overlap = 0.0;           ///< the deepest of bodies with such contacts [m]
+
   int size() const { return static_cast<int>(law.size()); }
   int rows() const { return row0.empty() ? 0 : row0.back(); }
   int dim(int i) const {

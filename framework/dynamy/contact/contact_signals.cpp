@@ -7,33 +7,44 @@ namespace dynamy {
 namespace {
 
 /// Index of the contact among the closed ones of this step, −1: open.
-int closed(const SignalView& v, std::uint64_t id) { return v.contacts->find(v.element, id); }
+int closed(const SignalView& v, const ContactNumbers& n) {
+  int i = v.contacts->find(v.element, n.id);
+  for (std::uint64_t k = 0; i < 0 && k < n.count; ++k) i = v.contacts->find(v.element, n.first + k);
+  return i;
+}
 
-double gap(const SignalView& v, std::uint64_t id) {
-  const ContactKey wanted = contactKey(v.element, id);
-  for (std::size_t i = 0; i < v.contacts->candidateKey.size(); ++i)
-    if (v.contacts->candidateKey[i] == wanted) return v.contacts->g[i];
+double gap(const SignalView& v, const ContactNumbers& n) {
+  for (std::size_t i = 0; i < v.contacts->candidateKey.size(); ++i) {
+    if (v.contacts->candidateElement[i] != v.element) continue;
+    const std::uint64_t id = contactNumber(v.contacts->candidateKey[i]);
+    if (id == n.id || id - n.first < n.count) return v.contacts->g[i];
+  }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-double rowOf(const SignalView& v, std::uint64_t id, int row, const ConstVec& values) {
+double rowOf(const SignalView& v, const ContactNumbers& id, int row, const ConstVec& values) {
   const int i = closed(v, id);
   return i < 0 || values.size() == 0 ? 0.0
                                      : values[v.contacts->row0[static_cast<std::size_t>(i)] + row];
 }
 
 /// Percussion of the whole step.
-double percussion(const SignalView& v, std::uint64_t id, int row) {
-  if (v.stepContacts == nullptr) return rowOf(v, id, row, v.Lambda);
-  const int i = v.stepContacts->find(v.element, id);
-  return i < 0 || v.stepLambda.size() == 0
-             ? 0.0
-             : v.stepLambda[v.stepContacts->row0[static_cast<std::size_t>(i)] + row];
+double percussion(const SignalView& v, const ContactNumbers& n, int row) {
+  if (v.stepContacts == nullptr) return rowOf(v, n, row, v.Lambda);
+  const auto of = [&](std::uint64_t id) {
+    const int i = v.stepContacts->find(v.element, id);
+    return i < 0 || v.stepLambda.size() == 0
+               ? 0.0
+               : v.stepLambda[v.stepContacts->row0[static_cast<std::size_t>(i)] + row];
+  };
+  double sum = of(n.id);
+  for (std::uint64_t k = 0; k < n.count; ++k) sum += of(n.first + k);
+  return sum;
 }
 
 /// Status from Λ and γ^E: Λ − r ξ is the prox argument for any r once the inclusion
 /// holds; a small r, so that neither the unit of mass nor ε γ^A of a rebound decides.
-double statusNumber(const SignalView& v, std::uint64_t id) {
+double statusNumber(const SignalView& v, const ContactNumbers& id) {
   const int i = closed(v, id);
   if (i < 0) return static_cast<double>(Status::open);
   const auto at = static_cast<std::size_t>(i);
@@ -69,8 +80,8 @@ bool angular(const SetValuedForceLaw& law, int row) {
 
 }  // namespace
 
-void describeContact(Description& d, std::uint64_t id, int geometric, const SetValuedForceLaw& law,
-                     const std::string& prefix) {
+void describeContact(Description& d, const ContactNumbers& id, int geometric,
+                     const SetValuedForceLaw& law, const std::string& prefix) {
   const int dim = law.dim(geometric);
   d.signal(prefix + "g", Unit::length, "gap", [id](const SignalView& v) { return gap(v, id); });
   d.signal(prefix + "status", Unit::none,

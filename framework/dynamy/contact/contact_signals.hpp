@@ -5,10 +5,20 @@
 
 namespace dynamy {
 
-/// Names the signals of contact `id` of the element: g [m], status (−), gamma_N, gamma_T… [m/s],
-/// Lambda_N, Lambda_T… [N s], lambda_N, lambda_T… [N] (Λ/Δt). `prefix` stands in front ("",
+/// Number of a contact, and of those that are reported in its place where pairs of features are
+/// followed one by one (ContactRequest::follow): at most one of them presses at a time.
+struct ContactNumbers {
+  std::uint64_t id = 0, first = 0, count = 0;
+};
+
+/// Names the signals of contact `numbers` of the element: g [m], status (−), gamma_N, gamma_T…
+/// [m/s], Lambda_N, Lambda_T… [N s], lambda_N, lambda_T… [N] (Λ/Δt). `prefix` stands in front ("",
 /// "corner3.").
-void describeContact(Description& d, std::uint64_t id, int geometric, const SetValuedForceLaw& law,
-                     const std::string& prefix = {});
+void describeContact(Description& d, const ContactNumbers& numbers, int geometric,
+                     const SetValuedForceLaw& law, const std::string& prefix = {});
+inline void describeContact(Description& d, std::uint64_t id, int geometric,
+                            const SetValuedForceLaw& law, const std::string& prefix = {}) {
+  describeContact(d, ContactNumbers{id, 0, 0}, geometric, law, prefix);
+}
 
 }  // namespace dynamy

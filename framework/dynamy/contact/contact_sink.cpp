@@ -27,10 +27,18 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.position.resize(rows), c.chi.resize(rows);
   if (unilateral || dim == 1) c.position[row] = g;
   c.scale.push_back(1.0);
+  if (request_.follow) c.presence.push_back(ContactSet::kAlways);
   if (request_.bias) c.bias.resize(rows);
   c.point.push_back(Vec3::Zero());
   for (auto* directions : {&c.normal, &c.t1, &c.t2}) directions->push_back(Vec3::Zero());
   return {c, index, request_.bias};
+}
+
+std::span<const ContactKey> ContactSink::asked(std::uint64_t first, std::uint64_t end) const {
+  const std::span<const ContactKey> all = request_.frozen;
+  const auto from = std::lower_bound(all.begin(), all.end(), contactKey(element_, first));
+  const auto to = std::lower_bound(from, all.end(), contactKey(element_, end));
+  return {from, to};
 }
 
 Block ContactRows::segment(int block, int u0, int nu) {

@@ -54,6 +54,11 @@ struct ContactRequest {
   std::span<const ContactKey> frozen =
       {};                ///< refresh: exactly these contacts count as closed, whatever their gap
   bool refresh = false;  ///< use `frozen`
+  /// With refresh: contacts that come and go with the features that touch are reported pair by pair
+  /// of features, exactly those in `frozen` wherever they are, with their presence.
+  bool follow = false;
+  /// With follow: pairs of features that may touch within this time are noted [s]; below 0: none.
+  double ahead = -1.0;
 };
 
 class ContactSink {
@@ -66,6 +71,15 @@ class ContactSink {
   /// Set by the framework before each element.
   void element(int index) { element_ = index; }
   const ContactRequest& request() const { return request_; }
+  // Pairs of features that are followed one by one.
+  /// Those of the contacts with numbers from `first` up to `end` that are asked for by name.
+  std::span<const ContactKey> asked(std::uint64_t first, std::uint64_t end) const;
+  /// Of the contact that was added last.
+  void presence(double value) { set_->presence.back() = value; }
+  void note(std::uint64_t id) { set_->noted.push_back(contactKey(element_, id)); }
+  /// Two bodies with such contacts, and how deep they overlap [m].
+  void comesAndGoes() { set_->comesAndGoes = true; }
+  void overlap(double depth) { set_->overlap = std::max(set_->overlap, depth); }
   /// True: contact `id` of this element is not among those that are asked for by name.
   bool leftOut(std::uint64_t id) const {
     return request_.refresh && !std::binary_search(request_.frozen.begin(), request_.frozen.end(),

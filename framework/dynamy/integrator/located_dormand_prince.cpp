@@ -27,7 +27,7 @@ double LocatedDormandPrince::nextStep(const State& x) const {
 
 bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
   search_.forget();
-  s.freeze(phaseKeys_);
+  s.hold(phaseKeys_);
   s.evaluate(p.x, 0);
   if (!phase_.accelerate(s.slot(0), p.x.u, p.a)) return refuse(phase_);
   p.lambda = phase_.lambda(), p.power = phase_.power();
@@ -45,7 +45,7 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
                                  StepReport& report) {
   from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
   phaseKeys_.clear(), phase_.held.clear();
-  s.freeze(phaseKeys_);
+  s.hold(phaseKeys_);
   s.evaluate(from_.x, 0);
   if (x.scheme.size() == 0) {
     probe_.look(from_.x);
@@ -129,7 +129,7 @@ void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoi
 LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, double h,
                                                           bool looked, StepReport& report,
                                                           Switch& found) {
-  s.freeze(phaseKeys_);
+  s.hold(phaseKeys_);
   phase_.held = startHeld_;
   const auto reject = [&](double factor) {
     ++report.counts.rejected;
@@ -159,9 +159,10 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   if (const double past = turn(); past > 2.0)
     return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7)), Tried::turned;
   found = {};
-  if (search_.any()) {
+  if (search_.any() || probe_.comesAndGoes()) {
     path_.through(s, from_, to_);
     search_.atEnd(phase_, to_.x.t);
+    if (!widen()) return refuse(ContactProbe::kUnfollowed), Tried::failed;
     const double width = 0.1 * std::cbrt(0.01 * norm_.tolerance());
     if (!search_.find(s, probe_, phase_, path_, looked, width, found))
       return phase_.fault().empty() ? refuse(ContactProbe::kUnfollowed) : refuse(phase_),
@@ -177,7 +178,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
 }
 
 bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w) {
-  s.freeze(phaseKeys_);
+  s.hold(phaseKeys_);
   const double length = w.theta * h;
   smoothOwn_.light(smooth_.light());
   if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_);
@@ -274,13 +275,17 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
     std::swap(from_, to_);
   else
     restore(s, solver, x, report);
-  search_.prepare(kGapNoise * norm_.length(), kSpeedNoise * norm_.speed());
+  search_.prepare(kGapNoise * norm_.length(), kSpeedNoise * norm_.speed(), leftOverlap(),
+                  SwitchEvent::kSame * norm_.length());
   return why_.empty();
 }
 
 bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, double most,
                                 StepReport& report, bool& done) {
   if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time())) return stall();
+  if (probe_.comesAndGoes() && !probe_.gather(from_.x, phaseKeys_))
+    return refuse(ContactProbe::kUnfollowed);
+  startOverlap_ = probe_.overlap();
   if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
   const double until = untilInstant();
   if (until <= 0.0) {
@@ -310,7 +315,9 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
     book(s, &StepEffort::events, report);
     return good;
   }
+  const std::array<double, 5> before = works_;
   if (found && !repeat(s, h, found)) return false;
+  if (sinks(to_.x)) return takeShorter(s, h, before, report);
   if (found) book(s, &StepEffort::switches, report);
   if (!found) impulse_ = smooth_.impulse();
   if (!found && h == most) to_.x.t = from_.x.t + most;
@@ -335,6 +342,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
 bool LocatedDormandPrince::decide(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
                                   const Switch& w, StepReport& report) {
   release(w);
+  if (search_.leaves(w)) event_.leave(search_.contact(phase_, w));
   return (!search_.latches(w) || throwLatch(s, p)) && event(s, solver, p, report, {});
 }
 
@@ -355,7 +363,8 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   StepReport report;
   const long before = s.evaluations();
   const bool good = proceed(s, solver, x, dt, report);
-  if (!good && stalled_ && !plain_ && search_.any()) {  // else a singular force
+  if (!good && stalled_ && !plain_ &&
+      (search_.any() || probe_.comesAndGoes())) {  // else a singular force
     beginStepping(x);
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
     const StepEffort spent = report.counts.effort;

@@ -97,6 +97,14 @@ class LocatedDormandPrince : public OneStep {
   bool polish(MechanicalSystem& s, double h, const Switch& w);
   /// True: an open contact penetrates at from_.
   bool closesOpen();
+  /// Adds the contacts that bodies may meet with along path_.
+  bool widen();
+  /// Contacts that come and go have bodies overlap at x that did not at from_.
+  bool sinks(const State& x);
+  double leftOverlap() const;  ///< one that is left as it is [m]
+  /// The step is taken again, shorter than h. True.
+  bool takeShorter(const MechanicalSystem& s, double h, const std::array<double, 5>& works,
+                   StepReport& report);
   double turn();
   bool endStarts();
   /// The slip of held[i] has begun for good, for steps of length h.
@@ -185,6 +193,7 @@ class LocatedDormandPrince : public OneStep {
   ContactKey lastSwitched_;
   Eigen::Matrix<double, kHead, 1> head_;
   Eigen::VectorXd rate_;                  // Δu/Δt of the last step in time
+  double startOverlap_ = 0.0;             // of contacts that come and go [m]
   double overlap_ = 0.0, reached_ = 0.0;  // largest overlap at its end; of the trial [m]
   State steppedFrom_;
 };

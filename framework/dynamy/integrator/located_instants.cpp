@@ -49,9 +49,9 @@ bool LocatedDormandPrince::throwLatch(MechanicalSystem& s, PhasePoint& p) {
 }
 
 bool LocatedDormandPrince::relist(const State& x) {
-  if (!probe_.look(x)) {
+  if (!probe_.gather(x, phaseKeys_)) {
     probe_.list(x);
-    probe_.look(x);
+    probe_.gather(x, {});
   }
   // A body may have been taken away and brought again elsewhere under the same number.
   const double away = norm_.tolerance() * norm_.length();

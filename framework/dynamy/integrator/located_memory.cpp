@@ -103,7 +103,7 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, InclusionSolver& solver,
     from_.a.setZero(x.u.size());
     return event(s, solver, from_, report, {});
   }
-  s.freeze(phaseKeys_);
+  s.hold(phaseKeys_);
   smooth_.keep(s, phase_, x, x.scheme.segment(place, placed));
   return evaluateEnd(s, from_);
 }
@@ -204,7 +204,7 @@ void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a
     return;
   }
   if (!denseReady_) {
-    system_->freeze(stepPhaseKeys_);
+    system_->hold(stepPhaseKeys_);
     denseReady_ = smooth_.prepareDense(*system_, stepPhase_, stepFrom_, stepTo_);
     system_->thaw();
   }
@@ -219,7 +219,7 @@ bool LocatedDormandPrince::contactsAt(const MechanicalSystem& s, const State& at
   if (stepped_ || system_ != &s) return false;
   if (after) afterPhase_ = phase_;
   FrozenPhase& phase = after ? afterPhase_ : stepPhase_;
-  system_->freeze(after ? phaseKeys_ : stepPhaseKeys_);
+  system_->hold(after ? phaseKeys_ : stepPhaseKeys_);
   const Evaluation& e = system_->evaluate(at, 1);
   const bool known = phase.accelerate(e, at.u, shownA_);
   system_->thaw();

@@ -19,7 +19,8 @@ constexpr double kBiasNoise = 1e-12;   ///< of L/T² and 1/T²: rates that are n
 
 double LocatedDormandPrince::shortened(double h) const {
   // What turns must not turn past a contact between two samples of the search.
-  if (const double turn = norm_.fastestTurn(from_.x.u); search_.gaps() && turn * h > kMostTurn)
+  if (const double turn = norm_.fastestTurn(from_.x.u);
+      (search_.gaps() || probe_.comesAndGoes()) && turn * h > kMostTurn)
     h = kMostTurn / turn;
   // What is muted may pass its bound: not for longer than it is meant to.
   for (const Held& held : phase_.held)
@@ -111,9 +112,10 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
 bool LocatedDormandPrince::closesOpen() {
   if (!probe_.look(from_.x)) return true;
   for (int i = 0; i < probe_.size(); ++i)
-    if (probe_.law(i).unilateral() && probe_.gap(i) < 0.0 && phase_.find(probe_.key(i)) == nullptr)
+    if (probe_.law(i).unilateral() && probe_.gap(i) < 0.0 && !probe_.comesAndGoes(i) &&
+        phase_.find(probe_.key(i)) == nullptr)
       return true;
-  return false;
+  return sinks(from_.x);
 }
 
 double LocatedDormandPrince::turn() {
@@ -220,7 +222,7 @@ bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
     s.slot(1).contacts.gamma(view(std::as_const(trial_.x.u)), view(gamma));
     return gamma;
   };
-  s.freeze(phaseKeys_);
+  s.hold(phaseKeys_);
   const Eigen::VectorXd before = gammaAt(-d), after = gammaAt(d);
   gammaDot_ = (after - before) / (2.0 * d);
   if (firstWrongBias(s, p, gammaDot_) < 0) return true;

@@ -41,7 +41,7 @@ bool LocatedDormandPrince::findUntold(MechanicalSystem& s, const State& x, bool 
   if (!any) return false;
   asked_.assign(c.key.begin(), c.key.end());
   std::sort(asked_.begin(), asked_.end());
-  s.freeze(asked_);
+  s.hold(asked_);
   if (!s.differenceBias(x, rates_) || rates_.size() != c.rows()) return false;
   const double T = norm_.time(), least = kNoRate * std::max(1.0, norm_.length()) / (T * T);
   std::vector<int> found;

@@ -120,7 +120,9 @@ class MechanicalSystem {
   const ContactSet& look(const State& x);
   /// Exactly the contacts with these keys (ascending) count as closed, until thaw().
   void freeze(std::span<const ContactKey> keys) { request_.frozen = keys, request_.refresh = true; }
-  void thaw() { request_.frozen = {}, request_.refresh = false; }
+  void thaw() { request_.frozen = {}, request_.refresh = request_.follow = false; }
+  /// The same, with pairs of features one by one (ContactRequest::follow).
+  void hold(std::span<const ContactKey> keys) { freeze(keys), request_.follow = true; }
   void delassusForm(Delassus::Form form) { form_ = form; }
   const Evaluation& slot(int i) const { return slots_[static_cast<std::size_t>(i)]; }
   /// For schemes that change the laws of a stage.

@@ -107,7 +107,7 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
   const bool jumped = plain_ || !percussions_.empty() || !shut_.empty();
   if (!jumped) look_.u += lookAhead * aBefore_;
-  s.freeze(closing_);
+  s.hold(closing_);
   s.evaluate(look_, 1);
   look_.u = x.u;
   InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);

@@ -7,6 +7,8 @@ namespace {
 
 constexpr double kTouch = 1e-10;  ///< gaps up to this part of L take part in an impact
 constexpr double kRest = 1e-10;   ///< speeds below this part of U rest
+constexpr double kGone = 1e-12;   ///< features that lie over one another by less of L leave
+constexpr double kDeep = 10.0;    ///< overlaps of features up to this multiple of tol L
 constexpr int kMostTurns = 12;
 constexpr int kMostOffered = 16;  ///< rows of a contact, of laws that are refused too
 constexpr double kTau = 1e-9;     ///< a displacement δ is a velocity δ/τ for the time τ
@@ -20,16 +22,50 @@ bool has(const std::vector<ContactKey>& keys, ContactKey key) {
 void SwitchEvent::prepare(const MechanicalSystem&, const ErrorNorm& norm) { norm_ = &norm; }
 
 bool SwitchEvent::takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
-  if (!probe.look(x)) return false;
+  closing_.clear();
+  phase.keys(closing_);
+  if (!probe.gather(x, closing_)) return false;
+  taking_.clear();
+  for (int i = 0; i < probe.size(); ++i)
+    if (!probe.law(i).unilateral() || touches(probe, i) ||
+        (phase.find(probe.key(i)) != nullptr && !leaves(probe, i)))
+      taking_.push_back(i);
+  if (probe.comesAndGoes()) leaveOneOfEach(probe, phase);
   keys_.clear();
-  for (int i = 0; i < probe.size(); ++i) {
-    const bool touches = probe.law(i).unilateral() && probe.gap(i) <= kTouch * norm_->length() &&
-                         probe.gamma(i) <= kRest * norm_->speed();
-    if (!probe.law(i).unilateral() || touches || phase.find(probe.key(i)) != nullptr)
-      keys_.push_back(probe.key(i));
-  }
+  for (const int i : taking_) keys_.push_back(probe.key(i));
   std::sort(keys_.begin(), keys_.end());
   return true;
+}
+
+bool SwitchEvent::leaves(const ContactProbe& probe, int i) const {
+  return probe.comesAndGoes(i) &&
+         (probe.key(i) == left_ || probe.presence(i) <= kGone * norm_->length());
+}
+
+bool SwitchEvent::touches(const ContactProbe& probe, int i) const {
+  const double gap = probe.gap(i), deep = kDeep * norm_->tolerance();
+  if (!probe.law(i).unilateral() || gap > kTouch * norm_->length() ||
+      probe.gamma(i) > kRest * norm_->speed())
+    return false;
+  // Deeper ones are features on the far side of a body.
+  return !probe.comesAndGoes(i) || (!leaves(probe, i) && gap >= -deep * norm_->length());
+}
+
+void SwitchEvent::leaveOneOfEach(const ContactProbe& probe, const FrozenPhase& phase) {
+  // Corners on corners and flush faces have many pairs of features at one place: one of them
+  // counts, one that is held before all others.
+  alike_.clear();
+  const auto held = [&](int i) { return phase.find(probe.key(i)) != nullptr; };
+  std::stable_sort(taking_.begin(), taking_.end(),
+                   [&](int a, int b) { return held(a) && !held(b); });
+  for (const int i : taking_) {
+    const bool again =
+        probe.comesAndGoes(i) && std::any_of(alike_.begin(), alike_.end(), [&](int j) {
+          return probe.comesAndGoes(j) && probe.coincide(i, j, kSame * norm_->length());
+        });
+    if (!again) alike_.push_back(i);
+  }
+  taking_ = alike_;
 }
 
 void SwitchEvent::projectPositions(MechanicalSystem& s, const FrozenPhase& phase, State& x) {
@@ -54,6 +90,19 @@ void SwitchEvent::projectPositions(MechanicalSystem& s, const FrozenPhase& phase
   }
 }
 
+void SwitchEvent::projectHeld(MechanicalSystem& s, const FrozenPhase& phase, State& x) {
+  // Faces that lie on each other touch where others of their features are held, but for what these
+  // have drifted.
+  keys_.clear();
+  phase.keys(keys_);
+  if (keys_.empty()) return;
+  s.hold(keys_);
+  s.evaluate(x, 0);
+  projectPositions(s, phase, x);
+  next_ = phase;
+  projectVelocities(s, next_, x);
+}
+
 void SwitchEvent::projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x) {
   if (phase.velocityCorrection(s.slot(0), x.u, delta_)) x.u += delta_;
 }
@@ -65,11 +114,14 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   Result r;
   percussions_.clear(), plastic_.clear(), shut_.clear(), works_ = {};
   State& x = p.x;
-  if (!takePart(probe, phase, x)) {
+  if (probe.comesAndGoes()) projectHeld(s, phase, x);
+  const bool known = takePart(probe, phase, x);
+  left_ = kNone;
+  if (!known) {
     r.fault = ContactProbe::kUnfollowed;
     return r;
   }
-  s.freeze(keys_);
+  s.hold(keys_);
   s.evaluate(x, 0);
   projectPositions(s, phase, x);
   projectVelocities(s, phase, x);
@@ -79,7 +131,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
     percussions_.clear(), works_ = {};
     r.impact = impact(s, solver, x, r);
     decide(s, solver, x, lookAhead, phase, stopped, next_, r);
-    s.freeze(keys_);
+    s.hold(keys_);
     s.evaluate(x, 0);
     projectVelocities(s, next_, x);
     if (!next_.share(s.slot(0), x.u, p.a)) {
@@ -112,7 +164,7 @@ bool SwitchEvent::accelerateAlone(MechanicalSystem& s, PhasePoint& p) {
   closing_.clear();
   next_.keys(closing_);
   if (closing_.size() == keys_.size()) return true;
-  s.freeze(closing_);
+  s.hold(closing_);
   s.evaluate(p.x, 1);
   return next_.accelerate(s.slot(1), p.x.u, p.a);
 }

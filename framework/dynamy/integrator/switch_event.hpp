@@ -74,6 +74,10 @@ class SwitchEvent {
   /// In plain decisions from now on this contact, whose friction has reached its bound, slips in
   /// its one tangent with the sign of `direction`; 0: none is let go.
   void release(ContactKey key, double direction) { released_ = key, direction_ = direction; }
+  /// Of L: contacts of the same two bodies that are nearer than this are one.
+  static constexpr double kSame = 4e-6;
+  /// In the next decision this contact is none any more, as its features leave one another.
+  void leave(ContactKey key) { left_ = key; }
   /// At x: changes x, `phase` and p (accelerations under the new status). `lookAhead`: h_s;
   /// `stopped`: parts whose slip ends here whatever is left of it. Slot 0 is left evaluated at x
   /// with all contacts that took part.
@@ -88,9 +92,14 @@ class SwitchEvent {
 
  private:
   static constexpr double kSlip = 1e-9;  // slips above this part of U go on
+  static constexpr ContactKey kNone{~std::uint64_t{0}};
   /// z tol, of L: what rises no higher stays.
   double zenoHeight() const;
   bool takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x);
+  bool touches(const ContactProbe& probe, int i) const;
+  bool leaves(const ContactProbe& probe, int i) const;
+  void projectHeld(MechanicalSystem& s, const FrozenPhase& phase, State& x);
+  void leaveOneOfEach(const ContactProbe& probe, const FrozenPhase& phase);
   void projectPositions(MechanicalSystem& s, const FrozenPhase& phase, State& x);
   void projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x);
   bool accelerateAlone(MechanicalSystem& s, PhasePoint& p);
@@ -131,7 +140,8 @@ class SwitchEvent {
   std::array<double, 5> works_{};
   Eigen::VectorXd uBefore_, aBefore_, delta_, gamma_, gammaBefore_, xi_;
   bool plain_ = false;
-  ContactKey released_;
+  ContactKey released_, left_ = kNone;
+  std::vector<int> taking_, alike_;
   double direction_ = 0.0;
   double leaves_ = 0.0;  // speed above which a contact leaves [m/s]
   std::vector<Block> blocks_;

@@ -6,8 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kForceNoise = 1e-12;  ///< of the largest force
-constexpr int kHalvings = 46;          ///< for monitors that start at zero: θ down to 1e-15
+constexpr int kHalvings = 46;  ///< for monitors that start at zero: θ down to 1e-15
 constexpr int kForceHalvings = 20;
 constexpr int kMostRefinements = 160;
 constexpr double kJump = 0.1;         ///< of the fall of a force over the first bracket
@@ -17,7 +16,6 @@ constexpr double kJumpWidth = 1e-13;  ///< a jump is not found more closely, as 
 /// Of the fall over a bracket: a larger value is no root, though the last slope, which may be that
 /// over a jump, says so.
 constexpr double kSmall = 1e-2;
-constexpr double kStart = 1e3;  ///< of the noise: a value that starts below starts at zero
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
 constexpr double kNear = 0.02;
 constexpr double kRough = 0.1;         ///< of the largest force: a second difference that is large,
@@ -25,76 +23,6 @@ constexpr double kRoughSamples = 0.3;  ///< of the range of a slip
 constexpr double kMinimum = 1e-5;      ///< how closely the minimum is found, as a part of the step
 
 }  // namespace
-
-void SwitchSearch::prepare(double gapNoise, double speedNoise) {
-  gapNoise_ = gapNoise, speedNoise_ = speedNoise;
-}
-
-bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
-  kinematic_.clear(), force_.clear();
-  at_.memory = x.memory;
-  if (!probe.look(x)) return false;
-  using Watched = Monitor::Kind;
-  for (int i = 0; i < probe.size(); ++i)
-    if (probe.law(i).unilateral() && phase.find(probe.key(i)) == nullptr)
-      kinematic_.push_back({Watched::gap, i, 0, 1.0, false, probe.key(i)});
-  for (std::size_t i = 0; i < phase.held.size(); ++i) {
-    const Held& h = phase.held[i];
-    const FrozenPhase::Form form = phase.form(i);
-    double margin = 0.0;
-    const bool muted = h.mutedUntil > x.t;
-    const int row = h.first + phase.slip0(i) - phase.row0(i);
-    if (h.slips && form == FrozenPhase::Form::notch)
-      kinematic_.push_back({Watched::gap, probe.find(h.key), 0, h.sign, false, h.key});
-    else if (h.slips && phase.slipRows(i) == 1 && !muted && !phase.idle(i))
-      kinematic_.push_back({Watched::slip, probe.find(h.key), row, h.sign, false, h.key});
-    if (phase.margin(i, margin) && (!muted || form == FrozenPhase::Form::normal || h.slips))
-      force_.push_back({Watched::force, static_cast<int>(i), 0, 1.0, false, h.key});
-  }
-  for (std::size_t i = 0; i < probe.switching().size(); ++i)
-    kinematic_.push_back(
-        {Watched::latch, static_cast<int>(i), 0, 1.0, false, probe.announcements().switcher(i)});
-  values_.resize(static_cast<Eigen::Index>(kinematic_.size()), kSamples + 1);
-  rates_.setZero(values_.rows(), values_.cols());
-  column(probe, 0);
-  for (std::size_t m = 0; m < kinematic_.size(); ++m)
-    kinematic_[m].zeroStart =
-        values_(static_cast<Eigen::Index>(m), 0) <= kStart * noise(kinematic_[m]);
-  if (x.t == end_ && endForces_.size() == static_cast<Eigen::Index>(force_.size()))
-    startForces_ = endForces_;
-  else
-    forces(phase, startForces_);
-  for (std::size_t m = 0; m < force_.size(); ++m)
-    force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise;
-  return true;
-}
-
-double SwitchSearch::measure(const ContactProbe& probe, const Monitor& m) const {
-  if (m.kind == Monitor::Kind::latch)
-    return -probe.switching()[static_cast<std::size_t>(m.contact)];
-  return m.sign * (isGap(m) ? probe.gap(m.contact) : probe.gamma(m.contact, m.row));
-}
-
-double SwitchSearch::rate(const ContactProbe& probe, const Monitor& m) const {
-  return isGap(m) ? m.sign * probe.gamma(m.contact) : 0.0;
-}
-
-void SwitchSearch::column(const ContactProbe& probe, int sample) {
-  for (std::size_t m = 0; m < kinematic_.size(); ++m) {
-    values_(static_cast<Eigen::Index>(m), sample) = measure(probe, kinematic_[m]);
-    rates_(static_cast<Eigen::Index>(m), sample) = rate(probe, kinematic_[m]);
-  }
-}
-
-void SwitchSearch::forces(const FrozenPhase& phase, Eigen::VectorXd& out) const {
-  out.resize(static_cast<Eigen::Index>(force_.size()));
-  const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
-  for (std::size_t m = 0; m < force_.size(); ++m) {
-    double value = 0.0;
-    phase.margin(static_cast<std::size_t>(force_[m].contact), value);
-    out[static_cast<Eigen::Index>(m)] = value / scale;
-  }
-}
 
 bool SwitchSearch::kinematicAt(ContactProbe& probe, const QuinticPath& path, int monitor,
                                double theta, double& v) {
@@ -194,25 +122,61 @@ bool SwitchSearch::refineKinematic(ContactProbe& probe, const QuinticPath& path,
   return true;
 }
 
+bool SwitchSearch::presentAt(ContactProbe& probe, const QuinticPath& path, int monitor,
+                             double theta, bool& there) {
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
+  there = true;
+  if (!k.features) return true;
+  double v = 0.0;
+  if (!kinematicAt(probe, path, monitor, theta, v)) return false;
+  // The normal of two edges that turns round has the gap jump from one side to the other.
+  const double range = values_.row(monitor).maxCoeff() - values_.row(monitor).minCoeff();
+  there = present(probe, k) && std::abs(v) <= kSmall * range + touch_;
+  return true;
+}
+
+bool SwitchSearch::endSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
+                             Switch& first) {
+  // A gap that closes right at the end is a switch there, not one at the start of the next step.
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
+  const double end = values_(monitor, kSamples), rate = rates_(monitor, kSamples);
+  if (!isGap(k) || k.zeroStart || end > kStart * noise(k) || end < -noise(k) || rate >= 0.0 ||
+      first.theta <= 1.0)
+    return true;
+  bool there = true;
+  if (!presentAt(probe, path, monitor, 1.0, there)) return false;
+  if (there) first = {Switch::Kind::root, 1.0, false, monitor, rate};
+  return true;
+}
+
 bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
                                    Switch& first) {
   const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
-  int j = 1;
-  while (j <= kSamples && !(values_(monitor, j) < -noise(k))) ++j;
-  if (j > kSamples) {
-    // A gap that closes right at the end is a switch there, not one at the start of the next step.
-    const double end = values_(monitor, kSamples), rate = rates_(monitor, kSamples);
-    if (isGap(k) && !k.zeroStart && end <= kStart * noise(k) && rate < 0.0 && first.theta > 1.0)
-      first = {Switch::Kind::root, 1.0, false, monitor, rate};
-    return true;
+  // A gap that starts behind the plane of its feature has to come before it first.
+  const auto falls = [&](int j) {
+    const bool before = !k.features || values_(monitor, j - 1) > 0.0 || (j == 1 && k.zeroStart);
+    return before && values_(monitor, j) < -noise(k) && mayBePresent(k, monitor, j);
+  };
+  for (int j = 1; j <= kSamples; ++j) {
+    if (!falls(j)) continue;
+    bool there = true;
+    if (!fallSwitch(probe, path, monitor, j, first, there)) return false;
+    if (there) return true;
   }
+  return endSwitch(probe, path, monitor, first);
+}
+
+bool SwitchSearch::fallSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, int j,
+                              Switch& first, bool& there) {
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
   double b = static_cast<double>(j) / kSamples, a = b - 1.0 / kSamples;
   if (a >= first.theta) return true;
   double fb = values_(monitor, j), fa = values_(monitor, j - 1);
   if (j == 1 && k.zeroStart) {
     for (int i = 0;; ++i) {
       if (i == kHalvings) {
-        first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
+        if (!presentAt(probe, path, monitor, 0.0, there)) return false;
+        if (there) first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
         return true;
       }
       double v = 0.0;
@@ -228,6 +192,8 @@ bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path,
   Bracket at{a, fa, b, fb};
   if (fa > 0.0 && !refineKinematic(probe, path, monitor, at, root, slope)) return false;
   if (!(root < first.theta)) return true;
+  if (!presentAt(probe, path, monitor, root, there)) return false;
+  if (!there) return true;
   if (root > 0.0)
     first = {Switch::Kind::root, root, false, monitor, slope};
   else
@@ -287,6 +253,7 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
     double a = static_cast<double>(j) / kSamples, b = a + 1.0 / kSamples;
     if (a >= first.theta) return true;
     if (!(rates_(monitor, j) < 0.0 && rates_(monitor, j + 1) > 0.0)) continue;
+    if (!mayBePresent(kinematic_[static_cast<std::size_t>(monitor)], monitor, j + 1)) continue;
     if (j == 0 && kinematic_[static_cast<std::size_t>(monitor)].zeroStart) continue;
     // The range of the gap so far; what lies behind may be a fall that no contact stops.
     const double high = values_.row(monitor).head(j + 1).maxCoeff();
@@ -301,15 +268,23 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
         b = c, fb = slope;
       if (v < -gapNoise_) break;
     }
+    bool there = present(probe, kinematic_[static_cast<std::size_t>(monitor)]);
     if (v < -gapNoise_) {  // a dip between two samples: the root lies before it
+      const double behind = values_(monitor, j + 1);
       values_(monitor, j + 1) = v;
       double root = 0.0, slope = 0.0;
       Bracket at{static_cast<double>(j) / kSamples, values_(monitor, j), c, v};
+      if (at.fa < 0.0 && kinematic_[static_cast<std::size_t>(monitor)].features) continue;
       if (!refineKinematic(probe, path, monitor, at, root, slope)) return false;
+      if (!presentAt(probe, path, monitor, root, there)) return false;
+      if (!there) {
+        values_(monitor, j + 1) = behind;
+        continue;
+      }
       if (root < first.theta) first = {Switch::Kind::root, root, false, monitor, slope};
       return true;
     }
-    if (v < kNear * high && c < first.theta && c > 0.0)
+    if (there && v < kNear * high && c < first.theta && c > 0.0)
       first = {Switch::Kind::look, c, false, monitor, 0.0};
   }
   return true;
@@ -339,6 +314,7 @@ bool SwitchSearch::closedBefore(ContactProbe& probe, const State& x, Switch& w) 
   for (std::size_t m = 0; m < kinematic_.size(); ++m) {
     const Monitor& k = kinematic_[m];
     if (!isGap(k) || (!w.force && static_cast<int>(m) == w.monitor)) continue;
+    if (k.behind || !present(probe, k)) continue;
     const double gap = measure(probe, k), closing = rate(probe, k);
     if (!(gap < -gapNoise_ && closing < 0.0 && gap / closing > longest)) continue;
     longest = gap / closing;

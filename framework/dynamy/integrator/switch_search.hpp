@@ -7,6 +7,9 @@
 ///   closed    λ_N                         stick                   distance of λ_T from the bound
 ///   beside the notch of a preloaded spring  s x;  in it           distance of λ from the bounds
 ///   what an element switches at             less the number that it tells (a latch)
+///   closed by two features                  how far they lie over one another (presence)
+///
+/// The gap of two features that do not lie over one another where it reaches zero is no switch.
 ///
 /// Gaps and slips are sampled at eight points without any force; forces at the middle and the end.
 /// Every bracket is refined to a root, and roots are compared, never brackets.
@@ -30,10 +33,15 @@ struct Switch {
 class SwitchSearch {
  public:
   /// `noise`: what is zero of gaps [m] and of velocities [m/s].
-  void prepare(double gapNoise, double speedNoise);
+  /// `touch`: gaps and overlaps up to this are those of bodies that lie on each other; `same`:
+  /// contacts of one pair of bodies that are nearer than this are one [m].
+  void prepare(double gapNoise, double speedNoise, double touch, double same);
   /// Monitors of `phase` and their values at the start of a step; `x`: the start; the phase has
   /// the forces there. False: contacts changed.
   bool begin(ContactProbe& probe, const FrozenPhase& phase, const State& x);
+  /// Kinematic monitors anew, of the contacts that `probe` follows now.
+  bool watch(ContactProbe& probe, const FrozenPhase& phase, const State& x);
+  static constexpr int kSamples = 8;
   /// The first switch on `path`; `end` holds forces at its end. `looked`: gaps that come near are
   /// not looked at again. `width`: how closely a root of forces is found, as a part of the step.
   /// False: a fault of the phase or of contacts.
@@ -52,6 +60,11 @@ class SwitchSearch {
     return w && !w.force &&
            kinematic_[static_cast<std::size_t>(w.monitor)].kind == Monitor::Kind::latch;
   }
+  /// True: two features of a closed contact leave one another there.
+  bool leaves(const Switch& w) const {
+    return w && !w.force &&
+           kinematic_[static_cast<std::size_t>(w.monitor)].kind == Monitor::Kind::presence;
+  }
   /// True: there are open contacts.
   bool gaps() const { return !kinematic_.empty() && isGap(kinematic_.front()); }
   /// True: forces or slips of the last path change faster than its samples follow.
@@ -64,22 +77,35 @@ class SwitchSearch {
   void forget() { end_ = std::numeric_limits<double>::quiet_NaN(); }
 
  private:
+  static constexpr double kForceNoise = 1e-12;  // of the largest force
+  static constexpr double kStart = 1e3;         // of the noise: a value below starts at zero
   struct Monitor {
-    enum class Kind : std::uint8_t { gap, slip, latch, force } kind = Kind::gap;
+    enum class Kind : std::uint8_t { gap, slip, latch, presence, force } kind = Kind::gap;
     int contact = 0;  // of the probe; of a force: index in the phase; of a latch: its number
     int row = 0;      // of γ within the contact
     double sign = 1.0;
     bool zeroStart = false;
     ContactKey key = {};
+    bool features = false;  // a gap of two features that come and go
+    bool behind = false;    // of these, and it starts below zero
   };
   static bool isGap(const Monitor& m) { return m.kind == Monitor::Kind::gap; }
-  static constexpr int kSamples = 8;
   /// Value of a kinematic monitor, and of a gap its rate, else 0, where the probe has looked.
   double measure(const ContactProbe& probe, const Monitor& m) const;
   double rate(const ContactProbe& probe, const Monitor& m) const;
   void column(const ContactProbe& probe, int sample);
   void forces(const FrozenPhase& phase, Eigen::VectorXd& out) const;
-  double noise(const Monitor& m) const { return isGap(m) ? gapNoise_ : speedNoise_; }
+  double noise(const Monitor& m) const {
+    return m.kind == Monitor::Kind::slip || m.kind == Monitor::Kind::latch ? speedNoise_
+                                                                           : gapNoise_;
+  }
+  void watchForces(const FrozenPhase& phase, const State& x);
+  void watchOpen(const ContactProbe& probe, const FrozenPhase& phase);
+  bool present(const ContactProbe& probe, const Monitor& m) const;
+  /// Features of the monitor may lie over one another between samples j − 1 and j.
+  bool mayBePresent(const Monitor& m, int monitor, int j) const;
+  bool presentAt(ContactProbe& probe, const QuinticPath& path, int monitor, double theta,
+                 bool& there);
   bool sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
               const QuinticPath& path);
   bool kinematicAt(ContactProbe& probe, const QuinticPath& path, int monitor, double theta,
@@ -96,13 +122,18 @@ class SwitchSearch {
   bool refineKinematic(ContactProbe& probe, const QuinticPath& path, int monitor, Bracket& at,
                        double& root, double& slope);
   bool kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
+  /// The fall below zero between samples j − 1 and j; `there`: not that of features that do not lie
+  /// over one another.
+  bool fallSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, int j, Switch& first,
+                  bool& there);
+  bool endSwitch(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   bool forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path, int monitor,
                    double width, Switch& first);
   bool near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   std::vector<Monitor> kinematic_, force_;
   double end_ = std::numeric_limits<double>::quiet_NaN();
-  double gapNoise_ = 0.0, speedNoise_ = 0.0;
-  Eigen::MatrixXd values_, rates_;  // kinematic × (kSamples + 1)
+  double gapNoise_ = 0.0, speedNoise_ = 0.0, touch_ = 0.0, same_ = 0.0;
+  Eigen::MatrixXd values_, rates_, presences_;  // kinematic × (kSamples + 1)
   Eigen::VectorXd startForces_, middleForces_, endForces_, work_;
   State at_;
 };
