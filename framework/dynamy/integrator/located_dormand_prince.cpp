@@ -17,7 +17,7 @@ constexpr int kMostFirst = 8;         ///< contacts that close before the one th
 constexpr int kMostTries = 60;        ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
-constexpr double kSafety = 0.9, kShrink = 0.2;
+constexpr double kSafety = 0.9, kShrink = 0.2, kHalf = 0.5;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ double LocatedDormandPrince::nextStep(const State& x) const {
 }
 
 bool LocatedDormandPrince::evaluateEnd(MechanicalSystem& s, PhasePoint& p) {
-  search_.forget();
+  search_.forget(p.x.t);
   s.hold(phaseKeys_);
   s.evaluate(p.x, 0);
   if (!phase_.accelerate(s.slot(0), p.x.u, p.a)) return refuse(phase_);
@@ -169,8 +169,8 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
              Tried::failed;
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
+  if (tooLongAtRest(s, h, found, report)) return reject(kHalf);
   if (found) smooth_.lighten();
-  if (!found) noteRest(h, report);
   // A step that was bounded from outside says little about the next.
   const double next = h * std::min(factor, smooth_.mostGrowth());
   H_ = h < H_ ? std::max(H_, next) : next;
@@ -288,12 +288,13 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   startOverlap_ = probe_.overlap();
   if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
   const double until = untilInstant();
-  if (until <= 0.0) {
+  const double end = from_.x.t + most;
+  const bool told = until < most && instant_ <= end;
+  if (until <= 0.0 && told) {
     to_ = from_, done = true;
-    return passInstant(s, solver, to_, report);
+    return passInstant(s, solver, to_, end, report);
   }
-  const bool told = until < most;
-  most = std::min(most, until);
+  if (until > 0.0) most = std::min(most, until);
   bool stopped = false;
   double bound = most;
   if (!stop(s, solver, bound, report, stopped)) return false;
@@ -330,7 +331,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   if (found)
     good = decide(s, solver, to_, found, report);
   else if (told && h == most)
-    good = passInstant(s, solver, to_, report);
+    good = passInstant(s, solver, to_, end, report);
   else
     good = project(s, to_) && (!ended || evaluateEnd(s, to_));
   book(s, found ? &StepEffort::events : &StepEffort::smooth, report);

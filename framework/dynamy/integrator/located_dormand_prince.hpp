@@ -70,10 +70,12 @@ class LocatedDormandPrince : public OneStep {
   // What happens when it is told, and what elements switch (located_instants.cpp).
   /// How long until right before the next instant at which an element jumps by the time alone.
   double untilInstant();
-  /// From right before that instant to right behind it, with a decision.
-  bool passInstant(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, StepReport& report);
-  /// Tells of a step at rest that says nothing about what happens in it.
-  void noteRest(double h, StepReport& report) const;
+  /// From right before that instant to right behind it, at most to `end`, with a decision.
+  bool passInstant(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, double end,
+                   StepReport& report);
+  /// A step of length h at rest says nothing about what happens in it; where it is as short as such
+  /// steps become, it stands, and the report tells of it.
+  bool tooLongAtRest(MechanicalSystem& s, double h, const Switch& found, StepReport& report);
   /// From a latch's root to right behind it, where its element switches.
   bool throwLatch(MechanicalSystem& s, PhasePoint& p);
   /// Takes the contacts that are reported at x for those to follow. True: what is held is gone, or

@@ -10,6 +10,8 @@ namespace {
 constexpr double kBeside = 2e-14;
 constexpr double kPassed = 4e-13;  ///< of the time: an instant no event has met since lies behind
 constexpr double kNudge = 1e-6;    ///< of the step: a latch is thrown at the latest behind its root
+constexpr double kStill = 1e-3;    ///< of the tolerance: speeds of what is at rest
+constexpr double kShortRest = 0.02;  ///< of T: steps at rest are not shortened below
 
 }  // namespace
 
@@ -21,8 +23,8 @@ double LocatedDormandPrince::untilInstant() {
 }
 
 bool LocatedDormandPrince::passInstant(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p,
-                                       StepReport& report) {
-  const double behind = instant_ + kBeside * std::abs(instant_);
+                                       double end, StepReport& report) {
+  const double behind = std::min(instant_ + kBeside * std::abs(instant_), end);
   delta_ = p.x.u;
   if (p.x.t < behind) s.move(p.x, delta_, behind - p.x.t);
   ++report.counts.switches;
@@ -67,13 +69,20 @@ bool LocatedDormandPrince::relist(const State& x) {
   return gone > 0 || comes;
 }
 
-void LocatedDormandPrince::noteRest(double h, StepReport& report) const {
+bool LocatedDormandPrince::tooLongAtRest(MechanicalSystem& s, double h, const Switch& found,
+                                         StepReport& report) {
   // Where nothing moves no error bounds the step, however fast forces change by the time.
-  constexpr double kStill = 1e-3;
-  const double still = kStill * norm_.tolerance() * norm_.speed();
-  if (from_.x.u.lpNorm<Eigen::Infinity>() > still || to_.x.u.lpNorm<Eigen::Infinity>() > still)
-    return;
-  if (search_.any() && search_.rough()) report.counts.unseen = std::max(report.counts.unseen, h);
+  const auto moves = [&](const Eigen::VectorXd& u) {
+    for (Eigen::Index i = 0; i < u.size(); ++i)
+      if (norm_.velocity(i, u[i], 0.0) > kStill) return true;
+    return false;
+  };
+  if (!search_.any() || found.kind == Switch::Kind::atStart || moves(from_.x.u) || moves(to_.x.u) ||
+      !search_.rough(s, probe_, phase_, path_))
+    return false;
+  if (h > kShortRest * norm_.time()) return true;
+  if (!found) report.counts.unseen = std::max(report.counts.unseen, h);
+  return false;
 }
 
 }  // namespace dynamy

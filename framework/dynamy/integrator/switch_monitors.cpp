@@ -16,9 +16,21 @@ void SwitchSearch::prepare(double gapNoise, double speedNoise, double touch, dou
 }
 
 bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
+  if (x.t != start_) {
+    const bool known = x.t == end_ && endIdle_.size() == phase.held.size();
+    if (known)
+      startIdle_ = endIdle_;
+    else
+      idles(phase, startIdle_);
+  }
   if (!watch(probe, phase, x)) return false;
   watchForces(phase, x);
   return true;
+}
+
+void SwitchSearch::idles(const FrozenPhase& phase, std::vector<char>& out) {
+  out.resize(phase.held.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = phase.idle(i) ? 1 : 0;
 }
 
 void SwitchSearch::watchForces(const FrozenPhase& phase, const State& x) {
@@ -31,10 +43,12 @@ void SwitchSearch::watchForces(const FrozenPhase& phase, const State& x) {
         (!muted || phase.form(i) == FrozenPhase::Form::normal || h.slips))
       force_.push_back({Monitor::Kind::force, static_cast<int>(i), 0, 1.0, false, h.key});
   }
-  if (x.t == end_ && endForces_.size() == static_cast<Eigen::Index>(force_.size()))
+  const auto size = static_cast<Eigen::Index>(force_.size());
+  if (x.t == end_ && endForces_.size() == size)
     startForces_ = endForces_;
-  else
+  else if (x.t != start_ || startForces_.size() != size)
     forces(phase, startForces_);
+  start_ = x.t;
   for (std::size_t m = 0; m < force_.size(); ++m)
     force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise;
 }
@@ -69,7 +83,7 @@ bool SwitchSearch::watch(ContactProbe& probe, const FrozenPhase& phase, const St
     const int row = h.first + phase.slip0(i) - phase.row0(i), at = probe.find(h.key);
     if (h.slips && form == FrozenPhase::Form::notch)
       kinematic_.push_back({Watched::gap, at, 0, h.sign, false, h.key});
-    else if (h.slips && phase.slipRows(i) == 1 && !muted && !phase.idle(i))
+    else if (h.slips && phase.slipRows(i) == 1 && !muted && startIdle_[i] == 0)
       kinematic_.push_back({Watched::slip, at, row, h.sign, false, h.key});
     if (h.first == 0 && at >= 0 && probe.comesAndGoes(at))
       kinematic_.push_back({Watched::presence, at, 0, 1.0, false, h.key});

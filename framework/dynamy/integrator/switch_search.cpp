@@ -20,7 +20,9 @@ constexpr double kSmall = 1e-2;
 constexpr double kNear = 0.02;
 constexpr double kRough = 0.1;         ///< of the largest force: a second difference that is large,
 constexpr double kRoughSamples = 0.3;  ///< of the range of a slip
-constexpr double kMinimum = 1e-5;      ///< how closely the minimum is found, as a part of the step
+constexpr double kBetween =
+    0.381966;                      ///< of the way between two samples: no fraction of small numbers
+constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
 
 }  // namespace
 
@@ -58,7 +60,7 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
   return true;
 }
 
-bool SwitchSearch::rough() const {
+bool SwitchSearch::roughSamples() const {
   for (Eigen::Index m = 0; m < startForces_.size() && !force_.empty(); ++m)
     if (std::abs(startForces_[m] - 2.0 * middleForces_[m] + endForces_[m]) > kRough) return true;
   for (std::size_t m = 0; m < kinematic_.size(); ++m) {
@@ -68,6 +70,29 @@ bool SwitchSearch::rough() const {
       if (std::abs(row[j] - 2.0 * row[j + 1] + row[j + 2]) > kRoughSamples * range) return true;
   }
   return false;
+}
+
+bool SwitchSearch::rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
+                         const QuinticPath& path) {
+  if (roughSamples()) return true;
+  // What swings as often as it is looked at seems to rest.
+  for (int j = 0; j < kSamples && !kinematic_.empty(); ++j) {
+    path.at((j + kBetween) / kSamples, at_);
+    if (!probe.look(at_)) return true;
+    for (std::size_t m = 0; m < kinematic_.size(); ++m) {
+      const auto row = values_.row(static_cast<Eigen::Index>(m));
+      const double range = std::max(row.maxCoeff() - row.minCoeff(), kStart * noise(kinematic_[m]));
+      const double line = row[j] + kBetween * (row[j + 1] - row[j]);
+      if (std::abs(measure(probe, kinematic_[m]) - line) > kRoughSamples * range) return true;
+    }
+  }
+  double unused = 0.0;
+  if (force_.empty() || !forceAt(s, phase, path, 0, 0.5 * kBetween, unused)) return false;
+  forces(phase, work_);
+  const double b = 0.5 * kBetween, l0 = (1.0 - b) * (1.0 - 2.0 * b), l1 = 4.0 * b * (1.0 - b),
+               l2 = b * (2.0 * b - 1.0);
+  return (work_ - l0 * startForces_ - l1 * middleForces_ - l2 * endForces_)
+             .lpNorm<Eigen::Infinity>() > kRough;
 }
 
 template <class Value>

@@ -67,14 +67,22 @@ class SwitchSearch {
   }
   /// True: there are open contacts.
   bool gaps() const { return !kinematic_.empty() && isGap(kinematic_.front()); }
-  /// True: forces or slips of the last path change faster than its samples follow.
-  bool rough() const;
+  /// True: forces or slips of the last path, from one state at rest to another, change faster than
+  /// its samples follow. Looks between them, with an evaluation for forces.
+  bool rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase, const QuinticPath& path);
   bool any() const { return !kinematic_.empty() || !force_.empty(); }
   /// Forces at the end of the path, t, to be told before find(). A step that begins there, with the
   /// same statuses, begins with them: find() leaves those of other places in the phase.
-  void atEnd(const FrozenPhase& phase, double t) { forces(phase, endForces_), end_ = t; }
+  void atEnd(const FrozenPhase& phase, double t) {
+    forces(phase, endForces_), idles(phase, endIdle_), end_ = t;
+  }
   /// Statuses are others from now on.
-  void forget() { end_ = std::numeric_limits<double>::quiet_NaN(); }
+  void forget() { end_ = start_ = std::numeric_limits<double>::quiet_NaN(); }
+  /// The state of time t is another one.
+  void forget(double t) {
+    if (end_ == t) end_ = std::numeric_limits<double>::quiet_NaN();
+    if (start_ == t) start_ = std::numeric_limits<double>::quiet_NaN();
+  }
 
  private:
   static constexpr double kForceNoise = 1e-12;  // of the largest force
@@ -131,7 +139,12 @@ class SwitchSearch {
                    double width, Switch& first);
   bool near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   std::vector<Monitor> kinematic_, force_;
-  double end_ = std::numeric_limits<double>::quiet_NaN();
+  static void idles(const FrozenPhase& phase, std::vector<char>& out);
+  bool roughSamples() const;
+  // Times of the states whose forces and idle sets are known: a trial that is rejected leaves
+  // those of its own end in the phase.
+  double start_ = std::numeric_limits<double>::quiet_NaN(), end_ = start_;
+  std::vector<char> startIdle_, endIdle_;  // of held[i]
   double gapNoise_ = 0.0, speedNoise_ = 0.0, touch_ = 0.0, same_ = 0.0;
   Eigen::MatrixXd values_, rates_, presences_;  // kinematic × (kSamples + 1)
   Eigen::VectorXd startForces_, middleForces_, endForces_, work_;
