@@ -38,13 +38,13 @@ const ContactSet& MechanicalSystem::look(const State& x) {
   return c;
 }
 
-bool MechanicalSystem::differenceBias(const State& x, Eigen::VectorXd& out) {
+bool MechanicalSystem::differenceBias(const State& x, Eigen::VectorXd& out, double aside) {
   const double d = kDifference / goesThrough(x, differenceScales_, differenceTime_);
   const double weight[4] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0},
                at[4] = {-2.0, -1.0, 1.0, 2.0};
   for (int p = 0; p < 4; ++p) {
     lookState_.t = x.t, lookState_.q = x.q, lookState_.u = x.u, lookState_.memory = x.memory;
-    move(lookState_, x.u, at[p] * d);
+    move(lookState_, x.u, (at[p] + aside) * d);
     const ContactSet& c = look(lookState_);
     if (p == 0) out.setZero(c.rows());
     if (out.size() != c.rows()) return false;

@@ -207,7 +207,8 @@ bool LocatedDormandPrince::endStarts() {
 }
 
 bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
-  foundUntold_ = false;
+  foundUntold_ = findUntold(s, p.x, true);
+  if (foundUntold_) return false;
   // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8. Where γ
   // has a kink close by (a formula with clamp, an edge that a ball rolls over), on one side of it.
   const double d = kDifference * norm_.time();
@@ -233,10 +234,7 @@ bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
     wrong = firstWrongBias(s, p, gammaDot_);
     if (wrong < 0) return true;
   }
-  const double told = toldDot_[wrong], found = gammaDot_[wrong];
-  foundUntold_ = findUntold(s, p.x, true);
-  if (foundUntold_) return false;
-  return refuseBias(s, wrong, told, found);
+  return refuseBias(s, wrong, toldDot_[wrong], gammaDot_[wrong]);
 }
 
 int LocatedDormandPrince::firstWrongBias(const MechanicalSystem& s, const PhasePoint& p,

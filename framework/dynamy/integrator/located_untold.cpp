@@ -10,6 +10,7 @@ namespace {
 constexpr int kLooseColumns = 3, kTightColumns = 4;
 constexpr double kTight = 1e-6;
 constexpr double kNoRate = 1e-9;  ///< of L/T² and 1/T²: differences that are none
+constexpr double kBeside = 3.0;   ///< of its length: a difference all on one side
 
 /// Contact i leaves the bias of all its rows zero.
 bool isSilent(const ContactSet& c, int i) {
@@ -45,12 +46,24 @@ bool LocatedDormandPrince::findUntold(MechanicalSystem& s, const State& x, bool 
   if (!s.differenceBias(x, rates_) || rates_.size() != c.rows()) return false;
   const double T = norm_.time(), least = kNoRate * std::max(1.0, norm_.length()) / (T * T);
   std::vector<int> found;
-  for (int i = 0; i < c.size(); ++i) {
-    const int first = c.row0[static_cast<std::size_t>(i)];
-    for (int r = first; asks(i) && r < first + c.dim(i); ++r)
-      if (std::abs(rates_[r]) > least) found.push_back(c.element[static_cast<std::size_t>(i)]);
-  }
-  if (found.empty()) return false;
+  const auto note = [&](auto&& counts) {
+    found.clear();
+    for (int i = 0; i < c.size(); ++i) {
+      const int first = c.row0[static_cast<std::size_t>(i)];
+      for (int r = first; asks(i) && r < first + c.dim(i); ++r)
+        if (counts(r)) found.push_back(c.element[static_cast<std::size_t>(i)]);
+    }
+    return !found.empty();
+  };
+  if (!note([&](int r) { return std::abs(rates_[r]) > least; })) return false;
+  // What is there with a kink within the difference alone, an edge that a ball rolls over, is none.
+  Eigen::VectorXd before, after;
+  if (!s.differenceBias(x, before, -kBeside) || !s.differenceBias(x, after, kBeside)) return false;
+  if (!note([&](int r) {
+        return std::abs(rates_[r]) > least && std::abs(before[r]) > least &&
+               std::abs(after[r]) > least;
+      }))
+    return false;
   untold_.insert(untold_.end(), found.begin(), found.end());
   std::sort(untold_.begin(), untold_.end());
   untold_.erase(std::unique(untold_.begin(), untold_.end()), untold_.end());

@@ -113,8 +113,9 @@ class MechanicalSystem {
   void differences(std::span<const int> elements, const Eigen::VectorXd& scales, double time) {
     differenced_ = elements, differenceScales_ = &scales, differenceTime_ = time;
   }
-  /// That difference for all rows of the contacts that are asked for; false: they change.
-  bool differenceBias(const State& x, Eigen::VectorXd& out);
+  /// That difference for all rows of the contacts that are asked for; false: they change. Where it
+  /// is taken: `aside` of its lengths ahead of x along the motion.
+  bool differenceBias(const State& x, Eigen::VectorXd& out, double aside = 0.0);
   /// Contacts alone at x, as evaluate() would report them without their bias; it is no evaluation.
   /// Valid until the next look.
   const ContactSet& look(const State& x);

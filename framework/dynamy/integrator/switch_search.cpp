@@ -18,11 +18,11 @@ constexpr double kJumpWidth = 1e-13;  ///< a jump is not found more closely, as 
 constexpr double kSmall = 1e-2;
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
 constexpr double kNear = 0.02;
-constexpr double kRough = 0.1;         ///< of the largest force: a second difference that is large,
+// A force bends much: of the largest force, and, from kRoughNear on, of what is left to its bound.
+constexpr double kRough = 0.1, kRoughNear = 1e-3, kRoughMargin = 0.5;
 constexpr double kRoughSamples = 0.3;  ///< of the range of a slip
-constexpr double kBetween =
-    0.381966;                      ///< of the way between two samples: no fraction of small numbers
-constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
+constexpr double kBetween = 0.381966;  ///< of the way between two samples: no small fraction
+constexpr double kMinimum = 1e-5;      ///< how closely the minimum is found, as a part of the step
 
 }  // namespace
 
@@ -62,7 +62,7 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
 
 bool SwitchSearch::roughSamples() const {
   for (Eigen::Index m = 0; m < startForces_.size() && !force_.empty(); ++m)
-    if (std::abs(startForces_[m] - 2.0 * middleForces_[m] + endForces_[m]) > kRough) return true;
+    if (bends(m, startForces_[m] - 2.0 * middleForces_[m] + endForces_[m])) return true;
   for (std::size_t m = 0; m < kinematic_.size(); ++m) {
     const auto row = values_.row(static_cast<Eigen::Index>(m));
     const double range = row.maxCoeff() - row.minCoeff();
@@ -91,8 +91,17 @@ bool SwitchSearch::rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& 
   forces(phase, work_);
   const double b = 0.5 * kBetween, l0 = (1.0 - b) * (1.0 - 2.0 * b), l1 = 4.0 * b * (1.0 - b),
                l2 = b * (2.0 * b - 1.0);
-  return (work_ - l0 * startForces_ - l1 * middleForces_ - l2 * endForces_)
-             .lpNorm<Eigen::Infinity>() > kRough;
+  work_ -= l0 * startForces_ + l1 * middleForces_ + l2 * endForces_;
+  for (Eigen::Index m = 0; m < work_.size(); ++m)
+    if (bends(m, work_[m])) return true;
+  return false;
+}
+
+bool SwitchSearch::bends(Eigen::Index monitor, double by) const {
+  // By a part of the largest force, or of its own way to zero.
+  const double least =
+      std::min({startForces_[monitor], middleForces_[monitor], endForces_[monitor]});
+  return std::abs(by) > kRough || std::abs(by) > std::max(kRoughNear, kRoughMargin * least);
 }
 
 template <class Value>

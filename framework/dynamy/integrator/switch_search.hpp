@@ -141,6 +141,8 @@ class SwitchSearch {
   std::vector<Monitor> kinematic_, force_;
   static void idles(const FrozenPhase& phase, std::vector<char>& out);
   bool roughSamples() const;
+  /// A force that is off by so much bends too fast for the samples of its monitor.
+  bool bends(Eigen::Index monitor, double by) const;
   // Times of the states whose forces and idle sets are known: a trial that is rejected leaves
   // those of its own end in the phase.
   double start_ = std::numeric_limits<double>::quiet_NaN(), end_ = start_;
