@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/contact/spatial_rows.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -15,7 +16,8 @@ void ContactSet::clear() {
   row0.assign(1, 0), segment0.assign(1, 0);
   segment.clear(), W.clear(), chi.clear(), bias.clear(), position.clear(), scale.clear();
   point.clear(), normal.clear(), t1.clear(), t2.clear();
-  presence.clear(), noted.clear(), comesAndGoes = false, overlap = 0.0;
+  presence.clear(), noted.clear(), comesAndGoes = false;
+  overlap = -std::numeric_limits<double>::infinity();
 }
 
 void ContactSet::gamma(ConstVec u, Vec gamma) const {

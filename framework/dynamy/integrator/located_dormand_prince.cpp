@@ -158,7 +158,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   }
   if (const double past = turn(); past > 2.0)
     return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7)), Tried::turned;
-  found = {};
+  found = {}, passing_ = 1.0;
   if (search_.any() || probe_.comesAndGoes()) {
     path_.through(s, from_, to_);
     search_.atEnd(phase_, to_.x.t);
@@ -169,7 +169,8 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
              Tried::failed;
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
-  if (tooLongAtRest(s, h, found, report)) return reject(kHalf);
+  if (passing_ < (found ? found.theta : 1.0) || tooLongAtRest(s, h, found, report))
+    return reject(kHalf);
   if (found) smooth_.lighten();
   // A step that was bounded from outside says little about the next.
   const double next = h * std::min(factor, smooth_.mostGrowth());
@@ -285,7 +286,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time())) return stall();
   if (probe_.comesAndGoes() && !probe_.gather(from_.x, phaseKeys_))
     return refuse(ContactProbe::kUnfollowed);
-  startOverlap_ = probe_.overlap();
+  startOverlap_ = std::max(0.0, probe_.overlap());
   if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
   const double until = untilInstant();
   const double end = from_.x.t + most;

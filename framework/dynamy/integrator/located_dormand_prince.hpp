@@ -194,9 +194,9 @@ class LocatedDormandPrince : public OneStep {
   EnergyMomentum timeStepping_;
   ContactKey lastSwitched_;
   Eigen::Matrix<double, kHead, 1> head_;
-  Eigen::VectorXd rate_;                  // Δu/Δt of the last step in time
-  double startOverlap_ = 0.0;             // of contacts that come and go [m]
-  double overlap_ = 0.0, reached_ = 0.0;  // largest overlap at its end; of the trial [m]
+  Eigen::VectorXd rate_;                       // Δu/Δt of the last step in time
+  double passing_ = 1.0, startOverlap_ = 0.0;  // of contacts that come and go [m]
+  double overlap_ = 0.0, reached_ = 0.0;       // largest overlap at its end; of the trial [m]
   State steppedFrom_;
 };
 
