@@ -36,9 +36,7 @@ std::string weightless(const Model& model, const State& x) {
     for (std::size_t i = 0; i < model.systems().size(); ++i) {
       const SystemHandle& s = model.topology().system(static_cast<int>(i));
       const PartialMechanicalSystem& system = *model.systems()[i];
-      if (s.nu == 0 || system.type() == "Tree" ||  // joints may carry the weight of a tree
-          feelsGravity(system, {x.q.data() + s.q0, s.nq}))
-        continue;
+      if (s.nu == 0 || system.feelsGravity({x.q.data() + s.q0, s.nq})) continue;
       out += (out.empty() ? "" : ", ") + (system.name().empty() ? system.type() : system.name());
     }
     return out;

@@ -78,37 +78,43 @@ TEST(LocatedInstants, OfARopeThatBreaksAndAGovernorThatTrips) {
   EXPECT_EQ(r.stepping.periods, 0);
 }
 
-TEST(LocatedInstants, OfAFeeder) {
-  // Three balls a second fall past each other for 1 s: the k-th since k/3 s.
-  LocatedRun run(R"xml(<dynamy version="1"><systems>
-    <Grains name="balls" count="5" present="0" within="0 0 0 1 1 1" feed="3" seed="1"
-      feedWithin="0 0 1 10 10 1"><Sphere radius="1mm" mass="1" material="a"/></Grains>
-    <Ground name="floor"><HalfSpace position="0 0 -20" material="a"/></Ground></systems>
-    <forces><Gravity/></forces><elements><Contact between="a a"><Unilateral/></Contact></elements>
-    <simulation until="1" step="1"/></dynamy>)xml",
-                 kTolerance, 1.1);
-  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
-  for (int k = 1; k <= 3; ++k) {
-    const double t = 1.1 - k / 3.0;
-    EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, kRounding) << k;
-  }
-}
-
-TEST(LocatedInstants, OfAFeederEndWithItsGrains) {
-  // Two grains, 300 a second for 3 s: what is told later than the second may be one instant more.
-  LocatedRun run(R"xml(<dynamy version="1"><systems>
-    <Grains name="balls" count="2" present="0" within="0 0 0 1 1 1" feed="300" seed="1"
+/// Balls that are fed at 1 m fall past each other, `present` of them: the k-th since k/feed. The
+/// switches of the run.
+long expectFed(int count, int present, int feed, double until, double rounding) {
+  LocatedRun run(R"xml(<dynamy version="1">
+    <parameter name="n" value="1"/><parameter name="rate" value="1"/><systems>
+    <Grains name="balls" count="{n}" present="0" within="0 0 0 1 1 1" feed="{rate}" seed="1"
       feedWithin="0 0 1 10 10 1"><Sphere radius="1mm" mass="1" material="a"/></Grains>
     <Ground name="floor"><HalfSpace position="0 0 -2000" material="a"/></Ground></systems>
     <forces><Gravity/></forces><elements><Contact between="a a"><Unilateral/></Contact></elements>
     <simulation until="1" step="1"/></dynamy>)xml",
-                 kTolerance, 3.0);
-  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
-  for (int k = 1; k <= 2; ++k) {
-    const double t = 3.0 - k / 300.0;
-    EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, 10.0 * kRounding) << k;
+                 kTolerance, until, {{"n", std::to_string(count)}, {"rate", std::to_string(feed)}});
+  EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  for (int k = 1; k <= present; ++k) {
+    const double t = until - static_cast<double>(k) / feed;
+    EXPECT_NEAR(run.state().q[7 * (k - 1) + 2], 1.0 - 0.5 * 9.81 * t * t, rounding) << k;
   }
-  EXPECT_LE(run.report().switches, 3);
+  return run.report().switches;
+}
+
+TEST(LocatedInstants, OfAFeeder) { expectFed(5, 3, 3, 1.1, kRounding); }
+
+TEST(LocatedInstants, OfAFeederEndWithItsGrains) {
+  // Two grains, 300 a second for 3 s: what is told later than the second may be one instant more.
+  // They have fallen 44 m.
+  EXPECT_LE(expectFed(2, 2, 300, 3.0, 10.0 * kRounding), 3);
+}
+
+TEST(LocatedInstants, AtTheEndOfARunDoNotMoveItsEnd) {
+  for (const double until : {1.0, 0.3}) {
+    LocatedRun run(R"xml(<dynamy version="1"><parameter name="T" value="1"/><systems>
+      <Coordinates name="body" q="x" units="m" q0="0" M="1" h="6*step(t-T) + 1"/></systems>
+      <simulation until="1" step="1"/></dynamy>)xml",
+                   kTolerance, until, {{"T", std::to_string(until)}});
+    ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    EXPECT_EQ(run.state().t, until);
+    EXPECT_NEAR(run.state().q[0], 0.5 * until * until, kRounding);
+  }
 }
 
 TEST(LocatedInstants, AreRecordedByNameOnly) {

@@ -79,23 +79,17 @@ TEST(LocatedPairs, EdgeHitsAnEdgeWhenItHasFallenThere) {
 TEST(LocatedPairs, BlockThatSlidesOffTipsOverTheRim) {
   // Without friction: 1 m/s, its front corners leave over the rim x = 0.5 after 0.1 s, and it tips
   // when its middle is there, after 0.3 s. Nothing hits anything and nothing rubs.
-  LocatedRun run(scene(R"xml(
+  const std::string model = scene(R"xml(
     <RigidBody name="block" position="0.2 0 0.1" velocity="1 0 0">
       <Box size="0.4 0.2 0.2" mass="2" material="stone"/></RigidBody>
     <Ground name="world"><Box size="1 1 0.1" position="0 0 -0.05" material="stone"/></Ground>)xml",
-                       "<Unilateral/>"),
-                 1e-9, 0.3);
+                                  "<Unilateral/>");
+  LocatedRun run(model, 1e-9, 0.3), on(model, 1e-9, 0.6);
   run.run();
   ASSERT_EQ(run.report().ended, RunReport::Ended::finished) << run.report().reason;
   EXPECT_EQ(run.report().stepping.periods, 0);
   EXPECT_LT(run.state().u.tail<3>().norm(), 1e-9);
   EXPECT_NEAR(run.state().q[2], 0.1, 1e-12);
-  LocatedRun on(scene(R"xml(
-    <RigidBody name="block" position="0.2 0 0.1" velocity="1 0 0">
-      <Box size="0.4 0.2 0.2" mass="2" material="stone"/></RigidBody>
-    <Ground name="world"><Box size="1 1 0.1" position="0 0 -0.05" material="stone"/></Ground>)xml",
-                      "<Unilateral/>"),
-                1e-9, 0.6);
   on.run();
   ASSERT_EQ(on.report().ended, RunReport::Ended::finished) << on.report().reason;
   EXPECT_TRUE(allImpacts(on).empty());

@@ -35,9 +35,7 @@ void Gravity::connect(Topology& topology) {
     largest = std::max(largest, handle.nu);
     Eigen::VectorXd q(handle.nq), u(handle.nu);
     topology.systems()[i]->initialState({q.data(), q.size()}, {u.data(), u.size()});
-    // Joints may carry all of a tree's weight: a wheel on its axle.
-    felt = felt || topology.systems()[i]->type() == "Tree" ||
-           feelsGravity(*topology.systems()[i], {q.data(), q.size()});
+    felt = felt || topology.systems()[i]->feelsGravity({q.data(), q.size()});
   }
   if (!felt && !(g_I_.isZero(0.0) && change_.empty()))
     throw ModelError("no system of the model feels gravity",

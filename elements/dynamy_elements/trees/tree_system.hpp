@@ -41,6 +41,7 @@ class TreeSystem final : public PartialMechanicalSystem {
   void move(double t, Vec q, ConstVec u, double dt) const override;
   void normalise(Vec q) const override;
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
+  bool feelsGravity(ConstVec) const override { return true; }  // joints may carry it: a wheel
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return static_cast<int>(frames_.size()); }
 

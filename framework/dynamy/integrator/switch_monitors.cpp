@@ -16,7 +16,7 @@ void SwitchSearch::prepare(double gapNoise, double speedNoise, double touch, dou
 }
 
 bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
-  if (x.t != start_) {
+  if (x.t != start_ || startIdle_.size() != phase.held.size()) {
     const bool known = x.t == end_ && endIdle_.size() == phase.held.size();
     if (known)
       startIdle_ = endIdle_;

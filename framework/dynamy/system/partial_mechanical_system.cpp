@@ -33,11 +33,11 @@ void PartialMechanicalSystem::frame(double, ConstVec, ConstVec, int, Frame&) con
   expects(false, "a system with frames() > 0 overrides frame()");
 }
 
-bool feelsGravity(const PartialMechanicalSystem& system, ConstVec q) {
-  const Blocks b = system.blocks();
+bool PartialMechanicalSystem::feelsGravity(ConstVec q) const {
+  const Blocks b = blocks();
   Eigen::VectorXd h = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(b.nu) * b.capacity);
   for (int axis = 0; axis < 3; ++axis) {
-    const double V = system.gravity(0.0, q, Vec3::Unit(axis), {h.data(), h.size()});
+    const double V = gravity(0.0, q, Vec3::Unit(axis), {h.data(), h.size()});
     if (V != 0.0 || !h.isZero(0.0)) return true;
   }
   return false;

@@ -75,6 +75,10 @@ class PartialMechanicalSystem : public Element {
   /// Uniform field of gravity g_I [m/s²]: writes its generalised force Σ J_Sᵀ m g into h (all
   /// entries) and returns its potential −Σ m g·r_OS [J]. Default: none, for systems without weight.
   virtual double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const;
+  /// Whether it answers to a field of gravity; its weight may also be part of h and
+  /// potentialEnergy. Default: gravity() is not zero in some direction, at position q. Overridden by
+  /// systems whose joints may carry all of their weight there.
+  virtual bool feelsGravity(ConstVec q) const;
   /// The part of h that neither has a potential nor is gyroscopic (drives, dampers); for the energy
   /// ledger. Default: none.
   virtual void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const;
@@ -109,9 +113,5 @@ class PartialMechanicalSystem : public Element {
   /// q and u of such a body from its motion since the start; for its signals.
   virtual void ownState(const RigidMotion& /*motion*/, Vec /*q*/, Vec /*u*/) const {}
 };
-
-/// Whether the system answers to a uniform field of gravity in any direction, at position q; its
-/// weight may also be part of h and potentialEnergy already.
-bool feelsGravity(const PartialMechanicalSystem& system, ConstVec q);
 
 }  // namespace dynamy

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <dynamy/core/rotation.hpp>
 #include <random>
+#include <unit/elements/faceted_bodies.hpp>
 #include <vector>
 
 namespace dynamy {
@@ -14,11 +15,7 @@ namespace {
 
 using Contacts = std::array<BoxContact, kMostBoxContacts>;
 
-Mat3 turned(const Vec3& theta) {
-  double p[4] = {1, 0, 0, 0};
-  rotate(p, theta);
-  return rotationMatrix(p);
-}
+using testing::turned;
 
 /// Box with its frame in the middle.
 struct Body {

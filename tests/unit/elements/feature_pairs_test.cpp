@@ -8,16 +8,13 @@
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <random>
+#include <unit/elements/faceted_bodies.hpp>
 #include <vector>
 
 namespace dynamy {
 namespace {
 
-Mat3 turned(const Vec3& theta) {
-  double p[4] = {1, 0, 0, 0};
-  rotate(p, theta);
-  return rotationMatrix(p);
-}
+using testing::turned;
 
 /// A box about the origin of its frame.
 struct Body {

@@ -9,15 +9,12 @@
 #include <dynamy/core/rotation.hpp>
 #include <functional>
 #include <random>
+#include <unit/elements/faceted_bodies.hpp>
 
 namespace dynamy {
 namespace {
 
-Mat3 turned(const Vec3& theta) {
-  double p[4] = {1, 0, 0, 0};
-  rotate(p, theta);
-  return rotationMatrix(p);
-}
+using testing::turned;
 
 TouchingShape capsule(double R, double half) {
   TouchingShape s;
