@@ -76,8 +76,8 @@ class PartialMechanicalSystem : public Element {
   /// entries) and returns its potential −Σ m g·r_OS [J]. Default: none, for systems without weight.
   virtual double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const;
   /// Whether it answers to a field of gravity; its weight may also be part of h and
-  /// potentialEnergy. Default: gravity() is not zero in some direction, at position q. Overridden by
-  /// systems whose joints may carry all of their weight there.
+  /// potentialEnergy. Default: gravity() is not zero in some direction, at position q. Overridden
+  /// by systems whose joints may carry all of their weight there.
   virtual bool feelsGravity(ConstVec q) const;
   /// The part of h that neither has a potential nor is gyroscopic (drives, dampers); for the energy
   /// ledger. Default: none.
