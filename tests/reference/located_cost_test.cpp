@@ -47,21 +47,18 @@ TEST(LocatedCost, TenSwitchesTo1e10TakeAtMost2000Evaluations) {
 }
 
 TEST(LocatedCost, ASwitchTakesAtMost35EvaluationsBesideTheSmoothSteps) {
-  // The woodpecker's mean is above: its sleeve lifts off twice in nine switches, where the root of
-  // λ_N is polished by own steps of order 8, 68 to 74 in all; the other seven cost 27 to 34.
+  constexpr double kMost = 35.0;
   struct Row {
     const char* name;
     std::string scene;
-    double until, most;
+    double until;
   };
-  const Row rows[] = {{"woodpecker", "woodpecker", 1.46, 39.0},
-                      {"impact oscillator", kImpactOscillator, 30.0, 35.0},
-                      {"belt, two levels", kBelt, 45.0, 35.0},
-                      {"belt, weakening", kWeakeningBelt, 60.0, 35.0},
-                      {"dry friction", "coulomb_oscillator", 5.0, 35.0},
-                      {"rocking block", "rocking_block", 2.2, 35.0}};
+  const Row rows[] = {
+      {"woodpecker", "woodpecker", 1.46},          {"impact oscillator", kImpactOscillator, 30.0},
+      {"belt, two levels", kBelt, 45.0},           {"belt, weakening", kWeakeningBelt, 60.0},
+      {"dry friction", "coulomb_oscillator", 5.0}, {"rocking block", "rocking_block", 2.2}};
   for (const Row& row : rows)
-    for (const double tolerance : {1e-3, 1e-6, 1e-8, 1e-10}) {
+    for (const double tolerance : {1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
       LocatedRun run(row.scene, tolerance, row.until);
       const RunReport& r = run.run();
       ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
@@ -70,8 +67,27 @@ TEST(LocatedCost, ASwitchTakesAtMost35EvaluationsBesideTheSmoothSteps) {
       // decision of a run is no switch.
       const double each =
           static_cast<double>(r.effort.switches + r.effort.events) / static_cast<double>(r.located);
-      EXPECT_LE(each, row.most) << row.name << " at " << tolerance;
+      EXPECT_LE(each, kMost) << row.name << " at " << tolerance;
     }
+}
+
+TEST(LocatedCost, AContactThatIsAloneLiftsOffForTheCostOfAnyOtherSwitch) {
+  // 1 kg on a floor that is pulled up with 3 N/s t: lifts off where 3 t = 9.81. The force is
+  // linear in t, so that its root on any path is exact: the step that is spoiled and the one to
+  // the root are 12 evaluations each at most, the look in the middle and three of the root's
+  // search, the decision four.
+  LocatedRun run(R"xml(<dynamy version="1">
+    <systems><Coordinates name="block" q="y" units="m" q0="0" u0="0" M="1" h="3*t - 9.81"/></systems>
+    <elements><CoordinateContact name="floor" on="block" gap="y"><Unilateral/></CoordinateContact>
+    </elements><simulation until="1" step="1"/></dynamy>)xml",
+                 1e-8, 4.0);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  const std::vector<double> lifts = run.changes("floor", Status::open);
+  ASSERT_EQ(lifts.size(), 1u);
+  // As near as the force's bound is found, 1e-8 of a step of at most 4 s.
+  EXPECT_NEAR(lifts.front(), 3.27, 4e-8);
+  EXPECT_LE(r.effort.switches, 28);
 }
 
 /// Two rods of 1 m and 1 kg with hinges, let go from the horizontal, in the coordinates of the

@@ -45,12 +45,12 @@ void SwitchSearch::watchForces(const FrozenPhase& phase, const State& x) {
   }
   const auto size = static_cast<Eigen::Index>(force_.size());
   if (x.t == end_ && endForces_.size() == size)
-    startForces_ = endForces_;
+    startForces_ = endForces_, startScale_ = endScale_;
   else if (x.t != start_ || startForces_.size() != size)
-    forces(phase, startForces_);
+    startScale_ = forces(phase, startForces_);
   start_ = x.t;
   for (std::size_t m = 0; m < force_.size(); ++m)
-    force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise;
+    force_[m].zeroStart = startForces_[static_cast<Eigen::Index>(m)] <= kForceNoise * startScale_;
 }
 
 void SwitchSearch::watchOpen(const ContactProbe& probe, const FrozenPhase& phase) {
@@ -121,14 +121,11 @@ void SwitchSearch::column(const ContactProbe& probe, int sample) {
   }
 }
 
-void SwitchSearch::forces(const FrozenPhase& phase, Eigen::VectorXd& out) const {
-  out.resize(static_cast<Eigen::Index>(force_.size()));
-  const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
-  for (std::size_t m = 0; m < force_.size(); ++m) {
-    double value = 0.0;
-    phase.margin(static_cast<std::size_t>(force_[m].contact), value);
-    out[static_cast<Eigen::Index>(m)] = value / scale;
-  }
+double SwitchSearch::forces(const FrozenPhase& phase, Eigen::VectorXd& out) const {
+  out.setZero(static_cast<Eigen::Index>(force_.size()));
+  for (std::size_t m = 0; m < force_.size(); ++m)
+    phase.margin(static_cast<std::size_t>(force_[m].contact), out[static_cast<Eigen::Index>(m)]);
+  return phase.forceScale();
 }
 
 bool SwitchSearch::present(const ContactProbe& probe, const Monitor& m) const {

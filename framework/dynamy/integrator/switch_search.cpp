@@ -40,9 +40,7 @@ bool SwitchSearch::forceAt(MechanicalSystem& s, FrozenPhase& phase, const Quinti
   s.evaluate(at_, 1);
   Eigen::VectorXd& a = work_;
   if (!phase.accelerate(s.slot(1), at_.u, a)) return false;
-  const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
   phase.margin(static_cast<std::size_t>(force_[static_cast<std::size_t>(monitor)].contact), v);
-  v /= scale;
   return true;
 }
 
@@ -56,7 +54,7 @@ bool SwitchSearch::sample(MechanicalSystem& s, ContactProbe& probe, FrozenPhase&
   if (force_.empty()) return true;
   double unused = 0.0;
   if (!forceAt(s, phase, path, 0, 0.5, unused)) return false;
-  forces(phase, middleForces_);
+  scale_ = std::max({startScale_, forces(phase, middleForces_), endScale_});
   return true;
 }
 
@@ -101,7 +99,8 @@ bool SwitchSearch::bends(Eigen::Index monitor, double by) const {
   // By a part of the largest force, or of its own way to zero.
   const double least =
       std::min({startForces_[monitor], middleForces_[monitor], endForces_[monitor]});
-  return std::abs(by) > kRough || std::abs(by) > std::max(kRoughNear, kRoughMargin * least);
+  return std::abs(by) > kRough * scale_ ||
+         std::abs(by) > std::max(kRoughNear * scale_, kRoughMargin * least);
 }
 
 template <class Value>
@@ -239,8 +238,9 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
                                int monitor, double width, Switch& first) {
   const Monitor& k = force_[static_cast<std::size_t>(monitor)];
   const double samples[3] = {startForces_[monitor], middleForces_[monitor], endForces_[monitor]};
+  const double noise = kForceNoise * scale_;
   int j = 1;
-  while (j <= 2 && !(samples[j] < -kForceNoise)) ++j;
+  while (j <= 2 && !(samples[j] < -noise)) ++j;
   if (j > 2) return true;
   double b = 0.5 * j, a = b - 0.5, fb = samples[j], fa = samples[j - 1];
   if (a >= first.theta) return true;
@@ -252,7 +252,7 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
       }
       double v = 0.0;
       if (!forceAt(s, phase, path, monitor, 0.5 * b, v)) return false;
-      if (v > kForceNoise) {
+      if (v > noise) {
         a = 0.5 * b, fa = v;
         break;
       }
@@ -366,10 +366,8 @@ ContactKey SwitchSearch::contact(const FrozenPhase& phase, const Switch& w) cons
 bool SwitchSearch::value(ContactProbe& probe, const FrozenPhase& phase, const State& x,
                          const Switch& w, double& out) {
   if (w.force) {
-    const double scale = phase.forceScale() > 0.0 ? phase.forceScale() : 1.0;
     phase.margin(static_cast<std::size_t>(force_[static_cast<std::size_t>(w.monitor)].contact),
                  out);
-    out /= scale;
     return true;
   }
   if (!probe.look(x)) return false;

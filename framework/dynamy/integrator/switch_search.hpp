@@ -12,6 +12,8 @@
 /// The gap of two features that do not lie over one another where it reaches zero is no switch.
 ///
 /// Gaps and slips are sampled at eight points without any force; forces at the middle and the end.
+/// Forces are compared with the largest on the whole path: of a contact that is alone, λ_N over the
+/// largest force of the instant is nothing but its sign.
 /// Every bracket is refined to a root, and roots are compared, never brackets.
 #pragma once
 #include <dynamy/integrator/contact_probe.hpp>
@@ -74,7 +76,7 @@ class SwitchSearch {
   /// Forces at the end of the path, t, to be told before find(). A step that begins there, with the
   /// same statuses, begins with them: find() leaves those of other places in the phase.
   void atEnd(const FrozenPhase& phase, double t) {
-    forces(phase, endForces_), idles(phase, endIdle_), end_ = t;
+    endScale_ = forces(phase, endForces_), idles(phase, endIdle_), end_ = t;
   }
   /// Statuses are others from now on.
   void forget() { end_ = start_ = std::numeric_limits<double>::quiet_NaN(); }
@@ -85,7 +87,7 @@ class SwitchSearch {
   }
 
  private:
-  static constexpr double kForceNoise = 1e-12;  // of the largest force
+  static constexpr double kForceNoise = 1e-12;  // of the largest force on the path
   static constexpr double kStart = 1e3;         // of the noise: a value below starts at zero
   struct Monitor {
     enum class Kind : std::uint8_t { gap, slip, latch, presence, force } kind = Kind::gap;
@@ -102,7 +104,8 @@ class SwitchSearch {
   double measure(const ContactProbe& probe, const Monitor& m) const;
   double rate(const ContactProbe& probe, const Monitor& m) const;
   void column(const ContactProbe& probe, int sample);
-  void forces(const FrozenPhase& phase, Eigen::VectorXd& out) const;
+  /// The largest force; `out`: how far each watched one is from its bound [N].
+  double forces(const FrozenPhase& phase, Eigen::VectorXd& out) const;
   double noise(const Monitor& m) const {
     return m.kind == Monitor::Kind::slip || m.kind == Monitor::Kind::latch ? speedNoise_
                                                                            : gapNoise_;
@@ -150,6 +153,8 @@ class SwitchSearch {
   double gapNoise_ = 0.0, speedNoise_ = 0.0, touch_ = 0.0, same_ = 0.0;
   Eigen::MatrixXd values_, rates_, presences_;  // kinematic × (kSamples + 1)
   Eigen::VectorXd startForces_, middleForces_, endForces_, work_;
+  // The largest force at the start, at the end and on the path [N].
+  double startScale_ = 0.0, endScale_ = 0.0, scale_ = 0.0;
   State at_;
 };
 
