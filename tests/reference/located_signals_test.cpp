@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <reference/located_run.hpp>
+#include <reference/located_scenes.hpp>
 #include <support/table.hpp>
 
 namespace dynamy::reference {
@@ -47,6 +48,26 @@ TEST(LocatedSignals, OfContactsAreThoseOfTheInstant) {
     EXPECT_EQ(r.rows[i][4], static_cast<double>(status)) << t;
   }
   EXPECT_LT(run.report().steps, 30);  // a row is not a step
+}
+
+TEST(LocatedSignals, OfTheMotionAreWithinTheToleranceInStepsThatEndAtASwitch) {
+  // x'' + x = cos(2.2 t + p) with an impact each 2 π/2.2 s: closed form of its orbit (truth N07).
+  constexpr double kOmega = 2.2, kPhase = 2.803786574972142, kSpeed = 1.8987487383113029;
+  constexpr double kPeriod = 2.0 * 3.14159265358979323846 / kOmega, G = 1.0 / (1.0 - 2.2 * 2.2);
+  const double c1 = -G * std::cos(kPhase), c2 = -0.8 * kSpeed + G * kOmega * std::sin(kPhase);
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    LocatedRun run(scenes::kImpactOscillator, tolerance, 10.0);
+    const Table r = record(run, {"mass.x"}, 0.013);
+    ASSERT_GT(r.t.size(), 700u);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < r.t.size(); ++i) {
+      const double t = std::fmod(r.t[i], kPeriod);
+      const double x = c1 * std::cos(t) + c2 * std::sin(t) + G * std::cos(kOmega * r.t[i] + kPhase);
+      worst = std::max(worst, std::abs(r.rows[i][0] - x));
+    }
+    // Within the promise of ten tolerances of 1 m, as at the end of the run.
+    EXPECT_LE(worst, 10.0 * tolerance) << tolerance;
+  }
 }
 
 TEST(LocatedSignals, PercussionsAreNoForces) {

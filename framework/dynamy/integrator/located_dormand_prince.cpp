@@ -13,7 +13,6 @@ constexpr double kRapid = 1e-7;       ///< of T: so soon after each other plain 
 constexpr double kMuted = 1e-3;       ///< of the step
 constexpr double kProject = 5e-4;     ///< corrections below this part of the tolerance wait
 constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
-constexpr int kMostFirst = 8;         ///< contacts that close before the one that was found
 constexpr int kMostTries = 60;        ///< of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
@@ -130,7 +129,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
                                                           bool looked, StepReport& report,
                                                           Switch& found) {
   s.hold(phaseKeys_);
-  phase_.held = startHeld_;
+  phase_.held = startHeld_, denseReady_ = false;
   const auto reject = [&](double factor) {
     ++report.counts.rejected;
     H_ = h * factor;
@@ -176,55 +175,6 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   const double next = h * std::min(factor, smooth_.mostGrowth());
   H_ = h < H_ ? std::max(H_, next) : next;
   return found ? Tried::located : Tried::accepted;
-}
-
-bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w) {
-  s.hold(phaseKeys_);
-  const double length = w.theta * h;
-  smoothOwn_.light(smooth_.light());
-  if (!smooth_.take(s, phase_, from_, length, to_.x)) return refuse(phase_);
-  if (!evaluateEnd(s, to_)) return false;
-  impulse_ = smooth_.impulse();
-  Switch first = w;
-  for (int i = 0; i < kMostFirst; ++i) {
-    if (!polish(s, length, first)) return false;
-    if (!search_.closedBefore(probe_, to_.x, first)) return true;
-  }
-  return true;
-}
-
-bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w) {
-  double slope = w.slope, last = 0.0, moved = 0.0;
-  // Another look at a gap costs next to nothing, at a force an evaluation.
-  const double near = w.force ? std::min(1e-8, 0.01 * norm_.tolerance()) : 1e-15;
-  for (int i = 0; i < 8; ++i) {
-    double value = 0.0;
-    if (!search_.value(probe_, phase_, to_.x, w, value)) return refuse(ContactProbe::kUnfollowed);
-    if (i > 0 && moved != 0.0 && value != last) {
-      const double secant = (value - last) / moved;
-      if (secant * slope > 0.0) slope = secant;
-    }
-    if (!(slope < 0.0)) return true;  // grazing: the switch is where the search found it
-    const double d = -value / slope;
-    if (std::abs(d) <= near * h || std::abs(d) > 0.5 * h) return true;
-    last = value, moved = d;
-    if (std::abs(d / h) * (d / h) * (d / h) > 0.01 * norm_.tolerance()) {
-      trial_ = to_;
-      SmoothStep& own = smoothOwn_;
-      if (!own.take(s, phase_, trial_, d, to_.x)) return refuse(phase_);
-      if (!evaluateEnd(s, to_)) return false;
-      impulse_ += own.impulse();
-      for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += own.works()[k];
-    } else {
-      impulse_ += d * to_.lambda;
-      for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += d * to_.power[k];
-      delta_ = to_.x.u + 0.5 * d * to_.a;
-      s.move(to_.x, delta_, d);
-      to_.x.u += d * to_.a;
-      if (w.force && !evaluateEnd(s, to_)) return false;
-    }
-  }
-  return true;
 }
 
 bool LocatedDormandPrince::project(MechanicalSystem& s, PhasePoint& p) {
@@ -326,7 +276,8 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   done = true;
   const std::array<double, 5> works = works_;
   keepImpulses();
-  stepFrom_ = from_, stepTo_ = to_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
+  if (!found) stepTo_ = to_;
+  stepFrom_ = from_, stepPhase_ = phase_, stepPhaseKeys_ = phaseKeys_;
   const bool ended = endStarts();
   bool good = true;
   if (found)

@@ -95,8 +95,16 @@ class LocatedDormandPrince : public OneStep {
   /// The status behind switch w at p.
   bool decide(MechanicalSystem& s, InclusionSolver& solver, PhasePoint& p, const Switch& w,
               StepReport& report);
+  // The step to a switch, and what is left to its root (located_polish.cpp).
   bool repeat(MechanicalSystem& s, double h, const Switch& w);
   bool polish(MechanicalSystem& s, double h, const Switch& w);
+  /// From to_ on by d: `known`, with the forces there; else they have to be evaluated.
+  bool moveOn(MechanicalSystem& s, double h, double d, bool& known);
+  void moveByTaylor(MechanicalSystem& s, double d);
+  bool moveByDense(MechanicalSystem& s, double t);
+  bool moveByStep(MechanicalSystem& s, double d);
+  /// Forces at to_, and their impulse from known_ to there.
+  bool settle(MechanicalSystem& s);
   /// True: an open contact penetrates at from_.
   bool closesOpen();
   /// Adds the contacts that bodies may meet with along path_.
@@ -162,6 +170,7 @@ class LocatedDormandPrince : public OneStep {
   SwitchSearch search_;
   SwitchEvent event_;
   PhasePoint from_, to_, trial_, stepFrom_, stepTo_;
+  PhasePoint known_;  // where the forces were evaluated last on the way to a root
   std::vector<ContactKey> phaseKeys_, stepPhaseKeys_;
   std::vector<HeldKey> stopping_;
   std::vector<Impulse> stepKeys_;
