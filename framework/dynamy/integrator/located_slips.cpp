@@ -8,8 +8,9 @@
 namespace dynamy {
 namespace {
 
-constexpr double kMostTurn = 2.0;      ///< of a step with open contacts [rad]
-constexpr double kMostTurned = 30.0;   ///< k of theory 20.6, in units of the tolerance
+constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
+constexpr double kMostTurned = 10.0;  ///< k of theory 20.6, in units of the tolerance
+constexpr double kStop = 0.1;  ///< of the tolerance: the end of a slip, as if it were straight
 constexpr double kShareOfStop = 0.75;  ///< steps end before slip does
 constexpr double kDifference = 1e-4;   ///< of T: for γ̇ by differences
 constexpr double kBias = 1e-3;         ///< of the sum of absolute values in γ̇
@@ -43,7 +44,7 @@ bool LocatedDormandPrince::findStopping(double most, double& bound, double& last
     }
     v = std::sqrt(v);
     if (!(along < 0.0)) continue;
-    const double T = -v * v / along, path = 0.5 * v * T, tol = norm_.tolerance();
+    const double T = -v * v / along, path = 0.5 * v * T, tol = kStop * norm_.tolerance();
     const double sine = std::max(0.0, 1.0 - along * along / (v * v * rate));
     // The moment of a part may turn bodies: its way is one of angles.
     const double most1 =
