@@ -61,5 +61,17 @@ TEST(LocatedRefusals, NameAnElementThatReportsItsContactNowAndThen) {
       << run.report().reason;
 }
 
+TEST(LocatedRefusals, SpareBarsThatPassTheirFlatPosition) {
+  // One of 14 rows is redundant there (truth S02, extended precision), and beside it the bars are a
+  // hundred times as fast as at the start. Velocities of the start times 1 + 1e-5 move the crank by
+  // 2.3e-5 m in these 10 s: K = 2.3.
+  constexpr double kTip = 0.32845811154124, K = 2.3;
+  for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7}) {
+    LocatedRun bars("four_bar", tolerance, 10.0);
+    ASSERT_EQ(bars.run().ended, RunReport::Ended::finished) << bars.report().reason;
+    EXPECT_NEAR(bars.state().q[0], 0.5 * kTip, 10.0 * K * tolerance) << tolerance;
+  }
+}
+
 }  // namespace
 }  // namespace dynamy::reference

@@ -210,9 +210,17 @@ bool LocatedDormandPrince::endStarts() {
 bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
   foundUntold_ = findUntold(s, p.x, true);
   if (foundUntold_) return false;
-  // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8. Where γ
-  // has a kink close by (a formula with clamp, an edge that a ball rolls over), on one side of it.
-  const double d = kDifference * norm_.time();
+  // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8, T that of
+  // the motion here: mechanisms beside a singular position are a hundred times as fast as at the
+  // start. Where γ has a kink close by (a formula with clamp, an edge that a ball rolls over), on
+  // one side of it.
+  double faster = 1.0;
+  for (Eigen::Index i = 0; i < p.a.size(); ++i) {
+    const double u = norm_.velocity(i, p.x.u[i], 0.0), a = norm_.velocity(i, p.a[i], 0.0);
+    faster =
+        std::max({faster, norm_.tolerance() * u, std::sqrt(norm_.tolerance() * a * norm_.time())});
+  }
+  const double d = kDifference * norm_.time() / faster;
   const auto gammaAt = [&](double tau) {
     trial_.x = p.x;
     rates_ = p.x.u + 0.5 * tau * p.a;
