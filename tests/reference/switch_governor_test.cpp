@@ -110,9 +110,9 @@ TEST(SwitchGovernor, FindsBackWhenAllIsAtRest) {
 }
 
 TEST(SwitchGovernor, GoesOnFromACheckpointBitForBit) {
-  LocatedRun whole(kFunnel, 1e-4, 1.6), part(kFunnel, 1e-4, 1.2), resumed(kFunnel, 1e-4, 1.6);
+  LocatedRun whole(kFunnel, 1e-4, 1.6), part(kFunnel, 1e-4, 1.4), resumed(kFunnel, 1e-4, 1.6);
   whole.run(), part.run();
-  ASSERT_GE(part.report().stepping.periods, 1);
+  ASSERT_GE(part.report().stepping.periods, 1);  // the first begins at 1.004 s
   resumed.simulation().resume(part.simulation().checkpoint());
   resumed.run();
   EXPECT_EQ(resumed.state().q, whole.state().q);
