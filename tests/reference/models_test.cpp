@@ -43,8 +43,7 @@ TEST_P(Models, PassTheirChecks) {
 
 TEST(LongHopper, OfAThousandBallsRunsOutAndRests) {
   // The model's own checks; the mass by a second program of the generator, as in the model.
-  LoadedModel loaded("models/hopper.xml",
-                     {{"n", "1000"}, {"mass", "1.3486389419475449"}, {"b", "40mm"}});
+  LoadedModel loaded("models/hopper.xml", {{"n", "1000"}, {"mass", "1.3486389419475449"}});
   loaded.model().simulation.until = 3.0;
   Simulation simulation(loaded.model());
   const RunReport& report = simulation.run();

@@ -77,8 +77,8 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
       if (ball.radius < 0.0 || (!all && beyond < 0.0)) continue;
       const auto ofBall = static_cast<std::size_t>(i);
       // What falls along a wall is not turned by it.
-      const double toIt =
-          std::abs(normal.dot(k.frame(shapes[ofBall].frame).v_S_I - A.velocity(ball.c - A.r_OS_I)));
+      const double toIt = std::max(
+          0.0, normal.dot(A.velocity(ball.c - A.r_OS_I) - k.frame(shapes[ofBall].frame).v_S_I));
       const double way =
           shapes[ofBall].isBall() ? std::min(reach_[ofBall], tau_ * toIt) : reach_[ofBall];
       turned_[ofBall] = std::max(turned_[ofBall], beyond - reach_[ofBall] - reach_[at] + way);

@@ -81,6 +81,11 @@ class ShapeContacts final : public NonSmoothElement {
   void lookAhead(const Kinematics& k, const ContactRequest& request) const;
   /// Which of the near pairs can meet: gap_ ≤ way_, from turned_ as half spaces have left it.
   void followTurns(const Kinematics& k, const std::vector<BroadPhase::Pair>& near) const;
+  /// How near two shapes are [m], and how fast that changes [m/s].
+  struct Approach {
+    double gap = 0.0, rate = 0.0;
+  };
+  Approach approach(const Kinematics& k, std::size_t i, std::size_t j) const;
   /// Of the shapes i, j in any order; false: they never touch.
   Pair pairOf(int i, int j) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
