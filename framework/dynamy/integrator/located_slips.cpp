@@ -181,7 +181,15 @@ LocatedDormandPrince::Tried LocatedDormandPrince::tryStep(MechanicalSystem& s, d
   }
   if (tried == Tried::rejected || tried == Tried::turned)
     phase_.held = startHeld_;  // directions as they were
-  if (tried == Tried::turned) tried = endClearStarts(s, h) ? Tried::rejected : Tried::failed;
+  if (tried == Tried::turned) {
+    tried = endClearStarts(s, h) ? Tried::rejected : Tried::failed;
+  } else if (tried == Tried::rejected) {
+    // Where slip in space ends is told by the speeds at the start, not by those of the trial.
+    bool inSpace = false;
+    for (std::size_t i = 0; i < phase_.held.size(); ++i)
+      if (phase_.held[i].slips && phase_.slipRows(i) > 1) inSpace = true;
+    if (inSpace && !evaluateEnd(s, from_)) tried = Tried::failed;
+  }
   book(s,
        tried == Tried::rejected ? &StepEffort::rejected
        : found                  ? &StepEffort::switches
