@@ -145,12 +145,12 @@ struct Numbers {
 };
 constexpr Numbers kOnA{0, 2, kBOnSide}, kOnB{10, 12, kAOnSide};
 
-/// All contacts along the direction n.
+/// All contacts along the direction that separates most.
 class Contacts {
  public:
-  Contacts(const DiscBody& A, const DiscBody& B, const Vec3& n, double same, DiscContacts& out)
-      : A_(A), B_(B), n_(n), same_(same), found_(4.0 * same), out_(out) {
-    x_ = n.unitOrthogonal(), y_ = n.cross(x_);
+  Contacts(const DiscBody& A, const DiscBody& B, const Apart& apart, double same, DiscContacts& out)
+      : A_(A), B_(B), n_(apart.n), f_(apart.f), same_(same), found_(4.0 * same), out_(out) {
+    x_ = n_.unitOrthogonal(), y_ = n_.cross(x_);
   }
 
   int all() {
@@ -165,7 +165,10 @@ class Contacts {
     onSide(A_, B_, 1.0), onSide(B_, A_, -1.0);
     rims();
     if (found_.size() == 0) any();
-    return found_.size();
+    return tellsOverlap(f_, 4.0 * kSameFeature * std::max(A_.thickness(), B_.thickness()),
+                        std::span(out_.data(), found_.size()))
+               ? found_.size()
+               : outermostPoints();
   }
 
  private:
@@ -336,17 +339,23 @@ class Contacts {
   /// Where features fit only up to a rounding: a rim beside a cap, else the outermost points.
   void any() {
     over(A_, B_, 1.0, false, kInfinity), over(B_, A_, -1.0, false, kInfinity);
-    if (found_.size() > 0) return;
-    const PlacedFace cap(*A_.frame, n_, A_.c, A_.support(n_) - n_.dot(A_.c), A_.x, 1.0, true);
+    if (found_.size() == 0) outermostPoints();
+  }
+  /// One contact alone: B's outermost point under the plane through that of A, n fixed in A.
+  int outermostPoints() {
     const int j = B_.rimAlong(-n_);
-    ContactPoint at;
-    cap.contact(*B_.frame, outermost(B_, j, -n_) - B_.r * n_, at);
-    add(kOnA.rims + j, at);
+    NumberedContact& c = out_[0];
+    c.id = kOnA.rims + j;
+    setDirections(c.at, n_, A_.frame->Omega_I.cross(n_), Vec3::Zero());
+    wander(B_, j, c.at);
+    c.at.g = n_.dot(c.at.P) - A_.support(n_);
+    if (found_.size() == 0) found_.takes(x_.dot(c.at.P), y_.dot(c.at.P));
+    return 1;
   }
 
   const DiscBody &A_, &B_;
   Vec3 n_;
-  double same_;
+  double f_, same_;
   Vec3 x_, y_;
   Manifold<kMostDiscContacts> found_;
   DiscContacts& out_;
@@ -359,7 +368,7 @@ int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double clos
   const double same = kSameFeature * std::min(A.thickness(), B.thickness());
   const Apart apart = Search(A, B).best(4.0 * same);
   if (apart.f > reach) return 0;
-  const int n = Contacts(A, B, apart.n, same, out).all();
+  const int n = Contacts(A, B, apart, same, out).all();
   const bool onA = A.part(apart.n) == Part::cap;
   if (!onA && B.part(-apart.n) != Part::cap) return n;
   const DiscBody& flat = onA ? A : B;

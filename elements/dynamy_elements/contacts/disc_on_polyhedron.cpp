@@ -116,8 +116,11 @@ class Manifolds {
     } else {
       flatEdges();
     }
-    if (found_.size() == 0) any(face);
-    return found_.size();
+    if (found_.size() == 0) return any(face);
+    return tellsOverlap(apart_.f, 4.0 * kSameFeature * std::max(body_.halfWidth(), B_.thickness()),
+                        std::span(out_.data(), found_.size()))
+               ? found_.size()
+               : outermostPoints();
   }
   /// The face of A along n, −1: none.
   int flatFace() const {
@@ -280,20 +283,28 @@ class Manifolds {
   }
 
   /// Where features fit only up to a rounding: the one n belongs to.
-  void any(int face) {
-    ContactPoint at;
-    if (face >= 0 && B_.touches(-A_.R * body_.face(face).n)) {
-      at = lowest(A_.face(face, 1.0, true), rim_);
-      out_[0] = {rim_, at};
-    } else {
-      double along = 0.0;
-      const int v = outermost(body_, A_.R.transpose() * apart_.n, along);
-      const PlacedFace cap(*B_.frame, -apart_.n, B_.c, B_.support(-apart_.n) + apart_.n.dot(B_.c),
-                           B_.x, -1.0, true);
-      cap.contact(*A_.frame, A_.vertex(v), at);
-      out_[0] = {10 + v, at};
+  int any(int face) {
+    if (face < 0 || !B_.touches(-A_.R * body_.face(face).n)) return outermostPoints();
+    out_[0] = {rim_, lowest(A_.face(face, 1.0, true), rim_)};
+    return 1;
+  }
+  /// One contact alone, of the outermost points along n. On a face or an edge n stays in A, else in
+  /// B.
+  int outermostPoints() {
+    const Vec3& n = apart_.n;
+    double along = 0.0;
+    const int v = outermost(body_, A_.R.transpose() * n, along);
+    NumberedContact& c = out_[0];
+    c.id = 10 + v;
+    if ((apart_.face >= 0 || apart_.edge >= 0) && B_.touches(-n, rim_)) {
+      setDirections(c.at, n, A_.frame->Omega_I.cross(n), Vec3::Zero());
+      wander(B_, rim_, c.at);
+      c.at.g = n.dot(c.at.P - A_.c) - along;
+      return 1;
     }
-    found_.takes(x_.dot(at.P), y_.dot(at.P));
+    const PlacedFace cap(*B_.frame, -n, B_.c, B_.support(-n) + n.dot(B_.c), x_, -1.0, true);
+    cap.contact(*A_.frame, A_.vertex(v), c.at);
+    return 1;
   }
 
   const PlacedPolyhedron& A_;

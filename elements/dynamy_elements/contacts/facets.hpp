@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/contact_geometry.hpp>
+#include <limits>
 #include <span>
 
 namespace dynamy {
@@ -114,6 +115,16 @@ class Manifold {
   double same2_, x_[Most], y_[Most];
   int size_ = 0;
 };
+
+/// Do the contacts tell what separates two bodies most, `f`, up to `loose` [m]? Of bodies that lie
+/// deep in each other they need not: none of the features that look along the direction of f may be
+/// near another, and those that are nearest to each other, as the far end of a rim, may be open.
+inline bool tellsOverlap(double f, double loose, std::span<const NumberedContact> contacts) {
+  if (!(f < -loose)) return true;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NumberedContact& c : contacts) least = std::min(least, c.at.g);
+  return std::abs(least - f) <= loose;
+}
 
 /// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved
 /// into one plane along that face; where there are three and more, so that their gaps tell how far

@@ -13,6 +13,8 @@ namespace {
 
 /// Angle beside a cap [rad].
 constexpr double kBesideCap = 1e-3;
+/// Of the size: by how much features may miss the outermost points along their normal.
+constexpr double kOutermost = 1e-9;
 /// Directions around a cone, the best of which begins.
 constexpr int kTurns = 8;
 
@@ -88,7 +90,11 @@ class OnDisc {
     else if (A_.half > 0.0)
       take(onPoint(*A_.frame, A_.c, B_, &A_.a), A_.rho + A_.r);
     for (int i = 0; i < A_.rims(); ++i) rim(i);
-    return best_;
+    // Deep inside each other, what separates most need not be a gap of the features found: then n
+    // stays in A, and the outermost points count.
+    const Vec3 n = best_.d[0];
+    if (best_.g - most_ <= kOutermost * (A_.half + A_.rho + A_.r)) return best_;
+    return overPlane(*A_.frame, n, A_.support(n) * n, B_);
   }
 
  private:
@@ -147,7 +153,7 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
                                 const SupportFeature& feature) {
   const Placed b{B, feature};
   const Polyhedron& body = *A.of;
-  // The face over which B's outermost point lies and that separates most, else the highest.
+  // The face over which B's outermost point lies and that separates most, and the highest.
   int under = -1, highest = 0;
   double most = -std::numeric_limits<double>::infinity(), height = most;
   for (int i = 0; i < static_cast<int>(body.faces().size()); ++i) {
@@ -163,9 +169,9 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
   };
   if (under >= 0 && most >= height - 1e-12 * body.halfWidth()) return onFace(under);
 
-  // An edge or corner: the smallest gap of those whose normal points out of the polyhedron.
-  ContactPoint best;
-  best.g = std::numeric_limits<double>::infinity();
+  // An edge or corner: what separates most of those whose normal points out of the polyhedron. Deep
+  // inside there may be none, or less than a face.
+  ContactPoint best = onFace(highest);
   for (int i = 0; i < static_cast<int>(body.edges().size()); ++i) {
     const Polyhedron::Edge& e = body.edge(i);
     const PlacedEdge edge = A.edge(i);
@@ -175,7 +181,7 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
     const Vec3 n = A.R.transpose() * at.d[0];
     const bool inWedge =
         body.face(e.f).n.cross(n).dot(e.e) >= 0.0 && n.cross(body.face(e.g).n).dot(e.e) >= 0.0;
-    if (inWedge && std::abs(edge.e.dot(at.P - edge.o)) <= edge.half && at.g < best.g) best = at;
+    if (inWedge && std::abs(edge.e.dot(at.P - edge.o)) <= edge.half && at.g > best.g) best = at;
   }
   for (int i = 0; i < static_cast<int>(body.corners().size()); ++i) {
     const ContactPoint at = onPoint(*A.frame, A.vertex(i), b, nullptr);
@@ -183,9 +189,9 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
     bool inCone = true;
     for (const int k : body.neighbours(i))
       inCone = inCone && n.dot(body.corner(k) - body.corner(i)) <= 0.0;
-    if (inCone && at.g < best.g) best = at;
+    if (inCone && at.g > best.g) best = at;
   }
-  return std::isfinite(best.g) ? best : onFace(under >= 0 ? under : highest);
+  return best;
 }
 
 }  // namespace dynamy

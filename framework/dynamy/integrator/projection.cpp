@@ -150,7 +150,7 @@ bool Projection::close(const Evaluation& e) {
   int rows = 0;
   for (int i = 0; i < contacts_.size(); ++i)
     if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
-  if (rows > kMostTouched) return false;
+  if (rows == 0 || rows > kMostTouched) return false;
   const Eigen::Index nu = e.h.size();
   W_.setZero(nu, rows), MInvW_.resize(nu, rows);
   Eigen::VectorXd g(rows);
