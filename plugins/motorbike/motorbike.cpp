@@ -38,8 +38,8 @@ void Motorbike::declare(Attributes& a) {
       "coordinates. "
       "Velocities: of the frame in its own axes (vx vy vz Omega_x Omega_y Omega_z), rearRate, "
       "steer_dot, frontRate, and with suspension rearTravel_dot, frontTravel_dot. Frames: the "
-      "frame, rearWheel, fork, frontWheel. Its tyres touch half spaces; balls touch meshes as "
-      "well.");
+      "frame, rearWheel, fork, frontWheel. Its tyres touch half spaces, boxes, polyhedra and "
+      "meshes.");
   Geometry::declare(a);
   a.add(AttributeType::name, "material", "", "of the tyres; without one they touch nothing");
   a.vector("position", Unit::length, 3, "0 0 0", "place of the rear contact at the start");
