@@ -89,7 +89,8 @@ std::string resultHtml(const JsonValue& run) {
     if (const JsonValue& s = run["stepping"]; s["periods"].value > 0.0)
       f.row("stepped in time, switches not located", shown(s["time"], "s") + " in " +
                                                          shown(s["periods"]) + " periods, " +
-                                                         shown(s["steps"]) + " steps");
+                                                         shown(s["steps"]) + " steps, of " +
+                                                         shown(s["systems"]) + " systems");
   }
   const JsonValue& solver = run["solver"];
   f.row("steps not solved to tolerance",

@@ -303,6 +303,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("stepping", r.effort.stepping).endObject();
   json.key("stepping").beginObject().member("periods", r.stepping.periods);
   json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
+  json.member("systems", r.stepping.systems);
   json.member("time", r.stepping.time).member("longest", r.stepping.longest);
   json.member("error", r.stepping.error).member("firstTime", r.stepping.first.t);
   json.member("firstContact", r.stepping.first.name).endObject();

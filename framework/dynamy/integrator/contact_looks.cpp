@@ -1,7 +1,6 @@
 // MechanicalSystem: contacts alone, and the bias of elements that tell none.
 #include <algorithm>
 #include <cmath>
-#include <dynamy/core/element_fault.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
 
 namespace dynamy {
@@ -31,10 +30,7 @@ const ContactSet& MechanicalSystem::look(const State& x) {
   ContactRequest request = request_;
   request.bias = false;
   ContactSink sink(c, request);
-  for (std::size_t i = 0; i < parts_.contacts.size(); ++i) {
-    sink.element(static_cast<int>(i));
-    named(*parts_.contacts[i], [&] { parts_.contacts[i]->contacts(look_.kinematics, sink); });
-  }
+  reportContacts(parts_, look_.kinematics, sink);
   return c;
 }
 

@@ -10,10 +10,7 @@ void ContactProbe::evaluate(const State& x, const ContactRequest& request) {
   kinematics_.evaluate(*parts_->topology, x.t, view(x.q), view(x.u), view(x.memory));
   contacts_.clear();
   ContactSink sink(contacts_, request);
-  for (std::size_t i = 0; i < parts_->contacts.size(); ++i) {
-    sink.element(static_cast<int>(i));
-    parts_->contacts[i]->contacts(kinematics_, sink);
-  }
+  reportContacts(*parts_, kinematics_, sink);
 }
 
 void ContactProbe::prepare(const MechanicalSystem& s, const State& x) {

@@ -5,7 +5,6 @@
 namespace dynamy {
 namespace {
 
-constexpr double kFirstStep = 0.02;                         ///< of T
 constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
 constexpr double kAtOnce = 1e-6;  ///< events within this part of the step are at one instant
 constexpr int kMostNulls = 5;
@@ -55,6 +54,8 @@ void LocatedDormandPrince::begin(MechanicalSystem& s, InclusionSolver& solver, c
     resumeNorm(s, x);
   }
   untold_.clear(), useDifferences(s);
+  islands_.start(s.parts());
+  owed_.setZero(norm_.times().size(), 2);
   const bool implicit = stiff_ == Stiff::always;
   smooth_.forget();
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
@@ -209,7 +210,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
   stalled_ = stepped_ = false, lastSwitched_ = governor_.turnedAt();
   told_.clear(), impacts_.clear(), works_ = {};
   booked_ = s.evaluations(), tImpact_ = -1e300;
-  stepKeys_.clear(), impulse_.resize(0);
+  stepKeys_.clear(), impulse_.resize(0), enteredAt_ = x.q;
   s.bias(true);
   if (!ready_) {
     const ButcherTableau* light = table_ == &dormandPrince8() ? &dormandPrince5() : nullptr;
@@ -318,8 +319,9 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   const bool good = proceed(s, solver, x, dt, report);
   if (!good && stalled_ && !plain_ &&
       (search_.any() || probe_.comesAndGoes())) {  // else a singular force
-    beginStepping(x);
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
+    beginStepping(x);
+    if (quietOnly_) return report;
     const StepEffort spent = report.counts.effort;
     report = stepInTime(s, solver, x, dt);
     report.counts.effort.rejected += spent.smooth + spent.rejected + spent.switches + spent.events;
@@ -331,9 +333,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     x.q = to_.x.q, x.u = to_.x.u, x.memory = to_.x.memory;
     report.dt = x.t - t;
     const long n = s.evaluations() - before;
-    if (!plain_)
-      governor_.located(x.t, report.dt, n, locatedWork(s, static_cast<double>(n)),
-                        steppedWork(s, 1.0, 4.0), report.counts.switches > 0, lastSwitched_);
+    if (!plain_) govern(s, n, report);
     store(x);
     if (tImpact_ == to_.x.t && report.dt > 0.0) report.uBeforeImpact = &uBeforeImpact_;
     tell(s, x, report);

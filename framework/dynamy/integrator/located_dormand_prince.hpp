@@ -14,9 +14,11 @@
 /// to tenfold.
 #pragma once
 #include <dynamy/integrator/energy_momentum.hpp>
+#include <dynamy/integrator/islands.hpp>
 #include <dynamy/integrator/switch_event.hpp>
 #include <dynamy/integrator/switch_governor.hpp>
 #include <dynamy/integrator/switch_search.hpp>
+#include <memory>
 
 namespace dynamy {
 
@@ -46,6 +48,7 @@ class LocatedDormandPrince : public OneStep {
   static void declareStiff(Attributes& a);
 
  private:
+  static constexpr double kFirstStep = 0.02;  ///< of T
   struct Impulse {
     ContactKey key;
     int first, row, dim;
@@ -65,8 +68,30 @@ class LocatedDormandPrince : public OneStep {
   void storeStepping(State& x) const;
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   double steppedError(MechanicalSystem& s, const State& a, const State& b, double h);
+  /// After a located step: the governor may turn to steps in time.
+  void govern(const MechanicalSystem& s, long evaluations, const StepReport& report);
+  double deepest(const ContactSet& c) const;
   double locatedWork(const MechanicalSystem& s, double evaluations) const;
   double steppedWork(const MechanicalSystem& s, double evaluations, double newton) const;
+  // Islands that are not, meanwhile (located_islands.cpp).
+  /// A step took so much work, one with a switch or another: of whom.
+  void owe(const MechanicalSystem& s, double work, bool switched);
+  /// Which systems are stepped in time from x on, into timed_.
+  void chooseStepped(const State& x);
+  void chooseDear(std::vector<char>& chosen) const;
+  bool anyQuiet() const;
+  int steppedSystems() const;
+  Eigen::VectorXd decidedAnew() const;
+  void startQuiet(const MechanicalSystem& s, double end);
+  bool quietStep(MechanicalSystem& s, InclusionSolver& solver, bool again, StepCounts& counts);
+  /// Takes the quiet islands beyond steppedFrom_, at most to `end`: how far they are known.
+  double followQuiet(MechanicalSystem& s, InclusionSolver& solver, double end, StepCounts& counts);
+  /// Where they are at t, into quiet_.at.
+  void placeQuiet(MechanicalSystem& s, double t);
+  /// They go into x, the end of the step in time, unless they were touched in it.
+  void joinQuiet(MechanicalSystem& s, State& x, StepReport& report);
+  double nextStepped(double t) const;
+  void showQuiet(double t, State& out) const;
   // What happens when it is told, and what elements switch (located_instants.cpp).
   /// How long until right before the next instant at which an element jumps by the time alone.
   double untilInstant();
@@ -152,8 +177,9 @@ class LocatedDormandPrince : public OneStep {
   enum class Stiff : std::uint8_t { automatic, never, always } stiff_ = Stiff::automatic;
   /// Numbers at the front of State::scheme, see located_memory.cpp.
   static constexpr int kHead = 14, kBehind = kHead + SwitchGovernor::kNumbers;
-  /// Behind them and those of the governor: T of the island of each system.
-  Eigen::Index behindTimes() const { return kBehind + norm_.times().size(); }
+  /// Behind them and those of the governor, for each system: T of its island; what it cost in the
+  /// governor's window, or whether it is stepped in time.
+  Eigen::Index behindTimes() const { return kBehind + 3 * norm_.times().size(); }
   void resumeNorm(const MechanicalSystem& s, const State& x);
   Accuracy accuracy_;
   const ButcherTableau* given_ = nullptr;  // the one to take, else one that fits the tolerance
@@ -171,6 +197,7 @@ class LocatedDormandPrince : public OneStep {
   SwitchEvent event_;
   PhasePoint from_, to_, trial_, stepFrom_, stepTo_;
   PhasePoint known_;  // where the forces were evaluated last on the way to a root
+  Eigen::VectorXd enteredAt_;  // q at the start of the step, which a decision there may correct
   std::vector<ContactKey> phaseKeys_, stepPhaseKeys_;
   std::vector<HeldKey> stopping_;
   std::vector<Impulse> stepKeys_;
@@ -207,6 +234,24 @@ class LocatedDormandPrince : public OneStep {
   double passing_ = 1.0, startOverlap_ = 0.0;  // of contacts that come and go [m]
   double overlap_ = 0.0, reached_ = 0.0;       // largest overlap at its end; of the trial [m]
   State steppedFrom_;
+  Islands islands_;
+  /// Work in the governor's window that is owed to each system: of steps with its switches, of
+  /// steps that its error bounded.
+  Eigen::Matrix<double, Eigen::Dynamic, 2> owed_;
+  std::vector<char> timed_;  // not 0: the system is stepped in time
+  bool quietOnly_ = false;   // a scheme for quiet islands: it takes no steps in time itself
+  /// Quiet islands: their step that goes on beyond the end of the last step in time.
+  struct Quiet {
+    std::unique_ptr<LocatedDormandPrince> scheme;
+    State from, to, at;
+    mutable State shown;
+    double end = 0.0;      // as far as it might have gone
+    Eigen::VectorXd kept;  // `from` and `end` as numbers
+    StepWorks works;
+    bool known = false;
+  } quiet_;
+  Eigen::VectorXd quietKept_;
+  std::vector<char> apart_;  // not 0: the system is quiet
 };
 
 }  // namespace dynamy

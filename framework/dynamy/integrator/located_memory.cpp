@@ -7,10 +7,10 @@ namespace {
 
 /// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
 /// there, whether steps are implicit, SmoothStep::Counted, number of held contacts; what the
-/// governor keeps; T of each system; then for each held contact element, number, slip, sign, end of
-/// muting, whether the slip starts, what it has turned, weight, first row and rows, direction, λ;
-/// the elements without a bias; where the Jacobian of implicit steps was taken; the number of
-/// these.
+/// governor keeps; T of each system, what it cost; then for each held contact
+/// element, number, slip, sign, end of muting, whether the slip starts, what it has turned, weight,
+/// first row and rows, direction, λ; the elements without a bias; where the Jacobian of implicit
+/// steps was taken; the number of these.
 constexpr int kDirection = Held::kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
 
@@ -39,6 +39,7 @@ void LocatedDormandPrince::store(State& x) {
       counted[5], counted[6], static_cast<double>(n);
   std::copy(governed.begin(), governed.end(), x.scheme.data() + kHead);
   x.scheme.segment(kBehind, norm_.times().size()) = norm_.times();
+  x.scheme.segment(kBehind + norm_.times().size(), owed_.size()) = owed_.reshaped();
   for (std::size_t i = 0; i < n; ++i) {
     const Held& h = phase_.held[i];
     double* out = x.scheme.data() + first + kPerHeld * i;
@@ -72,6 +73,9 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, InclusionSolver& solver,
   H_ = x.scheme[0], lookAhead_ = x.scheme[2], lastEvent_ = x.scheme[3];
   nulls_ = static_cast<int>(x.scheme[4]);
   resumeNorm(s, x);
+  islands_.start(s.parts());
+  owed_ = x.scheme.segment(kBehind + norm_.times().size(), 2 * norm_.times().size())
+              .reshaped(norm_.times().size(), 2);
   const bool implicit = x.scheme[5] != 0.0;
   smooth_.implicit(implicit, s, norm_), smoothOwn_.implicit(implicit, s, norm_);
   SmoothStep::Counted counted;
@@ -196,9 +200,10 @@ void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a
                                        double theta, State& out) const {
   if (stepped_ && system_ == &s) {
     timeStepping_.interpolate(s, a, b, theta, out);
+    showQuiet(a.t + theta * (b.t - a.t), out);
     return;
   }
-  const bool known = system_ == &s && stepFrom_.x.t == a.t && stepFrom_.x.q == a.q;
+  const bool known = system_ == &s && stepFrom_.x.t == a.t && enteredAt_ == a.q;
   if (!known) {
     OneStep::interpolate(s, a, b, theta, out);
     return;

@@ -108,6 +108,9 @@ void MechanicalSystem::smooth(const State& x, Evaluation& e) {
     forces.hasPotential(f->hasPotential());
     named(*f, [&] { f->addTo(e.kinematics, forces); });
   }
+  for (std::size_t i = 0; topology.leavesOut() && i < topology.systems().size(); ++i)
+    if (const SystemHandle& s = topology.system(static_cast<int>(i)); topology.leftOut(s.index))
+      e.h.segment(s.u0, s.nu).setZero(), e.hNonPotential.segment(s.u0, s.nu).setZero();
 }
 
 void MechanicalSystem::gyroscopicAtMean(const State& x, double dt) {
@@ -125,9 +128,15 @@ void MechanicalSystem::detect(double reach, Evaluation& e) const {
   ContactRequest request = request_;
   request.gTol += reach;
   ContactSink sink(e.contacts, request);
-  for (std::size_t i = 0; i < parts_.contacts.size(); ++i) {
+  reportContacts(parts_, e.kinematics, sink);
+}
+
+void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& sink) {
+  for (std::size_t i = 0; i < parts.contacts.size(); ++i) {
+    const NonSmoothElement& element = *parts.contacts[i];
+    if (parts.topology->leftOut(element)) continue;
     sink.element(static_cast<int>(i));
-    named(*parts_.contacts[i], [&] { parts_.contacts[i]->contacts(e.kinematics, sink); });
+    named(element, [&] { element.contacts(k, sink); });
   }
 }
 

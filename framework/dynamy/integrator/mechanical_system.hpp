@@ -30,6 +30,9 @@ struct SystemParts {
   const ImpactLaw* impactLaw = nullptr;
 };
 
+/// Contacts of all elements, less those between systems that are left out.
+void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& sink);
+
 /// Aims γ^E at positions instead of velocities. Unilateral: the gap term g/Δt, for g > dead; an
 /// impact waits until the contact is closed; joints: γ^E + γ^A = 0, the mean velocity of the step,
 /// or stabilised.

@@ -29,6 +29,7 @@ struct StepCounts {
   /// Length of a step in which nothing moved and forces changed faster than it looks at them [s].
   double unseen = 0.0;
   bool stepped = false;                ///< a step in time: switches in it were not located
+  int steppedSystems = 0;              ///< of so many systems; of the others they were
   double stepError = 0.0;              ///< of such a step, in units of the tolerance
   TurnedBy turnedBy = TurnedBy::none;  ///< the step is the first of such steps
   ContactKey turnedAt;                 ///< the contact that switched too often
@@ -78,6 +79,9 @@ struct StepReport {
   /// Velocities right before an impact at the end of the step, the scheme's own until its next
   /// step; null: there is none.
   const Eigen::VectorXd* uBeforeImpact = nullptr;
+  /// Not 0: the system moved otherwise than by the equations of the step, and `works` are of those
+  /// systems alone; empty: none did. Valid until the next step.
+  std::span<const char> apart{};
   const Jump* jump = nullptr;  ///< the scheme's own, until its next step; null: there was none
 };
 

@@ -162,6 +162,7 @@ bool SmoothStep::finish(const MechanicalSystem& s, State& to) const {
 }
 
 double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& to) {
+  worst_ = -1;
   if (tookImplicit_) return radauError_;
   if (tookHalf_) return half_.error(norm, from, to);
   // Order 8: |h| e5²/√(e5² + 0.01 e3²) of each component; order 5: its one estimate.
@@ -176,17 +177,21 @@ double SmoothStep::error(const ErrorNorm& norm, const State& from, const State& 
     }
     const double d = e5 * e5 + 0.01 * e3 * e3, alone = measure(h_ * e5);
     const double share = table_->error3 ? (d > 0.0 ? std::abs(e5) / std::sqrt(d) : 0.0) : 1.0;
-    worst = std::max(worst, alone * share), lighter_ = std::max(lighter_, alone);
+    lighter_ = std::max(lighter_, alone);
+    return alone * share;
   };
   for (Eigen::Index i = 0; i < from.q.size(); ++i)
-    judge(Q_, i, [&](double e) {
-      return norm.position(i, e, std::max(std::abs(from.q[i]), std::abs(to.q[i])));
-    });
-  for (Eigen::Index i = 0; i < from.u.size(); ++i)
-    judge(U_, i, [&](double e) {
+    worst = std::max(worst, judge(Q_, i, [&](double e) {
+                       return norm.position(i, e, std::max(std::abs(from.q[i]), std::abs(to.q[i])));
+                     }));
+  double faster = 0.0;
+  for (Eigen::Index i = 0; i < from.u.size(); ++i) {
+    const double own = judge(U_, i, [&](double e) {
       return norm.velocity(i, e, std::max(std::abs(from.u[i]), std::abs(to.u[i])));
     });
-  return worst;
+    if (own > faster) faster = own, worst_ = static_cast<int>(i);
+  }
+  return std::max(worst, faster);
 }
 
 bool SmoothStep::tooLight(double error) {

@@ -107,6 +107,8 @@ class SmoothStep {
   bool errorNeedsEnd() const { return !implicit_ && columns_ == 0 && table_->error3 == nullptr; }
   /// Error of the last step in units of the tolerance.
   double error(const ErrorNorm& norm, const State& from, const State& to);
+  /// The velocity with the largest share in it; −1: not known.
+  int worst() const { return worst_; }
   /// ∫λ dt and works of the last step, rows as in the phase.
   const Eigen::VectorXd& impulse() const { return impulse_; }
   const std::array<double, 5>& works() const { return works_; }
@@ -132,6 +134,7 @@ class SmoothStep {
   // the tolerance: less after each time that it was not.
   double lighter_ = 0.0, enough_ = kEnough;
   bool plain_ = false;
+  int worst_ = -1;
   double h_ = 0.0;
   State stage_;
   Eigen::MatrixXd Q_, U_;  // derivatives of stage i in column i

@@ -8,6 +8,7 @@ namespace {
 constexpr double kWindow = 3000;     ///< evaluations, about a hundred switches,
 constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make each of them dear
 constexpr double kDearer = 2.0;      ///< by so much locating switches may cost more,
+constexpr double kBearable = 0.5;    ///< of that: others go on being located
 constexpr double kFast = 100.0;      ///< and motion that is fast without any
 constexpr double kLeast = 1e-5;      ///< of T: shorter steps in time are not taken,
 constexpr double kMost = 0.1;        ///< nor longer ones
@@ -43,16 +44,18 @@ void SwitchGovernor::numbers(const double* x) {
 
 double SwitchGovernor::least() const { return std::max(tolerance_, kLeast) * T_; }
 
-void SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
+bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
                              bool switched, ContactKey at) {
   turnedAt_ = at;
   window_ += dt, windowWork_ += work, windowEvaluations_ += static_cast<double>(evaluations);
   windowStepWork_ = std::max(windowStepWork_, stepWork), switchWork_ += switched ? work : 0.0;
-  if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return;
+  if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return false;
   const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
-  const bool dense = switchWork_ > kDearer * instead || windowWork_ > kFast * instead;
+  const bool dear = switchWork_ > kDearer * instead, fast = windowWork_ > kFast * instead;
   window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
-  if (dense) turn(t, TurnedBy::density, at);
+  if (dear || fast) turn(t, TurnedBy::density, at);
+  tooFast_ = !dear, bearable_ = kBearable * (dear ? kDearer : kFast) * instead;
+  return true;
 }
 
 void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {

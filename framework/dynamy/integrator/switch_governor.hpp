@@ -8,8 +8,8 @@
 ///
 /// Work is counted in floating-point operations that evaluations and solves stand for, never in
 /// seconds: a run repeats bit by bit. Whoever comes back and has to leave again soon stays away
-/// twice as long, so that the attempts cost no more than a share. One mode for the whole system:
-/// islands of their own were left out, since FrozenPhase has none either.
+/// twice as long, so that the attempts cost no more than a share. Islands whose switches are not
+/// what makes it dear go on being located: one governor decides for those that are.
 #pragma once
 #include <array>
 #include <dynamy/integrator/one_step.hpp>
@@ -37,8 +37,13 @@ class SwitchGovernor {
   // While switches are located.
   /// A step that ended at t: turns to steps in time where that is cheaper. `stepWork`: of one
   /// of those; `switched`: it ended at a switch; `at`: the contact that switched last.
-  void located(double t, double dt, long evaluations, double work, double stepWork, bool switched,
+  /// True: a window is over.
+  bool located(double t, double dt, long evaluations, double work, double stepWork, bool switched,
                ContactKey at);
+  /// Right after it turned by density: work in a window that may go on being located, all of it if
+  /// it was too fast even without switches, else that of steps with a switch.
+  double bearable() const { return bearable_; }
+  bool tooFast() const { return tooFast_; }
   /// Steps in time from t on.
   void turn(double t, TurnedBy why, ContactKey at);
   /// From now on switches are located again.
@@ -63,7 +68,9 @@ class SwitchGovernor {
   double began_ = 0.0, stay_ = 0.0;  // the present mode; how long steps are taken in time [s]
   double window_ = 0.0, windowWork_ = 0.0;  // of located switches: time and work
   double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
-  double switchWork_ = 0.0;                 // that of steps with a switch
+  double switchWork_ = 0.0;  // that of steps with a switch
+  double bearable_ = 0.0;    // not kept: of use right after a turn
+  bool tooFast_ = false;
   double switches_ = 0.0, stepWork_ = 0.0;  // while stepping, since began_
 };
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/simulation/energy_ledger.hpp>
 #include <dynamy/simulation/model.hpp>
 #include <utility>
@@ -48,20 +49,61 @@ void EnergyLedger::step(const StepView& v) {
   const Evaluation& e = v.system.slot(0);
   const double dt = v.report.dt;
   const Jump* jump = v.report.jump;
-  const Eigen::VectorXd& uA = jump ? jump->u : v.before.u;
-  uMean_ = 0.5 * (uA + v.after.u);
+  uA_ = jump ? jump->u : v.before.u, uE_ = v.after.u;
+  leaveApart(v);
+  uMean_ = 0.5 * (uA_ + uE_);
   momentum_.resize(uMean_.size());
   e.mass.apply(view(std::as_const(uMean_)), view(momentum_));
-  const double dT = momentum_.dot(v.after.u) - momentum_.dot(uA);
+  const double dT = momentum_.dot(uE_) - momentum_.dot(uA_);
   const double workH = dt * e.h.dot(uMean_);
   nonPotential_.add(dt * e.hNonPotential.dot(uMean_));
-  if (jump) add(jump->works);
+  if (jump) addJump(v);
   imbalance_.add(dT), imbalance_.add(-workH), imbalance_.add(-contactWork(v));
+}
+
+/// Systems that moved otherwise: their works are told, their velocities do not enter.
+void EnergyLedger::leaveApart(const StepView& v) {
+  apart_.assign(v.report.apart.empty() ? 0 : static_cast<std::size_t>(uA_.size()), 0);
+  if (apart_.empty()) return;
+  add(v.report.works);
+  for (std::size_t i = 0; i < v.report.apart.size(); ++i) {
+    const SystemHandle& s = model_.topology().system(static_cast<int>(i));
+    if (v.report.apart[i] == 0) continue;
+    uA_.segment(s.u0, s.nu).setZero(), uE_.segment(s.u0, s.nu).setZero();
+    std::fill_n(apart_.begin() + s.u0, s.nu, 1);
+  }
+}
+
+bool EnergyLedger::isApart(const ContactSet& c, int contact) const {
+  const auto at = static_cast<std::size_t>(contact);
+  return !apart_.empty() && c.segment0[at] < c.segment0[at + 1] &&
+         apart_[static_cast<std::size_t>(c.segment[static_cast<std::size_t>(c.segment0[at])].u0)] !=
+             0;
 }
 
 void EnergyLedger::add(const StepWorks& w) {
   nonPotential_.add(w.nonPotential), friction_.add(w.friction), normal_.add(w.normal);
   joints_.add(w.joints), boundaries_.add(w.boundaries);
+}
+
+void EnergyLedger::addWork(RowKind kind, double work) {
+  (kind == RowKind::normal ? normal_ : kind == RowKind::friction ? friction_ : joints_).add(work);
+}
+
+void EnergyLedger::addJump(const StepView& v) {
+  const Jump& jump = *v.report.jump;
+  if (apart_.empty()) return add(jump.works);
+  const ContactSet& c = v.system.slot(0).contacts;
+  std::vector<double> before(static_cast<std::size_t>(c.rows())), after = before;
+  c.gamma(view(v.before.u), {before.data(), c.rows()});
+  c.gamma(view(jump.u), {after.data(), c.rows()});
+  for (int i = 0; i < c.size(); ++i)
+    for (int r = 0; r < c.dim(i) && !isApart(c, i); ++r) {
+      const auto k = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r);
+      addWork(c.law[static_cast<std::size_t>(i)]->rowKind(r),
+              0.5 * jump.Lambda[k] * (before[k] + after[k]));
+      boundaries_.add(-jump.Lambda[k] * c.chi[k]);
+    }
 }
 
 void EnergyLedger::bring(const State& before, const State& after) {
@@ -81,6 +123,7 @@ double EnergyLedger::contactWork(const StepView& v) {
   const std::vector<double>& gammaA = jump ? gammaA_ : v.system.problem().gammaA;
   double all = 0.0, gain = 0.0;
   for (int i = 0; i < c.size(); ++i) {
+    if (isApart(c, i)) continue;
     const auto at = static_cast<std::size_t>(i);
     for (int r = 0; r < c.dim(i); ++r) {
       const int k = c.row0[at] + r;
@@ -89,10 +132,7 @@ double EnergyLedger::contactWork(const StepView& v) {
       const double work = Lambda * 0.5 * (gammaA[row] + v.gammaE[k]);
       const double brought = -Lambda * c.chi[row];
       const RowKind kind = c.law[at]->rowKind(r);
-      (kind == RowKind::normal     ? normal_
-       : kind == RowKind::friction ? friction_
-                                   : joints_)
-          .add(work);
+      addWork(kind, work);
       boundaries_.add(brought);
       all += work + brought;
       if (!holds(kind)) gain += work;

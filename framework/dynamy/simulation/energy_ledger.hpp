@@ -48,7 +48,7 @@ class EnergyMeter {
 
 class EnergyLedger final : public Observer {
  public:
-  explicit EnergyLedger(const Model& model) : meter_(model) {}
+  explicit EnergyLedger(const Model& model) : model_(model), meter_(model) {}
   const EnergyReport& report() const { return report_; }
   /// The ledger from the start up to `x`, the state after the last step.
   EnergyReport upTo(const State& x);
@@ -62,11 +62,17 @@ class EnergyLedger final : public Observer {
 
  private:
   void add(const StepWorks& w);
+  void addWork(RowKind kind, double work);
+  void addJump(const StepView& view);
+  void leaveApart(const StepView& view);
+  bool isApart(const ContactSet& c, int contact) const;
   double contactWork(const StepView& view);
+  const Model& model_;
   EnergyMeter meter_;
   EnergyReport report_;
   CompensatedSum nonPotential_, friction_, normal_, joints_, boundaries_, imbalance_;
-  Eigen::VectorXd uMean_, momentum_;
+  Eigen::VectorXd uA_, uE_, uMean_, momentum_;
+  std::vector<char> apart_;     // per velocity; empty: none
   std::vector<double> gammaA_;  // after a jump
 };
 

@@ -125,7 +125,8 @@ void Model::build() {
 
 void Model::connectAll() {
   Diagnostics faults;
-  const auto guarded = [&faults](Element& e, auto&& connect) {
+  const auto guarded = [&](Element& e, auto&& connect) {
+    topology_->connecting(&e);
     try {
       connect();
     } catch (const ModelError& error) {
@@ -139,6 +140,7 @@ void Model::connectAll() {
   };
   for (const auto& f : forces_) guarded(*f, [&] { f->connect(*topology_); });
   for (const auto& c : contacts_) guarded(*c, [&] { c->connect(*topology_); });
+  topology_->connecting(nullptr);
   faults.throwIfAny();
 }
 

@@ -67,6 +67,7 @@ void StepStatistics::stepped(const StepView& v) {
     r.stalls += counts.turnedBy == TurnedBy::stall ? 1 : 0;
   }
   ++r.steps, r.time += v.report.dt;
+  r.systems = std::max(r.systems, counts.steppedSystems);
   r.longest = std::max(r.longest, v.report.dt), r.error = std::max(r.error, counts.stepError);
 }
 

@@ -57,13 +57,14 @@ struct Warning {
 /// Where switches were too dense to be located, and steps in time took their place.
 struct SteppingReport {
   long periods = 0, steps = 0;
+  int systems = 0;       ///< most that were stepped at once; switches of the others were located
   long stalls = 0;       ///< periods that began because no step was short enough
   double time = 0.0;     ///< all periods together [s]
   double longest = 0.0;  ///< step [s]
   double error = 0.0;    ///< largest estimated error of a step, in units of the tolerance
   Worst first;           ///< when the first period began and the contact that switched there
   void archive(Archive& a) {
-    a(periods), a(steps), a(stalls), a(time), a(longest), a(error), a(first);
+    a(periods), a(steps), a(systems), a(stalls), a(time), a(longest), a(error), a(first);
   }
 };
 

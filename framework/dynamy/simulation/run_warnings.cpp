@@ -85,10 +85,11 @@ void aboutStepping(const RunReport& r, Warnings& out) {
   out.push_back(
       {"time stepping",
        fmt::format("switches{} came too fast to be located (t = {:.6g} s): {:.4g} s in {} "
-                   "period{} were stepped in time with steps up to {:.2g} s, whose errors reach "
-                   "{:.2g} times the tolerance each; it is not promised from there on",
-                   at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.longest,
-                   s.error)});
+                   "period{} were stepped in time for {} system{} with steps up to {:.2g} s, whose "
+                   "errors reach {:.2g} times the tolerance each; it is not promised for them, nor "
+                   "for what they touch, from there on",
+                   at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
+                   s.systems == 1 ? "" : "s", s.longest, s.error)});
 }
 
 void aboutRest(const RunReport& r, Warnings& out) {

@@ -130,7 +130,7 @@ void Simulation::forAll(Call&& call) {
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 2");  // counts changes of what follows
+  a.section("dynamy checkpoint 3");  // counts changes of what follows
   archiveState(a, x_);
   a(*loop_), a(report_);
   forAll([&a](Observer& o) { o.archive(a); });

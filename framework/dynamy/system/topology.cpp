@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/topology.hpp>
@@ -42,7 +43,10 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
 SystemHandle Topology::system(std::string_view name, const Element& asking) const {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
-    if (systems_[i]->name() == name) return handles_[i];
+    if (systems_[i]->name() == name) {
+      note(static_cast<int>(i));
+      return handles_[i];
+    }
     known.push_back(systems_[i]->name());
   }
   unknown(asking, "system", name, known);
@@ -79,14 +83,44 @@ const NamedBody* Topology::body(int system, int id) const {
 }
 
 FrameHandle Topology::frame(const SystemHandle& system, int id) {
-  std::vector<int>& known = indexOf_[static_cast<std::size_t>(system.index)];
+  note(system.index);
+  return requested(system.index, id);
+}
+
+FrameHandle Topology::requested(int system, int id) {
+  std::vector<int>& known = indexOf_[static_cast<std::size_t>(system)];
   const auto at = static_cast<std::size_t>(id);
   if (at >= known.size()) known.resize(at + 1, -1);
   if (known[at] < 0) {
     known[at] = static_cast<int>(requested_.size());
-    requested_.emplace_back(system.index, id);
+    requested_.emplace_back(system, id);
   }
   return {known[at]};
+}
+
+void Topology::connecting(const Element* element) {
+  connecting_ = element != nullptr;
+  if (connecting_) connections_.push_back({element, {}, false});
+}
+
+void Topology::note(int system) const {
+  if (!connecting_) return;
+  std::vector<int>& known = connections_.back().systems;
+  const auto at = std::lower_bound(known.begin(), known.end(), system);
+  if (at == known.end() || *at != system) known.insert(at, system);
+}
+
+void Topology::leaveOut(std::vector<char> systems) {
+  expects(systems.empty() || systems.size() == systems_.size(), "one flag for each system");
+  leftOut_ = std::move(systems);
+  without_.clear();
+  const auto out = [&](int i) {
+    return leftOut(i) || handles_[static_cast<std::size_t>(i)].nu == 0;
+  };
+  for (const Connection& c : connections_)
+    if (leavesOut() && !c.systems.empty() && std::all_of(c.systems.begin(), c.systems.end(), out))
+      without_.push_back(c.element);
+  std::sort(without_.begin(), without_.end());
 }
 
 MemoryHandle Topology::memory(const Element& owner, const std::vector<double>& initial) {
@@ -108,8 +142,8 @@ std::vector<ShapeInstance> Topology::shapesWithMaterial() {
   std::vector<ShapeInstance> out;
   out.reserve(materials_.size());
   for (const Placed& p : materials_)
-    out.push_back(
-        {p.shape, frame(handles_[static_cast<std::size_t>(p.system)], p.frame), p.system});
+    out.push_back({p.shape, requested(p.system, p.frame), p.system});
+  if (connecting_) connections_.back().shapes = true;
   return out;
 }
 

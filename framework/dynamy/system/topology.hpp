@@ -1,6 +1,7 @@
 /// Topology: where everything lies in the flat arrays; turns names into handles, once, in
 /// connect().
 #pragma once
+#include <algorithm>
 #include <dynamy/core/types.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
@@ -28,6 +29,13 @@ struct FrameHandle {
 /// Numbers of one element in State::memory (a latch, a damage variable, the state of a controller).
 struct MemoryHandle {
   int first = 0, size = 0;
+};
+
+/// What one force or contact element asked for while it was connected.
+struct Connection {
+  const Element* element = nullptr;
+  std::vector<int> systems;  ///< whose frames or coordinates, ascending
+  bool shapes = false;       ///< all shapes with a material, of whatever system
 };
 
 /// A shape in the scene: which frame carries it.
@@ -61,6 +69,22 @@ class Topology {
   MemoryHandle memoryOf(const Element& owner) const;
   const std::vector<double>& memoryStart() const { return memoryStart_; }
 
+  /// What is asked for from now on is for `element`, until the next call; null: for none.
+  void connecting(const Element* element);
+  const std::vector<Connection>& connections() const { return connections_; }
+
+  /// Leaves systems out for a while, all for which `systems` is not 0 (empty: none): their frames
+  /// are absent, nothing acts on them, and what is between them reports no contact.
+  void leaveOut(std::vector<char> systems);
+  bool leavesOut() const { return !leftOut_.empty(); }
+  bool leftOut(int system) const {
+    return leavesOut() && leftOut_[static_cast<std::size_t>(system)] != 0;
+  }
+  /// All systems that this element asked for are left out.
+  bool leftOut(const Element& element) const {
+    return leavesOut() && std::binary_search(without_.begin(), without_.end(), &element);
+  }
+
   int nq() const { return nq_; }
   int nu() const { return nu_; }
   int blocks() const { return blocks_; }
@@ -69,6 +93,8 @@ class Topology {
   const std::vector<std::pair<int, int>>& requestedFrames() const { return requested_; }
 
  private:
+  FrameHandle requested(int system, int id);
+  void note(int system) const;
   std::vector<const PartialMechanicalSystem*> systems_;
   std::vector<SystemHandle> handles_;
   std::vector<std::pair<int, int>> requested_;
@@ -76,6 +102,10 @@ class Topology {
       indexOf_;  // per system and frame id: of requested_, −1: not asked for
   std::vector<std::pair<const Element*, MemoryHandle>> memories_;
   std::vector<double> memoryStart_;
+  mutable std::vector<Connection> connections_;  // system() tells of what it was asked for
+  bool connecting_ = false;
+  std::vector<char> leftOut_;
+  std::vector<const Element*> without_;  // elements between them
   struct Placed {
     const Shape* shape;
     int frame, system;

@@ -1,0 +1,112 @@
+// Where some islands switch too densely, the others go on being located.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <reference/located_run.hpp>
+#include <string>
+
+namespace dynamy::reference {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// Eighty balls that do not see each other and bounce until their switches are too dense at 5e-3;
+/// and what `other` adds.
+std::string ballsAnd(const std::string& other, const std::string& forces = "") {
+  std::string text = "<dynamy version=\"1\"><systems>";
+  for (int i = 0; i < 80; ++i)
+    text += "<PointMass name=\"p" + std::to_string(i) + "\" mass=\"1\" position=\"0 0 " +
+            std::to_string(0.5 + 0.01 * i) + "\"><Point material=\"ball\"/></PointMass>";
+  return text + other + R"xml(
+  <Ground name="world"><HalfSpace material="floor"/></Ground></systems><forces><Gravity/>)xml" +
+         forces + R"xml(</forces><elements>
+  <Contact between="ball floor"><Unilateral epsilonN="0.9"/></Contact>
+  <Contact between="drop floor"><Unilateral epsilonN="0.8"/></Contact>
+  <Contact between="stone floor"><Unilateral epsilonN="0.9"/></Contact>
+  <Contact between="stone stone"><Unilateral epsilonN="0.5"/></Contact>
+  <NoContact between="ball drop"/><NoContact between="ball stone"/>
+  <NoContact between="drop stone"/></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+}
+
+constexpr double kTolerance = 5e-3;
+/// It bounces rarely, so that it owes least: after 0.68 and 1.77 s. Its place among q: behind the
+/// 80 balls.
+const std::string kDrop =
+    R"xml(<PointMass name="drop" mass="1" position="9 0 2.28"><Point material="drop"/></PointMass>)xml";
+constexpr int kDropZ = 3 * 80 + 2;
+
+/// Height above the ledge at time t of what is let go at height z.
+double height(double z, double e, double t) {
+  double v = std::sqrt(2.0 * kG * z), left = t - v / kG;
+  if (left < 0.0) return z - 0.5 * kG * t * t;
+  for (;; left -= 2.0 * v / kG) {
+    v *= e;
+    if (left < 2.0 * v / kG) return v * left - 0.5 * kG * left * left;
+  }
+}
+
+TEST(GovernedIslands, ABallThatBouncesRarelyBesideOthersKeepsItsDigits) {
+  constexpr double kUntil = 2.5;
+  LocatedRun run(ballsAnd(kDrop), kTolerance, kUntil);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_GE(r.stepping.steps, 3);
+  EXPECT_LT(r.stepping.systems, 80);
+  // Its second impact falls into steps in time. Parabolas are exact and impacts located to
+  // rounding.
+  EXPECT_NEAR(run.state().q[kDropZ], height(2.28, 0.8, kUntil), 1e-10);
+  // Of 730 J: an impact of a quiet ball whose work was not told would leave 1 J. Stepped balls that
+  // are lifted out of an overlap leave some mJ.
+  EXPECT_NEAR(r.energy.discretisation, 0.0, 0.1);
+  EXPECT_NEAR(r.energy.imbalance, 0.0, 1e-9);
+}
+
+TEST(GovernedIslands, GoOnFromACheckpointBitForBit) {
+  const std::string model = ballsAnd(kDrop);
+  LocatedRun whole(model, kTolerance, 2.5), part(model, kTolerance, 2.0),
+      resumed(model, kTolerance, 2.5);
+  whole.run(), part.run();
+  ASSERT_GE(part.report().stepping.periods, 1);
+  resumed.simulation().resume(part.simulation().checkpoint());
+  resumed.run();
+  EXPECT_EQ(resumed.state().q, whole.state().q);
+  EXPECT_EQ(resumed.state().u, whole.state().u);
+  EXPECT_EQ(resumed.report().stepping.steps, whole.report().stepping.steps);
+  EXPECT_EQ(resumed.report().impacts, whole.report().impacts);
+}
+
+TEST(GovernedIslands, AreJoinedByWhatTouchesThem) {
+  // One stone bounces low and often, so that it is stepped; another falls on it from 21 m after two
+  // seconds, and does not pass through.
+  const std::string stones =
+      R"xml(<RigidBody name="low" position="9 0 0.25"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="late" position="9 0 21"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>)xml";
+  LocatedRun run(ballsAnd(stones), kTolerance, 2.5);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  const Eigen::VectorXd& q = run.state().q;
+  const double overlap = kTolerance * run.model().length();
+  EXPECT_GT(q[3 * 80 + 7 + 2] - q[3 * 80 + 2], 0.2 - overlap);
+  EXPECT_LE(r.penetration.value, std::max(1.0, r.stepping.error) * 1.000001 * overlap);
+  EXPECT_GT(run.state().u[3 * 80 + 6 + 2], -1.0);  // it falls with 20 m/s before
+}
+
+TEST(GovernedIslands, AreOneWhereAForceCouplesThem) {
+  const auto coupled = [](const std::string& forces) {
+    LocatedRun run(ballsAnd(kDrop, forces), kTolerance, 1.0);
+    SystemParts parts;
+    parts.topology = &run.model().topology();
+    for (const auto& c : run.model().contacts()) parts.contacts.push_back(c.get());
+    Islands islands;
+    EXPECT_TRUE(islands.start(parts));
+    return islands.of(80) == islands.of(5);
+  };
+  EXPECT_FALSE(coupled(""));  // gravity couples nothing, what may touch some time nothing yet
+  EXPECT_TRUE(coupled(R"xml(<SpringDamper between="drop p5" stiffness="1" length="4"/>)xml"));
+}
+
+}  // namespace
+}  // namespace dynamy::reference
