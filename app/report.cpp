@@ -87,10 +87,9 @@ std::string resultHtml(const JsonValue& run) {
           shown(run["switchesLocated"]) + ", " + shown(run["accumulationsPassed"]));
     if (run["undecided"].value > 0.0) f.row("switches undecided", shown(run["undecided"]), "bad");
     if (const JsonValue& s = run["stepping"]; s["periods"].value > 0.0)
-      f.row("stepped in time, switches not located", shown(s["time"], "s") + " in " +
-                                                         shown(s["periods"]) + " periods, " +
-                                                         shown(s["steps"]) + " steps, of " +
-                                                         shown(s["systems"]) + " systems");
+      f.row("stepped in time, switches not located",
+            shown(s["time"], "s") + " in " + shown(s["periods"]) + " periods, " +
+                shown(s["steps"]) + " steps, of " + shown(s["systems"]) + " systems");
   }
   const JsonValue& solver = run["solver"];
   f.row("steps not solved to tolerance",

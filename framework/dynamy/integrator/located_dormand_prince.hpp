@@ -196,7 +196,7 @@ class LocatedDormandPrince : public OneStep {
   SwitchSearch search_;
   SwitchEvent event_;
   PhasePoint from_, to_, trial_, stepFrom_, stepTo_;
-  PhasePoint known_;  // where the forces were evaluated last on the way to a root
+  PhasePoint known_;           // where the forces were evaluated last on the way to a root
   Eigen::VectorXd enteredAt_;  // q at the start of the step, which a decision there may correct
   std::vector<ContactKey> phaseKeys_, stepPhaseKeys_;
   std::vector<HeldKey> stopping_;
