@@ -86,6 +86,9 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   keepPercussions(p.x.t);
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
+  // That a slip did not end was found with the statuses before.
+  for (Held& h : phase_.held)
+    if (r.changed && h.slips) h.mutedUntil = std::min(h.mutedUntil, p.x.t);
   if (plain_ && nulls_ == kMostNulls) return stall();
   smooth_.forgetJacobian(), smoothOwn_.forgetJacobian(), search_.forget();
   const bool anew = findUntold(s, p.x, false);
