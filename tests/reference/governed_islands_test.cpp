@@ -25,7 +25,7 @@ std::string ballsAnd(const std::string& other, const std::string& forces = "") {
   <Contact between="stone floor"><Unilateral epsilonN="0.9"/></Contact>
   <Contact between="stone stone"><Unilateral epsilonN="0.5"/></Contact>
   <NoContact between="ball drop"/><NoContact between="ball stone"/>
-  <NoContact between="drop stone"/></elements>
+  <NoContact between="drop stone"/><NoContact between="drop drop"/></elements>
   <simulation until="1" step="1"/></dynamy>)xml";
 }
 
@@ -92,6 +92,22 @@ TEST(GovernedIslands, AreJoinedByWhatTouchesThem) {
   EXPECT_GT(q[3 * 80 + 7 + 2] - q[3 * 80 + 2], 0.2 - overlap);
   EXPECT_LE(r.penetration.value, std::max(1.0, r.stepping.error) * 1.000001 * overlap);
   EXPECT_GT(run.state().u[3 * 80 + 6 + 2], -1.0);  // it falls with 20 m/s before
+}
+
+TEST(GovernedIslands, AreOneWhereGrainsComeAndGo) {
+  // Of three grains one comes every 0.9 s, the second while others are stepped in time.
+  const std::string fed =
+      R"xml(<Grains name="fed" count="3" present="0" within="20 0 50 21 1 51" feed="1.1111111111111112"
+    seed="1" feedWithin="20 0 50 30 10 50"><Sphere radius="1mm" mass="1" material="drop"/></Grains>)xml";
+  LocatedRun run(ballsAnd(fed), kTolerance, 2.5);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_EQ(r.stepping.systems, 81);
+  for (int k = 1; k <= 2; ++k) {
+    const double t = 2.5 - 0.9 * k;  // falls from 50 m
+    EXPECT_NEAR(run.state().q[3 * 80 + 7 * (k - 1) + 2], 50.0 - 0.5 * kG * t * t, 0.1) << k;
+  }
 }
 
 TEST(GovernedIslands, AreOneWhereAForceCouplesThem) {

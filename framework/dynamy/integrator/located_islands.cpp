@@ -61,7 +61,10 @@ void LocatedDormandPrince::chooseStepped(const State& x) {
   const SystemParts& parts = system_->parts();
   const std::size_t n = parts.topology->systems().size();
   timed_.assign(n, 1), quietKept_.resize(0), quiet_.known = false;
-  if (!islands_.start(parts) || x.memory.size() > 0 || !untold_.empty()) return;
+  const auto& systems = parts.topology->systems();
+  const bool renews =
+      std::any_of(systems.begin(), systems.end(), [](const auto* s) { return s->renews(); });
+  if (!islands_.start(parts) || x.memory.size() > 0 || !untold_.empty() || renews) return;
   for (int i = 0; i < probe_.size(); ++i)
     if (phase_.find(probe_.key(i)) != nullptr) islands_.join(probe_.contacts(), i);
   std::vector<char> chosen(n, 0);
