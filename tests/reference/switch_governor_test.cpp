@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <reference/bounce.hpp>
 #include <reference/located_run.hpp>
 #include <string>
 
@@ -26,16 +27,6 @@ std::string balls(int n, double e) {
          "epsilonN=\"" +
          std::to_string(e) +
          "\"/></Contact></elements><simulation until=\"1\" step=\"1\"/></dynamy>";
-}
-
-/// Height at time t of a ball that is let go at height z.
-double height(double z, double e, double t) {
-  double v = std::sqrt(2.0 * kG * z), left = t - v / kG;
-  if (left < 0.0) return z - 0.5 * kG * t * t;
-  for (;; left -= 2.0 * v / kG) {
-    v *= e;
-    if (left < 2.0 * v / kG) return v * left - 0.5 * kG * left * left;
-  }
 }
 
 /// Six balls in a funnel of four walls, which lie against each other in the end.
@@ -67,7 +58,7 @@ TEST(SwitchGovernor, StepsManyBouncingBallsInTimeWithinTheTolerance) {
   // Each of four or five impacts may be off by the tolerance, and its time by that over the
   // speed, which the next flight passes on: ten tolerances, as for located switches.
   for (int i = 0; i < kBalls; ++i)
-    EXPECT_NEAR(run.state().q[3 * i + 2], height(start(i), 0.9, kUntil),
+    EXPECT_NEAR(run.state().q[3 * i + 2], bounceHeight(start(i), 0.9, kUntil),
                 10.0 * kTolerance * run.model().length())
         << i;
   // Parabolas are exact for the trapezoidal rule: nothing but rounding of 260 J is left over.

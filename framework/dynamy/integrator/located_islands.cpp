@@ -93,6 +93,7 @@ void LocatedDormandPrince::chooseDear(std::vector<char>& chosen) const {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
   double rest = all.sum();
+  if (!(rest > 0.0)) chosen.assign(n, 1);  // nobody is known to owe anything
   for (const std::size_t i : order) {
     if (rest <= governor_.bearable() && i != order[0]) break;
     chosen[i] = 1, rest -= work[i];
@@ -147,10 +148,12 @@ bool LocatedDormandPrince::quietStep(MechanicalSystem& s, InclusionSolver& solve
   LocatedDormandPrince& scheme = *quiet_.scheme;
   quiet_.to = quiet_.from;
   const StepReport r = scheme.step(s, solver, quiet_.to, quiet_.end - quiet_.from.t);
-  again ? add(counts.effort, r.counts.effort) : add(counts, r.counts);
   quiet_.works = r.works;
   const bool dense = scheme.governor_.mode() == SwitchGovernor::Mode::step;
-  if (r.refused.empty() && r.solved.ok() && !dense) return true;
+  const bool good = r.refused.empty() && r.solved.ok() && !dense;
+  // What a step did that is not taken, or was counted when it was, did not happen.
+  again || !good ? add(counts.effort, r.counts.effort) : add(counts, r.counts);
+  if (good) return true;
   const std::vector<char> before = timed_;
   for (std::size_t i = 0; dense && i < timed_.size(); ++i)
     if (scheme.timed_[i] != 0) timed_[i] = 1;
