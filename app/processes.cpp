@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -30,6 +31,9 @@ pid_t startProcess(const std::function<int()>& work) {
   int status = 1;
   try {
     status = work();
+  } catch (const std::bad_alloc&) {
+    std::fputs("dynamy: out of memory\n", stderr);
+    status = 71;
   } catch (const std::exception& e) {
     fmt::print(stderr, "dynamy: {}\n", e.what());
   }

@@ -1,4 +1,5 @@
 #include <dynamy/core/element_fault.hpp>
+#include <new>
 
 namespace dynamy {
 
@@ -13,6 +14,8 @@ void throwNamed(const Element& element) {
   try {
     throw;
   } catch (const ElementFault&) {
+    throw;
+  } catch (const std::bad_alloc&) {  // no fault of the element
     throw;
   } catch (const std::exception& e) {
     throw ElementFault(text + " failed: " + e.what());

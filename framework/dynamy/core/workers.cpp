@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <dynamy/core/workers.hpp>
+#include <exception>
 
 namespace dynamy {
 namespace {
@@ -17,7 +19,11 @@ void await(const std::atomic<T>& value, T old) {
 }  // namespace
 
 Workers::Workers(int threads) {
-  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  try {
+    threads_.reserve(static_cast<std::size_t>(std::max(threads - 1, 0)));
+    for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
+  } catch (const std::exception&) {  // the system gives no more: those that are there do the work
+  }
 }
 
 Workers::~Workers() {
@@ -31,18 +37,44 @@ void Workers::take() {
   for (int part = next_.fetch_add(1); part < parts_; part = next_.fetch_add(1)) call_(job_, part);
 }
 
-void Workers::share(int parts, void* job) {
-  parts_ = parts, job_ = job;
-  if (threads_.empty() || parts < 2) {
-    for (int part = 0; part < parts; ++part) call_(job, part);
-    return;
+namespace {
+
+/// A job whose first exception is kept for the caller: out of a thread it would end the program.
+/// Parts that nobody has begun are left out then.
+struct Guarded {
+  void (*call)(void*, int);
+  void* job;
+  std::atomic<bool> failed{false};
+  std::exception_ptr fault = nullptr;
+
+  void operator()(int part) {
+    if (failed.load(std::memory_order_relaxed)) return;
+    try {
+      call(job, part);
+    } catch (...) {
+      if (!failed.exchange(true)) fault = std::current_exception();
+    }
   }
-  next_.store(0);
-  busy_.store(static_cast<int>(threads_.size()));
-  task_.fetch_add(1, std::memory_order_release);
-  task_.notify_all();
-  take();
-  for (int busy = busy_.load(); busy > 0; busy = busy_.load()) await(busy_, busy);
+};
+
+}  // namespace
+
+void Workers::share(int parts, void* job) {
+  Guarded guarded{call_, job};
+  call_ = [](void* what, int part) { (*static_cast<Guarded*>(what))(part); };
+  parts_ = parts, job_ = &guarded;
+  if (threads_.empty() || parts < 2) {
+    for (int part = 0; part < parts; ++part) call_(job_, part);
+  } else {
+    next_.store(0);
+    busy_.store(static_cast<int>(threads_.size()));
+    task_.fetch_add(1, std::memory_order_release);
+    task_.notify_all();
+    take();
+    for (int busy = busy_.load(); busy > 0; busy = busy_.load()) await(busy_, busy);
+  }
+  job_ = nullptr;
+  if (guarded.fault) std::rethrow_exception(guarded.fault);
 }
 
 void Workers::work() {

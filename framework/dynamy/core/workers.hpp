@@ -14,14 +14,14 @@ namespace dynamy {
 
 class Workers {
  public:
-  /// `threads` ≥ 1, the caller's included.
+  /// Up to `threads` ≥ 1, the caller's included; fewer where the system gives no more.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
   int threads() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Returns when all parts are done. `job` must not throw, nor call run().
+  /// Returns when all are done; throws what one threw, without the rest. `job` may not call run().
   template <class Job>
   void run(int parts, Job&& job) {
     call_ = [](void* what, int part) { (*static_cast<std::remove_reference_t<Job>*>(what))(part); };

@@ -4,6 +4,7 @@
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/element_reader.hpp>
 #include <limits>
+#include <new>
 
 namespace dynamy {
 namespace {
@@ -84,6 +85,8 @@ std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& s
   } catch (const ExpressionError& e) {
     faults_->add(scope, node.place, node, e.message(),
                  e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {  // a plug-in's own, or one of the libraries it uses
     faults_->add(scope, node.place, node, "its constructor failed: " + std::string(e.what()), "");
   }

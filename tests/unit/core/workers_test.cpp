@@ -2,6 +2,14 @@
 #include <dynamy/core/workers.hpp>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <new>
 
 namespace dynamy {
 namespace {
@@ -27,6 +35,46 @@ TEST(Workers, MayRestBetweenTasks) {
   }
   EXPECT_EQ(sum, (std::vector<double>{0.0, 3.0, 6.0, 9.0}));
 }
+
+TEST(Workers, HandTheFirstExceptionOfAPartToTheCaller) {
+  for (const int threads : {1, 4}) {
+    Workers workers(threads);
+    EXPECT_THROW(workers.run(50,
+                             [](int part) {
+                               if (part == 7) throw std::bad_alloc();
+                             }),
+                 std::bad_alloc);
+    int sum = 0;
+    workers.run(1, [&](int) { ++sum; });  // and go on
+    EXPECT_EQ(sum, 1);
+  }
+}
+
+#ifndef DYNAMY_SANITIZED  // sanitizers need more addresses than any limit leaves
+TEST(Workers, AreFewerWhereTheSystemGivesNoMore) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Room for the stacks of a few threads, 8 MB each as a rule, not for those of 64.
+    struct rlimit stack {};
+    ::getrlimit(RLIMIT_STACK, &stack);
+    std::ifstream statm("/proc/self/statm");
+    rlim_t pages = 0;
+    statm >> pages;
+    const rlim_t each = std::min<rlim_t>(stack.rlim_cur, rlim_t{8} << 20);
+    const rlim_t most = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + 6 * each;
+    const struct rlimit limit { most, most };
+    ::setrlimit(RLIMIT_AS, &limit);
+    Workers workers(64);
+    std::atomic<int> sum{0};
+    workers.run(100, [&](int part) { sum += part; });
+    ::_exit(sum == 4950 && workers.threads() < 64 ? 0 : 1);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));  // was: terminate called
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+#endif
 
 }  // namespace
 }  // namespace dynamy
