@@ -342,6 +342,7 @@ ShapeContacts::Pair ShapeContacts::pairOf(int i, int j) const {
 
 std::string ShapeContacts::contactName(std::uint64_t id) const {
   const std::uint64_t pairNumber = id / features_, n = body_.size();
+  if (pairNumber >= n * n) return {};  // of a file
   const auto i = static_cast<int>(pairNumber / n), j = static_cast<int>(pairNumber % n);
   const Pair pair = pairOf(i, j);
   if (!pair) return {};

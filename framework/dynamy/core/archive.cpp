@@ -15,8 +15,8 @@ void Archive::word(std::uint64_t& bits) {
 }
 
 std::size_t Archive::checkedSize(std::uint64_t n) const {
-  // Every entry takes at least one byte.
-  if (n > bytes_.size() - at_) throw ModelError("the checkpoint is cut off");
+  // Every entry takes at least a word.
+  if (n > (bytes_.size() - at_) / 8) throw ModelError("the checkpoint is cut off");
   return static_cast<std::size_t>(n);
 }
 
@@ -27,7 +27,8 @@ void Archive::operator()(std::string& text) {
     bytes_ += text;
     return;
   }
-  const std::size_t size = checkedSize(n);
+  if (n > bytes_.size() - at_) throw ModelError("the checkpoint is cut off");
+  const auto size = static_cast<std::size_t>(n);
   text.assign(bytes_, at_, size);
   at_ += size;
 }

@@ -232,13 +232,15 @@ double AugmentedMoreau::dtMin() const {
 
 void AugmentedMoreau::restore(const State& x, double dt) {
   report_ = {};
-  if (x.scheme.size() == 0) {
+  const bool kept =
+      x.scheme.size() > kPlanSize && x.scheme.head(kPlanSize).allFinite() &&
+      std::abs(x.scheme[5]) < kMostSwitches;  // else of another scheme: from the start
+  if (!kept || !sigma_.restore(x.scheme, kPlanSize)) {
     plan_ = {}, sigma_.forget();
   } else {
     plan_ = {x.scheme[0],       x.scheme[1], x.scheme[2],
              x.scheme[3] > 0.0, x.scheme[4], static_cast<int>(x.scheme[5]),
              x.scheme[6]};
-    sigma_.restore(x.scheme, kPlanSize);
   }
   plan_.dtMax = std::max(plan_.dtMax, dt);
   if (!(plan_.next > 0.0)) plan_.next = plan_.dtMax;

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <dynamy/integrator/discrete_state.hpp>
 
 namespace dynamy {
 namespace {
 
 constexpr int kMaxRows = 8;
+constexpr double kHalfKey = 4294967296.0;   ///< 2³², above both halves of a key
+constexpr double kMostValue = 3.0 * 256.0;  ///< above three values a status
 
 /// Sign of the only friction row of a contact or one-row law; 0 where the slip has a direction.
 int slipSign(const SetValuedForceLaw& law, int dim, const double* Lambda) {
@@ -56,14 +59,25 @@ void DiscreteState::store(Eigen::VectorXd& data, Eigen::Index first) const {
   }
 }
 
-void DiscreteState::restore(const Eigen::VectorXd& data, Eigen::Index first) {
-  known_ = data[first++] > 0.0;
-  key_.resize(static_cast<std::size_t>(data[first++])), value_.resize(key_.size());
-  for (std::size_t i = 0; i < key_.size(); ++i, first += 3) {
-    key_[i].value = (static_cast<std::uint64_t>(data[first]) << 32) |
-                    static_cast<std::uint64_t>(data[first + 1]);
-    value_[i] = static_cast<int>(data[first + 2]);
+bool DiscreteState::restore(const Eigen::VectorXd& data, Eigen::Index first) {
+  forget();
+  if (first + 2 > data.size()) return false;
+  const bool known = data[first++] > 0.0;
+  const double count = data[first++], room = static_cast<double>(data.size() - first) / 3.0;
+  if (!(count >= 0.0 && count <= room) || count != std::floor(count)) return false;
+  const auto bounded = [](double x, double most) { return x >= 0.0 && x < most; };
+  for (auto left = static_cast<long>(count); left > 0; --left, first += 3) {
+    if (!bounded(data[first], kHalfKey) || !bounded(data[first + 1], kHalfKey) ||
+        !bounded(data[first + 2], kMostValue)) {
+      forget();
+      return false;
+    }
+    key_.push_back({(static_cast<std::uint64_t>(data[first]) << 32) |
+                    static_cast<std::uint64_t>(data[first + 1])});
+    value_.push_back(static_cast<int>(data[first + 2]));
   }
+  known_ = known;
+  return true;
 }
 
 }  // namespace dynamy

@@ -23,7 +23,8 @@ class DiscreteState {
   /// As numbers from data[first] on, for State::scheme; size() of them.
   Eigen::Index size() const { return 2 + 3 * static_cast<Eigen::Index>(key_.size()); }
   void store(Eigen::VectorXd& data, Eigen::Index first) const;
-  void restore(const Eigen::VectorXd& data, Eigen::Index first);
+  /// False: the numbers, of a file, are none that store() leaves; nothing is known then.
+  bool restore(const Eigen::VectorXd& data, Eigen::Index first);
 
  private:
   bool known_ = false;

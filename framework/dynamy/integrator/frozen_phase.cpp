@@ -148,7 +148,10 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
   std::size_t cursor = 0;
   for (std::size_t i = 0; i < n; ++i) {  // contacts come in the same order, with others between
     while (cursor < c.key.size() && c.key[cursor] != held[i].key) ++cursor;
-    if (cursor == c.key.size()) {
+    // Of a checkpoint: a part that the contact does not have.
+    const bool other =
+        cursor < c.key.size() && held[i].first + held[i].rows > c.dim(static_cast<int>(cursor));
+    if (cursor == c.key.size() || other) {
       fault_ = kLost, lost_ = held[i].key;
       return false;
     }

@@ -47,7 +47,8 @@ bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
     const auto found = std::find(old.key.begin(), old.key.end(), keys_[k]);
     if (found == old.key.end()) continue;
     const auto i = static_cast<std::size_t>(found - old.key.begin());
-    for (int r = 0; r < old.first[i + 1] - old.first[i]; ++r)
+    if (old.first[i + 1] - old.first[i] != c.dim(joints_[k])) continue;
+    for (int r = 0; r < c.dim(joints_[k]); ++r)
       Lambda[at(jointRow_[k] + r)] = dt / old.dt * old.Lambda[at(old.first[i] + r)];
   }
   return true;

@@ -313,6 +313,11 @@ bool LocatedDormandPrince::proceed(MechanicalSystem& s, InclusionSolver& solver,
 
 StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                       double dt) {
+  if (!knows(s, x)) {
+    StepReport report;
+    report.refused = "the checkpoint holds what this scheme does not leave in a state";
+    return report;
+  }
   if (stepsInTime(x)) {
     resumeStepping(s, x);
     return stepInTime(s, solver, x, dt);

@@ -181,6 +181,9 @@ class LocatedDormandPrince : public OneStep {
   /// governor's window, or whether it is stepped in time.
   Eigen::Index behindTimes() const { return kBehind + 3 * norm_.times().size(); }
   void resumeNorm(const MechanicalSystem& s, const State& x);
+  /// Can x.scheme be what it left itself, as far as counts and indices go?
+  bool knows(const MechanicalSystem& s, const State& x) const;
+  bool knows(const MechanicalSystem& s, const Eigen::VectorXd& kept, bool quiet) const;
   Accuracy accuracy_;
   const ButcherTableau* given_ = nullptr;  // the one to take, else one that fits the tolerance
   const ButcherTableau* table_ = &dormandPrince8();

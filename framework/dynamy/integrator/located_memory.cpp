@@ -1,5 +1,6 @@
 // LocatedDormandPrince: what it keeps from step to step, and what it tells of a step.
 #include <algorithm>
+#include <cmath>
 #include <dynamy/integrator/located_dormand_prince.hpp>
 
 namespace dynamy {
@@ -13,6 +14,11 @@ namespace {
 /// steps was taken; the number of these.
 constexpr int kDirection = Held::kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
+constexpr int kStepped = 3;  ///< numbers in front of what is stepped in time
+constexpr double kHalfKey = 4294967296.0, kMostNumber = 1099511627776.0;  ///< 2³², 2⁴⁰
+
+/// A whole number in [0, most)?
+bool isCount(double x, double most) { return x >= 0.0 && x < most && x == std::floor(x); }
 
 }  // namespace
 
@@ -66,6 +72,52 @@ void LocatedDormandPrince::resumeNorm(const MechanicalSystem& s, const State& x)
 bool LocatedDormandPrince::goesOn(const State& x) const {
   return x.t == to_.x.t && x.scheme.size() == stored_.size() && x.scheme == stored_ &&
          x.q == to_.x.q && x.u == to_.x.u && x.memory == to_.x.memory;
+}
+
+bool LocatedDormandPrince::knows(const MechanicalSystem& s, const State& x) const {
+  // What it left a moment ago needs no look: this one is for states of files.
+  const bool own = x.scheme.size() == stored_.size() && x.scheme == stored_;
+  return x.scheme.size() == 0 || (system_ == &s && own) || knows(s, x.scheme, false);
+}
+
+bool LocatedDormandPrince::knows(const MechanicalSystem& s, const Eigen::VectorXd& kept,
+                                 bool quiet) const {
+  const Topology& topology = *s.parts().topology;
+  const auto systems = static_cast<Eigen::Index>(topology.systems().size());
+  const Eigen::Index nq = topology.nq(), nu = topology.nu(), front = kBehind + 3 * systems;
+  const auto elements = static_cast<double>(s.parts().contacts.size());
+  if (kept.size() < front) return false;
+  using Mode = SwitchGovernor::Mode;
+  const double mode = kept[kHead], most = static_cast<double>(kept.size());
+  bool good = isCount(mode, 3.0) && isCount(kept[kHead + 1], 3.0) && isCount(kept[4], 1e9);
+  good = good && isCount(kept[kHead + 2], kHalfKey) && isCount(kept[kHead + 3], kHalfKey);
+  if (!good || !(kept[1] > 0.0)) return false;
+  if (mode == static_cast<double>(Mode::decideAnew)) return true;  // of the rest nothing is read
+  if (mode == static_cast<double>(Mode::step)) {
+    if (quiet || kept.size() < front + kStepped || !isCount(kept[front], most) ||
+        !isCount(kept[front + 2], most))
+      return false;
+    const auto rates = static_cast<Eigen::Index>(kept[front]);
+    const auto apart = static_cast<Eigen::Index>(kept[front + 2]);
+    if (kept.size() < front + kStepped + rates + apart || (rates != 0 && rates != nu)) return false;
+    if (apart == 0) return true;
+    return apart >= 2 + nq + nu &&
+           knows(s, kept.segment(front + kStepped + rates + 2 + nq + nu, apart - 2 - nq - nu),
+                 true);
+  }
+  // What is held, the elements without a bias, where the Jacobian was taken, the number of these.
+  if (!isCount(kept[kHead - 1], most) || !isCount(kept[kept.size() - 1], most)) return false;
+  const auto n = static_cast<Eigen::Index>(kept[kHead - 1]);
+  const auto placed = static_cast<Eigen::Index>(kept[kept.size() - 1]);
+  const Eigen::Index untold = front + kPerHeld * n, place = kept.size() - 1 - placed;
+  if (place < untold || (placed != 0 && placed != 1 + 2 * (nq + nu))) return false;
+  for (Eigen::Index i = front; i < untold; i += kPerHeld)
+    if (!isCount(kept[i], elements) || !isCount(kept[i + 1], kMostNumber) ||
+        !isCount(kept[i + 8], Held::kMostRows) || !isCount(kept[i + 9], Held::kMostRows + 1))
+      return false;
+  for (Eigen::Index i = untold; i < place; ++i)
+    if (!isCount(kept[i], elements)) return false;
+  return true;
 }
 
 bool LocatedDormandPrince::restore(MechanicalSystem& s, InclusionSolver& solver, const State& x,

@@ -20,9 +20,10 @@ constexpr double kImpact = 4.0;
 /// Normal impulse of contact `key` in the last step, 0 if it had none.
 double carried(const KeyIndex& index, const RememberedImpulses& impulses, ContactKey key) {
   const int i = index.find(key);
-  return i < 0 ? 0.0
-               : impulses
-                     .Lambda[static_cast<std::size_t>(impulses.first[static_cast<std::size_t>(i)])];
+  if (i < 0) return 0.0;
+  const int first = impulses.first[static_cast<std::size_t>(i)];
+  const bool any = impulses.first[static_cast<std::size_t>(i) + 1] > first;
+  return any ? impulses.Lambda[static_cast<std::size_t>(first)] : 0.0;
 }
 
 /// A unilateral contact without restitution.

@@ -122,6 +122,8 @@ double Measurement::result() const {
 void Measurement::archive(Archive& a) {
   a(t0_), a(t_), a(s_), a(min_), a(max_), a(samples_), a(jumps_), a(signs_), a(stride_);
   a(sign_), a(whole_), a(integral_), a(times_), a(values_);
+  if (samples_ < 0 || stride_ < 1 || times_.size() != values_.size())
+    throw ModelError("the checkpoint holds a check's samples that no run takes");
 }
 
 Checks::Checks(const Model& model) : all_(model.checks), sampler_(model, signalsOf(model)) {

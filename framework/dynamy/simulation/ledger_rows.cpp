@@ -59,6 +59,7 @@ void LedgerRows::row(const StepView& view) {
 void LedgerRows::archive(Archive& a) {
   a.section("ledger rows");
   a(next_), a(last_), a(residual_), a(iterations_), a(contacts_), a(penetration_);
+  if (next_ < 0) throw ModelError("the checkpoint counts the rows of its ledger from below zero");
 }
 
 }  // namespace dynamy

@@ -145,6 +145,9 @@ void StepStatistics::switched(double t, const Seen& from, const Seen& to) {
 void StepStatistics::archive(Archive& a) {
   a.section("statistics");
   a(before_);
+  for (const Seen& s : before_)
+    if (s.status > Status::locked)
+      throw ModelError("the checkpoint holds a contact with a status that does not exist");
 }
 
 }  // namespace dynamy

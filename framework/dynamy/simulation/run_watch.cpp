@@ -196,6 +196,9 @@ void RunWatch::archive(Archive& a) {
   a(nextSample_), a(lastSample_), a(switches_), a(impacts_), a(smooth_);
   a(sampled_), a(unexplained_), a(sampledImpacts_);
   a(curvature_), a(speed_), a(increment_);
+  if (increment_.size() != model_.topology().nu())
+    throw ModelError("the checkpoint belongs to another model: it has " +
+                     std::to_string(increment_.size()) + " velocities");
 }
 
 }  // namespace dynamy

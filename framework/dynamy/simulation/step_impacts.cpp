@@ -30,6 +30,7 @@ bool StepImpacts::operator()(const StepView& view, int contact) {
   const int found = before_.find(c.key[at]);
   if (found < 0) return true;
   const int first = old.first[static_cast<std::size_t>(found)];
+  if (old.first[static_cast<std::size_t>(found) + 1] == first) return true;
   return !(old.Lambda[static_cast<std::size_t>(first)] > 0.0) || -p.gammaA[row] > kImpact * change_;
 }
 

@@ -22,6 +22,11 @@ bool FixedStep::run(Stepper& stepper, double until) {
   return advance(stepper, until, rest, 0);
 }
 
+void FixedStep::archive(Archive& a) {
+  a(i_);
+  if (i_ < 0) throw ModelError("the checkpoint counts its steps from below zero");
+}
+
 bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   const StepReport report = stepper.attempt(tEnd, dt);
   const bool sound = stepper.sound(), good = sound && report.solved.ok();

@@ -51,7 +51,7 @@ class FixedStep final : public TimeLoop {
  public:
   FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
   bool run(Stepper& stepper, double until) override;
-  void archive(Archive& a) override { a(i_); }
+  void archive(Archive& a) override;
 
  private:
   /// One step with the policy for missed tolerances; `depth` halvings so far.

@@ -41,6 +41,24 @@ TEST(Archive, BytesThatEndEarlyAreAModelError) {
   }
 }
 
+TEST(Archive, CountsAreBoundedByWhatIsLeft) {
+  // An entry takes at least a word: 20 bytes are left for 3 of them, which are no three.
+  for (const std::uint64_t count : {std::uint64_t{3}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    std::uint64_t n = count;
+    Archive out;
+    out(n);
+    std::vector<std::string> texts;
+    Eigen::VectorXd v;
+    std::string text;
+    Archive first(out.bytes() + std::string(20, '\0')), second = first, third = first;
+    EXPECT_THROW(first(texts), ModelError);
+    EXPECT_THROW(second(v), ModelError);
+    if (count > 20) {
+      EXPECT_THROW(third(text), ModelError);
+    }
+  }
+}
+
 TEST(Archive, SectionsOfAnotherOrderAreAModelError) {
   Archive out;
   out.section("state");
