@@ -16,8 +16,9 @@ EventsFile::EventsFile(const std::filesystem::path& path) : file_(path) {
   flush();
 }
 
-EventsFile::EventsFile(const std::filesystem::path& path, std::uint64_t keep, long events)
-    : file_(path, keep), events_(events) {
+EventsFile::EventsFile(const std::filesystem::path& path, const FilePlace& keep, long events,
+                       std::string pending)
+    : file_(path, keep), buffer_(std::move(pending)), events_(events) {
   buffer_.reserve(kBufferBytes + 512);
 }
 
@@ -46,9 +47,6 @@ void EventsFile::event(const ContactEvent& e, std::string_view contact) {
   if (buffer_.size() >= kBufferBytes) flush();
 }
 
-void EventsFile::flush() {
-  file_.write(buffer_);
-  buffer_.clear();
-}
+void EventsFile::flush() { file_.write(buffer_); }
 
 }  // namespace dynamy

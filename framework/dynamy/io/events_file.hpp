@@ -15,9 +15,10 @@ class EventsFile {
 
   /// Creates the file and writes its head. \throws FileError
   explicit EventsFile(const std::filesystem::path& path);
-  /// Goes on after the first `keep` bytes of the file of an earlier run, which has `events` lines.
-  /// \throws FileError
-  EventsFile(const std::filesystem::path& path, std::uint64_t keep, long events);
+  /// Goes on at `keep` in the file of an earlier run, which had `events` lines and could not write
+  /// `pending`. \throws FileError
+  EventsFile(const std::filesystem::path& path, const FilePlace& keep, long events,
+             std::string pending = {});
   ~EventsFile();
   EventsFile(const EventsFile&) = delete;
   EventsFile& operator=(const EventsFile&) = delete;
@@ -25,8 +26,12 @@ class EventsFile {
   /// Adds a line; `contact` is the name of the contact. \throws FileError
   void event(const ContactEvent& event, std::string_view contact);
   bool full() const { return events_ >= kMostEvents; }
+  /// \throws WriteError; what is left is kept for the next try
   void flush();
-  std::uint64_t size() const { return file_.size(); }
+  /// What is in the file; pending() is not.
+  const FilePlace& place() const { return file_.place(); }
+  const std::string& pending() const { return buffer_; }
+  void sync() { file_.sync(); }  ///< \throws WriteError
   long events() const { return events_; }
 
  private:

@@ -16,4 +16,11 @@ class FileError : public std::runtime_error {
       : std::runtime_error(path + ": " + reason) {}
 };
 
+/// A file cannot be written: the disk or the quota is full, the file is longer than the system
+/// allows, the folder is not ours.
+class WriteError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 }  // namespace dynamy

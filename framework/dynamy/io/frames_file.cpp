@@ -53,6 +53,7 @@ std::size_t readChunk(std::string_view rest, Frames& frames) {
   const std::string_view payload = rest.substr(kChunkHead, bytes);
   const auto crc = readBytes<std::uint32_t>(&rest[kCrcAt]);
   if (crc != crc32(payload, crc32(rest.substr(0, kCrcAt)))) return 0;
+  if (readBytes<std::uint32_t>(&rest[kCrcAt + 4]) != 0) return 0;
   return readPayload(payload, count, frames) ? kChunkHead + bytes : 0;
 }
 
@@ -75,8 +76,9 @@ FramesFile::FramesFile(const std::filesystem::path& path, const Scene& scene)
   written_ = std::chrono::steady_clock::now();
 }
 
-FramesFile::FramesFile(const std::filesystem::path& path, std::size_t poses, std::uint64_t keep)
-    : file_(path, keep), poses_(poses) {
+FramesFile::FramesFile(const std::filesystem::path& path, std::size_t poses, const FilePlace& keep,
+                       std::string pending)
+    : file_(path, keep), poses_(poses), head_(std::move(pending)) {
   payload_.reserve(kChunkBytes + kFrameHead + poses_ * Frames::kPoseNumbers * 4);
   written_ = std::chrono::steady_clock::now();
 }
@@ -121,39 +123,43 @@ void FramesFile::flushIfDue() {
 
 void FramesFile::flush() {
   written_ = std::chrono::steady_clock::now();
-  if (frames_ == 0) return;
-  head_ = kChunk;
-  appendBytes(head_, frames_);
-  appendBytes(head_, static_cast<std::uint64_t>(payload_.size()));
-  appendBytes(head_, first_);
-  appendBytes(head_, last_);
-  appendBytes(head_, crc32(payload_, crc32(head_)));
-  appendBytes(head_, std::uint32_t{0});
+  if (frames_ > 0) {
+    const std::size_t begin = head_.size();
+    head_ += kChunk;
+    appendBytes(head_, frames_);
+    appendBytes(head_, static_cast<std::uint64_t>(payload_.size()));
+    appendBytes(head_, first_);
+    appendBytes(head_, last_);
+    appendBytes(head_, crc32(payload_, crc32(std::string_view(head_).substr(begin))));
+    appendBytes(head_, std::uint32_t{0});
+    head_ += payload_;
+    payload_.clear();
+    frames_ = 0;
+  }
   file_.write(head_);
-  file_.write(payload_);
-  payload_.clear();
-  frames_ = 0;
 }
 
 Frames readFrames(const std::filesystem::path& path) {
-  const std::string file = readWholeFile(path);
-  const std::string_view text = file;
+  return framesIn(readWholeFile(path), path.string());
+}
+
+Frames framesIn(std::string_view text, const std::string& file) {
   if (text.size() < kFileHead || text.substr(0, kMagic.size()) != kMagic) {
-    throw FileError(path.string(), "is no frames.bin of dynamy");
+    throw FileError(file, "is no frames.bin of dynamy");
   }
   if (readBytes<std::uint32_t>(&text[12]) != kByteOrder) {
-    throw FileError(path.string(), "the byte order mark is broken");
+    throw FileError(file, "the byte order mark is broken");
   }
   const auto version = readBytes<std::uint32_t>(&text[8]);
   if (version != kFramesVersion) {
-    throw FileError(path.string(), "has version " + std::to_string(version) +
-                                       " of the format, this program reads version " +
-                                       std::to_string(kFramesVersion));
+    throw FileError(file, "has version " + std::to_string(version) +
+                              " of the format, this program reads version " +
+                              std::to_string(kFramesVersion));
   }
   const std::size_t json = readBytes<std::uint32_t>(&text[20]);
   if (text.size() < kFileHead + json + 4 || readBytes<std::uint32_t>(&text[kFileHead + json]) !=
                                                 crc32(text.substr(0, kFileHead + json))) {
-    throw FileError(path.string(), "the head is cut off or broken");
+    throw FileError(file, "the head is cut off or broken");
   }
 
   Frames frames;

@@ -20,6 +20,7 @@
 #include <dynamy/io/scene.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dynamy {
@@ -50,9 +51,10 @@ class FramesFile {
   /// Creates the file and writes its head; every frame then has scene.frames.size() poses.
   /// \throws FileError
   FramesFile(const std::filesystem::path& path, const Scene& scene);
-  /// Goes on after the first `keep` bytes of the file of an earlier run, which had `poses` poses a
-  /// frame. \throws FileError
-  FramesFile(const std::filesystem::path& path, std::size_t poses, std::uint64_t keep);
+  /// Goes on at `keep` in the file of an earlier run, which had `poses` poses a frame and could not
+  /// write `pending`. \throws FileError
+  FramesFile(const std::filesystem::path& path, std::size_t poses, const FilePlace& keep,
+             std::string pending = {});
   /// Writes the frames that are left; a failure at this late point is lost: call flush() to see it.
   ~FramesFile();
   FramesFile(const FramesFile&) = delete;
@@ -62,16 +64,18 @@ class FramesFile {
   void frame(double t, std::span<const Pose> poses, std::span<const ContactMark> contacts = {});
   /// Ends the chunk if the last one is long ago: for loops with rare frames.
   void flushIfDue();
-  /// Ends the chunk and writes it. \throws FileError
+  /// Ends the chunk and writes it. \throws WriteError; what is left is kept for the next try
   void flush();
-  /// Bytes in the file; frames since the last flush() are not among them.
-  std::uint64_t size() const { return file_.size(); }
+  /// What is in the file; pending() and frames since the last flush() are not.
+  const FilePlace& place() const { return file_.place(); }
+  const std::string& pending() const { return head_; }
+  void sync() { file_.sync(); }  ///< \throws WriteError
 
  private:
   OutputFile file_;
   std::size_t poses_;
   std::string payload_;
-  std::string head_;
+  std::string head_;  // and chunks that could not be written
   std::uint32_t frames_ = 0;
   double first_ = 0;
   double last_ = 0;
@@ -95,5 +99,7 @@ struct Frames {
 /// Reads frames.bin up to its end, or up to the first chunk that is cut off or has a wrong check
 /// sum. \throws FileError if the head is not one of ours
 Frames readFrames(const std::filesystem::path& path);
+/// The same of the bytes of a file, which is named in messages.
+Frames framesIn(std::string_view bytes, const std::string& file);
 
 }  // namespace dynamy

@@ -13,17 +13,27 @@
 
 namespace dynamy {
 
+/// How much of a file is written, and what: a checkpoint knows the files of its run by it.
+struct FilePlace {
+  std::uint64_t bytes = 0;  ///< from the begin of the file
+  std::uint32_t crc = 0;    ///< CRC-32 of these bytes
+  bool operator==(const FilePlace&) const = default;
+};
+
 class OutputFile {
  public:
-  /// Creates or empties the file. \throws FileError
+  /// Creates or empties the file. \throws WriteError
   explicit OutputFile(const std::filesystem::path& path);
-  /// Goes on after the first `keep` bytes of an existing file; what follows them is dropped.
-  /// \throws FileError, also if the file is shorter
-  OutputFile(const std::filesystem::path& path, std::uint64_t keep);
-  /// Hands all of `bytes` to the operating system. \throws FileError, e.g. when the disk is full
-  void write(std::string_view bytes);
+  /// Goes on at `keep` in an existing file; what follows is dropped.
+  /// \throws FileError, also if the file does not begin with these bytes
+  OutputFile(const std::filesystem::path& path, const FilePlace& keep);
+  /// Hands `bytes` to the operating system and removes from them what it took.
+  /// \throws WriteError, e.g. when the disk is full: what is left was not written
+  void write(std::string& bytes);
+  /// Returns when the disk has what was written. \throws WriteError
+  void sync();
   const std::filesystem::path& path() const { return path_; }
-  std::uint64_t size() const { return size_; }  ///< [byte]
+  const FilePlace& place() const { return place_; }
 
  private:
   struct Close {
@@ -31,12 +41,17 @@ class OutputFile {
   };
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::uint64_t size_ = 0;
+  FilePlace place_;
 };
 
 /// Replaces `path` by a file with this content; a reader sees the old or the new one, never a half.
-/// \throws FileError
-void writeWholeFile(const std::filesystem::path& path, std::string_view content);
+/// With `lasting` the new one is on the disk before the old one goes, so that it outlives a loss of
+/// power. \throws WriteError
+void writeWholeFile(const std::filesystem::path& path, std::string_view content,
+                    bool lasting = false);
+
+/// Does the file begin with these bytes? "" or why not: "is shorter than …". \throws FileError
+std::string placeFault(const std::filesystem::path& path, const FilePlace& place);
 
 /// The content of a file. \throws FileError
 std::string readWholeFile(const std::filesystem::path& path);

@@ -1,3 +1,4 @@
+#include <dynamy/io/file_error.hpp>
 #include <dynamy/io/model_scene.hpp>
 #include <dynamy/io/run_recording.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
@@ -61,7 +62,7 @@ namespace {
 
 void RunRecording::row(double t, std::span<const double> values) {
   if (!signals_) tooEarly();
-  signals_->row(t, values);
+  guarded([&] { signals_->row(t, values); });
 }
 
 void RunRecording::frame(double t, std::span<const FramePose> poses,
@@ -72,49 +73,97 @@ void RunRecording::frame(double t, std::span<const FramePose> poses,
   for (const ContactRecord& c : contacts)
     marks_.push_back({c.point, c.normal, c.force, drawnState(c), c.limit});
   if (!frames_) tooEarly();
-  frames_->frame(t, pose_, marks_);
+  guarded([&] { frames_->frame(t, pose_, marks_); });
 }
 
 void RunRecording::event(const ContactEvent& event) {
   if (!events_) tooEarly();
-  if (!events_->full()) events_->event(event, contactName(model_, event.key));
+  if (events_->full()) return;
+  guarded([&] { events_->event(event, contactName(model_, event.key)); });
 }
 
 void RunRecording::ledger(const LedgerRow& row) {
   if (!ledger_) tooEarly();
-  ledger_->row(row.t, row.value);
+  guarded([&] { ledger_->row(row.t, row.value); });
 }
 
 void RunRecording::archive(Archive& a) {
-  std::uint64_t rows = 0, frames = 0, ledger = 0, events = 0;
-  long lines = 0;
+  a.section("files");
+  FilePlace signalsAt, framesAt, ledgerAt, eventsAt;
+  std::string rows, chunks, entries, lines;  // what the files did not take
+  long count = 0;
   if (!a.reading()) {
     flush();
-    if (signals_) rows = signals_->size();
-    if (frames_) frames = frames_->size();
-    if (ledger_) ledger = ledger_->size();
-    if (events_) events = events_->size(), lines = events_->events();
+    if (signals_) signalsAt = signals_->place(), rows = signals_->pending();
+    if (frames_) framesAt = frames_->place(), chunks = frames_->pending();
+    if (ledger_) ledgerAt = ledger_->place(), entries = ledger_->pending();
+    if (events_) eventsAt = events_->place(), lines = events_->pending(), count = events_->events();
   }
-  a(rows), a(frames), a(ledger), a(events), a(lines);
-  if (a.reading()) {
-    signals_.emplace(folder_.signals(), columns_, rows);
-    frames_.emplace(folder_.frames(), poses_, frames);
-    ledger_.emplace(folder_.ledger(), LedgerRow::kNumbers, ledger);
-    events_.emplace(folder_.events(), events, lines);
+  for (FilePlace* p : {&signalsAt, &framesAt, &ledgerAt, &eventsAt}) a(p->bytes), a(p->crc);
+  a(rows), a(chunks), a(entries), a(lines), a(count);
+  if (!a.reading()) {
+    archived_ = files();
+    return;
+  }
+  if (count < 0) throw ModelError("the checkpoint counts " + std::to_string(count) + " events");
+  signals_.emplace(folder_.signals(), columns_, signalsAt, std::move(rows));
+  frames_.emplace(folder_.frames(), poses_, framesAt, std::move(chunks));
+  ledger_.emplace(folder_.ledger(), LedgerRow::kNumbers, ledgerAt, std::move(entries));
+  events_.emplace(folder_.events(), eventsAt, count, std::move(lines));
+  archived_ = files();
+}
+
+/// A file that cannot be written ends the run at the end of its step: the rest of this step is
+/// collected in memory.
+void RunRecording::guarded(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const WriteError& e) {
+    fault_ = e.what();
   }
 }
 
 void RunRecording::flushIfDue() {
-  if (signals_) signals_->flushIfDue();
-  if (ledger_) ledger_->flushIfDue();
-  if (frames_) frames_->flushIfDue();
+  guarded([&] {
+    if (signals_) signals_->flushIfDue();
+    if (ledger_) ledger_->flushIfDue();
+    if (frames_) frames_->flushIfDue();
+  });
 }
 
 void RunRecording::flush() {
-  if (signals_) signals_->flush();
-  if (ledger_) ledger_->flush();
-  if (events_) events_->flush();
-  if (frames_) frames_->flush();
+  fault_.clear();
+  guarded([&] {
+    if (signals_) signals_->flush();
+  });
+  guarded([&] {
+    if (ledger_) ledger_->flush();
+  });
+  guarded([&] {
+    if (events_) events_->flush();
+  });
+  guarded([&] {
+    if (frames_) frames_->flush();
+  });
+}
+
+void RunRecording::sync() {
+  guarded([&] {
+    if (signals_) signals_->sync();
+    if (ledger_) ledger_->sync();
+    if (events_) events_->sync();
+    if (frames_) frames_->sync();
+  });
+}
+
+std::vector<RecordedFile> RunRecording::files() const {
+  std::vector<RecordedFile> out;
+  const auto add = [&out](const std::filesystem::path& path, const auto& file) {
+    if (file) out.push_back({path.filename().string(), file->place()});
+  };
+  add(folder_.signals(), signals_), add(folder_.events(), events_);
+  add(folder_.ledger(), ledger_), add(folder_.frames(), frames_);
+  return out;
 }
 
 }  // namespace dynamy

@@ -6,12 +6,22 @@
 #include <dynamy/io/run_folder.hpp>
 #include <dynamy/io/signals_file.hpp>
 #include <dynamy/simulation/recorder.hpp>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace dynamy {
 
 /// Names and units of the recorded signals, in the order of the columns.
 std::vector<SignalName> recordedSignals(const Model& model);
+
+/// A file of a run with what is in it.
+struct RecordedFile {
+  std::string name;  ///< in the folder
+  FilePlace place;
+  void archive(Archive& a) { a(name), a(place.bytes), a(place.crc); }
+};
 
 class RunRecording final : public RecordSink {
  public:
@@ -28,13 +38,23 @@ class RunRecording final : public RecordSink {
   void event(const ContactEvent& event) override;
   void ledger(const LedgerRow& row) override;
   bool wantsLedger() const override { return true; }
+  /// A file that cannot be written: nothing is thrown within a step. What it did not take is kept
+  /// for the next try, and goes into a checkpoint.
+  std::string_view fault() const override { return fault_; }
   void archive(Archive& a) override;
   /// To be called now and then: rows that wait for a slow step are handed over.
   void flushIfDue();
-  /// Hands all over. \throws FileError
+  /// Hands all over; fault() says whether that worked.
   void flush();
+  /// Returns when the disk has what was handed over; fault() says whether that worked.
+  void sync();
+  /// The files as they are written by now.
+  std::vector<RecordedFile> files() const;
+  /// The files as the last archive() left them.
+  const std::vector<RecordedFile>& archived() const { return archived_; }
 
  private:
+  void guarded(const std::function<void()>& write);
   const RunFolder& folder_;
   const Model& model_;
   std::size_t columns_ = 0, poses_ = 0;
@@ -43,6 +63,8 @@ class RunRecording final : public RecordSink {
   std::optional<FramesFile> frames_;
   std::vector<Pose> pose_;
   std::vector<ContactMark> marks_;
+  std::vector<RecordedFile> archived_;
+  std::string fault_;
 };
 
 }  // namespace dynamy

@@ -26,8 +26,9 @@ SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const Sign
   flush();
 }
 
-SignalsFile::SignalsFile(const std::filesystem::path& path, std::size_t columns, std::uint64_t keep)
-    : file_(path, keep), columns_(columns) {
+SignalsFile::SignalsFile(const std::filesystem::path& path, std::size_t columns,
+                         const FilePlace& keep, std::string pending)
+    : file_(path, keep), columns_(columns), buffer_(std::move(pending)) {
   buffer_.reserve(kBufferBytes + kBytesPerNumber * (columns_ + 1));
   written_ = std::chrono::steady_clock::now();
 }
@@ -60,15 +61,17 @@ void SignalsFile::flushIfDue() {
 
 void SignalsFile::flush() {
   file_.write(buffer_);
-  buffer_.clear();
   written_ = std::chrono::steady_clock::now();
 }
 
 SignalTable readSignals(const std::filesystem::path& path) {
-  const std::string text = readWholeFile(path);
+  return signalsIn(readWholeFile(path), path.string());
+}
+
+SignalTable signalsIn(std::string_view text, const std::string& file) {
   std::vector<std::string> names;
   std::size_t at = readCsvLine(text, names);
-  if (names.front() != "t") throw FileError(path.string() + ":1", "the first column must be t");
+  if (names.front() != "t") throw FileError(file + ":1", "the first column must be t");
 
   SignalTable table;
   for (std::size_t i = 1; i < names.size(); ++i) table.signals.push_back({names[i], ""});
@@ -77,7 +80,7 @@ SignalTable readSignals(const std::filesystem::path& path) {
   std::vector<double> row(names.size());
   for (int line = 2; at < text.size(); ++line) {
     const std::size_t end = text.find('\n', at);
-    if (end == std::string::npos) break;  // the run was stopped while it wrote this row
+    if (end == std::string_view::npos) break;  // the run was stopped while it wrote this row
     const char* c = text.data() + at;
     const char* const stop = text.data() + (end > at && text[end - 1] == '\r' ? end - 1 : end);
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -85,7 +88,7 @@ SignalTable readSignals(const std::filesystem::path& path) {
       const bool last = i + 1 == row.size();
       if (number.ec != std::errc() ||
           (last ? number.ptr != stop : number.ptr == stop || *number.ptr != ',')) {
-        throw FileError(path.string() + ':' + std::to_string(line),
+        throw FileError(file + ':' + std::to_string(line),
                         "expected " + std::to_string(row.size()) + " numbers with commas between");
       }
       c = number.ptr + 1;

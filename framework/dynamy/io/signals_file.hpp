@@ -11,6 +11,7 @@
 #include <dynamy/io/output_file.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dynamy {
@@ -25,8 +26,10 @@ class SignalsFile {
  public:
   /// Creates the file and writes its head. \throws FileError
   SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals);
-  /// Goes on after the first `keep` bytes of the file of an earlier run. \throws FileError
-  SignalsFile(const std::filesystem::path& path, std::size_t columns, std::uint64_t keep);
+  /// Goes on at `keep` in the file of an earlier run, which could not write `pending`.
+  /// \throws FileError
+  SignalsFile(const std::filesystem::path& path, std::size_t columns, const FilePlace& keep,
+              std::string pending = {});
   /// Writes the rows that are left; a failure at this late point is lost: call flush() to see it.
   ~SignalsFile();
   SignalsFile(const SignalsFile&) = delete;
@@ -37,10 +40,12 @@ class SignalsFile {
   void row(double t, std::span<const double> values);
   /// Writes the collected rows if the last writing is long ago: for loops with rare rows.
   void flushIfDue();
-  /// Writes the collected rows now. \throws FileError
+  /// Writes the collected rows now. \throws WriteError; what is left is kept for the next try
   void flush();
-  /// Bytes in the file; rows since the last flush() are not among them.
-  std::uint64_t size() const { return file_.size(); }
+  /// What is in the file; pending() is not.
+  const FilePlace& place() const { return file_.place(); }
+  const std::string& pending() const { return buffer_; }
+  void sync() { file_.sync(); }  ///< \throws WriteError
 
  private:
   OutputFile file_;
@@ -59,5 +64,7 @@ struct SignalTable {
 /// Reads signals.csv; an unfinished last row is left out. Units are not in the file and stay empty.
 /// \throws FileError with the line of the first fault
 SignalTable readSignals(const std::filesystem::path& path);
+/// The same of a text; `file` is named in messages.
+SignalTable signalsIn(std::string_view text, const std::string& file);
 
 }  // namespace dynamy

@@ -5,6 +5,7 @@
 #include <dynamy/core/archive.hpp>
 #include <dynamy/core/types.hpp>
 #include <span>
+#include <string_view>
 
 namespace dynamy {
 
@@ -56,6 +57,8 @@ class RecordSink {
   virtual void ledger(const LedgerRow&) {}
   /// False: nobody takes the ledger's rows, so none are computed.
   virtual bool wantsLedger() const { return false; }
+  /// Why it can keep no more (a full disk); empty: it can. A run ends then as if it were stopped.
+  virtual std::string_view fault() const { return {}; }
   /// Brings what was taken so far in safety and archives the place; reading: goes back to it.
   virtual void archive(Archive&) {}
 };

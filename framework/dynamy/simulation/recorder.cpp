@@ -132,7 +132,10 @@ void Recorder::archive(Archive& a) {
   a.section("recorder");
   std::uint64_t columns = values_.size();
   a(columns);
+  if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
   a(nextRow_), a(nextFrame_), a(lastRow_), a(lastFrame_), a(hash_);
+  if (nextRow_ < 0 || nextFrame_ < 0)
+    throw ModelError("the checkpoint counts its recorded rows from below zero");
   sink_.archive(a);
 }
 

@@ -25,6 +25,8 @@ class Recorder final : public Observer {
   /// Throws ModelError for unknown signals.
   Recorder(const Model& model, RecordSink& sink);
   const std::vector<const NamedSignal*>& signals() const { return sampler_.signals(); }
+  /// Why the sink can keep no more; empty: it can.
+  std::string_view fault() const { return sink_.fault(); }
   /// Over all rows so far.
   const Hash& hash() const { return hash_; }
 

@@ -70,7 +70,10 @@ struct SteppingReport {
 
 struct RunReport {
   enum class Ended { finished, stopped, failed };
+  /// What a failure is one of; the last two would not have happened on a larger machine.
+  enum class Cause { simulation, memory, files };
   Ended ended = Ended::finished;
+  Cause cause = Cause::simulation;
   std::string reason;    ///< why it failed; empty: it did not
   bool refused = false;  ///< it failed because the scheme does not admit the scene
   double t = 0.0;        ///< time reached [s]

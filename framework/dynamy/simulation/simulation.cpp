@@ -13,8 +13,9 @@ namespace dynamy {
 namespace {
 
 constexpr double kIdleSeconds = 0.1;
-constexpr int kMostDiagnoses = 3;    ///< of a run
-constexpr int kDiagnosisRows = 400;  ///< above, a diagnosis would take seconds
+constexpr std::size_t kSpare = std::size_t{1} << 20;  ///< [byte]
+constexpr int kMostDiagnoses = 3;                     ///< of a run
+constexpr int kDiagnosisRows = 400;                   ///< above, a diagnosis would take seconds
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
@@ -50,13 +51,6 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     d.hint = "add one, e.g. tolerance=\"1e-6\", or run with --tolerance 1e-6";
   }
   throw ModelError(d);
-}
-
-void archiveState(Archive& a, State& x) {
-  a.section("state");
-  a(x.t), a(x.q), a(x.u), a(x.memory), a(x.scheme);
-  a(x.impulses.key), a(x.impulses.first), a(x.impulses.Lambda), a(x.impulses.dt);
-  a(x.impulses.corrected);
 }
 
 /// Index of a gap that is not a number in the last evaluation, which would pass for open; −1: none.
@@ -109,42 +103,13 @@ void Simulation::record(RecordSink& sink) {
   statistics_.tell(sink);
 }
 
-void Simulation::threads(int count) {
+int Simulation::threads(int count) {
   system_.workers(nullptr);
   workers_.reset();
-  if (count < 2) return;
+  if (count < 2) return 1;
   workers_ = std::make_unique<Workers>(count);
   system_.workers(workers_.get());
-}
-
-void Simulation::onCheckpoint(double every, std::function<void(const std::string&)> call) {
-  saveEvery_ = every, save_ = std::move(call);
-}
-
-template <class Call>
-void Simulation::forAll(Call&& call) {
-  call(statistics_), call(ledger_), call(watch_), call(checks_);
-  if (ledgerRows_) call(*ledgerRows_);
-  if (recorder_) call(*recorder_);
-  for (Observer* o : observers_) call(*o);
-}
-
-void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 3");  // counts changes of what follows
-  archiveState(a, x_);
-  a(*loop_), a(report_);
-  forAll([&a](Observer& o) { o.archive(a); });
-}
-
-void Simulation::resume(const std::string& checkpoint) {
-  const Eigen::Index nq = x_.q.size(), nu = x_.u.size(), memory = x_.memory.size();
-  Archive a(checkpoint);
-  archive(a);
-  if (x_.q.size() != nq || x_.u.size() != nu || x_.memory.size() != memory || !a.atEnd())
-    throw ModelError("the checkpoint belongs to another model");
-  before_ = x_;
-  checkpoint_ = checkpoint;
-  resumed_ = true;
+  return workers_->threads();
 }
 
 const RunReport& Simulation::run() {
@@ -152,11 +117,16 @@ const RunReport& Simulation::run() {
   const std::clock_t cpu = std::clock();
   lastIdle_ = lastSave_ = wall;
   const double wallBefore = report_.wall, cpuBefore = report_.cpu;
-  report_.ended = RunReport::Ended::finished;
+  report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
   try {
+    spare_.resize(kSpare);
     if (!resumed_) begin();
+    whole_ = true, attempted_ = false;
+    if (save_ && !resumed_) save();
     loop();
     end();
+  } catch (const std::bad_alloc&) {
+    outOfMemory();
   } catch (const ElementFault& e) {
     endBecause("t = " + numberText(x_.t) + " s: " + e.what());
   } catch (const std::exception& e) {  // of observers and files: a full disk, a user's observer
@@ -225,7 +195,7 @@ StepView Simulation::view(bool whole) {
 }
 
 StepReport Simulation::attempt(double tEnd, double dt) {
-  before_ = x_;
+  before_ = x_, attempted_ = true;
   const long evaluations = system_.evaluations();
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   if (!model_.scheme().choosesSteps()) x_.t = tEnd;
@@ -271,6 +241,7 @@ bool Simulation::accept() {
     stepReport_ = {};
     return endBecause(std::move(reason));
   }
+  whole_ = false;
   if (!stepReport_.solved.ok()) noteUnsolved();
   const long evaluations = system_.evaluations();
   const StepView step = view(true);
@@ -337,24 +308,24 @@ void Simulation::noteUnsolved() {
 }
 
 bool Simulation::pause(bool asked) {
+  whole_ = true, attempted_ = false;
   const auto now = Clock::now();
   if (idle_ && seconds(now - lastIdle_) >= kIdleSeconds) lastIdle_ = now, idle_();
   const bool stop = stop_ != nullptr && stop_->load(std::memory_order_relaxed);
-  const bool due = save_ && saveEvery_ > 0.0 && seconds(now - lastSave_) >= saveEvery_;
-  if (stop || due || asked) keep();
-  if (due) lastSave_ = now, save_(checkpoint_);
+  const double since = seconds(now - lastSave_);
+  const bool due =
+      save_ && saveEvery_ > 0.0 && since >= saveEvery_ && saveCost_ <= saveShare_ * since;
+  const auto full = [this] { return recorder_ && !recorder_->fault().empty(); };
+  if (stop || due || asked || full()) keep();
+  if (due) save();
   if (stop) report_.ended = RunReport::Ended::stopped;
+  // Keeping has tried once more to write what was collected.
+  if (!stop && full()) return endBecause(std::string(recorder_->fault()), RunReport::Cause::files);
   return !stop;
 }
 
-void Simulation::keep() {
-  Archive a;
-  archive(a);
-  checkpoint_ = a.bytes();
-}
-
-bool Simulation::endBecause(std::string reason) {
-  report_.ended = RunReport::Ended::failed;
+bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
+  report_.ended = RunReport::Ended::failed, report_.cause = cause;
   report_.reason = std::move(reason);
   return false;
 }

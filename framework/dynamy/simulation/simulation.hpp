@@ -30,18 +30,24 @@ class Simulation final : private Stepper {
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
   void record(RecordSink& sink);
   void observe(Observer& observer) { observers_.push_back(&observer); }
-  /// Works on each step with `count` threads; the same bits with any number.
-  void threads(int count);
+  /// Works on each step with up to `count` threads, fewer if the system gives no more; the same
+  /// bits with any number. Returns how many there are.
+  int threads(int count);
   /// Called about ten times a second of wall time, for progress and files with rare rows.
   void onIdle(std::function<void()> call) { idle_ = std::move(call); }
-  /// Called with the bytes of a checkpoint every `seconds` of wall time.
-  void onCheckpoint(double seconds, std::function<void(const std::string&)> call);
+  /// Called with the bytes of a checkpoint before the first step, then every `seconds` of wall
+  /// time, later if making them and the call take more than `share` of it.
+  void onCheckpoint(double seconds, double share, std::function<void(const std::string&)> call);
   /// The run ends at the next step once `flag` is true (Ctrl-C); nothing recorded is lost.
   void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
-  /// Goes on from a checkpoint of the same model. Throws ModelError if it belongs to another one.
+  /// Goes on from a checkpoint of the same model. Throws ModelError if it belongs to another one or
+  /// holds what no run can have left, FileError (of the sink) if the recorded files do not go with
+  /// it: nothing is to be called then but the destructor.
   void resume(const std::string& checkpoint);
 
-  /// Runs to `until` of the model's simulation settings. Does not throw: the report tells.
+  /// Runs to `until` of the model's simulation settings. Does not throw: the report tells. A lack
+  /// of memory, and a sink that can keep no more, end it as failed with their cause, and
+  /// checkpoint() is of the last moment that is known as a whole.
   const RunReport& run();
   const RunReport& report() const { return report_; }
   const State& state() const { return x_; }
@@ -67,11 +73,19 @@ class Simulation final : private Stepper {
   void loop();
   void end();
   StepView view(bool whole);
-  bool endBecause(std::string reason);
+  bool endBecause(std::string reason, RunReport::Cause cause = RunReport::Cause::simulation);
+  void outOfMemory() noexcept;
+  void save();
+  std::string stateFault() const;
   void noteUnsolved();
   std::string fault() const;
   template <class Call>
-  void forAll(Call&& call);
+  void forAll(Call&& call) {
+    call(statistics_), call(ledger_), call(watch_), call(checks_);
+    if (ledgerRows_) call(*ledgerRows_);
+    if (recorder_) call(*recorder_);
+    for (Observer* o : observers_) call(*o);
+  }
   void archive(Archive& a);
   void keep();
   void project();
@@ -98,8 +112,12 @@ class Simulation final : private Stepper {
   const std::atomic<bool>* stop_ = nullptr;
   std::function<void()> idle_;
   std::function<void(const std::string&)> save_;
-  double saveEvery_ = 0.0;
+  double saveEvery_ = 0.0, saveShare_ = 1.0, saveCost_ = 0.0;
   Clock::time_point lastIdle_, lastSave_;
+  std::vector<char> spare_;  // given back when memory runs out, so that the end has some
+  /// What observers have seen, and the loop has counted, is the state of the last pause: `before_`
+  /// if a step has been attempted since.
+  bool whole_ = false, attempted_ = false;
   std::string checkpoint_;
   bool resumed_ = false, renews_ = false;
   int diagnoses_ = 0;
