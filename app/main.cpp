@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <dynamy/core/suggestion.hpp>
 
+#include "endings.hpp"
 #include "program.hpp"
 
 namespace dynamy::app {
@@ -52,9 +53,12 @@ int usage(const CLI::App& app, const CLI::ParseError& error,
 constexpr const char* kFooter =
     "Exit status:\n"
     "  0   done, all checks passed\n"
-    "  1   the simulation or a check failed, or a file cannot be written\n"
+    "  1   the simulation or a check failed\n"
     "  2   error in a model, a plug-in or a file\n"
     "  64  wrong command line\n"
+    "  71  out of memory\n"
+    "  74  a file cannot be written: the disk is full, or a limit of the system is reached\n"
+    "  128+N  a run was ended by signal N and can be resumed: 130 Ctrl-C, 143 SIGTERM, 129 SIGHUP\n"
     "Environment:\n"
     "  DYNAMY_PLUGIN_PATH  folders, separated by ':', that are searched for plug-ins\n"
     "Files:\n"
@@ -67,6 +71,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   addRun(app, program);
   addResume(app, program);
+  addVerify(app, program);
   addCheck(app, program);
   addEigen(app, program);
   addList(app, program);
@@ -95,4 +100,7 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace dynamy::app
 
-int main(int argc, char** argv) { return dynamy::app::run(argc, argv); }
+int main(int argc, char** argv) {
+  dynamy::app::takeFileLimitsAsErrors();
+  return dynamy::app::run(argc, argv);
+}

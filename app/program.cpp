@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstdio>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/core/version.hpp>
+#include <dynamy/io/file_error.hpp>
 #include <dynamy/io/frames_file.hpp>
 #include <dynamy/io/libraries.hpp>
 #include <dynamy/io/plugin.hpp>
 #include <dynamy/io/vocabulary.hpp>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <sstream>
+#include <system_error>
 
 namespace dynamy::app {
 namespace {
@@ -30,18 +35,46 @@ std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
 
 }  // namespace
 
+namespace {
+
+/// Where even words find no room, the exit status has to do.
+void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
+bool isLackOfRoom(const std::error_code& code) {
+  for (const auto c : {std::errc::no_space_on_device, std::errc::file_too_large,
+                       std::errc::io_error, std::errc::broken_pipe})
+    if (code == c) return true;
+  return code.value() == EDQUOT;
+}
+
+}  // namespace
+
 int withErrorsTold(const std::function<int()>& call) {
   try {
-    return call();
+    const int status = call();
+    // What was printed has left the process, or the status says that it could not.
+    return std::fflush(stdout) == 0 || status != kOk ? status : kCannotWrite;
   } catch (const CLI::ParseError&) {
     throw;
   } catch (const ModelError& e) {
-    fmt::print(stderr, "{}\n", format(withSourceLines(e.diagnostics())));
     const std::size_t n = e.diagnostics().size();
-    fmt::print(stderr, "{} error{}\n", n, n == 1 ? "" : "s");
+    say(fmt::format("{}\n{} error{}\n", format(withSourceLines(e.diagnostics())), n,
+                    n == 1 ? "" : "s"));
     return kModel;
-  } catch (const std::exception& e) {  // of files: path and reason
-    fmt::print(stderr, "dynamy: {}\n", e.what());
+  } catch (const WriteError& e) {  // path and reason
+    say(fmt::format("dynamy: {}\n", e.what()));
+    return kCannotWrite;
+  } catch (const FileError& e) {
+    say(fmt::format("dynamy: {}\n", e.what()));
+    return kModel;
+  } catch (const std::bad_alloc&) {
+    say("dynamy: out of memory\n");
+    return kOutOfMemory;
+  } catch (const std::system_error& e) {  // of printing, as a rule
+    say(fmt::format("dynamy: {}\n", e.what()));
+    return isLackOfRoom(e.code()) ? kCannotWrite : kFailed;
+  } catch (const std::exception& e) {
+    say(fmt::format("dynamy: {}\n", e.what()));
     return kFailed;
   }
 }

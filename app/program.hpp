@@ -10,11 +10,13 @@
 
 namespace dynamy::app {
 
-inline constexpr int kOk = 0;  ///< done, all checks passed
-inline constexpr int kFailed =
-    1;                            ///< the simulation or a check failed, or a file cannot be written
-inline constexpr int kModel = 2;  ///< error in model, plug-in or file
-inline constexpr int kUsage = 64;  ///< wrong command line
+inline constexpr int kOk = 0;            ///< done, all checks passed
+inline constexpr int kFailed = 1;        ///< the simulation or a check failed
+inline constexpr int kModel = 2;         ///< error in model, plug-in or file
+inline constexpr int kUsage = 64;        ///< wrong command line
+inline constexpr int kOutOfMemory = 71;  ///< memory ran out
+inline constexpr int kCannotWrite = 74;  ///< a file cannot be written: the disk is full, …
+inline constexpr int kSignalled = 128;   ///< and the signal's number: ended by a signal
 
 /// One run of the program.
 struct Program {
@@ -57,6 +59,7 @@ std::string versionText();
 // One function a sub-command: declares it; its callback sets program.exitCode.
 void addRun(CLI::App& app, Program& program);
 void addResume(CLI::App& app, Program& program);
+void addVerify(CLI::App& app, Program& program);
 void addCheck(CLI::App& app, Program& program);
 void addEigen(CLI::App& app, Program& program);
 void addList(CLI::App& app, Program& program);

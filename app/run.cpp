@@ -1,8 +1,11 @@
 /// dynamy run MODEL, dynamy resume DIR.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <dynamy/io/file_error.hpp>
 #include <memory>
 
+#include "build_text.hpp"
 #include "error_bar.hpp"
 #include "run_job.hpp"
 #include "watch.hpp"
@@ -16,7 +19,7 @@ struct Texts {
   std::vector<std::string> set;
   RunChoice choice;
   RunShow show;
-  bool watch = false, errorBar = false;
+  bool watch = false, errorBar = false, noCheckpoint = false, anyBuild = false;
 };
 
 void addShow(CLI::App& command, Texts& t) {
@@ -33,8 +36,20 @@ void addShow(CLI::App& command, Texts& t) {
                   "threads that work on a step of many contacts; the same numbers with any")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
-  command.add_option("--checkpoint", t.checkpoint, "write a checkpoint every TIME of wall time")
-      ->type_name("TIME");
+  auto* every = command.add_option("--checkpoint", t.checkpoint,
+                                   "write a checkpoint every TIME of wall time; default: 10 s, "
+                                   "less often where that took more than 2 % of it");
+  every->type_name("TIME");
+  command.add_flag("--no-checkpoint", t.noCheckpoint, "write none: the run cannot be resumed")
+      ->excludes(every);
+}
+
+/// Options that say how often checkpoints are written.
+void readCheckpoints(Texts& t) {
+  t.show.checkpoints = !t.noCheckpoint;
+  if (t.checkpoint.empty()) return;
+  t.show.checkpointEvery = seconds(t.checkpoint, "--checkpoint");
+  t.show.checkpointShare = 1.0;  // as often as the user wants
 }
 
 double given(const std::string& text, const std::string& option) {
@@ -63,7 +78,52 @@ int run(Program& program, Texts& t, const TellFiles& tell) {
                            const std::filesystem::path& signals) {
       return errorBars(program, t.choice, whole, signals);
     };
-  return runInto(folder, *model, t.choice, t.show, std::nullopt, checks);
+  return runInto(folder, *model, t.choice, t.show, checks);
+}
+
+/// What the checkpoint says of a file or a library against what is there; throws FileError.
+void compare(const std::vector<Fingerprint>& then, const std::vector<Fingerprint>& now,
+             const std::string& what, const std::string& hint) {
+  for (std::size_t i = 0; i < std::max(then.size(), now.size()); ++i) {
+    const bool both = i < then.size() && i < now.size();
+    if (both && then[i].fingerprint == now[i].fingerprint) continue;
+    const std::string& name = i < then.size() ? then[i].name : now[i].name;
+    throw FileError(what + ' ' + name, "is not what the run was made with — " + hint);
+  }
+}
+
+int resume(Program& program, Texts& t, double until) {
+  RunFolder folder = RunFolder::resumed(t.out);
+  FoundCheckpoint found = findCheckpoint(folder);
+  Checkpoint& from = found.checkpoint;
+  if (!found.note.empty())
+    fmt::print(stderr, "dynamy: {}: goes on from the checkpoint before it, of t = {:g} s\n",
+               found.note, from.t);
+  // The user's own word for a library comes before its name.
+  for (const std::string& name : from.choice.libraries) {
+    const auto same = [&](const std::string& l) { return nameOfLibrary(l) == name; };
+    if (std::none_of(program.libraries.begin(), program.libraries.end(), same))
+      program.libraries.push_back(name);
+  }
+  program.load();
+  if (const std::string own = buildText(); from.program != own && !t.anyBuild)
+    throw FileError(t.out, "was begun by another build of dynamY (" + from.program + "; this is " +
+                               own +
+                               ") — go on with that one, or with --any-build, which may change "
+                               "the last digits");
+  RunChoice choice = from.choice;
+  if (until > 0.0) choice.until = until;
+  choice.libraries = program.libraries;
+  Model model = chosenModel(program, choice);
+  if (model.sourceText != from.modelText)
+    throw ModelError(choice.model + " has changed since the run",
+                     "the run's own model is " + folder.model().string());
+  compare(from.choice.sources, choice.sources, "file", "bring it back as it was then");
+  compare(from.choice.loaded, choice.loaded, "library",
+          "name the right one with --plugin, or put it into a folder of DYNAMY_PLUGIN_PATH");
+  keepOnly(folder, found);
+  std::vector<CheckResult> checks;
+  return resumeIn(std::move(folder), model, choice, t.show, from, checks);
 }
 
 }  // namespace
@@ -96,7 +156,7 @@ void addRun(CLI::App& app, Program& program) {
   c->callback([t, &program] {
     t->choice.until = given(t->until, "--until");
     t->choice.step = given(t->step, "--step");
-    t->show.checkpointEvery = given(t->checkpoint, "--checkpoint");
+    readCheckpoints(*t);
     for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
     t->choice.libraries = program.libraries;
     program.exitCode =
@@ -112,21 +172,16 @@ void addResume(CLI::App& app, Program& program) {
       app.add_subcommand("resume", "go on with a run, bit for bit as if it had not been stopped");
   c->add_option("DIR", t->out, "folder of the run")->required();
   c->add_option("--until", t->until, "new end time")->type_name("TIME");
+  c->add_option("--plugin", program.libraries,
+                "shared library that the run was made with, where it is not found by its name")
+      ->type_name("LIBRARY");
+  c->add_flag("--any-build", t->anyBuild,
+              "go on with another build of dynamY than the run's: the last digits may differ");
   addShow(*c, *t);
   c->callback([t, &program] {
     const double until = given(t->until, "--until");
-    t->show.checkpointEvery = given(t->checkpoint, "--checkpoint");
-    const RunFolder folder = RunFolder::existing(t->out);
-    Checkpoint from = readCheckpoint(folder.checkpoint());
-    if (until > 0.0) from.choice.until = until;
-    program.libraries = from.choice.libraries;
-    program.load();
-    Model model = chosenModel(program, from.choice);
-    if (model.sourceText != from.modelText)
-      throw ModelError(from.choice.model + " has changed since the run",
-                       "the run's own model is " + folder.model().string());
-    std::vector<CheckResult> checks;
-    program.exitCode = runInto(folder.path(), model, from.choice, t->show, from.simulation, checks);
+    readCheckpoints(*t);
+    program.exitCode = resume(program, *t, until);
   });
 }
 

@@ -2,43 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <dynamy/io/file_error.hpp>
 #include <dynamy/io/model_loader.hpp>
 #include <dynamy/io/replay_page.hpp>
 #include <dynamy/io/run_recording.hpp>
 #include <dynamy/io/svg_plot.hpp>
+#include <set>
 
+#include "endings.hpp"
 #include "error_bar.hpp"
 #include "progress.hpp"
 #include "run_text.hpp"
+#include "saver.hpp"
 
 namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
-
-/// Set by Ctrl-C; a second Ctrl-C ends the program at once.
-std::atomic<bool>& interrupted() {
-  static std::atomic<bool> flag{false};
-  return flag;
-}
-
-extern "C" void onInterrupt(int) {
-  interrupted() = true;
-  std::signal(SIGINT, SIG_DFL);
-}
-
-std::string checkpointBytes(const RunChoice& choice, const std::string& modelText,
-                            const std::string& simulation) {
-  Archive a;
-  a.section("dynamy run 1");
-  RunChoice c = choice;
-  std::string text = modelText, state = simulation;
-  a(c), a(text), a(state);
-  return a.bytes();
-}
 
 /// signals.svg and replay.html from the files of the folder.
 ReplaySize writePictures(const RunFolder& folder, const Model& model) {
@@ -51,6 +31,8 @@ ReplaySize writePictures(const RunFolder& folder, const Model& model) {
 }
 
 int exitCode(const RunReport& report, const std::vector<CheckResult>& checks) {
+  if (report.cause == RunReport::Cause::memory) return kOutOfMemory;
+  if (report.cause == RunReport::Cause::files) return kCannotWrite;
   bool good = report.ended == RunReport::Ended::finished;
   for (const CheckResult& c : checks) good = good && c.pass;
   return good ? kOk : kFailed;
@@ -69,45 +51,80 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
   if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
 }
 
+/// How a run ended, beside its report.
+struct End {
+  int status = kOk;
+  std::vector<RecordedFile> files;
+  std::string fault;  ///< of a file that could not be written; empty: none
+};
+
 /// run.json, pictures and words of a run that has ended.
 void conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
               const RunShow& show, const RunReport& report, const std::vector<CheckResult>& checks,
-              const ProblemDump* problems) {
+              const ProblemDump* problems, End& end) {
   std::optional<ErrorBars> bars;
   const auto write = [&] {
-    folder.writeFacts([&](JsonWriter& j) {
-      writeFacts(j, model, choice, report, checks, "");
-      if (problems) writeProblems(j, *problems);
-      if (bars) writeErrorBars(j, *bars);
-    });
+    folder.writeLastFacts(
+        [&](JsonWriter& j) {
+          writeFacts(j, model, choice, report, checks, "");
+          writeFiles(j, end.files);
+          if (!end.fault.empty()) j.member("fileFault", end.fault);
+          if (problems) writeProblems(j, *problems);
+          if (bars) writeErrorBars(j, *bars);
+        },
+        [&](JsonWriter& j) {
+          j.member("state", stateText(report)).member("t", report.t);
+          if (!report.reason.empty()) j.member("reason", report.reason);
+        });
   };
-  write();
-  const ReplaySize size = writePictures(folder, model);
-  if (show.errorBars) bars = show.errorBars(checks, folder.signals()), write();
+  ReplaySize size;
+  try {
+    write();
+    size = writePictures(folder, model);
+  } catch (const WriteError& e) {
+    if (end.fault.empty()) end.fault = e.what();
+  }
+  if (!end.fault.empty() && end.status == kOk) end.status = kCannotWrite;
+  if (show.errorBars && end.fault.empty()) bars = show.errorBars(checks, folder.signals()), write();
   if (show.tell)
     show.tell(report, checks);
   else
     print(folder, model, show, report, checks, size,
           problems ? problemsText(*problems, folder.problems()) : "");
+  if (!end.fault.empty() && end.fault != report.reason)
+    fmt::print(stderr, "dynamy: {}\n", end.fault);
   if (bars && !show.json && !show.quiet && !show.tell) fmt::print("{}", errorBarsText(*bars));
+}
+
+/// As many as the system gives; that it gives fewer changes no number, so that a run goes on.
+void startThreads(Simulation& simulation, const RunShow& show) {
+  const int count = simulation.threads(show.threads);
+  if (count < show.threads)
+    fmt::print(stderr, "dynamy: the system gives {} of {} threads; the numbers are the same\n",
+               count, show.threads);
+}
+
+void noteSources(const Program& program, const std::vector<fs::path>& files, RunChoice& choice) {
+  choice.sources.clear(), choice.loaded.clear();
+  std::set<fs::path> seen;
+  std::error_code error;
+  for (const PluginLoader::Loaded& l : program.plugins.loaded()) {
+    seen.insert(l.file);
+    if (l.name != kStandardElements)
+      choice.loaded.push_back(
+          {nameOfLibrary(l.file.string()), fingerprintOfBytes(readWholeFile(l.file))});
+  }
+  for (const fs::path& file : files)
+    if (file.extension() != ".so" && fs::is_regular_file(file, error) && seen.insert(fs::canonical(file)).second)
+      choice.sources.push_back({file.string(), fingerprintOfBytes(readWholeFile(file))});
 }
 
 }  // namespace
 
-void RunChoice::archive(Archive& a) {
-  std::vector<std::string> names, values;
-  for (const auto& [name, value] : set) names.push_back(name), values.push_back(value);
-  a(model), a(names), a(values), a(until), a(step), a(tolerance), a(every), a(integrator),
-      a(solver);
-  a(libraries);
-  set.clear();
-  for (std::size_t i = 0; i < names.size() && i < values.size(); ++i)
-    set.emplace_back(names[i], values[i]);
-}
-
 Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files) {
   LoadOptions options;
-  options.set = choice.set, options.files = files;
+  std::vector<fs::path> read;
+  options.set = choice.set, options.files = files != nullptr ? files : &read;
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   SimulationSettings& s = model.simulation;
   if (choice.until > 0.0) s.until = choice.until;
@@ -125,24 +142,15 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   if (!(model.record.every > 0.0) && s.until > 0.0) model.record.every = s.until / 1000.0;
   choice.until = s.until, choice.every = model.record.every;
   choice.model = fs::absolute(choice.model).lexically_normal().string();
+  noteSources(program, *options.files, choice);
   return model;
 }
 
-int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
-            const std::optional<std::string>& checkpoint, std::vector<CheckResult>& checks) {
-  Simulation simulation(model);  // first: a model it refuses leaves an older run alone
-  const RunFolder folder = checkpoint ? RunFolder::existing(path) : RunFolder(path);
-  std::optional<RunRecording> recording;
-  if (checkpoint)
-    recording.emplace(folder, model, RunRecording::Resume{});
-  else
-    recording.emplace(folder, model);
-  simulation.record(*recording);
-  simulation.threads(show.threads);
-  if (checkpoint)
-    simulation.resume(*checkpoint);
-  else
-    writeWholeFile(folder.model(), model.sourceText);
+namespace {
+
+/// A run into a folder that is there, whether it begins or goes on.
+int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, const RunShow& show,
+             Simulation& simulation, RunRecording& recording, std::vector<CheckResult>& checks) {
   std::optional<ProblemDump> problems;
   if (show.dumpProblems >= 0)
     simulation.observe(problems.emplace(folder.problems(), show.dumpProblems));
@@ -151,43 +159,57 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
 
   const bool silent = show.quiet || show.json || show.tell;
   Progress progress(silent, simulation.state().t, model.simulation.until);
-  const auto save = [&](const std::string& bytes) {
-    writeWholeFile(folder.checkpoint(), checkpointBytes(choice, model.sourceText, bytes));
-  };
+  Saver saver(folder, choice, model, recording);
   simulation.onIdle([&] {
-    recording->flushIfDue();
+    recording.flushIfDue();
     const StepReport& last = simulation.lastStep();
     progress.show({simulation.state().t, simulation.report().steps, last.contacts,
                    last.solved.residuals.largest(), simulation.report().unconverged});
   });
-  simulation.onCheckpoint(show.checkpointEvery, save);
-  interrupted() = false;
-  simulation.stopWhen(interrupted());
-  const auto before = std::signal(SIGINT, onInterrupt);
+  if (show.checkpoints)
+    simulation.onCheckpoint(
+        show.checkpointEvery, show.checkpointShare,
+        [&](const std::string& bytes) { saver.save(bytes, simulation.state().t, true); });
+  const EndingSignals signals;
+  simulation.stopWhen(signals.requested());
   if (!silent) fmt::print("{}", headText(model, choice));
   const RunReport& report = simulation.run();
-  std::signal(SIGINT, before);
   progress.end();
 
   // Files first: what is printed is then true.
-  recording->flush();
-  if (!simulation.checkpoint().empty()) save(simulation.checkpoint());
+  recording.flush();
+  if (show.checkpoints && !simulation.checkpoint().empty()) saver.saveLast(simulation);
   checks = simulation.checks();
-  conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr);
-  return exitCode(report, checks);
+  End end;
+  end.status = report.ended == RunReport::Ended::stopped ? kSignalled + EndingSignals::signal()
+                                                         : exitCode(report, checks);
+  end.files = recording.files(), end.fault = saver.fault();
+  if (end.fault.empty()) end.fault = recording.fault();
+  conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr, end);
+  return end.status;
 }
 
-Checkpoint readCheckpoint(const fs::path& file) {
-  if (!fs::exists(file))
-    throw FileError(
-        file.parent_path().string(),
-        "holds no checkpoint: the run ended before its first one (--checkpoint says how "
-        "often); run the model again");
-  Archive a(readWholeFile(file));
-  Checkpoint c;
-  a.section("dynamy run 1");
-  a(c.choice), a(c.modelText), a(c.simulation);
-  return c;
+}  // namespace
+
+int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
+            std::vector<CheckResult>& checks) {
+  Simulation simulation(model);  // first: a model it refuses leaves an older run alone
+  const RunFolder folder(path);
+  RunRecording recording(folder, model);
+  simulation.record(recording);
+  startThreads(simulation, show);
+  writeWholeFile(folder.model(), model.sourceText);
+  return carryOut(folder, model, choice, show, simulation, recording, checks);
+}
+
+int resumeIn(RunFolder folder, Model& model, const RunChoice& choice, const RunShow& show,
+             const Checkpoint& from, std::vector<CheckResult>& checks) {
+  Simulation simulation(model);
+  RunRecording recording(folder, model, RunRecording::Resume{});
+  simulation.record(recording);
+  startThreads(simulation, show);
+  simulation.resume(from.simulation);
+  return carryOut(folder, model, choice, show, simulation, recording, checks);
 }
 
 }  // namespace dynamy::app

@@ -1,5 +1,6 @@
 /// A run into its folder: what `run` and `resume` share.
 #pragma once
+#include <dynamy/io/checkpoint.hpp>
 #include <dynamy/io/run_folder.hpp>
 #include <dynamy/simulation/simulation.hpp>
 #include <functional>
@@ -11,22 +12,12 @@ namespace dynamy::app {
 
 struct ErrorBars;
 
-/// What decides the numbers of a run, as said on the command line; stored in the checkpoint.
-struct RunChoice {
-  std::string model;  ///< path
-  std::vector<std::pair<std::string, std::string>> set;
-  double until = 0.0, step = 0.0;  ///< [s]; 0: as the model says
-  double every = 0.0;              ///< [s]; 0: as the model says
-  double tolerance = 0.0;          ///< 0: as the model says
-  std::string integrator, solver;  ///< empty: as the model says
-  std::vector<std::string> libraries;
-  void archive(Archive& a);
-};
-
 /// How it is shown.
 struct RunShow {
   bool json = false, quiet = false;
-  double checkpointEvery = 0.0;  ///< [s] of wall time; 0: only at the end
+  bool checkpoints = true;
+  double checkpointEvery = 10.0;  ///< [s] of wall time,
+  double checkpointShare = 0.02;  ///< or longer, so that they take no more of it than this
   /// A second run with half the step, or a tenth of the tolerance: what it says about the checks
   /// and the recorded signals in that file. Empty: none.
   std::function<ErrorBars(const std::vector<CheckResult>&, const std::filesystem::path&)> errorBars;
@@ -36,22 +27,20 @@ struct RunShow {
   std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;
 };
 
-/// The model with all choices applied; `choice` gets absolute path, end time and sample time.
-/// `files` gets those that were read (LoadOptions). Throws ModelError.
+/// The model with all choices applied; `choice` gets absolute path, end time, sample time
+/// and the fingerprints of what was read; `files` gets all that was looked for (LoadOptions).
+/// Throws ModelError.
 Model chosenModel(Program& program, RunChoice& choice,
                   std::vector<std::filesystem::path>* files = nullptr);
 
-/// Runs `model` into the folder `path`, from `checkpoint` if it is given, and prints the result.
-/// Returns the exit code; `checks` receives their results. Throws FileError.
+/// Runs `model` into the folder `path` and prints the result. Returns the exit code; `checks`
+/// receives their results. Throws FileError.
 int runInto(const std::filesystem::path& path, Model& model, const RunChoice& choice,
-            const RunShow& show, const std::optional<std::string>& checkpoint,
-            std::vector<CheckResult>& checks);
+            const RunShow& show, std::vector<CheckResult>& checks);
 
-/// A checkpoint file in parts. Throws FileError, ModelError.
-struct Checkpoint {
-  RunChoice choice;
-  std::string modelText, simulation;
-};
-Checkpoint readCheckpoint(const std::filesystem::path& file);
+/// The same from a checkpoint of the folder; `choice` is that of the checkpoint, but for the end
+/// time. Throws ModelError if the checkpoint does not belong to the model, FileError.
+int resumeIn(RunFolder folder, Model& model, const RunChoice& choice, const RunShow& show,
+             const Checkpoint& from, std::vector<CheckResult>& checks);
 
 }  // namespace dynamy::app

@@ -8,23 +8,13 @@
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/run_recording.hpp>
 
+#include "endings.hpp"
+
 namespace dynamy::app {
 namespace {
 
 std::string counted(long n, const std::string& what, const std::string& many = {}) {
   return fmt::format("{} {}", n, n == 1 ? what : many.empty() ? what + 's' : many);
-}
-
-std::string stateText(const RunReport& r) {
-  switch (r.ended) {
-    case RunReport::Ended::finished:
-      return "finished";
-    case RunReport::Ended::stopped:
-      return "stopped by the user";
-    case RunReport::Ended::failed:
-      return "failed";
-  }
-  return "";
 }
 
 std::string checkLine(const CheckResult& c, int width) {
@@ -96,6 +86,29 @@ void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice
 }
 
 }  // namespace
+
+std::string stateText(const RunReport& r) {
+  switch (r.ended) {
+    case RunReport::Ended::finished:
+      return "finished";
+    case RunReport::Ended::stopped:
+      return stopText(EndingSignals::signal());
+    case RunReport::Ended::failed:
+      return "failed";
+  }
+  return "";
+}
+
+void writeFiles(JsonWriter& json, const std::vector<RecordedFile>& files) {
+  json.key("files").beginArray();
+  for (const RecordedFile& f : files)
+    json.beginObject()
+        .member("name", f.name)
+        .member("bytes", f.place.bytes)
+        .member("crc", fmt::format("{:08x}", f.place.crc))
+        .endObject();
+  json.endArray();
+}
 
 std::string checkText(const CheckResult& c) {
   return (c.measure == "value" ? c.signal : c.measure + " " + c.signal) +

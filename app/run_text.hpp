@@ -22,6 +22,12 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
                 const RunReport& report, const std::vector<CheckResult>& checks,
                 const std::string& state);
 
+/// "finished", "stopped by SIGTERM", "failed".
+std::string stateText(const RunReport& report);
+
+/// Member `files` of run.json: bytes and CRC-32 of the recorded files at the end of the run.
+void writeFiles(JsonWriter& json, const std::vector<RecordedFile>& files);
+
 /// "max ball.z 0.4 … 1 s"
 std::string checkText(const CheckResult& check);
 

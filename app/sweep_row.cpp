@@ -97,7 +97,7 @@ Result run(Program& program, const Sweep& sweep, const SweepFolder& folder, std:
     show.tell = [&out](const RunReport& report, const std::vector<CheckResult>& checks) {
       out.report = report, out.checks = checks;
     };
-    runInto(folder.run(id), model, choice, show, std::nullopt, out.checks);
+    runInto(folder.run(id), model, choice, show, out.checks);
   } else {
     Simulation simulation(model);
     out.report = simulation.run();

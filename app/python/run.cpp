@@ -124,6 +124,7 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
   simulation.run();
   recording.flush();
   callback.raise();
+  if (!recording.fault().empty()) throw std::runtime_error(std::string(recording.fault()));
   writeFolderFacts(folder, model, simulation.report());
   writeReplay(folder.path());
   return py::make_tuple(py::none(), figures(simulation));

@@ -76,7 +76,7 @@ TEST_F(ProgramTest, ViewWritesTheReplayAnew) {
   ASSERT_EQ(call("view a --no-browser"), 0) << err();
   EXPECT_NE(out().find("replay.html"), std::string::npos) << out();
   EXPECT_GT(fs::file_size(path("a/replay.html")), 100'000u);
-  EXPECT_EQ(call("view nowhere --no-browser"), 1);
+  EXPECT_EQ(call("view nowhere --no-browser"), 2);
   EXPECT_NE(err().find("holds no run"), std::string::npos) << err();
 }
 
@@ -205,7 +205,7 @@ TEST_F(ProgramTest, AForeignFolderIsNotTouched) {
   write("ball.xml", ballXml(0.1, "1e-3"));
   fs::create_directories(folder_ / "mine");
   write("mine/notes.txt", "mine");
-  EXPECT_EQ(call("run ball.xml --out mine"), 1);
+  EXPECT_EQ(call("run ball.xml --out mine"), 2);
   EXPECT_NE(err().find("nothing in it was touched"), std::string::npos) << err();
   EXPECT_EQ(readWholeFile(path("mine/notes.txt")), "mine");
   EXPECT_FALSE(fs::exists(path("mine/run.json")));
@@ -297,7 +297,7 @@ TEST_F(ProgramRunTest, ControlCEndsARunCleanly) {
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_NE(readWholeFile(path("c/run.json")).find("\"stopped by the user\""), std::string::npos);
   EXPECT_TRUE(fs::exists(path("c/replay.html")));
   EXPECT_TRUE(fs::exists(path("c/checkpoint")));

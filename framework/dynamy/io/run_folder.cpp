@@ -1,5 +1,10 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <dynamy/io/file_error.hpp>
 #include <dynamy/io/output_file.hpp>
 #include <dynamy/io/run_folder.hpp>
@@ -12,14 +17,21 @@ namespace {
 constexpr const char* kMarker = "dynamy-run";
 constexpr int kVersion = 1;
 
+/// Nothing in it but the lock of a run that was killed as it began.
+bool isEmpty(const fs::path& path, std::error_code& error) {
+  for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error))
+    if (it->path().filename() != "run.lock") return false;
+  return true;
+}
+
 void prepare(const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_directory(path, error)) {
     throw FileError(path.string(), "is a file, a folder is needed for the results of a run");
   }
   fs::create_directories(path, error);
-  if (error) throw FileError(path.string(), "cannot create the folder: " + error.message());
-  const bool empty = fs::is_empty(path, error);
+  if (error) throw WriteError(path.string(), "cannot create the folder: " + error.message());
+  const bool empty = isEmpty(path, error);
   if (error) throw FileError(path.string(), "cannot look into the folder: " + error.message());
   if (!empty && !holdsRun(path)) {
     throw FileError(
@@ -43,13 +55,14 @@ fs::path RunFolder::defaultPath(const fs::path& model) { return fs::path("runs")
 
 RunFolder::RunFolder(const fs::path& path) : path_(path) {
   prepare(path);
+  lock_ = FolderLock(path);
   // first the new run.json, so that the folder is one of ours at every moment
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
   for (const fs::path& file : {model(), signals(), signalsPlot(), events(), ledger(), frames(),
-                               replay(), report(), checkpoint()}) {
+                               replay(), report(), checkpoint(), olderCheckpoint()}) {
     fs::remove(file, error);
-    if (error) throw FileError(file.string(), "cannot replace: " + error.message());
+    if (error) throw WriteError(file.string(), "cannot replace: " + error.message());
   }
   for (const fs::directory_entry& entry : fs::directory_iterator(problems(), error)) {
     const std::string name = entry.path().filename().string();
@@ -66,14 +79,55 @@ RunFolder RunFolder::existing(const fs::path& path) {
   return out;
 }
 
-void RunFolder::writeFacts(const std::function<void(JsonWriter&)>& write) const {
+RunFolder RunFolder::resumed(const fs::path& path) {
+  RunFolder out = existing(path);
+  out.lock_ = FolderLock(path);
+  return out;
+}
+
+namespace {
+
+std::string factsText(const std::function<void(JsonWriter&)>& write) {
   std::string text;
   JsonWriter json(text, 2);
   json.beginObject().member("format", kMarker).member("version", kVersion);
   write(json);
   json.endObject();
-  text += '\n';
-  writeWholeFile(facts(), text);
+  return text + '\n';
+}
+
+/// Needs no room but what the file has.
+void overwrite(const fs::path& path, const std::string& text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const bool good =
+      file >= 0 &&
+      ::pwrite(file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()) &&
+      ::ftruncate(file, static_cast<off_t>(text.size())) == 0;
+  const int error = errno;
+  if (file >= 0) ::close(file);
+  if (!good) throw WriteError(path.string(), std::string("cannot write: ") + std::strerror(error));
+}
+
+}  // namespace
+
+void RunFolder::writeFacts(const std::function<void(JsonWriter&)>& write) const {
+  writeWholeFile(facts(), factsText(write));
+}
+
+void RunFolder::writeLastFacts(const std::function<void(JsonWriter&)>& write,
+                               const std::function<void(JsonWriter&)>& brief) const {
+  const std::string text = factsText(write);
+  for (const bool last : {false, true}) {
+    try {
+      writeWholeFile(facts(), text);
+      return;
+    } catch (const WriteError&) {
+      std::error_code error;
+      const bool another = fs::exists(checkpoint(), error);
+      if (last || !another || !fs::remove(olderCheckpoint(), error)) break;
+    }
+  }
+  overwrite(facts(), factsText(brief));
 }
 
 }  // namespace dynamy

@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <dynamy/io/file_error.hpp>
 #include <dynamy/io/output_file.hpp>
@@ -29,9 +32,11 @@ TEST(RunFolder, TakesAnEmptyFolder) {
 
 TEST(RunFolder, ReplacesTheFilesOfAnOlderRunAndKeepsAllOthers) {
   const ScratchFolder scratch;
-  const RunFolder first(scratch.path());
-  writeWholeFile(first.signals(), "t\n");
-  writeWholeFile(first.replay(), "old");
+  {
+    const RunFolder first(scratch.path());
+    writeWholeFile(first.signals(), "t\n");
+    writeWholeFile(first.replay(), "old");
+  }
   writeWholeFile(scratch / "notes.txt", "mine");
   const RunFolder second(scratch.path());
   EXPECT_FALSE(fs::exists(second.signals()));
@@ -75,7 +80,60 @@ TEST(RunFolder, WritesFactsBehindTheMarkerAndLeavesNoPartFile) {
   folder.writeFacts([](JsonWriter& json) { json.member("steps", 3); });
   EXPECT_EQ(readWholeFile(folder.facts()),
             "{\n  \"format\": \"dynamy-run\",\n  \"version\": 1,\n  \"steps\": 3\n}\n");
+  fs::remove(scratch / "run.lock");  // the other file of a folder that is written
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), fs::directory_iterator()), 1);
+}
+
+TEST(RunFolder, BelongsToOneRunAtATime) {
+  const ScratchFolder scratch;
+  {
+    const RunFolder first(scratch.path());
+    writeWholeFile(first.signals(), "t\n1\n");
+    const std::string message = messageOf<FileError>([&] { RunFolder second(scratch.path()); });
+    EXPECT_NE(message.find("another run writes into this folder (process " +
+                           std::to_string(::getpid()) + " on "),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("choose another --out"), std::string::npos) << message;
+    EXPECT_EQ(readWholeFile(first.signals()), "t\n1\n");
+    EXPECT_THROW(RunFolder::resumed(scratch.path()), FileError);
+    EXPECT_NO_THROW(RunFolder::existing(scratch.path()));  // to read it
+    EXPECT_NE(FolderLock::holder(scratch.path()), "");
+  }
+  EXPECT_EQ(FolderLock::holder(scratch.path()), "");
+  EXPECT_NO_THROW(RunFolder::resumed(scratch.path()));
+  EXPECT_FALSE(fs::exists(scratch / "run.lock"));
+}
+
+TEST(RunFolder, OfAProcessThatDiedIsFree) {
+  const ScratchFolder scratch;
+  const fs::path ready = scratch / "ready";
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const RunFolder folder(scratch / "run");
+    writeWholeFile(ready, "");
+    ::pause();
+    ::_exit(0);
+  }
+  for (int i = 0; i < 1000 && !fs::exists(ready); ++i) ::usleep(10000);
+  EXPECT_THROW(RunFolder::resumed(scratch / "run"), FileError);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_TRUE(fs::exists(scratch / "run/run.lock"));  // the file stays, the lock has gone
+  EXPECT_NO_THROW(RunFolder::resumed(scratch / "run"));
+}
+
+TEST(RunFolder, SaysInPlaceHowARunEndedWhereNothingElseCanBeWritten) {
+  const ScratchFolder scratch;
+  const RunFolder folder(scratch.path());
+  folder.writeFacts([](JsonWriter& j) { j.member("state", "running").member("t", 0.25); });
+  fs::create_directory(scratch / "run.json.part");  // stands where the new file would be written
+  folder.writeLastFacts([](JsonWriter& j) { j.member("state", "failed").member("t", 0.5); },
+                        [](JsonWriter& j) { j.member("state", "failed"); });
+  const std::string text = readWholeFile(folder.facts());
+  EXPECT_NE(text.find("\"state\": \"failed\""), std::string::npos) << text;
+  EXPECT_EQ(text.find("0.25"), std::string::npos) << text;
+  EXPECT_TRUE(holdsRun(scratch.path()));
 }
 
 }  // namespace

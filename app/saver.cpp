@@ -1,0 +1,40 @@
+#include "saver.hpp"
+
+#include <dynamy/io/file_error.hpp>
+
+#include "build_text.hpp"
+
+namespace dynamy::app {
+namespace {
+
+/// A run that took no longer is made again as fast as a disk confirms what it wrote [s].
+constexpr double kShort = 1.0;
+
+}  // namespace
+
+Saver::Saver(const RunFolder& folder, const RunChoice& choice, const Model& model,
+             RunRecording& recording)
+    : folder_(folder), recording_(recording) {
+  next_.program = buildText();
+  next_.choice = choice, next_.modelText = model.sourceText;
+}
+
+void Saver::save(const std::string& simulation, double t, bool lasting) {
+  next_.simulation = simulation, next_.t = t, next_.files = recording_.archived();
+  fault_.clear();
+  // The first one is there for kills, and nothing is lost with it.
+  const bool safe = lasting && any_;
+  try {
+    if (safe) recording_.sync();
+    writeCheckpoint(folder_, next_, safe);
+    any_ = true;
+  } catch (const WriteError& e) {
+    fault_ = std::string("no checkpoint could be written: ") + e.what();
+  }
+}
+
+void Saver::saveLast(const Simulation& simulation) {
+  save(simulation.checkpoint(), simulation.state().t, simulation.report().wall > kShort);
+}
+
+}  // namespace dynamy::app
