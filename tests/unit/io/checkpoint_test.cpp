@@ -82,7 +82,7 @@ TEST(Checkpoint, OfAnotherLayoutSaysBothNumbers) {
 
 TEST(Checkpoint, NamesNoLibraryByItsPath) {
   Checkpoint c = example();
-  c.choice.libraries = {"/tmp/evil/libmine.so", "../other.so", "showcase"};
+  c.choice.libraries = {"/elsewhere/evil/libmine.so", "../other.so", "showcase"};
   const Checkpoint read = readCheckpoint(bytesOf(c), "checkpoint");
   EXPECT_EQ(read.choice.libraries, (std::vector<std::string>{"mine", "other", "showcase"}));
   EXPECT_EQ(bytesOf(c).find("evil"), std::string::npos);
