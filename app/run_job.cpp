@@ -115,7 +115,8 @@ void noteSources(const Program& program, const std::vector<fs::path>& files, Run
           {nameOfLibrary(l.file.string()), fingerprintOfBytes(readWholeFile(l.file))});
   }
   for (const fs::path& file : files)
-    if (file.extension() != ".so" && fs::is_regular_file(file, error) && seen.insert(fs::canonical(file)).second)
+    if (file.extension() != ".so" && fs::is_regular_file(file, error) &&
+        seen.insert(fs::canonical(file)).second)
       choice.sources.push_back({file.string(), fingerprintOfBytes(readWholeFile(file))});
 }
 
