@@ -1,0 +1,58 @@
+/// scripts/build-release, with a stand-in for cmake.
+#include <program/program_fixture.hpp>
+
+namespace dynamy {
+namespace {
+namespace fs = std::filesystem;
+
+class Scripts : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    folder_ = fs::canonical(folder_);
+    fs::create_directories(clone() / "scripts");
+    fs::create_directories(clone() / "build" / "release" / "CMakeFiles");
+    fs::create_directories(folder_ / "bin");
+    fs::copy(fs::path(DYNAMY_SOURCE_DIR) / "scripts" / "build-release", clone() / "scripts");
+    // Like cmake it refuses a folder that was configured for another one.
+    write("bin/cmake",
+          "#!/bin/sh\ncache=build/release/CMakeCache.txt\n"
+          "[ ! -f $cache ] || grep -qxF \"CMAKE_HOME_DIRECTORY:INTERNAL=$(pwd -P)\" $cache || exit "
+          "1\n"
+          "echo \"$*\" >> called\n");
+    fs::permissions(path("bin/cmake"), fs::perms::owner_all);
+  }
+  fs::path clone() const { return folder_ / "a clone"; }
+  void configuredIn(const fs::path& home) const {
+    write("a clone/build/release/CMakeCache.txt",
+          "# cache\nCMAKE_HOME_DIRECTORY:INTERNAL=" + home.string() + "\nMORE:STRING=1\n");
+  }
+  int build() const {
+    return WEXITSTATUS(std::system(("cd / && PATH='" + path("bin") + "':\"$PATH\" '" +
+                                    (clone() / "scripts" / "build-release").string() +
+                                    "' dynamy > '" + path("out") + "' 2> '" + path("err") + "'")
+                                       .c_str()));
+  }
+};
+
+TEST_F(Scripts, AMovedCloneIsConfiguredAnew) {
+  configuredIn("/srv/elsewhere");
+  EXPECT_EQ(build(), 0) << err();
+  EXPECT_EQ(err().find("This folder was /srv/elsewhere when it was built; it is configured and "
+                       "built anew ...\n"),
+            0u)
+      << err();
+  EXPECT_FALSE(fs::exists(clone() / "build" / "release" / "CMakeCache.txt"));
+  EXPECT_EQ(readWholeFile(clone() / "called"),
+            "--preset release\n--build --preset release --target dynamy\n");
+}
+
+TEST_F(Scripts, ACloneThatStayedIsNot) {
+  configuredIn(clone());
+  EXPECT_EQ(build(), 0) << err();
+  EXPECT_TRUE(fs::exists(clone() / "build" / "release" / "CMakeCache.txt"));
+  EXPECT_EQ(err().find("anew"), std::string::npos) << err();
+}
+
+}  // namespace
+}  // namespace dynamy
