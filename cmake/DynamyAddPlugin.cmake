@@ -2,7 +2,7 @@
 #
 # In dynamY's own tree the library goes to <build>/lib/dynamy, where the program finds it by itself.
 # Out of tree, after find_package(dynamy), it goes to the current binary folder: name that folder in
-# DYNAMY_PLUGIN_PATH or put the library beside the model; `cmake --install` puts it to lib/dynamy.
+# DYNAMY_PLUGIN_PATH or the library with --plugin; `cmake --install` puts it to lib/dynamy.
 function(dynamy_add_plugin name)
   if(NOT ARGN)
     message(FATAL_ERROR "dynamy_add_plugin(${name}): no source files given")
@@ -11,7 +11,8 @@ function(dynamy_add_plugin name)
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE dynamy::framework)
   target_link_options(${name} PRIVATE -Wl,--no-undefined)  # told by the linker, not by the loader
-  set_target_properties(${name} PROPERTIES PREFIX lib INSTALL_RPATH "$ORIGIN/..")
+  set_target_properties(${name} PROPERTIES PREFIX lib
+    INSTALL_RPATH "$ORIGIN/.." BUILD_WITH_INSTALL_RPATH ON)  # the program has loaded libdynamy.so
   if(TARGET dynamy_framework)
     target_link_libraries(${name} PRIVATE dynamy_warnings)
     target_include_directories(${name} PRIVATE ${dynamy_SOURCE_DIR}/elements)

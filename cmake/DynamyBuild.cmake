@@ -5,10 +5,13 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# Every program finds ../lib/libdynamy.so and ../lib/dynamy/*.so from where it stands.
+# Every program finds ../lib/libdynamy.so and ../lib/dynamy/*.so from where it stands, in the build
+# folder as where it is installed. The path is written once and for all: a path that `cmake --install`
+# is to replace ends with a ':', and the dynamic linker reads the nothing behind it as the current
+# folder, from which it would load any library of the system that lies there.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
-set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
+set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib")
 
 # Portable code: no -march=native. No fast-math: NaN, infinity, signed zero and the order of sums
