@@ -188,8 +188,7 @@ void addBenchPrecision(CLI::App& bench, Program& program) {
   c->add_option("--repeats", t->repeats, "turns through all points; the cost is the median")
       ->check(CLI::PositiveNumber);
   c->add_option("--limit", t->limit, "CPU time of a point [s]")->check(CLI::Range(1.0, 3600.0));
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->callback([t, &program] { benchPrecision(program, *t); });
 }
 

@@ -199,8 +199,7 @@ void addCheck(CLI::App& app, Program& program) {
   CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its size");
   c->add_option("MODEL", t->model, "XML file")->required();
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->add_flag("--json", t->json, "print JSON");
   c->add_flag(
       "--elements", t->elements,

@@ -140,8 +140,7 @@ void addCompare(CLI::App& app, Program& program) {
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   c->add_option("--csv", t->csv, "table as a file; default: runs/MODEL-compare.csv")
       ->type_name("FILE");
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->callback([t, &program] { compare(program, *t); });
 }
 

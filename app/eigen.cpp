@@ -201,8 +201,7 @@ void addEigen(CLI::App& app, Program& program) {
       ->type_name("NAME=A:B:COUNT");
   c->add_option("--out", t->out, "folder of eigen.csv and eigen.json; default: runs/MODEL.eigen")
       ->type_name("DIR");
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->add_flag("--json", t->json, "print JSON");
   c->callback([t, &program] {
     program.load();

@@ -57,11 +57,6 @@ std::string json(const Registry& registry, const std::string& kind) {
   return out + "\n";
 }
 
-void addPlugin(CLI::App& command, Program& program) {
-  command.add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
-}
-
 }  // namespace
 
 void addList(CLI::App& app, Program& program) {
@@ -71,7 +66,7 @@ void addList(CLI::App& app, Program& program) {
   };
   auto form = std::make_shared<Form>();
   CLI::App* c = app.add_subcommand("list", "all types that models can use");
-  addPlugin(*c, program);
+  addPlugins(*c, program, false);
   c->add_option("--kind", form->kind, "types of this kind only")
       ->type_name("KIND")
       ->check(CLI::IsMember(kindTexts()));
@@ -98,7 +93,7 @@ void addDescribe(CLI::App& app, Program& program) {
   c->add_option("--pages", what->pages, "write all of it as Markdown pages into DIR")
       ->type_name("DIR")
       ->excludes(name);
-  addPlugin(*c, program);
+  addPlugins(*c, program, false);
   c->callback([what, &program] {
     if (what->name.empty() && what->pages.empty()) throw CLI::RequiredError("NAME or --pages");
     program.load();
@@ -114,7 +109,7 @@ void addDescribe(CLI::App& app, Program& program) {
 
 void addSchema(CLI::App& app, Program& program) {
   CLI::App* c = app.add_subcommand("schema", "the XML schema of the model file, for editors");
-  addPlugin(*c, program);
+  addPlugins(*c, program, false);
   c->callback([&program] {
     program.load();
     fmt::print("{}", schemaText(program.registry));

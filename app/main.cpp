@@ -61,6 +61,7 @@ constexpr const char* kFooter =
     "  128+N  a run was ended by signal N and can be resumed: 130 Ctrl-C, 143 SIGTERM, 129 SIGHUP\n"
     "Environment:\n"
     "  DYNAMY_PLUGIN_PATH  folders, separated by ':', that are searched for plug-ins\n"
+    "  XDG_CONFIG_HOME     folder of dynamy/trusted: folders whose models may bring plug-ins\n"
     "Files:\n"
     "  runs/MODEL  what a run writes, if --out does not name another folder";
 

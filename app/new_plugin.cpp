@@ -11,6 +11,7 @@
 
 #include "page.hpp"
 #include "program.hpp"
+#include "shell_text.hpp"
 
 namespace dynamy::app {
 namespace fs = std::filesystem;
@@ -105,11 +106,10 @@ void newPlugin(Program& program, const Texts& t) {
        {"test.cpp.in", name + "_test.cpp"},
        {"README.md.in", "README.md"}}};
   for (const auto& [from, to] : kFiles) {
-    std::string text(pageFile(from));
-    fill(text, "name", name), fill(text, "Class", camel(name)), fill(text, "about", kind.about);
-    writeWholeFile(folder / to, text);
+    const Values values{{"name", name}, {"Class", camel(name)}, {"about", kind.about}};
+    writeWholeFile(folder / to, filled(pageFile(from), values));
   }
-  const std::string dir = folder.string();
+  const std::string dir = shellWord(folder.string());
   fmt::print(
       " wrote   {0}/  CMakeLists.txt {1}.cpp {1}.xml {1}_test.cpp README.md\n\n"
       "   cmake -S {0} -B {0}/build && cmake --build {0}/build\n"

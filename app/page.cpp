@@ -1,15 +1,24 @@
 #include "page.hpp"
 
+#include <algorithm>
 #include <dynamy/io/svg_plot.hpp>
 #include <filesystem>
 
 namespace dynamy::app {
 
-void fill(std::string& page, std::string_view name, std::string_view value) {
-  const std::string mark = "{{" + std::string(name) + "}}";
-  for (std::size_t at = page.find(mark); at != std::string::npos;
-       at = page.find(mark, at + value.size()))
-    page.replace(at, mark.size(), value);
+std::string filled(std::string_view page, const Values& values) {
+  std::string out;
+  for (;;) {
+    const std::size_t begin = page.find("{{");
+    out += page.substr(0, begin);
+    if (begin == std::string_view::npos) return out;
+    page.remove_prefix(begin);
+    const std::string_view name = page.substr(2, page.find("}}") - 2);
+    const auto value =
+        std::find_if(values.begin(), values.end(), [&](const auto& v) { return v.first == name; });
+    out += value == values.end() ? "{{" : std::string_view(value->second);
+    page.remove_prefix(value == values.end() ? 2 : name.size() + 4);
+  }
 }
 
 std::string filledPage(const std::string& file, const std::string& title, const std::string& data) {
@@ -22,13 +31,11 @@ std::string filledPage(const std::string& file, const std::string& title, const 
     else
       escaped += c;
   }
-  // The data last: a mark inside of a text must not be filled.
-  std::string page(pageFile(file));
-  fill(page, "title", escapedXml(title));
-  fill(page, "style", pageFile("pages.css"));
-  fill(page, "script", pageFile(std::filesystem::path(file).stem().string() + ".js"));
-  fill(page, "data", escaped);
-  return page;
+  const std::string script = std::filesystem::path(file).stem().string() + ".js";
+  return filled(pageFile(file), {{"title", escapedXml(title)},
+                                 {"style", std::string(pageFile("pages.css"))},
+                                 {"script", std::string(pageFile(script))},
+                                 {"data", escaped}});
 }
 
 }  // namespace dynamy::app

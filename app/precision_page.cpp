@@ -92,12 +92,10 @@ std::string precisionPage(const PrecisionChart& m) {
         scene.name, escapedXml(scene.title), escapedXml(scene.about), precisionSvg(m, index),
         absentOf(m, index), tableOf(m, index));
   }
-  std::string page(pageFile("work_precision.html"));
-  fill(page, "style", pageFile("pages.css"));
-  fill(page, "machine", escapedXml(machine));
-  fill(page, "contents", contents);
-  fill(page, "body", body);
-  return page;
+  return filled(pageFile("work_precision.html"), {{"style", std::string(pageFile("pages.css"))},
+                                                  {"machine", escapedXml(machine)},
+                                                  {"contents", contents},
+                                                  {"body", body}});
 }
 
 }  // namespace dynamy::app

@@ -81,8 +81,19 @@ int withErrorsTold(const std::function<int()>& call) {
 
 void Program::load() {
   registerFramework(registry);
-  plugins.load(kStandardElements, ".", registry);
-  for (const std::string& library : libraries) plugins.load(library, ".", registry);
+  if (trust) plugins.trustModels();
+  plugins.load(kStandardElements, registry);
+  for (const std::string& library : libraries) plugins.load(library, registry);
+}
+
+void addPlugins(CLI::App& command, Program& program, bool readsModels) {
+  command
+      .add_option("--plugin", program.libraries,
+                  "shared library with further types: a name, or a path with a '/'")
+      ->type_name("LIBRARY");
+  if (readsModels)
+    command.add_flag("--trust", program.trust,
+                     "load also libraries that come with the model, from its own folder");
 }
 
 double seconds(const std::string& text, const std::string& option) {

@@ -23,12 +23,16 @@ struct Program {
   Registry registry;
   PluginLoader plugins;
   std::vector<std::string> libraries;  ///< of --plugin
+  bool trust = false;                  ///< --trust: models may bring libraries of their own
   int exitCode = kOk;
 
   /// Registers the framework's types, those of the standard elements and of --plugin.
   /// Throws ModelError.
   void load();
 };
+
+/// Declares --plugin, and for a command that reads models --trust.
+void addPlugins(CLI::App& command, Program& program, bool readsModels = true);
 
 /// "1.5", "10s", "2ms" → seconds. Throws CLI::ValidationError.
 double seconds(const std::string& text, const std::string& option);

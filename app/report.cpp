@@ -271,12 +271,12 @@ std::string body(const RunFolder& folder, const JsonValue& run) {
 int report(const std::string& path, const std::string& to) {
   const RunFolder folder = RunFolder::existing(path);
   const JsonValue run = readJson(readWholeFile(folder.facts()), folder.facts().string());
-  std::string page(pageFile("report.html"));
-  fill(page, "title", escapedXml(run["title"] ? run["title"].text : path));
-  fill(page, "style", pageFile("pages.css"));
-  fill(page, "model", shown(run["model"]));
-  fill(page, "dynamy", shown(run["dynamy"]));
-  fill(page, "body", body(folder, run));  // last: a mark inside of the model must not be filled
+  const std::string page = filled(pageFile("report.html"),
+                                  {{"title", escapedXml(run["title"] ? run["title"].text : path)},
+                                   {"style", std::string(pageFile("pages.css"))},
+                                   {"model", shown(run["model"])},
+                                   {"dynamy", shown(run["dynamy"])},
+                                   {"body", body(folder, run)}});
   const std::filesystem::path file = to.empty() ? folder.report() : std::filesystem::path(to);
   writeWholeFile(file, page);
   fmt::print("{}\n", file.string());

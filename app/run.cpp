@@ -60,7 +60,7 @@ double given(const std::string& text, const std::string& option) {
 int run(Program& program, Texts& t, const TellFiles& tell) {
   std::vector<std::filesystem::path> files;
   for (const std::string& library : program.libraries)
-    for (const auto& file : program.plugins.candidates(library, ".")) files.push_back(file);
+    for (const auto& file : program.plugins.candidates(library)) files.push_back(file);
   std::optional<Model> model;
   try {
     program.load();
@@ -99,12 +99,6 @@ int resume(Program& program, Texts& t, double until) {
   if (!found.note.empty())
     fmt::print(stderr, "dynamy: {}: goes on from the checkpoint before it, of t = {:g} s\n",
                found.note, from.t);
-  // The user's own word for a library comes before its name.
-  for (const std::string& name : from.choice.libraries) {
-    const auto same = [&](const std::string& l) { return nameOfLibrary(l) == name; };
-    if (std::none_of(program.libraries.begin(), program.libraries.end(), same))
-      program.libraries.push_back(name);
-  }
   program.load();
   if (const std::string own = buildText(); from.program != own && !t.anyBuild)
     throw FileError(t.out, "was begun by another build of dynamY (" + from.program + "; this is " +
@@ -113,7 +107,13 @@ int resume(Program& program, Texts& t, double until) {
                                "the last digits");
   RunChoice choice = from.choice;
   if (until > 0.0) choice.until = until;
-  choice.libraries = program.libraries;
+  // The libraries that the run was told of; the user's own word for one comes before its name.
+  for (const Fingerprint& library : from.choice.loaded)
+    if (std::count(choice.libraries.begin(), choice.libraries.end(), library.name) > 0)
+      program.plugins.load(library, program.registry);
+  for (const std::string& library : program.libraries)
+    if (std::count(choice.libraries.begin(), choice.libraries.end(), nameOfLibrary(library)) == 0)
+      choice.libraries.push_back(nameOfLibrary(library));
   Model model = chosenModel(program, choice);
   if (model.sourceText != from.modelText)
     throw ModelError(choice.model + " has changed since the run",
@@ -145,8 +145,7 @@ void addRun(CLI::App& app, Program& program) {
       ->type_name("SOLVER");
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->add_flag("--error-bar", t->errorBar,
               "run again with half the step, or a tenth of the tolerance, and say how far the "
               "figures of the checks and the recorded signals move");
@@ -172,9 +171,7 @@ void addResume(CLI::App& app, Program& program) {
       app.add_subcommand("resume", "go on with a run, bit for bit as if it had not been stopped");
   c->add_option("DIR", t->out, "folder of the run")->required();
   c->add_option("--until", t->until, "new end time")->type_name("TIME");
-  c->add_option("--plugin", program.libraries,
-                "shared library that the run was made with, where it is not found by its name")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->add_flag("--any-build", t->anyBuild,
               "go on with another build of dynamY than the run's: the last digits may differ");
   addShow(*c, *t);

@@ -105,15 +105,11 @@ void startThreads(Simulation& simulation, const RunShow& show) {
 }
 
 void noteSources(const Program& program, const std::vector<fs::path>& files, RunChoice& choice) {
-  choice.sources.clear(), choice.loaded.clear();
+  choice.sources.clear();
+  choice.loaded = program.plugins.fingerprints();
   std::set<fs::path> seen;
   std::error_code error;
-  for (const PluginLoader::Loaded& l : program.plugins.loaded()) {
-    seen.insert(l.file);
-    if (l.name != kStandardElements)
-      choice.loaded.push_back(
-          {nameOfLibrary(l.file.string()), fingerprintOfBytes(readWholeFile(l.file))});
-  }
+  for (const PluginLoader::Loaded& l : program.plugins.loaded()) seen.insert(l.file);
   for (const fs::path& file : files)
     if (file.extension() != ".so" && fs::is_regular_file(file, error) &&
         seen.insert(fs::canonical(file)).second)

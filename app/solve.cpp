@@ -164,8 +164,7 @@ void addSolve(CLI::App& app, Program& program) {
   c->add_option("--reactions", t->reactions, "HDF5 file for the problem with /solution/r and u")
       ->type_name("FILE");
   c->add_flag("--json", t->json, "the result as JSON");
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program, false);
   c->callback([t, &program] { solve(program, *t); });
 }
 

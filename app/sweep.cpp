@@ -11,6 +11,7 @@
 
 #include "processes.hpp"
 #include "progress.hpp"
+#include "shell_text.hpp"
 #include "sweep_emit.hpp"
 #include "sweep_page.hpp"
 #include "sweep_row.hpp"
@@ -48,13 +49,10 @@ std::string joined(const std::vector<std::string>& list) {
 }
 
 /// What the command line says.
-Sweep asked(Program& program, const Texts& t) {
+Sweep asked(const Texts& t) {
   Sweep s;
   s.choice.model = t.what, s.measures = t.measures, s.keep = t.keep;
   if (!t.until.empty()) s.choice.until = seconds(t.until, "--until");
-  for (std::string& library : program.libraries)
-    if (fs::path(library).has_parent_path()) library = fs::absolute(library).string();
-  s.choice.libraries = program.libraries;
   std::vector<Variation> all;
   for (const std::string& text : t.set) {
     const auto [name, values] = assignment(text);
@@ -95,8 +93,9 @@ void verifyCorners(Program& program, Sweep& s) {
 }
 
 SweepFolder begin(Program& program, const Texts& t) {
-  Sweep s = asked(program, t);
+  Sweep s = asked(t);
   program.load();
+  s.choice.loaded = program.plugins.fingerprints();
   const fs::path path = t.out.empty() ? defaultFolder(t.what) : fs::path(t.out);
   verifyCorners(program, s);
   if (t.restart) SweepFolder::clear(path);
@@ -118,7 +117,7 @@ int finish(const Sweep& s, const SweepFolder& folder, const Texts& t, const std:
     fmt::print(" wrote   {}/  manifest.csv results.csv sweep.html\n", folder.path().string());
     if (c.missing > 0)
       fmt::print(" {} missing: the same command, or dynamy sweep {}, goes on\n", c.missing,
-                 folder.path().string());
+                 shellWord(folder.path().string()));
   }
   return c.failed + c.missing == 0 ? kOk : kFailed;  // a check may hold for other parameters only
 }
@@ -185,7 +184,7 @@ void sweep(Program& program, const Texts& t) {
   const SweepFolder folder = folderGiven ? SweepFolder(t.what) : begin(program, t);
   const Sweep s = folder.read();
   if (!t.emit.empty()) {
-    fmt::print("{}", emit(t.emit, s, folder));
+    fmt::print("{}", emit(t.emit, program, s, folder));
   } else if (t.collect) {
     program.exitCode = finish(s, folder, t, "");
   } else {
@@ -236,8 +235,7 @@ void addSweep(CLI::App& app, Program& program) {
       ->type_name("RANGE");
   c->add_flag("--collect", t->collect, "only write results.csv and sweep.html from what is there");
   c->add_flag("--quiet", t->quiet, "print errors only");
-  c->add_option("--plugin", program.libraries, "shared library with further types")
-      ->type_name("LIBRARY");
+  addPlugins(*c, program);
   c->callback([t, &program] { sweep(program, *t); });
 }
 

@@ -5,6 +5,7 @@
 #include <dynamy/io/output_file.hpp>
 
 #include "page.hpp"
+#include "shell_text.hpp"
 
 namespace dynamy::app {
 namespace fs = std::filesystem;
@@ -13,34 +14,41 @@ namespace {
 /// Slurm's usual MaxArraySize is 1001: larger sweeps take several runs a task.
 constexpr std::size_t kMostTasks = 1000;
 
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
+/// What the user said about libraries: the scripts say it again, since nothing in a folder may.
+std::string options(const Program& program) {
+  std::string out;
+  for (const std::string& library : program.libraries) {
+    const bool path = library.find('/') != std::string::npos;
+    out += " --plugin " +
+           shellQuoted(path ? fs::absolute(library).lexically_normal().string() : library);
+  }
+  return out + (program.trust ? " --trust" : "");
 }
 
 }  // namespace
 
-std::string emit(const std::string& engine, const Sweep& sweep, const SweepFolder& folder) {
+std::string emit(const std::string& engine, const Program& program, const Sweep& sweep,
+                 const SweepFolder& folder) {
   const std::string path = fs::absolute(folder.path()).lexically_normal().string();
   const std::size_t each = (sweep.runs() + kMostTasks - 1) / kMostTasks;
   const std::string name = engine + ".sh";
-  std::string text(pageFile("sweep_" + name));
-  fill(text, "program", quoted(fs::read_symlink("/proc/self/exe").string()));
-  fill(text, "folder", quoted(path));
-  fill(text, "output", path + "/slurm-%A_%a.txt");
-  fill(text, "runs", std::to_string(sweep.runs()));
-  fill(text, "each", std::to_string(each));
-  fill(text, "tasks", std::to_string((sweep.runs() + each - 1) / each));
+  const std::string text =
+      filled(pageFile("sweep_" + name),
+             {{"program", shellQuoted(fs::read_symlink("/proc/self/exe").string())},
+              {"folder", shellQuoted(path)},
+              {"options", options(program)},
+              {"runs", std::to_string(sweep.runs())},
+              {"each", std::to_string(each)},
+              {"tasks", std::to_string((sweep.runs() + each - 1) / each)}});
   writeWholeFile(folder.path() / name, text);
   fs::permissions(folder.path() / name, fs::perms::owner_exec | fs::perms::group_exec,
                   fs::perm_options::add);
-  const std::string script = (folder.path() / name).string();
+  const std::string script = shellWord((folder.path() / name).string());
   return engine == "parallel"
              ? fmt::format(" wrote   {}\n run it: sh {}\n", script, script)
              : fmt::format(
                    " wrote   {}\n submit it: sbatch {}\n then:      dynamy sweep {} --collect\n",
-                   script, script, folder.path().string());
+                   script, script, shellWord(folder.path().string()));
 }
 
 }  // namespace dynamy::app

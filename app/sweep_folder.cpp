@@ -38,7 +38,10 @@ std::string factsText(const Sweep& s) {
   j.key("set").beginObject();
   for (const auto& [name, value] : s.choice.set) j.member(name, value);
   j.endObject();
-  texts(j, "plugins", s.choice.libraries);
+  j.key("plugins").beginArray();
+  for (const Fingerprint& m : s.choice.loaded)
+    j.beginObject().member("name", m.name).member("fingerprint", m.fingerprint).endObject();
+  j.endArray();
   texts(j, "measures", s.measures);
   j.member("keep", s.keep).key("columns").beginArray();
   for (const Column& c : s.columns)
@@ -166,7 +169,9 @@ Sweep SweepFolder::read() const {
   s.choice.integrator = f["integrator"].text, s.choice.solver = f["solver"].text;
   for (std::size_t i = 0; i < f["set"].names.size(); ++i)
     s.choice.set.emplace_back(f["set"].names[i], f["set"].items[i].text);
-  s.choice.libraries = textsOf(f["plugins"]), s.measures = textsOf(f["measures"]);
+  for (const JsonValue& p : f["plugins"].items)
+    s.choice.loaded.push_back({p["name"].text, p["fingerprint"].text});
+  s.measures = textsOf(f["measures"]);
   for (const JsonValue& c : f["columns"].items)
     s.columns.push_back({c["name"].text, c["unit"].text});
   s.plan = readTable(manifest().string());

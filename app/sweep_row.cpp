@@ -164,8 +164,9 @@ void verify(Program& program, Sweep& sweep, std::size_t id) {
 }
 
 void prepare(Program& program, const Sweep& sweep) {
-  program.libraries = sweep.choice.libraries;
   program.load();
+  for (const Fingerprint& library : sweep.choice.loaded)
+    program.plugins.load(library, program.registry);
   RunChoice choice = sweep.choiceOf(1);
   std::vector<std::filesystem::path> files;
   try {

@@ -10,6 +10,7 @@
 
 #include "program.hpp"
 #include "run_text.hpp"
+#include "shell_text.hpp"
 
 namespace dynamy::app {
 namespace {
@@ -19,18 +20,6 @@ struct ViewOptions {
   bool noBrowser = false;
 };
 
-/// Inside a shell's single quotes.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'')
-      out += "'\\''";
-    else
-      out += c;
-  }
-  return out + "'";
-}
-
 int view(const ViewOptions& options) {
   const RunFolder folder = RunFolder::existing(options.folder);
   const ReplaySize size = writeReplay(folder.path());
@@ -38,7 +27,7 @@ int view(const ViewOptions& options) {
   fmt::print("{}\n", page);
   fmt::print(stderr, "{}", thinningText(size));
   if (options.noBrowser) return kOk;
-  const std::string command = "xdg-open " + quoted(page) + " >/dev/null 2>&1";
+  const std::string command = "xdg-open " + shellQuoted(page) + " >/dev/null 2>&1";
   if (std::system(command.c_str()) != 0)
     fmt::print(stderr, "dynamy: no browser was found; open the page by hand\n");
   return kOk;

@@ -12,7 +12,8 @@ struct Library {
   PluginLoader plugins;
   Library() {
     registerFramework(registry);
-    plugins.load(kStandardElements, ".", registry);
+    plugins.howToTrust("dynamy.trust(folder)");
+    plugins.load(kStandardElements, registry);
   }
 };
 

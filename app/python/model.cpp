@@ -104,9 +104,12 @@ void bindModel(py::module_& m) {
         py::arg("children") = std::vector<Made*>{},
         "An element of a registered type; attributes as keywords, as in the model file.");
   m.def(
-      "plugin",
-      [](const std::string& file) { library().plugins.load(file, ".", library().registry); },
-      py::arg("library"), "Loads a shared library with further types.");
+      "plugin", [](const std::string& file) { library().plugins.load(file, library().registry); },
+      py::arg("library"),
+      "Loads a shared library with further types: a name, or a path with a '/'.");
+  m.def(
+      "trust", [](const std::string& folder) { library().plugins.trust(folder); },
+      py::arg("folder"), "Models in this folder, or below it, may bring libraries of their own.");
   m.def("load", &load, py::arg("file"), "The model of a file; keywords replace its parameters.");
   m.def("model", &fromText, py::arg("text"), "The model of a text in XML.");
 

@@ -34,7 +34,7 @@ struct Scene {
 
   static Model load(const std::string& file, Registry& registry, PluginLoader& plugins) {
     registerFramework(registry);
-    plugins.load(kStandardElements, ".", registry);
+    plugins.load(kStandardElements, registry);
     Model model = loadModel(file, registry, plugins);
     if (model.scheme().choosesSteps()) model.scheme(std::make_unique<MoreauMidpoint>());
     return model;

@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     Registry registry;
     PluginLoader plugins;
     registerFramework(registry);
-    plugins.load(kStandardElements, ".", registry);
+    plugins.load(kStandardElements, registry);
     run(jobOf(argc, argv), "dynamy", entriesOf(registry), std::cout);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -229,7 +229,7 @@ TEST(Motorbike, ControlsNeedAMotorbike) {
   Registry registry;
   PluginLoader plugins({std::filesystem::path(DYNAMY_BINARY_DIR) / "lib" / "dynamy"});
   registerFramework(registry);
-  plugins.load(kStandardElements, ".", registry);
+  plugins.load(kStandardElements, registry);
   try {
     loadModelText(
         "<dynamy version=\"1\"><plugin library=\"motorbike\"/><systems><PointMass name=\"m\" "

@@ -71,6 +71,7 @@ const std::map<std::string, std::string> kHeaders = {
     {"immintrin.h", ""},
     {"cxxabi.h", ""},
     {"dlfcn.h", ""},
+    {"elf.h", ""},
     {"link.h", ""},
     {"fcntl.h", ""},
     {"unistd.h", ""},

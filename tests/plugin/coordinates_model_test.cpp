@@ -11,7 +11,7 @@ std::string errorsOf(const std::string& systems, const std::string& elements = "
   Registry registry;
   PluginLoader plugins({std::filesystem::path(DYNAMY_BINARY_DIR) / "lib" / "dynamy"});
   registerFramework(registry);
-  plugins.load(kStandardElements, ".", registry);
+  plugins.load(kStandardElements, registry);
   try {
     loadModelText("<dynamy version=\"1\">\n<parameter name=\"l\" value=\"0.5\"/>\n<systems>\n" +
                       systems + "\n</systems>\n<elements>\n" + elements +

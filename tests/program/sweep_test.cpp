@@ -51,6 +51,27 @@ class Sweep : public ProgramTest {
       if (entry.path().extension() == ".csv") out.insert(entry.path().filename().string());
     return out;
   }
+  /// A command of a shell, with GNU parallel in its PATH, or what stands for it; the exit status.
+  int run(const std::string& command) const {
+    fs::create_directories(folder_ / "bin");
+    if (std::system("parallel --version > /dev/null 2>&1") != 0) {
+      // What GNU parallel does with these arguments, one after the other.
+      write("bin/parallel",
+            "#!/bin/sh\nwhile [ \"$1\" = --env ]; do shift 2; done\n[ $# -eq 1 ] || exit 9\n"
+            "while read -r id; do\n"
+            "  sh -c \"$(printf %s \"$1\" | sed \"s/{}/$id/g\")\" < /dev/null || exit 8\ndone\n");
+      fs::permissions(path("bin/parallel"), fs::perms::owner_all);
+    }
+    const std::string all = "PATH=" + quoted(path("bin")) + ":\"$PATH\" " + command + " > " +
+                            quoted(path("out")) + " 2>&1";
+    return WEXITSTATUS(std::system(all.c_str()));
+  }
+  /// One word for a shell.
+  static std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? std::string("'\"'\"'") : std::string(1, c);
+    return out + "'";
+  }
   /// Starts the program in a process group of its own and leaves it running.
   pid_t start(const std::string& arguments) const {
     const pid_t child = fork();
@@ -215,19 +236,54 @@ TEST_F(Sweep, OtherEnginesComputeTheSame) {
   EXPECT_EQ(readWholeFile(path("a/results.csv")), readWholeFile(path("b/results.csv")));
 
   ASSERT_EQ(call(sweep + "c --emit parallel"), 0) << err();
-  if (std::system("parallel --version > /dev/null 2>&1") != 0) {
-    // What GNU parallel does with these arguments, one after the other.
-    write("parallel",
-          "#!/bin/sh\n[ \"$1\" = -q ] || exit 9\nshift\nwhile read -r id; do\n"
-          "  \"$1\" \"$2\" \"$3\" \"$4\" \"$id\" < /dev/null || exit 8\ndone\n");
-    fs::permissions(path("parallel"), fs::perms::owner_all);
-  }
-  ASSERT_EQ(std::system(("PATH='" + folder_.string() + "':\"$PATH\" sh " + path("c/parallel.sh") +
-                         " > " + path("out") + " 2>&1")
-                            .c_str()),
-            0)
-      << out();
+  ASSERT_EQ(run("sh " + path("c/parallel.sh")), 0) << out();
   EXPECT_EQ(readWholeFile(path("a/results.csv")), readWholeFile(path("c/results.csv")));
+}
+
+TEST_F(Sweep, ScriptsMeanAnyNameLiterally) {
+  write("fall.xml", kFall);
+  ASSERT_EQ(call("sweep fall.xml --set v=0:1:2 --out plain --quiet"), 0) << err();
+  const std::string expected = readWholeFile(path("plain/results.csv"));
+  const std::vector<std::string> names = {
+      "with blanks",  "it's \"quoted\"",           "$HOME `touch ran` $(touch ran)",
+      "line\nend",    "x.txt\ntouch ran\n#",       "{} {.} {{runs}} {{options}}",
+      "a;touch ran&", "back\\slash %A_%a *?[a-z]", "-j 3 # < >"};
+  for (const std::string& name : names) {
+    for (const char* engine : {"slurm", "parallel"}) {
+      const fs::path folder = folder_ / engine / name;
+      fs::create_directories(folder.parent_path());
+      write("folder", folder.string() + "x");  // $(…) drops line ends at the end
+      ASSERT_EQ(call("sweep fall.xml --set v=0:1:2 --emit " + std::string(engine) +
+                     " --out \"$(f=$(cat folder); printf %s \"${f%x}\")\""),
+                0)
+          << err();
+      // The command that is shown, by bash; a job of an array has no folder of its own.
+      const std::string shown = out();
+      if (std::string(engine) == "parallel") {
+        const std::size_t at = shown.find(" run it: ");
+        ASSERT_NE(at, std::string::npos) << shown;
+        write("command", "cd /\n" + shown.substr(at + 9));
+      } else {
+        write("command",
+              "cd /\nfor SLURM_ARRAY_TASK_ID in 1 2; do export SLURM_ARRAY_TASK_ID\n"
+              "SLURM_ARRAY_JOB_ID=77 " +
+                  std::string("bash ") + quoted((folder / "slurm.sh").string()) +
+                  " || exit 1\ndone\n" DYNAMY_BINARY_DIR "/bin/dynamy sweep " +
+                  quoted(folder.string()) + " --collect\n");
+      }
+      EXPECT_EQ(run("bash " + path("command")), 0) << name << '\n' << out();
+      EXPECT_EQ(readWholeFile(folder / "results.csv"), expected) << name;
+      if (std::string(engine) == "slurm") {
+        EXPECT_TRUE(fs::exists(folder / "slurm-77_2.txt")) << name;
+        for (const std::string line = "\n" + readWholeFile(folder / "slurm.sh");
+             const char* word : {"with", "quoted", "touch"})  // none in what Slurm itself reads
+          EXPECT_EQ(line.substr(0, line.find("program=")).find(word), std::string::npos) << line;
+      }
+    }
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(folder_))
+    EXPECT_NE(entry.path().filename(), "ran") << entry.path();
+  EXPECT_FALSE(fs::exists("/ran"));
 }
 
 TEST_F(Sweep, ARunWithoutAModelHasALineToo) {

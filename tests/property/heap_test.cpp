@@ -15,7 +15,7 @@ class TextModel {
  public:
   explicit TextModel(const std::string& text) : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
     registerFramework(registry_);
-    plugins_.load(kStandardElements, ".", registry_);
+    plugins_.load(kStandardElements, registry_);
     model_ = std::make_unique<Model>(loadModelText(text, "heap.xml", registry_, plugins_));
   }
   Model& operator*() { return *model_; }

@@ -16,7 +16,7 @@ struct Text {
   std::unique_ptr<Model> model;
   explicit Text(const std::string& inside) {
     registerFramework(registry);
-    plugins.load(kStandardElements, ".", registry);
+    plugins.load(kStandardElements, registry);
     model = std::make_unique<Model>(loadModelText("<dynamy version=\"1\">" + inside + "</dynamy>",
                                                   "test.xml", registry, plugins));
   }

@@ -17,7 +17,7 @@ class LoadedModel {
   explicit LoadedModel(const std::string& file, const Overrides& set = {})
       : plugins_({std::filesystem::path(DYNAMY_BINARY_DIR) / "lib" / "dynamy"}) {
     registerFramework(registry_);
-    plugins_.load(kStandardElements, ".", registry_);
+    plugins_.load(kStandardElements, registry_);
     model_ = std::make_unique<Model>(loadModel(std::filesystem::path(DYNAMY_SOURCE_DIR) / file,
                                                registry_, plugins_, {.set = set}));
   }

@@ -124,17 +124,6 @@ Checkpoint readCheckpoint(std::string_view bytes, const std::string& file) {
   return out;
 }
 
-std::string nameOfLibrary(const std::string& library) {
-  std::string name = fs::path(library).filename().string();
-  if (name.ends_with(".so")) name.resize(name.size() - 3);
-  if (name.starts_with("lib")) name.erase(0, 3);
-  return name;
-}
-
-std::string fingerprintOfBytes(std::string_view bytes) {
-  return fmt::format("{:016x}", hashOf(bytes));
-}
-
 void writeCheckpoint(const RunFolder& folder, Checkpoint& checkpoint, bool lasting) {
   const std::string bytes = bytesOf(checkpoint);
   const fs::path last = folder.checkpoint(), older = folder.olderCheckpoint(),

@@ -12,6 +12,7 @@
 /// left, and what is used as an index is looked at (Simulation::resume).
 
 #include <dynamy/core/archive.hpp>
+#include <dynamy/io/library_file.hpp>
 #include <dynamy/io/run_recording.hpp>
 #include <string>
 #include <string_view>
@@ -19,14 +20,6 @@
 #include <vector>
 
 namespace dynamy {
-
-/// A file or library that a run was made with, known by what is in it.
-struct Fingerprint {
-  std::string name;
-  std::string fingerprint;  ///< of its bytes
-  bool operator==(const Fingerprint&) const = default;
-  void archive(Archive& a) { a(name), a(fingerprint); }
-};
 
 /// What decides the numbers of a run: what is said on the command line, and what was read.
 struct RunChoice {
@@ -61,12 +54,6 @@ std::string bytesOf(Checkpoint& checkpoint);
 /// The checkpoint in these bytes; `file` is named in messages. \throws FileError if they are none,
 /// or not whole, or of another layout
 Checkpoint readCheckpoint(std::string_view bytes, const std::string& file);
-
-/// "my_elements" of "../lib/libmy_elements.so": the name under which a library is searched.
-std::string nameOfLibrary(const std::string& library);
-
-/// 16 hexadecimal digits over the bytes.
-std::string fingerprintOfBytes(std::string_view bytes);
 
 /// Replaces the checkpoint of the folder; the one before becomes the older one. At every moment one
 /// of them is whole. `lasting`: they outlive a loss of power. \throws WriteError; the older one has

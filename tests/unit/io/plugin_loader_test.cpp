@@ -1,109 +1,13 @@
-#include <gtest/gtest.h>
-
-#include <dynamy/io/plugin_loader.hpp>
-
-#include <cstdlib>
-#include <fstream>
+#include <unit/io/compiled_library.hpp>
 
 namespace dynamy {
 namespace {
 
-namespace fs = std::filesystem;
-
-const std::vector<fs::path> kNowhere;  // no folders but the model's
-
-/// A folder of its own for one test, removed at its end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "dynamy_plugin_XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const fs::path& path() const { return path_; }
-
-  /// Compiles a library of plain C; `entry` are the fields of the plug-in's fingerprint.
-  void compile(const std::string& name, const std::string& source) const {
-    std::ofstream(path_ / "source.c") << source;
-    const std::string command = "cc -shared -fPIC -o " + (path_ / ("lib" + name + ".so")).string() +
-                                " " + (path_ / "source.c").string();
-    ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  }
-
- private:
-  fs::path path_;
-};
-
-/// Source of a plug-in in plain C that registers nothing.
-std::string source(const PluginInfo& p) {
-  const auto quoted = [](const char* t) { return '"' + std::string(t) + "\","; };
-  const auto number = [](int n) { return std::to_string(n) + ','; };
-  return "struct Info { int abi; const char* framework; int world, major, minor, align;\n"
-         "  const char *compiler, *library, *name, *version; void (*reg)(void*); };\n"
-         "static void reg(void* r) { (void)r; }\n"
-         "static const struct Info info = {" +
-         number(p.abi) + quoted(p.frameworkVersion) + number(p.eigenWorld) + number(p.eigenMajor) +
-         number(p.eigenMinor) + number(p.eigenMaxAlignBytes) + quoted(p.compiler) +
-         quoted(p.standardLibrary) +
-         "\"pendulum\", \"1.2.0\", reg};\n"
-         "const struct Info* dynamy_plugin_info(void) { return &info; }\n";
-}
-
-std::string errorOf(PluginLoader& loader, const std::string& library, const fs::path& folder) {
-  Registry registry;
-  try {
-    loader.load(library, folder, registry);
-  } catch (const ModelError& e) {
-    return e.what();
-  }
-  return {};
-}
-
-TEST(PluginMismatch, IsNoneBetweenAProgramAndItself) {
-  PluginInfo p = frameworkFingerprint();
-  p.registerElements = [](Registry&) {};
-  EXPECT_EQ(pluginMismatch(p, frameworkFingerprint()), "");
-}
-
-TEST(PluginMismatch, SaysBothSides) {
-  PluginInfo host = frameworkFingerprint();
-  host.abi = 1;
-  host.frameworkVersion = "0.1.0";
-  host.eigenWorld = 3, host.eigenMajor = 4, host.eigenMinor = 0;
-  host.eigenMaxAlignBytes = 16;
-  host.compiler = "gcc 12.2.0";
-  host.standardLibrary = "libstdc++, cxx11 abi";
-  const auto mismatch = [&](auto change) {
-    PluginInfo p = host;
-    p.registerElements = [](Registry&) {};
-    change(p);
-    return pluginMismatch(p, host);
-  };
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.abi = 2; }),
-            "built with plug-in interface 2, dynamy uses 1 — rebuild it against this dynamy");
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.frameworkVersion = "0.2.1"; }),
-            "built with dynamy 0.2.1, dynamy uses 0.1.0 — rebuild it against this dynamy");
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.frameworkVersion = "0.1.7"; }), "");
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.eigenMinor = 90; }),
-            "built with Eigen 3.4.90, dynamy uses 3.4.0 — compile both with the same Eigen");
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.eigenMaxAlignBytes = 32; }),
-            "built with Eigen alignment 32 bytes, dynamy uses 16 — compile both with the same "
-            "-march");
-  EXPECT_EQ(
-      mismatch([](PluginInfo& p) { p.standardLibrary = "libc++", p.compiler = "clang 16.0.6"; }),
-      "built with libc++ (clang 16.0.6), dynamy uses libstdc++, cxx11 abi (gcc 12.2.0) — "
-      "compile both with the same standard library");
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.compiler = "clang 16.0.6"; }), "");
-  EXPECT_EQ(mismatch([](PluginInfo& p) { p.registerElements = nullptr; }),
-            "its plug-in entry is incomplete — use the macro DYNAMY_PLUGIN");
-}
-
 TEST(PluginLoader, LoadsALibraryBesideTheModelOnce) {
-  const Folder folder;
+  const LibraryFolder folder;
   folder.compile("pendulum", source(frameworkFingerprint()));
   PluginLoader loader(kNowhere);
+  loader.trustModels();
   Registry registry;
   loader.load("pendulum", folder.path(), registry);
   loader.load("libpendulum.so", folder.path(), registry);
@@ -112,46 +16,110 @@ TEST(PluginLoader, LoadsALibraryBesideTheModelOnce) {
   EXPECT_EQ(loader.loaded()[0].version, "1.2.0");
 }
 
-TEST(PluginLoader, RefusesALibraryWithAnotherAlignment) {
-  const Folder folder;
-  PluginInfo p = frameworkFingerprint();
-  const std::string ours = std::to_string(p.eigenMaxAlignBytes);
-  p.eigenMaxAlignBytes = 64;
-  folder.compile("pendulum", source(p));
-  PluginLoader loader({folder.path()});
-  EXPECT_EQ(errorOf(loader, "pendulum", "."),
-            "error: libpendulum.so: built with Eigen alignment 64 bytes, dynamy uses " + ours +
-                " — compile both with the same -march");
-}
-
 TEST(PluginLoader, ListsThePathsTriedAndTheNearestName) {
-  const Folder folder;
+  const LibraryFolder folder;
   std::ofstream(folder.path() / "libpendulum.so") << "no library";
+  fs::create_directory(folder.library("pendulm"));
   PluginLoader loader({folder.path(), "/nowhere"});
   EXPECT_EQ(errorOf(loader, "pendulm", "models"),
             "error: no library \"pendulm\" — did you mean \"pendulum\"?\n"
             "note: looked for " +
-                (std::filesystem::current_path() / "models").string() +
-                "/libpendulm.so\nnote: looked for " + (folder.path() / "libpendulm.so").string() +
-                "\nnote: looked for /nowhere/libpendulm.so");
+                folder.library("pendulm").string() +
+                ", which is a folder\nnote: looked for /nowhere/libpendulm.so\nnote: looked for " +
+                (fs::current_path() / "models").string() + "/libpendulm.so");
 }
 
-TEST(PluginLoader, SaysThatALibraryIsNoPlugin) {
-  const Folder folder;
-  folder.compile("other", "int one(void) { return 1; }\n");
-  PluginLoader loader(kNowhere);
-  EXPECT_EQ(errorOf(loader, "other", folder.path()),
-            "error: libother.so: is no plug-in of dynamy — its source needs the line "
-            "DYNAMY_PLUGIN(name, version, registerElements)");
+TEST(PluginLoader, TakesNothingFromTheCurrentFolder) {
+  const LibraryFolder folder, elsewhere;
+  folder.compile("pendulum", source());
+  fs::copy_file(folder.library("pendulum"), folder.library(kStandardElements));
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  PluginLoader loader({elsewhere.path()});
+  Registry registry;
+  EXPECT_EQ(saidBy([&] { loader.load(kStandardElements, registry); }),
+            "error: no library \"dynamy_elements\" — install dynamY again: its own elements are "
+            "missing\nnote: looked for " +
+                elsewhere.library(kStandardElements).string());
+  for (const char* name : {"pendulum", "libpendulum.so"})
+    EXPECT_EQ(saidBy([&] { loader.load(name, registry); }),
+              "error: no library \"" + std::string(name) +
+                  "\" — the one in the current folder is ./libpendulum.so\nnote: looked for " +
+                  elsewhere.library("pendulum").string());
+  EXPECT_NE(saidBy([&] { loader.load("pendulum", ".", registry); }), "");
+  EXPECT_TRUE(loader.loaded().empty());
+  loader.load("./libpendulum.so", registry);  // the user's own words
+  EXPECT_EQ(loader.loaded().size(), 1u);
+  fs::current_path(before);
 }
 
-TEST(PluginLoader, SaysWhyAFileCannotBeLoaded) {
-  const Folder folder;
-  std::ofstream(folder.path() / "libbroken.so") << "no library";
-  PluginLoader loader(kNowhere);
-  const std::string error = errorOf(loader, "broken", folder.path());
-  EXPECT_TRUE(error.starts_with("error: libbroken.so: cannot be loaded: ")) << error;
-  EXPECT_TRUE(error.ends_with(" — was it built against dynamy " + versionString() + "?")) << error;
+TEST(PluginLoader, PrefersTheInstalledLibraryToTheModels) {
+  const LibraryFolder model, installed;
+  model.compile("pendulum", source());
+  fs::copy_file(model.library("pendulum"), installed.library("pendulum"));
+  PluginLoader loader({installed.path()});
+  loader.trustModels();
+  EXPECT_EQ(errorOf(loader, "pendulum", model.path()), "");
+  ASSERT_EQ(loader.loaded().size(), 1u);
+  EXPECT_EQ(loader.loaded()[0].file, fs::canonical(installed.library("pendulum")));
+  // A path of a model does not climb out of the installed folder.
+  PluginLoader climber({installed.path() / "lib"});
+  EXPECT_NE(errorOf(climber, "../" + installed.library("pendulum").filename().string(), "/nowhere"),
+            "");
+}
+
+TEST(PluginLoader, TakesWhatTheUserNamedForTheModelsLibraryOfThatName) {
+  const LibraryFolder own, installed;
+  own.compile("pendulum", source());
+  fs::copy_file(own.library("pendulum"), installed.library("pendulum"));
+  PluginLoader loader({installed.path()});
+  Registry registry;
+  loader.load(own.library("pendulum").string(), registry);
+  loader.load("pendulum", "/nowhere", registry);
+  ASSERT_EQ(loader.loaded().size(), 1u);
+  EXPECT_EQ(loader.loaded()[0].file, fs::canonical(own.library("pendulum")));
+}
+
+TEST(PluginLoader, FindsTheLibraryOfAFileOfResultsByNameAndContent) {
+  const LibraryFolder first, second, third;
+  first.compile("pendulum", source());
+  PluginInfo other = frameworkFingerprint();
+  second.compile("pendulum", source(other) + "int more(void) { return 3; }\n");
+  const std::string one = fingerprintOf(first.library("pendulum"));
+  const std::string two = fingerprintOf(second.library("pendulum"));
+  EXPECT_EQ(one.size(), 16u);
+  EXPECT_NE(one, two);
+  {
+    PluginLoader loader({first.path(), second.path()});
+    Registry registry;
+    loader.load(Fingerprint{"pendulum", two}, registry);
+    ASSERT_EQ(loader.loaded().size(), 1u);
+    EXPECT_EQ(loader.loaded()[0].file, fs::canonical(second.library("pendulum")));
+    ASSERT_EQ(loader.fingerprints().size(), 1u);
+    EXPECT_EQ(loader.fingerprints()[0].fingerprint, two);
+  }
+  Registry registry;
+  const std::string advice = " — name it: --plugin PATH, or put its folder into DYNAMY_PLUGIN_PATH";
+  PluginLoader changed({first.path()});
+  EXPECT_EQ(saidBy([&] {
+              changed.load(Fingerprint{"pendulum", two}, registry);
+            }),
+            "error: the library \"pendulum\" that was used had the fingerprint " + two +
+                "; there is only " + first.library("pendulum").string() + " (" + one + ")" +
+                advice);
+  PluginLoader empty({third.path()});
+  const std::string missing = "that was used is in none of your folders" + advice;
+  EXPECT_EQ(saidBy([&] {
+              empty.load(Fingerprint{"pendulum", two}, registry);
+            }),
+            "error: the library \"pendulum\" " + missing);
+  // A path in such a file leads nowhere.
+  const std::string path = first.library("pendulum").string();
+  EXPECT_EQ(saidBy([&] {
+              empty.load(Fingerprint{path, one}, registry);
+            }),
+            "error: the library \"" + path + "\" " + missing);
+  EXPECT_TRUE(empty.loaded().empty());
 }
 
 struct Dummy final : Element {
