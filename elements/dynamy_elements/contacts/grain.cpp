@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy_elements/contacts/grain.hpp>
 
 namespace dynamy {
@@ -9,7 +10,6 @@ namespace {
 /// Sine of the angle between grain and normal below which there is no direction.
 constexpr double kOnEnd = 1e-6;
 constexpr int kPlanarRows = 2;
-constexpr std::size_t kMostRows = 8;
 
 }  // namespace
 

@@ -1,15 +1,10 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/joints/joint.hpp>
 
 namespace dynamy {
-
-namespace {
-
-constexpr int kMostRows = 8;
-
-}  // namespace
 
 // ---- declaration -------------------------------------------------------------------------------
 

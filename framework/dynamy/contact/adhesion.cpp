@@ -1,15 +1,10 @@
 #include <algorithm>
 #include <dynamy/contact/adhesion.hpp>
 #include <dynamy/contact/convex_sets.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 
 namespace dynamy {
-namespace {
-
-constexpr int kMaxRows = 3;
-
-}  // namespace
-
 void UnilateralAdhesion::declare(Attributes& a) {
   a.about(
       "Contact that also pulls, up to a given force: C_N = [-force Δt, ∞), friction |Λ_T| ≤ mu "
@@ -42,7 +37,7 @@ void UnilateralAdhesion::prox(const LawInput& in, const double* r, const double*
 
 bool UnilateralAdhesion::proxDerivative(const LawInput& in, double rho, const double* xi,
                                         const double* Lambda, double* A, double* B) const {
-  double shifted[kMaxRows] = {};
+  double shifted[kMostRows] = {};
   std::copy_n(Lambda, in.dim, shifted);
   shifted[0] += pull(in);
   return contact_.proxDerivative(in, rho, xi, shifted, A, B);
@@ -54,7 +49,7 @@ SimpleSet UnilateralAdhesion::simpleSet(const LawInput& in) const {
 }
 
 Status UnilateralAdhesion::status(const LawInput& in, const double* argument) const {
-  double shifted[kMaxRows] = {};
+  double shifted[kMostRows] = {};
   std::copy_n(argument, in.dim, shifted);
   const double a = pull(in);
   shifted[0] += a;

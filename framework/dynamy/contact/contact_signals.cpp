@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -49,7 +50,7 @@ double statusNumber(const SignalView& v, const ContactNumbers& id) {
   if (i < 0) return static_cast<double>(Status::open);
   const auto at = static_cast<std::size_t>(i);
   const int first = v.contacts->row0[at], dim = v.contacts->dim(i);
-  double argument[8] = {};
+  double argument[kMostRows] = {};
   constexpr double kSmall = 1e-6;
   double size = 0.0, speed = 0.0;
   for (int r = 0; r < dim && r < 8; ++r) {

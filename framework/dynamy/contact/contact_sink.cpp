@@ -1,13 +1,30 @@
 #include <algorithm>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/rolling_contact.hpp>
+#include <dynamy/core/error.hpp>
 
 namespace dynamy {
+namespace {
+
+/// Before anybody writes rows that are not there; asked of open contacts too, so that a model says
+/// it at once and not when it first touches.
+[[noreturn]] void wrongRows(const SetValuedForceLaw& law, std::uint64_t id, int dim) {
+  throw ModelError("its contact " + std::to_string(id) + " has " + std::to_string(dim) +
+                       " rows by the law " +
+                       (law.type().empty() ? "it has" : '<' + law.type() + '>') +
+                       "; a contact has 1 to " + std::to_string(kMostRows),
+                   "report the rows as several contacts");
+}
+
+}  // namespace
 
 ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw& law,
                              int geometric) {
   ContactSet& c = *set_;
   const ContactKey key = contactKey(element_, id);
   const bool unilateral = law.unilateral();
+  const int dim = law.dim(geometric);
+  if (dim < 1 || dim > kMostRows) wrongRows(law, id, dim);
   const bool closed = request_.refresh
                           ? std::binary_search(request_.frozen.begin(), request_.frozen.end(), key)
                           : !unilateral || g <= request_.gTol;
@@ -16,7 +33,7 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.candidateElement.push_back(element_);
   c.closedIndex.push_back(closed ? c.size() : -1);
   if (!closed) return {};
-  const int index = c.size(), dim = law.dim(geometric);
+  const int index = c.size();
   const auto row = c.chi.size(), rows = row + static_cast<std::size_t>(dim);
   c.key.push_back(key);
   c.law.push_back(&law);

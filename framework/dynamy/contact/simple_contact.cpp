@@ -1,9 +1,16 @@
+#include <algorithm>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/simple_contact.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/parameters.hpp>
 
 namespace dynamy {
+namespace {
+
+constexpr int kMostVelocities = 64;  ///< and coordinates of the one system
+
+}  // namespace
 
 void SimpleContact::declareCommon(Attributes& a) {
   a.reference("on", "system", "the system whose q and u the contact reads");
@@ -22,17 +29,23 @@ void SimpleContact::connect(Topology& topology) {
   if (system_.blocks > 1)
     throw ModelError("a simple contact acts on a system of one block",
                      "write a NonSmoothElement for populations");
+  if (rows() < 1 || rows() > kMostRows)
+    throw ModelError("a simple contact has 1 to " + std::to_string(kMostRows) + " rows, not " +
+                         std::to_string(rows()),
+                     "report the rows as several contacts");
+  if (system_.nu > kMostVelocities || system_.nq > kMostVelocities)
+    throw ModelError("a simple contact acts on a system of at most " +
+                         std::to_string(kMostVelocities) + " coordinates",
+                     "write a NonSmoothElement");
 }
 
 void SimpleContact::contacts(const Kinematics& k, ContactSink& sink) const {
-  constexpr int kMaxRows = 6, kMaxNu = 64;
   const ConstVec q = k.q(system_);
   auto out = sink.add(0, g(k.t(), q), *law_, rows());
   if (!out) return;
   // γ is affine in u: χ = γ(t, q, 0), column j of W = γ(t, q, e_j) − χ.
   const int n = system_.nu, dim = out.dim(), all = rows();
-  expects(n <= kMaxNu && all <= kMaxRows, "a simple contact has at most 64 velocities and 6 rows");
-  double e[kMaxNu] = {}, value[kMaxRows], chi[kMaxRows];
+  double e[kMostVelocities] = {}, value[kMostRows], chi[kMostRows];
   gamma(k.t(), q, {e, n}, {chi, all});
   Block W = out.segment(system_.block0, system_.u0, n);
   for (int j = 0; j < n; ++j) {
@@ -50,16 +63,17 @@ void SimpleContact::contacts(const Kinematics& k, ContactSink& sink) const {
 void SimpleContact::addBias(const Kinematics& k, ContactRows& out, int dim) const {
   // d/ds γ(t+s, q + s u, u) with u fixed, by the 4-point difference; any curve with the right
   // tangent will do. Systems whose positions are not moved by q̇ = u override bias().
-  double w[6] = {};
+  double w[kMostRows] = {};
   if (!bias(k, {w, rows()})) {
-    constexpr int kMaxNu = 64;
     const ConstVec q = k.q(system_), u = k.u(system_);
     const double d = 1e-3 / (1.0 + u.lpNorm<Eigen::Infinity>());
     const double weight[4] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0},
                  at[4] = {-2.0, -1.0, 1.0, 2.0};
-    double moved[kMaxNu], value[6];
+    double moved[kMostVelocities], value[kMostRows];
+    const int both = std::min(system_.nq, system_.nu);
+    std::copy(q.data(), q.data() + system_.nq, moved);
     for (int p = 0; p < 4; ++p) {
-      for (int j = 0; j < system_.nq; ++j) moved[j] = q[j] + at[p] * d * u[j];
+      for (int j = 0; j < both; ++j) moved[j] = q[j] + at[p] * d * u[j];
       gamma(k.t() + at[p] * d, {moved, system_.nq}, u, {value, rows()});
       for (int r = 0; r < dim; ++r) w[r] += weight[p] * value[r] / d;
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/condensed_contacts.hpp>
 #include <dynamy/integrator/contact_subset.hpp>
 #include <limits>
@@ -76,7 +77,7 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, doubl
 double CondensedContacts::aim(int i, double gTol) const {
   const auto at = static_cast<std::size_t>(i);
   const auto first = static_cast<std::size_t>(contacts_.row0[at]);
-  double epsilon[8] = {};
+  double epsilon[kMostRows] = {};
   problem_.law(i).epsilon(problem_.dim(i), epsilon);
   const double position = contacts_.position[first], g = position > gTol ? position : 0.0;
   const double begin = problem_.gammaA[first];

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/discrete_state.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxRows = 8;
 constexpr double kHalfKey = 4294967296.0;   ///< 2³², above both halves of a key
 constexpr double kMostValue = 3.0 * 256.0;  ///< above three values a status
 
@@ -29,8 +29,8 @@ void DiscreteState::read(const MechanicalSystem& s, const State& x) {
   for (int i = 0; i < c.size(); ++i) {
     const SetValuedForceLaw& law = p.law(i);
     const int dim = p.dim(i), first = p.row0(i);
-    if (dim == 0 || dim > kMaxRows) continue;
-    std::array<double, kMaxRows> epsilon{}, Lambda{}, argument{};
+    if (dim == 0 || dim > kMostRows) continue;
+    std::array<double, kMostRows> epsilon{}, Lambda{}, argument{};
     law.epsilon(dim, epsilon.data());
     const double r = 1.0 / contactLambda(p.G->diagonalBlock(i), dim);
     for (int k = 0; k < dim; ++k) {

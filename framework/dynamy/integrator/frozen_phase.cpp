@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/frozen_phase.hpp>
 
 namespace dynamy {
@@ -41,7 +42,7 @@ namespace {
 
 /// Coefficient of the disc that row `row` of a law of discs belongs to.
 double discSize(const NormalTimesReservoir& law, int dim, int row) {
-  double axis[Held::kMostRows] = {};
+  double axis[kMostRows] = {};
   axis[row - 1] = 1.0;
   return law.support({.dim = dim, .dt = 1.0}, dim - 1, axis);
 }
@@ -52,7 +53,7 @@ void FrozenPhase::parts(const SetValuedForceLaw& law, int dim,
                         std::vector<std::array<int, 2>>& out) {
   out.clear();
   const NormalTimesReservoir* discs = law.discs();
-  if (discs == nullptr || dim < 2 || dim > Held::kMostRows) {
+  if (discs == nullptr || dim < 2 || dim > kMostRows) {
     out.push_back({0, dim});
     return;
   }
@@ -66,7 +67,7 @@ void FrozenPhase::parts(const SetValuedForceLaw& law, int dim,
 
 bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out, int first) {
   if (const NormalTimesReservoir* discs = law.discs(); discs != nullptr && in.dim > 1) {
-    if (in.dim > Held::kMostRows) return false;
+    if (in.dim > kMostRows) return false;
     out.upper = discSize(*discs, in.dim, std::max(first, 1));
     out.form = first > 0 ? Form::disc : out.upper > 0.0 ? Form::cone : Form::normal;
     return true;
@@ -98,10 +99,10 @@ bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bound
   // A reservoir: its widths along the rows are S_B(e_r).
   out.set = law.reservoir();
   const int dim = in.dim;
-  if (out.set == nullptr || dim < 2 || dim > Held::kMostRows) return false;
+  if (out.set == nullptr || dim < 2 || dim > kMostRows) return false;
   out.form = Form::reservoir, out.upper = 0.0;
   for (int r = 0; r < dim - 1; ++r) {
-    double axis[Held::kMostRows] = {};
+    double axis[kMostRows] = {};
     axis[r] = 1.0;
     out.weight[static_cast<std::size_t>(r)] = out.set->support(in, dim - 1, axis);
     // Lengths alone are forces over Λ_N; a spin row comes last.
@@ -198,7 +199,7 @@ void FrozenPhase::columns(std::size_t i) {
   const bool decided = k > 1 && (h.starts || !(speed > Held::kLeastSlip));
   const double* t = decided ? h.direction.data() : k > 1 ? gamma_.data() + tangent : &h.sign;
   if (form_[i] == Form::reservoir) {
-    double force[Held::kMostRows];
+    double force[kMostRows];
     bounds_[i].set->support({dim(i), 1.0, gamma_.data() + first, nullptr}, k, t, force);
     for (int r = 0; r < k; ++r) P_(tangent + r, normal_) = -force[r];
     return;
@@ -216,8 +217,8 @@ void FrozenPhase::columns(std::size_t i) {
 bool FrozenPhase::shapes(const Evaluation& e) {
   for (std::size_t i = 0; i < held.size(); ++i) {
     const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
-    double slip[Held::kMostRows] = {};
-    const bool fits = dim(i) <= Held::kMostRows;
+    double slip[kMostRows] = {};
+    const bool fits = dim(i) <= kMostRows;
     for (int r = 0; fits && r < dim(i); ++r) slip[r] = gamma_[row0_[i] + r];
     const LawInput in = e.contacts.input(index_[i], 1.0, nullptr);
     const bool whole = held[i].rows == 0 && law.discs() != nullptr && dim(i) > 1;
@@ -335,7 +336,7 @@ double FrozenPhase::turnStarting() {
     Held& h = held[i];
     const int first = slip0(i), k = slipRows(i);
     if (!h.starts || k < 2) continue;
-    double r[Held::kMostRows], z[Held::kMostRows], y[Held::kMostRows];
+    double r[kMostRows], z[kMostRows], y[kMostRows];
     double G = 0.0;
     for (int n = 0; n < k; ++n) {
       r[n] = 1.0 / W_.col(first + n).dot(MInvW_.col(first + n));

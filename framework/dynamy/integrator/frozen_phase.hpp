@@ -17,6 +17,7 @@
 #pragma once
 #include <Eigen/QR>
 #include <array>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
 
 namespace dynamy {
@@ -31,7 +32,6 @@ struct HeldKey {
 /// One contact with its status, or a part of one: the first has the normal and sliding, those that
 /// follow roll or spin.
 struct Held {
-  static constexpr int kMostRows = 8;
   /// A slip slower than this has the direction that was decided [m/s]. Friction that depends on the
   /// slip is off by its slope times this.
   static constexpr double kLeastSlip = 1e-12;
@@ -125,7 +125,7 @@ class FrozenPhase {
     double lower = 0.0, upper = 0.0;
     bool idle() const { return form == Form::given && !(upper > lower); }
     const NormalTimesReservoir* set = nullptr;  ///< of a reservoir
-    std::array<double, Held::kMostRows - 1> weight{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    std::array<double, kMostRows - 1> weight{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   };
   /// `first`: of the part of a law of discs.
   static bool bounds(const SetValuedForceLaw& law, const LawInput& in, Bounds& out, int first = 0);

@@ -1,6 +1,7 @@
 // FrozenPhase: how far forces are from their bounds, and corrections of positions and velocities.
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/frozen_phase.hpp>
 
 namespace dynamy {
@@ -77,9 +78,9 @@ double FrozenPhase::gauge(std::size_t i, const double* x) const {
   const int k = slipRows(i);
   const Bounds& b = bounds_[i];
   const LawInput in{.dim = k + 1, .dt = 1.0, .gammaA = gamma_.data() + row0_[i]};
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, Held::kMostRows - 1,
-                               Held::kMostRows - 1>;
-  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Held::kMostRows - 1, 1>;
+  using Square =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows - 1, kMostRows - 1>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows - 1, 1>;
   Column y(k), g(k), step(k), trial(k);
   Square H(k, k);
   const ConstVec asked(x, k);

@@ -1,6 +1,7 @@
 // LocatedDormandPrince: what it keeps from step to step, and what it tells of a step.
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/located_dormand_prince.hpp>
 
 namespace dynamy {
@@ -12,8 +13,8 @@ namespace {
 /// element, number, slip, sign, end of muting, whether the slip starts, what it has turned, weight,
 /// first row and rows, direction, λ; the elements without a bias; where the Jacobian of implicit
 /// steps was taken; the number of these.
-constexpr int kDirection = Held::kMostRows - 1;
-constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + Held::kMostRows;
+constexpr int kDirection = kMostRows - 1;
+constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + kMostRows;
 constexpr int kStepped = 3;  ///< numbers in front of what is stepped in time
 constexpr double kHalfKey = 4294967296.0, kMostNumber = 1099511627776.0;  ///< 2³², 2⁴⁰
 
@@ -113,7 +114,7 @@ bool LocatedDormandPrince::knows(const MechanicalSystem& s, const Eigen::VectorX
   if (place < untold || (placed != 0 && placed != 1 + 2 * (nq + nu))) return false;
   for (Eigen::Index i = front; i < untold; i += kPerHeld)
     if (!isCount(kept[i], elements) || !isCount(kept[i + 1], kMostNumber) ||
-        !isCount(kept[i + 8], Held::kMostRows) || !isCount(kept[i + 9], Held::kMostRows + 1))
+        !isCount(kept[i + 8], kMostRows) || !isCount(kept[i + 9], kMostRows + 1))
       return false;
   for (Eigen::Index i = untold; i < place; ++i)
     if (!isCount(kept[i], elements)) return false;

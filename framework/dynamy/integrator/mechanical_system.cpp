@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/element_fault.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
 #include <limits>
@@ -173,7 +174,6 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
 
 void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
   const ContactSet& c = *problem_.contacts;
-  constexpr int kMaxDim = 8;
   arriving_.clear();
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -184,7 +184,7 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
       if (g <= aim.dead) continue;
       // One that is to rebound, and any impact, waits until it is closed: done in two parts, each
       // with its own slip, an impact with friction would depend on where in the step it falls.
-      double epsilon[kMaxDim] = {};
+      double epsilon[kMostRows] = {};
       law.epsilon(c.dim(i), epsilon);
       const bool impact = (epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0) ||
                           -problem_.gammaA[first] > kImpact * changeByForces(i);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/one_step.hpp>
 
 namespace dynamy {
@@ -20,7 +21,6 @@ StepReport OneStep::advance(MechanicalSystem& s, InclusionSolver& solver, State&
 }
 
 std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s) const {
-  constexpr int kMaxDim = 8;
   if (!s.impactLaw().newtons() && !lacks(Asked::impactLaw).empty()) return lacks(Asked::impactLaw);
   // An impact: a contact that did not press before closes faster than forces explain.
   const InclusionProblem& p = s.problem();
@@ -30,7 +30,7 @@ std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s) const {
     const double closing = -p.gammaA[first];
     if (closing <= 2.0 * std::abs(p.gammaFree[first] + closing)) continue;
     if (s.pressedBefore(i)) continue;
-    double epsilon[kMaxDim] = {};
+    double epsilon[kMostRows] = {};
     p.law(i).epsilon(p.dim(i), epsilon);
     if (epsilon[0] > 0.0 && !lacks(Asked::rebound).empty()) return lacks(Asked::rebound);
     if (p.dim(i) > 1 && !lacks(Asked::frictionAtImpact).empty())

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/paoli_schatzman.hpp>
 
 namespace dynamy {
@@ -46,7 +47,6 @@ std::string_view PaoliSchatzman::lacks(Asked what) const {
 
 void PaoliSchatzman::gapsBefore(MechanicalSystem& s, const InclusionProblem& problem,
                                 const State& x, double dt) {
-  constexpr int kMaxDim = 8;
   const ContactSet& c = *problem.contacts;
   offset_.assign(static_cast<std::size_t>(problem.rows()), 0.0);
   before_ = x;
@@ -58,7 +58,7 @@ void PaoliSchatzman::gapsBefore(MechanicalSystem& s, const InclusionProblem& pro
   s.thaw();
   for (int i = 0; i < c.size(); ++i) {
     if (!problem.law(i).unilateral()) continue;
-    double epsilon[kMaxDim] = {};
+    double epsilon[kMostRows] = {};
     problem.law(i).epsilon(problem.dim(i), epsilon);
     for (int j = 0; j < before.size() && epsilon[0] > 0.0; ++j)
       if (before.key[static_cast<std::size_t>(j)] == c.key[static_cast<std::size_t>(i)])

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/contact_subset.hpp>
 #include <dynamy/integrator/projection.hpp>
 #include <limits>
@@ -30,7 +31,7 @@ double carried(const KeyIndex& index, const RememberedImpulses& impulses, Contac
 bool rests(const ContactSet& c, int i) {
   const SetValuedForceLaw& law = *c.law[static_cast<std::size_t>(i)];
   if (!law.unilateral()) return false;
-  double epsilon[8] = {};
+  double epsilon[kMostRows] = {};
   law.epsilon(c.dim(i), epsilon);
   return epsilon[0] == 0.0;
 }

@@ -1,6 +1,7 @@
 // SwitchEvent: the decision of the status that begins at a switch.               (theory 50.4)
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/switch_event.hpp>
 
 namespace dynamy {
@@ -48,7 +49,7 @@ double SwitchEvent::speedOf(const InclusionProblem& p, const Block& b,
   FrozenPhase::Bounds bounds;  // weights are 1 where it has none
   const int dim = p.dim(b.contact);
   FrozenPhase::bounds(p.law(b.contact), {.dim = dim, .dt = 1.0}, bounds, b.first);
-  return slipSpeed(bounds, std::min(b.slipRows, Held::kMostRows - 1), gamma.data() + b.slip);
+  return slipSpeed(bounds, std::min(b.slipRows, kMostRows - 1), gamma.data() + b.slip);
 }
 
 void SwitchEvent::findBlocks(const InclusionProblem& p) {
@@ -155,7 +156,7 @@ Held SwitchEvent::status(const InclusionProblem& p, ConstVec Lambda, const Block
   const SetValuedForceLaw& law = p.law(b.contact);
   Held h;
   h.key = p.contacts->key[static_cast<std::size_t>(b.contact)], h.first = b.first, h.rows = b.rows;
-  for (int k = 0; k < b.rows && k < Held::kMostRows; ++k)
+  for (int k = 0; k < b.rows && k < kMostRows; ++k)
     h.lambda[static_cast<std::size_t>(k)] = Lambda[b.row + k] / lookAhead;
   if (law.rowKind(0) == RowKind::normal && p.dim(b.contact) > 1)
     h.weight = Lambda[p.row0(b.contact)] / lookAhead;
@@ -170,7 +171,7 @@ Held SwitchEvent::status(const InclusionProblem& p, ConstVec Lambda, const Block
   h.sign = slip[b.slip] < 0.0 ? -1.0 : 1.0;
   if (b.slipRows == 1) return h;
   const double length = speedOf(p, b, slip);
-  for (int k = 0; length > 0.0 && k < b.slipRows && k < Held::kMostRows - 1; ++k)
+  for (int k = 0; length > 0.0 && k < b.slipRows && k < kMostRows - 1; ++k)
     h.direction[static_cast<std::size_t>(k)] = slip[b.slip + k] / length;
   // A slip that goes on starting keeps what it has turned; an impact is none's beginning.
   const bool goesOn = before != nullptr && before->starts && percussions_.empty();

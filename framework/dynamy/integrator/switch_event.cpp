@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/switch_event.hpp>
 
 namespace dynamy {
@@ -205,11 +206,8 @@ void SwitchEvent::notePercussions(const MechanicalSystem& s) {
   const ContactSet& c = s.slot(0).contacts;
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    Percussion p{c.key[at],
-                 std::min(c.dim(i), Held::kMostRows),
-                 {},
-                 {},
-                 c.law[at]->rowKind(0) == RowKind::normal};
+    Percussion p{
+        c.key[at], std::min(c.dim(i), kMostRows), {}, {}, c.law[at]->rowKind(0) == RowKind::normal};
     for (int k = 0; k < p.dim; ++k) {
       const int row = c.row0[at] + k;
       const double Lambda = s.Lambda(row), work = 0.5 * Lambda * (gammaBefore_[row] + gamma_[row]);

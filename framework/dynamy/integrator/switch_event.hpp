@@ -12,6 +12,7 @@
 /// force lies on the bound. It needs no enumeration and works for redundant contacts, since it is
 /// an inclusion like any other.
 #pragma once
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/integrator/contact_probe.hpp>
 #include <dynamy/integrator/smooth_step.hpp>
@@ -53,7 +54,7 @@ class WithoutRebound final : public SetValuedForceLaw {
 struct Percussion {
   ContactKey key;
   int dim = 0;
-  std::array<double, Held::kMostRows> Lambda{}, gammaMinus{};
+  std::array<double, kMostRows> Lambda{}, gammaMinus{};
   bool unilateral = false;
 };
 

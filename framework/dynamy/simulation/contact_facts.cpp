@@ -2,12 +2,12 @@
 #include <array>
 #include <cmath>
 #include <dynamy/contact/contact_name.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxRows = 8;
 std::string elementText(const Element& e) {
   std::string text = e.type().empty() ? "" : "<" + e.type();
   if (!e.name().empty())
@@ -25,13 +25,13 @@ Status contactStatus(const StepView& view, int contact) {
   const auto at = static_cast<std::size_t>(contact);
   const int first = c.row0[at], dim = c.dim(contact);
   const std::vector<double>& gammaA = view.system.problem().gammaA;
-  if (dim > kMaxRows || gammaA.size() != static_cast<std::size_t>(c.rows()) ||
+  if (dim > kMostRows || gammaA.size() != static_cast<std::size_t>(c.rows()) ||
       view.Lambda.size() != c.rows())
     return Status::open;
   // Schemes that aim at the gap look at contacts before they are reached.
   const bool away = c.position[static_cast<std::size_t>(first)] > view.system.gTol();
   if (c.law[at]->unilateral() && away && !(view.Lambda[first] > 0.0)) return Status::open;
-  std::array<double, kMaxRows> epsilon{}, argument{};
+  std::array<double, kMostRows> epsilon{}, argument{};
   c.law[at]->epsilon(dim, epsilon.data());
   for (int r = 0; r < dim; ++r) {
     const auto k = static_cast<std::size_t>(r), row = static_cast<std::size_t>(first + r);
@@ -49,9 +49,9 @@ double frictionLimit(const StepView& view, int contact) {
   const auto at = static_cast<std::size_t>(contact);
   const int dim = c.dim(contact);
   const double N = view.Lambda[c.row0[at]];
-  if (dim < 2 || dim > kMaxRows || !(N > 0.0) || c.law[at]->rowKind(0) != RowKind::normal)
+  if (dim < 2 || dim > kMostRows || !(N > 0.0) || c.law[at]->rowKind(0) != RowKind::normal)
     return 0.0;
-  std::array<double, kMaxRows> r{}, xi{}, Lambda{};
+  std::array<double, kMostRows> r{}, xi{}, Lambda{};
   r.fill(1.0);
   Lambda[0] = N, Lambda[1] = 100.0 * N;
   const double* gammaA = view.gammaE.data() + c.row0[at];

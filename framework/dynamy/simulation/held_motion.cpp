@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/held_motion.hpp>
 
@@ -16,7 +17,7 @@ bool begins(const ContactSet& c, int i, const double* gamma, double still, Held&
   FrozenPhase::Bounds bounds;
   LawInput in = c.input(i, 1.0, nullptr);
   in.gammaA = gamma;
-  if (in.dim > Held::kMostRows || !FrozenPhase::bounds(law, in, bounds))
+  if (in.dim > kMostRows || !FrozenPhase::bounds(law, in, bounds))
     return true;  // accelerate() tells why not
   if (law.unilateral() && gamma[0] > still) return false;
   if (bounds.form == FrozenPhase::Form::notch) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/contact_compliance.hpp>
 #include <dynamy/solver/held_states.hpp>
 #include <limits>
@@ -6,7 +7,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 /// a in units of λ_i. A substitution leaves about a/κ of the residual, with κ = λ_min/λ_max of G.
 constexpr double kShift = 1e-9;
 constexpr int kSubstitutions = 4;
@@ -20,7 +20,7 @@ bool HeldStates::states(const InclusionProblem& p, const double* xi, ConstVec La
   for (int i = 0; i < p.size(); ++i) {
     const int dim = p.dim(i), first = p.row0(i);
     const double lambda = contactLambda(p.G->diagonalBlock(i), dim);
-    double A[kMaxDim * kMaxDim], B[kMaxDim * kMaxDim];
+    double A[kMostRows * kMostRows], B[kMostRows * kMostRows];
     if (!(lambda > 0.0) ||
         !p.law(i).proxDerivative(p.input(i), 1.0 / lambda, xi + first, Lambda.data() + first, A, B))
       return false;

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/impact_law.hpp>
 
 namespace dynamy {
 namespace {
-constexpr int kMaxDim = 8;
 
 /// Is γ^A of row k more than rounding?
 bool beyondNoise(const InclusionProblem& problem, std::size_t k) {
@@ -32,13 +32,13 @@ SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver,
 
 void poseRestitution(InclusionProblem& problem, const std::vector<double>& factor) {
   const SetValuedForceLaw* last = nullptr;
-  double epsilon[kMaxDim] = {};
+  double epsilon[kMostRows] = {};
   int rows = 0;
   for (int i = 0; i < problem.size(); ++i) {
     const int dim = problem.dim(i), first = problem.row0(i);
     if (&problem.law(i) != last || dim != rows) {  // most neighbours share one
       last = &problem.law(i), rows = dim;
-      std::fill(epsilon, epsilon + kMaxDim, 0.0);
+      std::fill(epsilon, epsilon + kMostRows, 0.0);
       last->epsilon(dim, epsilon);
     }
     const double f = factor[static_cast<std::size_t>(i)];
@@ -64,7 +64,7 @@ bool rebounds(const InclusionProblem& problem) {
   for (int i = 0; i < problem.size(); ++i) {
     const int dim = problem.dim(i), first = problem.row0(i);
     if (&problem.law(i) == without && dim == rows) continue;
-    double epsilon[kMaxDim] = {};
+    double epsilon[kMostRows] = {};
     problem.law(i).epsilon(dim, epsilon);
     if (std::all_of(epsilon, epsilon + dim, [](double e) { return e == 0.0; })) {
       without = &problem.law(i), rows = dim;

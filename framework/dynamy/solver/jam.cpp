@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/jam.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr int kMaxSteps = 20000;
 constexpr double kSame = 1e-11;  ///< the two projections agree, of the start's length
 constexpr double kEmpty = 1e-3;  ///< below this part of the start the limit counts as zero
@@ -16,7 +16,7 @@ double projectTangential(const DenseProblem& dense, int contact, double N, const
                          double* x) {
   const InclusionProblem& p = dense.problem();
   const int dim = p.dim(contact);
-  double r[kMaxDim], zero[kMaxDim] = {};
+  double r[kMostRows], zero[kMostRows] = {};
   std::fill(r, r + dim, 1.0);
   std::copy(z, z + dim, x);
   x[0] = N;
@@ -31,9 +31,9 @@ double projectTangential(const DenseProblem& dense, int contact, double N, const
 void projectOnCone(const DenseProblem& dense, int contact, double* z) {
   const InclusionProblem& p = dense.problem();
   const int dim = p.dim(contact);
-  double x[kMaxDim];
+  double x[kMostRows];
   if (!dense.hasNormal(contact) || dim == 1) {
-    double r[kMaxDim], zero[kMaxDim] = {};
+    double r[kMostRows], zero[kMostRows] = {};
     std::fill(r, r + dim, 1.0);
     for (int k = 0; k < dim; ++k) x[k] = kSecant * z[k];
     p.law(contact).prox(p.input(contact), r, zero, x);

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/law_probe.hpp>
 #include <limits>
 
@@ -11,7 +12,7 @@ constexpr double kFar = 1e12;           ///< projections of more rows square it
 }  // namespace
 
 void LawProbe::project(int first, int k, double* x) const {
-  double r[kMaxDim], xi[kMaxDim] = {}, Lambda[kMaxDim] = {};
+  double r[kMostRows], xi[kMostRows] = {}, Lambda[kMostRows] = {};
   for (double& value : r) value = 1.0;
   if (law_.unilateral()) Lambda[0] = 1.0;
   for (int i = 0; i < k; ++i) Lambda[first + i] = x[i];

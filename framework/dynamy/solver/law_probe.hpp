@@ -16,7 +16,6 @@ namespace dynamy {
 
 class LawProbe {
  public:
-  static constexpr int kMaxDim = 8;
   /// Both are borrowed.
   LawProbe(const SetValuedForceLaw& law, const LawInput& in) : law_(law), in_(in) {}
   /// Rows [first, end) of the law: ends of the interval of one row, ±∞ where there is none.

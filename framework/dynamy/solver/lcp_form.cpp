@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/law_probe.hpp>
 #include <dynamy/solver/lcp_form.hpp>
 #include <numbers>
@@ -6,7 +7,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = LawProbe::kMaxDim;
 /// Joints whose equations agree to this part are redundant.
 constexpr double kRank = 1e-11;
 
@@ -51,7 +51,7 @@ void LcpForm::friction(const InclusionProblem& p, int i, int first, int end, int
   const LawInput in = p.input(i);
   const LawProbe probe(p.law(i), in);
   const auto vertex = [&](int j, double* v) {
-    double d[kMaxDim] = {};
+    double d[kMostRows] = {};
     if (k == 2) {
       const double angle = 2.0 * std::numbers::pi * j / corners;
       d[0] = std::cos(angle), d[1] = std::sin(angle);
@@ -60,8 +60,8 @@ void LcpForm::friction(const InclusionProblem& p, int i, int first, int end, int
     }
     return probe.extreme(first, k, d, v);
   };
-  double centre[kMaxDim] = {};
-  double v[kMaxDim];
+  double centre[kMostRows] = {};
+  double v[kMostRows];
   if (normal < 0)
     for (int j = 0; j < corners; ++j) {
       if (!vertex(j, v)) {  // no end: as joints

@@ -16,6 +16,7 @@
 /// because its matrix G_NN − G_NT μ … is copositive for small μ only.
 #pragma once
 #include <Eigen/QR>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/inclusion_problem.hpp>
 #include <vector>
 
@@ -37,7 +38,7 @@ class LcpForm {
   struct Variable {
     int row = 0, count = 1;  ///< Λ[row …] += v z
     int bound = -1;
-    double v[8] = {};
+    double v[kMostRows] = {};
   };
   struct Bound {
     double constant = 0.0;

@@ -2,18 +2,19 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/local_iteration.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8, kNewton = 20, kHalvings = 4;
+constexpr int kNewton = 20, kHalvings = 4;
 /// |F| below this part of |Λ| is rounding.
 constexpr double kRounding = 1e-15;
 
-using SmallVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxDim, 1>;
+using SmallVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
 using SmallMat =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMaxDim, kMaxDim>;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostRows, kMostRows>;
 
 struct Contact {
   const SetValuedForceLaw& law;
@@ -41,7 +42,7 @@ struct Contact {
 bool iterateContact(const SetValuedForceLaw& law, const LawInput& in, const double* D,
                     const double* b, const double* r, double* Lambda) {
   const int n = in.dim;
-  assert(n <= kMaxDim);
+  assert(n <= kMostRows);
   const double rho = *std::min_element(r, r + n);
   const Contact x{law,
                   in,

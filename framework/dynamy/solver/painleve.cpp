@@ -1,18 +1,17 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/diagnosis_parts.hpp>
 
 namespace dynamy::diagnosis {
 namespace {
 
-constexpr int kMaxDim = 8;
-
 /// Friction per unit of normal force that opposes the direction `d` most: argmin b·d, b ∈ B.
 Eigen::VectorXd friction(const DenseProblem& dense, int contact, const Eigen::VectorXd& d) {
   const InclusionProblem& p = dense.problem();
   const int dim = p.dim(contact);
-  double r[kMaxDim], zero[kMaxDim] = {}, x[kMaxDim];
+  double r[kMostRows], zero[kMostRows] = {}, x[kMostRows];
   std::fill(r, r + dim, 1.0);
   x[0] = 1.0;
   // The projection of a far point on B is the support point of its direction.

@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/poisson_impact.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 /// Trials for κ; the energy returned is nearly a parabola of it, so that a secant finds it to
 /// kShare of the energy in four to six.
 constexpr int kTrials = 24;
 constexpr double kShare = 1e-12;
 
 double epsilonN(const InclusionProblem& p, int i) {
-  double epsilon[kMaxDim] = {};
+  double epsilon[kMostRows] = {};
   if (!p.law(i).unilateral()) return 0.0;
   p.law(i).epsilon(p.dim(i), epsilon);
   return epsilon[0];
@@ -24,7 +24,7 @@ double epsilonN(const InclusionProblem& p, int i) {
 
 void FloorLaw::prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const {
   // The law itself at Λ_N = max(floor, Λ_N − r_N ξ_N) and ξ_N = 0: its other rows see this Λ_N.
-  double without[kMaxDim];
+  double without[kMostRows];
   std::copy_n(xi, in.dim, without);
   Lambda[0] = std::max(floor_, Lambda[0] - r[0] * xi[0]);
   without[0] = 0.0;
@@ -35,7 +35,7 @@ void FloorLaw::prox(const LawInput& in, const double* r, const double* xi, doubl
 
 bool FloorLaw::proxDerivative(const LawInput& in, double rho, const double* xi,
                               const double* Lambda, double* A, double* B) const {
-  double at[kMaxDim], without[kMaxDim];
+  double at[kMostRows], without[kMostRows];
   std::copy_n(Lambda, in.dim, at), std::copy_n(xi, in.dim, without);
   const double z = Lambda[0] - rho * xi[0];
   at[0] = std::max(floor_, z), without[0] = 0.0;

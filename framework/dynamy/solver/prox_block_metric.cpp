@@ -1,3 +1,4 @@
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/law_probe.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
@@ -30,10 +31,9 @@ void ProxBlockMetric::prepare(const InclusionProblem& p) {
 }
 
 void ProxBlockMetric::sweep(const InclusionProblem& p, const double* r, double* Lambda) {
-  constexpr int kMaxDim = LawProbe::kMaxDim;
   for (int i = 0; i < p.size(); ++i) {
     const int dim = p.dim(i), first = p.row0(i);
-    double xi[kMaxDim], old[kMaxDim];
+    double xi[kMostRows], old[kMostRows];
     double* L = Lambda + first;
     p.G->row(i, Lambda, xi);
     for (int k = 0; k < dim; ++k) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/elimination.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
@@ -8,7 +9,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps
 constexpr int kMaxDense = 200;          ///< rows up to which A + BG is dense, with row pivoting
 constexpr double kSingular = 1e-14;     ///< pivots below this part of the largest entry are zero
@@ -93,7 +93,7 @@ double SemismoothNewton::map(const InclusionProblem& p, const double* Lambda, co
     const LawInput in = p.input(i);
     const double *r = r_.data() + first, rho = r[dim - 1];
     double *A = blocks_.A.data() + blocks_.block0[i], *B = blocks_.B.data() + blocks_.block0[i];
-    double e2 = 0.0, scaled[kMaxDim];
+    double e2 = 0.0, scaled[kMostRows];
     if (cone_[i].kind != LawCone::Kind::other) {
       fischerBurmeister(cone_[i], dim, rho, xi + first, Lambda + first, F + first,
                         derivative ? A : nullptr, B);

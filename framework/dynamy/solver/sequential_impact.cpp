@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/sequential_impact.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr int kHitsPerContact = 10000;  ///< plastic hits of n bodies converge geometrically
 constexpr int kLocalIterations = 200;
 constexpr double kClosing = 1e-15;  ///< of the fastest approach at the start: rounding
@@ -27,14 +27,14 @@ int SequentialImpact::fastest(const InclusionProblem& problem) const {
 void SequentialImpact::hit(InclusionProblem& problem, int i, double factor) const {
   const int dim = problem.dim(i), first = problem.row0(i);
   const double* G = problem.G->diagonalBlock(i);
-  double epsilon[kMaxDim] = {}, c[kMaxDim], xi[kMaxDim], r[kMaxDim], L[kMaxDim] = {};
+  double epsilon[kMostRows] = {}, c[kMostRows], xi[kMostRows], r[kMostRows], L[kMostRows] = {};
   problem.law(i).epsilon(dim, epsilon);
   for (int k = 0; k < dim; ++k)
     c[k] = (1.0 + factor * epsilon[k]) * gamma_[static_cast<std::size_t>(first + k)];
   std::fill_n(r, dim, 1.0 / contactLambda(G, dim));
   const LawInput in = problem.contacts->input(i, 0.0, gamma_.data());
   for (int step = 0; step < kLocalIterations; ++step) {
-    double before[kMaxDim], change = 0.0, size = 0.0;
+    double before[kMostRows], change = 0.0, size = 0.0;
     std::copy_n(L, dim, before);
     for (int a = 0; a < dim; ++a) {
       xi[a] = c[a];

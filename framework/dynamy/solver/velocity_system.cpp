@@ -3,6 +3,7 @@
 // not on which contacts are open: it stays while the contacts do.
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/block_lu.hpp>
 #include <dynamy/solver/elimination.hpp>
 #include <dynamy/solver/newton_system.hpp>
@@ -185,7 +186,7 @@ class SparseVelocities final : public NewtonSystem {
   }
   bool percussions(const InclusionProblem& p, double* dLambda) const {
     const ContactSet& c = *p.contacts;
-    double g[8];
+    double g[kMostRows];
     for (int i = 0; i < c.size(); ++i) {
       const int d = c.dim(i);
       std::fill(g, g + d, 0.0);
@@ -295,7 +296,7 @@ class DenseVelocities final : public NewtonSystem {
     }
   }
   bool percussions(const ContactSet& c, double* dLambda) const {
-    double g[8];
+    double g[kMostRows];
     for (int i = 0; i < c.size(); ++i) {
       const int d = c.dim(i);
       std::fill(g, g + d, 0.0);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
 #include <random>
@@ -11,7 +12,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxRows = 8;
 /// Laws may find their projection by iteration, to 1e-13 of the argument; ten times that.
 constexpr double kProjection = 1e-12;
 
@@ -23,7 +23,7 @@ class LawCheck {
   }
 
   Verdict run() {
-    if (dim_ < 1 || dim_ > kMaxRows) {
+    if (dim_ < 1 || dim_ > kMostRows) {
       fault("1 to 8 rows are possible");
       return result_;
     }
