@@ -1,4 +1,6 @@
 #include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
 #include <dynamy/contact/rolling_friction.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/error.hpp>
@@ -10,38 +12,66 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// Where the entries of the outer dimension (columns or rows) begin: from 0 on, never back.
+void checkPointers(const Hdf5File& file, const std::string& place, const std::vector<int>& p,
+                   int outer, std::size_t entries) {
+  const auto wanted = static_cast<std::size_t>(outer) + 1;
+  if (p.size() < wanted) file.fail(place, "is too short");
+  if (p.size() > wanted)
+    file.fail(place, "has " + std::to_string(p.size()) + " entries, not " + std::to_string(wanted));
+  if (p.front() != 0) file.fail(place, "begins with " + std::to_string(p.front()) + ", not 0");
+  for (std::size_t k = 1; k < p.size(); ++k)
+    if (p[k] < p[k - 1])
+      file.fail(place, "decreases at entry " + std::to_string(k) + ", from " +
+                           std::to_string(p[k - 1]) + " to " + std::to_string(p[k]));
+  if (static_cast<std::size_t>(p.back()) > entries) file.fail(place, "points beyond the entries");
+}
+
+/// Rows or columns as the file says them; they must be those of its vectors before a matrix of that
+/// size is made.
+int readSize(const Hdf5File& file, const std::string& place, Eigen::Index wanted) {
+  const int size = file.integer(place);
+  if (size < 0) file.fail(place, "is negative");
+  if (size != wanted)
+    file.fail(place, "is " + std::to_string(size) + ", but the vectors have " +
+                         std::to_string(wanted) + " entries");
+  return size;
+}
+
 /// Triplets (nz ≥ 0), compressed columns (−1) or rows (−2); repeated entries are summed.
-Sparse readMatrix(const Hdf5File& file, const std::string& place) {
-  const int m = file.integer(place + "/m"), n = file.integer(place + "/n"),
+Sparse readMatrix(const Hdf5File& file, const std::string& place, Eigen::Index rows,
+                  Eigen::Index columns) {
+  const int m = readSize(file, place + "/m", rows), n = readSize(file, place + "/n", columns),
             nz = file.integer(place + "/nz");
   const std::vector<int> p = file.integers(place + "/p"), i = file.integers(place + "/i");
   const Eigen::VectorXd x = file.numbers(place + "/x");
-  if (m < 0 || n < 0) file.fail(place, "has a negative size");
   if (nz < -2) file.fail(place + "/nz", "is not a storage: -1 columns, -2 rows, else triplets");
+  const std::size_t size = i.size();
+  if (size != static_cast<std::size_t>(x.size()))
+    file.fail(place + "/i", "has " + std::to_string(size) + " entries, but " + place + "/x has " +
+                                std::to_string(x.size()));
   std::vector<Eigen::Triplet<double>> entries;
   const auto add = [&](int row, int column, std::size_t k) {
     if (row < 0 || row >= m || column < 0 || column >= n)
       file.fail(place, "entry " + std::to_string(k) + " lies outside of the matrix");
     entries.emplace_back(row, column, x[static_cast<Eigen::Index>(k)]);
   };
-  const auto size = std::min(i.size(), static_cast<std::size_t>(x.size()));
   if (nz >= 0) {
     if (static_cast<std::size_t>(nz) > std::min(size, p.size()))
       file.fail(place + "/nz", "counts more entries than there are");
     for (std::size_t k = 0; k < static_cast<std::size_t>(nz); ++k) add(i[k], p[k], k);
   } else {
     const int outer = nz == -1 ? n : m;
-    if (p.size() < static_cast<std::size_t>(outer) + 1) file.fail(place + "/p", "is too short");
+    checkPointers(file, place + "/p", p, outer, size);
     for (int j = 0; j < outer; ++j)
-      for (int k = p[j]; k < p[j + 1]; ++k) {
-        if (k < 0 || static_cast<std::size_t>(k) >= size)
-          file.fail(place + "/p", "points beyond the entries");
-        nz == -1 ? add(i[k], j, static_cast<std::size_t>(k))
-                 : add(j, i[k], static_cast<std::size_t>(k));
-      }
+      for (auto k = static_cast<std::size_t>(p[j]); k < static_cast<std::size_t>(p[j + 1]); ++k)
+        nz == -1 ? add(i[k], j, k) : add(j, i[k], k);
   }
   Sparse out(m, n);
   out.setFromTriplets(entries.begin(), entries.end());
+  for (int k = 0; k < out.outerSize(); ++k)
+    for (Sparse::InnerIterator e(out, k); e; ++e)
+      if (!std::isfinite(e.value())) file.fail(place, "the sum of repeated entries is not finite");
   return out;
 }
 
@@ -68,35 +98,40 @@ std::string groupName(const FclibProblem& p) {
   return std::string(p.global ? "/fclib_global" : "/fclib_local") + (p.dim == 5 ? "_rolling" : "");
 }
 
-/// Sizes of a problem of the friction kind, whose matrices are read.
-void checkSizes(const Hdf5File& file, const FclibProblem& p, const std::string& group) {
-  const Eigen::Index rows = p.rows();
-  if (rows % p.dim != 0) file.fail(group, "the rows are no multiple of spacedim");
+/// Sizes and signs of what belongs to each contact; `rows`: of the problem.
+void checkContacts(const Hdf5File& file, const FclibProblem& p, Eigen::Index rows,
+                   const std::string& group) {
+  if (rows % p.dim != 0)
+    file.fail(group, "the " + std::to_string(rows) + " rows are no multiple of spacedim");
   expectSize(file, group + "/vectors/mu", p.mu.size(), rows / p.dim);
-  if (p.dim == 5) expectSize(file, group + "/vectors/mu_r", p.muRolling.size(), rows / p.dim);
   if ((p.mu.array() < 0.0).any()) file.fail(group + "/vectors/mu", "is negative");
-  if (p.global) {
-    expectSize(file, group + "/M/m", p.M.rows(), p.M.cols());
-    expectSize(file, group + "/H/m", p.H.rows(), p.M.rows());
-    expectSize(file, group + "/H/n", p.H.cols(), rows);
-    expectSize(file, group + "/vectors/f", p.f.size(), p.M.rows());
-  } else {
-    expectSize(file, group + "/W/m", p.W.rows(), rows);
-    expectSize(file, group + "/W/n", p.W.cols(), rows);
-  }
+  if (p.dim != 5) return;
+  expectSize(file, group + "/vectors/mu_r", p.muRolling.size(), rows / p.dim);
+  if ((p.muRolling.array() < 0.0).any()) file.fail(group + "/vectors/mu_r", "is negative");
 }
 
 /// M⁻¹ of a global problem.
 class MassInverse {
  public:
   explicit MassInverse(const Sparse& M) {
+    if (M.rows() == 0) return;  // nothing to factor
+    for (int k = 0; k < M.outerSize(); ++k)
+      if (!Sparse::InnerIterator(M, k)) throw singular();
     solver_.compute(M);
-    if (solver_.info() != Eigen::Success)
-      throw ModelError("the mass matrix M of the global problem is singular");
+    if (solver_.info() != Eigen::Success) throw singular();
   }
-  Eigen::VectorXd operator*(const Eigen::VectorXd& x) const { return solver_.solve(x); }
+  Eigen::VectorXd operator*(const Eigen::VectorXd& x) const {
+    if (x.size() == 0) return x;
+    Eigen::VectorXd out = solver_.solve(x);
+    if (!out.allFinite()) throw singular();
+    return out;
+  }
 
  private:
+  static ModelError singular() {
+    return ModelError("the mass matrix M of the global problem is singular",
+                      "every velocity needs a mass");
+  }
   Eigen::SparseLU<Sparse> solver_;
 };
 
@@ -115,10 +150,8 @@ FclibProblem readFclib(const std::filesystem::path& path) {
               "/fclib_local_rolling, /fclib_global_rolling, /lcp is there");
   if (group == "/lcp") {
     p.dim = 1;
-    p.W = readMatrix(file, "/lcp/M");
     p.q = file.numbers("/lcp/q");
-    expectSize(file, "/lcp/M/m", p.W.rows(), p.q.size());
-    expectSize(file, "/lcp/M/n", p.W.cols(), p.q.size());
+    p.W = readMatrix(file, "/lcp/M", p.q.size(), p.q.size());
     return p;
   }
   p.global = group.starts_with("/fclib_global");
@@ -132,15 +165,16 @@ FclibProblem readFclib(const std::filesystem::path& path) {
   p.mu = file.numbers(group + "/vectors/mu");
   if (rolling) p.muRolling = file.numbers(group + "/vectors/mu_r");
   if (p.global) {
-    p.M = readMatrix(file, group + "/M");
-    p.H = readMatrix(file, group + "/H");
     p.f = file.numbers(group + "/vectors/f");
     p.w = file.numbers(group + "/vectors/w");
+    checkContacts(file, p, p.w.size(), group);
+    p.M = readMatrix(file, group + "/M", p.f.size(), p.f.size());
+    p.H = readMatrix(file, group + "/H", p.f.size(), p.w.size());
   } else {
-    p.W = readMatrix(file, group + "/W");
     p.q = file.numbers(group + "/vectors/q");
+    checkContacts(file, p, p.q.size(), group);
+    p.W = readMatrix(file, group + "/W", p.q.size(), p.q.size());
   }
-  checkSizes(file, p, group);
   return p;
 }
 

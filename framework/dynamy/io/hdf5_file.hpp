@@ -47,6 +47,9 @@ class Hdf5File {
 
  private:
   std::int64_t dataset(const std::string& place) const;
+  /// Its entries. \throws ModelError more than the file can hold
+  std::size_t count(std::int64_t dataset, const std::string& place) const;
+  void expectKind(std::int64_t dataset, const std::string& place, bool integers) const;
   std::string path_;
   std::int64_t file_ = -1;
 };

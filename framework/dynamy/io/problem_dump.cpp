@@ -9,7 +9,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostRows = 3000;  ///< elimination of joints makes W full
+constexpr int kMostDumped = 3000;  ///< elimination of joints makes W full
 constexpr int kMostUnsolved = 100;
 
 /// What FCLIB knows of a law.
@@ -37,8 +37,8 @@ struct Split {
   std::vector<int> joints, contacts;
 };
 
-/// W, q of the contacts without joints; G as a full matrix.
-void eliminate(const InclusionProblem& p, const Split& rows, Eigen::MatrixXd& W,
+/// W, q of the contacts without joints; G as a full matrix. False: there are no such numbers.
+bool eliminate(const InclusionProblem& p, const Split& rows, Eigen::MatrixXd& W,
                Eigen::VectorXd& q) {
   Eigen::MatrixXd G(p.rows(), p.rows());
   for (int j = 0; j < p.rows(); ++j) {
@@ -47,12 +47,14 @@ void eliminate(const InclusionProblem& p, const Split& rows, Eigen::MatrixXd& W,
   }
   const ConstVec c(p.c.data(), p.rows());
   W = G(rows.contacts, rows.contacts), q = c(rows.contacts);
-  if (rows.joints.empty()) return;
+  if (!G.allFinite() || !c.allFinite()) return false;  // decompositions read out of bounds then
+  if (rows.joints.empty()) return true;
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse(
       Eigen::MatrixXd(G(rows.joints, rows.joints)));
   const Eigen::MatrixXd Gcj = G(rows.contacts, rows.joints);
   W -= Gcj * inverse.solve(Eigen::MatrixXd(G(rows.joints, rows.contacts)));
   q -= Gcj * inverse.solve(Eigen::VectorXd(c(rows.joints)));
+  return W.allFinite() && q.allFinite();
 }
 
 std::string shortName(long step) {
@@ -82,13 +84,16 @@ FclibCopy fclibCopy(const InclusionProblem& p, ConstVec Lambda) {
     out.contact.push_back(i);
     dim = std::max(dim, p.dim(i) > 3 ? 5 : p.dim(i));
   }
-  if (out.contact.empty()) out.refused = "it has joints only";
-  if (p.rows() > kMostRows) out.refused = "it has more than 3000 rows";
+  if (out.contact.empty()) out.refused = p.size() > 0 ? "it has joints only" : "it has no contacts";
+  if (p.rows() > kMostDumped) out.refused = "it has more than 3000 rows";
   if (!out.refused.empty()) return out;
 
   Eigen::MatrixXd W;
   Eigen::VectorXd q;
-  eliminate(p, rows, W, q);
+  if (!eliminate(p, rows, W, q)) {
+    out.refused = "its numbers are not finite";
+    return out;
+  }
   const auto n = static_cast<int>(out.contact.size());
   FclibProblem& f = out.problem;
   f.dim = dim;

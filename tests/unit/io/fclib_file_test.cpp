@@ -79,6 +79,66 @@ TEST_F(FclibFileTest, NamesAnEntryOutsideOfTheMatrix) {
   EXPECT_EQ(message(), "/fclib_local/W: entry 0 lies outside of the matrix");
 }
 
+TEST_F(FclibFileTest, RefusesPointersThatDoNotRise) {
+  const auto pointers = [&](const std::vector<int>& p) {
+    writeLocal([&](Hdf5File& f) { matrix(f, -1, p, {0, 1, 0, 2}, {2, 3, 7, 4}); });
+    return message();
+  };
+  EXPECT_EQ(pointers({0, 2, 1, 4}), "/fclib_local/W/p: decreases at entry 2, from 2 to 1");
+  EXPECT_EQ(pointers({1, 1, 2, 4}), "/fclib_local/W/p: begins with 1, not 0");
+  EXPECT_EQ(pointers({0, 1, 2, 5}), "/fclib_local/W/p: points beyond the entries");
+  EXPECT_EQ(pointers({0, 1, 4}), "/fclib_local/W/p: is too short");
+  EXPECT_EQ(pointers({0, 1, 2, 3, 4}), "/fclib_local/W/p: has 5 entries, not 4");
+}
+
+TEST_F(FclibFileTest, RefusesPartsThatDisagree) {
+  writeLocal([](Hdf5File& f) { matrix(f, -1, {0, 1, 2, 4}, {0, 1, 0}, {2, 3, 7, 4}); });
+  EXPECT_EQ(message(), "/fclib_local/W/i: has 3 entries, but /fclib_local/W/x has 4");
+  writeLocal([](Hdf5File& f) {
+    matrix(f, -1, {0, 1, 2, 4}, {0, 1, 0, 2}, {2, 3, 7, 4});
+    f.write("/fclib_local/vectors/mu_unused", VectorXd(VectorXd::Zero(1)));
+  });
+  EXPECT_EQ(message(), "no error");
+}
+
+TEST_F(FclibFileTest, RefusesAMatrixOfAnotherSizeThanTheVectors) {
+  {
+    Hdf5File f(file_, Hdf5File::Mode::create);
+    f.write("/fclib_local/spacedim", std::vector<int>{3});
+    matrix(f, 0, {}, {}, {});
+    f.write("/fclib_local/vectors/q", VectorXd(VectorXd::Zero(6)));
+    f.write("/fclib_local/vectors/mu", VectorXd(VectorXd::Zero(2)));
+  }
+  EXPECT_EQ(message(), "/fclib_local/W/m: is 3, but the vectors have 6 entries");
+}
+
+TEST_F(FclibFileTest, RefusesTextForNumbers) {
+  {
+    Hdf5File f(file_, Hdf5File::Mode::create);
+    f.write("/lcp/q", std::string("1 2 3"));
+  }
+  EXPECT_EQ(message(), "/lcp/q: holds no numbers");
+}
+
+TEST_F(FclibFileTest, AGlobalProblemWithAMasslessVelocityIsRefused) {
+  FclibProblem p;
+  p.global = true;
+  p.M = MatrixXd(Eigen::Vector3d(1.0, 0.0, 2.0).asDiagonal()).sparseView();
+  p.H = MatrixXd(MatrixXd::Ones(3, 3)).sparseView();
+  p.f = VectorXd::Ones(3), p.w = VectorXd::Ones(3), p.mu = VectorXd::Constant(1, 0.4);
+  EXPECT_THROW(condensed(p), ModelError);
+}
+
+TEST_F(FclibFileTest, AGlobalProblemOfNothingIsALocalOneOfNothing) {
+  FclibProblem p;
+  p.global = true;
+  p.M.resize(0, 0), p.H.resize(0, 0);
+  const FclibProblem local = condensed(p);
+  EXPECT_EQ(local.rows(), 0);
+  writeFclib(file_, p);
+  EXPECT_EQ(readFclib(file_).contacts(), 0);
+}
+
 TEST_F(FclibFileTest, NamesWrongSizes) {
   {
     Hdf5File f(file_, Hdf5File::Mode::create);

@@ -1,0 +1,120 @@
+// Valid FCLIB files with flipped bits, with other bytes, cut off: each is read with sizes that fit,
+// or refused with a message that names the place. Thousands in one process: nothing may crash, and
+// what the HDF5 library leaves behind must not grow.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <dynamy/core/error.hpp>
+#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/output_file.hpp>
+#include <filesystem>
+#include <random>
+#include <support/contact_problems.hpp>
+#include <unit/io/scratch_folder.hpp>
+
+namespace dynamy {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> kept() {
+  std::vector<fs::path> out;
+  for (const auto& entry : fs::directory_iterator(fs::path(DYNAMY_SOURCE_DIR) / "tests/data/fclib"))
+    out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void expectSizes(const FclibProblem& p, unsigned seed) {
+  const int rows = p.rows();
+  EXPECT_EQ(rows, p.dim * p.contacts()) << "seed " << seed;
+  EXPECT_EQ(p.mu.size(), p.dim == 1 ? 0 : p.contacts()) << "seed " << seed;
+  EXPECT_TRUE(p.mu.size() == 0 || p.mu.minCoeff() >= 0.0) << "seed " << seed;
+  if (p.global) {
+    EXPECT_EQ(p.M.rows(), p.f.size()) << "seed " << seed;
+    EXPECT_EQ(p.M.cols(), p.f.size()) << "seed " << seed;
+    EXPECT_EQ(p.H.rows(), p.f.size()) << "seed " << seed;
+    EXPECT_EQ(p.H.cols(), rows) << "seed " << seed;
+  } else {
+    EXPECT_EQ(p.W.rows(), rows) << "seed " << seed;
+    EXPECT_EQ(p.W.cols(), rows) << "seed " << seed;
+  }
+}
+
+/// Mutations [from, to) of the kept files; returns how many were refused.
+int mutate(unsigned from, unsigned to) {
+  const testing::ScratchFolder folder;
+  const fs::path file = folder.path() / "mutated.hdf5";
+  const std::vector<fs::path> files = kept();
+  std::vector<std::string> contents;
+  contents.reserve(files.size());
+  for (const fs::path& f : files) contents.push_back(readWholeFile(f));
+  int refused = 0;
+  for (unsigned seed = from; seed < to; ++seed) {
+    std::mt19937 generator(seed);
+    const auto random = [&generator] { return static_cast<unsigned>(generator()); };
+    std::string bytes = contents[random() % contents.size()];
+    const unsigned kind = random() % 10;
+    if (kind == 0)
+      bytes.resize(random() % bytes.size());
+    else
+      for (unsigned k = random() % 3; k < 3; ++k) {
+        char& byte = bytes[random() % bytes.size()];
+        byte = kind < 6 ? static_cast<char>(byte ^ (1 << (random() % 8)))
+                        : static_cast<char>(random() % 256);
+      }
+    writeWholeFile(file, bytes);
+    try {
+      const FclibProblem p = readFclib(file);
+      expectSizes(p, seed);
+      condensed(p);
+    } catch (const ModelError& e) {
+      ++refused;
+      EXPECT_FALSE(e.diagnostics().front().text.empty()) << "seed " << seed;
+    }
+  }
+  return refused;
+}
+
+TEST(FclibFuzz, ChangedFilesAreReadOrRefused) {
+  const int refused = mutate(0, 1500);
+  // Most bits of a file are numbers of W or free space; what is left must be noticed.
+  EXPECT_GT(refused, 100);
+}
+
+TEST(LongFclibFuzz, ChangedFilesAreReadOrRefused) { mutate(10'000, 110'000); }
+
+/// Every entry of every integer vector replaced: sizes, storages, pointers, indices.
+TEST(FclibFuzz, WrongIntegersOfTheStructureAreRefused) {
+  const testing::ScratchFolder folder;
+  const fs::path file = folder.path() / "mutated.hdf5";
+  const FclibProblem p = randomProblem(3, 2, 8, 0.5, 0.0, 1);
+  writeFclib(file, p);
+  const std::string bytes = readWholeFile(file);
+  Eigen::SparseMatrix<double> W = p.W;
+  W.makeCompressed();
+  // p of W as it lies in the file: 7 integers of 4 bytes.
+  const std::string pointers(reinterpret_cast<const char*>(W.outerIndexPtr()), 7 * sizeof(int));
+  const std::size_t at = bytes.find(pointers);
+  ASSERT_NE(at, std::string::npos);
+  for (int entry = 0; entry < 7; ++entry)
+    for (const int value : {-1, 1 << 30, W.outerIndexPtr()[entry] == 6 ? 20 : 6}) {
+      if (value == W.outerIndexPtr()[entry]) continue;
+      std::string changed = bytes;
+      changed.replace(at + static_cast<std::size_t>(entry) * sizeof(int), sizeof(int),
+                      reinterpret_cast<const char*>(&value), sizeof(int));
+      writeWholeFile(file, changed);
+      // Pointers that rise all the same are another matrix, and no wrong structure.
+      std::vector<int> now(W.outerIndexPtr(), W.outerIndexPtr() + 7);
+      now[static_cast<std::size_t>(entry)] = value;
+      const bool rises =
+          std::is_sorted(now.begin(), now.end()) && now.front() == 0 && now.back() <= W.nonZeros();
+      if (rises)
+        EXPECT_NO_THROW(readFclib(file)) << entry << ' ' << value;
+      else
+        EXPECT_THROW(readFclib(file), ModelError) << entry << ' ' << value;
+    }
+}
+
+}  // namespace
+}  // namespace dynamy
