@@ -67,6 +67,7 @@ Solved solveProblem(const Program& program, const Task& task, const FclibProblem
   s.atZero = residuals(p, {s.solution.r.data(), s.solution.r.size()}, scratch).given;
   const auto begin = Clock::now();
   s.report = solver.solve(p, view(s.solution.r));
+  if (p.rows() == 0) s.report.residuals = residuals(p, {s.solution.r.data(), 0}, scratch);
   s.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   s.solution.u.resize(p.rows());
   p.G->apply(s.solution.r.data(), s.solution.u.data());

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/rolling_friction.hpp>
 #include <dynamy/core/parameters.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxRows = 8;
+/// Coefficients above hold whatever the contact carries; their squares must stay numbers.
+constexpr double kMostMu = 1e100;
 
 /// Length of the n ≤ 2 numbers at x.
 double length(const double* x, int n) { return n == 1 ? std::abs(x[0]) : std::hypot(x[0], x[1]); }
@@ -61,7 +63,7 @@ struct UnilateralRolling::Parts {
  private:
   const Part& at(int b) const { return all[static_cast<std::size_t>(b)]; }
   void add(int first, int rows, double mu) {
-    all[static_cast<std::size_t>(count++)] = {first, rows, mu};
+    all[static_cast<std::size_t>(count++)] = {first, rows, std::min(mu, kMostMu)};
   }
 };
 
@@ -125,7 +127,7 @@ double UnilateralRolling::support(const LawInput&, int k, const double* y, doubl
 void UnilateralRolling::naturalMap(const LawInput& in, double rho, const double* xi,
                                    const double* Lambda, double* e) const {
   const Parts parts(mu_, in.dim);
-  double z[kMaxRows], shift = 0.0;
+  double z[kMostRows], shift = 0.0;
   for (const Parts::Part& p : parts) shift += p.mu * length(xi + p.first, p.rows);
   for (int i = 0; i < in.dim; ++i) z[i] = Lambda[i] - rho * (xi[i] + (i == 0 ? shift : 0.0));
   parts.projectCone(z);
@@ -136,7 +138,7 @@ bool UnilateralRolling::proxDerivative(const LawInput& in, double rho, const dou
                                        const double* Lambda, double* A, double* B) const {
   const int n = in.dim;
   Eigen::Map<RowMatrix> a(A, n, n), b(B, n, n);
-  double z[kMaxRows];
+  double z[kMostRows];
   for (int i = 0; i < n; ++i) z[i] = Lambda[i] - rho * xi[i];
   a.setIdentity(), b.setZero();
   if (!(z[0] > 0.0)) return true;

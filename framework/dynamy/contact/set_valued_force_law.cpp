@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/set_valued_force_law.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxRows = 8;  ///< rows of one contact
-constexpr int kMaxReservoir = kMaxRows - 1;
+constexpr int kMaxReservoir = kMostRows - 1;
 
 using SmallVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxReservoir, 1>;
 using SmallMat = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
@@ -93,14 +93,32 @@ std::string_view statusText(Status status) {
   return "unknown";
 }
 
+namespace {
+
+/// The projection onto N·B, in units of its numbers where their squares are none: the cone is the
+/// same in every unit.
+void projectAnySize(const NormalTimesReservoir& law, const LawInput& in, double N, const double* r,
+                    int k, double* x) {
+  constexpr double kSmall = 1e-140, kLarge = 1e140;
+  double unit = N;
+  for (int i = 0; i < k; ++i) unit = std::max(unit, std::abs(x[i]));
+  if ((unit >= kSmall && unit <= kLarge) || !(unit > 0.0) || !std::isfinite(unit))
+    return law.project(in, N, r, k, x);
+  for (int i = 0; i < k; ++i) x[i] /= unit;
+  law.project(in, N / unit, r, k, x);
+  for (int i = 0; i < k; ++i) x[i] *= unit;
+}
+
+}  // namespace
+
 void SetValuedForceLaw::epsilon(int dim, double* epsilon) const {
   std::fill(epsilon, epsilon + dim, 0.0);
 }
 
 void SetValuedForceLaw::naturalMap(const LawInput& in, double rho, const double* xi,
                                    const double* Lambda, double* e) const {
-  assert(in.dim <= kMaxRows);
-  double r[kMaxRows], p[kMaxRows];
+  assert(in.dim <= kMostRows);
+  double r[kMostRows], p[kMostRows];
   std::fill(r, r + in.dim, rho);
   std::copy(Lambda, Lambda + in.dim, p);
   prox(in, r, xi, p);
@@ -116,13 +134,13 @@ void NormalTimesReservoir::prox(const LawInput& in, const double* r, const doubl
                                 double* Lambda) const {
   for (int i = 0; i < in.dim; ++i) Lambda[i] -= r[i] * xi[i];
   Lambda[0] = std::max(Lambda[0], 0.0);
-  if (in.dim > 1) project(in, Lambda[0], r + 1, in.dim - 1, Lambda + 1);
+  if (in.dim > 1) projectAnySize(*this, in, Lambda[0], r + 1, in.dim - 1, Lambda + 1);
 }
 
 Status NormalTimesReservoir::status(const LawInput& in, const double* argument) const {
   if (!(argument[0] > 0.0)) return Status::separating;
   if (in.dim == 1) return Status::slip;
-  double unit[kMaxRows], x[kMaxRows];
+  double unit[kMostRows], x[kMostRows];
   const int k = in.dim - 1;
   std::fill(unit, unit + k, 1.0);
   std::copy(argument + 1, argument + 1 + k, x);
@@ -180,7 +198,7 @@ bool NormalTimesReservoir::proxDerivative(const LawInput& in, double rho, const 
   Eigen::Map<RowMatrix> a(A, n, n), b(B, n, n);
   a.setIdentity();
   b.setZero();
-  double z[kMaxRows], x[kMaxRows], r[kMaxRows];
+  double z[kMostRows], x[kMostRows], r[kMostRows];
   for (int i = 0; i < n; ++i) z[i] = x[i] = Lambda[i] - rho * xi[i];
   std::fill(r, r + n, rho);
   if (!(z[0] > 0.0)) return true;

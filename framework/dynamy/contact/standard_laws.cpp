@@ -7,13 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/convex_sets.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/parameters.hpp>
+#include <dynamy/core/safe_norm.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxRows = 8;
+/// Squares of coefficients below are numbers; above, the cone is a half space in all but name.
+constexpr double kMostMu = 1e100;
 
 /// x ← nearest point of the ball of `radius` in the metric diag(r)⁻¹.
 void projectBall(double radius, const double* r, int k, double* x) {
@@ -23,14 +26,14 @@ void projectBall(double radius, const double* r, int k, double* x) {
     return;
   }
   if (k == 2 && r[0] == r[1]) {  // the usual case
-    const double length = std::sqrt(x[0] * x[0] + x[1] * x[1]);
+    const double length = safeNorm(x, 2);
     if (length > radius) x[0] *= radius / length, x[1] *= radius / length;
     return;
   }
   Eigen::Map<Eigen::VectorXd> z(x, k);
   const bool equal = std::all_of(r, r + k, [r](double value) { return value == r[0]; });
   if (equal) {
-    const double length = z.norm();
+    const double length = safeNorm(x, k);
     if (length > radius) z *= radius / length;
   } else if (k == 2) {
     const convex::Point<2> in = z;
@@ -47,9 +50,7 @@ void projectBall(double radius, const double* r, int k, double* x) {
 /// P of the ball: I inside, (a/|z|)(I − e eᵀ) outside; e = z/|z| outside, 0 inside.
 void ballDerivative(double radius, const double* z, int k, double* P, double* e) {
   // Plain loops: an outer product of vectors whose size is not known makes a temporary matrix.
-  double square = 0.0;
-  for (int i = 0; i < k; ++i) square += z[i] * z[i];
-  const double length = std::sqrt(square), q = std::max(radius, 0.0) / length;
+  const double length = safeNorm(z, k), q = std::max(radius, 0.0) / length;
   const bool inside = length <= std::max(radius, 0.0);
   for (int i = 0; i < k; ++i) e[i] = inside ? 0.0 : z[i] / length;
   for (int i = 0; i < k; ++i)
@@ -59,14 +60,34 @@ void ballDerivative(double radius, const double* z, int k, double* P, double* e)
     }
 }
 
+/// Nearest point of the cone where squares of z or of μ are no numbers: by the direction (cos, sin)
+/// of its edge, with z in units of its largest number.
+template <int n>
+convex::Point<n> farCone(double mu, const convex::Point<n>& z) {
+  const double unit = z.template lpNorm<Eigen::Infinity>(), edge = std::hypot(1.0, mu);
+  if (!(unit > 0.0) || !std::isfinite(unit)) return z;
+  const convex::Point<n> x = z / unit;
+  const double cosine = 1.0 / edge, sine = mu / edge, xT = x.template tail<n - 1>().norm();
+  if (xT * cosine <= x[0] * sine) return z;
+  const double along = cosine * x[0] + sine * xT;
+  if (along <= 0.0) return convex::Point<n>::Zero();
+  convex::Point<n> y;
+  y[0] = cosine * along;
+  y.template tail<n - 1>() = x.template tail<n - 1>() * (sine * along / xT);
+  return unit * y;
+}
+
 /// One projection onto the cone of n rows.
 template <int n>
 void coneMap(double mu, double rho, const double* xi, const double* Lambda, double* e) {
-  convex::Point<n> L, shifted;
-  for (int i = 0; i < n; ++i) L[i] = Lambda[i], shifted[i] = xi[i];
-  shifted[0] += mu * shifted.template tail<n - 1>().norm();
+  convex::Point<n> L, z;
+  for (int i = 0; i < n; ++i) L[i] = Lambda[i], z[i] = xi[i];
+  z[0] += mu * safeNorm(xi + 1, n - 1);
+  z = L - rho * z;
+  const double square = z.squaredNorm();
+  const bool near = square > kLeastSquare && square < kMostSquare && mu < kMostMu;
   const convex::Point<n> p =
-      convex::prox(convex::FrictionCone<n>{mu}, convex::Point<n>(L - rho * shifted));
+      near ? convex::prox(convex::FrictionCone<n>{mu}, z) : farCone<n>(mu, z);
   for (int i = 0; i < n; ++i) e[i] = L[i] - p[i];
 }
 
@@ -197,7 +218,7 @@ void UnilateralCoulomb::naturalMap(const LawInput& in, double rho, const double*
 
 SimpleSet UnilateralCoulomb::simpleSet(const LawInput& in) const {
   if (in.dim == 1) return {SimpleSet::Shape::interval, 0.0, convex::kInfinity};
-  return {SimpleSet::Shape::friction, 0.0, mu_};
+  return {SimpleSet::Shape::friction, 0.0, std::min(mu_, kMostMu)};
 }
 
 bool UnilateralCoulomb::proxDerivative(const LawInput& in, double rho, const double* xi,
@@ -263,7 +284,7 @@ void GivenFriction::prox(const LawInput& in, const double* r, const double* xi,
 bool GivenFriction::proxDerivative(const LawInput& in, double rho, const double* xi,
                                    const double* Lambda, double* A, double* B) const {
   const int n = in.dim;
-  double z[kMaxRows] = {}, P[kMaxRows * kMaxRows], e[kMaxRows];
+  double z[kMostRows] = {}, P[kMostRows * kMostRows], e[kMostRows];
   for (int i = 0; i < n; ++i) z[i] = Lambda[i] - rho * xi[i];
   ballDerivative(radius(in), z, n, P, e);
   for (int i = 0; i < n * n; ++i) B[i] = rho * P[i], A[i] = -P[i];

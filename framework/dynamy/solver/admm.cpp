@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/convex_sets.hpp>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/admm.hpp>
 
@@ -94,7 +95,7 @@ void Admm::project(const InclusionProblem& p, int i, double* y) const {
       projectCone<3>(cone_[i].mu, y);
     return;
   }
-  double r[8], zero[8] = {};
+  double r[kMostRows], zero[kMostRows] = {};
   std::fill(r, r + dim, 1.0);
   p.law(i).prox(p.input(i), r, zero, y);
 }
@@ -115,7 +116,7 @@ bool Admm::iterate(const InclusionProblem& p) {
   for (int i = 0; i < p.size(); ++i) {
     const int first = p.row0(i), dim = p.dim(i);
     const double weight = sigma_ * lambda_[i], root = std::sqrt(lambda_[i]);
-    double old[8];
+    double old[kMostRows];
     for (int r = 0; r < dim; ++r) {
       old[r] = y_[first + r];
       y_[first + r] = x_[first + r] - z_[first + r] / weight;
@@ -161,12 +162,13 @@ SolveReport Admm::solve(const InclusionProblem& p, Vec Lambda) {
       break;
     }
     ++report.iterations;
-    if (report.iterations % kTestEvery != 0) continue;
+    const bool enough = p.rule && p.rule->enough();
+    if (report.iterations % kTestEvery != 0 && !enough) continue;
     const Residuals now = residuals(p, ConstVec(y_.data(), p.rows()), scratch_);
     if (now.largest() < report.residuals.largest()) report.residuals = now, best_ = y_;
     if (report.residuals.largest() <= options_.tolerance) {
       report.status = SolveStatus::solved;
-    } else if (p.rule && p.rule->enough()) {
+    } else if (enough) {
       break;
     } else if (!balance(p, report.iterations)) {
       report.status = SolveStatus::stalled;

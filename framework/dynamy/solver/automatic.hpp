@@ -2,10 +2,11 @@
 ///
 ///   start good enough → accept it · one contact → closed form · large factors → ADMM
 ///   · sweeps while they pay → proximal Newton → the same, other ρ → Gauss–Seidel
-///   → proximal Newton from other starts
+///   → proximal Newton from other starts → pivoting
+///   → given problems: many more starts
 ///
-/// Every stage starts from the best Λ of the one before and is judged by the same residuals. An
-/// unconverged Λ is returned as such.
+/// Every stage is judged by the same residuals. The result is the best Λ that any of them had, be
+/// it the start; an unconverged one is returned as such.
 #pragma once
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/easy_problems.hpp>
@@ -32,20 +33,38 @@ class Automatic final : public InclusionSolver {
 
  private:
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
+  /// The stages one after the other, from a start that is worth improving; its residuals in.
+  SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);
+  /// Remembers Λ if it is the best one so far.
+  void keep(ConstVec Lambda, const Residuals& residuals);
   /// Alternating directions for problems with large factors; true: solved, else Λ is the start.
   bool alternate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Newton's method from other starts with other steps ρ; true: solved. Λ is the best one so far.
   bool restarts(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
 
+  /// Many short tries from many starts, for small given problems; true: solved. Λ is the best one
+  /// so far.
+  bool others(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+  /// Newton's method from `trial`; Λ and the residuals in `report` become better or remain.
+  bool tryFrom(const InclusionProblem& problem, const NewtonSchedule& schedule,
+               Eigen::VectorXd& trial, Vec Lambda, SolveReport& report);
+  /// Λ ← normal forces that alone give `velocity` · u_ref, times up to 1e4 in an order that
+  /// `spread` numbers; 0: all alike.
+  static void press(const InclusionProblem& problem, double velocity, int spread,
+                    Eigen::VectorXd& Lambda);
+  /// Lemke's method and Newton steps from its polygons; true: solved. Λ is the best one so far.
+  bool pivot(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+
   AutomaticOptions options_;
   EasyProblems easy_;
   ProximalNewton newton_;
-  LemkeSolver lemke_;  // for G_ii = 0
+  LemkeSolver lemke_;  // for G_ii = 0, and last
   BlockNewton rescue_;
   MinimalNorm minimalNorm_;
   Admm admm_;
   ProxGaussSeidel gaussSeidel_;  // starts of restarts
-  std::vector<double> r_, scratch_, start_;
+  std::vector<double> r_, scratch_, start_, keptLambda_;
+  Residuals kept_;
 };
 
 }  // namespace dynamy

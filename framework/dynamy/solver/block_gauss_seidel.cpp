@@ -1,15 +1,11 @@
 #include <algorithm>
+#include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/block_gauss_seidel.hpp>
 #include <dynamy/solver/local_iteration.hpp>
 
 namespace dynamy {
-namespace {
-
-constexpr int kMaxDim = 8;
-
-}  // namespace
-
 void BlockGaussSeidel::prepare(const InclusionProblem& p) {
   if (options().symmetric || !balls_.prepare(p)) return local_.prepare(p);
   local_.clear();
@@ -33,7 +29,7 @@ void BlockGaussSeidel::contact(const InclusionProblem& p, int i, int prepared, c
                                double* Lambda) {
   const int dim = p.dim(i), first = p.row0(i);
   const double* D = p.G->diagonalBlock(i);
-  double *mine = Lambda + first, b[kMaxDim], old[kMaxDim];
+  double *mine = Lambda + first, b[kMostRows], old[kMostRows];
   p.G->row(i, Lambda, b);
   for (int k = 0; k < dim; ++k) {
     double own = 0.0;
@@ -42,7 +38,9 @@ void BlockGaussSeidel::contact(const InclusionProblem& p, int i, int prepared, c
     old[k] = mine[k];
   }
   const LocalCase found = local_.solve(prepared, b, mine).found;
-  if (found == LocalCase::notSimple || found == LocalCase::noSolution)
+  const bool finite = std::all_of(mine, mine + dim, [](double x) { return std::isfinite(x); });
+  if (!finite) std::copy(old, old + dim, mine);  // of numbers whose squares are none
+  if (!finite || found == LocalCase::notSimple || found == LocalCase::noSolution)
     iterateContact(p.law(i), p.input(i), D, b, r + first, mine);
   for (int k = 0; k < dim; ++k) old[k] = mine[k] - old[k];
   p.G->changed(i, old);

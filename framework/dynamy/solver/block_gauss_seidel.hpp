@@ -18,8 +18,8 @@ class BlockGaussSeidel final : public ProxSolver {
   static void declare(Attributes& a);
 
   void prepare(const InclusionProblem& problem) override;
-  /// True: sweep() needs no r of the prepared problem.
-  bool allSimple() const { return local_.allSimple(); }
+  /// r: rows() prox parameters of this problem, needed by every contact that has no closed form or
+  /// no solution while the others rest [kg].
   void sweep(const InclusionProblem& problem, const double* r, double* Lambda) override;
 
  private:

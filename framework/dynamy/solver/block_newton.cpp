@@ -1,13 +1,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/block_newton.hpp>
 #include <limits>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr int kMemory = 5;      ///< values of |F| a step is compared with
 constexpr int kHalvings = 9;    ///< t = 1 … 2⁻⁹
 constexpr int kMaxGrowth = 24;  ///< failed inner problems in a row until the schedule gives up
@@ -73,14 +73,17 @@ bool BlockNewton::prepare(const InclusionProblem& p) {
   for (int i = 0; i < p.size(); ++i) {
     if (&p.law(i) == last) continue;
     last = &p.law(i);
-    double A[kMaxDim * kMaxDim], B[kMaxDim * kMaxDim];
-    const double Lambda[kMaxDim] = {};
+    double A[kMostRows * kMostRows], B[kMostRows * kMostRows];
+    const double Lambda[kMostRows] = {};
     if (!last->proxDerivative(p.input(i), 1.0, p.c.data() + p.row0(i), Lambda, A, B)) return false;
   }
   return true;
 }
 
 void BlockNewton::chooseSteps(const InclusionProblem& p, const NewtonSchedule& s) {
+  weight_ = lambda_;
+  if (s.velocities)
+    for (double& w : weight_) w *= w;
   for (int i = 0; i < p.size(); ++i) {
     const int dim = p.dim(i);
     double* r = r_.data() + p.row0(i);
@@ -109,11 +112,11 @@ double BlockNewton::map(const InclusionProblem& p, const double* Lambda, const d
       F[k] = Lambda[k] - F[k];
       e2 += F[k] * F[k];
     }
-    sum += lambda_[i] * e2;
+    sum += weight_[i] * e2;
     if (!derivative) continue;
     // The law knows one ρ: z = Λ − ρ ξ' with ξ' = R ξ/ρ, and B = P R = B' R/ρ.
     const double rho = r[dim - 1];
-    double scaled[kMaxDim];
+    double scaled[kMostRows];
     for (int k = 0; k < dim; ++k) scaled[k] = xi[first + k] * (r[k] / rho);
     double *A = blocks_.A.data() + blocks_.block0[i], *B = blocks_.B.data() + blocks_.block0[i];
     if (!p.law(i).proxDerivative(in, rho, scaled, Lambda + first, A, B)) return -1.0;

@@ -31,6 +31,9 @@ struct NewtonSchedule {
   double rho = 2.0;             ///< r_i = ρ/λ_i …
   bool separateNormal = false;  ///< … or r_N = ρ/G_NN, r_T = ρ/λ_max(G_TT)
   bool lineSearch = false;      ///< t = 1 … 2⁻⁹ against the largest of the last five |F|
+  /// |F| = √Σ (λ_i|F_i|)², in velocities, instead of √Σ λ_i|F_i|², whose square is an energy. In
+  /// energies the rounding of contacts of heavy bodies hides what those of light ones miss.
+  bool velocities = false;
 
   /// With line search and small changes of a, where whole steps stagnate.
   static NewtonSchedule gentle();
@@ -58,7 +61,7 @@ class BlockNewton {
  private:
   enum class Inner { converged, failed, solved, enough, tooLarge };
   void chooseSteps(const InclusionProblem& p, const NewtonSchedule& s);
-  /// F and, if asked for, A and B at (Λ, ξ); returns √Σ λ_i|F_i|².
+  /// F and, if asked for, A and B at (Λ, ξ); returns |F| of the schedule.
   double map(const InclusionProblem& p, const double* Lambda, const double* xi, double* F,
              bool derivative);
   void relativeVelocity(const InclusionProblem& p, const double* Lambda, double* xi) const;
@@ -73,7 +76,7 @@ class BlockNewton {
   NewtonSystemChoice systems_;
   NewtonSystem* system_ = nullptr;
   NewtonBlocks blocks_;
-  std::vector<double> lambda_, r_;
+  std::vector<double> lambda_, weight_, r_;  // weight_: of |F_i|² in |F|²
   std::vector<double> Lambda_, xi_, dLambda_, dXi_, trialLambda_, trialXi_, trialF_, centre_, best_,
       recent_, scratch_;
 };

@@ -1,12 +1,12 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/dense_problem.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr double kRank = 1e-11;   ///< relative size of an eigenvalue that counts as zero
 constexpr double kTouch = 1e-8;   ///< of u_ref: a normal velocity below is zero
 constexpr double kForce = 1e-12;  ///< of the largest force: below is none
@@ -34,6 +34,8 @@ DenseProblem::DenseProblem(const InclusionProblem& problem, ConstVec Lambda)
     closed_.push_back(!problem.law(i).unilateral() || pressed ||
                       xi_[first] <= kTouch * problem.uRef);
   }
+  finite_ = xi_.allFinite() && c_.allFinite() &&
+            (scale_.asDiagonal() * G_ * scale_.asDiagonal()).eval().allFinite();
 }
 
 bool DenseProblem::hasNormal(int contact) const {
@@ -44,8 +46,8 @@ bool DenseProblem::anyForceAllowed(int contact) const {
   // prox of ±z returns z only for C = ℝ^dim, if z is large against everything else.
   const int dim = problem_->dim(contact);
   const double size = 1e9 * (1.0 + (Lambda_.size() > 0 ? Lambda_.lpNorm<Eigen::Infinity>() : 0.0));
-  double r[kMaxDim], xi[kMaxDim] = {}, z[kMaxDim];
-  std::fill(r, r + kMaxDim, 1.0);
+  double r[kMostRows], xi[kMostRows] = {}, z[kMostRows];
+  std::fill(r, r + kMostRows, 1.0);
   for (int k = 0; k < dim; ++k)
     for (const double sign : {1.0, -1.0}) {
       std::fill(z, z + dim, 0.0);
@@ -61,18 +63,18 @@ Eigen::MatrixXd DenseProblem::proxJacobian(int contact) const {
   const double rho = scale_[first] * scale_[first];
   const LawInput in = problem_->input(contact);
   const double *Lambda = Lambda_.data() + first, *xi = xi_.data() + first;
-  double A[kMaxDim * kMaxDim], B[kMaxDim * kMaxDim];
+  double A[kMostRows * kMostRows], B[kMostRows * kMostRows];
   if (problem_->law(contact).proxDerivative(in, rho, xi, Lambda, A, B))
     return Eigen::MatrixXd::Identity(dim, dim) - ConstBlock(A, dim, dim);
   // Central differences for a law that does not offer it.
   Eigen::MatrixXd P(dim, dim);
-  double r[kMaxDim];
-  std::fill(r, r + kMaxDim, rho);
+  double r[kMostRows];
+  std::fill(r, r + kMostRows, rho);
   const double h =
       1e-6 * (Eigen::Map<const Eigen::VectorXd>(Lambda, dim).norm() +
               rho * (problem_->uRef + Eigen::Map<const Eigen::VectorXd>(xi, dim).norm()));
   for (int k = 0; k < dim; ++k) {
-    double plus[kMaxDim], minus[kMaxDim];
+    double plus[kMostRows], minus[kMostRows];
     std::copy(Lambda, Lambda + dim, plus), std::copy(Lambda, Lambda + dim, minus);
     plus[k] += h, minus[k] -= h;
     problem_->law(contact).prox(in, r, xi, plus);
@@ -84,7 +86,7 @@ Eigen::MatrixXd DenseProblem::proxJacobian(int contact) const {
 
 Eigen::MatrixXd DenseProblem::kernel(const std::vector<int>& rows) const {
   const auto n = static_cast<Eigen::Index>(rows.size());
-  if (n == 0) return Eigen::MatrixXd(0, 0);
+  if (n == 0 || !finite_) return Eigen::MatrixXd(n, 0);
   const Eigen::VectorXd s = scale_(rows);
   const Eigen::MatrixXd scaled = s.asDiagonal() * G_(rows, rows) * s.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (scaled + scaled.transpose()));
@@ -97,7 +99,7 @@ Eigen::MatrixXd DenseProblem::kernel(const std::vector<int>& rows) const {
 Eigen::MatrixXd DenseProblem::reduced(const std::vector<int>& rows,
                                       const std::vector<int>& given) const {
   Eigen::MatrixXd out = G_(rows, rows);
-  if (given.empty()) return out;
+  if (given.empty() || !finite_) return out;
   const Eigen::VectorXd s = scale_(given);
   const Eigen::MatrixXd Ggg = s.asDiagonal() * G_(given, given) * s.asDiagonal();
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;

@@ -19,6 +19,8 @@ class DenseProblem {
   const Eigen::MatrixXd& G() const { return G_; }
   const Eigen::VectorXd& Lambda() const { return Lambda_; }
   const Eigen::VectorXd& xi() const { return xi_; }
+  /// G in the scales of its contacts and ξ are numbers. Asked before anything below.
+  bool finite() const { return finite_; }
   /// λ_i^(-1/2) of every row.
   const Eigen::VectorXd& scale() const { return scale_; }
   /// Λ_i may be any vector: joints.
@@ -50,6 +52,7 @@ class DenseProblem {
   Eigen::MatrixXd G_;
   Eigen::VectorXd c_, Lambda_, xi_, scale_;
   std::vector<bool> free_, closed_;
+  bool finite_ = true;
 };
 
 }  // namespace dynamy

@@ -73,12 +73,17 @@ Diagnosis diagnose(const InclusionProblem& p, ConstVec Lambda, const SolveReport
     if (f) d.findings.push_back(std::move(*f));
   };
   add(unsolved(report, names));
+  if (p.rows() == 0) return d;
   if (p.rows() > options.maxRows || !Lambda.allFinite()) {
     d.rank = -1;
     if (Lambda.allFinite()) add(tooLarge(p.rows(), options.maxRows));
     return d;
   }
   const DenseProblem dense(p, Lambda);
+  if (!dense.finite()) {  // decompositions that pivot by size read out of bounds
+    d.rank = -1;
+    return d;
+  }
   for (int i = 0; i < p.size(); ++i) d.closed += dense.isClosed(i) ? 1 : 0;
   const std::vector<int> rows = dense.rowsOf([&](int i) { return dense.isClosed(i); });
   const Eigen::MatrixXd Z = dense.kernel(rows);

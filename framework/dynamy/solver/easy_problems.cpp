@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/easy_problems.hpp>
 #include <dynamy/solver/local_iteration.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr int kMemory = 5;  ///< of Anderson's acceleration
 constexpr int kFirstSweeps =
     20;  ///< before the rate is judged: acceleration takes some to build up
@@ -21,7 +21,7 @@ constexpr double kPatience = 300.0;
 bool EasyProblems::oneContact(const InclusionProblem& p, double tolerance, Vec Lambda,
                               SolveReport& report) {
   const int dim = p.dim(0);
-  double start[kMaxDim];
+  double start[kMostRows];
   std::copy(Lambda.data(), Lambda.data() + dim, start);
   const double* D = p.G->diagonalBlock(0);
   const LawInput in = p.input(0);
@@ -32,6 +32,7 @@ bool EasyProblems::oneContact(const InclusionProblem& p, double tolerance, Vec L
   report.method = found == LocalCase::takeOff ? "take-off"
                   : found == LocalCase::stick ? "stick"
                                               : "slip";
+  if (!Lambda.allFinite()) std::copy(start, start + dim, Lambda.data());
   if (found == LocalCase::notSimple || found == LocalCase::noSolution) {
     relaxation(p, Relaxation::exact, 1.0, r_);
     iterateContact(p.law(0), in, D, p.c.data(), r_.data(), Lambda.data());
@@ -73,11 +74,12 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
                           SolveReport& report) {
   report.method = "sweeps";
   block_.prepare(p);
-  if (!block_.allSimple()) relaxation(p, Relaxation::exact, 1.0, r_);
+  // Also where all sets are simple: a contact may have no solution for some b, and then steps by r.
+  relaxation(p, Relaxation::exact, 1.0, r_);
   start_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   best_ = start_;
   before_.resize(best_.size());
-  Residuals best = report.residuals;
+  Residuals& best = bestResiduals_ = report.residuals;
   // Of the last two tests; `part`: residual over change at the last one.
   double last = best.largest(), earlier = last, part = 0.0;
   int sweep = 0, tested = 0, earlierSweep = 0;
@@ -88,18 +90,19 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
     block_.sweep(p, r_.data(), Lambda.data());
     ++sweep, ++report.iterations;
     const double moved = sweep > 1 ? change(view(Lambda)) : 0.0;
-    if (sweep > 2 && sweep - tested < kSweepsPerTest && part * moved > tolerance) continue;
+    const bool enough = p.rule && p.rule->enough();
+    if (!enough && sweep > 2 && sweep - tested < kSweepsPerTest && part * moved > tolerance)
+      continue;
     const Residuals now = residuals(p, view(Lambda), scratch_);
     if (now.largest() <= best.largest()) {
       best = now;
       std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
     }
-    if (best.largest() <= tolerance) break;
+    if (best.largest() <= tolerance || enough) break;
     // ln E falls by `fall` a sweep: how many more are needed?
     const double fall = std::log(earlier / best.largest()) / (sweep - earlierSweep);
     const double missing = std::log(best.largest() / tolerance) / fall;
     promising = sweep < kFirstSweeps || (fall > 0.0 && missing <= kPatience);
-    if (p.rule && p.rule->enough()) break;
     earlier = last, earlierSweep = tested;
     last = best.largest(), tested = sweep, part = moved > 0.0 ? now.largest() / moved : 0.0;
   }
@@ -110,7 +113,6 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
   // Newton's method starts better from plain prox sweeps: extrapolated and locally exact Λ have a
   // more ragged set of sticking contacts.
   std::copy(start_.begin(), start_.end(), Lambda.data());
-  relaxation(p, Relaxation::exact, 1.0, r_);
   p.G->begin(Lambda.data());
   for (int k = 0; k < kPlainSweeps; ++k) prox_.sweep(p, r_.data(), Lambda.data());
   report.iterations += kPlainSweeps;

@@ -15,8 +15,11 @@ class EasyProblems {
   bool oneContact(const InclusionProblem& problem, double tolerance, Vec Lambda,
                   SolveReport& report);
   /// Sweeps while the rate promises the solution soon; true: solved. Else Λ comes from 15 plain
-  /// prox sweeps.
+  /// prox sweeps, which may be worse than best().
   bool sweeps(const InclusionProblem& problem, double tolerance, Vec Lambda, SolveReport& report);
+  /// The best Λ of the last sweeps(), and its residuals.
+  const std::vector<double>& best() const { return best_; }
+  const Residuals& bestResiduals() const { return bestResiduals_; }
 
  private:
   void accelerate(const InclusionProblem& problem, bool first, Vec Lambda);
@@ -29,6 +32,7 @@ class EasyProblems {
   ProxGaussSeidel prox_;
   Anderson anderson_;
   std::vector<double> r_, lambda_, scratch_, start_, best_, before_;
+  Residuals bestResiduals_;
 };
 
 }  // namespace dynamy

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/safe_norm.hpp>
 #include <dynamy/solver/given_problem.hpp>
 
 namespace dynamy {
@@ -44,11 +45,9 @@ BlockRows blocks(const ContactSet& contacts, const Eigen::SparseMatrix<double, E
 double velocityScale(const InclusionProblem& p) {
   double closing = 0.0, all = 0.0;
   for (int i = 0; i < p.size(); ++i) {
-    double square = 0.0;
-    for (int k = 0; k < p.dim(i); ++k) square += p.c[p.row0(i) + k] * p.c[p.row0(i) + k];
-    all = std::max(all, std::sqrt(square));
-    if (!p.law(i).unilateral() || p.c[p.row0(i)] < 0.0)
-      closing = std::max(closing, std::sqrt(square));
+    const double length = safeNorm(p.c.data() + p.row0(i), p.dim(i));
+    all = std::max(all, length);
+    if (!p.law(i).unilateral() || p.c[p.row0(i)] < 0.0) closing = std::max(closing, length);
   }
   return closing > 0.0 ? closing : (all > 0.0 ? all : 1.0);
 }
@@ -70,6 +69,10 @@ GivenProblem::GivenProblem(std::vector<GivenContact> contacts, const Eigen::Spar
   }
   expects(c.size() == contacts_.rows() && G.rows() == c.size() && G.cols() == c.size(),
           "G and c have the rows of the contacts");
+  for (int k = 0; k < G.outerSize(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator e(G, k); e; ++e)
+      expects(std::isfinite(e.value()), "G and c hold finite numbers");
+  expects(c.allFinite(), "G and c hold finite numbers");
   G_.given(contacts_,
            blocks(contacts_, Eigen::SparseMatrix<double, Eigen::RowMajor>(G), contactOfRow));
   problem_.G = &G_, problem_.contacts = &contacts_;

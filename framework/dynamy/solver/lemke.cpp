@@ -160,7 +160,7 @@ LcpOutcome Lemke::ray(int entering) {
   return proof ? LcpOutcome::infeasible : LcpOutcome::ray;
 }
 
-bool Lemke::provenInfeasible() {
+bool Lemke::provenInfeasible(const std::function<bool()>& enough) {
   // Is there a z ≥ 0 with Mz + q ≥ 0 at all? The optimality conditions of a linear programme with
   // nothing to minimise, whose skew matrix makes every ray a proof: y is its h.
   if (n_ > kMaxProof) return false;
@@ -173,7 +173,7 @@ bool Lemke::provenInfeasible() {
   other.n_ = 2 * n_;
   other.scale({K.data(), 2 * n_, 2 * n_}, view(std::as_const(right)));
   other.cover_.setOnes(2 * n_);
-  if (other.pivoting(10 * n_) != LcpOutcome::infeasible) return false;
+  if (other.pivoting(10 * n_, enough) != LcpOutcome::infeasible) return false;
   direction_ = other.direction_.tail(n_).cwiseProduct(scale_);
   return true;
 }
@@ -184,7 +184,7 @@ double Lemke::coveringValue() const {
   return 0.0;
 }
 
-LcpOutcome Lemke::pivoting(int maxPivots) {
+LcpOutcome Lemke::pivoting(int maxPivots, const std::function<bool()>& enough) {
   start();
   int entering = 2 * n_;
   for (bool first = true;; first = false) {
@@ -194,12 +194,13 @@ LcpOutcome Lemke::pivoting(int maxPivots) {
     pivot(row, entering);
     if (!tableau_.allFinite()) return LcpOutcome::notFinite;
     if (leaving == 2 * n_) return LcpOutcome::solved;
-    if (pivots_ >= maxPivots) return LcpOutcome::pivotLimit;
+    if (pivots_ >= maxPivots || (enough && enough())) return LcpOutcome::pivotLimit;
     entering = leaving < n_ ? leaving + n_ : leaving - n_;
   }
 }
 
-LcpOutcome Lemke::solve(ConstBlock M, ConstVec q, Vec z, int maxPivots) {
+LcpOutcome Lemke::solve(ConstBlock M, ConstVec q, Vec z, int maxPivots,
+                        const std::function<bool()>& enough) {
   n_ = static_cast<int>(q.size());
   pivots_ = 0;
   if (!M.allFinite() || !q.allFinite()) return LcpOutcome::notFinite;
@@ -212,11 +213,12 @@ LcpOutcome Lemke::solve(ConstBlock M, ConstVec q, Vec z, int maxPivots) {
   constexpr double kGolden = 0.6180339887498949;
   double best = std::numeric_limits<double>::infinity();
   LcpOutcome outcome = LcpOutcome::ray;
-  for (int path = 0; path < kPaths && pivots_ < maxPivots; ++path) {
+  for (int path = 0; path < kPaths && pivots_ < maxPivots && !(path > 0 && enough && enough());
+       ++path) {
     cover_.setOnes(n_);
     for (int i = 0; i < n_ && path > 0; ++i)
       cover_[i] += 3.0 * std::fmod(path * kGolden * (i + 1), 1.0);
-    const LcpOutcome found = pivoting(maxPivots);
+    const LcpOutcome found = pivoting(maxPivots, enough);
     if (found == LcpOutcome::infeasible) return found;
     if (found == LcpOutcome::solved) {
       result();
@@ -227,7 +229,7 @@ LcpOutcome Lemke::solve(ConstBlock M, ConstVec q, Vec z, int maxPivots) {
     if (path == 0) outcome = found == LcpOutcome::solved ? LcpOutcome::ray : found;
   }
   if (std::isfinite(best)) return LcpOutcome::solved;
-  return outcome == LcpOutcome::ray && provenInfeasible() ? LcpOutcome::infeasible : outcome;
+  return outcome == LcpOutcome::ray && provenInfeasible(enough) ? LcpOutcome::infeasible : outcome;
 }
 
 }  // namespace dynamy

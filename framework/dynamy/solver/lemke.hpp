@@ -19,6 +19,7 @@
 #pragma once
 #include <Eigen/LU>
 #include <dynamy/core/types.hpp>
+#include <functional>
 #include <vector>
 
 namespace dynamy {
@@ -34,14 +35,16 @@ enum class LcpOutcome : std::uint8_t {
 class Lemke {
  public:
   /// z of n numbers; M: n × n, any matrix. z is written only if the outcome is `solved`.
-  LcpOutcome solve(ConstBlock M, ConstVec q, Vec z, int maxPivots = 10000);
+  /// `enough`: asked before every pivot; true: the outcome is `pivotLimit`. May be empty.
+  LcpOutcome solve(ConstBlock M, ConstVec q, Vec z, int maxPivots = 10000,
+                   const std::function<bool()>& enough = {});
   int pivots() const { return pivots_; }
   /// h of n numbers, if the outcome is `infeasible`.
   const Eigen::VectorXd& direction() const { return direction_; }
 
  private:
-  LcpOutcome pivoting(int maxPivots);
-  bool provenInfeasible();
+  LcpOutcome pivoting(int maxPivots, const std::function<bool()>& enough);
+  bool provenInfeasible(const std::function<bool()>& enough);
   double coveringValue() const;
   void scale(ConstBlock M, ConstVec q);
   void start();

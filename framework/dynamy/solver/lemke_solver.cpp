@@ -31,8 +31,8 @@ LemkeSolver::LemkeSolver(const Parameters& x)
       newton_(newtonOptions(options_.tolerance)) {}
 
 bool LemkeSolver::pays(const InclusionProblem& p) {
-  constexpr int kMaxRows = 200;
-  if (p.G->hasBodies() || p.rows() > kMaxRows) return false;
+  constexpr int kMostPivoted = 200;
+  if (p.G->hasBodies() || p.rows() > kMostPivoted) return false;
   for (int i = 0; i < p.size(); ++i)
     if (!(contactLambda(p.G->diagonalBlock(i), p.dim(i)) > 0.0)) return true;
   return false;
@@ -52,7 +52,8 @@ SolveReport LemkeSolver::solve(const InclusionProblem& p, Vec Lambda) {
   best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   form_.pose(p, options_.facets);
   z_.resize(form_.size());
-  outcome_ = lemke_.solve(form_.M(), form_.q(), view(z_), options_.maxPivots);
+  outcome_ = lemke_.solve(form_.M(), form_.q(), view(z_), options_.maxPivots,
+                          [&p] { return p.rule && p.rule->enough(); });
   report.iterations = lemke_.pivots();
   report.method = form_.exact() ? "Lemke" : std::string_view(faceted_);
   report.status = SolveStatus::stalled;

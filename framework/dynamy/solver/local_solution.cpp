@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/solver/local_solution.hpp>
 #include <dynamy/solver/slip_equation.hpp>
 
@@ -8,15 +9,14 @@ namespace dynamy {
 namespace {
 
 using SetShape = SimpleSet::Shape;
-constexpr int kMaxDim = 8;
 /// Pivots below this part of the diagonal are rounding: singular.
 constexpr double kSingular = 1e-13;
 
 /// D⁻¹, rows and columns scaled by the diagonal: rows of joints may have different units.
 bool invert(const double* D, int n, double* out) {
   using Small =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMaxDim, kMaxDim>;
-  using Scale = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxDim, 1>;
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostRows, kMostRows>;
+  using Scale = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
   const Eigen::Map<const RowMatrix> A(D, n, n);
   if (!(A.diagonal().minCoeff() > 0.0)) return false;
   const Scale scale = A.diagonal().cwiseSqrt().cwiseInverse();
@@ -62,7 +62,6 @@ LocalReport interval(double D, double lower, double upper, double b, double* Lam
 
 void LocalSolutions::clear() {
   contacts_.clear(), numbers_.clear(), planar_.clear(), spatial_.clear();
-  allSimple_ = true;
 }
 
 void LocalSolutions::prepare(const InclusionProblem& p) {
@@ -104,7 +103,6 @@ void LocalSolutions::add(const double* D, int dim, const SimpleSet& set) {
     case SetShape::other:
       break;
   }
-  allSimple_ = allSimple_ && contact.simple;
   contacts_.push_back(contact);
 }
 

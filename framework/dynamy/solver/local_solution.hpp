@@ -25,7 +25,6 @@ class LocalSolutions {
   int size() const { return static_cast<int>(contacts_.size()); }
   /// False: solve() answers notSimple.
   bool simple(int i) const { return contacts_[static_cast<std::size_t>(i)].simple; }
-  bool allSimple() const { return allSimple_; }
   /// Λ of contact i. Of several solutions: take-off before stick before the smallest a.
   LocalReport solve(int i, const double* b, double* Lambda) const;
   /// All isolated solutions of a contact with friction, in that order: their number, one report
@@ -39,7 +38,6 @@ class LocalSolutions {
     bool simple;
     std::size_t at;  ///< its numbers
   };
-  bool allSimple_ = true;
   std::vector<Contact> contacts_;
   std::vector<FrictionBlock<1>> planar_;
   std::vector<FrictionBlock<2>> spatial_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy/solver/minimal_norm.hpp>
+#include <dynamy/solver/stop_with.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -19,7 +20,8 @@ void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec 
       unit = std::min(unit, lambda);
   if (!report.ok() || !std::isfinite(unit)) return;
   problem_ = p;
-  problem_.G = &G_, problem_.rule = nullptr;
+  const StopWith stop(p.rule);
+  problem_.G = &G_, problem_.rule = &stop;
   trial_ = Lambda;
   double a = 0.0;
   for (const double part : kPath) {

@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {
 namespace {
-
-constexpr int kMaxDim = 8;
 
 Relaxation relaxationByName(const std::string& word) {
   if (word == "diagonalDominance") return Relaxation::diagonalDominance;
@@ -135,7 +134,8 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
     if (lost) report.status = std::isfinite(d) ? SolveStatus::diverged : SolveStatus::notFinite;
     // The change alone would flatter a creeping iteration: it only says when the full test is worth
     // its price.
-    const bool last = lost || report.iterations >= options_.maxIterations;
+    const bool enough = problem.rule && problem.rule->enough();
+    const bool last = lost || enough || report.iterations >= options_.maxIterations;
     if (part * d > options_.tolerance && report.iterations < nextTest && !last) continue;
     const Residuals now = residuals(problem, view(Lambda), scratch_);
     if (d > 0.0) part = std::max(kPart, now.largest() / d);
@@ -146,8 +146,7 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
       momentum_.halve();
     }
     if (now.largest() <= options_.tolerance) report.status = SolveStatus::solved;
-    if (now.largest() <= options_.tolerance || lost || (problem.rule && problem.rule->enough()))
-      break;
+    if (now.largest() <= options_.tolerance || lost || enough) break;
     if (best.largest() <= kProgress * mark) mark = best.largest(), marked = report.iterations;
     if (report.iterations - marked > std::max(kPatience * passes, report.iterations / 2)) {
       if (momentum_.end()) {
@@ -173,7 +172,7 @@ void ProxGaussSeidel::sweep(const InclusionProblem& problem, const double* r, do
 void ProxGaussSeidel::contact(const InclusionProblem& problem, int i, const double* r,
                               double* Lambda) {
   const int dim = problem.dim(i), first = problem.row0(i);
-  double xi[kMaxDim], old[kMaxDim];
+  double xi[kMostRows], old[kMostRows];
   problem.G->row(i, Lambda, xi);
   for (int k = 0; k < dim; ++k) {
     xi[k] += problem.c[static_cast<std::size_t>(first + k)];

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/elimination.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
@@ -7,7 +8,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps and a large a
 constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
@@ -50,7 +50,7 @@ void ProximalNewton::reserve() {
   const auto rows = static_cast<std::size_t>(options_.maxRows);
   for (std::vector<double>* v : {&lambda_, &xi_, &F_, &dLambda_, &centre_, &trial_, &best_})
     v->reserve(rows);
-  A_.reserve(rows * kMaxDim), B_.reserve(rows * kMaxDim), J_.reserve(rows * rows);
+  A_.reserve(rows * kMostRows), B_.reserve(rows * kMostRows), J_.reserve(rows * rows);
   scratch_.reserve(4 * rows);
 }
 
@@ -81,7 +81,7 @@ double ProximalNewton::evaluate(const InclusionProblem& p, double a, const doubl
   for (int i = 0; i < p.size(); ++i) {
     const int dim = p.dim(i), first = p.row0(i);
     const double lambda = lambda_[static_cast<std::size_t>(i)], rho = 2.0 / lambda;
-    double *xi = xi_.data() + first, *F = F_.data() + first, r[kMaxDim], e2 = 0.0;
+    double *xi = xi_.data() + first, *F = F_.data() + first, r[kMostRows], e2 = 0.0;
     for (int k = 0; k < dim; ++k) {
       const int row = first + k;
       double sum = p.c[static_cast<std::size_t>(row)] +
@@ -134,7 +134,7 @@ int ProximalNewton::newton(const InclusionProblem& p, double a, double stop, Vec
   double merit = evaluate(p, a, Lambda.data(), true);
   std::fill(recent, recent + kMemory, merit);
   for (int it = 0; it < kMaxInner; ++it) {
-    if (!(merit >= 0.0)) return -1;
+    if (!(merit >= 0.0) || (p.rule && p.rule->enough())) return -1;
     if (it > 0 && std::sqrt(merit) <= stop) return it;
     if (!step(p, a)) return -1;
     const double bound = *std::max_element(recent, recent + kMemory);
@@ -208,7 +208,7 @@ bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, Solv
   double bestE = report.residuals.largest();
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
   Residuals best = report.residuals;
-  for (int steps = 0; steps < kMaxDense;) {
+  for (int steps = 0; steps < kMaxDense && !(p.rule && p.rule->enough());) {
     std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
     const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
     const int used = newton(p, a, kInner * outer, Lambda), counted = used < 0 ? 40 : used;
@@ -250,6 +250,10 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
     const bool solved = dense(p, Lambda, pressed ? kPressed : (cold ? kCold : kWarm), report);
     report.note("proximal Newton, dense", before);
     if (solved) return report;
+    if (p.rule && p.rule->enough()) {
+      report.status = SolveStatus::maxIterations;
+      return report;
+    }
   }
   if (!blocks && !block_.prepare(p)) return finish(p, Lambda, report);
   if (good) {

@@ -24,6 +24,12 @@ double largestEigenvalue(const double* block, int dim, int a, int b) {
   return largest;
 }
 
+/// 1/λ; 0 where that is no number.
+double inverse(double lambda) {
+  const double value = 1.0 / lambda;
+  return lambda > 0.0 && std::isfinite(value) ? value : 0.0;
+}
+
 void exactSteps(const InclusionProblem& p, std::vector<double>& r) {
   for (int i = 0; i < p.size(); ++i) {
     const int dim = p.dim(i), first = p.row0(i);
@@ -31,7 +37,7 @@ void exactSteps(const InclusionProblem& p, std::vector<double>& r) {
     for (int a = 0; a < dim;) {
       const int b = p.law(i).groupEnd(a, dim);
       const double lambda = largestEigenvalue(block, dim, a, b);
-      const double value = lambda > 0.0 ? 1.0 / lambda : 0.0;
+      const double value = inverse(lambda);
       for (; a < b; ++a) r[static_cast<std::size_t>(first + a)] = value;
     }
   }
@@ -95,7 +101,7 @@ void relaxation(const InclusionProblem& p, Relaxation rule, double factor, std::
       break;
     case Relaxation::spectral: {
       const double lambda = largestOf(p, 0.0, 200);
-      std::fill(r.begin(), r.end(), lambda > 0.0 ? 1.0 / lambda : 0.0);
+      std::fill(r.begin(), r.end(), inverse(lambda));
       break;
     }
     case Relaxation::optimal:
@@ -113,7 +119,7 @@ void relaxation(const InclusionProblem& p, Relaxation rule, double factor, std::
         for (int k = 0; k < p.dim(i); ++k) {
           double& value = r[static_cast<std::size_t>(p.row0(i) + k)];
           const double G = dominant ? std::abs(p.G->diagonalBlock(i)[k * p.dim(i) + k]) : value;
-          value = G > 0.0 ? 1.0 / G : 0.0;
+          value = inverse(G);
         }
       equaliseGroups(p, r);
       break;

@@ -1,24 +1,33 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/safe_norm.hpp>
 #include <dynamy/solver/inclusion_solver.hpp>
 #include <limits>
 
 namespace dynamy {
+namespace {
+
+/// Smaller ones have no inverse among the numbers.
+constexpr double kLeastLambda = 4.0 * std::numeric_limits<double>::min();
+
+}  // namespace
 
 double contactLambda(const double* block, int dim) {
+  double largest = 0.0;
   if (dim == 3) {  // the contact in space, written out
     const auto row = [block](int r) {
       return std::abs(block[3 * r]) + std::abs(block[3 * r + 1]) + std::abs(block[3 * r + 2]);
     };
-    return std::max({row(0), row(1), row(2)});
+    largest = std::max({row(0), row(1), row(2)});
+  } else {
+    for (int r = 0; r < dim; ++r) {
+      double sum = 0.0;
+      for (int k = 0; k < dim; ++k) sum += std::abs(block[r * dim + k]);
+      largest = std::max(largest, sum);
+    }
   }
-  double largest = 0.0;
-  for (int r = 0; r < dim; ++r) {
-    double sum = 0.0;
-    for (int k = 0; k < dim; ++k) sum += std::abs(block[r * dim + k]);
-    largest = std::max(largest, sum);
-  }
-  return largest;
+  return largest >= kLeastLambda ? largest : 0.0;
 }
 
 std::string_view solveStatusText(SolveStatus status) {
@@ -44,7 +53,6 @@ constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
 constexpr double kFine = 1e-13, kCoarse = 1e-5;
 /// Part of the velocities of a problem that Λ − ρ ξ must resolve.
 constexpr double kSwallowed = 1e-2;
-constexpr int kMaxDim = 8;
 
 /// What of |e_i|/ρ_i is rounding: of c, and (once |G||Λ| is known) of ξ = GΛ + c.
 double noise(const InclusionProblem& p, int i, const double* absolute) {
@@ -71,6 +79,7 @@ Residuals measure(const InclusionProblem& p, const double* velocity, const doubl
   }
   out.Ef = worstE == 0.0 ? 0.0 : (largestLambda > 0.0 ? worstE / largestLambda : 1.0);
   out.Eu = worstU == 0.0 ? 0.0 : (p.uRef > 0.0 ? worstU / p.uRef : 1.0);
+  if (!std::isfinite(out.Ef)) out.Ef = out.Eu;  // forces beyond all numbers; E_f ≤ E_u
   return out;
 }
 
@@ -78,9 +87,9 @@ Residuals measure(const InclusionProblem& p, const double* velocity, const doubl
 /// those are zero too, or 1. ρ = 0 would count as solved whatever such a contact asks for.
 double substituteLambda(const InclusionProblem& p, int i, const double* rowSums) {
   const double own = *std::max_element(rowSums + p.row0(i), rowSums + p.row0(i) + p.dim(i));
-  if (own > 0.0) return own;
+  if (own >= kLeastLambda) return own;
   const double all = *std::max_element(rowSums, rowSums + p.rows());
-  return all > 0.0 ? all : 1.0;
+  return all >= kLeastLambda ? all : 1.0;
 }
 
 /// The largest velocity that c was made of: a last correction has a small c of large parts.
@@ -101,23 +110,23 @@ void swallowed(const InclusionProblem& p, double unknown, int i, Residuals& out)
   if (out.given != -1.0) out.given = std::max(out.given, E);
 }
 
-/// Squares of c and Λ of one contact of n rows (0: of `dim`).
-struct Squares {
+/// |c| and |Λ| of one contact of n rows (0: of `dim`).
+struct Lengths {
   double c = 0.0, Lambda = 0.0;
   bool finite = true;
 };
 /// ξ += c.
 template <int n>
-Squares addC(const double* c, const double* Lambda, int dim, double* xi) {
-  Squares out;
-  double sum = 0.0;
-  for (int r = 0; r < (n > 0 ? n : dim); ++r) {
+Lengths addC(const double* c, const double* Lambda, int dim, double* xi) {
+  const int rows = n > 0 ? n : dim;
+  double c2 = 0.0, Lambda2 = 0.0;
+  bool finite = true;
+  for (int r = 0; r < rows; ++r) {
     xi[r] += c[r];
-    out.c += c[r] * c[r], out.Lambda += Lambda[r] * Lambda[r];
-    sum += xi[r] + Lambda[r];
+    c2 += c[r] * c[r], Lambda2 += Lambda[r] * Lambda[r];
+    finite = finite && std::isfinite(xi[r]) && std::isfinite(Lambda[r]);
   }
-  out.finite = std::isfinite(sum);
-  return out;
+  return {safeNorm(c, rows, c2), safeNorm(Lambda, rows, Lambda2), finite};
 }
 
 Residuals notFinite(int contact) {
@@ -130,7 +139,11 @@ Residuals notFinite(int contact) {
 Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
                     std::vector<double>& scratch) {
   const int n = problem.rows(), contacts = problem.size();
-  if (n == 0) return {};
+  if (n == 0) {
+    Residuals none;
+    if (problem.rule) none.given = 0.0;
+    return none;
+  }
   // ξ, |G||Λ|; e/ρ and ρ of the contacts.
   scratch.resize(2 * static_cast<std::size_t>(n) + 2 * static_cast<std::size_t>(contacts));
   double *absolute = scratch.data() + n, *velocity = absolute + n, *scale = velocity + contacts;
@@ -138,6 +151,7 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     std::fill(scratch.begin(), scratch.begin() + n, 0.0);
   else
     problem.G->apply(Lambda.data(), scratch.data());
+  const double unit = problem.uRef > 0.0 ? problem.uRef : 1.0;  // of velocities that are squared
   double largestLambda = 0.0, spurious = 0.0, available = 0.0, unknown = 0.0;
   int lost = -1;
   bool summed = false;
@@ -152,20 +166,20 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     }
     const double rho = 1.0 / lambda;
     const double *c = problem.c.data() + first, *L = Lambda.data() + first;
-    const Squares squares = dim == 3 ? addC<3>(c, L, dim, xi) : addC<0>(c, L, dim, xi);
+    const Lengths lengths = dim == 3 ? addC<3>(c, L, dim, xi) : addC<0>(c, L, dim, xi);
     // A projection may swallow what is not a number: asked for here, reported as infinite.
-    if (!squares.finite) return notFinite(i);
-    double e[kMaxDim] = {}, e2 = 0.0;
-    const double length = std::sqrt(squares.Lambda);
+    if (!lengths.finite) return notFinite(i);
+    double e[kMostRows] = {};
+    const double length = lengths.Lambda;
     problem.law(i).naturalMap(problem.input(i), rho, xi, Lambda.data() + first, e);
-    for (int r = 0; r < dim; ++r) e2 += e[r] * e[r];
-    velocity[i] = std::sqrt(e2) * lambda;
+    velocity[i] = safeNorm(e, dim) * lambda;
+    if (!std::isfinite(velocity[i])) return notFinite(i);
     const double resolution = std::numeric_limits<double>::epsilon() * length * lambda;
     if (resolution > unknown) unknown = resolution, lost = i;
     scale[i] = rho;
     largestLambda = std::max({largestLambda, length, rho * problem.uRef});
-    spurious += e2 * lambda;
-    available += rho * squares.c;
+    const double wrong = velocity[i] / unit, given = lengths.c / unit;
+    spurious += rho * wrong * wrong, available += rho * given * given;
   }
   Residuals out = measure(problem, velocity, scale, nullptr, largestLambda);
   if (out.Eu > kFine && out.Eu <= kCoarse) {

@@ -49,8 +49,8 @@ std::string stateText(const DenseProblem& dense, const Eigen::VectorXd& Lambda,
 
 std::optional<Finding> pivoted(const InclusionProblem& p, const SolveReport& report,
                                double tolerance) {
-  constexpr int kMostRows = 200;
-  if (report.ok() || p.rows() > kMostRows) return std::nullopt;
+  constexpr int kMostPivoted = 200;
+  if (report.ok() || p.rows() > kMostPivoted) return std::nullopt;
   LemkeSolver lemke({.tolerance = tolerance});
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   if (lemke.solve(p, view(Lambda)).ok())
@@ -71,7 +71,7 @@ std::optional<Finding> severalSolutions(const DenseProblem& dense, const SolveRe
                                         InclusionSolver& solver, double tolerance,
                                         const Names& names) {
   const InclusionProblem& p = dense.problem();
-  if (!(p.uRef > 0.0)) return std::nullopt;
+  if (!(p.uRef > 0.0) || p.rows() == 0 || !dense.finite()) return std::nullopt;
   struct Solution {
     Eigen::VectorXd Lambda, xi;
   };

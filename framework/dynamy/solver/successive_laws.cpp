@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/solver/relaxation.hpp>
 #include <dynamy/solver/successive_laws.hpp>
@@ -7,7 +8,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxDim = 8;
 constexpr double kInner = 0.1;     ///< inner problems are solved to this part of the tolerance
 constexpr double kDiverged = 1e6;  ///< growth of the residual over its best that is no detour
 
@@ -24,7 +24,7 @@ double SuccessiveLaws::sweep(const InclusionProblem& p, Phase phase, double* Lam
     // A law with a normal force takes part with one of its halves, all others as they are.
     const bool coupled = p.law(i).unilateral();
     if (coupled && dim == 1 && phase == Phase::friction) continue;
-    double xi[kMaxDim], old[kMaxDim];
+    double xi[kMostRows], old[kMostRows];
     p.G->row(i, Lambda, xi);
     for (int k = 0; k < dim; ++k) {
       xi[k] += p.c[static_cast<std::size_t>(first + k)];
@@ -47,7 +47,9 @@ double SuccessiveLaws::sweep(const InclusionProblem& p, Phase phase, double* Lam
 int SuccessiveLaws::inner(const InclusionProblem& p, Phase phase, Vec Lambda) {
   p.G->begin(Lambda.data());
   for (int k = 1; k <= options_.maxIterations; ++k)
-    if (!(sweep(p, phase, Lambda.data()) > kInner * options_.tolerance)) return k;
+    if (!(sweep(p, phase, Lambda.data()) > kInner * options_.tolerance) ||
+        (p.rule && p.rule->enough()))
+      return k;
   return options_.maxIterations;
 }
 
