@@ -68,25 +68,7 @@ constexpr const char* kFooter =
 int run(int argc, char** argv) {
   Program program;
   CLI::App app{"dynamY: simulation of multibody systems with impacts and friction", "dynamy"};
-  app.set_version_flag("--version", versionText());
-  app.require_subcommand(1);
-  addRun(app, program);
-  addResume(app, program);
-  addVerify(app, program);
-  addCheck(app, program);
-  addEigen(app, program);
-  addList(app, program);
-  addDescribe(app, program);
-  addSchema(app, program);
-  addCompare(app, program);
-  addView(app, program);
-  addSolve(app, program);
-  addSweep(app, program);
-  addReport(app, program);
-  addNewPlugin(app, program);
-  addBench(app, program);
-  addCompletion(app, program);
-  addManual(app, program);
+  addCommands(app, program);
   app.footer(kFooter);
   try {
     return withErrorsTold([&] {

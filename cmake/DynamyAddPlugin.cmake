@@ -10,7 +10,9 @@ function(dynamy_add_plugin name)
   add_library(${name} MODULE ${ARGN})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE dynamy::framework)
-  target_link_options(${name} PRIVATE -Wl,--no-undefined)  # told by the linker, not by the loader
+  if(NOT DYNAMY_FUZZ)
+    target_link_options(${name} PRIVATE -Wl,--no-undefined)  # told by the linker, not by the loader
+  endif()
   set_target_properties(${name} PROPERTIES PREFIX lib
     INSTALL_RPATH "$ORIGIN/.." BUILD_WITH_INSTALL_RPATH ON)  # the program has loaded libdynamy.so
   if(TARGET dynamy_framework)

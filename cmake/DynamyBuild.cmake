@@ -52,6 +52,21 @@ if(DYNAMY_SANITIZE)
   # gcc 12 warns falsely inside std::function once a sanitizer is on.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
+# What every link demands of a library: a symbol that is nowhere defined is an error here, not when a
+# program starts. clang keeps the sanitizers in the program, so its libraries cannot promise that.
+set(DYNAMY_WHOLE_LIBRARY -Wl,--no-undefined)
+if(DYNAMY_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "DYNAMY_FUZZ needs clang: cmake --preset fuzz, or scripts/fuzz")
+  endif()
+  # Libraries are opened while a target runs, so types have several descriptions and functions several
+  # types: vptr and function would report only that.
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize=vptr,function)
+  add_compile_options(${sanitizers} -fsanitize=fuzzer-no-link -fno-sanitize-recover=all
+    -fno-omit-frame-pointer -gline-tables-only)
+  add_link_options(${sanitizers})
+  set(DYNAMY_WHOLE_LIBRARY "")
+endif()
 if(DYNAMY_COVERAGE)
   add_compile_options(--coverage)
   add_link_options(--coverage)
