@@ -1,17 +1,21 @@
 /// dynamy check MODEL: reads, builds and verifies; tells the size of the scene.
 #include <fmt/format.h>
 
+#include <sys/resource.h>
+
+#include <chrono>
 #include <cmath>
 #include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/io/json_writer.hpp>
 #include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/run_sizes.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/simulation.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <memory>
 #include <optional>
 
-#include "program.hpp"
+#include "check.hpp"
 #include "run_text.hpp"
 
 namespace dynamy::app {
@@ -25,8 +29,31 @@ struct Sizes {
   int closed = 0, unknowns = 0;  ///< of them, and their rows
   double energy = 0.0;           ///< T + V [J]
   Worst penetration;
-  std::string weightless;  ///< systems that <Gravity> does not act on
+  std::string weightless;   ///< systems that <Gravity> does not act on
+  double evaluation = 0.0;  ///< M, h and all contacts at the start, measured [s], about
+  double memory = 0.0;      ///< of this program with the model [bytes], about
 };
+
+/// The least of a few evaluations, for at most a tenth of a second after the first.
+double evaluationTime(MechanicalSystem& system, const State& x) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kMost = 20;
+  constexpr double kLong = 0.1;
+  double least = std::numeric_limits<double>::infinity(), all = 0.0;
+  for (int i = 0; i < kMost && all < kLong; ++i) {
+    const auto begin = Clock::now();
+    system.evaluate(x);
+    const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+    least = std::min(least, took), all += took;
+  }
+  return least;
+}
+
+double usedMemory() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return 1024.0 * static_cast<double>(used.ru_maxrss);
+}
 
 /// Names of the moving systems that do not answer to gravity, if the model has any.
 std::string weightless(const Model& model, const State& x) {
@@ -80,6 +107,8 @@ Sizes sizesOf(Model& model) {
   EnergyMeter meter(model);
   s.energy = meter.kinetic(x) + meter.potential(x);
   s.weightless = weightless(model, x);
+  s.evaluation = evaluationTime(system, x);
+  s.memory = usedMemory();
   return s;
 }
 
@@ -122,7 +151,38 @@ std::string lawsText(const PairLaws& laws) {
   return out;
 }
 
-std::string text(const Model& model, const Sizes& s, const std::optional<Alternative>& other) {
+/// Steps of one length that lead to the end; 0 if the program chooses them.
+double stepCount(const Model& model) {
+  const SimulationSettings& s = model.simulation;
+  return s.step > 0.0 ? std::ceil(s.until / s.step * (1.0 - 1e-12)) : 0.0;
+}
+
+std::string durationText(double seconds) {
+  if (seconds < 1e-4) return fmt::format("{:.2g} us", 1e6 * seconds);
+  if (seconds < 0.1) return fmt::format("{:.2g} ms", 1e3 * seconds);
+  if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000.0) return fmt::format("{:.2g} min", seconds / 60.0);
+  if (seconds < 100.0 * 3600.0) return fmt::format("{:.2g} h", seconds / 3600.0);
+  return fmt::format("{:.2g} days", seconds / 86400.0);
+}
+
+/// What the run will need, as far as it is known before it.
+std::string needsText(const Model& model, const Sizes& s, const RunSizes& run) {
+  std::string out = fmt::format(
+      " a run: memory about {}   disk about {}: {:.6g} rows of {:g} numbers, {:.6g} pictures of "
+      "{:g} "
+      "poses\n",
+      bytesText(s.memory), bytesText(run.bytes), run.rows, run.columns, run.pictures, run.poses);
+  out += fmt::format(" an evaluation at the start takes about {}", durationText(s.evaluation));
+  const double steps = stepCount(model);
+  if (steps > 0.0)
+    out += fmt::format(": {:.6g} steps take about {} or more", steps,
+                       durationText(steps * s.evaluation));
+  return out + "\n";
+}
+
+std::string text(const Model& model, const Sizes& s, const RunSizes& run,
+                 const std::optional<Alternative>& other) {
   std::string out = fmt::format("{}: ok\n", model.sourceFile);
   out += fmt::format(" systems {}   forces {}   contact elements {}   signals {}   checks {}\n",
                      s.systems, s.forces, s.contactElements, s.signals, s.checks);
@@ -134,6 +194,7 @@ std::string text(const Model& model, const Sizes& s, const std::optional<Alterna
   out += fmt::format(" {}   {}   {}   to t = {:g} s   length of the scene {:.3g} m\n",
                      model.scheme().type(), model.solver().type(), stepText(model),
                      model.simulation.until, model.length());
+  out += needsText(model, s, run);
   for (const std::string& line : model.composed) out += " " + line + "\n";
   out += lawsText(model.pairLaws());
   if (other)
@@ -160,7 +221,17 @@ void writeLaws(JsonWriter& j, const Model& model) {
   j.endArray();
 }
 
-std::string json(const Model& model, const Sizes& s, const std::optional<Alternative>& other) {
+void writeNeeds(JsonWriter& j, const Model& model, const Sizes& s, const RunSizes& run) {
+  j.key("run").beginObject();
+  j.member("steps", stepCount(model)).member("evaluation", s.evaluation);
+  j.member("memory", s.memory).member("disk", run.bytes);
+  j.member("rows", run.rows).member("columns", run.columns);
+  j.member("pictures", run.pictures).member("poses", run.poses);
+  j.endObject();
+}
+
+std::string json(const Model& model, const Sizes& s, const RunSizes& run,
+                 const std::optional<Alternative>& other) {
   std::string out;
   JsonWriter j(out, 2);
   j.beginObject().member("model", model.sourceFile).member("ok", true);
@@ -174,6 +245,7 @@ std::string json(const Model& model, const Sizes& s, const std::optional<Alterna
   j.member("step", model.simulation.step).member("tolerance", model.simulation.tolerance);
   j.member("until", model.simulation.until);
   j.member("length", model.length());
+  writeNeeds(j, model, s, run);
   writeLaws(j, model);
   if (other)
     j.key("otherCoordinates")
@@ -189,36 +261,41 @@ std::string json(const Model& model, const Sizes& s, const std::optional<Alterna
 
 }  // namespace
 
+int check(Program& program, const CheckChoice& choice) {
+  LoadOptions options;
+  options.set = choice.set;
+  Model model = loadModel(choice.model, program.registry, program.plugins, options);
+  const Simulation verified(model);  // signals of checks, step
+  const Sizes sizes = sizesOf(model);
+  const RunSizes run = runSizes(model);
+  const auto other = otherCoordinates(model, choice.model, options, program);
+  fmt::print("{}", choice.json ? json(model, sizes, run, other) : text(model, sizes, run, other));
+  if (!choice.elements) return kOk;
+  const Verdict verdict = checkModel(model);
+  for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
+  if (!choice.json && verdict) fmt::print(" every entry of its elements agrees with differences\n");
+  return verdict ? kOk : kFailed;
+}
+
 void addCheck(CLI::App& app, Program& program) {
   struct Texts {
-    std::string model;
+    CheckChoice choice;
     std::vector<std::string> set;
-    bool json = false, elements = false;
   };
   auto t = std::make_shared<Texts>();
-  CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its size");
-  c->add_option("MODEL", t->model, "XML file")->required();
+  CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its sizes");
+  c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   addPlugins(*c, program);
-  c->add_flag("--json", t->json, "print JSON");
+  c->add_flag("--json", t->choice.json, "print JSON");
   c->add_flag(
-      "--elements", t->elements,
+      "--elements", t->choice.elements,
       "also compare M, h, frames, W, chi and prox of every element with differences and name "
       "each wrong entry");
   c->callback([t, &program] {
     program.load();
-    LoadOptions options;
-    for (const std::string& s : t->set) options.set.push_back(assignment(s));
-    Model model = loadModel(t->model, program.registry, program.plugins, options);
-    const Simulation verified(model);  // signals of checks, step
-    const Sizes sizes = sizesOf(model);
-    const auto other = otherCoordinates(model, t->model, options, program);
-    fmt::print("{}", t->json ? json(model, sizes, other) : text(model, sizes, other));
-    if (!t->elements) return;
-    const Verdict verdict = checkModel(model);
-    for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
-    if (!t->json && verdict) fmt::print(" every entry of its elements agrees with differences\n");
-    if (!verdict) program.exitCode = kFailed;
+    for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
+    program.exitCode = check(program, t->choice);
   });
 }
 

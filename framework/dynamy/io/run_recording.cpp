@@ -1,6 +1,7 @@
 #include <dynamy/io/file_error.hpp>
 #include <dynamy/io/model_scene.hpp>
 #include <dynamy/io/run_recording.hpp>
+#include <dynamy/io/run_sizes.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 
 namespace dynamy {
@@ -42,6 +43,7 @@ RunRecording::RunRecording(const RunFolder& folder, const Model& model, Resume)
 
 RunRecording::RunRecording(const RunFolder& folder, const Model& model)
     : RunRecording(folder, model, Resume{}) {
+  requireRoom(model, folder.path());
   signals_.emplace(folder.signals(), recordedSignals(model));
   frames_.emplace(folder.frames(), modelScene(model));
   events_.emplace(folder.events());
