@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 
+#include "numbers.hpp"
 #include "stability_page.hpp"
 
 namespace dynamy::app {
@@ -164,7 +165,7 @@ void addBench(CLI::App& app, Program& program) {
   c->add_option("--solver", t->solvers, "these solvers only")->delimiter(',');
   c->add_option("--step", t->steps, "these steps instead of the scenes' own")->delimiter(',');
   c->add_option("-j,--jobs", t->jobs, "cells at the same time")->check(CLI::PositiveNumber);
-  c->add_option("--limit", t->limit, "CPU time of a cell [s]")->check(CLI::Range(1.0, 3600.0));
+  c->add_option("--limit", t->limit, "CPU time of a cell [s]")->check(numberBetween(1.0, 3600.0));
   addPlugins(*c, program);
   c->callback([t, &program] { benchStability(program, *t); });
   addBenchPrecision(*bench, program);

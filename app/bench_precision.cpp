@@ -12,6 +12,7 @@
 #include <fstream>
 #include <memory>
 
+#include "numbers.hpp"
 #include "precision_page.hpp"
 
 namespace dynamy::app {
@@ -187,7 +188,7 @@ void addBenchPrecision(CLI::App& bench, Program& program) {
       ->type_name("DIR");
   c->add_option("--repeats", t->repeats, "turns through all points; the cost is the median")
       ->check(CLI::PositiveNumber);
-  c->add_option("--limit", t->limit, "CPU time of a point [s]")->check(CLI::Range(1.0, 3600.0));
+  c->add_option("--limit", t->limit, "CPU time of a point [s]")->check(numberBetween(1.0, 3600.0));
   addPlugins(*c, program);
   c->callback([t, &program] { benchPrecision(program, *t); });
 }

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "eigen_text.hpp"
+#include "numbers.hpp"
 #include "program.hpp"
 #include "sweep_plan.hpp"
 
@@ -45,8 +46,8 @@ void place(const Model& model, const std::string& text, State& x) {
         if (known.back() != name) continue;
         char* end = nullptr;
         (*into)[from + index] = std::strtod(value.c_str(), &end);
-        if (value.empty() || *end != '\0')
-          throw CLI::ValidationError("--start", '"' + value + "\" is no number");
+        if (value.empty() || *end != '\0' || !std::isfinite((*into)[from + index]))
+          throw CLI::ValidationError("--start", '"' + value + "\" is no finite number");
         return;
       }
   }
@@ -193,7 +194,7 @@ void addEigen(CLI::App& app, Program& program) {
                 "gaps up to this part of the scene's length count as closed, slips up to this part "
                 "of the fastest velocity as sticking; default: 1e-6")
       ->type_name("NUMBER")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   c->add_option("--root-of", t->rootOf,
                 "also where a real part changes its sign while a parameter goes from A to B")
       ->type_name("NAME=A:B");

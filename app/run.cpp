@@ -7,6 +7,7 @@
 
 #include "build_text.hpp"
 #include "error_bar.hpp"
+#include "numbers.hpp"
 #include "run_job.hpp"
 #include "watch.hpp"
 
@@ -137,7 +138,7 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--tolerance", t->choice.tolerance,
                 "accuracy, replaces the model's; the program chooses the steps")
       ->type_name("NUMBER")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   c->add_option("--integrator", t->choice.integrator,
                 "scheme, replaces the model's; with attributes: \"ThetaMethod theta=1\"")
       ->type_name("SCHEME");

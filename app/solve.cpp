@@ -14,6 +14,7 @@
 #include <dynamy/solver/inclusion_solver.hpp>
 #include <memory>
 
+#include "numbers.hpp"
 #include "program.hpp"
 
 namespace dynamy::app {
@@ -160,7 +161,7 @@ void addSolve(CLI::App& app, Program& program) {
       ->capture_default_str();
   c->add_option("--tolerance", t->tolerance, "FCLIB's residual at which the solver stops")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   c->add_option("--max-time", t->maxTime, "time after which it gives up")->type_name("TIME");
   c->add_option("--reactions", t->reactions, "HDF5 file for the problem with /solution/r and u")
       ->type_name("FILE");

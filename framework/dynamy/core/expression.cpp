@@ -128,7 +128,7 @@ bool ExpressionSet::isAffine(int output, std::span<const int> variables) const {
 ExpressionCompiler::ExpressionCompiler(SymbolTable symbols) : symbols_(std::move(symbols)) {}
 
 int ExpressionCompiler::add(std::string_view text) {
-  outputs_.push_back(parseExpression(text, symbols_, graph_));
+  outputs_.push_back(parseExpression(text, symbols_, graph_, ConstantParts::finite));
   return static_cast<int>(outputs_.size()) - 1;
 }
 

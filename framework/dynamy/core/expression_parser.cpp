@@ -1,9 +1,11 @@
+#include <cmath>
 #include <dynamy/core/expression_error.hpp>
 #include <dynamy/core/expression_functions.hpp>
 #include <dynamy/core/expression_lexer.hpp>
 #include <dynamy/core/expression_parser.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +25,12 @@ class Parser {
   Parser(std::string_view text, const SymbolTable& symbols, ExpressionGraph& graph)
       : text_(text), tokens_(tokenize(text)), symbols_(symbols), graph_(graph) {}
 
-  Node run() {
+  Node run(ConstantParts parts) {
     const Node result = expression();
     if (current().kind == TokenKind::close) fail("\")\" closes nothing", current());
     if (current().kind != TokenKind::end) expectedOperator();
+    if (parts == ConstantParts::finite && endless_ && needsEndless(result))
+      throw ExpressionError("this part has no finite value", endless_->offset, endless_->length);
     return result;
   }
 
@@ -81,6 +85,33 @@ class Parser {
     return graph_.select(condition, a, b);
   }
 
+  /// Remembers the first part of finite constants whose value is not finite.
+  Node noted(Node result, std::size_t firstToken) {
+    if (endless_ || brokenSymbol_ || !isEndless(result)) return result;
+    const std::size_t begin = tokens_[firstToken].offset;
+    const Token& last = tokens_[at_ - 1];
+    endless_ = Part{begin, last.offset + last.length - begin};
+    return result;
+  }
+
+  bool isEndless(Node n) const { return graph_.isConstant(n) && !std::isfinite(graph_.value(n)); }
+
+  /// A branch that is never taken may be anything: only what the result is made of counts.
+  bool needsEndless(Node result) const {
+    std::vector<bool> needed(result + 1, false);
+    needed[result] = true;
+    for (std::size_t i = result + 1; i-- > 0;) {
+      if (!needed[i]) continue;
+      if (isEndless(static_cast<Node>(i))) return true;
+      const Instruction& node = graph_.nodes()[i];
+      const int n = operandCount(node.op);
+      if (n > 0) needed[node.a] = true;
+      if (n > 1) needed[node.b] = true;
+      if (n > 2) needed[node.c] = true;
+    }
+    return false;
+  }
+
   Node either() {
     Node result = both();
     while (accept(TokenKind::logicalOr)) result = graph_.binary(Op::logicalOr, result, both());
@@ -125,12 +156,13 @@ class Parser {
   }
 
   Node sum() {
+    const std::size_t first = at_;
     Node result = product();
     while (true) {
       if (accept(TokenKind::plus)) {
-        result = graph_.binary(Op::add, result, product());
+        result = noted(graph_.binary(Op::add, result, product()), first);
       } else if (accept(TokenKind::minus)) {
-        result = graph_.binary(Op::subtract, result, product());
+        result = noted(graph_.binary(Op::subtract, result, product()), first);
       } else {
         return result;
       }
@@ -138,12 +170,13 @@ class Parser {
   }
 
   Node product() {
+    const std::size_t first = at_;
     Node result = unary();
     while (true) {
       if (accept(TokenKind::times)) {
-        result = graph_.binary(Op::multiply, result, unary());
+        result = noted(graph_.binary(Op::multiply, result, unary()), first);
       } else if (accept(TokenKind::over)) {
-        result = graph_.binary(Op::divide, result, unary());
+        result = noted(graph_.binary(Op::divide, result, unary()), first);
       } else {
         return result;
       }
@@ -152,11 +185,12 @@ class Parser {
 
   Node unary() {
     const Level level(*this);
+    const std::size_t first = at_;
     if (accept(TokenKind::minus)) return graph_.unary(Op::negate, unary());
     if (accept(TokenKind::plus)) return unary();
     if (accept(TokenKind::logicalNot)) return graph_.unary(Op::logicalNot, unary());
     const Node base = primary();
-    return accept(TokenKind::power) ? graph_.power(base, unary()) : base;
+    return accept(TokenKind::power) ? noted(graph_.power(base, unary()), first) : base;
   }
 
   Node primary() {
@@ -180,6 +214,7 @@ class Parser {
   }
 
   Node call() {
+    const std::size_t first = at_;
     const Token nameToken = current();
     const std::string_view name = word(nameToken);
     const ExpressionFunction* function = findFunction(name);
@@ -201,7 +236,7 @@ class Parser {
     }
     closeParenthesis(open);
     checkCount(*function, static_cast<int>(arguments.size()), nameToken);
-    return function->build(graph_, arguments);
+    return noted(function->build(graph_, arguments), first);
   }
 
   void checkCount(const ExpressionFunction& function, int count, const Token& nameToken) const {
@@ -229,7 +264,10 @@ class Parser {
     const std::string_view name = word(token);
     ++at_;
     if (const SymbolTable::Symbol* found = symbols_.find(name)) {
-      return found->isVariable ? graph_.variable(found->slot) : graph_.constant(found->value);
+      if (found->isVariable) return graph_.variable(found->slot);
+      // Told where it stands: what uses it stays silent.
+      brokenSymbol_ = brokenSymbol_ || !std::isfinite(found->value);
+      return graph_.constant(found->value);
     }
     if (name == "pi") return graph_.constant(std::numbers::pi);
     if (name == "e") return graph_.constant(std::numbers::e);
@@ -255,15 +293,20 @@ class Parser {
   std::vector<Token> tokens_;
   const SymbolTable& symbols_;
   ExpressionGraph& graph_;
+  struct Part {
+    std::size_t offset, length;
+  };
   std::size_t at_ = 0;
   int depth_ = 0;
+  std::optional<Part> endless_;
+  bool brokenSymbol_ = false;
 };
 
 }  // namespace
 
 ExpressionGraph::Node parseExpression(std::string_view text, const SymbolTable& symbols,
-                                      ExpressionGraph& graph) {
-  return Parser(text, symbols, graph).run();
+                                      ExpressionGraph& graph, ConstantParts parts) {
+  return Parser(text, symbols, graph).run(parts);
 }
 
 }  // namespace dynamy

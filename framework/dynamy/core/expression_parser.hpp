@@ -16,8 +16,13 @@
 
 namespace dynamy {
 
-/// The node of the expression's value. Raises ExpressionError.
+/// What parts of constants alone may give, such as 1/0.
+enum class ConstantParts { any, finite };
+
+/// The node of the expression's value. Raises ExpressionError, with ConstantParts::finite also for
+/// a constant part that the value needs and that is infinite or not a number.
 ExpressionGraph::Node parseExpression(std::string_view text, const SymbolTable& symbols,
-                                      ExpressionGraph& graph);
+                                      ExpressionGraph& graph,
+                                      ConstantParts parts = ConstantParts::any);
 
 }  // namespace dynamy

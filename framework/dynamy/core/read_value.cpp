@@ -1,6 +1,7 @@
 /// Reads the text of a value as its declaration asks: numbers with suffixes of the right family of
 /// units, ranges, words of a list. Each fault says what was expected and what was found.
 
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/expression_error.hpp>
 #include <dynamy/core/parameters.hpp>
@@ -104,6 +105,10 @@ std::optional<ValueFault> readNumber(const Attribute& a, const Word& word, bool 
     return ValueFault{std::move(text), {}, word.offset, word.text.size()};
   };
   if (word.text == "inf" || word.text == "-inf") {
+    // Only where the declaration names the word: elsewhere infinity makes nonsense of a step.
+    const bool admitted =
+        std::find(a.choices.begin(), a.choices.end(), word.text) != a.choices.end();
+    if (given && !admitted) return fault("must be finite, is " + std::string(word.text));
     x = word.text == "inf" ? kInfinity : -kInfinity;
   } else if (word.text == "nan") {
     if (given) return fault("must be a number, is nan");
@@ -112,6 +117,8 @@ std::optional<ValueFault> readNumber(const Attribute& a, const Word& word, bool 
     try {
       const Quantity quantity = parseQuantity(word.text);
       x = quantity.value;
+      if (!std::isfinite(x))
+        return fault("the number " + std::string(word.text) + " is out of range");
       if (quantity.family != UnitFamily::none && a.unit != Unit::any &&
           quantity.family != family(a.unit))
         return fault("expects " + expectedNumber(a.unit) + ", has [" +

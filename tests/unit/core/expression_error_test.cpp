@@ -207,6 +207,19 @@ TEST(ExpressionParser, SurvivesRandomTexts) {
   EXPECT_GT(accepted, 0);
 }
 
+INSTANTIATE_TEST_SUITE_P(
+    Endless, WrongExpression,
+    testing::Values(Wrong{"y*(1/0)", "this part has no finite value", 3, 3, ""},
+                    Wrong{"max(y, log(hS - 0.02))", "this part has no finite value", 7, 14, ""},
+                    Wrong{"y > 0 ? y : 0/0", "this part has no finite value", 12, 3, ""},
+                    Wrong{"1e200*1e200 + y", "this part has no finite value", 0, 11, ""}));
+
+TEST(Expression, ABranchThatIsNeverTakenMayBeEndless) {
+  Expression f = Expression::compile("hS > 0 ? 2*y : 1/0", toy());
+  const double x[] = {3.0, 0.0, 0.0};
+  EXPECT_EQ(f.value(x), 6.0);
+}
+
 TEST(UnitSuffix, HasFactorAndFamily) {
   const auto deg = parseUnitSuffix("deg");
   ASSERT_TRUE(deg.has_value());

@@ -1,0 +1,36 @@
+/// Numbers on the command line: CLI11's own checks let "nan" pass, since it is neither too small
+/// nor too large, and "inf".
+#pragma once
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <string>
+
+namespace dynamy::app {
+
+/// Accepts what reads as a finite number for which `fits` holds; `expected` ends the message.
+template <class Fits>
+CLI::Validator finiteNumber(const std::string& name, const std::string& expected,
+                            const Fits& fits) {
+  return CLI::Validator(
+      [expected, fits](std::string& text) {
+        double x = 0.0;
+        const bool reads = CLI::detail::lexical_cast(text, x);
+        if (reads && std::isfinite(x) && fits(x)) return std::string();
+        return "expects " + expected + ", is " + text;
+      },
+      name);
+}
+
+/// A finite number > 0.
+inline CLI::Validator positiveNumber() {
+  return finiteNumber("POSITIVE", "a positive number", [](double x) { return x > 0.0; });
+}
+
+/// A number between two bounds, both allowed.
+inline CLI::Validator numberBetween(double low, double high) {
+  const std::string bounds = CLI::detail::to_string(low) + " - " + CLI::detail::to_string(high);
+  return finiteNumber("FLOAT in [" + bounds + "]", "a number in " + bounds,
+                      [low, high](double x) { return low <= x && x <= high; });
+}
+
+}  // namespace dynamy::app
