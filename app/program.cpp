@@ -10,25 +10,37 @@
 #include <dynamy/io/frames_file.hpp>
 #include <dynamy/io/libraries.hpp>
 #include <dynamy/io/plugin.hpp>
+#include <dynamy/io/source_text.hpp>
 #include <dynamy/io/vocabulary.hpp>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
 namespace dynamy::app {
 namespace {
 
-/// An error that was found after the files were read shows its line, too.
+constexpr std::size_t kShownErrors = 100;  // as many as dynamy::format shows
+
+/// An error that was found after the files were read shows its line, too; of each file one copy is
+/// read.
 std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
-  for (Diagnostic& d : all) {
+  std::map<std::string, std::optional<SourceText>> files;
+  for (std::size_t i = 0; i < std::min(all.size(), kShownErrors); ++i) {
+    Diagnostic& d = all[i];
     if (!d.sourceLine.empty() || d.place.line <= 0 || d.place.file.empty()) continue;
-    std::ifstream in(d.place.file);
-    for (int i = 0; i < d.place.line && std::getline(in, d.sourceLine); ++i) {
+    const auto [at, isNew] = files.try_emplace(d.place.file);
+    std::error_code error;
+    if (isNew && std::filesystem::is_regular_file(d.place.file, error)) {
+      std::ifstream in(d.place.file, std::ios::binary);
+      std::ostringstream text;
+      text << in.rdbuf();
+      at->second.emplace(text.str(), d.place.file);
     }
-    if (!in) d.sourceLine.clear();
-    if (!d.sourceLine.empty() && d.sourceLine.back() == '\r') d.sourceLine.pop_back();
+    if (at->second) d.sourceLine = at->second->shownLine(d.place.line);
   }
   return all;
 }

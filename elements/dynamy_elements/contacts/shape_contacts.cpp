@@ -80,9 +80,17 @@ struct ShapeContacts::Search {
     const ShapeInstance& s = instances[shape];
     return touchingShape(s, start.frame(s.frame).A_IK.transpose() * plane);
   }
-  /// Tells a fault once per pair of words.
-  void fault(const std::string& a, const std::string& b, Diagnostic d) {
-    if (told.insert(std::minmax(a, b)).second) faults.add(std::move(d));
+  /// Tells a fault of the shapes i and j once per pair of words. A shape that its system has made
+  /// of its own has the place of the system.
+  void fault(std::size_t i, std::size_t j, const std::string& a, const std::string& b,
+             Diagnostic d) {
+    if (!told.insert(std::minmax(a, b)).second) return;
+    const auto placeOf = [&](std::size_t shape) {
+      return topology.systems()[static_cast<std::size_t>(instances[shape].system)]->place();
+    };
+    if (d.place.line <= 0) d.place = placeOf(i);
+    if (!d.notes.empty() && d.notes[0].place.line <= 0) d.notes[0].place = placeOf(j);
+    faults.add(std::move(d));
   }
 
   /// Number of a body that is part of a tree, other than those of systems and populations.
@@ -268,10 +276,11 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   const Shape &shapeA = *search.instances[i].shape, &shapeB = *search.instances[j].shape;
   const std::string &ma = shapeA.material(), &mb = shapeB.material();
   const PairLaw& found = laws_->find(ma, mb);
-  if (!found.from) return search.fault(ma, mb, missingLaw(shapeA, shapeB, laws_->missing(ma, mb)));
+  if (!found.from)
+    return search.fault(i, j, ma, mb, missingLaw(shapeA, shapeB, laws_->missing(ma, mb)));
   if (!found.law) return;
   if (made.meets == Meeting::missing)
-    return search.fault(shapeA.type() + ma, shapeB.type() + mb,
+    return search.fault(i, j, shapeA.type() + ma, shapeB.type() + mb,
                         missingPair(shapeA, shapeB, A->isThin() || B->isThin()));
   made.law = found.law;
 
@@ -283,15 +292,16 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   made.rows = offeredRows(planes_[made.plane]);
   const int asked = made.law->dim(made.rows);
   if (asked == kContourRows && made.meets != Meeting::overHalfSpace)
-    search.fault(ma, mb,
+    search.fault(i, j, ma, mb,
                  pairFault(shapeA, shapeB, "the way along a contour is known on half spaces only",
                            "leave contour=\"…\" away, or take a HalfSpace"));
   else if (asked > (planes_[made.plane].isZero(0.0) ? kContourRows : made.rows))
-    search.fault(ma, mb,
+    search.fault(i, j, ma, mb,
                  pairFault(shapeA, shapeB, "the law has more rows than a contact in a plane offers",
                            "take a law without a spin row, or bodies in space"));
   const GrainFault grain = grainFault(*A, *B, made.meets, *made.law, made.rows);
-  if (!grain.text.empty()) search.fault(ma, mb, pairFault(shapeA, shapeB, grain.text, grain.hint));
+  if (!grain.text.empty())
+    search.fault(i, j, ma, mb, pairFault(shapeA, shapeB, grain.text, grain.hint));
   made.grain = !A->grain_K.isZero(0.0) || !B->grain_K.isZero(0.0);
   made.features = featuresOf(made.meets, *A, *B);
   made.followed = made.features - followedOf(made.meets, *A, *B);

@@ -98,8 +98,9 @@ bool AttributeReader::allDeclared(const XmlNode& node, const Scope& scope,
 bool AttributeReader::sources(const XmlNode& node, const Scope& scope,
                               std::vector<Source>& out) const {
   out.push_back({&node, &scope});
-  const auto byTag = scope.defaults.find(node.tag);
-  const auto* classes = byTag == scope.defaults.end() ? nullptr : &byTag->second;
+  const DefaultsTable& defaults = scope.file().defaults;
+  const auto byTag = defaults.find(node.tag);
+  const auto* classes = byTag == defaults.end() ? nullptr : &byTag->second;
   bool good = true;
   if (const XmlAttribute* wanted = node.attribute("class")) {
     if (classes != nullptr && !wanted->value.empty() && classes->contains(wanted->value)) {

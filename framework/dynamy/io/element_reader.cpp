@@ -5,11 +5,48 @@
 #include <dynamy/io/element_reader.hpp>
 #include <limits>
 #include <new>
+#include <set>
 
 namespace dynamy {
 namespace {
 
 constexpr std::array<std::string_view, 2> kNameAndClass{"name", "class"};
+
+/// So many names are given to every element, so that its messages can list and suggest them.
+constexpr std::size_t kFewSymbols = 100;
+
+/// Words of all formulas that an element may read: its own, those of its children and of its
+/// defaults.
+void wordsOf(const XmlNode& node, const Scope& scope, std::vector<std::string>& words) {
+  for (const XmlAttribute& a : node.attributes) namesIn(a.value, words);
+  const DefaultsTable& defaults = scope.file().defaults;
+  if (const auto at = defaults.find(node.tag); at != defaults.end())
+    for (const auto& [name, entry] : at->second)
+      if (entry.node != nullptr)
+        for (const XmlAttribute& a : entry.node->attributes) namesIn(a.value, words);
+  for (const XmlNode& child : node.children) wordsOf(child, scope, words);
+}
+
+/// Numbers for the formulas of an element. Of many parameters it gets those that its text names:
+/// thousands of them in thousands of turns would be copied for nothing.
+std::vector<std::pair<std::string, double>> symbolsFor(const XmlNode& node, const Scope& scope) {
+  SymbolTable table;
+  std::set<std::string, std::less<>> broken;
+  if (scope.symbolCount() <= kFewSymbols) {
+    table = scope.all(), broken = scope.file().broken;
+  } else {
+    std::vector<std::string> words;
+    wordsOf(node, scope, words);
+    table = scope.some(words);
+    for (const std::string& word : words)
+      if (scope.isBroken(word)) broken.insert(word);
+  }
+  std::vector<std::pair<std::string, double>> out;
+  for (const std::string& name : table.names()) out.emplace_back(name, table.find(name)->value);
+  for (const std::string& name : broken)  // told already: no second error in a formula
+    out.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
+  return out;
+}
 
 /// "1 law", "2 shapes".
 std::string counted(int n, const ChildRule& rule) {
@@ -71,10 +108,7 @@ std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& s
   x.name = std::move(name);
   x.place = node.place;
   x.declaration = &type.attributes;
-  for (const std::string& symbol : scope.symbols.names())
-    x.symbols.emplace_back(symbol, scope.symbols.find(symbol)->value);
-  for (const std::string& symbol : scope.broken)  // told already: no second error in a formula
-    x.symbols.emplace_back(symbol, std::numeric_limits<double>::quiet_NaN());
+  x.symbols = symbolsFor(node, scope);
   bool good = attributes_.read(node, scope, type.attributes, kNameAndClass, x);
   good = readChildren(node, scope, type, x) && good;
   if (!good) return nullptr;

@@ -43,19 +43,25 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
   return out;
 }
 
-/// A rule that could not be read still says that its materials were thought of.
+/// The values of `node` that a stand-in needs, as if it were written there.
+template <class Rule>
+std::unique_ptr<Element> standInOf(const XmlNode& node, const std::string& name,
+                                   std::vector<GivenValue> values) {
+  Parameters x = Parameters::of<Rule>(node.tag, name, values);
+  x.place = node.place;
+  return std::make_unique<Rule>(x);
+}
+
+/// A rule that could not be read still says that its materials were thought of. It answers for its
+/// element in messages.
 std::unique_ptr<Element> standIn(const XmlNode& node) {
   const XmlAttribute* name = node.attribute("name");
   if (node.tag == "Material" && name != nullptr)
-    return std::make_unique<Material>(
-        Parameters::of<Material>(node.tag, name->value, {{"mu", 1.0}}));
-  if (node.tag == "Contacts")
-    return std::make_unique<MixingRule>(
-        Parameters::of<MixingRule>(node.tag, "", {{"mixing", "min"}}));
+    return standInOf<Material>(node, name->value, {{"mu", 1.0}});
+  if (node.tag == "Contacts") return standInOf<MixingRule>(node, "", {{"mixing", "min"}});
   const XmlAttribute* between = node.attribute("between");
   if (between == nullptr || xmlWords(between->value).size() != 2) return nullptr;
-  return std::make_unique<NoContactRule>(
-      Parameters::of<NoContactRule>("NoContact", "", {{"between", between->value}}));
+  return standInOf<NoContactRule>(node, "", {{"between", between->value}});
 }
 
 using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/attributes.hpp>
 #include <dynamy/core/expression.hpp>
@@ -19,11 +20,52 @@ bool nameContinues(char c) { return nameStart(c) || (c >= '0' && c <= '9'); }
 
 }  // namespace
 
+// ---- Scope ----
+
+const Scope& Scope::file() const {
+  const Scope* s = this;
+  while (s->outer != nullptr) s = s->outer;
+  return *s;
+}
+
+const double* Scope::number(std::string_view name) const {
+  for (const Scope* s = this; s != nullptr; s = s->outer)
+    if (const auto found = s->numbers.find(name); found != s->numbers.end()) return &found->second;
+  return nullptr;
+}
+
+bool Scope::isBroken(std::string_view name) const {
+  for (const Scope* s = this; s != nullptr; s = s->outer) {
+    if (s->broken.contains(name)) return true;
+    if (s->numbers.contains(name)) return false;  // an index hides it
+  }
+  return false;
+}
+
+SymbolTable Scope::some(const std::vector<std::string>& wanted) const {
+  SymbolTable out;
+  for (const std::string& name : wanted)
+    if (const double* value = number(name)) out.constant(name, *value);
+  return out;
+}
+
+SymbolTable Scope::all() const {
+  SymbolTable out = outer == nullptr ? SymbolTable() : outer->all();
+  for (const auto& [name, value] : numbers) out.constant(name, value);
+  return out;
+}
+
+std::size_t Scope::symbolCount() const {
+  return numbers.size() + broken.size() + (outer == nullptr ? 0 : outer->symbolCount());
+}
+
+// ---- Faults ----
+
 void Faults::fillLines(Diagnostic& d) const {
   const auto line = [this](const Place& place) -> std::string {
     const auto it = files_.find(place.file);
     if (it == files_.end() || place.line <= 0) return {};
-    return std::string(it->second->sourceLine(place.line));
+    return it->second->sourceLine(place.line);
   };
   if (d.sourceLine.empty()) d.sourceLine = line(d.place);
   for (Note& note : d.notes)
@@ -54,40 +96,58 @@ void Faults::add(const ModelError& error) {
 
 std::pair<std::size_t, std::size_t> ResolvedText::source(std::size_t offset,
                                                          std::size_t length) const {
-  // A byte inside of a replaced piece stands for all of its braces.
+  // A byte inside of a replaced piece stands for all of its braces. The last piece that begins
+  // before `at` decides; as an end, `at` belongs to what stands before it.
   const auto map = [this](std::size_t at, bool end) {
-    std::ptrdiff_t shift = 0;
-    for (const Piece& p : pieces) {
-      if (at < p.begin || (end && at == p.begin)) break;
-      if (at < p.begin + p.size || (end && at == p.begin + p.size))
-        return end ? p.sourceBegin + p.sourceSize : p.sourceBegin;
-      shift = static_cast<std::ptrdiff_t>(p.sourceBegin + p.sourceSize) -
-              static_cast<std::ptrdiff_t>(p.begin + p.size);
-    }
-    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) + shift);
+    const auto next = std::upper_bound(
+        pieces.begin(), pieces.end(), at,
+        [end](std::size_t x, const Piece& p) { return end ? x <= p.begin : x < p.begin; });
+    if (next == pieces.begin()) return at;
+    const Piece& p = *(next - 1);
+    const std::size_t behind = p.begin + p.size, sourceEnd = p.sourceBegin + p.sourceSize;
+    if (at < behind || (end && at == behind)) return end ? sourceEnd : p.sourceBegin;
+    return sourceEnd + (at - behind);
   };
   const std::size_t begin = map(offset, false);
   const std::size_t end = length == 0 ? begin : map(offset + length, true);
   return {begin, end - begin};
 }
 
+void namesIn(std::string_view formula, std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < formula.size();) {
+    if (!nameContinues(formula[i])) {
+      ++i;
+      continue;
+    }
+    const std::size_t first = i;
+    while (i < formula.size() && nameContinues(formula[i])) ++i;
+    if (nameStart(formula[first])) names.emplace_back(formula.substr(first, i - first));
+  }
+}
+
 std::vector<std::string> namesInBraces(std::string_view value) {
   std::vector<std::string> names;
   for (std::size_t at = value.find('{'); at != std::string_view::npos; at = value.find('{', at)) {
     const std::size_t end = std::min(closing(value, at), value.size());
-    for (std::size_t i = at + 1; i < end;) {
-      if (!nameContinues(value[i])) {
-        ++i;
-        continue;
-      }
-      const std::size_t first = i;
-      while (i < end && nameContinues(value[i])) ++i;
-      if (nameStart(value[first])) names.emplace_back(value.substr(first, i - first));
-    }
+    namesIn(value.substr(at + 1, end - at - 1), names);
     at = end;
   }
   return names;
 }
+
+namespace {
+
+/// The same error, found with all names in reach, so that it can say which one was meant.
+ExpressionError withAllNames(std::string_view text, const Scope& scope, const ExpressionError& e) {
+  try {
+    evaluateConstant(text, scope.all());
+  } catch (const ExpressionError& better) {
+    return better;
+  }
+  return e;
+}
+
+}  // namespace
 
 std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
                                           const Scope& scope, bool formula, Faults& faults) {
@@ -100,8 +160,10 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
                std::move(hint));
     good = false;
   };
-  for (const std::string& name : namesInBraces(value))
-    if (scope.broken.contains(name)) return std::nullopt;
+  const std::vector<std::string> names = namesInBraces(value);
+  for (const std::string& name : names)
+    if (scope.isBroken(name)) return std::nullopt;
+  const SymbolTable symbols = scope.some(names);
 
   for (std::size_t at = 0; at < value.size();) {
     if (value[at] == '}') {
@@ -122,13 +184,14 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
     // The expression between the braces becomes a number.
     const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);
     try {
-      const double x = evaluateConstant(inner, scope.symbols);
+      const double x = evaluateConstant(inner, symbols);
       if (!std::isfinite(x))
         fault(at, end - at, "the expression has no finite value, is " + numberText(x));
       const std::string number = formula ? '(' + numberText(x) + ')' : numberText(x);
       out.pieces.push_back({out.text.size(), number.size(), at, end - at});
       out.text += number;
-    } catch (const ExpressionError& e) {
+    } catch (const ExpressionError& found) {
+      const ExpressionError e = withAllNames(inner, scope, found);
       fault(at + 1 + e.offset(), e.length(), e.message(),
             e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
     }

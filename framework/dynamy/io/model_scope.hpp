@@ -2,6 +2,7 @@
 /// Also the collector of errors, which knows the lines of all files read.
 #pragma once
 #include <dynamy/core/symbol_table.hpp>
+#include <dynamy/io/fault_list.hpp>
 #include <dynamy/io/xml.hpp>
 #include <filesystem>
 #include <map>
@@ -19,18 +20,35 @@ struct DefaultEntry {
 };
 using DefaultsTable = std::map<std::string, std::map<std::string, DefaultEntry>>;
 
-/// A file that is being read, or one turn of a replicate inside of it.
+/// A file that is being read, or one turn of a replicate inside of it, which holds its index only
+/// and finds all else in the scope around it.
 struct Scope {
+  const Scope* outer = nullptr;  ///< around a turn; null for a file
   const XmlDocument* document = nullptr;
+  std::string prefix;  ///< of names: "left/"
+  std::string suffix;  ///< of names: "[2]"
+  std::map<std::string, double, std::less<>>
+      numbers;  ///< parameters of the file, or the turn's index
+
+  // Of a file only.
   std::filesystem::path folder;
-  std::string prefix;            ///< of names: "left/"
-  std::string suffix;            ///< of names: "[2]"
-  SymbolTable symbols;           ///< parameters and indices
-  std::set<std::string> broken;  ///< names whose own value is wrong: what uses them stays silent
+  std::set<std::string, std::less<>>
+      broken;  ///< names whose own value is wrong: their users stay silent
   DefaultsTable defaults;
+
+  const Scope& file() const;
+  /// Number behind a name, from the innermost turn outwards; nullptr if there is none.
+  const double* number(std::string_view name) const;
+  bool isBroken(std::string_view name) const;
+  /// The names of `wanted` that have a number.
+  SymbolTable some(const std::vector<std::string>& wanted) const;
+  /// All names with their numbers.
+  SymbolTable all() const;
+  std::size_t symbolCount() const;
 };
 
-/// Collects errors and gives them the line they stand in.
+/// Collects errors and gives them the line they stand in. Every `add` throws ModelError with all
+/// errors once there are too many (FaultList).
 class Faults {
  public:
   void file(const XmlDocument& document) { files_[document.name()] = &document; }
@@ -45,11 +63,19 @@ class Faults {
   const std::vector<Diagnostic>& items() const { return all_.items(); }
   /// Throws ModelError if there is any.
   void throwIfAny() const { all_.throwIfAny(); }
+  /// Throws ModelError: nothing more is read.
+  [[noreturn]] void stop() {
+    stopped_ = true;
+    all_.throwAll();
+  }
+  /// What is thrown now ends the reading.
+  bool ended() const { return stopped_ || all_.full(); }
 
  private:
   void fillLines(Diagnostic& d) const;
   std::map<std::string, const XmlDocument*, std::less<>> files_;
-  Diagnostics all_;
+  FaultList all_;
+  bool stopped_ = false;
 };
 
 /// A value after its braces were replaced by numbers; knows where each byte came from.
@@ -72,6 +98,8 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
 
 /// Names inside the braces of a value, in order; built-in ones and functions included.
 std::vector<std::string> namesInBraces(std::string_view value);
+/// Appends every word of a formula that looks like a name.
+void namesIn(std::string_view formula, std::vector<std::string>& names);
 
 /// Name that an element in `scope` gets: prefix + value of `name` + suffix; "" without name or with
 /// a wrong one, which is reported.

@@ -13,7 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kDeepestInclude = 32;
 constexpr std::array<std::string_view, 2> kNameAndClass{"name", "class"};
 
 /// The attributes of the root that XML itself and editors want.
@@ -58,6 +57,7 @@ void ModelSource::parse(std::string text, std::string name, const fs::path& fold
 }
 
 void ModelSource::addFile(XmlDocument document, const Including& from, fs::path folder) {
+  textSize_ += document.size();
   documents_.push_back(std::move(document));
   Scope& scope = scopes_.emplace_back();
   scope.document = &documents_.back();
@@ -65,7 +65,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
   faults_->file(*scope.document);
   if (from.node != nullptr) {
     // An included file sees the defaults around it, but only its own parameters.
-    scope.defaults = from.scope->defaults;
+    scope.defaults = from.scope->file().defaults;
     scope.prefix = from.scope->prefix;
     scope.suffix = from.scope->suffix;
     Parameters x;
@@ -75,6 +75,12 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
     }
   }
   const XmlNode& root = scope.document->root();
+  if (textSize_ > kMostText) {
+    faults_->add(scope, root.place, root,
+                 "all files of the model together hold more than " +
+                     std::to_string(kMostText / 1000000) + " MB of text");
+    faults_->stop();
+  }
   if (!checkRoot(root, scope)) return;
   loadPlugins(root, scope);
   readParameters(root, scope, from);
@@ -184,7 +190,7 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
   for (const XmlNode& node : root.children)
     if (node.tag == "parameter") evaluator.add(node);
-  const std::vector<std::string> known = evaluator.names();
+  const std::vector<std::string> known = evaluator.names();  // for prefixes and hints
   for (const std::string& name : known) parameterNames_.push_back(scope.prefix + name);
 
   // <set> of the including file.
@@ -193,7 +199,7 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
     Parameters x;
     if (set.tag != "set" || !readWord(set, *from.scope, x)) continue;
     const std::string& name = x["name"].text;
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    if (!evaluator.has(name)) {
       faults_->add(*from.scope, x["name"].place, set,
                    "\"" + scope.document->name() + "\" has no parameter \"" + name + '"',
                    unknownNameHint(name, known));
@@ -208,18 +214,18 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   // --set of the caller.
   for (std::size_t i = 0; i < overrides_.size(); ++i) {
     const auto& [name, text] = overrides_[i];
-    const auto local = std::find_if(known.begin(), known.end(),
-                                    [&](const std::string& k) { return scope.prefix + k == name; });
-    if (local == known.end()) continue;
+    if (!name.starts_with(scope.prefix)) continue;
+    const std::string local = name.substr(scope.prefix.size());
+    if (!evaluator.has(local)) continue;
     const bool first = !overrideUsed_[i];
     overrideUsed_[i] = true;
     const auto report = [this, name = name, text = text, first](const std::string& fault) {
       if (first) faults_->add({.text = "--set " + name + '=' + text + ": " + fault});
     };
     if (const auto value = overrideValue(text, report))
-      evaluator.replace({*local, *value, report});
+      evaluator.replace({local, *value, report});
     else
-      scope.broken.insert(*local);
+      scope.broken.insert(local);
   }
   evaluator.evaluate();
 }
@@ -311,21 +317,33 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
                    "known: \"set\", \"doc\"");
   Parameters x;
   if (!readWord(node, scope, x)) return;
-  const fs::path file = scope.folder / x["file"].text;
+  const fs::path file = scope.file().folder / x["file"].text;
   note(file);
   Including inner{from.chain, &node, &scope};
   inner.chain.push_back(resolved(file));
   const auto& last = inner.chain.back();
-  if (std::find(from.chain.begin(), from.chain.end(), last) != from.chain.end() ||
-      inner.chain.size() > kDeepestInclude) {
-    faults_->add(scope, x["file"].place, node, "the file includes itself: " + joined(inner.chain));
+  const Place& place = x["file"].place;
+  if (std::find(from.chain.begin(), from.chain.end(), last) != from.chain.end()) {
+    faults_->add(scope, place, node, "the file includes itself: " + joined(inner.chain));
     return;
+  }
+  if (inner.chain.size() > kDeepestInclude) {
+    faults_->add(scope, place, node,
+                 "files are included deeper than " + std::to_string(kDeepestInclude));
+    return;
+  }
+  if (documents_.size() > kMostIncludes) {
+    faults_->add(scope, place, node,
+                 "the model includes more than " + std::to_string(kMostIncludes) + " files",
+                 "does each of them include several others?");
+    faults_->stop();
   }
   try {
     XmlDocument document = XmlDocument::read(file.lexically_normal());
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     addFile(std::move(document), inner, folder);
   } catch (const ModelError& e) {
+    if (faults_->ended()) throw;
     for (Diagnostic d : e.diagnostics()) {
       if (d.place.line <= 0) {  // no such file: the place is where it is named
         d.text = '"' + file.lexically_normal().string() + "\": " + d.text;
@@ -337,22 +355,36 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
   }
 }
 
-/// One scope for each turn, with the index as a constant.
+namespace {
+
+std::size_t elementsIn(const XmlNode& node) {
+  std::size_t n = node.children.size();
+  for (const XmlNode& child : node.children) n += elementsIn(child);
+  return n;
+}
+
+}  // namespace
+
+/// One scope for each turn, with the index as its number.
 std::vector<const Scope*> ModelSource::turns(const XmlNode& replicate, const Scope& scope) {
   Parameters x;
   if (!readWord(replicate, scope, x)) return {};
-  const int count = x["count"].integer();
-  if (scopes_.size() + static_cast<std::size_t>(count) > kMostTurns) {
+  const auto count = static_cast<std::size_t>(x["count"].integer());
+  const auto tooMany = [&](const std::string& what) {
     faults_->add(scope, x["count"].place, replicate,
-                 "all replicates together make more than " + std::to_string(kMostTurns) + " turns",
+                 "all replicates together make more than " + what,
                  "many equal bodies are better one population");
-    return {};
-  }
+    return std::vector<const Scope*>();
+  };
+  if (scopes_.size() + count > kMostTurns) return tooMany(std::to_string(kMostTurns) + " turns");
+  replicated_ += count * elementsIn(replicate);
+  if (replicated_ > kMostReplicated) return tooMany(std::to_string(kMostReplicated) + " elements");
   std::vector<const Scope*> out;
-  for (int i = 0; i < count; ++i) {
-    Scope& turn = scopes_.emplace_back(scope);
-    turn.symbols.constant(x["index"].text, i);
-    turn.suffix += '[' + std::to_string(i) + ']';
+  for (std::size_t i = 0; i < count; ++i) {
+    Scope& turn = scopes_.emplace_back();
+    turn.outer = &scope, turn.document = scope.document;
+    turn.prefix = scope.prefix, turn.suffix = scope.suffix + '[' + std::to_string(i) + ']';
+    turn.numbers[x["index"].text] = static_cast<double>(i);
     out.push_back(&turn);
   }
   return out;

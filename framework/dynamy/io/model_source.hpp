@@ -73,6 +73,8 @@ class ModelSource {
   std::vector<std::filesystem::path>* noted_ = nullptr;
   Vocabulary vocabulary_;
   std::deque<XmlDocument> documents_;
+  std::size_t textSize_ = 0;    ///< bytes of all files
+  std::size_t replicated_ = 0;  ///< elements that replicates have made
   std::deque<Scope> scopes_;
   std::vector<ModelItem> elements_, settings_;
   std::string title_;

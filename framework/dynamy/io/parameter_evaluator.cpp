@@ -25,12 +25,6 @@ bool isName(std::string_view name) {
 
 }  // namespace
 
-ParameterEvaluator::Item* ParameterEvaluator::find(const std::string& name) {
-  for (Item& item : items_)
-    if (item.name == name) return &item;
-  return nullptr;
-}
-
 std::vector<std::string> ParameterEvaluator::names() const {
   std::vector<std::string> out;
   for (const Item& item : items_) out.push_back(item.name);
@@ -49,11 +43,12 @@ void ParameterEvaluator::add(const XmlNode& node) {
         "the name of a parameter consists of letters, digits and _, is \"" + name->value + '"');
     return;
   }
-  if (const Item* first = find(name->value)) {
+  const auto [at, isNew] = index_.emplace(name->value, items_.size());
+  if (!isNew) {
     Diagnostic d = scope_->document->diagnostic(
         name->valuePlace, node, "the parameter \"" + name->value + "\" is given twice");
-    d.notes.push_back(
-        {.place = first->node->attribute("name")->valuePlace, .text = "first given here"});
+    d.notes.push_back({.place = items_[at->second].node->attribute("name")->valuePlace,
+                       .text = "first given here"});
     faults_->add(std::move(d));
     return;
   }
@@ -61,34 +56,49 @@ void ParameterEvaluator::add(const XmlNode& node) {
 }
 
 void ParameterEvaluator::evaluate() {
-  for (Item& item : items_) evaluate(item);
+  for (std::size_t i = 0; i < items_.size(); ++i) evaluate(i);
 }
 
-/// Evaluates what the values of `item` use; false if it uses itself.
-bool ParameterEvaluator::dependenciesReady(Item& item) {
-  for (const XmlAttribute& a : item.node->attributes) {
-    for (const std::string& name : namesInBraces(a.value)) {
-      Item* used = find(name);
-      if (used == nullptr) continue;
-      if (used->progress == Progress::running) {
-        faults_->add(*scope_, a.valuePlace, *item.node,
-                     "the parameter \"" + item.name + "\" depends on itself");
-        return false;
-      }
-      evaluate(*used);
+/// The item with the parameters that its values use.
+ParameterEvaluator::Pending ParameterEvaluator::start(std::size_t item) {
+  Pending out{item, {}};
+  items_[item].progress = Progress::running;
+  for (const XmlAttribute& a : items_[item].node->attributes)
+    for (const std::string& name : namesInBraces(a.value))
+      if (const auto used = index_.find(name); used != index_.end())
+        out.uses.emplace_back(used->second, &a);
+  return out;
+}
+
+/// Depth first on a stack of its own: a chain of parameters may be as long as it likes.
+void ParameterEvaluator::evaluate(std::size_t item) {
+  std::vector<Pending> stack;
+  if (items_[item].progress == Progress::waiting) stack.push_back(start(item));
+  while (!stack.empty()) {
+    Pending& top = stack.back();
+    Item& current = items_[top.item];
+    if (!top.good || top.next == top.uses.size()) {
+      finish(current, top.good);
+      stack.pop_back();
+      continue;
+    }
+    const auto [used, attribute] = top.uses[top.next++];
+    if (items_[used].progress == Progress::running) {
+      faults_->add(*scope_, attribute->valuePlace, *current.node,
+                   "the parameter \"" + current.name + "\" depends on itself");
+      top.good = false;
+    } else if (items_[used].progress == Progress::waiting) {
+      stack.push_back(start(used));
     }
   }
-  return true;
 }
 
-void ParameterEvaluator::evaluate(Item& item) {
-  if (item.progress != Progress::waiting) return;
-  item.progress = Progress::running;
+/// The number of an item whose own ones are known.
+void ParameterEvaluator::finish(Item& item, bool good) {
   Parameters x;
   x.type = "parameter";
-  const bool good =
-      dependenciesReady(item) &&
-      AttributeReader(*faults_, nullptr).read(*item.node, *scope_, word_->attributes, {}, x);
+  good = good &&
+         AttributeReader(*faults_, nullptr).read(*item.node, *scope_, word_->attributes, {}, x);
   item.progress = Progress::done;
   if (!good || scope_->broken.contains(item.name)) {
     scope_->broken.insert(item.name);
@@ -104,20 +114,27 @@ void ParameterEvaluator::evaluate(Item& item) {
     scope_->broken.insert(item.name);
     return;
   }
-  // A wrong replacement is told once: what uses the parameter stays silent.
+  const double result = replaced(item, a, value);
+  if (!scope_->broken.contains(item.name)) scope_->numbers[item.name] = result;
+}
+
+/// The number that the outside says instead, if it says one; a wrong one is told once, and what
+/// uses the parameter stays silent.
+double ParameterEvaluator::replaced(const Item& item, const Attribute& declared,
+                                    const ParameterValue& value) {
   double result = value.numbers[0];
-  for (const Replacement& r : replacements_) {
-    if (r.name != item.name) continue;
-    ParameterValue replaced = value;
-    replaced.text = numberText(r.value);
-    if (const auto fault = readValue(a, replaced)) {
-      r.report(fault->text);
+  const auto [begin, end] = replacements_.equal_range(item.name);
+  for (auto at = begin; at != end; ++at) {
+    ParameterValue other = value;
+    other.text = numberText(at->second.value);
+    if (const auto fault = readValue(declared, other)) {
+      at->second.report(fault->text);
       scope_->broken.insert(item.name);
-      return;
+      return result;
     }
-    result = r.value;
+    result = at->second.value;
   }
-  scope_->symbols.constant(item.name, result);
+  return result;
 }
 
 }  // namespace dynamy

@@ -3,6 +3,7 @@
 #include <dynamy/io/model_scope.hpp>
 #include <dynamy/io/vocabulary.hpp>
 #include <functional>
+#include <unordered_map>
 
 namespace dynamy {
 
@@ -19,10 +20,14 @@ class ParameterEvaluator {
       : scope_(&scope), word_(&word), faults_(&faults) {}
   /// Takes a `<parameter>`; reports a name that is given twice.
   void add(const XmlNode& node);
-  void replace(Replacement replacement) { replacements_.push_back(std::move(replacement)); }
-  /// Evaluates all into scope.symbols; wrong ones into scope.broken.
+  void replace(Replacement replacement) {
+    std::string name = replacement.name;
+    replacements_.emplace(std::move(name), std::move(replacement));
+  }
+  /// Evaluates all into scope.numbers; wrong ones into scope.broken.
   void evaluate();
   std::vector<std::string> names() const;
+  bool has(const std::string& name) const { return index_.contains(name); }
 
  private:
   enum class Progress { waiting, running, done };
@@ -31,15 +36,24 @@ class ParameterEvaluator {
     const XmlNode* node;
     Progress progress = Progress::waiting;
   };
-  void evaluate(Item& item);
-  bool dependenciesReady(Item& item);
-  Item* find(const std::string& name);
+  /// An item that waits for those it uses.
+  struct Pending {
+    std::size_t item;
+    std::vector<std::pair<std::size_t, const XmlAttribute*>> uses;
+    std::size_t next = 0;
+    bool good = true;
+  };
+  Pending start(std::size_t item);
+  void evaluate(std::size_t item);
+  void finish(Item& item, bool good);
+  double replaced(const Item& item, const Attribute& declared, const ParameterValue& value);
 
   Scope* scope_;
   const Word* word_;
   Faults* faults_;
   std::vector<Item> items_;
-  std::vector<Replacement> replacements_;
+  std::unordered_map<std::string, std::size_t> index_;  ///< of the items
+  std::multimap<std::string, Replacement> replacements_;
 };
 
 }  // namespace dynamy

@@ -63,7 +63,8 @@ std::string attributeTable(const Attributes& a) {
     const std::string unit(unitText(x.unit));
     const std::string standard = defaultText(x);
     out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", x.name,
-                       x.choices.empty() ? prose(typeText(x)) : code(typeText(x)),
+                       x.choices.empty() || x.type == AttributeType::vector ? prose(typeText(x))
+                                                                            : code(typeText(x)),
                        unit == "-" ? "" : prose(unit),
                        standard == "required" ? "**required**" : code(standard),
                        rangeText(x) == "-" ? "" : prose(rangeText(x)), prose(x.text));

@@ -20,7 +20,7 @@ void SettingsReader::read(const ModelItem& item) {
   x.type = node.tag;
   if (!attributes_.read(node, scope, word.attributes, {}, x)) return;
   if (node.tag == "simulation") readSimulation(node, scope, x);
-  if (node.tag == "record") readRecord(x);
+  if (node.tag == "record") readRecord(node, scope, x);
   if (node.tag == "check") readCheck(node, scope, x);
 }
 
@@ -85,9 +85,15 @@ void SettingsReader::readMethods(const XmlNode& node, const Scope& scope) {
   }
 }
 
-void SettingsReader::readRecord(const Parameters& x) {
+void SettingsReader::readRecord(const XmlNode& node, const Scope& scope, const Parameters& x) {
   RecordSettings& r = model_->record;
   for (const XmlWord& word : xmlWords(x["signals"].text)) {
+    if (r.signals.size() == kMostSignalNames) {
+      faults_->add(scope, x["signals"].place, node,
+                   "more than " + std::to_string(kMostSignalNames) + " signals are listed",
+                   "a name that ends with .* stands for all signals of an element");
+      return;
+    }
     r.signals.emplace_back(word.text);
     r.places.push_back(x["signals"].locate(word.offset, word.text.size()));
   }
@@ -167,9 +173,10 @@ void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) 
                 .hint = "take a later until, or an earlier time"});
 }
 
-void SettingsReader::verify(const std::string& signal, const Place& place,
+void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
+                            const std::string& signal, const Place& place,
                             const std::string& element) const {
-  if (model_->signal(signal) != nullptr) return;
+  if (signals.contains(signal)) return;
   if (element == "check" && runFigure(signal) != nullptr) return;
   std::vector<std::string> known;
   for (const NamedSignal& s : model_->signals()) known.push_back(s.name);
@@ -217,9 +224,12 @@ void SettingsReader::verifyFollow(const std::string& name, const Place& place) c
 void SettingsReader::verifySignals() const {
   const RecordSettings& r = model_->record;
   if (!r.follow.empty()) verifyFollow(r.follow, r.followPlace);
-  for (std::size_t i = 0; i < r.signals.size(); ++i) verify(r.signals[i], r.places[i], "record");
+  std::unordered_set<std::string_view> signals;
+  for (const NamedSignal& s : model_->signals()) signals.insert(s.name);
+  for (std::size_t i = 0; i < r.signals.size(); ++i)
+    verify(signals, r.signals[i], r.places[i], "record");
   for (std::size_t i = 0; i < model_->checks.size(); ++i) {
-    verify(model_->checks[i].signal, checkSignals_[i], "check");
+    verify(signals, model_->checks[i].signal, checkSignals_[i], "check");
     verifyTime(model_->checks[i], checkTimes_[i]);
   }
 }

@@ -2,6 +2,8 @@
 #pragma once
 #include <dynamy/io/element_reader.hpp>
 #include <dynamy/simulation/model.hpp>
+#include <string_view>
+#include <unordered_set>
 
 namespace dynamy {
 
@@ -21,12 +23,13 @@ class SettingsReader {
  private:
   void readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x);
   void readMethods(const XmlNode& node, const Scope& scope);
-  void readRecord(const Parameters& x);
+  void readRecord(const XmlNode& node, const Scope& scope, const Parameters& x);
   void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
   bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
   void verifyTime(const CheckSettings& check, const Place& place) const;
   void verifyFollow(const std::string& name, const Place& place) const;
-  void verify(const std::string& signal, const Place& place, const std::string& element) const;
+  void verify(const std::unordered_set<std::string_view>& signals, const std::string& signal,
+              const Place& place, const std::string& element) const;
 
   Model* model_;
   const ModelSource* source_;

@@ -9,6 +9,7 @@ namespace dynamy {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kBlock = 1024;  // bytes between two counts of characters
 
 /// Characters of valid UTF-8: bytes that are no continuation.
 int validCharacterCount(std::string_view text) {
@@ -33,15 +34,31 @@ SourceText::SourceText(std::string text, std::string name)
   lineStarts_.push_back(text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   for (std::size_t i = text_.find('\n'); i != std::string::npos; i = text_.find('\n', i + 1))
     lineStarts_.push_back(i + 1);
+  blocks_.push_back(0);
+  for (std::size_t i = 0; i + kBlock <= text_.size(); i += kBlock)
+    blocks_.push_back(blocks_.back() + static_cast<std::size_t>(validCharacterCount(
+                                           std::string_view(text_).substr(i, kBlock))));
+}
+
+std::size_t SourceText::charactersBefore(std::size_t at) const {
+  const std::size_t block = at / kBlock;
+  return blocks_[block] + static_cast<std::size_t>(validCharacterCount(
+                              std::string_view(text_).substr(block * kBlock, at % kBlock)));
 }
 
 std::string_view SourceText::line(int number) const {
   if (number < 1 || static_cast<std::size_t>(number) > lineStarts_.size()) return {};
   const std::size_t begin = lineStarts_[static_cast<std::size_t>(number) - 1];
-  std::string_view rest = std::string_view(text_).substr(begin);
-  rest = rest.substr(0, rest.find('\n'));
+  const bool last = static_cast<std::size_t>(number) == lineStarts_.size();
+  const std::size_t end = last ? text_.size() : lineStarts_[static_cast<std::size_t>(number)] - 1;
+  std::string_view rest = std::string_view(text_).substr(begin, end - begin);
   if (rest.ends_with('\r')) rest.remove_suffix(1);
   return rest;
+}
+
+std::string SourceText::shownLine(int number) const {
+  const std::string_view all = line(number);
+  return all.size() > kLongestShownLine ? std::string() : std::string(all);
 }
 
 Place SourceText::place(std::size_t offset, std::size_t length) const {
@@ -55,7 +72,8 @@ Place SourceText::place(std::size_t offset, std::size_t length) const {
   // An offset inside of a character means all of it.
   const std::size_t at = characterAround(content, first).first;
   const int marked = characterCount(content.substr(at, characterAround(content, last).second - at));
-  return {name_, number, columnOf(content, at), std::max(marked, 1)};
+  const std::size_t before = charactersBefore(begin + at) - charactersBefore(begin);
+  return {name_, number, static_cast<int>(before) + 1, std::max(marked, 1)};
 }
 
 Place Locator::place(std::size_t offset, std::size_t length) {

@@ -13,6 +13,9 @@
 
 namespace dynamy {
 
+/// Bytes of the longest line that messages show; of a longer one only the place is said.
+inline constexpr std::size_t kLongestShownLine = 10000;
+
 class SourceText {
  public:
   /// `name` is the file's name in messages.
@@ -24,15 +27,20 @@ class SourceText {
   /// Line `number` (from 1) without its end (LF or CR LF) and without a byte order mark; "" if
   /// there is no such line.
   std::string_view line(int number) const;
+  /// The same for a message; "" if it is longer than kLongestShownLine.
+  std::string shownLine(int number) const;
 
-  /// Place of `length` bytes from `offset`, at most to the end of the line. Cost: length of the
-  /// line.
+  /// Place of `length` bytes from `offset`, at most to the end of the line. Cost: `length`, however
+  /// long the line is.
   Place place(std::size_t offset, std::size_t length = 1) const;
 
  private:
   friend class Locator;
+  /// Characters of the text before byte `at`.
+  std::size_t charactersBefore(std::size_t at) const;
   std::string text_, name_;
   std::vector<std::size_t> lineStarts_;
+  std::vector<std::size_t> blocks_;  ///< characters before byte 0, 1024, 2048, …
 };
 
 /// Places of offsets that never decrease: linear in the text, also if all of it is one line.

@@ -71,10 +71,14 @@ Word check() {
   a.choice("measure", {"value", "mean", "min", "max", "period", "count"}, "value",
            "what is taken of the signal");
   a.required("at", Unit::time, "time of the value; default: the end").nonNegative().mayBeAbsent();
-  a.requiredVector("over", Unit::time, 2, "from and to; default: the whole run").mayBeAbsent();
+  a.requiredVector("over", Unit::time, 2, "from and to, inf: the end; default: the whole run")
+      .mayBeAbsent()
+      .choices = {"inf"};
   a.required("value", Unit::any, "expected value").mayBeAbsent();
   a.required("tolerance", Unit::any, "accepted difference").nonNegative().mayBeAbsent();
-  a.requiredVector("between", Unit::any, 2, "accepted band").mayBeAbsent();
+  a.requiredVector("between", Unit::any, 2, "accepted band; -inf or inf: no bound")
+      .mayBeAbsent()
+      .choices = {"inf", "-inf"};
   a.example("<check signal=\"ball.z\" measure=\"max\" over=\"1 5\" between=\"0.7 0.8\"/>");
   return w;
 }

@@ -13,6 +13,14 @@ inline constexpr int kModelVersion = 1;
 
 /// Turns of all replicates of a model together; more are better a population.
 inline constexpr int kMostTurns = 100000;
+/// Elements of all turns together.
+inline constexpr std::size_t kMostReplicated = 1000000;
+/// Files that a model includes, and how deep.
+inline constexpr std::size_t kMostIncludes = 1000, kDeepestInclude = 32;
+/// Names that `<record signals>` lists.
+inline constexpr std::size_t kMostSignalNames = 10000;
+/// Bytes of all files of a model together.
+inline constexpr std::size_t kMostText = 64000000;
 
 /// One word of the format.
 struct Word {

@@ -66,6 +66,9 @@ class TreeBuilder {
     result.namePlace = locator_.place(found.name, found.nameSize);
     result.valuePlace = locator_.place(found.value, found.valueSize);
     result.source = found.value;
+    if (result.value.size() != found.valueSize)
+      result.shifts =
+          xmlShifts(source_.text().substr(0, found.value + found.valueSize), found.value);
     return result;
   }
 
@@ -126,6 +129,17 @@ std::string nearFile(const std::filesystem::path& file) {
   std::sort(known.begin(), known.end());
   const std::string name = nearest(file.filename().string(), known);
   return name.empty() ? name : (file.parent_path() / name).string();
+}
+
+/// The byte of the file that holds byte `decoded` of a value.
+std::size_t sourceByte(const XmlAttribute& a, std::size_t decoded) {
+  const auto next =
+      std::upper_bound(a.shifts.begin(), a.shifts.end(), decoded,
+                       [](std::size_t at, const XmlShift& s) { return at < s.begin; });
+  if (next == a.shifts.begin()) return a.source + decoded;
+  const XmlShift& s = *(next - 1);
+  if (decoded < s.begin + s.size) return s.sourceBegin;
+  return s.sourceBegin + s.sourceSize + (decoded - s.begin - s.size);
 }
 
 Place placeIn(const SourceText& source, std::size_t begin, std::size_t offset, std::size_t length,
@@ -205,7 +219,7 @@ XmlDocument XmlDocument::parse(std::string text, std::string name) {
   if (parsed.Error() || parsed.RootElement() == nullptr) {
     Diagnostic error{.place = {source.name(), parsed.ErrorLineNum()},
                      .text = std::string("the file is no XML: ") + parsed.ErrorName()};
-    error.sourceLine = source.line(error.place.line);
+    error.sourceLine = source.shownLine(error.place.line);
     throw ModelError(std::move(error));
   }
   TreeBuilder builder(source, scan);
@@ -218,7 +232,8 @@ XmlDocument XmlDocument::parse(std::string text, std::string name) {
 Place XmlDocument::at(const XmlAttribute& attribute, std::size_t offset, std::size_t length) const {
   const std::size_t begin = std::min(offset, attribute.value.size());
   const std::size_t size = std::min(length, attribute.value.size() - begin);
-  return placeIn(source_, attribute.source, begin, size, false);
+  const std::size_t first = sourceByte(attribute, begin);
+  return source_.place(first, sourceByte(attribute, begin + size) - first);
 }
 
 Place XmlDocument::at(const XmlNode& node, std::size_t offset, std::size_t length) const {
@@ -237,7 +252,7 @@ Place XmlDocument::at(const XmlNode& node, std::size_t offset, std::size_t lengt
 
 Diagnostic XmlDocument::diagnostic(Place place, const XmlNode& node, std::string text,
                                    std::string hint) const {
-  std::string line(sourceLine(place.line));
+  std::string line = source_.shownLine(place.line);
   return {std::move(place), node.label(), std::move(text), std::move(hint), std::move(line)};
 }
 

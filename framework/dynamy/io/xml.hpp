@@ -8,6 +8,7 @@
 
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/source_text.hpp>
+#include <dynamy/io/xml_scanner.hpp>
 
 #include <cstddef>
 #include <filesystem>
@@ -23,6 +24,7 @@ struct XmlAttribute {
   Place namePlace = {};
   Place valuePlace = {};   ///< without the quotes
   std::size_t source = 0;  ///< byte of the file at which the value begins
+  std::vector<XmlShift> shifts = {};
 };
 
 /// A part of an element's text that stands in one piece in the file.
@@ -57,7 +59,9 @@ class XmlDocument {
 
   const XmlNode& root() const { return root_; }
   const std::string& name() const { return source_.name(); }
-  std::string_view sourceLine(int line) const { return source_.line(line); }
+  std::size_t size() const { return source_.text().size(); }  ///< bytes
+  /// For a message; "" if it is too long for one.
+  std::string sourceLine(int line) const { return source_.shownLine(line); }
 
   /// Place of `length` bytes from byte `offset` of a decoded value; both are cut at its end.
   Place at(const XmlAttribute& attribute, std::size_t offset, std::size_t length = 1) const;

@@ -3,6 +3,7 @@
 /// them a scanner only guesses.
 
 #include <dynamy/core/utf8.hpp>
+#include <dynamy/io/fault_list.hpp>
 #include <dynamy/io/xml_scanner.hpp>
 
 #include <array>
@@ -64,15 +65,17 @@ class Scanner {
   Diagnostic diagnostic(std::size_t offset, std::size_t size, std::string element, std::string text,
                         std::string hint) const {
     Place place = source_.place(offset, size);
-    std::string line(source_.line(place.line));
+    std::string line = source_.shownLine(place.line);
     return {std::move(place), std::move(element), std::move(text), std::move(hint),
             std::move(line)};
   }
 
   [[noreturn]] void fail(Diagnostic error) {
-    errors_.add(std::move(error));
-    throw ModelError(errors_.sorted());
+    report(std::move(error));
+    errors_.throwAll();
   }
+
+  void report(Diagnostic error) { errors_.add(std::move(error)); }
 
   [[noreturn]] void fail(std::size_t offset, std::size_t size, std::string element,
                          std::string text, std::string hint) {
@@ -128,7 +131,7 @@ class Scanner {
           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789#", i + 1);
       const bool closed = stop < end && text_[stop] == ';' && stop > i + 1;
       const std::size_t size = closed ? stop + 1 - i : 1;
-      errors_.add(diagnostic(
+      report(diagnostic(
           i, size, element,
           (closed ? "unknown entity " : "no entity begins at this ") +
               quoted(text_.substr(i, size)),
@@ -222,7 +225,7 @@ class Scanner {
 
   void addNote(Diagnostic& error, const XmlScan::Element& element, const std::string& text) const {
     Place place = source_.place(element.begin, element.size);
-    std::string line(source_.line(place.line));
+    std::string line = source_.shownLine(place.line);
     error.notes.push_back({std::move(place), '<' + tag(element) + '>' + text, std::move(line)});
   }
 
@@ -257,6 +260,9 @@ class Scanner {
     skipSpace();
     value(element, attribute, attributeName);
     checkDouble(element, attribute, attributeName);
+    if (element.attributes == kMostXmlAttributes)
+      fail(attribute.name, attribute.nameSize, tag(element),
+           "the element has more than " + std::to_string(kMostXmlAttributes) + " attributes", {});
     scan_.attributes.push_back(attribute);
     ++element.attributes;
   }
@@ -301,9 +307,9 @@ class Scanner {
           diagnostic(attribute.name, attribute.nameSize, tag(element),
                      "the attribute " + quoted(attributeName) + " is given twice", {});
       Place first = source_.place(other.name, other.nameSize);
-      std::string line(source_.line(first.line));
+      std::string line = source_.shownLine(first.line);
       error.notes.push_back({std::move(first), "the first is here", std::move(line)});
-      errors_.add(std::move(error));
+      report(std::move(error));
       return;
     }
   }
@@ -313,7 +319,7 @@ class Scanner {
   std::size_t at_ = 0;
   std::vector<std::size_t> open_;  // indices of open elements
   XmlScan scan_;
-  Diagnostics errors_;
+  FaultList errors_;
 };
 
 }  // namespace
@@ -348,25 +354,44 @@ std::optional<XmlEntity> xmlEntity(std::string_view text, std::size_t at) {
   return XmlEntity{i + 1, code};
 }
 
+namespace {
+
+/// The unit of decoded content that begins at byte `at`: its bytes in the source and decoded.
+std::pair<std::size_t, std::size_t> unitAt(std::string_view text, std::size_t at, bool cdata) {
+  const char c = text[at];
+  const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+  if ((c == '\r' && next == '\n') || (c == '\n' && next == '\r')) return {2, 1};
+  if (c != '&' || cdata) return {1, 1};
+  const auto entity = xmlEntity(text, at);
+  if (!entity) return {1, 1};
+  const char32_t code = entity->code;
+  return {entity->size, code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4};
+}
+
+}  // namespace
+
 std::size_t sourceOffset(std::string_view text, std::size_t begin, std::size_t decoded,
                          bool cdata) {
   std::size_t at = begin, done = 0;
   while (at < text.size()) {
-    std::size_t size = 1, bytes = 1;
-    const char c = text[at];
-    const char next = at + 1 < text.size() ? text[at + 1] : '\0';
-    if ((c == '\r' && next == '\n') || (c == '\n' && next == '\r')) size = 2;
-    if (c == '&' && !cdata)
-      if (const auto entity = xmlEntity(text, at)) {
-        size = entity->size;
-        const char32_t code = entity->code;
-        bytes = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-      }
+    const auto [size, bytes] = unitAt(text, at, cdata);
     if (done + bytes > decoded) break;
     done += bytes;
     at += size;
   }
   return at;
+}
+
+std::vector<XmlShift> xmlShifts(std::string_view text, std::size_t begin) {
+  std::vector<XmlShift> out;
+  std::size_t done = 0;
+  for (std::size_t at = begin; at < text.size();) {
+    const auto [size, bytes] = unitAt(text, at, false);
+    if (size != bytes) out.push_back({done, bytes, at, size});
+    done += bytes;
+    at += size;
+  }
+  return out;
 }
 
 }  // namespace dynamy

@@ -39,6 +39,14 @@ struct XmlScan {
 
 /// Deepest nesting of elements that is read.
 constexpr std::size_t kDeepestXml = 64;
+/// Most attributes of one element that are read.
+constexpr std::size_t kMostXmlAttributes = 256;
+
+/// A piece of a value that has another length in the file: an entity, a line end of two bytes.
+struct XmlShift {
+  std::size_t begin = 0, size = 0;              ///< in the decoded value
+  std::size_t sourceBegin = 0, sourceSize = 0;  ///< bytes of the file
+};
 
 /// \throws ModelError if the text is no well-formed XML in UTF-8.
 XmlScan scanXml(const SourceText& source);
@@ -50,6 +58,9 @@ struct XmlEntity {
 };
 /// The entity at the `&` at byte `at`, if there is one that XML knows.
 std::optional<XmlEntity> xmlEntity(std::string_view text, std::size_t at);
+
+/// The pieces of the value from byte `begin` to the end of `text` that decoding makes shorter.
+std::vector<XmlShift> xmlShifts(std::string_view text, std::size_t begin);
 
 /// Walks over decoded content in the source: the offset in the source of the character that holds
 /// byte `decoded` of the content that begins at `begin`. A line end of two bytes counts as one, an

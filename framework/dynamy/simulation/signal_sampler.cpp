@@ -2,6 +2,7 @@
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
 #include <dynamy/system/announced_signals.hpp>
+#include <unordered_map>
 #include <utility>
 
 namespace dynamy {
@@ -42,15 +43,28 @@ std::vector<const NamedSignal*> chooseSignals(const Model& model,
       if (s.system >= 0 && !isAnnouncement(s.name)) out.push_back(&s);
     return out;
   }
+  const std::vector<NamedSignal>& all = model.signals();
+  std::unordered_multimap<std::string_view, std::size_t> byName;
+  for (std::size_t k = 0; k < all.size(); ++k) byName.emplace(all[k].name, k);
+  std::vector<bool> taken(all.size(), false);
+  std::vector<std::size_t> found;
   Diagnostics faults;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    bool found = false;
-    for (const NamedSignal& s : model.signals()) {
-      if (!matches(s.name, names[i])) continue;
-      found = true;
-      if (std::find(out.begin(), out.end(), &s) == out.end()) out.push_back(&s);
+    found.clear();
+    if (names[i].ends_with('*')) {
+      for (std::size_t k = 0; k < all.size(); ++k)
+        if (matches(all[k].name, names[i])) found.push_back(k);
+    } else {
+      const auto [begin, end] = byName.equal_range(names[i]);
+      for (auto at = begin; at != end; ++at) found.push_back(at->second);
+      std::sort(found.begin(), found.end());
     }
-    if (!found) faults.add(unknownSignal(model, names[i], i < places.size() ? places[i] : Place{}));
+    for (const std::size_t k : found) {
+      if (!taken[k]) out.push_back(&all[k]);
+      taken[k] = true;
+    }
+    if (found.empty())
+      faults.add(unknownSignal(model, names[i], i < places.size() ? places[i] : Place{}));
   }
   faults.throwIfAny();
   return out;
