@@ -71,7 +71,29 @@ std::string weightless(const Model& model, const State& x) {
   return out;
 }
 
+[[noreturn]] void fail(const Model& model, int system, std::string text) {
+  const PartialMechanicalSystem& wrong = *model.systems()[static_cast<std::size_t>(system)];
+  Diagnostic d;
+  d.place = wrong.place();
+  d.element = wrong.type() + (wrong.name().empty() ? "" : " name=\"" + wrong.name() + "\"");
+  d.text = std::move(text);
+  throw ModelError(std::move(d));
+}
+
+/// `part` tells first entry and count of a system in `all`.
+template <class Part>
+void requireFinite(const Model& model, const std::string& what, const Eigen::VectorXd& all,
+                   const Part& part) {
+  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
+    const auto [first, count] = part(model.topology().system(i));
+    for (int k = 0; k < count; ++k)
+      if (!std::isfinite(all[first + k]))
+        fail(model, i, "its " + what + " are not finite at the start");
+  }
+}
+
 Sizes sizesOf(Model& model) {
+  const auto velocities = [](const SystemHandle& h) { return std::pair(h.u0, h.nu); };
   Sizes s;
   const Topology& t = model.topology();
   s.systems = model.systems().size(), s.contactElements = model.contacts().size();
@@ -83,20 +105,21 @@ Sizes sizesOf(Model& model) {
       s.constantBlocks += t.system(static_cast<int>(i)).blocks;
   MechanicalSystem system = model.mechanicalSystem();
   const State x = model.initialState();
-  const ContactSet& c = system.evaluate(x).contacts;
-  if (const int i = system.indefiniteMass(); i >= 0) {
-    const PartialMechanicalSystem& wrong = *model.systems()[static_cast<std::size_t>(i)];
-    Diagnostic d;
-    d.place = wrong.place();
-    d.element = wrong.type() + (wrong.name().empty() ? "" : " name=\"" + wrong.name() + "\"");
-    d.text = "the mass matrix is not positive definite at the start";
-    throw ModelError(d);
-  }
+  requireFinite(model, "coordinates", x.q,
+                [](const SystemHandle& h) { return std::pair(h.q0, h.nq); });
+  requireFinite(model, "velocities", x.u, velocities);
+  const Evaluation& start = system.evaluate(x);
+  const ContactSet& c = start.contacts;
+  if (const int i = system.indefiniteMass(); i >= 0)
+    fail(model, i, "the mass matrix is not positive definite at the start");
+  requireFinite(model, "forces", start.h, velocities);
   for (std::size_t i = 0; i < c.g.size(); ++i)
     if (std::isnan(c.g[i]))
-      throw ModelError(
-          "the gap of " + contactText(model, c.candidateKey[i]) + " is not a number at the start",
-          "dynamy check --elements compares all that it computes with differences");
+      throw ModelError(Diagnostic{
+          .place = Place(model.sourceFile, 1, 1),
+          .text = "the gap of " + contactText(model, c.candidateKey[i]) +
+                  " is not a number at the start",
+          .hint = "dynamy check --elements compares all that it computes with differences"});
   s.gaps = c.g.size(), s.closed = c.size(), s.unknowns = c.rows();
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int k = c.closedIndex[i];
@@ -178,7 +201,13 @@ std::string needsText(const Model& model, const Sizes& s, const RunSizes& run) {
   if (steps > 0.0)
     out += fmt::format(": {:.6g} steps take about {} or more", steps,
                        durationText(steps * s.evaluation));
-  return out + "\n";
+  out += "\n";
+  std::error_code error;
+  const auto space = std::filesystem::space(".", error);
+  if (!error && run.bytes > static_cast<double>(space.available))
+    out += fmt::format(" warning: the disk of this folder has {} left: a run into it is refused\n",
+                       bytesText(static_cast<double>(space.available)));
+  return out;
 }
 
 std::string text(const Model& model, const Sizes& s, const RunSizes& run,

@@ -40,7 +40,7 @@ std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
       text << in.rdbuf();
       at->second.emplace(text.str(), d.place.file);
     }
-    if (at->second) d.sourceLine = at->second->shownLine(d.place.line);
+    if (at->second) d.sourceLine = at->second->shownLine(d.place);
   }
   return all;
 }

@@ -51,6 +51,8 @@ TEST_F(Sizes, ARunThatTheDiskCannotTakeIsRefused) {  // before: the disk was fil
   EXPECT_EQ(call("run m.xml --out r"), 2);
   EXPECT_TRUE(err().starts_with("m.xml: error: <record>: the run would write about ")) << err();
   EXPECT_NE(err().find("2e+15 pictures of 1 poses"), std::string::npos) << err();
+  ASSERT_EQ(call("check m.xml"), 0) << err();
+  EXPECT_NE(out().find(" left: a run into it is refused\n"), std::string::npos) << out();
   write("m.xml", ball("step=\"1e-3\"", "signals=\"b.z\" every=\"1e-15\""));
   EXPECT_EQ(call("run m.xml --out r"), 2);
 }

@@ -47,6 +47,23 @@ Diagnostic missingPair(const Shape& a, const Shape& b, bool thin) {
           " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
 }
 
+/// A body of these triangles, three points each, has faces with directions: none vanishes by
+/// underflow, none is lost by overflow.
+void requireFaces(const Shape& shape, const std::vector<Vec3>& triangles) {
+  bool good = !triangles.empty();
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const double area =
+        (triangles[i + 1] - triangles[i]).cross(triangles[i + 2] - triangles[i]).norm();
+    good = good && area > 0.0 && std::isfinite(area);
+  }
+  if (good) return;
+  throw ModelError(Diagnostic{
+      .place = shape.place(),
+      .element = shape.type() + (shape.name().empty() ? "" : " name=\"" + shape.name() + "\""),
+      .text = "its faces are too small, too thin or too large for contact",
+      .hint = "take sizes of the same order, or give it no material"});
+}
+
 /// Rows of a law that feels the way of the contact over the body (rolling_contact.hpp).
 constexpr int kContourRows = 8;
 
@@ -151,6 +168,7 @@ void ShapeContacts::makeSurfaces() {
     if (s.kind != Touch::polyhedron && !s.isBox(8)) continue;
     const std::vector<Vec3> triangles =
         s.kind == Touch::box ? boxTriangles(s.half) : s.shape->geometry().points;
+    requireFaces(*s.shape, triangles);
     std::vector<double> key;
     for (const Vec3& p : triangles) key.insert(key.end(), p.begin(), p.end());
     const auto [at, isNew] = known.try_emplace(std::move(key), nullptr);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/parameters.hpp>
@@ -57,6 +58,12 @@ const Material* PairLaws::material(const std::string& name) const {
 
 PairLaw PairLaws::mixed(const Material& a, const Material& b) {
   const ContactValues v = mixing_->mix(a.values(), b.values());
+  if (!std::isfinite(v.mu))
+    throw ModelError(Diagnostic{.place = mixing_->place(),
+                                .element = mixing_->type(),
+                                .text = "mu of the materials " + quoted(a.name(), b.name()) +
+                                        " mixes to " + numberText(v.mu),
+                                .hint = "take smaller values"});
   std::unique_ptr<const SetValuedForceLaw> law;
   std::string text = "Unilateral";
   // Without friction a contact needs no tangents.

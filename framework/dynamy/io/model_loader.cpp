@@ -43,13 +43,17 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
   return out;
 }
 
-/// The values of `node` that a stand-in needs, as if it were written there.
+/// A rule with these values, as if it were written at `node`; none if it refuses them, too.
 template <class Rule>
 std::unique_ptr<Element> standInOf(const XmlNode& node, const std::string& name,
-                                   std::vector<GivenValue> values) {
-  Parameters x = Parameters::of<Rule>(node.tag, name, values);
-  x.place = node.place;
-  return std::make_unique<Rule>(x);
+                                   const std::vector<GivenValue>& values) {
+  try {
+    Parameters x = Parameters::of<Rule>(node.tag, name, values);
+    x.place = node.place;
+    return std::make_unique<Rule>(x);
+  } catch (const ModelError&) {  // told already, with its place
+    return nullptr;
+  }
 }
 
 /// A rule that could not be read still says that its materials were thought of. It answers for its
@@ -74,9 +78,18 @@ bool allElementsAreKnown(const Faults& faults) {
   });
 }
 
+/// Errors of the model as a whole, which no element answers for, have the place of its root.
+void addOfModel(Faults& faults, const ModelError& error, const XmlDocument& document) {
+  for (Diagnostic d : error.diagnostics()) {
+    if (d.place.line <= 0) d.place = document.root().place;
+    faults.add(std::move(d));
+  }
+}
+
 /// Pairs of materials that no rule covers, although other faults forbid to build the model; for
 /// that, takes systems and rules out of `parts`.
-void findUncoveredPairs(Parts& parts, const Registry& registry, Faults& faults) {
+void findUncoveredPairs(Parts& parts, const Registry& registry, const XmlDocument& document,
+                        Faults& faults) {
   Model partial;
   for (auto& [kind, element] : parts)
     if (kind == Kind::system || kind == Kind::rule) partial.add(kind, std::move(element));
@@ -85,7 +98,7 @@ void findUncoveredPairs(Parts& parts, const Registry& registry, Faults& faults) 
   try {
     partial.build();
   } catch (const ModelError& e) {
-    faults.add(e);
+    addOfModel(faults, e, document);
   }
 }
 
@@ -133,7 +146,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
     for (const ModelItem& item : source.elements())
       if (auto rule = good.contains(&item) ? nullptr : standIn(*item.node))
         parts.emplace_back(Kind::rule, std::move(rule));
-    findUncoveredPairs(parts, registry, faults);
+    findUncoveredPairs(parts, registry, source.document(), faults);
   }
   faults.throwIfAny();
   for (auto& [kind, element] : parts) model.add(kind, std::move(element));
@@ -141,7 +154,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   try {
     model.build();
   } catch (const ModelError& e) {
-    faults.add(e);
+    addOfModel(faults, e, source.document());
     faults.throwIfAny();
   }
   settings.verifySignals();

@@ -65,7 +65,7 @@ void Faults::fillLines(Diagnostic& d) const {
   const auto line = [this](const Place& place) -> std::string {
     const auto it = files_.find(place.file);
     if (it == files_.end() || place.line <= 0) return {};
-    return it->second->sourceLine(place.line);
+    return it->second->shownLine(place);
   };
   if (d.sourceLine.empty()) d.sourceLine = line(d.place);
   for (Note& note : d.notes)

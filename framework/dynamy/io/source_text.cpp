@@ -56,9 +56,11 @@ std::string_view SourceText::line(int number) const {
   return rest;
 }
 
-std::string SourceText::shownLine(int number) const {
-  const std::string_view all = line(number);
-  return all.size() > kLongestShownLine ? std::string() : std::string(all);
+std::string SourceText::shownLine(const Place& place) const {
+  const std::string_view all = line(place.line);
+  if (all.size() <= kLongestShownLine) return std::string(all);
+  if (static_cast<std::size_t>(std::max(place.column, 0)) > kLongestShownLine / 8) return {};
+  return std::string(all.substr(0, characterAround(all, kLongestShownLine).first));
 }
 
 Place SourceText::place(std::size_t offset, std::size_t length) const {

@@ -13,7 +13,8 @@
 
 namespace dynamy {
 
-/// Bytes of the longest line that messages show; of a longer one only the place is said.
+/// Bytes of the longest line that messages hold: a thousand copies of a line without end would
+/// fill the memory.
 inline constexpr std::size_t kLongestShownLine = 10000;
 
 class SourceText {
@@ -27,8 +28,9 @@ class SourceText {
   /// Line `number` (from 1) without its end (LF or CR LF) and without a byte order mark; "" if
   /// there is no such line.
   std::string_view line(int number) const;
-  /// The same for a message; "" if it is longer than kLongestShownLine.
-  std::string shownLine(int number) const;
+  /// What a message about `place` shows of its line: of a line longer than kLongestShownLine the
+  /// beginning, "" if the place lies far behind it.
+  std::string shownLine(const Place& place) const;
 
   /// Place of `length` bytes from `offset`, at most to the end of the line. Cost: `length`, however
   /// long the line is.

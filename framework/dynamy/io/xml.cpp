@@ -219,7 +219,7 @@ XmlDocument XmlDocument::parse(std::string text, std::string name) {
   if (parsed.Error() || parsed.RootElement() == nullptr) {
     Diagnostic error{.place = {source.name(), parsed.ErrorLineNum()},
                      .text = std::string("the file is no XML: ") + parsed.ErrorName()};
-    error.sourceLine = source.shownLine(error.place.line);
+    error.sourceLine = source.shownLine(error.place);
     throw ModelError(std::move(error));
   }
   TreeBuilder builder(source, scan);
@@ -252,7 +252,7 @@ Place XmlDocument::at(const XmlNode& node, std::size_t offset, std::size_t lengt
 
 Diagnostic XmlDocument::diagnostic(Place place, const XmlNode& node, std::string text,
                                    std::string hint) const {
-  std::string line = source_.shownLine(place.line);
+  std::string line = source_.shownLine(place);
   return {std::move(place), node.label(), std::move(text), std::move(hint), std::move(line)};
 }
 

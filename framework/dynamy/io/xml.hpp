@@ -60,8 +60,9 @@ class XmlDocument {
   const XmlNode& root() const { return root_; }
   const std::string& name() const { return source_.name(); }
   std::size_t size() const { return source_.text().size(); }  ///< bytes
-  /// For a message; "" if it is too long for one.
-  std::string sourceLine(int line) const { return source_.shownLine(line); }
+  std::string_view sourceLine(int line) const { return source_.line(line); }
+  /// What a message about `place` shows of its line (SourceText::shownLine).
+  std::string shownLine(const Place& place) const { return source_.shownLine(place); }
 
   /// Place of `length` bytes from byte `offset` of a decoded value; both are cut at its end.
   Place at(const XmlAttribute& attribute, std::size_t offset, std::size_t length = 1) const;

@@ -65,7 +65,7 @@ class Scanner {
   Diagnostic diagnostic(std::size_t offset, std::size_t size, std::string element, std::string text,
                         std::string hint) const {
     Place place = source_.place(offset, size);
-    std::string line = source_.shownLine(place.line);
+    std::string line = source_.shownLine(place);
     return {std::move(place), std::move(element), std::move(text), std::move(hint),
             std::move(line)};
   }
@@ -225,7 +225,7 @@ class Scanner {
 
   void addNote(Diagnostic& error, const XmlScan::Element& element, const std::string& text) const {
     Place place = source_.place(element.begin, element.size);
-    std::string line = source_.shownLine(place.line);
+    std::string line = source_.shownLine(place);
     error.notes.push_back({std::move(place), '<' + tag(element) + '>' + text, std::move(line)});
   }
 
@@ -307,7 +307,7 @@ class Scanner {
           diagnostic(attribute.name, attribute.nameSize, tag(element),
                      "the attribute " + quoted(attributeName) + " is given twice", {});
       Place first = source_.place(other.name, other.nameSize);
-      std::string line = source_.shownLine(first.line);
+      std::string line = source_.shownLine(first);
       error.notes.push_back({std::move(first), "the first is here", std::move(line)});
       report(std::move(error));
       return;

@@ -21,6 +21,11 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
+/// Of the file, for what is missing in it; nowhere for a model that no file holds.
+Place beginning(const Model& model) {
+  return model.sourceFile.empty() ? Place() : Place(model.sourceFile, 1, 1);
+}
+
 std::unique_ptr<TimeLoop> loopOf(Model& model) {
   model.readyScheme();
   if (model.scheme().findsContacts()) {
@@ -30,7 +35,7 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
   const SimulationSettings& s = model.simulation;
   Diagnostic d;
   if (model.systems().empty()) {
-    d.place = Place(model.sourceFile);
+    d.place = beginning(model);
     d.text = "the model has no system: nothing can move";
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
@@ -40,7 +45,7 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
   if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence);
   d.place = s.place, d.element = "simulation";
   if (s.place.line == 0) {
-    d.place = Place(model.sourceFile), d.element.clear();
+    d.place = beginning(model), d.element.clear();
     d.text = "no <simulation> says how long and how accurately";
     d.hint = "add <simulation until=\"1\" tolerance=\"1e-6\"/>, or step=\"1e-3\"";
   } else if (s.tolerance > 0.0) {

@@ -46,7 +46,7 @@ std::string Mutator::mutate(const std::string& text, std::uint64_t seed, std::ui
                      static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32)};
   random_.seed(both);
   std::string out = text;
-  for (std::size_t i = below(3) + 1; i > 0; --i) mutateOnce(out);
+  for (std::size_t i = below(2) * below(3) + 1; i > 0; --i) mutateOnce(out);
   return out;
 }
 

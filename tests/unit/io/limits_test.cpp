@@ -52,8 +52,8 @@ TEST(Limits, ReadingEndsAfterAThousandErrors) {  // before: 20 000 copies of one
   const std::vector<Diagnostic> all =
       faults(inSystems(repeated("<Ball mass=\"1\" a=\"0\"/>", 20000)));
   ASSERT_EQ(all.size(), kMostErrors + 1);
-  EXPECT_EQ(all.front().place.format(), "m.xml:2:24");
-  EXPECT_EQ(all[999].place.format(), "m.xml:2:" + std::to_string(24 + 999 * 22));
+  EXPECT_EQ(all.front().place.format(), "m.xml:2:25");
+  EXPECT_EQ(all[999].place.format(), "m.xml:2:" + std::to_string(25 + 999 * 22));
   EXPECT_EQ(all[999].sourceLine, "");  // a line of 440 kB is no help
   EXPECT_EQ(all.back().text, "reading ends after so many errors");
   const std::string entities = around("<doc>" + repeated("&a;", 20000) + "</doc>");
@@ -94,7 +94,7 @@ TEST(Limits, ElementsOfAllTurnsAreCounted) {
       faults(inSystems("<replicate count=\"90000\">" + repeated(ball, 20) + "</replicate>"));
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].text, "all replicates together make more than 1000000 elements");
-  EXPECT_EQ(all[0].place.format(), "m.xml:2:27");
+  EXPECT_EQ(all[0].place.format(), "m.xml:2:28");
 }
 
 TEST(Limits, ListedSignalsAreCounted) {
@@ -137,13 +137,13 @@ TEST_F(IncludeLimits, TheDepthIsNoCircle) {
 
 TEST(FiniteNumbers, AreAllThatAnAttributeTakes) {
   EXPECT_EQ(firstLine(errors(inSystems("<Ball mass=\"inf\"/>"))),
-            "m.xml:2:25: error: <Ball>: mass must be finite, is inf");
+            "m.xml:2:22: error: <Ball>: mass must be finite, is inf");
   EXPECT_EQ(firstLine(errors(inSystems("<Ball mass=\"1\" velocity=\"0 0 -inf\"/>"))),
-            "m.xml:2:44: error: <Ball>: velocity must be finite, is -inf");
+            "m.xml:2:39: error: <Ball>: velocity must be finite, is -inf");
   EXPECT_EQ(firstLine(errors(around("<simulation until=\"inf\"/>"))),
             "m.xml:2:20: error: <simulation>: until must be finite, is inf");
   EXPECT_EQ(firstLine(errors(inSystems("<Ball mass=\"1e308t\"/>"))),
-            "m.xml:2:25: error: <Ball>: mass the number 1e308t is out of range");
+            "m.xml:2:22: error: <Ball>: mass the number 1e308t is out of range");
   EXPECT_EQ(firstLine(errors(around("<parameter name=\"p\" value=\"inf\"/>"))),
             "m.xml:2:28: error: <parameter name=\"p\">: value must be finite, is inf");
 }
