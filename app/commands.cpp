@@ -1,5 +1,5 @@
 /// All sub-commands, in the order of `dynamy --help`.
-#include "program.hpp"
+#include "commands.hpp"
 
 namespace dynamy::app {
 

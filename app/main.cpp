@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <dynamy/core/suggestion.hpp>
 
+#include "commands.hpp"
 #include "endings.hpp"
-#include "program.hpp"
 
 namespace dynamy::app {
 namespace {

@@ -60,9 +60,6 @@ int withErrorsTold(const std::function<int()>& call);
 /// The version and what the program was built with, several lines.
 std::string versionText();
 
-/// Declares all sub-commands.
-void addCommands(CLI::App& app, Program& program);
-
 // One function a sub-command: declares it; its callback sets program.exitCode.
 void addRun(CLI::App& app, Program& program);
 void addResume(CLI::App& app, Program& program);
