@@ -8,7 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace dynamy;
   static fuzz::World world = [] {
     fuzz::World w;
-    w.plugins.load(kStandardElements, "", w.registry);
+    w.plugins.load(kStandardElements, w.registry);
     return w;
   }();
   fuzz::readText(world, std::string(reinterpret_cast<const char*>(data), size), {}, [](Model& m) {
