@@ -41,6 +41,8 @@ EndingSignals::EndingSignals() {
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
+  // One at a time: what comes meanwhile finds the handler of the first done.
+  for (const int s : kSignals) sigaddset(&action.sa_mask, s);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], nullptr, &before()[i]);
     if (before()[i].sa_handler != SIG_IGN) ::sigaction(kSignals[i], &action, nullptr);

@@ -98,7 +98,7 @@ int resume(Program& program, Texts& t, double until) {
   FoundCheckpoint found = findCheckpoint(folder);
   Checkpoint& from = found.checkpoint;
   if (!found.note.empty())
-    fmt::print(stderr, "dynamy: {}: goes on from the checkpoint before it, of t = {:g} s\n",
+    fmt::print(stderr, "dynamy: {}; the run goes on from the checkpoint before it, of t = {:g} s\n",
                found.note, from.t);
   program.load();
   if (const std::string own = buildText(); from.program != own && !t.anyBuild)

@@ -71,6 +71,18 @@ TEST_F(RunFaults, ASignalThatIsIgnoredFromTheStartStaysSo) {  // nohup
   EXPECT_EQ(ended(child), 143);
 }
 
+TEST_F(RunFaults, ASecondSignalEndsAtOnce) {
+  write("ball.xml", bouncingBallXml(4000.0, "1e-6"));
+  const pid_t child = start({"run", "ball.xml", "--out", "s", "--quiet"});
+  waitFor("s/signals.csv", 200);
+  ::kill(child, SIGSTOP);  // both are there when it goes on
+  ::kill(child, SIGHUP), ::kill(child, SIGTERM);
+  ::kill(child, SIGCONT);
+  EXPECT_EQ(ended(child), -SIGTERM);
+  EXPECT_EQ(facts("s")["state"].text, "running");
+  EXPECT_EQ(call("verify s"), 0) << out();
+}
+
 TEST_F(RunFaults, ASecondRunIntoAFolderIsRefused) {
   write("ball.xml", bouncingBallXml(4000.0, "1e-6"));
   write("other.xml", bouncingBallXml(0.1, "1e-3"));
@@ -168,8 +180,8 @@ TEST_F(RunFaults, ADamagedCheckpointFallsBackToTheOneBefore) {
   const Checkpoint older = readCheckpoint(readWholeFile(path("k/checkpoint.1")), "");
   const std::string until = std::to_string(older.t + 0.02);
   ASSERT_EQ(call("resume k --until " + until), 0) << err();
-  EXPECT_NE(err().find("checkpoint: is damaged: its checksum is wrong: goes on from the checkpoint "
-                       "before it, of t = "),
+  EXPECT_NE(err().find("checkpoint is damaged: its checksum is wrong; the run goes on from the "
+                       "checkpoint before it, of t = "),
             std::string::npos)
       << err();
   ASSERT_EQ(call("run ball.xml --out straight --until " + until), 0) << err();

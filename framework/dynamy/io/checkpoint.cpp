@@ -59,13 +59,15 @@ std::string read(const RunFolder& folder, const fs::path& file, Checkpoint& out)
   if (!fs::exists(file, error)) return file.filename().string() + " is missing";
   try {
     out = readCheckpoint(readWholeFile(file), file.filename().string());
-  } catch (const FileError& e) {
-    return e.what();
+  } catch (const FileError& e) {  // "checkpoint: is damaged …", as a part of a sentence
+    std::string why = e.what();
+    const std::string name = file.filename().string() + ": ";
+    return why.starts_with(name) ? why.replace(name.size() - 2, 1, "") : why;
   }
   for (const RecordedFile& f : out.files) {
     const fs::path name(f.name);
     if (name.has_parent_path() || name.filename() == "..")  // no file outside of the folder
-      return file.filename().string() + ": names a file outside of the folder, \"" + f.name + '"';
+      return file.filename().string() + " names a file outside of the folder, \"" + f.name + '"';
     if (std::string why = placeFault(folder.path() / name, f.place); !why.empty())
       return f.name + ' ' + why;
   }

@@ -128,7 +128,7 @@ TEST_F(CheckpointFolder, FallsBackToTheOlderOneAndSaysWhy) {
   damage(folder_.checkpoint());
   const FoundCheckpoint found = findCheckpoint(folder_);
   EXPECT_EQ(found.checkpoint.t, 1.0);
-  EXPECT_EQ(found.note, "checkpoint: is damaged: its checksum is wrong");
+  EXPECT_EQ(found.note, "checkpoint is damaged: its checksum is wrong");
   keepOnly(folder_, found);
   save(3.0);  // the damaged one has not become the older one
   damage(folder_.checkpoint());

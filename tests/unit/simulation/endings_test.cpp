@@ -150,6 +150,23 @@ TEST(Endings, AFullDiskEndsARunAtTheEndOfItsStepAndNothingIsLost) {
   EXPECT_EQ(larger.table.rows, straight.rows);
 }
 
+TEST(Endings, CheckpointsWaitUntilTheyTakeNoMoreThanTheirShareOfTheTime) {
+  // Making one takes some time: with no share there is the first one only, with any after each
+  // step.
+  for (const auto& [share, expected] : {std::pair{0.0, 1}, std::pair{1e300, 1001}}) {
+    Model m = bouncing();
+    m.build();
+    Simulation s(m);
+    int saved = 0;
+    s.onCheckpoint(1e-12, share, [&](const std::string&) { ++saved; });
+    s.run();
+    EXPECT_GE(saved, expected);
+    if (share == 0.0) {
+      EXPECT_EQ(saved, 1);
+    }
+  }
+}
+
 /// The bytes with the word at `at` replaced.
 std::string with(std::string bytes, std::size_t at, std::uint64_t word) {
   for (std::size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<char>(word >> (8 * i));
