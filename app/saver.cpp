@@ -5,10 +5,14 @@
 #include "build_text.hpp"
 
 namespace dynamy::app {
+namespace fs = std::filesystem;
 namespace {
 
 /// A run that took no longer is made again as fast as a disk confirms what it wrote [s].
 constexpr double kShort = 1.0;
+/// What the tables and the film collect before they write it [byte]: on a full disk it goes into
+/// the checkpoint.
+constexpr std::uint64_t kRows = std::uint64_t{1} << 19;
 
 }  // namespace
 
@@ -19,6 +23,13 @@ Saver::Saver(const RunFolder& folder, const RunChoice& choice, const Model& mode
   next_.choice = choice, next_.modelText = model.sourceText;
 }
 
+Saver::~Saver() { release(); }
+
+void Saver::release() {
+  std::error_code error;
+  fs::remove(folder_.spareRoom(), error);
+}
+
 void Saver::save(const std::string& simulation, double t, bool lasting) {
   next_.simulation = simulation, next_.t = t, next_.files = recording_.archived();
   fault_.clear();
@@ -27,6 +38,9 @@ void Saver::save(const std::string& simulation, double t, bool lasting) {
   try {
     if (safe) recording_.sync();
     writeCheckpoint(folder_, next_, safe);
+    std::error_code error;
+    const auto size = fs::file_size(folder_.checkpoint(), error);
+    if (!any_ && !error) reserveRoom(folder_, 2 * size + kRows);
     any_ = true;
   } catch (const WriteError& e) {
     fault_ = std::string("no checkpoint could be written: ") + e.what();
@@ -35,6 +49,7 @@ void Saver::save(const std::string& simulation, double t, bool lasting) {
 
 void Saver::saveLast(const Simulation& simulation) {
   save(simulation.checkpoint(), simulation.state().t, simulation.report().wall > kShort);
+  release();  // the other files of the end may need it
 }
 
 }  // namespace dynamy::app

@@ -9,6 +9,9 @@ class Saver {
   /// All outlive it.
   Saver(const RunFolder& folder, const RunChoice& choice, const Model& model,
         RunRecording& recording);
+  ~Saver();
+  Saver(const Saver&) = delete;
+  Saver& operator=(const Saver&) = delete;
   /// `simulation`: the bytes of Simulation::checkpoint at t [s]. Throws nothing: a checkpoint that
   /// cannot be written is in fault(), the older ones stay, and the run goes on.
   void save(const std::string& simulation, double t, bool lasting);
@@ -18,6 +21,7 @@ class Saver {
   const std::string& fault() const { return fault_; }
 
  private:
+  void release();
   const RunFolder& folder_;
   RunRecording& recording_;
   Checkpoint next_;

@@ -217,6 +217,22 @@ TEST_F(RunFaults, AnIncludedFileThatChangedIsNamed) {
       << err();
 }
 
+TEST_F(RunFaults, ALibraryIsKnownByItsNameAndItsBytes) {
+  write("ball.xml", bouncingBallXml(0.5, "1e-3"));
+  fs::create_directory(path("mine"));
+  const fs::path plugin = path("mine/libshowcase.so");
+  fs::copy_file(fs::path(DYNAMY_BINARY_DIR) / "lib" / "dynamy" / "libshowcase.so", plugin);
+  ASSERT_EQ(call("run ball.xml --out a --plugin mine/libshowcase.so"), 0) << err();
+  EXPECT_EQ(readWholeFile(path("a/checkpoint")).find("mine/lib"), std::string::npos);
+  ASSERT_EQ(call("resume a --until 0.6 --plugin mine/libshowcase.so"), 0) << err();
+  ASSERT_EQ(call("resume a --until 0.7"), 0) << err();  // the same, found by its name
+  std::string bytes = readWholeFile(plugin);
+  writeWholeFile(plugin, bytes + "another build");
+  EXPECT_EQ(call("resume a --until 0.8 --plugin mine/libshowcase.so"), 2);
+  EXPECT_NE(err().find("library showcase: is not what the run was made with"), std::string::npos)
+      << err();
+}
+
 TEST_F(RunFaults, CheckpointsChangeNoNumber) {
   write("ball.xml", bouncingBallXml(2.0, "1e-3"));
   ASSERT_EQ(call("run ball.xml --out a --no-checkpoint"), 0) << err();

@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <dynamy/core/error.hpp>
@@ -74,6 +76,19 @@ std::string read(const RunFolder& folder, const fs::path& file, Checkpoint& out)
   return {};
 }
 
+/// Into the room that was kept for it, else into that of the older one.
+void writeWithoutRoom(const RunFolder& folder, const fs::path& file, const std::string& bytes) {
+  std::error_code error;
+  if (fs::file_size(folder.spareRoom(), error) >= bytes.size() && !error) {
+    overwriteFile(folder.spareRoom(), bytes);
+    fs::rename(folder.spareRoom(), file, error);
+    if (!error) return;
+  }
+  fs::remove(folder.spareRoom(), error);
+  if (fs::exists(folder.checkpoint(), error)) fs::remove(folder.olderCheckpoint(), error);
+  writeWholeFile(file, bytes);
+}
+
 }  // namespace
 
 void RunChoice::archive(Archive& a) {
@@ -126,6 +141,15 @@ Checkpoint readCheckpoint(std::string_view bytes, const std::string& file) {
   return out;
 }
 
+void reserveRoom(const RunFolder& folder, std::uint64_t bytes) {
+  const int file = ::open(folder.spareRoom().c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (file < 0) return;
+  const bool reserved = ::fallocate(file, 0, 0, static_cast<off_t>(bytes)) == 0;
+  ::close(file);
+  std::error_code error;
+  if (!reserved) fs::remove(folder.spareRoom(), error);
+}
+
 void writeCheckpoint(const RunFolder& folder, Checkpoint& checkpoint, bool lasting) {
   const std::string bytes = bytesOf(checkpoint);
   const fs::path last = folder.checkpoint(), older = folder.olderCheckpoint(),
@@ -133,9 +157,8 @@ void writeCheckpoint(const RunFolder& folder, Checkpoint& checkpoint, bool lasti
   std::error_code error;
   try {
     writeWholeFile(next, bytes, lasting);
-  } catch (const WriteError&) {  // the room of the older one may do
-    if (!fs::remove(older, error) || error) throw;
-    writeWholeFile(next, bytes, lasting);
+  } catch (const WriteError&) {
+    writeWithoutRoom(folder, next, bytes);
   }
   // First a second name for the last one, so that there is one under its name at every moment.
   fs::remove(older, error);

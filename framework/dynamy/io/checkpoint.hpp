@@ -55,9 +55,13 @@ std::string bytesOf(Checkpoint& checkpoint);
 /// or not whole, or of another layout
 Checkpoint readCheckpoint(std::string_view bytes, const std::string& file);
 
+/// Keeps so much of the disk for a checkpoint that finds no other room; where the disk cannot
+/// reserve, nothing.
+void reserveRoom(const RunFolder& folder, std::uint64_t bytes);
+
 /// Replaces the checkpoint of the folder; the one before becomes the older one. At every moment one
-/// of them is whole. `lasting`: they outlive a loss of power. \throws WriteError; the older one has
-/// gone then, if its room was needed
+/// of them is whole. `lasting`: they outlive a loss of power. On a full disk the reserved room is
+/// used, and that of the older one. \throws WriteError; the older one has gone then
 void writeCheckpoint(const RunFolder& folder, Checkpoint& checkpoint, bool lasting);
 
 /// A checkpoint of a folder that its files go with.

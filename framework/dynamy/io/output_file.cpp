@@ -86,6 +86,16 @@ void writeWholeFile(const std::filesystem::path& path, std::string_view content,
   if (lasting) syncFolder(path);
 }
 
+void overwriteFile(const std::filesystem::path& path, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const auto size = static_cast<ssize_t>(content.size());
+  const bool good = file >= 0 && ::pwrite(file, content.data(), content.size(), 0) == size &&
+                    ::ftruncate(file, size) == 0;
+  const int error = errno;
+  if (file >= 0) ::close(file);
+  if (!good) throw WriteError(path.string(), because("cannot write", error));
+}
+
 std::string placeFault(const std::filesystem::path& path, const FilePlace& place) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return because("cannot read", errno);

@@ -50,6 +50,10 @@ class OutputFile {
 void writeWholeFile(const std::filesystem::path& path, std::string_view content,
                     bool lasting = false);
 
+/// Writes `content` into the room that the file has already: on a full disk, where no other way is
+/// left. \throws WriteError; what the file holds then is open
+void overwriteFile(const std::filesystem::path& path, std::string_view content);
+
 /// Does the file begin with these bytes? "" or why not: "is shorter than …". \throws FileError
 std::string placeFault(const std::filesystem::path& path, const FilePlace& place);
 

@@ -1,10 +1,5 @@
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <dynamy/io/file_error.hpp>
 #include <dynamy/io/output_file.hpp>
 #include <dynamy/io/run_folder.hpp>
@@ -60,7 +55,7 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
   for (const fs::path& file : {model(), signals(), signalsPlot(), events(), ledger(), frames(),
-                               replay(), report(), checkpoint(), olderCheckpoint()}) {
+                               replay(), report(), checkpoint(), olderCheckpoint(), spareRoom()}) {
     fs::remove(file, error);
     if (error) throw WriteError(file.string(), "cannot replace: " + error.message());
   }
@@ -96,18 +91,6 @@ std::string factsText(const std::function<void(JsonWriter&)>& write) {
   return text + '\n';
 }
 
-/// Needs no room but what the file has.
-void overwrite(const fs::path& path, const std::string& text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const bool good =
-      file >= 0 &&
-      ::pwrite(file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()) &&
-      ::ftruncate(file, static_cast<off_t>(text.size())) == 0;
-  const int error = errno;
-  if (file >= 0) ::close(file);
-  if (!good) throw WriteError(path.string(), std::string("cannot write: ") + std::strerror(error));
-}
-
 }  // namespace
 
 void RunFolder::writeFacts(const std::function<void(JsonWriter&)>& write) const {
@@ -127,7 +110,7 @@ void RunFolder::writeLastFacts(const std::function<void(JsonWriter&)>& write,
       if (last || !another || !fs::remove(olderCheckpoint(), error)) break;
     }
   }
-  overwrite(facts(), factsText(brief));
+  overwriteFile(facts(), factsText(brief));
 }
 
 }  // namespace dynamy

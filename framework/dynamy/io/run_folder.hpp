@@ -83,6 +83,9 @@ class RunFolder {
   /// The one before it, for the case that the last is damaged.
   std::filesystem::path olderCheckpoint() const { return path_ / "checkpoint.1"; }
 
+  /// Room on the disk that a run keeps for its last checkpoint.
+  std::filesystem::path spareRoom() const { return path_ / "checkpoint.room"; }
+
  private:
   RunFolder() = default;
   std::filesystem::path path_;

@@ -151,6 +151,17 @@ TEST_F(CheckpointFolder, FallsBackIfTheRecordedFilesDoNotReachTheLastOne) {
       << message;
 }
 
+TEST_F(CheckpointFolder, UsesTheRoomThatWasKeptWhereThereIsNoOther) {
+  save(1.0), save(2.0);
+  reserveRoom(folder_, 1 << 16);
+  if (!fs::exists(folder_.spareRoom())) GTEST_SKIP() << "this file system reserves nothing";
+  fs::create_directory(scratch_ / "checkpoint.next.part");  // nothing can be written there
+  save(3.0);
+  EXPECT_FALSE(fs::exists(folder_.spareRoom()));
+  EXPECT_EQ(findCheckpoint(folder_).checkpoint.t, 3.0);
+  EXPECT_EQ(readCheckpoint(readWholeFile(folder_.olderCheckpoint()), "").t, 2.0);
+}
+
 TEST_F(CheckpointFolder, WithoutAnySaysSo) {
   const std::string message = messageOf<FileError>([&] { findCheckpoint(folder_); });
   EXPECT_NE(message.find("holds no checkpoint"), std::string::npos) << message;
