@@ -36,6 +36,8 @@ constexpr double kTurn = 0.5;
 constexpr double kSeen = 1000.0;
 /// Most parts of a piece between which bodies are taken to move straight.
 constexpr int kMostParts = 64;
+/// Pieces of half a step: who turns by more than a thousand radians in it is not followed closer.
+constexpr int kMostHalf = 2048;
 constexpr double kGolden = 0.6180339887498949;
 
 /// What can go how far round the origin of the frame.
@@ -102,6 +104,8 @@ template <class Gap>
 double anyBelow(Gap& gap, double a, double b, double limit, double flat) {
   double c = b - kGolden * (b - a), d = a + kGolden * (b - a), gc = gap(c), gd = gap(d);
   while (b - a > flat) {
+    if (!(c > a && d < b && c < d))
+      break;  // as close as numbers are, for a way of 1e16 thicknesses
     if (gc < limit) return c;
     if (gd < limit) return d;
     if (gc < gd) {
@@ -180,7 +184,8 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
       turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
   });
   // An even number: schemes change velocities in the middle.
-  return turn < 0.0 ? 0 : 2 * std::max(1, static_cast<int>(std::ceil(0.5 * turn / kTurn)));
+  const double half = std::ceil(0.5 * turn / kTurn);
+  return turn < 0.0 ? 0 : 2 * (half < kMostHalf ? std::max(1, static_cast<int>(half)) : kMostHalf);
 }
 
 namespace {
@@ -324,8 +329,8 @@ Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath&
     // One that is closed may not sink deeper.
     const double limit = (start <= depth ? start : 0.0) - depth;
     const double L = piece.L;
-    const int parts = std::clamp(static_cast<int>(std::ceil(std::sqrt(piece.bend / (2.0 * depth)))),
-                                 1, kMostParts);
+    const double wanted = std::ceil(std::sqrt(piece.bend / (2.0 * depth)));
+    const int parts = wanted < kMostParts ? std::max(1, static_cast<int>(wanted)) : kMostParts;
     for (int j = 0; j < parts; ++j) {
       const double s0 = static_cast<double>(j) / parts, s1 = static_cast<double>(j + 1) / parts;
       const double right = gapAt(s1);
