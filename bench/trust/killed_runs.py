@@ -64,7 +64,7 @@ class Campaign:
     def __init__(self, options):
         self.program = str(pathlib.Path(options.program).resolve())
         self.random = random.Random(options.seed)
-        self.counts, self.faults = collections.Counter(), 0
+        self.counts, self.faults, self.done = collections.Counter(), 0, 0
 
     def call(self, *words):
         return subprocess.run([self.program, *words], capture_output=True, text=True, check=False)
@@ -126,6 +126,7 @@ class Campaign:
         for number in range(count):
             name = self.random.choice(list(SCENES))
             self.one(number, name, pathlib.Path(f"straight_{name}"), times[name])
+            self.done += 1
 
 
 def main():
@@ -138,10 +139,14 @@ def main():
     campaign = Campaign(options)
     with tempfile.TemporaryDirectory(dir=options.folder) as folder:
         os.chdir(folder)
-        campaign.run(options.count)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        try:
+            campaign.run(options.count)
+        except KeyboardInterrupt:
+            print("stopped early")
         os.chdir(ROOT)
     counts = ", ".join(f"{n} {what}" for what, n in sorted(campaign.counts.items()))
-    print(f"{options.count} runs killed: {counts}; {campaign.faults} faults")
+    print(f"{campaign.done} runs killed: {counts}; {campaign.faults} faults")
     return 1 if campaign.faults else 0
 
 
