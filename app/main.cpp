@@ -52,9 +52,11 @@ int usage(const CLI::App& app, const CLI::ParseError& error,
 /// Shown below the commands, and a part of the manual page.
 constexpr const char* kFooter =
     "Exit status:\n"
-    "  0   done, all checks passed\n"
+    "  0   done as the model asks, all checks passed\n"
     "  1   the simulation or a check failed\n"
     "  2   error in a model, a plug-in or a file\n"
+    "  3   finished, but a warning says that a step missed what the model asks for\n"
+    "      (an inclusion unsolved, energy gained, bodies overlap, ...); run --accept makes it 0\n"
     "  64  wrong command line\n"
     "  71  out of memory\n"
     "  74  a file cannot be written: the disk is full, or a limit of the system is reached\n"

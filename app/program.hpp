@@ -10,9 +10,12 @@
 
 namespace dynamy::app {
 
-inline constexpr int kOk = 0;            ///< done, all checks passed
-inline constexpr int kFailed = 1;        ///< the simulation or a check failed
-inline constexpr int kModel = 2;         ///< error in model, plug-in or file
+inline constexpr int kOk = 0;      ///< done, all checks passed
+inline constexpr int kFailed = 1;  ///< the simulation or a check failed
+inline constexpr int kModel = 2;   ///< error in model, plug-in or file
+/// The run reached its end, but a step or a figure is not what the model asks for; its warnings say
+/// which. kFailed wins over it.
+inline constexpr int kQualified = 3;
 inline constexpr int kUsage = 64;        ///< wrong command line
 inline constexpr int kOutOfMemory = 71;  ///< memory ran out
 inline constexpr int kCannotWrite = 74;  ///< a file cannot be written: the disk is full, …

@@ -16,7 +16,7 @@ namespace {
 
 /// Texts of options until they are read.
 struct Texts {
-  std::string until, step, checkpoint, out;
+  std::string until, step, checkpoint, out, accept;
   std::vector<std::string> set;
   RunChoice choice;
   RunShow show;
@@ -37,6 +37,7 @@ void addShow(CLI::App& command, Texts& t) {
                   "threads that work on a step of many contacts; the same numbers with any")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
+  addAccept(command, t.accept);
   auto* every = command.add_option("--checkpoint", t.checkpoint,
                                    "write a checkpoint every TIME of wall time; default: 10 s, "
                                    "less often where that took more than 2 % of it");
@@ -157,6 +158,7 @@ void addRun(CLI::App& app, Program& program) {
     t->choice.until = given(t->until, "--until");
     t->choice.step = given(t->step, "--step");
     readCheckpoints(*t);
+    t->show.accept = accepted(t->accept);
     for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
     t->choice.libraries = program.libraries;
     program.exitCode =
@@ -179,6 +181,7 @@ void addResume(CLI::App& app, Program& program) {
   c->callback([t, &program] {
     const double until = given(t->until, "--until");
     readCheckpoints(*t);
+    t->show.accept = accepted(t->accept);
     program.exitCode = resume(program, *t, until);
   });
 }

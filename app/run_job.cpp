@@ -30,14 +30,6 @@ ReplaySize writePictures(const RunFolder& folder, const Model& model) {
   return writeReplay(folder.path());
 }
 
-int exitCode(const RunReport& report, const std::vector<CheckResult>& checks) {
-  if (report.cause == RunReport::Cause::memory) return kOutOfMemory;
-  if (report.cause == RunReport::Cause::files) return kCannotWrite;
-  bool good = report.ended == RunReport::Ended::finished;
-  for (const CheckResult& c : checks) good = good && c.pass;
-  return good ? kOk : kFailed;
-}
-
 void print(const RunFolder& folder, const Model& model, const RunShow& show,
            const RunReport& report, const std::vector<CheckResult>& checks, const ReplaySize& size,
            const std::string& problems) {
@@ -47,7 +39,9 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
   else if (!show.quiet)
     fmt::print("{}{}", resultText(model, report, checks, folder.path()), problems);
   else
-    fmt::print(stderr, "{}{}", failedChecks(checks), unsolvedText(report));
+    fmt::print(stderr, "{}{}{}", failedChecks(checks), unsolvedText(report),
+               warningsText(report, &show.accept));
+  if (!show.quiet && !show.json) fmt::print("{}", qualifiedText(report, checks, show.accept));
   if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
 }
 
@@ -178,8 +172,9 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
   if (show.checkpoints && !simulation.checkpoint().empty()) saver.saveLast(simulation);
   checks = simulation.checks();
   End end;
-  end.status = report.ended == RunReport::Ended::stopped ? kSignalled + EndingSignals::signal()
-                                                         : exitCode(report, checks);
+  end.status = report.ended == RunReport::Ended::stopped
+                   ? kSignalled + EndingSignals::signal()
+                   : exitStatus(report, checks, show.accept);
   end.files = recording.files(), end.fault = saver.fault();
   if (end.fault.empty()) end.fault = recording.fault();
   conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr, end);

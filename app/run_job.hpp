@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "program.hpp"
+#include "run_status.hpp"
 
 namespace dynamy::app {
 
@@ -21,6 +21,7 @@ struct RunShow {
   /// A second run with half the step, or a tenth of the tolerance: what it says about the checks
   /// and the recorded signals in that file. Empty: none.
   std::function<ErrorBars(const std::vector<CheckResult>&, const std::filesystem::path&)> errorBars;
+  Accepted accept;        ///< warnings that leave the exit status at 0
   int threads = 1;        ///< the same numbers with any
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
   /// Gets the result instead of a person: nothing is printed then.

@@ -51,13 +51,6 @@ void write(JsonWriter& json, const EnergyReport& e) {
   json.endObject();
 }
 
-void write(JsonWriter& json, const std::vector<Warning>& warnings) {
-  json.key("warnings").beginArray();
-  for (const Warning& w : warnings)
-    json.beginObject().member("kind", w.kind).member("text", w.text).endObject();
-  json.endArray();
-}
-
 void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
   json.key("checks").beginArray();
   for (const CheckResult& c : checks) {
@@ -166,11 +159,23 @@ void writeProblems(JsonWriter& json, const ProblemDump& d) {
   if (d.refused() > 0) json.member("problemsLeftOutBecause", d.refusedBecause());
 }
 
-std::string warningsText(const RunReport& r) {
+std::string warningsText(const RunReport& r, const Accepted* accepted) {
   std::string out;
-  for (const Warning& w : r.warnings)
+  for (const Warning& w : r.warnings) {
+    const WarningKind* kind = warningKind(w.kind);
+    if (accepted != nullptr && (kind == nullptr || !kind->qualifies || accepted->takes(w.kind)))
+      continue;
     if (w.kind != "unsolved") out += fmt::format(" WARNING  {}: {}\n", w.kind, w.text);
+  }
   return out;
+}
+
+std::string qualifiedText(const RunReport& r, const std::vector<CheckResult>& checks,
+                          const Accepted& accepted) {
+  if (exitStatus(r, checks, accepted) != kQualified) return {};
+  return fmt::format(
+      " finished, but: {}   (exit status {}; --accept makes it 0, doc/run_folder.md)\n",
+      qualifyingKinds(r, accepted), kQualified);
 }
 
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
@@ -335,7 +340,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.key("figures").beginObject();
   for (const RunFigure& f : runFigures()) json.member(f.name, f.value(r));
   json.endObject();
-  write(json, r.warnings);
+  writeWarnings(json, r.warnings);
   write(json, checks);
   json.key("signals").beginArray();
   for (const SignalName& s : recordedSignals(model))

@@ -37,6 +37,14 @@ std::string failedChecks(const std::vector<CheckResult>& checks);
 /// What to say when the replay does not hold all frames; else "".
 std::string thinningText(const ReplaySize& size);
 
+/// A line a warning, but for unsolved inclusions, which unsolvedText() reports; with `accepted`
+/// only those that qualify the run and are not accepted.
+std::string warningsText(const RunReport& report, const Accepted* accepted = nullptr);
+
+/// "finished, but: …" with the exit status that follows; empty: as the model asks, or failed.
+std::string qualifiedText(const RunReport& report, const std::vector<CheckResult>& checks,
+                          const Accepted& accepted);
+
 /// The worst step whose inclusion was not solved: where, what was tried, why, what to do; "": none.
 std::string unsolvedText(const RunReport& report);
 

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Texts {
-  std::string what, until, table, out, rows, emit;
+  std::string what, until, table, out, rows, emit, accept;
+  Accepted accepted;
   std::vector<std::string> set, step, integrator, solver, measures;
   int samples = 0, jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   std::uint64_t seed = 1;
@@ -105,12 +106,13 @@ SweepFolder begin(Program& program, const Texts& t) {
 std::string stateText(const Collected& c, std::size_t runs) {
   std::string out = fmt::format("{} of {} runs done", c.finished + c.failed, runs);
   if (c.failed > 0) out += fmt::format(", {} FAILED", c.failed);
+  if (c.qualified > 0) out += fmt::format(", {} QUALIFIED by warnings", c.qualified);
   if (c.failedChecks > 0) out += fmt::format(", {} with failed checks", c.failedChecks);
   return out;
 }
 
 int finish(const Sweep& s, const SweepFolder& folder, const Texts& t, const std::string& more) {
-  const Collected c = collect(s, folder);
+  const Collected c = collect(s, folder, t.accepted);
   if (!t.quiet) {
     fmt::print(" {}{}\n", stateText(c, s.runs()), more);
     if (!c.firstFault.empty()) fmt::print(" {}\n", c.firstFault);
@@ -119,7 +121,8 @@ int finish(const Sweep& s, const SweepFolder& folder, const Texts& t, const std:
       fmt::print(" {} missing: the same command, or dynamy sweep {}, goes on\n", c.missing,
                  shellWord(folder.path().string()));
   }
-  return c.failed + c.missing == 0 ? kOk : kFailed;  // a check may hold for other parameters only
+  if (c.failed + c.missing > 0) return kFailed;
+  return c.qualified > 0 ? kQualified : kOk;  // a check may hold for other parameters only
 }
 
 /// All runs without a result, in processes of their own.
@@ -236,7 +239,11 @@ void addSweep(CLI::App& app, Program& program) {
   c->add_flag("--collect", t->collect, "only write results.csv and sweep.html from what is there");
   c->add_flag("--quiet", t->quiet, "print errors only");
   addPlugins(*c, program);
-  c->callback([t, &program] { sweep(program, *t); });
+  addAccept(*c, t->accept);
+  c->callback([t, &program] {
+    t->accepted = accepted(t->accept);
+    sweep(program, *t);
+  });
 }
 
 }  // namespace dynamy::app

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <dynamy/core/version.hpp>
@@ -86,9 +87,19 @@ std::string dataText(const Sweep& sweep, const SweepFolder& folder,
   return out;
 }
 
+/// True if a kind of "unsolved; overlap" is not accepted.
+bool qualifies(const std::string& kinds, const Accepted& accept) {
+  for (std::size_t from = 0; from < kinds.size();) {
+    const std::size_t end = std::min(kinds.find("; ", from), kinds.size());
+    if (!accept.takes(kinds.substr(from, end - from))) return true;
+    from = end + 2;
+  }
+  return false;
+}
+
 }  // namespace
 
-Collected collect(const Sweep& sweep, const SweepFolder& folder) {
+Collected collect(const Sweep& sweep, const SweepFolder& folder, const Accepted& accept) {
   std::vector<Column> columns = sweep.columns;
   for (Column& c : factColumns()) columns.push_back(std::move(c));
   const std::size_t state = sweep.columns.size();
@@ -103,6 +114,7 @@ Collected collect(const Sweep& sweep, const SweepFolder& folder) {
       if (out.firstFault.empty()) out.firstFault = fmt::format("run {}: {}", id, line.back());
     } else {
       ++out.finished;
+      out.qualified += qualifies(line[line.size() - 2], accept) ? 1 : 0;
       out.failedChecks += line[state + 1] != "0";
     }
   }

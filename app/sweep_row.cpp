@@ -125,6 +125,7 @@ std::string lineOf(const Sweep& sweep, std::size_t id, const Result& result) {
         r.jointError.value, r.energy.end(), r.energy.discretisation})
     number(x);
   out += ',' + hashText(r.hash) + ',';
+  appendCsvField(out, finished ? qualifyingKinds(r, {}, "; ") : ""), out += ',';
   appendCsvField(out, result.error.empty() ? r.reason : result.error);
   return out + '\n';
 }
@@ -135,7 +136,7 @@ std::vector<Column> factColumns() {
   return {{"state", ""},        {"failed checks", ""}, {"t", "s"},       {"steps", ""},
           {"iterations", ""},   {"impacts", ""},       {"switches", ""}, {"unconverged", ""},
           {"penetration", "m"}, {"joint error", "m"},  {"energy", "J"},  {"discretisation", "J"},
-          {"hash", ""},         {"message", ""}};
+          {"hash", ""},         {"warnings", ""},      {"message", ""}};
 }
 
 void verify(Program& program, Sweep& sweep, std::size_t id) {

@@ -278,7 +278,7 @@ function compare(a, b) {
 function table() {
   const t = make("table"), head = make("tr");
   const column = (k, text) => {
-    const th = make("th", { scope: "col", class: k >= 0 && (names[k] === "state" || names[k] === "message") ? "text" : "" });
+    const th = make("th", { scope: "col", class: k >= 0 && ["state", "warnings", "message"].includes(names[k]) ? "text" : "" });
     const button = make("button", { type: "button" }, text);
     th.append(button);
     if (order.column === k) th.setAttribute("aria-sort", order.down ? "descending" : "ascending");
@@ -299,7 +299,7 @@ function table() {
     tr.append(first);
     for (const k of told) {
       const message = names[k] === "message";
-      tr.append(make("td", { class: k < inputs ? "input" : message ? "long" : names[k] === "state" ? "text" : "" },
+      tr.append(make("td", { class: k < inputs ? "input" : message ? "long" : names[k] === "state" || names[k] === "warnings" ? "text" : "" },
         k === stateColumn && !r.done ? "missing" : shown(r.cells[k])));
     }
     body.append(tr);

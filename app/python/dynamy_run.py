@@ -50,6 +50,16 @@ class Run:
         return self._read[name]
 
     @property
+    def warnings(self):
+        """What the figures of the run say against it: dicts with kind, text, count, t, place."""
+        return self.facts.get("warnings", [])
+
+    @property
+    def qualified(self):
+        """True if a warning says that the run is not what its model asks for: exit status 3."""
+        return any(w.get("qualifies") for w in self.warnings)
+
+    @property
     def signals(self):
         """name -> values; "t" is the time [s]."""
         return self._once("signals.csv", _table)
@@ -204,6 +214,8 @@ if __name__ == "__main__":
         run = Run(sys.argv[1])
         print(f"{run.folder}: {run.facts.get('state')}, {len(run.t)} rows, "
               f"{len(run.frames.t)} pictures, {len(run.events)} events")
+        for warning in run.warnings:
+            print(f"  WARNING {warning['kind']}: {warning['text']}")
         for name, values in run.signals.items():
             if len(values):
                 print(f"  {name} [{run.units.get(name, 's')}]: {values.min():g} … {values.max():g}")

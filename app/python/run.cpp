@@ -89,6 +89,14 @@ py::dict figures(const Simulation& simulation) {
   bool passed = true;
   for (const CheckResult& c : simulation.checks()) passed = passed && c.pass;
   out["checks_passed"] = passed;
+  py::list warnings;
+  for (const Warning& w : r.warnings) {
+    py::dict one;
+    one["kind"] = w.kind, one["text"] = w.text, one["count"] = w.count, one["t"] = w.t;
+    one["place"] = w.place;
+    warnings.append(one);
+  }
+  out["warnings"] = warnings, out["qualified"] = r.qualified();
   return out;
 }
 
@@ -96,6 +104,7 @@ void writeFolderFacts(const RunFolder& folder, const Model& model, const RunRepo
   folder.writeFacts([&](JsonWriter& j) {
     j.member("state", endText(r.ended)).member("title", model.title).member("t", r.t);
     j.member("steps", r.steps).member("impacts", r.impacts).member("wall_s", r.wall);
+    writeWarnings(j, r.warnings);
     j.key("signals").beginArray();
     for (const SignalName& s : recordedSignals(model))
       j.beginObject().member("name", s.name).member("unit", s.unit).endObject();

@@ -3,6 +3,7 @@
 #include <dynamy/io/run_recording.hpp>
 #include <dynamy/io/run_sizes.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/run_watch.hpp>
 
 namespace dynamy {
 namespace {
@@ -32,6 +33,17 @@ std::vector<SignalName> recordedSignals(const Model& model) {
     out.push_back({s->name, unit == "-" ? "" : std::string(unit)});
   }
   return out;
+}
+
+void writeWarnings(JsonWriter& json, const std::vector<Warning>& warnings) {
+  json.key("warnings").beginArray();
+  for (const Warning& w : warnings) {
+    const WarningKind* kind = warningKind(w.kind);
+    json.beginObject().member("kind", w.kind).member("text", w.text).member("count", w.count);
+    json.member("t", w.t).member("place", w.place);
+    json.member("qualifies", kind != nullptr && kind->qualifies).endObject();
+  }
+  json.endArray();
 }
 
 RunRecording::RunRecording(const RunFolder& folder, const Model& model, Resume)

@@ -3,9 +3,11 @@
 #pragma once
 #include <dynamy/io/events_file.hpp>
 #include <dynamy/io/frames_file.hpp>
+#include <dynamy/io/json_writer.hpp>
 #include <dynamy/io/run_folder.hpp>
 #include <dynamy/io/signals_file.hpp>
 #include <dynamy/simulation/recorder.hpp>
+#include <dynamy/simulation/run_report.hpp>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,6 +24,8 @@ struct RecordedFile {
   FilePlace place;
   void archive(Archive& a) { a(name), a(place.bytes), a(place.crc); }
 };
+/// The member `warnings` of run.json.
+void writeWarnings(JsonWriter& json, const std::vector<Warning>& warnings);
 
 class RunRecording final : public RecordSink {
  public:

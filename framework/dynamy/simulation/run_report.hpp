@@ -50,8 +50,11 @@ struct RunTrust {
 
 /// A reason not to trust the figures of a run.
 struct Warning {
-  std::string kind;  ///< one word: "energy", "overlap", …
-  std::string text;  ///< what, where, when; what to do
+  std::string kind;        ///< one of warningKinds(): "energy", "overlap", …
+  std::string text;        ///< what, where, when; what to do
+  long count = 1;          ///< how often: inclusions, impacts, periods, …
+  double t = 0.0;          ///< of the worst, or the first [s]
+  std::string place = {};  ///< contact or joint by its name; empty: the scene as a whole
 };
 
 /// Where switches were too dense to be located, and steps in time took their place.
@@ -107,6 +110,8 @@ struct RunReport {
   std::vector<Warning> warnings;  ///< at the end of the run
   std::uint64_t hash = 0;         ///< of all recorded numbers and the final state
 
+  /// True: a warning says that the run is not what the model asks for (WarningKind::qualifies).
+  bool qualified() const;
   double iterationsMean() const {
     return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0.0;
   }

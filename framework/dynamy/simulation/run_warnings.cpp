@@ -1,6 +1,7 @@
 /// What the figures of a finished run say against it, and the figures that checks may ask for.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <dynamy/simulation/run_watch.hpp>
@@ -24,10 +25,11 @@ using Warnings = std::vector<Warning>;
 
 void aboutSolver(const RunReport& r, Warnings& out) {
   if (r.unconverged == 0) return;
-  out.push_back(
-      {"unsolved", fmt::format("{} of {} inclusions missed their tolerance, residual {:.2g} at most"
-                               "; their forces and velocities are not to be trusted",
-                               r.unconverged, r.solves, r.residual.value)});
+  out.push_back({"unsolved",
+                 fmt::format("{} of {} inclusions missed their tolerance, residual {:.2g} at most"
+                             "; their forces and velocities are not to be trusted",
+                             r.unconverged, r.solves, r.residual.value),
+                 r.unconverged, r.unsolved.t, r.unsolved.contact});
 }
 
 void aboutEnergy(const RunReport& r, Warnings& out) {
@@ -38,44 +40,55 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
     out.push_back({"energy gain",
                    fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
                                "and nothing brought it in; take a smaller step",
-                               t.energyRise, t.energyRiseTime, rise)});
+                               t.energyRise, t.energyRiseTime, rise),
+                   1, t.energyRiseTime});
   else if (error > kEnergy)
-    out.push_back({"energy", fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "
-                                         "where no force did work: the scheme's own error; take a "
-                                         "smaller step",
-                                         t.energyError, t.energyErrorTime, error)});
+    out.push_back({"energy",
+                   fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "
+                               "where no force did work: the scheme's own error; take a "
+                               "smaller step",
+                               t.energyError, t.energyErrorTime, error),
+                   1, t.energyErrorTime});
 }
 
 void aboutImpacts(const RunReport& r, Warnings& out) {
   if (ratio(r.energyGain.value, r.trust.energyScale()) < kRounding) return;
-  out.push_back({"impact law", fmt::format("{} impacts would have gained energy, {:.2g} J at most "
-                                           "(t = {:.6g} s): less rebound was taken",
-                                           r.repairedImpacts, r.energyGain.value, r.energyGain.t)});
+  out.push_back({"impact law",
+                 fmt::format("{} impacts would have gained energy, {:.2g} J at most "
+                             "(t = {:.6g} s): less rebound was taken",
+                             r.repairedImpacts, r.energyGain.value, r.energyGain.t),
+                 r.repairedImpacts, r.energyGain.t});
 }
 
 void aboutPositions(const RunReport& r, double length, Warnings& out) {
   const double overlap = r.penetration.value;
   if (r.penetration.t == 0.0 && overlap > kStart * length)
-    out.push_back(
-        {"start", fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
-                              "them apart changes the energy",
-                              overlap, r.penetration.name)});
+    out.push_back({"start",
+                   fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
+                               "them apart changes the energy",
+                               overlap, r.penetration.name),
+                   1, 0.0, r.penetration.name});
   else if (overlap > kOverlap * length)
-    out.push_back(
-        {"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
-                                "of the scene's length",
-                                overlap, r.penetration.name, r.penetration.t, overlap / length)});
+    out.push_back({"overlap",
+                   fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                               "of the scene's length",
+                               overlap, r.penetration.name, r.penetration.t, overlap / length),
+                   1, r.penetration.t, r.penetration.name});
   else if (r.trust.way > 0.0 && overlap > std::max(kOverlapWays * r.trust.way, kRounding * length))
-    out.push_back({"overlap", fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
-                                          "times the way of the fastest in a step",
-                                          overlap, r.penetration.name, r.penetration.t,
-                                          ratio(overlap, r.trust.way))});
+    out.push_back(
+        {"overlap",
+         fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                     "times the way of the fastest in a step",
+                     overlap, r.penetration.name, r.penetration.t, ratio(overlap, r.trust.way)),
+         1, r.penetration.t, r.penetration.name});
   if (r.jointError.value > kJoint * length)
-    out.push_back({"joints", fmt::format("joint {} is off by {:.2g} m (t = {:.6g} s), {:.2g} of "
-                                         "the scene's length: project=\"both\" in <simulation>, or "
-                                         "a scheme that holds positions, keeps it",
-                                         r.jointError.name, r.jointError.value, r.jointError.t,
-                                         r.jointError.value / length)});
+    out.push_back({"joints",
+                   fmt::format("joint {} is off by {:.2g} m (t = {:.6g} s), {:.2g} of "
+                               "the scene's length: project=\"both\" in <simulation>, or "
+                               "a scheme that holds positions, keeps it",
+                               r.jointError.name, r.jointError.value, r.jointError.t,
+                               r.jointError.value / length),
+                   1, r.jointError.t, r.jointError.name});
 }
 
 void aboutStepping(const RunReport& r, Warnings& out) {
@@ -89,17 +102,19 @@ void aboutStepping(const RunReport& r, Warnings& out) {
                    "errors reach {:.2g} times the tolerance each; it is not promised for them, nor "
                    "for what they touch, from there on",
                    at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
-                   s.systems == 1 ? "" : "s", s.longest, s.error)});
+                   s.systems == 1 ? "" : "s", s.longest, s.error),
+       s.periods, s.first.t, s.first.name});
 }
 
 void aboutRest(const RunReport& r, Warnings& out) {
   if (r.unseen.value <= 0.0) return;
-  out.push_back(
-      {"rest", fmt::format("nothing moved for {:.3g} s from t = {:.6g} s while forces changed "
-                           "faster than a run to a tolerance looks at them: what switches in "
-                           "between may be missed; --step {:.1g} beside the tolerance bounds "
-                           "its steps",
-                           r.unseen.value, r.unseen.t, 0.02 * r.unseen.value)});
+  out.push_back({"rest",
+                 fmt::format("nothing moved for {:.3g} s from t = {:.6g} s while forces changed "
+                             "faster than a run to a tolerance looks at them: what switches in "
+                             "between may be missed; --step {:.1g} beside the tolerance bounds "
+                             "its steps",
+                             r.unseen.value, r.unseen.t, 0.02 * r.unseen.value),
+                 1, r.unseen.t});
 }
 
 void aboutStep(const RunReport& r, double length, Warnings& out) {
@@ -117,6 +132,19 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              "the scene's length; take a smaller step",
                                              t.fall, t.fall / length)});
 }
+
+constexpr std::array<WarningKind, 10> kKinds = {{
+    {"unsolved", true, "an inclusion missed its tolerance"},
+    {"energy gain", true, "T + V rose and nothing brought it in"},
+    {"energy", false, "energy went where no force did work: the scheme's own error"},
+    {"impact law", false, "impacts would have gained energy by their law"},
+    {"start", false, "the model puts bodies into each other"},
+    {"overlap", true, "bodies overlap by more than a step explains"},
+    {"joints", true, "a joint is off at the end of a step"},
+    {"resolution", false, "steps are long for the motion"},
+    {"rest", false, "forces changed unseen while nothing moved"},
+    {"time stepping", true, "switches were stepped in time: the tolerance is not promised"},
+}};
 
 constexpr std::array<RunFigure, 10> kFigures = {{
     {"energyError", "energy that no force accounts for, over the largest T",
@@ -151,6 +179,21 @@ std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
   aboutRest(report, out);
   aboutStepping(report, out);
   return out;
+}
+
+std::span<const WarningKind> warningKinds() { return kKinds; }
+
+const WarningKind* warningKind(std::string_view name) {
+  for (const WarningKind& k : kKinds)
+    if (name == k.name) return &k;
+  return nullptr;
+}
+
+bool RunReport::qualified() const {
+  return std::any_of(warnings.begin(), warnings.end(), [](const Warning& w) {
+    const WarningKind* kind = warningKind(w.kind);
+    return kind != nullptr && kind->qualifies;
+  });
 }
 
 std::span<const RunFigure> runFigures() { return kFigures; }

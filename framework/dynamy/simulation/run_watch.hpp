@@ -59,6 +59,16 @@ class RunWatch final : public Observer {
   Eigen::VectorXd increment_, before_, momentum_;
 };
 
+/// A kind of warning.
+struct WarningKind {
+  const char* name;
+  bool qualifies;    ///< the run is not what the model asks for: exit status 3
+  const char* text;  ///< when it is reported
+};
+std::span<const WarningKind> warningKinds();
+/// The kind of this name; null: there is none.
+const WarningKind* warningKind(std::string_view name);
+
 /// What the figures of a finished run say against it; each with its cause, in the order of weight.
 std::vector<Warning> warningsOf(const RunReport& report, double sceneLength);
 

@@ -1,0 +1,81 @@
+/// The exit status of a run, as a script sees it (doc/run_folder.md).
+#include "program_fixture.hpp"
+
+namespace dynamy {
+namespace {
+
+class ExitStatus : public ProgramTest {
+ protected:
+  /// A box that slides on a floor. `simulation`: the rest of <simulation …>, `more`: what follows.
+  void box(const std::string& simulation, const std::string& more = "") const {
+    write("box.xml", R"(<dynamy version="1">
+<parameter name="h" value="0.1"/>
+<systems>
+  <RigidBody name="box" position="0 0 {h}" velocity="1 0.2 0" angularVelocity="0 0 3">
+    <Box size="0.3 0.2 0.2" mass="1" material="r"/>
+  </RigidBody>
+  <Ground><HalfSpace material="f"/></Ground>
+</systems>
+<forces><Gravity/></forces>
+<elements><Contact between="r f"><UnilateralCoulomb mu="0.3" epsilonN="0"/></Contact></elements>
+<simulation until="0.2" )" +
+                         simulation + "</simulation>\n" + more + "</dynamy>\n");
+  }
+};
+
+// The four corners of the box depend on each other through its mass: one sweep of Gauss-Seidel
+// leaves the inclusion unsolved, and the run reaches its end.
+constexpr const char* kPoorSolver =
+    R"(step="1e-2"><MoreauMidpoint/><ProxGaussSeidel tolerance="1e-10" maxIterations="1"/>)";
+
+TEST_F(ExitStatus, IsZeroForARunThatIsWhatItsModelAsksFor) {
+  box(R"(step="1e-2">)");
+  EXPECT_EQ(call("run box.xml --quiet --out r"), 0) << err();
+  EXPECT_EQ(err(), "");
+}
+
+TEST_F(ExitStatus, IsThreeIfAnInclusionWasNotSolved) {
+  box(kPoorSolver);
+  EXPECT_EQ(call("run box.xml --quiet --out r"), 3) << err();
+  EXPECT_NE(err().find("NOT SOLVED"), std::string::npos) << err();
+  EXPECT_EQ(call("run box.xml --out r"), 3);
+  EXPECT_NE(out().find("finished, but: unsolved   (exit status 3"), std::string::npos) << out();
+  const std::string facts = readWholeFile(path("r/run.json"));
+  EXPECT_NE(facts.find("\"kind\": \"unsolved\""), std::string::npos);
+  EXPECT_NE(facts.find("\"qualifies\": true"), std::string::npos);
+}
+
+TEST_F(ExitStatus, IsZeroIfTheKindIsAccepted) {
+  box(kPoorSolver);
+  EXPECT_EQ(call("run box.xml --quiet --out r --accept"), 0);
+  EXPECT_EQ(call("run box.xml --quiet --out r --accept=overlap,unsolved"), 0);
+  EXPECT_EQ(call("run box.xml --quiet --out r --accept=overlap"), 3);
+  EXPECT_EQ(call("run --accept box.xml --quiet --out r"), 0) << err();
+  EXPECT_EQ(call("run box.xml --out r --accept=unsolve"), 64);
+  EXPECT_NE(err().find("did you mean \"unsolved\""), std::string::npos) << err();
+}
+
+TEST_F(ExitStatus, OfAFailedCheckWinsOverWarnings) {
+  box(kPoorSolver, R"(<check signal="box.z" value="5" tolerance="1"/>)");
+  EXPECT_EQ(call("run box.xml --quiet --out r"), 1);
+  EXPECT_EQ(call("run box.xml --quiet --out r --accept"), 1);
+}
+
+TEST_F(ExitStatus, IsPassedOnByResume) {
+  box(kPoorSolver);
+  EXPECT_EQ(call("run box.xml --quiet --out r"), 3);
+  EXPECT_EQ(call("resume r --until 0.3 --quiet"), 3) << err();
+  EXPECT_EQ(call("resume r --until 0.4 --quiet --accept"), 0) << err();
+}
+
+TEST_F(ExitStatus, IsPassedOnBySweep) {
+  box(kPoorSolver);
+  EXPECT_EQ(call("sweep box.xml --set h=0.1,0.2 --out s --quiet"), 3) << err();
+  EXPECT_EQ(call("sweep s --collect"), 3);
+  EXPECT_NE(out().find("2 QUALIFIED by warnings"), std::string::npos) << out();
+  EXPECT_EQ(call("sweep s --collect --accept=unsolved"), 0);
+  EXPECT_NE(readWholeFile(path("s/results.csv")).find(",unsolved,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace dynamy
