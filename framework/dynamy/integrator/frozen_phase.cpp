@@ -230,6 +230,11 @@ bool FrozenPhase::shapes(const Evaluation& e) {
       return false;
     }
     form_[i] = bounds_[i].form;
+    const double bound = held[i].sign > 0.0 ? bounds_[i].lower : bounds_[i].upper;
+    const bool given = form_[i] == Form::given && dim(i) == 1;
+    if (!held[i].slips || !(form_[i] == Form::joint || (given && std::isinf(bound)))) continue;
+    fault_ = kOtherSet, lost_ = held[i].key;
+    return false;
   }
   return true;
 }

@@ -75,6 +75,10 @@ class FrozenPhase {
   std::string_view fault() const { return fault_; }
   /// The fault where contact lost() is held and not reported.
   static constexpr std::string_view kLost = "a contact that is held is no longer reported";
+  /// The fault where the set of lost(), which slips, has no bounds at this slip: a set that depends
+  /// on γ^A has become another one, which neither a gap nor the end of a slip announces.
+  static constexpr std::string_view kOtherSet =
+      "the set of a law that slips loses its bounds at some slip: no smooth phase holds past it";
   ContactKey lost() const { return lost_; }
 
   /// Forces of the last acceleration: rows of held[i] from row0(i) on.

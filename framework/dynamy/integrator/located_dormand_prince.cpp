@@ -74,6 +74,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   const SwitchEvent::Result r =
       event_.process(s, solver, probe_, phase_, p, smooth_, unit, stopped);
   if (r.fault == FrozenPhase::kLost) return refuse(whyOwn_ = probe_.lost(r.lost));
+  if (r.fault == FrozenPhase::kOtherSet) return stall(r.lost);
   if (!r.fault.empty()) return refuse(r.fault);
   if (!r.solved.ok()) report.solved = r.solved;
   report.solved.repaired += r.solved.repaired;
@@ -139,13 +140,20 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
     H_ = h * factor;
     return Tried::rejected;
   };
+  // Up to where a law's set becomes another one, as near as steps can come.
+  const auto otherSet = [&] {
+    if (phase_.fault() != FrozenPhase::kOtherSet) return Tried::failed;
+    lastSwitched_ = phase_.lost(), otherSet_ = true;
+    stalled_ = false, why_ = {};
+    return reject(kHalf);
+  };
   to_.x.memory = from_.x.memory;
   if (!smooth_.take(s, phase_, from_, h, to_.x)) {
-    if (!phase_.fault().empty()) return refuse(phase_), Tried::failed;
+    if (!phase_.fault().empty()) return refuse(phase_), otherSet();
     return reject(kShrink);
   }
   if (smooth_.errorNeedsEnd()) {
-    if (!evaluateEnd(s, to_)) return Tried::failed;
+    if (!evaluateEnd(s, to_)) return otherSet();
     smooth_.end(to_);
   }
   const double error = smooth_.error(norm_, from_.x, to_.x);
@@ -153,7 +161,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   if (smooth_.tooLight(error)) return reject(1.0);
   const double factor = kSafety * std::pow(std::max(error, 1e-10), -1.0 / smooth_.errorOrder());
   if (error > 1.0) return reject(std::clamp(factor, kShrink, 1.0));
-  if (!smooth_.errorNeedsEnd() && !evaluateEnd(s, to_)) return Tried::failed;
+  if (!smooth_.errorNeedsEnd() && !evaluateEnd(s, to_)) return otherSet();
   if (!to_.a.allFinite()) return reject(kShrink);
   if (stiff_ == Stiff::automatic && smooth_.outgrown(norm_, to_)) {
     const bool implicit = !smooth_.implicit();
@@ -210,7 +218,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
                                  StepReport& report) {
   const bool same = system_ == &s;
   why_ = {}, system_ = &s, denseReady_ = false;
-  stalled_ = stepped_ = false, lastSwitched_ = governor_.turnedAt();
+  stalled_ = stepped_ = otherSet_ = false, lastSwitched_ = governor_.turnedAt();
   told_.clear(), impacts_.clear(), works_ = {};
   booked_ = s.evaluations(), tImpact_ = -1e300;
   stepKeys_.clear(), impulse_.resize(0), enteredAt_ = x.q;
@@ -326,7 +334,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   const long before = s.evaluations();
   const bool good = proceed(s, solver, x, dt, report);
   if (!good && stalled_ && !plain_ &&
-      (search_.any() || probe_.comesAndGoes())) {  // else a singular force
+      (search_.any() || probe_.comesAndGoes() || otherSet_)) {  // else a singular force
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
     beginStepping(x);
     if (quietOnly_) return report;

@@ -161,6 +161,8 @@ class LocatedDormandPrince : public OneStep {
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
   bool refuse(const FrozenPhase& phase);
+  /// Stalls where the set of contact `at` becomes another one (FrozenPhase::kOtherSet).
+  bool stall(ContactKey at);
   bool stall();
   void book(const MechanicalSystem& s, long StepEffort::*what, StepReport& report);
   bool checkBias(MechanicalSystem& s, const PhasePoint& p);
@@ -229,6 +231,7 @@ class LocatedDormandPrince : public OneStep {
   mutable bool denseReady_ = false;
   bool plain_ = false;  // nothing that goes beyond the book
   bool stalled_ = false, stepped_ = false;
+  bool otherSet_ = false;  // stalled_ where a law's set becomes another one
   SwitchGovernor governor_;
   EnergyMomentum timeStepping_;
   ContactKey lastSwitched_;

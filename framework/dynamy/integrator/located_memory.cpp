@@ -172,6 +172,7 @@ bool LocatedDormandPrince::refuse(std::string_view why) {
 }
 
 bool LocatedDormandPrince::refuse(const FrozenPhase& phase) {
+  if (phase.fault() == FrozenPhase::kOtherSet) return stall(phase.lost());
   if (phase.fault() != FrozenPhase::kLost) return refuse(phase.fault());
   why_ = whyOwn_ = probe_.lost(phase.lost());
   return false;
@@ -182,6 +183,12 @@ bool LocatedDormandPrince::stall() {
   return refuse(plain_ ? "events follow each other without end (an accumulation of impacts, or "
                          "slip in space that ends): this scheme has no way past"
                        : "the steps have become too short: no status of the contacts lasts");
+}
+
+bool LocatedDormandPrince::stall(ContactKey at) {
+  lastSwitched_ = at;
+  stalled_ = otherSet_ = true;
+  return refuse(FrozenPhase::kOtherSet);
 }
 
 void LocatedDormandPrince::keepImpulses() {
