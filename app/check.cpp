@@ -8,7 +8,9 @@
 #include <dynamy/contact/pair_laws.hpp>
 #include <dynamy/io/json_writer.hpp>
 #include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/run_recording.hpp>
 #include <dynamy/io/run_sizes.hpp>
+#include <dynamy/simulation/consistent_start.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/simulation.hpp>
 #include <dynamy/testing/check_element.hpp>
@@ -29,9 +31,10 @@ struct Sizes {
   int closed = 0, unknowns = 0;  ///< of them, and their rows
   double energy = 0.0;           ///< T + V [J]
   Worst penetration;
-  std::string weightless;   ///< systems that <Gravity> does not act on
-  double evaluation = 0.0;  ///< M, h and all contacts at the start, measured [s], about
-  double memory = 0.0;      ///< of this program with the model [bytes], about
+  std::string weightless;      ///< systems that <Gravity> does not act on
+  std::vector<Warning> start;  ///< what joints do not allow
+  double evaluation = 0.0;     ///< M, h and all contacts at the start, measured [s], about
+  double memory = 0.0;         ///< of this program with the model [bytes], about
 };
 
 /// The least of a few evaluations, for at most a tenth of a second after the first.
@@ -104,10 +107,11 @@ Sizes sizesOf(Model& model) {
     if (model.systems()[i]->blocks().constantMass)
       s.constantBlocks += t.system(static_cast<int>(i)).blocks;
   MechanicalSystem system = model.mechanicalSystem();
-  const State x = model.initialState();
+  State x = model.initialState();
   requireFinite(model, "coordinates", x.q,
                 [](const SystemHandle& h) { return std::pair(h.q0, h.nq); });
   requireFinite(model, "velocities", x.u, velocities);
+  s.start = startWarnings(makeConsistent(model, system, x), model.length());
   const Evaluation& start = system.evaluate(x);
   const ContactSet& c = start.contacts;
   if (const int i = system.indefiniteMass(); i >= 0)
@@ -232,6 +236,7 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
   if (!s.weightless.empty())
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
                        s.weightless);
+  for (const Warning& w : s.start) out += fmt::format(" warning: {}: {}\n", w.kind, w.text);
   // Contacts that begin closed have a gap of rounding.
   if (s.penetration.value > 1e-9 * model.length())
     out += fmt::format(" warning: {} begins with a penetration of {:.3g} m\n", s.penetration.name,
@@ -275,6 +280,7 @@ std::string json(const Model& model, const Sizes& s, const RunSizes& run,
   j.member("until", model.simulation.until);
   j.member("length", model.length());
   writeNeeds(j, model, s, run);
+  writeWarnings(j, s.start);
   writeLaws(j, model);
   if (other)
     j.key("otherCoordinates")
@@ -295,15 +301,19 @@ int check(Program& program, const CheckChoice& choice) {
   options.set = choice.set;
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
   const Simulation verified(model);  // signals of checks, step
+  if (choice.strict) refuseInconsistentStart(model);
   const Sizes sizes = sizesOf(model);
   const RunSizes run = runSizes(model);
   const auto other = otherCoordinates(model, choice.model, options, program);
   fmt::print("{}", choice.json ? json(model, sizes, run, other) : text(model, sizes, run, other));
-  if (!choice.elements) return kOk;
+  RunReport atStart;
+  atStart.warnings = sizes.start;
+  const int status = atStart.qualified() ? kQualified : kOk;
+  if (!choice.elements) return status;
   const Verdict verdict = checkModel(model);
   for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
   if (!choice.json && verdict) fmt::print(" every entry of its elements agrees with differences\n");
-  return verdict ? kOk : kFailed;
+  return verdict ? status : kFailed;
 }
 
 void addCheck(CLI::App& app, Program& program) {
@@ -317,6 +327,7 @@ void addCheck(CLI::App& app, Program& program) {
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   addPlugins(*c, program);
   c->add_flag("--json", t->choice.json, "print JSON");
+  c->add_flag("--strict", t->choice.strict, "refuse a start that joints do not allow");
   c->add_flag(
       "--elements", t->choice.elements,
       "also compare M, h, frames, W, chi and prox of every element with differences and name "

@@ -11,6 +11,7 @@ struct CheckChoice {
   std::string model;  ///< path
   Overrides set;
   bool json = false;      ///< print JSON
+  bool strict = false;    ///< refuse a start that joints do not allow
   bool elements = false;  ///< also compare all elements with differences
 };
 

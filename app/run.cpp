@@ -148,6 +148,8 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
   addPlugins(*c, program);
+  c->add_flag("--strict", t->show.strict,
+              "refuse a start that joints do not allow, instead of projecting it");
   c->add_flag("--error-bar", t->errorBar,
               "run again with half the step, or a tenth of the tolerance, and say how far the "
               "figures of the checks and the recorded signals move");

@@ -78,7 +78,8 @@ void conclude(const RunFolder& folder, const Model& model, const RunChoice& choi
   } catch (const WriteError& e) {
     if (end.fault.empty()) end.fault = e.what();
   }
-  if (!end.fault.empty() && end.status == kOk) end.status = kCannotWrite;
+  if (!end.fault.empty() && (end.status == kOk || end.status == kQualified))
+    end.status = kCannotWrite;
   if (show.errorBars && end.fault.empty()) bars = show.errorBars(checks, folder.signals()), write();
   if (show.tell)
     show.tell(report, checks);
@@ -172,9 +173,8 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
   if (show.checkpoints && !simulation.checkpoint().empty()) saver.saveLast(simulation);
   checks = simulation.checks();
   End end;
-  end.status = report.ended == RunReport::Ended::stopped
-                   ? kSignalled + EndingSignals::signal()
-                   : exitStatus(report, checks, show.accept);
+  end.status = report.ended == RunReport::Ended::stopped ? kSignalled + EndingSignals::signal()
+                                                         : exitStatus(report, checks, show.accept);
   end.files = recording.files(), end.fault = saver.fault();
   if (end.fault.empty()) end.fault = recording.fault();
   conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr, end);
@@ -185,6 +185,7 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
 
 int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
             std::vector<CheckResult>& checks) {
+  if (show.strict) refuseInconsistentStart(model);
   Simulation simulation(model);  // first: a model it refuses leaves an older run alone
   const RunFolder folder(path);
   RunRecording recording(folder, model);

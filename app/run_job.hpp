@@ -21,6 +21,7 @@ struct RunShow {
   /// A second run with half the step, or a tenth of the tolerance: what it says about the checks
   /// and the recorded signals in that file. Empty: none.
   std::function<ErrorBars(const std::vector<CheckResult>&, const std::filesystem::path&)> errorBars;
+  bool strict = false;    ///< a start that joints do not allow is refused
   Accepted accept;        ///< warnings that leave the exit status at 0
   int threads = 1;        ///< the same numbers with any
   int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones

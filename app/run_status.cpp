@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <dynamy/core/suggestion.hpp>
+#include <dynamy/simulation/consistent_start.hpp>
 #include <dynamy/simulation/run_watch.hpp>
 #include <sstream>
 
@@ -66,6 +67,22 @@ std::string qualifyingKinds(const RunReport& report, const Accepted& accepted,
     out += (seen.empty() ? "" : separator) + w.kind, seen.push_back(w.kind);
   }
   return out;
+}
+
+void refuseInconsistentStart(Model& model) {
+  MechanicalSystem system = model.mechanicalSystem();
+  State x = model.initialState();
+  system.evaluate(x);
+  const StartReport start = makeConsistent(model, system, x);
+  std::vector<Diagnostic> all;
+  for (const Warning& w : startWarnings(start, model.length())) {
+    Diagnostic d;
+    d.place = Place(model.sourceFile);
+    d.text = w.kind + ": " + w.text;
+    d.hint = "without --strict the run starts all the same and says so";
+    all.push_back(std::move(d));
+  }
+  if (!all.empty()) throw ModelError(all);
 }
 
 }  // namespace dynamy::app

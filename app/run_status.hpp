@@ -1,6 +1,7 @@
 /// The exit status of a run, for scripts: 0 only if a run is what its model asks for.
 #pragma once
 #include <dynamy/simulation/checks.hpp>
+#include <dynamy/simulation/model.hpp>
 #include <dynamy/simulation/run_report.hpp>
 
 #include "program.hpp"
@@ -20,8 +21,9 @@ void addAccept(CLI::App& command, std::string& text);
 /// kind of warning that qualifies a run.
 Accepted accepted(const std::string& text);
 
-/// kOutOfMemory, kCannotWrite where that ended it, kFailed if the run ended early or a check failed; else kQualified if a warning says that the run
-/// is not what the model asks for, and is not accepted; else kOk.
+/// kOutOfMemory, kCannotWrite where that ended it, kFailed if the run ended early or a check
+/// failed; else kQualified if a warning says that the run is not what the model asks for, and is
+/// not accepted; else kOk.
 int exitStatus(const RunReport& report, const std::vector<CheckResult>& checks,
                const Accepted& accepted);
 
@@ -29,5 +31,9 @@ int exitStatus(const RunReport& report, const std::vector<CheckResult>& checks,
 /// overlap"; empty: none.
 std::string qualifyingKinds(const RunReport& report, const Accepted& accepted,
                             const std::string& separator = ", ");
+
+/// For --strict: throws ModelError with all warnings about the start of a built model (bodies that
+/// joints do not allow to be where they are, or to move as they do).
+void refuseInconsistentStart(Model& model);
 
 }  // namespace dynamy::app

@@ -64,6 +64,19 @@ void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
   json.endArray();
 }
 
+void write(JsonWriter& json, const char* name, const StartReport::Part& p) {
+  json.key(name).beginObject().member("off", p.off).member("left", p.left);
+  json.member("joints", p.joints).member("joint", p.joint).endObject();
+}
+
+void write(JsonWriter& json, const StartReport& s) {
+  json.key("start").beginObject();
+  write(json, "positions", s.positions);
+  write(json, "velocities", s.velocities);
+  json.member("share", s.velocities.share).member("kineticBefore", s.kineticBefore);
+  json.member("kineticAfter", s.kineticAfter).endObject();
+}
+
 void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice) {
   json.key("settings").beginObject();
   json.member("until", model.simulation.until).member("step", model.simulation.step);
@@ -129,8 +142,11 @@ std::string unsolvedText(const RunReport& r) {
     from = end + 1;
   }
   out +=
-      "   The forces and velocities of such a step are not to be trusted. Try a smaller --step, "
-      "or\n"
+      u.residual <= kSolvedResidual
+          ? "   The inclusion is solved: a projection, or the scheme's own iteration, did not end."
+          : "   The forces and velocities of such a step are not to be trusted.";
+  out +=
+      " Try a smaller --step, or\n"
       "   onNonConvergence=\"retry\" in <simulation>, which halves the steps that fail;\n"
       "   --dump-problems 0 writes these problems for dynamy solve.\n";
   return out;
@@ -201,15 +217,15 @@ std::string headText(const Model& model, const RunChoice& choice) {
 }
 
 /// Warns of a scheme that changes the energy by itself: by more than 1 % of what moves in the run,
-/// and by more than the rounding of its potential.
-std::string discretisationText(const EnergyReport& e) {
+/// and by more than rounding.
+std::string discretisationText(const EnergyReport& e, double rounding) {
   // Works one by one: what drives bring in and friction takes may cancel.
   const double moves =
       std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart),
                 std::abs(e.nonPotential) + std::abs(e.friction) + std::abs(e.normal) +
                     std::abs(e.joints) + std::abs(e.boundaries)});
   const double change = std::abs(e.discretisation);
-  if (!(change > 0.01 * moves && change > 1e-9 * std::abs(e.potentialStart))) return {};
+  if (!(change > 0.01 * moves && change > rounding)) return {};
   return fmt::format(
       " THE DISCRETISATION CHANGED THE ENERGY by {:.2g} of what moves: take a smaller step\n",
       change / moves);
@@ -240,7 +256,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
-  out += discretisationText(e);
+  out += discretisationText(e, r.trust.rounding);
   if (r.located > 0 || r.accumulations > 0)
     out += fmt::format(" {} located, {} passed{}\n", counted(r.located, "switch", "switches"),
                        counted(r.accumulations, "accumulation"),
@@ -334,7 +350,9 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   if (r.unsolved.step > 0) write(json, r.unsolved);
   json.endObject();
   write(json, "penetration", r.penetration);
+  write(json, "solvedOverlap", r.solvedOverlap);
   write(json, "jointError", r.jointError);
+  write(json, r.start);
   json.member("cpu_s", r.cpu).member("wall_s", r.wall);
   write(json, r.energy);
   json.key("figures").beginObject();

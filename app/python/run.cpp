@@ -6,6 +6,7 @@
 
 #include <dynamy/io/replay_page.hpp>
 #include <dynamy/io/run_recording.hpp>
+#include <dynamy/simulation/consistent_start.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/simulation.hpp>
 
@@ -145,6 +146,8 @@ class Steps {
   explicit Steps(Model& model)
       : model_(model), system_(model.mechanicalSystem()), x_(model.initialState()) {
     model.readyScheme();
+    system_.evaluate(x_);
+    makeConsistent(model, system_, x_);
   }
 
   py::dict step(double dt) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy_elements/frame_pair.hpp>
 
 namespace dynamy {
@@ -12,6 +13,23 @@ StartKinematics::StartKinematics(const Topology& topology)
   kinematics_.resize(topology);
   kinematics_.evaluate(topology, 0.0, {q_.data(), q_.size()}, {u_.data(), u_.size()});
 }
+
+namespace {
+
+/// True: both belong to one rigid body, v_B = v_A + Ω × r_AB whatever u is.
+bool belongToOneBody(const Frame& a, const Frame& b) {
+  if (a.block < 0 || a.block != b.block || a.u0 != b.u0) return false;
+  const Vec3 r = b.r_OS_I - a.r_OS_I;
+  double off = 0.0, size = 0.0;
+  for (int j = 0; j < a.nu(); ++j) {
+    const Vec3 turn = a.J_R_I.col(j), way = a.J_S_I.col(j) + turn.cross(r);
+    off = std::max({off, (b.J_R_I.col(j) - turn).norm(), (b.J_S_I.col(j) - way).norm()});
+    size = std::max({size, turn.norm() * (1.0 + r.norm()), way.norm()});
+  }
+  return off <= 1e-12 * size;  // rounding of a rotation or two
+}
+
+}  // namespace
 
 void FramePair::declare(Attributes& a) {
   Attribute& between = a.add(AttributeType::names, "between", std::nullopt,
@@ -39,6 +57,19 @@ void FramePair::connect(Topology& topology, const Element& asking) {
   if (a.nu == 0 && b.nu == 0)
     throw ModelError("\"" + a_ + "\" and \"" + b_ + "\" both move as told",
                      "one of the two has to be a body with velocities of its own");
+  const auto one = [&] {
+    const StartKinematics start(topology);
+    return belongToOneBody(start.frame(A), start.frame(B));
+  };
+  const auto& frames = topology.requestedFrames();
+  const auto system = [&](FrameHandle f) {
+    return frames[static_cast<std::size_t>(f.index)].first;
+  };
+  if (A.index == B.index || (system(A) == system(B) && one()))
+    throw ModelError(a_ == b_ ? "between names \"" + a_ + "\" twice"
+                              : "\"" + a_ + "\" and \"" + b_ + "\" belong to one body",
+                     "nothing can act between a body and itself; name two bodies, or a body and "
+                     "the ground");
   planeNormal = commonPlane(a, b);
 }
 

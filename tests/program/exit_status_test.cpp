@@ -70,11 +70,45 @@ TEST_F(ExitStatus, IsPassedOnByResume) {
 
 TEST_F(ExitStatus, IsPassedOnBySweep) {
   box(kPoorSolver);
-  EXPECT_EQ(call("sweep box.xml --set h=0.1,0.2 --out s --quiet"), 3) << err();
+  EXPECT_EQ(call("sweep box.xml --set h=0.1,0.1001 --out s --quiet"), 3) << err();
   EXPECT_EQ(call("sweep s --collect"), 3);
   EXPECT_NE(out().find("2 QUALIFIED by warnings"), std::string::npos) << out();
   EXPECT_EQ(call("sweep s --collect --accept=unsolved"), 0);
   EXPECT_NE(readWholeFile(path("s/results.csv")).find(",unsolved,"), std::string::npos);
+}
+
+/// A rod on a pin that starts with a velocity which the pin does not allow; `more`: other joints.
+std::string rod(const std::string& more = "", const std::string& scheme = "") {
+  return R"(<dynamy version="1"><systems><Ground name="world"/>
+  <PlanarBody name="rod" position="0.5 0 0" mass="1" inertia="0.0833333333" velocity="0 0 1"/>
+</systems><elements>
+  <Revolute name="pin" between="world rod" at="0 0 0"/>)" +
+         more + "</elements><simulation until=\"0.1\" step=\"1e-3\">" + scheme +
+         "</simulation></dynamy>\n";
+}
+
+TEST_F(ExitStatus, AStartThatJointsDoNotAllowIsReportedAndRefusedByStrictAlone) {
+  write("rod.xml", rod());
+  EXPECT_EQ(call("check rod.xml"), 0);
+  EXPECT_NE(out().find("warning: start velocities: joint pin (rod.xml:4:"), std::string::npos)
+      << out();
+  EXPECT_EQ(call("check rod.xml --strict"), 2);
+  EXPECT_EQ(call("run rod.xml --quiet --out r"), 0) << err();
+  const std::string facts = readWholeFile(path("r/run.json"));
+  EXPECT_NE(facts.find("\"kind\": \"start velocities\""), std::string::npos);
+  EXPECT_EQ(call("run rod.xml --quiet --out strict --strict"), 2);
+  EXPECT_NE(err().find("start velocities: joint pin (rod.xml:4:"), std::string::npos) << err();
+  EXPECT_FALSE(std::filesystem::exists(path("strict")));
+}
+
+TEST_F(ExitStatus, JointsThatContradictEachOtherAreToldByCheckAndRun) {
+  write("rod.xml",
+        rod(R"(<Distance name="strut" between="world rod" length="3"/>)", "<MoreauMidpoint/>"));
+  EXPECT_EQ(call("check rod.xml"), 3);
+  EXPECT_NE(out().find("warning: contradiction: no positions fulfil all joints"), std::string::npos)
+      << out();
+  EXPECT_EQ(call("run rod.xml --quiet --out r"), 3);
+  EXPECT_NE(err().find("contradiction"), std::string::npos) << err();
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ class Module(unittest.TestCase):
         signals, figures = dynamy.run(model)
         self.assertEqual(figures["state"], "finished")
         self.assertTrue(figures["checks_passed"])
+        self.assertFalse(figures["qualified"])
+        self.assertEqual(figures["warnings"], [])
         flight = signals["t"] < 0.45
         z = 1.1 - 0.5 * 9.81 * signals["t"][flight] ** 2
         self.assertLess(np.abs(signals["ball.z"][flight] - z).max(), 1e-11)  # 4500 roundings

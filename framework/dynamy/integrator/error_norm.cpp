@@ -6,9 +6,8 @@
 
 namespace dynamy {
 
-void ErrorNorm::scales(const MechanicalSystem& s) {
-  const Topology& topology = *s.parts().topology;
-  q_.setOnes(topology.nq()), u_.setOnes(topology.nu());
+void unitScales(const Topology& topology, double length, Eigen::VectorXd& q, Eigen::VectorXd& u) {
+  q.setOnes(topology.nq()), u.setOnes(topology.nu());
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& h = topology.system(static_cast<int>(i));
     Description d;
@@ -19,15 +18,19 @@ void ErrorNorm::scales(const MechanicalSystem& s) {
       return Unit::none;
     };
     // Populations name the coordinates of one block at most.
-    const auto fill = [&](const auto& named, int first, int n, int block, Unit length,
+    const auto fill = [&](const auto& named, int first, int n, int block, Unit unit,
                           Eigen::VectorXd& out) {
       for (const auto& [name, k] : named)
-        for (int at = k; unitOf(name) == length && block > 0 && at < n; at += block)
-          out[first + at] = length_;
+        for (int at = k; unitOf(name) == unit && block > 0 && at < n; at += block)
+          out[first + at] = length;
     };
-    fill(d.coordinates, h.q0, h.nq, h.blockNq, Unit::length, q_);
-    fill(d.velocities, h.u0, h.nu, h.blockNu, Unit::velocity, u_);
+    fill(d.coordinates, h.q0, h.nq, h.blockNq, Unit::length, q);
+    fill(d.velocities, h.u0, h.nu, h.blockNu, Unit::velocity, u);
   }
+}
+
+void ErrorNorm::scales(const MechanicalSystem& s) {
+  unitScales(*s.parts().topology, length_, q_, u_);
 }
 
 namespace {

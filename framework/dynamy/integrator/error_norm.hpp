@@ -14,6 +14,9 @@
 
 namespace dynamy {
 
+/// s_i of positions and velocities: `length` for lengths and their rates, 1 for all others.
+void unitScales(const Topology& topology, double length, Eigen::VectorXd& q, Eigen::VectorXd& u);
+
 class ErrorNorm {
  public:
   /// Scales from M, h at x, evaluated in slot `slot`, and from all contacts there, open ones too.

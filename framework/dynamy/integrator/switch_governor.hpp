@@ -31,7 +31,9 @@ class SwitchGovernor {
 
   Mode mode() const { return mode_; }
   TurnedBy turnedBy() const { return turnedBy_; }
+  /// The contact that switched last when it turned; kNowhere: none had.
   ContactKey turnedAt() const { return turnedAt_; }
+  static constexpr ContactKey kNowhere{~std::uint64_t{0}};
   void told() { turnedBy_ = TurnedBy::none; }
 
   // While switches are located.
@@ -63,7 +65,7 @@ class SwitchGovernor {
   double tolerance_ = 1e-6, T_ = 1.0;
   Mode mode_ = Mode::locate;
   TurnedBy turnedBy_ = TurnedBy::none;
-  ContactKey turnedAt_;
+  ContactKey turnedAt_ = kNowhere;
   double h_ = 0.0;                   // of steps in time [s]
   double began_ = 0.0, stay_ = 0.0;  // the present mode; how long steps are taken in time [s]
   double window_ = 0.0, windowWork_ = 0.0;  // of located switches: time and work

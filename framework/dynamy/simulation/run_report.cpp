@@ -6,7 +6,7 @@ namespace dynamy {
 
 void RunTrust::archive(Archive& a) {
   for (double* x : {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise,
-                    &energyRiseTime, &omegaDt, &turn, &way, &fall, &leap})
+                    &energyRiseTime, &omegaDt, &turn, &way, &fall, &leap, &rounding})
     a(*x);
 }
 
@@ -19,8 +19,8 @@ void RunReport::archive(Archive& a) {
   a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);
   a(stepping);
   a(repairedImpacts), a(energyGain);
-  a(residual), a(penetration), a(jointError), a(cpu), a(wall);
-  a(trust);
+  a(residual), a(penetration), a(solvedOverlap), a(jointError), a(cpu), a(wall);
+  a(trust), a(start);
 }
 
 void StepStatistics::step(const StepView& v) {
@@ -73,13 +73,14 @@ void StepStatistics::stepped(const StepView& v) {
 
 void StepStatistics::gaps(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
-  Worst& worst = report_.penetration;
+  Worst& worst = report_.solvedOverlap;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     if (!(-c.g[i] > worst.value)) continue;
     const int closed = c.closedIndex[i];
     if (closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral()) continue;
     worst.value = -c.g[i], worst.t = v.system.slot(0).t, worst.contact = c.candidateKey[i];
   }
+  if (worst.value > report_.penetration.value) report_.penetration = worst;
 }
 
 namespace {

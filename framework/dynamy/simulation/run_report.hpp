@@ -1,5 +1,6 @@
 /// RunReport: the figures of a run, and the observer that counts them.
 #pragma once
+#include <algorithm>
 #include <dynamy/core/hash.hpp>
 #include <dynamy/simulation/energy_ledger.hpp>
 #include <dynamy/simulation/record_sink.hpp>
@@ -16,6 +17,10 @@ struct Worst {
   std::string name;  ///< of the contact; filled at the end of the run
   void archive(Archive& a) { a(value), a(t), a(contact), a(name); }
 };
+
+/// A step with a residual up to this, the default tolerance of solvers, that was not solved all the
+/// same missed something else: a projection, the scheme's own iteration.
+inline constexpr double kSolvedResidual = 1e-10;
 
 /// The inclusion that was missed by most, and why as far as it can be told.
 struct Unsolved {
@@ -43,8 +48,11 @@ struct RunTrust {
   double way = 0.0;                                 ///< of the fastest frame in a step [m]
   double fall = 0.0;                                ///< by the forces alone in a step [m]
   double leap = 0.0;                                ///< way in a step over the sizes of shapes
-  /// What energies are compared with [J].
-  double energyScale() const { return kineticMax > stepEnergy ? kineticMax : stepEnergy; }
+  /// What rounding leaves of energies [J]; nothing below it is reported (RunWatch).
+  double rounding = 0.0;
+  /// What energies are compared with [J]; kWarned of it is never below `rounding`.
+  double energyScale() const { return std::max({kineticMax, stepEnergy, rounding / kWarned}); }
+  static constexpr double kWarned = 0.01;  ///< of the scale: changes of energy above are reported
   void archive(Archive& a);
 };
 
@@ -55,6 +63,25 @@ struct Warning {
   long count = 1;          ///< how often: inclusions, impacts, periods, …
   double t = 0.0;          ///< of the worst, or the first [s]
   std::string place = {};  ///< contact or joint by its name; empty: the scene as a whole
+};
+
+/// What had to be changed so that a run starts on its joints (ConsistentStart).
+struct StartReport {
+  /// Of positions [m, rad] or velocities [m/s, rad/s].
+  struct Part {
+    double off = 0.0;   ///< largest error of a joint's row as the model gives it
+    double left = 0.0;  ///< the same afterwards; positions that cannot be met stay as they were
+    /// Of velocities: size of the change over the larger of both, in the metric of the mass.
+    double share = 0.0;
+    long joints = 0;      ///< that were off by more than rounding of a file's numbers
+    std::string joint;    ///< the one that was off by most, with its place
+    std::string against;  ///< the one that is left off by most, with its place; empty: none is
+    void archive(Archive& a) { a(off), a(left), a(share), a(joints), a(joint), a(against); }
+  };
+  Part positions, velocities;
+  double kineticBefore = 0.0;  ///< with the velocities of the model [J]
+  double kineticAfter = 0.0;   ///< with those that the run starts with [J]
+  void archive(Archive& a) { a(positions), a(velocities), a(kineticBefore), a(kineticAfter); }
 };
 
 /// Where switches were too dense to be located, and steps in time took their place.
@@ -102,11 +129,13 @@ struct RunReport {
   Worst energyGain;          ///< the largest such gain, before the repair [J]
   Unsolved unsolved;
   Worst residual;                ///< largest of E_f, E_u
-  Worst penetration;             ///< −g of unilateral contacts where the step saw them [m]
+  Worst penetration;             ///< −g of unilateral contacts, at ends of steps as well [m]
+  Worst solvedOverlap;           ///< the same where steps solve for their forces alone [m]
   Worst jointError;              ///< position error of joints at ends of steps [m]
   double cpu = 0.0, wall = 0.0;  ///< [s]
   EnergyReport energy;
   RunTrust trust;
+  StartReport start;
   std::vector<Warning> warnings;  ///< at the end of the run
   std::uint64_t hash = 0;         ///< of all recorded numbers and the final state
 

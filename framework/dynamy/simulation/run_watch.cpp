@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/integrator/error_norm.hpp>
+#include <dynamy/integrator/switch_governor.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/run_watch.hpp>
 #include <limits>
@@ -8,7 +10,15 @@
 namespace dynamy {
 namespace {
 
-constexpr double kPotential = 1e-9;  ///< of V, the least that energies are compared with
+constexpr double kPositions = 1e-11;  ///< of energies: what positions that are known to g_tol leave
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kFewSteps = 64.0;  ///< added to their number, for what one step rounds
+/// Gaps are taken at ends of steps that lie so much deeper than all before, at first, and once in
+/// so many steps on average: each look costs up to a step, so that a run of 1000 steps takes 1.6 %
+/// longer. Beyond that γ^E alone says how deep: off by (ω Δt/2)²/2 of a body's size.
+constexpr double kDeeper = 1.01;
+constexpr long kFirstLooks = 8, kStepsPerLook = 128;
+constexpr double kGapNoise = 1e-12;  ///< of the scene's length
 constexpr double kSamples = 256.0;   ///< of the energy in a run
 /// After the first steps three in a row of so many are looked at, so that watching costs little.
 constexpr long kFirst = 256, kEvery = 16;
@@ -74,6 +84,18 @@ void RunWatch::collectShapes(const Model& model) {
 }
 
 void RunWatch::start(const StepView& initial) {
+  const double until = model_.simulation.until - initial.after.t;
+  const Eigen::Index nu = initial.after.u.size();
+  if (until > 0.0 && nu > 0) {
+    Eigen::VectorXd positions;
+    unitScales(model_.topology(), model_.length(), positions, before_);
+    initial.system.slot(0).mass.apply(dynamy::view(std::as_const(before_)),
+                                      dynamy::view(momentum_));
+    inertia_ = 0.5 * before_.dot(momentum_) / (until * until);
+  }
+  const std::vector<const SetValuedForceLaw*>& laws = initial.system.slot(0).contacts.law;
+  joints_ = std::any_of(laws.begin(), laws.end(),
+                        [](const SetValuedForceLaw* law) { return holds(law->rowKind(0)); });
   sample(initial);
   positions(initial.after);  // bodies may overlap as the model puts them
 }
@@ -86,6 +108,7 @@ void RunWatch::step(const StepView& view) {
   } else {
     smooth_ = -1;
   }
+  if (!view.scheme.choosesSteps()) ends(view);
   if (view.after.t >= nextSample_) sample(view);
 }
 
@@ -94,10 +117,48 @@ void RunWatch::sample(const StepView& view) {
   lastSample_ = view.after.t;
   nextSample_ = view.after.t + sampleEvery_;
   energy(view);
-  // Overlaps are seen by every step; joints are held where the step does not see them.
+  // Joints are held where the step does not see them; overlaps are seen by every step, and ends().
   const std::vector<const SetValuedForceLaw*>& laws = view.system.slot(0).contacts.law;
   if (std::any_of(laws.begin(), laws.end(), [](const auto* law) { return !law->unilateral(); }))
     positions(view.after);
+}
+
+void RunWatch::ends(const StepView& view) {
+  const ContactSet& c = view.system.slot(0).contacts;
+  const double rest = view.after.t - view.system.slot(0).t;
+  const double known = kDeeper * report_.penetration.value + kGapNoise * model_.length();
+  if (!(rest > 0.0) || view.gammaE.size() != c.rows()) return;
+  // With joints the mean velocity may lead there.
+  const std::vector<double>& gammaA = view.system.problem().gammaA;
+  const bool mean = joints_ && gammaA.size() == static_cast<std::size_t>(c.rows());
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!c.law[at]->unilateral()) continue;
+    const int row = c.row0[at];
+    double rate = view.gammaE[row];
+    if (mean) rate = std::min(rate, 0.5 * (rate + gammaA[static_cast<std::size_t>(row)]));
+    const double deep = -c.position[static_cast<std::size_t>(row)] - rest * rate;
+    if (!(deep > known)) continue;
+    if (looks_ <= kFirstLooks + view.index / kStepsPerLook) {
+      ++looks_;
+      overlapsAt(view.after);
+      return;
+    }
+    Worst& worst = report_.penetration;
+    if (!mean && deep > worst.value)
+      worst.value = deep, worst.t = view.after.t, worst.contact = c.key[at];
+  }
+}
+
+void RunWatch::overlapsAt(const State& x) {
+  const ContactSet& c = ends_.look(x);
+  Worst& worst = report_.penetration;
+  for (std::size_t i = 0; i < c.g.size(); ++i) {
+    const int closed = c.closedIndex[i];
+    if (closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral()) continue;
+    if (-c.g[i] > worst.value)
+      worst.value = -c.g[i], worst.t = x.t, worst.contact = c.candidateKey[i];
+  }
 }
 
 void RunWatch::positions(const State& x) {
@@ -127,11 +188,17 @@ void RunWatch::energy(const StepView& view) {
   sampled_ = unexplained, sampledImpacts_ = report_.impacts;
   const double error = std::abs(unexplained_);
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
-  // Without steps of given length: what rounding leaves of potential energies.
-  if (view.scheme.choosesSteps())
-    trust.stepEnergy = std::max(trust.stepEnergy, kPotential * std::abs(e.potentialEnd));
+  rounding(e);
   const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
+}
+
+void RunWatch::rounding(const EnergyReport& e) {
+  moves_ = std::max(moves_, e.kineticEnd + std::abs(e.potentialEnd) + std::abs(e.nonPotential) +
+                                std::abs(e.friction) + std::abs(e.normal) + std::abs(e.joints) +
+                                std::abs(e.boundaries));
+  const double steps = kFewSteps + static_cast<double>(report_.steps);
+  report_.trust.rounding = std::max(kEpsilon * steps, kPositions) * moves_ + kEpsilon * inertia_;
 }
 
 void RunWatch::resolution(const StepView& view) {
@@ -182,9 +249,11 @@ void RunWatch::travel(const StepView& view) {
 
 void RunWatch::finish(const StepView& last) {
   sample(last);
-  for (Worst* w : {&report_.residual, &report_.penetration, &report_.jointError})
+  for (Worst* w :
+       {&report_.residual, &report_.penetration, &report_.solvedOverlap, &report_.jointError})
     if (w->value > 0.0) w->name = contactName(last.model, w->contact);
-  if (Worst& first = report_.stepping.first; first.contact.value != 0)
+  if (Worst& first = report_.stepping.first;
+      report_.stepping.periods > 0 && first.contact != SwitchGovernor::kNowhere)
     first.name = contactName(last.model, first.contact);
   RunTrust& trust = report_.trust;
   trust.omegaDt = speed_ > 0.0 ? std::sqrt(std::sqrt(curvature_ / speed_)) : 0.0;
@@ -199,6 +268,7 @@ void RunWatch::archive(Archive& a) {
   if (increment_.size() != model_.topology().nu())
     throw ModelError("the checkpoint belongs to another model: it has " +
                      std::to_string(increment_.size()) + " velocities");
+  a(inertia_), a(moves_), a(looks_), a(joints_);
 }
 
 }  // namespace dynamy

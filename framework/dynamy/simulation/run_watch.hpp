@@ -6,6 +6,11 @@
 ///               schemes have the loss of an impact nowhere else), and rise(t) = (T + V) − start −
 ///               what drives and boundaries brought in; at some hundred instants, over the largest
 ///               T
+///   rounding    r = max((64 + N) ε, 1e-11) (max T + max|V| + Σ|works|) + ε ½ sᵀM s/t²: what N
+///   steps
+///               and positions known to g_tol leave of the energies, and energies by which nothing
+///               moves √ε of the scene's length s (1 rad for angles) until the end t; e and rise
+///               count above it only
 ///   resolution  (ωΔt)² = √(Σ|Δ²u|²_M / Σ(|u|²_M + |Δt M⁻¹h|²_M)) over steps without a change of
 ///               contacts: an oscillation of ω has Δ²u = −(ωΔt)² u
 ///   turn        the largest |Ω| Δt of a frame
@@ -14,7 +19,10 @@
 ///   smallest one it
 ///               could meet: above 1 they may pass each other unseen; half spaces are never passed
 ///   overlap     penetration over the scene's length, and over the way in a step of the fastest
-///               frame or contact, which bounds it for a scheme on velocity level
+///               frame or contact, which bounds it for a scheme on velocity level. It is that of
+///               the places where steps look, and of their ends, which are recorded: γ^E leads
+///               from one to the other; where that lies deeper than all before, gaps are taken,
+///               as long as that costs little
 ///   joints      the worst position error over the scene's length, at the same instants as the
 ///               energy: schemes hold joints at the ends of steps, not where they evaluate them
 ///
@@ -38,6 +46,9 @@ class RunWatch final : public Observer {
   void sample(const StepView& view);
   void energy(const StepView& view);
   void positions(const State& x);
+  void ends(const StepView& view);
+  void overlapsAt(const State& x);
+  void rounding(const EnergyReport& e);
   void resolution(const StepView& view);
   void travel(const StepView& view);
   void collectShapes(const Model& model);
@@ -53,6 +64,10 @@ class RunWatch final : public Observer {
   std::vector<Mover> movers_;
   double sampled_ = 0.0, unexplained_ = 0.0;
   long sampledImpacts_ = 0;
+  double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
+  double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]
+  long looks_ = 0;        // at ends of steps
+  bool joints_ = false;   // something is held by joints
   long switches_ = 0, impacts_ = 0;
   int smooth_ = 0;  // steps without a change of contacts, in a row
   double curvature_ = 0.0, speed_ = 0.0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <ctime>
 #include <dynamy/core/element_fault.hpp>
+#include <dynamy/simulation/consistent_start.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/own_steps.hpp>
 #include <dynamy/simulation/simulation.hpp>
@@ -149,6 +150,7 @@ const RunReport& Simulation::run() {
 
 void Simulation::begin() {
   system_.evaluate(x_);
+  report_.start = makeConsistent(model_, system_, x_);
   before_ = x_;
   stepReport_ = {};
   zero_.assign(static_cast<std::size_t>(system_.slot(0).contacts.rows()), 0.0);

@@ -1,6 +1,8 @@
 /// What a run's report says against itself.
 #include <gtest/gtest.h>
 
+#include <dynamy/integrator/staggered_moreau.hpp>
+
 #include "unit/simulation/scenes.hpp"
 
 namespace dynamy {
@@ -89,6 +91,81 @@ TEST(RunWatch, ABallThatFallsAndRestsIsFine) {
   // most v g 12 ms = 0.54 J before it.
   EXPECT_GT(r.trust.kineticMax, 9.4);
   EXPECT_LE(r.trust.kineticMax, 10.0 + 0.05);
+}
+
+TEST(RunWatch, SpeaksOfNoAmountBelowRounding) {
+  RunReport r;
+  // A scene at rest: T is rounding over rounding, and so would every ratio to it be.
+  r.trust.kineticMax = 1e-50, r.trust.rounding = 1e-16;
+  r.trust.energyRise = 1e-27, r.trust.energyError = 3e-29, r.energyGain.value = 1e-30;
+  r.repairedImpacts = 1;
+  EXPECT_TRUE(warningsOf(r, 1.0).empty()) << warningsOf(r, 1.0).front().text;
+  EXPECT_LE(runFigure("run.energyRise")->value(r), RunTrust::kWarned);
+  EXPECT_LE(runFigure("run.energyError")->value(r), RunTrust::kWarned);
+  // A step that missed something else does not blame the forces of its inclusion.
+  r.unconverged = 1, r.solves = 10, r.residual.value = 1.3e-15;
+  EXPECT_EQ(warningsOf(r, 1.0).front().text.find("not to be trusted"), std::string::npos);
+}
+
+TEST(RunWatch, KnowsWhatRoundingLeavesOfEnergies) {
+  Model m = ballOnFloor(1.0, 0.0, 0.5, 0.3, 1.0, 1e-3);
+  m.build();
+  const RunReport r = Simulation(m).run();
+  // V = 10 J at the start, T + V + works at most twice that; positions to 1e-11 of it. The part of
+  // the inertia, ε ½ m L²/t², is 1e-16 J.
+  EXPECT_GT(r.trust.rounding, 0.9e-10);
+  EXPECT_LT(r.trust.rounding, 4e-10);
+}
+
+TEST(RunWatch, AWarningSaysHowOftenWhenAndWhere) {
+  RunReport r;
+  r.unconverged = 3, r.solves = 5, r.residual.value = 0.1, r.unsolved.t = 0.7;
+  r.unsolved.contact = "floor (a.xml:3)";
+  r.penetration.value = 0.5, r.penetration.t = 0.2, r.penetration.name = "wall";
+  const std::vector<Warning> all = warningsOf(r, 1.0);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].count, 3);
+  EXPECT_EQ(all[0].t, 0.7);
+  EXPECT_EQ(all[0].place, "floor (a.xml:3)");
+  EXPECT_EQ(all[1].place, "wall");
+  EXPECT_EQ(all[1].t, 0.2);
+}
+
+TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
+  for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
+    EXPECT_TRUE(warningKind(kind)->qualifies) << kind;
+  for (const char* kind : {"energy", "impact law", "start", "resolution", "rest",
+                           "start velocities", "start positions"})
+    EXPECT_FALSE(warningKind(kind)->qualifies) << kind;
+  RunReport r;
+  r.warnings.push_back({"resolution", "", 1, 0.0, ""});
+  EXPECT_FALSE(r.qualified());
+  r.warnings.push_back({"overlap", "", 1, 0.0, ""});
+  EXPECT_TRUE(r.qualified());
+}
+
+/// Depth of the ball under the floor at the ends of steps [m].
+class Deepest final : public Observer {
+ public:
+  void step(const StepView& view) override { value = std::max(value, -view.after.q[1]); }
+  double value = 0.0;
+};
+
+TEST(RunWatch, PenetrationCoversTheEndsOfSteps) {
+  for (const double e : {0.0, 0.5})
+    for (const bool staggered : {false, true}) {
+      Model m = ballOnFloor(1.0, 0.0, e, 0.3, 2.0, 1e-2);
+      if (staggered)
+        m.scheme(std::make_unique<StaggeredMoreau>());
+      else
+        m.scheme(std::make_unique<MoreauMidpoint>());
+      m.build();
+      Simulation simulation(m);
+      Deepest deepest;
+      simulation.observe(deepest);
+      const RunReport& r = simulation.run();
+      EXPECT_GE(r.penetration.value, deepest.value / 1.01) << e << ' ' << staggered;  // kDeeper
+    }
 }
 
 TEST(RunWatch, FiguresOfTheReportCanBeChecked) {
