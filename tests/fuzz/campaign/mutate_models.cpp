@@ -1,9 +1,9 @@
 /// A campaign of mutated models through `dynamy check`, each in a process of its own:
 ///   mutate_models [--count N] [--from I] [--seed S] [--keep DIR] [MODEL...]
-/// Promised: no crash, exit status 0 or 2, at most 10 s of CPU time and 1 GB of memory, and every
-/// error with its place file:line:column. What breaks a promise is printed and kept in DIR; the
-/// exit status is then 1. Mutant I of seed S is always the same: --seed S --from I --count 1 makes
-/// it again.
+/// Promised: no crash, exit status 0, 2 or 3 (accepted with a warning), at most 10 s of CPU time
+/// and 1 GB of memory, and every error with its place file:line:column. What breaks a promise is
+/// printed and kept in DIR; the exit status is then 1. Mutant I of seed S is always the same:
+/// --seed S --from I --count 1 makes it again.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -42,6 +42,8 @@ struct Verdict {
   int status = 0;
   double seconds = 0.0, memory = 0.0;  ///< CPU time [s], most memory [bytes]
 };
+
+bool isAccepted(const Verdict& v) { return v.status == app::kOk || v.status == app::kQualified; }
 
 /// Errors of a file as a whole have no line.
 bool isOfTheFile(const std::string& line) {
@@ -113,9 +115,9 @@ Verdict checked(app::Program& program, const fs::path& file) {
     v.fault = fmt::format("ended by signal {} ({})", WTERMSIG(state), strsignal(WTERMSIG(state)));
   else if (v.memory > static_cast<double>(kBytes))
     v.fault = fmt::format("takes {:.2g} GB", 1e-9 * v.memory);
-  else if (v.status != 0 && v.status != 2)
+  else if (!isAccepted(v) && v.status != app::kModel)
     v.fault = fmt::format("exit status {}: {}", v.status, v.messages.substr(0, 300));
-  else if (v.status == 2)
+  else if (v.status == app::kModel)
     if (const std::string line = withoutPlace(v.messages); !line.empty())
       v.fault = "an error without its place: " + line;
   return v;
@@ -136,7 +138,7 @@ class Campaign {
   Campaign(app::Program& program, Task task) : program_(program), task_(std::move(task)) {
     for (const fs::path& path : task_.models) {
       const Verdict v = checked(program_, path);
-      if (v.status != 0 || v.seconds > 1.0) continue;
+      if (!isAccepted(v) || v.seconds > 1.0) continue;
       sources_.push_back(path);
       texts_.push_back(readWholeFile(path));
     }
@@ -168,7 +170,7 @@ class Campaign {
     const Verdict v = checked(program_, file);
     fs::remove(file);
     longest_ = std::max(longest_, v.seconds), largest_ = std::max(largest_, v.memory);
-    if (v.fault.empty()) return void(v.status == 0 ? ++accepted_ : ++refused_);
+    if (v.fault.empty()) return void(isAccepted(v) ? ++accepted_ : ++refused_);
     ++faults_;
     fs::create_directories(task_.keep);
     const fs::path kept =
