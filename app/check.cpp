@@ -111,7 +111,6 @@ Sizes sizesOf(Model& model) {
   requireFinite(model, "coordinates", x.q,
                 [](const SystemHandle& h) { return std::pair(h.q0, h.nq); });
   requireFinite(model, "velocities", x.u, velocities);
-  s.start = startWarnings(makeConsistent(model, system, x), model.length());
   const Evaluation& start = system.evaluate(x);
   const ContactSet& c = start.contacts;
   if (const int i = system.indefiniteMass(); i >= 0)
@@ -124,6 +123,7 @@ Sizes sizesOf(Model& model) {
           .text = "the gap of " + contactText(model, c.candidateKey[i]) +
                   " is not a number at the start",
           .hint = "dynamy check --elements compares all that it computes with differences"});
+  s.start = startWarnings(makeConsistent(model, system, x), model.length());
   s.gaps = c.g.size(), s.closed = c.size(), s.unknowns = c.rows();
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int k = c.closedIndex[i];
