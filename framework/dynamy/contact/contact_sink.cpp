@@ -1,19 +1,18 @@
 #include <algorithm>
 #include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/rolling_contact.hpp>
-#include <dynamy/core/error.hpp>
+#include <stdexcept>
 
 namespace dynamy {
 namespace {
 
 /// Before anybody writes rows that are not there; asked of open contacts too, so that a model says
-/// it at once and not when it first touches.
+/// it at once and not when it first touches. The framework adds the element's name and place.
 [[noreturn]] void wrongRows(const SetValuedForceLaw& law, std::uint64_t id, int dim) {
-  throw ModelError("its contact " + std::to_string(id) + " has " + std::to_string(dim) +
-                       " rows by the law " +
-                       (law.type().empty() ? "it has" : '<' + law.type() + '>') +
-                       "; a contact has 1 to " + std::to_string(kMostRows),
-                   "report the rows as several contacts");
+  throw std::length_error("its contact " + std::to_string(id) + " has " + std::to_string(dim) +
+                          " rows" + (law.type().empty() ? "" : " by its law <" + law.type() + '>') +
+                          "; a contact has 1 to " + std::to_string(kMostRows) +
+                          " — report the rows as several contacts");
 }
 
 }  // namespace
