@@ -7,7 +7,6 @@ namespace dynamy {
 namespace {
 
 /// Pivots below this share of the largest belong to redundant rows.
-constexpr double kRank = 1e-10;
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
 constexpr int kMostTurns = 200;        ///< of the directions of slips that start
 constexpr double kTurned = 1e-14;      ///< change of a direction that ends them
@@ -289,10 +288,9 @@ void FrozenPhase::solve(const Evaluation& e, const Eigen::MatrixXd& R,
     scale_[k] = held[of].weight;
     A_.col(k) *= scale_[k];
   }
-  qr_.setThreshold(kRank);
-  qr_.compute(A_);
-  redundant_ = qr_.rank() < m;
-  work_ = qr_.solve(rhs_);
+  inverse_.compute(A_);
+  redundant_ = inverse_.rank() < m;
+  inverse_.solve(rhs_, work_);
   work_.array() *= scale_.array();
   free_.noalias() += MP_ * work_;
   lambda_.noalias() += P_.leftCols(m) * work_;

@@ -15,9 +15,9 @@
 /// Redundant rows share what the last decision gave them, changed as little as possible; the
 /// accelerations do not depend on it.
 #pragma once
-#include <Eigen/QR>
 #include <array>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
 
 namespace dynamy {
@@ -172,7 +172,7 @@ class FrozenPhase {
   Eigen::VectorXd p0_, gamma_, bias_, biasAhead_, lambda_, gammaDot_, free_, work_, rhs_, position_,
       scale_;
   Eigen::MatrixXd A_, MP_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;
+  PseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
   std::vector<double> chi_;
   std::array<double, 5> power_{};
   double forceScale_ = 0.0;

@@ -7,7 +7,6 @@
 namespace dynamy {
 namespace {
 
-constexpr double kRank = 1e-10;   ///< pivots below this share belong to redundant rows
 constexpr int kMostGauge = 50;    ///< Newton steps
 constexpr double kGauge = 1e-13;  ///< their last
 
@@ -118,9 +117,8 @@ bool FrozenPhase::correction(const Evaluation& e, Eigen::VectorXd& delta) {
     for (Eigen::Index j = 0; j < m; ++j)
       A_(k, j) = W_.col(kept_[static_cast<std::size_t>(k)])
                      .dot(MInvW_.col(kept_[static_cast<std::size_t>(j)]));
-  qr_.setThreshold(kRank);
-  qr_.compute(A_);
-  work_ = qr_.solve(rhs_);
+  inverse_.compute(A_);
+  inverse_.solve(rhs_, work_);
   for (Eigen::Index k = 0; k < m; ++k)
     delta += work_[k] * MInvW_.col(kept_[static_cast<std::size_t>(k)]);
   return true;

@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -32,10 +31,10 @@ RadauStep::RadauStep() {
       (16.0 - s) / 36.0, (16.0 + s) / 36.0, 1.0 / 9.0;
   // A⁻¹ = T Λ T⁻¹, Λ = diag(γ, [α −β; β α]): T holds the real eigenvector and the parts of the
   // complex one, A⁻¹ (a + ib) = (α − iβ)(a + ib).
-  const Eigen::EigenSolver<Eigen::Matrix3d> solver(A_.inverse());
+  const EigenPairs pairs = eigenPairs(A_.inverse());
   for (int k = 0; k < kStages; ++k) {
-    const std::complex<double> value = solver.eigenvalues()[k];
-    const Eigen::Vector3cd vector = solver.eigenvectors().col(k);
+    const std::complex<double> value = pairs.values[k];
+    const Eigen::Vector3cd vector = pairs.vectors.col(k);
     if (std::abs(value.imag()) < 1e-8) {
       gamma_ = value.real(), T_.col(0) = vector.real();
     } else if (value.imag() < 0.0) {
@@ -94,14 +93,14 @@ void RadauStep::correct() {
   // (Λ/h ⊗ I − I ⊗ J) Δw = T⁻¹ F − Λ w/h, the pair as one complex equation.
   work_ = TInverse_(0, 0) * F_[0] + TInverse_(0, 1) * F_[1] + TInverse_(0, 2) * F_[2] -
           gamma_ / h_ * w_[0];
-  change_ = real_.solve(work_);
+  real_.solve(work_, change_);
   w_[0] += change_;
   pair_.resize(y_.size());
   pair_.real() = TInverse_(1, 0) * F_[0] + TInverse_(1, 1) * F_[1] + TInverse_(1, 2) * F_[2] -
                  (alpha_ * w_[1] - beta_ * w_[2]) / h_;
   pair_.imag() = TInverse_(2, 0) * F_[0] + TInverse_(2, 1) * F_[1] + TInverse_(2, 2) * F_[2] -
                  (beta_ * w_[1] + alpha_ * w_[2]) / h_;
-  pair_ = complex_.solve(pair_).eval();
+  pair_ = complex_.solve(pair_);
   w_[1] += pair_.real(), w_[2] += pair_.imag();
 }
 

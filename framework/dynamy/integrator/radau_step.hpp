@@ -9,8 +9,8 @@
 /// needs nothing of an element. It is kept while Newton's method contracts to a thousandth; where
 /// it was taken is told, so that a run that is resumed takes it there again.
 #pragma once
-#include <Eigen/LU>
 #include <array>
+#include <dynamy/core/decompositions.hpp>
 #include <functional>
 
 namespace dynamy {
@@ -63,8 +63,8 @@ class RadauStep {
   double tolerance_ = 1e-6, t_ = 0.0, h_ = 0.0, factorised_ = 0.0;
   Eigen::VectorXd scale_, y_, f_, end_;
   Eigen::MatrixXd J_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> real_;
-  Eigen::PartialPivLU<Eigen::MatrixXcd> complex_;
+  Lu real_;
+  ComplexLu complex_;
   Eigen::Matrix3d A_, T_, TInverse_;
   Place place_;
   bool known_ = false, keeps_ = false, tookJacobian_ = false;

@@ -73,7 +73,7 @@ void StiffPart::applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in,
   if (touched_.empty()) return;
   for (std::size_t k = 0; k < touched_.size(); ++k)
     part_[static_cast<Eigen::Index>(k)] = in[touched_[k]];
-  part_ = lu_.solve(part_).eval();
+  lu_.solve(part_, part_);
   for (std::size_t k = 0; k < touched_.size(); ++k)
     out[touched_[k]] = part_[static_cast<Eigen::Index>(k)];
 }

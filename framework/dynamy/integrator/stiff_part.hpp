@@ -7,7 +7,7 @@
 /// is for. Rejected: springs as further rows of the inclusion with a compliance (they would be in
 /// every solver's way), and M̂ by blocks, which a spring between two bodies does not have.
 #pragma once
-#include <Eigen/LU>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/delassus.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/state.hpp>
@@ -59,7 +59,7 @@ class StiffPart {
   std::vector<int> touched_, local_, blockOf_;  // velocities of touched blocks, and back
   std::vector<double> K_, D_;
   Eigen::MatrixXd Mhat_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Lu lu_;
   mutable Eigen::VectorXd part_;
   Eigen::VectorXd force_, column_, probe_;
   std::vector<double> row_;

@@ -1,7 +1,7 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cstdio>
 #include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/io/problem_dump.hpp>
 #include <dynamy/simulation/contact_facts.hpp>
 #include <dynamy/simulation/model.hpp>
@@ -49,11 +49,13 @@ bool eliminate(const InclusionProblem& p, const Split& rows, Eigen::MatrixXd& W,
   W = G(rows.contacts, rows.contacts), q = c(rows.contacts);
   if (!G.allFinite() || !c.allFinite()) return false;  // decompositions read out of bounds then
   if (rows.joints.empty()) return true;
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse(
-      Eigen::MatrixXd(G(rows.joints, rows.joints)));
+  PseudoInverse inverse;
+  inverse.compute(G(rows.joints, rows.joints));
   const Eigen::MatrixXd Gcj = G(rows.contacts, rows.joints);
-  W -= Gcj * inverse.solve(Eigen::MatrixXd(G(rows.joints, rows.contacts)));
-  q -= Gcj * inverse.solve(Eigen::VectorXd(c(rows.joints)));
+  W -= Gcj * inverse.solve(G(rows.joints, rows.contacts));
+  Eigen::VectorXd free;
+  inverse.solve(c(rows.joints), free);
+  q -= Gcj * free;
   return W.allFinite() && q.allFinite();
 }
 

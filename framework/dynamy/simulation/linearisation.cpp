@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/simulation/linearisation.hpp>
 #include <limits>
 
@@ -104,11 +104,12 @@ class Linear {
       const Derivatives d = derivatives(x);
       Eigen::MatrixXd J(y.size(), free);
       J << d.A.bottomLeftCorner(nu_, free), d.C.leftCols(free);
-      Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr;
-      qr.setThreshold(kRank);
-      qr.compute(J);
+      PseudoInverse inverse(kRank);
+      inverse.compute(J);
+      Eigen::VectorXd change;
+      inverse.solve(y, change);
       Eigen::VectorXd z = Eigen::VectorXd::Zero(2 * nu_);
-      z.head(free) = -qr.solve(y);
+      z.head(free) = -change;
       const double length = z.norm(), part = std::min(1.0, kLongest / std::max(length, 1e-300));
       if (part == 1.0 && length < 1e-15) return way;
       x = motion_.displaced(x, part * z.head(nu_));
@@ -157,9 +158,9 @@ class Linear {
     for (int i = 0; i < static_cast<int>(model_.systems().size()); ++i) {
       const SystemHandle& s = t.system(i);
       if (s.nu == 0) continue;
-      const Eigen::MatrixXd own = F.block(s.q0, s.u0, s.nq, s.nu);
-      d.A.block(s.u0, s.u0, s.nu, s.nu) =
-          own.colPivHouseholderQr().solve(change.block(s.q0, s.u0, s.nq, s.nu));
+      PivotedQr own;
+      own.compute(F.block(s.q0, s.u0, s.nq, s.nu));
+      d.A.block(s.u0, s.u0, s.nu, s.nu) = own.solve(change.block(s.q0, s.u0, s.nq, s.nu));
     }
   }
 
@@ -173,10 +174,9 @@ class Linear {
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& C) {
   const Eigen::Index n = C.cols();
   if (C.rows() == 0) return Eigen::MatrixXd::Identity(n, n);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
-  qr.setThreshold(kRank);
+  PivotedQr qr(kRank);
   qr.compute(C.transpose());
-  const Eigen::MatrixXd Q = qr.householderQ();
+  const Eigen::MatrixXd Q = qr.Q();
   return Q.rightCols(n - qr.rank());
 }
 

@@ -1,7 +1,6 @@
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/simulation/linearisation.hpp>
 #include <numeric>
 
@@ -27,10 +26,10 @@ int nonzeroEigenvalues(const Eigen::MatrixXd& A, double noise, Eigen::VectorXcd&
   const Eigen::Index m = n - zeros;
   values.resize(m), vectors.resize(n, m);
   if (m == 0) return static_cast<int>(zeros);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(T.bottomRightCorner(m, m));
+  const EigenPairs pairs = eigenPairs(T.bottomRightCorner(m, m));
   std::vector<Eigen::Index> order(static_cast<std::size_t>(m));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  const auto& found = solver.eigenvalues();
+  const Eigen::VectorXcd& found = pairs.values;
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     // Both of a pair have one real part, but for rounding: the positive frequency comes first.
     const double scale = 1e-10 * (std::abs(found[a]) + std::abs(found[b]));
@@ -46,10 +45,10 @@ int nonzeroEigenvalues(const Eigen::MatrixXd& A, double noise, Eigen::VectorXcd&
     const Eigen::Index from = order[static_cast<std::size_t>(k)];
     values[k] = found[from];
     Eigen::VectorXcd x(n);
-    x.tail(m) = solver.eigenvectors().col(from);
+    x.tail(m) = pairs.vectors.col(from);
     if (zeros > 0) {
       const Eigen::MatrixXcd shifted = N - values[k] * Eigen::MatrixXcd::Identity(zeros, zeros);
-      x.head(zeros) = shifted.partialPivLu().solve(-(T12 * x.tail(m)));
+      x.head(zeros) = ComplexLu(shifted).solve(-(T12 * x.tail(m)));
     }
     vectors.col(k) = Q * x;
   }

@@ -1,7 +1,6 @@
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/dense_problem.hpp>
 
 namespace dynamy {
@@ -89,11 +88,11 @@ Eigen::MatrixXd DenseProblem::kernel(const std::vector<int>& rows) const {
   if (n == 0 || !finite_) return Eigen::MatrixXd(n, 0);
   const Eigen::VectorXd s = scale_(rows);
   const Eigen::MatrixXd scaled = s.asDiagonal() * G_(rows, rows) * s.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (scaled + scaled.transpose()));
-  const Eigen::VectorXd& sigma = eigen.eigenvalues();  // ascending
+  const SymmetricEigenPairs eigen = symmetricEigenPairs(0.5 * (scaled + scaled.transpose()));
+  const Eigen::VectorXd& sigma = eigen.values;  // ascending
   Eigen::Index zeros = 0;
   while (zeros < n && sigma[zeros] <= kRank * sigma[n - 1]) ++zeros;
-  return eigen.eigenvectors().leftCols(zeros);
+  return eigen.vectors.leftCols(zeros);
 }
 
 Eigen::MatrixXd DenseProblem::reduced(const std::vector<int>& rows,
@@ -102,8 +101,7 @@ Eigen::MatrixXd DenseProblem::reduced(const std::vector<int>& rows,
   if (given.empty() || !finite_) return out;
   const Eigen::VectorXd s = scale_(given);
   const Eigen::MatrixXd Ggg = s.asDiagonal() * G_(given, given) * s.asDiagonal();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-  inverse.setThreshold(kRank);
+  PseudoInverse inverse(kRank);
   inverse.compute(Ggg);
   const Eigen::MatrixXd Ggr = s.asDiagonal() * G_(given, rows);
   const Eigen::MatrixXd Grg = G_(rows, given) * s.asDiagonal();

@@ -1,7 +1,7 @@
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/diagnosis_parts.hpp>
 #include <dynamy/solver/jam.hpp>
 #include <limits>
@@ -177,8 +177,8 @@ int freeDirections(const DenseProblem& dense, const Eigen::MatrixXd& kernel) {
     at += dim;
   }
   if (!left.allFinite()) return 0;  // pivoting by size reads out of bounds where nothing compares
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(left);
-  qr.setThreshold(1e-9);
+  PivotedQr qr(1e-9);
+  qr.compute(left);
   return static_cast<int>(kernel.cols() - (left.norm() > 1e-9 ? qr.rank() : 0));
 }
 

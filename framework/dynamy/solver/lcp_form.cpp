@@ -7,9 +7,6 @@
 namespace dynamy {
 namespace {
 
-/// Joints whose equations agree to this part are redundant.
-constexpr double kRank = 1e-11;
-
 RowMatrix denseG(const InclusionProblem& p) {
   const int n = p.rows();
   if (p.G->assembled()) return ConstBlock(p.G->dense(), n, n);
@@ -124,9 +121,9 @@ void LcpForm::eliminate(const InclusionProblem& p) {
   free0_.resize(0);
   if (free_.empty()) return;
   // ξ_F = 0: Λ_F = −G_FF⁺ (c_F + (GP)_F z), the least of all if joints are redundant.
-  joints_.setThreshold(kRank);
   joints_.compute(G_(free_, free_));
-  free0_ = -joints_.solve(c0_(free_));
+  joints_.solve(c0_(free_), free0_);
+  free0_ = -free0_;
   freeZ_ = -joints_.solve(GP_(free_, Eigen::all));
   const RowMatrix columns = G_(Eigen::all, free_);
   c0_ += columns * free0_;

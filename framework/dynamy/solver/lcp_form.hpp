@@ -15,8 +15,8 @@
 /// The book's form with two unknowns a friction [glocker_studer2005] is smaller; it was rejected,
 /// because its matrix G_NN − G_NT μ … is copositive for small μ only.
 #pragma once
-#include <Eigen/QR>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/inclusion_problem.hpp>
 #include <vector>
 
@@ -57,7 +57,7 @@ class LcpForm {
   std::vector<int> free_;
   Eigen::VectorXd Lambda0_, c0_, free0_, q_;
   RowMatrix G_, GP_, freeZ_, M_;
-  Eigen::CompleteOrthogonalDecomposition<RowMatrix> joints_;
+  PseudoInverse joints_{1e-11};  // equations that agree to this part are redundant
 };
 
 }  // namespace dynamy

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/lemke.hpp>
 #include <limits>
 #include <utility>
@@ -133,7 +134,7 @@ void Lemke::result() {
     a.push_back(variable);
   }
   if (!a.empty()) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M_(a, a));
+    const Lu lu(M_(a, a));
     Eigen::VectorXd za = lu.solve(-q_(a));
     residual_ = -q_(a) - M_(a, a) * za;
     za += lu.solve(residual_);

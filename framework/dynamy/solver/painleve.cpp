@@ -1,7 +1,7 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/diagnosis_parts.hpp>
 
 namespace dynamy::diagnosis {
@@ -87,9 +87,9 @@ std::vector<Finding> painleve(const DenseProblem& dense, const Names& names) {
         dense.Lambda().segment(first, dim).transpose() / dense.Lambda()[first];
     at += dim;
   }
-  const Eigen::EigenSolver<Eigen::MatrixXd> eigen(normal * G * along.transpose());
+  const Eigen::VectorXcd values = eigenvalues(normal * G * along.transpose());
   for (Eigen::Index k = 0; k < n; ++k) {
-    const auto value = eigen.eigenvalues()[k];
+    const std::complex<double> value = values[k];
     if (std::abs(value.imag()) > 1e-9 * std::abs(value) ||
         value.real() > -1e-9 * G.cwiseAbs().maxCoeff())
       continue;

@@ -1,5 +1,5 @@
-#include <Eigen/QR>
 #include <cmath>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/diagnosis_parts.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 
@@ -22,11 +22,11 @@ std::vector<Eigen::VectorXd> starts(const DenseProblem& dense) {
   const InclusionProblem& p = dense.problem();
   std::vector<Eigen::VectorXd> out(3, Eigen::VectorXd::Zero(p.rows()));
   const Eigen::VectorXd& s = dense.scale();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-  inverse.setThreshold(1e-11);
+  PseudoInverse inverse(1e-11);
   inverse.compute(s.asDiagonal() * dense.G() * s.asDiagonal());
   const Eigen::Map<const Eigen::VectorXd> c(p.c.data(), p.rows());
-  out[1] = -s.cwiseProduct(inverse.solve(s.cwiseProduct(c)));
+  inverse.solve(s.cwiseProduct(c), out[1]);
+  out[1] = -s.cwiseProduct(out[1]);
   intoSets(p, out[1]);
   for (int i = 0; i < p.size(); ++i)
     if (dense.hasNormal(i)) out[2][p.row0(i)] = 10.0 * p.uRef * s[p.row0(i)] * s[p.row0(i)];

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
 #include <random>
@@ -171,7 +171,7 @@ void SystemCheck::checkMass() {
                                    which, i, j, M(i, j), which, j, i, M(j, i)));
       }
     if (n > 0 && Eigen::LLT<Eigen::MatrixXd>(M).info() != Eigen::Success) {
-      const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
+      const double least = symmetricEigenPairs(M).values[0];
       return fault(
           fmt::format("{} is not positive definite: smallest eigenvalue {:.6g}", which, least));
     }

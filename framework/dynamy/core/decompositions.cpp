@@ -1,0 +1,45 @@
+#include <dynamy/core/decompositions.hpp>
+
+namespace dynamy {
+
+void Lu::compute(const Eigen::MatrixXd& A) { lu_.compute(A); }
+
+Eigen::VectorXd Lu::solve(const Eigen::VectorXd& b) const { return lu_.solve(b); }
+
+void Lu::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { x = lu_.solve(b).eval(); }
+
+void ComplexLu::compute(const Eigen::MatrixXcd& A) { lu_.compute(A); }
+
+Eigen::VectorXcd ComplexLu::solve(const Eigen::VectorXcd& b) const { return lu_.solve(b); }
+
+void PseudoInverse::compute(const Eigen::MatrixXd& A) { qr_.compute(A); }
+
+Eigen::Index PseudoInverse::rank() const { return qr_.rank(); }
+
+Eigen::MatrixXd PseudoInverse::solve(const Eigen::MatrixXd& B) const { return qr_.solve(B); }
+
+void PseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { x = qr_.solve(b); }
+
+void PivotedQr::compute(const Eigen::MatrixXd& A) { qr_.compute(A); }
+
+Eigen::Index PivotedQr::rank() const { return qr_.rank(); }
+
+Eigen::MatrixXd PivotedQr::Q() const { return qr_.householderQ(); }
+
+Eigen::MatrixXd PivotedQr::solve(const Eigen::MatrixXd& B) const { return qr_.solve(B); }
+
+EigenPairs eigenPairs(const Eigen::MatrixXd& A) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A) {
+  return Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
+}
+
+SymmetricEigenPairs symmetricEigenPairs(const Eigen::MatrixXd& A) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+}  // namespace dynamy

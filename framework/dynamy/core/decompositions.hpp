@@ -1,0 +1,82 @@
+/// Decompositions of dense matrices, compiled once for the whole library: each one is Eigen's, and
+/// each takes a compiler seconds wherever it is written out. What is solved in steps and inner
+/// loops has fixed-size kernels of its own; these serve larger and rarer systems.
+/// Rejected: `extern template` for Eigen's classes; their members are templates themselves.
+#pragma once
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace dynamy {
+
+/// A = P L U of a square matrix with partial pivoting.
+class Lu {
+ public:
+  Lu() = default;
+  explicit Lu(const Eigen::MatrixXd& A) { compute(A); }
+  void compute(const Eigen::MatrixXd& A);
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// x = A⁻¹ b; x and b may be one vector.
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+};
+
+class ComplexLu {
+ public:
+  ComplexLu() = default;
+  explicit ComplexLu(const Eigen::MatrixXcd& A) { compute(A); }
+  void compute(const Eigen::MatrixXcd& A);
+  Eigen::VectorXcd solve(const Eigen::VectorXcd& b) const;
+
+ private:
+  Eigen::PartialPivLU<Eigen::MatrixXcd> lu_;
+};
+
+/// A⁺ of any matrix: x = A⁺ b has the least norm of all that bring A x nearest to b. Pivots below
+/// `threshold` times the largest count as zero.
+class PseudoInverse {
+ public:
+  /// Without a threshold: rounding of the matrix's size.
+  PseudoInverse() = default;
+  explicit PseudoInverse(double threshold) { qr_.setThreshold(threshold); }
+  void compute(const Eigen::MatrixXd& A);
+  Eigen::Index rank() const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+
+ private:
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;
+};
+
+/// A P = Q R with pivoting of columns; rank as in PseudoInverse.
+class PivotedQr {
+ public:
+  PivotedQr() = default;
+  explicit PivotedQr(double threshold) { qr_.setThreshold(threshold); }
+  void compute(const Eigen::MatrixXd& A);
+  Eigen::Index rank() const;
+  Eigen::MatrixXd Q() const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
+
+ private:
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
+};
+
+/// Eigenvalues, and the columns of eigenvectors, of a square matrix; unsorted.
+struct EigenPairs {
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+};
+EigenPairs eigenPairs(const Eigen::MatrixXd& A);
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
+
+/// Those of a symmetric matrix, in ascending order.
+struct SymmetricEigenPairs {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+SymmetricEigenPairs symmetricEigenPairs(const Eigen::MatrixXd& A);
+
+}  // namespace dynamy
