@@ -1,6 +1,7 @@
 /// dynamy bench stability: every scheme and every solver on scenes where such methods fail.
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 /// dynamy bench work-precision: error against CPU time, own methods beside those of other programs.
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 /// dynamy check MODEL: reads, builds and verifies; tells the size of the scene.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <sys/resource.h>
 

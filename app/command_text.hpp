@@ -1,9 +1,12 @@
 /// The commands of the program as data: what --help shows, for the manual page and the completion
 /// of shells. Rejected: texts written beside the declarations, which stay behind them.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace dynamy::app {
 

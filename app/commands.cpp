@@ -1,4 +1,6 @@
 /// All sub-commands, in the order of `dynamy --help`.
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 
 namespace dynamy::app {

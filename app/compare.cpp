@@ -5,6 +5,7 @@
 /// The reference is the program's own tightest run and is named: the first scheme with an eighth of
 /// the smallest step. What it cannot show is an error that all schemes share.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <cstdio>

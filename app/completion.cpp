@@ -2,6 +2,7 @@
 /// commands. The word for a value (MODEL, DIR, SCHEME …) says what it completes to; names of types
 /// come from `dynamy list`, so that plug-ins in DYNAMY_PLUGIN_PATH need nothing of their own.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 /// dynamy eigen MODEL: linearises about a steady motion; eigenvalues, critical values of a
 /// parameter.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <dynamy/core/suggestion.hpp>

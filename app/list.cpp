@@ -1,5 +1,6 @@
 /// dynamy list, dynamy describe NAME, dynamy schema: from the registry, plug-ins included.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <dynamy/io/describe.hpp>
 #include <dynamy/io/json_writer.hpp>

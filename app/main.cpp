@@ -1,6 +1,7 @@
 /// The program `dynamy`: reads the command line, calls one sub-command, turns errors into exit
 /// codes. Results go to standard output, errors and progress to standard error.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <dynamy/core/suggestion.hpp>

@@ -1,5 +1,6 @@
 /// dynamy manual: the page for man(1), made from the declarations of the commands.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cctype>
 #include <dynamy/core/version.hpp>

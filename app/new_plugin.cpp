@@ -1,6 +1,7 @@
 /// dynamy new-plugin NAME --kind KIND: a folder with a plug-in that builds, runs and passes its
 /// test as it stands. The texts are in app/templates; nothing in them is made up here.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <array>
 #include <cctype>

@@ -1,12 +1,15 @@
 /// What all sub-commands share: registry and plug-ins, exit codes, values of options.
 #pragma once
-#include <CLI/CLI.hpp>
 #include <dynamy/io/plugin_loader.hpp>
 #include <dynamy/io/registry.hpp>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;  // its header costs seconds; only what declares or reads options includes it
+}
 
 namespace dynamy::app {
 

@@ -1,5 +1,6 @@
 /// dynamy report DIR: one printable page about a run, from the files of its folder.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 /// dynamy run MODEL, dynamy resume DIR.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <dynamy/io/file_error.hpp>

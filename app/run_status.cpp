@@ -1,5 +1,6 @@
 #include "run_status.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/simulation/consistent_start.hpp>

@@ -5,6 +5,7 @@
 /// which is printed for r = 0 as well: |q| holds the sliding velocities, so that the zero vector
 /// looks good on some problems.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstdio>

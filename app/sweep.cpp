@@ -1,5 +1,6 @@
 /// dynamy sweep MODEL|DIR: a model with many values of its parameters.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <csignal>

@@ -1,8 +1,11 @@
 /// What varies in a sweep, and the runs that follow from it.
 ///
-///   mu=0.1:0.5:9          nine values, equal distances       mu=1e-3:1:4:log   equal ratios
-///   mu=0.3,0.5,0.7        a list                             mu=0.3            the same in all
-///   runs mu=uniform(0.1,0.5)   --samples values drawn at random   mu=normal(0.3,0.05)
+///   mu=0.1:0.5:9          nine values, equal distances
+///   mu=1e-3:1:4:log       four values, equal ratios
+///   mu=0.3,0.5,0.7        a list
+///   mu=0.3                the same in all runs
+///   mu=uniform(0.1,0.5)   --samples values drawn at random
+///   mu=normal(0.3,0.05)   the same, mean and standard deviation
 ///
 /// Grids and lists are combined with each other, the last one varies fastest; each combination is
 /// taken --samples times if anything is drawn. All values are written down in the manifest before

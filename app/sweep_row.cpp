@@ -1,6 +1,7 @@
 #include "sweep_row.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <dynamy/io/csv.hpp>

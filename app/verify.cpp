@@ -1,5 +1,6 @@
 /// dynamy verify DIR: whether the files of a run are whole and belong together.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <dynamy/io/folder_check.hpp>
 #include <memory>

@@ -1,5 +1,6 @@
 /// dynamy view DIR: writes replay.html of a run folder anew and opens it in the browser.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdlib>
 #include <dynamy/io/file_error.hpp>

@@ -1,6 +1,7 @@
 /// The command line, words separated by zero bytes: it is parsed, or refused with a
 /// CLI::ParseError. No command is carried out. Each word is also read as a time, as an assignment
 /// and as a scheme.
+#include <CLI/CLI.hpp>
 #include <commands.hpp>
 #include <cstdint>
 #include <string>
