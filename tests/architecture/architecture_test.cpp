@@ -81,6 +81,16 @@ TEST(Architecture, FilesHaveAtMost400Lines) {
   }
 }
 
+TEST(Architecture, NoLineBreakCutsAnEquationInAComment) {
+  // A line of an indented block that ends with an operator: its other side went to the next line.
+  const std::regex pattern("^ *///? {2,}[^ ].* (=|\\+|−|·|×|∈|≤|≥|⇔|[0-9.]*½)$");
+  for (const SourceFile* file :
+       filesUnder({"framework/", "elements/", "app/", "plugins/", "bench/", "tests/"}, kCode))
+    for (std::size_t i = 0; i < file->lines.size(); ++i)
+      EXPECT_FALSE(std::regex_search(file->lines[i], pattern))
+          << place(*file, static_cast<int>(i) + 1);
+}
+
 TEST(Architecture, Tinyxml2StaysInTheXmlReader) {
   for (const SourceFile* file :
        filesUnder({"framework/", "elements/", "plugins/", "app/"}, kCode)) {

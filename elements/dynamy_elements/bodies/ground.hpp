@@ -1,7 +1,7 @@
 /// Ground: what does not move, or moves as told: a vibrating table, a belt, a crank that is driven.
 ///
-///   r_OB = position + s(t),   A_IK = A_0 exp(φ(t) a~);   no q and u of its own: ν_S = ṡ, ν_R = φ̇
-///   a, β_S = s̈, β_R = φ̈ a
+///   r_OB = position + s(t),   A_IK = A_0 exp(φ(t) a~)
+///   ν_S = ṡ,   ν_R = φ̇ a,   β_S = s̈,   β_R = φ̈ a                     no q and u of its own
 ///
 /// Contacts feel the motion through χ and the bias, both exact.
 #pragma once

@@ -1,8 +1,9 @@
 /// Springs with dampers between two frames.
 ///
-///   SpringDamper   l = |r_PQ|, e = r_PQ/l:   F = (c (l − l0) + d l̇) e on P, −F on Q;  V = ½ c (l −
-///   l0)² TorsionSpring  ψ angle of B about the axis of A:  M = −(c (ψ − ψ0) + d ψ̇) a on B;  V = ½
-///   c (ψ − ψ0)²
+///   SpringDamper   l = |r_PQ|, e = r_PQ/l
+///                  F = (c (l − l0) + d l̇) e on P, −F on Q;   V = ½ c (l − l0)²
+///   TorsionSpring  ψ angle of B about the axis a of A
+///                  M = −(c (ψ − ψ0) + d ψ̇) a on B, −M on A;   V = ½ c (ψ − ψ0)²
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/frame_pair.hpp>

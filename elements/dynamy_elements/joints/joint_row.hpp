@@ -5,8 +5,8 @@
 ///   angle     g = d·b                       d fixed in A, b fixed in B
 ///   distance  g = |r_PQ| − l
 ///   spin      no position;  γ = d·(Ω_B − Ω_A)
-///   turn      g = atan2(b·(d × e), b·e)     angle about d from e, both fixed in A, to b, fixed in
-///   B screw     g = d·r_PQ − h ψ              ψ the angle of `turn`, of the turn nearest to g = 0
+///   turn      g = atan2(b·(d × e), b·e)     angle about d from e (fixed in A) to b (fixed in B)
+///   screw     g = d·r_PQ − h ψ              ψ the angle of `turn`, of the turn nearest to g = 0
 ///
 /// A unit force of the row acts on B with a force f at Q and a moment m, and on A's point that is
 /// at Q with the opposite, so that  γ = f·(v_Q − v_AQ) + m·(Ω_B − Ω_A). (theory 40.1, 40.2)

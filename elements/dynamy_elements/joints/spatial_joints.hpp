@@ -1,11 +1,10 @@
 /// Joints of bodies in space with more than one freedom, or with freedoms that belong together.
 ///
-///                rows                                    free
-///   Universal    3 points, 1 angle                       alpha about the axis of A, beta about
-///   that of B Cylindrical  2 points, 2 angles                      displacement and angle of one
-///   axis Screw        2 points, 2 angles, 1 screw             the angle; displacement = pitch
-///   angle/2π PlanarJoint  1 point, 2 angles                       x, y in a plane of A and the
-///   angle about its normal
+///                rows                          free
+///   Universal    3 points, 1 angle             alpha about the axis of A, beta about that of B
+///   Cylindrical  2 points, 2 angles            displacement and angle of one axis
+///   Screw        2 points, 2 angles, 1 screw   the angle; displacement = pitch angle/2π
+///   PlanarJoint  1 point, 2 angles             x, y in a plane of A, the angle about its normal
 #pragma once
 #include <dynamy_elements/joints/joint.hpp>
 

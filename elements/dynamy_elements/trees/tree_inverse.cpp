@@ -2,8 +2,7 @@
 // S = (v, w) and the inertia (m, C, I) of all that hangs on it,
 //
 //   U = I_A S,  D = Sᵀ U,  I_A ← I_A − U D⁻¹ Uᵀ,  moved to the parent's origin and added there
-//   out = D⁻¹ (in − Sᵀ p − Uᵀ a_P),  p the forces that are left for the parent, a_P its
-//   acceleration
+//   out = D⁻¹ (in − Sᵀ p − Uᵀ a_P),  p the forces left for the parent, a_P its acceleration
 //
 // A ball joint passes no moment on: nothing but m − C I⁻¹ Cᵀ is left, and its own acceleration is
 // α = I⁻¹ (A (in − Sᵀ p) − Cᵀ a). Written out it takes a fifth of the operations.

@@ -1,7 +1,6 @@
 /// ContactSink: where a NonSmoothElement emits its contacts.
 ///
-///   if (auto rows = sink.add(id, g, law, 3)) {        // false while open: the gap is recorded, W
-///   is not needed
+///   if (auto rows = sink.add(id, g, law, 3)) {  // false while open: g is recorded, W not needed
 ///     rows.segment(frame)… ; rows.chi(0) = …;
 ///   }
 #pragma once

@@ -1,8 +1,8 @@
 /// UnilateralDrilling: sliding and spinning friction of a contact patch, which weaken each other.
 ///                                                                            (theory 9.4, 22)
-///   rows N, T1, T2, τ;   B = { (λ_T, τ) }: every friction state of a patch of radius a, for Λ_N =
-///   1 contensou   S_B(y) = μ (v F(d) + w T(d)),   v = |y_T|, w = a|y_τ|, d = v/w ellipsoid S_B(y)
-///   = μ √(v² + (T(0) w)²)    same extent, other shape
+///   rows N, T1, T2, τ;   B = { (λ_T, τ) }: every friction state of a patch of radius a at Λ_N = 1
+///   contensou   S_B(y) = μ (v F(d) + w T(d)),   v = |y_T|, w = a|y_τ|, d = v/w
+///   ellipsoid   S_B(y) = μ √(v² + (T(0) w)²)    same extent, other shape
 ///
 /// Uniform pressure: F and T are made of the elliptic integrals K(k), E(k), k = d or 1/d, from one
 /// arithmetic-geometric mean each (22.2)–(22.4); T(0) = 2/3. Hertz pressure, of two balls that

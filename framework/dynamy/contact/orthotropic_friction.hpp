@@ -1,8 +1,8 @@
 /// UnilateralOrthotropic: contact on a surface with a grain.                        (theory 9.4)
 ///
-///   B = { x: (x₁'/μ₁)² + (x₂'/μ₂)² ≤ 1 },   x' = x in axes turned by `angle` from the first
-///   tangent S_B(y) = √(μ₁² y₁'² + μ₂² y₂'²) slip:  Λ_T = −Λ_N (μ₁² γ₁', μ₂² γ₂') / √(μ₁² γ₁'² +
-///   μ₂² γ₂'²)
+///   B = { x: (x₁'/μ₁)² + (x₂'/μ₂)² ≤ 1 }     x' = x in axes turned by `angle` from the first tangent
+///   S_B(y) = √(μ₁² y₁'² + μ₂² y₂'²)
+///   slip:  Λ_T = −Λ_N (μ₁² γ₁', μ₂² γ₂') / √(μ₁² γ₁'² + μ₂² γ₂'²)
 ///
 /// The force is not opposite to the slip: the slip is normal to the ellipse, which makes the law
 /// dissipate the most. A force along −γ of direction-dependent size was rejected: its set is not

@@ -1,8 +1,6 @@
-/// SweptPath: where every frame was in one attempted step, and what a contact element found along
-/// it.
+/// SweptPath: where every frame was in one attempted step, and what a contact element found along it.
 ///
-///   piece k = 0 … n−1 from pose k to pose k+1: position linear in time, attitude turned at a
-///   constant rate
+///   piece k = 0 … n−1 from pose k to pose k+1:   position linear in time, rate of turn constant
 ///
 /// A scheme sees gaps at one or two instants of a step. A body that goes further in a step than it
 /// is thick may be in front of a plate at one of them and behind it at the next; the poses between

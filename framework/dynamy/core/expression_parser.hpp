@@ -6,8 +6,8 @@
 ///   product    = unary { ( "*" | "/" ) unary }
 ///   unary      = ( "-" | "+" | "!" ) unary | power
 ///   power      = primary [ "^" unary ]         (so −x^2 = −(x^2) and 2^3^2 = 2^9)
-///   primary    = number [ unit ] | name | name "(" expression { "," expression } ")" | "("
-///   expression ")"
+///   primary    = number [ unit ] | name | name "(" expression { "," expression } ")"
+///              | "(" expression ")"
 #pragma once
 
 #include <dynamy/core/expression_graph.hpp>

@@ -1,7 +1,6 @@
 /// ButcherTableau: coefficients of the explicit Runge–Kutta methods of Dormand and Prince,
 ///
-///   Y_i = y + h Σ_{j<i} a_ij f(Y_j),   y⁺ = y + h Σ b_j f(Y_j),   f(y⁺) is the next step's first
-///   stage
+///   Y_i = y + h Σ_{j<i} a_ij f(Y_j),   y⁺ = y + h Σ b_j f(Y_j),   f(y⁺) the next step's first stage
 ///
 /// with error estimates and dense output [hairer_norsett_wanner1993, II.5, II.6, II.10]: order 5(4)
 /// with 6 evaluations a step and order 8(5,3) with 12.

@@ -2,9 +2,9 @@
 /// tangents of the half and the whole step (q_A ⊕ Δt (v + δ) = q_E ⊕ Δt T_E δ), of a block, and of
 /// the blocks a, b of one joint:
 ///
-///   ∂R_v/∂v          2M − Δt D − Δt²/2 K T_M                         K = ∂h/∂q F, D = ∂h/∂v
-///   ∂(WΛ)_a/∂v_b     Δt/2 (J_aᵀ D_ab J_b + δ_ab S_a) T_M       D_ab: jointForces, S:
-///   frameStiffness ∂R_g/∂v_b        W_E,bᵀ T_E
+///   ∂R_v/∂v        2M − Δt D − Δt²/2 K T_M               K = ∂h/∂q F, D = ∂h/∂v
+///   ∂(WΛ)_a/∂v_b   Δt/2 (J_aᵀ D_ab J_b + δ_ab S_a) T_M   D_ab: jointForces, S: frameStiffness
+///   ∂R_g/∂v_b      W_E,bᵀ T_E
 ///
 /// and the quotient's own terms of W̃Λ = WΛ − p/s Mv, p = vᵀWΛ + (χ − Δg/Δt)ᵀΛ, s = vᵀMv. Forces of
 /// ExternalForce elements count as constant: those that change much within a step are to declare

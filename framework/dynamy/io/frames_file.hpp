@@ -4,9 +4,9 @@
 /// Little-endian; doc/run_folder.md gives every byte:
 ///
 ///     head   "DYNFRAME" u32 version, u32 0x01020304, u32 poses, u32 bytes of JSON | JSON | u32 CRC
-///     chunk  "CHNK" u32 frames, u64 bytes of payload, f64 first t, f64 last t, u32 CRC, u32 0 |
-///     payload frame  f64 t, u32 contacts, u32 0 | poses × 7 f32 (x y z qw qx qy qz) | contacts ×
-///     11 f32
+///     chunk  "CHNK" u32 frames, u64 bytes of payload, f64 first t, f64 last t, u32 CRC, u32 0
+///            | payload
+///     frame  f64 t, u32 contacts, u32 0 | poses × 7 f32 (x y z qw qx qy qz) | contacts × 11 f32
 ///
 /// Times are double, poses single: 2^-24 of the scene's size is far below a pixel, and signals.csv
 /// has the full numbers. One record a frame without chunks was rejected: a check sum and a flush

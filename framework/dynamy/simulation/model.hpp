@@ -1,8 +1,10 @@
 /// Model: owner of all elements of a scene, made from XML (io/model_loader) or in C++:
 ///
 ///   Model m;
-///   m.add<RigidBody>("ball", {{"position", {0, 0, 1}}, {"mass", 1.0}, {"inertia", {0.1, 0.1,
-///   0.1}}}); m.simulation.until = 5;   m.build();
+///   m.add<RigidBody>("ball", {{"position", {0, 0, 1}}, {"mass", 1.0},
+///                             {"inertia", {0.1, 0.1, 0.1}}});
+///   m.simulation.until = 5;
+///   m.build();
 ///
 /// build() composes (completions), asks every element to describe itself, lays out q and u,
 /// connects. After that it is immutable.

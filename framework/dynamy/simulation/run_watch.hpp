@@ -3,20 +3,18 @@
 /// scene:
 ///
 ///   energy      e(t) = |ΔT + ΔV − works + joints|, added over intervals without an impact (some
-///               schemes have the loss of an impact nowhere else), and rise(t) = (T + V) − start −
-///               what drives and boundaries brought in; at some hundred instants, over the largest
-///               T
-///   rounding    r = max((64 + N) ε, 1e-11) (max T + max|V| + Σ|works|) + ε ½ sᵀM s/t²: what N
-///   steps
-///               and positions known to g_tol leave of the energies, and energies by which nothing
-///               moves √ε of the scene's length s (1 rad for angles) until the end t; e and rise
-///               count above it only
+///               schemes have the loss of an impact nowhere else), and
+///               rise(t) = (T + V) − start − what drives and boundaries brought in;
+///               at some hundred instants, over the largest T
+///   rounding    r = max((64 + N) ε, 1e-11) (max T + max|V| + Σ|works|) + ε ½ sᵀM s/t²: what N steps and
+///               positions known to g_tol leave of the energies, and energies by which nothing moves
+///               √ε of the scene's length s (1 rad for angles) until the end t; e and rise count
+///               above it only
 ///   resolution  (ωΔt)² = √(Σ|Δ²u|²_M / Σ(|u|²_M + |Δt M⁻¹h|²_M)) over steps without a change of
 ///               contacts: an oscillation of ω has Δ²u = −(ωΔt)² u
 ///   turn        the largest |Ω| Δt of a frame
-///   fall        ½ Δt² |M⁻¹h|, the way that the forces alone lead in a step, over the scene's
-///   length leap        the way of a shape in a step over its smallest size plus that of the
-///   smallest one it
+///   fall        ½ Δt² |M⁻¹h|, the way that the forces alone lead in a step, over the scene's length
+///   leap        the way of a shape in a step over its smallest size plus that of the smallest one it
 ///               could meet: above 1 they may pass each other unseen; half spaces are never passed
 ///   overlap     penetration over the scene's length, and over the way in a step of the fastest
 ///               frame or contact, which bounds it for a scheme on velocity level. It is that of

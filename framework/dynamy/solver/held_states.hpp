@@ -2,8 +2,7 @@
 /// changes.                                                                        (theory 9.3)
 ///
 ///   held (Λ − ρξ inside of C): ξ_i = 0,   open (Λ − ρξ → 0): Λ_i = 0
-///   (G + diag(a)) ΔΛ = −ξ over the held ones,   Λ += ΔΛ,   ξ = GΛ + c,   again with the same
-///   factors
+///   (G + diag(a)) ΔΛ = −ξ over the held ones,   Λ += ΔΛ,   ξ = GΛ + c;   again, same factors
 ///
 /// One factorisation, and a substitution for every digit that a, and rounding in the factors, have
 /// left. The residual of the whole inclusion judges: if a contact does change its state, Newton's

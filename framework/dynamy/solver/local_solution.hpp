@@ -1,5 +1,5 @@
-/// LocalSolutions: Λ of single contacts, −(DΛ + b) ∈ N_C(Λ), in closed form where C is simple.
-///                                                                              (theory 4.12)
+/// LocalSolutions: Λ of single contacts, −(DΛ + b) ∈ N_C(Λ), in closed form where C is simple (theory 4.12).
+///
 ///   interval, ℝ^dim:  Λ = clamp(−b/D),  Λ = −D⁻¹b
 ///   friction:  take-off  Λ = 0                     if b_N ≥ 0
 ///              stick     Λ = −D⁻¹b                 if it lies in the cone

@@ -1,9 +1,7 @@
-/// NewtonSystem: the linear equations of one Newton step, in one of two forms.            (theory
-/// 7)
+/// NewtonSystem: the linear equations of one Newton step, in one of two forms (theory 7).
 ///
-///   percussions:  (A + B (G + diag(a))) ΔΛ = −F                              rows of G, block by
-///   block velocities:   (M + W C Wᵀ) Δv = −W f,   ΔΛ = −f − C WᵀΔv                 G is never
-///   formed
+///   percussions:  (A + B (G + diag(a))) ΔΛ = −F                  rows of G, block by block
+///   velocities:   (M + W C Wᵀ) Δv = −W f,   ΔΛ = −f − C WᵀΔv     G is never formed
 ///                 C = (A + aB)⁻¹ B,   f = (A + aB)⁻¹ F   per contact
 ///
 /// Both give the same step. The second has 6 unknowns a body, the first up to 3 a contact: four

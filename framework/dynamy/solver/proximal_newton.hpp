@@ -2,8 +2,8 @@
 /// problems, block rows for large ones (BlockNewton).
 ///
 ///   outer:  find Λ with ξ = GΛ + c + a D (Λ − Λ_k),  F(Λ) = Λ − prox_C(Λ − ρ ξ) = 0;  Λ_{k+1} = Λ
-///   D = diag(λ_i) inner:  (A + B (G + aD)) ΔΛ = −F,   A = ∂F/∂Λ, B = ∂F/∂ξ per contact, ρ_i =
-///   2/λ_i
+///   inner:  (A + B (G + aD)) ΔΛ = −F,   A = ∂F/∂Λ, B = ∂F/∂ξ per contact
+///           D = diag(λ_i),   ρ_i = 2/λ_i
 ///
 /// λ_i bounds the largest eigenvalue of G_ii, so a has no unit. The proximal term makes every inner
 /// problem regular whatever the rank of G (redundant contacts); it vanishes at the solution, so

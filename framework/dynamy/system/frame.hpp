@@ -1,7 +1,8 @@
 /// Frame: a point S with axes K on a mechanical system, its velocities and Jacobians.
 ///
-///   v_S = J_S u + ν_S,   Ω = J_R u + ν_R,   v̇_S = J_S u̇ + β_S,   Ω̇ = J_R u̇ + β_R          (all
-///   components in I)
+///   v_S = J_S u + ν_S,   Ω = J_R u + ν_R,   v̇_S = J_S u̇ + β_S,   Ω̇ = J_R u̇ + β_R
+///
+/// All components are those of I.
 #pragma once
 #include <dynamy/core/types.hpp>
 

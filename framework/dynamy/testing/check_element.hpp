@@ -1,8 +1,7 @@
 /// Checks of user elements: do M, h, q̇, frames, W, χ, bias and prox fit together?
 ///
 ///   const Verdict check = checkSystem(toy);
-///   EXPECT_TRUE(check) << check.message();      // toy: M[2,1] = 0.3 but M[1,2] = 0.2: not
-///   symmetric
+///   EXPECT_TRUE(check) << check.message();  // toy: M[2,1] = 0.3 but M[1,2] = 0.2: not symmetric
 ///
 /// Every derivative is compared with a 4-point difference along the motion q ← q ⊕ s q̇, at random
 /// states near the start. The difference carries its own error bound (two step lengths), so that no
