@@ -93,8 +93,6 @@ void Recorder::row(const StepView& view, double t, double theta) {
 }
 
 void Recorder::write(double t) {
-  hash_.add(t);
-  hash_.add(values_);
   lastRow_ = t;
   sink_.row(t, values_);
 }
@@ -133,7 +131,7 @@ void Recorder::archive(Archive& a) {
   std::uint64_t columns = values_.size();
   a(columns);
   if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
-  a(nextRow_), a(nextFrame_), a(lastRow_), a(lastFrame_), a(hash_);
+  a(nextRow_), a(nextFrame_), a(lastRow_), a(lastFrame_);
   if (nextRow_ < 0 || nextFrame_ < 0)
     throw ModelError("the checkpoint counts its recorded rows from below zero");
   sink_.archive(a);

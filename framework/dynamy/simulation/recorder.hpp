@@ -4,7 +4,6 @@
 /// Where the numbers go is a RecordSink: the files of the run folder (io), a table in memory
 /// (tests, comparisons). Writing files from here was rejected: simulation does not know io.
 #pragma once
-#include <dynamy/core/hash.hpp>
 #include <dynamy/simulation/record_sink.hpp>
 #include <dynamy/simulation/signal_sampler.hpp>
 #include <dynamy/simulation/step_impacts.hpp>
@@ -27,8 +26,6 @@ class Recorder final : public Observer {
   const std::vector<const NamedSignal*>& signals() const { return sampler_.signals(); }
   /// Why the sink can keep no more; empty: it can.
   std::string_view fault() const { return sink_.fault(); }
-  /// Over all rows so far.
-  const Hash& hash() const { return hash_; }
 
   void start(const StepView& initial) override;
   void step(const StepView& view) override;
@@ -50,7 +47,6 @@ class Recorder final : public Observer {
   TimeGrid rows_, frames_;
   long nextRow_ = 0, nextFrame_ = 0;
   double lastRow_ = -1.0, lastFrame_ = -1.0;
-  Hash hash_;
   std::vector<double> values_;
   std::vector<FramePose> poses_;
   std::vector<ContactRecord> contacts_;

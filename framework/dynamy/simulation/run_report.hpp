@@ -1,7 +1,7 @@
 /// RunReport: the figures of a run, and the observer that counts them.
 #pragma once
 #include <algorithm>
-#include <dynamy/core/hash.hpp>
+#include <cstdint>
 #include <dynamy/simulation/energy_ledger.hpp>
 #include <dynamy/simulation/record_sink.hpp>
 #include <dynamy/simulation/step_impacts.hpp>
@@ -137,7 +137,7 @@ struct RunReport {
   RunTrust trust;
   StartReport start;
   std::vector<Warning> warnings;  ///< at the end of the run
-  std::uint64_t hash = 0;         ///< of all recorded numbers and the final state
+  std::uint64_t hash = 0;         ///< of the motion: MotionHash
 
   /// True: a warning says that the run is not what the model asks for (WarningKind::qualifies).
   bool qualified() const;

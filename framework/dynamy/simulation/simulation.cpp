@@ -174,11 +174,7 @@ void Simulation::end() {
   forAll([&](Observer& o) { o.finish(last); });
   report_.t = x_.t;
   report_.energy = ledger_.report();
-  Hash hash = recorder_ ? recorder_->hash() : Hash();
-  hash.add(x_.t);
-  for (const Eigen::VectorXd* v : {&x_.q, &x_.u, &x_.memory})
-    hash.add(std::span(v->data(), static_cast<std::size_t>(v->size())));
-  report_.hash = hash.value();
+  report_.hash = motion_.value();
 }
 
 StepView Simulation::view(bool whole) {

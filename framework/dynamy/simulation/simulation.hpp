@@ -13,6 +13,7 @@
 #include <dynamy/integrator/projection.hpp>
 #include <dynamy/simulation/checks.hpp>
 #include <dynamy/simulation/ledger_rows.hpp>
+#include <dynamy/simulation/motion_hash.hpp>
 #include <dynamy/simulation/recorder.hpp>
 #include <dynamy/simulation/run_watch.hpp>
 #include <dynamy/simulation/time_loop.hpp>
@@ -81,7 +82,7 @@ class Simulation final : private Stepper {
   std::string fault() const;
   template <class Call>
   void forAll(Call&& call) {
-    call(statistics_), call(ledger_), call(watch_), call(checks_);
+    call(motion_), call(statistics_), call(ledger_), call(watch_), call(checks_);
     if (ledgerRows_) call(*ledgerRows_);
     if (recorder_) call(*recorder_);
     for (Observer* o : observers_) call(*o);
@@ -102,6 +103,7 @@ class Simulation final : private Stepper {
   std::vector<double> zero_, gammaE_;
   std::unique_ptr<TimeLoop> loop_;
   RunReport report_;
+  MotionHash motion_;
   StepStatistics statistics_;
   EnergyLedger ledger_;
   RunWatch watch_;

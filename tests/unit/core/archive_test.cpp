@@ -4,7 +4,10 @@
 #include <dynamy/core/error.hpp>
 #include <dynamy/core/hash.hpp>
 
+#include <bit>
 #include <cmath>
+#include <set>
+#include <vector>
 
 namespace dynamy {
 namespace {
@@ -72,14 +75,46 @@ TEST(CompensatedSum, KeepsWhatPlainSummationLoses) {
   EXPECT_EQ(sum.value(), 2.0);
 }
 
-TEST(Hash, IsFnv1aWith64Bits) {
-  // Published test vector: the empty input; and one more step by hand for the byte 0 eight times.
-  EXPECT_EQ(Hash().value(), 0xcbf29ce484222325u);
-  std::uint64_t h = 0xcbf29ce484222325u;
-  for (int i = 0; i < 8; ++i) h *= 0x100000001b3u;
-  Hash zero;
-  zero.add(0.0);
-  EXPECT_EQ(zero.value(), h);
+TEST(Hash, ChangesWithEveryBitOfEveryNumber) {
+  for (const std::size_t n : {1u, 5u, 32u, 70u}) {  // above 31 in four lanes
+    std::vector<double> x(n, 0.25);
+    std::set<std::uint64_t> seen;
+    const auto hashOf = [&x] {
+      Hash h;
+      h.add(x);
+      return h.value();
+    };
+    seen.insert(hashOf());
+    for (double& number : x)
+      for (int bit = 0; bit < 64; ++bit) {
+        const double before = number;
+        number = std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ 1ull << bit);
+        EXPECT_TRUE(seen.insert(hashOf()).second) << n << ' ' << bit;
+        number = before;
+      }
+  }
+}
+
+TEST(Hash, TellsOrderSignOfZeroAndLengthApart) {
+  const auto hashOf = [](const std::vector<double>& x) {
+    Hash h;
+    h.add(x);
+    return h.value();
+  };
+  EXPECT_NE(hashOf({1.0, 2.0}), hashOf({2.0, 1.0}));
+  EXPECT_NE(hashOf({0.0}), hashOf({-0.0}));
+  EXPECT_NE(hashOf({0.0}), hashOf({0.0, 0.0}));
+  Hash a, b;
+  a.addBytes("ab"), b.addBytes(std::string_view("ab\0", 3));
+  EXPECT_NE(a.value(), b.value());
+}
+
+TEST(Hash, IsTheFormulaOfItsHead) {
+  Hash h;
+  h.add(std::uint64_t{7});
+  std::uint64_t expected = (14695981039346656037u ^ 7u) * 0x9e3779b97f4a7c15u;
+  expected ^= expected >> 32u;
+  EXPECT_EQ(h.value(), expected);
 }
 
 }  // namespace

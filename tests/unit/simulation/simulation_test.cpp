@@ -221,6 +221,30 @@ TEST(Simulation, SameModelSameHashAndAnotherModelAnother) {
   EXPECT_NE(hashOf(1.0), hashOf(std::nextafter(1.0, 2.0)));
 }
 
+TEST(Simulation, TheHashCoversTheStepsAndNotWhatIsRecorded) {
+  const auto hashOf = [](double step, double every, bool recorded) {
+    Model m = ballOnFloor(1.0, 1.0, 0.5, 0.3, 2.0, step);
+    m.record.every = every;
+    m.build();
+    Table table;
+    Simulation s(m);
+    if (recorded) s.record(table);
+    return s.run().hash;
+  };
+  const std::uint64_t alone = hashOf(1e-3, 0.0, false);
+  EXPECT_EQ(hashOf(1e-3, 0.0, true), alone);
+  EXPECT_EQ(hashOf(1e-3, 0.37, true), alone);
+  EXPECT_EQ(hashOf(1e-3, 1e-4, true), alone);
+  EXPECT_NE(hashOf(5e-4, 0.0, false), alone);
+  // At rest every state is the same, but not the steps to it.
+  const auto restingFor = [](double until, double step) {
+    Model m = ballOnFloor(0.0, 0.0, 0.0, 0.0, until, step);
+    m.build();
+    return Simulation(m).run().hash;
+  };
+  EXPECT_NE(restingFor(1.0, 0.1), restingFor(1.0, 0.05));
+}
+
 TEST(Simulation, ACheckpointOfAnotherModelIsRefused) {
   Model m = ballOnFloor(1.0, 0.0, 0.5, 0.0, 0.1, 1e-2);
   m.build();
