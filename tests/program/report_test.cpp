@@ -65,9 +65,9 @@ TEST_F(Report, ShowsWhatAnEndedOrFailedRunHas) {
   fs::remove(path("o/events.csv"));
   EXPECT_EQ(call("report o"), 0) << err();
   write("o/run.json", "{\"format\": \"dynamy-run\", \"state\" }");
-  EXPECT_EQ(call("report o"), 1);
+  EXPECT_EQ(call("report o"), 2);
   EXPECT_NE(err().find("run.json:1:34: expected ':'"), std::string::npos) << err();
-  EXPECT_EQ(call("report nowhere"), 1);
+  EXPECT_EQ(call("report nowhere"), 2);
   EXPECT_NE(err().find("holds no run"), std::string::npos) << err();
 }
 
