@@ -37,11 +37,12 @@ std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
     std::error_code error;
     if (isNew && std::filesystem::is_regular_file(d.place.file, error)) {
       std::ifstream in(d.place.file, std::ios::binary);
-      std::ostringstream text;
-      text << in.rdbuf();
-      at->second.emplace(text.str(), d.place.file);
+      std::ostringstream whole;
+      whole << in.rdbuf();
+      at->second.emplace(whole.str(), d.place.file);
     }
-    if (at->second) d.sourceLine = at->second->shownLine(d.place);
+    const std::optional<SourceText>& text = at->second;
+    if (text) d.sourceLine = text->shownLine(d.place);
   }
   return all;
 }

@@ -109,7 +109,7 @@ std::string FolderLock::holder(const fs::path& folder) {
   const int file = ::open((folder / kName).c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return {};
   const bool held = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  const std::string who = held ? textOf(file) : "";
+  std::string who = held ? textOf(file) : "";
   ::close(file);
   return who;
 }
