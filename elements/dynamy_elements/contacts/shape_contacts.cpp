@@ -37,6 +37,14 @@ Diagnostic missingLaw(const Shape& a, const Shape& b, Diagnostic said) {
   return d;
 }
 
+/// The law of two shapes has more rows than their contact offers.
+Diagnostic tooManyRows(const Shape& a, const Shape& b, bool contour) {
+  return contour ? pairFault(a, b, "the way along a contour is known on half spaces only",
+                             "leave contour=\"…\" away, or take a HalfSpace")
+                 : pairFault(a, b, "the law has more rows than a contact in a plane offers",
+                             "take a law without a spin row, or bodies in space");
+}
+
 Diagnostic missingPair(const Shape& a, const Shape& b, bool thin) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
@@ -309,14 +317,9 @@ void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
   }
   made.rows = offeredRows(planes_[made.plane]);
   const int asked = made.law->dim(made.rows);
-  if (asked == kContourRows && made.meets != Meeting::overHalfSpace)
-    search.fault(i, j, ma, mb,
-                 pairFault(shapeA, shapeB, "the way along a contour is known on half spaces only",
-                           "leave contour=\"…\" away, or take a HalfSpace"));
-  else if (asked > (planes_[made.plane].isZero(0.0) ? kContourRows : made.rows))
-    search.fault(i, j, ma, mb,
-                 pairFault(shapeA, shapeB, "the law has more rows than a contact in a plane offers",
-                           "take a law without a spin row, or bodies in space"));
+  const bool contour = asked == kContourRows && made.meets != Meeting::overHalfSpace;
+  if (contour || asked > (planes_[made.plane].isZero(0.0) ? kContourRows : made.rows))
+    search.fault(i, j, ma, mb, tooManyRows(shapeA, shapeB, contour));
   const GrainFault grain = grainFault(*A, *B, made.meets, *made.law, made.rows);
   if (!grain.text.empty())
     search.fault(i, j, ma, mb, pairFault(shapeA, shapeB, grain.text, grain.hint));
