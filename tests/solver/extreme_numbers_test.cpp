@@ -8,6 +8,7 @@
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/diagnosis.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
+#include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
 #include <dynamy/solver/successive_laws.hpp>
@@ -26,6 +27,8 @@ Solvers solvers() {
   out["Automatic"] = std::make_unique<Automatic>(
       AutomaticOptions{.tolerance = 1e-8, .maxNewton = 50, .maxPatient = 50, .maxIterations = 300});
   out["BlockGaussSeidel"] = std::make_unique<BlockGaussSeidel>(sweeps);
+  out["PackedGaussSeidel"] =
+      std::make_unique<PackedGaussSeidel>(PackedOptions{.tolerance = 1e-8, .maxIterations = 300});
   out["ProxGaussSeidel"] = std::make_unique<ProxGaussSeidel>(sweeps);
   out["ProxJacobi"] = std::make_unique<ProxJacobi>(sweeps);
   out["ProxBlockMetric"] = std::make_unique<ProxBlockMetric>(sweeps);

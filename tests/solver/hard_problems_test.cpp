@@ -7,6 +7,7 @@
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/diagnosis.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
+#include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
 #include <dynamy/solver/successive_laws.hpp>
@@ -111,6 +112,8 @@ TEST(HardProblems, EverySolverEndsSoonAfterItIsToldTo) {
   all["Automatic"] = std::make_unique<Automatic>(AutomaticOptions{.tolerance = kNever});
   const ProxOptions sweeps{.tolerance = kNever};
   all["BlockGaussSeidel"] = std::make_unique<BlockGaussSeidel>(sweeps);
+  all["PackedGaussSeidel"] =
+      std::make_unique<PackedGaussSeidel>(PackedOptions{.tolerance = kNever});
   all["ProxGaussSeidel"] = std::make_unique<ProxGaussSeidel>(sweeps);
   all["ProxJacobi"] = std::make_unique<ProxJacobi>(sweeps);
   all["ProxBlockMetric"] = std::make_unique<ProxBlockMetric>(sweeps);

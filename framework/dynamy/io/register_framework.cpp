@@ -24,6 +24,7 @@
 #include <dynamy/solver/block_gauss_seidel.hpp>
 #include <dynamy/solver/impact_law.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
+#include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <dynamy/solver/poisson_impact.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
@@ -58,6 +59,7 @@ void registerFramework(Registry& registry) {
   registry.add<BlockGaussSeidel>("BlockGaussSeidel");
   registry.add<ProxGaussSeidel>("ProxGaussSeidel");
   registry.add<ProxJacobi>("ProxJacobi");
+  registry.add<PackedGaussSeidel>("PackedGaussSeidel");
   registry.add<ProximalNewton>("ProximalNewton");
   registry.add<SemismoothNewton>("SemismoothNewton");
   registry.add<LemkeSolver>("Lemke");

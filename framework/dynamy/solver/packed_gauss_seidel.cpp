@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/parameters.hpp>
+#include <dynamy/solver/packed_gauss_seidel.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+constexpr int kSweepsPerTest = 10;  ///< a test costs about as much as two sweeps
+/// A start with a larger residual is compared with zero: forces of a contact that turned since.
+constexpr double kFarStart = 1.0;
+/// Of the tolerance: the packed measure and the full one differ by rounding.
+constexpr double kSafe = 0.999;
+/// Stalled: the best residual is not below this part of itself …
+constexpr double kProgress = 0.99;
+/// … as many sweeps ago, or half of all.
+constexpr int kPatience = 1000;
+/// A residual this many times the best one is on its way to nowhere: back to that, with a smaller
+/// β. Corners of faces have λ down to −0.5 in (4.25), and diverge with β > ½.
+constexpr double kLost = 3.0, kLess = 0.8;
+/// β of problems that cannot be packed, the default of BlockGaussSeidel at most.
+constexpr double kPlainMomentum = 0.7;
+
+ProxOptions plain(const PackedOptions& options) {
+  return {.tolerance = options.tolerance,
+          .maxIterations = options.maxIterations,
+          .momentum = std::min(options.momentum, kPlainMomentum)};
+}
+
+}  // namespace
+
+PackedGaussSeidel::PackedGaussSeidel(const PackedOptions& options)
+    : options_(options), plain_(plain(options)) {}
+
+PackedGaussSeidel::PackedGaussSeidel(const Parameters& x)
+    : InclusionSolver(x),
+      options_{x["tolerance"], x["maxIterations"].integer(), x["momentum"]},
+      plain_(plain(options_)) {}
+
+SolveReport PackedGaussSeidel::solve(const InclusionProblem& p, Vec Lambda) {
+  SolveReport report;
+  if (p.rows() == 0) return report;
+  report.residuals = residuals(p, view(Lambda), scratch_);
+  if (report.residuals.largest() <= acceptedStart(p, options_.tolerance)) {
+    report.warmAccepted = true;
+    return report;
+  }
+  if (!std::isfinite(report.residuals.largest())) {
+    report.status = SolveStatus::notFinite;
+    return report;
+  }
+  if (sweeps(p, options_.tolerance, options_.maxIterations, Lambda, report)) return report;
+  return report.iterations > 0 ? report : plain_.solve(p, Lambda);
+}
+
+void PackedGaussSeidel::chooseStart(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
+  if (report.residuals.largest() <= kFarStart || Lambda.isZero(0.0)) return;
+  best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
+  Lambda.setZero();
+  const Residuals cold = residuals(p, view(Lambda), scratch_);
+  if (cold.largest() < report.residuals.largest())
+    report.residuals = cold;
+  else
+    std::copy(best_.begin(), best_.end(), Lambda.data());
+}
+
+double PackedGaussSeidel::tested(const InclusionProblem& p) {
+  const PackedMeasure now = packed_.measure(p);
+  const double force = std::max(std::sqrt(now.Lambda2), packed_.largestRho() * p.uRef);
+  const double Ef = force > 0.0 ? std::sqrt(now.force2) / force : 0.0;
+  const double Eu = p.uRef > 0.0 ? std::sqrt(now.velocity2) / p.uRef : 0.0;
+  return std::isfinite(Ef + Eu) ? std::max(Ef, Eu) : std::numeric_limits<double>::infinity();
+}
+
+bool PackedGaussSeidel::sweeps(const InclusionProblem& p, double tolerance, int most, Vec Lambda,
+                               SolveReport& report) {
+  // A measure of its own is not known to batches.
+  if (p.rule || !packed_.prepare(p)) return false;
+  report.method = "packed sweeps";
+  chooseStart(p, Lambda, report);
+  packed_.load(Lambda.data());
+  best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
+  double best = report.residuals.largest(), bound = options_.momentum, mark = best;
+  double asked = kSafe * tolerance;
+  report.status = SolveStatus::maxIterations;
+  for (int sweep = 1, k = 1, marked = 0; sweep <= most; ++sweep) {
+    const double beta = std::min(bound, (k - 1.0) / (k + 2.0));
+    k = packed_.sweep(p, beta) > 0.0 ? 1 : k + 1;
+    ++report.iterations;
+    if (sweep % kSweepsPerTest != 0 && sweep != most) continue;
+    const double now = tested(p);
+    if (now < best) best = now, packed_.store(best_.data());
+    if (!(now <= kLost * best)) {
+      packed_.load(best_.data());
+      bound *= kLess, k = 1;
+    }
+    if (best <= kProgress * mark) mark = best, marked = sweep;
+    if (sweep - marked > std::max(kPatience, sweep / 2)) {
+      report.status = SolveStatus::stalled;
+      break;
+    }
+    if (now > asked) continue;
+    packed_.store(Lambda.data());
+    report.residuals = residuals(p, view(Lambda), scratch_);
+    if (report.residuals.largest() <= tolerance) {
+      report.status = SolveStatus::solved;
+      return true;
+    }
+    asked *= 0.5;
+  }
+  std::copy(best_.begin(), best_.end(), Lambda.data());
+  report.residuals = residuals(p, view(Lambda), scratch_);
+  if (report.residuals.largest() <= tolerance) report.status = SolveStatus::solved;
+  return report.ok();
+}
+
+void PackedGaussSeidel::declare(Attributes& a) {
+  a.about(
+      "Gauss-Seidel over eight contacts at a time, with momentum: many contacts of rigid bodies at "
+      "engineering accuracy.");
+  a.optional("tolerance", Unit::none, 1e-2, "residuals E_f and E_u at which the solver stops")
+      .positive();
+  a.add(AttributeType::integer, "maxIterations", "10000", "sweeps after which it gives up").min = 1;
+  a.optional("momentum", Unit::none, 0.9,
+             "part of the last change by which a sweep starts further on; 0: none")
+      .between(0.0, 1.0);
+  a.example(
+      "<simulation until=\"1\" step=\"2ms\"><PackedGaussSeidel "
+      "maxIterations=\"50\"/></simulation>");
+}
+
+}  // namespace dynamy
