@@ -20,7 +20,7 @@ namespace dynamy::app {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kLong = 0.5;  ///< [s] points that cost more are run once
+constexpr double kLongRun = 0.5;  ///< [s] points that cost more are run once
 
 struct PrecisionChoice {
   std::string out = "runs/work_precision", folder, peersIn;
@@ -103,7 +103,7 @@ void measure(Program& program, PrecisionChart& m, const PrecisionChoice& c) {
       if (terminal)
         fmt::print(stderr, "\r turn {} of {}, point {} of {} ", turn + 1, c.quick ? 1 : c.repeats,
                    i + 1, m.points.size());
-      const bool again = std::isfinite(m.results[i].error) && m.results[i].cpu < kLong;
+      const bool again = std::isfinite(m.results[i].error) && m.results[i].cpu < kLongRun;
       if (turn > 0 && !again) continue;
       const PrecisionResult r = runPoint(program, m.scenes, m.points[i], c.limit);
       if (turn == 0) m.results[i] = r;

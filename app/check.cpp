@@ -185,7 +185,7 @@ double stepCount(const Model& model) {
   return s.step > 0.0 ? std::ceil(s.until / s.step * (1.0 - 1e-12)) : 0.0;
 }
 
-std::string durationText(double seconds) {
+std::string costText(double seconds) {
   if (seconds < 1e-4) return fmt::format("{:.2g} us", 1e6 * seconds);
   if (seconds < 0.1) return fmt::format("{:.2g} ms", 1e3 * seconds);
   if (seconds < 100.0) return fmt::format("{:.2g} s", seconds);
@@ -201,11 +201,11 @@ std::string needsText(const Model& model, const Sizes& s, const RunSizes& run) {
       "{:g} "
       "poses\n",
       bytesText(s.memory), bytesText(run.bytes), run.rows, run.columns, run.pictures, run.poses);
-  out += fmt::format(" an evaluation at the start takes about {}", durationText(s.evaluation));
+  out += fmt::format(" an evaluation at the start takes about {}", costText(s.evaluation));
   const double steps = stepCount(model);
   if (steps > 0.0)
-    out += fmt::format(": {:.6g} steps take about {} or more", steps,
-                       durationText(steps * s.evaluation));
+    out +=
+        fmt::format(": {:.6g} steps take about {} or more", steps, costText(steps * s.evaluation));
   out += "\n";
   std::error_code error;
   const auto space = std::filesystem::space(".", error);

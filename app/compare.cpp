@@ -40,13 +40,13 @@ struct Point {
   Ends ends;
 };
 
-struct Task {
+struct CompareTask {
   RunChoice choice;
   std::vector<std::string> set, integrators, steps;
   std::string until, csv;
 };
 
-Point runOnce(Program& program, const Task& task, const std::string& integrator, double step,
+Point runOnce(Program& program, const CompareTask& task, const std::string& integrator, double step,
               std::vector<std::string>& signals) {
   Point p;
   p.integrator = integrator, p.step = step;
@@ -76,7 +76,7 @@ void measure(Point& p, const Point& reference, const std::vector<std::string>& s
   }
 }
 
-void compare(Program& program, Task& task) {
+void compare(Program& program, CompareTask& task) {
   program.load();
   for (const std::string& s : task.set) task.choice.set.push_back(assignment(s));
   if (!task.until.empty()) task.choice.until = seconds(task.until, "--until");
@@ -127,7 +127,7 @@ void compare(Program& program, Task& task) {
 }  // namespace
 
 void addCompare(CLI::App& app, Program& program) {
-  auto t = std::make_shared<Task>();
+  auto t = std::make_shared<CompareTask>();
   CLI::App* c = app.add_subcommand("compare", "error against work of schemes and steps on a model");
   c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--integrators", t->integrators, "schemes; default: the model's")

@@ -13,15 +13,15 @@ namespace dynamy::app {
 namespace {
 
 /// What a value may be.
-struct Values {
+struct OptionValues {
   std::string words;    ///< known words
   std::string list;     ///< else: options of `dynamy list --names` that print them
   std::string ending;   ///< else: files with this ending, "*" for any
   bool folder = false;  ///< else: a folder
 };
 
-Values valuesOf(const OptionText& o) {
-  Values v;
+OptionValues valuesOf(const OptionText& o) {
+  OptionValues v;
   if (!o.choices.empty())
     v.words = fmt::format("{}", fmt::join(o.choices, " "));
   else if (o.value == "SCHEME" || o.value == "SCHEMES")
@@ -58,7 +58,7 @@ std::string commandNames(const std::vector<CommandText>& commands) {
 
 /// Lines of bash that set `words`, `ending` or `folder` for the value.
 std::string bashValue(const OptionText& o) {
-  const Values v = valuesOf(o);
+  const OptionValues v = valuesOf(o);
   if (!v.words.empty()) return fmt::format("words=\"{}\"", v.words);
   if (!v.list.empty())
     return fmt::format("words=$(\"${{COMP_WORDS[0]}}\" list --names{} 2>/dev/null)",
@@ -127,7 +127,7 @@ std::string quoted(const std::string& text, const std::string& shell) {
 
 /// ":word:action" of _arguments.
 std::string zshValue(const OptionText& o) {
-  const Values v = valuesOf(o);
+  const OptionValues v = valuesOf(o);
   std::string action = " ";
   if (!v.words.empty()) action = "(" + v.words + ")";
   // A space in front: _arguments gives no arguments of its own.
@@ -171,7 +171,7 @@ std::string zsh(const CLI::App& app) {
 }
 
 std::string fishValue(const OptionText& o) {
-  const Values v = valuesOf(o);
+  const OptionValues v = valuesOf(o);
   if (!v.words.empty()) return fmt::format(" -x -a '{}'", v.words);
   if (!v.list.empty())
     return fmt::format(" -x -a '(dynamy list --names{} 2>/dev/null)'", v.list == " " ? "" : v.list);

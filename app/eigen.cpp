@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Task {
+struct EigenTask {
   std::string model, over, rootOf, out;
   std::vector<std::string> set, start;
   double near = LinearisationOptions{}.near;
@@ -57,7 +57,7 @@ void place(const Model& model, const std::string& text, State& x) {
 
 class Eigenvalues {
  public:
-  Eigenvalues(Program& program, const Task& task) : program_(program), task_(task) {
+  Eigenvalues(Program& program, const EigenTask& task) : program_(program), task_(task) {
     for (const std::string& s : task.set) options_.set.push_back(assignment(s));
   }
   Model load() const {
@@ -147,11 +147,11 @@ class Eigenvalues {
   }
 
   Program& program_;
-  const Task& task_;
+  const EigenTask& task_;
   LoadOptions options_;
 };
 
-void eigen(Program& program, const Task& task) {
+void eigen(Program& program, const EigenTask& task) {
   const Eigenvalues all(program, task);
   Model model = all.load();
   const Linearisation l = all.solve(model);
@@ -181,7 +181,7 @@ void eigen(Program& program, const Task& task) {
 }  // namespace
 
 void addEigen(CLI::App& app, Program& program) {
-  auto t = std::make_shared<Task>();
+  auto t = std::make_shared<EigenTask>();
   CLI::App* c = app.add_subcommand("eigen",
                                    "eigenvalues of small disturbances of a steady motion, with "
                                    "closed contacts and joints as constraints");

@@ -18,7 +18,7 @@ namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
 
-struct Texts {
+struct PluginTexts {
   std::string name, kind, out;
 };
 
@@ -89,7 +89,7 @@ const KindText& kindOf(const std::string& kind) {
                              "no kind \"" + kind + "\" — " + unknownNameHint(kind, known));
 }
 
-void newPlugin(Program& program, const Texts& t) {
+void newPlugin(Program& program, const PluginTexts& t) {
   const KindText& kind = kindOf(t.kind);
   program.load();
   checkName(program, t.name);
@@ -122,7 +122,7 @@ void newPlugin(Program& program, const Texts& t) {
 }  // namespace
 
 void addNewPlugin(CLI::App& app, Program& program) {
-  auto t = std::make_shared<Texts>();
+  auto t = std::make_shared<PluginTexts>();
   CLI::App* c =
       app.add_subcommand("new-plugin", "write a plug-in that builds, runs and passes its test");
   c->add_option("PLUGIN", t->name,

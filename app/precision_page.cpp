@@ -12,7 +12,7 @@
 namespace dynamy::app {
 namespace {
 
-std::string field(const std::string& text) {
+std::string pointField(const std::string& text) {
   std::string out;
   appendCsvField(out, text);
   return out;
@@ -69,9 +69,9 @@ std::string precisionCsv(const PrecisionChart& m) {
     const PrecisionPoint& p = m.points[i];
     const PrecisionResult& r = m.results[i];
     out += fmt::format("{},{},{},{},{},{:.6g},{},{}\n",
-                       m.scenes[static_cast<std::size_t>(p.scene)].name, field(p.engine),
-                       field(p.method), field(p.setting), r.error, r.cpu, r.evaluations,
-                       field(r.note));
+                       m.scenes[static_cast<std::size_t>(p.scene)].name, pointField(p.engine),
+                       pointField(p.method), pointField(p.setting), r.error, r.cpu, r.evaluations,
+                       pointField(r.note));
   }
   return out;
 }

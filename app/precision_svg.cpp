@@ -11,8 +11,9 @@
 namespace dynamy::app {
 namespace {
 
-constexpr double kWidth = 940.0, kLeft = 66.0, kTop = 34.0, kRight = 600.0, kBottom = 440.0;
-constexpr double kRow = 17.0;        ///< of the legend
+constexpr double kChartWidth = 940.0, kChartLeft = 66.0, kChartTop = 34.0, kChartRight = 600.0,
+                 kBottom = 440.0;
+constexpr double kLegendRow = 17.0;  ///< of the legend
 constexpr double kSmallest = 1e-16;  ///< errors below are drawn here
 
 // Colours by Okabe and Ito, dark ones of one family for the own methods; each line has a mark of
@@ -26,15 +27,15 @@ constexpr std::array kEngines = {Engine{"Siconos", "#d55e00"}, Engine{"Simbody",
                                  Engine{"DART", "#7f6000"},    Engine{"MuJoCo", "#e69f00"},
                                  Engine{"Rapier", "#636363"}};
 
-struct Line {
+struct CurveLine {
   std::string engine, method, colour;
   int mark = 0;
   std::vector<std::size_t> points;
 };
 
-class Picture {
+class ChartPicture {
  public:
-  Picture(const PrecisionChart& m, int scene) : m_(m), scene_(scene) {
+  ChartPicture(const PrecisionChart& m, int scene) : m_(m), scene_(scene) {
     for (std::size_t i = 0; i < m.points.size(); ++i)
       if (m.points[i].scene == scene && std::isfinite(m.results[i].error) && m.results[i].cpu > 0.0)
         add(i);
@@ -42,15 +43,15 @@ class Picture {
     ranges();
   }
   std::string text() {
-    const double legend = kTop + kRow * (static_cast<double>(lines_.size()) + 1.0);
+    const double legend = kChartTop + kLegendRow * (static_cast<double>(lines_.size()) + 1.0);
     const double height = std::max(kBottom + 46.0, legend + 10.0);
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
         "font-family=\"system-ui,sans-serif\" font-size=\"11.5\" fill=\"#1b1f24\">\n"
         "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
-        kWidth, height);
+        kChartWidth, height);
     axes();
-    for (const Line& line : lines_) draw(line);
+    for (const CurveLine& line : lines_) draw(line);
     legendText();
     return out_ + "</svg>\n";
   }
@@ -58,7 +59,7 @@ class Picture {
  private:
   void add(std::size_t i) {
     const PrecisionPoint& p = m_.points[i];
-    for (Line& line : lines_)
+    for (CurveLine& line : lines_)
       if (line.engine == p.engine && line.method == p.method) {
         line.points.push_back(i);
         return;
@@ -67,7 +68,7 @@ class Picture {
   }
   void colours() {
     for (std::size_t k = 0; k < lines_.size(); ++k) {
-      Line& line = lines_[k];
+      CurveLine& line = lines_[k];
       for (std::size_t j = 0; j < k; ++j) line.mark += lines_[j].engine == line.engine ? 1 : 0;
       const auto nth = static_cast<std::size_t>(line.mark);
       line.colour = "#444444";
@@ -79,7 +80,7 @@ class Picture {
   double error(std::size_t i) const { return std::max(m_.results[i].error, kSmallest); }
   void ranges() {
     double xLow = 1e300, xHigh = 0.0, yLow = 1e300, yHigh = 0.0;
-    for (const Line& line : lines_)
+    for (const CurveLine& line : lines_)
       for (const std::size_t i : line.points) {
         xLow = std::min(xLow, m_.results[i].cpu), xHigh = std::max(xHigh, m_.results[i].cpu);
         yLow = std::min(yLow, error(i)), yHigh = std::max(yHigh, error(i));
@@ -92,38 +93,39 @@ class Picture {
     x1_ = std::max(x1_, x0_ + 1.0), y1_ = std::max(y1_, y0_ + 1.0);
   }
   double x(double cpu) const {
-    return kLeft + (kRight - kLeft) * (std::log10(cpu) - x0_) / (x1_ - x0_);
+    return kChartLeft + (kChartRight - kChartLeft) * (std::log10(cpu) - x0_) / (x1_ - x0_);
   }
   double y(double e) const {
-    return kBottom - (kBottom - kTop) * std::min((std::log10(e) - y0_) / (y1_ - y0_), 1.0);
+    return kBottom - (kBottom - kChartTop) * std::min((std::log10(e) - y0_) / (y1_ - y0_), 1.0);
   }
   void axes() {
     out_ +=
         fmt::format("<text x=\"{:.0f}\" y=\"20\" font-size=\"13\" font-weight=\"600\">{}</text>\n",
-                    kLeft, escapedXml(m_.scenes[static_cast<std::size_t>(scene_)].title));
+                    kChartLeft, escapedXml(m_.scenes[static_cast<std::size_t>(scene_)].title));
     for (int k = static_cast<int>(x0_); k <= static_cast<int>(x1_); ++k)
       out_ += fmt::format(
           "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#dfe3e8\"/><text x=\"{0:.1f}\" y=\"{3}\" "
           "text-anchor=\"middle\" fill=\"#5f6c7b\">{4}</text>\n",
-          x(std::pow(10.0, k)), kTop, kBottom, kBottom + 16.0, power(k));
+          x(std::pow(10.0, k)), kChartTop, kBottom, kBottom + 16.0, power(k));
     const int every = y1_ - y0_ > 10.5 ? 2 : 1;
     for (int k = static_cast<int>(y0_); k <= static_cast<int>(y1_); ++k)
       if ((k - static_cast<int>(y0_)) % every == 0)
         out_ += fmt::format(
             "<path d=\"M{1} {0:.1f}H{2}\" stroke=\"#dfe3e8\"/><text x=\"{3}\" y=\"{4:.1f}\" "
             "text-anchor=\"end\" fill=\"#5f6c7b\">{5}</text>\n",
-            y(std::pow(10.0, k)), kLeft, kRight, kLeft - 7.0, y(std::pow(10.0, k)) + 4.0, power(k));
+            y(std::pow(10.0, k)), kChartLeft, kChartRight, kChartLeft - 7.0,
+            y(std::pow(10.0, k)) + 4.0, power(k));
     out_ += fmt::format(
         "<text x=\"{0:.0f}\" y=\"{1:.0f}\" text-anchor=\"middle\">CPU time [s]</text>\n"
         "<text x=\"16\" y=\"{2:.0f}\" text-anchor=\"middle\" transform=\"rotate(-90 16 {2:.0f})\">"
         "error</text>\n",
-        0.5 * (kLeft + kRight), kBottom + 36.0, 0.5 * (kTop + kBottom));
+        0.5 * (kChartLeft + kChartRight), kBottom + 36.0, 0.5 * (kChartTop + kBottom));
   }
   static std::string power(int k) {
     return fmt::format("10<tspan dy=\"-4\" font-size=\"8.5\">{}{}</tspan>", k < 0 ? "−" : "",
                        std::abs(k));
   }
-  void draw(const Line& line) {
+  void draw(const CurveLine& line) {
     std::string path;
     for (const std::size_t i : line.points)
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x(m_.results[i].cpu),
@@ -145,7 +147,7 @@ class Picture {
     return fmt::format(" stroke-dasharray=\"{}\"",
                        kDashes[static_cast<std::size_t>(n) % kDashes.size()]);
   }
-  static std::string mark(const Line& line, double px, double py) {
+  static std::string mark(const CurveLine& line, double px, double py) {
     const char* fill = line.engine == "dynamY" ? line.colour.c_str() : "#ffffff";
     const std::string look =
         fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.4\"", fill, line.colour);
@@ -163,9 +165,9 @@ class Picture {
     }
   }
   void legendText() {
-    double row = kTop + 8.0;
-    const double left = kRight + 24.0;
-    for (const Line& line : lines_) {
+    double row = kChartTop + 8.0;
+    const double left = kChartRight + 24.0;
+    for (const CurveLine& line : lines_) {
       const bool own = line.engine == "dynamY";
       out_ += fmt::format(
           "<path d=\"M{:.0f} {:.1f}h26\" stroke=\"{}\" stroke-width=\"{}\"{}/>{}"
@@ -173,13 +175,13 @@ class Picture {
           left, row, line.colour, own ? 2.2 : 1.3, own || line.mark == 0 ? "" : dashes(line.mark),
           mark(line, left + 13.0, row), left + 34.0, row + 4.0, own ? " font-weight=\"600\"" : "",
           escapedXml(line.engine + ": " + line.method));
-      row += kRow;
+      row += kLegendRow;
     }
   }
 
   const PrecisionChart& m_;
   int scene_;
-  std::vector<Line> lines_;
+  std::vector<CurveLine> lines_;
   double x0_ = 0.0, x1_ = 1.0, y0_ = 0.0, y1_ = 1.0;
   std::string out_;
 };
@@ -187,7 +189,7 @@ class Picture {
 }  // namespace
 
 std::string precisionSvg(const PrecisionChart& chart, int scene) {
-  return Picture(chart, scene).text();
+  return ChartPicture(chart, scene).text();
 }
 
 }  // namespace dynamy::app

@@ -12,7 +12,7 @@
 namespace dynamy::app {
 namespace {
 
-constexpr int kWidth = 16;
+constexpr int kBarWidth = 16;
 constexpr auto kQuietFor = std::chrono::seconds(10);
 constexpr auto kRefresh = std::chrono::milliseconds(90);
 
@@ -39,9 +39,9 @@ void StatusLine::show(double part, const std::string& text) {
     fmt::print(stderr, "{:.0f} %   {}\n", 100.0 * part, text);
     return;
   }
-  const auto full = static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * kWidth);
+  const auto full = static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * kBarWidth);
   std::string line =
-      fmt::format(" [{}{}] {}", std::string(full, '#'), std::string(kWidth - full, ' '), text);
+      fmt::format(" [{}{}] {}", std::string(full, '#'), std::string(kBarWidth - full, ' '), text);
   // The end of a long line is what can be spared; a cut inside of a character must not be.
   while (characterCount(line) >= columns()) {
     while ((static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();

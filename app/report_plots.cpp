@@ -16,8 +16,8 @@
 namespace dynamy::app {
 namespace {
 
-constexpr double kWidth = 1000, kLeft = 190, kRight = 24, kRow = 24, kBar = 14;
-constexpr std::size_t kMostRows = 30;
+constexpr double kPlotWidth = 1000, kPlotLeft = 190, kPlotRight = 24, kPlotRow = 24, kBar = 14;
+constexpr std::size_t kMostPlotRows = 30;
 
 /// "" for what leaves no trace: an open contact.
 std::string colourOf(const std::string& status) {
@@ -42,7 +42,7 @@ bool isZero(const std::vector<double>& x) {
 std::string rowSvg(const std::vector<const EventLine*>& events, double y, double begin, double end,
                    double fastest) {
   const auto x = [&](double t) {
-    return kLeft + (t - begin) / (end - begin) * (kWidth - kLeft - kRight);
+    return kPlotLeft + (t - begin) / (end - begin) * (kPlotWidth - kPlotLeft - kPlotRight);
   };
   std::string bars, ticks;
   double since = begin;
@@ -51,8 +51,8 @@ std::string rowSvg(const std::vector<const EventLine*>& events, double y, double
   const auto bar = [&](double until) {
     if (const std::string colour = colourOf(status); !colour.empty())
       bars += fmt::format("<rect x='{:.2f}' y='{:.1f}' width='{:.2f}' height='{}' fill='{}'/>\n",
-                          x(since), y + (kRow - kBar) / 2, std::max(x(until) - x(since), 0.4), kBar,
-                          colour);
+                          x(since), y + (kPlotRow - kBar) / 2, std::max(x(until) - x(since), 0.4),
+                          kBar, colour);
   };
   for (const EventLine* e : events) {
     status = e->from;  // a contact that opens right after its impact has no event of its own
@@ -60,9 +60,9 @@ std::string rowSvg(const std::vector<const EventLine*>& events, double y, double
     bar(e->t);
     since = e->t, status = e->to, hit = e->impact;
     if (!hit) continue;
-    const double height = 6 + (kRow - 6) * (fastest > 0.0 ? e->speed / fastest : 1.0);
-    ticks += fmt::format("<path d='M{0:.2f} {1:.1f}V{2:.1f}'/>\n", x(e->t), y + kRow - 1,
-                         y + kRow - 1 - height);
+    const double height = 6 + (kPlotRow - 6) * (fastest > 0.0 ? e->speed / fastest : 1.0);
+    ticks += fmt::format("<path d='M{0:.2f} {1:.1f}V{2:.1f}'/>\n", x(e->t), y + kPlotRow - 1,
+                         y + kPlotRow - 1 - height);
   }
   // Whether it opened after its last impact no event tells: as after the one before.
   if (hit && !afterImpact.empty()) status = afterImpact;
@@ -72,7 +72,7 @@ std::string rowSvg(const std::vector<const EventLine*>& events, double y, double
 
 std::string legend(double y) {
   std::string out;
-  double x = kLeft;
+  double x = kPlotLeft;
   for (const auto& [status, text] :
        std::vector<std::pair<std::string, std::string>>{{"stick", "sticks"},
                                                         {"slip", "slips or closed"},
@@ -116,17 +116,18 @@ std::string timelineSvg(const std::vector<EventLine>& events, double begin, doub
     return byContact[a].size() > byContact[b].size();
   });
   const std::size_t all = names.size();
-  names.resize(std::min(all, kMostRows));
+  names.resize(std::min(all, kMostPlotRows));
   std::sort(names.begin(), names.end());
 
-  const double top = 30, bottom = top + kRow * static_cast<double>(names.size());
+  const double top = 30, bottom = top + kPlotRow * static_cast<double>(names.size());
   std::string svg = fmt::format(
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 {0} {1}' width='{0}' height='{1}' "
       "font-family='Helvetica Neue,Arial,DejaVu Sans,sans-serif' font-size='12' fill='#52606d'>\n",
-      kWidth, bottom + 44);
+      kPlotWidth, bottom + 44);
   svg += legend(16);
   for (const auto ticks = niceTicks(begin, end, 11); const double t : ticks.values) {
-    const double x = kLeft + (t - begin) / (end - begin) * (kWidth - kLeft - kRight);
+    const double x =
+        kPlotLeft + (t - begin) / (end - begin) * (kPlotWidth - kPlotLeft - kPlotRight);
     svg += fmt::format("<path d='M{0:.2f} {1}V{2}' stroke='#e4e7eb'/>", x, top, bottom);
     svg += fmt::format("<text x='{:.2f}' y='{}' text-anchor='middle'>{}</text>\n", x, bottom + 16,
                        tickLabel(t, ticks.step));
@@ -134,16 +135,17 @@ std::string timelineSvg(const std::vector<EventLine>& events, double begin, doub
   double y = top;
   for (const std::string& name : names) {
     svg += fmt::format("<text x='{}' y='{}' text-anchor='end' fill='#1f2933'>{}</text>\n",
-                       kLeft - 10, y + kRow / 2 + 4, escapedXml(name));
+                       kPlotLeft - 10, y + kPlotRow / 2 + 4, escapedXml(name));
     svg += rowSvg(byContact[name], y, begin, end, fastest);
-    y += kRow;
+    y += kPlotRow;
   }
-  svg += fmt::format("<path d='M{0} {1}H{2}' stroke='#52606d'/>\n", kLeft, bottom, kWidth - kRight);
+  svg += fmt::format("<path d='M{0} {1}H{2}' stroke='#52606d'/>\n", kPlotLeft, bottom,
+                     kPlotWidth - kPlotRight);
   std::string label = "time [s]";
   if (all > names.size())
     label += fmt::format(" — {} more contacts with fewer events are left out", all - names.size());
   svg += fmt::format("<text x='{}' y='{}' text-anchor='middle' font-size='13'>{}</text>\n</svg>\n",
-                     (kLeft + kWidth - kRight) / 2, bottom + 36, label);
+                     (kPlotLeft + kPlotWidth - kPlotRight) / 2, bottom + 36, label);
   return svg;
 }
 

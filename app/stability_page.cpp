@@ -46,18 +46,18 @@ constexpr std::array<Look, 4> kLooks = {{{"#8fcfb8", "#0b4f3a", "", "pass"},
 const Look& look(Verdict v) { return kLooks[static_cast<std::size_t>(v)]; }
 
 /// Columns of the picture: schemes with the own solver, then solvers with the own scheme.
-struct Column {
+struct MatrixColumn {
   std::string name;
   bool scheme;
 };
 
-std::vector<Column> columnsOf(const StabilityMatrix& m) {
-  std::vector<Column> out;
+std::vector<MatrixColumn> columnsOf(const StabilityMatrix& m) {
+  std::vector<MatrixColumn> out;
   for (const bool scheme : {true, false})
     for (const StabilityTask& t : m.tasks) {
       if (scheme ? !t.ofSchemes : !t.ofSolvers) continue;
       const std::string& name = scheme ? t.scheme : t.solver;
-      const auto same = [&](const Column& c) { return c.scheme == scheme && c.name == name; };
+      const auto same = [&](const MatrixColumn& c) { return c.scheme == scheme && c.name == name; };
       if (std::none_of(out.begin(), out.end(), same)) out.push_back({name, scheme});
     }
   return out;
@@ -147,7 +147,7 @@ class Picture {
     }
   }
   const StabilityMatrix& m_;
-  std::vector<Column> columns_;
+  std::vector<MatrixColumn> columns_;
   std::vector<double> x_;
   double right_ = 0.0;
   std::string out_;

@@ -21,7 +21,7 @@ namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
 
-struct Texts {
+struct SweepTexts {
   std::string what, until, table, out, rows, emit, accept;
   Accepted accepted;
   std::vector<std::string> set, step, integrator, solver, measures;
@@ -30,11 +30,11 @@ struct Texts {
   bool keep = false, restart = false, collect = false, quiet = false;
 };
 
-std::atomic<bool>& interrupted() {
+std::atomic<bool>& interruptedSweep() {
   static std::atomic<bool> flag{false};
   return flag;
 }
-extern "C" void onSweepInterrupt(int) { interrupted() = true; }
+extern "C" void onSweepInterrupt(int) { interruptedSweep() = true; }
 
 /// Waiting for a process ends with the signal: no SA_RESTART.
 void catchInterrupt() {
@@ -51,7 +51,7 @@ std::string joined(const std::vector<std::string>& list) {
 }
 
 /// What the command line says.
-Sweep asked(const Texts& t) {
+Sweep asked(const SweepTexts& t) {
   Sweep s;
   s.choice.model = t.what, s.measures = t.measures, s.keep = t.keep;
   if (!t.until.empty()) s.choice.until = seconds(t.until, "--until");
@@ -94,7 +94,7 @@ void verifyCorners(Program& program, Sweep& s) {
   if (s.columns.empty()) std::rethrow_exception(fault);
 }
 
-SweepFolder begin(Program& program, const Texts& t) {
+SweepFolder begin(Program& program, const SweepTexts& t) {
   Sweep s = asked(t);
   program.load();
   s.choice.loaded = program.plugins.fingerprints();
@@ -112,7 +112,8 @@ std::string stateText(const Collected& c, std::size_t runs) {
   return out;
 }
 
-int finish(const Sweep& s, const SweepFolder& folder, const Texts& t, const std::string& more) {
+int finish(const Sweep& s, const SweepFolder& folder, const SweepTexts& t,
+           const std::string& more) {
   const Collected c = collect(s, folder, t.accepted);
   if (!t.quiet) {
     fmt::print(" {}{}\n", stateText(c, s.runs()), more);
@@ -127,7 +128,7 @@ int finish(const Sweep& s, const SweepFolder& folder, const Texts& t, const std:
 }
 
 /// All runs without a result, in processes of their own.
-int goOn(Program& program, const Sweep& s, const SweepFolder& folder, const Texts& t) {
+int goOn(Program& program, const Sweep& s, const SweepFolder& folder, const SweepTexts& t) {
   std::vector<std::size_t> left;
   for (std::size_t id = 1; id <= s.runs(); ++id)
     if (!folder.has(id)) left.push_back(id);
@@ -144,7 +145,7 @@ int goOn(Program& program, const Sweep& s, const SweepFolder& folder, const Text
   };
   const auto ended = [&](std::size_t k, int status) {
     ++done;
-    if (const std::string how = endText(status); !how.empty() && !interrupted()) {
+    if (const std::string how = endText(status); !how.empty() && !interruptedSweep()) {
       ++lost;
       line.end();
       fmt::print(stderr, "dynamy: run {}: {}; no result\n", left[k], how);
@@ -156,10 +157,10 @@ int goOn(Program& program, const Sweep& s, const SweepFolder& folder, const Text
                                   durationText(line.seconds() * (1.0 / part - 1.0))));
   };
   catchInterrupt();
-  inProcesses(left.size(), t.jobs, interrupted(), work, ended);
+  inProcesses(left.size(), t.jobs, interruptedSweep(), work, ended);
   line.end();
   const std::string wall = left.empty() ? "" : fmt::format("   {:.2f} s", line.seconds());
-  return finish(s, folder, t, (interrupted() ? "   stopped" : "") + wall);
+  return finish(s, folder, t, (interruptedSweep() ? "   stopped" : "") + wall);
 }
 
 /// "7" or "3-9".
@@ -181,7 +182,7 @@ std::pair<std::size_t, std::size_t> range(const std::string& text, std::size_t r
   return {from, std::min(to, runs)};
 }
 
-void sweep(Program& program, const Texts& t) {
+void sweep(Program& program, const SweepTexts& t) {
   const bool folderGiven = fs::is_directory(t.what);
   if (folderGiven && (!t.set.empty() || !t.table.empty() || t.restart || !t.measures.empty()))
     throw CLI::ValidationError("sweep", t.what + " is a folder: its manifest says what is varied");
@@ -206,7 +207,7 @@ void sweep(Program& program, const Texts& t) {
 }  // namespace
 
 void addSweep(CLI::App& app, Program& program) {
-  auto t = std::make_shared<Texts>();
+  auto t = std::make_shared<SweepTexts>();
   CLI::App* c = app.add_subcommand("sweep", "run a model with many values of its parameters");
   c->add_option("MODEL", t->what, "XML file; or the folder of a sweep, to go on with it")
       ->required();

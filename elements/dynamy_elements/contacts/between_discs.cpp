@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/disc_arc.hpp>
@@ -8,18 +9,17 @@
 namespace dynamy {
 namespace {
 
-using Part = DiscBody::Part;
+using DiscPart = DiscBody::Part;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Directions of the grid, on the half of the sphere that looks from A to B.
 constexpr int kGrid = 60;
 constexpr double kGoldenAngle = 2.399963229728653;
 /// Angle beside a cap [rad].
-constexpr double kBeside = 1e-3;
+constexpr double kBesideEdge = 1e-3;
 /// Newton's steps between two rims.
-constexpr int kSteps = 50;
+constexpr int kDiscSteps = 50;
 
-struct Apart {
+struct DiscsApart {
   double f = -kInfinity;
   Vec3 n = Vec3::UnitZ();
 };
@@ -32,12 +32,12 @@ Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
 }
 
 /// Candidates for the direction of largest separation.
-class Search {
+class DiscSearch {
  public:
-  Search(const DiscBody& A, const DiscBody& B) : A_(A), B_(B) {}
+  DiscSearch(const DiscBody& A, const DiscBody& B) : A_(A), B_(B) {}
 
   /// Caps come first: another direction has to separate by more than `more`.
-  Apart best(double more) {
+  DiscsApart best(double more) {
     for (const DiscBody* body : {&A_, &B_})
       if (body->rho > 0.0)
         for (const double side : {1.0, -1.0})
@@ -64,11 +64,11 @@ class Search {
     const Vec3 way = B_.c - A_.c;
     if (!(way.norm() > 0.0)) return;
     const Vec3 z = way.normalized(), x = z.unitOrthogonal(), y = z.cross(x);
-    Apart start[2][2];
+    DiscsApart start[2][2];
     for (int k = 0; k < kGrid; ++k) {
       const double up = (k + 0.5) / kGrid, out = std::sqrt(1.0 - up * up), turn = kGoldenAngle * k;
       const Vec3 n = up * z + out * (std::cos(turn) * x + std::sin(turn) * y);
-      Apart& of = start[A_.rimAlong(n)][B_.rimAlong(-n)];
+      DiscsApart& of = start[A_.rimAlong(n)][B_.rimAlong(-n)];
       if (const double s = f(n); s > of.f) of = {s, n};
     }
     for (int i = 0; i < A_.rims(); ++i)
@@ -95,14 +95,14 @@ class Search {
     const Vec3 a = one.tip || one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
     const Vec3 e = one.acrossAxis(outermost(other, other.rimAlong(-a), -a) - one.c);
     if (!(e.norm() > one.rho)) return;
-    const Vec3 n = sign * (a + kBeside * e.normalized()).normalized();
+    const Vec3 n = sign * (a + kBesideEdge * e.normalized()).normalized();
     take(between(A_.rimAlong(n), B_.rimAlong(-n), n));
   }
   Vec3 between(int i, int j, Vec3 n) const;
 
   const DiscBody &A_, &B_;
   double least_ = -kInfinity;
-  Apart best_;
+  DiscsApart best_;
 };
 
 /// How that point wanders.
@@ -114,10 +114,10 @@ Mat3 wandering(const DiscBody& D, int rim, const Vec3& d) {
   return D.radius(rim) / s * t * t.transpose();
 }
 
-Vec3 Search::between(int i, int j, Vec3 n) const {
+Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
   const auto y = [&](const Vec3& d) { return Vec3(outermost(B_, j, -d) - outermost(A_, i, d)); };
   double f = n.dot(y(n));
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kDiscSteps; ++step) {
     Eigen::Matrix<double, 3, 2> T;
     T.col(0) = n.unitOrthogonal(), T.col(1) = n.cross(T.col(0));
     Eigen::Matrix2d K = T.transpose() * (wandering(A_, i, n) + wandering(B_, j, -n)) * T;
@@ -148,20 +148,21 @@ constexpr Numbers kOnA{0, 2, kBOnSide}, kOnB{10, 12, kAOnSide};
 /// All contacts along the direction that separates most.
 class Contacts {
  public:
-  Contacts(const DiscBody& A, const DiscBody& B, const Apart& apart, double same, DiscContacts& out)
+  Contacts(const DiscBody& A, const DiscBody& B, const DiscsApart& apart, double same,
+           DiscContacts& out)
       : A_(A), B_(B), n_(apart.n), f_(apart.f), same_(same), found_(4.0 * same), out_(out) {
     x_ = n_.unitOrthogonal(), y_ = n_.cross(x_);
   }
 
   int all() {
-    const Part a = A_.part(n_), b = B_.part(-n_);
+    const DiscPart a = A_.part(n_), b = B_.part(-n_);
     // Of two caps the points of the smaller that lies inside are enough.
     const bool small = A_.rho < B_.rho;
     const DiscBody &one = small ? B_ : A_, &other = small ? A_ : B_;
     const bool full = over(one, other, small ? -1.0 : 1.0, true, same_);
     over(other, one, small ? 1.0 : -1.0, !full, same_);
-    if (a == Part::cap && b == Part::cap && !full) crossings();
-    if (a == Part::side && b == Part::side) sides();
+    if (a == DiscPart::cap && b == DiscPart::cap && !full) crossings();
+    if (a == DiscPart::side && b == DiscPart::side) sides();
     onSide(A_, B_, 1.0), onSide(B_, A_, -1.0);
     rims();
     if (found_.size() == 0) any();
@@ -185,17 +186,17 @@ class Contacts {
   /// A. `beside`: how far outside of it they may be [m].
   bool over(const DiscBody& one, const DiscBody& other, double sign, bool points, double beside) {
     const Vec3 towards = sign * n_;
-    if (one.part(towards) != Part::cap) return false;
+    if (one.part(towards) != DiscPart::cap) return false;
     const Numbers& number = &one == &A_ ? kOnA : kOnB;
     const Vec3 n = one.a.dot(towards) < 0.0 ? Vec3(-one.a) : one.a;
     const PlacedFace cap(*one.frame, n, one.c, one.half + one.r, one.x, 1.0, true);
     const auto inside = [&](const Vec3& p) {
       return one.acrossAxis(p - one.c).norm() <= one.rho + beside;
     };
-    const Part part = other.part(-towards);
+    const DiscPart part = other.part(-towards);
     const int facing = other.rimAlong(-towards);
     for (int rim = 0; rim < other.rims(); ++rim) {
-      if ((part != Part::side && rim != facing) || !other.touches(-n, rim)) continue;
+      if ((part != DiscPart::side && rim != facing) || !other.touches(-n, rim)) continue;
       ContactPoint at, there;
       cap.contact(*other.frame, other.c, at);
       wander(other, rim, at);
@@ -203,7 +204,7 @@ class Contacts {
       at.g = there.g;
       if (inside(at.P)) add(number.rims + rim, at, sign);
     }
-    if (!points || part != Part::cap) return false;
+    if (!points || part != DiscPart::cap) return false;
     bool all = true;
     for (int k = 0; k < 4; ++k) {
       const Vec3 p = other.point(facing, k) - other.r * n;
@@ -283,16 +284,16 @@ class Contacts {
   /// Rims of `other` on the side of `one`: where they cross, or come nearest.
   void onSide(const DiscBody& one, const DiscBody& other, double sign) {
     const Vec3 towards = sign * n_;
-    if (one.part(towards) != Part::side) return;
+    if (one.part(towards) != DiscPart::side) return;
     const int number = (&one == &A_ ? kOnA : kOnB).onSide;
-    const Part part = other.part(-towards);
+    const DiscPart part = other.part(-towards);
     const int facing = other.rimAlong(-towards);
     const auto take = [&](const BodyCurve& rim, int id) {
       ContactPoint at;
       if (rimOnSide(one, rim, towards, at))
         add(id + (one.a.dot(rim.x - rim.c) > 0.0 ? 1 : 0), at, sign);
     };
-    if (part == Part::cap) {
+    if (part == DiscPart::cap) {
       BodyCurve crossing[2];
       const Vec3 over = one.tip ? sideAlong(one, towards) : one.a;
       const Vec3 from = one.tip ? one.middle(1) : one.c;
@@ -301,7 +302,7 @@ class Contacts {
       if (n > 0) return;
     }
     for (int rim = 0; rim < other.rims(); ++rim) {
-      if (part != Part::side && rim != facing) continue;
+      if (part != DiscPart::side && rim != facing) continue;
       if (other.radius(rim) > 0.0) {
         if (other.touches(-towards)) take(other.rim(rim, -towards), number + 2 * rim);
       } else {
@@ -366,11 +367,11 @@ class Contacts {
 int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double close, bool rates,
                  DiscContacts& out) {
   const double same = kSameFeature * std::min(A.thickness(), B.thickness());
-  const Apart apart = Search(A, B).best(4.0 * same);
+  const DiscsApart apart = DiscSearch(A, B).best(4.0 * same);
   if (apart.f > reach) return 0;
   const int n = Contacts(A, B, apart, same, out).all();
-  const bool onA = A.part(apart.n) == Part::cap;
-  if (!onA && B.part(-apart.n) != Part::cap) return n;
+  const bool onA = A.part(apart.n) == DiscPart::cap;
+  if (!onA && B.part(-apart.n) != DiscPart::cap) return n;
   const DiscBody& flat = onA ? A : B;
   closeTogetherOn(*flat.frame, close, rates, std::span(out.data(), static_cast<std::size_t>(n)),
                   [&](Vec3& normal, Vec3& t) {
@@ -380,6 +381,6 @@ int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double clos
   return n;
 }
 
-double separation(const DiscBody& A, const DiscBody& B) { return Search(A, B).best(0.0).f; }
+double separation(const DiscBody& A, const DiscBody& B) { return DiscSearch(A, B).best(0.0).f; }
 
 }  // namespace dynamy

@@ -16,7 +16,7 @@ PlacedEdge placedEdge(const PlacedBox& box, int number) {
 }
 
 /// Largest separation along the axes of one kind, and which.
-struct Axis {
+struct BoxAxis {
   double separation = -1e300;
   int i = -1, j = -1;
   double sign = 1.0;  ///< of the direction from A to B
@@ -24,10 +24,10 @@ struct Axis {
 
 /// Both boxes in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A), so that an axis costs a few
 /// products.
-struct Separation {
+struct BoxSeparation {
   Mat3 C, a;  ///< a: |C|
   Vec3 t, hA, hB;
-  Separation(const PlacedBox& A, const PlacedBox& B)
+  BoxSeparation(const PlacedBox& A, const PlacedBox& B)
       : C(A.R.transpose() * B.R),
         a(C.cwiseAbs()),
         t(A.R.transpose() * (B.c - A.c)),
@@ -35,8 +35,8 @@ struct Separation {
         hB(B.half) {}
 
   /// i = 0 … 2: faces of A, 3 … 5: faces of B.
-  Axis faces() const {
-    Axis best;
+  BoxAxis faces() const {
+    BoxAxis best;
     for (int i = 0; i < 6; ++i) {
       const int k = i % 3;
       const double along = i < 3 ? t[k] : t.dot(C.col(k));
@@ -50,8 +50,8 @@ struct Separation {
 
   /// Axes e_i × e_j of an edge of A and an edge of B; those that do not separate by more than
   /// `least` are passed over before their root is taken.
-  Axis edges(double least) const {
-    Axis best;
+  BoxAxis edges(double least) const {
+    BoxAxis best;
     const double bound = std::min(least, 0.0);  // the root is at most 1
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -115,10 +115,10 @@ bool onFace(int vertex, int face) { return ((vertex >> axisOf(face)) & 1) == (fa
 /// The intersection of two faces seen along the normal of A's. All places are looked at in axes of
 /// A, so that one that is no contact costs a few products; a contact is then computed from the
 /// bodies' frames.
-class FacePair {
+class BoxFacePair {
  public:
-  FacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const Separation& in,
-           double same, bool rates, std::array<BoxContact, kMostBoxContacts>& out)
+  BoxFacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const BoxSeparation& in,
+              double same, bool rates, std::array<BoxContact, kMostBoxContacts>& out)
       : A_(A),
         B_(B),
         faceA_(faceA),
@@ -205,7 +205,7 @@ class FacePair {
 
   const PlacedBox &A_, &B_;
   int faceA_, faceB_;
-  const Separation& in_;
+  const BoxSeparation& in_;
   double same_;
   bool rates_;
   int x_, y_;  ///< axes of A in its face
@@ -228,10 +228,10 @@ PlacedBox placedBox(const Frame& frame, const TouchingShape& box) {
 int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
                  std::array<BoxContact, kMostBoxContacts>& out) {
   const double same = kSameFeature * std::min(A.half.minCoeff(), B.half.minCoeff());
-  const Separation separation(A, B);
-  const Axis face = separation.faces();
+  const BoxSeparation separation(A, B);
+  const BoxAxis face = separation.faces();
   const double least = face.separation + 4.0 * same;
-  const Axis edge = separation.edges(least);
+  const BoxAxis edge = separation.edges(least);
   if (edge.separation > least) {
     const Vec3 n = edge.sign * A.R.col(edge.i).cross(B.R.col(edge.j)).normalized();
     const int i = outerEdge(A, edge.i, n), j = outerEdge(B, edge.j, -n);
@@ -243,7 +243,8 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
     }
   }
   const Vec3 n = face.sign * (face.i < 3 ? A.R.col(face.i) : B.R.col(face.i - 3));
-  return FacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same, rates, out).contacts();
+  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same, rates, out)
+      .contacts();
 }
 
 void closeTogether(const PlacedBox& A, double reach, bool rates, std::span<BoxContact> contacts) {
@@ -254,7 +255,7 @@ void closeTogether(const PlacedBox& A, double reach, bool rates, std::span<BoxCo
 }
 
 double separation(const PlacedBox& A, const PlacedBox& B) {
-  const Separation all(A, B);
+  const BoxSeparation all(A, B);
   const double ofFaces = all.faces().separation;
   return std::max(ofFaces, all.edges(ofFaces).separation);
 }

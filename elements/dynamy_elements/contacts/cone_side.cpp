@@ -7,11 +7,11 @@ namespace dynamy {
 namespace {
 
 /// Of the radius: nearer than this to the rim, the base takes its place.
-constexpr double kOnEdge = 1e-9;
+constexpr double kOnConeEdge = 1e-9;
 /// Newton's steps on a circle; from a good start about five are enough.
-constexpr int kSteps = 50;
+constexpr int kConeSteps = 50;
 /// Of the radius: a step below which the point is found.
-constexpr double kFound = 1e-15;
+constexpr double kConeFound = 1e-15;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ ContactPoint ballOnCone(const DiscBody& A, const Frame& B, const RoundFeature& b
   ContactPoint beside = pointOnSide(A, B, c, ball.radius, s);
   // Over the base, or inside and nearest to it.
   const bool outside = out > A.rho, below = z <= 0.0;
-  if (below ? !outside || out - A.rho < kOnEdge * A.rho : -z > beside.g + ball.radius) {
+  if (below ? !outside || out - A.rho < kOnConeEdge * A.rho : -z > beside.g + ball.radius) {
     const PlacedFace base(*A.frame, -A.a, A.middle(0), 0.0, A.x, 1.0, true);
     ContactPoint at;
     base.contact(B, c, at);
@@ -71,13 +71,13 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
     return m.dot(circle.t);
   };
   bool found = false;
-  for (int i = 0; i < kSteps && !found; ++i) {
+  for (int i = 0; i < kConeSteps && !found; ++i) {
     const double f = slope();
     if (!(reach > 0.0)) return false;
     // Where the height has no least value nearby: downwards. At most half a radius at once.
     const double most = 0.5 * circle.rho, way = K > 0.0 ? -f / K : std::copysign(most, -f);
     circle.go(std::clamp(way, -most, most));
-    found = std::abs(way) <= kFound * circle.rho;
+    found = std::abs(way) <= kConeFound * circle.rho;
   }
   if (const double f = slope(); !(K * circle.rho > kCross * kCross) || std::abs(f) > 1e-12)
     return false;

@@ -89,7 +89,7 @@ ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
 namespace {
 
 /// Of the smallest half edge: nearer to an edge than this, a face takes its place.
-constexpr double kOnEdge = 1e-9;
+constexpr double kOnBoxEdge = 1e-9;
 
 /// Where a point is from a box, in the box's axes.
 struct FromBox {
@@ -106,7 +106,7 @@ struct FromBox {
     for (int k = 0; k < 3; ++k)
       if (beyond[k] > 0.0) d[k] = std::copysign(beyond[k], x[k]), w[k] = xdot[k], ++outside;
     const double norm = d.norm();
-    if (outside < 2 || norm < kOnEdge * half.minCoeff()) {
+    if (outside < 2 || norm < kOnBoxEdge * half.minCoeff()) {
       distance = beyond[face], n[face] = std::copysign(1.0, x[face]);
     } else {
       distance = norm, n = d / norm, ndot = (w - n.dot(w) * n) / norm;

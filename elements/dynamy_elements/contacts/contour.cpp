@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/contour.hpp>
 #include <limits>
 #include <numbers>
@@ -7,11 +8,10 @@
 namespace dynamy {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Newton's steps to a foot; from the nearest of the nodes four are enough.
-constexpr int kSteps = 20;
+constexpr int kContourSteps = 20;
 /// Of the way between two nodes: a step below which the foot is found.
-constexpr double kFound = 1e-13;
+constexpr double kContourFound = 1e-13;
 
 /// 120 times the six pieces of the B-spline of degree 5 that act between two nodes, as polynomials
 /// of the fraction b of the way.
@@ -49,7 +49,7 @@ std::vector<double> coefficients(const std::vector<double>& r) {
 
 Contour::Contour(std::vector<double> radii) : r_(std::move(radii)), c_(coefficients(r_)) {
   const std::size_t n = r_.size();
-  step_ = kTurn / static_cast<double>(n);
+  step_ = kTwoPi / static_cast<double>(n);
   least_ = *std::min_element(r_.begin(), r_.end());
   most_ = *std::max_element(r_.begin(), r_.end());
   for (std::size_t i = 0; i < n; ++i) {
@@ -94,9 +94,9 @@ namespace {
 template <class Value>
 double root(double phi, double step, Value&& value) {
   double low = phi - step, high = phi + step;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kContourSteps; ++i) {
     const auto [f, df] = value(phi);
-    if (std::abs(f) <= kFound * step * std::abs(df)) break;
+    if (std::abs(f) <= kContourFound * step * std::abs(df)) break;
     // f rises through its root: it is a minimum.
     (f > 0.0 ? high : low) = phi;
     const double next = phi - f / df;

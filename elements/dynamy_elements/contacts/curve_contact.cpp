@@ -7,9 +7,9 @@ namespace dynamy {
 namespace {
 
 /// Newton's steps; from a good start about four are enough.
-constexpr int kSteps = 30;
+constexpr int kCurveSteps = 30;
 /// Of the sizes: a step below which the closest points are found.
-constexpr double kFound = 1e-15;
+constexpr double kCurveFound = 1e-15;
 
 /// The linear equations for the ways along both curves.
 struct Ways {
@@ -45,7 +45,7 @@ void BodyCurve::go(double way) {
 }
 
 bool toClosest(BodyCurve& A, BodyCurve& B) {
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kCurveSteps; ++i) {
     const Vec3 d = B.x - A.x;
     const Ways ways(A, B, d);
     if (!(ways.det > kParallel)) return false;
@@ -58,7 +58,7 @@ bool toClosest(BodyCurve& A, BodyCurve& B) {
         part = std::min(part, 0.5 * curve->rho / std::abs(s));
     A.go(part * sA), B.go(part * sB);
     const double size = A.rho + B.rho + std::abs(sA) + std::abs(sB) + d.norm();
-    if (std::abs(sA) + std::abs(sB) <= kFound * size) return true;
+    if (std::abs(sA) + std::abs(sB) <= kCurveFound * size) return true;
   }
   const Vec3 d = B.x - A.x;
   // Steps of a rounding that go to and fro have found it as well.

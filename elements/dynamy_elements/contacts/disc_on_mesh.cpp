@@ -9,10 +9,10 @@ namespace {
 constexpr double kSamePlace = 1e-6;
 
 /// One round body over a mesh, in the world.
-class OverMesh {
+class DiscOverMesh {
  public:
-  OverMesh(const Frame& A, const Surface& mesh, const DiscBody& B, double reach,
-           OnSurfaceContacts& out)
+  DiscOverMesh(const Frame& A, const Surface& mesh, const DiscBody& B, double reach,
+               OnSurfaceContacts& out)
       : A_(A), mesh_(mesh), B_(B), reach_(reach), out_(out) {}
 
   int contacts() {
@@ -195,7 +195,7 @@ std::uint64_t discOnMeshFeatures(const Surface& mesh) {
 
 int discOnMesh(const Frame& A, const Surface& mesh, const DiscBody& B, double reach,
                OnSurfaceContacts& out) {
-  const int n = OverMesh(A, mesh, B, reach, out).contacts();
+  const int n = DiscOverMesh(A, mesh, B, reach, out).contacts();
   levelled(A, {out.data(), static_cast<std::size_t>(n)});
   return n;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/cone_side.hpp>
 #include <dynamy_elements/contacts/disc_arc.hpp>
 #include <dynamy_elements/contacts/disc_on_polyhedron.hpp>
@@ -9,9 +10,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Corners of a face that are looked at; of more every second, third …
-constexpr int kMostCorners = 8;
+constexpr int kMostDiscCorners = 8;
 
 /// A direction that separates, and which features of A it belongs to.
 struct Apart {
@@ -110,7 +110,7 @@ class Manifolds {
     if (face >= 0) {
       overFace(face);
       const Polyhedron::Face& f = body_.face(face);
-      const int stride = (f.count + kMostCorners - 1) / kMostCorners;
+      const int stride = (f.count + kMostDiscCorners - 1) / kMostDiscCorners;
       for (int i = f.first; i < f.first + f.count; i += stride) corner(body_.border(i).corner);
       for (int i = f.first; i < f.first + f.count; ++i) edge(body_.border(i).edge);
     } else {

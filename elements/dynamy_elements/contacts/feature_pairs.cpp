@@ -5,7 +5,7 @@ namespace dynamy {
 namespace {
 
 /// Sine of the angle of two edges below which they are parallel and have no normal.
-constexpr double kParallel = 1e-4;
+constexpr double kParallelEdges = 1e-4;
 /// Sine by which a normal may lie beyond those of the faces that meet in a feature: as much as
 /// rounding and drift turn faces that lie on each other, and more.
 constexpr double kBeyond = 0.05;
@@ -35,7 +35,7 @@ struct Crossing {
   Crossing(const PlacedEdge& a, const PlacedEdge& b, const Vec3& outOfA) {
     const Vec3 cross = a.e.cross(b.e), d = b.o - a.o;
     const double square = cross.squaredNorm(), c = a.e.dot(b.e);
-    sine = std::sqrt(square), parallel = sine < kParallel;
+    sine = std::sqrt(square), parallel = sine < kParallelEdges;
     if (parallel) return;
     const double da = d.dot(a.e), db = d.dot(b.e);
     s = (da - c * db) / square, t = (c * da - db) / square;
@@ -125,8 +125,8 @@ void nearEdges(const Polyhedron& A, const Polyhedron& B, const Mat3& R, const Ve
       if ((b.o - a.o).norm() > a.half + b.half + within.reach || distance(a, b) > within.reach)
         continue;
       const Crossing at(a, b, outOf(A, ofA));
-      if (at.sine + within.turn < kParallel) continue;
-      const double beyond = kBeyond + 2.0 * within.turn / std::max(at.sine, kParallel);
+      if (at.sine + within.turn < kParallelEdges) continue;
+      const double beyond = kBeyond + 2.0 * within.turn / std::max(at.sine, kParallelEdges);
       const bool lies = at.parallel || beyond > 1.0 ||
                         std::min(withinNormals(A, ofA, at.n),
                                  withinNormals(B, ofB, -(R.transpose() * at.n))) >= -beyond;

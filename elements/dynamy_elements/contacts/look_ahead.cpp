@@ -10,7 +10,7 @@ namespace {
 /// Of the thickness of a shape among many: how far it is seen in any case.
 constexpr double kAtRest = 0.05;
 /// How often a turn is passed on at most.
-constexpr int kTurns = 8;
+constexpr int kMostSearches = 8;
 /// Of a turn that is passed on.
 constexpr double kShared = 0.5;
 
@@ -73,7 +73,7 @@ void ShapeContacts::followTurns(const Kinematics& k,
       if (moves(m)) turned_[m] = std::max(turned_[m], way_[n] - gap_[n]);
   }
   bool again = true;
-  for (int pass = 0; pass < kTurns && again; ++pass) {
+  for (int pass = 0; pass < kMostSearches && again; ++pass) {
     again = false;
     for (std::size_t n = 0; n < near.size(); ++n) {
       const auto i = static_cast<std::size_t>(near[n].first),

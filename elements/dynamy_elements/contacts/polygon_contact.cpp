@@ -130,7 +130,7 @@ constexpr double kDeeper = 0.01;
 struct NearSide {
   Vec3 n;
   double deepest;  ///< a corner further past the axis than this is not beside the capsule [m]
-  NearSide(const PlacedPolygon& A, const Segment& axis) : n(A.plane.cross(axis.e)) {
+  NearSide(const PlacedPolygon& A, const LineSegment& axis) : n(A.plane.cross(axis.e)) {
     double size = 0.0, least = std::numeric_limits<double>::infinity(), most = -least;
     for (int i = 0; i < A.size(); ++i) {
       const Vec3 c = A.corner(i);
@@ -153,7 +153,7 @@ struct NearSide {
 
 int capsuleOnPolygon(const PlacedPolygon& A, const Frame& B, const TouchingShape& capsule,
                      CapsuleOnPolygon& out) {
-  const Segment axis = capsuleAxis(B, capsule);
+  const LineSegment axis = capsuleAxis(B, capsule);
   const double R = capsule.features[0].radius;
   int count = 0;
   for (const SupportFeature& end : capsule.features) {

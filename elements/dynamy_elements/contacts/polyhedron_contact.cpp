@@ -1,12 +1,9 @@
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/polyhedron_contact.hpp>
 #include <limits>
 
 namespace dynamy {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 int outermost(const Polyhedron& body, const Vec3& d, double& along) {
   int best = 0;

@@ -12,7 +12,7 @@ constexpr double kOnEdge = 1e-9;
 
 ContactPoint ballOnCapsule(const Frame& A, const TouchingShape& capsule, const Frame& B,
                            const RoundFeature& ball, const Vec3& plane) {
-  const Segment a = capsuleAxis(A, capsule);
+  const LineSegment a = capsuleAxis(A, capsule);
   const Vec3 rhoB = B.A_IK * ball.c_K, c = B.r_OS_I + rhoB;
   const double s = a.e.dot(c - a.o);
   if (std::abs(s) >= a.half)
@@ -22,7 +22,7 @@ ContactPoint ballOnCapsule(const Frame& A, const TouchingShape& capsule, const F
 
 int betweenCapsules(const Frame& A, const TouchingShape& a, const Frame& B, const TouchingShape& b,
                     const Vec3& plane, RoundContacts& out) {
-  const Segment sa = capsuleAxis(A, a), sb = capsuleAxis(B, b);
+  const LineSegment sa = capsuleAxis(A, a), sb = capsuleAxis(B, b);
   std::size_t n = 0;
   if (plane.isZero(0.0))
     if (const SegmentCrossing at(sa, sb); at.inside)
@@ -57,7 +57,7 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
   const Vec3 none = Vec3::Zero();
   const Mat3 R = A.A_IK * box.A_KB;
   const Vec3 middle = A.r_OS_I + A.A_IK * box.p_K;
-  const Segment axis = capsuleAxis(B, capsule);
+  const LineSegment axis = capsuleAxis(B, capsule);
   std::size_t n = 0;
   for (std::size_t end = 0; end < 2; ++end)
     out[n++] = {static_cast<int>(end), ballOnBox(A, box, B, capsule.features[end], none)};
@@ -65,7 +65,7 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
     const int k = number / 4, u = (k + 1) % 3, v = (k + 2) % 3;
     Vec3 p = none;
     p[u] = number & 1 ? box.half[u] : -box.half[u], p[v] = number & 2 ? box.half[v] : -box.half[v];
-    const Segment edge(A, middle + R * p, R.col(k), box.half[k]);
+    const LineSegment edge(A, middle + R * p, R.col(k), box.half[k]);
     const SegmentCrossing at(edge, axis);
     if (!at.inside) continue;
     const ContactPoint contact = across(edge, 0.0, axis, capsule.thickness, at);
@@ -85,7 +85,7 @@ int capsuleOnBox(const Frame& A, const TouchingShape& box, const Frame& B,
 ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const Frame& B,
                             const RoundFeature& ball) {
   const double R = cylinder.half.x(), half = cylinder.half.z();
-  const Segment axis = capsuleAxis(A, cylinder);
+  const LineSegment axis = capsuleAxis(A, cylinder);
   const Vec3 rhoB = B.A_IK * ball.c_K, c = B.r_OS_I + rhoB, v = B.velocity(rhoB);
   const double z = axis.e.dot(c - axis.o), side = z < 0.0 ? -1.0 : 1.0;
   const double beyond = std::abs(z) - half;

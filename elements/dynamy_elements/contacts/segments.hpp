@@ -8,11 +8,11 @@ namespace dynamy {
 /// Square of the sine below which two segments are parallel: their ends tell everything then.
 inline constexpr double kParallel = 1e-10;
 /// A segment that moves with a frame.
-struct Segment {
+struct LineSegment {
   const Frame* frame;
   Vec3 o, e, edot;  ///< middle, unit direction and its rate
   double half;
-  Segment(const Frame& f, const Vec3& middle_I, const Vec3& direction_I, double halfLength)
+  LineSegment(const Frame& f, const Vec3& middle_I, const Vec3& direction_I, double halfLength)
       : frame(&f),
         o(middle_I),
         e(direction_I),
@@ -21,7 +21,7 @@ struct Segment {
   Vec3 velocity(const Vec3& p) const { return frame->velocity(p - frame->r_OS_I); }
 };
 
-inline Segment capsuleAxis(const Frame& f, const TouchingShape& capsule) {
+inline LineSegment capsuleAxis(const Frame& f, const TouchingShape& capsule) {
   return {f, f.r_OS_I + f.A_IK * capsule.p_K, f.A_IK * capsule.A_KB.col(2), capsule.half.z()};
 }
 
@@ -39,7 +39,7 @@ inline ContactPoint fromWay(const Vec3& d, const Vec3& ddot, double RA, double R
 }
 
 /// Point c with velocity v and radius RB over the inside of a segment of radius RA.
-inline ContactPoint overSegment(const Segment& a, double RA, const Vec3& c, const Vec3& v,
+inline ContactPoint overSegment(const LineSegment& a, double RA, const Vec3& c, const Vec3& v,
                                 double RB, const Vec3& plane) {
   const double s = a.e.dot(c - a.o);
   const Vec3 p = a.o + s * a.e, d = c - p, vp = a.velocity(p), w = v - vp;
@@ -51,7 +51,7 @@ inline ContactPoint overSegment(const Segment& a, double RA, const Vec3& c, cons
 
 /// Point c with velocity v beside a segment of radius R in a plane; n ⟂ e is the side of the
 /// segment that looks away from c. The gap has a sign, and the normal is from c to the segment.
-inline ContactPoint besideSegment(const Segment& a, double R, const Vec3& n, const Vec3& c,
+inline ContactPoint besideSegment(const LineSegment& a, double R, const Vec3& n, const Vec3& c,
                                   const Vec3& v, const Vec3& plane) {
   const double s = a.e.dot(c - a.o);
   const Vec3 p = a.o + s * a.e, vp = a.velocity(p), ndot = a.frame->Omega_I.cross(n);
@@ -67,7 +67,7 @@ inline ContactPoint besideSegment(const Segment& a, double R, const Vec3& n, con
 struct SegmentCrossing {
   bool inside = false;
   double s = 0.0, t = 0.0, c = 0.0, square = 0.0;
-  SegmentCrossing(const Segment& a, const Segment& b) : c(a.e.dot(b.e)) {
+  SegmentCrossing(const LineSegment& a, const LineSegment& b) : c(a.e.dot(b.e)) {
     const Vec3 d = b.o - a.o;
     square = a.e.cross(b.e).squaredNorm();
     if (square < kParallel) return;
@@ -77,7 +77,7 @@ struct SegmentCrossing {
   }
 };
 
-inline ContactPoint across(const Segment& a, double RA, const Segment& b, double RB,
+inline ContactPoint across(const LineSegment& a, double RA, const LineSegment& b, double RB,
                            const SegmentCrossing& at) {
   const Vec3 pA = a.o + at.s * a.e, pB = b.o + at.t * b.e, d = pB - pA;
   const Vec3 vA = a.velocity(pA), w = b.velocity(pB) - vA;

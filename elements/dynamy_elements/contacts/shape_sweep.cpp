@@ -7,6 +7,7 @@
 // the distance from a convex set is convex along a straight line: a minimum is found by sections.
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/between_discs.hpp>
 #include <dynamy_elements/contacts/box_contact.hpp>
 #include <dynamy_elements/contacts/cone_side.hpp>
@@ -20,9 +21,8 @@
 namespace dynamy {
 namespace {
 
-using Touch = TouchingShape::Kind;
+using SweptTouch = TouchingShape::Kind;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of the thickness: an overlap that does not matter. A ball whose overlap with another stays below
 /// would have been turned by less than sqrt(2e-6) = 0.08° of its velocity.
 constexpr double kDepth = 1e-6;
@@ -31,18 +31,18 @@ constexpr double kLeastDepth = 16.0;
 /// Part of that depth by which an impact may be mistimed.
 constexpr double kTiming = 0.1;
 /// Largest turn of one piece [rad].
-constexpr double kTurn = 0.5;
+constexpr double kLargestTurn = 0.5;
 /// Radii from which on a ball looks out for a surface that it may pass.
 constexpr double kSeen = 1000.0;
 /// Most parts of a piece between which bodies are taken to move straight.
-constexpr int kMostParts = 64;
+constexpr int kMostSweptParts = 64;
 /// Pieces of half a step: who turns by more than a thousand radians in it is not followed closer.
 constexpr int kMostHalf = 2048;
 constexpr double kGolden = 0.6180339887498949;
 
 /// What can go how far round the origin of the frame.
 double lever(const TouchingShape& s) {
-  return s.p_K.norm() + (s.kind == Touch::ball ? 0.0 : s.bound);
+  return s.p_K.norm() + (s.kind == SweptTouch::ball ? 0.0 : s.bound);
 }
 
 Vec3 rotationVector(const Mat3& A) {
@@ -71,14 +71,14 @@ struct FramePiece {
 /// place.
 template <class Pose>
 double leverOfA(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
-  return a.kind == Touch::ball ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
+  return a.kind == SweptTouch::ball ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
 }
 
 /// Lower bound of the distance.
 template <class Pose>
 double apart(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
   const Vec3 r = B.r_OS_I + B.A_IK * b.p_K - A.r_OS_I - A.A_IK * a.p_K;
-  const bool flat = a.kind == Touch::halfSpace;
+  const bool flat = a.kind == SweptTouch::halfSpace;
   return (flat ? r.dot(A.A_IK * a.n_K) : r.norm() - a.bound) - b.bound;
 }
 
@@ -91,7 +91,7 @@ struct PairPiece {
       : a(path, A.frame, k), b(path, B.frame, k) {
     const double go = (b.way() - a.way()).norm(), turnA = a.theta_K.norm(),
                  turnB = b.theta_K.norm(), leverB = lever(B), own = turnB * leverB;
-    const bool round = A.kind == Touch::ball;
+    const bool round = A.kind == SweptTouch::ball;
     const double leverA = leverOfA(A, B, *a.a, *b.a) + (round ? 0.0 : go);
     L = go + turnA * leverA + own;
     bend = (round ? 0.0 : 2.0 * turnA * (go + own)) + turnA * turnA * leverA + turnB * own;
@@ -156,7 +156,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
     const Frame& f = k.frame(s.frame);
     const double turn = f.Omega_I.norm();
     // A half space reaches everywhere.
-    const double arm = s.kind == Touch::halfSpace ? kInfinity : lever(s);
+    const double arm = s.kind == SweptTouch::halfSpace ? kInfinity : lever(s);
     return dt * (f.v_S_I.norm() + (turn > 0.0 ? turn * arm : 0.0));
   };
   double most = 0.0, second = 0.0;
@@ -169,7 +169,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
   balls_.clear();
   for (const TouchingShape& s : shapes) {
     const Frame& f = k.frame(s.frame);
-    const bool out = s.kind == Touch::halfSpace || f.absent;
+    const bool out = s.kind == SweptTouch::halfSpace || f.absent;
     balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, out ? -1.0 : s.bound + 2.0 * way(s)});
   }
   double turn = -1.0;
@@ -184,7 +184,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
       turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
   });
   // An even number: schemes change velocities in the middle.
-  const double half = std::ceil(0.5 * turn / kTurn);
+  const double half = std::ceil(0.5 * turn / kLargestTurn);
   return turn < 0.0 ? 0 : 2 * (half < kMostHalf ? std::max(1, static_cast<int>(half)) : kMostHalf);
 }
 
@@ -287,10 +287,10 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
     double way = 0.0;
     for (int piece = 0; piece < path.pieces(); ++piece) {
       const FramePiece f(path, s.frame, piece);
-      way += f.way().norm() + f.theta_K.norm() * (s.kind == Touch::halfSpace ? 0.0 : lever(s));
+      way += f.way().norm() + f.theta_K.norm() * (s.kind == SweptTouch::halfSpace ? 0.0 : lever(s));
     }
     const SweptPose& f = path.pose(s.frame, 0);
-    const bool flat = s.kind == Touch::halfSpace;
+    const bool flat = s.kind == SweptTouch::halfSpace;
     balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, flat ? -1.0 : s.bound + way});
   }
   Passing first;
@@ -330,7 +330,8 @@ Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath&
     const double limit = (start <= depth ? start : 0.0) - depth;
     const double L = piece.L;
     const double wanted = std::ceil(std::sqrt(piece.bend / (2.0 * depth)));
-    const int parts = wanted < kMostParts ? std::max(1, static_cast<int>(wanted)) : kMostParts;
+    const int parts =
+        wanted < kMostSweptParts ? std::max(1, static_cast<int>(wanted)) : kMostSweptParts;
     for (int j = 0; j < parts; ++j) {
       const double s0 = static_cast<double>(j) / parts, s1 = static_cast<double>(j + 1) / parts;
       const double right = gapAt(s1);

@@ -48,7 +48,7 @@ ContactPoint smoothOnPolygon(const PlacedPolygon& A, const Frame& B,
 ContactPoint capsuleOnSmooth(const Frame& A, const SupportFeature& feature, const Frame& B,
                              const TouchingShape& capsule, const Vec3& plane) {
   const Placed a{A, feature};
-  const Segment axis = capsuleAxis(B, capsule);
+  const LineSegment axis = capsuleAxis(B, capsule);
   const double R = capsule.features[0].radius;
   // Seen from the capsule: its sides, and its ends.
   double most = -std::numeric_limits<double>::infinity();

@@ -5,10 +5,10 @@ namespace dynamy {
 namespace {
 
 /// One feature over a mesh.
-class OverMesh {
+class SmoothOverMesh {
  public:
-  OverMesh(const Frame& A, const Surface& mesh, const smooth::Placed& B, double reach,
-           OnSurfaceContacts& out)
+  SmoothOverMesh(const Frame& A, const Surface& mesh, const smooth::Placed& B, double reach,
+                 OnSurfaceContacts& out)
       : A_(A), mesh_(mesh), B_(B), reach_(reach), out_(out) {}
 
   int contacts() {
@@ -74,7 +74,7 @@ class OverMesh {
 int smoothOnMesh(const Frame& A, const Surface& mesh, const Frame& B, const SupportFeature& feature,
                  double reach, OnSurfaceContacts& out) {
   const smooth::Placed b{B, feature};
-  return OverMesh(A, mesh, b, reach, out).contacts();
+  return SmoothOverMesh(A, mesh, b, reach, out).contacts();
 }
 
 }  // namespace dynamy

@@ -9,7 +9,7 @@ namespace dynamy {
 namespace {
 
 /// Sine of the angle between faces up to which they are one plane.
-constexpr double kOnePlane = 1e-9;
+constexpr double kSamePlane = 1e-9;
 /// Of the extent: how far beside a face a point is still over it, so that none falls between two.
 constexpr double kBeside = 1e-12;
 /// Faces of a leaf.
@@ -59,7 +59,7 @@ void Surface::findEdges() {
     // Standing out: the neighbour goes down on the other side.
     if (!border) {
       const Face& g = faces_[static_cast<std::size_t>(e.g)];
-      if (g.n.dot(f.out[static_cast<std::size_t>(e.sideF)]) <= kOnePlane) continue;
+      if (g.n.dot(f.out[static_cast<std::size_t>(e.sideF)]) <= kSamePlane) continue;
     }
     f.edge[static_cast<std::size_t>(e.sideF)] = static_cast<int>(edges_.size());
     edges_.push_back(e);
@@ -85,7 +85,7 @@ void Surface::findCorners() {
   for (const auto& [v, others] : neighbours) {
     const std::vector<Vec3>& out = standOut[v];
     const bool oneLine =
-        out.size() == 2 && out[0].dot(out[1]) < 0.0 && out[0].cross(out[1]).norm() <= kOnePlane;
+        out.size() == 2 && out[0].dot(out[1]) < 0.0 && out[0].cross(out[1]).norm() <= kSamePlane;
     if (out.size() < 2 || oneLine) continue;
     Corner c{v, {others.begin(), others.end()}, facesOf[v]};
     Face& face = faces_[static_cast<std::size_t>(c.faces.front())];

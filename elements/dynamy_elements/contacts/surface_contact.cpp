@@ -48,7 +48,7 @@ int capsuleOnSurface(const Frame& A, const Surface& surface, const Frame& B,
     }
   }
   // The axis between the ends, in axes of the surface.
-  const Segment axis = capsuleAxis(B, capsule);
+  const LineSegment axis = capsuleAxis(B, capsule);
   const double R = capsule.thickness, far = R + reach;
   const auto local = [&](const Vec3& p) { return Vec3(A.A_IK.transpose() * (p - A.r_OS_I)); };
   Eigen::AlignedBox3d box(local(axis.o - axis.half * axis.e));
@@ -60,8 +60,8 @@ int capsuleOnSurface(const Frame& A, const Surface& surface, const Frame& B,
     for (const int i : f.edge) {
       if (i < 0) continue;
       const Vec3 &a = surface.at(surface.edge(i).a), &b = surface.at(surface.edge(i).b);
-      const Segment edge(A, A.r_OS_I + A.A_IK * (0.5 * (a + b)), A.A_IK * (b - a).normalized(),
-                         0.5 * (b - a).norm());
+      const LineSegment edge(A, A.r_OS_I + A.A_IK * (0.5 * (a + b)), A.A_IK * (b - a).normalized(),
+                             0.5 * (b - a).norm());
       const SegmentCrossing at(edge, axis);
       if (!at.inside) continue;
       const ContactPoint contact = across(edge, 0.0, axis, R, at);

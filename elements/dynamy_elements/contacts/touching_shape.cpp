@@ -12,7 +12,7 @@ namespace {
 /// Sine of the tilt of a circle below which points of it that are fixed in the body touch as well.
 constexpr double kFlat = 0.1;
 /// Sine of the tilt below which a circle has no lowest point: it says where to 1e-16/1e-12 rad.
-constexpr double kLevel = 1e-12;
+constexpr double kLevelFace = 1e-12;
 
 /// d without its part along the axis a.
 Vec3 across(const Vec3& d, const Vec3& a) { return d - a.dot(d) * a; }
@@ -59,13 +59,13 @@ Mat3 SupportFeature::pointDerivative(const Vec3& d) const {
 }
 
 bool SupportFeature::touches(const Vec3& d) const {
-  if (kind == Kind::rim) return across(d, axis_K).squaredNorm() > kLevel * kLevel;
+  if (kind == Kind::rim) return across(d, axis_K).squaredNorm() > kLevelFace * kLevelFace;
   return !flatOnly || across(d, axis_K).squaredNorm() < kFlat * kFlat;
 }
 
 namespace {
 
-using Touch = TouchingShape::Kind;
+using ShapeTouch = TouchingShape::Kind;
 
 /// Fills the features of one shape, from its geometry in its own axes.
 class Features {
@@ -123,11 +123,11 @@ void capsule(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   out.thickness = R;
   if (f.along() == 2) {
-    out.kind = Touch::ball, out.bound = R;
+    out.kind = ShapeTouch::ball, out.bound = R;
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = Touch::capsule, out.bound = R + half, out.half = {R, R, half};
+  out.kind = ShapeTouch::capsule, out.bound = R + half, out.half = {R, R, half};
   f.ball({0.0, 0.0, -half}, R, "end0"), f.ball({0.0, 0.0, half}, R, "end1");
 }
 
@@ -135,17 +135,17 @@ void cylinder(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   const double R = g.size[0], half = 0.5 * g.size[1];
   if (!f.inSpace() && f.along() < 0) return;
   if (f.along() == 2) {
-    out.kind = Touch::ball, out.bound = out.thickness = R;
+    out.kind = ShapeTouch::ball, out.bound = out.thickness = R;
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = Touch::other, out.bound = std::hypot(R, half), out.thickness = std::min(R, half);
+  out.kind = ShapeTouch::other, out.bound = std::hypot(R, half), out.thickness = std::min(R, half);
   if (f.inSpace()) {
-    out.kind = Touch::cylinder, out.half = {R, R, half};
+    out.kind = ShapeTouch::cylinder, out.half = {R, R, half};
     f.rim(-half, R, 0.0, "rim0"), f.rim(half, R, 0.0, "rim1");
     return;
   }
-  out.kind = Touch::section;
+  out.kind = ShapeTouch::section;
   const int across = 1 - f.along();  // x or y
   for (int i = 0; i < 4; ++i) {
     Vec3 corner(0.0, 0.0, i & 2 ? half : -half);
@@ -158,16 +158,16 @@ void cone(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   const double R = g.size[0], length = g.size[1];
   if (!f.inSpace() && f.along() < 0) return;
   if (f.along() == 2) {
-    out.kind = Touch::ball, out.bound = out.thickness = R;
+    out.kind = ShapeTouch::ball, out.bound = out.thickness = R;
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = Touch::cone, out.bound = std::max(R, length), out.half = {R, R, 0.5 * length};
+  out.kind = ShapeTouch::cone, out.bound = std::max(R, length), out.half = {R, R, 0.5 * length};
   out.thickness = 0.5 * R * length / std::hypot(R, length);
   if (f.inSpace()) {
     f.rim(0.0, R, 0.0, "rim");
   } else {
-    out.kind = Touch::section;
+    out.kind = ShapeTouch::section;
     const int across = 1 - f.along();
     f.ball(-R * Vec3::Unit(across), 0.0, "corner0"), f.ball(R * Vec3::Unit(across), 0.0, "corner1");
   }
@@ -179,13 +179,13 @@ void torus(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   out.bound = R + tube, out.thickness = tube;
   if (f.along() == 2) {
-    out.kind = Touch::ball;
+    out.kind = ShapeTouch::ball;
     f.ball(Vec3::Zero(), R + tube);
     return;
   }
-  out.kind = Touch::other;
+  out.kind = ShapeTouch::other;
   if (f.inSpace()) {
-    out.kind = Touch::torus;
+    out.kind = ShapeTouch::torus;
     f.rim(0.0, R, tube, "rim");
     return;
   }
@@ -197,7 +197,7 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   const Vec3 semi(g.size[0], g.size[1], g.size[2]);
   const Mat3& A = out.shape->A_KB();
-  out.kind = Touch::ellipsoid, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
+  out.kind = ShapeTouch::ellipsoid, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
   f.ball(Vec3::Zero(), 0.0);
   SupportFeature& feature = out.features.back();
   feature.kind = SupportFeature::Kind::ellipsoid;
@@ -220,10 +220,10 @@ double halfWidth(const ShapeGeometry& g) {
 
 void surface(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace()) return;
-  out.kind = Touch::surface, out.thickness = std::numeric_limits<double>::infinity();
+  out.kind = ShapeTouch::surface, out.thickness = std::numeric_limits<double>::infinity();
   for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
   if (g.type != "Polyhedron") return;
-  out.kind = Touch::polyhedron;
+  out.kind = ShapeTouch::polyhedron;
   out.thickness = halfWidth(g);
   f.corners(Surface(g.points, true).points());
 }
@@ -233,7 +233,7 @@ void contour(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   for (const Vec3& p : g.points)
     out.bound = std::max(out.bound, p.norm()), out.thickness = std::min(out.thickness, p.norm());
   if (f.along() != 2) return;
-  out.kind = Touch::contour;
+  out.kind = ShapeTouch::contour;
   f.ball(Vec3::Zero(), 0.0);
   out.features.back().kind = SupportFeature::Kind::contour;
   out.features.back().square_K = out.shape->A_KB();
@@ -245,7 +245,7 @@ void line(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   const Vec3 way = g.points[1] - g.points[0];
   const double half = 0.5 * way.norm();
   if (!(half > 0.0) || (!f.inSpace() && std::abs(way[f.along()]) > 1e-12 * half)) return;
-  out.kind = Touch::capsule, out.bound = half, out.half = {0.0, 0.0, half};
+  out.kind = ShapeTouch::capsule, out.bound = half, out.half = {0.0, 0.0, half};
   f.ball(g.points[0], 0.0, "end0"), f.ball(g.points[1], 0.0, "end1");
   const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way).toRotationMatrix();
   out.p_K += out.A_KB * (0.5 * (g.points[0] + g.points[1])), out.A_KB = out.A_KB * turn;
@@ -261,7 +261,7 @@ void polygon(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     return std::abs((p - g.points[0])[f.along()]) > 1e-12 * out.bound;
   };
   if (std::any_of(g.points.begin(), g.points.end(), outside)) return;
-  out.kind = Touch::polygon;
+  out.kind = ShapeTouch::polygon;
   for (std::size_t i = 0; i < g.points.size(); ++i)
     f.ball(g.points[i], 0.0, "corner" + std::to_string(i));
 }
@@ -284,7 +284,7 @@ void orderCorners(TouchingShape& out, const Vec3& plane_K) {
   double area = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)
     area += plane_K.dot((at(i) - middle).cross(at(i + 1) - middle));
-  if (out.kind != Touch::polygon) {
+  if (out.kind != ShapeTouch::polygon) {
     std::sort(corners.begin(), corners.end(),
               [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
   } else if (area < 0.0) {
@@ -302,7 +302,7 @@ void orderCorners(TouchingShape& out, const Vec3& plane_K) {
     halfWidth = std::min(halfWidth, -0.5 * lowest);
   }
   if (!convex) corners.clear();
-  if (out.kind == Touch::polygon) out.thickness = halfWidth;
+  if (out.kind == ShapeTouch::polygon) out.thickness = halfWidth;
 }
 
 }  // namespace
@@ -316,19 +316,19 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   Features f(out, shape.A_KB().transpose() * plane_K);
   if (g.type == "Sphere" || g.type == "Point") {
     const double R = g.type == "Sphere" ? g.size[0] : 0.0;
-    out.kind = Touch::ball, out.bound = R;
+    out.kind = ShapeTouch::ball, out.bound = R;
     out.thickness = R > 0.0 ? R : std::numeric_limits<double>::infinity();
     f.ball(Vec3::Zero(), R);
   } else if (g.type == "Circle") {
     out.bound = out.thickness = g.size[0];
-    if (f.along() == 2) out.kind = Touch::ball, f.ball(Vec3::Zero(), g.size[0]);
+    if (f.along() == 2) out.kind = ShapeTouch::ball, f.ball(Vec3::Zero(), g.size[0]);
   } else if (g.type == "Box") {
-    out.kind = Touch::box;
+    out.kind = ShapeTouch::box;
     f.corners(g.points);
     out.half = 0.5 * Vec3(g.size[0], g.size[1], g.size[2]);
     out.bound = out.half.norm(), out.thickness = out.half.minCoeff();
   } else if (g.type == "HalfSpace") {
-    out.kind = Touch::halfSpace;
+    out.kind = ShapeTouch::halfSpace;
     out.n_K = shape.A_KB() * g.points[0];
     out.bound = out.thickness = std::numeric_limits<double>::infinity();
   } else if (g.type == "Capsule") {
@@ -350,8 +350,8 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   } else if (g.type == "Polygon") {
     polygon(f, g, out);
   }
-  const bool section =
-      out.kind == Touch::polygon || out.kind == Touch::section || out.kind == Touch::box;
+  const bool section = out.kind == ShapeTouch::polygon || out.kind == ShapeTouch::section ||
+                       out.kind == ShapeTouch::box;
   if (section && !f.inSpace() && f.along() >= 0) orderCorners(out, plane_K);
   return out;
 }

@@ -16,7 +16,7 @@ Vec3 rotationVector(const Mat3& R) {
   return (sine > 1e-9 ? angle / sine : 2.0) * sign * p.vec();
 }
 
-void diagonal(Attributes& a, const char* name, Unit unit, const char* text) {
+void readDiagonal(Attributes& a, const char* name, Unit unit, const char* text) {
   a.vector(name, unit, 3, "0 0 0", text).nonNegative();
 }
 
@@ -33,10 +33,10 @@ void Bushing::declare(Attributes& a) {
   at.unit = Unit::length;
   at.size = 3;
   at.mayBeAbsent();
-  diagonal(a, "stiffness", Unit::stiffness, "stiffness along the axes of A");
-  diagonal(a, "damping", Unit::damping, "damping along the axes of A");
-  diagonal(a, "turnStiffness", Unit::rotationalStiffness, "stiffness about the axes of A");
-  diagonal(a, "turnDamping", Unit::rotationalDamping, "damping about the axes of A");
+  readDiagonal(a, "stiffness", Unit::stiffness, "stiffness along the axes of A");
+  readDiagonal(a, "damping", Unit::damping, "damping along the axes of A");
+  readDiagonal(a, "turnStiffness", Unit::rotationalStiffness, "stiffness about the axes of A");
+  readDiagonal(a, "turnDamping", Unit::rotationalDamping, "damping about the axes of A");
   a.add(AttributeType::flag, "stiff", "false",
         "true: taken linearly implicitly by the schemes, for steps beyond its periods");
   a.example(

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/error.hpp>
 #include <dynamy/core/expression.hpp>
 #include <dynamy/core/parameters.hpp>
@@ -10,7 +11,6 @@ namespace dynamy {
 namespace {
 
 constexpr int kPoints = 720;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 std::vector<double> fromFormula(const Parameters& x, const ParameterValue& value) {
   SymbolTable symbols;
@@ -20,7 +20,7 @@ std::vector<double> fromFormula(const Parameters& x, const ParameterValue& value
   try {
     Expression r = Expression::compile(value.text, symbols);
     for (int i = 0; i < kPoints; ++i) {
-      const double phi = kTurn * i / kPoints;
+      const double phi = kTwoPi * i / kPoints;
       out.push_back(r.value(&phi));
     }
   } catch (const ExpressionError& error) {
@@ -62,7 +62,7 @@ ContourShape::ContourShape(const Parameters& x) : Shape(x) {
       throw given.fault(
           "radii must be positive",
           "at phi = " +
-              numberText(kTurn * static_cast<double>(i) / static_cast<double>(radii_.size())) +
+              numberText(kTwoPi * static_cast<double>(i) / static_cast<double>(radii_.size())) +
               " r is " + numberText(radii_[i]),
           0, given.text.size());
 }
@@ -70,7 +70,7 @@ ContourShape::ContourShape(const Parameters& x) : Shape(x) {
 ShapeGeometry ContourShape::geometry() const {
   ShapeGeometry g{"Contour", {}, {}, colour()};
   for (std::size_t i = 0; i < radii_.size(); ++i) {
-    const double phi = kTurn * static_cast<double>(i) / static_cast<double>(radii_.size());
+    const double phi = kTwoPi * static_cast<double>(i) / static_cast<double>(radii_.size());
     g.points.emplace_back(radii_[i] * std::cos(phi), radii_[i] * std::sin(phi), 0.0);
   }
   return g;

@@ -1,3 +1,4 @@
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy_elements/geometry/round_shapes.hpp>
 #include <numbers>
@@ -5,9 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-Mat3 diagonal(double a, double b, double c) { return Vec3(a, b, c).asDiagonal(); }
+Mat3 roundInertia(double a, double b, double c) { return Vec3(a, b, c).asDiagonal(); }
 
 }  // namespace
 
@@ -38,7 +37,7 @@ ShapeGeometry CylinderShape::geometry() const {
 MassProperties CylinderShape::massProperties() const {
   const double r2 = radius_ * radius_, V = kPi * r2 * length_;
   const double Jx = V * (3.0 * r2 + length_ * length_) / 12.0;
-  return {V, Vec3::Zero(), diagonal(Jx, Jx, 0.5 * V * r2)};
+  return {V, Vec3::Zero(), roundInertia(Jx, Jx, 0.5 * V * r2)};
 }
 
 void CapsuleShape::declare(Attributes& a) {
@@ -61,7 +60,7 @@ MassProperties CapsuleShape::massProperties() const {
   const double Jz = 0.5 * cylinder * r2 + 0.4 * ball * r2;
   const double Jx =
       cylinder * (3.0 * r2 + l * l) / 12.0 + ball * (0.4 * r2 + 0.375 * r * l + 0.25 * l * l);
-  return {cylinder + ball, Vec3::Zero(), diagonal(Jx, Jx, Jz)};
+  return {cylinder + ball, Vec3::Zero(), roundInertia(Jx, Jx, Jz)};
 }
 
 void ConeShape::declare(Attributes& a) {
@@ -78,7 +77,7 @@ ShapeGeometry ConeShape::geometry() const { return {"Cone", {radius_, length_}, 
 MassProperties ConeShape::massProperties() const {
   const double r2 = radius_ * radius_, V = kPi * r2 * length_ / 3.0;
   const double Jx = 3.0 / 80.0 * V * (4.0 * r2 + length_ * length_);
-  return {V, Vec3(0.0, 0.0, 0.25 * length_), diagonal(Jx, Jx, 0.3 * V * r2)};
+  return {V, Vec3(0.0, 0.0, 0.25 * length_), roundInertia(Jx, Jx, 0.3 * V * r2)};
 }
 
 void TorusShape::declare(Attributes& a) {
@@ -99,7 +98,7 @@ ShapeGeometry TorusShape::geometry() const { return {"Torus", {radius_, tube_}, 
 MassProperties TorusShape::massProperties() const {
   const double R2 = radius_ * radius_, r2 = tube_ * tube_, V = 2.0 * kPi * kPi * radius_ * r2;
   const double Jx = V * (0.5 * R2 + 0.625 * r2);
-  return {V, Vec3::Zero(), diagonal(Jx, Jx, V * (R2 + 0.75 * r2))};
+  return {V, Vec3::Zero(), roundInertia(Jx, Jx, V * (R2 + 0.75 * r2))};
 }
 
 void EllipsoidShape::declare(Attributes& a) {
@@ -116,9 +115,9 @@ ShapeGeometry EllipsoidShape::geometry() const {
 MassProperties EllipsoidShape::massProperties() const {
   const Vec3 s = semiAxes_.cwiseAbs2();
   const double V = 4.0 / 3.0 * kPi * semiAxes_.prod();
-  return {
-      V, Vec3::Zero(),
-      diagonal(V * (s.y() + s.z()) / 5.0, V * (s.x() + s.z()) / 5.0, V * (s.x() + s.y()) / 5.0)};
+  return {V, Vec3::Zero(),
+          roundInertia(V * (s.y() + s.z()) / 5.0, V * (s.x() + s.z()) / 5.0,
+                       V * (s.x() + s.y()) / 5.0)};
 }
 
 }  // namespace dynamy

@@ -1,11 +1,10 @@
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy_elements/geometry/shapes.hpp>
 #include <numbers>
 
 namespace dynamy {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Mat3 diagonal(double a, double b, double c) { return Vec3(a, b, c).asDiagonal(); }
 

@@ -1,13 +1,12 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/friction_of_law.hpp>
 #include <dynamy_elements/joints/coordinate_laws.hpp>
 #include <limits>
 
 namespace dynamy {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void limit(Attributes& a, const char* name, const char* text) {
   Attribute& x = a.add(AttributeType::number, name, std::nullopt, text);

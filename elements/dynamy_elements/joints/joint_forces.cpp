@@ -11,7 +11,7 @@ namespace {
 
 /// First row of a force or moment in (F_A, M_A, F_B, M_B), first column of a displacement or
 /// rotation in (δr_A, δθ_A, δr_B, δθ_B).
-enum Part { kA = 0, kTurnA = 3, kB = 6, kTurnB = 9 };
+enum RowPart { kA = 0, kTurnA = 3, kB = 6, kTurnB = 9 };
 
 /// `force` of a point at Q acts on B, its opposite on A's point that is at Q; `turn`: ∂f by the
 /// four displacements.

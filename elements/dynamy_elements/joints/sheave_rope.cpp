@@ -1,6 +1,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/joints/sheave_rope.hpp>
 #include <limits>
@@ -9,9 +10,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kPassed = 1e-13;   ///< of the time: it has just broken
-constexpr double kRounding = 1e-9;  ///< of an angle of wrap that is zero [rad]
+constexpr double kBrokenNow = 1e-13;  ///< of the time: it has just broken
+constexpr double kNoWrap = 1e-9;      ///< of an angle of wrap that is zero [rad]
 
 /// Adds `factor` times a·Ω to a row.
 void addSpin(Block W, int row, const Frame& f, const Vec3& a, double factor) {
@@ -19,7 +19,7 @@ void addSpin(Block W, int row, const Frame& f, const Vec3& a, double factor) {
 }
 
 /// Acceleration at u̇ = 0 of the body point at rho_I.
-Vec3 pointBias(const Frame& f, const Vec3& rho_I) {
+Vec3 ropePointBias(const Frame& f, const Vec3& rho_I) {
   return f.bias_S_I + f.bias_R_I.cross(rho_I) + f.Omega_I.cross(f.Omega_I.cross(rho_I));
 }
 
@@ -109,12 +109,12 @@ void SheaveRope::chooseSense(const Frame& A, const Frame& B, const Frame& S, con
     const Strand a = strand(A, pointA_, S, axis_I, -sense),
                  b = strand(B, pointB_, S, axis_I, sense);
     double theta = wrap(a, b, axis_I, sense);
-    if (theta < -kRounding) theta += kTurn;
+    if (theta < -kNoWrap) theta += kTwoPi;
     const double half = 0.5 * sense * theta;
     const Vec3 middle = std::cos(half) * a.n + std::sin(half) * axis_I.cross(a.n);
-    const double along = middle.dot(side_), score = along > 0.0 ? 2.0 - theta / kTurn : along;
+    const double along = middle.dot(side_), score = along > 0.0 ? 2.0 - theta / kTwoPi : along;
     if (score <= best) continue;
-    best = score, sense_ = sense, wrap0_ = theta + kTurn * turns_;
+    best = score, sense_ = sense, wrap0_ = theta + kTwoPi * turns_;
   }
 }
 
@@ -152,7 +152,7 @@ void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
                b = strand(B, pointB_, S, axis_I, sense_);
   // The turn next to that of the start: the rope is never longer or shorter by a whole one.
   double theta = wrap(a, b, axis_I, sense_);
-  theta += kTurn * std::round((wrap0_ - theta) / kTurn);
+  theta += kTwoPi * std::round((wrap0_ - theta) / kTwoPi);
   ContactRows out = sink.add(0, length_ - a.length - b.length - radius_ * theta, *law_, 2);
   if (!out) return;
   const bool slips = out.dim() > 1;
@@ -188,7 +188,7 @@ void SheaveRope::bias(ContactRows& out, const Kinematics& k, const Strand& a,
   // A strand of length l whose end moves across it with v_n turns: ṫ·v = v_n²/l.
   const auto end = [&](const Frame& f, const Strand& s) {
     const double across = s.n.dot(f.velocity(s.rho_I) - S.v_S_I);
-    return s.t.dot(pointBias(f, s.rho_I) - S.bias_S_I) + across * across / s.length;
+    return s.t.dot(ropePointBias(f, s.rho_I) - S.bias_S_I) + across * across / s.length;
   };
   const double ofA = end(k.frame(frames_.A), a), ofB = end(k.frame(frames_.B), b);
   out.bias(0) = -ofA - ofB;
@@ -217,7 +217,7 @@ void SheaveRope::describe(Description& d) const {
   d.signal("forceB", Unit::force, "rope force at B",
            [](const SignalView& v) { return force(v, -1.0); });
   announceInstants(d, [this](double t) {
-    return t < breaksAt_ * (1.0 - kPassed) ? breaksAt_ : std::numeric_limits<double>::infinity();
+    return t < breaksAt_ * (1.0 - kBrokenNow) ? breaksAt_ : std::numeric_limits<double>::infinity();
   });
 }
 

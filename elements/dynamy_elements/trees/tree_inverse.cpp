@@ -12,7 +12,7 @@
 namespace dynamy {
 namespace {
 
-using Free = FreeMotion::Kind;
+using FreeBlock = FreeMotion::Kind;
 
 /// X d~ and d~ X, d~ y = d × y.
 Mat3 timesSkew(const Mat3& X, const Vec3& d) {
@@ -42,11 +42,11 @@ void own(const TreeNode& node, const NodeMotion& x, Tree::Articulated& out) {
 /// U, 1/D and what is left of (m, C, I) once the one motion of the node follows.
 void follow(const TreeNode& node, const Vec3& axis, Tree::Articulated& a) {
   switch (node.kind) {
-    case Free::slide:
+    case FreeBlock::slide:
       a.Uf = a.m * axis, a.Un = a.C.transpose() * axis;
       a.inverse = 1.0 / axis.dot(a.Uf);
       break;
-    case Free::screw: {
+    case FreeBlock::screw: {
       const Vec3 v = node.pitch * axis;
       a.Uf = a.m * v + a.C * axis, a.Un = a.C.transpose() * v + a.I * axis;
       a.inverse = 1.0 / (v.dot(a.Uf) + axis.dot(a.Un));
@@ -65,7 +65,7 @@ void Tree::factor(const Motions& x, std::vector<Articulated>& out) const {
   for (std::size_t k = nodes_.size(); k-- > 0;) {
     const TreeNode& node = nodes_[k];
     Articulated& a = out[k];
-    const bool ball = node.kind == Free::ball;
+    const bool ball = node.kind == FreeBlock::ball;
     if (ball)
       a.inverseOfI = a.I.inverse();
     else
@@ -99,7 +99,7 @@ void Tree::solve(const Motions& x, const std::vector<Articulated>& factors, Cons
     const TreeNode& node = nodes_[k];
     const Articulated& a = factors[k];
     Vec3 f = work[2 * k], n = work[2 * k + 1];
-    if (node.kind == Free::ball) {
+    if (node.kind == FreeBlock::ball) {
       const Vec3 left = in.segment<3>(node.u0) - x[k].A.transpose() * n;
       out.segment<3>(node.u0) = left;
       if (node.parent < 0) continue;
@@ -108,9 +108,9 @@ void Tree::solve(const Motions& x, const std::vector<Articulated>& factors, Cons
     } else {
       const Vec3& axis = x[k].a;
       double left = in[node.u0];
-      if (node.kind != Free::slide) left -= axis.dot(n);
-      if (node.kind == Free::slide) left -= axis.dot(f);
-      if (node.kind == Free::screw) left -= node.pitch * axis.dot(f);
+      if (node.kind != FreeBlock::slide) left -= axis.dot(n);
+      if (node.kind == FreeBlock::slide) left -= axis.dot(f);
+      if (node.kind == FreeBlock::screw) left -= node.pitch * axis.dot(f);
       out[node.u0] = left;
       if (node.parent < 0) continue;
       const double r = a.inverse * left;
@@ -128,7 +128,7 @@ void Tree::solve(const Motions& x, const std::vector<Articulated>& factors, Cons
       const auto P = 2 * static_cast<std::size_t>(node.parent);
       alpha = work[P + 1], acceleration = work[P] + alpha.cross(x[k].d);
     }
-    if (node.kind == Free::ball) {
+    if (node.kind == FreeBlock::ball) {
       const Vec3 left = x[k].A * Vec3(out.segment<3>(node.u0));
       const Vec3 turn = a.inverseOfI * (left - a.C.transpose() * acceleration);
       out.segment<3>(node.u0) = x[k].A.transpose() * (turn - alpha);
@@ -136,9 +136,9 @@ void Tree::solve(const Motions& x, const std::vector<Articulated>& factors, Cons
     } else {
       const double r = a.inverse * (out[node.u0] - a.Uf.dot(acceleration) - a.Un.dot(alpha));
       out[node.u0] = r;
-      if (node.kind != Free::slide) alpha += r * x[k].a;
-      if (node.kind == Free::slide) acceleration += r * x[k].a;
-      if (node.kind == Free::screw) acceleration += r * node.pitch * x[k].a;
+      if (node.kind != FreeBlock::slide) alpha += r * x[k].a;
+      if (node.kind == FreeBlock::slide) acceleration += r * x[k].a;
+      if (node.kind == FreeBlock::screw) acceleration += r * node.pitch * x[k].a;
     }
     work[2 * k] = acceleration, work[2 * k + 1] = alpha;
   }

@@ -45,7 +45,7 @@ bool UnilateralAdhesion::proxDerivative(const LawInput& in, double rho, const do
 
 SimpleSet UnilateralAdhesion::simpleSet(const LawInput& in) const {
   if (in.dim > 1) return {};
-  return {SimpleSet::Shape::interval, -pull(in), convex::kInfinity};
+  return {SimpleSet::Shape::interval, -pull(in), kInfinity};
 }
 
 Status UnilateralAdhesion::status(const LawInput& in, const double* argument) const {

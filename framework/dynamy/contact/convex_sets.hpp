@@ -16,6 +16,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <limits>
 #include <type_traits>
 
@@ -29,8 +30,6 @@ using In = std::type_identity_t<Point<n>>;
 /// R of the metric R⁻¹, also the derivative of a prox: n × n.
 template <int n>
 using Matrix = Eigen::Matrix<double, n, n>;
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // ---- interval and box --------------------------------------------------------------------------
 

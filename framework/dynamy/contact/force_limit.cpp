@@ -22,8 +22,7 @@ void ForceLimit::declare(Attributes& a) {
   a.example("<ForceLimit lower=\"-2\" upper=\"5\"/>");
 }
 
-ForceLimit::ForceLimit(const Parameters& x)
-    : SetValuedForceLaw(x), limit_{-convex::kInfinity, convex::kInfinity} {
+ForceLimit::ForceLimit(const Parameters& x) : SetValuedForceLaw(x), limit_{-kInfinity, kInfinity} {
   if (x.has("lower")) limit_.lower = x["lower"];
   if (x.has("upper")) limit_.upper = x["upper"];
   if (!(limit_.lower <= limit_.upper))
@@ -86,7 +85,7 @@ void OneWayClutch::declare(Attributes& a) {
 namespace {
 
 convex::Interval oneWay(const Parameters& x) {
-  const double limit = x.has("limit") ? double(x["limit"]) : convex::kInfinity;
+  const double limit = x.has("limit") ? double(x["limit"]) : kInfinity;
   return x["free"].text == "positive" ? convex::Interval{0.0, limit}
                                       : convex::Interval{-limit, 0.0};
 }

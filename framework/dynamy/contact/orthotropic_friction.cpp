@@ -58,7 +58,7 @@ void UnilateralOrthotropic::epsilon(int dim, double* epsilon) const {
 
 SimpleSet UnilateralOrthotropic::simpleSet(const LawInput& in) const {
   const double one = 1.0;
-  if (in.dim == 1) return {SimpleSet::Shape::interval, 0.0, convex::kInfinity};
+  if (in.dim == 1) return {SimpleSet::Shape::interval, 0.0, kInfinity};
   if (in.dim != 2) return {};
   return {SimpleSet::Shape::friction, 0.0, support(in, 1, &one)};
 }

@@ -12,7 +12,7 @@ PairLaws::Names inOrder(const std::string& a, const std::string& b) {
   return {first, second};
 }
 
-std::string quoted(const std::string& a, const std::string& b) {
+std::string quotedPair(const std::string& a, const std::string& b) {
   return "\"" + a + "\" and \"" + b + "\"";
 }
 
@@ -39,7 +39,7 @@ void PairLaws::once(Known& known, const Rule& rule, const std::string& what) {
 
 void PairLaws::enter(const ContactRule& rule) {
   once(pairs_[inOrder(rule.materialA(), rule.materialB())], rule,
-       "the materials " + quoted(rule.materialA(), rule.materialB()) + " have a rule already");
+       "the materials " + quotedPair(rule.materialA(), rule.materialB()) + " have a rule already");
 }
 
 void PairLaws::enter(const Material& material) {
@@ -61,7 +61,7 @@ PairLaw PairLaws::mixed(const Material& a, const Material& b) {
   if (!std::isfinite(v.mu))
     throw ModelError(Diagnostic{.place = mixing_->place(),
                                 .element = mixing_->type(),
-                                .text = "mu of the materials " + quoted(a.name(), b.name()) +
+                                .text = "mu of the materials " + quotedPair(a.name(), b.name()) +
                                         " mixes to " + numberText(v.mu),
                                 .hint = "take smaller values"});
   std::unique_ptr<const SetValuedForceLaw> law;
@@ -97,7 +97,7 @@ const PairLaw& PairLaws::find(const std::string& a, const std::string& b) {
 Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
   const std::string between = "between=\"" + a + " " + b + "\"";
   Diagnostic d;
-  d.text = "no law for contact of the materials " + quoted(a, b);
+  d.text = "no law for contact of the materials " + quotedPair(a, b);
   if (mixing_) {
     // Whose values are missing, and whether the name was misspelt.
     const std::string& without = material(a) ? b : a;

@@ -12,7 +12,7 @@ namespace dynamy {
 namespace {
 
 /// Coefficients above hold whatever the contact carries; their squares must stay numbers.
-constexpr double kMostMu = 1e100;
+constexpr double kMostRolling = 1e100;
 
 /// Length of the n ≤ 2 numbers at x.
 double length(const double* x, int n) { return n == 1 ? std::abs(x[0]) : std::hypot(x[0], x[1]); }
@@ -63,7 +63,7 @@ struct UnilateralRolling::Parts {
  private:
   const Part& at(int b) const { return all[static_cast<std::size_t>(b)]; }
   void add(int first, int rows, double mu) {
-    all[static_cast<std::size_t>(count++)] = {first, rows, std::min(mu, kMostMu)};
+    all[static_cast<std::size_t>(count++)] = {first, rows, std::min(mu, kMostRolling)};
   }
 };
 

@@ -16,26 +16,26 @@ namespace {
 
 constexpr int kMaxReservoir = kMostRows - 1;
 
-using SmallVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxReservoir, 1>;
-using SmallMat = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
-                               kMaxReservoir, kMaxReservoir>;
+using ReservoirVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxReservoir, 1>;
+using ReservoirMat = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor,
+                                   kMaxReservoir, kMaxReservoir>;
 
 /// f(ν) = ½ νᵀRν + N S_B(ν) − zᵀν with gradient and Newton step.
 struct Dual {
   const NormalTimesReservoir& law;
   const LawInput& in;
   double N;
-  const SmallVec& R;
-  const SmallVec& z;
-  SmallVec residual = z;  ///< Rν + N ∇S_B − z
+  const ReservoirVec& R;
+  const ReservoirVec& z;
+  ReservoirVec residual = z;  ///< Rν + N ∇S_B − z
 
-  double S(const SmallVec& nu) const { return law.support(in, size(), nu.data()); }
-  double value(const SmallVec& nu) const {
+  double S(const ReservoirVec& nu) const { return law.support(in, size(), nu.data()); }
+  double value(const ReservoirVec& nu) const {
     return 0.5 * nu.dot(R.cwiseProduct(nu)) + N * S(nu) - z.dot(nu);
   }
-  SmallVec newtonStep(const SmallVec& nu) {
-    SmallVec gradient(size());
-    SmallMat A(size(), size());
+  ReservoirVec newtonStep(const ReservoirVec& nu) {
+    ReservoirVec gradient(size());
+    ReservoirMat A(size(), size());
     law.support(in, size(), nu.data(), gradient.data(), A.data());
     A *= N;
     A.diagonal() += R;
@@ -44,11 +44,11 @@ struct Dual {
   }
   /// Turns ν until it separates z from N B, zᵀν > N S_B(ν); false: there is no such ν, z ∈ N B.
   /// Newton's method for the convex problem min N S_B(ν) on the plane zᵀν = 1.
-  bool separate(SmallVec& nu) const {
+  bool separate(ReservoirVec& nu) const {
     // A point outside by less than this part of its length counts as inside: rounding.
     constexpr double kMargin = 1e-13;
-    SmallVec g(size());
-    SmallMat A(size(), size());
+    ReservoirVec g(size());
+    ReservoirMat A(size(), size());
     nu /= z.dot(nu);
     for (int step = 0; step < 50; ++step) {
       const double NS = N * law.support(in, size(), nu.data(), g.data(), A.data());
@@ -56,9 +56,9 @@ struct Dual {
       // The Hessian is singular along ν alone; c z zᵀ closes that gap and costs nothing on the
       // plane.
       A = N * A + NS * z * z.transpose();
-      const Eigen::PartialPivLU<SmallMat> lu(A);
-      const SmallVec Ag = lu.solve(N * g), Az = lu.solve(z);
-      const SmallVec delta = Az * (z.dot(Ag) / z.dot(Az)) - Ag;
+      const Eigen::PartialPivLU<ReservoirMat> lu(A);
+      const ReservoirVec Ag = lu.solve(N * g), Az = lu.solve(z);
+      const ReservoirVec delta = Az * (z.dot(Ag) / z.dot(Az)) - Ag;
       const double slope = N * g.dot(delta);
       if (!(slope < -1e-15 * NS)) return false;
       double theta = 1.0;
@@ -156,10 +156,10 @@ void NormalTimesReservoir::project(const LawInput& in, double N, const double* r
     out.setZero();
     return;
   }
-  const SmallVec z = out, R = Eigen::Map<const Eigen::VectorXd>(r, k);
+  const ReservoirVec z = out, R = Eigen::Map<const Eigen::VectorXd>(r, k);
   if (!(z.norm() > 0.0)) return;  // 0 lies in every reservoir
   Dual dual{*this, in, N, R, z};
-  SmallVec nu = z.cwiseQuotient(R);
+  ReservoirVec nu = z.cwiseQuotient(R);
   if (!dual.separate(nu)) return;  // inside
 
   // Damped Newton, judged by f.
@@ -169,11 +169,11 @@ void NormalTimesReservoir::project(const LawInput& in, double N, const double* r
   double value = dual.value(nu);
   bool moved = true;
   for (int step = 0; step < kMaxSteps && moved; ++step) {
-    const SmallVec delta = dual.newtonStep(nu);
+    const ReservoirVec delta = dual.newtonStep(nu);
     if (dual.residual.norm() <= kNear * z.norm()) break;
     moved = false;
     for (double theta = 1.0; theta > 1e-6 && !moved; theta *= 0.5) {
-      const SmallVec trial = nu + theta * delta;
+      const ReservoirVec trial = nu + theta * delta;
       const double trialValue = dual.value(trial);
       if (trialValue < value) nu = trial, value = trialValue, moved = true;
     }
@@ -182,7 +182,7 @@ void NormalTimesReservoir::project(const LawInput& in, double N, const double* r
   // Full steps near the solution: f no longer resolves the last half of the digits, its gradient
   // does.
   for (int step = 0; step < 4; ++step) {
-    const SmallVec trial = nu + dual.newtonStep(nu);
+    const ReservoirVec trial = nu + dual.newtonStep(nu);
     const double before = dual.residual.norm();
     if (before <= kSolved * z.norm()) break;
     dual.newtonStep(trial);
@@ -206,21 +206,21 @@ bool NormalTimesReservoir::proxDerivative(const LawInput& in, double rho, const 
   a(0, 0) = 0.0, b(0, 0) = rho;
   if (k == 0) return true;
   project(in, z[0], r, k, x + 1);
-  SmallVec nu(k), gradient(k);
+  ReservoirVec nu(k), gradient(k);
   for (int i = 0; i < k; ++i) nu[i] = (z[1 + i] - x[1 + i]) / rho;
   if (!(nu.norm() > 0.0)) {
     a.bottomRightCorner(k, k).setZero();
     b.bottomRightCorner(k, k).diagonal().setConstant(rho);
     return true;
   }
-  SmallMat hessian(k, k);
+  ReservoirMat hessian(k, k);
   support(in, k, nu.data(), gradient.data(), hessian.data());
-  SmallMat M = z[0] * hessian;
+  ReservoirMat M = z[0] * hessian;
   M.diagonal().array() += rho;
-  const SmallMat RA = rho * M.partialPivLu().inverse();
-  const SmallVec size = RA * gradient;
+  const ReservoirMat RA = rho * M.partialPivLu().inverse();
+  const ReservoirVec size = RA * gradient;
   a.bottomRightCorner(k, k) = RA;
-  b.bottomRightCorner(k, k) = rho * (SmallMat::Identity(k, k) - RA);
+  b.bottomRightCorner(k, k) = rho * (ReservoirMat::Identity(k, k) - RA);
   a.bottomLeftCorner(k, 1) = -size;
   b.bottomLeftCorner(k, 1) = rho * size;
   return true;

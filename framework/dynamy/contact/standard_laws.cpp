@@ -143,7 +143,7 @@ bool Unilateral::proxDerivative(const LawInput&, double rho, const double* xi, c
 }
 
 SimpleSet Unilateral::simpleSet(const LawInput&) const {
-  return {SimpleSet::Shape::interval, 0.0, convex::kInfinity};
+  return {SimpleSet::Shape::interval, 0.0, kInfinity};
 }
 
 Status Unilateral::status(const LawInput&, const double* argument) const {
@@ -217,7 +217,7 @@ void UnilateralCoulomb::naturalMap(const LawInput& in, double rho, const double*
 }
 
 SimpleSet UnilateralCoulomb::simpleSet(const LawInput& in) const {
-  if (in.dim == 1) return {SimpleSet::Shape::interval, 0.0, convex::kInfinity};
+  if (in.dim == 1) return {SimpleSet::Shape::interval, 0.0, kInfinity};
   return {SimpleSet::Shape::friction, 0.0, std::min(mu_, kMostMu)};
 }
 

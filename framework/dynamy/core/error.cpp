@@ -13,8 +13,8 @@ namespace dynamy {
 
 namespace {
 
-constexpr std::size_t kWindow = 160;       // characters of a line that are shown at most
-constexpr std::size_t kBeforeCaret = 100;  // of these, at most so many before the place
+constexpr std::size_t kShownCharacters = 160;  // characters of a line that are shown at most
+constexpr std::size_t kBeforeCaret = 100;      // of these, at most so many before the place
 constexpr std::size_t kShownErrors = 100;
 
 std::vector<Utf8Character> characters(std::string_view text) {
@@ -48,9 +48,9 @@ std::string excerpt(const Place& place, std::string_view line) {
 
   // A window around the place, if the line is long.
   std::size_t first = 0;
-  if (all.size() > kWindow && caret > kBeforeCaret)
-    first = std::min(caret - kBeforeCaret, all.size() - kWindow);
-  const std::size_t last = std::min(all.size(), first + kWindow);
+  if (all.size() > kShownCharacters && caret > kBeforeCaret)
+    first = std::min(caret - kBeforeCaret, all.size() - kShownCharacters);
+  const std::size_t last = std::min(all.size(), first + kShownCharacters);
 
   // The text; what a terminal cannot show becomes a replacement character.
   const std::string number = std::to_string(place.line);

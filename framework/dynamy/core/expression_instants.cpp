@@ -7,7 +7,7 @@ namespace dynamy {
 namespace {
 
 /// Of the value: an instant so close behind it has just been passed.
-constexpr double kPassed = 1e-13;
+constexpr double kInstantPassed = 1e-13;
 
 /// a t + b on the branches that hold right behind an instant, until the next one; else not known.
 struct Line {
@@ -20,7 +20,7 @@ Line constant(double value) { return {true, 0.0, value}; }
 /// Lines of the operands to that of the result; notes where branches end.
 class Branches {
  public:
-  explicit Branches(double after) : behind_(after + kPassed * std::abs(after)) {}
+  explicit Branches(double after) : behind_(after + kInstantPassed * std::abs(after)) {}
   double next() const { return next_; }
 
   Line apply(Op op, const Line& a, const Line& b, const Line& c) {

@@ -15,7 +15,7 @@ namespace {
 constexpr int kDeepestNesting = 200;
 constexpr std::size_t kMostNamesListed = 12;
 
-std::string quoted(std::string_view word) { return "\"" + std::string(word) + "\""; }
+std::string quotedWord(std::string_view word) { return "\"" + std::string(word) + "\""; }
 
 /// Recursive descent, one function for each rule of the grammar.
 class Parser {
@@ -219,10 +219,10 @@ class Parser {
     const std::string_view name = word(nameToken);
     const ExpressionFunction* function = findFunction(name);
     if (function == nullptr && isSymbol(name)) {
-      fail(quoted(name) + " is not a function, a product needs \"*\"", nameToken);
+      fail(quotedWord(name) + " is not a function, a product needs \"*\"", nameToken);
     }
     if (function == nullptr) {
-      fail("unknown function " + quoted(name), nameToken, nearest(name, functionNames()));
+      fail("unknown function " + quotedWord(name), nameToken, nearest(name, functionNames()));
     }
     ++at_;
     const Token open = current();
@@ -277,10 +277,10 @@ class Parser {
   [[noreturn]] void unknownSymbol(const Token& token) const {
     const std::string_view name = word(token);
     if (findFunction(name) != nullptr) {
-      fail(quoted(name) + " is a function and needs arguments in \"( )\"", token);
+      fail(quotedWord(name) + " is a function and needs arguments in \"( )\"", token);
     }
     std::vector<std::string> known = symbols_.names();
-    std::string message = "unknown symbol " + quoted(name);
+    std::string message = "unknown symbol " + quotedWord(name);
     if (!known.empty() && known.size() <= kMostNamesListed) {
       message += ", known:";
       for (const std::string& k : known) message += " " + k;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/expression_error.hpp>
 #include <dynamy/core/parameters.hpp>
 #include <dynamy/core/unit_suffix.hpp>
@@ -11,16 +12,14 @@
 namespace dynamy {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Word {
+struct ReadWord {
   std::string_view text;
   std::size_t offset = 0;
 };
 
-std::vector<Word> split(std::string_view text) {
+std::vector<ReadWord> split(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
-  std::vector<Word> out;
+  std::vector<ReadWord> out;
   for (std::size_t i = text.find_first_not_of(kSpace); i != std::string_view::npos;) {
     const std::size_t end = std::min(text.find_first_of(kSpace, i), text.size());
     out.push_back({text.substr(i, end - i), i});
@@ -100,7 +99,8 @@ std::optional<std::string> outOfRange(const Attribute& a, double x) {
 }
 
 /// One number with its suffix; `given` values are bound by the range.
-std::optional<ValueFault> readNumber(const Attribute& a, const Word& word, bool given, double& x) {
+std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, bool given,
+                                     double& x) {
   const auto fault = [&](std::string text) {
     return ValueFault{std::move(text), {}, word.offset, word.text.size()};
   };
@@ -137,14 +137,14 @@ std::optional<ValueFault> readNumber(const Attribute& a, const Word& word, bool 
 std::string counted(std::size_t n) { return std::to_string(n) + (n == 1 ? " number" : " numbers"); }
 
 std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value) {
-  const std::vector<Word> words = split(value.text);
+  const std::vector<ReadWord> words = split(value.text);
   const std::size_t expected =
       a.type == AttributeType::vector ? static_cast<std::size_t>(a.size) : 1;
   const ValueFault whole{{}, {}, 0, value.text.size()};
 
   // Each word by itself, then their number.
   value.numbers.clear();
-  for (const Word& word : words) {
+  for (const ReadWord& word : words) {
     double x = 0.0;
     if (auto fault = readNumber(a, word, value.given, x)) return fault;
     if (a.type == AttributeType::integer && (x != std::round(x) || std::abs(x) > 2147483647.0))

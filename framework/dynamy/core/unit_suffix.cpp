@@ -92,7 +92,7 @@ constexpr auto kTable = [] {
   });
 }();
 
-std::vector<std::string> tableNames() {
+std::vector<std::string> unitNames() {
   std::vector<std::string> names;
   for (const TableEntry& entry : kTable) names.emplace_back(entry.name);
   return names;
@@ -108,7 +108,7 @@ std::optional<UnitSuffix> parseUnitSuffix(std::string_view text) {
 }
 
 std::span<const std::string> unitSuffixes() {
-  static const std::vector<std::string> kNames = tableNames();
+  static const std::vector<std::string> kNames = unitNames();
   return kNames;
 }
 

@@ -6,12 +6,12 @@ namespace dynamy {
 namespace {
 
 /// How often a waiting thread looks before it sleeps: sweeps follow each other within microseconds.
-constexpr int kLooks = 2000;
+constexpr int kLooksForWork = 2000;
 
 /// Waits until `value` is not `old` any more.
 template <class T>
 void await(const std::atomic<T>& value, T old) {
-  for (int i = 0; i < kLooks; ++i)
+  for (int i = 0; i < kLooksForWork; ++i)
     if (value.load(std::memory_order_acquire) != old) return;
   value.wait(old, std::memory_order_acquire);
 }

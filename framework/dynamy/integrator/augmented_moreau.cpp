@@ -16,7 +16,7 @@ constexpr double kSettles = 4.0;
 /// Up to this ωH blocks let oscillations of stiff elements grow by 6e-5 at most, for any N.
 constexpr double kExtrapolated = 0.5;
 /// Shortest Δt_min: so many roundings of the time.
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double kPostImpactNoise = 64.0 * std::numeric_limits<double>::epsilon();
 
 constexpr Eigen::Index kPlanSize = 7;
 
@@ -227,7 +227,7 @@ bool AugmentedMoreau::anyPassed(const ContactSet& c, double least) const {
 double AugmentedMoreau::dtMin() const {
   const double dtMax = plan_.dtMax;
   const double given = options_.dtMin > 0.0 ? options_.dtMin : std::pow(dtMax, options_.order) / 4;
-  return std::clamp(given, kRounding * std::max(dtMax, std::abs(begin_.t)), dtMax);
+  return std::clamp(given, kPostImpactNoise * std::max(dtMax, std::abs(begin_.t)), dtMax);
 }
 
 void AugmentedMoreau::restore(const State& x, double dt) {

@@ -7,10 +7,10 @@ namespace dynamy {
 namespace {
 
 /// Of that time: truncation 3e-14, rounding 1e-13 of the rate of γ.
-constexpr double kDifference = 1e-3;
+constexpr double kBesideState = 1e-3;
 /// Shorter ones where contacts come or go within it, and by how much each: the last has a rounding
 /// of 3e-11.
-constexpr int kShorter = 2;
+constexpr int kShorterLooks = 2;
 constexpr double kShorten = 1.0 / 16.0;
 
 /// How fast x goes through `scales`, at least 1/time [1/s].
@@ -35,7 +35,7 @@ const ContactSet& MechanicalSystem::look(const State& x) {
 }
 
 bool MechanicalSystem::differenceBias(const State& x, Eigen::VectorXd& out, double aside) {
-  const double d = kDifference / goesThrough(x, differenceScales_, differenceTime_);
+  const double d = kBesideState / goesThrough(x, differenceScales_, differenceTime_);
   const double weight[4] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0},
                at[4] = {-2.0, -1.0, 1.0, 2.0};
   for (int p = 0; p < 4; ++p) {
@@ -63,7 +63,7 @@ void MechanicalSystem::tellDifferences(const State& x, Evaluation& e) {
   const auto tell = [&] { return differenceBias(x, biasLook_) && biasLook_.size() == c.rows(); };
   const double time = differenceTime_;
   bool told = tell();
-  for (int i = 0; i < kShorter && !told; ++i) {
+  for (int i = 0; i < kShorterLooks && !told; ++i) {
     differenceTime_ = kShorten / goesThrough(x, differenceScales_, differenceTime_);
     told = tell();
   }

@@ -7,8 +7,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kHalfKey = 4294967296.0;   ///< 2³², above both halves of a key
-constexpr double kMostValue = 3.0 * 256.0;  ///< above three values a status
+constexpr double kBoundOfHalfKey = 4294967296.0;  ///< 2³², above both halves of a key
+constexpr double kMostValue = 3.0 * 256.0;        ///< above three values a status
 
 /// Sign of the only friction row of a contact or one-row law; 0 where the slip has a direction.
 int slipSign(const SetValuedForceLaw& law, int dim, const double* Lambda) {
@@ -67,7 +67,7 @@ bool DiscreteState::restore(const Eigen::VectorXd& data, Eigen::Index first) {
   if (!(count >= 0.0 && count <= room) || count != std::floor(count)) return false;
   const auto bounded = [](double x, double most) { return x >= 0.0 && x < most; };
   for (auto left = static_cast<long>(count); left > 0; --left, first += 3) {
-    if (!bounded(data[first], kHalfKey) || !bounded(data[first + 1], kHalfKey) ||
+    if (!bounded(data[first], kBoundOfHalfKey) || !bounded(data[first + 1], kBoundOfHalfKey) ||
         !bounded(data[first + 2], kMostValue)) {
       forget();
       return false;

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostIterations = 40;
+constexpr int kMostDisplacements = 40;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ SolveReport DisplacementLevel::solve(MechanicalSystem& s, InclusionProblem& prob
   SolveReport report;
   double before = 0.0;
   s.freeze(keys_);
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostDisplacements; ++i) {
     pose(problem, dt, offset);
     const SolveReport last = solver.solve(problem, s.Lambda());
     addSolve(report, last);
@@ -76,7 +76,7 @@ SolveReport DisplacementLevel::solve(MechanicalSystem& s, InclusionProblem& prob
     if (change <= enough) break;
     // Rounding of the positions may be above what is asked for: no better.
     if (i > 2 && change > 0.5 * before && change <= 10.0 * s.gTol()) break;
-    if (i + 1 == kMostIterations) report.status = SolveStatus::stalled;
+    if (i + 1 == kMostDisplacements) report.status = SolveStatus::stalled;
     before = change;
   }
   s.thaw();

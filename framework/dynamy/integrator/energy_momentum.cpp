@@ -6,10 +6,10 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostTurns = 25;
+constexpr int kMostNewtonTurns = 25;
 /// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
 /// with an old one it is the last if what is left of it after another turn drowns in rounding.
-constexpr double kLast = 1e-10, kLeft = 1e-15;
+constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
 /// The same with a new tangent in closed form, which takes forces of elements as constant: what it
 /// leaves is good to kSlow, else differences take its place.
 constexpr double kLastClosed = 1e-13;
@@ -106,7 +106,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   double before = 0.0;
   bool fresh = true;
   auto tangent = JointNewton::Tangent::closedForm;
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int turn = 0; turn < kMostNewtonTurns; ++turn) {
     newton_.residual(s, contacts_.impulse());
     contacts_.select(s, x, dt);
     ++report.iterations;
@@ -132,7 +132,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     const double rate = turn > 0 ? way / before : 1.0;
     const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;
     const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
-    if (last || (way <= kLast * length && rate * way <= kLeft * length)) {
+    if (last || (way <= kLast * length && rate * way <= kLeftOfWay * length)) {
       newton_.residual(s, contacts_.impulse());
       return report;
     }

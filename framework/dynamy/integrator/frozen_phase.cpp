@@ -8,7 +8,7 @@ namespace {
 
 /// Pivots below this share of the largest belong to redundant rows.
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
-constexpr int kMostTurns = 200;        ///< of the directions of slips that start
+constexpr int kMostSlipTurns = 200;    ///< of the directions of slips that start
 constexpr double kTurned = 1e-14;      ///< change of a direction that ends them
 
 }  // namespace
@@ -239,7 +239,7 @@ bool FrozenPhase::shapes(const Evaluation& e) {
 }
 
 void FrozenPhase::startDirections(const Evaluation& e) {
-  for (int i = 0; i < kMostTurns && turnStarting() > kTurned; ++i) solve(e, W_, bias_);
+  for (int i = 0; i < kMostSlipTurns && turnStarting() > kTurned; ++i) solve(e, W_, bias_);
 }
 
 bool FrozenPhase::accelerate(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {

@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostIterations = 60;
+constexpr int kMostAlphaIterations = 60;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
   vdot_ = vdotA_;
   w_.setZero(x.u.size());
   SolveReport solved;
-  VelocityIteration iteration(kMostIterations);
+  VelocityIteration iteration(kMostAlphaIterations);
   for (bool last = false; !last;) {
     place(s, x, dt);  // a^E, ũ, and M, h, W at q^E, u^E
     const double change = correct(s, solver, x, dt, solved);

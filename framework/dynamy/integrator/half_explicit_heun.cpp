@@ -5,8 +5,8 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostIterations = 40;
-constexpr double kConverged = 1e-14;  ///< change of γ, relative to the velocities
+constexpr int kMostHeunIterations = 40;
+constexpr double kHeunConverged = 1e-14;  ///< change of γ, relative to the velocities
 
 /// Heun's rule lets oscillations grow by (ωΔt)⁴/8 a step; up to this ωΔt by 2e-4.
 constexpr double kHeun = 0.2;
@@ -76,10 +76,10 @@ SolveReport HalfExplicitHeun::predict(MechanicalSystem& s, InclusionSolver& solv
       problem.gammaFree[k] = next;
     }
     const double speed = std::max(size, begin_.u.lpNorm<Eigen::Infinity>());
-    if (i > 0 && (change <= kConverged * speed || n == 0)) break;
+    if (i > 0 && (change <= kHeunConverged * speed || n == 0)) break;
     if (i > 4 && change > 0.5 * before && change <= 1e-9 * speed) break;
     before = change;
-    if (i == kMostIterations) {
+    if (i == kMostHeunIterations) {
       solved.status = SolveStatus::stalled;
       break;
     }

@@ -7,12 +7,10 @@ namespace {
 
 /// Change of positions by which K is differenced [m, rad]: its error and that of rounding meet near
 /// the root of 2e-16.
-constexpr double kDifference = 1e-7;
+constexpr double kTangentDifference = 1e-7;
 /// Share of a joint's own stiffness on the diagonal of its rows: regular with redundant joints;
 /// Newton's residual does not contain it.
 constexpr double kRegular = 1e-10;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool massDependsOnPosition(const Topology& topology) {
   return std::any_of(topology.systems().begin(), topology.systems().end(), [](const auto* system) {
@@ -26,7 +24,7 @@ bool massDependsOnPosition(const Topology& topology) {
 void JointNewton::findJoints(const ContactSet& c, std::vector<int>& out) const {
   out.clear();
   for (int i = 0; i < c.size(); ++i)
-    if (!c.law[at(i)]->unilateral() && c.law[at(i)]->rowKind(0) == RowKind::joint) out.push_back(i);
+    if (!c.law[i]->unilateral() && c.law[i]->rowKind(0) == RowKind::joint) out.push_back(i);
 }
 
 bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
@@ -35,11 +33,11 @@ bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
   findJoints(c, joints_);
   if (joints_.empty() && !massDependsOnPosition(*s.parts().topology)) return false;
   bool same = !blockNu_.empty() && keys_.size() == joints_.size();
-  for (std::size_t k = 0; same && k < joints_.size(); ++k) same = keys_[k] == c.key[at(joints_[k])];
+  for (std::size_t k = 0; same && k < joints_.size(); ++k) same = keys_[k] == c.key[joints_[k]];
   if (!same) connect(s, c);
   for (std::size_t k = 0; k < joints_.size(); ++k)
     for (int r = 0; r < c.dim(joints_[k]); ++r)
-      gA_[at(jointRow_[k] + r)] = c.position[at(c.row0[at(joints_[k])] + r)];
+      gA_[jointRow_[k] + r] = c.position[c.row0[joints_[k]] + r];
   v = x.u;
   std::fill(Lambda.begin(), Lambda.end(), 0.0);
   const RememberedImpulses& old = x.impulses;
@@ -49,7 +47,7 @@ bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
     const auto i = static_cast<std::size_t>(found - old.key.begin());
     if (old.first[i + 1] - old.first[i] != c.dim(joints_[k])) continue;
     for (int r = 0; r < c.dim(joints_[k]); ++r)
-      Lambda[at(jointRow_[k] + r)] = dt / old.dt * old.Lambda[at(old.first[i] + r)];
+      Lambda[jointRow_[k] + r] = dt / old.dt * old.Lambda[old.first[i] + r];
   }
   return true;
 }
@@ -63,67 +61,67 @@ void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
     mostNu_ = std::max(mostNu_, mass.nu(b));
   }
   // Nodes: blocks, then joints; joints make their blocks neighbours of each other.
-  std::vector<std::vector<int>> near(at(blocks + joints));
-  nearBlocks_.assign(at(blocks), {}), nearJoints_.assign(at(blocks), {});
-  for (int b = 0; b < blocks; ++b) nearBlocks_[at(b)].push_back(b);
+  std::vector<std::vector<int>> near(static_cast<std::size_t>(blocks + joints));
+  nearBlocks_.assign(static_cast<std::size_t>(blocks), {}),
+      nearJoints_.assign(static_cast<std::size_t>(blocks), {});
+  for (int b = 0; b < blocks; ++b) nearBlocks_[b].push_back(b);
   for (int k = 0; k < joints; ++k) {
-    const int i = joints_[at(k)];
-    keys_.push_back(c.key[at(i)]);
+    const int i = joints_[k];
+    keys_.push_back(c.key[i]);
     jointRow_.push_back(jointRow_.back() + c.dim(i));
     std::vector<int> of;
-    for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m)
-      of.push_back(c.segment[at(m)].block);
+    for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) of.push_back(c.segment[m].block);
     for (const int b : of) {
-      near[at(b)].push_back(blocks + k), near[at(blocks + k)].push_back(b);
-      nearJoints_[at(b)].push_back(k);
+      near[b].push_back(blocks + k), near[blocks + k].push_back(b);
+      nearJoints_[b].push_back(k);
       for (const int other : of)
-        if (other != b) near[at(b)].push_back(other), nearBlocks_[at(b)].push_back(other);
+        if (other != b) near[b].push_back(other), nearBlocks_[b].push_back(other);
     }
   }
   for (std::vector<int>& list : nearBlocks_) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
-  Lambda.assign(at(jointRow_.back()), 0.0), dLambda = Lambda, Rg_ = Lambda, g0_ = Lambda;
+  Lambda.assign(static_cast<std::size_t>(jointRow_.back()), 0.0), dLambda = Lambda, Rg_ = Lambda,
+                                                                  g0_ = Lambda;
   gA_ = Lambda, gRate_ = Lambda, gRate0_ = Lambda;
   order(near), colour();
-  work_.resize(at(unknowns_));
+  work_.resize(static_cast<std::size_t>(unknowns_));
 }
 
 void JointNewton::order(const std::vector<std::vector<int>>& near) {
   // Breadth first from a node with few neighbours, component after component (Cuthill–McKee).
   const int n = static_cast<int>(near.size()), blocks = static_cast<int>(blockNu_.size());
-  std::vector<int> position(at(n), -1);
+  std::vector<int> position(static_cast<std::size_t>(n), -1);
   nodes_.clear(), unknowns_ = 0;
   const auto visit = [&](int node) {
-    if (position[at(node)] >= 0) return;
-    position[at(node)] = static_cast<int>(nodes_.size());
+    if (position[node] >= 0) return;
+    position[node] = static_cast<int>(nodes_.size());
     const bool joint = node >= blocks;
     nodes_.push_back({joint, joint ? node - blocks : node, unknowns_});
-    unknowns_ += joint ? jointRow_[at(node - blocks) + 1] - jointRow_[at(node - blocks)]
-                       : blockNu_[at(node)];
+    unknowns_ += joint ? jointRow_[node - blocks + 1] - jointRow_[node - blocks] : blockNu_[node];
   };
   std::size_t next = 0;
   while (static_cast<int>(nodes_.size()) < n) {
     int start = -1;
     for (int i = 0; i < n; ++i)
-      if (position[at(i)] < 0 && (start < 0 || near[at(i)].size() < near[at(start)].size()))
-        start = i;
+      if (position[i] < 0 && (start < 0 || near[i].size() < near[start].size())) start = i;
     visit(start);
     for (; next < nodes_.size(); ++next) {
       const int node = nodes_[next].joint ? blocks + nodes_[next].index : nodes_[next].index;
-      for (const int other : near[at(node)]) visit(other);
+      for (const int other : near[node]) visit(other);
     }
   }
-  blockNode_.assign(at(blocks), -1), jointNode_.assign(at(n - blocks), -1), band_ = 0;
-  const auto last = [&](int p) { return (p + 1 < n ? nodes_[at(p + 1)].first : unknowns_) - 1; };
+  blockNode_.assign(static_cast<std::size_t>(blocks), -1),
+      jointNode_.assign(static_cast<std::size_t>(n - blocks), -1), band_ = 0;
+  const auto last = [&](int p) { return (p + 1 < n ? nodes_[p + 1].first : unknowns_) - 1; };
   for (int p = 0; p < n; ++p) {
-    const Node& node = nodes_[at(p)];
-    (node.joint ? jointNode_ : blockNode_)[at(node.index)] = p;
+    const Node& node = nodes_[p];
+    (node.joint ? jointNode_ : blockNode_)[node.index] = p;
     band_ = std::max(band_, last(p) - node.first);
-    for (const int other : near[at(node.joint ? blocks + node.index : node.index)]) {
-      const int q = position[at(other)];
-      band_ = std::max({band_, last(p) - nodes_[at(q)].first, last(q) - node.first});
+    for (const int other : near[node.joint ? blocks + node.index : node.index]) {
+      const int q = position[other];
+      band_ = std::max({band_, last(p) - nodes_[q].first, last(q) - node.first});
     }
   }
 }
@@ -131,15 +129,15 @@ void JointNewton::order(const std::vector<std::vector<int>>& near) {
 void JointNewton::colour() {
   // No two blocks of a colour have a common neighbour.
   const int blocks = static_cast<int>(blockNu_.size());
-  colour_.assign(at(blocks), -1), colours_ = 0;
+  colour_.assign(static_cast<std::size_t>(blocks), -1), colours_ = 0;
   for (int b = 0; b < blocks; ++b) {
-    std::vector<bool> used(at(blocks) + 1, false);
-    for (const int a : nearBlocks_[at(b)])
-      for (const int o : nearBlocks_[at(a)])
-        if (colour_[at(o)] >= 0) used[at(colour_[at(o)])] = true;
+    std::vector<bool> used(static_cast<std::size_t>(blocks) + 1, false);
+    for (const int a : nearBlocks_[b])
+      for (const int o : nearBlocks_[a])
+        if (colour_[o] >= 0) used[colour_[o]] = true;
     int c = 0;
-    while (used[at(c)]) ++c;
-    colour_[at(b)] = c;
+    while (used[c]) ++c;
+    colour_[b] = c;
     colours_ = std::max(colours_, c + 1);
   }
 }
@@ -153,9 +151,9 @@ void JointNewton::jointForces(const Evaluation& e, Eigen::VectorXd& out) {
     const double* lambda = Lambda.data() + jointRow_[k];
     double power = 0.0, twiceT = 0.0;
     for (int r = 0; r < dim; ++r)
-      power += lambda[r] * (c.chi[at(c.row0[at(i)] + r)] - gRate_[at(jointRow_[k] + r)]);
-    for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
-      const Segment& seg = c.segment[at(m)];
+      power += lambda[r] * (c.chi[c.row0[i] + r] - gRate_[jointRow_[k] + r]);
+    for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+      const Segment& seg = c.segment[m];
       for (int j = 0; j < seg.nu; ++j) twiceT += v[seg.u0 + j] * momentum_[seg.u0 + j];
       const double* w = c.W.data() + seg.w;
       for (int r = 0; r < dim; ++r, w += seg.nu)
@@ -165,8 +163,8 @@ void JointNewton::jointForces(const Evaluation& e, Eigen::VectorXd& out) {
         }
     }
     if (!(twiceT > 0.0)) continue;
-    for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
-      const Segment& seg = c.segment[at(m)];
+    for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+      const Segment& seg = c.segment[m];
       for (int j = 0; j < seg.nu; ++j) out[seg.u0 + j] -= power / twiceT * momentum_[seg.u0 + j];
     }
   }
@@ -185,8 +183,8 @@ void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactIm
   findJoints(e.contacts, joints_), findJoints(atEnd, endJoints_);
   for (std::size_t k = 0; k < endJoints_.size(); ++k)
     for (int r = 0; r < atEnd.dim(endJoints_[k]); ++r) {
-      const std::size_t row = at(jointRow_[k] + r);
-      Rg_[row] = atEnd.position[at(atEnd.row0[at(endJoints_[k])] + r)] / dt_;
+      const std::size_t row = static_cast<std::size_t>(jointRow_[k] + r);
+      Rg_[row] = atEnd.position[atEnd.row0[endJoints_[k]] + r] / dt_;
       gRate_[row] = Rg_[row] - gA_[row] / dt_;
     }
   jointForces(e, force_);
@@ -202,17 +200,16 @@ double JointNewton::worstPosition() const {
 }
 
 void JointNewton::addColumn(int block, int j, const Eigen::VectorXd& R0, double perturbation) {
-  const int column = nodes_[at(blockNode_[at(block)])].first + j;
-  for (const int b : nearBlocks_[at(block)]) {
-    const int row = nodes_[at(blockNode_[at(b)])].first, u0 = blockU0_[at(b)];
-    for (int i = 0; i < blockNu_[at(b)]; ++i)
+  const int column = nodes_[blockNode_[block]].first + j;
+  for (const int b : nearBlocks_[block]) {
+    const int row = nodes_[blockNode_[b]].first, u0 = blockU0_[b];
+    for (int i = 0; i < blockNu_[b]; ++i)
       K_.at(row + i, column) = (Rv_[u0 + i] - R0[u0 + i]) / perturbation;
   }
-  for (const int k : nearJoints_[at(block)]) {
-    const int row = nodes_[at(jointNode_[at(k)])].first;
-    for (int r = 0; r < jointRow_[at(k) + 1] - jointRow_[at(k)]; ++r)
-      K_.at(row + r, column) =
-          (Rg_[at(jointRow_[at(k)] + r)] - g0_[at(jointRow_[at(k)] + r)]) / perturbation;
+  for (const int k : nearJoints_[block]) {
+    const int row = nodes_[jointNode_[k]].first;
+    for (int r = 0; r < jointRow_[k + 1] - jointRow_[k]; ++r)
+      K_.at(row + r, column) = (Rg_[jointRow_[k] + r] - g0_[jointRow_[k] + r]) / perturbation;
   }
 }
 
@@ -221,12 +218,11 @@ void JointNewton::addJointColumns(const Evaluation& e) {
   const ContactSet& c = e.contacts;
   e.mass.apply(view(std::as_const(v)), view(momentum_));
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const int i = joints_[k], first = nodes_[at(jointNode_[k])].first;
+    const int i = joints_[k], first = nodes_[jointNode_[k]].first;
     for (int r = 0; r < c.dim(i); ++r) {
-      double power = c.chi[at(c.row0[at(i)] + r)] - gRate_[at(jointRow_[k] + r)], twiceT = 0.0,
-             stiffness = 0.0;
-      for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
-        const Segment& seg = c.segment[at(m)];
+      double power = c.chi[c.row0[i] + r] - gRate_[jointRow_[k] + r], twiceT = 0.0, stiffness = 0.0;
+      for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+        const Segment& seg = c.segment[m];
         const double* w = c.W.data() + seg.w + static_cast<std::ptrdiff_t>(r) * seg.nu;
         const ConstBlock inverse = e.mass.inverse(seg.block);
         for (int j = 0; j < seg.nu; ++j) {
@@ -236,10 +232,10 @@ void JointNewton::addJointColumns(const Evaluation& e) {
         }
       }
       const double share = twiceT > 0.0 ? power / twiceT : 0.0;
-      for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
-        const Segment& seg = c.segment[at(m)];
+      for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+        const Segment& seg = c.segment[m];
         const double* w = c.W.data() + seg.w + static_cast<std::ptrdiff_t>(r) * seg.nu;
-        const int row = nodes_[at(blockNode_[at(seg.block)])].first;
+        const int row = nodes_[blockNode_[seg.block]].first;
         for (int j = 0; j < seg.nu; ++j)
           K_.at(row + j, first + r) -= w[j] - share * momentum_[seg.u0 + j];
       }
@@ -270,22 +266,22 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
 bool JointNewton::closedForm(const MechanicalSystem& s) {
   if (!parts_.begin(s, midpoint, v, dt_)) return false;
   for (std::size_t b = 0; b < blockNu_.size(); ++b) {
-    const int first = nodes_[at(blockNode_[b])].first;
+    const int first = nodes_[blockNode_[b]].first;
     const JointTangent::Matrix6& K = parts_.ofBlock(static_cast<int>(b));
     for (int i = 0; i < blockNu_[b]; ++i)
       for (int j = 0; j < blockNu_[b]; ++j) K_.at(first + i, first + j) += K(i, j);
   }
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const std::size_t row = at(jointRow_[k]);
+    const std::size_t row = static_cast<std::size_t>(jointRow_[k]);
     if (!parts_.joint(s, joints_[k], endJoints_[k], Lambda.data() + row, gRate_.data() + row))
       return false;
-    const int rows = jointRow_[k + 1] - jointRow_[k], firstRow = nodes_[at(jointNode_[k])].first;
+    const int rows = jointRow_[k + 1] - jointRow_[k], firstRow = nodes_[jointNode_[k]].first;
     for (int b = 0; b < parts_.sides(); ++b) {
-      const int column = nodes_[at(blockNode_[at(parts_.block(b))])].first;
+      const int column = nodes_[blockNode_[parts_.block(b)]].first;
       for (int j = 0; j < parts_.nu(b); ++j) {
         for (int r = 0; r < rows; ++r) K_.at(firstRow + r, column + j) += parts_.ofGap(b)(r, j);
         for (int a = 0; a < parts_.sides(); ++a) {
-          const int first = nodes_[at(blockNode_[at(parts_.block(a))])].first;
+          const int first = nodes_[blockNode_[parts_.block(a)]].first;
           for (int i = 0; i < parts_.nu(a); ++i)
             K_.at(first + i, column + j) -= parts_.ofForce(a, b)(i, j);
         }
@@ -298,7 +294,7 @@ bool JointNewton::closedForm(const MechanicalSystem& s) {
 void JointNewton::differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse) {
   force0_ = Rv_, g0_ = Rg_, gRate0_ = gRate_;
   base_ = v;
-  const double d = kDifference / dt_;
+  const double d = kTangentDifference / dt_;
   for (int colour = 0; colour < colours_; ++colour)
     for (int j = 0; j < mostNu_; ++j) {
       bool any = false;
@@ -319,17 +315,17 @@ void JointNewton::checkPositions(const MechanicalSystem& s) {
   for (std::size_t k = 0; k < joints_.size(); ++k)
     for (int r = 0; r < c.dim(joints_[k]); ++r) {
       double moves = 0.0, follows = 0.0;
-      const int row = nodes_[at(jointNode_[k])].first + r, i = joints_[k];
-      for (int m = c.segment0[at(i)]; m < c.segment0[at(i) + 1]; ++m) {
-        const Segment& seg = c.segment[at(m)];
-        const int column = nodes_[at(blockNode_[at(seg.block)])].first;
+      const int row = nodes_[jointNode_[k]].first + r, i = joints_[k];
+      for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+        const Segment& seg = c.segment[m];
+        const int column = nodes_[blockNode_[seg.block]].first;
         for (int j = 0; j < seg.nu; ++j) {
-          moves = std::max(moves, std::abs(c.W[at(static_cast<int>(seg.w) + r * seg.nu + j)]));
+          moves = std::max(moves, std::abs(c.W[static_cast<int>(seg.w) + r * seg.nu + j]));
           follows = std::max(follows, std::abs(K_.at(row, column + j)));
         }
       }
       if (moves == 0.0 || follows > 0.0) continue;
-      const Element& element = *s.parts().contacts[at(c.element[at(i)])];
+      const Element& element = *s.parts().contacts[c.element[i]];
       fault_ = "the scheme holds joints by their positions, and row " + std::to_string(r) + " of " +
                (element.name().empty() ? "an element of type " + element.type()
                                        : '"' + element.name() + '"') +
@@ -341,11 +337,10 @@ void JointNewton::checkPositions(const MechanicalSystem& s) {
 void JointNewton::newtonStep() {
   for (const Node& n : nodes_)
     if (n.joint)
-      for (int r = jointRow_[at(n.index)]; r < jointRow_[at(n.index) + 1]; ++r)
-        work_[at(n.first + r - jointRow_[at(n.index)])] = -Rg_[at(r)];
+      for (int r = jointRow_[n.index]; r < jointRow_[n.index + 1]; ++r)
+        work_[n.first + r - jointRow_[n.index]] = -Rg_[r];
     else
-      for (int j = 0; j < blockNu_[at(n.index)]; ++j)
-        work_[at(n.first + j)] = -Rv_[blockU0_[at(n.index)] + j];
+      for (int j = 0; j < blockNu_[n.index]; ++j) work_[n.first + j] = -Rv_[blockU0_[n.index] + j];
   K_.solve(work_.data());
   dv.setZero(v.size());
   std::fill(dLambda.begin(), dLambda.end(), 0.0);
@@ -355,26 +350,26 @@ void JointNewton::newtonStep() {
 void JointNewton::respond(const double* w, std::vector<double>& out) const {
   out.assign(static_cast<std::size_t>(unknowns_), 0.0);
   for (const Node& n : nodes_)
-    for (int j = 0; !n.joint && j < blockNu_[at(n.index)]; ++j)
-      out[at(n.first + j)] = w[blockU0_[at(n.index)] + j];
+    for (int j = 0; !n.joint && j < blockNu_[n.index]; ++j)
+      out[n.first + j] = w[blockU0_[n.index] + j];
   K_.solve(out.data());
 }
 
 void JointNewton::add(const std::vector<double>& response, double factor) {
   for (const Node& n : nodes_)
     if (n.joint)
-      for (int r = jointRow_[at(n.index)]; r < jointRow_[at(n.index) + 1]; ++r)
-        dLambda[at(r)] += factor * response[at(n.first + r - jointRow_[at(n.index)])];
+      for (int r = jointRow_[n.index]; r < jointRow_[n.index + 1]; ++r)
+        dLambda[r] += factor * response[n.first + r - jointRow_[n.index]];
     else
-      for (int j = 0; j < blockNu_[at(n.index)]; ++j)
-        dv[blockU0_[at(n.index)] + j] += factor * response[at(n.first + j)];
+      for (int j = 0; j < blockNu_[n.index]; ++j)
+        dv[blockU0_[n.index] + j] += factor * response[n.first + j];
 }
 
 double JointNewton::velocityPart(const std::vector<double>& response, const double* w) const {
   double sum = 0.0;
   for (const Node& n : nodes_)
-    for (int j = 0; !n.joint && j < blockNu_[at(n.index)]; ++j)
-      sum += w[blockU0_[at(n.index)] + j] * response[at(n.first + j)];
+    for (int j = 0; !n.joint && j < blockNu_[n.index]; ++j)
+      sum += w[blockU0_[n.index] + j] * response[n.first + j];
   return sum;
 }
 

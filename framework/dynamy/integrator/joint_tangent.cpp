@@ -1,11 +1,7 @@
 #include <dynamy/integrator/joint_tangent.hpp>
 
 namespace dynamy {
-namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 bool JointTangent::begin(const MechanicalSystem& s, const State& midpoint, const Eigen::VectorXd& v,
                          double dt) {
@@ -13,14 +9,14 @@ bool JointTangent::begin(const MechanicalSystem& s, const State& midpoint, const
     if (f->stiff()) return false;
   const Topology& topology = *s.parts().topology;
   dt_ = dt, v_ = &v;
-  blocks_.resize(at(topology.blocks()));
+  blocks_.resize(static_cast<std::size_t>(topology.blocks()));
   double T[36], K[36], D[36];
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& h = topology.system(static_cast<int>(i));
     if (h.nu == 0) continue;
     const PartialMechanicalSystem& system = *topology.systems()[i];
     if (h.blocks != 1 || h.nu > 6 || !system.blocks().constantMass) return false;
-    BlockTangent& b = blocks_[at(h.block0)];
+    BlockTangent& b = blocks_[h.block0];
     const ConstVec q = slice(midpoint.q, h.q0, h.nq), u = slice(v, h.u0, h.nu);
     const Block Tb(T, h.nu, h.nu), Kb(K, h.nu, h.nu), Db(D, h.nu, h.nu);
     if (!system.moveTangent(u, 0.5 * dt, Tb)) return false;
@@ -39,12 +35,11 @@ bool JointTangent::joint(const MechanicalSystem& s, int i, int iEnd, const doubl
                          const double* gRate) {
   const Evaluation& e = s.slot(0);
   const ContactSet& c = e.contacts;
-  const NonSmoothElement& element = *s.parts().contacts[at(c.element[at(i)])];
-  if (!element.jointForces(e.kinematics, contactNumber(c.key[at(i)]), Lambda, forces_))
-    return false;
+  const NonSmoothElement& element = *s.parts().contacts[c.element[i]];
+  if (!element.jointForces(e.kinematics, contactNumber(c.key[i]), Lambda, forces_)) return false;
   if (!findSides(e, s.slot(1).contacts, i, iEnd, Lambda) || !turn(s)) return false;
   double power = 0.0;
-  for (int r = 0; r < c.dim(i); ++r) power += Lambda[r] * (c.chi[at(c.row0[at(i)] + r)] - gRate[r]);
+  for (int r = 0; r < c.dim(i); ++r) power += Lambda[r] * (c.chi[c.row0[i] + r] - gRate[r]);
   addQuotient(s, power);
   return true;
 }
@@ -59,8 +54,8 @@ bool JointTangent::findSides(const Evaluation& e, const ContactSet& atEnd, int i
   for (int n = 0; n < 2; ++n) {
     const Frame& f = e.kinematics.frame(forces_.frame[n]);
     if (f.block < 0) continue;
-    const int m = c.segment0[at(i)] + sides_, mEnd = atEnd.segment0[at(iEnd)] + sides_;
-    if (m == c.segment0[at(i) + 1] || c.segment[at(m)].block != f.block) return false;
+    const int m = c.segment0[i] + sides_, mEnd = atEnd.segment0[iEnd] + sides_;
+    if (m == c.segment0[i + 1] || c.segment[m].block != f.block) return false;
     if (sides_ == 1 && side_[0].block == f.block) return false;
     Side& x = side_[sides_++];
     const int nu = f.nu(), u0 = f.u0;
@@ -69,8 +64,8 @@ bool JointTangent::findSides(const Evaluation& e, const ContactSet& atEnd, int i
     x.J.topLeftCorner(3, nu) = f.J_S_I, x.J.bottomLeftCorner(3, nu) = f.J_R_I;
     x.v.head(nu) = v_->segment(u0, nu);
     x.momentum.head(nu) = e.mass.M(f.block).lazyProduct(x.v.head(nu));
-    const double* W = c.W.data() + c.segment[at(m)].w;
-    const double* WEnd = atEnd.W.data() + atEnd.segment[at(mEnd)].w;
+    const double* W = c.W.data() + c.segment[m].w;
+    const double* WEnd = atEnd.W.data() + atEnd.segment[mEnd].w;
     Matrix6 atE = Matrix6::Zero();
     Vector6 WLambdaEnd = Vector6::Zero();
     for (int r = 0; r < rows; ++r)
@@ -78,7 +73,7 @@ bool JointTangent::findSides(const Evaluation& e, const ContactSet& atEnd, int i
         x.W[j] += W[r * nu + j] * Lambda[r], WLambdaEnd[j] += WEnd[r * nu + j] * Lambda[r];
         atE(r, j) = WEnd[r * nu + j];
       }
-    const Matrix6& T = blocks_[at(f.block)].whole;
+    const Matrix6& T = blocks_[f.block].whole;
     x.gap = atE.lazyProduct(T);
     x.powerByV = x.W - T.transpose().lazyProduct(WLambdaEnd);
   }
@@ -96,16 +91,16 @@ bool JointTangent::turn(const MechanicalSystem& s) {
       const Matrix6 DJ = forces_.D.block<6, 6>(6 * x.number, 6 * y.number).lazyProduct(y.J);
       Matrix6 G = x.J.transpose().lazyProduct(DJ);
       if (a == b) {
-        const auto& [system, id] = topology.requestedFrames()[at(forces_.frame[x.number].index)];
+        const auto& [system, id] = topology.requestedFrames()[forces_.frame[x.number].index];
         double S[36];
         const Block stiffness(S, x.nu, x.nu);
-        if (!topology.systems()[at(system)]->frameStiffness(k.t(), k.q(topology.system(system)), id,
-                                                            forces_.F[x.number],
-                                                            forces_.M[x.number], stiffness))
+        if (!topology.systems()[system]->frameStiffness(k.t(), k.q(topology.system(system)), id,
+                                                        forces_.F[x.number], forces_.M[x.number],
+                                                        stiffness))
           return false;
         G.topLeftCorner(x.nu, x.nu) += stiffness;
       }
-      force_[a][b] = 0.5 * dt_ * G.lazyProduct(blocks_[at(y.block)].half);
+      force_[a][b] = 0.5 * dt_ * G.lazyProduct(blocks_[y.block].half);
       y.powerByV += force_[a][b].transpose().lazyProduct(x.v);
     }
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/integrator/located_dormand_prince.hpp>
+#include <dynamy/integrator/projection.hpp>
 
 namespace dynamy {
 namespace {
@@ -205,10 +206,9 @@ bool LocatedDormandPrince::project(MechanicalSystem& s, PhasePoint& p) {
   if (off > kSuspicious && !checkBias(s, p)) return false;
   if (turns) p.x.u += delta_;
   if (moves) {
-    constexpr double kTau = 1e-9;
     const double t = p.x.t;
-    position /= kTau;
-    s.move(p.x, position, kTau);
+    position /= kDisplacementTime;
+    s.move(p.x, position, kDisplacementTime);
     p.x.t = t;
   }
   return evaluateEnd(s, p);

@@ -15,7 +15,7 @@ namespace {
 /// steps was taken; the number of these.
 constexpr int kDirection = kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + kMostRows;
-constexpr int kStepped = 3;  ///< numbers in front of what is stepped in time
+constexpr int kSteppedHead = 3;  ///< numbers in front of what is stepped in time
 constexpr double kHalfKey = 4294967296.0, kMostNumber = 1099511627776.0;  ///< 2³², 2⁴⁰
 
 /// A whole number in [0, most)?
@@ -95,15 +95,16 @@ bool LocatedDormandPrince::knows(const MechanicalSystem& s, const Eigen::VectorX
   if (!good || !(kept[1] > 0.0)) return false;
   if (mode == static_cast<double>(Mode::decideAnew)) return true;  // of the rest nothing is read
   if (mode == static_cast<double>(Mode::step)) {
-    if (quiet || kept.size() < front + kStepped || !isCount(kept[front], most) ||
+    if (quiet || kept.size() < front + kSteppedHead || !isCount(kept[front], most) ||
         !isCount(kept[front + 2], most))
       return false;
     const auto rates = static_cast<Eigen::Index>(kept[front]);
     const auto apart = static_cast<Eigen::Index>(kept[front + 2]);
-    if (kept.size() < front + kStepped + rates + apart || (rates != 0 && rates != nu)) return false;
+    if (kept.size() < front + kSteppedHead + rates + apart || (rates != 0 && rates != nu))
+      return false;
     if (apart == 0) return true;
     return apart >= 2 + nq + nu &&
-           knows(s, kept.segment(front + kStepped + rates + 2 + nq + nu, apart - 2 - nq - nu),
+           knows(s, kept.segment(front + kSteppedHead + rates + 2 + nq + nu, apart - 2 - nq - nu),
                  true);
   }
   // What is held, the elements without a bias, where the Jacobian was taken, the number of these.

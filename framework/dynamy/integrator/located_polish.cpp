@@ -12,11 +12,11 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostFirst = 8;      ///< contacts that close before the one that was found
-constexpr int kMostMoves = 8;      ///< of Newton's method
-constexpr double kTaylor = 0.01;   ///< (d/h)³ over the tolerance
-constexpr double kDense = 0.1;     ///< d/h
-constexpr double kFarthest = 0.5;  ///< d/h: the root is none of this step
+constexpr int kMostFirst = 8;        ///< contacts that close before the one that was found
+constexpr int kMostMoves = 8;        ///< of Newton's method
+constexpr double kTaylor = 0.01;     ///< (d/h)³ over the tolerance
+constexpr double kDenseShare = 0.1;  ///< d/h
+constexpr double kFarthest = 0.5;    ///< d/h: the root is none of this step
 
 /// Taylor's polynomial is enough for this part of the step.
 bool isSmall(double part, double tolerance) {
@@ -78,7 +78,7 @@ bool LocatedDormandPrince::moveOn(MechanicalSystem& s, double h, double d, bool&
     return true;
   }
   const bool dense = !smooth_.implicit() && !smooth_.halfExplicit();
-  if (dense && std::abs(behind) <= kDense * h) return moveByDense(s, to_.x.t + d);
+  if (dense && std::abs(behind) <= kDenseShare * h) return moveByDense(s, to_.x.t + d);
   known = true;
   return moveByStep(s, d);
 }

@@ -9,8 +9,8 @@ namespace {
 /// Columns of the half-explicit rule at loose and at tight tolerances, and where these begin.
 constexpr int kLooseColumns = 3, kTightColumns = 4;
 constexpr double kTight = 1e-6;
-constexpr double kNoRate = 1e-9;  ///< of L/T² and 1/T²: differences that are none
-constexpr double kBeside = 3.0;   ///< of its length: a difference all on one side
+constexpr double kNoRate = 1e-9;   ///< of L/T² and 1/T²: differences that are none
+constexpr double kOneSided = 3.0;  ///< of its length: a difference all on one side
 
 /// Contact i leaves the bias of all its rows zero.
 bool isSilent(const ContactSet& c, int i) {
@@ -58,7 +58,8 @@ bool LocatedDormandPrince::findUntold(MechanicalSystem& s, const State& x, bool 
   if (!note([&](int r) { return std::abs(rates_[r]) > least; })) return false;
   // What is there with a kink within the difference alone, an edge that a ball rolls over, is none.
   Eigen::VectorXd before, after;
-  if (!s.differenceBias(x, before, -kBeside) || !s.differenceBias(x, after, kBeside)) return false;
+  if (!s.differenceBias(x, before, -kOneSided) || !s.differenceBias(x, after, kOneSided))
+    return false;
   if (!note([&](int r) {
         return std::abs(rates_[r]) > least && std::abs(before[r]) > least &&
                std::abs(after[r]) > least;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
 #include <dynamy/core/element_fault.hpp>
+#include <dynamy/integrator/impact_detection.hpp>
 #include <dynamy/integrator/mechanical_system.hpp>
 #include <limits>
 
@@ -50,12 +51,7 @@ bool MechanicalSystem::renew(double tA, State& x) const {
 
 void MechanicalSystem::moveConfiguration(State& x, double dt) { move(x, x.u, dt); }
 
-namespace {
-
-/// A contact that closes faster than the forces of so many steps explain has an impact.
-constexpr double kImpact = 4.0;
-
-}  // namespace
+namespace {}  // namespace
 
 const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double reach) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
@@ -187,7 +183,7 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
       double epsilon[kMostRows] = {};
       law.epsilon(c.dim(i), epsilon);
       const bool impact = (epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0) ||
-                          -problem_.gammaA[first] > kImpact * changeByForces(i);
+                          -problem_.gammaA[first] > kImpactSteps * changeByForces(i);
       const bool arrived = g <= request_.gTol ||
                            std::binary_search(aim.arrived.begin(), aim.arrived.end(), c.key[at]);
       if (impact && arrived) continue;

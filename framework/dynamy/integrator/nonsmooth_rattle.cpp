@@ -4,10 +4,10 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostIterations = 30;
-constexpr double kConverged = 1e-13;  ///< change of h(q^A, u^½), relative
-constexpr double kSlow = 1e-9;        ///< a change that no longer falls is taken below this
-constexpr double kLeapfrog = 2.0;     ///< stable up to this ωΔt
+constexpr int kMostRattleIterations = 30;
+constexpr double kRattleConverged = 1e-13;  ///< change of h(q^A, u^½), relative
+constexpr double kRattleStalled = 1e-9;     ///< a change that no longer falls is taken below this
+constexpr double kLeapfrog = 2.0;           ///< stable up to this ωΔt
 
 }  // namespace
 
@@ -46,9 +46,9 @@ SolveReport NonsmoothRattle::positions(MechanicalSystem& s, InclusionSolver& sol
     const double size = s.slot(1).h.lpNorm<Eigen::Infinity>();
     const double change = (s.slot(1).h - h_).lpNorm<Eigen::Infinity>();
     const bool stalls = i > 4 && change > 0.5 * before;
-    if (change <= kConverged * size || (stalls && change <= kSlow * size)) break;
+    if (change <= kRattleConverged * size || (stalls && change <= kRattleStalled * size)) break;
     before = change;
-    if (i == kMostIterations) {
+    if (i == kMostRattleIterations) {
       solved.status = SolveStatus::maxIterations;
       break;
     }

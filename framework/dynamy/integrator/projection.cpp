@@ -2,21 +2,18 @@
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
 #include <dynamy/integrator/contact_subset.hpp>
+#include <dynamy/integrator/impact_detection.hpp>
 #include <dynamy/integrator/projection.hpp>
 #include <limits>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMostTurns = 12;
+constexpr int kMostProjections = 12;
 /// Rows up to which contacts are closed before their impact.
 constexpr int kMostTouched = 200;
 /// Added to the diagonal, of its largest entry: rows that depend on each other then share.
-constexpr double kRedundant = 1e-10;
-/// A displacement δ is a velocity δ/τ for the time τ; so short that q̇ = Fu + β moves by Fδ alone.
-constexpr double kTau = 1e-9;
-/// What closes faster than the forces of so many steps explain has an impact.
-constexpr double kImpact = 4.0;
+constexpr double kRedundantRow = 1e-10;
 
 /// Normal impulse of contact `key` in the last step, 0 if it had none.
 double carried(const KeyIndex& index, const RememberedImpulses& impulses, ContactKey key) {
@@ -172,7 +169,7 @@ bool Projection::close(const Evaluation& e) {
     }
   }
   Eigen::MatrixXd G = W_.transpose() * MInvW_;
-  G.diagonal().array() += kRedundant * G.diagonal().maxCoeff();
+  G.diagonal().array() += kRedundantRow * G.diagonal().maxCoeff();
   delta_ = MInvW_ * -G.ldlt().solve(g);
   return true;
 }
@@ -189,14 +186,14 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
   };
   double worst = violation();
   for (int turn = 0; worst > tolerance; ++turn) {
-    if (turn == kMostTurns || !std::isfinite(worst)) return false;
+    if (turn == kMostProjections || !std::isfinite(worst)) return false;
     // Gaps that the way of a few violations can close take part.
     const Evaluation& e = s.evaluate(x, slot, std::max(reach, 8.0 * worst));
     select(e.contacts, x, level);
     if (level == Level::touch ? !close(e) : !solve(e, *solver) && turn > 2) return false;
-    delta_ /= kTau;
+    delta_ /= kDisplacementTime;
     const double t = x.t;
-    s.move(x, delta_, kTau);
+    s.move(x, delta_, kDisplacementTime);
     x.t = t;
     const double before = worst;
     worst = violation();
@@ -256,7 +253,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
     append(all, i, all.dim(i), law, contacts_);
     const double closes = law.unilateral() ? closing(all, i, delta_[all.row0[at]], dt) : 0.0;
     if (closes <= 0.0) continue;
-    const double explained = kImpact * std::min(largest, norm * rootOfG(all, e.mass, i));
+    const double explained = kImpactSteps * std::min(largest, norm * rootOfG(all, e.mass, i));
     least = std::max(least, explained);
     any = any || closes > explained;
   }

@@ -15,6 +15,9 @@
 
 namespace dynamy {
 
+/// A displacement δ is a velocity δ/τ for this time τ [s]; so short that q̇ = Fu + β moves by Fδ alone.
+inline constexpr double kDisplacementTime = 1e-9;
+
 class Projection {
  public:
   /// Brings x.q back until no joint is off and no gap below −tolerance by more than `tolerance`

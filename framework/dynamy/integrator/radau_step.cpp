@@ -8,7 +8,7 @@ namespace dynamy {
 namespace {
 
 constexpr int kStages = 3;
-constexpr int kMostIterations = 10;
+constexpr int kMostNewtonSteps = 10;
 /// Newton's method may leave this part of the tolerance.
 constexpr double kNewton = 0.02;
 /// A Jacobian with which Newton's method contracts like this is good for the next step.
@@ -114,7 +114,7 @@ bool RadauStep::newton(const Field& field, const Eigen::VectorXd& second) {
     w_[static_cast<std::size_t>(i)] =
         TInverse_(i, 0) * z_[0] + TInverse_(i, 1) * z_[1] + TInverse_(i, 2) * z_[2];
   double before = 0.0;
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMostNewtonSteps; ++iteration) {
     iterations_ = iteration + 1;
     for (int i = 0; i < kStages; ++i) {
       const auto k = static_cast<std::size_t>(i);

@@ -8,7 +8,7 @@ namespace {
 /// Share of the solver's default tolerance that a resting gap may leave behind, see the header.
 constexpr double kDead = 1e-10;
 /// 4 ε of the scene's length, of which g_tol is 1e-12.
-constexpr double kRounding = 1e-3;
+constexpr double kPositionShare = 1e-3;
 
 /// Of the noise of gaps, in the step after a correction: four corners of a face contradict each
 /// other by a quarter of the dead band.
@@ -57,7 +57,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
 /// contradict each other they wait, and the next step finds an overlap.
 InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
-  const double rounding = kRounding * s.gTol();
+  const double rounding = kPositionShare * s.gTol();
   PositionAim aim{kDead * dt * s.largestChange(dt) + rounding,
                   mean,
                   mean ? 0.0 : options_.kappa,

@@ -13,16 +13,16 @@ constexpr int kManySteps = 15, kOthers = 6;
 /// At tight tolerances steps are shorter: the fast part is kept accurate, not only stable. What is
 /// damped there draws both states together, along its own direction. Such a step counts as a part
 /// of one at the bound, so that a trial that is in vain costs no more than a tenth.
-constexpr double kDamped = 0.8, kAlong = 0.9, kPart = 0.1;
+constexpr double kDamped = 0.8, kAlong = 0.9, kStiffPart = 0.1;
 /// An implicit step of less than this h |λ| could be taken explicitly, too;
-constexpr double kSmall = 2.0;
+constexpr double kSmallStep = 2.0;
 constexpr double kMostGrowth = 6.0;
 constexpr int kSomeSteps = 10;  ///< after so many it is.
 /// Implicit steps after which their work is compared: they may have grown 1296 times by then. The
 /// explicit ones before are to have cost no less than such a trial, and four times as much after
 /// each that failed.
 constexpr int kTrial = 4;
-constexpr double kDearer = 4.0;
+constexpr double kCostlierThanExplicit = 4.0;
 /// Work of a real and a complex factorisation of n unknowns, 10/3 n³, in evaluations of some 400 n.
 constexpr double kFactorise = 1.0 / 120.0;
 /// Iterations of Newton's method in a step that goes well.
@@ -150,14 +150,14 @@ double SmoothStep::stretch(const ErrorNorm& norm, const Eigen::VectorXd& dq,
 
 bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
   if (tookHalf_) return false;
-  double product = 0.0, bound = kSmall;
+  double product = 0.0, bound = kSmallStep;
   bool damped = false;
   const Eigen::Index unknowns = to.x.q.size() + to.x.u.size();
   double steps = kSomeSteps;
   if (tookImplicit_) {
     if (++tried_ >= kTrial &&
         implicitWork(unknowns, radau_.iterations(), radau_.tookJacobian()) > rate_ * h_) {
-      patience_ *= kDearer;
+      patience_ *= kCostlierThanExplicit;
       return true;
     }
     product = h_ * radau_.fastest();
@@ -180,7 +180,7 @@ bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
   }
   if (damped) {
     other_ = 0.0;
-    return (stiff_ += kPart) >= steps;
+    return (stiff_ += kStiffPart) >= steps;
   }
   if (++other_ >= kOthers || tookImplicit_) stiff_ = 0.0;
   return false;

@@ -12,7 +12,7 @@ constexpr double kFactor = 2.0;
 /// … if they lead further than this many g_tol.
 constexpr double kNoWay = 1e6;
 /// A contact is there at gaps below this many g_tol.
-constexpr double kNear = 1e3;
+constexpr double kNearBody = 1e3;
 /// Of the largest velocity: what closes faster is one of the fast bodies.
 constexpr double kComparable = 0.1;
 /// Of the step: too short to matter.
@@ -28,7 +28,7 @@ Passing braked(const MechanicalSystem& s, const State& a, double dt) {
   for (std::size_t i = 0; i < c.law.size(); ++i) {
     const int row = c.row0[i];
     const auto r = static_cast<std::size_t>(row);
-    if (c.law[i]->unilateral() && c.position[r] > kNear * s.gTol() && -p.gammaA[r] > fast &&
+    if (c.law[i]->unilateral() && c.position[r] > kNearBody * s.gTol() && -p.gammaA[r] > fast &&
         s.Lambda(row) > 0.0)
       return {0.5 * dt, kMoment * dt, c.key[i]};
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/integrator/projection.hpp>
 #include <dynamy/integrator/switch_event.hpp>
 
 namespace dynamy {
@@ -10,9 +11,8 @@ constexpr double kTouch = 1e-10;  ///< gaps up to this part of L take part in an
 constexpr double kRest = 1e-10;   ///< speeds below this part of U rest
 constexpr double kGone = 1e-12;   ///< features that lie over one another by less of L leave
 constexpr double kDeep = 10.0;    ///< overlaps of features up to this multiple of tol L
-constexpr int kMostTurns = 12;
+constexpr int kMostDecisions = 12;
 constexpr int kMostOffered = 16;  ///< rows of a contact, of laws that are refused too
-constexpr double kTau = 1e-9;     ///< a displacement δ is a velocity δ/τ for the time τ
 
 bool has(const std::vector<ContactKey>& keys, ContactKey key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -83,8 +83,8 @@ void SwitchEvent::projectPositions(MechanicalSystem& s, const FrozenPhase& phase
   for (int i = 0; i < 4 && shutPhase_.positionCorrection(s.slot(0), delta_); ++i) {
     const double size = delta_.lpNorm<Eigen::Infinity>();
     if (!(size > 0.0)) break;
-    delta_ /= kTau;
-    s.move(x, delta_, kTau);
+    delta_ /= kDisplacementTime;
+    s.move(x, delta_, kDisplacementTime);
     x.t = t;
     s.evaluate(x, 0);
     if (size < 1e-12 * norm_->length()) break;
@@ -139,7 +139,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
       r.fault = next_.fault(), r.lost = next_.lost();
       return r;
     }
-    if (plain_ || turn == kMostTurns) break;
+    if (plain_ || turn == kMostDecisions) break;
     const bool closed = staysClosed(s, next_, p, r), rests = staysInNotch(s, phase, next_, p, r);
     if (!closed && !rests) break;
   }

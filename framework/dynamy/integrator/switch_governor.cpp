@@ -13,7 +13,7 @@ constexpr double kFast = 100.0;      ///< and motion that is fast without any
 constexpr double kLeast = 1e-5;      ///< of T: shorter steps in time are not taken,
 constexpr double kMost = 0.1;        ///< nor longer ones
 constexpr double kFirstStay = 0.05;  ///< of T
-constexpr double kSafety = 0.9, kShrink = 0.2, kGrow = 2.0;
+constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 
 }  // namespace
 
@@ -67,17 +67,17 @@ void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {
 
 double SwitchGovernor::factor(double error) const {
   // The error of an impact grows with h, that of smooth motion with h³: the root is between.
-  const double f = kSafety / std::sqrt(std::max(error, 1e-10));
-  return std::isfinite(f) ? f : kShrink;
+  const double f = kGovernorSafety / std::sqrt(std::max(error, 1e-10));
+  return std::isfinite(f) ? f : kGovernorShrink;
 }
 
 void SwitchGovernor::shorten(double h, double error) {
-  h_ = std::max(least(), h * std::clamp(factor(error), kShrink, 0.5));
+  h_ = std::max(least(), h * std::clamp(factor(error), kGovernorShrink, 0.5));
 }
 
 void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
                              double switchWork) {
-  const double next = h * std::clamp(factor(error), kShrink, kGrow);
+  const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
   // A step that was bounded from outside says little about the next.
   h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), kMost * T_);
   switches_ += again || error > 1.0 ? 1.0 : 0.0, stepWork_ += work;

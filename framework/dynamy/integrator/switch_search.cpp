@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kHalvings = 46;  ///< for monitors that start at zero: θ down to 1e-15
+constexpr int kStartHalvings = 46;  ///< for monitors that start at zero: θ down to 1e-15
 constexpr int kForceHalvings = 20;
 constexpr int kMostRefinements = 160;
 constexpr double kJump = 0.1;         ///< of the fall of a force over the first bracket
@@ -15,14 +15,14 @@ constexpr double kAside = 0.25;       ///< of the fall; half of it for a jump
 constexpr double kJumpWidth = 1e-13;  ///< a jump is not found more closely, as a part of the step
 /// Of the fall over a bracket: a larger value is no root, though the last slope, which may be that
 /// over a jump, says so.
-constexpr double kSmall = 1e-2;
+constexpr double kSmallValue = 1e-2;
 /// A gap whose smallest value is below this share of its range in the step is looked at again.
-constexpr double kNear = 0.02;
+constexpr double kNearRoot = 0.02;
 // A force bends much: of the largest force, and, from kRoughNear on, of what is left to its bound.
 constexpr double kRough = 0.1, kRoughNear = 1e-3, kRoughMargin = 0.5;
-constexpr double kRoughSamples = 0.3;  ///< of the range of a slip
-constexpr double kBetween = 0.381966;  ///< of the way between two samples: no small fraction
-constexpr double kMinimum = 1e-5;      ///< how closely the minimum is found, as a part of the step
+constexpr double kRoughSamples = 0.3;         ///< of the range of a slip
+constexpr double kBetweenSamples = 0.381966;  ///< of the way between two samples: no small fraction
+constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
 
 }  // namespace
 
@@ -75,20 +75,20 @@ bool SwitchSearch::rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& 
   if (roughSamples()) return true;
   // What swings as often as it is looked at seems to rest.
   for (int j = 0; j < kSamples && !kinematic_.empty(); ++j) {
-    path.at((j + kBetween) / kSamples, at_);
+    path.at((j + kBetweenSamples) / kSamples, at_);
     if (!probe.look(at_)) return true;
     for (std::size_t m = 0; m < kinematic_.size(); ++m) {
       const auto row = values_.row(static_cast<Eigen::Index>(m));
       const double range = std::max(row.maxCoeff() - row.minCoeff(), kStart * noise(kinematic_[m]));
-      const double line = row[j] + kBetween * (row[j + 1] - row[j]);
+      const double line = row[j] + kBetweenSamples * (row[j + 1] - row[j]);
       if (std::abs(measure(probe, kinematic_[m]) - line) > kRoughSamples * range) return true;
     }
   }
   double unused = 0.0;
-  if (force_.empty() || !forceAt(s, phase, path, 0, 0.5 * kBetween, unused)) return false;
+  if (force_.empty() || !forceAt(s, phase, path, 0, 0.5 * kBetweenSamples, unused)) return false;
   forces(phase, work_);
-  const double b = 0.5 * kBetween, l0 = (1.0 - b) * (1.0 - 2.0 * b), l1 = 4.0 * b * (1.0 - b),
-               l2 = b * (2.0 * b - 1.0);
+  const double b = 0.5 * kBetweenSamples, l0 = (1.0 - b) * (1.0 - 2.0 * b),
+               l1 = 4.0 * b * (1.0 - b), l2 = b * (2.0 * b - 1.0);
   work_ -= l0 * startForces_ + l1 * middleForces_ + l2 * endForces_;
   for (Eigen::Index m = 0; m < work_.size(); ++m)
     if (bends(m, work_[m])) return true;
@@ -116,7 +116,7 @@ bool SwitchSearch::refine(Bracket& at, double width, double zero, Value&& value,
   bool known = true;
   double last = a, fLast = fa;
   slope = (fb - fa) / (b - a);
-  const double small = kSmall * (fa - fb);
+  const double small = kSmallValue * (fa - fb);
   const auto f = [&](double t) {
     double v = 0.0;
     known = known && value(t, v);
@@ -164,7 +164,7 @@ bool SwitchSearch::presentAt(ContactProbe& probe, const QuinticPath& path, int m
   if (!kinematicAt(probe, path, monitor, theta, v)) return false;
   // The normal of two edges that turns round has the gap jump from one side to the other.
   const double range = values_.row(monitor).maxCoeff() - values_.row(monitor).minCoeff();
-  there = present(probe, k) && std::abs(v) <= kSmall * range + touch_;
+  there = present(probe, k) && std::abs(v) <= kSmallValue * range + touch_;
   return true;
 }
 
@@ -207,7 +207,7 @@ bool SwitchSearch::fallSwitch(ContactProbe& probe, const QuinticPath& path, int 
   double fb = values_(monitor, j), fa = values_(monitor, j - 1);
   if (j == 1 && k.zeroStart) {
     for (int i = 0;; ++i) {
-      if (i == kHalvings) {
+      if (i == kStartHalvings) {
         if (!presentAt(probe, path, monitor, 0.0, there)) return false;
         if (there) first = {Switch::Kind::atStart, 0.0, false, monitor, 0.0};
         return true;
@@ -318,7 +318,7 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
       if (root < first.theta) first = {Switch::Kind::root, root, false, monitor, slope};
       return true;
     }
-    if (there && v < kNear * high && c < first.theta && c > 0.0)
+    if (there && v < kNearRoot * high && c < first.theta && c > 0.0)
       first = {Switch::Kind::look, c, false, monitor, 0.0};
   }
   return true;

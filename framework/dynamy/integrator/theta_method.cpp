@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostIterations = 50;
+constexpr int kMostThetaIterations = 50;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ StepReport ThetaMethod::step(MechanicalSystem& s, InclusionSolver& solver, State
   s.evaluate(x, 0);                             // M, and W, χ where g(q^M) ≤ g_tol
   end_ = x;
   SolveReport solved;
-  VelocityIteration iteration(kMostIterations);
+  VelocityIteration iteration(kMostThetaIterations);
   for (bool last = false; !last;) {
     // h at the present q^E = q^M + ΘΔt (F u^E + β)
     x.t = end_.t, x.q = end_.q;

@@ -13,10 +13,10 @@ namespace dynamy {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kMagic = "DYNCHECK";
-constexpr std::uint32_t kByteOrder = 0x01020304u;
+constexpr std::string_view kCheckpointMagic = "DYNCHECK";
+constexpr std::uint32_t kCheckpointByteOrder = 0x01020304u;
 constexpr std::size_t kHead = 40;  // magic, layout, byte order, bytes, hash, CRC, 0
-constexpr std::size_t kHashAt = 24, kCrcAt = 32;
+constexpr std::size_t kHashAt = 24, kCheckpointCrcAt = 32;
 
 /// Word by word, so that a checkpoint of many megabytes costs milliseconds; the steps are one to
 /// one, so that a changed word always shows.
@@ -34,17 +34,17 @@ std::uint64_t hashOf(std::string_view bytes) {
 
 /// Why these bytes are no whole checkpoint; empty: they are one.
 std::string fault(std::string_view bytes) {
-  if (bytes.size() < kHead || bytes.substr(0, kMagic.size()) != kMagic)
+  if (bytes.size() < kHead || bytes.substr(0, kCheckpointMagic.size()) != kCheckpointMagic)
     return "is no checkpoint of dynamY, or its begin is damaged";
   const auto layout = readBytes<std::uint32_t>(&bytes[8]);
   const std::string_view payload = bytes.substr(kHead);
   const auto length = readBytes<std::uint64_t>(&bytes[16]);
   const bool whole = length == payload.size();
-  const auto crc = crc32(payload, crc32(bytes.substr(0, kCrcAt)));
-  const bool good = whole && crc == readBytes<std::uint32_t>(&bytes[kCrcAt]) &&
+  const auto crc = crc32(payload, crc32(bytes.substr(0, kCheckpointCrcAt)));
+  const bool good = whole && crc == readBytes<std::uint32_t>(&bytes[kCheckpointCrcAt]) &&
                     hashOf(payload) == readBytes<std::uint64_t>(&bytes[kHashAt]) &&
-                    readBytes<std::uint32_t>(&bytes[kCrcAt + 4]) == 0 &&
-                    readBytes<std::uint32_t>(&bytes[12]) == kByteOrder;
+                    readBytes<std::uint32_t>(&bytes[kCheckpointCrcAt + 4]) == 0 &&
+                    readBytes<std::uint32_t>(&bytes[12]) == kCheckpointByteOrder;
   if (good && layout != kCheckpointLayout)
     return fmt::format(
         "has layout {}, this program reads layout {}: it goes on with the version "
@@ -118,9 +118,9 @@ void Checkpoint::archive(Archive& a) {
 std::string bytesOf(Checkpoint& checkpoint) {
   Archive a;
   checkpoint.archive(a);
-  std::string out(kMagic);
+  std::string out(kCheckpointMagic);
   appendBytes(out, kCheckpointLayout);
-  appendBytes(out, kByteOrder);
+  appendBytes(out, kCheckpointByteOrder);
   appendBytes(out, static_cast<std::uint64_t>(a.bytes().size()));
   appendBytes(out, hashOf(a.bytes()));
   appendBytes(out, crc32(a.bytes(), crc32(out)));

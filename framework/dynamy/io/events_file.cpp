@@ -6,12 +6,12 @@
 namespace dynamy {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1 << 16;
+constexpr std::size_t kEventBufferBytes = 1 << 16;
 
 }  // namespace
 
 EventsFile::EventsFile(const std::filesystem::path& path) : file_(path) {
-  buffer_.reserve(kBufferBytes + 512);
+  buffer_.reserve(kEventBufferBytes + 512);
   buffer_ = "t,event,contact,from,to,speed,impulse\n";
   flush();
 }
@@ -19,7 +19,7 @@ EventsFile::EventsFile(const std::filesystem::path& path) : file_(path) {
 EventsFile::EventsFile(const std::filesystem::path& path, const FilePlace& keep, long events,
                        std::string pending)
     : file_(path, keep), buffer_(std::move(pending)), events_(events) {
-  buffer_.reserve(kBufferBytes + 512);
+  buffer_.reserve(kEventBufferBytes + 512);
 }
 
 EventsFile::~EventsFile() {
@@ -44,7 +44,7 @@ void EventsFile::event(const ContactEvent& e, std::string_view contact) {
   buffer_ += ',';
   if (e.impact) appendNumber(buffer_, e.impulse);
   buffer_ += '\n';
-  if (buffer_.size() >= kBufferBytes) flush();
+  if (buffer_.size() >= kEventBufferBytes) flush();
 }
 
 void EventsFile::flush() { file_.write(buffer_); }

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kName = "run.lock";
-constexpr int kTries = 100;  ///< others may remove their file between our two looks
-constexpr int kLooks = 4;    ///< somebody who only asks for the holder holds it for a moment
-constexpr auto kBetween = std::chrono::milliseconds(20);
+constexpr int kLockTries = 100;     ///< others may remove their file between our two looks
+constexpr int kLooksForHolder = 4;  ///< somebody who only asks for the holder holds it for a moment
+constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
 
 std::string ownText() {
   std::array<char, 256> host{};
@@ -54,9 +54,9 @@ bool isThere(int file, const fs::path& path) {
 
 /// A file system that knows no locks lets everybody pass: the run goes on, as it would alone.
 bool taken(int file) {
-  for (int look = 0; look < kLooks; ++look) {
+  for (int look = 0; look < kLooksForHolder; ++look) {
     if (::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
-    std::this_thread::sleep_for(kBetween);
+    std::this_thread::sleep_for(kBetweenLooks);
   }
   return false;
 }
@@ -64,7 +64,7 @@ bool taken(int file) {
 }  // namespace
 
 FolderLock::FolderLock(const fs::path& folder) : file_(folder / kName) {
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kLockTries; ++i) {
     opened_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (opened_ < 0)
       throw WriteError(file_.string(), std::string("cannot write: ") + std::strerror(errno));

@@ -7,16 +7,16 @@
 namespace dynamy {
 namespace {
 
-constexpr std::string_view kMagic = "DYNFRAME";
+constexpr std::string_view kFramesMagic = "DYNFRAME";
 constexpr std::string_view kChunk = "CHNK";
-constexpr std::uint32_t kByteOrder = 0x01020304u;
+constexpr std::uint32_t kFramesByteOrder = 0x01020304u;
 constexpr std::size_t kFileHead = 24;   // magic, version, byte order, poses, bytes of JSON
 constexpr std::size_t kChunkHead = 40;  // "CHNK", frames, bytes, first and last t, CRC, 0
-constexpr std::size_t kCrcAt =
+constexpr std::size_t kFramesCrcAt =
     32;  // the CRC of a chunk covers its head up to here, and the payload
 constexpr std::size_t kFrameHead = 16;  // t, contacts, 0
 constexpr std::size_t kChunkBytes = 1 << 18;
-constexpr auto kDue = std::chrono::milliseconds(500);
+constexpr auto kFrameDue = std::chrono::milliseconds(500);
 
 void append(std::string& out, const Eigen::Vector3d& v) {
   for (int i = 0; i < 3; ++i) appendBytes(out, static_cast<float>(v[i]));
@@ -51,9 +51,9 @@ std::size_t readChunk(std::string_view rest, Frames& frames) {
   const auto bytes = readBytes<std::uint64_t>(&rest[8]);
   if (bytes > rest.size() - kChunkHead) return 0;
   const std::string_view payload = rest.substr(kChunkHead, bytes);
-  const auto crc = readBytes<std::uint32_t>(&rest[kCrcAt]);
-  if (crc != crc32(payload, crc32(rest.substr(0, kCrcAt)))) return 0;
-  if (readBytes<std::uint32_t>(&rest[kCrcAt + 4]) != 0) return 0;
+  const auto crc = readBytes<std::uint32_t>(&rest[kFramesCrcAt]);
+  if (crc != crc32(payload, crc32(rest.substr(0, kFramesCrcAt)))) return 0;
+  if (readBytes<std::uint32_t>(&rest[kFramesCrcAt + 4]) != 0) return 0;
   return readPayload(payload, count, frames) ? kChunkHead + bytes : 0;
 }
 
@@ -64,9 +64,9 @@ FramesFile::FramesFile(const std::filesystem::path& path, const Scene& scene)
   std::string json;
   JsonWriter writer(json);
   write(writer, scene);
-  head_ = kMagic;
+  head_ = kFramesMagic;
   appendBytes(head_, kFramesVersion);
-  appendBytes(head_, kByteOrder);
+  appendBytes(head_, kFramesByteOrder);
   appendBytes(head_, static_cast<std::uint32_t>(poses_));
   appendBytes(head_, static_cast<std::uint32_t>(json.size()));
   head_ += json;
@@ -118,7 +118,7 @@ void FramesFile::frame(double t, std::span<const Pose> poses,
 }
 
 void FramesFile::flushIfDue() {
-  if (std::chrono::steady_clock::now() - written_ >= kDue) flush();
+  if (std::chrono::steady_clock::now() - written_ >= kFrameDue) flush();
 }
 
 void FramesFile::flush() {
@@ -144,10 +144,10 @@ Frames readFrames(const std::filesystem::path& path) {
 }
 
 Frames framesIn(std::string_view text, const std::string& file) {
-  if (text.size() < kFileHead || text.substr(0, kMagic.size()) != kMagic) {
+  if (text.size() < kFileHead || text.substr(0, kFramesMagic.size()) != kFramesMagic) {
     throw FileError(file, "is no frames.bin of dynamy");
   }
-  if (readBytes<std::uint32_t>(&text[12]) != kByteOrder) {
+  if (readBytes<std::uint32_t>(&text[12]) != kFramesByteOrder) {
     throw FileError(file, "the byte order mark is broken");
   }
   const auto version = readBytes<std::uint32_t>(&text[8]);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Header = ElfW(Ehdr);
-using Segment = ElfW(Phdr);
+using LoadSegment = ElfW(Phdr);
 
 /// The header of an ELF file; false if the file holds none.
 bool readHeader(std::ifstream& in, Header& h) {
@@ -38,16 +38,16 @@ bool forThisMachine(const Header& h) {
 /// The number of bytes that the file needs so that all of its segments can be mapped; 0: it has
 /// none, or its table of segments is not readable.
 std::uint64_t bytesOfSegments(std::ifstream& in, const Header& h) {
-  if (h.e_phentsize != sizeof(Segment) || h.e_phnum == 0) return 0;
-  std::vector<Segment> table(h.e_phnum);
-  const auto bytes = static_cast<std::streamsize>(table.size() * sizeof(Segment));
+  if (h.e_phentsize != sizeof(LoadSegment) || h.e_phnum == 0) return 0;
+  std::vector<LoadSegment> table(h.e_phnum);
+  const auto bytes = static_cast<std::streamsize>(table.size() * sizeof(LoadSegment));
   const std::uint64_t behind = h.e_phoff + static_cast<std::uint64_t>(bytes);
   in.clear();
   in.seekg(static_cast<std::streamoff>(h.e_phoff));
   if (!in.read(reinterpret_cast<char*>(table.data()), bytes)) return behind;
   std::uint64_t most = behind;
   bool dynamic = false;
-  for (const Segment& s : table) {
+  for (const LoadSegment& s : table) {
     dynamic = dynamic || s.p_type == PT_DYNAMIC;
     if (s.p_type == PT_LOAD && s.p_filesz > 0)
       most = std::max<std::uint64_t>(most, s.p_offset + s.p_filesz);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kNameAndClass{"name", "class"};
+constexpr std::array<std::string_view, 2> kNamedClass{"name", "class"};
 
 /// The attributes of the root that XML itself and editors want.
 bool isSchemaAttribute(const std::string& name) {
@@ -249,7 +249,7 @@ void ModelSource::readDefault(const XmlNode& node, const XmlNode& section, Scope
                  near.empty() ? std::string() : "did you mean <" + near + ">?");
     return;
   }
-  AttributeReader(*faults_, nullptr).allDeclared(node, scope, type->attributes, kNameAndClass);
+  AttributeReader(*faults_, nullptr).allDeclared(node, scope, type->attributes, kNamedClass);
   if (const XmlAttribute* name = node.attribute("name"))
     faults_->add(scope, name->namePlace, node, "a default has no name");
   if (!node.children.empty())

@@ -22,7 +22,7 @@ constexpr ContactSteps kFewContacts{65535, 8192, 128}, kManyContacts{8192, 64, 8
 using Column = std::vector<std::uint16_t>;
 
 /// Smallest and largest of the numbers that a coordinate takes; not finite ones do not count.
-struct Range {
+struct CodedRange {
   float lo = std::numeric_limits<float>::infinity();
   float hi = -std::numeric_limits<float>::infinity();
 
@@ -100,10 +100,10 @@ std::vector<float> smoothPoses(const Frames& frames, const std::vector<std::size
 }
 
 /// The box with all edges as long as the longest: one step for all axes.
-std::array<Range, 3> cube(std::array<Range, 3> box) {
+std::array<CodedRange, 3> cube(std::array<CodedRange, 3> box) {
   float edge = 0.0f;
-  for (const Range& b : box) edge = std::max(edge, b.length());
-  for (Range& b : box)
+  for (const CodedRange& b : box) edge = std::max(edge, b.length());
+  for (CodedRange& b : box)
     if (b.lo <= b.hi) b.hi = b.lo + edge;
   return box;
 }
@@ -115,7 +115,7 @@ int logarithm(double x, int octaveSteps) {
 }
 
 /// A contact as 12 integers (doc/replay.md).
-std::array<int, kContactColumns> codedContact(const float* x, const std::array<Range, 3>& box,
+std::array<int, kContactColumns> codedContact(const float* x, const std::array<CodedRange, 3>& box,
                                               const ContactSteps& steps) {
   const auto of = [](float part) { return std::isfinite(part) ? static_cast<double>(part) : 0.0; };
   const double size = std::hypot(of(x[6]), of(x[7]), of(x[8]));
@@ -175,23 +175,23 @@ CodedPoses codedPoses(const Frames& frames, const std::vector<std::size_t>& kept
   const std::vector<float> poses = smoothPoses(frames, kept);
   const std::size_t width = frames.poses * Frames::kPoseNumbers;
   const bool many = frames.poses >= kManyPoses;
-  std::vector<Range> ranges(width);
-  std::array<Range, 3> box;
+  std::vector<CodedRange> ranges(width);
+  std::array<CodedRange, 3> box;
   for (std::size_t k = 0; k < width; ++k) {
     for (std::size_t at = k; at < poses.size(); at += width) ranges[k].take(poses[at]);
     const std::size_t axis = k % Frames::kPoseNumbers;
     if (axis < 3) box[axis].take(ranges[k].lo), box[axis].take(ranges[k].hi);
   }
-  const std::array<Range, 3> scene = cube(box);
+  const std::array<CodedRange, 3> scene = cube(box);
   CodedPoses out;
   out.steps = many ? kManyPosesSteps : kFewPoses;
   Planes planes;
   Column column;
   for (std::size_t k = 0; k < width; ++k) {
-    Range range = ranges[k];
+    CodedRange range = ranges[k];
     if (range.lo > range.hi) range = {0, 0};
     const std::size_t axis = k % Frames::kPoseNumbers;
-    if (many && !range.isConstant()) range = axis < 3 ? scene[axis] : Range{-1, 1};
+    if (many && !range.isConstant()) range = axis < 3 ? scene[axis] : CodedRange{-1, 1};
     appendBytes(out.ranges, range.lo);
     appendBytes(out.ranges, range.hi);
     if (range.isConstant()) continue;
@@ -208,7 +208,7 @@ CodedPoses codedPoses(const Frames& frames, const std::vector<std::size_t>& kept
 
 CodedContacts codedContacts(const Frames& frames, const std::vector<std::size_t>& kept) {
   const bool many = frames.poses >= kManyPoses;
-  std::array<Range, 3> box;
+  std::array<CodedRange, 3> box;
   for (std::size_t at = 0; at < frames.contact.size(); at += Frames::kContactNumbers)
     for (std::size_t k = 0; k < 3; ++k) box[k].take(frames.contact[at + k]);
   if (many) box = cube(box);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/io/run_difference.hpp>
 #include <limits>
 #include <utility>
@@ -8,7 +9,6 @@ namespace dynamy {
 namespace {
 
 constexpr double kChaotic = 6.0;  ///< ln of the growth in a run, at its rate
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Rows of both at equal instants; of several at one instant the last of each.
 std::vector<std::pair<std::size_t, std::size_t>> common(const std::vector<double>& a,

@@ -8,15 +8,15 @@
 namespace dynamy {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1 << 16;
+constexpr std::size_t kRowBufferBytes = 1 << 16;
 constexpr std::size_t kBytesPerNumber = 26;  // 24 digits at most, and a comma or the line's end
-constexpr auto kDue = std::chrono::milliseconds(500);
+constexpr auto kRowsDue = std::chrono::milliseconds(500);
 
 }  // namespace
 
 SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals)
     : file_(path), columns_(signals.size()) {
-  buffer_.reserve(kBufferBytes + kBytesPerNumber * (columns_ + 1));
+  buffer_.reserve(kRowBufferBytes + kBytesPerNumber * (columns_ + 1));
   buffer_ = "t";
   for (const SignalName& signal : signals) {
     buffer_ += ',';
@@ -29,7 +29,7 @@ SignalsFile::SignalsFile(const std::filesystem::path& path, std::span<const Sign
 SignalsFile::SignalsFile(const std::filesystem::path& path, std::size_t columns,
                          const FilePlace& keep, std::string pending)
     : file_(path, keep), columns_(columns), buffer_(std::move(pending)) {
-  buffer_.reserve(kBufferBytes + kBytesPerNumber * (columns_ + 1));
+  buffer_.reserve(kRowBufferBytes + kBytesPerNumber * (columns_ + 1));
   written_ = std::chrono::steady_clock::now();
 }
 
@@ -48,7 +48,7 @@ void SignalsFile::row(double t, std::span<const double> values) {
     appendNumber(buffer_, value);
   }
   buffer_ += '\n';
-  if (buffer_.size() >= kBufferBytes) {
+  if (buffer_.size() >= kRowBufferBytes) {
     flush();
   } else {
     flushIfDue();
@@ -56,7 +56,7 @@ void SignalsFile::row(double t, std::span<const double> values) {
 }
 
 void SignalsFile::flushIfDue() {
-  if (std::chrono::steady_clock::now() - written_ >= kDue) flush();
+  if (std::chrono::steady_clock::now() - written_ >= kRowsDue) flush();
 }
 
 void SignalsFile::flush() {

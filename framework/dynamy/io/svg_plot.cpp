@@ -15,7 +15,7 @@ constexpr double kPanel = 150, kGap = 44;  // height of a panel; between two, wi
 constexpr std::size_t kMostPanels = 40, kMostCurves = 6;
 constexpr std::array kColours{"#1769aa", "#c2410c", "#2f7d32", "#7b3fa0", "#b3861b", "#5b6472"};
 
-struct Range {
+struct AxisRange {
   double lo = std::numeric_limits<double>::infinity();
   double hi = -std::numeric_limits<double>::infinity();
 
@@ -25,7 +25,7 @@ struct Range {
     hi = std::max(hi, x);
   }
   /// A range with some extent, also for constant or empty curves; `share` of it as a margin.
-  Range widened(double share) const {
+  AxisRange widened(double share) const {
     if (!(lo <= hi)) return {0, 1};
     double margin = (hi - lo) * share;
     if (hi - lo <= 1e-12 * std::max(std::abs(lo), std::abs(hi)) || hi == lo) {
@@ -52,8 +52,8 @@ std::string lineTo(double x1, double y1, double x2, double y2, const char* kind)
 }
 
 /// One curve as a path that is lifted over values which are not finite.
-std::string curve(std::span<const double> t, std::span<const double> y, Range time, Range value,
-                  double top, const char* colour) {
+std::string curve(std::span<const double> t, std::span<const double> y, AxisRange time,
+                  AxisRange value, double top, const char* colour) {
   std::string d;
   bool down = false;
   for (const std::size_t i : thinned(t, y, static_cast<std::size_t>(kPlotWidth))) {
@@ -69,9 +69,9 @@ std::string curve(std::span<const double> t, std::span<const double> y, Range ti
   return "<path class=\"curve\" stroke=\"" + std::string(colour) + "\" d=\"" + d + "\"/>\n";
 }
 
-std::string panel(const SignalTable& table, const std::vector<std::size_t>& members, Range time,
+std::string panel(const SignalTable& table, const std::vector<std::size_t>& members, AxisRange time,
                   double top, bool last) {
-  Range value;
+  AxisRange value;
   for (const std::size_t k : members) {
     for (const double y : table.columns[k]) value.take(y);
   }
@@ -175,7 +175,7 @@ std::string signalsSvg(const SignalTable& table, const std::string& title) {
   auto panels = panelsOf(table.signals);
   const std::size_t all = panels.size();
   panels.resize(std::min(all, kMostPanels));
-  Range time;
+  AxisRange time;
   for (const double t : table.t) time.take(t);
   time = time.widened(0);
 

@@ -15,7 +15,7 @@ namespace dynamy {
 
 namespace {
 
-constexpr std::string_view kSpace = " \t\r\n";
+constexpr std::string_view kXmlSpace = " \t\r\n";
 
 /// Walks over the parser's tree and takes the places from the scan.
 class TreeBuilder {
@@ -79,9 +79,9 @@ class TreeBuilder {
     node.pieces.push_back(
         {static_cast<std::ptrdiff_t>(node.text.size()), found.begin, found.cdata});
     const std::string_view content = parsed.Value();
-    const std::size_t visible = content.find_first_not_of(kSpace);
+    const std::size_t visible = content.find_first_not_of(kXmlSpace);
     if (node.textPlace.line == 0 && visible != std::string_view::npos) {
-      const std::size_t last = content.find_last_not_of(kSpace) + 1;
+      const std::size_t last = content.find_last_not_of(kXmlSpace) + 1;
       const std::size_t begin = sourceOffset(source_.text(), found.begin, visible, found.cdata);
       const std::size_t end = sourceOffset(source_.text(), found.begin, last, found.cdata);
       node.textPlace = locator_.place(begin, end - begin);
@@ -91,13 +91,13 @@ class TreeBuilder {
 
   /// Cuts off white space around the text; offsets of the pieces move with it.
   void trim(XmlNode& node) const {
-    const std::size_t first = node.text.find_first_not_of(kSpace);
+    const std::size_t first = node.text.find_first_not_of(kXmlSpace);
     if (first == std::string::npos) {
       node.text.clear();
       node.pieces.clear();
       return;
     }
-    node.text.resize(node.text.find_last_not_of(kSpace) + 1);
+    node.text.resize(node.text.find_last_not_of(kXmlSpace) + 1);
     node.text.erase(0, first);
     for (XmlPiece& piece : node.pieces) piece.offset -= static_cast<std::ptrdiff_t>(first);
   }
@@ -258,20 +258,20 @@ Diagnostic XmlDocument::diagnostic(Place place, const XmlNode& node, std::string
 
 std::vector<XmlWord> xmlWords(std::string_view value) {
   std::vector<XmlWord> words;
-  std::size_t at = value.find_first_not_of(kSpace);
+  std::size_t at = value.find_first_not_of(kXmlSpace);
   while (at < value.size()) {
     XmlWord word{{}, at, true};
     int depth = 0;
     std::size_t end = at;
     for (; end < value.size(); ++end) {
-      if (depth <= 0 && kSpace.find(value[end]) != std::string_view::npos) break;
+      if (depth <= 0 && kXmlSpace.find(value[end]) != std::string_view::npos) break;
       if (value[end] == '{') ++depth;
       if (value[end] == '}' && --depth < 0) word.balanced = false, depth = 0;
     }
     if (depth > 0) word.balanced = false;
     word.text = value.substr(at, end - at);
     words.push_back(word);
-    at = value.find_first_not_of(kSpace, end);
+    at = value.find_first_not_of(kXmlSpace, end);
   }
   return words;
 }

@@ -29,7 +29,7 @@ bool isXmlCharacter(char32_t c) {
   return c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c != 0xFFFE && c != 0xFFFF);
 }
 
-std::string quoted(std::string_view text) { return '"' + std::string(text) + '"'; }
+std::string quotedName(std::string_view text) { return '"' + std::string(text) + '"'; }
 
 std::string hexadecimal(char c) {
   constexpr std::string_view digits = "0123456789ABCDEF";
@@ -134,7 +134,7 @@ class Scanner {
       report(diagnostic(
           i, size, element,
           (closed ? "unknown entity " : "no entity begins at this ") +
-              quoted(text_.substr(i, size)),
+              quotedName(text_.substr(i, size)),
           "known are &lt; &gt; &amp; &quot; &apos; &#number; and a plain & is written &amp;"));
     }
   }
@@ -249,12 +249,13 @@ class Scanner {
     const std::string attributeName(name());
     attribute.nameSize = attributeName.size();
     if (attributeName.empty())
-      fail(at_, 1, tag(element), "unexpected character " + quoted(nextCharacter(text_, at_).bytes),
+      fail(at_, 1, tag(element),
+           "unexpected character " + quotedName(nextCharacter(text_, at_).bytes),
            "an attribute is written name=\"value\"");
     skipSpace();
     if (!startsWith("="))
       fail(attribute.name, attribute.nameSize, tag(element),
-           "the attribute " + quoted(attributeName) + " has no value",
+           "the attribute " + quotedName(attributeName) + " has no value",
            "write " + attributeName + "=\"…\"");
     ++at_;
     skipSpace();
@@ -275,7 +276,7 @@ class Scanner {
       const std::size_t end = std::min(text_.find_first_of(" \t\r\n<>/\"'", begin), text_.size());
       const std::string word(text_.substr(begin, end - begin));
       fail(begin, end - begin, tag(element),
-           "the value of " + quoted(attributeName) + " is not in quotes",
+           "the value of " + quotedName(attributeName) + " is not in quotes",
            "write " + attributeName + "=\"" + (word.empty() ? "…" : word) + '"');
     }
 
@@ -287,11 +288,11 @@ class Scanner {
     const bool less = content.find('<') != std::string_view::npos;
     if (end == std::string_view::npos || less || (glued && content.find('=') < content.size()))
       fail(begin, content.substr(0, content.find_first_of("=<\n")).size() + 1, tag(element),
-           "the value of " + quoted(attributeName) + " has no closing quote",
+           "the value of " + quotedName(attributeName) + " has no closing quote",
            less ? "in a value \"<\" is written &lt;" : "");
     if (glued)
-      fail(end + 1, 1, tag(element), "expected a space after the value of " + quoted(attributeName),
-           {});
+      fail(end + 1, 1, tag(element),
+           "expected a space after the value of " + quotedName(attributeName), {});
     checkEntities(begin + 1, end, tag(element));
     attribute.value = begin + 1;
     attribute.valueSize = content.size();
@@ -305,7 +306,7 @@ class Scanner {
       if (text_.substr(other.name, other.nameSize) != attributeName) continue;
       Diagnostic error =
           diagnostic(attribute.name, attribute.nameSize, tag(element),
-                     "the attribute " + quoted(attributeName) + " is given twice", {});
+                     "the attribute " + quotedName(attributeName) + " is given twice", {});
       Place first = source_.place(other.name, other.nameSize);
       std::string line = source_.shownLine(first);
       error.notes.push_back({std::move(first), "the first is here", std::move(line)});

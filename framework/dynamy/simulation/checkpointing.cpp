@@ -9,7 +9,7 @@
 namespace dynamy {
 namespace {
 
-double seconds(std::chrono::steady_clock::duration d) {
+double secondsOf(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
@@ -68,7 +68,7 @@ void Simulation::save() {
   const auto begin = Clock::now();
   keep();
   save_(checkpoint_);
-  lastSave_ = Clock::now(), saveCost_ = seconds(lastSave_ - begin);
+  lastSave_ = Clock::now(), saveCost_ = secondsOf(lastSave_ - begin);
 }
 
 void Simulation::keep() {

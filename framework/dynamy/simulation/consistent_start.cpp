@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <dynamy/integrator/projection.hpp>
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -12,12 +13,11 @@ namespace {
 
 /// Added to G, whose rows are scaled to 1 on the diagonal, so that rows that depend on each other
 /// share; turns take away what it costs.
-constexpr double kRedundant = 1e-11;
-constexpr int kMostTurns = 25;
-constexpr double kTau = 1e-9;          ///< a displacement δ is a velocity δ/τ for the time τ
+constexpr double kRedundantStart = 1e-11;
+constexpr int kMostStartTurns = 25;
 constexpr double kPosition = 1e-12;    ///< of the scene's length: g_tol, on the joints
 constexpr double kFileNumbers = 1e-6;  ///< numbers of a file are rounded: changes below say nothing
-constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+constexpr double kStartNoise = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// The joints of one evaluation: which rows they have, and δ = M⁻¹WΛ with Wᵀδ = −r.
 class JointRows {
@@ -87,7 +87,7 @@ void JointRows::factorise() {
   G = scale_.asDiagonal() * G * scale_.asDiagonal();
   Sparse one(m, m);
   one.setIdentity();
-  ldlt_.compute(G + kRedundant * one);
+  ldlt_.compute(G + kRedundantStart * one);
   ready_ = true;
 }
 
@@ -134,7 +134,7 @@ Errors velocityErrors(const Evaluation& e, const JointRows& rows, const Eigen::V
     const double size = sizeOfRow(c, i, row - c.row0[static_cast<std::size_t>(i)], u);
     out.value[static_cast<Eigen::Index>(k)] = gamma[row];
     out.noise[static_cast<Eigen::Index>(k)] =
-        kRounding * (size + std::abs(c.chi[static_cast<std::size_t>(row)]));
+        kStartNoise * (size + std::abs(c.chi[static_cast<std::size_t>(row)]));
   }
   out.look();
   return out;
@@ -180,7 +180,7 @@ void fitPositions(const Model& model, MechanicalSystem& s, State& x, StartReport
   const double tolerance = kPosition * model.length();
   const State given = x;
   double before = 0.0;
-  for (int turn = 0; turn <= kMostTurns; ++turn) {
+  for (int turn = 0; turn <= kMostStartTurns; ++turn) {
     const Evaluation& e = turn == 0 ? s.slot(0) : s.evaluate(x);
     JointRows rows(e, true);
     const Errors errors = positionErrors(e, rows, tolerance);
@@ -191,15 +191,15 @@ void fitPositions(const Model& model, MechanicalSystem& s, State& x, StartReport
     out.left = errors.largest;
     if (!(errors.largest > 0.0)) return;  // also where it is no number
     const bool worse = turn > 3 && errors.largest > 0.9 * before;
-    if (turn == kMostTurns || worse || !std::isfinite(errors.largest)) {
+    if (turn == kMostStartTurns || worse || !std::isfinite(errors.largest)) {
       out.against = jointText(model, e, rows, errors);
       break;
     }
     before = errors.largest;
-    const Eigen::VectorXd delta = rows.solve(errors.value) / kTau;
+    const Eigen::VectorXd delta = rows.solve(errors.value) / kDisplacementTime;
     if (!delta.allFinite()) break;
     const double t = x.t;
-    s.move(x, delta, kTau);
+    s.move(x, delta, kDisplacementTime);
     x.t = t;
   }
   // Met but for rounding that the tolerance does not know (long arms, steep formulas): taken.
@@ -218,7 +218,7 @@ void fitVelocities(const Model& model, MechanicalSystem& s, State& x, StartRepor
   if (!rows.any()) return;
   const Eigen::VectorXd given = x.u;
   out.kineticBefore = out.kineticAfter = kineticOf(e, given);
-  for (int turn = 0; turn <= kMostTurns; ++turn) {
+  for (int turn = 0; turn <= kMostStartTurns; ++turn) {
     const Errors errors = velocityErrors(e, rows, x.u);
     if (turn == 0) {
       part.off = errors.largest, part.joint = jointText(model, e, rows, errors);
@@ -227,7 +227,7 @@ void fitVelocities(const Model& model, MechanicalSystem& s, State& x, StartRepor
     const bool met = !(errors.largest > 0.0);
     const bool stuck = turn > 1 && errors.largest > 0.5 * part.left;
     part.left = errors.largest;
-    if (met || stuck || turn == kMostTurns) {
+    if (met || stuck || turn == kMostStartTurns) {
       part.against = part.left > kFileNumbers * part.off ? jointText(model, e, rows, errors) : "";
       break;
     }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kStep = 0.1;
 constexpr int kLevels = 7;  ///< halvings of it
 /// Below this part of the largest pivot a constraint is redundant.
-constexpr double kRank = 1e-9;
+constexpr double kRankOfStates = 1e-9;
 /// Accelerations of a steady motion, in parts of those by the forces alone.
 constexpr double kSteady = 1e-10;
 /// How much A may change along the motion, in parts of its largest entry.
@@ -104,7 +104,7 @@ class Linear {
       const Derivatives d = derivatives(x);
       Eigen::MatrixXd J(y.size(), free);
       J << d.A.bottomLeftCorner(nu_, free), d.C.leftCols(free);
-      PseudoInverse inverse(kRank);
+      PseudoInverse inverse(kRankOfStates);
       inverse.compute(J);
       Eigen::VectorXd change;
       inverse.solve(y, change);
@@ -174,7 +174,7 @@ class Linear {
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& C) {
   const Eigen::Index n = C.cols();
   if (C.rows() == 0) return Eigen::MatrixXd::Identity(n, n);
-  PivotedQr qr(kRank);
+  PivotedQr qr(kRankOfStates);
   qr.compute(C.transpose());
   const Eigen::MatrixXd Q = qr.Q();
   return Q.rightCols(n - qr.rank());

@@ -8,13 +8,13 @@ namespace {
 
 constexpr int kMostParted = 4000;  ///< tries of one step for fast bodies
 /// A rest of so many roundings of the time is none.
-constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
 bool OwnSteps::run(Stepper& stepper, double until) {
   bool kept = false;
-  while (until - stepper.t() > kRounding * std::abs(until)) {
+  while (until - stepper.t() > kTimeNoise * std::abs(until)) {
     // What is kept before the end bounds a step is where a longer run goes on.
     const double rest = until - stepper.t(), next = stepper.nextStep();
     if (!kept && !(next > 0.0 && std::min(next, largest_ > 0.0 ? largest_ : next) < rest)) {

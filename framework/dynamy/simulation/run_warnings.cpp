@@ -12,13 +12,13 @@ namespace {
 
 // Limits of what is reported; doc/run_folder.md has the table.
 constexpr double kEnergy = RunTrust::kWarned;  ///< of the largest kinetic energy
-constexpr double kOverlap = 0.01;              ///< of the scene's length
+constexpr double kMuchOverlap = 0.01;          ///< of the scene's length
 constexpr double kOverlapWays = 2.0;           ///< of the way in a step
 constexpr double kStart = 1e-6;                ///< of the scene's length
 constexpr double kJoint = 1e-3;                ///< of the scene's length
 constexpr double kOmegaDt = 1.0;               ///< [rad]
 constexpr double kTurn = 1.0;                  ///< [rad]
-constexpr double kRounding = 1e-9;             ///< shares below this are not told
+constexpr double kLeastShare = 1e-9;           ///< shares below this are not told
 
 double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
 
@@ -62,7 +62,7 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
 }
 
 void aboutImpacts(const RunReport& r, Warnings& out) {
-  if (ratio(r.energyGain.value, r.trust.energyScale()) < kRounding) return;
+  if (ratio(r.energyGain.value, r.trust.energyScale()) < kLeastShare) return;
   out.push_back({"impact law",
                  fmt::format("{} impacts would have gained energy, {:.2g} J at most "
                              "(t = {:.6g} s): less rebound was taken",
@@ -78,13 +78,14 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
                                "them apart changes the energy",
                                overlap, r.penetration.name),
                    1, 0.0, r.penetration.name});
-  else if (overlap > kOverlap * length)
+  else if (overlap > kMuchOverlap * length)
     out.push_back({"overlap",
                    fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
                                "of the scene's length",
                                overlap, r.penetration.name, r.penetration.t, overlap / length),
                    1, r.penetration.t, r.penetration.name});
-  else if (r.trust.way > 0.0 && overlap > std::max(kOverlapWays * r.trust.way, kRounding * length))
+  else if (r.trust.way > 0.0 &&
+           overlap > std::max(kOverlapWays * r.trust.way, kLeastShare * length))
     out.push_back(
         {"overlap",
          fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "

@@ -18,8 +18,8 @@ constexpr double kFewSteps = 64.0;  ///< added to their number, for what one ste
 /// longer. Beyond that γ^E alone says how deep: off by (ω Δt/2)²/2 of a body's size.
 constexpr double kDeeper = 1.01;
 constexpr long kFirstLooks = 8, kStepsPerLook = 128;
-constexpr double kGapNoise = 1e-12;  ///< of the scene's length
-constexpr double kSamples = 256.0;   ///< of the energy in a run
+constexpr double kOverlapNoise = 1e-12;  ///< of the scene's length
+constexpr double kSamples = 256.0;       ///< of the energy in a run
 /// After the first steps three in a row of so many are looked at, so that watching costs little.
 constexpr long kFirst = 256, kEvery = 16;
 
@@ -126,7 +126,7 @@ void RunWatch::sample(const StepView& view) {
 void RunWatch::ends(const StepView& view) {
   const ContactSet& c = view.system.slot(0).contacts;
   const double rest = view.after.t - view.system.slot(0).t;
-  const double known = kDeeper * report_.penetration.value + kGapNoise * model_.length();
+  const double known = kDeeper * report_.penetration.value + kOverlapNoise * model_.length();
   if (!(rest > 0.0) || view.gammaE.size() != c.rows()) return;
   // With joints the mean velocity may lead there.
   const std::vector<double>& gammaA = view.system.problem().gammaA;

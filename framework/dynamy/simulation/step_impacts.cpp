@@ -1,15 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/integrator/impact_detection.hpp>
 #include <dynamy/simulation/model.hpp>
 #include <dynamy/simulation/step_impacts.hpp>
 
 namespace dynamy {
-namespace {
-
-/// What the forces of so many steps explain is no impact of a contact that was closed.
-constexpr double kImpact = 4.0;
-
-}  // namespace
+namespace {}  // namespace
 
 bool StepImpacts::operator()(const StepView& view, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;
@@ -31,7 +27,8 @@ bool StepImpacts::operator()(const StepView& view, int contact) {
   if (found < 0) return true;
   const int first = old.first[static_cast<std::size_t>(found)];
   if (old.first[static_cast<std::size_t>(found) + 1] == first) return true;
-  return !(old.Lambda[static_cast<std::size_t>(first)] > 0.0) || -p.gammaA[row] > kImpact * change_;
+  return !(old.Lambda[static_cast<std::size_t>(first)] > 0.0) ||
+         -p.gammaA[row] > kImpactSteps * change_;
 }
 
 }  // namespace dynamy

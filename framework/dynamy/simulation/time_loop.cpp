@@ -3,7 +3,7 @@
 namespace dynamy {
 namespace {
 constexpr int kMostHalvings = 6;
-constexpr int kMostParted = 4000;  ///< splittings of one full step for fast bodies
+constexpr int kMostSplittings = 4000;  ///< splittings of one full step for fast bodies
 }  // namespace
 
 bool FixedStep::run(Stepper& stepper, double until) {
@@ -32,7 +32,7 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
   if (const Passing p = sound ? stepper.passing() : Passing{}) {
     stepper.reject();
-    return ++parted_ > kMostParted ? stepper.fail(p) : inParts(stepper, p, tEnd, dt, depth);
+    return ++parted_ > kMostSplittings ? stepper.fail(p) : inParts(stepper, p, tEnd, dt, depth);
   }
   const bool halve = policy_ == NonConvergence::retry && depth < kMostHalvings;
   if (!good && halve) {  // the same step in two halves

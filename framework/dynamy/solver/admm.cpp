@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kEta = 1e-6;  ///< proximal part η
 /// σ = τρ. ½, the value for convex problems, takes more iterations and factorisations on contacts.
-constexpr double kTau = 0.015;
+constexpr double kOverRelaxed = 0.015;
 /// Large factors: contacts, and how many of them one feels on average, itself included.
-constexpr int kManyContacts = 200;
+constexpr int kManyContactsOfAdmm = 200;
 constexpr double kManyNeighbours = 16.0;
 constexpr double kBalanced = 10.0;  ///< residuals that differ by less are balanced
 constexpr double kLargestChange = 10.0;
@@ -33,7 +33,7 @@ Admm::Admm(const Parameters& x)
       options_{x["tolerance"], x["maxIterations"].integer(), x["maxFactorisations"].integer()} {}
 
 bool Admm::pays(const InclusionProblem& p) {
-  if (p.G->hasBodies() || p.size() < kManyContacts) return false;
+  if (p.G->hasBodies() || p.size() < kManyContactsOfAdmm) return false;
   const auto blocks = static_cast<double>(p.G->blockRows().column.size());
   return blocks >= kManyNeighbours * p.size();
 }
@@ -63,7 +63,7 @@ bool Admm::prepare(const InclusionProblem& p, Vec Lambda) {
     if (k > 0) L = norm;
     for (double& x : x_) x /= norm;
   }
-  sigma_ = kTau * std::sqrt(L * kEta) * std::pow(L / kEta, 0.2);
+  sigma_ = kOverRelaxed * std::sqrt(L * kEta) * std::pow(L / kEta, 0.2);
   // Start: z = ξ^ of the given Λ.
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), x_.begin());
   y_ = x_;

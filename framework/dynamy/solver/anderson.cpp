@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kGrowth = 2.0;   ///< of |f| that is tolerated in one step
+constexpr double kTolerableGrowth = 2.0;  ///< of |f| that is tolerated in one step
 constexpr double kRidge = 1e-14;  ///< of the diagonal: keeps the Gram matrix positive definite
 
 }  // namespace
@@ -36,7 +36,7 @@ void Anderson::next(const double* x, const double* g, double* next) {
   const auto n = static_cast<std::size_t>(rows_);
   for (std::size_t k = 0; k < n; ++k) fNew_[k] = root_[k] * (g[k] - x[k]);
   const double square = dot(fNew_.data(), fNew_.data());
-  if (!first_ && !(square <= kGrowth * kGrowth * best_) && count_ > 0) {
+  if (!first_ && !(square <= kTolerableGrowth * kTolerableGrowth * best_) && count_ > 0) {
     // The step was not worth it: back to the plain iteration from the last good point.
     drop(), ++restarts_, first_ = true;
     std::copy(g_.begin(), g_.end(), next);

@@ -8,9 +8,9 @@ namespace {
 /// Contacts of balls from which on packing pays and from which on they are cut into parts.
 constexpr int kFew = 100, kUncut = 6000;
 /// Parts at most, and contacts of a part at least: those between parts are not shared.
-constexpr int kMostParts = 8, kLeast = 3000;
+constexpr int kMostParts = 8, kLeastContacts = 3000;
 /// Of the numbers compared: the rounding of unit vectors and their products.
-constexpr double kRounding = 1e-10;
+constexpr double kSweepNoise = 1e-10;
 
 double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -36,7 +36,7 @@ bool BallSweeps::pack(const InclusionProblem& p, int i, Contact& out) {
   const double* G = p.G->diagonalBlock(i);
   const double off =
       std::max({std::abs(G[1]), std::abs(G[2]), std::abs(G[5]), std::abs(G[4] - G[8])});
-  if (!(G[0] > 0.0 && G[4] > 0.0 && off <= kRounding * (G[0] + G[4]))) return false;
+  if (!(G[0] > 0.0 && G[4] > 0.0 && off <= kSweepNoise * (G[0] + G[4]))) return false;
   out.rN = 1.0 / G[0], out.rT = 1.0 / G[4], out.mu = set.upper, out.row = p.row0(i);
   const auto at = static_cast<std::size_t>(i);
   const int first = c.segment0[at], count = c.segment0[at + 1] - first;
@@ -49,7 +49,7 @@ bool BallSweeps::pack(const InclusionProblem& p, int i, Contact& out) {
   const double* W = c.W.data() + B.w;
   std::copy(W, W + 3, out.n), std::copy(W + 6, W + 9, out.t), std::copy(W + 12, W + 15, out.s);
   std::copy(W + 9, W + 12, out.tb), std::copy(W + 15, W + 18, out.sb);
-  const double small = kRounding * std::sqrt(dot(out.tb, out.tb));
+  const double small = kSweepNoise * std::sqrt(dot(out.tb, out.tb));
   if (!(std::sqrt(dot(W + 3, W + 3)) <= small)) return false;
   out.ub = B.u0;
   out.ua = -1, out.ma = out.ja = 0.0;
@@ -61,7 +61,7 @@ bool BallSweeps::pack(const InclusionProblem& p, int i, Contact& out) {
   std::copy(W + 9, W + 12, out.ta), std::copy(W + 15, W + 18, out.sa);
   out.ua = A.u0;
   return opposite(W, out.n) && opposite(W + 6, out.t) && opposite(W + 12, out.s) &&
-         std::sqrt(dot(W + 3, W + 3)) <= kRounding * std::sqrt(dot(out.ta, out.ta));
+         std::sqrt(dot(W + 3, W + 3)) <= kSweepNoise * std::sqrt(dot(out.ta, out.ta));
 }
 
 int BallSweeps::partOf(const Contact& c, int velocities) const {
@@ -87,7 +87,7 @@ bool BallSweeps::prepare(const InclusionProblem& p) {
   // Contacts by part, in each in their order.
   const MassMatrix& mass = p.G->mass();
   const int velocities = mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1);
-  const int parts = size < kUncut ? 1 : std::min(kMostParts, size / kLeast);
+  const int parts = size < kUncut ? 1 : std::min(kMostParts, size / kLeastContacts);
   first_.assign(static_cast<std::size_t>(parts) + 2, 0);
   for (const Contact& c : given_) ++first_[static_cast<std::size_t>(partOf(c, velocities)) + 1];
   for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];

@@ -8,9 +8,9 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMemory = 5;      ///< values of |F| a step is compared with
-constexpr int kHalvings = 9;    ///< t = 1 … 2⁻⁹
-constexpr int kMaxGrowth = 24;  ///< failed inner problems in a row until the schedule gives up
+constexpr int kNormsKept = 5;     ///< values of |F| a step is compared with
+constexpr int kStepHalvings = 9;  ///< t = 1 … 2⁻⁹
+constexpr int kMaxGrowth = 24;    ///< failed inner problems in a row until the schedule gives up
 constexpr double kLargest = 1e3;
 /// Above, sweeps are the better use of memory and time.
 constexpr int kMaxContacts = 20'000;
@@ -143,11 +143,11 @@ bool BlockNewton::judge(const InclusionProblem& p, double tolerance, SolveReport
 }
 
 double BlockNewton::lineSearch(const InclusionProblem& p) {
-  const auto from = recent_.size() > kMemory ? recent_.end() - kMemory : recent_.begin();
+  const auto from = recent_.size() > kNormsKept ? recent_.end() - kNormsKept : recent_.begin();
   const double reference = *std::max_element(from, recent_.end());
   // ξ is linear in t: no product with G on the way.
   double least = std::numeric_limits<double>::infinity(), best = 1.0, t = 1.0;
-  for (int h = 0; h <= kHalvings; ++h, t *= 0.5) {
+  for (int h = 0; h <= kStepHalvings; ++h, t *= 0.5) {
     for (std::size_t k = 0; k < Lambda_.size(); ++k) {
       trialLambda_[k] = Lambda_[k] + t * dLambda_[k];
       trialXi_[k] = xi_[k] + t * dXi_[k];

@@ -6,9 +6,9 @@
 namespace dynamy {
 namespace {
 
-constexpr double kRank = 1e-11;   ///< relative size of an eigenvalue that counts as zero
-constexpr double kTouch = 1e-8;   ///< of u_ref: a normal velocity below is zero
-constexpr double kForce = 1e-12;  ///< of the largest force: below is none
+constexpr double kRankOfDense = 1e-11;  ///< relative size of an eigenvalue that counts as zero
+constexpr double kTouching = 1e-8;      ///< of u_ref: a normal velocity below is zero
+constexpr double kForce = 1e-12;        ///< of the largest force: below is none
 
 }  // namespace
 
@@ -31,7 +31,7 @@ DenseProblem::DenseProblem(const InclusionProblem& problem, ConstVec Lambda)
     free_.push_back(anyForceAllowed(i));
     const bool pressed = Lambda_.segment(first, dim).lpNorm<Eigen::Infinity>() > kForce * largest;
     closed_.push_back(!problem.law(i).unilateral() || pressed ||
-                      xi_[first] <= kTouch * problem.uRef);
+                      xi_[first] <= kTouching * problem.uRef);
   }
   finite_ = xi_.allFinite() && c_.allFinite() &&
             (scale_.asDiagonal() * G_ * scale_.asDiagonal()).eval().allFinite();
@@ -91,7 +91,7 @@ Eigen::MatrixXd DenseProblem::kernel(const std::vector<int>& rows) const {
   const SymmetricEigenPairs eigen = symmetricEigenPairs(0.5 * (scaled + scaled.transpose()));
   const Eigen::VectorXd& sigma = eigen.values;  // ascending
   Eigen::Index zeros = 0;
-  while (zeros < n && sigma[zeros] <= kRank * sigma[n - 1]) ++zeros;
+  while (zeros < n && sigma[zeros] <= kRankOfDense * sigma[n - 1]) ++zeros;
   return eigen.vectors.leftCols(zeros);
 }
 
@@ -101,7 +101,7 @@ Eigen::MatrixXd DenseProblem::reduced(const std::vector<int>& rows,
   if (given.empty() || !finite_) return out;
   const Eigen::VectorXd s = scale_(given);
   const Eigen::MatrixXd Ggg = s.asDiagonal() * G_(given, given) * s.asDiagonal();
-  PseudoInverse inverse(kRank);
+  PseudoInverse inverse(kRankOfDense);
   inverse.compute(Ggg);
   const Eigen::MatrixXd Ggr = s.asDiagonal() * G_(given, rows);
   const Eigen::MatrixXd Grg = G_(rows, given) * s.asDiagonal();

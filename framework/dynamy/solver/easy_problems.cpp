@@ -7,14 +7,14 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMemory = 5;  ///< of Anderson's acceleration
+constexpr int kAndersonDepth = 5;  ///< of Anderson's acceleration
 constexpr int kFirstSweeps =
     20;  ///< before the rate is judged: acceleration takes some to build up
 constexpr int kSweepsPerTest = 5;
 /// Handed to Newton's method. 10 to 40 differ by luck on the collection; 15 was the best of five.
 constexpr int kPlainSweeps = 15;
 /// Sweeps that a Newton solve is worth; above, sweeps are left.
-constexpr double kPatience = 300.0;
+constexpr double kSweepPatience = 300.0;
 
 }  // namespace
 
@@ -65,7 +65,7 @@ double EasyProblems::change(ConstVec Lambda) const {
 void EasyProblems::accelerate(const InclusionProblem& p, bool first, Vec Lambda) {
   if (first) {
     rowScales(p);
-    anderson_.begin(kMemory, lambda_.data(), p.rows());
+    anderson_.begin(kAndersonDepth, lambda_.data(), p.rows());
   }
   anderson_.next(before_.data(), Lambda.data(), Lambda.data());
 }
@@ -102,7 +102,7 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
     // ln E falls by `fall` a sweep: how many more are needed?
     const double fall = std::log(earlier / best.largest()) / (sweep - earlierSweep);
     const double missing = std::log(best.largest() / tolerance) / fall;
-    promising = sweep < kFirstSweeps || (fall > 0.0 && missing <= kPatience);
+    promising = sweep < kFirstSweeps || (fall > 0.0 && missing <= kSweepPatience);
     earlier = last, earlierSweep = tested;
     last = best.largest(), tested = sweep, part = moved > 0.0 ? now.largest() / moved : 0.0;
   }

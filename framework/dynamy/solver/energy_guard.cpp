@@ -7,10 +7,10 @@ namespace {
 
 /// Part of the energy turned over in a group that solvers at their default tolerance of 1e-10 may
 /// leave, with a reserve of 100.
-constexpr double kRounding = 1e-8;
+constexpr double kEnergyNoise = 1e-8;
 /// Trials per impact. The gain is nearly a parabola of the factor, so three to five suffice; the
 /// last one is the accepted end of the bracket.
-constexpr int kTrials = 8;
+constexpr int kEnergyTrials = 8;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void EnergyGuard::gains(InclusionProblem& problem, ConstVec Lambda) {
     }
   }
   for (std::size_t g = 0; g < groups; ++g)  // only what is beyond rounding counts as gain
-    gainA_[g] = std::min(gainA_[g], gainFree_[g]) - kRounding * scale_[g];
+    gainA_[g] = std::min(gainA_[g], gainFree_[g]) - kEnergyNoise * scale_[g];
 }
 
 void EnergyGuard::begin(InclusionProblem& problem, ConstVec Lambda) {
@@ -74,10 +74,10 @@ void EnergyGuard::begin(InclusionProblem& problem, ConstVec Lambda) {
 }
 
 bool EnergyGuard::next() {
-  if (trials_ > kTrials) return false;
+  if (trials_ > kEnergyTrials) return false;
   for (Search& s : search_) {
     if (!s.active) continue;
-    if (trials_ == 0 || trials_ == kTrials)
+    if (trials_ == 0 || trials_ == kEnergyTrials)
       s.trial = s.low;  // the safe end: first to know its gain, last to take it
     else if (trials_ % 2 == 1 && s.gainHigh > s.gainLow)
       s.trial =

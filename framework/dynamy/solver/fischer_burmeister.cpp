@@ -9,13 +9,13 @@ namespace {
 constexpr double kKink = 1e-8;
 
 template <int n>
-using Point = Eigen::Matrix<double, n, 1>;
+using PairPoint = Eigen::Matrix<double, n, 1>;
 template <int n>
 using Square = Eigen::Matrix<double, n, n>;
 
 /// x ∘ y = L_x y.
 template <int n>
-Square<n> arrow(const Point<n>& x) {
+Square<n> arrow(const PairPoint<n>& x) {
   Square<n> L = x[0] * Square<n>::Identity();
   L.row(0) = x.transpose();
   L.col(0) = x;
@@ -25,17 +25,17 @@ Square<n> arrow(const Point<n>& x) {
 /// φ and its derivatives with respect to x and y.
 template <int n>
 struct Function {
-  Point<n> value;
+  PairPoint<n> value;
   Square<n> dx, dy;
 
-  Function(const Point<n>& x, const Point<n>& y, bool derivative) {
+  Function(const PairPoint<n>& x, const PairPoint<n>& y, bool derivative) {
     const double w0 = x.squaredNorm() + y.squaredNorm();
-    Point<n> w = 2.0 * (x[0] * x + y[0] * y);  // the entries after the first
+    PairPoint<n> w = 2.0 * (x[0] * x + y[0] * y);  // the entries after the first
     w[0] = 0.0;
     const double length = w.norm();
     const double s2 = std::sqrt(w0 + length), s1 = std::sqrt(std::max(0.0, w0 - length));
-    const Point<n> direction = length > 0.0 ? Point<n>(w / length) : Point<n>::Zero();
-    Point<n> root = 0.5 * (s2 - s1) * direction;
+    const PairPoint<n> direction = length > 0.0 ? PairPoint<n>(w / length) : PairPoint<n>::Zero();
+    PairPoint<n> root = 0.5 * (s2 - s1) * direction;
     root[0] = 0.5 * (s1 + s2);
     value = x + y - root;
     if (!derivative) return;
@@ -50,7 +50,7 @@ struct Function {
 
  private:
   /// L_z⁻¹ of z with eigenvalues s1, s2 along the direction (0, e).
-  static Square<n> invertArrow(double s1, double s2, const Point<n>& e) {
+  static Square<n> invertArrow(double s1, double s2, const PairPoint<n>& e) {
     const double z0 = 0.5 * (s1 + s2), z1 = 0.5 * (s2 - s1), det = s1 * s2;
     Square<n> out = Square<n>::Identity() / z0;
     out += (z1 * z1 / (z0 * det)) * e * e.transpose();
@@ -65,7 +65,8 @@ void evaluate(double mu, double rho, const double* xi, const double* Lambda, dou
               double* B) {
   using Row = Eigen::Matrix<double, n, n, n == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
   const double scale = n == 1 ? 1.0 : mu;
-  Point<n> x = Eigen::Map<const Point<n>>(Lambda), y = Eigen::Map<const Point<n>>(xi), turn;
+  PairPoint<n> x = Eigen::Map<const PairPoint<n>>(Lambda), y = Eigen::Map<const PairPoint<n>>(xi),
+               turn;
   x[0] *= scale;
   turn = y;
   turn[0] = 0.0;
@@ -74,7 +75,7 @@ void evaluate(double mu, double rho, const double* xi, const double* Lambda, dou
   y *= rho * scale;
   y[0] = rho * (xi[0] + (n == 1 ? 0.0 : mu * slip));
   const Function<n> phi(x, y, A != nullptr);
-  Eigen::Map<Point<n>>{F} = phi.value;
+  Eigen::Map<PairPoint<n>>{F} = phi.value;
   if (!A) return;
   Eigen::Map<Row> a(A), b(B);
   a = phi.dx;

@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMaxSteps = 20000;
+constexpr int kMostJamSteps = 20000;
 constexpr double kSame = 1e-11;  ///< the two projections agree, of the start's length
 constexpr double kEmpty = 1e-3;  ///< below this part of the start the limit counts as zero
 constexpr double kSecant = 1e9;  ///< t of prox(t z)/t, the projection on a recession cone
@@ -81,7 +81,7 @@ Eigen::VectorXd jammedForces(const DenseProblem& dense) {
   if (start == 0.0) return Lambda;
   Eigen::VectorXd x = y;
   bool met = false;
-  for (int k = 0; k < kMaxSteps && !met; ++k) {
+  for (int k = 0; k < kMostJamSteps && !met; ++k) {
     x = Z * (Z.transpose() * y);
     const Eigen::VectorXd moved = x + increment, before = y;
     y = moved;

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/solver/law_probe.hpp>
 #include <limits>
 
@@ -21,7 +22,6 @@ void LawProbe::project(int first, int k, double* x) const {
 }
 
 void LawProbe::interval(int row, double& lower, double& upper) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   lower = -kFarInterval, upper = kFarInterval;
   project(row, 1, &lower);
   project(row, 1, &upper);

@@ -8,9 +8,9 @@
 namespace dynamy {
 namespace {
 
-constexpr int kNewton = 20, kHalvings = 4;
+constexpr int kNewtonSteps = 20, kNewtonHalvings = 4;
 /// |F| below this part of |Λ| is rounding.
-constexpr double kRounding = 1e-15;
+constexpr double kLocalNoise = 1e-15;
 
 using SmallVec = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
 using SmallMat =
@@ -54,13 +54,13 @@ bool iterateContact(const SetValuedForceLaw& law, const LawInput& in, const doub
   SmallVec L = x.stepped(out, x.r), F = x.F(L);
   SmallMat A(n, n), B(n, n);
   double size = F.norm();
-  for (int step = 0; step < kNewton && size > kRounding * L.norm(); ++step) {
+  for (int step = 0; step < kNewtonSteps && size > kLocalNoise * L.norm(); ++step) {
     if (!law.proxDerivative(in, rho, x.xi(L).data(), L.data(), A.data(), B.data())) break;
     A.noalias() += B * x.D;
     const SmallVec delta = -A.partialPivLu().solve(F);
     double t = 1.0, reached = size;
     SmallVec trial;
-    for (int h = 0; h <= kHalvings; ++h, t *= 0.5) {
+    for (int h = 0; h <= kNewtonHalvings; ++h, t *= 0.5) {
       trial = L + t * delta;
       const SmallVec there = x.F(trial);
       reached = there.norm();
@@ -75,7 +75,7 @@ bool iterateContact(const SetValuedForceLaw& law, const LawInput& in, const doub
   if (!L.allFinite()) return false;
   // Newton's Λ may lie a rounding outside of C.
   out = x.stepped(L, x.common);
-  return size <= kRounding * L.norm();
+  return size <= kLocalNoise * L.norm();
 }
 
 }  // namespace dynamy

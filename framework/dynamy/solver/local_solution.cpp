@@ -10,7 +10,7 @@ namespace {
 
 using SetShape = SimpleSet::Shape;
 /// Pivots below this part of the diagonal are rounding: singular.
-constexpr double kSingular = 1e-13;
+constexpr double kSingularMatrix = 1e-13;
 
 /// D⁻¹, rows and columns scaled by the diagonal: rows of joints may have different units.
 bool invert(const double* D, int n, double* out) {
@@ -22,7 +22,7 @@ bool invert(const double* D, int n, double* out) {
   const Scale scale = A.diagonal().cwiseSqrt().cwiseInverse();
   const Small scaled = scale.asDiagonal() * A * scale.asDiagonal();
   const Eigen::PartialPivLU<Small> lu(scaled);
-  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingular)) return false;
+  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kSingularMatrix)) return false;
   Eigen::Map<RowMatrix>(out, n, n) = scale.asDiagonal() * lu.inverse() * scale.asDiagonal();
   return true;
 }
@@ -94,7 +94,7 @@ void LocalSolutions::add(const double* D, int dim, const SimpleSet& set) {
       contact.at = numbers_.size();
       contact.simple =
           dim == 1 ? D[0] > 0.0
-                   : ball && dim == 2 && D[0] * D[3] - D[1] * D[2] > kSingular * D[0] * D[3];
+                   : ball && dim == 2 && D[0] * D[3] - D[1] * D[2] > kSingularMatrix * D[0] * D[3];
       if (!contact.simple) break;
       numbers_.insert(numbers_.end(), D, D + n);
       numbers_.insert(numbers_.end(), {ball ? -set.upper : set.lower, set.upper});

@@ -8,7 +8,7 @@ namespace {
 
 /// Trials for κ; the energy returned is nearly a parabola of it, so that a secant finds it to
 /// kShare of the energy in four to six.
-constexpr int kTrials = 24;
+constexpr int kPoissonTrials = 24;
 constexpr double kShare = 1e-12;
 
 double epsilonN(const InclusionProblem& p, int i) {
@@ -179,7 +179,7 @@ SolveReport EnergeticImpact::percussions(InclusionProblem& problem, InclusionSol
   for (std::size_t g = 0; g < search_.size(); ++g)
     if (aim_[g] > 0.0) search_[g] = {.excessLow = -aim_[g], .kappa = 1.0, .done = false};
   kappa_.resize(factor.size());
-  for (int trial = 0; trial < kTrials; ++trial) {
+  for (int trial = 0; trial < kPoissonTrials; ++trial) {
     for (int i = 0; i < problem.size(); ++i)
       kappa_[static_cast<std::size_t>(i)] = search_[static_cast<std::size_t>(groups_.of(i))].kappa;
     addSolve(report, expand(problem, solver, compression, kappa_));

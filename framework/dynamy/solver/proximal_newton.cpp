@@ -8,7 +8,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps and a large a
+constexpr double kColdStart = 1e-2;  ///< above: start by sweeps and a large a
 constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
 constexpr double kWarmBlock = 1e-8;       ///< the same for block rows
@@ -16,17 +16,17 @@ constexpr double kWarmVelocities = 1e-6;  ///< the same in velocities, which div
 /// Where no contact changes its state, one step with an a as small as rounding allows is all: it is
 /// tried first, twice at most.
 constexpr double kTried = 1e-8;
-constexpr int kTries = 2;
+constexpr int kProximalTries = 2;
 constexpr double kCold = 3e-3;     ///< start of a after sweeps
 constexpr double kPressed = 3e-4;  ///< start of a when all contacts are pressed at first
 /// ρ of the second try: of 88 inclusions of landing stacks, 2 needs up to 2150 steps, 10 up to
 /// 1650.
 constexpr double kPatientRho = 10.0;
-constexpr double kInner = 0.8;  ///< an inner problem is solved at this part of its first |F|
+constexpr double kInnerShare = 0.8;  ///< an inner problem is solved at this part of its first |F|
 /// Rows up to which the dense form is faster than the sparse one in velocities.
 constexpr int kMinVelocities = 16;
-constexpr int kMaxDense = 200;      ///< Newton steps of the dense form, then block rows are tried
-constexpr double kSmallest = 1e-9;  ///< floor of a: below, the regularisation drowns in rounding
+constexpr int kMostDenseSteps = 200;  ///< Newton steps of the dense form, then block rows are tried
+constexpr double kSmallest = 1e-9;    ///< floor of a: below, the regularisation drowns in rounding
 
 }  // namespace
 
@@ -161,7 +161,7 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
     return report;
   }
   const bool good = E <= options_.tolerance;
-  const bool cold = !good && (!(E <= kColdResidual) || Lambda.isZero(0.0));
+  const bool cold = !good && (!(E <= kColdStart) || Lambda.isZero(0.0));
   if (cold) {
     const SolveReport start = starter_.solve(p, Lambda);
     report.iterations = start.iterations;
@@ -175,7 +175,7 @@ SolveReport ProximalNewton::solve(const InclusionProblem& p, Vec Lambda) {
 SolveReport ProximalNewton::improve(const InclusionProblem& p, Vec Lambda, SolveReport report) {
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
   const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
-  const int used = newton(p, kWarm, kInner * outer, Lambda);
+  const int used = newton(p, kWarm, kInnerShare * outer, Lambda);
   const Residuals after = residuals(p, view(Lambda), scratch_);
   report.iterations += std::max(1, used), report.newton += std::max(1, used);
   if (used > 0 && after.largest() < report.residuals.largest())
@@ -208,10 +208,10 @@ bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, Solv
   double bestE = report.residuals.largest();
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
   Residuals best = report.residuals;
-  for (int steps = 0; steps < kMaxDense && !(p.rule && p.rule->enough());) {
+  for (int steps = 0; steps < kMostDenseSteps && !(p.rule && p.rule->enough());) {
     std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
     const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
-    const int used = newton(p, a, kInner * outer, Lambda), counted = used < 0 ? 40 : used;
+    const int used = newton(p, a, kInnerShare * outer, Lambda), counted = used < 0 ? 40 : used;
     steps += counted, report.iterations += counted, report.newton += counted;
     if (used < 0) {
       ++report.rejected;
@@ -268,7 +268,7 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   int before = report.iterations;
   if (!cold && block_.inVelocities()) {
     NewtonSchedule once = schedule;
-    once.start = kTried, once.maxNewton = kTries;
+    once.start = kTried, once.maxNewton = kProximalTries;
     block_.solve(p, once, options_.tolerance, Lambda, report);
     report.note("proximal Newton, tried", before);
     if (report.ok()) return report;

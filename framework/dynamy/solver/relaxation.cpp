@@ -7,7 +7,7 @@ namespace {
 
 /// λ_max of a symmetric block of rows [a, b) of a dim × dim matrix: exact up to 2 rows, bounded by
 /// the row sum above.
-double largestEigenvalue(const double* block, int dim, int a, int b) {
+double largestOfBlock(const double* block, int dim, int a, int b) {
   const auto at = [&](int r, int k) { return block[r * dim + k]; };
   if (b - a == 1) return at(a, a);
   if (b - a == 2) {
@@ -36,7 +36,7 @@ void exactSteps(const InclusionProblem& p, std::vector<double>& r) {
     const double* block = p.G->diagonalBlock(i);
     for (int a = 0; a < dim;) {
       const int b = p.law(i).groupEnd(a, dim);
-      const double lambda = largestEigenvalue(block, dim, a, b);
+      const double lambda = largestOfBlock(block, dim, a, b);
       const double value = inverse(lambda);
       for (; a < b; ++a) r[static_cast<std::size_t>(first + a)] = value;
     }

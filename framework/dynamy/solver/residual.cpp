@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/most_rows.hpp>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/safe_norm.hpp>
 #include <dynamy/solver/inclusion_solver.hpp>
 #include <limits>
@@ -48,7 +49,7 @@ std::string_view solveStatusText(SolveStatus status) {
 
 namespace {
 
-constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double kResidualNoise = 4.0 * std::numeric_limits<double>::epsilon();
 /// E_u between which rounding of GΛ may decide: below, every tolerance is met; above, it cannot.
 constexpr double kFine = 1e-13, kCoarse = 1e-5;
 /// Part of the velocities of a problem that Λ − ρ ξ must resolve.
@@ -59,9 +60,9 @@ double noise(const InclusionProblem& p, int i, const double* absolute) {
   double sum = 0.0;
   for (int k = p.row0(i); k < p.row0(i) + p.dim(i); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    sum += kRounding * std::abs(p.c[at]);
+    sum += kResidualNoise * std::abs(p.c[at]);
     if (!p.cNoise.empty()) sum += p.cNoise[at];
-    if (absolute) sum += kRounding * absolute[k];
+    if (absolute) sum += kResidualNoise * absolute[k];
   }
   return sum;
 }
@@ -97,7 +98,7 @@ double largestVelocity(const InclusionProblem& p) {
   double largest = p.uRef;
   for (const auto* part : {&p.c, &p.gammaFree, &p.gammaA})
     for (const double v : *part) largest = std::max(largest, std::abs(v));
-  for (const double v : p.cNoise) largest = std::max(largest, v / kRounding);
+  for (const double v : p.cNoise) largest = std::max(largest, v / kResidualNoise);
   return largest;
 }
 
@@ -130,7 +131,6 @@ Lengths addC(const double* c, const double* Lambda, int dim, double* xi) {
 }
 
 Residuals notFinite(int contact) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {.Ef = kInfinity, .Eu = kInfinity, .energy = kInfinity, .worst = contact};
 }
 

@@ -9,13 +9,13 @@
 namespace dynamy {
 namespace {
 
-constexpr double kColdResidual = 1e-2;  ///< above: start by sweeps
-constexpr int kMaxDense = 200;          ///< rows up to which A + BG is dense, with row pivoting
-constexpr double kSingular = 1e-14;     ///< pivots below this part of the largest entry are zero
-constexpr double kArmijo = 1e-4;        ///< part of the predicted decrease that is demanded
-constexpr int kMemory = 5;              ///< values of |F|² a nonmonotone step is compared with
-constexpr int kHalvings = 12;
-constexpr int kPatience = 20;  ///< steps in a row without a sufficient decrease
+constexpr double kColdMerit = 1e-2;       ///< above: start by sweeps
+constexpr int kMostDenseRows = 200;       ///< rows up to which A + BG is dense, with row pivoting
+constexpr double kSingularPivot = 1e-14;  ///< pivots below this part of the largest entry are zero
+constexpr double kArmijo = 1e-4;          ///< part of the predicted decrease that is demanded
+constexpr int kMeritsKept = 5;            ///< values of |F|² a nonmonotone step is compared with
+constexpr int kMeritHalvings = 12;
+constexpr int kPatientSteps = 20;  ///< steps in a row without a sufficient decrease
 constexpr double kRho = 2.0;
 
 SemismoothOptions read(const Parameters& x) {
@@ -71,7 +71,7 @@ bool SemismoothNewton::prepare(const InclusionProblem& p) {
       continue;
     std::fill(r, r + p.dim(i), kRho / lambda_[i]);
   }
-  if (p.rows() <= kMaxDense) {
+  if (p.rows() <= kMostDenseRows) {
     G_.resize(rows * rows), J_.resize(rows * rows);
     for (int k = 0; k < p.rows(); ++k) {
       std::fill(dLambda_.begin(), dLambda_.end(), 0.0);
@@ -135,11 +135,11 @@ bool SemismoothNewton::denseStep(const InclusionProblem& p) {
       dLambda_[first + k] = -blocks_.F[first + k];
     }
   }
-  return eliminate(J_.data(), dLambda_.data(), n, 1, kSingular * largest);
+  return eliminate(J_.data(), dLambda_.data(), n, 1, kSingularPivot * largest);
 }
 
 bool SemismoothNewton::step(const InclusionProblem& p) {
-  if (p.rows() <= kMaxDense) {
+  if (p.rows() <= kMostDenseRows) {
     if (!denseStep(p)) return false;
   } else if (!system_->solve(p, blocks_, dLambda_)) {
     return false;
@@ -151,7 +151,7 @@ bool SemismoothNewton::step(const InclusionProblem& p) {
 bool SemismoothNewton::advance(const InclusionProblem& p, double reference) {
   double least = std::numeric_limits<double>::infinity(), best = 1.0, t = 1.0;
   bool good = options_.lineSearch == LineSearch::none;
-  for (int h = 0; h <= kHalvings && !good; ++h, t *= 0.5) {
+  for (int h = 0; h <= kMeritHalvings && !good; ++h, t *= 0.5) {
     for (std::size_t k = 0; k < Lambda_.size(); ++k) {
       trialLambda_[k] = Lambda_[k] + t * dLambda_[k];
       trialXi_[k] = xi_[k] + t * dXi_[k];
@@ -170,12 +170,12 @@ bool SemismoothNewton::advance(const InclusionProblem& p, double reference) {
 SolveStatus SemismoothNewton::iterate(const InclusionProblem& p, SolveReport& report) {
   p.G->apply(Lambda_.data(), xi_.data());
   for (int k = 0; k < p.rows(); ++k) xi_[k] += p.c[k];
-  double recent[kMemory];
+  double recent[kMeritsKept];
   double merit = map(p, Lambda_.data(), xi_.data(), blocks_.F.data(), true);
-  std::fill(recent, recent + kMemory, merit);
-  const int memory = options_.lineSearch == LineSearch::armijo ? 1 : kMemory;
+  std::fill(recent, recent + kMeritsKept, merit);
+  const int memory = options_.lineSearch == LineSearch::armijo ? 1 : kMeritsKept;
   for (int it = 0, poor = 0; it < options_.maxNewton; ++it) {
-    if (!(merit >= 0.0) || poor >= kPatience || !step(p)) return SolveStatus::stalled;
+    if (!(merit >= 0.0) || poor >= kPatientSteps || !step(p)) return SolveStatus::stalled;
     ++report.newton, ++report.iterations;
     const double reference = *std::max_element(recent, recent + memory);
     poor = advance(p, reference) ? 0 : poor + 1;
@@ -201,7 +201,7 @@ SolveReport SemismoothNewton::solve(const InclusionProblem& p, Vec Lambda) {
     report.warmAccepted = true;
     return report;
   }
-  if (!(E <= kColdResidual) && options_.sweeps > 0) {
+  if (!(E <= kColdMerit) && options_.sweeps > 0) {
     const SolveReport start = starter_.solve(p, Lambda);
     report.iterations = start.iterations, report.residuals = start.residuals;
     if (start.ok()) return report;

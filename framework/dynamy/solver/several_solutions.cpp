@@ -6,7 +6,7 @@
 namespace dynamy::diagnosis {
 namespace {
 
-constexpr double kSameVelocity = 1e-6;  ///< of u_ref: solutions that differ less are one
+constexpr double kOneSolution = 1e-6;  ///< of u_ref: solutions that differ less are one
 
 /// Λ_i ← prox_C(Λ_i): a start the laws allow.
 void intoSets(const InclusionProblem& p, Eigen::VectorXd& Lambda) {
@@ -38,9 +38,9 @@ std::string stateText(const DenseProblem& dense, const Eigen::VectorXd& Lambda,
   const InclusionProblem& p = dense.problem();
   const int first = p.row0(i), dim = p.dim(i);
   if (dense.hasNormal(i)) {
-    if (xi[first] > kSameVelocity * p.uRef || !(Lambda[first] > 0.0)) return "opens";
-    return dim > 1 && xi.segment(first + 1, dim - 1).norm() > kSameVelocity * p.uRef ? "slides"
-                                                                                     : "sticks";
+    if (xi[first] > kOneSolution * p.uRef || !(Lambda[first] > 0.0)) return "opens";
+    return dim > 1 && xi.segment(first + 1, dim - 1).norm() > kOneSolution * p.uRef ? "slides"
+                                                                                    : "sticks";
   }
   return "has velocity " + number(xi.segment(first, dim).norm());
 }
@@ -92,7 +92,7 @@ std::optional<Finding> severalSolutions(const DenseProblem& dense, const SolveRe
     for (const Solution& f : found)
       nearest = std::min(nearest, (xi - f.xi).cwiseAbs().maxCoeff(&row));
     // What the tolerance leaves of a badly conditioned problem is no second solution.
-    if (found.empty() || nearest > std::max(kSameVelocity, 1e4 * tolerance) * p.uRef) {
+    if (found.empty() || nearest > std::max(kOneSolution, 1e4 * tolerance) * p.uRef) {
       if (nearest > difference) {
         difference = nearest, where = 0;
         while (p.row0(where) + p.dim(where) <= row) ++where;

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/solver/slip_equation.hpp>
 #include <limits>
 
 namespace dynamy {
 namespace {
 
-constexpr int kMaxSteps = 100;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMostSlipSteps = 100;
 /// A Newton step below this part of a leaves an error of its square.
 constexpr double kLastStep = 1e-9;
 /// |F| above which an interval without change of sign holds no root.
@@ -53,7 +53,7 @@ double SlipEquation::F(double a, double sign, double& slope) const {
 
 double SlipEquation::onlyRoot() const {
   double low = 0.0, high = kInfinity, a = 0.0;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 0; step < kMostSlipSteps; ++step) {
     double slope;
     const double value = F(a, 1.0, slope);
     (value < 0.0 ? low : high) = a;
@@ -75,7 +75,7 @@ double SlipEquation::refine(double low, double high, double a) const {
   const double atLow = 1.0 + F(low, 1.0, slope), atHigh = 1.0 + F(high, 1.0, slope);
   const bool rising = !(std::abs(atLow) > std::abs(atHigh));
   const double sign = (rising ? atHigh : atLow) < 0.0 ? -1.0 : 1.0;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  for (int step = 0; step < kMostSlipSteps; ++step) {
     const double value = F(a, sign, slope);
     ((value < 0.0) == rising ? low : high) = a;
     double next = a - value / slope;

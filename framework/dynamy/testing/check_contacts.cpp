@@ -2,6 +2,7 @@
 // it then counts as closed whatever its gap, so that W, χ and the bias are seen for either sign of
 // g.
 #include <fmt/format.h>
+#include <dynamy/core/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@
 
 namespace dynamy {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 using testing::Motion, testing::nameOf;
 
@@ -149,7 +148,7 @@ void ContactCheck::checkAffine() {
     for (int r = 0; r < here_.dim(i); ++r) {
       const double x = here_.chi[static_cast<std::size_t>(here_.row0[a] + r)],
                    y = there_.chi[static_cast<std::size_t>(there_.row0[b] + r)];
-      if (std::abs(x - y) > 64.0 * kEps * std::max(std::abs(x), std::abs(y)))
+      if (std::abs(x - y) > 64.0 * kEpsilon * std::max(std::abs(x), std::abs(y)))
         result_.fault(
             fmt::format("{}: chi[{}] = {:.9g} and {:.9g} at two velocities: it may not depend on u",
                         label(i), r, x, y));
@@ -163,7 +162,7 @@ void ContactCheck::checkAffine() {
         const double x = here_.W[static_cast<std::size_t>(s.w + w)],
                      y = there_.W[static_cast<std::size_t>(o.w + w)];
         // One subtraction γ(e_j) − γ(0) of numbers up to 1 + |χ|.
-        if (std::abs(x - y) > 64.0 * kEps * (1.0 + std::abs(x))) {
+        if (std::abs(x - y) > 64.0 * kEpsilon * (1.0 + std::abs(x))) {
           result_.fault(fmt::format(
               "{}: W[{},{}] = {:.9g} and {:.9g} at two velocities: it may not depend on u",
               label(i), w / s.nu, s.u0 + w % s.nu, x, y));
@@ -194,7 +193,7 @@ void ContactCheck::checkGaps() {
     const auto c = static_cast<std::size_t>(i);
     if (!here_.law[c]->unilateral()) continue;
     const double gammaN = gamma[here_.row0[c]];
-    if (!(std::abs(gammaN - D.value[i]) <= D.error + 64.0 * kEps * std::abs(gammaN)))
+    if (!(std::abs(gammaN - D.value[i]) <= D.error + 64.0 * kEpsilon * std::abs(gammaN)))
       result_.fault(fmt::format(
           "{}: gamma_N = Wᵀu + chi = {:.9g} m/s, but dg/dt = {:.9g} m/s along the motion (g = "
           "{:.6g} m)",
@@ -233,7 +232,8 @@ void ContactCheck::checkPositions() {
       // An open joint's rate is off by g ω.
       const double off = std::abs(here_.g[static_cast<std::size_t>(here_.candidate[c])]) *
                          (1.0 + u.cwiseAbs().maxCoeff());
-      if (std::abs(gamma[row] - D.value[row]) <= D.error + off + 64.0 * kEps * std::abs(gamma[row]))
+      if (std::abs(gamma[row] - D.value[row]) <=
+          D.error + off + 64.0 * kEpsilon * std::abs(gamma[row]))
         continue;
       result_.fault(fmt::format(
           "{}: gamma[{}] = Wᵀu + chi = {:.9g} m/s, but its position changes by {:.9g} m/s{}",
@@ -271,7 +271,7 @@ void ContactCheck::explain(int contact) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(motion_.x().u.size());
   const testing::Difference still = rate(u);
   const double chi = here_.chi[static_cast<std::size_t>(here_.row0[c])];
-  if (!(std::abs(chi - still.value[0]) <= still.error + 64.0 * kEps * std::abs(chi)))
+  if (!(std::abs(chi - still.value[0]) <= still.error + 64.0 * kEpsilon * std::abs(chi)))
     result_.fault(fmt::format("{}: chi_N = {:.6g} m/s, but dg/dt at u = 0 is {:.6g} m/s",
                               label(contact), chi, still.value[0]));
   for (int k = here_.segment0[c]; k < here_.segment0[c + 1]; ++k) {
@@ -282,7 +282,8 @@ void ContactCheck::explain(int contact) {
       u[s.u0 + j] = 0.0;
       const double W = here_.W[static_cast<std::size_t>(s.w + j)],
                    expected = D.value[0] - still.value[0];
-      if (!(std::abs(W - expected) <= D.error + still.error + 64.0 * kEps * (1.0 + std::abs(W))))
+      if (!(std::abs(W - expected) <=
+            D.error + still.error + 64.0 * kEpsilon * (1.0 + std::abs(W))))
         result_.fault(fmt::format("{}: W_N of {} = {:.6g}, but it changes dg/dt by {:.6g}",
                                   label(contact), velocityName(s.u0 + j), W, expected));
     }

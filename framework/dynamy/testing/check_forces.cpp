@@ -1,5 +1,6 @@
 // Checks of the forces of a built model.
 #include <fmt/format.h>
+#include <dynamy/core/constants.hpp>
 
 #include <cmath>
 #include <dynamy/testing/difference.hpp>
@@ -9,8 +10,6 @@
 namespace dynamy {
 
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 using testing::Motion, testing::nameOf;
 
@@ -42,7 +41,8 @@ Verdict checkForces(Model& model, const CheckOptions& options) {
                                          force->potentialEnergy(motion.kinematics(motion.after(s))))
             .eval();
       });
-      const double power = h.dot(x.u), rounding = 64.0 * kEps * h.cwiseAbs().dot(x.u.cwiseAbs());
+      const double power = h.dot(x.u),
+                   rounding = 64.0 * kEpsilon * h.cwiseAbs().dot(x.u.cwiseAbs());
       if (!(std::abs(power + D.value[0]) <= D.error + rounding))
         result.fault(
             fmt::format("{}: force·u = {:.9g} W, but -dV/dt = {:.9g} W", name, power, -D.value[0]));

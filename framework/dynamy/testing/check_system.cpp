@@ -1,6 +1,7 @@
 // Checks of one system. All derivatives are taken along the motion s ↦ (t + s, q ⊕ s q̇) with u
 // fixed: any curve with the right tangent gives the right first derivative.
 #include <fmt/format.h>
+#include <dynamy/core/constants.hpp>
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -12,7 +13,6 @@
 namespace dynamy {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 ConstVec in(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 
 constexpr double kUnwritten = std::numeric_limits<double>::quiet_NaN();
@@ -165,7 +165,7 @@ void SystemCheck::checkMass() {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < i; ++j) {
         // Both entries are sums of a few products that |M_ii M_jj| bounds.
-        const double tolerance = 16.0 * kEps * std::sqrt(std::abs(M(i, i) * M(j, j)));
+        const double tolerance = 16.0 * kEpsilon * std::sqrt(std::abs(M(i, i) * M(j, j)));
         if (!(std::abs(M(i, j) - M(j, i)) <= tolerance))
           return fault(fmt::format("{}[{},{}] = {:.9g} but {}[{},{}] = {:.9g}: not symmetric",
                                    which, i, j, M(i, j), which, j, i, M(j, i)));
@@ -207,7 +207,7 @@ void SystemCheck::checkVelocities() {
     if (x->size() > 0) size = std::max(size, x->lpNorm<Eigen::Infinity>());
   for (int i = 0; i < nq_; ++i) {
     const double expected = a * q1[i] + (1.0 - a) * q2[i];
-    if (!(std::abs(q3[i] - expected) <= 64.0 * kEps * size))
+    if (!(std::abs(q3[i] - expected) <= 64.0 * kEpsilon * size))
       fault(fmt::format(
           "qdot[{}] = {:.9g} at a mean of two velocities, expected {:.9g}: not affine in u", i,
           q3[i], expected));
@@ -226,7 +226,7 @@ void SystemCheck::checkMove() {
   Eigen::VectorXd same = q;
   system_.normalise(view(same));
   for (int i = 0; i < nq_; ++i)
-    if (!(std::abs(same[i] - q[i]) <= 64.0 * kEps * std::max(1.0, std::abs(q[i]))))
+    if (!(std::abs(same[i] - q[i]) <= 64.0 * kEpsilon * std::max(1.0, std::abs(q[i]))))
       fault(fmt::format("normalise changes q[{}] from {:.17g} to {:.17g} right after move", i, q[i],
                         same[i]));
 }
@@ -248,7 +248,8 @@ void SystemCheck::checkPower() {
   system_.nonPotentialForce(t_, in(q_), in(u_), view(nonPotential));
   const double power = h.dot(u_) + Tdot.value[0] + Vdot.value[0], stated = nonPotential.dot(u_);
   const double rounding =
-      64.0 * kEps * (h.cwiseAbs().dot(u_.cwiseAbs()) + nonPotential.cwiseAbs().dot(u_.cwiseAbs()));
+      64.0 * kEpsilon *
+      (h.cwiseAbs().dot(u_.cwiseAbs()) + nonPotential.cwiseAbs().dot(u_.cwiseAbs()));
   if (!(std::abs(power - stated) <= Vdot.error + Tdot.error + rounding))
     fault(fmt::format(
         "h·u + ½uᵀṀu + dV/dt = {:.9g} W, but nonPotentialForce·u = {:.9g} W (h·u = {:.9g}, "
@@ -269,8 +270,8 @@ void SystemCheck::checkGravity() {
     parts += std::abs(system_.gravity(t_, in(q_), g_I[i] * Vec3::Unit(i), view(scratch)));
   const testing::Difference Vdot = scalarDifference(
       [&](double s) { return system_.gravity(t_ + s, in(moved(u_, s)), g_I, view(scratch)); },
-      kEps * parts);
-  const double rounding = 64.0 * kEps * h.cwiseAbs().dot(u_.cwiseAbs());
+      kEpsilon * parts);
+  const double rounding = 64.0 * kEpsilon * h.cwiseAbs().dot(u_.cwiseAbs());
   if (!(std::abs(h.dot(u_) + Vdot.value[0]) <= Vdot.error + rounding))
     fault(fmt::format("gravity writes a force of power {:.9g} W, its potential falls by {:.9g} W",
                       h.dot(u_), -Vdot.value[0]));
@@ -301,9 +302,9 @@ void SystemCheck::checkFrame(int id) {
     v += JS * u, Omega += JR * u;
     sizeV += JS.norm() * u.norm(), sizeR += JR.norm() * u.norm();
   }
-  compare("v_S_I", id, f.v_S_I, v, 64.0 * kEps * sizeV, "J_S u + nu_S");
-  compare("Omega_I", id, f.Omega_I, Omega, 64.0 * kEps * sizeR, "J_R u + nu_R");
-  if (!((f.A_IK.transpose() * f.A_IK - Mat3::Identity()).norm() <= 64.0 * kEps * 3.0) ||
+  compare("v_S_I", id, f.v_S_I, v, 64.0 * kEpsilon * sizeV, "J_S u + nu_S");
+  compare("Omega_I", id, f.Omega_I, Omega, 64.0 * kEpsilon * sizeR, "J_R u + nu_R");
+  if (!((f.A_IK.transpose() * f.A_IK - Mat3::Identity()).norm() <= 64.0 * kEpsilon * 3.0) ||
       !(f.A_IK.determinant() > 0.0))
     fault(fmt::format("frame {}: A_IK is not a rotation (det {:.9g})", id, f.A_IK.determinant()));
   // The workspace is not cleared between evaluations.

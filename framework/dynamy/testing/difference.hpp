@@ -7,6 +7,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <algorithm>
+#include <dynamy/core/constants.hpp>
 #include <limits>
 
 namespace dynamy::testing {
@@ -20,7 +21,6 @@ struct Difference {
 /// `noise`: absolute rounding of f beyond that of its own size.
 template <class F>
 Difference differentiate(const F& f, double scale = 1.0, double noise = 0.0) {
-  constexpr double kEps = std::numeric_limits<double>::epsilon();
   Difference best;
   for (const double step : {1e-2, 1e-3, 1e-4, 1e-5}) {
     Eigen::VectorXd D[2];
@@ -33,7 +33,7 @@ Difference differentiate(const F& f, double scale = 1.0, double noise = 0.0) {
         if (x->size() > 0) size = std::max(size, x->lpNorm<Eigen::Infinity>());
     }
     // f itself is worth some 10 ε of its largest entry: a few operations behind each value.
-    const double rounding = 30.0 * (kEps * size + noise) / d;
+    const double rounding = 30.0 * (kEpsilon * size + noise) / d;
     double truncation = D[0].size() > 0 ? (D[0] - D[1]).lpNorm<Eigen::Infinity>() : 0.0;
     if (!(truncation >= 0.0)) truncation = std::numeric_limits<double>::infinity();
     if (truncation + rounding < best.error || best.value.size() == 0) {

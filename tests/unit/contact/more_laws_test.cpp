@@ -17,7 +17,7 @@ TEST(ForceLimit, FulfilsTheDefinitionsOfALaw) {
   for (const int dim : {1, 3}) {
     const Verdict two = checkLaw(ForceLimit(-0.5, 2.0), dim);
     EXPECT_TRUE(two) << two.message();
-    const Verdict one = checkLaw(ForceLimit(-convex::kInfinity, 0.3), dim);
+    const Verdict one = checkLaw(ForceLimit(-kInfinity, 0.3), dim);
     EXPECT_TRUE(one) << one.message();
   }
 }
@@ -40,7 +40,7 @@ TEST(ForceLimit, TransmitsNothingFiniteInAnImpact) {
   const double r = 1.0, zero = 0.0;
   const LawInput impact{.dim = 1, .dt = 0.0};
   double x = 3.0, y = -3.0;
-  const ForceLimit law(-convex::kInfinity, 5.0);
+  const ForceLimit law(-kInfinity, 5.0);
   law.prox(impact, &r, &zero, &x);
   law.prox(impact, &r, &zero, &y);
   EXPECT_EQ(x, 0.0);

@@ -275,7 +275,7 @@ bool unchanged(const SetValuedForceLaw& law, const LawInput& in, std::vector<dou
 
 TEST(SimpleSets, AreThoseOfTheProjection) {
   using Shape = SimpleSet::Shape;
-  const double moving[1] = {1.0}, high = convex::kInfinity;
+  const double moving[1] = {1.0}, high = kInfinity;
   EXPECT_EQ(Bilateral().simpleSet(input(3)).shape, Shape::all);
   const SimpleSet normal = Unilateral().simpleSet(input(1));
   EXPECT_EQ(normal.shape, Shape::interval);
