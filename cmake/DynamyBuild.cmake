@@ -20,6 +20,29 @@ add_compile_options(-fno-math-errno -ffp-contract=off)
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
 
+if(DYNAMY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(DYNAMY_CCACHE_PROGRAM ccache)
+  if(DYNAMY_CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${DYNAMY_CCACHE_PROGRAM})
+  endif()
+endif()
+
+# In batches of ten, sources read their headers once a batch, which halves the cost of a build from
+# nothing; so no file may use a name that another one of its target gives to something else. Rejected:
+# one precompiled header a target (48 s against 38 s of CPU for 25 files).
+# With a compiler cache each file stands alone, so that a change costs one file.
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  set(in_batches OFF)
+else()
+  set(in_batches ON)
+endif()
+option(DYNAMY_UNITY "Compile sources in batches: a whole build costs less, a changed file more" ${in_batches})
+function(dynamy_in_batches target)
+  if(DYNAMY_UNITY)  # sources with options of their own (kernels) stay alone
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  endif()
+endfunction()
+
 add_library(dynamy_warnings INTERFACE)
 target_compile_options(dynamy_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion
@@ -31,23 +54,6 @@ target_compile_options(dynamy_warnings INTERFACE
   $<$<BOOL:${DYNAMY_WARNINGS_AS_ERRORS}>:-Werror>
   # gcc 12 guesses this one wrongly in optimised Eigen code; it stays a warning.
   $<$<AND:$<BOOL:${DYNAMY_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=maybe-uninitialized>)
-
-# In batches of ten, sources read their headers once a batch, which halves the cost of a build from
-# nothing; so no file may use a name that another one of its target gives to something else. Rejected:
-# one precompiled header a target (48 s against 38 s of CPU for 25 files).
-option(DYNAMY_UNITY "Compile sources in batches: a whole build costs less, a changed file more" OFF)
-function(dynamy_in_batches target)
-  if(DYNAMY_UNITY)  # sources with options of their own (kernels) stay alone
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
-  endif()
-endfunction()
-
-if(DYNAMY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  find_program(DYNAMY_CCACHE_PROGRAM ccache)
-  if(DYNAMY_CCACHE_PROGRAM)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${DYNAMY_CCACHE_PROGRAM})
-  endif()
-endif()
 
 if(DYNAMY_MOLD)
   find_program(DYNAMY_MOLD_PROGRAM mold)
