@@ -7,14 +7,14 @@
 #include <array>
 #include <cstdio>
 #include <dynamy/core/suggestion.hpp>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/model/model_loader.hpp>
 #include <map>
 #include <memory>
 
 #include "numbers.hpp"
-#include "stability_page.hpp"
+#include "stability/stability_page.hpp"
 
 namespace dynamy::app {
 namespace {

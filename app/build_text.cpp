@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstring>
 #include <dynamy/core/version.hpp>
-#include <dynamy/io/checkpoint.hpp>
-#include <dynamy/io/output_file.hpp>
-#include <dynamy/io/plugin.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/plugin/plugin.hpp>
+#include <dynamy/io/run_files/checkpoint.hpp>
 #include <filesystem>
 #include <vector>
 

@@ -6,20 +6,20 @@
 
 #include <chrono>
 #include <cmath>
-#include <dynamy/contact/pair_laws.hpp>
-#include <dynamy/io/json_writer.hpp>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/run_recording.hpp>
-#include <dynamy/io/run_sizes.hpp>
-#include <dynamy/simulation/consistent_start.hpp>
-#include <dynamy/simulation/contact_facts.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/run_files/run_recording.hpp>
+#include <dynamy/io/run_files/run_sizes.hpp>
+#include <dynamy/law/pair_laws.hpp>
+#include <dynamy/simulation/report/consistent_start.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <memory>
 #include <optional>
 
 #include "check.hpp"
-#include "run_text.hpp"
+#include "run/run_text.hpp"
 
 namespace dynamy::app {
 namespace {

@@ -1,6 +1,6 @@
 /// What `dynamy check` does with one model.
 #pragma once
-#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
 #include <string>
 
 #include "program.hpp"

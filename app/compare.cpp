@@ -9,10 +9,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <memory>
 
-#include "run_job.hpp"
+#include "run/run_job.hpp"
 
 namespace dynamy::app {
 namespace {

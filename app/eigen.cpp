@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <dynamy/core/suggestion.hpp>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/model/model_loader.hpp>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -14,7 +14,7 @@
 #include "eigen_text.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
-#include "sweep_plan.hpp"
+#include "sweep/sweep_plan.hpp"
 
 namespace dynamy::app {
 namespace {

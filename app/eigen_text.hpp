@@ -1,7 +1,7 @@
 /// Eigenvalues of a steady motion for people and for programs.
 #pragma once
-#include <dynamy/io/json_writer.hpp>
-#include <dynamy/simulation/linearisation.hpp>
+#include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/simulation/linear/linearisation.hpp>
 #include <string>
 #include <vector>
 

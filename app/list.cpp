@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <dynamy/io/describe.hpp>
-#include <dynamy/io/json_writer.hpp>
-#include <dynamy/io/output_file.hpp>
-#include <dynamy/io/reference_pages.hpp>
-#include <dynamy/io/schema.hpp>
-#include <dynamy/io/vocabulary.hpp>
+#include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/reference/describe.hpp>
+#include <dynamy/io/reference/reference_pages.hpp>
+#include <dynamy/io/reference/schema.hpp>
+#include <dynamy/io/xml/vocabulary.hpp>
 #include <filesystem>
 #include <memory>
 

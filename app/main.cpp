@@ -7,7 +7,7 @@
 #include <dynamy/core/suggestion.hpp>
 
 #include "commands.hpp"
-#include "endings.hpp"
+#include "run/endings.hpp"
 
 namespace dynamy::app {
 namespace {

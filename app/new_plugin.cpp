@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cctype>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <filesystem>
 #include <memory>
 

@@ -1,7 +1,7 @@
 #include "page.hpp"
 
 #include <algorithm>
-#include <dynamy/io/svg_plot.hpp>
+#include <dynamy/io/replay/svg_plot.hpp>
 #include <filesystem>
 
 namespace dynamy::app {

@@ -1,7 +1,7 @@
 /// What all sub-commands share: registry and plug-ins, exit codes, values of options.
 #pragma once
-#include <dynamy/io/plugin_loader.hpp>
-#include <dynamy/io/registry.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/io/plugin/registry.hpp>
 #include <functional>
 #include <memory>
 #include <string>

@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/json_reader.hpp>
-#include <dynamy/io/output_file.hpp>
-#include <dynamy/io/run_folder.hpp>
-#include <dynamy/io/svg_plot.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/json_reader.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/replay/svg_plot.hpp>
+#include <dynamy/io/run_files/run_folder.hpp>
 #include <memory>
 
 #include "page.hpp"
 #include "program.hpp"
-#include "progress.hpp"
 #include "report_plots.hpp"
+#include "run/progress.hpp"
 
 namespace dynamy::app {
 namespace {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <dynamy/io/bytes.hpp>
-#include <dynamy/io/csv.hpp>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/output_file.hpp>
-#include <dynamy/io/plot_scale.hpp>
-#include <dynamy/io/svg_plot.hpp>
+#include <dynamy/io/files/bytes.hpp>
+#include <dynamy/io/files/csv.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/replay/plot_scale.hpp>
+#include <dynamy/io/replay/svg_plot.hpp>
 #include <map>
 
 namespace dynamy::app {

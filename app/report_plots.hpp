@@ -1,6 +1,6 @@
 /// Pictures of a report, as SVG.
 #pragma once
-#include <dynamy/io/signals_file.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
 #include <string>
 #include <vector>
 

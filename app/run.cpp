@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <dynamy/io/file_error.hpp>
+#include <dynamy/io/files/file_error.hpp>
 #include <memory>
 
 #include "build_text.hpp"
-#include "error_bar.hpp"
 #include "numbers.hpp"
-#include "run_job.hpp"
+#include "run/error_bar.hpp"
+#include "run/run_job.hpp"
 #include "watch.hpp"
 
 namespace dynamy::app {

@@ -9,10 +9,10 @@
 
 #include <chrono>
 #include <cstdio>
-#include <dynamy/io/fclib_file.hpp>
-#include <dynamy/io/json_writer.hpp>
-#include <dynamy/solver/diagnosis.hpp>
-#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
+#include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/solver/diagnosis/diagnosis.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <memory>
 
 #include "numbers.hpp"

@@ -4,18 +4,18 @@
 
 #include <algorithm>
 #include <csignal>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <exception>
 #include <memory>
 #include <thread>
 
 #include "processes.hpp"
-#include "progress.hpp"
+#include "run/progress.hpp"
 #include "shell_text.hpp"
-#include "sweep_emit.hpp"
-#include "sweep_page.hpp"
-#include "sweep_row.hpp"
+#include "sweep/sweep_emit.hpp"
+#include "sweep/sweep_page.hpp"
+#include "sweep/sweep_row.hpp"
 
 namespace dynamy::app {
 namespace fs = std::filesystem;

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <dynamy/io/folder_check.hpp>
+#include <dynamy/io/run_files/folder_check.hpp>
 #include <memory>
 
 #include "program.hpp"

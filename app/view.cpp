@@ -3,14 +3,14 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdlib>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/replay_page.hpp>
-#include <dynamy/io/run_folder.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/replay/replay_page.hpp>
+#include <dynamy/io/run_files/run_folder.hpp>
 #include <filesystem>
 #include <memory>
 
 #include "program.hpp"
-#include "run_text.hpp"
+#include "run/run_text.hpp"
 #include "shell_text.hpp"
 
 namespace dynamy::app {

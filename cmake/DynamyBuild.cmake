@@ -14,6 +14,19 @@ set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../lib")
 
+# The innermost loops stand in files *_kernel.cpp (or *_kernels.cpp): blocks of 2 and 3 rows are unrolled by -O3 only, and
+# functions of a library are inlined in it only if nobody may replace them. Neither changes the order
+# of a sum. The name goes with the file wherever it moves; tests/architecture looks for the flags.
+function(dynamy_mark_kernels)
+  set(kernels ${ARGN})
+  list(FILTER kernels INCLUDE REGEX "_kernels?\\.cpp$")
+  if(NOT kernels)
+    message(FATAL_ERROR "No *_kernel.cpp among the sources: nothing would be compiled with -O3")
+  endif()
+  set_source_files_properties(${kernels} PROPERTIES COMPILE_OPTIONS
+    "$<$<CONFIG:Release,RelWithDebInfo>:-O3>;-fno-semantic-interposition")
+endfunction()
+
 # Portable code: no -march=native. No fast-math: NaN, infinity, signed zero and the order of sums
 # keep their meaning, and contraction is off so that every processor rounds alike.
 add_compile_options(-fno-math-errno -ffp-contract=off)

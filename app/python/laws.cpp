@@ -9,7 +9,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include <dynamy/contact/set_valued_force_law.hpp>
+#include <dynamy/law/set_valued_force_law.hpp>
 
 #include "library.hpp"
 

@@ -1,9 +1,9 @@
 /// What all bindings share: the registry with the standard elements, loaded when the module is.
 #pragma once
 #include <pybind11/pybind11.h>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/plugin_loader.hpp>
-#include <dynamy/io/registry.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/io/plugin/registry.hpp>
 
 namespace dynamy::python {
 

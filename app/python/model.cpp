@@ -2,7 +2,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 
 #include "library.hpp"
 

@@ -4,11 +4,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <dynamy/io/replay_page.hpp>
-#include <dynamy/io/run_recording.hpp>
-#include <dynamy/simulation/consistent_start.hpp>
-#include <dynamy/simulation/contact_facts.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/io/replay/replay_page.hpp>
+#include <dynamy/io/run_files/run_recording.hpp>
+#include <dynamy/simulation/report/consistent_start.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 
 #include "library.hpp"
 

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/block_gauss_seidel.hpp>
 #include <filesystem>

@@ -8,7 +8,7 @@
 /// were rejected: instructions repeat exactly and can be compared across days.
 #include <cstdlib>
 #include <cstring>
-#include <dynamy/io/registry.hpp>
+#include <dynamy/io/plugin/registry.hpp>
 #include <iostream>
 
 #include "support/contact_problems.hpp"

@@ -9,9 +9,9 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <dynamy/integrator/moreau_midpoint.hpp>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/plugin_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/schemes/moreau_midpoint.hpp>
 #include <iostream>
 #include <string>
 

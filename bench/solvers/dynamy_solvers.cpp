@@ -6,8 +6,8 @@
 ///
 /// The solvers come from the registry, so that a new one joins by being registered.
 #include <cstdlib>
-#include <dynamy/io/plugin_loader.hpp>
-#include <dynamy/io/registry.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/io/plugin/registry.hpp>
 #include <iostream>
 
 #include "measure.hpp"

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
-#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <iostream>
 #include <limits>
 #include <sstream>

@@ -6,7 +6,7 @@
 /// look at the clock costs one entry of the table and not the run. Rejected: threads, which cannot
 /// be stopped from outside.
 #pragma once
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>

@@ -1,6 +1,6 @@
 /// Two frames by name, as springs and joints refer to them, and where they are at the start.
 #pragma once
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/kinematics.hpp>
 #include <string>
 

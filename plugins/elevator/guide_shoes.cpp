@@ -8,7 +8,7 @@
 /// body with faces: the slope of e, some mm per m, is all that a longer shoe would see.
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy/core/expression.hpp>
+#include <dynamy/core/expression/expression.hpp>
 #include <dynamy/dynamy.hpp>
 #include <memory>
 #include <string>

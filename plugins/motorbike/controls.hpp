@@ -1,7 +1,7 @@
 /// What a rider does: brakes and steering.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy/system/external_force.hpp>
 
 #include "motorbike.hpp"

@@ -1,7 +1,7 @@
 // The motorbike against the published benchmark bicycle, closed forms and ballistics.
 #include <gtest/gtest.h>
 
-#include <dynamy/simulation/linearisation.hpp>
+#include <dynamy/simulation/linear/linearisation.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <support/load_model.hpp>
 

@@ -4,8 +4,8 @@
 ///   FixedPoint     Λ ← prox_C(Λ − r (GΛ + c)),   r = factor/λ_max(G) for all rows
 ///   ImpulseMeter   Σ Λ_N of the run
 #include <dynamy/dynamy.hpp>
-#include <dynamy/simulation/observer.hpp>
-#include <dynamy/solver/relaxation.hpp>
+#include <dynamy/simulation/model/observer.hpp>
+#include <dynamy/solver/prox/relaxation.hpp>
 #include <fstream>
 #include <string>
 #include <vector>

@@ -10,8 +10,8 @@
 /// Dynamics with Unilateral Contacts, 1996; Leine, van Campen and Glocker, JVC 9 (2003). The same
 /// toy without a line of C++ is models/woodpecker_expressions.xml. A model of the elastic pole was
 /// rejected: its data were never published.
-#include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/dynamy.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy/system/description.hpp>
 #include <memory>
 #include <vector>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <dynamy/contact/contact_sink.hpp>
-#include <dynamy/integrator/moreau_midpoint.hpp>
+#include <dynamy/schemes/moreau_midpoint.hpp>
 #include <support/load_model.hpp>
 
 namespace dynamy {

@@ -235,8 +235,7 @@ TEST(Documents, TheArchitectureShowsTheStepThatIsCompiled) {
     return line;
   };
   std::string compiled;
-  for (const std::string& line :
-       sourceFile("framework/dynamy/integrator/moreau_midpoint.cpp").lines)
+  for (const std::string& line : sourceFile("framework/dynamy/schemes/moreau_midpoint.cpp").lines)
     compiled += bare(line);
   bool inside = false;
   int shown = 0;

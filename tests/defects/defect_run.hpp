@@ -1,10 +1,10 @@
 /// DefectRun: a model, from a text or a file, run by the program's own loop within a bound of work,
 /// with its rows and events in memory.
 #pragma once
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/plugin_loader.hpp>
-#include <dynamy/simulation/contact_facts.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <functional>
 #include <memory>

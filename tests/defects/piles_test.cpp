@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <defects/defect_run.hpp>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/output_file.hpp>
 
 namespace dynamy::defects {
 namespace {

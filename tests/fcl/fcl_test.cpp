@@ -8,8 +8,8 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
-#include <unit/elements/faceted_bodies.hpp>
-#include <unit/elements/shape_models.hpp>
+#include <unit/elements/contacts/faceted_bodies.hpp>
+#include <unit/elements/contacts/shape_models.hpp>
 
 namespace dynamy {
 namespace {

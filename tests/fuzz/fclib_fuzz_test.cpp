@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <dynamy/core/error.hpp>
-#include <dynamy/io/fclib_file.hpp>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <filesystem>
 #include <random>
 #include <support/contact_problems.hpp>
-#include <unit/io/scratch_folder.hpp>
+#include <unit/io/files/scratch_folder.hpp>
 
 namespace dynamy {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 #include <random>
-#include <unit/io/load_text.hpp>
+#include <unit/io/model/load_text.hpp>
 
 namespace dynamy {
 namespace {

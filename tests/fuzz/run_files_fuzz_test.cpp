@@ -7,13 +7,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <dynamy/io/bytes.hpp>
-#include <dynamy/io/checkpoint.hpp>
-#include <dynamy/io/frames_file.hpp>
-#include <dynamy/io/signals_file.hpp>
+#include <dynamy/io/files/bytes.hpp>
+#include <dynamy/io/run_files/checkpoint.hpp>
+#include <dynamy/io/run_files/frames_file.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
 #include <fuzz/small_runs.hpp>
 #include <random>
-#include <unit/io/scratch_folder.hpp>
+#include <unit/io/files/scratch_folder.hpp>
 
 namespace dynamy {
 namespace {

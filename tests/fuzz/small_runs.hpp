@@ -3,9 +3,9 @@
 #include <atomic>
 #include <cstdint>
 #include <dynamy/core/error.hpp>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

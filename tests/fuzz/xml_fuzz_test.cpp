@@ -2,7 +2,7 @@
 /// place leads back to the text. The seed is printed; DYNAMY_SEED repeats a run.
 
 #include <dynamy/core/utf8.hpp>
-#include <dynamy/io/xml.hpp>
+#include <dynamy/io/xml/xml.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// The hash of a run: the same whatever is recorded, however many threads work, wherever and in
 /// which language it runs, stopped or not; another one for another motion.
-#include <dynamy/io/json_reader.hpp>
+#include <dynamy/io/files/json_reader.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

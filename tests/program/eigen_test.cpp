@@ -1,6 +1,6 @@
 // dynamy eigen: table, files, critical values, messages.
 #include <cmath>
-#include <dynamy/io/csv.hpp>
+#include <dynamy/io/files/csv.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

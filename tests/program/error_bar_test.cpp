@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <dynamy/io/json_reader.hpp>
+#include <dynamy/io/files/json_reader.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

@@ -1,8 +1,8 @@
 /// Problems of a run that are not solved, or that are written for `dynamy solve`.
 #include <gtest/gtest.h>
 
-#include <dynamy/io/fclib_file.hpp>
-#include <dynamy/io/hdf5_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
+#include <dynamy/io/fclib/hdf5_file.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

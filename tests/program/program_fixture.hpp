@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <filesystem>
 #include <string>
 

@@ -6,8 +6,8 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <dynamy/io/frames_file.hpp>
-#include <dynamy/io/signals_file.hpp>
+#include <dynamy/io/run_files/frames_file.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
 #include <filesystem>
 #include <program/program_fixture.hpp>
 #include <thread>

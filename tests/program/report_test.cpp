@@ -1,5 +1,5 @@
 /// dynamy report DIR: the page has what the run's files have.
-#include <dynamy/io/json_reader.hpp>
+#include <dynamy/io/files/json_reader.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

@@ -1,8 +1,8 @@
 /// Runs that are ended from outside: by signals, a full disk, a lack of memory; two runs into one
 /// folder; damaged checkpoints.
-#include <dynamy/io/checkpoint.hpp>
-#include <dynamy/io/frames_file.hpp>
-#include <dynamy/io/json_reader.hpp>
+#include <dynamy/io/files/json_reader.hpp>
+#include <dynamy/io/run_files/checkpoint.hpp>
+#include <dynamy/io/run_files/frames_file.hpp>
 #include <program/started_program.hpp>
 
 namespace dynamy {

@@ -1,7 +1,7 @@
 /// What a run will need, said before it begins; and numbers on the command line that are none.
 #include <gtest/gtest.h>
 
-#include <dynamy/io/json_reader.hpp>
+#include <dynamy/io/files/json_reader.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

@@ -4,7 +4,7 @@
 #include <sys/file.h>
 
 #include <cmath>
-#include <dynamy/io/csv.hpp>
+#include <dynamy/io/files/csv.hpp>
 #include <map>
 #include <program/program_fixture.hpp>
 #include <set>

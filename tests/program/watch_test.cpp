@@ -1,8 +1,8 @@
 /// dynamy run --watch, and what a run tells while it goes on.
 #include <signal.h>
 
-#include <dynamy/io/json_reader.hpp>
-#include <dynamy/io/signals_file.hpp>
+#include <dynamy/io/files/json_reader.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
 #include <program/program_fixture.hpp>
 #include <thread>
 

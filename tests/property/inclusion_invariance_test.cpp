@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/block_gauss_seidel.hpp>
 #include <iostream>

@@ -2,7 +2,7 @@
 /// to those of the event-driven solution (Taylor series of order 40) as Δt → 0.
 #include <gtest/gtest.h>
 
-#include <reference/scheme_table.hpp>
+#include <reference/schemes/scheme_table.hpp>
 
 namespace dynamy::reference {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <reference/located_run.hpp>
+#include <reference/located/located_run.hpp>
 #include <set>
 
 namespace dynamy::reference {

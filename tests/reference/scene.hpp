@@ -3,10 +3,10 @@
 /// here are the equations of a step.
 #pragma once
 #include <cmath>
-#include <dynamy/integrator/half_explicit_euler.hpp>
-#include <dynamy/integrator/moreau_midpoint.hpp>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/plugin_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/schemes/half_explicit_euler.hpp>
+#include <dynamy/schemes/moreau_midpoint.hpp>
 #include <memory>
 #include <string>
 

@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/given_problem.hpp>
-#include <dynamy/solver/impact_law.hpp>
+#include <dynamy/solver/impact/impact_law.hpp>
+#include <dynamy/solver/problem/given_problem.hpp>
 #include <fstream>
 
 #include "support/enumeration.hpp"

@@ -3,10 +3,10 @@
 // crash, run on for ever, or claim a solution that is none.
 #include <gtest/gtest.h>
 
-#include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/diagnosis.hpp>
+#include <dynamy/solver/diagnosis/diagnosis.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 #include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>

@@ -7,7 +7,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 
 namespace dynamy {
 

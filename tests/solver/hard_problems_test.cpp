@@ -5,7 +5,7 @@
 #include <dynamy/core/error.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/diagnosis.hpp>
+#include <dynamy/solver/diagnosis/diagnosis.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 #include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>

@@ -4,7 +4,7 @@
 
 #include <ctime>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/diagnosis.hpp>
+#include <dynamy/solver/diagnosis/diagnosis.hpp>
 #include <support/known_problems.hpp>
 
 namespace dynamy {

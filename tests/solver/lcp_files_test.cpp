@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <filesystem>
 #include <map>

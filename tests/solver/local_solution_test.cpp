@@ -4,8 +4,8 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/solver/local_solution.hpp>
+#include <dynamy/law/standard_laws.hpp>
+#include <dynamy/solver/local/local_solution.hpp>
 #include <iostream>
 #include <numbers>
 #include <random>

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/given_problem.hpp>
+#include <dynamy/solver/problem/given_problem.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
 #include <dynamy/solver/semismooth_newton.hpp>
 #include <dynamy/solver/successive_laws.hpp>

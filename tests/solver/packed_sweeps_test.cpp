@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <cstring>
-#include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/law/rolling_friction.hpp>
+#include <dynamy/solver/local/packed_kernels.hpp>
 #include <dynamy/solver/packed_gauss_seidel.hpp>
-#include <dynamy/solver/packed_kernels.hpp>
 #include <iostream>
 
 #include "solver/fclib_checker.hpp"

@@ -1,7 +1,7 @@
 // Small scenes with known percussions, by Jacobi and Gauss–Seidel, assembled and matrix-free.
 #include <gtest/gtest.h>
 
-#include <dynamy/solver/impact_law.hpp>
+#include <dynamy/solver/impact/impact_law.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 #include "unit/solver/inclusion_fixture.hpp"

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/diagnosis.hpp>
+#include <dynamy/solver/diagnosis/diagnosis.hpp>
 #include <unit/solver/inclusion_fixture.hpp>
 
 namespace dynamy {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/integrator/moreau_midpoint.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/law/standard_laws.hpp>
+#include <dynamy/schemes/moreau_midpoint.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <support/contact_problems.hpp>
 

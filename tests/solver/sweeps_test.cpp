@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <dynamy/contact/rolling_friction.hpp>
+#include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/solver/block_gauss_seidel.hpp>
-#include <dynamy/solver/local_iteration.hpp>
+#include <dynamy/solver/local/local_iteration.hpp>
 #include <iostream>
 #include <numbers>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/LU>
 #include <cmath>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <map>
 #include <random>
 #include <string>

@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <dynamy/simulation/observer.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/simulation/model/observer.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <string>
 
 namespace dynamy {

@@ -10,7 +10,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <random>
 #include <string_view>
 

@@ -2,9 +2,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/plugin_loader.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <filesystem>
 #include <memory>
 

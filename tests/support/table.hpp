@@ -1,7 +1,7 @@
 /// What a run records, kept in memory.
 #pragma once
 #include <dynamy/core/archive.hpp>
-#include <dynamy/simulation/record_sink.hpp>
+#include <dynamy/simulation/report/record_sink.hpp>
 #include <vector>
 
 namespace dynamy {

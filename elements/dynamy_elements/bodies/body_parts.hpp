@@ -1,6 +1,6 @@
 /// What bodies carry: shapes, named frames, and the mass that follows from the shapes.
 #pragma once
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/frame.hpp>
 #include <dynamy/system/shape.hpp>

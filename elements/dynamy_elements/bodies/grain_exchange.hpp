@@ -8,7 +8,7 @@
 /// k-th grain of the feeder appears depends on the seed and k alone; if others are in the way after
 /// some tries it does not come.
 #pragma once
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy_elements/bodies/packing.hpp>
 
 namespace dynamy {

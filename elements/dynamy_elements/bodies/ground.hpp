@@ -7,7 +7,7 @@
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
-#include <dynamy_elements/formulas.hpp>
+#include <dynamy_elements/time_formulas.hpp>
 
 namespace dynamy {
 

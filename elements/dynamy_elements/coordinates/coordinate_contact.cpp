@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <dynamy/contact/bilateral_rate.hpp>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/law/bilateral_rate.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/coordinates/coordinate_contact.hpp>
-#include <dynamy_elements/friction_of_law.hpp>
+#include <dynamy_elements/laws/friction_of_law.hpp>
 
 namespace dynamy {
 

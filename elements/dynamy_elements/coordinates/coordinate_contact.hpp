@@ -7,7 +7,7 @@
 /// users' own. Rejected: a contact inside `<Coordinates>`, which no other system could use.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy_elements/reservoir_switch.hpp>
+#include <dynamy_elements/coordinates/reservoir_switch.hpp>
 #include <memory>
 
 namespace dynamy {

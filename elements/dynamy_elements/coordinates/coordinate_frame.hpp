@@ -7,7 +7,7 @@
 #pragma once
 #include <dynamy/system/frame.hpp>
 #include <dynamy/system/shape.hpp>
-#include <dynamy_elements/coordinates/formulas.hpp>
+#include <dynamy_elements/coordinates/formula_text.hpp>
 #include <memory>
 
 namespace dynamy {

@@ -3,7 +3,7 @@
 ///   M(q,t) u̇ = h(q,u,t) − ∂V/∂q,   q̇ = u                                   (M and h given)
 ///   T(q,u,t):  M = ∂²T/∂u²,   h_gyr = ∂T/∂q − (∂t + u·∂q) ∂T/∂u            (T given: Lagrange)
 ///
-/// All derivatives are exact: directional derivatives of the tapes (core/expression.hpp). Rejected:
+/// All derivatives are exact: directional derivatives of the tapes (core/expression/expression.hpp). Rejected:
 /// difference quotients, which spend half of the digits, and symbolic results written to a source
 /// file, which need a compiler beside the model.
 #pragma once

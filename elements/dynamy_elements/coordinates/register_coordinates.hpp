@@ -1,6 +1,6 @@
 /// Registers Coordinates, CoordinateFrame and CoordinateContact.
 #pragma once
-#include <dynamy/io/registry.hpp>
+#include <dynamy/io/plugin/registry.hpp>
 
 namespace dynamy {
 

@@ -3,7 +3,7 @@
 ///   F = −½ ρ c A |v| v − d v       v: velocity of the point against the wind
 #pragma once
 #include <dynamy/system/external_force.hpp>
-#include <dynamy_elements/formulas.hpp>
+#include <dynamy_elements/time_formulas.hpp>
 #include <string>
 
 namespace dynamy {

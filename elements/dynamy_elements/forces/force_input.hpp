@@ -1,7 +1,7 @@
 /// ForceInput: force and moment as formulas of time on a point of a frame; drives, excitations.
 #pragma once
 #include <dynamy/system/external_force.hpp>
-#include <dynamy_elements/formulas.hpp>
+#include <dynamy_elements/time_formulas.hpp>
 
 namespace dynamy {
 

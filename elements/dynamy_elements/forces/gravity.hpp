@@ -1,8 +1,8 @@
 /// Gravity: uniform field, constant or as told.   h += Σ J_Sᵀ m g(t),   V = −Σ m g·r_OS
 #pragma once
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/external_force.hpp>
-#include <dynamy_elements/formulas.hpp>
+#include <dynamy_elements/time_formulas.hpp>
 
 namespace dynamy {
 

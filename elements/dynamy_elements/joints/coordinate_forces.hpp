@@ -9,8 +9,8 @@
 #pragma once
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy/system/external_force.hpp>
-#include <dynamy_elements/formulas.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <dynamy_elements/time_formulas.hpp>
 #include <limits>
 #include <memory>
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/constants.hpp>
-#include <dynamy_elements/friction_of_law.hpp>
 #include <dynamy_elements/joints/coordinate_laws.hpp>
+#include <dynamy_elements/laws/friction_of_law.hpp>
 #include <limits>
 
 namespace dynamy {

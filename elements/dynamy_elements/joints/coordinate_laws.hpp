@@ -5,11 +5,11 @@
 ///   JointMotor     γ = ẋ − speed(t)                          held while |force| < limit
 ///   JointFriction  γ = ẋ                                     any law that always acts
 #pragma once
-#include <dynamy/contact/force_limit.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy_elements/formulas.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <dynamy_elements/laws/force_limit.hpp>
+#include <dynamy_elements/time_formulas.hpp>
 #include <memory>
 
 namespace dynamy {

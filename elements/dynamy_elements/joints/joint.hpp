@@ -5,7 +5,7 @@
 /// the free directions, 3 what couples them): a solver then scales each by itself.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy_elements/frame_pair.hpp>
 #include <dynamy_elements/joints/joint_row.hpp>
 #include <memory>

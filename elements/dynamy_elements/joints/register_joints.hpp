@@ -1,6 +1,6 @@
 /// The joints and what acts in them.
 #pragma once
-#include <dynamy/io/registry.hpp>
+#include <dynamy/io/plugin/registry.hpp>
 
 namespace dynamy {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/constants.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/joints/sheave_rope.hpp>
 #include <limits>

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy_elements/friction_of_law.hpp>
 #include <dynamy_elements/joints/transmissions.hpp>
+#include <dynamy_elements/laws/friction_of_law.hpp>
 #include <tuple>
 
 namespace dynamy {

@@ -8,7 +8,7 @@
 /// where a joint is no element.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy/contact/standard_laws.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
 #include <memory>
 #include <string>

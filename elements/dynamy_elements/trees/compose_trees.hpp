@@ -7,7 +7,7 @@
 ///
 /// What is left of the joints stays what it was: a law between frames.
 #pragma once
-#include <dynamy/simulation/model.hpp>
+#include <dynamy/simulation/model/model.hpp>
 
 namespace dynamy {
 

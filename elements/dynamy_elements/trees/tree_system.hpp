@@ -6,7 +6,7 @@
 /// Made by composeTrees() from the bodies and joints of a model, never by a tag.
 #pragma once
 #include <array>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy_elements/trees/tree.hpp>
 #include <memory>
 

@@ -5,7 +5,7 @@
 /// holds the dim × nu part of Wᵀ that belongs to one mass block, row after row, so that M⁻¹w is
 /// local. A contact is ONE block, never three rows tied by position.
 #pragma once
-#include <dynamy/contact/set_valued_force_law.hpp>
+#include <dynamy/law/set_valued_force_law.hpp>
 #include <span>
 #include <vector>
 

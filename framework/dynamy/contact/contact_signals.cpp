@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy/contact/most_rows.hpp>
+#include <dynamy/law/most_rows.hpp>
 #include <limits>
 
 namespace dynamy {

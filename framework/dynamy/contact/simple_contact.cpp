@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <dynamy/contact/contact_signals.hpp>
-#include <dynamy/contact/most_rows.hpp>
 #include <dynamy/contact/simple_contact.hpp>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/law/standard_laws.hpp>
 
 namespace dynamy {
 namespace {

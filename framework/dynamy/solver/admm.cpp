@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/convex_sets.hpp>
-#include <dynamy/contact/most_rows.hpp>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/convex_sets.hpp>
+#include <dynamy/law/most_rows.hpp>
 #include <dynamy/solver/admm.hpp>
 
 namespace dynamy {

@@ -8,9 +8,9 @@
 /// of which there are at most `maxFactorisations`. G may have any rank. A good first thousandth of
 /// the residual, then a long tail: for tight tolerances ProximalNewton is the solver.
 #pragma once
-#include <dynamy/solver/fischer_burmeister.hpp>
-#include <dynamy/solver/inclusion_solver.hpp>
-#include <dynamy/solver/newton_system.hpp>
+#include <dynamy/solver/newton/fischer_burmeister.hpp>
+#include <dynamy/solver/newton/newton_system.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 
 namespace dynamy {
 

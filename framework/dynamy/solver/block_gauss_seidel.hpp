@@ -5,8 +5,8 @@
 /// Closed forms where the set is simple (LocalSolutions), a local Newton method elsewhere. A
 /// contact without solution makes a prox step.
 #pragma once
-#include <dynamy/solver/ball_sweeps.hpp>
-#include <dynamy/solver/local_solution.hpp>
+#include <dynamy/solver/local/ball_sweeps.hpp>
+#include <dynamy/solver/local/local_solution.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {

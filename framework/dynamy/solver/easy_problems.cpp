@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/most_rows.hpp>
+#include <dynamy/law/most_rows.hpp>
 #include <dynamy/solver/easy_problems.hpp>
-#include <dynamy/solver/local_iteration.hpp>
+#include <dynamy/solver/local/local_iteration.hpp>
 
 namespace dynamy {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 
 namespace dynamy {

@@ -7,8 +7,8 @@
 /// discs is normally not `solved` by pivoting alone; by default proximal Newton steps go on from
 /// there. The tableau is dense and is allocated as problems grow; this is no solver for real time.
 #pragma once
-#include <dynamy/solver/lcp_form.hpp>
-#include <dynamy/solver/lemke.hpp>
+#include <dynamy/solver/lcp/lcp_form.hpp>
+#include <dynamy/solver/lcp/lemke.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
 #include <string>
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <dynamy/solver/minimal_norm.hpp>
-#include <dynamy/solver/stop_with.hpp>
+#include <dynamy/solver/problem/stop_with.hpp>
 #include <limits>
 
 namespace dynamy {

@@ -7,7 +7,7 @@
 /// knows no sets; the proximal outer iteration alone, which ends near its start and keeps the
 /// uneven shares of the sweeps before.
 #pragma once
-#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 
 namespace dynamy {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <limits>
 

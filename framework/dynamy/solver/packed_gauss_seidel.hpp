@@ -8,7 +8,7 @@
 /// at engineering accuracy; what it reaches is told by its residuals like any other result.
 #pragma once
 #include <dynamy/solver/block_gauss_seidel.hpp>
-#include <dynamy/solver/packed_contacts.hpp>
+#include <dynamy/solver/local/packed_contacts.hpp>
 
 namespace dynamy {
 

@@ -1,6 +1,6 @@
-#include <dynamy/contact/most_rows.hpp>
-#include <dynamy/core/parameters.hpp>
-#include <dynamy/solver/law_probe.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/solver/lcp/law_probe.hpp>
 #include <dynamy/solver/prox_block_metric.hpp>
 
 namespace dynamy {

@@ -9,7 +9,7 @@
 /// that. Groups of two rows whose set is a disc (asked of the law's prox) get the metric, all
 /// others the diagonal of Relaxation::exact.
 #pragma once
-#include <dynamy/contact/convex_sets.hpp>
+#include <dynamy/law/convex_sets.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/most_rows.hpp>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/most_rows.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {

@@ -7,10 +7,10 @@
 /// `stalled` when the best residual has not fallen by 1 % for as many sweeps as half of those made,
 /// and at least 1000.
 #pragma once
-#include <dynamy/solver/anderson.hpp>
-#include <dynamy/solver/inclusion_solver.hpp>
-#include <dynamy/solver/momentum.hpp>
-#include <dynamy/solver/relaxation.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
+#include <dynamy/solver/prox/anderson.hpp>
+#include <dynamy/solver/prox/momentum.hpp>
+#include <dynamy/solver/prox/relaxation.hpp>
 
 namespace dynamy {
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/most_rows.hpp>
-#include <dynamy/core/parameters.hpp>
-#include <dynamy/solver/elimination.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/solver/newton/elimination.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
 
 namespace dynamy {

@@ -11,8 +11,8 @@
 /// stacks. What the schedule does not solve is tried with another ρ, then by Gauss–Seidel; laws
 /// that do not offer a derivative go to Gauss–Seidel at once.
 #pragma once
-#include <dynamy/solver/block_newton.hpp>
-#include <dynamy/solver/held_states.hpp>
+#include <dynamy/solver/newton/block_newton.hpp>
+#include <dynamy/solver/newton/held_states.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {

@@ -10,8 +10,8 @@
 /// make A + BG singular where they stick: the solver then says `stalled`, it does not hide it
 /// behind sweeps. ProximalNewton is the method that solves those as well.
 #pragma once
-#include <dynamy/solver/fischer_burmeister.hpp>
-#include <dynamy/solver/newton_system.hpp>
+#include <dynamy/solver/newton/fischer_burmeister.hpp>
+#include <dynamy/solver/newton/newton_system.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 
 namespace dynamy {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/most_rows.hpp>
-#include <dynamy/core/parameters.hpp>
-#include <dynamy/solver/relaxation.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/solver/prox/relaxation.hpp>
 #include <dynamy/solver/successive_laws.hpp>
 
 namespace dynamy {

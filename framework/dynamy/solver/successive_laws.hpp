@@ -11,7 +11,7 @@
 /// sake and for sets whose size depends on another law in a cascade; the other solvers take both
 /// laws together and do not have this limit.
 #pragma once
-#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 
 namespace dynamy {
 

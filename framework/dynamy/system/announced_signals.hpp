@@ -9,7 +9,7 @@
 /// recorded unless they are named. Virtual functions of their own were rejected: few elements have
 /// something to tell, and signals can be looked at like any other.
 #pragma once
-#include <dynamy/core/element.hpp>
+#include <dynamy/core/declared/element.hpp>
 #include <dynamy/system/description.hpp>
 
 namespace dynamy {

@@ -1,7 +1,7 @@
 /// Description: what an element tells about itself once, in build(): names of coordinates, signals,
 /// frames, shapes, memory.
 #pragma once
-#include <dynamy/core/attributes.hpp>
+#include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/core/error.hpp>
 #include <dynamy/core/types.hpp>
 #include <functional>

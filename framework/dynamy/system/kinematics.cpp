@@ -1,4 +1,4 @@
-#include <dynamy/core/element_fault.hpp>
+#include <dynamy/core/declared/element_fault.hpp>
 #include <dynamy/system/kinematics.hpp>
 #include <new>
 

@@ -6,7 +6,7 @@
 /// spheres). The slices q, u, h of all blocks lie one after the other; one virtual call serves all
 /// blocks.
 #pragma once
-#include <dynamy/core/element.hpp>
+#include <dynamy/core/declared/element.hpp>
 #include <dynamy/system/frame.hpp>
 #include <dynamy/system/tree_part.hpp>
 

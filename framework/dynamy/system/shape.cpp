@@ -1,6 +1,6 @@
 // What all shapes have: place in their frame, material, colour, mass.
 #include <cmath>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/system/shape.hpp>
 #include <numbers>

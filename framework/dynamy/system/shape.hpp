@@ -2,7 +2,7 @@
 /// material, takes part in contact.
 #pragma once
 #include <array>
-#include <dynamy/core/element.hpp>
+#include <dynamy/core/declared/element.hpp>
 #include <dynamy/core/types.hpp>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/topology.hpp>
 

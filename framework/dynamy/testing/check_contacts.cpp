@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dynamy/simulation/contact_facts.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
 #include <dynamy/testing/random_motion.hpp>

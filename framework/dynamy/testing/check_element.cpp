@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/testing/random_motion.hpp>
 #include <ostream>
 #include <utility>

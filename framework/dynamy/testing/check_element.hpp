@@ -8,8 +8,8 @@
 /// tolerance has to be guessed per element. Fixed tolerances were rejected: a stiff spring and a
 /// slow crane need different ones.
 #pragma once
-#include <dynamy/contact/set_valued_force_law.hpp>
-#include <dynamy/simulation/model.hpp>
+#include <dynamy/law/set_valued_force_law.hpp>
+#include <dynamy/simulation/model/model.hpp>
 #include <filesystem>
 #include <iosfwd>
 #include <string>

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/most_rows.hpp>
+#include <dynamy/law/most_rows.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <dynamy/testing/difference.hpp>
 #include <random>

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
-#include <dynamy/io/output_file.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <map>
 #include <regex>
 

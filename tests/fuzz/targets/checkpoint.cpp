@@ -1,7 +1,7 @@
 /// A checkpoint of any bytes: it is refused with words. And what a checkpoint keeps of a run,
 /// behind a checksum that agrees: the run goes on or is refused. The first byte chooses the scene.
 #include <cstdint>
-#include <dynamy/io/checkpoint.hpp>
+#include <dynamy/io/run_files/checkpoint.hpp>
 
 #include "../small_runs.hpp"
 

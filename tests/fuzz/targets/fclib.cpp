@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <dynamy/core/error.hpp>
-#include <dynamy/io/fclib_file.hpp>
+#include <dynamy/io/fclib/fclib_file.hpp>
 #include <dynamy/solver/automatic.hpp>
 #include <filesystem>
 #include <fstream>

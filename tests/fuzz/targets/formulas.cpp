@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <dynamy/core/expression.hpp>
-#include <dynamy/core/unit_suffix.hpp>
+#include <dynamy/core/expression/expression.hpp>
+#include <dynamy/core/expression/unit_suffix.hpp>
 #include <string_view>
 
 namespace dynamy {

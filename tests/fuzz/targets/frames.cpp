@@ -1,8 +1,8 @@
 /// A frames.bin of any bytes: frames up to the first fault, or an error that names the file.
 #include <cstdint>
 #include <cstdlib>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/frames_file.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/run_files/frames_file.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace dynamy;

@@ -1,6 +1,6 @@
 /// Model text with the standard elements: any text gives a model that is built and evaluated at its
 /// start, or errors of which each has its place.
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 
 #include "read_text.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
 #include <string>
 
 namespace dynamy::fuzz {

@@ -1,8 +1,8 @@
 /// A signals.csv of any text: columns of equal length, or an error with its line.
 #include <cstdint>
 #include <cstdlib>
-#include <dynamy/io/file_error.hpp>
-#include <dynamy/io/signals_file.hpp>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace dynamy;

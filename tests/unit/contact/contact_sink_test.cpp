@@ -4,8 +4,8 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/contact/simple_contact.hpp>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/simulation/model.hpp>
+#include <dynamy/law/standard_laws.hpp>
+#include <dynamy/simulation/model/model.hpp>
 
 namespace dynamy {
 namespace {

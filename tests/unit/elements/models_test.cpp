@@ -1,8 +1,8 @@
 // Whole models from text, with all standard elements registered through the plug-in's entry.
 #include <gtest/gtest.h>
-#include <dynamy/io/model_loader.hpp>
-#include <dynamy/io/plugin.hpp>
-#include <dynamy/io/plugin_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
 
 #include <cmath>
 

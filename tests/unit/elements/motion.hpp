@@ -4,7 +4,7 @@
 #pragma once
 #include <dynamy/contact/contact_sink.hpp>
 #include <dynamy/contact/non_smooth_element.hpp>
-#include <dynamy/simulation/model.hpp>
+#include <dynamy/simulation/model/model.hpp>
 #include <functional>
 #include <random>
 

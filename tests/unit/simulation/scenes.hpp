@@ -3,10 +3,10 @@
 #pragma once
 #include <cmath>
 #include <dynamy/contact/simple_contact.hpp>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/integrator/half_explicit_euler.hpp>
-#include <dynamy/integrator/moreau_midpoint.hpp>
-#include <dynamy/simulation/simulation.hpp>
+#include <dynamy/law/standard_laws.hpp>
+#include <dynamy/schemes/half_explicit_euler.hpp>
+#include <dynamy/schemes/moreau_midpoint.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <limits>
 #include <support/table.hpp>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/given_problem.hpp>
+#include <dynamy/solver/problem/given_problem.hpp>
 
 #include "inclusion_fixture.hpp"
 

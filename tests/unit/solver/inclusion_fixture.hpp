@@ -2,8 +2,8 @@
 #pragma once
 #include <Eigen/Eigenvalues>
 #include <dynamy/contact/contact_sink.hpp>
-#include <dynamy/contact/standard_laws.hpp>
-#include <dynamy/solver/inclusion_solver.hpp>
+#include <dynamy/law/standard_laws.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <memory>
 #include <random>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <cstdio>
 #include <dynamy/solver/automatic.hpp>
-#include <dynamy/solver/given_problem.hpp>
+#include <dynamy/solver/problem/given_problem.hpp>
 #include <numbers>
 
 #include "inclusion_fixture.hpp"

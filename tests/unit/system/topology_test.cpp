@@ -1,7 +1,7 @@
 // Where systems lie in q and u, names, and the evaluation of frames.
 #include <gtest/gtest.h>
 
-#include <dynamy/core/parameters.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/kinematics.hpp>
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 #include <dynamy/contact/simple_contact.hpp>
-#include <dynamy/contact/standard_laws.hpp>
 #include <dynamy/core/rotation.hpp>
-#include <dynamy/io/model_loader.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/law/standard_laws.hpp>
 #include <dynamy/testing/check_element.hpp>
 
 namespace dynamy {

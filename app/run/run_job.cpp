@@ -1,0 +1,208 @@
+#include "run/run_job.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/replay/replay_page.hpp>
+#include <dynamy/io/replay/svg_plot.hpp>
+#include <dynamy/io/run_files/run_recording.hpp>
+#include <set>
+
+#include "run/endings.hpp"
+#include "run/error_bar.hpp"
+#include "run/progress.hpp"
+#include "run/run_text.hpp"
+#include "run/saver.hpp"
+
+namespace dynamy::app {
+namespace fs = std::filesystem;
+namespace {
+
+/// signals.svg and replay.html from the files of the folder.
+ReplaySize writePictures(const RunFolder& folder, const Model& model) {
+  SignalTable table = readSignals(folder.signals());
+  const std::vector<SignalName> named = recordedSignals(model);
+  for (std::size_t i = 0; i < table.signals.size() && i < named.size(); ++i)
+    table.signals[i].unit = named[i].unit;
+  writeSignalsSvg(folder.signalsPlot(), table, model.title);
+  return writeReplay(folder.path());
+}
+
+void print(const RunFolder& folder, const Model& model, const RunShow& show,
+           const RunReport& report, const std::vector<CheckResult>& checks, const ReplaySize& size,
+           const std::string& problems) {
+  if (!show.quiet) fmt::print(stderr, "{}", thinningText(size));
+  if (show.json)
+    fmt::print("{}", readWholeFile(folder.facts()));
+  else if (!show.quiet)
+    fmt::print("{}{}", resultText(model, report, checks, folder.path()), problems);
+  else
+    fmt::print(stderr, "{}{}{}", failedChecks(checks), unsolvedText(report),
+               warningsText(report, &show.accept));
+  if (!show.quiet && !show.json) fmt::print("{}", qualifiedText(report, checks, show.accept));
+  if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
+}
+
+/// How a run ended, beside its report.
+struct End {
+  int status = kOk;
+  std::vector<RecordedFile> files;
+  std::string fault;  ///< of a file that could not be written; empty: none
+};
+
+/// run.json, pictures and words of a run that has ended.
+void conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
+              const RunShow& show, const RunReport& report, const std::vector<CheckResult>& checks,
+              const ProblemDump* problems, End& end) {
+  std::optional<ErrorBars> bars;
+  const auto write = [&] {
+    folder.writeLastFacts(
+        [&](JsonWriter& j) {
+          writeFacts(j, model, choice, report, checks, "");
+          writeFiles(j, end.files);
+          if (!end.fault.empty()) j.member("fileFault", end.fault);
+          if (problems) writeProblems(j, *problems);
+          if (bars) writeErrorBars(j, *bars);
+        },
+        [&](JsonWriter& j) {
+          j.member("state", stateText(report)).member("t", report.t);
+          if (!report.reason.empty()) j.member("reason", report.reason);
+        });
+  };
+  ReplaySize size;
+  try {
+    write();
+    size = writePictures(folder, model);
+  } catch (const WriteError& e) {
+    if (end.fault.empty()) end.fault = e.what();
+  }
+  if (!end.fault.empty() && (end.status == kOk || end.status == kQualified))
+    end.status = kCannotWrite;
+  if (show.errorBars && end.fault.empty()) bars = show.errorBars(checks, folder.signals()), write();
+  if (show.tell)
+    show.tell(report, checks);
+  else
+    print(folder, model, show, report, checks, size,
+          problems ? problemsText(*problems, folder.problems()) : "");
+  if (!end.fault.empty() && end.fault != report.reason)
+    fmt::print(stderr, "dynamy: {}\n", end.fault);
+  if (bars && !show.json && !show.quiet && !show.tell) fmt::print("{}", errorBarsText(*bars));
+}
+
+/// As many as the system gives; that it gives fewer changes no number, so that a run goes on.
+void startThreads(Simulation& simulation, const RunShow& show) {
+  const int count = simulation.threads(show.threads);
+  if (count < show.threads)
+    fmt::print(stderr, "dynamy: the system gives {} of {} threads; the numbers are the same\n",
+               count, show.threads);
+}
+
+void noteSources(const Program& program, const std::vector<fs::path>& files, RunChoice& choice) {
+  choice.sources.clear();
+  choice.loaded = program.plugins.fingerprints();
+  std::set<fs::path> seen;
+  std::error_code error;
+  for (const PluginLoader::Loaded& l : program.plugins.loaded()) seen.insert(l.file);
+  for (const fs::path& file : files)
+    if (file.extension() != ".so" && fs::is_regular_file(file, error) &&
+        seen.insert(fs::canonical(file)).second)
+      choice.sources.push_back({file.string(), fingerprintOfBytes(readWholeFile(file))});
+}
+
+}  // namespace
+
+Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* files) {
+  LoadOptions options;
+  std::vector<fs::path> read;
+  options.set = choice.set, options.files = files != nullptr ? files : &read;
+  Model model = loadModel(choice.model, program.registry, program.plugins, options);
+  SimulationSettings& s = model.simulation;
+  if (choice.until > 0.0) s.until = choice.until;
+  if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);
+  if (choice.step > 0.0 && choice.tolerance > 0.0)
+    s.step = choice.step;  // the longest
+  else if (choice.step > 0.0)
+    model.askStep(choice.step);
+  if (choice.every > 0.0) model.record.every = choice.every;
+  if (!choice.integrator.empty())
+    model.scheme(method<OneStep>(program.registry, choice.integrator));
+  if (!choice.solver.empty())
+    model.solver(method<InclusionSolver>(program.registry, choice.solver));
+  // The default sample time depends on the end time; a resumed run keeps it.
+  if (!(model.record.every > 0.0) && s.until > 0.0) model.record.every = s.until / 1000.0;
+  choice.until = s.until, choice.every = model.record.every;
+  choice.model = fs::absolute(choice.model).lexically_normal().string();
+  noteSources(program, *options.files, choice);
+  return model;
+}
+
+namespace {
+
+/// A run into a folder that is there, whether it begins or goes on.
+int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, const RunShow& show,
+             Simulation& simulation, RunRecording& recording, std::vector<CheckResult>& checks) {
+  std::optional<ProblemDump> problems;
+  if (show.dumpProblems >= 0)
+    simulation.observe(problems.emplace(folder.problems(), show.dumpProblems));
+  RunReport running = simulation.report();
+  folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, running, {}, "running"); });
+
+  const bool silent = show.quiet || show.json || show.tell;
+  Progress progress(silent, simulation.state().t, model.simulation.until);
+  Saver saver(folder, choice, model, recording);
+  simulation.onIdle([&] {
+    recording.flushIfDue();
+    const StepReport& last = simulation.lastStep();
+    progress.show({simulation.state().t, simulation.report().steps, last.contacts,
+                   last.solved.residuals.largest(), simulation.report().unconverged});
+  });
+  if (show.checkpoints)
+    simulation.onCheckpoint(
+        show.checkpointEvery, show.checkpointShare,
+        [&](const std::string& bytes) { saver.save(bytes, simulation.state().t, true); });
+  const EndingSignals signals;
+  simulation.stopWhen(signals.requested());
+  if (!silent) fmt::print("{}", headText(model, choice));
+  const RunReport& report = simulation.run();
+  progress.end();
+
+  // Files first: what is printed is then true.
+  recording.flush();
+  if (show.checkpoints && !simulation.checkpoint().empty()) saver.saveLast(simulation);
+  checks = simulation.checks();
+  End end;
+  end.status = report.ended == RunReport::Ended::stopped ? kSignalled + EndingSignals::signal()
+                                                         : exitStatus(report, checks, show.accept);
+  end.files = recording.files(), end.fault = saver.fault();
+  if (end.fault.empty()) end.fault = recording.fault();
+  conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr, end);
+  return end.status;
+}
+
+}  // namespace
+
+int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
+            std::vector<CheckResult>& checks) {
+  if (show.strict) refuseInconsistentStart(model);
+  Simulation simulation(model);  // first: a model it refuses leaves an older run alone
+  const RunFolder folder(path);
+  RunRecording recording(folder, model);
+  simulation.record(recording);
+  startThreads(simulation, show);
+  writeWholeFile(folder.model(), model.sourceText);
+  return carryOut(folder, model, choice, show, simulation, recording, checks);
+}
+
+int resumeIn(RunFolder folder, Model& model, const RunChoice& choice, const RunShow& show,
+             const Checkpoint& from, std::vector<CheckResult>& checks) {
+  Simulation simulation(model);
+  RunRecording recording(folder, model, RunRecording::Resume{});
+  simulation.record(recording);
+  startThreads(simulation, show);
+  simulation.resume(from.simulation);
+  return carryOut(folder, model, choice, show, simulation, recording, checks);
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,370 @@
+#include "run/run_text.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include <dynamy/core/utf8.hpp>
+#include <dynamy/core/version.hpp>
+#include <dynamy/io/run_files/run_recording.hpp>
+
+#include "run/endings.hpp"
+
+namespace dynamy::app {
+namespace {
+
+std::string counted(long n, const std::string& what, const std::string& many = {}) {
+  return fmt::format("{} {}", n, n == 1 ? what : many.empty() ? what + 's' : many);
+}
+
+std::string checkLine(const CheckResult& c, int width) {
+  const std::string what = checkText(c);
+  const int blanks = width - characterCount(what);
+  return fmt::format(" check  {}{}  {:<14} expected {}   {}{}\n", what,
+                     std::string(static_cast<std::size_t>(blanks), ' '),
+                     c.note.empty() ? fmt::format("{:.9g}", c.got) : c.note, c.expected,
+                     c.pass ? "PASS" : "FAIL", c.pass ? "" : " " + c.place.format());
+}
+
+void write(JsonWriter& json, const char* name, const Worst& w) {
+  json.key(name).beginObject().member("value", w.value);
+  if (w.value > 0.0) json.member("contact", w.name).member("t", w.t);
+  json.endObject();
+}
+
+void write(JsonWriter& json, const Unsolved& u) {
+  json.key("unsolved").beginObject().member("step", u.step).member("t", u.t);
+  json.member("status", u.status).member("residual", u.residual);
+  json.member("iterations", u.iterations).member("contact", u.contact).member("tried", u.tried);
+  json.member("findings", u.findings).endObject();
+}
+
+void write(JsonWriter& json, const EnergyReport& e) {
+  json.key("energy").beginObject();
+  json.member("start", e.start()).member("end", e.end());
+  json.member("kineticStart", e.kineticStart).member("potentialStart", e.potentialStart);
+  json.member("kineticEnd", e.kineticEnd).member("potentialEnd", e.potentialEnd);
+  json.member("nonPotential", e.nonPotential).member("friction", e.friction);
+  json.member("normal", e.normal).member("joints", e.joints).member("boundaries", e.boundaries);
+  json.member("discretisation", e.discretisation).member("imbalance", e.imbalance);
+  json.member("largestGain", e.largestGain).member("largestGainTime", e.largestGainTime);
+  json.endObject();
+}
+
+void write(JsonWriter& json, const std::vector<CheckResult>& checks) {
+  json.key("checks").beginArray();
+  for (const CheckResult& c : checks) {
+    json.beginObject().member("signal", c.signal).member("measure", c.measure);
+    if (!c.over.empty()) json.member("over", c.over);
+    json.member("got", c.got).member("low", c.low).member("high", c.high);
+    json.member("expected", c.expected).member("pass", c.pass);
+    if (!c.note.empty()) json.member("note", c.note);
+    json.endObject();
+  }
+  json.endArray();
+}
+
+void write(JsonWriter& json, const char* name, const StartReport::Part& p) {
+  json.key(name).beginObject().member("off", p.off).member("left", p.left);
+  json.member("joints", p.joints).member("joint", p.joint).endObject();
+}
+
+void write(JsonWriter& json, const StartReport& s) {
+  json.key("start").beginObject();
+  write(json, "positions", s.positions);
+  write(json, "velocities", s.velocities);
+  json.member("share", s.velocities.share).member("kineticBefore", s.kineticBefore);
+  json.member("kineticAfter", s.kineticAfter).endObject();
+}
+
+void writeSettings(JsonWriter& json, const Model& model, const RunChoice& choice) {
+  json.key("settings").beginObject();
+  json.member("until", model.simulation.until).member("step", model.simulation.step);
+  json.member("tolerance", model.simulation.tolerance);
+  json.member("integrator", model.scheme().type()).member("solver", model.solver().type());
+  json.member("impactLaw", model.impactLaw().type());
+  const double gTol = model.simulation.gTol;
+  json.member("gTol", gTol >= 0.0 ? gTol : 1e-12 * model.length());
+  json.member("every", model.record.every);
+  json.key("set").beginObject();
+  for (const auto& [name, value] : choice.set) json.member(name, value);
+  json.endObject().endObject();
+}
+
+}  // namespace
+
+std::string stateText(const RunReport& r) {
+  switch (r.ended) {
+    case RunReport::Ended::finished:
+      return "finished";
+    case RunReport::Ended::stopped:
+      return stopText(EndingSignals::signal());
+    case RunReport::Ended::failed:
+      return "failed";
+  }
+  return "";
+}
+
+void writeFiles(JsonWriter& json, const std::vector<RecordedFile>& files) {
+  json.key("files").beginArray();
+  for (const RecordedFile& f : files)
+    json.beginObject()
+        .member("name", f.name)
+        .member("bytes", f.place.bytes)
+        .member("crc", fmt::format("{:08x}", f.place.crc))
+        .endObject();
+  json.endArray();
+}
+
+std::string checkText(const CheckResult& c) {
+  return (c.measure == "value" ? c.signal : c.measure + " " + c.signal) +
+         (c.over.empty() ? "" : " " + c.over);
+}
+
+std::string failedChecks(const std::vector<CheckResult>& checks) {
+  std::string out;
+  for (const CheckResult& c : checks)
+    if (!c.pass) out += checkLine(c, characterCount(checkText(c)));
+  return out;
+}
+
+std::string unsolvedText(const RunReport& r) {
+  if (r.unsolved.step == 0) return "";
+  const Unsolved& u = r.unsolved;
+  std::string out = fmt::format(
+      " NOT SOLVED  step {} (t = {:.6g} s) is the worst: {} after {} iterations, residual "
+      "{:.2g}{}\n",
+      u.step, u.t, u.status, u.iterations, u.residual, u.contact.empty() ? "" : " at " + u.contact);
+  out += fmt::format("   tried: {}\n", u.tried);
+  for (std::size_t from = 0; from < u.findings.size();) {
+    const std::size_t end = u.findings.find('\n', from);
+    out += "   " + u.findings.substr(from, end - from) + '\n';
+    from = end + 1;
+  }
+  out +=
+      u.residual <= kSolvedResidual
+          ? "   The inclusion is solved: a projection, or the scheme's own iteration, did not end."
+          : "   The forces and velocities of such a step are not to be trusted.";
+  out +=
+      " Try a smaller --step, or\n"
+      "   onNonConvergence=\"retry\" in <simulation>, which halves the steps that fail;\n"
+      "   --dump-problems 0 writes these problems for dynamy solve.\n";
+  return out;
+}
+
+std::string problemsText(const ProblemDump& d, const std::filesystem::path& folder) {
+  std::string out = fmt::format(" wrote   {}/  {}\n", folder.string(),
+                                counted(static_cast<long>(d.files().size()), "problem"));
+  if (d.refused() > 0)
+    out += fmt::format(" left out {}: {}\n", counted(d.refused(), "problem"), d.refusedBecause());
+  return out;
+}
+
+void writeProblems(JsonWriter& json, const ProblemDump& d) {
+  json.key("problems").beginArray();
+  for (const ProblemDump::File& f : d.files())
+    json.beginObject()
+        .member("file", "problems/" + f.name)
+        .member("step", f.step)
+        .member("t", f.t)
+        .member("iterations", f.iterations)
+        .member("contacts", f.contacts)
+        .member("solved", f.solved)
+        .endObject();
+  json.endArray().member("problemsLeftOut", d.refused());
+  if (d.refused() > 0) json.member("problemsLeftOutBecause", d.refusedBecause());
+}
+
+std::string warningsText(const RunReport& r, const Accepted* accepted) {
+  std::string out;
+  for (const Warning& w : r.warnings) {
+    const WarningKind* kind = warningKind(w.kind);
+    if (accepted != nullptr && (kind == nullptr || !kind->qualifies || accepted->takes(w.kind)))
+      continue;
+    if (w.kind != "unsolved") out += fmt::format(" WARNING  {}: {}\n", w.kind, w.text);
+  }
+  return out;
+}
+
+std::string qualifiedText(const RunReport& r, const std::vector<CheckResult>& checks,
+                          const Accepted& accepted) {
+  if (exitStatus(r, checks, accepted) != kQualified) return {};
+  return fmt::format(
+      " finished, but: {}   (exit status {}; --accept makes it 0, doc/run_folder.md)\n",
+      qualifyingKinds(r, accepted), kQualified);
+}
+
+std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+std::string stepText(const Model& model) {
+  const SimulationSettings& s = model.simulation;
+  if (!model.scheme().choosesSteps()) return fmt::format("step {:g} s", s.step);
+  if (model.scheme().needsStep()) return fmt::format("steps up to {:g} s", s.step);
+  return fmt::format("tolerance {:g}", s.tolerance) +
+         (s.step > 0.0 ? fmt::format("   steps up to {:g} s", s.step) : "");
+}
+
+std::string headText(const Model& model, const RunChoice& choice) {
+  const Topology& t = model.topology();
+  std::string out =
+      fmt::format("dynamY {}   {}   {}, {} positions, {} velocities, {}\n", versionString(),
+                  model.sourceFile.empty() ? choice.model : model.sourceFile,
+                  counted(static_cast<long>(model.systems().size()), "system"), t.nq(), t.nu(),
+                  counted(static_cast<long>(model.contacts().size()), "contact element"));
+  out += fmt::format(" {}   {}   {}   to t = {:g} s\n", model.scheme().type(),
+                     model.solver().type(), stepText(model), model.simulation.until);
+  return out;
+}
+
+/// Warns of a scheme that changes the energy by itself: by more than 1 % of what moves in the run,
+/// and by more than rounding.
+std::string discretisationText(const EnergyReport& e, double rounding) {
+  // Works one by one: what drives bring in and friction takes may cancel.
+  const double moves =
+      std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart),
+                std::abs(e.nonPotential) + std::abs(e.friction) + std::abs(e.normal) +
+                    std::abs(e.joints) + std::abs(e.boundaries)});
+  const double change = std::abs(e.discretisation);
+  if (!(change > 0.01 * moves && change > rounding)) return {};
+  return fmt::format(
+      " THE DISCRETISATION CHANGED THE ENERGY by {:.2g} of what moves: take a smaller step\n",
+      change / moves);
+}
+
+/// What the evaluations of a run to a tolerance were for.
+std::string effortText(const RunReport& r) {
+  const StepEffort& e = r.effort;
+  const long told = e.smooth + e.rejected + e.switches + e.events + e.stepping;
+  if (told == 0) return {};
+  return fmt::format(
+      " {}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}{}\n",
+      counted(r.evaluations, "evaluation"), e.smooth, e.rejected, e.switches, e.events,
+      e.stepping > 0 ? fmt::format(", steps in time {}", e.stepping) : "",
+      r.evaluations > told ? fmt::format(", output {}", r.evaluations - told) : "");
+}
+
+std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
+                       const std::filesystem::path& folder) {
+  std::string out =
+      fmt::format(" {} at t = {:g} s   {} ({} rejected)   {}   {:.3g} s wall", stateText(r), r.t,
+                  counted(r.steps, "step"), r.rejected, counted(r.impacts, "impact"), r.wall);
+  if (r.wall > 0.0) out += fmt::format(" (x{:.3g})", r.t / r.wall);
+  const EnergyReport& e = r.energy;
+  out += fmt::format("\n energy  {:.6g} -> {:.6g} J   impacts {:.4g}   friction {:.4g}", e.start(),
+                     e.end(), e.normal, e.friction);
+  if (e.nonPotential != 0.0) out += fmt::format("   drives and dampers {:.4g}", e.nonPotential);
+  if (e.joints != 0.0) out += fmt::format("   joints {:.2g}", e.joints);
+  if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
+  out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
+  out += discretisationText(e, r.trust.rounding);
+  if (r.located > 0 || r.accumulations > 0)
+    out += fmt::format(" {} located, {} passed{}\n", counted(r.located, "switch", "switches"),
+                       counted(r.accumulations, "accumulation"),
+                       r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
+  if (const SteppingReport& s = r.stepping; s.periods > 0)
+    out += fmt::format(" {} in time over {:.4g} s in {} ({}): switches too dense to be located\n",
+                       counted(s.steps, "step"), s.time, counted(s.periods, "period"),
+                       counted(s.stalls, "stall"));
+  out += effortText(r);
+  if (r.parted > 0)
+    out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
+                       counted(r.parted, "step"));
+  if (r.repairedImpacts > 0)
+    out += fmt::format(
+        " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
+        "rebound taken\n",
+        counted(r.repairedImpacts, "impact"), r.energyGain.value, r.energyGain.t);
+  if (r.penetration.value > 0.0)
+    out += fmt::format(" worst penetration {:.2g} m at {} (t = {:.6g} s)\n", r.penetration.value,
+                       r.penetration.name, r.penetration.t);
+  if (r.jointError.value > 0.0)
+    out += fmt::format(" worst joint error {:.2g} m at {} (t = {:.6g} s)\n", r.jointError.value,
+                       r.jointError.name, r.jointError.t);
+  if (r.solves > 0 || r.unconverged > 0) {
+    out += fmt::format(" solver  {}, {:.3g} iterations on average, at most {}, ",
+                       counted(r.solves, "solve"), r.iterationsMean(), r.iterationsMax);
+    out += r.unconverged == 0
+               ? "all converged\n"
+               : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
+                             r.unconverged, r.residual.value, r.residual.name, r.residual.t);
+  }
+  out += unsolvedText(r) + warningsText(r);
+  int width = 0;
+  for (const CheckResult& c : checks) width = std::max(width, characterCount(checkText(c)));
+  for (const CheckResult& c : checks) out += checkLine(c, width);
+  out += fmt::format(
+      " wrote   {}/  run.json signals.csv events.csv ledger.csv signals.svg frames.bin "
+      "replay.html\n",
+      folder.string());
+  out += fmt::format(" hash    {}\n", hashText(r.hash));
+  return out;
+}
+
+std::string thinningText(const ReplaySize& size) {
+  std::string out;
+  if (size.contacts < size.contactsRecorded)
+    out = fmt::format("dynamy: replay.html shows the {} strongest of up to {} contacts\n",
+                      size.contacts, size.contactsRecorded);
+  if (!size.thinned()) return out;
+  return out + fmt::format(
+                   "dynamy: replay.html shows {} of {} frames: all would take {:.0f} MB; <record "
+                   "frames=…> sets "
+                   "how many are recorded\n",
+                   size.frames, size.recorded, static_cast<double>(size.wholeBytes) * 1e-6);
+}
+
+void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,
+                const std::vector<CheckResult>& checks, const std::string& state) {
+  json.member("state", state.empty() ? stateText(r) : state);
+  if (!r.reason.empty()) json.member("reason", r.reason);
+  json.member("dynamy", versionString()).member("title", model.title);
+  json.member("model", model.sourceFile);
+  writeSettings(json, model, choice);
+  const Topology& t = model.topology();
+  json.key("sizes").beginObject().member("systems", model.systems().size());
+  json.member("q", t.nq()).member("u", t.nu()).member("blocks", t.blocks());
+  json.member("contactElements", model.contacts().size());
+  json.member("contactsMax", r.contactsMax).endObject();
+  json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
+  json.member("parted", r.parted);
+  json.member("evaluations", r.evaluations).member("impacts", r.impacts);
+  json.member("switches", r.switches).member("switchesLocated", r.located);
+  json.member("accumulationEnd", r.accumulationEnd);
+  json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
+  json.key("effort").beginObject();
+  json.member("smooth", r.effort.smooth).member("rejected", r.effort.rejected);
+  json.member("switches", r.effort.switches).member("events", r.effort.events);
+  json.member("stepping", r.effort.stepping).endObject();
+  json.key("stepping").beginObject().member("periods", r.stepping.periods);
+  json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
+  json.member("systems", r.stepping.systems);
+  json.member("time", r.stepping.time).member("longest", r.stepping.longest);
+  json.member("error", r.stepping.error).member("firstTime", r.stepping.first.t);
+  json.member("firstContact", r.stepping.first.name).endObject();
+  json.member("repairedImpacts", r.repairedImpacts);
+  write(json, "energyGain", r.energyGain);
+  json.key("solver").beginObject().member("solves", r.solves);
+  json.member("iterations", r.iterations).member("iterationsMean", r.iterationsMean());
+  json.member("iterationsMax", r.iterationsMax).member("unconverged", r.unconverged);
+  write(json, "worstResidual", r.residual);
+  if (r.unsolved.step > 0) write(json, r.unsolved);
+  json.endObject();
+  write(json, "penetration", r.penetration);
+  write(json, "solvedOverlap", r.solvedOverlap);
+  write(json, "jointError", r.jointError);
+  write(json, r.start);
+  json.member("cpu_s", r.cpu).member("wall_s", r.wall);
+  write(json, r.energy);
+  json.key("figures").beginObject();
+  for (const RunFigure& f : runFigures()) json.member(f.name, f.value(r));
+  json.endObject();
+  writeWarnings(json, r.warnings);
+  write(json, checks);
+  json.key("signals").beginArray();
+  for (const SignalName& s : recordedSignals(model))
+    json.beginObject().member("name", s.name).member("unit", s.unit).endObject();
+  json.endArray();
+  json.member("hash", hashText(r.hash));
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,386 @@
+#include <cmath>
+#include <dynamy/core/constants.hpp>
+#include <dynamy_elements/contacts/pairs/between_discs.hpp>
+#include <dynamy_elements/contacts/pairs/cone_side.hpp>
+#include <dynamy_elements/contacts/pairs/disc_arc.hpp>
+#include <dynamy_elements/contacts/pairs/segments.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+using DiscPart = DiscBody::Part;
+
+/// Directions of the grid, on the half of the sphere that looks from A to B.
+constexpr int kGrid = 60;
+constexpr double kGoldenAngle = 2.399963229728653;
+/// Angle beside a cap [rad].
+constexpr double kBesideEdge = 1e-3;
+/// Newton's steps between two rims.
+constexpr int kDiscSteps = 50;
+
+struct DiscsApart {
+  double f = -kInfinity;
+  Vec3 n = Vec3::UnitZ();
+};
+
+/// A disc: its outermost point along d; of a direction along its axis the middle.
+Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
+  const Vec3 v = D.acrossAxis(d);
+  const double s = v.norm();
+  return s > 0.0 ? Vec3(D.middle(rim) + D.radius(rim) * unitAcross(v, D.a)) : D.middle(rim);
+}
+
+/// Candidates for the direction of largest separation.
+class DiscSearch {
+ public:
+  DiscSearch(const DiscBody& A, const DiscBody& B) : A_(A), B_(B) {}
+
+  /// Caps come first: another direction has to separate by more than `more`.
+  DiscsApart best(double more) {
+    for (const DiscBody* body : {&A_, &B_})
+      if (body->rho > 0.0)
+        for (const double side : {1.0, -1.0})
+          if (!(body->tip && side > 0.0)) take((body == &A_ ? side : -side) * body->a);
+    least_ = best_.f + more;
+    if (A_.half > 0.0) across(A_, B_, 1.0);
+    if (B_.half > 0.0) across(B_, A_, -1.0);
+    rims();
+    return best_;
+  }
+
+ private:
+  double f(const Vec3& n) const { return -B_.support(-n) - A_.support(n); }
+  void take(const Vec3& n) {
+    if (const double s = f(n); s > std::max(best_.f, least_)) best_ = {s, n};
+  }
+  /// Across the axis of one body; `sign`: n from it to the other is that from A to B.
+  void across(const DiscBody& one, const DiscBody& other, double sign) {
+    const Vec3 x = one.cosine() * one.a.unitOrthogonal(), o = one.tip ? one.middle(1) : one.c;
+    const DiscArc arc{other, x, one.a.cross(x), other.c - o, one.sine() * one.a};
+    arc.tops(2.0 * std::numbers::pi, [&](const Vec3& n, double) { take(sign * n); });
+  }
+  void rims() {
+    const Vec3 way = B_.c - A_.c;
+    if (!(way.norm() > 0.0)) return;
+    const Vec3 z = way.normalized(), x = z.unitOrthogonal(), y = z.cross(x);
+    DiscsApart start[2][2];
+    for (int k = 0; k < kGrid; ++k) {
+      const double up = (k + 0.5) / kGrid, out = std::sqrt(1.0 - up * up), turn = kGoldenAngle * k;
+      const Vec3 n = up * z + out * (std::cos(turn) * x + std::sin(turn) * y);
+      DiscsApart& of = start[A_.rimAlong(n)][B_.rimAlong(-n)];
+      if (const double s = f(n); s > of.f) of = {s, n};
+    }
+    for (int i = 0; i < A_.rims(); ++i)
+      for (int j = 0; j < B_.rims(); ++j)
+        if (A_.radius(i) == 0.0 || B_.radius(j) == 0.0)
+          fromPoint(i, j);
+        else if (start[i][j].f > -kInfinity)
+          take(between(i, j, start[i][j].n));
+    besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
+  }
+  /// One of the rims is a point, a tip or an end: its nearest point on the other.
+  void fromPoint(int i, int j) {
+    const bool onA = A_.radius(i) > 0.0;
+    const DiscBody& disc = onA ? A_ : B_;
+    const Vec3 p = onA ? B_.middle(j) : A_.middle(i), o = disc.middle(onA ? i : j);
+    const Vec3 beside = disc.acrossAxis(p - o);
+    const double out = beside.norm(), rho = disc.radius(onA ? i : j);
+    const Vec3 way = p - o - (out > rho ? rho / out : 1.0) * beside;
+    if (way.norm() > 0.0) take((onA ? way : Vec3(-way)).normalized());
+  }
+  /// At a cap f has a peak or a kink: beside it, where the other body is beyond the rim.
+  void besideCap(const DiscBody& one, const DiscBody& other, double sign) {
+    if (one.rho == 0.0) return;
+    const Vec3 a = one.tip || one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
+    const Vec3 e = one.acrossAxis(outermost(other, other.rimAlong(-a), -a) - one.c);
+    if (!(e.norm() > one.rho)) return;
+    const Vec3 n = sign * (a + kBesideEdge * e.normalized()).normalized();
+    take(between(A_.rimAlong(n), B_.rimAlong(-n), n));
+  }
+  Vec3 between(int i, int j, Vec3 n) const;
+
+  const DiscBody &A_, &B_;
+  double least_ = -kInfinity;
+  DiscsApart best_;
+};
+
+/// How that point wanders.
+Mat3 wandering(const DiscBody& D, int rim, const Vec3& d) {
+  const Vec3 v = D.acrossAxis(d);
+  const double s = v.norm();
+  if (!(s > 0.0)) return Mat3::Zero();
+  const Vec3 t = D.a.cross(v) / s;
+  return D.radius(rim) / s * t * t.transpose();
+}
+
+Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
+  const auto y = [&](const Vec3& d) { return Vec3(outermost(B_, j, -d) - outermost(A_, i, d)); };
+  double f = n.dot(y(n));
+  for (int step = 0; step < kDiscSteps; ++step) {
+    Eigen::Matrix<double, 3, 2> T;
+    T.col(0) = n.unitOrthogonal(), T.col(1) = n.cross(T.col(0));
+    Eigen::Matrix2d K = T.transpose() * (wandering(A_, i, n) + wandering(B_, j, -n)) * T;
+    K += f * Eigen::Matrix2d::Identity();
+    // Deep inside f is no longer concave: along the gradient.
+    if (!(K(0, 0) > 0.0 && K.determinant() > 0.0)) K = K.norm() * Eigen::Matrix2d::Identity();
+    const Vec3 go = T * (K.inverse() * (T.transpose() * y(n)));
+    if (!go.allFinite()) break;
+    double part = std::min(1.0, 0.5 / go.norm());
+    Vec3 next = (n + part * go).normalized();
+    double g = next.dot(y(next));
+    // Shorter until it separates more, up to rounding.
+    for (; part > 1e-4 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
+      part *= 0.5, next = (n + part * go).normalized();
+    if (part <= 1e-4) break;
+    n = next, f = g;
+    if (go.norm() < 1e-15) break;
+  }
+  return n;
+}
+
+/// Numbers of the contacts seen from one body.
+struct Numbers {
+  int rims, points, onSide;  ///< of the other body's rims: over the cap, its points, on the side
+};
+constexpr Numbers kOnA{0, 2, kBOnSide}, kOnB{10, 12, kAOnSide};
+
+/// All contacts along the direction that separates most.
+class Contacts {
+ public:
+  Contacts(const DiscBody& A, const DiscBody& B, const DiscsApart& apart, double same,
+           DiscContacts& out)
+      : A_(A), B_(B), n_(apart.n), f_(apart.f), same_(same), found_(4.0 * same), out_(out) {
+    x_ = n_.unitOrthogonal(), y_ = n_.cross(x_);
+  }
+
+  int all() {
+    const DiscPart a = A_.part(n_), b = B_.part(-n_);
+    // Of two caps the points of the smaller that lies inside are enough.
+    const bool small = A_.rho < B_.rho;
+    const DiscBody &one = small ? B_ : A_, &other = small ? A_ : B_;
+    const bool full = over(one, other, small ? -1.0 : 1.0, true, same_);
+    over(other, one, small ? 1.0 : -1.0, !full, same_);
+    if (a == DiscPart::cap && b == DiscPart::cap && !full) crossings();
+    if (a == DiscPart::side && b == DiscPart::side) sides();
+    onSide(A_, B_, 1.0), onSide(B_, A_, -1.0);
+    rims();
+    if (found_.size() == 0) any();
+    return tellsOverlap(f_, 4.0 * kSameFeature * std::max(A_.thickness(), B_.thickness()),
+                        std::span(out_.data(), found_.size()))
+               ? found_.size()
+               : outermostPoints();
+  }
+
+ private:
+  /// Takes a contact unless there is one at its place; `sign` −1: it is seen from B.
+  bool add(int id, ContactPoint at, double sign = 1.0) {
+    if (sign < 0.0)
+      for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
+    if (!(at.d[0].dot(n_) > kLikeFace) || !found_.takes(x_.dot(at.P), y_.dot(at.P))) return false;
+    out_[static_cast<std::size_t>(found_.size() - 1)] = {id, at};
+    return true;
+  }
+
+  /// Rims of `other` over the cap of `one`; true: all of its four points are. `sign` +1: `one` is
+  /// A. `beside`: how far outside of it they may be [m].
+  bool over(const DiscBody& one, const DiscBody& other, double sign, bool points, double beside) {
+    const Vec3 towards = sign * n_;
+    if (one.part(towards) != DiscPart::cap) return false;
+    const Numbers& number = &one == &A_ ? kOnA : kOnB;
+    const Vec3 n = one.a.dot(towards) < 0.0 ? Vec3(-one.a) : one.a;
+    const PlacedFace cap(*one.frame, n, one.c, one.half + one.r, one.x, 1.0, true);
+    const auto inside = [&](const Vec3& p) {
+      return one.acrossAxis(p - one.c).norm() <= one.rho + beside;
+    };
+    const DiscPart part = other.part(-towards);
+    const int facing = other.rimAlong(-towards);
+    for (int rim = 0; rim < other.rims(); ++rim) {
+      if ((part != DiscPart::side && rim != facing) || !other.touches(-n, rim)) continue;
+      ContactPoint at, there;
+      cap.contact(*other.frame, other.c, at);
+      wander(other, rim, at);
+      cap.contact(*other.frame, at.P, there);
+      at.g = there.g;
+      if (inside(at.P)) add(number.rims + rim, at, sign);
+    }
+    if (!points || part != DiscPart::cap) return false;
+    bool all = true;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 p = other.point(facing, k) - other.r * n;
+      all = all && inside(p);
+      if (!inside(p)) continue;
+      ContactPoint at;
+      cap.contact(*other.frame, p, at);
+      // A point of a tube stays below its middle.
+      at.Pdot += other.r * (other.frame->Omega_I.cross(n) - at.ddot[0]);
+      add(number.points + 4 * facing + k, at, sign);
+    }
+    return all;
+  }
+
+  /// Where the rims of two caps cross, seen along n.
+  void crossings() {
+    const int i = A_.rimAlong(n_), j = B_.rimAlong(-n_);
+    const Vec3 way = A_.acrossAxis(B_.middle(j) - A_.middle(i));
+    const double distance = way.norm();
+    if (!(distance > kCross * std::min(A_.rho, B_.rho))) return;
+    const Vec3 e = way / distance, f = A_.a.cross(e);
+    const double along = 0.5 * (distance * distance + A_.rho * A_.rho - B_.rho * B_.rho) / distance;
+    const double square = A_.rho * A_.rho - along * along;
+    if (!(square > 0.0)) return;
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 p = A_.middle(i) + along * e + side * std::sqrt(square) * f;
+      rimsAt(A_.rim(i, p - A_.middle(i)), B_.rim(j, p - B_.middle(j)), i, j);
+    }
+  }
+  void rimsAt(BodyCurve a, BodyCurve b, int i, int j) {
+    if (!toClosest(a, b)) return;
+    const bool left = (a.x - a.c).cross(b.c - a.c).dot(a.a) < 0.0;
+    add(kRimPairs + 4 * i + 2 * j + (left ? 1 : 0), curveOnCurve(a, b, n_));
+  }
+  void rims() {
+    const int i = A_.rimAlong(n_), j = B_.rimAlong(-n_);
+    if (!A_.touches(n_, i) || !B_.touches(-n_, j)) return;
+    const bool pointA = A_.radius(i) == 0.0, pointB = B_.radius(j) == 0.0;
+    const int id = kRimPairs + 4 * i + 2 * j;
+    if (pointA && pointB)
+      points(id, i, j);
+    else if (pointA)
+      add(id, pointOnCurve(B_.rim(j, -n_), *A_.frame, A_.middle(i), A_.r, -n_), -1.0);
+    else if (pointB)
+      add(id, pointOnCurve(A_.rim(i, n_), *B_.frame, B_.middle(j), B_.r, n_));
+    else
+      rimsAt(A_.rim(i, n_), B_.rim(j, -n_), i, j);
+  }
+  /// Tips and ends of capsules.
+  void points(int id, int i, int j) {
+    if (!A_.tip && !B_.tip) return;
+    const Vec3 a = A_.middle(i), b = B_.middle(j);
+    const Vec3 vA = A_.frame->velocity(a - A_.frame->r_OS_I),
+               vB = B_.frame->velocity(b - B_.frame->r_OS_I);
+    add(id, fromWay(b - a, vB - vA, A_.r, B_.r, a, vA, n_, Vec3::Zero()));
+  }
+
+  void sides() {
+    if (A_.tip || B_.tip) {
+      ContactPoint at;
+      double sA = 0.0, sB = 0.0;
+      if (sideOnSide(A_, B_, n_, sA, sB, at) && onLine(A_, sA) && onLine(B_, sB)) add(kSides, at);
+      return;
+    }
+    BodyCurve a = A_.axis(), b = B_.axis();
+    if (!toClosest(a, b) || !within(A_, a.x) || !within(B_, b.x)) return;
+    add(kSides, curveOnCurve(a, b, n_));
+  }
+  /// On a line of the side, from rim 0.
+  bool onLine(const DiscBody& D, double s) const {
+    return s >= -same_ && s <= (D.tip ? D.slant() : 2.0 * D.half) + same_;
+  }
+  bool within(const DiscBody& D, const Vec3& p) const {
+    return std::abs(D.a.dot(p - D.c)) <= D.half + same_;
+  }
+
+  /// Rims of `other` on the side of `one`: where they cross, or come nearest.
+  void onSide(const DiscBody& one, const DiscBody& other, double sign) {
+    const Vec3 towards = sign * n_;
+    if (one.part(towards) != DiscPart::side) return;
+    const int number = (&one == &A_ ? kOnA : kOnB).onSide;
+    const DiscPart part = other.part(-towards);
+    const int facing = other.rimAlong(-towards);
+    const auto take = [&](const BodyCurve& rim, int id) {
+      ContactPoint at;
+      if (rimOnSide(one, rim, towards, at))
+        add(id + (one.a.dot(rim.x - rim.c) > 0.0 ? 1 : 0), at, sign);
+    };
+    if (part == DiscPart::cap) {
+      BodyCurve crossing[2];
+      const Vec3 over = one.tip ? sideAlong(one, towards) : one.a;
+      const Vec3 from = one.tip ? one.middle(1) : one.c;
+      const int n = other.crossings(facing, from, over, n_, crossing);
+      for (int k = 0; k < n; ++k) take(crossing[k], number + 2 * facing);
+      if (n > 0) return;
+    }
+    for (int rim = 0; rim < other.rims(); ++rim) {
+      if (part != DiscPart::side && rim != facing) continue;
+      if (other.radius(rim) > 0.0) {
+        if (other.touches(-towards)) take(other.rim(rim, -towards), number + 2 * rim);
+      } else {
+        pointOverSide(one, other, rim, number + 2 * rim, sign);
+      }
+    }
+  }
+  /// The line of a cone's side that looks along d, from the rim to the tip.
+  static Vec3 sideAlong(const DiscBody& cone, const Vec3& d) {
+    return cone.cosine() * cone.a - cone.sine() * cone.acrossAxis(d).normalized();
+  }
+  bool rimOnSide(const DiscBody& one, const BodyCurve& rim, const Vec3& towards,
+                 ContactPoint& at) const {
+    if (one.tip) {
+      double s = 0.0;
+      return circleOnSide(one, rim, s, at) && onLine(one, s);
+    }
+    BodyCurve a = one.axis(), b = rim;
+    a.go(a.t.dot(b.x - a.x));
+    if (!toClosest(a, b) || !within(one, a.x)) return false;
+    at = curveOnCurve(a, b, towards);
+    return true;
+  }
+  void pointOverSide(const DiscBody& one, const DiscBody& other, int rim, int id, double sign) {
+    const Vec3 p = other.middle(rim);
+    double s = 0.0;
+    if (one.tip) {
+      const ContactPoint at = pointOnSide(one, *other.frame, p, other.r, s);
+      if (onLine(one, s)) add(id, at, sign);
+    } else if (within(one, p)) {
+      add(id, pointOnCurve(one.axis(), *other.frame, p, other.r, sign * n_), sign);
+    }
+  }
+
+  /// Where features fit only up to a rounding: a rim beside a cap, else the outermost points.
+  void any() {
+    over(A_, B_, 1.0, false, kInfinity), over(B_, A_, -1.0, false, kInfinity);
+    if (found_.size() == 0) outermostPoints();
+  }
+  /// One contact alone: B's outermost point under the plane through that of A, n fixed in A.
+  int outermostPoints() {
+    const int j = B_.rimAlong(-n_);
+    NumberedContact& c = out_[0];
+    c.id = kOnA.rims + j;
+    setDirections(c.at, n_, A_.frame->Omega_I.cross(n_), Vec3::Zero());
+    wander(B_, j, c.at);
+    c.at.g = n_.dot(c.at.P) - A_.support(n_);
+    if (found_.size() == 0) found_.takes(x_.dot(c.at.P), y_.dot(c.at.P));
+    return 1;
+  }
+
+  const DiscBody &A_, &B_;
+  Vec3 n_;
+  double f_, same_;
+  Vec3 x_, y_;
+  Manifold<kMostDiscContacts> found_;
+  DiscContacts& out_;
+};
+
+}  // namespace
+
+int betweenDiscs(const DiscBody& A, const DiscBody& B, double reach, double close, bool rates,
+                 DiscContacts& out) {
+  const double same = kSameFeature * std::min(A.thickness(), B.thickness());
+  const DiscsApart apart = DiscSearch(A, B).best(4.0 * same);
+  if (apart.f > reach) return 0;
+  const int n = Contacts(A, B, apart, same, out).all();
+  const bool onA = A.part(apart.n) == DiscPart::cap;
+  if (!onA && B.part(-apart.n) != DiscPart::cap) return n;
+  const DiscBody& flat = onA ? A : B;
+  closeTogetherOn(*flat.frame, close, rates, std::span(out.data(), static_cast<std::size_t>(n)),
+                  [&](Vec3& normal, Vec3& t) {
+                    normal = flat.a.dot(normal) < 0.0 ? Vec3(-flat.a) : flat.a;
+                    t = flat.x;
+                  });
+  return n;
+}
+
+double separation(const DiscBody& A, const DiscBody& B) { return DiscSearch(A, B).best(0.0).f; }
+
+}  // namespace dynamy

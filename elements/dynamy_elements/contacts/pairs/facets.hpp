@@ -1,0 +1,158 @@
+/// Contacts of plane faces and straight edges: what boxes, polyhedra and meshes have in common.
+///
+///   vertex of B over a face of A   g = n_A·(p_B − f_A)        n_A fixed in A
+///   edge of A, edge of B           g = n·(p_B − p_A)          n = ±e_A × e_B/|e_A × e_B|
+///
+/// p_A, p_B on edges are the closest points of the two lines. Gap, normal and γ_N = ġ are exact
+/// before and after touching. Clipping one face against the sides of the other was rejected: a
+/// clipped point belongs to no feature, so that its gap is not what its velocity integrates.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <dynamy_elements/contacts/shapes/contact_geometry.hpp>
+#include <limits>
+#include <span>
+
+namespace dynamy {
+
+/// Of the smaller body: features nearer than this are one.
+inline constexpr double kSameFeature = 1e-6;
+/// Sine of the angle from which two edges have a normal of their own.
+inline constexpr double kCross = 0.05;
+/// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
+inline constexpr double kLikeFace = 0.7;
+
+/// A straight edge in the world.
+struct PlacedEdge {
+  Vec3 o, e;  ///< middle, unit direction
+  double half;
+};
+
+/// A face that vertices of the other body may touch: directions once for all of them.
+class PlacedFace {
+ public:
+  /// Plane { n·(r − o) = height } of the frame `f`, `t` a direction in it; `sign` +1: it is A's.
+  /// `rates`: of the directions and of the points as well, else zero.
+  PlacedFace(const Frame& f, const Vec3& n, const Vec3& o, double height, const Vec3& t,
+             double sign, bool rates)
+      : rates_(rates), n_(n), o_(o), height_(height) {
+    at_.d[0] = sign * n_;
+    at_.d[1] = t;
+    at_.d[2] = at_.d[0].cross(at_.d[1]);
+    for (int i = 0; i < 3; ++i)
+      at_.ddot[i] = rates ? Vec3(f.Omega_I.cross(at_.d[i])) : Vec3(Vec3::Zero());
+  }
+  /// Vertex p that moves with `mover`.
+  void contact(const Frame& mover, const Vec3& p, ContactPoint& out) const {
+    out = at_;
+    out.g = n_.dot(p - o_) - height_;
+    out.P = p;
+    if (rates_) out.Pdot = mover.velocity(p - mover.r_OS_I);
+  }
+
+ private:
+  bool rates_;
+  Vec3 n_, o_;
+  double height_;
+  ContactPoint at_;
+};
+
+/// Closest points of two lines, parameters from the middles; of parallel ones they mean nothing.
+struct EdgeCrossing {
+  bool parallel;
+  double s, t;
+  Vec3 PA, PB, n;
+  EdgeCrossing(const PlacedEdge& a, const PlacedEdge& b) {
+    const Vec3 cross = a.e.cross(b.e), d = b.o - a.o;
+    const double square = cross.squaredNorm(), c = a.e.dot(b.e);
+    parallel = square < kCross * kCross;
+    const double da = d.dot(a.e), db = d.dot(b.e);
+    s = (da - c * db) / square, t = (c * da - db) / square;
+    PA = a.o + s * a.e, PB = b.o + t * b.e;
+    n = cross / std::sqrt(square);
+  }
+};
+
+inline ContactPoint edgeOnEdge(const Frame& fA, const PlacedEdge& a, const Frame& fB,
+                               const PlacedEdge& b, const EdgeCrossing& at, const Vec3& towardsB) {
+  ContactPoint out;
+  const double sign = at.n.dot(towardsB) < 0.0 ? -1.0 : 1.0;
+  const Vec3 n = sign * at.n, d = at.PB - at.PA;
+  const Vec3 eAdot = fA.Omega_I.cross(a.e), eBdot = fB.Omega_I.cross(b.e);
+  const Vec3 cross = a.e.cross(b.e), crossdot = eAdot.cross(b.e) + a.e.cross(eBdot);
+  const Vec3 ndot = sign * (crossdot - at.n * at.n.dot(crossdot)) / cross.norm();
+  out.g = n.dot(d);
+  out.d[0] = n, out.d[1] = a.e, out.d[2] = n.cross(a.e);
+  out.ddot[0] = ndot, out.ddot[1] = eAdot, out.ddot[2] = ndot.cross(a.e) + n.cross(eAdot);
+  // d ⟂ e_A, e_B for all times: ḋ·e + d·ė = 0 with ḋ = v_B − v_A + ṫ e_B − ṡ e_A gives ṫ.
+  const Vec3 vB = fB.velocity(at.PB - fB.r_OS_I), v = vB - fA.velocity(at.PA - fA.r_OS_I);
+  const double c = a.e.dot(b.e), ra = v.dot(a.e) + d.dot(eAdot), rb = v.dot(b.e) + d.dot(eBdot);
+  const double tdot = (c * ra - rb) / (1.0 - c * c);
+  out.P = at.PB;
+  out.Pdot = vB + tdot * b.e;
+  return out;
+}
+
+/// Collects contacts by their places x, y on the face of A; of places that coincide the first
+/// counts.
+template <int Most>
+class Manifold {
+ public:
+  explicit Manifold(double same) : same2_(same * same) {}
+  /// Is there room for a contact at (x, y), and none yet? Then it is taken.
+  bool takes(double x, double y) {
+    for (int i = 0; i < size_; ++i) {
+      const double dx = x_[i] - x, dy = y_[i] - y;
+      if (dx * dx + dy * dy <= same2_) return false;
+    }
+    if (size_ == Most) return false;
+    x_[size_] = x, y_[size_++] = y;
+    return true;
+  }
+  int size() const { return size_; }
+
+ private:
+  double same2_, x_[Most], y_[Most];
+  int size_ = 0;
+};
+
+/// Do the contacts tell what separates two bodies most, `f`, up to `loose` [m]? Of bodies that lie
+/// deep in each other they need not: none of the features that look along the direction of f may be
+/// near another, and those that are nearest to each other, as the far end of a rim, may be open.
+inline bool tellsOverlap(double f, double loose, std::span<const NumberedContact> contacts) {
+  if (!(f < -loose)) return true;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NumberedContact& c : contacts) least = std::min(least, c.at.g);
+  return std::abs(least - f) <= loose;
+}
+
+/// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved
+/// into one plane along that face; where there are three and more, so that their gaps tell how far
+/// the two faces can be tilted, all slide along it. Normals, gaps and γ_N stay. Otherwise sticking
+/// contacts contradict each other by the tilt, and every contact has to slide by almost nothing.
+/// `faceAlong(n, t)`: makes of n the normal of A's face along n, and a direction t in it.
+template <class FaceAlong>
+void closeTogetherOn(const Frame& A, double reach, bool rates, std::span<NumberedContact> contacts,
+                     FaceAlong&& faceAlong) {
+  const auto near = [reach](const NumberedContact& c) { return c.at.g <= reach; };
+  const auto closed = std::count_if(contacts.begin(), contacts.end(), near);
+  if (closed < 2) return;
+  const ContactPoint lowest =
+      std::min_element(
+          contacts.begin(), contacts.end(),
+          [](const NumberedContact& a, const NumberedContact& b) { return a.at.g < b.at.g; })
+          ->at;
+  Vec3 n = lowest.d[0], t1;
+  faceAlong(n, t1);
+  const Vec3 t2 = n.cross(t1), ndot = A.Omega_I.cross(n);
+  for (NumberedContact& c : contacts) {
+    if (!near(c)) continue;
+    ContactPoint& at = c.at;
+    intoPlane(n, ndot, lowest, at);
+    if (closed < 3) continue;
+    at.d[1] = t1, at.d[2] = t2;
+    if (rates) at.ddot[1] = A.Omega_I.cross(t1), at.ddot[2] = A.Omega_I.cross(t2);
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,197 @@
+#include <cmath>
+#include <dynamy_elements/contacts/pairs/segments.hpp>
+#include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
+#include <dynamy_elements/contacts/pairs/smooth_search.hpp>
+#include <limits>
+#include <numbers>
+
+namespace dynamy {
+
+using namespace smooth;
+
+namespace {
+
+/// Angle beside a cap [rad].
+constexpr double kBesideCap = 1e-3;
+/// Of the size: by how much features may miss the outermost points along their normal.
+constexpr double kOutermost = 1e-9;
+/// Directions around a cone, the best of which begins.
+constexpr int kTurns = 8;
+
+}  // namespace
+
+ContactPoint betweenSmooth(const Frame& fA, const SupportFeature& a, const Frame& fB,
+                           const SupportFeature& b) {
+  const smooth::Placed A{fA, a}, B{fB, b};
+  const Vec3 way = B.centre() - A.centre();
+  return smooth::betweenFrom(A, B, way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3(Vec3::UnitZ()));
+}
+
+namespace {
+
+/// Normals of a cone's side, n = cos β e + sin β a, and how much they separate B from its tip.
+struct OverSide {
+  Vec3 e, t, n, y;
+  OverSide(const DiscBody& A, const Placed& B, const Vec3& direction)
+      : e(direction),
+        t(A.a.cross(e)),
+        n(A.cosine() * e + A.sine() * A.a),
+        y(B.point(-n) - A.middle(1)) {}
+  double f() const { return n.dot(y); }
+};
+
+/// Across the side of the cone A: f' = cos β t·y, f'' = −cos β (cos β t·H t + e·y), by angle.
+ContactPoint onSide(const DiscBody& A, const Placed& B) {
+  const Vec3 way = A.acrossAxis(B.centre() - A.c);
+  OverSide at(A, B, way.norm() > 0.0 ? Vec3(way.normalized()) : A.x);
+  const auto turned = [&](double angle) {
+    return OverSide(A, B, (std::cos(angle) * at.e + std::sin(angle) * at.t).normalized());
+  };
+  OverSide best = at;
+  for (int k = 1; k < kTurns; ++k)
+    if (const OverSide other = turned(2.0 * std::numbers::pi * k / kTurns); other.f() > best.f())
+      best = other;
+  at = best;
+  const double cosine = A.cosine();
+  const auto bend = [&] { return cosine * at.t.dot(B.derivative(-at.n) * at.t) + at.e.dot(at.y); };
+  for (int i = 0; i < kSteps; ++i) {
+    const double K = bend(), slope = at.t.dot(at.y);
+    double step = std::clamp(K > 0.0 ? slope / K : std::copysign(0.5, slope), -0.5, 0.5);
+    OverSide next = turned(step);
+    while (std::abs(step) > kFlat && next.f() < at.f()) step *= 0.5, next = turned(step);
+    at = next;
+    if (std::abs(step) < kFound) break;
+  }
+  // t·y = 0 for all times: e turns by ν beside the body.
+  const Mat3 H = B.derivative(-at.n);
+  const Vec3 &n = at.n, &t = at.t, &OmegaA = A.frame->Omega_I, tip = A.middle(1);
+  ContactPoint out;
+  out.g = at.f(), out.P = B.point(-n);
+  const Vec3 vB = B.velocity(out.P), w = vB - A.frame->velocity(tip - A.frame->r_OS_I);
+  const Vec3 turn = B.frame.Omega_I.cross(n);
+  const double nu = (t.dot(w - H * (OmegaA.cross(n) - turn)) + at.y.dot(OmegaA.cross(t))) / bend();
+  const Vec3 ndot = OmegaA.cross(n) + nu * cosine * t;
+  setDirections(out, n, ndot, Vec3::Zero());
+  out.Pdot = vB - H * (ndot - turn);
+  return out;
+}
+
+/// Candidates for the largest separation of a round body and a feature.
+class OnDisc {
+ public:
+  OnDisc(const DiscBody& A, const Placed& B) : A_(A), B_(B) {}
+
+  ContactPoint best() {
+    if (A_.rho > 0.0)
+      for (const double side : {1.0, -1.0})
+        if (!(A_.tip && side > 0.0)) cap(side * A_.a);
+    if (A_.tip)
+      take(onSide(A_, B_), 0.0);
+    else if (A_.half > 0.0)
+      take(onPoint(*A_.frame, A_.c, B_, &A_.a), A_.rho + A_.r);
+    for (int i = 0; i < A_.rims(); ++i) rim(i);
+    // Deep inside each other, what separates most need not be a gap of the features found: then n
+    // stays in A, and the outermost points count.
+    const Vec3 n = best_.d[0];
+    if (best_.g - most_ <= kOutermost * (A_.half + A_.rho + A_.r)) return best_;
+    return overPlane(*A_.frame, n, A_.support(n) * n, B_);
+  }
+
+ private:
+  /// `tube`: around what the contact was found on.
+  void take(ContactPoint at, double tube) {
+    const Vec3& n = at.d[0];
+    at.g -= tube;
+    const double f = n.dot(B_.point(-n)) - A_.support(n);
+    if (f > most_) most_ = f, best_ = at;
+  }
+  void cap(const Vec3& n) {
+    const PlacedFace face(*A_.frame, n, A_.c, A_.half + A_.r, A_.x, 1.0, true);
+    ContactPoint at;
+    face.contact(B_.frame, B_.point(-n), at);
+    at.Pdot -= B_.derivative(-n) * (at.ddot[0] - B_.frame.Omega_I.cross(n));
+    take(at, 0.0);
+  }
+  void rim(int i) {
+    const Vec3 o = A_.middle(i), way = B_.centre() - o;
+    if (A_.radius(i) == 0.0) return take(onPoint(*A_.frame, o, B_, nullptr), A_.r);
+    SupportFeature circle;
+    circle.kind = SupportFeature::Kind::rim;
+    circle.c_K = A_.frame->A_IK.transpose() * (o - A_.frame->r_OS_I);
+    circle.axis_K = A_.frame->A_IK.transpose() * A_.a;
+    circle.rho = A_.rho, circle.radius = A_.r;
+    const Placed a{*A_.frame, circle};
+    // From the point of the rim that is nearest to the middle of B, and from beside the cap.
+    const bool up = !A_.tip && (i == 1 || A_.a.dot(way) > 0.0);
+    const Vec3 n = up ? A_.a : Vec3(-A_.a);
+    const Vec3 e = A_.acrossAxis(way), u = A_.acrossAxis(B_.point(-n) - o);
+    for (const Vec3& start : {e.norm() > 0.0 ? Vec3(way - A_.rho * e.normalized()) : way,
+                              u.norm() > A_.rho ? Vec3(n + kBesideCap * u.normalized()) : way})
+      if (start.norm() > 0.0) take(betweenFrom(a, B_, start.normalized()), 0.0);
+  }
+
+  const DiscBody& A_;
+  const Placed& B_;
+  double most_ = -std::numeric_limits<double>::infinity();
+  ContactPoint best_;
+};
+
+}  // namespace
+
+ContactPoint smoothOnDisc(const DiscBody& A, const Frame& B, const SupportFeature& feature) {
+  const Placed b{B, feature};
+  return OnDisc(A, b).best();
+}
+
+ContactPoint discOnSmooth(const Frame& A, const SupportFeature& feature, const DiscBody& B) {
+  ContactPoint at = smoothOnDisc(B, A, feature);
+  turnRound(at);
+  return at;
+}
+
+ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
+                                const SupportFeature& feature) {
+  const Placed b{B, feature};
+  const Polyhedron& body = *A.of;
+  // The face over which B's outermost point lies and that separates most, and the highest.
+  int under = -1, highest = 0;
+  double most = -std::numeric_limits<double>::infinity(), height = most;
+  for (int i = 0; i < static_cast<int>(body.faces().size()); ++i) {
+    const Polyhedron::Face& f = body.face(i);
+    const Vec3 p = A.R.transpose() * (b.point(-(A.R * f.n)) - A.c);
+    const double h = f.n.dot(p) - f.height;
+    if (h > height) height = h, highest = i;
+    if (h > most && body.over(f, p, 0.0)) most = h, under = i;
+  }
+  const auto onFace = [&](int i) {
+    const Vec3 n = A.R * body.face(i).n;
+    return overPlane(*A.frame, n, A.c + body.face(i).height * n, b);
+  };
+  if (under >= 0 && most >= height - 1e-12 * body.halfWidth()) return onFace(under);
+
+  // An edge or corner: what separates most of those whose normal points out of the polyhedron. Deep
+  // inside there may be none, or less than a face.
+  ContactPoint best = onFace(highest);
+  for (int i = 0; i < static_cast<int>(body.edges().size()); ++i) {
+    const Polyhedron::Edge& e = body.edge(i);
+    const PlacedEdge edge = A.edge(i);
+    const Vec3 way = A.R.transpose() * (b.centre() - edge.o);
+    if (body.face(e.f).n.dot(way) < 0.0 && body.face(e.g).n.dot(way) < 0.0) continue;
+    const ContactPoint at = onPoint(*A.frame, edge.o, b, &edge.e);
+    const Vec3 n = A.R.transpose() * at.d[0];
+    const bool inWedge =
+        body.face(e.f).n.cross(n).dot(e.e) >= 0.0 && n.cross(body.face(e.g).n).dot(e.e) >= 0.0;
+    if (inWedge && std::abs(edge.e.dot(at.P - edge.o)) <= edge.half && at.g > best.g) best = at;
+  }
+  for (int i = 0; i < static_cast<int>(body.corners().size()); ++i) {
+    const ContactPoint at = onPoint(*A.frame, A.vertex(i), b, nullptr);
+    const Vec3 n = A.R.transpose() * at.d[0];
+    bool inCone = true;
+    for (const int k : body.neighbours(i))
+      inCone = inCone && n.dot(body.corner(k) - body.corner(i)) <= 0.0;
+    if (inCone && at.g > best.g) best = at;
+  }
+  return best;
+}
+
+}  // namespace dynamy

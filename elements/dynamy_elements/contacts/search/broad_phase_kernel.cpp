@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <dynamy_elements/contacts/search/broad_phase.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Up to so many balls all pairs are compared: less work than cells.
+constexpr std::size_t kFew = 24;
+/// Coordinates of cells stay below, also for bodies that fly away.
+constexpr double kFarthest = 1e9;
+
+bool touch(const BroadPhase::Ball& a, const BroadPhase::Ball& b) {
+  const double R = a.radius + b.radius;
+  return (a.c - b.c).squaredNorm() <= R * R;
+}
+
+}  // namespace
+
+const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& balls) {
+  pairs_.clear();
+  if (balls.size() <= kFew || !fill(balls)) {
+    compareAll(balls);
+    return pairs_;
+  }
+  for (int i = 0; i < static_cast<int>(balls.size()); ++i)
+    if (balls[static_cast<std::size_t>(i)].radius >= 0.0) lookAround(balls, i);
+  order(balls.size());
+  return ordered_;
+}
+
+void BroadPhase::compareAll(const std::vector<Ball>& balls) {
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    for (std::size_t j = i + 1; j < balls.size(); ++j)
+      if (balls[i].radius >= 0.0 && balls[j].radius >= 0.0 && touch(balls[i], balls[j]))
+        pairs_.emplace_back(static_cast<int>(i), static_cast<int>(j));
+}
+
+/// Sorts the balls into cells; false: there are no sizes to choose cells by.
+bool BroadPhase::fill(const std::vector<Ball>& balls) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (const Ball& b : balls) {
+    if (b.radius > 0.0) smallest = std::min(smallest, b.radius);
+    largest = std::max(largest, b.radius);
+  }
+  if (!(largest > 0.0) || !std::isfinite(largest)) return false;
+  // Balls smaller than the lowest level allows share it.
+  edge_ = 2.0 * std::max(smallest, std::ldexp(largest, 2 - kLevels));
+  const std::size_t n = balls.size(), buckets = std::bit_ceil(2 * n);
+  cell_.resize(n), members_.resize(n);
+  first_.assign(buckets + 1, 0);
+  std::fill(std::begin(used_), std::end(used_), false);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (balls[i].radius < 0.0) continue;
+    int level = 0;
+    for (double edge = edge_; edge < 2.0 * balls[i].radius && level < kLevels - 1; edge *= 2.0)
+      ++level;
+    used_[level] = true;
+    cell_[i] = cellOf(balls[i].c, level);
+    ++first_[bucket(cell_[i])];
+  }
+  for (std::size_t b = 0; b < buckets; ++b) first_[b + 1] += first_[b];
+  // From behind: first_[b] comes from the end of bucket b to its begin, the balls stay in order.
+  for (std::size_t i = n; i-- > 0;) {
+    if (balls[i].radius < 0.0) continue;
+    members_[static_cast<std::size_t>(--first_[bucket(cell_[i])])] = static_cast<int>(i);
+  }
+  return true;
+}
+
+BroadPhase::Cell BroadPhase::cellOf(const Vec3& c, int level) const {
+  const double scale = std::ldexp(1.0 / edge_, -level);
+  const auto at = [&](int k) {  // what is not a number goes to the edge of the world
+    const double x = std::floor(c[k] * scale);
+    return static_cast<int>(x < kFarthest ? (x > -kFarthest ? x : -kFarthest) : kFarthest);
+  };
+  return {at(0), at(1), at(2), level};
+}
+
+std::size_t BroadPhase::bucket(const Cell& cell) const {
+  // Three large odd factors mix the coordinates, the last product their high bits into the low
+  // ones.
+  std::uint64_t h = static_cast<std::uint64_t>(cell.x) * 0x9E3779B97F4A7C15u;
+  h ^= static_cast<std::uint64_t>(cell.y) * 0xC2B2AE3D27D4EB4Fu;
+  h ^= static_cast<std::uint64_t>(cell.z) * 0x165667B19E3779F9u;
+  h = (h + static_cast<std::uint64_t>(cell.level)) * 0xD6E8FEB86659FD93u;
+  return static_cast<std::size_t>(h >> 32) & (first_.size() - 2);
+}
+
+/// `later`: only balls behind i, so that two of one level are found once.
+void BroadPhase::lookInto(const std::vector<Ball>& balls, int i, const Cell& cell, bool later) {
+  const std::size_t b = bucket(cell);
+  const Ball& ball = balls[static_cast<std::size_t>(i)];
+  for (int m = first_[b]; m < first_[b + 1]; ++m) {
+    const int j = members_[static_cast<std::size_t>(m)];
+    if ((later && j <= i) || !(cell_[static_cast<std::size_t>(j)] == cell)) continue;
+    if (touch(ball, balls[static_cast<std::size_t>(j)])) pairs_.push_back(std::minmax(i, j));
+  }
+}
+
+void BroadPhase::lookAround(const std::vector<Ball>& balls, int i) {
+  const Cell own = cell_[static_cast<std::size_t>(i)];
+  // Its own level: half of the neighbours, the other half look here.
+  lookInto(balls, i, own, true);
+  for (int k = 14; k < 27; ++k)
+    lookInto(balls, i, {own.x + k / 9 - 1, own.y + k / 3 % 3 - 1, own.z + k % 3 - 1, own.level},
+             false);
+  for (int level = own.level + 1; level < kLevels; ++level) {
+    if (!used_[level]) continue;
+    const Cell at = cellOf(balls[static_cast<std::size_t>(i)].c, level);
+    for (int k = 0; k < 27; ++k)
+      lookInto(balls, i, {at.x + k / 9 - 1, at.y + k / 3 % 3 - 1, at.z + k % 3 - 1, level}, false);
+  }
+}
+
+/// By the first of each pair in one pass, then by the second among the few of each.
+void BroadPhase::order(std::size_t n) {
+  firstOf_.assign(n + 1, 0);
+  ordered_.resize(pairs_.size());
+  for (const Pair& p : pairs_) ++firstOf_[static_cast<std::size_t>(p.first) + 1];
+  for (std::size_t i = 0; i < n; ++i) firstOf_[i + 1] += firstOf_[i];
+  for (const Pair& p : pairs_)
+    ordered_[static_cast<std::size_t>(firstOf_[static_cast<std::size_t>(p.first)]++)] = p;
+  for (std::size_t a = 0; a < ordered_.size();) {
+    std::size_t b = a;
+    while (b < ordered_.size() && ordered_[b].first == ordered_[a].first) ++b;
+    std::sort(ordered_.begin() + static_cast<std::ptrdiff_t>(a),
+              ordered_.begin() + static_cast<std::ptrdiff_t>(b));
+    a = b;
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,124 @@
+// How far each shape sees others, and which near pairs cannot meet within the step (theory 38.3).
+#include <algorithm>
+#include <cmath>
+#include <dynamy_elements/contacts/search/shape_contacts.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Of the thickness of a shape among many: how far it is seen in any case.
+constexpr double kAtRest = 0.05;
+/// How often a turn is passed on at most.
+constexpr int kMostSearches = 8;
+/// Of a turn that is passed on.
+constexpr double kShared = 0.5;
+
+double restReach(const TouchingShape& s) {
+  return std::isfinite(s.thickness) ? kAtRest * s.thickness : 0.0;
+}
+
+}  // namespace
+
+/// Few shapes are seen early, so that their gaps can be followed. Of many, each is seen as far as
+/// it goes while the fastest goes as far as is asked for: a reach τ max |u| is τ (|v| + l |Ω|) for
+/// it.
+void ShapeContacts::lookAhead(const Kinematics& k, const ContactRequest& request) const {
+  const std::vector<TouchingShape>& shapes = shapes_[0];
+  const double all = std::max(request.gTol, 0.0);
+  tau_ = 0.0;
+  if (!namedPairs_.empty() || request.refresh) {
+    // Contacts that are to count as closed are looked for at any distance.
+    const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.5 * all;
+    for (std::size_t i = 0; i < shapes.size(); ++i) reach_[i] = early_[i] + further;
+    return;
+  }
+  double fastest = 0.0;
+  for (const TouchingShape& s : shapes) {
+    const Frame& f = k.frame(s.frame);
+    fastest = std::max(fastest, f.v_S_I.norm() + f.Omega_I.norm());
+  }
+  const double tau = fastest > 0.0 ? all / fastest : 0.0;
+  if (all > kAtRest * thinnest_) tau_ = tau;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const TouchingShape& s = shapes[i];
+    const Frame& f = k.frame(s.frame);
+    const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
+    const double w = f.v_S_I.norm() + (std::isfinite(arm) ? arm : 0.0) * f.Omega_I.norm();
+    reach_[i] = std::min(tau * w, all) + restReach(s);
+  }
+}
+
+/// Balls that go side by side or past each other meet nothing, however fast they are: the distance
+/// of convex shapes is a convex function of their shift, so that g ≥ g_A + t ġ_A as long as they go
+/// straight on without turning. In the time τ two of them close by τ max(0, −ġ_ij); w_i, into
+/// turned_, is how far a shape may be thrown off its course:
+///
+///   w_i = max_j (τ max(0, −ġ_ij) − g_ij),   then   w_i ← max(w_i, (w_j − g_ij)/2)
+///
+/// since one that is off its course by w_j moves the next one by what their gap leaves of it, and
+/// two equal ones that hit share it; walls are thrown nowhere. Pairs with g_ij > τ max(0, −ġ_ij) +
+/// w_i + w_j are left out. Halves are a forecast, no bound: what pushes from behind hands on more,
+/// for which τ is twice the step. Other shapes than balls and boxes count with all of their reach.
+void ShapeContacts::followTurns(const Kinematics& k,
+                                const std::vector<BroadPhase::Pair>& near) const {
+  gap_.resize(near.size()), way_.resize(near.size());
+  const auto moves = [&](std::size_t m) { return k.frame(shapes_[0][m].frame).block >= 0; };
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    const auto i = static_cast<std::size_t>(near[n].first),
+               j = static_cast<std::size_t>(near[n].second);
+    const Approach at = approach(k, i, j);
+    gap_[n] = at.gap, way_[n] = std::min(reach_[i] + reach_[j], tau_ * std::max(0.0, -at.rate));
+    for (const std::size_t m : {i, j})
+      if (moves(m)) turned_[m] = std::max(turned_[m], way_[n] - gap_[n]);
+  }
+  bool again = true;
+  for (int pass = 0; pass < kMostSearches && again; ++pass) {
+    again = false;
+    for (std::size_t n = 0; n < near.size(); ++n) {
+      const auto i = static_cast<std::size_t>(near[n].first),
+                 j = static_cast<std::size_t>(near[n].second);
+      double &a = turned_[i], &b = turned_[j];
+      const double gap = std::max(gap_[n], 0.0), toB = kShared * (a - gap);
+      if (b < toB && moves(j)) b = toB, again = true;
+      const double toA = kShared * (b - gap);
+      if (a < toA && moves(i)) a = toA, again = true;
+    }
+  }
+  for (std::size_t n = 0; n < near.size(); ++n)
+    for (const int m : {near[n].first, near[n].second})
+      way_[n] +=
+          turned_[static_cast<std::size_t>(m)] + restReach(shapes_[0][static_cast<std::size_t>(m)]);
+}
+
+/// Of two near shapes: their gap, or what it is at least, and its rate, or the least it can be.
+ShapeContacts::Approach ShapeContacts::approach(const Kinematics& k, std::size_t i,
+                                                std::size_t j) const {
+  const TouchingShape &a = shapes_[0][i], &b = shapes_[0][j];
+  const Frame &A = k.frame(a.frame), &B = k.frame(b.frame);
+  if (a.isBall() && b.isBall()) {
+    const Vec3 d = balls_[j].c - balls_[i].c;
+    const double distance = d.norm();
+    // Balls about one point: in any direction.
+    const Vec3 v = B.v_S_I - A.v_S_I;
+    const double rate = distance > 0.0 ? d.dot(v) / distance : -v.norm();
+    return {distance - a.bound - b.bound, rate};
+  }
+  const bool ballIsA = a.isBall();
+  const TouchingShape &box = ballIsA ? b : a, &ball = ballIsA ? a : b;
+  const Frame &F = ballIsA ? B : A, &ofBall = ballIsA ? A : B;
+  const int rule = table_[entry(i, j)];
+  const bool inSpace = rule >= 0 && pairRules_[static_cast<std::size_t>(rule)].plane == 0;
+  if (inSpace && ball.isBall() && box.kind == TouchingShape::Kind::box && F.Omega_I.isZero(0.0)) {
+    const Mat3 axes = F.A_IK * box.A_KB;
+    const Vec3 c = axes.transpose() * (balls_[ballIsA ? i : j].c - balls_[ballIsA ? j : i].c);
+    const Vec3 d = c - c.cwiseMax(-box.half).cwiseMin(box.half);
+    if (const double distance = d.norm(); distance > 0.0)
+      return {distance - ball.bound, (axes * d).dot(ofBall.v_S_I - F.v_S_I) / distance};
+  }
+  // Balls around the shapes may overlap by far: nobody is thrown further than it goes itself.
+  const double apart = (balls_[j].c - balls_[i].c).norm() - a.bound - b.bound;
+  return {std::max(apart, 0.0), -std::numeric_limits<double>::infinity()};
+}
+
+}  // namespace dynamy

@@ -1,0 +1,353 @@
+// Shapes along the path of a step: which are fast, and which contact they pass first (theory 37).
+//
+//   fast       way of both in the step > thickness of the thinner: half of its least width
+//   passed     gap below −d somewhere on the path, d = 1e-6 of the thickness
+//
+// In axes of one of two shapes a point of the other moves almost straight while a piece lasts, and
+// the distance from a convex set is convex along a straight line: a minimum is found by sections.
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/constants.hpp>
+#include <dynamy_elements/contacts/pairs/between_discs.hpp>
+#include <dynamy_elements/contacts/pairs/box_contact.hpp>
+#include <dynamy_elements/contacts/pairs/cone_side.hpp>
+#include <dynamy_elements/contacts/pairs/disc_on_mesh.hpp>
+#include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
+#include <dynamy_elements/contacts/pairs/round_contact.hpp>
+#include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
+#include <dynamy_elements/contacts/pairs/surface_contact.hpp>
+#include <dynamy_elements/contacts/search/shape_contacts.hpp>
+
+namespace dynamy {
+namespace {
+
+using SweptTouch = TouchingShape::Kind;
+
+/// Of the thickness: an overlap that does not matter. A ball whose overlap with another stays below
+/// would have been turned by less than sqrt(2e-6) = 0.08° of its velocity.
+constexpr double kDepth = 1e-6;
+/// Least depth, in g_tol.
+constexpr double kLeastDepth = 16.0;
+/// Part of that depth by which an impact may be mistimed.
+constexpr double kTiming = 0.1;
+/// Largest turn of one piece [rad].
+constexpr double kLargestTurn = 0.5;
+/// Radii from which on a ball looks out for a surface that it may pass.
+constexpr double kSeen = 1000.0;
+/// Most parts of a piece between which bodies are taken to move straight.
+constexpr int kMostSweptParts = 64;
+/// Pieces of half a step: who turns by more than a thousand radians in it is not followed closer.
+constexpr int kMostHalf = 2048;
+constexpr double kGolden = 0.6180339887498949;
+
+/// What can go how far round the origin of the frame.
+double lever(const TouchingShape& s) {
+  return s.p_K.norm() + (s.kind == SweptTouch::ball ? 0.0 : s.bound);
+}
+
+Vec3 rotationVector(const Mat3& A) {
+  const Eigen::AngleAxisd turn(A);
+  return turn.angle() * turn.axis();
+}
+
+/// One frame on one piece of the path.
+struct FramePiece {
+  const SweptPose *a, *b;
+  Vec3 theta_K;
+  FramePiece(const SweptPath& path, FrameHandle f, int k)
+      : a(&path.pose(f, k)),
+        b(&path.pose(f, k + 1)),
+        theta_K(rotationVector(a->A_IK.transpose() * b->A_IK)) {}
+  Vec3 way() const { return b->r_OS_I - a->r_OS_I; }
+  void at(double s, Frame& out) const {
+    out.r_OS_I = a->r_OS_I + s * way();
+    out.A_IK = a->A_IK;
+    if (const double angle = s * theta_K.norm(); angle > 0.0)
+      out.A_IK *= Eigen::AngleAxisd(angle, theta_K.normalized()).toRotationMatrix();
+  }
+};
+
+/// How far the frame of A can move a point of it that B may touch, per angle. A ball turns in
+/// place.
+template <class Pose>
+double leverOfA(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
+  return a.kind == SweptTouch::ball ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
+}
+
+/// Lower bound of the distance.
+template <class Pose>
+double apart(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
+  const Vec3 r = B.r_OS_I + B.A_IK * b.p_K - A.r_OS_I - A.A_IK * a.p_K;
+  const bool flat = a.kind == SweptTouch::halfSpace;
+  return (flat ? r.dot(A.A_IK * a.n_K) : r.norm() - a.bound) - b.bound;
+}
+
+/// Both shapes on one piece of the path.
+struct PairPiece {
+  FramePiece a, b;
+  double L;     ///< bound of the change of the gap
+  double bend;  ///< bound of the second derivative of B's points, seen from A
+  PairPiece(const TouchingShape& A, const TouchingShape& B, const SweptPath& path, int k)
+      : a(path, A.frame, k), b(path, B.frame, k) {
+    const double go = (b.way() - a.way()).norm(), turnA = a.theta_K.norm(),
+                 turnB = b.theta_K.norm(), leverB = lever(B), own = turnB * leverB;
+    const bool round = A.kind == SweptTouch::ball;
+    const double leverA = leverOfA(A, B, *a.a, *b.a) + (round ? 0.0 : go);
+    L = go + turnA * leverA + own;
+    bend = (round ? 0.0 : 2.0 * turnA * (go + own)) + turnA * turnA * leverA + turnB * own;
+  }
+};
+
+/// Golden sections for the place in [a, b] where the convex `gap` is below `limit`; `flat`: width
+/// from which it cannot get there any more. −1: nowhere.
+template <class Gap>
+double anyBelow(Gap& gap, double a, double b, double limit, double flat) {
+  double c = b - kGolden * (b - a), d = a + kGolden * (b - a), gc = gap(c), gd = gap(d);
+  while (b - a > flat) {
+    if (!(c > a && d < b && c < d))
+      break;  // as close as numbers are, for a way of 1e16 thicknesses
+    if (gc < limit) return c;
+    if (gd < limit) return d;
+    if (gc < gd) {
+      b = d, d = c, gd = gc, c = b - kGolden * (b - a), gc = gap(c);
+    } else {
+      a = c, c = d, gc = gd, d = a + kGolden * (b - a), gd = gap(d);
+    }
+  }
+  return -1.0;
+}
+
+/// Where `gap` falls below `level` between a (above) and b (below).
+template <class Gap>
+double crossing(Gap& gap, double a, double b, double level, double width) {
+  while (b - a > width) {
+    const double m = 0.5 * (a + b);
+    if (!(m > a && m < b)) break;
+    (gap(m) < level ? b : a) = m;
+  }
+  return a;
+}
+
+}  // namespace
+
+namespace {
+
+double thickness(const TouchingShape& A, const TouchingShape& B) {
+  return std::min(A.thickness, B.thickness);
+}
+
+}  // namespace
+
+template <class F>
+void ShapeContacts::forNearPairs(F&& f) const {
+  const int n = static_cast<int>(balls_.size());
+  for (const int h : flats_)
+    for (int i = 0; i < n; ++i)
+      if (i != h && balls_[static_cast<std::size_t>(i)].radius >= 0.0)
+        if (const Pair pair = pairOf(h, i)) f(pair);
+  for (const auto& [i, j] : broad_.near(balls_))
+    if (const Pair pair = pairOf(i, j)) f(pair);
+}
+
+int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
+  // No two shapes together go further than the thinnest is thick: done.
+  const std::vector<TouchingShape>& shapes = shapes_[0];
+  const auto way = [&](const TouchingShape& s) {
+    const Frame& f = k.frame(s.frame);
+    const double turn = f.Omega_I.norm();
+    // A half space reaches everywhere.
+    const double arm = s.kind == SweptTouch::halfSpace ? kInfinity : lever(s);
+    return dt * (f.v_S_I.norm() + (turn > 0.0 ? turn * arm : 0.0));
+  };
+  double most = 0.0, second = 0.0;
+  for (const TouchingShape& s : shapes) {
+    const double w = way(s);
+    second = std::max(second, std::min(most, w)), most = std::max(most, w);
+  }
+  if (most + second <= thinnest_) return 0;
+  // The pairs below are no further apart than twice their ways.
+  balls_.clear();
+  for (const TouchingShape& s : shapes) {
+    const Frame& f = k.frame(s.frame);
+    const bool out = s.kind == SweptTouch::halfSpace || f.absent;
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, out ? -1.0 : s.bound + 2.0 * way(s)});
+  }
+  double turn = -1.0;
+  forNearPairs([&](const Pair& pair) {
+    const double thick = thickness(*pair.A, *pair.B);
+    const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+    const double both =
+        dt * ((B.v_S_I - A.v_S_I).norm() + A.Omega_I.norm() * leverOfA(*pair.A, *pair.B, A, B) +
+              B.Omega_I.norm() * lever(*pair.B));
+    if (both <= thick || thick == kInfinity || apart(*pair.A, *pair.B, A, B) > 2.0 * both) return;
+    for (const auto& [shape, frame] : {std::pair{pair.A, &A}, std::pair{pair.B, &B}})
+      turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
+  });
+  // An even number: schemes change velocities in the middle.
+  const double half = std::ceil(0.5 * turn / kLargestTurn);
+  return turn < 0.0 ? 0 : 2 * (half < kMostHalf ? std::max(1, static_cast<int>(half)) : kMostHalf);
+}
+
+namespace {
+
+template <class Contacts>
+double leastGap(const Contacts& found, int n) {
+  double least = kInfinity;
+  for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
+  return least;
+}
+
+/// Gap of b on the surface of a.
+double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const Frame& B,
+                    const TouchingShape& b) {
+  if (meets == Meeting::ballOnSurface) {
+    SurfaceContacts found;
+    const int n = a.surface->contacts(A, B, b.features[0], kSeen * b.bound, found);
+    return leastGap(found, n);
+  }
+  OnSurfaceContacts found;
+  if (meets == Meeting::smoothOnMesh)
+    return leastGap(found, smoothOnMesh(A, *a.surface, B, b.features[0], b.bound, found));
+  if (meets == Meeting::discOnMesh)
+    return leastGap(found, discOnMesh(A, *a.surface, discBody(B, b), b.bound, found));
+  const int n =
+      meets == Meeting::capsuleOnSurface
+          ? capsuleOnSurface(A, *a.surface, B, b, kSeen * b.bound, found)
+          : polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), b.bound, false, found);
+  return leastGap(found, n);
+}
+
+}  // namespace
+
+/// Gap of feature f of B, of the boxes if both are.
+double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const {
+  const Vec3& plane = planes_[pair.rule->plane];
+  const TouchingShape &a = *pair.A, &b = *pair.B;
+  switch (pair.rule->meets) {
+    case Meeting::overHalfSpace:
+      return OverHalfSpace(A, a, B).gap(b.features[f]);
+    case Meeting::balls:
+      return betweenBalls(A, a.features[0], B, b.features[0], plane).g;
+    case Meeting::ballOnBox:
+      return ballOnBox(A, a, B, b.features[0], plane).g;
+    case Meeting::ballOnCapsule:
+      return ballOnCapsule(A, a, B, b.features[0], plane).g;
+    case Meeting::ballOnCylinder:
+      return ballOnCylinder(A, a, B, b.features[0]).g;
+    case Meeting::ballOnCone:
+      return ballOnCone(discBody(A, a), B, b.features[0]).g;
+    case Meeting::ballOnSurface:
+    case Meeting::capsuleOnSurface:
+    case Meeting::polyhedronOnMesh:
+    case Meeting::discOnMesh:
+    case Meeting::smoothOnMesh:
+      return gapOnSurface(pair.rule->meets, A, a, B, b);
+    case Meeting::capsules:
+    case Meeting::capsuleOnBox: {
+      RoundContacts found;
+      const bool capsules = pair.rule->meets == Meeting::capsules;
+      const int n =
+          capsules ? betweenCapsules(A, a, B, b, plane, found) : capsuleOnBox(A, a, B, b, found);
+      return leastGap(found, n);
+    }
+    case Meeting::polyhedra:
+      return separation(placedPolyhedron(A, a), placedPolyhedron(B, b));
+    case Meeting::smooth:
+      return betweenSmooth(A, a.features[0], B, b.features[0]).g;
+    case Meeting::smoothOnPolyhedron:
+      return smoothOnPolyhedron(placedPolyhedron(A, a), B, b.features[0]).g;
+    case Meeting::smoothOnDisc:
+      return smoothOnDisc(discBody(B, b), A, a.features[0]).g;
+    case Meeting::discs:
+      return separation(discBody(A, a), discBody(B, b));
+    case Meeting::discOnPolyhedron:
+      return separation(placedPolyhedron(A, a), discBody(B, b));
+    case Meeting::polygons:
+      return separation(PlacedPolygon{&A, &a.polygon_K, plane},
+                        PlacedPolygon{&B, &b.polygon_K, plane});
+    case Meeting::capsuleOnPolygon: {
+      CapsuleOnPolygon found;
+      return leastGap(found, capsuleOnPolygon({&A, &a.polygon_K, plane}, B, b, found));
+    }
+    case Meeting::ballOnPolygon:
+    case Meeting::ballOnContour:
+    case Meeting::smoothInPlane:
+    case Meeting::smoothOnPolygon:
+    case Meeting::capsuleOnSmooth:
+      return singleInPlane(pair, A, B, plane).g;
+    default:
+      return separation(placedBox(A, a), placedBox(B, b));
+  }
+}
+
+Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
+  // Balls that hold the shapes all along the path.
+  balls_.clear();
+  for (const TouchingShape& s : shapes_[0]) {
+    double way = 0.0;
+    for (int piece = 0; piece < path.pieces(); ++piece) {
+      const FramePiece f(path, s.frame, piece);
+      way += f.way().norm() + f.theta_K.norm() * (s.kind == SweptTouch::halfSpace ? 0.0 : lever(s));
+    }
+    const SweptPose& f = path.pose(s.frame, 0);
+    const bool flat = s.kind == SweptTouch::halfSpace;
+    balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, flat ? -1.0 : s.bound + way});
+  }
+  Passing first;
+  forNearPairs([&](const Pair& pair) {
+    const double thick = thickness(*pair.A, *pair.B);
+    if (thick == kInfinity) return;
+    double both = 0.0;
+    for (int k = 0; k < path.pieces(); ++k) both += PairPiece(*pair.A, *pair.B, path, k).L;
+    const SweptPose &A = path.pose(pair.A->frame, 0), &B = path.pose(pair.B->frame, 0);
+    if (both <= thick || apart(*pair.A, *pair.B, A, B) > both) return;
+    const bool single = pair.rule->meets != Meeting::overHalfSpace;
+    const std::size_t features = single ? 1 : pair.B->features.size();
+    for (std::size_t f = 0; f < features; ++f) {
+      if (pair.B->features[f].flatOnly) continue;  // the rim it is on tells
+      Passing p = passing(pair, f, path);
+      p.contact = contactKey(element, pair.id + f);
+      if (p.t < first.t) first = p;
+    }
+  });
+  return first;
+}
+
+Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path) const {
+  const double depth =
+      std::max(kDepth * thickness(*pair.A, *pair.B), kLeastDepth * path.resolution());
+  Frame A, B;
+  double start = 0.0;
+  for (int k = 0; k < path.pieces(); ++k) {
+    const PairPiece piece(*pair.A, *pair.B, path, k);
+    auto gapAt = [&](double s) {
+      piece.a.at(s, A), piece.b.at(s, B);
+      return gap(pair, f, A, B);
+    };
+    double left = gapAt(0.0);
+    if (k == 0) start = left;
+    // One that is closed may not sink deeper.
+    const double limit = (start <= depth ? start : 0.0) - depth;
+    const double L = piece.L;
+    const double wanted = std::ceil(std::sqrt(piece.bend / (2.0 * depth)));
+    const int parts =
+        wanted < kMostSweptParts ? std::max(1, static_cast<int>(wanted)) : kMostSweptParts;
+    for (int j = 0; j < parts; ++j) {
+      const double s0 = static_cast<double>(j) / parts, s1 = static_cast<double>(j + 1) / parts;
+      const double right = gapAt(s1);
+      double below = right < limit ? s1 : -1.0;
+      if (below < 0.0 && 0.5 * (left + right - L * (s1 - s0)) < limit)
+        below = anyBelow(gapAt, s0, s1, limit, 0.25 * depth / L);
+      if (below >= 0.0) {
+        const double level = start <= depth ? limit : 0.0, width = 0.1 * kTiming * depth / L;
+        const double s = left <= level ? s0 : crossing(gapAt, s0, below, level, width);
+        const double dt = path.dt() / path.pieces();
+        return {dt * (k + s), kTiming * depth / L * dt, {}};
+      }
+      left = right;
+    }
+  }
+  return {};
+}
+
+}  // namespace dynamy

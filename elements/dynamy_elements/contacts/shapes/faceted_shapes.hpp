@@ -1,0 +1,46 @@
+/// Shapes with plane faces: convex polyhedra, triangle meshes and height fields. The points of
+/// their geometry are those of their triangles, three to each, counterclockwise from outside.
+#pragma once
+#include <dynamy_elements/contacts/shapes/convex_hull.hpp>
+
+namespace dynamy {
+
+/// Convex hull of points.
+class PolyhedronShape final : public Shape {
+ public:
+  static void declare(Attributes& a);
+  explicit PolyhedronShape(const Parameters& x);
+  ShapeGeometry geometry() const override;
+  MassProperties massProperties() const override { return mass_; }
+
+ private:
+  std::vector<Vec3> points_;  ///< those on the hull
+  std::vector<Triangle> triangles_;
+  MassProperties mass_;
+};
+
+/// Triangles with one side: ground of any form.
+class MeshShape final : public Shape {
+ public:
+  static void declare(Attributes& a);
+  explicit MeshShape(const Parameters& x);
+  ShapeGeometry geometry() const override;
+
+ private:
+  std::vector<Vec3> points_;
+  std::vector<Triangle> triangles_;
+};
+
+/// Heights z over a grid in x and y; matter is below.
+class HeightFieldShape final : public Shape {
+ public:
+  static void declare(Attributes& a);
+  explicit HeightFieldShape(const Parameters& x);
+  ShapeGeometry geometry() const override;
+
+ private:
+  std::vector<Vec3> points_;
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace dynamy

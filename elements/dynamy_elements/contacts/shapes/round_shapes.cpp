@@ -1,0 +1,123 @@
+#include <dynamy/core/constants.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy_elements/contacts/shapes/round_shapes.hpp>
+#include <numbers>
+
+namespace dynamy {
+namespace {
+
+Mat3 roundInertia(double a, double b, double c) { return Vec3(a, b, c).asDiagonal(); }
+
+}  // namespace
+
+void CircleShape::declare(Attributes& a) {
+  a.about(
+      "Circle about the shape's z axis. Where bodies move in its plane it touches what a ball does "
+      "there (doc/shape_pairs.md).");
+  a.required("radius", Unit::length, "radius").positive();
+  a.example("<Circle radius=\"0.1\"/>");
+}
+CircleShape::CircleShape(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
+ShapeGeometry CircleShape::geometry() const { return {"Circle", {radius_}, {}, colour()}; }
+
+void CylinderShape::declare(Attributes& a) {
+  a.about(
+      "Solid cylinder along z with sharp rims, a disc if it is short: V = π r² l, J_z = m r²/2, "
+      "J_x = m (3 r² + l²)/12. Touches all shapes in space, all but contours and "
+      "tori in a plane (doc/shape_pairs.md).");
+  a.required("radius", Unit::length, "radius").positive();
+  a.required("length", Unit::length, "length along z").positive();
+  a.example("<Cylinder radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
+}
+CylinderShape::CylinderShape(const Parameters& x)
+    : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+ShapeGeometry CylinderShape::geometry() const {
+  return {"Cylinder", {radius_, length_}, {}, colour()};
+}
+MassProperties CylinderShape::massProperties() const {
+  const double r2 = radius_ * radius_, V = kPi * r2 * length_;
+  const double Jx = V * (3.0 * r2 + length_ * length_) / 12.0;
+  return {V, Vec3::Zero(), roundInertia(Jx, Jx, 0.5 * V * r2)};
+}
+
+void CapsuleShape::declare(Attributes& a) {
+  a.about(
+      "Cylinder along z with half balls on its ends: V = π r² l + 4/3 π r³. Touches all shapes in "
+      "space, all but contours and tori in a plane (doc/shape_pairs.md).");
+  a.required("radius", Unit::length, "radius").positive();
+  a.required("length", Unit::length, "distance of the centres of the two half balls").positive();
+  a.example("<Capsule radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
+}
+CapsuleShape::CapsuleShape(const Parameters& x)
+    : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+ShapeGeometry CapsuleShape::geometry() const {
+  return {"Capsule", {radius_, length_}, {}, colour()};
+}
+MassProperties CapsuleShape::massProperties() const {
+  // Cylinder and two half balls; each half ball has its centre of mass 3/8 r beyond its plane.
+  const double r = radius_, r2 = r * r, l = length_;
+  const double cylinder = kPi * r2 * l, ball = 4.0 / 3.0 * kPi * r2 * r;
+  const double Jz = 0.5 * cylinder * r2 + 0.4 * ball * r2;
+  const double Jx =
+      cylinder * (3.0 * r2 + l * l) / 12.0 + ball * (0.4 * r2 + 0.375 * r * l + 0.25 * l * l);
+  return {cylinder + ball, Vec3::Zero(), roundInertia(Jx, Jx, Jz)};
+}
+
+void ConeShape::declare(Attributes& a) {
+  a.about(
+      "Solid cone along z, base circle at z = 0, tip at z = l: V = π r² l/3, centre of mass at "
+      "l/4, J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches all shapes in space, all but "
+      "contours and tori in a plane (doc/shape_pairs.md).");
+  a.required("radius", Unit::length, "radius of the base").positive();
+  a.required("length", Unit::length, "height of the tip").positive();
+  a.example("<Cone radius=\"0.1\" length=\"0.3\" mass=\"1\" material=\"wood\"/>");
+}
+ConeShape::ConeShape(const Parameters& x) : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+ShapeGeometry ConeShape::geometry() const { return {"Cone", {radius_, length_}, {}, colour()}; }
+MassProperties ConeShape::massProperties() const {
+  const double r2 = radius_ * radius_, V = kPi * r2 * length_ / 3.0;
+  const double Jx = 3.0 / 80.0 * V * (4.0 * r2 + length_ * length_);
+  return {V, Vec3(0.0, 0.0, 0.25 * length_), roundInertia(Jx, Jx, 0.3 * V * r2)};
+}
+
+void TorusShape::declare(Attributes& a) {
+  a.about(
+      "Tube of radius r around a circle of radius R about z, a tyre: V = 2 π² R r², J_z = m (R² + "
+      "3/4 r²), J_x = m (R²/2 + 5/8 r²). Touches all shapes in space, none of which passes through "
+      "its hole, and half spaces in a plane (doc/shape_pairs.md).");
+  a.required("radius", Unit::length, "radius R of the circle in the middle of the tube").positive();
+  a.required("tube", Unit::length, "radius r of the tube").positive();
+  a.example("<Torus radius=\"0.3\" tube=\"0.05\" mass=\"2\" material=\"rubber\"/>");
+}
+TorusShape::TorusShape(const Parameters& x) : Shape(x), radius_(x["radius"]), tube_(x["tube"]) {
+  if (tube_ > radius_)
+    throw x["tube"].fault("a tube of this radius overlaps itself",
+                          "at most the radius of the circle", 0, x["tube"].text.size());
+}
+ShapeGeometry TorusShape::geometry() const { return {"Torus", {radius_, tube_}, {}, colour()}; }
+MassProperties TorusShape::massProperties() const {
+  const double R2 = radius_ * radius_, r2 = tube_ * tube_, V = 2.0 * kPi * kPi * radius_ * r2;
+  const double Jx = V * (0.5 * R2 + 0.625 * r2);
+  return {V, Vec3::Zero(), roundInertia(Jx, Jx, V * (R2 + 0.75 * r2))};
+}
+
+void EllipsoidShape::declare(Attributes& a) {
+  a.about(
+      "Ellipsoid about its origin: V = 4/3 π a b c, J_x = m (b² + c²)/5, … Touches all shapes in "
+      "space, all but contours and tori in a plane (doc/shape_pairs.md).");
+  a.requiredVector("semiAxes", Unit::length, 3, "half of its lengths along x, y, z").positive();
+  a.example("<Ellipsoid semiAxes=\"0.3 0.2 0.1\" mass=\"1\" material=\"stone\"/>");
+}
+EllipsoidShape::EllipsoidShape(const Parameters& x) : Shape(x), semiAxes_(x["semiAxes"].vec3()) {}
+ShapeGeometry EllipsoidShape::geometry() const {
+  return {"Ellipsoid", {semiAxes_.x(), semiAxes_.y(), semiAxes_.z()}, {}, colour()};
+}
+MassProperties EllipsoidShape::massProperties() const {
+  const Vec3 s = semiAxes_.cwiseAbs2();
+  const double V = 4.0 / 3.0 * kPi * semiAxes_.prod();
+  return {V, Vec3::Zero(),
+          roundInertia(V * (s.y() + s.z()) / 5.0, V * (s.x() + s.z()) / 5.0,
+                       V * (s.x() + s.y()) / 5.0)};
+}
+
+}  // namespace dynamy

@@ -1,0 +1,216 @@
+/// Reads the text of a value as its declaration asks: numbers with suffixes of the right family of
+/// units, ranges, words of a list. Each fault says what was expected and what was found.
+
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/constants.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/expression/expression_error.hpp>
+#include <dynamy/core/expression/unit_suffix.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+struct ReadWord {
+  std::string_view text;
+  std::size_t offset = 0;
+};
+
+std::vector<ReadWord> split(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  std::vector<ReadWord> out;
+  for (std::size_t i = text.find_first_not_of(kSpace); i != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kSpace, i), text.size());
+    out.push_back({text.substr(i, end - i), i});
+    i = text.find_first_not_of(kSpace, end);
+  }
+  return out;
+}
+
+/// The family of suffixes that a declared unit accepts.
+UnitFamily family(Unit unit) {
+  switch (unit) {
+    case Unit::none:
+    case Unit::any:
+    case Unit::angularImpulse:
+      return UnitFamily::none;
+    case Unit::length:
+      return UnitFamily::length;
+    case Unit::angle:
+      return UnitFamily::angle;
+    case Unit::time:
+      return UnitFamily::time;
+    case Unit::mass:
+      return UnitFamily::mass;
+    case Unit::inertia:
+      return UnitFamily::inertia;
+    case Unit::velocity:
+      return UnitFamily::velocity;
+    case Unit::angularVelocity:
+      return UnitFamily::angularVelocity;
+    case Unit::acceleration:
+      return UnitFamily::acceleration;
+    case Unit::force:
+      return UnitFamily::force;
+    case Unit::torque:
+      return UnitFamily::moment;
+    case Unit::stiffness:
+      return UnitFamily::stiffness;
+    case Unit::damping:
+      return UnitFamily::damping;
+    case Unit::rotationalStiffness:
+      return UnitFamily::angularStiffness;
+    case Unit::rotationalDamping:
+      return UnitFamily::angularDamping;
+    case Unit::density:
+      return UnitFamily::density;
+    case Unit::frequency:
+      return UnitFamily::frequency;
+    case Unit::impulse:
+      return UnitFamily::impulse;
+    case Unit::energy:
+      return UnitFamily::energy;
+    case Unit::power:
+      return UnitFamily::power;
+  }
+  return UnitFamily::none;
+}
+
+std::string expectedNumber(Unit unit) {
+  if (unit == Unit::any) return "a number";
+  if (unit == Unit::none) return "a number without unit";
+  return std::string(unitFamilyText(unit)) + " [" + std::string(unitText(unit)) + ']';
+}
+
+/// The range in words: `> 0`, `>= 0`, `between 0 and 1`.
+std::string rangeText(const Attribute& a, bool below) {
+  if (std::isfinite(a.min) && std::isfinite(a.max) && !a.minOpen && !a.maxOpen)
+    return "between " + numberText(a.min) + " and " + numberText(a.max);
+  if (below) return (a.minOpen ? "> " : ">= ") + numberText(a.min);
+  return (a.maxOpen ? "< " : "<= ") + numberText(a.max);
+}
+
+std::optional<std::string> outOfRange(const Attribute& a, double x) {
+  const bool below = x < a.min || (a.minOpen && x == a.min);
+  const bool above = x > a.max || (a.maxOpen && x == a.max);
+  if (!below && !above) return std::nullopt;
+  return "must be " + rangeText(a, below) + ", is " + numberText(x);
+}
+
+/// One number with its suffix; `given` values are bound by the range.
+std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, bool given,
+                                     double& x) {
+  const auto fault = [&](std::string text) {
+    return ValueFault{std::move(text), {}, word.offset, word.text.size()};
+  };
+  if (word.text == "inf" || word.text == "-inf") {
+    // Only where the declaration names the word: elsewhere infinity makes nonsense of a step.
+    const bool admitted =
+        std::find(a.choices.begin(), a.choices.end(), word.text) != a.choices.end();
+    if (given && !admitted) return fault("must be finite, is " + std::string(word.text));
+    x = word.text == "inf" ? kInfinity : -kInfinity;
+  } else if (word.text == "nan") {
+    if (given) return fault("must be a number, is nan");
+    x = std::numeric_limits<double>::quiet_NaN();
+  } else {
+    try {
+      const Quantity quantity = parseQuantity(word.text);
+      x = quantity.value;
+      if (!std::isfinite(x))
+        return fault("the number " + std::string(word.text) + " is out of range");
+      if (quantity.family != UnitFamily::none && a.unit != Unit::any &&
+          quantity.family != family(a.unit))
+        return fault("expects " + expectedNumber(a.unit) + ", has [" +
+                     std::string(siUnit(quantity.family)) + ']');
+    } catch (const ExpressionError& e) {
+      return ValueFault{e.message(),
+                        e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()),
+                        word.offset + e.offset(), e.length()};
+    }
+  }
+  if (given)
+    if (auto range = outOfRange(a, x)) return fault(std::move(*range));
+  return std::nullopt;
+}
+
+std::string counted(std::size_t n) { return std::to_string(n) + (n == 1 ? " number" : " numbers"); }
+
+std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value) {
+  const std::vector<ReadWord> words = split(value.text);
+  const std::size_t expected =
+      a.type == AttributeType::vector ? static_cast<std::size_t>(a.size) : 1;
+  const ValueFault whole{{}, {}, 0, value.text.size()};
+
+  // Each word by itself, then their number.
+  value.numbers.clear();
+  for (const ReadWord& word : words) {
+    double x = 0.0;
+    if (auto fault = readNumber(a, word, value.given, x)) return fault;
+    if (a.type == AttributeType::integer && (x != std::round(x) || std::abs(x) > 2147483647.0))
+      return ValueFault{"expects a whole number, is " + std::string(word.text),
+                        {},
+                        word.offset,
+                        word.text.size()};
+    value.numbers.push_back(x);
+  }
+  if (expected != 0 && words.size() != expected) {
+    ValueFault fault = whole;
+    fault.text = "expects " + (expected == 1 ? std::string("1 number") : counted(expected)) +
+                 ", has " + (words.empty() ? "none" : std::to_string(words.size()));
+    return fault;
+  }
+
+  // A vector that must not vanish.
+  if (a.nonZero && value.given) {
+    bool zero = true;
+    for (const double x : value.numbers) zero = zero && x == 0.0;
+    if (zero) {
+      ValueFault fault = whole;
+      fault.text = "must not be zero";
+      return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<ValueFault> readWord(const std::vector<std::string>& words, const std::string& text,
+                                   const std::string& expected) {
+  for (const std::string& w : words)
+    if (w == text) return std::nullopt;
+  return ValueFault{"expects " + expected + ", is \"" + text + '"', unknownNameHint(text, words), 0,
+                    text.size()};
+}
+
+}  // namespace
+
+std::optional<ValueFault> readValue(const Attribute& a, ParameterValue& value) {
+  switch (a.type) {
+    case AttributeType::number:
+    case AttributeType::integer:
+    case AttributeType::vector:
+      return readNumbers(a, value);
+    case AttributeType::flag:
+      if (value.text == "true" || value.text == "false") return std::nullopt;
+      return ValueFault{
+          "expects true or false, is \"" + value.text + '"', {}, 0, value.text.size()};
+    case AttributeType::choice: {
+      auto fault = readWord(a.choices, value.text, "one of " + quotedList(a.choices));
+      if (fault && fault->hint.starts_with("known")) fault->hint.clear();  // the text lists them
+      return fault;
+    }
+    case AttributeType::name:
+    case AttributeType::reference:
+      if (value.given && value.text.empty())
+        return ValueFault{"expects a name, is empty", {}, 0, 0};
+      return std::nullopt;
+    case AttributeType::text:
+    case AttributeType::names:
+    case AttributeType::expression:
+    case AttributeType::expressions:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace dynamy

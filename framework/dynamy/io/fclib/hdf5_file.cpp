@@ -1,0 +1,203 @@
+#include <hdf5.h>
+
+#include <dynamy/core/error.hpp>
+#include <dynamy/io/fclib/hdf5_file.hpp>
+
+namespace dynamy {
+namespace {
+
+/// The library prints its error stack by itself; not while one of these lives.
+class Silence {
+ public:
+  Silence() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// Closes an identifier.
+class Id {
+ public:
+  Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  ~Id() {
+    if (id_ >= 0) close_(id_);
+  }
+  Id(const Id&) = delete;
+  Id& operator=(const Id&) = delete;
+  // NOLINTNEXTLINE(google-explicit-constructor): stands for the number it closes
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+hssize_t points(hid_t dataset) {
+  const Id space(H5Dget_space(dataset), H5Sclose);
+  return H5Sget_simple_extent_npoints(space);
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const std::filesystem::path& file, Mode mode) : path_(file.string()) {
+  // What a corrupt file leaves open in the library would be told at the end of the program, as an
+  // "infinite loop closing library". Files are closed here; nothing is left for then.
+  H5dont_atexit();
+  const Silence silence;
+  if (mode == Mode::read) {
+    if (!std::filesystem::exists(file)) fail("", "no such file");
+    file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (file_ < 0) fail("", "not an HDF5 file");
+  } else {
+    file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    if (file_ < 0) fail("", "cannot be written");
+  }
+}
+
+Hdf5File::~Hdf5File() {
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+void Hdf5File::fail(const std::string& place, const std::string& reason) const {
+  Diagnostic d;
+  d.place.file = path_;
+  d.text = place.empty() ? reason : place + ": " + reason;
+  throw ModelError(d);
+}
+
+bool Hdf5File::has(const std::string& place) const {
+  const Silence silence;
+  for (std::size_t end = place.find('/', 1);; end = place.find('/', end + 1)) {
+    if (H5Lexists(file_, place.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
+std::int64_t Hdf5File::dataset(const std::string& place) const {
+  if (!has(place)) fail(place, "not there");
+  const hid_t id = H5Dopen2(file_, place.c_str(), H5P_DEFAULT);
+  if (id < 0) fail(place, "not a dataset");
+  return id;
+}
+
+std::size_t Hdf5File::count(std::int64_t dataset, const std::string& place) const {
+  const hssize_t n = points(dataset);
+  if (n < 0) fail(place, "has no size");
+  // A corrupt size must not ask for all memory. Compression makes numbers 1032 times smaller at
+  // most.
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(path_, ignored);
+  constexpr std::uintmax_t kSmallest = 1100;
+  if (ignored || static_cast<std::uintmax_t>(n) / kSmallest > bytes)
+    fail(place, "has " + std::to_string(n) + " entries, more than the file can hold");
+  return static_cast<std::size_t>(n);
+}
+
+void Hdf5File::expectKind(std::int64_t dataset, const std::string& place, bool integers) const {
+  const Id type(H5Dget_type(dataset), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_INTEGER || (kind == H5T_FLOAT && !integers)) return;
+  fail(place, integers ? "holds no integers" : "holds no numbers");
+}
+
+std::vector<int> Hdf5File::integers(const std::string& place) const {
+  const Silence silence;
+  const Id id(dataset(place), H5Dclose);
+  expectKind(id, place, true);
+  std::vector<int> out(count(id, place));
+  if (!out.empty() && H5Dread(id, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
+    fail(place, "cannot be read as integers");
+  return out;
+}
+
+Eigen::VectorXd Hdf5File::numbers(const std::string& place) const {
+  const Silence silence;
+  const Id id(dataset(place), H5Dclose);
+  expectKind(id, place, false);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(count(id, place)));
+  if (out.size() > 0 &&
+      H5Dread(id, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
+    fail(place, "cannot be read as numbers");
+  if (!out.allFinite()) fail(place, "holds a number that is not finite");
+  return out;
+}
+
+int Hdf5File::integer(const std::string& place) const {
+  const std::vector<int> all = integers(place);
+  if (all.empty()) fail(place, "holds no number");
+  return all.front();
+}
+
+std::string Hdf5File::text(const std::string& place) const {
+  const Silence silence;
+  if (!has(place)) return {};
+  const Id id(dataset(place), H5Dclose), type(H5Dget_type(id), H5Tclose);
+  if (H5Tget_class(type) != H5T_STRING || points(id) != 1) return {};
+  if (H5Tis_variable_str(type) > 0) {
+    const Id memory(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(memory, H5T_VARIABLE);
+    H5Tset_cset(memory, H5Tget_cset(type));
+    char* value = nullptr;
+    if (H5Dread(id, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value) < 0 || !value) return {};
+    std::string out(value);
+    H5free_memory(value);
+    return out;
+  }
+  std::string out(H5Tget_size(type), '\0');
+  if (H5Dread(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0) return {};
+  return out.substr(0, out.find('\0'));
+}
+
+namespace {
+
+hid_t createDataset(hid_t file, const std::string& place, hid_t type, hid_t space) {
+  const Id links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(links, 1);
+  return H5Dcreate2(file, place.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT);
+}
+
+bool writeDataset(hid_t file, const std::string& place, hid_t stored, hid_t memory, hsize_t n,
+                  const void* values) {
+  const Id space(H5Screate_simple(1, &n, nullptr), H5Sclose);
+  const Id id(createDataset(file, place, stored, space), H5Dclose);
+  return id >= 0 && (n == 0 || H5Dwrite(id, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+}
+
+}  // namespace
+
+void Hdf5File::write(const std::string& place, const std::vector<int>& values) {
+  const Silence silence;
+  if (!writeDataset(file_, place, H5T_STD_I32LE, H5T_NATIVE_INT, values.size(), values.data()))
+    fail(place, "cannot be written");
+}
+
+void Hdf5File::write(const std::string& place, const Eigen::VectorXd& values) {
+  const Silence silence;
+  if (!writeDataset(file_, place, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+                    static_cast<hsize_t>(values.size()), values.data()))
+    fail(place, "cannot be written");
+}
+
+void Hdf5File::write(const std::string& place, const std::string& text) {
+  const Silence silence;
+  const Id type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+  H5Tset_size(type, text.size() + 1);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Id id(createDataset(file_, place, type, space), H5Dclose);
+  if (id < 0 || H5Dwrite(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) < 0)
+    fail(place, "cannot be written");
+}
+
+void Hdf5File::flush() {
+  const Silence silence;
+  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) fail("", "cannot be written to the end");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <array>
+#include <dynamy/core/expression/expression_error.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model/element_reader.hpp>
+#include <limits>
+#include <new>
+#include <set>
+
+namespace dynamy {
+namespace {
+
+constexpr std::array<std::string_view, 2> kNameAndClass{"name", "class"};
+
+/// So many names are given to every element, so that its messages can list and suggest them.
+constexpr std::size_t kFewSymbols = 100;
+
+/// Words of all formulas that an element may read: its own, those of its children and of its
+/// defaults.
+void wordsOf(const XmlNode& node, const Scope& scope, std::vector<std::string>& words) {
+  for (const XmlAttribute& a : node.attributes) namesIn(a.value, words);
+  const DefaultsTable& defaults = scope.file().defaults;
+  if (const auto at = defaults.find(node.tag); at != defaults.end())
+    for (const auto& [name, entry] : at->second)
+      if (entry.node != nullptr)
+        for (const XmlAttribute& a : entry.node->attributes) namesIn(a.value, words);
+  for (const XmlNode& child : node.children) wordsOf(child, scope, words);
+}
+
+/// Numbers for the formulas of an element. Of many parameters it gets those that its text names:
+/// thousands of them in thousands of turns would be copied for nothing.
+std::vector<std::pair<std::string, double>> symbolsFor(const XmlNode& node, const Scope& scope) {
+  SymbolTable table;
+  std::set<std::string, std::less<>> broken;
+  if (scope.symbolCount() <= kFewSymbols) {
+    table = scope.all(), broken = scope.file().broken;
+  } else {
+    std::vector<std::string> words;
+    wordsOf(node, scope, words);
+    table = scope.some(words);
+    for (const std::string& word : words)
+      if (scope.isBroken(word)) broken.insert(word);
+  }
+  std::vector<std::pair<std::string, double>> out;
+  for (const std::string& name : table.names()) out.emplace_back(name, table.find(name)->value);
+  for (const std::string& name : broken)  // told already: no second error in a formula
+    out.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
+  return out;
+}
+
+/// "1 law", "2 shapes".
+std::string counted(int n, const ChildRule& rule) {
+  const std::string what =
+      rule.only.empty() ? std::string(kindText(rule.kind)) : '<' + rule.only + '>';
+  return std::to_string(n) + ' ' + what + (n == 1 || !rule.only.empty() ? "" : "s");
+}
+
+bool fits(const ChildRule& rule, const RegisteredType& type) {
+  return rule.kind == type.kind && (rule.only.empty() || rule.only == type.name);
+}
+
+}  // namespace
+
+void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
+                                   const std::vector<std::string>& allowed) {
+  // The nearest name among those that fit here, else among all.
+  std::string near = nearest(node.tag, allowed);
+  if (near.empty()) {
+    std::vector<std::string> all;
+    for (const RegisteredType* t : registry_->types()) all.push_back(t->name);
+    near = nearest(node.tag, all);
+  }
+  if (near.empty() && source_->typesAreMissing()) return;  // told already: the plug-in
+  std::string hint;
+  if (!near.empty())
+    hint = "did you mean <" + near + ">?";
+  else if (!allowed.empty())
+    hint = "known here: " + quotedList(allowed);
+  faults_->add(scope, node.place, parent, "unknown element <" + node.tag + '>', std::move(hint));
+}
+
+const RegisteredType* ElementReader::typeIn(const Word& section, const XmlNode& node,
+                                            const Scope& scope, const XmlNode& parent) {
+  const RegisteredType* type = registry_->find(node.tag);
+  const auto allowed = [&](const RegisteredType& t) {
+    return std::find(section.kinds.begin(), section.kinds.end(), t.kind) != section.kinds.end();
+  };
+  if (type != nullptr && allowed(*type)) return type;
+  if (type != nullptr) {
+    const std::string_view where = sectionOf(type->kind);
+    faults_->add(scope, node.place, parent,
+                 "<" + node.tag + "> is " + kindWithArticle(type->kind) +
+                     (where.empty() ? "; it stands inside of another element"
+                                    : "; put it into <" + std::string(where) + '>'));
+    return nullptr;
+  }
+  std::vector<std::string> names;
+  for (const RegisteredType* t : registry_->types())
+    if (allowed(*t)) names.push_back(t->name);
+  unknownElement(node, scope, parent, names);
+  return nullptr;
+}
+
+std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& scope,
+                                             const RegisteredType& type, std::string name) {
+  Parameters x;
+  x.type = type.name;
+  x.name = std::move(name);
+  x.place = node.place;
+  x.declaration = &type.attributes;
+  x.symbols = symbolsFor(node, scope);
+  bool good = attributes_.read(node, scope, type.attributes, kNameAndClass, x);
+  good = readChildren(node, scope, type, x) && good;
+  if (!good) return nullptr;
+  try {
+    return type.make(x);
+  } catch (const ModelError& e) {
+    faults_->add(e, scope, node);
+  } catch (const ExpressionError& e) {
+    faults_->add(scope, node.place, node, e.message(),
+                 e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {  // a plug-in's own, or one of the libraries it uses
+    faults_->add(scope, node.place, node, "its constructor failed: " + std::string(e.what()), "");
+  }
+  return nullptr;
+}
+
+bool ElementReader::readChildren(const XmlNode& node, const Scope& scope,
+                                 const RegisteredType& type, Parameters& x) {
+  const std::vector<ChildRule>& rules = type.attributes.children();
+  std::vector<int> counts(rules.size(), 0);
+  const std::size_t before = faults_->size();
+  bool good = true;
+  source_->forEachChild(node, scope, [&](const XmlNode& child, const Scope& inner) {
+    good = readChild(child, inner, node, type, counts, x) && good;
+  });
+
+  // Enough of each, not too many, no name twice.
+  for (std::size_t i = 0; i < rules.size(); ++i) {
+    if (counts[i] >= rules[i].min || !good) continue;
+    faults_->add(scope, node.place, node,
+                 "needs " + std::string(rules[i].max == rules[i].min ? "" : "at least ") +
+                     counted(rules[i].min, rules[i]) + ", has " +
+                     (counts[i] == 0 ? "none" : std::to_string(counts[i])),
+                 rules[i].text);
+  }
+  return good && faults_->size() == before;
+}
+
+bool ElementReader::readChild(const XmlNode& child, const Scope& scope, const XmlNode& parent,
+                              const RegisteredType& type, std::vector<int>& counts, Parameters& x) {
+  const std::vector<ChildRule>& rules = type.attributes.children();
+  const RegisteredType* found = registry_->find(child.tag);
+  if (found == nullptr) {
+    std::vector<std::string> allowed;
+    for (const RegisteredType* t : registry_->types())
+      if (std::any_of(rules.begin(), rules.end(), [&](const ChildRule& r) { return fits(r, *t); }))
+        allowed.push_back(t->name);
+    unknownElement(child, scope, parent, allowed);
+    return false;
+  }
+  const auto rule =
+      std::find_if(rules.begin(), rules.end(), [&](const ChildRule& r) { return fits(r, *found); });
+  if (rule == rules.end()) {
+    std::string takes;
+    for (const ChildRule& r : rules)
+      takes += (takes.empty() ? "" : ", ") +
+               (r.only.empty() ? std::string(kindText(r.kind)) : '<' + r.only + '>');
+    faults_->add(scope, child.place, parent,
+                 "<" + child.tag + "> is " + kindWithArticle(found->kind) + "; <" + parent.tag +
+                     (takes.empty() ? "> has no children" : "> takes: " + takes));
+    return false;
+  }
+  int& count = counts[static_cast<std::size_t>(rule - rules.begin())];
+  ++count;
+  if (count == rule->max + 1)
+    faults_->add(scope, child.place, parent, "takes at most " + counted(rule->max, *rule));
+
+  // Names of children live in their parent.
+  std::string name = elementName(child, scope, {}, *faults_);
+  for (const Parameters::Child& other : x.children)
+    if (!name.empty() && other.element->name() == name) {
+      Diagnostic d = scope.document->diagnostic(child.attribute("name")->valuePlace, child,
+                                                "the name \"" + name + "\" is used already");
+      d.notes.push_back({.place = other.element->place(), .text = "first used here"});
+      faults_->add(std::move(d));
+    }
+  auto element = read(child, scope, *found, std::move(name));
+  if (!element) return false;
+  x.children.push_back({found->kind, std::move(element)});
+  return true;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/model/settings_reader.hpp>
+#include <dynamy/law/pair_laws.hpp>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace dynamy {
+namespace {
+
+/// An element of the model that may stand where it stands.
+struct Placed {
+  const ModelItem* item;
+  const RegisteredType* type;
+  std::string name;
+};
+
+/// Types and names of all elements, before any of them is made: references may point forward.
+std::vector<Placed> placeElements(const ModelSource& source, ElementReader& reader,
+                                  NameTable& names, Faults& faults) {
+  std::vector<Placed> out;
+  for (const ModelItem& item : source.elements()) {
+    // The section is the parent in messages.
+    XmlNode section;
+    section.tag = item.section;
+    const Word& word = *source.vocabulary().find(item.section);
+    const RegisteredType* type = reader.typeIn(word, *item.node, *item.scope, section);
+    if (type == nullptr) {
+      // Its name counts nevertheless, so that references to it are no second error.
+      Faults silent;
+      const std::string name = elementName(*item.node, *item.scope, item.scope->prefix, silent);
+      if (!name.empty()) names.declare(name, Kind::system, *item.node, *item.scope, silent);
+      continue;
+    }
+    // Materials are the same in all files; a body may be called like its material.
+    const bool rule = type->kind == Kind::rule;
+    std::string name = elementName(*item.node, *item.scope, rule ? "" : item.scope->prefix, faults);
+    if (!name.empty() && !rule) names.declare(name, type->kind, *item.node, *item.scope, faults);
+    out.push_back({&item, type, std::move(name)});
+  }
+  return out;
+}
+
+/// A rule with these values, as if it were written at `node`; none if it refuses them, too.
+template <class Rule>
+std::unique_ptr<Element> standInOf(const XmlNode& node, const std::string& name,
+                                   const std::vector<GivenValue>& values) {
+  try {
+    Parameters x = Parameters::of<Rule>(node.tag, name, values);
+    x.place = node.place;
+    return std::make_unique<Rule>(x);
+  } catch (const ModelError&) {  // told already, with its place
+    return nullptr;
+  }
+}
+
+/// A rule that could not be read still says that its materials were thought of. It answers for its
+/// element in messages.
+std::unique_ptr<Element> standIn(const XmlNode& node) {
+  const XmlAttribute* name = node.attribute("name");
+  if (node.tag == "Material" && name != nullptr)
+    return standInOf<Material>(node, name->value, {{"mu", 1.0}});
+  if (node.tag == "Contacts") return standInOf<MixingRule>(node, "", {{"mixing", "min"}});
+  const XmlAttribute* between = node.attribute("between");
+  if (between == nullptr || xmlWords(between->value).size() != 2) return nullptr;
+  return standInOf<NoContactRule>(node, "", {{"between", between->value}});
+}
+
+using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;
+
+/// False if a section, an included file or a plug-in is missing: it may hold the missing rules.
+bool allElementsAreKnown(const Faults& faults) {
+  return std::all_of(faults.items().begin(), faults.items().end(), [](const Diagnostic& d) {
+    return d.element.starts_with("parameter") || d.element.starts_with("set") ||
+           d.text.starts_with("the file includes itself");
+  });
+}
+
+/// Errors of the model as a whole, which no element answers for, have the place of its root.
+void addOfModel(Faults& faults, const ModelError& error, const XmlDocument& document) {
+  for (Diagnostic d : error.diagnostics()) {
+    if (d.place.line <= 0) d.place = document.root().place;
+    faults.add(std::move(d));
+  }
+}
+
+/// Pairs of materials that no rule covers, although other faults forbid to build the model; for
+/// that, takes systems and rules out of `parts`.
+void findUncoveredPairs(Parts& parts, const Registry& registry, const XmlDocument& document,
+                        Faults& faults) {
+  Model partial;
+  for (auto& [kind, element] : parts)
+    if (kind == Kind::system || kind == Kind::rule) partial.add(kind, std::move(element));
+  for (const Model::Completion& completion : registry.completions())
+    partial.addCompletion(completion);
+  try {
+    partial.build();
+  } catch (const ModelError& e) {
+    addOfModel(faults, e, document);
+  }
+}
+
+std::string documentation(const XmlNode& root) {
+  std::string out;
+  for (const XmlNode& node : root.children)
+    if (node.tag == "doc") out += (out.empty() ? "" : "\n") + node.text;
+  return out;
+}
+
+template <class Read>
+Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options,
+           const Read& read) {
+  Faults faults;
+  ModelSource source(registry, plugins, options.set, faults);
+  source.noteFiles(options.files);
+  read(source);
+  const bool whole = allElementsAreKnown(faults);
+
+  // Elements, in the order of the file.
+  Model model;
+  NameTable names;
+  ElementReader reader(registry, names, source, faults);
+  Parts parts;
+  std::set<const ModelItem*> good;
+  for (const Placed& p : placeElements(source, reader, names, faults)) {
+    auto element = reader.read(*p.item->node, *p.item->scope, *p.type, p.name);
+    if (!element) continue;
+    parts.emplace_back(p.type->kind, std::move(element));
+    good.insert(p.item);
+  }
+  SettingsReader settings(model, source, reader, faults);
+  for (const ModelItem& item : source.settings()) settings.read(item);
+
+  if (options.coordinates) model.simulation.coordinates = *options.coordinates;
+
+  // The model itself knows its title, text and where it came from.
+  model.sourceFile = source.document().name();
+  model.doc = documentation(source.document().root());
+  model.title = source.title().empty() ? std::filesystem::path(model.sourceFile).stem().string()
+                                       : source.title();
+  for (const Model::Completion& completion : registry.completions())
+    model.addCompletion(completion);
+  if (faults.size() > 0 && whole) {
+    for (const ModelItem& item : source.elements())
+      if (auto rule = good.contains(&item) ? nullptr : standIn(*item.node))
+        parts.emplace_back(Kind::rule, std::move(rule));
+    findUncoveredPairs(parts, registry, source.document(), faults);
+  }
+  faults.throwIfAny();
+  for (auto& [kind, element] : parts) model.add(kind, std::move(element));
+  if (!options.build) return model;
+  try {
+    model.build();
+  } catch (const ModelError& e) {
+    addOfModel(faults, e, source.document());
+    faults.throwIfAny();
+  }
+  settings.verifySignals();
+  faults.throwIfAny();
+  return model;
+}
+
+}  // namespace
+
+Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
+                const LoadOptions& options) {
+  Model model = load(registry, plugins, options, [&](ModelSource& s) { s.read(file); });
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  model.sourceText = text.str();
+  return model;
+}
+
+Model loadModelText(std::string text, const std::string& name, Registry& registry,
+                    PluginLoader& plugins, const LoadOptions& options,
+                    const std::filesystem::path& folder) {
+  std::string copy = text;
+  Model model = load(registry, plugins, options,
+                     [&](ModelSource& s) { s.parse(std::move(copy), name, folder); });
+  model.sourceText = std::move(text);
+  return model;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,32 @@
+/// The way from a model file to a model that is ready to run. All errors of the files are thrown
+/// together, each with file, line, column and the nearest known name.
+///
+/// Order: files and includes → parameters → names → elements → settings → build → signals. A later
+/// stage runs only if the earlier ones found no error that would make its messages wrong.
+#pragma once
+#include <dynamy/io/model/model_source.hpp>
+#include <dynamy/simulation/model/model.hpp>
+#include <optional>
+
+namespace dynamy {
+
+struct LoadOptions {
+  Overrides set;      ///< parameters: (name, value)
+  bool build = true;  ///< false: the caller changes the model and calls build() itself
+  std::optional<JointCoordinates> coordinates = {};  ///< instead of those the file says
+  /// Gets the model, what it includes and its plug-ins, also those that were looked for in vain and
+  /// also if the model is faulty: whoever waits for a change watches these.
+  std::vector<std::filesystem::path>* files = nullptr;
+};
+
+/// Reads the model in `file` and builds it. The types it uses must be registered already, but for
+/// those of its own `<plugin>`, which are added to `registry`. Throws ModelError.
+Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
+                const LoadOptions& options = {});
+
+/// The same from text. `name`: of the file in messages; includes count from `folder`.
+Model loadModelText(std::string text, const std::string& name, Registry& registry,
+                    PluginLoader& plugins, const LoadOptions& options = {},
+                    const std::filesystem::path& folder = ".");
+
+}  // namespace dynamy

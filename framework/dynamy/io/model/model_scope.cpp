@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/declared/attributes.hpp>
+#include <dynamy/core/expression/expression.hpp>
+#include <dynamy/io/model/model_scope.hpp>
+
+namespace dynamy {
+namespace {
+
+/// End of the braces that begin at `begin`: index behind '}', npos if they never end.
+std::size_t closing(std::string_view value, std::size_t begin) {
+  const std::size_t end = value.find_first_of("{}", begin + 1);
+  return end == std::string_view::npos || value[end] == '{' ? std::string_view::npos : end + 1;
+}
+
+bool nameStart(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c & 0x80) != 0;
+}
+bool nameContinues(char c) { return nameStart(c) || (c >= '0' && c <= '9'); }
+
+}  // namespace
+
+// ---- Scope ----
+
+const Scope& Scope::file() const {
+  const Scope* s = this;
+  while (s->outer != nullptr) s = s->outer;
+  return *s;
+}
+
+const double* Scope::number(std::string_view name) const {
+  for (const Scope* s = this; s != nullptr; s = s->outer)
+    if (const auto found = s->numbers.find(name); found != s->numbers.end()) return &found->second;
+  return nullptr;
+}
+
+bool Scope::isBroken(std::string_view name) const {
+  for (const Scope* s = this; s != nullptr; s = s->outer) {
+    if (s->broken.contains(name)) return true;
+    if (s->numbers.contains(name)) return false;  // an index hides it
+  }
+  return false;
+}
+
+SymbolTable Scope::some(const std::vector<std::string>& wanted) const {
+  SymbolTable out;
+  for (const std::string& name : wanted)
+    if (const double* value = number(name)) out.constant(name, *value);
+  return out;
+}
+
+SymbolTable Scope::all() const {
+  SymbolTable out = outer == nullptr ? SymbolTable() : outer->all();
+  for (const auto& [name, value] : numbers) out.constant(name, value);
+  return out;
+}
+
+std::size_t Scope::symbolCount() const {
+  return numbers.size() + broken.size() + (outer == nullptr ? 0 : outer->symbolCount());
+}
+
+// ---- Faults ----
+
+void Faults::fillLines(Diagnostic& d) const {
+  const auto line = [this](const Place& place) -> std::string {
+    const auto it = files_.find(place.file);
+    if (it == files_.end() || place.line <= 0) return {};
+    return it->second->shownLine(place);
+  };
+  if (d.sourceLine.empty()) d.sourceLine = line(d.place);
+  for (Note& note : d.notes)
+    if (note.sourceLine.empty()) note.sourceLine = line(note.place);
+}
+
+void Faults::add(Diagnostic diagnostic) {
+  fillLines(diagnostic);
+  all_.add(std::move(diagnostic));
+}
+
+void Faults::add(const Scope& scope, const Place& place, const XmlNode& node, std::string text,
+                 std::string hint) {
+  all_.add(scope.document->diagnostic(place, node, std::move(text), std::move(hint)));
+}
+
+void Faults::add(const ModelError& error, const Scope&, const XmlNode& node) {
+  for (Diagnostic d : error.diagnostics()) {
+    if (d.place.line <= 0) d.place = node.place;
+    if (d.element.empty()) d.element = node.label();
+    add(std::move(d));
+  }
+}
+
+void Faults::add(const ModelError& error) {
+  for (Diagnostic d : error.diagnostics()) add(std::move(d));
+}
+
+std::pair<std::size_t, std::size_t> ResolvedText::source(std::size_t offset,
+                                                         std::size_t length) const {
+  // A byte inside of a replaced piece stands for all of its braces. The last piece that begins
+  // before `at` decides; as an end, `at` belongs to what stands before it.
+  const auto map = [this](std::size_t at, bool end) {
+    const auto next = std::upper_bound(
+        pieces.begin(), pieces.end(), at,
+        [end](std::size_t x, const Piece& p) { return end ? x <= p.begin : x < p.begin; });
+    if (next == pieces.begin()) return at;
+    const Piece& p = *(next - 1);
+    const std::size_t behind = p.begin + p.size, sourceEnd = p.sourceBegin + p.sourceSize;
+    if (at < behind || (end && at == behind)) return end ? sourceEnd : p.sourceBegin;
+    return sourceEnd + (at - behind);
+  };
+  const std::size_t begin = map(offset, false);
+  const std::size_t end = length == 0 ? begin : map(offset + length, true);
+  return {begin, end - begin};
+}
+
+void namesIn(std::string_view formula, std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < formula.size();) {
+    if (!nameContinues(formula[i])) {
+      ++i;
+      continue;
+    }
+    const std::size_t first = i;
+    while (i < formula.size() && nameContinues(formula[i])) ++i;
+    if (nameStart(formula[first])) names.emplace_back(formula.substr(first, i - first));
+  }
+}
+
+std::vector<std::string> namesInBraces(std::string_view value) {
+  std::vector<std::string> names;
+  for (std::size_t at = value.find('{'); at != std::string_view::npos; at = value.find('{', at)) {
+    const std::size_t end = std::min(closing(value, at), value.size());
+    namesIn(value.substr(at + 1, end - at - 1), names);
+    at = end;
+  }
+  return names;
+}
+
+namespace {
+
+/// The same error, found with all names in reach, so that it can say which one was meant.
+ExpressionError withAllNames(std::string_view text, const Scope& scope, const ExpressionError& e) {
+  try {
+    evaluateConstant(text, scope.all());
+  } catch (const ExpressionError& better) {
+    return better;
+  }
+  return e;
+}
+
+}  // namespace
+
+std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
+                                          const Scope& scope, bool formula, Faults& faults) {
+  const std::string& value = attribute.value;
+  ResolvedText out;
+  bool good = true;
+  const auto fault = [&](std::size_t at, std::size_t size, std::string text,
+                         std::string hint = {}) {
+    faults.add(scope, scope.document->at(attribute, at, size), node, std::move(text),
+               std::move(hint));
+    good = false;
+  };
+  const std::vector<std::string> names = namesInBraces(value);
+  for (const std::string& name : names)
+    if (scope.isBroken(name)) return std::nullopt;
+  const SymbolTable symbols = scope.some(names);
+
+  for (std::size_t at = 0; at < value.size();) {
+    if (value[at] == '}') {
+      fault(at, 1, "\"}\" without \"{\"");
+      return std::nullopt;
+    }
+    if (value[at] != '{') {
+      const std::size_t next = std::min(value.find_first_of("{}", at), value.size());
+      out.text.append(value, at, next - at);
+      at = next;
+      continue;
+    }
+    const std::size_t end = closing(value, at);
+    if (end == std::string::npos) {
+      fault(at, 1, "\"{\" without \"}\"");
+      return std::nullopt;
+    }
+    // The expression between the braces becomes a number.
+    const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);
+    try {
+      const double x = evaluateConstant(inner, symbols);
+      if (!std::isfinite(x))
+        fault(at, end - at, "the expression has no finite value, is " + numberText(x));
+      const std::string number = formula ? '(' + numberText(x) + ')' : numberText(x);
+      out.pieces.push_back({out.text.size(), number.size(), at, end - at});
+      out.text += number;
+    } catch (const ExpressionError& found) {
+      const ExpressionError e = withAllNames(inner, scope, found);
+      fault(at + 1 + e.offset(), e.length(), e.message(),
+            e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
+    }
+    at = end;
+  }
+  if (!good) return std::nullopt;
+  return out;
+}
+
+std::string elementName(const XmlNode& node, const Scope& scope, const std::string& prefix,
+                        Faults& faults) {
+  const XmlAttribute* given = node.attribute("name");
+  if (given == nullptr) return {};
+  const auto resolved = resolveBraces(*given, node, scope, false, faults);
+  if (!resolved) return {};
+  const std::string& name = resolved->text;
+  constexpr std::string_view kForbidden = " \t\r\n./[]*\"<>";
+  if (name.empty()) {
+    faults.add(scope, given->valuePlace, node, "the name is empty");
+    return {};
+  }
+  if (const std::size_t at = name.find_first_of(kForbidden); at != std::string::npos) {
+    const auto [offset, length] = resolved->source(at, 1);
+    faults.add(scope, scope.document->at(*given, offset, length), node,
+               std::string("a name must not contain \"") + name[at] + '"');
+    return {};
+  }
+  return prefix + name + scope.suffix;
+}
+
+}  // namespace dynamy

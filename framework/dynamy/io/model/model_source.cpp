@@ -1,0 +1,393 @@
+#include <algorithm>
+#include <array>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/expression/expression.hpp>
+#include <dynamy/core/expression/expression_error.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model/model_source.hpp>
+#include <dynamy/io/model/parameter_evaluator.hpp>
+
+namespace dynamy {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kNamedClass{"name", "class"};
+
+/// The attributes of the root that XML itself and editors want.
+bool isSchemaAttribute(const std::string& name) {
+  return name == "xmlns" || name.starts_with("xmlns:") || name.starts_with("xsi:");
+}
+
+std::string joined(const std::vector<fs::path>& chain) {
+  std::string out;
+  for (const fs::path& p : chain) out += (out.empty() ? "" : " → ") + p.filename().string();
+  return out;
+}
+
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  const fs::path result = fs::weakly_canonical(path, error);
+  return error ? path : result;
+}
+
+}  // namespace
+
+ModelSource::ModelSource(Registry& registry, PluginLoader& plugins, const Overrides& overrides,
+                         Faults& faults)
+    : registry_(&registry),
+      plugins_(&plugins),
+      overrides_(overrides),
+      overrideUsed_(overrides.size(), false),
+      faults_(&faults) {}
+
+void ModelSource::read(const fs::path& file) {
+  note(file);
+  Including from;
+  from.chain.push_back(resolved(file));
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  addFile(XmlDocument::read(file), from, folder);
+}
+
+void ModelSource::parse(std::string text, std::string name, const fs::path& folder) {
+  Including from;
+  from.chain.push_back(resolved(folder / name));
+  addFile(XmlDocument::parse(std::move(text), std::move(name)), from, folder);
+}
+
+void ModelSource::addFile(XmlDocument document, const Including& from, fs::path folder) {
+  textSize_ += document.size();
+  documents_.push_back(std::move(document));
+  Scope& scope = scopes_.emplace_back();
+  scope.document = &documents_.back();
+  scope.folder = std::move(folder);
+  faults_->file(*scope.document);
+  if (from.node != nullptr) {
+    // An included file sees the defaults around it, but only its own parameters.
+    scope.defaults = from.scope->file().defaults;
+    scope.prefix = from.scope->prefix;
+    scope.suffix = from.scope->suffix;
+    Parameters x;
+    if (readWord(*from.node, *from.scope, x) && !x["prefix"].text.empty()) {
+      scope.prefix += x["prefix"].text;
+      if (!scope.prefix.ends_with('/')) scope.prefix += '/';
+    }
+  }
+  const XmlNode& root = scope.document->root();
+  if (textSize_ > kMostText) {
+    faults_->add(scope, root.place, root,
+                 "all files of the model together hold more than " +
+                     std::to_string(kMostText / 1000000) + " MB of text");
+    faults_->stop();
+  }
+  if (!checkRoot(root, scope)) return;
+  loadPlugins(root, scope);
+  readParameters(root, scope, from);
+  readDefaults(root, scope);
+  walk(root, scope, from, true);
+
+  // What was set for a parameter that no file has.
+  if (from.node != nullptr) return;
+  for (std::size_t i = 0; i < overrides_.size(); ++i)
+    if (!overrideUsed_[i])
+      faults_->add({.text = "--set " + overrides_[i].first + '=' + overrides_[i].second +
+                            ": no parameter \"" + overrides_[i].first + '"',
+                    .hint = unknownNameHint(overrides_[i].first, parameterNames_)});
+}
+
+bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
+  if (root.tag != "dynamy") {
+    faults_->add(scope, root.place, root, "a model begins with <dynamy version=\"1\">");
+    return false;
+  }
+  XmlNode own;  // without the attributes that belong to the schema
+  own.tag = root.tag;
+  own.place = root.place;
+  for (const XmlAttribute& a : root.attributes)
+    if (!isSchemaAttribute(a.name)) own.attributes.push_back(a);
+  Parameters x;
+  if (!AttributeReader(*faults_, nullptr)
+           .read(own, scope, vocabulary_.find("dynamy")->attributes, {}, x))
+    return false;
+  if (x["version"].integer() != kModelVersion) {
+    faults_->add(scope, x["version"].place, root,
+                 "the format has version " + x["version"].text + ", this program reads version " +
+                     std::to_string(kModelVersion));
+    return false;
+  }
+  if (documents_.size() == 1) title_ = x["title"].text;
+  noText(root, scope);
+  return true;
+}
+
+void ModelSource::noText(const XmlNode& node, const Scope& scope) {
+  if (node.text.empty()) return;
+  faults_->add(scope, node.textPlace, node, "text has no meaning here",
+               "text for people stands in <doc>");
+}
+
+/// Reads the attributes of a word of the format.
+bool ModelSource::readWord(const XmlNode& node, const Scope& scope, Parameters& x) {
+  x.type = node.tag;
+  return AttributeReader(*faults_, nullptr)
+      .read(node, scope, vocabulary_.find(node.tag)->attributes, {}, x);
+}
+
+void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
+  for (const XmlNode& node : root.children) {
+    if (node.tag != "plugin") continue;
+    Parameters x;
+    if (!readWord(node, scope, x)) {
+      typesAreMissing_ = true;
+      continue;
+    }
+    for (const fs::path& file : plugins_->candidates(x["library"].text, scope.folder)) note(file);
+    try {
+      plugins_->load(x["library"].text, scope.folder, *registry_);
+    } catch (const ModelError& e) {
+      typesAreMissing_ = true;
+      for (Diagnostic d : e.diagnostics()) {
+        d.place = x["library"].place;
+        d.element = node.label();
+        faults_->add(std::move(d));
+      }
+    }
+  }
+}
+
+namespace {
+
+/// A number with or without unit, or an expression of numbers in braces; nothing after a report.
+std::optional<double> overrideValue(const std::string& text,
+                                    const std::function<void(std::string)>& report) {
+  if (text.starts_with('{') && text.ends_with('}')) {
+    try {
+      return evaluateConstant(std::string_view(text).substr(1, text.size() - 2), SymbolTable());
+    } catch (const ExpressionError& e) {
+      report(e.message());
+      return std::nullopt;
+    }
+  }
+  Attribute number;
+  number.unit = Unit::any;
+  ParameterValue value;
+  value.declaration = &number;
+  value.text = text;
+  value.given = true;
+  if (const auto fault = readValue(number, value)) {
+    const bool computes = text.find_first_of("+*/^()") != std::string::npos;
+    report(fault->text +
+           (computes ? " — an expression stands in braces: '{" + text + "}'" : std::string()));
+    return std::nullopt;
+  }
+  return value.numbers[0];
+}
+
+}  // namespace
+
+void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Including& from) {
+  ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
+  for (const XmlNode& node : root.children)
+    if (node.tag == "parameter") evaluator.add(node);
+  const std::vector<std::string> known = evaluator.names();  // for prefixes and hints
+  for (const std::string& name : known) parameterNames_.push_back(scope.prefix + name);
+
+  // <set> of the including file.
+  for (std::size_t i = 0; from.node != nullptr && i < from.node->children.size(); ++i) {
+    const XmlNode& set = from.node->children[i];
+    Parameters x;
+    if (set.tag != "set" || !readWord(set, *from.scope, x)) continue;
+    const std::string& name = x["name"].text;
+    if (!evaluator.has(name)) {
+      faults_->add(*from.scope, x["name"].place, set,
+                   "\"" + scope.document->name() + "\" has no parameter \"" + name + '"',
+                   unknownNameHint(name, known));
+      continue;
+    }
+    evaluator.replace(
+        {name, x["value"], [this, &set, &from, place = x["value"].place](const std::string& fault) {
+           faults_->add(*from.scope, place, set, fault);
+         }});
+  }
+
+  // --set of the caller.
+  for (std::size_t i = 0; i < overrides_.size(); ++i) {
+    const auto& [name, text] = overrides_[i];
+    if (!name.starts_with(scope.prefix)) continue;
+    const std::string local = name.substr(scope.prefix.size());
+    if (!evaluator.has(local)) continue;
+    const bool first = !overrideUsed_[i];
+    overrideUsed_[i] = true;
+    const auto report = [this, name = name, text = text, first](const std::string& fault) {
+      if (first) faults_->add({.text = "--set " + name + '=' + text + ": " + fault});
+    };
+    if (const auto value = overrideValue(text, report))
+      evaluator.replace({local, *value, report});
+    else
+      scope.broken.insert(local);
+  }
+  evaluator.evaluate();
+}
+
+void ModelSource::readDefaults(const XmlNode& root, Scope& scope) {
+  for (const XmlNode& section : root.children) {
+    if (section.tag != "defaults") continue;
+    noText(section, scope);
+    for (const XmlNode& node : section.children)
+      if (node.tag != "doc") readDefault(node, section, scope);
+  }
+}
+
+void ModelSource::readDefault(const XmlNode& node, const XmlNode& section, Scope& scope) {
+  const RegisteredType* type = registry_->find(node.tag);
+  if (type == nullptr) {
+    std::vector<std::string> known;
+    for (const RegisteredType* t : registry_->types()) known.push_back(t->name);
+    const std::string near = nearest(node.tag, known);
+    faults_->add(scope, node.place, section, "unknown element <" + node.tag + '>',
+                 near.empty() ? std::string() : "did you mean <" + near + ">?");
+    return;
+  }
+  AttributeReader(*faults_, nullptr).allDeclared(node, scope, type->attributes, kNamedClass);
+  if (const XmlAttribute* name = node.attribute("name"))
+    faults_->add(scope, name->namePlace, node, "a default has no name");
+  if (!node.children.empty())
+    faults_->add(scope, node.children[0].place, node, "a default holds attributes only");
+  const XmlAttribute* wanted = node.attribute("class");
+  DefaultEntry& entry = scope.defaults[node.tag][wanted == nullptr ? "" : wanted->value];
+  if (entry.node != nullptr && entry.scope == &scope) {
+    Diagnostic d = scope.document->diagnostic(node.place, node, "this default is given twice");
+    d.notes.push_back({.place = entry.node->place, .text = "first given here"});
+    faults_->add(std::move(d));
+    return;
+  }
+  entry = {&node, &scope};
+}
+
+/// Children of the root, or of a replicate of whole sections.
+void ModelSource::walk(const XmlNode& parent, const Scope& scope, const Including& from,
+                       bool isRoot) {
+  const Word& root = *vocabulary_.find("dynamy");
+  for (const XmlNode& node : parent.children) {
+    const std::string& tag = node.tag;
+    const bool known =
+        std::find(root.children.begin(), root.children.end(), tag) != root.children.end();
+    const bool section = tag == "systems" || tag == "forces" || tag == "elements";
+    if (section) {
+      walkSection(node, scope);
+    } else if (tag == "replicate") {
+      noText(node, scope);
+      for (const Scope* turn : turns(node, scope)) walk(node, *turn, from, false);
+    } else if (tag == "include") {
+      include(node, scope, from);
+    } else if (!known) {
+      if (const RegisteredType* type = registry_->find(tag)) {
+        const std::string_view where = sectionOf(type->kind);
+        faults_->add(scope, node.place, parent,
+                     "<" + tag + "> is " + kindWithArticle(type->kind) +
+                         (where.empty() ? "; it stands inside of another element"
+                                        : "; put it into <" + std::string(where) + '>'));
+      } else {
+        const std::string near = nearest(tag, root.children);
+        faults_->add(
+            scope, node.place, parent, "unknown element <" + tag + '>',
+            near.empty() ? "known: " + quotedList(root.children) : "did you mean <" + near + ">?");
+      }
+    } else if (!isRoot && tag != "doc") {
+      faults_->add(scope, node.place, parent, "<" + tag + "> cannot be replicated");
+    } else if (tag == "simulation" || tag == "record" || tag == "check") {
+      if (from.node == nullptr) settings_.push_back({&node, &scope, {}});
+    }
+  }
+}
+
+void ModelSource::walkSection(const XmlNode& section, const Scope& scope) {
+  AttributeReader(*faults_, nullptr).allDeclared(section, scope, {}, {});
+  forEachChild(section, scope, [&](const XmlNode& node, const Scope& inner) {
+    elements_.push_back({&node, &inner, section.tag});
+  });
+}
+
+void ModelSource::include(const XmlNode& node, const Scope& scope, const Including& from) {
+  noText(node, scope);
+  for (const XmlNode& child : node.children)
+    if (child.tag != "set" && child.tag != "doc")
+      faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>',
+                   "known: \"set\", \"doc\"");
+  Parameters x;
+  if (!readWord(node, scope, x)) return;
+  const fs::path file = scope.file().folder / x["file"].text;
+  note(file);
+  Including inner{from.chain, &node, &scope};
+  inner.chain.push_back(resolved(file));
+  const auto& last = inner.chain.back();
+  const Place& place = x["file"].place;
+  if (std::find(from.chain.begin(), from.chain.end(), last) != from.chain.end()) {
+    faults_->add(scope, place, node, "the file includes itself: " + joined(inner.chain));
+    return;
+  }
+  if (inner.chain.size() > kDeepestInclude) {
+    faults_->add(scope, place, node,
+                 "files are included deeper than " + std::to_string(kDeepestInclude));
+    return;
+  }
+  if (documents_.size() > kMostIncludes) {
+    faults_->add(scope, place, node,
+                 "the model includes more than " + std::to_string(kMostIncludes) + " files",
+                 "does each of them include several others?");
+    faults_->stop();
+  }
+  try {
+    XmlDocument document = XmlDocument::read(file.lexically_normal());
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    addFile(std::move(document), inner, folder);
+  } catch (const ModelError& e) {
+    if (faults_->ended()) throw;
+    for (Diagnostic d : e.diagnostics()) {
+      if (d.place.line <= 0) {  // no such file: the place is where it is named
+        d.text = '"' + file.lexically_normal().string() + "\": " + d.text;
+        d.place = x["file"].place;
+        d.element = node.label();
+      }
+      faults_->add(std::move(d));
+    }
+  }
+}
+
+namespace {
+
+std::size_t elementsIn(const XmlNode& node) {
+  std::size_t n = node.children.size();
+  for (const XmlNode& child : node.children) n += elementsIn(child);
+  return n;
+}
+
+}  // namespace
+
+/// One scope for each turn, with the index as its number.
+std::vector<const Scope*> ModelSource::turns(const XmlNode& replicate, const Scope& scope) {
+  Parameters x;
+  if (!readWord(replicate, scope, x)) return {};
+  const auto count = static_cast<std::size_t>(x["count"].integer());
+  const auto tooMany = [&](const std::string& what) {
+    faults_->add(scope, x["count"].place, replicate,
+                 "all replicates together make more than " + what,
+                 "many equal bodies are better one population");
+    return std::vector<const Scope*>();
+  };
+  if (scopes_.size() + count > kMostTurns) return tooMany(std::to_string(kMostTurns) + " turns");
+  replicated_ += count * elementsIn(replicate);
+  if (replicated_ > kMostReplicated) return tooMany(std::to_string(kMostReplicated) + " elements");
+  std::vector<const Scope*> out;
+  for (std::size_t i = 0; i < count; ++i) {
+    Scope& turn = scopes_.emplace_back();
+    turn.outer = &scope, turn.document = scope.document;
+    turn.prefix = scope.prefix, turn.suffix = scope.suffix + '[' + std::to_string(i) + ']';
+    turn.numbers[x["index"].text] = static_cast<double>(i);
+    out.push_back(&turn);
+  }
+  return out;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,97 @@
+/// ModelSource: the files of a model as one flat list of elements: includes are followed,
+/// replicates unrolled, parameters evaluated, defaults collected, plug-ins loaded.
+#pragma once
+#include <deque>
+#include <dynamy/io/model/attribute_reader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/io/xml/vocabulary.hpp>
+
+namespace dynamy {
+
+/// Parameters set from outside: (name, value as text). In an included file the name has its prefix.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// An element or a word of the format, in the scope it stands in.
+struct ModelItem {
+  const XmlNode* node = nullptr;
+  const Scope* scope = nullptr;
+  std::string section;  ///< "systems", "forces", "elements"; "" for simulation, record and check
+};
+
+class ModelSource {
+ public:
+  ModelSource(Registry& registry, PluginLoader& plugins, const Overrides& overrides,
+              Faults& faults);
+  /// Appends to `files` every file that is read from now on, and those that were looked for.
+  void noteFiles(std::vector<std::filesystem::path>* files) { noted_ = files; }
+
+  /// Reads the model and all it includes. Throws ModelError if the first file cannot be read.
+  void read(const std::filesystem::path& file);
+  void parse(std::string text, std::string name, const std::filesystem::path& folder);
+
+  const std::vector<ModelItem>& elements() const { return elements_; }
+  const std::vector<ModelItem>& settings() const { return settings_; }  ///< of the first file
+  const XmlDocument& document() const { return documents_.front(); }
+  const Vocabulary& vocabulary() const { return vocabulary_; }
+  const std::string& title() const { return title_; }
+  /// A plug-in was refused: types that nobody knows are probably its.
+  bool typesAreMissing() const { return typesAreMissing_; }
+
+  /// Calls `use(child, scope)` for the children of `node`: `<doc>` is left out, replicates are
+  /// unrolled. Reports text where none belongs.
+  template <class Use>
+  void forEachChild(const XmlNode& node, const Scope& scope, const Use& use);
+
+ private:
+  struct Including {
+    std::vector<std::filesystem::path> chain;  ///< canonical paths, outermost first
+    const XmlNode* node = nullptr;             ///< `<include>`, null for the first file
+    const Scope* scope = nullptr;
+  };
+  void addFile(XmlDocument document, const Including& from, std::filesystem::path folder);
+  bool checkRoot(const XmlNode& root, const Scope& scope);
+  void loadPlugins(const XmlNode& root, const Scope& scope);
+  void readParameters(const XmlNode& root, Scope& scope, const Including& from);
+  void readDefaults(const XmlNode& root, Scope& scope);
+  void readDefault(const XmlNode& node, const XmlNode& section, Scope& scope);
+  void walk(const XmlNode& parent, const Scope& scope, const Including& from, bool isRoot);
+  void walkSection(const XmlNode& section, const Scope& scope);
+  void include(const XmlNode& node, const Scope& scope, const Including& from);
+  std::vector<const Scope*> turns(const XmlNode& replicate, const Scope& scope);
+  bool readWord(const XmlNode& node, const Scope& scope, Parameters& x);
+  void noText(const XmlNode& node, const Scope& scope);
+  void note(const std::filesystem::path& file) {
+    if (noted_ != nullptr) noted_->push_back(file);
+  }
+
+  Registry* registry_;
+  PluginLoader* plugins_;
+  Overrides overrides_;
+  std::vector<bool> overrideUsed_;
+  std::vector<std::string> parameterNames_;
+  Faults* faults_;
+  std::vector<std::filesystem::path>* noted_ = nullptr;
+  Vocabulary vocabulary_;
+  std::deque<XmlDocument> documents_;
+  std::size_t textSize_ = 0;    ///< bytes of all files
+  std::size_t replicated_ = 0;  ///< elements that replicates have made
+  std::deque<Scope> scopes_;
+  std::vector<ModelItem> elements_, settings_;
+  std::string title_;
+  bool typesAreMissing_ = false;
+};
+
+template <class Use>
+void ModelSource::forEachChild(const XmlNode& node, const Scope& scope, const Use& use) {
+  noText(node, scope);
+  for (const XmlNode& child : node.children) {
+    if (child.tag == "doc") continue;
+    if (child.tag != "replicate") {
+      use(child, scope);
+      continue;
+    }
+    for (const Scope* turn : turns(child, scope)) forEachChild(child, *turn, use);
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,237 @@
+#include <cmath>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model/settings_reader.hpp>
+#include <dynamy/io/run_files/model_scene.hpp>
+#include <dynamy/simulation/report/run_watch.hpp>
+
+namespace dynamy {
+
+void SettingsReader::read(const ModelItem& item) {
+  const XmlNode& node = *item.node;
+  const Scope& scope = *item.scope;
+  const Word& word = *source_->vocabulary().find(node.tag);
+  if (node.tag == "simulation") readMethods(node, scope);
+  if (node.tag != "simulation")
+    for (const XmlNode& child : node.children)
+      if (child.tag != "doc")
+        faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>');
+  Parameters x;
+  x.type = node.tag;
+  if (!attributes_.read(node, scope, word.attributes, {}, x)) return;
+  if (node.tag == "simulation") readSimulation(node, scope, x);
+  if (node.tag == "record") readRecord(node, scope, x);
+  if (node.tag == "check") readCheck(node, scope, x);
+}
+
+void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x) {
+  // Sections may be repeated, their attributes may not.
+  for (const ParameterValue& v : x.values) {
+    if (!v.given) continue;
+    const std::string& name = v.declaration->name;
+    const auto [first, isNew] = given_.emplace(name, v.place);
+    if (isNew) continue;
+    Diagnostic d =
+        scope.document->diagnostic(v.place, node, "the attribute \"" + name + "\" is given twice");
+    d.notes.push_back({.place = first->second, .text = "first given here"});
+    faults_->add(std::move(d));
+  }
+  if (given_.contains("step") && given_.contains("tolerance") &&
+      (x["step"].given || x["tolerance"].given))
+    faults_->add(scope, given_.at("tolerance"), node, "step and tolerance exclude each other",
+                 "a step fixes the length of all steps, a tolerance lets the program choose it");
+  SimulationSettings& s = model_->simulation;
+  if (x["until"].given) s.until = x["until"];
+  if (x["step"].given) s.step = x["step"];
+  if (x["tolerance"].given) s.tolerance = x["tolerance"];
+  if (x["gTol"].given) s.gTol = x["gTol"];
+  if (x["onNonConvergence"].given) {
+    const std::string& word = x["onNonConvergence"].text;
+    s.onNonConvergence = word == "stop"   ? NonConvergence::stop
+                         : word == "warn" ? NonConvergence::warn
+                                          : NonConvergence::retry;
+  }
+  if (x["project"].given) {
+    const std::string& word = x["project"].text;
+    s.project = word == "none"        ? Project::none
+                : word == "positions" ? Project::positions
+                                      : Project::both;
+  }
+  if (x["coordinates"].given) {
+    s.coordinates =
+        x["coordinates"].text == "minimal" ? JointCoordinates::minimal : JointCoordinates::absolute;
+    s.coordinatesPlace = x["coordinates"].place;
+  }
+  if (s.place.line == 0) s.place = node.place;
+}
+
+/// Scheme, solver and impact law, at most one of each.
+void SettingsReader::readMethods(const XmlNode& node, const Scope& scope) {
+  const Word& word = *source_->vocabulary().find("simulation");
+  for (const XmlNode& child : node.children) {
+    if (child.tag == "doc") continue;
+    const RegisteredType* type = elements_->typeIn(word, child, scope, node);
+    if (type == nullptr) continue;
+    const auto [first, isNew] = methods_.emplace(type->kind, child.place);
+    if (!isNew) {
+      Diagnostic d = scope.document->diagnostic(
+          child.place, node, "takes at most 1 " + std::string(kindText(type->kind)));
+      d.notes.push_back({.place = first->second, .text = "the first stands here"});
+      faults_->add(std::move(d));
+      continue;
+    }
+    if (auto element = elements_->read(child, scope, *type, {}))
+      model_->add(type->kind, std::move(element));
+  }
+}
+
+void SettingsReader::readRecord(const XmlNode& node, const Scope& scope, const Parameters& x) {
+  RecordSettings& r = model_->record;
+  for (const XmlWord& word : xmlWords(x["signals"].text)) {
+    if (r.signals.size() == kMostSignalNames) {
+      faults_->add(scope, x["signals"].place, node,
+                   "more than " + std::to_string(kMostSignalNames) + " signals are listed",
+                   "a name that ends with .* stands for all signals of an element");
+      return;
+    }
+    r.signals.emplace_back(word.text);
+    r.places.push_back(x["signals"].locate(word.offset, word.text.size()));
+  }
+  if (x["every"].given) r.every = x["every"];
+  if (x["frames"].given) r.framesPerSecond = x["frames"];
+  if (x["follow"].given) r.follow = x["follow"].text, r.followPlace = x["follow"].place;
+  if (x["view"].given) model_->view = x["view"].text == "auto" ? "" : x["view"].text;
+}
+
+bool SettingsReader::checkIsSound(const XmlNode& node, const Scope& scope,
+                                  const Parameters& x) const {
+  const std::size_t before = faults_->size();
+  const auto fault = [&](const Place& place, std::string text) {
+    faults_->add(scope, place, node, std::move(text));
+  };
+  const bool value = x["value"].given, tolerance = x["tolerance"].given;
+  if (x["between"].given) {
+    if (value || tolerance)
+      fault(x["between"].place, "takes either value and tolerance, or between");
+    else if (x["between"].numbers[0] > x["between"].numbers[1])
+      fault(x["between"].place, "between expects the lower bound first");
+  } else if (!value || !tolerance) {
+    fault(node.place, !value && !tolerance ? "needs value and tolerance, or between"
+                      : value              ? "needs a tolerance beside the value"
+                                           : "needs a value beside the tolerance");
+  }
+  const bool single = x["measure"].text == "value";
+  if (x["at"].given && !single)
+    fault(x["at"].place, "at goes with the measure \"value\"; use over");
+  if (x["over"].given && single)
+    fault(x["over"].place, "over goes with a measure such as \"max\"; use at");
+  if (x["over"].given && !(x["over"].numbers[0] < x["over"].numbers[1]))
+    fault(x["over"].place, "over expects the earlier time first");
+  if (runFigure(x["signal"].text) != nullptr && (x["measure"].given || x["at"].given))
+    fault(x["signal"].place, "a figure of the whole run has neither measure nor time");
+  return faults_->size() == before;
+}
+
+void SettingsReader::readCheck(const XmlNode& node, const Scope& scope, const Parameters& x) {
+  if (!checkIsSound(node, scope, x)) return;
+  using Measure = CheckSettings::Measure;
+  CheckSettings c;
+  c.signal = x["signal"].text;
+  c.place = node.place;
+  const std::string& measure = x["measure"].text;
+  c.measure = measure == "mean"     ? Measure::mean
+              : measure == "min"    ? Measure::min
+              : measure == "max"    ? Measure::max
+              : measure == "period" ? Measure::period
+              : measure == "count"  ? Measure::count
+                                    : Measure::value;
+  if (x["at"].given) c.at = x["at"];
+  if (x["over"].given) c.from = x["over"].numbers[0], c.to = x["over"].numbers[1];
+  if (x["between"].given) {
+    c.low = x["between"].numbers[0], c.high = x["between"].numbers[1];
+    c.text = numberText(c.low) + " … " + numberText(c.high);
+  } else {
+    const double value = x["value"], tolerance = x["tolerance"];
+    c.low = value - tolerance, c.high = value + tolerance;
+    c.text = numberText(value) + " ± " + numberText(tolerance);
+  }
+  model_->checks.push_back(std::move(c));
+  checkSignals_.push_back(x["signal"].place);
+  checkTimes_.push_back(x[x["at"].given ? "at" : "over"].place);
+}
+
+/// A check beyond the end of the run could not pass.
+void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) const {
+  const double until = model_->simulation.until;
+  const double last = check.measure == CheckSettings::Measure::value ? check.at : check.to;
+  constexpr double kRounding = 1e-9;  // of formulas that give both
+  if (!std::isfinite(last) || !(until > 0.0) || last <= until * (1.0 + kRounding)) return;
+  faults_->add({.place = place,
+                .element = "check",
+                .text = "looks for \"" + check.signal + "\" at " + numberText(last) +
+                        " s, but the run ends at " + numberText(until) + " s",
+                .hint = "take a later until, or an earlier time"});
+}
+
+void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
+                            const std::string& signal, const Place& place,
+                            const std::string& element) const {
+  if (signals.contains(signal)) return;
+  if (element == "check" && runFigure(signal) != nullptr) return;
+  std::vector<std::string> known;
+  for (const NamedSignal& s : model_->signals()) known.push_back(s.name);
+  if (element == "check")
+    for (const RunFigure& f : runFigures()) known.push_back(std::string("run.") + f.name);
+  const bool all = signal.ends_with(".*");
+  if (all) {
+    const std::string prefix = signal.substr(0, signal.size() - 1);
+    for (std::string& name : known) {
+      if (name.starts_with(prefix)) return;
+      name = name.substr(0, name.rfind('.')) + ".*";
+    }
+  }
+  // Those of the same element are the likeliest.
+  const std::string owner = signal.substr(0, signal.rfind('.') + 1);
+  std::vector<std::string> same;
+  for (const std::string& name : known)
+    if (!owner.empty() && name.starts_with(owner)) same.push_back(name);
+  std::string hint = didYouMean(nearest(signal, known));
+  if (hint.empty() && model_->simulation.coordinates == JointCoordinates::minimal)
+    for (const auto& joint : model_->contacts())
+      if (!owner.empty() && owner == joint->name() + ".")
+        hint = "in minimal coordinates \"" + joint->name() +
+               "\" may be a coordinate, which has no percussions";
+  if (hint.empty()) hint = unknownNameHint(signal, same.empty() ? known : same);
+  faults_->add({.place = place,
+                .element = element,
+                .text = (all ? "no signals \"" : "no signal \"") + signal + '"',
+                .hint = std::move(hint)});
+}
+
+/// A system that carries shapes, or one of its frames.
+void SettingsReader::verifyFollow(const std::string& name, const Place& place) const {
+  std::vector<std::string> known;
+  for (const SceneFrame& frame : modelScene(*model_).frames) {
+    known.push_back(frame.name);
+    if (frame.name == name || frame.name.starts_with(name + ".")) return;
+  }
+  faults_->add({.place = place,
+                .element = "record",
+                .text = "nothing is drawn on \"" + name + '"',
+                .hint = unknownNameHint(name, known)});
+}
+
+void SettingsReader::verifySignals() const {
+  const RecordSettings& r = model_->record;
+  if (!r.follow.empty()) verifyFollow(r.follow, r.followPlace);
+  std::unordered_set<std::string_view> signals;
+  for (const NamedSignal& s : model_->signals()) signals.insert(s.name);
+  for (std::size_t i = 0; i < r.signals.size(); ++i)
+    verify(signals, r.signals[i], r.places[i], "record");
+  for (std::size_t i = 0; i < model_->checks.size(); ++i) {
+    verify(signals, model_->checks[i].signal, checkSignals_[i], "check");
+    verifyTime(model_->checks[i], checkTimes_[i]);
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,44 @@
+/// SettingsReader: the sections `<simulation>`, `<record>` and `<check>` of a model file.
+#pragma once
+#include <dynamy/io/model/element_reader.hpp>
+#include <dynamy/simulation/model/model.hpp>
+#include <string_view>
+#include <unordered_set>
+
+namespace dynamy {
+
+class SettingsReader {
+ public:
+  SettingsReader(Model& model, const ModelSource& source, ElementReader& elements, Faults& faults)
+      : model_(&model),
+        source_(&source),
+        elements_(&elements),
+        faults_(&faults),
+        attributes_(faults, nullptr) {}
+
+  void read(const ModelItem& item);
+  /// After build(): reports signals that no element has, and checks after the end.
+  void verifySignals() const;
+
+ private:
+  void readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x);
+  void readMethods(const XmlNode& node, const Scope& scope);
+  void readRecord(const XmlNode& node, const Scope& scope, const Parameters& x);
+  void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
+  bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
+  void verifyTime(const CheckSettings& check, const Place& place) const;
+  void verifyFollow(const std::string& name, const Place& place) const;
+  void verify(const std::unordered_set<std::string_view>& signals, const std::string& signal,
+              const Place& place, const std::string& element) const;
+
+  Model* model_;
+  const ModelSource* source_;
+  ElementReader* elements_;
+  Faults* faults_;
+  AttributeReader attributes_;
+  std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
+  std::map<Kind, Place> methods_;
+  std::vector<Place> checkSignals_, checkTimes_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,16 @@
+/// Texts for `dynamy describe NAME` and `dynamy list`, made from the declarations in the registry.
+#pragma once
+#include <dynamy/io/plugin/registry.hpp>
+#include <string>
+#include <string_view>
+
+namespace dynamy {
+
+/// What `name` (a type, or a word of the format such as "simulation") is: text, table of
+/// attributes, children, example. Throws ModelError with the nearest name if there is none.
+std::string describe(const Registry& registry, std::string_view name);
+
+/// Types by kind, one line each.
+std::string listTypes(const std::vector<const RegisteredType*>& types);
+
+}  // namespace dynamy

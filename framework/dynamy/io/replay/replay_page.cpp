@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <dynamy/io/files/bytes.hpp>
+#include <dynamy/io/replay/plot_scale.hpp>
+#include <dynamy/io/replay/replay_coding.hpp>
+#include <dynamy/io/replay/replay_page.hpp>
+#include <dynamy/io/replay/svg_plot.hpp>
+#include <dynamy/io/replay/viewer_files.hpp>
+#include <system_error>
+
+namespace dynamy {
+namespace {
+
+constexpr std::size_t kSignalColumns = 1000;  // pixel columns of a plot: up to 4 points each
+
+void packedMember(JsonWriter& json, std::string_view name, const std::string& bytes) {
+  std::string text = "\"";
+  appendBase64(text, deflated(bytes));
+  text += '"';
+  json.key(name).raw(text);
+}
+
+std::string timesOf(const Frames& frames, const std::vector<std::size_t>& kept) {
+  std::string t;
+  for (const std::size_t f : kept) appendBytes(t, frames.t[f]);
+  return t;
+}
+
+void writeFrames(JsonWriter& json, const Frames& frames, const std::vector<std::size_t>& kept,
+                 const CodedPoses& poses, const CodedContacts& contacts) {
+  json.beginObject().member("count", kept.size()).member("recorded", frames.t.size());
+  json.member("poses", frames.poses);
+  json.member("placeSteps", poses.steps.place).member("turnSteps", poses.steps.turn);
+  packedMember(json, "t", timesOf(frames, kept));
+  packedMember(json, "ranges", poses.ranges);
+  packedMember(json, "orders", poses.orders);
+  json.key("data").raw('"' + poses.data + '"');
+  json.key("contacts").beginObject();
+  json.key("box").beginArray();
+  for (const float x : contacts.box) json.value(x);
+  json.endArray();
+  json.member("placeSteps", contacts.steps.place).member("turnSteps", contacts.steps.turn);
+  json.member("octaveSteps", contacts.steps.octave);
+  packedMember(json, "counts", contacts.counts);
+  json.key("data").raw('"' + contacts.data + '"').endObject().endObject();
+}
+
+/// Every n-th frame and the last, n the least with which poses and contacts stay below `bytes`.
+void writeFrames(JsonWriter& json, const Frames& frames, std::size_t bytes, ReplaySize& size) {
+  size.recorded = frames.t.size();
+  for (std::size_t stride = 1;;) {
+    const auto kept = keptFrames(frames.t.size(), stride);
+    const CodedPoses poses = codedPoses(frames, kept);
+    const CodedContacts contacts = codedContacts(frames, kept);
+    const std::size_t needed = poses.data.size() + contacts.data.size();
+    if (stride == 1) size.wholeBytes = needed;
+    if (needed <= bytes || kept.size() <= 2) {
+      size.frames = kept.size(), size.poseBytes = poses.data.size();
+      size.contactBytes = contacts.data.size();
+      size.contacts = contacts.kept, size.contactsRecorded = contacts.recorded;
+      writeFrames(json, frames, kept, poses, contacts);
+      return;
+    }
+    stride = std::max(stride + 1, (stride * needed + bytes - 1) / bytes);
+  }
+}
+
+/// Each signal thinned to what a plot can show; "t" is left out where it is that of the one before.
+void writeSignals(JsonWriter& json, const SignalTable& table) {
+  json.beginArray();
+  std::string before;
+  for (std::size_t k = 0; k < table.signals.size(); ++k) {
+    std::string t, y;
+    for (const std::size_t i : thinned(table.t, table.columns[k], kSignalColumns)) {
+      appendBytes(t, table.t[i]);
+      appendBytes(y, static_cast<float>(table.columns[k][i]));
+    }
+    json.beginObject().member("name", table.signals[k].name).member("unit", table.signals[k].unit);
+    if (k == 0 || t != before) packedMember(json, "t", t);
+    packedMember(json, "y", y);
+    json.endObject();
+    before = std::move(t);
+  }
+  json.endArray();
+}
+
+/// Puts `value` in the place of the mark "{{name}}" of the template.
+void fill(std::string& page, const std::string& name, std::string_view value) {
+  const std::string mark = "{{" + name + "}}";
+  const std::size_t at = page.find(mark);
+  if (at != std::string::npos) page.replace(at, mark.size(), value);
+}
+
+}  // namespace
+
+std::string replayData(const Frames& frames, const SignalTable& signals, const ReplayText& text,
+                       ReplaySize* size) {
+  std::string data;
+  JsonWriter json(data);
+  json.beginObject().member("format", "dynamy-replay").member("version", 3);
+  json.member("title", text.title);
+  json.key("model").beginObject();
+  json.member("name", text.modelName).member("text", text.modelText).endObject();
+  json.key("run").raw(text.runJson.empty() ? "null" : text.runJson);
+  packedMember(json, "scene",
+               frames.scene.empty() ? R"({"view":"","frames":[],"shapes":[]})" : frames.scene);
+  ReplaySize counted;
+  json.key("frames");
+  writeFrames(json, frames, text.frameBytes, counted);
+  json.key("signals");
+  writeSignals(json, signals);
+  packedMember(json, "events", text.events);
+  packedMember(json, "ledger", text.ledger);
+  json.endObject();
+  if (size != nullptr) *size = counted;
+  return data;
+}
+
+std::string replayPage(const Frames& frames, const SignalTable& signals, const ReplayText& text,
+                       ReplaySize* size) {
+  // '<' occurs in JSON inside strings only; escaped there, no "</script>" can end the data early
+  const std::string raw = replayData(frames, signals, text, size);
+  std::string data;
+  data.reserve(raw.size());
+  for (const char c : raw) {
+    if (c == '<') {
+      data += "\\u003c";
+    } else {
+      data += c;
+    }
+  }
+
+  // the data last: a mark inside the model text must not be filled
+  std::string page(viewerFile("replay.html"));
+  fill(page, "title", escapedXml(text.title));
+  fill(page, "style", viewerFile("replay.css"));
+  fill(page, "script", viewerFile("replay.js"));
+  fill(page, "data", data);
+  return page;
+}
+
+ReplaySize writeReplay(const std::filesystem::path& folder) {
+  const auto text = [&](const char* name) {
+    std::error_code error;
+    const auto file = folder / name;
+    return std::filesystem::exists(file, error) ? readWholeFile(file) : std::string();
+  };
+  std::error_code error;
+  Frames frames;
+  if (std::filesystem::exists(folder / "frames.bin", error))
+    frames = readFrames(folder / "frames.bin");
+  SignalTable signals;
+  if (std::filesystem::exists(folder / "signals.csv", error))
+    signals = readSignals(folder / "signals.csv");
+  ReplayText page;
+  page.title = std::filesystem::absolute(folder).lexically_normal().filename().string();
+  if (page.title.empty()) page.title = folder.parent_path().filename().string();
+  page.runJson = text("run.json");
+  page.modelName = "model.xml";
+  page.modelText = text("model.xml");
+  page.events = text("events.csv");
+  page.ledger = text("ledger.csv");
+  ReplaySize size;
+  const std::string html = replayPage(frames, signals, page, &size);
+  writeWholeFile(folder / "replay.html", html);
+  return size;
+}
+
+}  // namespace dynamy

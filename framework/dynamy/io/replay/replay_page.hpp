@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// replay.html: a run as one page that opens from disk, without a server and without a network.
+/// Page = template + style + built script of app/viewer + one JSON object with scene, frames,
+/// signals, events, ledger, run facts and model text; numbers are coded by replay_coding. Loading
+/// frames.bin from the page was rejected: browsers forbid it for pages from disk.
+
+#include <dynamy/io/run_files/frames_file.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
+#include <string>
+#include <string_view>
+
+namespace dynamy {
+
+/// What the page shows beside frames and signals.
+struct ReplayText {
+  std::string title;
+  std::string runJson = "null";  ///< content of run.json
+  std::string modelName = {};    ///< file name of the model
+  std::string modelText = {};
+  std::string events = {};  ///< content of events.csv
+  std::string ledger = {};  ///< content of ledger.csv
+  std::size_t frameBytes =
+      30'000'000;  ///< [byte] more than that, and only every n-th frame is kept
+};
+
+/// How much of a film a page holds.
+struct ReplaySize {
+  std::size_t frames = 0, recorded = 0;            ///< in the page; in frames.bin
+  std::size_t poseBytes = 0, contactBytes = 0;     ///< [byte] in the page, as text
+  std::size_t contacts = 0, contactsRecorded = 0;  ///< most of one frame: in the page; there
+  std::size_t wholeBytes = 0;                      ///< [byte] that all frames would take
+  bool thinned() const { return frames < recorded; }
+};
+
+/// The data object of the page as JSON (doc/replay.md).
+std::string replayData(const Frames& frames, const SignalTable& signals, const ReplayText& text,
+                       ReplaySize* size = nullptr);
+
+/// The whole page.
+std::string replayPage(const Frames& frames, const SignalTable& signals, const ReplayText& text,
+                       ReplaySize* size = nullptr);
+
+/// Writes replay.html into a run folder from the files that are in it. Files that are missing are
+/// left out of the page. \throws FileError if one is broken or the page cannot be written
+ReplaySize writeReplay(const std::filesystem::path& folder);
+
+}  // namespace dynamy

@@ -1,0 +1,52 @@
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/io/run_files/events_file.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr std::size_t kEventBufferBytes = 1 << 16;
+
+}  // namespace
+
+EventsFile::EventsFile(const std::filesystem::path& path) : file_(path) {
+  buffer_.reserve(kEventBufferBytes + 512);
+  buffer_ = "t,event,contact,from,to,speed,impulse\n";
+  flush();
+}
+
+EventsFile::EventsFile(const std::filesystem::path& path, const FilePlace& keep, long events,
+                       std::string pending)
+    : file_(path, keep), buffer_(std::move(pending)), events_(events) {
+  buffer_.reserve(kEventBufferBytes + 512);
+}
+
+EventsFile::~EventsFile() {
+  try {
+    flush();
+  } catch (const FileError&) {  // a destructor has nobody to tell
+  }
+}
+
+void EventsFile::event(const ContactEvent& e, std::string_view contact) {
+  if (full()) return;
+  ++events_;
+  appendNumber(buffer_, e.t);
+  buffer_ += e.impact ? ",impact," : ",switch,";
+  appendCsvField(buffer_, contact);
+  buffer_ += ',';
+  buffer_ += statusText(e.from);
+  buffer_ += ',';
+  buffer_ += statusText(e.to);
+  buffer_ += ',';
+  if (e.impact) appendNumber(buffer_, e.speed);
+  buffer_ += ',';
+  if (e.impact) appendNumber(buffer_, e.impulse);
+  buffer_ += '\n';
+  if (buffer_.size() >= kEventBufferBytes) flush();
+}
+
+void EventsFile::flush() { file_.write(buffer_); }
+
+}  // namespace dynamy

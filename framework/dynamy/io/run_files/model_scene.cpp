@@ -1,0 +1,131 @@
+#include <Eigen/Geometry>
+#include <dynamy/io/run_files/model_scene.hpp>
+#include <dynamy/simulation/report/recorder.hpp>
+#include <map>
+
+namespace dynamy {
+namespace {
+
+std::array<double, 3> array(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
+  const PartialMechanicalSystem& system = *model.systems()[static_cast<std::size_t>(f.system)];
+  const NamedBody* body = model.topology().body(f.system, f.id);
+  std::string name = system.name().empty() ? system.type() : system.name();
+  if (body) name = body->name;
+  if (body ? body->frames > 1 : system.frames() > 1) {
+    std::string part = std::to_string(f.id - (body ? body->frame : 0));
+    for (const auto& [label, id] : model.description(f.system).frames)
+      if (id == f.id) part = label;
+    name += "." + part;
+  }
+  const Place& place = body ? body->place : system.place();
+  return {name, place.line > 0 ? place.file + ":" + std::to_string(place.line) : ""};
+}
+
+/// Kind and sizes; the orientation of a half-space turns its z axis to the normal.
+SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
+  static const std::map<std::string, ShapeKind> kinds = {{"Sphere", ShapeKind::sphere},
+                                                         {"Point", ShapeKind::sphere},
+                                                         {"Box", ShapeKind::box},
+                                                         {"HalfSpace", ShapeKind::halfspace},
+                                                         {"Circle", ShapeKind::circle},
+                                                         {"Cylinder", ShapeKind::cylinder},
+                                                         {"Capsule", ShapeKind::capsule},
+                                                         {"Polygon", ShapeKind::polygon},
+                                                         {"Contour", ShapeKind::polygon},
+                                                         {"Line", ShapeKind::segment},
+                                                         {"Ellipsoid", ShapeKind::ellipsoid},
+                                                         {"Torus", ShapeKind::torus},
+                                                         {"Cone", ShapeKind::cone},
+                                                         {"Polyhedron", ShapeKind::mesh},
+                                                         {"Mesh", ShapeKind::mesh}};
+  SceneShape s;
+  const auto kind = kinds.find(g.type);
+  s.kind = kind == kinds.end() ? ShapeKind::segment : kind->second;
+  s.colour = g.colour;
+  switch (s.kind) {
+    case ShapeKind::sphere:
+    case ShapeKind::circle:
+      s.radius = g.size[0];
+      break;
+    case ShapeKind::cylinder:
+    case ShapeKind::capsule:
+    case ShapeKind::cone:
+      s.radius = g.size[0], s.halfLength = 0.5 * g.size[1];
+      break;
+    case ShapeKind::box:
+      s.halfExtents = {0.5 * g.size[0], 0.5 * g.size[1], 0.5 * g.size[2]};
+      break;
+    case ShapeKind::ellipsoid:
+      s.halfExtents = {g.size[0], g.size[1], g.size[2]};
+      break;
+    case ShapeKind::torus:
+      s.radius = g.size[0], s.tube = g.size[1];
+      break;
+    case ShapeKind::halfspace:
+      if (!g.points.empty()) turn.setFromTwoVectors(Vec3::UnitZ(), g.points.front());
+      break;
+    default:
+      for (const Vec3& p : g.points) s.points.push_back(array(p));
+      for (int i = 0; s.kind == ShapeKind::mesh && i + 2 < static_cast<int>(s.points.size());
+           i += 3)
+        s.triangles.push_back({i, i + 1, i + 2});
+  }
+  return s;
+}
+
+/// Index of the frame with handle `f` among the drawn ones.
+int drawnIndex(const Model& model, const std::vector<DrawnFrame>& drawn, int f) {
+  const auto [system, id] = model.topology().requestedFrames()[static_cast<std::size_t>(f)];
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    if (drawn[k].system == system && drawn[k].id == id) return static_cast<int>(k);
+  return -1;
+}
+
+void addLinks(const Model& model, const std::vector<DrawnFrame>& drawn, Scene& scene) {
+  for (const Description& d : model.descriptions())
+    for (const PlacedLink& l : d.links) {
+      SceneShape s;
+      s.kind = ShapeKind::link;
+      s.frame = drawnIndex(model, drawn, l.frameA), s.frameEnd = drawnIndex(model, drawn, l.frameB);
+      s.points = {array(l.pointA), array(l.pointB)};
+      if (l.spring) s.style = "spring";
+      scene.shapes.push_back(std::move(s));
+    }
+}
+
+}  // namespace
+
+Scene modelScene(const Model& model) {
+  Scene scene;
+  scene.view = model.view;
+  const std::vector<DrawnFrame> frames = drawnFrames(model);
+  std::multimap<std::pair<int, int>, const PlacedShape*> placed;  // in order of the shapes
+  for (std::size_t i = 0; i < model.systems().size(); ++i)
+    for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
+      placed.emplace(std::pair(static_cast<int>(i), p.frame), &p);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    scene.frames.push_back(frameOf(model, frames[k]));
+    const std::string& name = scene.frames.back().name;
+    if (scene.follow < 0 && !model.record.follow.empty() &&
+        (name == model.record.follow || name.starts_with(model.record.follow + ".")))
+      scene.follow = static_cast<int>(k);
+    const auto range = placed.equal_range({frames[k].system, frames[k].id});
+    for (auto at = range.first; at != range.second; ++at) {
+      const PlacedShape& p = *at->second;
+      Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+      SceneShape s = geometryOf(p.shape->geometry(), turn);
+      const Eigen::Quaterniond A = Eigen::Quaterniond(p.shape->A_KB()) * turn;
+      s.name = p.shape->name();
+      s.frame = static_cast<int>(k);
+      s.position = array(p.shape->r_SB_K());
+      s.orientation = {A.w(), A.x(), A.y(), A.z()};
+      scene.shapes.push_back(std::move(s));
+    }
+  }
+  addLinks(model, frames, scene);
+  return scene;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,74 @@
+/// RunRecording: what a recorder takes goes to signals.csv, events.csv, ledger.csv and
+/// frames.bin of a run folder.
+#pragma once
+#include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/io/run_files/events_file.hpp>
+#include <dynamy/io/run_files/frames_file.hpp>
+#include <dynamy/io/run_files/run_folder.hpp>
+#include <dynamy/io/run_files/signals_file.hpp>
+#include <dynamy/simulation/report/recorder.hpp>
+#include <dynamy/simulation/report/run_report.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// Names and units of the recorded signals, in the order of the columns.
+std::vector<SignalName> recordedSignals(const Model& model);
+
+/// A file of a run with what is in it.
+struct RecordedFile {
+  std::string name;  ///< in the folder
+  FilePlace place;
+  void archive(Archive& a) { a(name), a(place.bytes), a(place.crc); }
+};
+/// The member `warnings` of run.json.
+void writeWarnings(JsonWriter& json, const std::vector<Warning>& warnings);
+
+class RunRecording final : public RecordSink {
+ public:
+  /// Creates the files. \throws FileError, ModelError for unknown signals
+  RunRecording(const RunFolder& folder, const Model& model);
+  /// Goes on in the files of an earlier run; what follows its checkpoint is dropped by archive(),
+  /// and nothing is written before.
+  struct Resume {};
+  RunRecording(const RunFolder& folder, const Model& model, Resume);
+
+  void row(double t, std::span<const double> values) override;
+  void frame(double t, std::span<const FramePose> poses,
+             std::span<const ContactRecord> contacts) override;
+  void event(const ContactEvent& event) override;
+  void ledger(const LedgerRow& row) override;
+  bool wantsLedger() const override { return true; }
+  /// A file that cannot be written: nothing is thrown within a step. What it did not take is kept
+  /// for the next try, and goes into a checkpoint.
+  std::string_view fault() const override { return fault_; }
+  void archive(Archive& a) override;
+  /// To be called now and then: rows that wait for a slow step are handed over.
+  void flushIfDue();
+  /// Hands all over; fault() says whether that worked.
+  void flush();
+  /// Returns when the disk has what was handed over; fault() says whether that worked.
+  void sync();
+  /// The files as they are written by now.
+  std::vector<RecordedFile> files() const;
+  /// The files as the last archive() left them.
+  const std::vector<RecordedFile>& archived() const { return archived_; }
+
+ private:
+  void guarded(const std::function<void()>& write);
+  const RunFolder& folder_;
+  const Model& model_;
+  std::size_t columns_ = 0, poses_ = 0;
+  std::optional<SignalsFile> signals_, ledger_;
+  std::optional<EventsFile> events_;
+  std::optional<FramesFile> frames_;
+  std::vector<Pose> pose_;
+  std::vector<ContactMark> marks_;
+  std::vector<RecordedFile> archived_;
+  std::string fault_;
+};
+
+}  // namespace dynamy

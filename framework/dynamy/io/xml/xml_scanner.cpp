@@ -1,0 +1,398 @@
+/// One pass over the text with a stack of open elements. Errors after which the rest can still be
+/// read (doubled attribute, unknown entity) are collected; the others end the scan, because after
+/// them a scanner only guesses.
+
+#include <dynamy/core/utf8.hpp>
+#include <dynamy/io/xml/fault_list.hpp>
+#include <dynamy/io/xml/xml_scanner.hpp>
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace dynamy {
+
+namespace {
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+bool isNameStart(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == ':' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+bool isNameCharacter(char c) {
+  return isNameStart(c) || (c >= '0' && c <= '9') || c == '-' || c == '.';
+}
+
+bool isXmlCharacter(char32_t c) {
+  return c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c != 0xFFFE && c != 0xFFFF);
+}
+
+std::string quotedName(std::string_view text) { return '"' + std::string(text) + '"'; }
+
+std::string hexadecimal(char c) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(c);
+  return {'0', 'x', digits[byte >> 4], digits[byte & 15]};
+}
+
+class Scanner {
+ public:
+  explicit Scanner(const SourceText& source) : source_(source), text_(source.text()) {}
+
+  XmlScan scan() {
+    checkCharacters();
+    at_ = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    while (at_ < text_.size()) {
+      text();
+      if (at_ < text_.size()) markup();
+    }
+    if (!open_.empty()) {
+      const XmlScan::Element& element = scan_.elements[open_.back()];
+      fail(element.begin, element.size, tag(element), "the element is not closed",
+           "expected </" + tag(element) + "> before the end of the file");
+    }
+    if (scan_.elements.empty())
+      throw ModelError(Diagnostic{.place = {source_.name()}, .text = "there is no element in it"});
+    errors_.throwIfAny();
+    return std::move(scan_);
+  }
+
+ private:
+  // Errors.
+
+  Diagnostic diagnostic(std::size_t offset, std::size_t size, std::string element, std::string text,
+                        std::string hint) const {
+    Place place = source_.place(offset, size);
+    std::string line = source_.shownLine(place);
+    return {std::move(place), std::move(element), std::move(text), std::move(hint),
+            std::move(line)};
+  }
+
+  [[noreturn]] void fail(Diagnostic error) {
+    report(std::move(error));
+    errors_.throwAll();
+  }
+
+  void report(Diagnostic error) { errors_.add(std::move(error)); }
+
+  [[noreturn]] void fail(std::size_t offset, std::size_t size, std::string element,
+                         std::string text, std::string hint) {
+    fail(diagnostic(offset, size, std::move(element), std::move(text), std::move(hint)));
+  }
+
+  // Characters.
+
+  /// The whole text is UTF-8 and has no characters that XML forbids.
+  void checkCharacters() {
+    const Place file{source_.name()};
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+      throw ModelError(Diagnostic{
+          .place = file, .text = "the text is UTF-16", .hint = "store the file as UTF-8"});
+    if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      throw ModelError(Diagnostic{.place = file, .text = "the file is empty"});
+    for (std::size_t i = 0; i < text_.size();) {
+      const Utf8Character c = nextCharacter(text_, i);
+      if (!c.valid)
+        fail(i, 1, {}, "the byte " + hexadecimal(text_[i]) + " is no UTF-8",
+             "store the file as UTF-8");
+      if (!isXmlCharacter(c.code))
+        fail(i, 1, {}, "the byte " + hexadecimal(text_[i]) + " is no text", "is this an XML file?");
+      i += c.bytes.size();
+    }
+  }
+
+  bool startsWith(std::string_view word) const { return text_.substr(at_).starts_with(word); }
+
+  void skipSpace() {
+    while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+  }
+
+  /// The name at the current place, "" if there is none.
+  std::string_view name() {
+    const std::size_t begin = at_;
+    if (at_ < text_.size() && isNameStart(text_[at_]))
+      while (at_ < text_.size() && isNameCharacter(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+  }
+
+  std::string tag(const XmlScan::Element& element) const {
+    return std::string(text_.substr(element.begin + 1, element.size - 1));
+  }
+
+  std::string openTag() const { return open_.empty() ? "" : tag(scan_.elements[open_.back()]); }
+
+  void checkEntities(std::size_t begin, std::size_t end, const std::string& element) {
+    const std::string_view content = text_.substr(0, end);
+    for (std::size_t i = content.find('&', begin); i < end; i = content.find('&', i + 1)) {
+      if (xmlEntity(text_, i)) continue;
+      const std::size_t stop = text_.find_first_not_of(
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789#", i + 1);
+      const bool closed = stop < end && text_[stop] == ';' && stop > i + 1;
+      const std::size_t size = closed ? stop + 1 - i : 1;
+      report(diagnostic(
+          i, size, element,
+          (closed ? "unknown entity " : "no entity begins at this ") +
+              quotedName(text_.substr(i, size)),
+          "known are &lt; &gt; &amp; &quot; &apos; &#number; and a plain & is written &amp;"));
+    }
+  }
+
+  // Content.
+
+  void text() {
+    const std::size_t begin = at_;
+    at_ = std::min(text_.find('<', at_), text_.size());
+    const std::size_t visible = text_.find_first_not_of(" \t\r\n", begin);
+    if (visible >= at_) return;
+    if (open_.empty())
+      fail(visible, at_ - visible, {},
+           scan_.elements.empty() ? "text before the first element"
+                                  : "text after the end of the root element",
+           {});
+    checkEntities(begin, at_, openTag());
+    scan_.texts.push_back({begin, false});
+  }
+
+  void markup() {
+    if (startsWith("<!--")) return skipTo("-->", 4, "the comment is not closed by -->");
+    if (startsWith("<![CDATA[")) return cdata();
+    if (startsWith("<!"))
+      fail(at_, 2, openTag(), "document types and their entities are not read",
+           "remove the declaration");
+    if (startsWith("<?")) return instruction();
+    if (startsWith("</")) return closing();
+    opening();
+  }
+
+  void skipTo(std::string_view end, std::size_t head, std::string error) {
+    const std::size_t stop = text_.find(end, at_ + head);
+    if (stop == std::string_view::npos) fail(at_, head, openTag(), std::move(error), {});
+    at_ = stop + end.size();
+  }
+
+  void cdata() {
+    if (open_.empty()) fail(at_, 9, {}, "text outside of the root element", {});
+    scan_.texts.push_back({at_ + 9, true});
+    skipTo("]]>", 9, "the CDATA section is not closed by ]]>");
+  }
+
+  void instruction() {
+    if (!scan_.elements.empty())
+      fail(at_, 2, openTag(), "<? ?> is allowed only before the first element", {});
+    skipTo("?>", 2, "<? is not closed by ?>");
+  }
+
+  void opening() {
+    const std::size_t begin = at_++;
+    const std::string_view tagName = name();
+    if (tagName.empty())
+      fail(begin, 1, openTag(), "no name follows \"<\"", "in a text \"<\" is written &lt;");
+    XmlScan::Element element{begin, tagName.size() + 1, 0};
+    if (open_.empty() && !scan_.elements.empty()) {
+      Diagnostic error = diagnostic(begin, element.size, std::string(tagName),
+                                    "second root element", "a file has one root element");
+      addNote(error, scan_.elements[0], " is the first");
+      fail(std::move(error));
+    }
+    if (open_.size() >= kDeepestXml)
+      fail(begin, element.size, std::string(tagName),
+           "elements are nested deeper than " + std::to_string(kDeepestXml), {});
+    const bool empty = attributes(element);
+    scan_.elements.push_back(element);
+    if (!empty) open_.push_back(scan_.elements.size() - 1);
+  }
+
+  void closing() {
+    const std::size_t begin = at_;
+    at_ += 2;
+    const std::string found(name());
+    skipSpace();
+    const std::size_t size = at_ - begin;
+    if (open_.empty()) fail(begin, size, found, "</" + found + "> closes nothing", {});
+    const XmlScan::Element& element = scan_.elements[open_.back()];
+    if (found != tag(element)) {
+      Diagnostic error = diagnostic(begin, size, tag(element),
+                                    "expected </" + tag(element) + ">, found </" + found + '>', {});
+      addNote(error, element, " is opened here");
+      fail(std::move(error));
+    }
+    if (!startsWith(">")) fail(begin, size, found, "the closing tag has no \">\"", {});
+    ++at_;
+    open_.pop_back();
+  }
+
+  void addNote(Diagnostic& error, const XmlScan::Element& element, const std::string& text) const {
+    Place place = source_.place(element.begin, element.size);
+    std::string line = source_.shownLine(place);
+    error.notes.push_back({std::move(place), '<' + tag(element) + '>' + text, std::move(line)});
+  }
+
+  // Attributes.
+
+  /// Reads up to the end of the tag. \return whether the element ends with it (`/>`)
+  bool attributes(XmlScan::Element& element) {
+    for (;;) {
+      skipSpace();
+      if (startsWith("/>")) return at_ += 2, true;
+      if (startsWith(">")) return ++at_, false;
+      if (at_ >= text_.size() || text_[at_] == '<')
+        fail(element.begin, element.size, tag(element), "the tag has no \">\"", {});
+      attribute(element);
+    }
+  }
+
+  void attribute(XmlScan::Element& element) {
+    XmlScan::Attribute attribute;
+    attribute.name = at_;
+    const std::string attributeName(name());
+    attribute.nameSize = attributeName.size();
+    if (attributeName.empty())
+      fail(at_, 1, tag(element),
+           "unexpected character " + quotedName(nextCharacter(text_, at_).bytes),
+           "an attribute is written name=\"value\"");
+    skipSpace();
+    if (!startsWith("="))
+      fail(attribute.name, attribute.nameSize, tag(element),
+           "the attribute " + quotedName(attributeName) + " has no value",
+           "write " + attributeName + "=\"…\"");
+    ++at_;
+    skipSpace();
+    value(element, attribute, attributeName);
+    checkDouble(element, attribute, attributeName);
+    if (element.attributes == kMostXmlAttributes)
+      fail(attribute.name, attribute.nameSize, tag(element),
+           "the element has more than " + std::to_string(kMostXmlAttributes) + " attributes", {});
+    scan_.attributes.push_back(attribute);
+    ++element.attributes;
+  }
+
+  void value(const XmlScan::Element& element, XmlScan::Attribute& attribute,
+             const std::string& attributeName) {
+    const std::size_t begin = at_;
+    const char quote = begin < text_.size() ? text_[begin] : '\0';
+    if (quote != '"' && quote != '\'') {
+      const std::size_t end = std::min(text_.find_first_of(" \t\r\n<>/\"'", begin), text_.size());
+      const std::string word(text_.substr(begin, end - begin));
+      fail(begin, end - begin, tag(element),
+           "the value of " + quotedName(attributeName) + " is not in quotes",
+           "write " + attributeName + "=\"" + (word.empty() ? "…" : word) + '"');
+    }
+
+    // A quote that is not closed swallows the text up to the next one.
+    const std::size_t end = text_.find(quote, begin + 1);
+    const std::string_view content = text_.substr(begin + 1, end - begin - 1);
+    const char next = end < text_.size() - 1 ? text_[end + 1] : '>';
+    const bool glued = end < text_.size() && !isSpace(next) && next != '>' && next != '/';
+    const bool less = content.find('<') != std::string_view::npos;
+    if (end == std::string_view::npos || less || (glued && content.find('=') < content.size()))
+      fail(begin, content.substr(0, content.find_first_of("=<\n")).size() + 1, tag(element),
+           "the value of " + quotedName(attributeName) + " has no closing quote",
+           less ? "in a value \"<\" is written &lt;" : "");
+    if (glued)
+      fail(end + 1, 1, tag(element),
+           "expected a space after the value of " + quotedName(attributeName), {});
+    checkEntities(begin + 1, end, tag(element));
+    attribute.value = begin + 1;
+    attribute.valueSize = content.size();
+    at_ = end + 1;
+  }
+
+  void checkDouble(const XmlScan::Element& element, const XmlScan::Attribute& attribute,
+                   const std::string& attributeName) {
+    for (std::size_t i = 0; i < element.attributes; ++i) {
+      const XmlScan::Attribute& other = scan_.attributes[scan_.attributes.size() - 1 - i];
+      if (text_.substr(other.name, other.nameSize) != attributeName) continue;
+      Diagnostic error =
+          diagnostic(attribute.name, attribute.nameSize, tag(element),
+                     "the attribute " + quotedName(attributeName) + " is given twice", {});
+      Place first = source_.place(other.name, other.nameSize);
+      std::string line = source_.shownLine(first);
+      error.notes.push_back({std::move(first), "the first is here", std::move(line)});
+      report(std::move(error));
+      return;
+    }
+  }
+
+  const SourceText& source_;
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::vector<std::size_t> open_;  // indices of open elements
+  XmlScan scan_;
+  FaultList errors_;
+};
+
+}  // namespace
+
+XmlScan scanXml(const SourceText& source) { return Scanner(source).scan(); }
+
+std::optional<XmlEntity> xmlEntity(std::string_view text, std::size_t at) {
+  constexpr std::array<std::pair<std::string_view, char32_t>, 5> known{
+      {{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}};
+  const std::string_view rest = text.substr(at);
+  for (const auto& [word, code] : known)
+    if (rest.starts_with(word)) return XmlEntity{word.size(), code};
+  if (!rest.starts_with("&#")) return std::nullopt;
+
+  // A number: &#176; or &#xB0;
+  const bool hex = rest.starts_with("&#x");
+  const std::size_t first = hex ? 3 : 2;
+  char32_t code = 0;
+  std::size_t i = first;
+  for (; i < rest.size() && code <= 0x10FFFF; ++i) {
+    const char c = rest[i];
+    int digit = -1;
+    if (c >= '0' && c <= '9') digit = c - '0';
+    if (hex && c >= 'a' && c <= 'f') digit = c - 'a' + 10;
+    if (hex && c >= 'A' && c <= 'F') digit = c - 'A' + 10;
+    if (digit < 0) break;
+    code = code * (hex ? 16 : 10) + static_cast<char32_t>(digit);
+  }
+  const bool closed = i > first && i < rest.size() && rest[i] == ';';
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  if (!closed || surrogate || code > 0x10FFFF || !isXmlCharacter(code)) return std::nullopt;
+  return XmlEntity{i + 1, code};
+}
+
+namespace {
+
+/// The unit of decoded content that begins at byte `at`: its bytes in the source and decoded.
+std::pair<std::size_t, std::size_t> unitAt(std::string_view text, std::size_t at, bool cdata) {
+  const char c = text[at];
+  const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+  if ((c == '\r' && next == '\n') || (c == '\n' && next == '\r')) return {2, 1};
+  if (c != '&' || cdata) return {1, 1};
+  const auto entity = xmlEntity(text, at);
+  if (!entity) return {1, 1};
+  const char32_t code = entity->code;
+  return {entity->size, code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4};
+}
+
+}  // namespace
+
+std::size_t sourceOffset(std::string_view text, std::size_t begin, std::size_t decoded,
+                         bool cdata) {
+  std::size_t at = begin, done = 0;
+  while (at < text.size()) {
+    const auto [size, bytes] = unitAt(text, at, cdata);
+    if (done + bytes > decoded) break;
+    done += bytes;
+    at += size;
+  }
+  return at;
+}
+
+std::vector<XmlShift> xmlShifts(std::string_view text, std::size_t begin) {
+  std::vector<XmlShift> out;
+  std::size_t done = 0;
+  for (std::size_t at = begin; at < text.size();) {
+    const auto [size, bytes] = unitAt(text, at, false);
+    if (size != bytes) out.push_back({done, bytes, at, size});
+    done += bytes;
+    at += size;
+  }
+  return out;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// Finds where everything in an XML text stands, and says exactly what is wrong with it.
+///
+/// The parser of the tree (tinyxml2) knows lines only, and it accepts two roots, doubled
+/// attributes, text outside of the root and unknown entities. The scanner reads the same text
+/// before it: either it throws a ModelError with line, column and cause, or it lists the byte
+/// offsets of all elements, attributes and texts in document order, and the parser gives the
+/// content.
+///
+/// Not read, and said so: document types (`<!DOCTYPE`) with their entities.
+
+#include <dynamy/io/xml/source_text.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace dynamy {
+
+/// Byte offsets in the source of all that carries content, in document order.
+struct XmlScan {
+  struct Element {
+    std::size_t begin = 0, size = 0;  ///< `<Tag`
+    std::size_t attributes = 0;       ///< number of attributes
+  };
+  struct Attribute {
+    std::size_t name = 0, nameSize = 0, value = 0, valueSize = 0;
+  };
+  struct Text {
+    std::size_t begin = 0;
+    bool cdata = false;
+  };
+  std::vector<Element> elements;
+  std::vector<Attribute> attributes;
+  std::vector<Text> texts;  ///< texts of white space alone are left out
+};
+
+/// Deepest nesting of elements that is read.
+constexpr std::size_t kDeepestXml = 64;
+/// Most attributes of one element that are read.
+constexpr std::size_t kMostXmlAttributes = 256;
+
+/// A piece of a value that has another length in the file: an entity, a line end of two bytes.
+struct XmlShift {
+  std::size_t begin = 0, size = 0;              ///< in the decoded value
+  std::size_t sourceBegin = 0, sourceSize = 0;  ///< bytes of the file
+};
+
+/// \throws ModelError if the text is no well-formed XML in UTF-8.
+XmlScan scanXml(const SourceText& source);
+
+/// An entity such as `&lt;` or `&#176;`: its size in the source and the character it stands for.
+struct XmlEntity {
+  std::size_t size = 0;
+  char32_t code = 0;
+};
+/// The entity at the `&` at byte `at`, if there is one that XML knows.
+std::optional<XmlEntity> xmlEntity(std::string_view text, std::size_t at);
+
+/// The pieces of the value from byte `begin` to the end of `text` that decoding makes shorter.
+std::vector<XmlShift> xmlShifts(std::string_view text, std::size_t begin);
+
+/// Walks over decoded content in the source: the offset in the source of the character that holds
+/// byte `decoded` of the content that begins at `begin`. A line end of two bytes counts as one, an
+/// entity as the bytes of its character; in a CDATA section there are no entities.
+std::size_t sourceOffset(std::string_view text, std::size_t begin, std::size_t decoded, bool cdata);
+
+}  // namespace dynamy

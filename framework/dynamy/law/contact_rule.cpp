@@ -1,0 +1,50 @@
+// Laws between materials: <Contact between="rubber steel"><Law/></Contact>, and pairs that are
+// switched off: <NoContact between="rubber rubber"/>.
+#include <array>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/contact_rule.hpp>
+#include <dynamy/law/pair_laws.hpp>
+
+namespace dynamy {
+namespace {
+
+void declareBetween(Attributes& a) {
+  a.add(AttributeType::names, "between", std::nullopt, "the two materials");
+}
+
+std::array<std::string, 2> materials(const Parameters& x) {
+  const ParameterValue& between = x["between"];
+  const std::vector<std::string> words = between.words();
+  if (words.size() != 2)
+    throw between.fault("two materials are needed, here are " + std::to_string(words.size()),
+                        "a material in contact with itself is written twice", 0,
+                        between.text.size());
+  return {words[0], words[1]};
+}
+
+}  // namespace
+
+ContactRule::ContactRule(const Parameters& x)
+    : MaterialRule(x), law_(x.takeOne<SetValuedForceLaw>()) {
+  const auto [a, b] = materials(x);
+  a_ = a, b_ = b;
+}
+
+ContactRule::~ContactRule() = default;
+
+void ContactRule::enter(PairLaws& laws) const { laws.enter(*this); }
+
+void ContactRule::declare(Attributes& a) {
+  a.about("The force law between all shapes of two materials.");
+  declareBetween(a);
+  a.child(Kind::law, 1, 1, "the force law");
+  a.example("<Contact between=\"rubber concrete\"><UnilateralCoulomb mu=\"0.3\"/></Contact>");
+}
+
+void NoContactRule::declare(Attributes& a) {
+  a.about("Shapes of these two materials pass through each other.");
+  declareBetween(a);
+  a.example("<NoContact between=\"rubber rubber\"/>");
+}
+
+}  // namespace dynamy

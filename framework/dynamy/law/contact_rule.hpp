@@ -1,0 +1,46 @@
+/// What a model says about the contact of materials: the law of two, that two do not touch, the
+/// values of one, how the values of two mix. Materials belong to shapes, laws to pairs of
+/// materials; PairLaws answers which law a pair gets.
+#pragma once
+#include <dynamy/law/set_valued_force_law.hpp>
+#include <memory>
+#include <string>
+
+namespace dynamy {
+
+class PairLaws;
+
+/// One thing said about materials.
+class MaterialRule : public Element {
+ public:
+  static constexpr Kind kKind = Kind::rule;
+  using Element::Element;
+  /// Enters what it says. The rule is borrowed and outlives `laws`' answers.
+  virtual void enter(PairLaws& laws) const = 0;
+};
+
+/// `<Contact between="a b">law</Contact>`. The order of the materials does not matter.
+class ContactRule : public MaterialRule {
+ public:
+  explicit ContactRule(const Parameters& x);
+  ~ContactRule() override;
+  static void declare(Attributes& a);
+  void enter(PairLaws& laws) const override;
+  const std::string& materialA() const { return a_; }
+  const std::string& materialB() const { return b_; }
+  /// Null: the pair is switched off (NoContact).
+  const SetValuedForceLaw* law() const { return law_.get(); }
+
+ private:
+  std::string a_, b_;
+  std::unique_ptr<SetValuedForceLaw> law_;
+};
+
+/// `<NoContact between="a b"/>`: a rule without a law.
+class NoContactRule final : public ContactRule {
+ public:
+  using ContactRule::ContactRule;
+  static void declare(Attributes& a);
+};
+
+}  // namespace dynamy

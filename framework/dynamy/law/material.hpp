@@ -1,0 +1,47 @@
+/// Values of single materials and the rule by which those of two mix.
+///
+///   min        min(a, b)      the slippery one decides
+///   max        max(a, b)      the rough one decides
+///   mean       (a + b)/2
+///   geometric  √(a b)
+///   product    a b            of two equal ones the square
+///
+/// No rule follows from the physics of surfaces: friction belongs to pairs. Hence none is taken
+/// unless the model names it, and the law of a pair wins.
+#pragma once
+#include <dynamy/law/contact_rule.hpp>
+
+namespace dynamy {
+
+/// Coefficients of contact [–].
+struct ContactValues {
+  double mu = 0.0, epsilonN = 0.0, epsilonT = 0.0;
+};
+
+/// `<Material name="rubber" mu="0.8" epsilonN="0.5"/>`.
+class Material final : public MaterialRule {
+ public:
+  explicit Material(const Parameters& x);
+  static void declare(Attributes& a);
+  void enter(PairLaws& laws) const override;
+  const ContactValues& values() const { return values_; }
+
+ private:
+  ContactValues values_;
+};
+
+/// `<Contacts mixing="min"/>`.
+class MixingRule final : public MaterialRule {
+ public:
+  explicit MixingRule(const Parameters& x);
+  static void declare(Attributes& a);
+  void enter(PairLaws& laws) const override;
+  ContactValues mix(const ContactValues& a, const ContactValues& b) const;
+  const std::string& ofFriction() const { return friction_; }
+  const std::string& ofRestitution() const { return restitution_; }
+
+ private:
+  std::string friction_, restitution_;
+};
+
+}  // namespace dynamy

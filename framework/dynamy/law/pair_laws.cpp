@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/law/pair_laws.hpp>
+#include <dynamy/law/standard_laws.hpp>
+
+namespace dynamy {
+namespace {
+
+PairLaws::Names inOrder(const std::string& a, const std::string& b) {
+  const auto& [first, second] = std::minmax(a, b);
+  return {first, second};
+}
+
+std::string quotedPair(const std::string& a, const std::string& b) {
+  return "\"" + a + "\" and \"" + b + "\"";
+}
+
+}  // namespace
+
+void PairLaws::add(std::unique_ptr<MaterialRule> rule) {
+  rules_.push_back(std::move(rule));
+  rules_.back()->enter(*this);
+}
+
+/// Takes the rule into the place `known`, unless one is there.
+template <class Known, class Rule>
+void PairLaws::once(Known& known, const Rule& rule, const std::string& what) {
+  if (!known) {
+    known = &rule;
+    return;
+  }
+  twice_.add({.place = rule.place(),
+              .element = rule.type(),
+              .text = what,
+              .hint = "remove one of the two",
+              .notes = {{.place = known->place(), .text = "the first rule"}}});
+}
+
+void PairLaws::enter(const ContactRule& rule) {
+  once(pairs_[inOrder(rule.materialA(), rule.materialB())], rule,
+       "the materials " + quotedPair(rule.materialA(), rule.materialB()) + " have a rule already");
+}
+
+void PairLaws::enter(const Material& material) {
+  once(materials_[material.name()], material,
+       "the material \"" + material.name() + "\" has values already");
+}
+
+void PairLaws::enter(const MixingRule& rule) {
+  once(mixing_, rule, "how values of materials mix is said already");
+}
+
+const Material* PairLaws::material(const std::string& name) const {
+  const auto at = materials_.find(name);
+  return at == materials_.end() ? nullptr : at->second;
+}
+
+PairLaw PairLaws::mixed(const Material& a, const Material& b) {
+  const ContactValues v = mixing_->mix(a.values(), b.values());
+  if (!std::isfinite(v.mu))
+    throw ModelError(Diagnostic{.place = mixing_->place(),
+                                .element = mixing_->type(),
+                                .text = "mu of the materials " + quotedPair(a.name(), b.name()) +
+                                        " mixes to " + numberText(v.mu),
+                                .hint = "take smaller values"});
+  std::unique_ptr<const SetValuedForceLaw> law;
+  std::string text = "Unilateral";
+  // Without friction a contact needs no tangents.
+  if (v.mu > 0.0) {
+    law = std::make_unique<UnilateralCoulomb>(v.epsilonN, v.epsilonT, v.mu);
+    text += "Coulomb mu=" + numberText(v.mu);
+  } else {
+    law = std::make_unique<Unilateral>(v.epsilonN);
+  }
+  text += " epsilonN=" + numberText(v.epsilonN);
+  if (v.mu > 0.0 && v.epsilonT > 0.0) text += " epsilonT=" + numberText(v.epsilonT);
+  mixedLaws_.push_back(std::move(law));
+  return {mixedLaws_.back().get(), mixing_, std::move(text)};
+}
+
+const PairLaw& PairLaws::find(const std::string& a, const std::string& b) {
+  const Names names = inOrder(a, b);
+  const auto [at, isNew] = found_.try_emplace(names);
+  PairLaw& out = at->second;
+  if (!isNew) return out;
+  if (const auto own = pairs_.find(names); own != pairs_.end()) {
+    const ContactRule& rule = *own->second;
+    out = {rule.law(), &rule, rule.law() ? rule.law()->type() : "no contact"};
+  } else if (mixing_) {
+    const Material *first = material(names.first), *second = material(names.second);
+    if (first && second) out = mixed(*first, *second);
+  }
+  return out;
+}
+
+Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
+  const std::string between = "between=\"" + a + " " + b + "\"";
+  Diagnostic d;
+  d.text = "no law for contact of the materials " + quotedPair(a, b);
+  if (mixing_) {
+    // Whose values are missing, and whether the name was misspelt.
+    const std::string& without = material(a) ? b : a;
+    std::vector<std::string> known;
+    for (const auto& [name, values] : materials_) known.push_back(name);
+    d.text += ": \"" + without + "\" has no values to mix";
+    d.hint = unknownNameHint(without, known);
+    if (!d.hint.starts_with("did you mean"))
+      d.hint = "add <Material name=\"" + without + "\" mu=\"…\"/>, or <Contact " + between +
+               ">…</Contact>";
+    d.notes.push_back({.place = mixing_->place(), .text = "values mix by this rule"});
+    return d;
+  }
+  d.hint = "add <Contact " + between + ">…</Contact>, or <NoContact " + between + "/>";
+  if (material(a) && material(b))
+    d.hint += ", or say by <Contacts mixing=\"…\"/> how the values of two materials mix";
+  return d;
+}
+
+std::vector<const MaterialRule*> PairLaws::idle() const {
+  std::vector<const MaterialRule*> out;
+  for (const auto& rule : rules_) {
+    bool used = false;
+    for (const auto& [names, answer] : found_) {
+      used = used || answer.from == rule.get();
+      if (answer.from != mixing_ || !mixing_) continue;
+      used = used || material(names.first) == rule.get() || material(names.second) == rule.get();
+    }
+    if (!used) out.push_back(rule.get());
+  }
+  return out;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,59 @@
+/// PairLaws: which law two materials get, and who says so. The rules of a model are entered in any
+/// order; the answer is
+///
+///   1. the <Contact> or <NoContact> of the pair,
+///   2. else, if the model has <Contacts> and both materials have values, the law of the mixed
+///   ones,
+///   3. else none: an error if shapes of the two can touch.
+#pragma once
+#include <dynamy/law/material.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace dynamy {
+
+/// The law of two materials.
+struct PairLaw {
+  const SetValuedForceLaw* law = nullptr;  ///< null: they pass through each other
+  const MaterialRule* from = nullptr;      ///< the rule that says so; null: none does
+  std::string text;                        ///< "UnilateralCoulomb mu=0.3", for reports
+};
+
+class PairLaws {
+ public:
+  using Names = std::pair<std::string, std::string>;  ///< in ascending order
+
+  void add(std::unique_ptr<MaterialRule> rule);
+  /// For the rules.
+  void enter(const ContactRule& rule);
+  void enter(const Material& material);
+  void enter(const MixingRule& rule);
+
+  /// Throws ModelError naming every pair, material and mixing rule that is said twice.
+  void verify() const { twice_.throwIfAny(); }
+  /// Of the materials a, b in any order; remembers that it was asked for.
+  const PairLaw& find(const std::string& a, const std::string& b);
+  /// The error of shapes of a and b that can touch without a law: text, hint, notes.
+  Diagnostic missing(const std::string& a, const std::string& b) const;
+  /// All answers given so far.
+  const std::map<Names, PairLaw>& found() const { return found_; }
+  /// Rules that no answer rests on.
+  std::vector<const MaterialRule*> idle() const;
+
+ private:
+  template <class Known, class Rule>
+  void once(Known& known, const Rule& rule, const std::string& what);
+  PairLaw mixed(const Material& a, const Material& b);
+  const Material* material(const std::string& name) const;
+
+  std::vector<std::unique_ptr<MaterialRule>> rules_;
+  std::map<Names, const ContactRule*> pairs_;
+  std::map<std::string, const Material*> materials_;
+  const MixingRule* mixing_ = nullptr;
+  std::vector<std::unique_ptr<const SetValuedForceLaw>> mixedLaws_;
+  std::map<Names, PairLaw> found_;
+  Diagnostics twice_;
+};
+
+}  // namespace dynamy

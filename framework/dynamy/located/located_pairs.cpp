@@ -1,0 +1,66 @@
+// LocatedDormandPrince: contacts that come and go with the features of bodies (theory 50.9).
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/minima.hpp>
+#include <cstdint>
+#include <dynamy/located/located_dormand_prince.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kOverlap = 1e-3;  ///< of tol L: overlaps that are left as they are
+constexpr double kPassing = 10.0;  ///< of tol L: overlaps inside a step, which end before it does
+constexpr std::uintmax_t kLooks = 12;  ///< for the place where two bodies are nearest
+constexpr int kNearestBits = 20;
+constexpr double kShorter = 0.5;  ///< steps in which bodies sink into one another
+
+}  // namespace
+
+double LocatedDormandPrince::leftOverlap() const {
+  return kOverlap * norm_.tolerance() * norm_.length();
+}
+
+bool LocatedDormandPrince::widen() {
+  if (!probe_.comesAndGoes()) return true;
+  const double deep = startOverlap_ + kPassing * norm_.tolerance() * norm_.length();
+  trial_.x.memory = from_.x.memory;
+  // Each place looks half of the way to the next ones.
+  const double ahead = 0.5 * path_.length() / SwitchSearch::kSamples;
+  constexpr int n = SwitchSearch::kSamples;
+  const auto depth = [&](double theta) {
+    path_.at(theta, trial_.x);
+    probe_.widen(trial_.x, ahead);
+    if (theta > 0.0 && probe_.overlap() > deep) passing_ = std::min(passing_, theta);
+    return probe_.overlap();
+  };
+  std::array<double, n + 1> depths{};
+  for (int j = 0; j <= n; ++j)
+    depths[static_cast<std::size_t>(j)] = depth(static_cast<double>(j) / n);
+  // Bodies that come near and part again: how near between the samples?
+  for (std::size_t j = 1; j < n; ++j) {
+    const double here = depths[j], fall = std::max(here - depths[j - 1], here - depths[j + 1]);
+    if (here < depths[j - 1] || here <= depths[j + 1] || here > deep || here + fall < 0.0) continue;
+    std::uintmax_t looks = kLooks;
+    boost::math::tools::brent_find_minima([&](double theta) { return -depth(theta); },
+                                          static_cast<double>(j - 1) / n,
+                                          static_cast<double>(j + 1) / n, kNearestBits, looks);
+  }
+  return probe_.settle(from_.x) && search_.watch(probe_, phase_, from_.x);
+}
+
+bool LocatedDormandPrince::sinks(const State& x) {
+  if (!probe_.comesAndGoes()) return false;
+  probe_.widen(x, 0.0);
+  const double most = startOverlap_ + leftOverlap();
+  return probe_.overlap() > most;
+}
+
+bool LocatedDormandPrince::takeShorter(const MechanicalSystem& s, double h,
+                                       const std::array<double, 5>& works, StepReport& report) {
+  ++report.counts.rejected;
+  works_ = works, phase_.held = startHeld_, H_ = kShorter * h;
+  book(s, &StepEffort::rejected, report);
+  return true;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,176 @@
+// LocatedDormandPrince: steps in time where switches are too dense to be located.
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/located_dormand_prince.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
+constexpr int kDense = 64;        ///< rows above are solved by sparse methods
+
+/// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
+constexpr double kPerRow = 100.0;
+constexpr double kGrown = 0.1;    ///< of an allowed overlap: less is none
+constexpr double kSliver = 1e-3;  ///< of a step: so much longer, and no short one is left
+constexpr int kStepped = 3;       ///< numbers in front of the rates
+
+}  // namespace
+
+void LocatedDormandPrince::govern(const MechanicalSystem& s, long evaluations,
+                                  const StepReport& report) {
+  const double work = locatedWork(s, static_cast<double>(evaluations));
+  const bool switched = report.counts.switches > 0;
+  owe(s, work, switched);
+  const bool over = governor_.located(to_.x.t, report.dt, evaluations, work,
+                                      steppedWork(s, 1.0, 4.0), switched, lastSwitched_);
+  if (over && governor_.mode() == SwitchGovernor::Mode::locate) owed_.setZero();
+}
+
+/// The largest overlap of unilateral contacts of what is stepped in time, of those that rebound as
+/// well [m].
+double LocatedDormandPrince::deepest(const ContactSet& c) const {
+  double overlap = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const int system = c.law[at]->unilateral() ? islands_.systemOf(c, i) : -1;
+    if (system >= 0 && timed_[static_cast<std::size_t>(system)] != 0)
+      overlap = std::max(overlap, -c.position[static_cast<std::size_t>(c.row0[at])]);
+  }
+  return overlap;
+}
+
+double LocatedDormandPrince::locatedWork(const MechanicalSystem& s, double evaluations) const {
+  // Each solves for the forces by an orthogonal decomposition of all rows.
+  const double n = static_cast<double>(s.slot(0).h.size()), m = phase_.rows();
+  return evaluations * (kPerRow * (n + m) + 10.0 / 3.0 * m * m * m);
+}
+
+double LocatedDormandPrince::steppedWork(const MechanicalSystem& s, double evaluations,
+                                         double newton) const {
+  const double n = static_cast<double>(s.slot(0).h.size()), m = s.slot(0).contacts.rows();
+  const double dense = std::min(m, static_cast<double>(kDense));
+  return evaluations * kPerRow * (n + m) + newton / 3.0 * m * dense * dense;
+}
+
+double LocatedDormandPrince::steppedError(MechanicalSystem& s, const State& a, const State& b,
+                                          double h) {
+  // Positions by the trapezoidal rule: h/2 |Δu − Δu of the step before|, an impact or h³ü/2; the
+  // first step tells the rate. Overlaps at the end count as well, which the step itself does not
+  // look at, if they grew: one that stays, shorter steps do not mend.
+  double worst = 0.0;
+  const bool known = rate_.size() == a.u.size();
+  for (std::size_t k = 0; known && k < timed_.size(); ++k) {
+    const SystemHandle& part = s.parts().topology->system(static_cast<int>(k));
+    for (int i = part.u0; timed_[k] != 0 && i < part.u0 + part.nu; ++i)
+      worst = std::max(worst, norm_.velocity(i, b.u[i] - a.u[i] - h * rate_[i], 0.0));
+  }
+  worst *= 0.5 * h / norm_.time();
+  reached_ = deepest(s.evaluate(b, 1).contacts);
+  const double allowed = norm_.tolerance() * norm_.length(), gained = reached_ - overlap_;
+  worst = std::max(worst, (gained > kGrown * allowed ? reached_ : gained) / allowed);
+  return std::isfinite(worst) && s.indefiniteMass() < 0 ? worst : 1e300;
+}
+
+bool LocatedDormandPrince::stepsInTime(const State& x) {
+  if (x.scheme.size() <= kHead) {
+    governor_.reset();
+    return false;
+  }
+  governor_.numbers(x.scheme.data() + kHead);
+  return governor_.mode() == SwitchGovernor::Mode::step;
+}
+
+void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State& x) {
+  // Behind what there is of each system: the number of rates, the overlap, the length of what is
+  // kept of quiet islands; the rates, that, and what the other scheme keeps.
+  resumeNorm(s, x);
+  const Eigen::Index at = behindTimes(), systems = norm_.times().size();
+  const auto n = static_cast<Eigen::Index>(x.scheme[at]),
+             quiet = static_cast<Eigen::Index>(x.scheme[at + 2]);
+  head_ = x.scheme.head<kHead>();
+  timed_.resize(static_cast<std::size_t>(systems));
+  for (Eigen::Index i = 0; i < systems; ++i)
+    timed_[static_cast<std::size_t>(i)] = x.scheme[kBehind + systems + i] != 0.0 ? 1 : 0;
+  overlap_ = x.scheme[at + 1];
+  rate_ = x.scheme.segment(at + kStepped, n);
+  quietKept_ = x.scheme.segment(at + kStepped + n, quiet);
+  steppedFrom_.scheme = x.scheme.tail(x.scheme.size() - at - kStepped - n - quiet);
+}
+
+void LocatedDormandPrince::beginStepping(const State& x) {
+  head_.setZero();
+  if (x.scheme.size() > kHead)
+    head_ = x.scheme.head<kHead>();
+  else
+    head_.head<4>() << H_, norm_.time(), lookAhead_, lastEvent_;
+  chooseStepped(x);
+  rate_.resize(0), overlap_ = 0.0, untold_.clear();
+  steppedFrom_.scheme.resize(0);
+}
+
+void LocatedDormandPrince::storeStepping(State& x) const {
+  const auto numbers = governor_.numbers();
+  const Eigen::Index at = behindTimes(), n = rate_.size(), quiet = quietKept_.size();
+  const Eigen::VectorXd own = x.scheme;
+  x.scheme.resize(at + kStepped + n + quiet + own.size());
+  x.scheme.head<kHead>() = head_;
+  x.scheme[kHead - 1] = 0.0;  // nothing is held
+  std::copy(numbers.begin(), numbers.end(), x.scheme.data() + kHead);
+  x.scheme.segment(kBehind, norm_.times().size()) = norm_.times();
+  x.scheme.segment(kBehind, at - kBehind).tail(2 * norm_.times().size()).setZero();
+  for (std::size_t i = 0; i < timed_.size(); ++i)
+    x.scheme[kBehind + norm_.times().size() + static_cast<Eigen::Index>(i)] = timed_[i];
+  x.scheme.segment<kStepped>(at) << static_cast<double>(n), overlap_, static_cast<double>(quiet);
+  x.scheme.segment(at + kStepped, n) = rate_;
+  x.scheme.segment(at + kStepped + n, quiet) = quietKept_;
+  x.scheme.tail(own.size()) = own;
+}
+
+StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                            double dt) {
+  system_ = &s, denseReady_ = false, stepped_ = true, stored_.resize(0);
+  governor_.scales(norm_.tolerance(), norm_.time());
+  islands_.start(s.parts());
+  const long before = s.evaluations();
+  steppedFrom_.t = x.t, steppedFrom_.q = x.q, steppedFrom_.u = x.u;
+  steppedFrom_.memory = x.memory, steppedFrom_.impulses = x.impulses;
+  StepReport report;
+  StepCounts quiet;
+  double h = 0.0, tE = 0.0, error = 0.0;
+  int rejected = 0, newton = 0;
+  for (;; ++rejected) {
+    const double known = followQuiet(s, solver, steppedFrom_.t + dt, quiet);
+    h = std::min(governor_.h(), dt);
+    tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;
+    if (known <= tE + kSliver * h) tE = known, h = tE - steppedFrom_.t;
+    placeQuiet(s, tE);
+    s.thaw(), s.bias(false);
+    x = steppedFrom_;
+    report = timeStepping_.step(s, solver, x, h);
+    newton += 1 + report.solved.newton;
+    error = steppedError(s, steppedFrom_, x, h);
+    if ((error <= 1.0 && report.solved.ok()) || !(h > governor_.least())) break;
+    governor_.shorten(h, std::max(error, 1.0));
+  }
+  x.t = tE;
+  report.dt = x.t - steppedFrom_.t;
+  rate_ = (x.u - steppedFrom_.u) / h, overlap_ = reached_;
+  joinQuiet(s, x, report);
+  report.counts = quiet;
+  report.counts.rejected += rejected;
+  report.counts.stepped = true, report.counts.stepError = error;
+  report.counts.turnedBy = governor_.turnedBy(), report.counts.turnedAt = governor_.turnedAt();
+  report.counts.steppedSystems = steppedSystems();
+  const StepEffort& e = quiet.effort;
+  const long evaluations = s.evaluations() - before - e.smooth - e.rejected - e.switches - e.events;
+  report.counts.effort.stepping = evaluations;
+  governor_.told();
+  governor_.stepped(x.t, h, error, steppedWork(s, static_cast<double>(evaluations), newton),
+                    rejected > 0, locatedWork(s, kSwitch));
+  head_[0] = nextStepped(x.t);
+  storeStepping(x);
+  return report;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/phase/half_explicit_gragg.hpp>
+#include <dynamy/located/phase/smooth_step.hpp>
+
+namespace dynamy {
+
+void HalfExplicitGragg::rate(const MechanicalSystem& s, const State& x) {
+  if (plain_)
+    qdot_ = x.u;
+  else
+    configurationRate(*s.parts().topology, x, qdot_);
+}
+
+bool HalfExplicitGragg::column(MechanicalSystem& s, FrozenPhase& phase, const State& from, int n) {
+  const double h = H_ / n;
+  Eigen::VectorXd& T = T_[static_cast<std::size_t>(n / 2 - 1)];
+  T.setZero(nq_ + nu_ + rows_ + 5);
+  past_ = from, now_ = from;
+  for (int k = 0; k < n; ++k) {
+    const double tau = k == 0 ? h : 2.0 * h;
+    if (k > 0) s.evaluate(now_, 1);
+    const Evaluation& e = s.slot(k == 0 ? 0 : 1);
+    rate(s, now_);
+    next_.t = from.t + (k + 1) * h;
+    next_.q = past_.q + tau * qdot_;
+    next_.u = now_.u;
+    next_.memory = from.memory;
+    if (!phase.advance(e, now_.u, s.look(next_), past_.u, tau, a_)) return false;
+    next_.u = past_.u + tau * a_;
+    if (k % 2 == 1) {  // what leads from one even sub-step to the next
+      T.segment(nq_ + nu_, rows_) += tau * phase.lambda();
+      for (std::size_t w = 0; w < 5; ++w)
+        T[nq_ + nu_ + rows_ + static_cast<Eigen::Index>(w)] += tau * phase.power()[w];
+    }
+    std::swap(past_, now_), std::swap(now_, next_);
+  }
+  T.head(nq_) = now_.q, T.segment(nq_, nu_) = now_.u;
+  return true;
+}
+
+bool HalfExplicitGragg::take(MechanicalSystem& s, FrozenPhase& phase, const State& from, double h,
+                             int columns, bool plain, State& to) {
+  columns_ = columns, H_ = h, plain_ = plain;
+  nq_ = from.q.size(), nu_ = from.u.size();
+  // A slip that starts has the direction of γ̇_T, and that needs the bias.
+  s.bias(std::any_of(phase.held.begin(), phase.held.end(), [](const Held& x) { return x.starts; }));
+  s.evaluate(from, 0);
+  rows_ = phase.countRows(s.slot(0));
+  bool good = true;
+  for (int j = 1; good && j <= columns; ++j) good = column(s, phase, from, 2 * j);
+  s.bias(true);
+  if (!good) return false;
+  // Aitken's and Neville's scheme; T_[j] holds T_{j,l} after l passes over the columns below it.
+  for (int l = 1; l < columns; ++l) {
+    if (l == columns - 1) error_ = T_[static_cast<std::size_t>(columns - 1)];
+    for (int j = columns - 1; j >= l; --j) {
+      const auto at = static_cast<std::size_t>(j);
+      const double ratio = static_cast<double>(j + 1) / (j + 1 - l);
+      T_[at] += (T_[at] - T_[at - 1]) / (ratio * ratio - 1.0);
+    }
+  }
+  if (columns == 1) {  // against Euler's rule
+    error_.setZero(best().size());
+    rate(s, from);
+    error_.head(nq_) = from.q + h * qdot_, error_.segment(nq_, nu_) = from.u;
+  }
+  error_ = best() - error_;
+  to.t = from.t + h, to.q = best().head(nq_), to.u = best().segment(nq_, nu_);
+  return true;
+}
+
+double HalfExplicitGragg::error(const ErrorNorm& norm, const State& from, const State& to) const {
+  double worst = 0.0;
+  for (Eigen::Index i = 0; i < nq_; ++i)
+    worst = std::max(worst,
+                     norm.position(i, error_[i], std::max(std::abs(from.q[i]), std::abs(to.q[i]))));
+  for (Eigen::Index i = 0; i < nu_; ++i)
+    worst = std::max(
+        worst, norm.velocity(i, error_[nq_ + i], std::max(std::abs(from.u[i]), std::abs(to.u[i]))));
+  return worst;
+}
+
+std::array<double, 5> HalfExplicitGragg::works() const {
+  std::array<double, 5> out{};
+  std::copy_n(best().data() + nq_ + nu_ + rows_, out.size(), out.begin());
+  return out;
+}
+
+}  // namespace dynamy

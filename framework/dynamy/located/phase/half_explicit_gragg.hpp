@@ -1,0 +1,46 @@
+/// HalfExplicitGragg: one step of the extrapolated half-explicit midpoint rule through a frozen
+/// phase, the constraint on velocities met at the NEW position of each sub-step (theory 52.4):
+///
+///   q₁ = q₀ + h q̇₀                        M₀ (u₁ − u₀) = h (h₀ + W₀ λ₀)
+///   q_{k+1} = q_{k−1} + 2h q̇_k            M_k (u_{k+1} − u_{k−1}) = 2h (h_k + W_k λ_k)
+///   W(q_{k+1})ᵀ u_{k+1} + χ = 0  in the held rows,   T_{j,1} = (q_n, u_n),  n = 2j
+///
+/// Its error has even powers of h alone, with friction too: k columns have order 2k. No bias
+/// γ̇ − Wᵀu̇ is asked for, and held rows do not move at the end of any column. Each sub-step
+/// evaluates M, h and contacts once and looks at contacts once more; k² of them, and one at the
+/// start. Rejected: constraints at q_k, which leave odd powers (Moreau's midpoint rule,
+/// theory 51.4).
+#pragma once
+#include <array>
+#include <dynamy/located/phase/frozen_phase.hpp>
+#include <dynamy/stages/error_norm.hpp>
+
+namespace dynamy {
+
+class HalfExplicitGragg {
+ public:
+  static constexpr int kMostColumns = 4;
+  /// From `from` over h; `to` gets q, u, quaternions as they come. `plain`: q̇ = u everywhere.
+  /// False: the phase has a fault. Slots 0 and 1 are used.
+  bool take(MechanicalSystem& s, FrozenPhase& phase, const State& from, double h, int columns,
+            bool plain, State& to);
+  /// Difference of the last two columns in units of the tolerance.
+  double error(const ErrorNorm& norm, const State& from, const State& to) const;
+  /// ∫λ dt, rows of the phase.
+  auto impulse() const { return best().segment(nq_ + nu_, rows_); }
+  std::array<double, 5> works() const;
+
+ private:
+  bool column(MechanicalSystem& s, FrozenPhase& phase, const State& from, int n);
+  void rate(const MechanicalSystem& s, const State& x);
+  const Eigen::VectorXd& best() const { return T_[static_cast<std::size_t>(columns_ - 1)]; }
+  std::array<Eigen::VectorXd, kMostColumns> T_;  // q, u, ∫λ dt, works; extrapolated in place
+  Eigen::VectorXd error_, qdot_, a_;
+  State past_, now_, next_;
+  Eigen::Index nq_ = 0, nu_ = 0, rows_ = 0;
+  int columns_ = 0;
+  double H_ = 0.0;
+  bool plain_ = false;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/switch_governor.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kWindow = 3000;     ///< evaluations, about a hundred switches,
+constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make each of them dear
+constexpr double kDearer = 2.0;      ///< by so much locating switches may cost more,
+constexpr double kBearable = 0.5;    ///< of that: others go on being located
+constexpr double kFast = 100.0;      ///< and motion that is fast without any
+constexpr double kLeast = 1e-5;      ///< of T: shorter steps in time are not taken,
+constexpr double kMost = 0.1;        ///< nor longer ones
+constexpr double kFirstStay = 0.05;  ///< of T
+constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
+
+}  // namespace
+
+std::array<double, SwitchGovernor::kNumbers> SwitchGovernor::numbers() const {
+  return {static_cast<double>(mode_),
+          static_cast<double>(turnedBy_),
+          static_cast<double>(turnedAt_.value >> 32),
+          static_cast<double>(turnedAt_.value & 0xffffffffu),
+          h_,
+          began_,
+          stay_,
+          window_,
+          windowWork_,
+          windowEvaluations_,
+          windowStepWork_,
+          switchWork_,
+          switches_,
+          stepWork_};
+}
+
+void SwitchGovernor::numbers(const double* x) {
+  mode_ = static_cast<Mode>(x[0]), turnedBy_ = static_cast<TurnedBy>(x[1]);
+  turnedAt_.value = static_cast<std::uint64_t>(x[2]) << 32 | static_cast<std::uint64_t>(x[3]);
+  h_ = x[4], began_ = x[5], stay_ = x[6], window_ = x[7], windowWork_ = x[8];
+  windowEvaluations_ = x[9], windowStepWork_ = x[10], switchWork_ = x[11];
+  switches_ = x[12], stepWork_ = x[13];
+}
+
+double SwitchGovernor::least() const { return std::max(tolerance_, kLeast) * T_; }
+
+bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
+                             bool switched, ContactKey at) {
+  turnedAt_ = at;
+  window_ += dt, windowWork_ += work, windowEvaluations_ += static_cast<double>(evaluations);
+  windowStepWork_ = std::max(windowStepWork_, stepWork), switchWork_ += switched ? work : 0.0;
+  if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return false;
+  const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
+  const bool dear = switchWork_ > kDearer * instead, fast = windowWork_ > kFast * instead;
+  window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
+  if (dear || fast) turn(t, TurnedBy::density, at);
+  tooFast_ = !dear, bearable_ = kBearable * (dear ? kDearer : kFast) * instead;
+  return true;
+}
+
+void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {
+  const bool soon = stay_ > 0.0 && t - began_ < stay_;
+  stay_ = soon ? 2.0 * stay_ : kFirstStay * T_;
+  mode_ = Mode::step, turnedBy_ = why, turnedAt_ = at;
+  began_ = t, h_ = least(), switches_ = stepWork_ = 0.0;
+}
+
+double SwitchGovernor::factor(double error) const {
+  // The error of an impact grows with h, that of smooth motion with h³: the root is between.
+  const double f = kGovernorSafety / std::sqrt(std::max(error, 1e-10));
+  return std::isfinite(f) ? f : kGovernorShrink;
+}
+
+void SwitchGovernor::shorten(double h, double error) {
+  h_ = std::max(least(), h * std::clamp(factor(error), kGovernorShrink, 0.5));
+}
+
+void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
+                             double switchWork) {
+  const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
+  // A step that was bounded from outside says little about the next.
+  h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), kMost * T_);
+  switches_ += again || error > 1.0 ? 1.0 : 0.0, stepWork_ += work;
+  if (t - began_ < stay_) return;
+  const bool rare = switches_ * switchWork <= stepWork_;
+  if (rare) mode_ = Mode::decideAnew;
+  began_ = t, switches_ = stepWork_ = 0.0;
+}
+
+}  // namespace dynamy

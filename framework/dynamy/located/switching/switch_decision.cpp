@@ -1,0 +1,183 @@
+// SwitchEvent: the decision of the status that begins at a switch.               (theory 50.4)
+#include <algorithm>
+#include <cmath>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/located/switching/switch_event.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kDecided = 1e-8;  ///< of the velocities a decision asks for: zero
+constexpr double kClear = 1e3;     ///< a slip enters a decision with this multiple of them at least
+
+}  // namespace
+
+void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
+  const ContactSet& c = s.slot(0).contacts;
+  gamma_.resize(c.rows());
+  c.gamma(view(x.u), view(gamma_));
+  closing_.clear();
+  gammaBefore_.resize(gamma_.size());
+  Eigen::Index rows = 0;
+  for (std::size_t i = 0; i < c.key.size(); ++i) {
+    const int first = c.row0[i], d = c.dim(static_cast<int>(i));
+    if (c.law[i]->unilateral() && gamma_[first] > leaves_) continue;
+    closing_.push_back(c.key[i]);
+    gammaBefore_.segment(rows, d) = gamma_.segment(first, d);
+    if (const double at = side(c, i, gamma_.data() + first); at != 0.0)
+      gammaBefore_[rows] = at * norm_->speed();
+    rows += d;
+  }
+  gammaBefore_.conservativeResize(rows);
+  std::sort(closing_.begin(), closing_.end());
+}
+
+void SwitchEvent::accelerationLevel(InclusionProblem& p, double unit) {
+  // γ̇ = Wᵀu̇ + w̄ in units of time, and the slip that a bound has let go.
+  const ContactSet& c = *p.contacts;
+  for (std::size_t k = 0; k < p.gammaFree.size() && k < c.bias.size(); ++k)
+    p.gammaFree[k] += unit * c.bias[k];
+  for (int i = 0; i < p.size() && direction_ != 0.0; ++i) {
+    if (c.key[static_cast<std::size_t>(i)] != released_) continue;
+    const int t = p.law(i).rowKind(0) == RowKind::normal ? 1 : 0;
+    gammaBefore_[p.row0(i) + t] = 2.0 * kSlip * norm_->speed() * direction_;
+  }
+}
+
+double SwitchEvent::speedOf(const InclusionProblem& p, const Block& b,
+                            const Eigen::VectorXd& gamma) {
+  FrozenPhase::Bounds bounds;  // weights are 1 where it has none
+  const int dim = p.dim(b.contact);
+  FrozenPhase::bounds(p.law(b.contact), {.dim = dim, .dt = 1.0}, bounds, b.first);
+  return slipSpeed(bounds, std::min(b.slipRows, kMostRows - 1), gamma.data() + b.slip);
+}
+
+void SwitchEvent::findBlocks(const InclusionProblem& p) {
+  blocks_.clear();
+  for (int i = 0; i < p.size(); ++i) {
+    FrozenPhase::parts(p.law(i), p.dim(i), parts_);
+    for (const auto& [first, rows] : parts_) {
+      const int row = p.row0(i) + first;
+      const int normal = first == 0 && p.law(i).rowKind(0) == RowKind::normal ? 1 : 0;
+      const bool joint = holds(p.law(i).rowKind(first));
+      blocks_.push_back({i, first, rows, row, row + normal, joint ? 0 : rows - normal});
+    }
+  }
+}
+
+double SwitchEvent::pose(InclusionProblem& p, bool jumped, const std::vector<HeldKey>& stopped) {
+  // Resting rows lose their residual; slips keep their direction and are made clear. After a jump
+  // the turn of the rows is that of W over h_s, else h_s w̄ at its end.
+  const double slipSpeed = kSlip * norm_->speed();
+  std::vector<double>& c = p.gammaFree;
+  double asked = 0.0;
+  findBlocks(p);
+  for (Block& b : blocks_) {
+    const HeldKey part{p.contacts->key[static_cast<std::size_t>(b.contact)], b.first};
+    const bool stops = std::find(stopped.begin(), stopped.end(), part) != stopped.end();
+    b.slips = !stops && b.slipRows > 0 && speedOf(p, b, gammaBefore_) > slipSpeed;
+    for (int k = b.row; k < b.row + b.rows; ++k) {
+      const auto row = static_cast<std::size_t>(k);
+      const bool slips = b.slips && k >= b.slip;
+      c[row] -= jumped ? gammaBefore_[k] : p.gammaA[row] - p.dt * p.contacts->bias[row];
+      p.gammaA[row] = slips ? gammaBefore_[k] : 0.0;
+      if (!slips) asked = std::max(asked, std::abs(c[row]));
+    }
+  }
+  if (!(asked > 0.0)) asked = 1e-12 * norm_->speed();
+  for (const Block& b : blocks_) {
+    if (!b.slips) continue;
+    Eigen::Map<Eigen::VectorXd> slip(c.data() + b.slip, b.slipRows);
+    slip = gammaBefore_.segment(b.slip, b.slipRows);
+    slip *= std::max(1.0, kClear * asked / speedOf(p, b, gammaBefore_));
+  }
+  p.c = c;
+  p.uRef = asked;
+  return asked;
+}
+
+void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                         double lookAhead, const FrozenPhase& old,
+                         const std::vector<HeldKey>& stopped, FrozenPhase& phase, Result& r) {
+  chooseClosed(s, x);
+  phase.held.clear();
+  if (closing_.empty()) return;
+  look_ = x;
+  look_.impulses = {};
+  if (!plain_) s.move(look_, x.u, lookAhead);
+  // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
+  const bool jumped = plain_ || !percussions_.empty() || !shut_.empty();
+  if (!jumped) look_.u += lookAhead * aBefore_;
+  s.hold(closing_);
+  s.evaluate(look_, 1);
+  look_.u = x.u;
+  InclusionProblem& p = s.impactProblem(look_, lookAhead, 1);
+  if (p.rows() != gammaBefore_.size()) {
+    const std::vector<ContactKey>& found = s.slot(1).contacts.key;
+    r.fault = FrozenPhase::kLost;
+    for (const ContactKey key : closing_)
+      if (std::find(found.begin(), found.end(), key) == found.end()) r.lost = key;
+    return;
+  }
+  holdNotches(s.contactsOf(1));
+  if (plain_) accelerationLevel(p, lookAhead);
+  pose(p, jumped, stopped);
+  Vec Lambda = s.Lambda();
+  Lambda.setZero();
+  const SolveReport solved = solver.solve(p, Lambda);
+  if (!solved.ok()) r.undecided = true, r.solved = solved;
+  // ξ = GΛ + c, contact by contact.
+  xi_.resize(gammaBefore_.size());
+  p.G->begin(Lambda.data());
+  for (int i = 0; i < p.size(); ++i) p.G->row(i, Lambda.data(), xi_.data() + p.row0(i));
+  for (Eigen::Index k = 0; k < xi_.size(); ++k) xi_[k] += p.c[static_cast<std::size_t>(k)];
+  readStatus(p, view(std::as_const(Lambda)), lookAhead, old, phase);
+}
+
+void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, double lookAhead,
+                             const FrozenPhase& old, FrozenPhase& phase) {
+  for (const Block& b : blocks_) {
+    const int first = p.row0(b.contact);
+    const double G = p.G->diagonalBlock(b.contact)[0];
+    // Closed: the percussion is worth more than what the contact leaves with.
+    FrozenPhase::Bounds set;  // which may pull
+    const bool pulls = FrozenPhase::bounds(p.law(b.contact), p.input(b.contact), set) &&
+                       set.form == FrozenPhase::Form::normal;
+    const double reserve = Lambda[first] - (pulls ? set.lower : 0.0);
+    if (p.law(b.contact).rowKind(0) == RowKind::normal &&
+        !(G * reserve > std::max(xi_[first], kDecided * p.uRef)))
+      continue;
+    phase.held.push_back(status(p, Lambda, b, lookAhead, old));
+  }
+}
+
+Held SwitchEvent::status(const InclusionProblem& p, ConstVec Lambda, const Block& b,
+                         double lookAhead, const FrozenPhase& old) const {
+  const SetValuedForceLaw& law = p.law(b.contact);
+  Held h;
+  h.key = p.contacts->key[static_cast<std::size_t>(b.contact)], h.first = b.first, h.rows = b.rows;
+  for (int k = 0; k < b.rows && k < kMostRows; ++k)
+    h.lambda[static_cast<std::size_t>(k)] = Lambda[b.row + k] / lookAhead;
+  if (law.rowKind(0) == RowKind::normal && p.dim(b.contact) > 1)
+    h.weight = Lambda[p.row0(b.contact)] / lookAhead;
+  const Held* before = old.find(HeldKey{h.key, h.first});
+  if (before != nullptr) h.mutedUntil = before->mutedUntil;
+  if (b.slipRows == 0) return h;
+  FrozenPhase::Bounds set;
+  const bool idle = FrozenPhase::bounds(law, p.input(b.contact), set, b.first) && set.idle();
+  h.slips = b.slips || idle || speedOf(p, b, xi_) > kDecided * p.uRef;
+  if (!h.slips) return h;
+  const Eigen::VectorXd& slip = b.slips ? gammaBefore_ : xi_;
+  h.sign = slip[b.slip] < 0.0 ? -1.0 : 1.0;
+  if (b.slipRows == 1) return h;
+  const double length = speedOf(p, b, slip);
+  for (int k = 0; length > 0.0 && k < b.slipRows && k < kMostRows - 1; ++k)
+    h.direction[static_cast<std::size_t>(k)] = slip[b.slip + k] / length;
+  // A slip that goes on starting keeps what it has turned; an impact is none's beginning.
+  const bool goesOn = before != nullptr && before->starts && percussions_.empty();
+  h.starts = !b.slips || goesOn;
+  if (b.slips && h.starts) h.turned = before->turned, h.direction = before->direction;
+  return h;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/schemes/energy_momentum.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMostNewtonTurns = 25;
+/// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
+/// with an old one it is the last if what is left of it after another turn drowns in rounding.
+constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
+/// The same with a new tangent in closed form, which takes forces of elements as constant: what it
+/// leaves is good to kSlow, else differences take its place.
+constexpr double kLastClosed = 1e-13;
+/// A correction of this many lengths is on the way to nowhere.
+constexpr double kLost = 1e3;
+/// Corrections that shrink by less than this ask for a new tangent.
+constexpr double kSlow = 0.1;
+
+}  // namespace
+
+StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
+  if (joints_ == Joints::unknown)  // joints are always closed: once for all steps
+    joints_ = newton_.begin(s, x, dt) ? Joints::some : Joints::none;
+  if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
+  return halve(s, solver, x, dt, 0);
+}
+
+/// One step, or two of half the length if Newton's iteration fails.
+StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                                 int depth) {
+  State& start = start_[depth];
+  start = x;
+  const StepReport whole = joined(s, solver, x, dt);
+  if (whole.solved.ok() || !whole.refused.empty() || depth == kMostHalvings) return whole;
+  x = start;
+  const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
+  StepReport second = halve(s, solver, x, 0.5 * dt, depth + 1);
+  second.dt = dt;
+  second.solved.iterations += whole.solved.iterations + first.solved.iterations;
+  second.solved.newton += whole.solved.newton + first.solved.newton;
+  second.solved.energyGain += first.solved.energyGain;
+  second.solved.repaired += first.solved.repaired;
+  if (!first.solved.ok()) second.solved.status = first.solved.status;
+  return second;
+}
+
+StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                  double dt) {
+  xA_ = x;
+  newton_.begin(s, xA_, dt);  // M, h, contacts at q^A
+  startMean(xA_, dt);         // v
+  // An impact must not act on turning links for a whole step: it is a jump at q^A.
+  const auto jump = projection_.impact(s, solver, xA_, dt, jump_);
+  if (jump) newton_.v = xA_.u;
+  contacts_.forgetMeanSlip();
+  SolveReport solved = solve(s, solver, xA_, dt);  // v, Λ_J, Λ_c
+  if (solved.ok() && contacts_.frictionDrives(newton_.v, xA_)) {
+    const SolveReport first = solved;
+    newton_.begin(s, xA_, dt);
+    solved = solve(s, solver, xA_, dt);
+    solved.iterations += first.iterations, solved.newton += first.newton;
+  }
+  if (jump) {
+    solved.energyGain += jump->energyGain, solved.repaired += jump->repaired;
+    solved.iterations += jump->iterations, solved.newton += jump->newton;
+    if (!jump->ok()) solved.status = jump->status, solved.residuals = jump->residuals;
+  }
+  hand(s, x, dt, jump.has_value());
+  s.move(x, newton_.v, dt);       // q^E = q^A ⊕ Δt v
+  x.u = 2.0 * newton_.v - xA_.u;  // u^E = 2v − u^A
+  if (project_ && !projection_.velocities(s, solver, x)) solved.status = SolveStatus::stalled;
+  jump ? x.scheme.resize(0) : keepMean(x, dt);
+  StepReport report{dt, solved, s.problem().size()};
+  if (jump) report.jump = &jump_;
+  report.refused = newton_.fault();
+  return report;
+}
+
+/// v goes on as the means of the last two steps do: they are smooth where the velocities at the
+/// ends, which satisfy joints in the mean only, jump to and fro. x.scheme holds both and their Δt.
+void EnergyMomentum::startMean(const State& x, double dt) {
+  const Eigen::Index nu = x.u.size();
+  if (x.scheme.size() != 2 * nu + 2) return;  // v = u^A
+  const double last = x.scheme[2 * nu], earlier = x.scheme[2 * nu + 1];
+  newton_.v = x.scheme.head(nu);
+  if (earlier > 0.0)
+    newton_.v += (dt + last) / (last + earlier) * (x.scheme.head(nu) - x.scheme.segment(nu, nu));
+}
+
+void EnergyMomentum::keepMean(State& x, double dt) const {
+  const Eigen::Index nu = x.u.size();
+  if (x.scheme.size() != 2 * nu + 2) x.scheme.setZero(2 * nu + 2);
+  x.scheme.segment(nu, nu) = x.scheme.head(nu);
+  x.scheme[2 * nu + 1] = x.scheme[2 * nu];
+  x.scheme.head(nu) = newton_.v, x.scheme[2 * nu] = dt;
+}
+
+SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                                  double dt) {
+  SolveReport report;
+  const double length = std::max(1e-6, x.q.cwiseAbs().maxCoeff());
+  contacts_.begin(s, x, dt);
+  contacts_.select(s, x, dt);
+  double before = 0.0;
+  bool fresh = true;
+  auto tangent = JointNewton::Tangent::closedForm;
+  for (int turn = 0; turn < kMostNewtonTurns; ++turn) {
+    newton_.residual(s, contacts_.impulse());
+    contacts_.select(s, x, dt);
+    ++report.iterations;
+    if (fresh) {
+      ++report.newton;
+      if (!newton_.linearise(s, contacts_.impulse(), tangent)) {
+        // A force that is no number ends the run, with the name of its system.
+        const Eigen::VectorXd& h = s.slot(0).h;
+        for (Eigen::Index k = 0; k < h.size(); ++k)
+          if (!std::isfinite(h[k])) newton_.v[k] = h[k];
+        break;
+      }
+    }
+    newton_.newtonStep();
+    const SolveReport inner = contacts_.solve(s, solver, x, newton_);
+    newton_.take();
+    const double way = dt * newton_.dv.cwiseAbs().maxCoeff();
+    report.residuals = inner.residuals;
+    report.residuals.Eu = std::max(inner.residuals.Eu, way / length);
+    report.status = inner.status;
+    report.energyGain = inner.energyGain, report.repaired = inner.repaired;
+    if (!std::isfinite(way) || way > kLost * length) break;
+    const double rate = turn > 0 ? way / before : 1.0;
+    const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;
+    const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
+    if (last || (way <= kLast * length && rate * way <= kLeftOfWay * length)) {
+      newton_.residual(s, contacts_.impulse());
+      return report;
+    }
+    const bool slow = turn > 0 && rate > kSlow;
+    if (slow && fresh) tangent = JointNewton::Tangent::differences;
+    fresh = slow;
+    before = way;
+  }
+  if (report.status == SolveStatus::solved) report.status = SolveStatus::maxIterations;
+  newton_.residual(s, contacts_.impulse());
+  return report;
+}
+
+/// The impulses go where observers and the next step look for them.
+void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt, bool jump) {
+  x.t = xA_.t + dt / 2;
+  s.impactProblem(x, dt, 0);
+  const ContactSet& c = s.slot(0).contacts;
+  Vec Lambda = s.Lambda();
+  std::size_t joint = 0;
+  int row = 0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool isJoint = joint < newton_.joints().size() && newton_.joints()[joint] == i;
+    const double* from = isJoint ? newton_.Lambda.data() + row : contacts_.of(c.key[at]);
+    for (int r = 0; r < c.dim(i); ++r) Lambda[c.row0[at] + r] = from ? from[r] : 0.0;
+    if (isJoint) ++joint, row += c.dim(i);
+  }
+  s.keepImpulses(x);  // those of a jump do not come again
+  x.t = xA_.t;
+  if (!jump) return;
+  jump_.Lambda.assign(static_cast<std::size_t>(c.rows()), 0.0);
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double* percussions = projection_.percussions(c.key[at]);
+    for (int r = 0; percussions && r < c.dim(i); ++r)
+      Lambda[c.row0[at] + r] += jump_.Lambda[static_cast<std::size_t>(c.row0[at] + r)] =
+          percussions[r];
+  }
+}
+
+void EnergyMomentum::interpolate(const MechanicalSystem& s, const State& a, const State& b,
+                                 double theta, State& out) const {
+  if (joints_ != Joints::some) return staggered_.interpolate(s, a, b, theta, out);
+  // The mean velocity leads from the beginning to the end.
+  out.t = a.t, out.q = a.q;
+  out.u = 0.5 * (a.u + b.u);
+  s.move(out, out.u, theta * (b.t - a.t));
+  out.u = a.u + theta * (b.u - a.u);
+}
+
+EnergyMomentum::EnergyMomentum(const Parameters& x) : OneStep(x) {
+  project_ = x["project"].text == "velocities";
+}
+
+void EnergyMomentum::declare(Attributes& a) {
+  a.about(
+      "Implicit midpoint with joints at position level and their discrete gradient: joints hold to "
+      "rounding and do no work; contacts as in StaggeredMoreau.");
+  a.choice("project", {"none", "velocities"}, "none",
+           "velocities: the end of a step is brought onto the joints' velocities, which takes a "
+           "little energy");
+  a.example("<simulation until=\"1\" step=\"1e-3\"><EnergyMomentum/></simulation>");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/schemes/joints/condensed_contacts.hpp>
+#include <dynamy/stages/contact_subset.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Slip of less than so many times its rounding does not count as driven.
+constexpr double kDriving = 1e3;
+
+/// Column of contact i's row r, as nu numbers.
+void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
+  w.setZero();
+  const auto at = static_cast<std::size_t>(i);
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    for (int j = 0; j < s.nu; ++j)
+      w[s.u0 + j] = c.W[static_cast<std::size_t>(s.w + static_cast<std::ptrdiff_t>(r) * s.nu + j)];
+  }
+}
+
+}  // namespace
+
+void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double dt) {
+  contacts_.clear(), Lambda_.clear(), closed_.clear();
+  const ContactSet& all = s.slot(0).contacts;
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (all.position[static_cast<std::size_t>(all.row0[at])] <= s.gTol())
+      closed_.push_back(all.key[at]);
+  }
+  last_ = x.impulses;
+  const double scale = last_.dt > 0.0 ? dt / last_.dt : 0.0;
+  for (double& L : last_.Lambda) L *= scale;
+  dt_ = dt;
+  impulse_.setZero(x.u.size());
+}
+
+double CondensedContacts::start(ContactKey key, int row) const {
+  const auto found = std::find(last_.key.begin(), last_.key.end(), key);
+  if (found == last_.key.end()) return 0.0;
+  const auto i = static_cast<std::size_t>(found - last_.key.begin());
+  const int at = last_.first[i] + row;
+  return at < last_.first[i + 1] ? last_.Lambda[static_cast<std::size_t>(at)] : 0.0;
+}
+
+void CondensedContacts::select(const MechanicalSystem& s, const State& xA, double dt) {
+  if (contacts_.size() > 0) {  // impulses of the last turn
+    last_.key = contacts_.key, last_.first = contacts_.row0, last_.Lambda = Lambda_;
+  }
+  const ContactSet& all = s.slot(0).contacts;
+  contacts_.clear();
+  for (int i = 0; i < all.size(); ++i) {
+    const SetValuedForceLaw& law = *all.law[static_cast<std::size_t>(i)];
+    if (law.unilateral() || law.rowKind(0) != RowKind::joint)
+      append(all, i, all.dim(i), law, contacts_);
+  }
+  const auto n = static_cast<std::size_t>(contacts_.rows());
+  Lambda_.assign(n, 0.0);
+  impulse_.setZero(xA.u.size()), w_.resize(xA.u.size());
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      const auto row = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r);
+      Lambda_[row] = start(contacts_.key[static_cast<std::size_t>(i)], r);
+      column(contacts_, i, r, w_);
+      impulse_ += Lambda_[row] * w_;
+    }
+  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.dt = dt;
+  problem_.gammaA.assign(n, 0.0), problem_.gammaFree.assign(n, 0.0), problem_.c.assign(n, 0.0);
+  problem_.cNoise.assign(n, 0.0);
+  if (n > 0) contacts_.gamma(view(xA.u), {problem_.gammaA.data(), contacts_.rows()});
+}
+
+double CondensedContacts::aim(int i, double gTol) const {
+  const auto at = static_cast<std::size_t>(i);
+  const auto first = static_cast<std::size_t>(contacts_.row0[at]);
+  double epsilon[kMostRows] = {};
+  problem_.law(i).epsilon(problem_.dim(i), epsilon);
+  const double position = contacts_.position[first], g = position > gTol ? position : 0.0;
+  const double begin = problem_.gammaA[first];
+  if (epsilon[0] > 0.0 && begin < 0.0 &&
+      std::find(closed_.begin(), closed_.end(), contacts_.key[at]) == closed_.end())
+    return g / dt_ + 4.0 * (std::abs(problem_.gammaFree[first]) + std::abs(begin));
+  return g / dt_ + (1.0 - epsilon[0]) * std::max(0.0, begin);
+}
+
+/// The aims of the contacts and the scales of the problem.
+void CondensedContacts::pose(const MechanicalSystem& s) {
+  // Where all contacts open or wait, nothing is asked of them but rounding: forces set the scale.
+  double uRef = std::max(std::numeric_limits<double>::min(), s.largestChange(dt_));
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
+    if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
+    const bool rate = problem_.law(i).rowKind(0) == RowKind::rate;
+    if (rate || std::find(meanSlip_.begin(), meanSlip_.end(),
+                          contacts_.key[static_cast<std::size_t>(i)]) != meanSlip_.end())
+      for (std::size_t r = first + (rate ? 0 : 1);
+           r < first + static_cast<std::size_t>(contacts_.dim(i)); ++r)
+        problem_.gammaFree[r] += problem_.gammaA[r];
+    uRef = std::max(uRef, -problem_.gammaFree[first]);
+  }
+  problem_.uRef = uRef, problem_.warmStart = 1.0;
+  for (double& noise : problem_.cNoise)
+    noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
+}
+
+SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
+                                     const State& xA, JointNewton& newton) {
+  const int n = contacts_.rows();
+  if (n == 0) return {};
+  const auto rows = static_cast<std::size_t>(n);
+  uE_ = 2.0 * (newton.v + newton.dv) - xA.u;
+  contacts_.gamma(view(std::as_const(uE_)), {problem_.gammaFree.data(), n});
+  // G, row by row of blocks.
+  response_.resize(std::max(response_.size(), rows));
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      column(contacts_, i, r, w_);
+      newton.respond(
+          w_.data(),
+          response_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)]);
+    }
+  BlockRows G;
+  G.clear();
+  old_ = Lambda_;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    for (int j = 0; j < contacts_.size(); ++j) {
+      G.column.push_back(j);
+      G.value0.push_back(static_cast<std::ptrdiff_t>(G.value.size()));
+      for (int r = 0; r < contacts_.dim(i); ++r) {
+        column(contacts_, i, r, w_);
+        const auto row = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r);
+        for (int m = 0; m < contacts_.dim(j); ++m) {
+          const auto other =
+              static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(j)] + m);
+          const double value = 2.0 * newton.velocityPart(response_[other], w_.data());
+          G.value.push_back(value);
+          problem_.gammaFree[row] -= value * old_[other];
+        }
+      }
+    }
+    G.first.push_back(static_cast<int>(G.column.size()));
+  }
+  delassus_.given(contacts_, std::move(G));
+  pose(s);
+  const SolveReport report =
+      s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+  for (std::size_t r = 0; r < rows; ++r)
+    if (Lambda_[r] != old_[r]) newton.add(response_[r], Lambda_[r] - old_[r]);
+  impulse_.setZero();
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      column(contacts_, i, r, w_);
+      impulse_ +=
+          Lambda_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)] * w_;
+    }
+  return report;
+}
+
+bool CondensedContacts::frictionDrives(const Eigen::VectorXd& v, const State& xA) {
+  meanSlip_.clear();
+  uE_ = 2.0 * v - xA.u;
+  std::vector<double>& gammaE = problem_.c;  // of no more use in this step
+  if (contacts_.size() > 0)
+    contacts_.gamma(view(std::as_const(uE_)), {gammaE.data(), contacts_.rows()});
+  for (int i = 0; i < contacts_.size(); ++i) {
+    if (!problem_.law(i).unilateral()) continue;
+    const auto at = static_cast<std::size_t>(i);
+    double work = 0.0, speed = 0.0, noise = 0.0;
+    for (auto r = static_cast<std::size_t>(contacts_.row0[at]) + 1;
+         r < static_cast<std::size_t>(contacts_.row0[at + 1]); ++r) {
+      work += 0.5 * Lambda_[r] * (problem_.gammaA[r] + gammaE[r]);
+      speed = std::max(speed, std::abs(problem_.gammaA[r]) + std::abs(gammaE[r]));
+      noise = std::max(noise, problem_.cNoise[r]);
+    }
+    if (work > 0.0 && speed > kDriving * noise) meanSlip_.push_back(contacts_.key[at]);
+  }
+  return !meanSlip_.empty();
+}
+
+const double* CondensedContacts::of(ContactKey key) const {
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (contacts_.key[static_cast<std::size_t>(i)] == key)
+      return Lambda_.data() + contacts_.row0[static_cast<std::size_t>(i)];
+  return nullptr;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,99 @@
+/// JointNewton: the equations of the energy-conserving midpoint with joints (theory 34.4) and
+/// Newton's iteration on them.
+///
+///   q^M = q^A ⊕ Δt/2 v,   q^E = q^A ⊕ Δt v,   u^E = 2v − u^A
+///   R_v = 2M(v − u^A) − Δt h(q^M, v) − W̃ Λ − W_c Λ_c = 0
+///   R_g = g_J(q^E)/Δt = 0
+///   W̃ = W − M v ω/(vᵀMv),   ω = Wᵀv + χ − (g(q^E) − g(q^A))/Δt    per joint, over its bodies
+///
+/// W̃ is the discrete gradient of [gonzalez1996] in the metric of the mass, Δt(W̃ᵀv + χ) = g(q^E) −
+/// g(q^A): joints that hold do no work, whatever Δt. ω is of third order in v, so that W̃ is smooth
+/// where the motion turns back; without the difference of g it would not be. W, M, h at (t^M, q^M).
+///
+/// K = ∂R/∂(v, Λ) must contain how W turns with v; without that heavy chains diverge. Bodies and
+/// joints that know it tell it (moveTangent, frameStiffness, jointForces); with others K is taken
+/// by differences, all bodies of one colour at once: no two of them share a neighbour, so that
+/// elements need not know second derivatives. Rows and columns follow a walk along the mechanism,
+/// and K is a band.
+#pragma once
+#include <dynamy/schemes/joints/banded_lu.hpp>
+#include <dynamy/schemes/joints/joint_tangent.hpp>
+#include <string>
+#include <string_view>
+
+namespace dynamy {
+
+class JointNewton {
+ public:
+  /// Starts a step from x: v = u^A, Λ from the last step. False: there are no joints, and no masses
+  /// that depend on q.
+  bool begin(MechanicalSystem& s, const State& x, double dt);
+  /// Evaluates R at v, Λ and the impulses of contacts, W_c Λ_c, nu numbers.
+  void residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
+  /// How K is found: in closed form where all bodies and joints offer it, else by differences.
+  enum class Tangent { closedForm, differences };
+  /// K at the last residual; false: singular.
+  bool linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
+                 Tangent wanted = Tangent::closedForm);
+  /// Set by linearise(): why positions cannot hold these joints, with the element's name; empty:
+  /// they can.
+  std::string_view fault() const { return fault_; }
+  /// How the last K was found.
+  Tangent tangent() const { return tangent_; }
+  /// Newton's step −K⁻¹R, not yet taken: dv(), dLambda().
+  void newtonStep();
+  /// What all unknowns gain per impulse along w (nu numbers): K⁻¹ [w; 0].
+  void respond(const double* w, std::vector<double>& response) const;
+  int unknowns() const { return unknowns_; }
+  /// x ← K⁻¹ x, unknowns() numbers in the order of the walk.
+  void solve(double* x) const { K_.solve(x); }
+  /// (dv, dΛ) += factor · response.
+  void add(const std::vector<double>& response, double factor);
+  /// w·v of a response.
+  double velocityPart(const std::vector<double>& response, const double* w) const;
+  /// v += dv, Λ += dΛ.
+  void take();
+
+  Eigen::VectorXd v, dv;
+  std::vector<double> Lambda, dLambda;
+  /// q^M, v and q^E, u^E of the last residual.
+  State midpoint, end;
+  const std::vector<int>& joints() const { return joints_; }  ///< contacts of slot 0
+  int rows() const { return static_cast<int>(Lambda.size()); }
+  double worstPosition() const;  ///< max |g(q^E)| [m, –]
+
+ private:
+  struct Node {
+    bool joint = false;
+    int index = 0;  ///< mass block, or position in joints_
+    int first = 0;  ///< its first unknown
+  };
+  void connect(const MechanicalSystem& s, const ContactSet& c);
+  void order(const std::vector<std::vector<int>>& near);
+  void colour();
+  void addJointColumns(const Evaluation& e);
+  void differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
+  bool closedForm(const MechanicalSystem& s);
+  void checkPositions(const MechanicalSystem& s);
+  void addColumn(int node, int column, const Eigen::VectorXd& force, double perturbation);
+  void jointForces(const Evaluation& e, Eigen::VectorXd& out);
+  void findJoints(const ContactSet& c, std::vector<int>& out) const;
+
+  const State* xA_ = nullptr;
+  double dt_ = 0.0;
+  std::vector<int> joints_, endJoints_;
+  std::vector<ContactKey> keys_;
+  std::vector<Node> nodes_;
+  std::vector<int> blockNode_, jointNode_, jointRow_, colour_, blockU0_, blockNu_;
+  std::vector<std::vector<int>> nearBlocks_, nearJoints_;  // of a block, itself included
+  int colours_ = 0, band_ = 0, unknowns_ = 0, mostNu_ = 0;
+  Eigen::VectorXd Rv_, force_, force0_, momentum_, uE_, base_;
+  std::vector<double> Rg_, g0_, gA_, gRate_, gRate0_, work_;
+  BandedLu K_;
+  Tangent tangent_ = Tangent::differences;
+  std::string fault_;
+  bool offered_ = true;  // until an element refuses the closed form
+  JointTangent parts_;
+};
+
+}  // namespace dynamy

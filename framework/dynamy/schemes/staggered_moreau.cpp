@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/schemes/staggered_moreau.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Share of the solver's default tolerance that a resting gap may leave behind, see the header.
+constexpr double kDead = 1e-10;
+/// 4 ε of the scene's length, of which g_tol is 1e-12.
+constexpr double kPositionShare = 1e-3;
+
+/// Of the noise of gaps, in the step after a correction: four corners of a face contradict each
+/// other by a quarter of the dead band.
+constexpr double kStricter = 1.0 / 3.0;
+/// Newton steps up to which a solve corrects a stack at rest. Where it takes more, something lands,
+/// and rates may differ by all of that noise.
+constexpr int kCorrection = 4;
+
+bool hasJoints(const ContactSet& contacts) {
+  for (int i = 0; i < contacts.size(); ++i)
+    if (holds(contacts.law[static_cast<std::size_t>(i)]->rowKind(0))) return true;
+  return false;
+}
+
+/// M, h, contacts at q^M; gyroscopic terms at the mean velocity, where they do no work.
+const Evaluation& ahead(MechanicalSystem& s, const State& x, double dt) {
+  const Evaluation& e = s.evaluateAhead(x, dt);
+  s.gyroscopicAtMean(x, dt);
+  return e;
+}
+
+}  // namespace
+
+StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                 double dt) {
+  s.moveConfiguration(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
+  bool apart = true;
+  const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
+  auto& problem = pose(s, x, dt);                         // ξ = G Λ + c
+  s.linearlyImplicit(x, kImplicitMidpoint);
+  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
+  s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+  x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
+  s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
+  StepReport report{dt, solved, problem.size()};
+  if (!apart) report.solved.status = SolveStatus::stalled;
+  if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
+  if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))
+    report.solved.status = SolveStatus::stalled;
+  if (options_.project == Project::both && !projection_.velocities(s, solver, x))
+    report.solved.status = SolveStatus::stalled;
+  return report;
+}
+
+/// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they
+/// contradict each other they wait, and the next step finds an overlap.
+InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
+  const bool mean = options_.joints == Joints::mean;
+  const double rounding = kPositionShare * s.gTol();
+  PositionAim aim{kDead * dt * s.largestChange(dt) + rounding,
+                  mean,
+                  mean ? 0.0 : options_.kappa,
+                  options_.cap,
+                  x.impulses.corrected ? kStricter * rounding : rounding,
+                  arrived_};
+  InclusionProblem* problem = &s.impactProblem(x, dt, 0, &aim);
+  if (!s.arriving().empty()) {
+    arriving_ = s.arriving();
+    if (projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
+      ahead(s, x, dt);
+      arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
+      std::sort(arrived_.begin(), arrived_.end());
+      aim.arrived = arrived_;
+      problem = &s.impactProblem(x, dt, 0, &aim);
+    }
+  }
+  // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
+  problem->warmStart = 0.1;  // gaps are asked back in the next step
+  return *problem;
+}
+
+/// Evaluates at q^M; overlaps are repaired before. apart: false if they could not be.
+const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                          double dt, bool& apart) {
+  const Evaluation& e = ahead(s, x, dt);
+  arrived_.clear();
+  if (largestOverlap(e.contacts) <= s.gTol()) return e;
+  for (int i = 0; i < e.contacts.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double g = e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at])];
+    if (e.contacts.law[at]->unilateral() && g < -s.gTol()) arrived_.push_back(e.contacts.key[at]);
+  }
+  std::sort(arrived_.begin(), arrived_.end());
+  apart = projection_.overlaps(s, solver, x, 0.5 * s.gTol());
+  return ahead(s, x, dt);
+}
+
+void StaggeredMoreau::interpolate(const MechanicalSystem& s, const State& a, const State& b,
+                                  double theta, State& out) const {
+  // The scheme's own trajectory: u^A up to the midpoint, back from the end with u^E behind it.
+  const double dt = b.t - a.t;
+  out.t = theta < 0.5 ? a.t : b.t;
+  out.q = theta < 0.5 ? a.q : b.q, out.u = theta < 0.5 ? a.u : b.u;
+  s.move(out, out.u, theta < 0.5 ? theta * dt : (theta - 1.0) * dt);
+}
+
+StaggeredMoreau::StaggeredMoreau(const Parameters& x) : OneStep(x) {
+  options_.joints = x["joints"].text == "mean" ? Joints::mean : Joints::stabilised;
+  const std::string& project = x["project"].text;
+  options_.project = project == "none"        ? Project::none
+                     : project == "positions" ? Project::positions
+                                              : Project::both;
+  options_.kappa = x["kappa"], options_.cap = x["cap"];
+}
+
+void StaggeredMoreau::declare(Attributes& a) {
+  a.about(
+      "Moreau's midpoint rule aimed at the gaps of the next midpoint: resting contacts stay, "
+      "overlaps are repaired, joints keep their mean velocity and are projected.");
+  a.choice("joints", {"mean", "stabilised"}, "mean",
+           "mean: gammaE + gammaA = 0, keeps the energy; stabilised: the error is asked back");
+  a.choice("project", {"none", "positions", "both"}, "both",
+           "what of the joints is projected in the metric of the mass after a step");
+  a.optional("kappa", Unit::none, 1.0, "stabilised: share of the error asked back per step")
+      .between(0.0, 1.0);
+  a.optional("cap", Unit::velocity, 1.0, "stabilised: largest speed asked for").positive();
+  a.example("<simulation until=\"1\" step=\"1e-3\"><StaggeredMoreau/></simulation>");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,54 @@
+/// Staggered Moreau midpoint (theory 34.1): the midpoint rule with contacts aimed at the gap of the
+/// NEXT midpoint, since midpoints advance by Δt u^E:
+///
+///   q^M = q^A ⊕ Δt/2 u^A,   overlaps repaired in the metric of the mass
+///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A + s,   −ξ_i ∈ N_{C_i}(Λ_i)
+///   s_N = g^M/Δt if g^M > dead, else 0       (not for a contact that is to rebound)
+///   s_J = γ^A  (joints hold the mean velocity)   or   s_J = κ g^M/Δt, capped  (stabilised)
+///   q^E = q^M ⊕ Δt/2 u^E,   joints projected
+///
+/// h at q^M and u^A, gyroscopic terms of free bodies at the mean velocity of their free motion: at
+/// u^A they would drive a spinning body.
+///
+/// Rounding can no longer carry a resting contact away: its gap is asked back in the next step, and
+/// with that a start that fulfils the solver's tolerance is good enough. The dead band keeps
+/// rounding of gaps out of the rates; it must be small, because four corners with different s make
+/// a rigid face contradict itself by dead/Δt. γ^E = 0 in joints was rejected: it takes Δt ω²/2 of
+/// the kinetic energy per second; the mean velocity keeps it.
+#pragma once
+#include <dynamy/stages/one_step.hpp>
+#include <dynamy/stages/projection.hpp>
+
+namespace dynamy {
+
+class StaggeredMoreau final : public OneStep {
+ public:
+  enum class Joints { mean, stabilised };
+  enum class Project { none, positions, both };
+  struct Options {
+    Joints joints = Joints::mean;
+    Project project = Project::both;
+    double kappa = 1.0;  ///< share of a joint's error asked back per step
+    double cap = 1.0;    ///< of the speed with which it is asked back [m/s]
+  };
+  StaggeredMoreau() = default;
+  explicit StaggeredMoreau(const Options& options) : options_(options) {}
+  explicit StaggeredMoreau(const Parameters& x);
+  static void declare(Attributes& a);
+  int order() const override { return 1; }
+  int evaluations() const override { return 2; }
+  StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
+  void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
+                   State& out) const override;
+
+ private:
+  const Evaluation& detect(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
+                           bool& apart);
+  InclusionProblem& pose(MechanicalSystem& s, State& x, double dt);
+  Options options_;
+  Projection projection_;
+  std::vector<ContactKey> arrived_;  // lifted out of an overlap, or closed, in this step
+  std::vector<ContactKey> arriving_;
+};
+
+}  // namespace dynamy

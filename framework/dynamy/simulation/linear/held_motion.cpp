@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/simulation/linear/held_motion.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Joints with friction stick below this velocity [m/s, rad/s].
+constexpr double kSticks = 1e-9;
+
+/// A contact that opens, or never acts, is not held.
+bool begins(const ContactSet& c, int i, const double* gamma, double still, Held& out) {
+  const auto at = static_cast<std::size_t>(i);
+  const SetValuedForceLaw& law = *c.law[at];
+  out.key = c.key[at];
+  FrozenPhase::Bounds bounds;
+  LawInput in = c.input(i, 1.0, nullptr);
+  in.gammaA = gamma;
+  if (in.dim > kMostRows || !FrozenPhase::bounds(law, in, bounds))
+    return true;  // accelerate() tells why not
+  if (law.unilateral() && gamma[0] > still) return false;
+  if (bounds.form == FrozenPhase::Form::notch) {
+    const double x = in.position[0];
+    out.slips = std::abs(x) > kSticks || std::abs(gamma[0]) > kSticks;
+    out.sign = (std::abs(x) > kSticks ? x : gamma[0]) > 0.0 ? 1.0 : -1.0;
+    return true;
+  }
+  const bool cone = bounds.form == FrozenPhase::Form::cone;
+  if (!cone && bounds.form != FrozenPhase::Form::given) return true;
+  const int first = cone ? 1 : 0, k = c.dim(i) - first;
+  double slip = 0.0;
+  for (int r = first; r < c.dim(i); ++r) slip = std::hypot(slip, gamma[r]);
+  out.slips = slip > (cone ? still : kSticks);
+  out.sign = k == 1 ? (gamma[first] > 0.0 ? 1.0 : -1.0) : 0.0;
+  for (int r = 0; out.slips && k == 2 && r < 2; ++r)
+    out.direction[static_cast<std::size_t>(r)] = gamma[first + r] / slip;
+  return true;
+}
+
+}  // namespace
+
+HeldMotion::HeldMotion(Model& model, const State& x, double gap, double slip)
+    : model_(model), system_(model.mechanicalSystem()) {
+  system_.gTol(gap);
+  system_.bias(true);
+  const ContactSet& c = system_.evaluate(x).contacts;
+  Eigen::VectorXd gamma(c.rows());
+  c.gamma(view(x.u), view(gamma));
+  for (int i = 0; i < c.size(); ++i) {
+    Held held;
+    if (begins(c, i, gamma.data() + c.row0[static_cast<std::size_t>(i)], slip, held))
+      phase_.held.push_back(held);
+  }
+  phase_.keys(keys_);
+  system_.freeze(keys_);
+}
+
+MotionSample HeldMotion::at(const State& x) {
+  const Evaluation& e = system_.evaluate(x);
+  if (const int wrong = system_.indefiniteMass(); wrong >= 0)
+    throw ModelError(systemName(model_, wrong) + ": the mass matrix is not positive definite",
+                     "the motion cannot be linearised here");
+  MotionSample out;
+  if (!phase_.accelerate(e, x.u, out.a))
+    throw ModelError("the motion cannot be linearised: " + std::string(phase_.fault()),
+                     "eigenvalues need joints, frictionless contacts and Coulomb's friction");
+  Eigen::VectorXd free(x.u.size());
+  e.mass.applyInverse(view(e.h), view(free));
+  freeAcceleration_ = free.size() > 0 ? free.lpNorm<Eigen::Infinity>() : 0.0;
+  std::vector<double> gamma, position;
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    const FrozenPhase::Form form = phase_.form(i);
+    const bool slips = phase_.held[i].slips;
+    const int kept = !slips ? phase_.dim(i) : form == FrozenPhase::Form::cone ? 1 : 0;
+    const auto at = static_cast<std::size_t>(
+        std::find(e.contacts.key.begin(), e.contacts.key.end(), phase_.held[i].key) -
+        e.contacts.key.begin());
+    for (int r = 0; r < kept; ++r) {
+      gamma.push_back(phase_.gamma()[phase_.row0(i) + r]);
+      position.push_back(e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at] + r)]);
+    }
+  }
+  out.gamma = ConstVec(gamma.data(), static_cast<Eigen::Index>(gamma.size()));
+  out.position = ConstVec(position.data(), static_cast<Eigen::Index>(position.size()));
+  return out;
+}
+
+Eigen::VectorXd HeldMotion::qdot(const State& x, const Eigen::VectorXd& u) const {
+  const Topology& t = model_.topology();
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(t.nq());
+  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
+    const SystemHandle& s = t.system(static_cast<int>(i));
+    if (s.nq > 0)
+      model_.systems()[i]->qdot(x.t, slice(x.q, s.q0, s.nq), slice(u, s.u0, s.nu),
+                                slice(out, s.q0, s.nq));
+  }
+  return out;
+}
+
+Eigen::VectorXd HeldMotion::rate(const State& x, const Eigen::VectorXd& v) const {
+  return qdot(x, v) - qdot(x, Eigen::VectorXd::Zero(v.size()));
+}
+
+State HeldMotion::displaced(const State& x, const Eigen::VectorXd& delta) const {
+  State out = x;
+  out.q += rate(x, delta);
+  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
+    const SystemHandle& s = model_.topology().system(static_cast<int>(i));
+    if (s.nq > 0) model_.systems()[i]->normalise(slice(out.q, s.q0, s.nq));
+  }
+  return out;
+}
+
+State HeldMotion::movedOn(const State& x, double tau) const {
+  State out = x;
+  system_.move(out, x.u, tau);
+  return out;
+}
+
+std::vector<HeldMotion::Contact> HeldMotion::contacts() const {
+  std::vector<Contact> out;
+  const ContactSet& c = system_.slot(0).contacts;
+  for (std::size_t i = 0; i < phase_.held.size(); ++i) {
+    const Held& held = phase_.held[i];
+    Contact contact;
+    contact.name = contactName(model_, held.key);
+    const auto at = std::find(c.key.begin(), c.key.end(), held.key) - c.key.begin();
+    contact.law = c.law[static_cast<std::size_t>(at)];
+    contact.slips = held.slips;
+    for (int r = 0; r < phase_.dim(i); ++r)
+      contact.lambda.push_back(phase_.lambda()[phase_.row0(i) + r]);
+    phase_.margin(i, contact.margin);
+    out.push_back(std::move(contact));
+  }
+  return out;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,60 @@
+/// HeldMotion: the motion of a model whose closed contacts keep what they do at one state, as a
+/// smooth function of the state that can be differentiated:
+///
+///   (q, u)  ↦  u̇,  γ of the rows that are held,  g and position errors of the same rows
+///
+/// Joints, sticking and frictionless closed contacts are constraints, slipping ones a force that
+/// follows from λ_N and the direction of slip (FrozenPhase). Rolling without slip is a sticking
+/// contact: its rows γ_T = 0 are nonholonomic.
+#pragma once
+#include <dynamy/located/phase/frozen_phase.hpp>
+#include <dynamy/simulation/model/model.hpp>
+
+namespace dynamy {
+
+/// What is known of a state.
+struct MotionSample {
+  Eigen::VectorXd a;         ///< u̇ [m/s², rad/s²]
+  Eigen::VectorXd gamma;     ///< of the held rows [m/s]
+  Eigen::VectorXd position;  ///< of the same rows; 0 where they have none [m]
+};
+
+class HeldMotion {
+ public:
+  /// Contacts with g ≤ gap [m] at x are closed, and stick if they slip by no more than `slip`
+  /// [m/s].
+  HeldMotion(Model& model, const State& x, double gap, double slip);
+
+  /// Throws ModelError if a law has no smooth phases, a contact that is held is gone, or M is
+  /// singular.
+  MotionSample at(const State& x);
+  /// q̇ without the part that does not come from u: F(q) v.
+  Eigen::VectorXd rate(const State& x, const Eigen::VectorXd& v) const;
+  /// q̇ = F u + β.
+  Eigen::VectorXd qdot(const State& x, const Eigen::VectorXd& u) const;
+  /// x with q ← q + F(q) delta, brought back on its manifold.
+  State displaced(const State& x, const Eigen::VectorXd& delta) const;
+  /// x after the time τ of steady motion: u stays.
+  State movedOn(const State& x, double tau) const;
+
+  /// The contacts that are held, in the state that was sampled last.
+  struct Contact {
+    std::string name;
+    const SetValuedForceLaw* law = nullptr;
+    bool slips = false;
+    std::vector<double> lambda;  ///< its rows [N]
+    double margin = 0.0;         ///< negative: the law does not permit this force [N]
+  };
+  std::vector<Contact> contacts() const;
+  /// Size of accelerations by the forces alone, max |M⁻¹h| of the last sample.
+  double freeAcceleration() const { return freeAcceleration_; }
+
+ private:
+  Model& model_;
+  MechanicalSystem system_;
+  FrozenPhase phase_;
+  std::vector<ContactKey> keys_;
+  double freeAcceleration_ = 0.0;
+};
+
+}  // namespace dynamy

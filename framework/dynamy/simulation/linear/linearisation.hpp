@@ -1,0 +1,57 @@
+/// Linearisation: small disturbances of a steady motion, and their eigenvalues (theory 41.1).
+///
+///   q = q₀(t) ⊕ F δ,  u = u₀ + w,  u₀ constant,  z = (δ, w):      ż = A z,   C z = 0
+///
+///   A = ⎡ K       I     ⎤     C = ⎡ ∂γ/∂δ   Wᵀ ⎤  rows that are held    z = B y, columns of B
+///       ⎣ ∂u̇/∂δ  ∂u̇/∂w ⎦         ⎣ ∂g/∂δ   0  ⎦  their positions       orthonormal, CB = 0
+///
+///   ẏ = Bᵀ A B y
+///
+/// K is what turns of the frame do to δ (zero where q̇ = u). u̇ comes from the equations of motion
+/// with all constraints on acceleration level, so that C z stays zero by itself. Derivatives are
+/// differences extrapolated to step zero. Coordinates that the equations do not see (where it is,
+/// which way it heads, how far a wheel has turned) give eigenvalues that are exactly zero, often in
+/// Jordan blocks; they are split off before the others are computed, which would lose half of their
+/// digits otherwise. Eliminating constraints by hand, and eigenvalues of the pencil (A, E) with
+/// multipliers as unknowns, were rejected: the first needs independent coordinates, the second
+/// brings infinite ones.
+#pragma once
+#include <dynamy/simulation/linear/held_motion.hpp>
+
+namespace dynamy {
+
+struct LinearisationOptions {
+  /// Gaps up to this part of the scene's length count as closed, slips up to this part of the
+  /// fastest velocity, or of 1 m/s, as sticking: how near the state given is to the steady motion.
+  double near = 1e-6;
+  /// Looks for a steady motion near the state; false: the state must be one.
+  bool seek = true;
+};
+
+struct Linearisation {
+  State at;                        ///< the steady motion
+  double moved = 0.0;              ///< how far it was from the state given, |(δ, w)|
+  double residual = 0.0;           ///< largest |u̇| left [m/s², rad/s²]
+  std::vector<std::string> names;  ///< of z: first δ, then w
+  Eigen::MatrixXd basis;           ///< B, 2 nu × n
+  Eigen::MatrixXd A;               ///< BᵀAB, n × n
+  double error = 0.0;              ///< estimate of the largest error of an entry of A
+  double leak = 0.0;               ///< largest entry of C A B: 0 but for errors
+  double noise = 0.0;              ///< singular values and real parts up to this are zero [1/s]
+  int zeros = 0;                   ///< eigenvalues that are zero, not among those below
+  Eigen::VectorXcd eigenvalues;    ///< by growing real part [1/s]
+  Eigen::MatrixXcd modes;          ///< z of each, largest |w| 1, 2 nu × eigenvalues
+  std::vector<HeldMotion::Contact> contacts;
+  int growing() const;  ///< eigenvalues with a positive real part
+};
+
+/// Throws ModelError if no steady motion is found, if a contact does not permit its force, or if
+/// the linear equations change along the motion.
+Linearisation linearise(Model& model, const State& from, const LinearisationOptions& options = {});
+
+/// Nonzero eigenvalues of A by growing real part, and their eigenvectors; singular values below
+/// `noise` are zero. Returns how many eigenvalues are zero.
+int nonzeroEigenvalues(const Eigen::MatrixXd& A, double noise, Eigen::VectorXcd& values,
+                       Eigen::MatrixXcd& vectors);
+
+}  // namespace dynamy

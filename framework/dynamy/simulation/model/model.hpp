@@ -1,0 +1,135 @@
+/// Model: owner of all elements of a scene, made from XML (io/model/model_loader) or in C++:
+///
+///   Model m;
+///   m.add<RigidBody>("ball", {{"position", {0, 0, 1}}, {"mass", 1.0},
+///                             {"inertia", {0.1, 0.1, 0.1}}});
+///   m.simulation.until = 5;
+///   m.build();
+///
+/// build() composes (completions), asks every element to describe itself, lays out q and u,
+/// connects. After that it is immutable.
+#pragma once
+#include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/simulation/model/observer.hpp>
+#include <dynamy/simulation/model/settings.hpp>
+#include <dynamy/stages/one_step.hpp>
+#include <dynamy/system/description.hpp>
+#include <dynamy/system/external_force.hpp>
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace dynamy {
+
+class PairLaws;
+
+/// A signal with its full name and the element it belongs to.
+struct NamedSignal {
+  std::string name;  ///< "ball.z"
+  Signal signal;
+  int system = -1;   ///< index of the system, −1: none
+  int contact = -1;  ///< index of the contact element, −1: none
+  int memory0 = 0, memory = 0;
+};
+
+class Model {
+ public:
+  using Completion = std::function<void(Model&)>;
+  Model();
+  ~Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+
+  /// Takes an element; its kind decides the list. Names must be unique among systems, contacts,
+  /// forces and observers.
+  void add(Kind kind, std::unique_ptr<Element> element);
+  template <class T>
+  T& add(std::unique_ptr<T> element) {
+    T& out = *element;
+    add(T::kKind, std::move(element));
+    return out;
+  }
+  /// Makes a T from its declared attributes. Throws ModelError.
+  template <class T>
+  T& add(const std::string& name, const std::vector<GivenValue>& given) {
+    return add(std::make_unique<T>(Parameters::of<T>({}, name, given)));
+  }
+  /// For completions: takes systems out, e.g. to put them into one; `indices` ascending.
+  std::vector<std::unique_ptr<PartialMechanicalSystem>> takeSystems(
+      const std::vector<int>& indices);
+  /// Called at the beginning of build(): adds what follows from other elements (contact geometry
+  /// from shapes).
+  void addCompletion(Completion completion);
+  /// Composes, describes, lays out, connects. Throws ModelError with all faults found.
+  void build();
+
+  // Before build().
+  SimulationSettings simulation;
+  RecordSettings record;
+  std::vector<CheckSettings> checks;
+  std::string title, sourceFile, sourceText, doc;
+  std::vector<std::string> composed;  ///< what completions made of joints, for reports
+  std::string view;                   ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
+
+  // After build().
+  Topology& topology() { return *topology_; }
+  const Topology& topology() const { return *topology_; }
+  const std::vector<std::unique_ptr<PartialMechanicalSystem>>& systems() const { return systems_; }
+  const std::vector<std::unique_ptr<NonSmoothElement>>& contacts() const { return contacts_; }
+  const std::vector<std::unique_ptr<ExternalForce>>& forces() const { return forces_; }
+  /// Which law two materials get.
+  PairLaws& pairLaws() { return *pairLaws_; }
+  const PairLaws& pairLaws() const { return *pairLaws_; }
+  const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
+  /// Of systems, then contact elements, then forces.
+  const std::vector<Description>& descriptions() const { return descriptions_; }
+  const Description& description(int system) const {
+    return descriptions_[static_cast<std::size_t>(system)];
+  }
+  const std::vector<NamedSignal>& signals() const { return signals_; }
+  const NamedSignal* signal(std::string_view name) const;
+  OneStep& scheme() { return *scheme_; }
+  const OneStep& scheme() const { return *scheme_; }
+  const InclusionSolver& solver() const { return *solver_; }
+  InclusionSolver& solver() { return *solver_; }
+  void scheme(std::unique_ptr<OneStep> scheme);
+  /// Steps of length dt [s] in place of a tolerance. A scheme that was named for its tolerance
+  /// keeps it and takes dt as the longest.
+  void askStep(double dt);
+  /// An accuracy in place of a step: a scheme of fixed steps gives way to LocatedDormandPrince.
+  void askTolerance(double tolerance);
+  /// What a run does first: if no scheme was named, takes the one that follows from whether
+  /// `simulation` has a tolerance or a step; tells one that chooses its steps the accuracy.
+  void readyScheme();
+  void solver(std::unique_ptr<InclusionSolver> solver);
+  const ImpactLaw& impactLaw() const { return *impactLaw_; }
+  State initialState() const;
+  /// Length of the scene [m]: extent of initial frame positions and shapes, at least 1e-6; 1 if
+  /// there is nothing to measure.
+  double length() const { return length_; }
+  MechanicalSystem mechanicalSystem();
+
+ private:
+  void describeAll();
+  void connectAll();
+  void measure();
+  std::vector<std::unique_ptr<PartialMechanicalSystem>> systems_;
+  std::vector<std::unique_ptr<NonSmoothElement>> contacts_;
+  std::vector<std::unique_ptr<ExternalForce>> forces_;
+  std::unique_ptr<PairLaws> pairLaws_;
+  std::vector<std::unique_ptr<Observer>> observers_;
+  std::vector<std::unique_ptr<Element>> others_;
+  void chooseScheme();
+  std::unique_ptr<OneStep> scheme_;
+  bool schemeIsDefault_ = false;  ///< none was named
+  std::unique_ptr<InclusionSolver> solver_;
+  std::unique_ptr<ImpactLaw> impactLaw_;
+  std::unique_ptr<Topology> topology_;
+  std::vector<Description> descriptions_;  // systems, then contacts, then forces
+  std::vector<NamedSignal> signals_;
+  std::vector<Completion> completions_;
+  double length_ = 1.0;
+};
+
+}  // namespace dynamy

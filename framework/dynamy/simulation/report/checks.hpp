@@ -1,0 +1,82 @@
+/// Checks: the measures of `<check>`, taken at the end of every step and not at the recorded rows,
+/// so that no figure depends on what is recorded.
+///
+///   value   the signal at one instant, through the scheme's interpolation; default: the end
+///   mean    (1/T) ∫ s dt over the interval, trapezoids between the ends of steps
+///   min max over the ends of steps and the ends of the interval
+///   period  mean distance of upward crossings of the mid level (min + max)/2; a crossing counts
+///           after the signal was 5 % of its range below, so that chatter is one crossing.
+///           Rejected: distances of maxima, which a flat top or an impact's spike displaces.
+///   count   whole-number signals (status, latch): upward jumps; others: changes of sign
+///
+/// A signal `run.NAME` is a figure of the run's report instead, with the value at the end.
+#pragma once
+#include <algorithm>
+#include <dynamy/core/compensated_sum.hpp>
+#include <dynamy/simulation/report/run_watch.hpp>
+#include <dynamy/simulation/report/signal_sampler.hpp>
+
+namespace dynamy {
+
+struct CheckResult {
+  std::string signal;
+  std::string measure;   ///< "value", "max", …
+  std::string over;      ///< "at 4.1 s", "1 … 5 s"
+  std::string expected;  ///< as the model says it
+  double got = 0.0, low = 0.0, high = 0.0;
+  bool pass = false;
+  std::string note;  ///< why there is no value
+  Place place;
+};
+
+/// One measure of one signal, fed with (t, s) in order of time.
+class Measurement {
+ public:
+  explicit Measurement(const CheckSettings& settings) : settings_(settings) {}
+  const CheckSettings& settings() const { return settings_; }
+  /// Room for `samples` pairs if the measure has to keep them; no allocation up to there.
+  void reserve(std::size_t samples);
+  void add(double t, double s);
+  /// A value between two that were added, for the extremes.
+  void between(double s) { min_ = std::min(min_, s), max_ = std::max(max_, s); }
+  /// NaN if there is not enough to measure.
+  double result() const;
+  void archive(Archive& a);
+
+ private:
+  void keep(double t, double s);
+  double period() const;
+  CheckSettings settings_;
+  double t0_ = 0.0, t_ = 0.0, s_ = 0.0, min_ = 0.0, max_ = 0.0;
+  long samples_ = 0, jumps_ = 0, signs_ = 0, stride_ = 1;
+  int sign_ = 0;
+  bool whole_ = true;
+  CompensatedSum integral_;
+  std::vector<double> times_, values_;
+};
+
+class Checks final : public Observer {
+ public:
+  /// Throws ModelError for unknown signals.
+  explicit Checks(const Model& model);
+  /// After the run, whose report is needed for the figures of checks such as run.penetration.
+  std::vector<CheckResult> results(const RunReport& report) const;
+
+  void start(const StepView& initial) override;
+  void step(const StepView& view) override;
+  void finish(const StepView& last) override;
+  void archive(Archive& a) override;
+
+ private:
+  void feed(const StepView& view, std::size_t i, double end);
+  /// Samples within a step that a scheme chose: it may hold a whole swing.
+  void feedWithin(const StepView& view, std::size_t i);
+  CheckResult measured(const Measurement& m) const;
+  std::vector<CheckSettings> all_;
+  SignalSampler sampler_;
+  std::vector<Measurement> measurements_;  ///< of the checks that are no figure of the report
+  std::vector<double> values_;
+  double t_ = 0.0;
+};
+
+}  // namespace dynamy

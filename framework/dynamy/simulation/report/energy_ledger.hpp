@@ -1,0 +1,79 @@
+/// EnergyLedger: where the energy of a run went.
+///
+/// The step M(u^E − u^A) = hΔt + WΛ times ū = (u^A + u^E)/2 is exact, row by row:
+///
+///   ½u^EᵀMu^E − ½u^AᵀMu^A = Δt h·ū + Σ_rows Λ (γ̄ − χ),     γ̄ = (γ^A + γ^E)/2
+///
+/// so the works below are those of the discrete equations, not quadratures. What d(T + V) leaves is
+/// the entry `discretisation`: it falls with the order of the scheme. V that depends on time, and
+/// masses that do, count there as well. Since the differences of T and V telescope, they are needed
+/// at the two ends only. Compensated sums.
+#pragma once
+#include <dynamy/core/compensated_sum.hpp>
+#include <dynamy/simulation/model/observer.hpp>
+
+namespace dynamy {
+
+/// All in [J].
+struct EnergyReport {
+  double kineticStart = 0.0, potentialStart = 0.0, kineticEnd = 0.0, potentialEnd = 0.0;
+  double nonPotential = 0.0;  ///< work of forces without potential (drives, dampers): Δt h_np·ū
+  double friction = 0.0;      ///< Σ Λγ̄ of friction rows
+  double normal = 0.0;        ///< Σ Λγ̄ of normal rows: impacts
+  double joints = 0.0;        ///< Σ Λγ̄ of joint rows
+  double boundaries = 0.0;    ///< −Σ Λχ: what moving ground and driven joints brought in
+  double discretisation = 0.0;   ///< what remains of the change of T + V
+  double imbalance = 0.0;        ///< defect of the step equations: rounding
+  double largestGain = 0.0;      ///< largest positive work of all contacts in one step
+  double largestGainTime = 0.0;  ///< [s]
+
+  double start() const { return kineticStart + potentialStart; }
+  double end() const { return kineticEnd + potentialEnd; }
+  double works() const { return nonPotential + friction + normal + joints + boundaries; }
+  void archive(Archive& a);
+};
+
+/// T and V of any state, with workspaces of its own.
+class EnergyMeter {
+ public:
+  explicit EnergyMeter(const Model& model);
+  double kinetic(const State& x);
+  double potential(const State& x);
+
+ private:
+  const Model& model_;
+  Kinematics kinematics_;
+  MassMatrix mass_;
+};
+
+class EnergyLedger final : public Observer {
+ public:
+  explicit EnergyLedger(const Model& model) : model_(model), meter_(model) {}
+  const EnergyReport& report() const { return report_; }
+  /// The ledger from the start up to `x`, the state after the last step.
+  EnergyReport upTo(const State& x);
+
+  void start(const StepView& initial) override;
+  void step(const StepView& view) override;
+  /// Blocks were brought and taken away between two steps: their energy crosses the boundaries.
+  void bring(const State& before, const State& after);
+  void finish(const StepView& last) override;
+  void archive(Archive& a) override;
+
+ private:
+  void add(const StepWorks& w);
+  void addWork(RowKind kind, double work);
+  void addJump(const StepView& view);
+  void leaveApart(const StepView& view);
+  bool isApart(const ContactSet& c, int contact) const;
+  double contactWork(const StepView& view);
+  const Model& model_;
+  EnergyMeter meter_;
+  EnergyReport report_;
+  CompensatedSum nonPotential_, friction_, normal_, joints_, boundaries_, imbalance_;
+  Eigen::VectorXd uA_, uE_, uMean_, momentum_;
+  std::vector<char> apart_;     // per velocity; empty: none
+  std::vector<double> gammaA_;  // after a jump
+};
+
+}  // namespace dynamy

@@ -1,0 +1,32 @@
+/// MotionHash: one number for the motion of a run.
+///
+/// It covers, bit for bit and in this order, t, q, u and the memory of the elements at the start,
+/// then t, q, u, memory and the percussions Λ at the end of each accepted step. What is recorded,
+/// drawn or checked, how many threads worked, and whether the run was stopped and resumed does not
+/// change it. Rejected: a hash of what is recorded, which differs by a signal that nobody moves by.
+#pragma once
+#include <dynamy/core/hash.hpp>
+#include <dynamy/simulation/model/observer.hpp>
+
+namespace dynamy {
+
+class MotionHash final : public Observer {
+ public:
+  std::uint64_t value() const { return hash_.value(); }
+  void start(const StepView& initial) override { add(initial.after); }
+  void step(const StepView& view) override {
+    add(view.after);
+    hash_.add(std::span(view.Lambda.data(), static_cast<std::size_t>(view.Lambda.size())));
+  }
+  void archive(Archive& a) override { a(hash_); }
+
+ private:
+  void add(const State& x) {
+    hash_.add(x.t);
+    for (const Eigen::VectorXd* v : {&x.q, &x.u, &x.memory})
+      hash_.add(std::span(v->data(), static_cast<std::size_t>(v->size())));
+  }
+  Hash hash_;
+};
+
+}  // namespace dynamy

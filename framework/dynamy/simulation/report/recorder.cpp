@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/report/recorder.hpp>
+#include <set>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+/// Fraction of the step at which t lies; instants within 1e-9 of the step's end are its end.
+double fraction(const StepView& v, double t) {
+  const double dt = v.after.t - v.before.t;
+  if (!(dt > 0.0) || t >= v.after.t - 1e-9 * dt) return 1.0;
+  return std::clamp((t - v.before.t) / dt, 0.0, 1.0);
+}
+
+/// Is the instant t reached at the end of this step?
+bool reached(const StepView& v, double t) {
+  return t <= v.after.t + 1e-9 * (v.after.t - v.before.t);
+}
+
+double spacing(double given, double until) {
+  if (given > 0.0) return given;
+  return until > 0.0 ? until / 1000.0 : 1.0;
+}
+
+}  // namespace
+
+std::vector<DrawnFrame> drawnFrames(const Model& model) {
+  std::vector<DrawnFrame> out;
+  std::set<std::pair<int, int>> seen;
+  const auto add = [&](int system, int id) {
+    if (seen.insert({system, id}).second) out.push_back({system, id});
+  };
+  for (std::size_t i = 0; i < model.systems().size(); ++i)
+    for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
+      add(static_cast<int>(i), p.frame);
+  const auto& frames = model.topology().requestedFrames();
+  for (const Description& d : model.descriptions())
+    for (const PlacedLink& l : d.links)
+      for (const int f : {l.frameA, l.frameB})
+        add(frames[static_cast<std::size_t>(f)].first, frames[static_cast<std::size_t>(f)].second);
+  return out;
+}
+
+Recorder::Recorder(const Model& model, RecordSink& sink)
+    : sink_(sink),
+      sampler_(model, chooseSignals(model, model.record.signals, model.record.places)),
+      drawn_(model.topology().systems()),
+      rows_(spacing(model.record.every, model.simulation.until)),
+      frames_(model.record.framesPerSecond > 0.0 ? 1.0 / model.record.framesPerSecond : 1.0 / 60) {
+  for (const DrawnFrame& f : drawnFrames(model)) drawn_.frame(drawn_.system(f.system), f.id);
+  if (model.record.framesPerSecond <= 0.0) drawn_ = Topology(model.topology().systems());
+  kinematics_.resize(drawn_);
+  values_.resize(sampler_.signals().size());
+  poses_.resize(drawn_.requestedFrames().size());
+}
+
+void Recorder::start(const StepView& initial) {
+  row(initial, initial.after.t, 1.0);
+  frame(initial, initial.after.t, 1.0);
+  nextRow_ = nextFrame_ = 1;
+}
+
+void Recorder::step(const StepView& view) {
+  for (double t = rows_.at(nextRow_); reached(view, t) && fraction(view, t) < 1.0;
+       t = rows_.at(++nextRow_))
+    row(view, t, fraction(view, t));
+  // An impact whose instant is known has a row on each side of it.
+  const bool jumps = view.report.uBeforeImpact != nullptr;
+  if (jumps) {
+    sampler_.sampleBeforeImpact(view, values_);
+    write(view.after.t);
+  }
+  const bool due = reached(view, rows_.at(nextRow_));
+  if (due || jumps) row(view, due ? rows_.at(nextRow_) : view.after.t, 1.0);
+  if (due) ++nextRow_;
+  if (poses_.empty()) return;
+  for (; reached(view, frames_.at(nextFrame_)); ++nextFrame_)
+    frame(view, frames_.at(nextFrame_), fraction(view, frames_.at(nextFrame_)));
+}
+
+void Recorder::finish(const StepView& last) {
+  if (!last.whole || last.report.dt <= 0.0) return;
+  const double near = 1e-9 * last.report.dt;
+  if (lastRow_ < last.after.t - near) row(last, last.after.t, 1.0);
+  if (!poses_.empty() && lastFrame_ < last.after.t - near) frame(last, last.after.t, 1.0);
+}
+
+void Recorder::row(const StepView& view, double t, double theta) {
+  sampler_.sample(view, theta, values_);
+  write(t);
+}
+
+void Recorder::write(double t) {
+  lastRow_ = t;
+  sink_.row(t, values_);
+}
+
+void Recorder::frame(const StepView& view, double t, double theta) {
+  if (poses_.empty()) return;
+  if (theta >= 1.0)
+    at_.t = view.after.t, at_.q = view.after.q, at_.u = view.after.u;
+  else
+    view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
+  kinematics_.evaluate(drawn_, at_.t, dynamy::view(std::as_const(at_.q)),
+                       dynamy::view(std::as_const(at_.u)));
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const Frame& f = kinematics_.frame({static_cast<int>(i)});
+    poses_[i] = {f.r_OS_I, f.A_IK};
+  }
+  contacts(view);
+  lastFrame_ = t;
+  sink_.frame(t, poses_, contacts_);
+}
+
+void Recorder::contacts(const StepView& view) {
+  contacts_.clear();
+  const ContactSet& c = view.system.slot(0).contacts;
+  if (view.report.dt <= 0.0 || view.Lambda.size() != c.rows()) return;
+  impacts_.look();
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (c.normal[at].isZero(0.0)) continue;  // has no place in the scene
+    contacts_.push_back(contactRecord(view, impacts_, i));
+  }
+}
+
+void Recorder::archive(Archive& a) {
+  a.section("recorder");
+  std::uint64_t columns = values_.size();
+  a(columns);
+  if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
+  a(nextRow_), a(nextFrame_), a(lastRow_), a(lastFrame_);
+  if (nextRow_ < 0 || nextFrame_ < 0)
+    throw ModelError("the checkpoint counts its recorded rows from below zero");
+  sink_.archive(a);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,55 @@
+/// Recorder: samples the requested signals every Δt_rec and the poses of all frames that carry
+/// shapes at the rate of the film, both through the scheme's own interpolation.
+///
+/// Where the numbers go is a RecordSink: the files of the run folder (io), a table in memory
+/// (tests, comparisons). Writing files from here was rejected: simulation does not know io.
+#pragma once
+#include <dynamy/simulation/model/time_grid.hpp>
+#include <dynamy/simulation/report/record_sink.hpp>
+#include <dynamy/simulation/report/signal_sampler.hpp>
+#include <dynamy/simulation/report/step_impacts.hpp>
+
+namespace dynamy {
+
+/// A frame that carries shapes.
+struct DrawnFrame {
+  int system = -1, id = 0;
+};
+/// Frames that carry shapes, in the order of the systems: the order of poses in RecordSink::frame.
+std::vector<DrawnFrame> drawnFrames(const Model& model);
+
+class Recorder final : public Observer {
+ public:
+  /// `model` is built; `every` and `framesPerSecond` of its record settings count (0: until/1000).
+  /// Throws ModelError for unknown signals.
+  Recorder(const Model& model, RecordSink& sink);
+  const std::vector<const NamedSignal*>& signals() const { return sampler_.signals(); }
+  /// Why the sink can keep no more; empty: it can.
+  std::string_view fault() const { return sink_.fault(); }
+
+  void start(const StepView& initial) override;
+  void step(const StepView& view) override;
+  /// Adds a last row and picture at the end time.
+  void finish(const StepView& last) override;
+  void archive(Archive& a) override;
+
+ private:
+  void row(const StepView& view, double t, double theta);
+  void write(double t);
+  void frame(const StepView& view, double t, double theta);
+  void contacts(const StepView& view);
+  RecordSink& sink_;
+  SignalSampler sampler_;
+  Topology drawn_;
+  Kinematics kinematics_;
+  State at_;
+  StepImpacts impacts_;
+  TimeGrid rows_, frames_;
+  long nextRow_ = 0, nextFrame_ = 0;
+  double lastRow_ = -1.0, lastFrame_ = -1.0;
+  std::vector<double> values_;
+  std::vector<FramePose> poses_;
+  std::vector<ContactRecord> contacts_;
+};
+
+}  // namespace dynamy

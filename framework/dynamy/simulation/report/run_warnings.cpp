@@ -1,0 +1,224 @@
+/// What the figures of a finished run say against it, and the figures that checks may ask for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <dynamy/simulation/report/consistent_start.hpp>
+#include <dynamy/simulation/report/run_watch.hpp>
+
+namespace dynamy {
+namespace {
+
+// Limits of what is reported; doc/run_folder.md has the table.
+constexpr double kEnergy = RunTrust::kWarned;  ///< of the largest kinetic energy
+constexpr double kMuchOverlap = 0.01;          ///< of the scene's length
+constexpr double kOverlapWays = 2.0;           ///< of the way in a step
+constexpr double kStart = 1e-6;                ///< of the scene's length
+constexpr double kJoint = 1e-3;                ///< of the scene's length
+constexpr double kOmegaDt = 1.0;               ///< [rad]
+constexpr double kTurn = 1.0;                  ///< [rad]
+constexpr double kLeastShare = 1e-9;           ///< shares below this are not told
+
+double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
+
+using Warnings = std::vector<Warning>;
+
+void aboutSolver(const RunReport& r, Warnings& out) {
+  if (r.unconverged == 0) return;
+  if (r.residual.value <= kSolvedResidual) {
+    out.push_back({"unsolved",
+                   fmt::format("in {} steps positions or velocities were not brought to what they "
+                               "hold, or the scheme's own iteration did not end; their inclusions "
+                               "are solved, residual {:.2g} at most",
+                               r.unconverged, r.residual.value),
+                   r.unconverged, r.unsolved.t, r.unsolved.contact});
+    return;
+  }
+  out.push_back({"unsolved",
+                 fmt::format("{} of {} inclusions missed their tolerance, residual {:.2g} at most"
+                             "; their forces and velocities are not to be trusted",
+                             r.unconverged, r.solves, r.residual.value),
+                 r.unconverged, r.unsolved.t, r.unsolved.contact});
+}
+
+void aboutEnergy(const RunReport& r, Warnings& out) {
+  const RunTrust& t = r.trust;
+  const double rise = ratio(t.energyRise, t.energyScale());
+  const double error = ratio(t.energyError, t.energyScale());
+  if (rise > kEnergy)
+    out.push_back({"energy gain",
+                   fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
+                               "and nothing brought it in; take a smaller step",
+                               t.energyRise, t.energyRiseTime, rise),
+                   1, t.energyRiseTime});
+  else if (error > kEnergy)
+    out.push_back({"energy",
+                   fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "
+                               "where no force did work: the scheme's own error; take a "
+                               "smaller step",
+                               t.energyError, t.energyErrorTime, error),
+                   1, t.energyErrorTime});
+}
+
+void aboutImpacts(const RunReport& r, Warnings& out) {
+  if (ratio(r.energyGain.value, r.trust.energyScale()) < kLeastShare) return;
+  out.push_back({"impact law",
+                 fmt::format("{} impacts would have gained energy, {:.2g} J at most "
+                             "(t = {:.6g} s): less rebound was taken",
+                             r.repairedImpacts, r.energyGain.value, r.energyGain.t),
+                 r.repairedImpacts, r.energyGain.t});
+}
+
+void aboutPositions(const RunReport& r, double length, Warnings& out) {
+  const double overlap = r.penetration.value;
+  if (r.penetration.t == 0.0 && overlap > kStart * length)
+    out.push_back({"start",
+                   fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
+                               "them apart changes the energy",
+                               overlap, r.penetration.name),
+                   1, 0.0, r.penetration.name});
+  else if (overlap > kMuchOverlap * length)
+    out.push_back({"overlap",
+                   fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                               "of the scene's length",
+                               overlap, r.penetration.name, r.penetration.t, overlap / length),
+                   1, r.penetration.t, r.penetration.name});
+  else if (r.trust.way > 0.0 &&
+           overlap > std::max(kOverlapWays * r.trust.way, kLeastShare * length))
+    out.push_back(
+        {"overlap",
+         fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                     "times the way of the fastest in a step",
+                     overlap, r.penetration.name, r.penetration.t, ratio(overlap, r.trust.way)),
+         1, r.penetration.t, r.penetration.name});
+  if (r.jointError.value > kJoint * length)
+    out.push_back({"joints",
+                   fmt::format("joint {} is off by {:.2g} m (t = {:.6g} s), {:.2g} of "
+                               "the scene's length: project=\"both\" in <simulation>, or "
+                               "a scheme that holds positions, keeps it",
+                               r.jointError.name, r.jointError.value, r.jointError.t,
+                               r.jointError.value / length),
+                   1, r.jointError.t, r.jointError.name});
+}
+
+void aboutStepping(const RunReport& r, Warnings& out) {
+  const SteppingReport& s = r.stepping;
+  if (s.periods == 0) return;
+  const std::string at = s.first.name.empty() ? "" : " at " + s.first.name;
+  out.push_back(
+      {"time stepping",
+       fmt::format("switches{} came too fast to be located (t = {:.6g} s): {:.4g} s in {} "
+                   "period{} were stepped in time for {} system{} with steps up to {:.2g} s, whose "
+                   "errors reach {:.2g} times the tolerance each; it is not promised for them, nor "
+                   "for what they touch, from there on",
+                   at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
+                   s.systems == 1 ? "" : "s", s.longest, s.error),
+       s.periods, s.first.t, s.first.name});
+}
+
+void aboutRest(const RunReport& r, Warnings& out) {
+  if (r.unseen.value <= 0.0) return;
+  out.push_back({"rest",
+                 fmt::format("nothing moved for {:.3g} s from t = {:.6g} s while forces changed "
+                             "faster than a run to a tolerance looks at them: what switches in "
+                             "between may be missed; --step {:.1g} beside the tolerance bounds "
+                             "its steps",
+                             r.unseen.value, r.unseen.t, 0.02 * r.unseen.value),
+                 1, r.unseen.t});
+}
+
+void aboutStep(const RunReport& r, double length, Warnings& out) {
+  const RunTrust& t = r.trust;
+  if (t.omegaDt > kOmegaDt)
+    out.push_back({"resolution", fmt::format("the motion turns by {:.2g} rad in a step (omega dt); "
+                                             "take a smaller step",
+                                             t.omegaDt)});
+  if (t.turn > kTurn)
+    out.push_back({"resolution", fmt::format("a body turns by {:.2g} rad in a step; take a smaller "
+                                             "step",
+                                             t.turn)});
+  if (t.fall > length)
+    out.push_back({"resolution", fmt::format("forces alone lead {:.2g} m in a step, {:.2g} times "
+                                             "the scene's length; take a smaller step",
+                                             t.fall, t.fall / length)});
+}
+
+constexpr std::array<WarningKind, 13> kKinds = {{
+    {"contradiction", true, "joints or drives contradict each other at the start"},
+    {"start positions", false, "joints did not fit at the start, bodies were moved onto them"},
+    {"start velocities", false, "joints do not allow the start velocities, they were projected"},
+    {"unsolved", true, "an inclusion missed its tolerance"},
+    {"energy gain", true, "T + V rose and nothing brought it in"},
+    {"energy", false, "energy went where no force did work: the scheme's own error"},
+    {"impact law", false, "impacts would have gained energy by their law"},
+    {"start", false, "the model puts bodies into each other"},
+    {"overlap", true, "bodies overlap by more than a step explains"},
+    {"joints", true, "a joint is off at the end of a step"},
+    {"resolution", false, "steps are long for the motion"},
+    {"rest", false, "forces changed unseen while nothing moved"},
+    {"time stepping", true, "switches were stepped in time: the tolerance is not promised"},
+}};
+
+constexpr std::array<RunFigure, 11> kFigures = {{
+    {"energyError", "energy that no force accounts for, over the largest T",
+     [](const RunReport& r) { return ratio(r.trust.energyError, r.trust.energyScale()); }},
+    {"energyRise", "rise of T + V that nothing brought in, over the largest T",
+     [](const RunReport& r) { return ratio(r.trust.energyRise, r.trust.energyScale()); }},
+    {"impactGain", "energy that impacts would have gained by their law [J]",
+     [](const RunReport& r) { return r.energyGain.value; }},
+    {"penetration", "worst overlap of a unilateral contact, at ends of steps as well [m]",
+     [](const RunReport& r) { return r.penetration.value; }},
+    {"solvedOverlap", "worst overlap where steps solve for their forces [m]",
+     [](const RunReport& r) { return r.solvedOverlap.value; }},
+    {"jointError", "worst position error of a joint [m]",
+     [](const RunReport& r) { return r.jointError.value; }},
+    {"unsolved", "inclusions that missed their tolerance",
+     [](const RunReport& r) { return static_cast<double>(r.unconverged); }},
+    {"residual", "largest residual of an inclusion",
+     [](const RunReport& r) { return r.residual.value; }},
+    {"impacts", "impacts", [](const RunReport& r) { return static_cast<double>(r.impacts); }},
+    {"switches", "changes of a contact's status",
+     [](const RunReport& r) { return static_cast<double>(r.switches); }},
+    {"steps", "steps", [](const RunReport& r) { return static_cast<double>(r.steps); }},
+}};
+
+}  // namespace
+
+std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
+  Warnings out = startWarnings(report.start, sceneLength);
+  aboutSolver(report, out);
+  aboutEnergy(report, out);
+  aboutImpacts(report, out);
+  aboutPositions(report, sceneLength, out);
+  aboutStep(report, sceneLength, out);
+  aboutRest(report, out);
+  aboutStepping(report, out);
+  return out;
+}
+
+std::span<const WarningKind> warningKinds() { return kKinds; }
+
+const WarningKind* warningKind(std::string_view name) {
+  for (const WarningKind& k : kKinds)
+    if (name == k.name) return &k;
+  return nullptr;
+}
+
+bool RunReport::qualified() const {
+  return std::any_of(warnings.begin(), warnings.end(), [](const Warning& w) {
+    const WarningKind* kind = warningKind(w.kind);
+    return kind != nullptr && kind->qualifies;
+  });
+}
+
+std::span<const RunFigure> runFigures() { return kFigures; }
+
+const RunFigure* runFigure(std::string_view signal) {
+  if (!signal.starts_with("run.")) return nullptr;
+  for (const RunFigure& f : kFigures)
+    if (signal.substr(4) == f.name) return &f;
+  return nullptr;
+}
+
+}  // namespace dynamy

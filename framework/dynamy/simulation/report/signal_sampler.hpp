@@ -1,0 +1,44 @@
+/// SignalSampler: values of signals anywhere inside a step, through the scheme's own interpolation.
+#pragma once
+#include <dynamy/simulation/model/model.hpp>
+#include <span>
+
+namespace dynamy {
+
+/// The signals that `names` ask for, in this order, each once; "toy.*" are all of toy, "*" all.
+/// No names: all signals of systems. Throws ModelError with places and the nearest known names.
+std::vector<const NamedSignal*> chooseSignals(const Model& model,
+                                              const std::vector<std::string>& names,
+                                              const std::vector<Place>& places);
+
+class SignalSampler {
+ public:
+  SignalSampler(const Model& model, std::vector<const NamedSignal*> signals);
+  const std::vector<const NamedSignal*>& signals() const { return signals_; }
+
+  /// All signals at fraction θ ∈ [0,1] of the step; q and u from OneStep::interpolate, contact
+  /// quantities (λ, γ, status) from OneStep::contactsAt, else those of the whole step. No
+  /// allocation after the first call.
+  void sample(const StepView& view, double theta, std::span<double> out);
+  /// Signal number i alone.
+  double sampleOne(const StepView& view, double theta, std::size_t i);
+  /// The same right before the switch or the impact at the end of the step.
+  void sampleBeforeImpact(const StepView& view, std::span<double> out);
+  double sampleBeforeImpact(const StepView& view, std::size_t i);
+
+ private:
+  void place(const StepView& view, double theta, bool ofContacts);
+  void placeBeforeImpact(const StepView& view, bool ofContacts);
+  /// Asks the scheme for the contacts at at_, if signals of contacts are wanted.
+  void look(const StepView& view, bool after, bool ofContacts);
+  double value(const StepView& view, const NamedSignal& signal) const;
+  const Model& model_;
+  std::vector<const NamedSignal*> signals_;
+  Kinematics kinematics_;
+  State at_;
+  ContactInstant instant_;
+  bool ofContacts_ = false;  // some signal may be one of contacts
+  bool known_ = false;       // instant_ is what contacts do at at_
+};
+
+}  // namespace dynamy

@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/simulation/run/own_steps.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMostParted = 4000;  ///< tries of one step for fast bodies
+/// A rest of so many roundings of the time is none.
+constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
+
+bool OwnSteps::run(Stepper& stepper, double until) {
+  bool kept = false;
+  while (until - stepper.t() > kTimeNoise * std::abs(until)) {
+    // What is kept before the end bounds a step is where a longer run goes on.
+    const double rest = until - stepper.t(), next = stepper.nextStep();
+    if (!kept && !(next > 0.0 && std::min(next, largest_ > 0.0 ? largest_ : next) < rest)) {
+      if (!stepper.pause(true)) return false;
+      kept = true;
+    }
+    if (!advance(stepper, until) || !stepper.pause(false)) return false;
+  }
+  return kept || stepper.pause(true);
+}
+
+bool OwnSteps::advance(Stepper& stepper, double until) {
+  double most = until - stepper.t();
+  if (largest_ > 0.0) most = std::min(most, largest_);
+  for (int i = 0;; ++i) {
+    const StepReport report = stepper.attempt(stepper.t() + most, most);
+    const bool sound = stepper.sound();
+    if (const Passing p = sound ? stepper.passing() : Passing{}) {
+      stepper.reject();
+      if (i == kMostParted) return stepper.fail(p);
+      // Up to the contact; if it is there already, across it in a moment.
+      most = p.t > 2.0 * p.width ? p.t - p.width : 2.0 * p.t + p.width;
+      continue;
+    }
+    if (sound && !report.solved.ok() && policy_ == NonConvergence::stop) {
+      stepper.reject();
+      return stepper.fail(report);
+    }
+    return stepper.accept();
+  }
+}
+
+}  // namespace dynamy

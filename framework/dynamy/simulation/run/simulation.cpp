@@ -1,0 +1,359 @@
+#include <algorithm>
+#include <ctime>
+#include <dynamy/core/declared/element_fault.hpp>
+#include <dynamy/simulation/report/consistent_start.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/own_steps.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
+#include <dynamy/solver/diagnosis/diagnosis.hpp>
+#include <dynamy/system/announced_signals.hpp>
+#include <exception>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+constexpr double kIdleSeconds = 0.1;
+constexpr std::size_t kSpare = std::size_t{1} << 20;  ///< [byte]
+constexpr int kMostDiagnoses = 3;                     ///< of a run
+constexpr int kDiagnosisRows = 400;                   ///< above, a diagnosis would take seconds
+
+double seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+/// Of the file, for what is missing in it; nowhere for a model that no file holds.
+Place beginning(const Model& model) {
+  return model.sourceFile.empty() ? Place() : Place(model.sourceFile, 1, 1);
+}
+
+std::unique_ptr<TimeLoop> loopOf(Model& model) {
+  model.readyScheme();
+  if (model.scheme().findsContacts()) {
+    for (const auto& e : model.systems()) refuseSwitching(*e, model.scheme().type());
+    for (const auto& e : model.forces()) refuseSwitching(*e, model.scheme().type());
+  }
+  const SimulationSettings& s = model.simulation;
+  Diagnostic d;
+  if (model.systems().empty()) {
+    d.place = beginning(model);
+    d.text = "the model has no system: nothing can move";
+    d.hint = "put a <RigidBody> or another system into <systems>";
+    throw ModelError(d);
+  }
+  if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
+    return std::make_unique<OwnSteps>(s.step, s.onNonConvergence);
+  if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence);
+  d.place = s.place, d.element = "simulation";
+  if (s.place.line == 0) {
+    d.place = beginning(model), d.element.clear();
+    d.text = "no <simulation> says how long and how accurately";
+    d.hint = "add <simulation until=\"1\" tolerance=\"1e-6\"/>, or step=\"1e-3\"";
+  } else if (s.tolerance > 0.0) {
+    d.text = "<" + model.scheme().type() + "> takes steps of given length, not a tolerance";
+    d.hint = "leave the scheme out, or replace the tolerance by a step, e.g. step=\"1e-3\"";
+  } else {
+    d.text = "neither a tolerance nor a step is given";
+    d.hint = "add one, e.g. tolerance=\"1e-6\", or run with --tolerance 1e-6";
+  }
+  throw ModelError(d);
+}
+
+/// Index of a gap that is not a number in the last evaluation, which would pass for open; −1: none.
+int gapWithoutNumber(const MechanicalSystem& system) {
+  const std::vector<double>& g = system.slot(0).contacts.g;
+  const auto at = std::find_if(g.begin(), g.end(), [](double x) { return std::isnan(x); });
+  return at == g.end() ? -1 : static_cast<int>(at - g.begin());
+}
+
+/// A solver that threw asked a law of the last problem: what the first one that throws says, or
+/// empty.
+std::string lawThatThrows(const MechanicalSystem& system) {
+  const InclusionProblem& p = system.problem();
+  const auto rows = static_cast<std::size_t>(p.rows());
+  if (p.gammaFree.size() != rows || p.gammaA.size() != rows) return {};  // none was set up
+  std::vector<double> r, xi, Lambda;
+  for (int i = 0; i < p.size(); ++i) {
+    const auto n = static_cast<std::size_t>(p.dim(i));
+    const auto first = p.gammaFree.begin() + p.row0(i);
+    r.assign(n, 1.0), xi.assign(first, first + p.dim(i)), Lambda.assign(n, 0.0);
+    try {
+      named(p.law(i), [&] { p.law(i).prox(p.input(i), r.data(), xi.data(), Lambda.data()); });
+    } catch (const ElementFault& e) {
+      return e.what();
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Simulation::Simulation(Model& model)
+    : model_(model),
+      system_(model.mechanicalSystem()),
+      x_(model.initialState()),
+      before_(x_),
+      loop_(loopOf(model)),
+      statistics_(report_),
+      ledger_(model),
+      watch_(model, ledger_, report_),
+      checks_(model) {
+  for (const auto& o : model.observers()) observers_.push_back(o.get());
+  renews_ = std::any_of(model.systems().begin(), model.systems().end(),
+                        [](const auto& s) { return s->renews(); });
+}
+
+void Simulation::record(RecordSink& sink) {
+  recorder_ = std::make_unique<Recorder>(model_, sink);
+  ledgerRows_ = std::make_unique<LedgerRows>(ledger_, sink, model_.simulation.until);
+  statistics_.tell(sink);
+}
+
+int Simulation::threads(int count) {
+  system_.workers(nullptr);
+  workers_.reset();
+  if (count < 2) return 1;
+  workers_ = std::make_unique<Workers>(count);
+  system_.workers(workers_.get());
+  return workers_->threads();
+}
+
+const RunReport& Simulation::run() {
+  const auto wall = Clock::now();
+  const std::clock_t cpu = std::clock();
+  lastIdle_ = lastSave_ = wall;
+  const double wallBefore = report_.wall, cpuBefore = report_.cpu;
+  report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
+  try {
+    spare_.resize(kSpare);
+    if (!resumed_) begin();
+    whole_ = true, attempted_ = false;
+    if (save_ && !resumed_) save();
+    loop();
+    end();
+  } catch (const std::bad_alloc&) {
+    outOfMemory();
+  } catch (const ElementFault& e) {
+    endBecause("t = " + numberText(x_.t) + " s: " + e.what());
+  } catch (const std::exception& e) {  // of observers and files: a full disk, a user's observer
+    const std::string law = lawThatThrows(system_);
+    endBecause(law.empty() ? e.what() : "t = " + numberText(x_.t) + " s: " + law);
+  } catch (...) {
+    const std::string law = lawThatThrows(system_);
+    endBecause("t = " + numberText(x_.t) +
+               " s: " + (law.empty() ? "something was thrown that is no std::exception" : law));
+  }
+  report_.wall = wallBefore + seconds(Clock::now() - wall);
+  report_.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  return report_;
+}
+
+void Simulation::begin() {
+  system_.evaluate(x_);
+  report_.start = makeConsistent(model_, system_, x_);
+  before_ = x_;
+  stepReport_ = {};
+  zero_.assign(static_cast<std::size_t>(system_.slot(0).contacts.rows()), 0.0);
+  const StepView initial = view(true);
+  forAll([&](Observer& o) { o.start(initial); });
+}
+
+void Simulation::loop() {
+  const std::string reason = fault();
+  if (!reason.empty()) {
+    endBecause(reason);
+    return;
+  }
+  loop_->run(*this, model_.simulation.until);
+}
+
+void Simulation::end() {
+  if (report_.ended == RunReport::Ended::failed) system_.evaluate(x_);
+  const bool whole = report_.ended != RunReport::Ended::failed && stepReport_.dt > 0.0;
+  const StepView last = view(whole);
+  forAll([&](Observer& o) { o.finish(last); });
+  report_.t = x_.t;
+  report_.energy = ledger_.report();
+  report_.hash = motion_.value();
+}
+
+StepView Simulation::view(bool whole) {
+  const ContactSet& c = system_.slot(0).contacts;
+  const auto n = static_cast<Eigen::Index>(c.rows());
+  gammaE_.resize(static_cast<std::size_t>(n));
+  c.gamma(dynamy::view(std::as_const(x_.u)), {gammaE_.data(), n});
+  const bool start = stepReport_.dt <= 0.0 || !whole;
+  if (start) zero_.assign(static_cast<std::size_t>(n), 0.0);
+  const double* Lambda = start ? zero_.data() : system_.Lambda().data();
+  return {model_,
+          system_,
+          model_.scheme(),
+          before_,
+          x_,
+          ConstVec(Lambda, n),
+          ConstVec(gammaE_.data(), n),
+          stepReport_,
+          report_.steps + 1,
+          whole};
+}
+
+StepReport Simulation::attempt(double tEnd, double dt) {
+  before_ = x_, attempted_ = true;
+  const long evaluations = system_.evaluations();
+  stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
+  if (!model_.scheme().choosesSteps()) x_.t = tEnd;
+  project();
+  system_.remember(x_);
+  report_.evaluations += system_.evaluations() - evaluations;
+  return stepReport_;
+}
+
+void Simulation::project() {
+  const Project what = model_.simulation.project;
+  if (what == Project::none || !x_.q.allFinite()) return;
+  if (!projection_.positions(system_, model_.solver(), x_, system_.gTol()))
+    stepReport_.solved.status = SolveStatus::stalled;
+  if (what == Project::both && !projection_.velocities(system_, model_.solver(), x_))
+    stepReport_.solved.status = SolveStatus::stalled;
+}
+
+bool Simulation::sound() const {
+  return stepReport_.refused.empty() && system_.indefiniteMass() < 0 && x_.q.allFinite() &&
+         x_.u.allFinite() && gapWithoutNumber(system_) < 0;
+}
+
+Passing Simulation::passing() {
+  if (model_.scheme().findsContacts()) return {};
+  const Passing p = sweep_.look(system_, model_.scheme(), before_, x_);
+  report_.swept = sweep_.paths();
+  if (p) ++report_.parted;
+  return p;
+}
+
+bool Simulation::fail(const Passing& p) {
+  return endBecause("t = " + numberText(x_.t) +
+                    " s: fast bodies cut one step into too many parts, last at " +
+                    contactText(model_, p.contact) + "; take a smaller step");
+}
+
+bool Simulation::accept() {
+  if (!sound()) {
+    std::string reason = fault();
+    report_.refused = !stepReport_.refused.empty();
+    x_ = before_;
+    stepReport_ = {};
+    return endBecause(std::move(reason));
+  }
+  whole_ = false;
+  if (!stepReport_.solved.ok()) noteUnsolved();
+  const long evaluations = system_.evaluations();
+  const StepView step = view(true);
+  forAll([&](Observer& o) { o.step(step); });
+  report_.evaluations += system_.evaluations() - evaluations;  // of dense output
+  renew();
+  return true;
+}
+
+void Simulation::renew() {
+  if (!renews_) return;
+  const double tA = before_.t;
+  const State old = x_;
+  if (system_.renew(tA, x_)) ledger_.bring(old, x_);
+}
+
+void Simulation::reject() {
+  if (!stepReport_.solved.ok() && sound()) {
+    noteUnsolved();
+    x_ = before_;
+    const StepView step = view(true);
+    forAll([&](Observer& o) { o.failed(step); });
+  }
+  x_ = before_;
+  ++report_.rejected;
+}
+
+bool Simulation::fail(const StepReport& report) {
+  const ContactSet& c = system_.slot(0).contacts;
+  const Residuals& e = report.solved.residuals;
+  std::string text = "t = " + numberText(x_.t) + " s: the inclusion was not solved (" +
+                     std::string(solveStatusText(report.solved.status)) + " after " +
+                     std::to_string(report.solved.iterations) + " iterations, residual " +
+                     numberText(e.largest());
+  if (e.worst >= 0 && e.worst < c.size())
+    text += ", worst at " + contactText(model_, c.key[static_cast<std::size_t>(e.worst)]);
+  stepReport_ = {};
+  return endBecause(text + "); onNonConvergence is stop");
+}
+
+void Simulation::noteUnsolved() {
+  const SolveReport& solved = stepReport_.solved;
+  const InclusionProblem& p = system_.problem();
+  Unsolved& u = report_.unsolved;
+  const double E = solved.residuals.largest();
+  if (u.step > 0 && !(E > 10.0 * u.residual)) return;
+  u.step = report_.steps + 1, u.t = x_.t, u.residual = E, u.iterations = solved.iterations;
+  u.status = std::string(solveStatusText(solved.status));
+  u.tried = attemptsText(solved);
+  const auto name = [&](int i) {
+    return contactText(model_, p.contacts->key[static_cast<std::size_t>(i)]);
+  };
+  // A scheme may solve other problems than the last one in a step.
+  const bool known = p.size() > 0 && stepReport_.contacts == p.size();
+  u.contact = known && solved.residuals.worst >= 0 ? name(solved.residuals.worst) : "";
+  u.findings.clear();
+  if (!known || diagnoses_++ >= kMostDiagnoses) return;
+  DiagnosisOptions options;
+  options.maxRows = kDiagnosisRows, options.name = name;
+  const Vec Lambda = system_.Lambda();
+  const Diagnosis d = diagnose(p, dynamy::view(Lambda), solved, model_.solver(), options);
+  for (const Finding& f : d.findings)
+    if (f.kind != FindingKind::unsolved) u.findings += f.text + ' ' + f.advice + '\n';
+}
+
+bool Simulation::pause(bool asked) {
+  whole_ = true, attempted_ = false;
+  const auto now = Clock::now();
+  if (idle_ && seconds(now - lastIdle_) >= kIdleSeconds) lastIdle_ = now, idle_();
+  const bool stop = stop_ != nullptr && stop_->load(std::memory_order_relaxed);
+  const double since = seconds(now - lastSave_);
+  const bool due =
+      save_ && saveEvery_ > 0.0 && since >= saveEvery_ && saveCost_ <= saveShare_ * since;
+  const auto full = [this] { return recorder_ && !recorder_->fault().empty(); };
+  if (stop || due || asked || full()) keep();
+  if (due) save();
+  if (stop) report_.ended = RunReport::Ended::stopped;
+  // Keeping has tried once more to write what was collected.
+  if (!stop && full()) return endBecause(std::string(recorder_->fault()), RunReport::Cause::files);
+  return !stop;
+}
+
+bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
+  report_.ended = RunReport::Ended::failed, report_.cause = cause;
+  report_.reason = std::move(reason);
+  return false;
+}
+
+std::string Simulation::fault() const {
+  const std::string when = "t = " + numberText(x_.t) + " s: ";
+  if (!stepReport_.refused.empty())
+    return when + "<" + model_.scheme().type() + "> refuses: " + std::string(stepReport_.refused);
+  if (system_.indefiniteMass() >= 0)
+    return when + "the mass matrix of " + systemName(model_, system_.indefiniteMass()) +
+           " is not positive definite";
+  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
+    const SystemHandle& s = model_.topology().system(static_cast<int>(i));
+    for (const auto& [letter, v, first, n] :
+         {std::tuple{"u", &x_.u, s.u0, s.nu}, std::tuple{"q", &x_.q, s.q0, s.nq}})
+      for (int k = 0; k < n; ++k)
+        if (!std::isfinite((*v)[first + k]))
+          return when + letter + "[" + std::to_string(k) + "] of " +
+                 systemName(model_, static_cast<int>(i)) + " is not finite";
+  }
+  if (const int i = gapWithoutNumber(system_); i >= 0)
+    return when + "the gap of " +
+           contactText(model_, system_.slot(0).contacts.candidateKey[static_cast<std::size_t>(i)]) +
+           " is not a number";
+  return {};
+}
+
+}  // namespace dynamy

@@ -1,0 +1,62 @@
+#include <dynamy/simulation/run/time_loop.hpp>
+
+namespace dynamy {
+namespace {
+constexpr int kMostHalvings = 6;
+constexpr int kMostSplittings = 4000;  ///< splittings of one full step for fast bodies
+}  // namespace
+
+bool FixedStep::run(Stepper& stepper, double until) {
+  const double dt = grid_.spacing();
+  // Full steps as long as they do not pass the end by more than rounding.
+  while (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
+    parted_ = 0;
+    if (!advance(stepper, grid_.at(i_ + 1), dt, 0)) return false;
+    ++i_;
+    if (!stepper.pause(false)) return false;
+  }
+  const double rest = until - stepper.t();
+  if (!stepper.pause(true)) return false;  // a longer run takes a full step here
+  if (rest <= 1e-9 * dt) return true;
+  parted_ = 0;
+  return advance(stepper, until, rest, 0);
+}
+
+void FixedStep::archive(Archive& a) {
+  a(i_);
+  if (i_ < 0) throw ModelError("the checkpoint counts its steps from below zero");
+}
+
+bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
+  const StepReport report = stepper.attempt(tEnd, dt);
+  const bool sound = stepper.sound(), good = sound && report.solved.ok();
+  if (const Passing p = sound ? stepper.passing() : Passing{}) {
+    stepper.reject();
+    return ++parted_ > kMostSplittings ? stepper.fail(p) : inParts(stepper, p, tEnd, dt, depth);
+  }
+  const bool halve = policy_ == NonConvergence::retry && depth < kMostHalvings;
+  if (!good && halve) {  // the same step in two halves
+    stepper.reject();
+    const double tM = stepper.t() + 0.5 * dt;
+    return advance(stepper, tM, 0.5 * dt, depth + 1) &&
+           advance(stepper, tEnd, tEnd - tM, depth + 1);
+  }
+  if (!good && sound && policy_ == NonConvergence::stop) {
+    stepper.reject();
+    return stepper.fail(report);
+  }
+  return stepper.accept();  // a state that is not sound ends the run there
+}
+
+bool FixedStep::inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth) {
+  // Up to the contact, unless it is there already.
+  const double w = p.width, before = p.t > 2.0 * w ? p.t - w : 0.0;
+  if (before > 0.0 && !advance(stepper, stepper.t() + before, before, depth)) return false;
+  // Across it, a little more behind than before, so that every scheme finds it closed.
+  const double across = 2.0 * (p.t - before) + w, rest = dt - before - across;
+  if (!(rest > 0.0)) return advance(stepper, tEnd, dt - before, depth);
+  return advance(stepper, stepper.t() + across, across, depth) &&
+         advance(stepper, tEnd, rest, depth);
+}
+
+}  // namespace dynamy

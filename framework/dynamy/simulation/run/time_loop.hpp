@@ -1,0 +1,67 @@
+/// TimeLoop: how accepted steps follow each other. Simulation drives observers and reports; a loop
+/// only proposes steps, so that fixed steps, augmented stepping and event location are one file
+/// each.
+#pragma once
+#include <dynamy/core/archive.hpp>
+#include <dynamy/simulation/model/settings.hpp>
+#include <dynamy/simulation/model/time_grid.hpp>
+#include <dynamy/stages/sweep.hpp>
+
+namespace dynamy {
+
+/// What a loop works with.
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// One step of the scheme from the current state, of length dt to the instant tEnd (= t + dt but
+  /// for rounding). Schemes that choose their steps may stop earlier. The state before stays at
+  /// hand until accept() or reject().
+  virtual StepReport attempt(double tEnd, double dt) = 0;
+  /// Takes the attempted step; observers see it. False: the run is to end (failed or stopped).
+  virtual bool accept() = 0;
+  /// Goes back to the state before the attempt.
+  virtual void reject() = 0;
+  /// Ends the run as failed: an inclusion missed its tolerance. Always false.
+  virtual bool fail(const StepReport& report) = 0;
+  /// True if the attempted state holds no NaN and no infinity, and no mass was indefinite.
+  virtual bool sound() const = 0;
+  /// The first contact that the attempted step went through, if any (theory 37).
+  virtual Passing passing() = 0;
+  /// Ends the run as failed: `p` is the last of too many passings in one step. Always false.
+  virtual bool fail(const Passing& p) = 0;
+  virtual double t() const = 0;
+  /// Length that the scheme would try next [s]; 0: it has no say, or does not know.
+  virtual double nextStep() const = 0;
+  /// Between two full steps of the loop: what is archived here can be resumed. `asked`: keep it in
+  /// any case, because the next step is shortened by the end time. False: the run is to end.
+  virtual bool pause(bool asked) = 0;
+};
+
+class TimeLoop {
+ public:
+  virtual ~TimeLoop() = default;
+  /// Steps to `until`; false as soon as the run is to end earlier.
+  virtual bool run(Stepper& stepper, double until) = 0;
+  virtual void archive(Archive& a) = 0;
+};
+
+/// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`. A step
+/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest.
+class FixedStep final : public TimeLoop {
+ public:
+  FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
+  bool run(Stepper& stepper, double until) override;
+  void archive(Archive& a) override;
+
+ private:
+  /// One step with the policy for missed tolerances; `depth` halvings so far.
+  bool advance(Stepper& stepper, double tEnd, double dt, int depth);
+  /// The same in parts, with the closing of `p` in one that is too short to matter.
+  bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);
+  TimeGrid grid_;
+  NonConvergence policy_;
+  long i_ = 0;      // full steps done
+  int parted_ = 0;  // splittings of the present full step
+};
+
+}  // namespace dynamy

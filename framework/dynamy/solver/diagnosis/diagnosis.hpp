@@ -1,0 +1,65 @@
+/// Diagnosis: what is known about an inclusion problem beyond its residuals, in plain words. Asked
+/// for on demand, after a failure or by `dynamy solve`, never in a step.       (theory 7.8)
+///
+///   forces not unique    ker G on the closed contacts contains ΔΛ with P ΔΛ = ΔΛ, P = ∂prox/∂z
+///   redundant joints     ker G_JJ ≠ 0;  they contradict each other if c has a part in it
+///   jam                  Λ ≠ 0 in the cones with GΛ = 0: these forces hold each other
+///   Painlevé             S_B(−G_NT) ≥ G_NN: sliding, friction presses more than the normal force
+///                        opens (Coulomb: μ|G_NT| ≥ G_NN)
+///   several solutions    other starts end at another ξ
+#pragma once
+#include <dynamy/solver/problem/inclusion_solver.hpp>
+#include <functional>
+#include <string>
+
+namespace dynamy {
+
+enum class FindingKind : std::uint8_t {
+  unsolved,
+  rounding,
+  contradiction,
+  jam,
+  painleve,
+  severalSolutions,
+  redundantJoints,
+  forcesNotUnique,
+  tooLarge
+};
+/// "unsolved", "jam", …: for machines.
+std::string_view findingName(FindingKind kind);
+
+struct Finding {
+  FindingKind kind = FindingKind::unsolved;
+  std::vector<int> contacts;  ///< the contacts concerned
+  double value = 0.0;         ///< its figure: residual, indicator, difference of ξ …
+  std::string text;           ///< what is the case, one or two sentences
+  std::string advice;         ///< what to do; may be empty
+};
+
+struct Diagnosis {
+  int contacts = 0, closed = 0;
+  int rows = 0;     ///< of the closed contacts
+  int rank = 0;     ///< of G on them; −1: not computed
+  int freedom = 0;  ///< directions in which the forces may change at unchanged velocities
+  std::vector<Finding> findings;  ///< the gravest first
+  /// The first of this kind, or null.
+  const Finding* find(FindingKind kind) const;
+  /// All of it, a paragraph a finding, lines indented by `indent`.
+  std::string text(const std::string& indent = "") const;
+};
+
+struct DiagnosisOptions {
+  double tolerance = 1e-10;
+  bool otherStarts = true;  ///< solves twice or three times more
+  int maxRows = 900;        ///< larger problems are not looked into: eigenvalues cost 10 n³
+  std::function<std::string(int)> name;  ///< of a contact; default: "contact 3"
+};
+
+/// `Lambda`, `report`: what `solver` gave back. `solver` is used for other starts.
+Diagnosis diagnose(const InclusionProblem& problem, ConstVec Lambda, const SolveReport& report,
+                   InclusionSolver& solver, const DiagnosisOptions& options = {});
+
+/// "15 of sweeps (2.1e-3), 500 of proximal Newton (4e-6)": the chain of methods of a solve.
+std::string attemptsText(const SolveReport& report);
+
+}  // namespace dynamy

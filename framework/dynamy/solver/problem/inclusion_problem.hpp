@@ -1,0 +1,39 @@
+/// InclusionProblem:  ξ = G Λ + c,   −ξ_i ∈ N_{C_i}(Λ_i),  i = 1 … n.     (theory 4.1)
+///
+/// Solvers see operators and laws, never elements.
+#pragma once
+#include <dynamy/core/workers.hpp>
+#include <dynamy/solver/problem/delassus.hpp>
+#include <dynamy/solver/problem/stopping_rule.hpp>
+
+namespace dynamy {
+
+struct InclusionProblem {
+  Delassus* G = nullptr;
+  const ContactSet* contacts = nullptr;
+  double dt = 0.0;                ///< [s]; 0: pure impact
+  std::vector<double> c;          ///< c = (1 + ε)… as the impact law poses it [m/s]
+  std::vector<double> gammaFree;  ///< Wᵀ u_free + χ: relative velocity without any percussion
+  std::vector<double> gammaA;     ///< Wᵀ u^A + χ
+  /// Velocity scale of E_u: the largest change of a relative velocity asked of a contact that is
+  /// not leaving; one that leaves at 100 m/s must not loosen a resting stack  [m/s].
+  double uRef = 1.0;
+  /// Per row: how much of c is rounding; empty: none  [m/s].
+  std::vector<double> cNoise;
+  /// A start whose residuals are below this times the tolerance is taken as it is. 0: only one that
+  /// is exact to rounding (kExactStart), because nobody corrects the velocities it leaves. Schemes
+  /// that correct them in the next step by the gap may ask for less.
+  double warmStart = 0.0;
+  /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
+  const StoppingRule* rule = nullptr;
+  Workers* workers = nullptr;  ///< null: the caller's thread alone
+
+  int size() const { return contacts->size(); }
+  int rows() const { return contacts->rows(); }
+  int row0(int i) const { return contacts->row0[static_cast<std::size_t>(i)]; }
+  int dim(int i) const { return contacts->dim(i); }
+  const SetValuedForceLaw& law(int i) const { return *contacts->law[static_cast<std::size_t>(i)]; }
+  LawInput input(int i) const { return contacts->input(i, dt, gammaA.data()); }
+};
+
+}  // namespace dynamy

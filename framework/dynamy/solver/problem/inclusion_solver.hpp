@@ -1,0 +1,90 @@
+/// InclusionSolver: finds Λ of an inclusion problem. Never throws; says by residuals how well it
+/// did.
+#pragma once
+#include <array>
+#include <dynamy/solver/problem/inclusion_problem.hpp>
+#include <string_view>
+
+namespace dynamy {
+
+enum class SolveStatus : std::uint8_t { solved, maxIterations, stalled, diverged, notFinite };
+std::string_view solveStatusText(SolveStatus status);
+
+/// Residuals are scale-free natural maps e_i (theory 4.4) of the contacts with ρ_i = 1/λ_max(G_ii):
+///
+///   E_u = max_i |e_i|/ρ_i / u_ref,        E_f = max_i |e_i| / max(max|Λ|, max_i ρ_i u_ref),
+///   E_energy = Σ |e_i|²/ρ_i / Σ ρ_i |c_i|²
+///
+/// In E_u and E_f a contact counts only if |e_i|/ρ_i exceeds what rounding leaves of it,
+/// cNoise_i + 4ε(|G||Λ| + |c|)_i: no solver can do better, and none stalls there. The floor of E_f
+/// gives E_f ≤ E_u, so that a scene without forces terminates; a floor of 1e-12 of it was rejected,
+/// because E_f of a scene at rest is then rounding over rounding. Where Λ is so large that it
+/// cannot resolve 1 % of the problem's velocities, ε |Λ_i|/ρ_i counts as the error.
+struct Residuals {
+  double Ef = 0.0, Eu = 0.0, energy = 0.0;
+  int worst = -1;       ///< contact with the largest |e_i|/ρ_i
+  double given = -1.0;  ///< the measure of the problem's own rule; negative: it has none
+  /// What is compared with the tolerance.
+  double largest() const { return given == -1.0 ? (Ef > Eu ? Ef : Eu) : given; }
+};
+
+/// One method of a chain of solvers, and what it left.
+struct Attempt {
+  std::string_view method;
+  int iterations = 0;
+  double residual = 0.0;  ///< Residuals::largest() of the best Λ so far
+};
+
+struct SolveReport {
+  SolveStatus status = SolveStatus::solved;
+  int iterations = 0;
+  Residuals residuals;
+  bool warmAccepted = false;       ///< the start was exact to rounding
+  int newton = 0;                  ///< Newton steps among the iterations
+  int rejected = 0;                ///< inner problems given up
+  std::string_view method;         ///< what found the solution, where a solver has a choice
+  std::array<Attempt, 8> attempt;  ///< the chain in the order of trying, where there is one
+  int attempts = 0;                ///< of them; more than fit are not told
+  /// Energy that impacts would have gained by the law as it is stated [J]; the energy guard
+  /// (theory 32.3) has repaired `repaired` groups of contacts.
+  double energyGain = 0.0;
+  int repaired = 0;
+  bool ok() const { return status == SolveStatus::solved; }
+  /// Notes what `method` did since `iterationsBefore`; the residuals are those it left.
+  void note(std::string_view name, int iterationsBefore) {
+    if (attempts < static_cast<int>(attempt.size()))
+      attempt[static_cast<std::size_t>(attempts++)] = {name, iterations - iterationsBefore,
+                                                       residuals.largest()};
+  }
+};
+
+/// A start with E_f, E_u below this is taken as it is; a worse one is improved at least once, even
+/// if it fulfils the tolerance. Rejected: to accept it at the tolerance. Then nobody corrects the
+/// velocities it leaves, a resting contact drifts off by tolerance · u_ref · Δt in every step until
+/// its gap exceeds g_tol and it opens.
+inline constexpr double kExactStart = 1e-14;
+/// Residual up to which the start of `problem` is taken as it is by a solver of this tolerance.
+inline double acceptedStart(const InclusionProblem& problem, double tolerance) {
+  const double asked = problem.warmStart * tolerance;
+  return asked > kExactStart ? asked : (kExactStart < tolerance ? kExactStart : tolerance);
+}
+
+/// Residuals of Λ, recomputed from scratch; infinite, with its contact as `worst`, if a number in ξ
+/// or Λ is not finite. `scratch` keeps its memory; it begins with ξ.
+Residuals residuals(const InclusionProblem& problem, ConstVec Lambda, std::vector<double>& scratch);
+
+/// Bound of the largest eigenvalue of a contact's diagonal block: its largest row sum (exact for
+/// one row). 1/λ is the step ρ of the natural map.
+double contactLambda(const double* block, int dim);
+
+class InclusionSolver : public Element {
+ public:
+  static constexpr Kind kKind = Kind::solver;
+  using Element::Element;
+  /// Λ: start (warm or zero) in, solution out. Stops when E_f ≤ tolerance and E_u ≤ tolerance (or
+  /// the measure of the problem's own rule), after at least one iteration unless the start is exact
+  /// (kExactStart).
+  virtual SolveReport solve(const InclusionProblem& problem, Vec Lambda) = 0;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,69 @@
+// The stages of MechanicalSystem that take stiff forces linearly implicitly, and those by which a
+// scheme replaces u_free or h.
+#include <dynamy/stages/mechanical_system.hpp>
+
+namespace dynamy {
+
+void MechanicalSystem::freeVelocity(const Eigen::VectorXd& uFree) {
+  uFree_ = uFree - uFree_;
+  gammaWork_.resize(problem_.gammaFree.size());
+  const auto rows = static_cast<Eigen::Index>(gammaWork_.size());
+  if (rows > 0) problem_.contacts->gamma({uFree_.data(), uFree_.size()}, {gammaWork_.data(), rows});
+  for (std::size_t k = 0; k < gammaWork_.size(); ++k)
+    problem_.gammaFree[k] += gammaWork_[k] - problem_.contacts->chi[k];
+  uFree_ = uFree;
+  scales();
+}
+
+void MechanicalSystem::implicitMass(const State& x, double dt, const ImplicitWeights& weights,
+                                    int slot) {
+  if (!stiff_.any()) return;
+  const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  const MassMatrix& mass = slots_[static_cast<std::size_t>(slot_)].mass;
+  stiff_.evaluate(*parts_.topology, parts_.forces, e.kinematics, x);
+  stiff_.factor(mass, dt, weights);
+  implicit_ = true;
+  if (problem_.rows() > 0) stiff_.delassus(*problem_.contacts, mass, delassus_);
+}
+
+void MechanicalSystem::linearlyImplicit(const State& x, const ImplicitWeights& weights, int slot) {
+  if (!stiff_.any()) return;
+  const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  const double dt = problem_.dt;
+  implicitMass(x, dt, weights, slot);
+  work_ = dt * e.h;
+  stiff_.addK(dt * dt * weights.s, uA_, work_);
+  stiff_.applyInverse(e.mass, work_, implicitFree_);
+  implicitFree_ += uA_;  // u_free = u^A + M̂⁻¹ Δt (h + Δt s K u^A)
+  freeVelocity(implicitFree_);
+}
+
+bool MechanicalSystem::explicitIsUnstable(const State& x, double dt, double limit, int slot) {
+  if (!stiff_.any()) return false;
+  const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  stiff_.evaluate(*parts_.topology, parts_.forces, e.kinematics, x);
+  return stiff_.explicitIsUnstable(e.mass, dt, limit);
+}
+
+void MechanicalSystem::applyInverseMass(const Eigen::VectorXd& in, Eigen::VectorXd& out) const {
+  const MassMatrix& mass = slots_[static_cast<std::size_t>(slot_)].mass;
+  out.resize(in.size());
+  if (implicit_)
+    stiff_.applyInverse(mass, in, out);
+  else
+    mass.applyInverse(view(in), view(out));
+}
+
+void MechanicalSystem::addImplicitVelocity(State& x) {
+  Evaluation& e = slots_[static_cast<std::size_t>(slot_)];
+  if (problem_.rows() > 0)
+    stiff_.addVelocity(e.contacts, e.mass, Lambda_.data(), x.u);  // u^E = u_free + M̂⁻¹WΛ
+  // What the step used as h:  M(u^E − u^A) = Δt h + WΛ; dampers have no potential.
+  stiff_.addUsedForce(problem_.dt, uA_, x.u, e.h, e.hNonPotential);
+}
+
+void MechanicalSystem::usedForce(const Eigen::VectorXd& h, const Eigen::VectorXd& hNonPotential) {
+  slots_.front().h = h, slots_.front().hNonPotential = hNonPotential;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,316 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/law/most_rows.hpp>
+#include <dynamy/stages/contact_subset.hpp>
+#include <dynamy/stages/impact_detection.hpp>
+#include <dynamy/stages/projection.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMostProjections = 12;
+/// Rows up to which contacts are closed before their impact.
+constexpr int kMostTouched = 200;
+/// Added to the diagonal, of its largest entry: rows that depend on each other then share.
+constexpr double kRedundantRow = 1e-10;
+
+/// Normal impulse of contact `key` in the last step, 0 if it had none.
+double carried(const KeyIndex& index, const RememberedImpulses& impulses, ContactKey key) {
+  const int i = index.find(key);
+  if (i < 0) return 0.0;
+  const int first = impulses.first[static_cast<std::size_t>(i)];
+  const bool any = impulses.first[static_cast<std::size_t>(i) + 1] > first;
+  return any ? impulses.Lambda[static_cast<std::size_t>(first)] : 0.0;
+}
+
+/// A unilateral contact without restitution.
+bool rests(const ContactSet& c, int i) {
+  const SetValuedForceLaw& law = *c.law[static_cast<std::size_t>(i)];
+  if (!law.unilateral()) return false;
+  double epsilon[kMostRows] = {};
+  law.epsilon(c.dim(i), epsilon);
+  return epsilon[0] == 0.0;
+}
+
+/// √(wᵀM⁻¹w), added up over the blocks, of the first row w of contact i.
+double rootOfG(const ContactSet& c, const MassMatrix& mass, int i) {
+  double root = 0.0;
+  const auto at = static_cast<std::size_t>(i);
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    const ConstVec w(c.W.data() + s.w, s.nu);
+    const ConstBlock inverse = mass.inverse(s.block);
+    double G = 0.0;
+    for (int j = 0; j < s.nu; ++j) G += w[j] * inverse.row(j).dot(w);
+    root += std::sqrt(std::max(0.0, G));
+  }
+  return root;
+}
+
+}  // namespace
+
+double largestOverlap(const ContactSet& c) {
+  double worst = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    const double overlap =
+        -c.position[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])];
+    if (overlap > worst && rests(c, i)) worst = overlap;
+  }
+  return worst;
+}
+
+double largestViolation(const ContactSet& c) {
+  double worst = largestOverlap(c);
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (c.law[at]->unilateral() || c.law[at]->rowKind(0) != RowKind::joint) continue;
+    for (int r = c.row0[at]; r < c.row0[at + 1]; ++r)
+      worst = std::max(worst, std::abs(c.position[static_cast<std::size_t>(r)]));
+  }
+  return worst;
+}
+
+void Projection::select(const ContactSet& all, const State& x, Level level) {
+  contacts_.clear();
+  remembered_.build(x.impulses.key);
+  // At a midpoint, where overlaps are repaired and contacts touched, joints may be off by design
+  // and do not move; nor do contacts that carry, while others are touched.
+  const bool midpoint = level == Level::overlap || level == Level::touch;
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const SetValuedForceLaw& law = *all.law[at];
+    const bool carries = law.unilateral() && carried(remembered_, x.impulses, all.key[at]) > 0.0;
+    if (law.unilateral()) {
+      if (level == Level::touch && (isTouched(all.key[at]) || carries)) {
+        append(all, i, 1, bilateral_, contacts_);
+        if (!isTouched(all.key[at])) contacts_.position.back() = 0.0;
+      } else if (level != Level::velocity) {
+        if (rests(all, i)) append(all, i, 1, unilateral_, contacts_);
+      } else if (carries) {
+        append(all, i, all.dim(i), law, contacts_);
+      }
+    } else if (law.rowKind(0) == RowKind::joint ||
+               (law.rowKind(0) == RowKind::rate && level == Level::velocity)) {
+      append(all, i, all.dim(i), bilateral_, contacts_);
+      if (midpoint) std::fill_n(contacts_.position.end() - all.dim(i), all.dim(i), 0.0);
+    }
+  }
+  const auto n = static_cast<std::size_t>(contacts_.rows());
+  problem_.contacts = &contacts_, problem_.G = &delassus_;
+  problem_.c.assign(contacts_.position.begin(), contacts_.position.end());
+  problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0), Lambda_.assign(n, 0.0);
+}
+
+bool Projection::solve(const Evaluation& e, InclusionSolver& solver) {
+  delassus_.assemble(contacts_, e.mass);
+  problem_.gammaFree = problem_.c;
+  problem_.uRef = 0.0;
+  for (const double c : problem_.c) problem_.uRef = std::max(problem_.uRef, std::abs(c));
+  const auto n = static_cast<Eigen::Index>(Lambda_.size());
+  const bool ok = solver.solve(problem_, {Lambda_.data(), n}).ok();
+  delta_.setZero(e.h.size());
+  delassus_.addVelocity(Lambda_.data(), view(delta_));
+  return ok;
+}
+
+bool Projection::positions(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                           int slot) {
+  return repair(s, &solver, x, tolerance, slot, Level::position);
+}
+
+bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                          int slot) {
+  return repair(s, &solver, x, tolerance, slot, Level::overlap);
+}
+
+bool Projection::touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys,
+                       double tolerance, int slot) {
+  touched_ = keys, start_ = x;
+  if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return true;
+  x = start_;
+  return false;
+}
+
+bool Projection::isTouched(ContactKey key) const {
+  return std::binary_search(touched_.begin(), touched_.end(), key);
+}
+
+double Projection::largestGap(const ContactSet& c) const {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < c.g.size(); ++i)  // open ones, too
+    if (isTouched(c.candidateKey[i])) largest = std::max(largest, c.g[i]);
+  return largest;
+}
+
+/// δ = M⁻¹W Λ with g + Wᵀδ = 0 for the rows that are to be closed or held; the others follow. One
+/// linear system: redundant rows share, contradicting ones are told by the gaps they leave.
+bool Projection::close(const Evaluation& e) {
+  int rows = 0;
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
+  if (rows == 0 || rows > kMostTouched) return false;
+  const Eigen::Index nu = e.h.size();
+  W_.setZero(nu, rows), MInvW_.resize(nu, rows);
+  Eigen::VectorXd g(rows);
+  int column = 0;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (contacts_.law[at] != &bilateral_) continue;
+    for (int r = 0; r < contacts_.dim(i); ++r, ++column) {
+      g[column] = contacts_.position[static_cast<std::size_t>(contacts_.row0[at] + r)];
+      for (int k = contacts_.segment0[at]; k < contacts_.segment0[at + 1]; ++k) {
+        const Segment& segment = contacts_.segment[static_cast<std::size_t>(k)];
+        const double* w =
+            contacts_.W.data() + segment.w + static_cast<std::ptrdiff_t>(r) * segment.nu;
+        for (int j = 0; j < segment.nu; ++j) W_(segment.u0 + j, column) += w[j];
+      }
+      e.mass.applyInverse({W_.col(column).data(), nu}, {MInvW_.col(column).data(), nu});
+    }
+  }
+  Eigen::MatrixXd G = W_.transpose() * MInvW_;
+  G.diagonal().array() += kRedundantRow * G.diagonal().maxCoeff();
+  delta_ = MInvW_ * -G.ldlt().solve(g);
+  return true;
+}
+
+bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance,
+                        int slot, Level level) {
+  double reach = 0.0;  // gaps up to it take part
+  if (level == Level::touch)
+    for (const double g : s.slot(0).contacts.position) reach = std::max(reach, 2.0 * g);
+  const auto violation = [&] {
+    const ContactSet& c = s.evaluate(x, slot, reach).contacts;
+    if (level == Level::touch) return std::max(largestOverlap(c), largestGap(c));
+    return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
+  };
+  double worst = violation();
+  for (int turn = 0; worst > tolerance; ++turn) {
+    if (turn == kMostProjections || !std::isfinite(worst)) return false;
+    // Gaps that the way of a few violations can close take part.
+    const Evaluation& e = s.evaluate(x, slot, std::max(reach, 8.0 * worst));
+    select(e.contacts, x, level);
+    if (level == Level::touch ? !close(e) : !solve(e, *solver) && turn > 2) return false;
+    delta_ /= kDisplacementTime;
+    const double t = x.t;
+    s.move(x, delta_, kDisplacementTime);
+    x.t = t;
+    const double before = worst;
+    worst = violation();
+    if (level == Level::touch && !(worst < 0.5 * before)) return false;
+  }
+  return true;
+}
+
+bool Projection::offVelocities(const State& x) {
+  const ContactSet& c = contacts_;
+  c.gamma(view(x.u), {problem_.c.data(), static_cast<Eigen::Index>(problem_.c.size())});
+  bool off = false;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (int r = 0; r < c.dim(i); ++r) {
+      const auto row = static_cast<std::size_t>(c.row0[at] + r);
+      double sum = std::abs(c.chi[row]);
+      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+        const Segment& segment = c.segment[static_cast<std::size_t>(k)];
+        const double* w = c.W.data() + segment.w + static_cast<std::ptrdiff_t>(r) * segment.nu;
+        for (int j = 0; j < segment.nu; ++j) sum += std::abs(w[j] * x.u[segment.u0 + j]);
+      }
+      problem_.cNoise[row] = 8.0 * std::numeric_limits<double>::epsilon() * sum;
+      off = off || std::abs(problem_.c[row]) > problem_.cNoise[row];
+    }
+  }
+  return off;
+}
+
+double Projection::closing(const ContactSet& all, int i, double gamma, double dt) {
+  const double g = all.position[static_cast<std::size_t>(all.row0[static_cast<std::size_t>(i)])];
+  return -gamma - std::max(0.0, g) / dt;
+}
+
+std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, InclusionSolver& solver,
+                                              State& x, double dt, Jump& jump) {
+  const Evaluation& e = s.slot(0);
+  const ContactSet& all = e.contacts;
+  // Forces change velocities by δ = M⁻¹hΔt, and γ_N of a contact by no more than the largest number
+  // in δ, which may be the rate of a small part, nor than √(wᵀM⁻¹w) √(δᵀMδ), which joints lessen.
+  const double largest = s.largestChange(dt);
+  change_.resize(e.h.size());
+  e.mass.applyInverse(view(e.h), view(change_));
+  const double norm = dt * std::sqrt(std::max(0.0, e.h.dot(change_)));
+  double least = 0.0;
+  delta_.resize(all.rows());
+  all.gamma(view(std::as_const(x.u)), view(delta_));
+  bool any = false;
+  contacts_.clear();
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const SetValuedForceLaw& law = *all.law[at];
+    if (!law.unilateral() && !holds(law.rowKind(0))) continue;
+    // A contact that is to rebound takes part when it is closed.
+    const double g = all.position[static_cast<std::size_t>(all.row0[at])];
+    if (law.unilateral() && !rests(all, i) && g > s.gTol()) continue;
+    append(all, i, all.dim(i), law, contacts_);
+    const double closes = law.unilateral() ? closing(all, i, delta_[all.row0[at]], dt) : 0.0;
+    if (closes <= 0.0) continue;
+    const double explained = kImpactSteps * std::min(largest, norm * rootOfG(all, e.mass, i));
+    least = std::max(least, explained);
+    any = any || closes > explained;
+  }
+  if (!any) return std::nullopt;
+  const auto n = static_cast<std::size_t>(contacts_.rows());
+  problem_.contacts = &contacts_, problem_.G = &delassus_;
+  problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
+  Lambda_.assign(n, 0.0);
+  offVelocities(x);
+  problem_.gammaFree = problem_.gammaA = problem_.c;
+  problem_.uRef = least;
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
+    if (!problem_.law(i).unilateral()) continue;
+    problem_.uRef = std::max(problem_.uRef, -problem_.gammaA[first]);
+    const double g = contacts_.position[first];
+    if (g > s.gTol()) problem_.gammaFree[first] += g / dt;
+  }
+  delassus_.assemble(contacts_, e.mass);
+  const SolveReport solved =
+      s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+  delassus_.addVelocity(Lambda_.data(), view(x.u));
+  works(x, jump);
+  return solved;
+}
+
+/// Of the impact that has just led to x.u: ΣΛγ̄ with γ̄ = ½(γ⁻ + γ⁺).
+void Projection::works(const State& x, Jump& jump) {
+  jump.u = x.u;
+  StepWorks& w = jump.works = {};
+  w.given = true;
+  contacts_.gamma(view(x.u), {problem_.c.data(), static_cast<Eigen::Index>(problem_.c.size())});
+  for (int i = 0; i < contacts_.size(); ++i)
+    for (int r = 0; r < contacts_.dim(i); ++r) {
+      const RowKind kind = problem_.law(i).rowKind(r);
+      const auto row = static_cast<std::size_t>(problem_.row0(i) + r);
+      (kind == RowKind::normal     ? w.normal
+       : kind == RowKind::friction ? w.friction
+                                   : w.joints) +=
+          Lambda_[row] * 0.5 * (problem_.gammaA[row] + problem_.c[row]);
+      w.boundaries -= Lambda_[row] * contacts_.chi[row];
+    }
+}
+
+const double* Projection::percussions(ContactKey key) const {
+  const auto at = std::find(contacts_.key.begin(), contacts_.key.end(), key);
+  if (at == contacts_.key.end()) return nullptr;
+  return Lambda_.data() + contacts_.row0[static_cast<std::size_t>(at - contacts_.key.begin())];
+}
+
+bool Projection::velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot) {
+  const Evaluation& e = s.evaluate(x, slot);
+  select(e.contacts, x, Level::velocity);
+  if (contacts_.size() == 0 || !offVelocities(x)) return true;
+  const bool ok = solve(e, solver);
+  x.u += delta_;
+  return ok;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,80 @@
+/// Projection on the constraints in the metric of the mass, after a step (theory 34.3):
+///
+///   positions    min ½ δᵀMδ  with  g + Wᵀδ = 0 (joints),  g + Wᵀδ ≥ 0 (contacts);   q ← q ⊕ δ
+///   velocities   M(u⁺ − u) = WΛ,  −γ⁺ ∈ N_C(Λ),  ε = 0:  joints and the contacts that carried
+///
+/// Both are inclusions of the kind every solver solves; joints and closed contacts go into one, so
+/// that a joint is not mended at the cost of a contact. Positions are repeated with W at the new
+/// place, which is Newton's iteration. The velocities take kinetic energy, never give any (theory
+/// 1.4). Projecting without the metric was rejected: it moves a heavy body as far as a light one
+/// and changes the momentum.
+#pragma once
+#include <dynamy/law/standard_laws.hpp>
+#include <dynamy/stages/one_step.hpp>
+#include <optional>
+
+namespace dynamy {
+
+/// A displacement δ is a velocity δ/τ for this time τ [s]; so short that q̇ = Fu + β moves by Fδ alone.
+inline constexpr double kDisplacementTime = 1e-9;
+
+class Projection {
+ public:
+  /// Brings x.q back until no joint is off and no gap below −tolerance by more than `tolerance`
+  /// [m, –]; evaluates into `slot`. Returns whether it got there; at once if nothing is off.
+  bool positions(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                 int slot = 1);
+  /// The same for overlaps alone, with the rates of joints held. Contacts with restitution stay as
+  /// they are: they rebound, and lifting them would add to the energy.
+  bool overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
+                int slot = 1);
+  /// Closes the contacts `keys` (sorted), which are about to be reached, without opening one that
+  /// carries: only what moves towards them moves. Rates of joints held. False: they contradict each
+  /// other or are too many, x is as it was.
+  bool touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys, double tolerance,
+             int slot = 1);
+  /// Takes from x.u what leaves the constraints at x.q; evaluates into `slot`.
+  bool velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot = 1);
+
+  /// Impact at fixed x.q of joints and contacts of slot 0, evaluated there before, if one of them
+  /// closes within Δt faster than the forces of four steps explain:  M(u⁺ − u) = WΛ,  ξ = γ⁺ + εγ⁻
+  /// + s. Empty: there was none. Fills u and the works of `jump`.
+  std::optional<SolveReport> impact(const MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                    double dt, Jump& jump);
+  /// Percussions of contact `key` in the last impact, or null.
+  const double* percussions(ContactKey key) const;
+
+ private:
+  enum class Level { position, overlap, touch, velocity };
+  /// `solver` may be null for Level::touch.
+  bool repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance, int slot,
+              Level level);
+  bool close(const Evaluation& e);
+  bool isTouched(ContactKey key) const;
+  double largestGap(const ContactSet& c) const;
+  void select(const ContactSet& all, const State& x, Level level);
+  bool solve(const Evaluation& e, InclusionSolver& solver);
+  /// Approach speed beyond what brings contact i to g = 0 in Δt [m/s].
+  static double closing(const ContactSet& all, int i, double gamma, double dt);
+  /// True if any row of `contacts_` moves off by more than rounding; fills c.
+  bool offVelocities(const State& x);
+  void works(const State& x, Jump& jump);
+  ContactSet contacts_;
+  Delassus delassus_;
+  InclusionProblem problem_;
+  std::vector<double> Lambda_;
+  Eigen::VectorXd delta_, change_;
+  Eigen::MatrixXd W_, MInvW_;        // of the contacts to be closed, nu × rows
+  std::vector<ContactKey> touched_;  // to be closed
+  State start_;
+  KeyIndex remembered_;  // of the impulses of the last step
+  Unilateral unilateral_;
+  Bilateral bilateral_;
+};
+
+/// Largest overlap of a contact without restitution [m].
+double largestOverlap(const ContactSet& contacts);
+/// Largest error of a joint, or overlap of a contact without restitution [m, –].
+double largestViolation(const ContactSet& contacts);
+
+}  // namespace dynamy

@@ -1,0 +1,68 @@
+/// StiffPart: the derivatives of stiff elements, and the operator that takes them implicitly,
+///
+///   M̂ = M − b Δt D − a Δt² K,   K = ∂h/∂q F,  D = ∂h/∂u
+///
+/// in the rows of the mass blocks that stiff elements touch; all others keep M⁻¹. With contacts,
+/// Ĝ = Wᵀ M̂⁻¹ W takes the place of G. Dense over the touched rows: a handful of springs is what it
+/// is for. Rejected: springs as further rows of the inclusion with a compliance (they would be in
+/// every solver's way), and M̂ by blocks, which a spring between two bodies does not have.
+#pragma once
+#include <dynamy/core/decompositions.hpp>
+#include <dynamy/solver/problem/delassus.hpp>
+#include <dynamy/system/external_force.hpp>
+#include <dynamy/system/state.hpp>
+
+namespace dynamy {
+
+/// Where between the beginning and the end of a step a scheme takes the linear part of h:
+/// h + Δt K (s u^A + a (u^E − u^A)) + b D (u^E − u^A).
+struct ImplicitWeights {
+  double s = 0.0, a = 0.0, b = 0.0;
+};
+/// h given at q^A + Δt/2 u^A, wanted at the mean of the step: the implicit midpoint rule, neither
+/// damped nor unstable.
+inline constexpr ImplicitWeights kImplicitMidpoint{0.0, 0.25, 0.5};
+/// h given at q, wanted at q + Δt u^E and u^E: the implicit Euler rule, damps what is stiff.
+inline constexpr ImplicitWeights kImplicitEnd{1.0, 1.0, 1.0};
+
+class StiffPart {
+ public:
+  /// Finds out who is stiff.
+  void resize(const Topology& topology, const std::vector<const ExternalForce*>& forces);
+  bool any() const { return any_; }
+  /// K and D at x, whose frames are in `k`.
+  void evaluate(const Topology& topology, const std::vector<const ExternalForce*>& forces,
+                const Kinematics& k, const State& x);
+  /// M̂ of these weights.
+  void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights);
+  /// out = M̂⁻¹ in; in and out may not overlap.
+  void applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  /// ωΔt > limit for an oscillation, or Δt d/m > 2, the limit of Euler's explicit rule.
+  bool explicitIsUnstable(const MassMatrix& mass, double dt, double limit);
+  /// out += scale K v.
+  void addK(double scale, const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
+  /// Gives Ĝ = Wᵀ M̂⁻¹ W to `delassus`.
+  void delassus(const ContactSet& contacts, const MassMatrix& mass, Delassus& delassus);
+  /// u += M̂⁻¹ W Λ.
+  void addVelocity(const ContactSet& contacts, const MassMatrix& mass, const double* Lambda,
+                   Eigen::VectorXd& u);
+  /// h += Δt K (s u^A + a (u^E − u^A)) + b D (u^E − u^A), the last term also to hNonPotential.
+  void addUsedForce(double dt, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE,
+                    Eigen::VectorXd& h, Eigen::VectorXd& hNonPotential) const;
+
+ private:
+  void touch(const MassMatrix& mass);
+  bool any_ = false;
+  int nu_ = 0;
+  ImplicitWeights weights_;
+  std::vector<StiffEntry> entries_;
+  std::vector<int> touched_, local_, blockOf_;  // velocities of touched blocks, and back
+  std::vector<double> K_, D_;
+  Eigen::MatrixXd Mhat_;
+  Lu lu_;
+  mutable Eigen::VectorXd part_;
+  Eigen::VectorXd force_, column_, probe_;
+  std::vector<double> row_;
+};
+
+}  // namespace dynamy

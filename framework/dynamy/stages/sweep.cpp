@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <dynamy/stages/sweep.hpp>
+#include <tuple>
+
+namespace dynamy {
+namespace {
+
+constexpr int kMostPieces = 4096;
+/// Slot 0 holds velocities of the begin or of the end, by the scheme. If one are larger than the
+/// other by this, they are looked at on their own …
+constexpr double kFactor = 2.0;
+/// … if they lead further than this many g_tol.
+constexpr double kNoWay = 1e6;
+/// A contact is there at gaps below this many g_tol.
+constexpr double kNearBody = 1e3;
+/// Of the largest velocity: what closes faster is one of the fast bodies.
+constexpr double kComparable = 0.1;
+/// Of the step: too short to matter.
+constexpr double kMoment = 1e-9;
+
+/// A gap law that looks beyond the end of the step brakes a fast body far from the contact: then
+/// the middle of the step, so that the halves come near to it.
+Passing braked(const MechanicalSystem& s, const State& a, double dt) {
+  const ContactSet& c = s.slot(0).contacts;
+  const InclusionProblem& p = s.problem();
+  if (p.contacts != &c || a.u.size() == 0) return {};
+  const double fast = kComparable * a.u.cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < c.law.size(); ++i) {
+    const int row = c.row0[i];
+    const auto r = static_cast<std::size_t>(row);
+    if (c.law[i]->unilateral() && c.position[r] > kNearBody * s.gTol() && -p.gammaA[r] > fast &&
+        s.Lambda(row) > 0.0)
+      return {0.5 * dt, kMoment * dt, c.key[i]};
+  }
+  return {};
+}
+
+}  // namespace
+
+Passing Sweep::look(const MechanicalSystem& s, const OneStep& scheme, const State& a,
+                    const State& b) {
+  const int n = std::min(pieces(s, a, b), kMostPieces);
+  Passing first;
+  if (n == 0) return first;
+  const auto search = [&] {
+    ++paths_;
+    for (std::size_t i = 0; i < s.parts().contacts.size(); ++i) {
+      const Passing p = s.parts().contacts[i]->firstPassing(path_, static_cast<int>(i));
+      if (p.t < first.t) first = p;
+    }
+  };
+  const double dt = b.t - a.t;
+  const std::size_t frames = s.parts().topology->requestedFrames().size();
+  path_.begin(dt, s.gTol(), frames);
+  at_ = a;
+  for (int k = 0; k <= n; ++k) {
+    scheme.interpolate(s, a, b, static_cast<double>(k) / n, at_);
+    evaluate(s, k == 0 ? a : k == n ? b : at_);
+    path_.add(kinematics_);
+  }
+  search();
+  if (first) return first;
+  // A scheme that sees contacts at the end of the step stops a body at its begin: where would it
+  // have come without?
+  path_.begin(dt, s.gTol(), frames);
+  at_ = a;
+  for (int k = 0; k <= n; ++k) {
+    evaluate(s, at_);
+    path_.add(kinematics_);
+    s.move(at_, a.u, dt / n);
+  }
+  search();
+  return first ? first : braked(s, a, dt);
+}
+
+int Sweep::pieces(const MechanicalSystem& s, const State& a, const State& b) {
+  const double dt = b.t - a.t;
+  const auto most = [&](const Kinematics& k) {
+    int n = 0;
+    for (const NonSmoothElement* e : s.parts().contacts) n = std::max(n, e->piecesToSweep(k, dt));
+    return n;
+  };
+  int n = most(s.slot(0).kinematics);
+  const auto largest = [](const Eigen::VectorXd& u) {
+    return u.size() > 0 ? u.cwiseAbs().maxCoeff() : 0.0;
+  };
+  const double uA = largest(a.u), uE = largest(b.u);
+  for (const auto& [x, own, other] : {std::tuple{&a, uA, uE}, std::tuple{&b, uE, uA}}) {
+    if (own <= kFactor * other || own * dt <= kNoWay * s.gTol()) continue;
+    evaluate(s, *x);
+    n = std::max(n, most(kinematics_));
+  }
+  return n;
+}
+
+void Sweep::evaluate(const MechanicalSystem& s, const State& x) {
+  if (!ready_) kinematics_.resize(*s.parts().topology), ready_ = true;
+  kinematics_.evaluate(*s.parts().topology, x.t, view(x.q), view(x.u), view(x.memory));
+}
+
+}  // namespace dynamy

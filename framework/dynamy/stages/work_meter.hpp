@@ -1,0 +1,22 @@
+/// WorkMeter: works of one step whose velocity changes by its inclusion at once,
+///
+///   M(u^E − u^A) = hΔt + WΛ   ⇒   ΔT = Δt h·ū + Σ_rows Λ (γ̄ − χ),   ū = (u^A + u^E)/2
+///
+/// exact, row by row.
+#pragma once
+#include <dynamy/stages/one_step.hpp>
+
+namespace dynamy {
+
+class WorkMeter {
+ public:
+  /// Of the step from u^A to u^E whose evaluation is in slot 0 of `s`, and with percussions
+  /// `Lambda` [N s] if they are those of its closed contacts.
+  StepWorks of(const MechanicalSystem& s, const Eigen::VectorXd& uA, const Eigen::VectorXd& uE,
+               double dt, ConstVec Lambda);
+
+ private:
+  std::vector<double> gammaE_;
+};
+
+}  // namespace dynamy

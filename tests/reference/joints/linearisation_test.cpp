@@ -1,0 +1,184 @@
+// Eigenvalues of steady motions against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/simulation/linear/linearisation.hpp>
+
+namespace dynamy {
+namespace {
+
+/// A model from text, with what it lives on.
+struct Text {
+  Registry registry;
+  PluginLoader plugins{{DYNAMY_BINARY_DIR "/lib/dynamy"}};
+  std::unique_ptr<Model> model;
+  explicit Text(const std::string& inside) {
+    registerFramework(registry);
+    plugins.load(kStandardElements, registry);
+    model = std::make_unique<Model>(loadModelText("<dynamy version=\"1\">" + inside + "</dynamy>",
+                                                  "test.xml", registry, plugins));
+  }
+  Linearisation solve(const LinearisationOptions& options = {}) {
+    return linearise(*model, model->initialState(), options);
+  }
+};
+
+/// Differences of angles from steps of 0.1 rad, extrapolated six times, are good to 1e-12 of the
+/// largest entry; the eigenvalues of these small matrices are as good.
+constexpr double kGood = 1e-10;
+
+void expectPair(const Linearisation& l, Eigen::Index at, double real, double imaginary) {
+  ASSERT_GE(l.eigenvalues.size(), at + 2);
+  EXPECT_NEAR(l.eigenvalues[at].real(), real, kGood) << at;
+  EXPECT_NEAR(l.eigenvalues[at].imag(), imaginary, kGood) << at;
+  EXPECT_NEAR(l.eigenvalues[at + 1].imag(), -imaginary, kGood) << at;
+}
+
+/// All imaginary parts ≥ 0 of pairs, growing.
+std::vector<double> frequencies(const Linearisation& l) {
+  std::vector<double> out;
+  for (const std::complex<double>& z : l.eigenvalues)
+    if (z.imag() > 0.0) out.push_back(z.imag());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+TEST(Linearisation, DampedPendulumHasItsTwoEigenvalues) {
+  Text t(R"xml(<systems><Coordinates name="p" q="phi" units="rad" q0="0.3" M="0.25"
+    potential="-9.81*0.5*cos(phi)" h="-0.1*phi_dot"/></systems>
+    <simulation until="1" step="1e-3"/>)xml");
+  const Linearisation l = t.solve();
+  EXPECT_NEAR(l.at.q[0], 0.0, 1e-12);  // Newton's method from 0.3 rad
+  EXPECT_EQ(l.zeros, 0);
+  EXPECT_EQ(l.growing(), 0);
+  expectPair(l, 0, -0.2, std::sqrt(9.81 / 0.5 - 0.04));  // φ'' + 0.4 φ' + (g/l) φ = 0
+}
+
+TEST(Linearisation, UprightPendulumGrows) {
+  Text t(R"xml(<systems><Coordinates name="p" q="phi" units="rad" q0="3.1" M="1"
+    potential="-9.81*cos(phi)"/></systems><simulation until="1" step="1e-3"/>)xml");
+  const Linearisation l = t.solve();
+  EXPECT_EQ(l.growing(), 1);
+  EXPECT_NEAR(l.eigenvalues[1].real(), std::sqrt(9.81), kGood);
+  EXPECT_NEAR(l.eigenvalues[0].real(), -std::sqrt(9.81), kGood);
+}
+
+TEST(Linearisation, DoublePendulumHasOneSpectrumInAnglesAndWithJoints) {
+  const double g = 9.81, slow = std::sqrt(g * (2.0 - std::sqrt(2.0))),
+               fast = std::sqrt(g * (2.0 + std::sqrt(2.0)));
+  Text t(R"xml(<systems>
+    <Coordinates name="minimal" q="a b" units="rad rad" q0="0.1 -0.05"
+      kineticEnergy="a_dot^2 + b_dot^2/2 + a_dot*b_dot*cos(a - b)"
+      potential="-9.81*(2*cos(a) + cos(b))"/>
+    <PointMass name="upper" plane="xz" position="0 0 -1" mass="1"/>
+    <PointMass name="lower" plane="xz" position="0 0 -2" mass="1"/>
+    <Ground name="world"/></systems>
+    <forces><Gravity/></forces>
+    <elements><Distance name="rod1" between="world upper"/>
+    <Distance name="rod2" between="upper lower"/></elements>
+    <simulation until="1" step="1e-3"/>)xml");
+  const Linearisation l = t.solve();
+  EXPECT_EQ(l.basis.cols(), 8);  // of 12: two rods, each on positions and velocities
+  const std::vector<double> found = frequencies(l);
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_NEAR(found[0], slow, kGood);
+  EXPECT_NEAR(found[1], slow, kGood);
+  EXPECT_NEAR(found[2], fast, kGood);
+  EXPECT_NEAR(found[3], fast, kGood);
+  EXPECT_EQ(l.growing(), 0);
+  EXPECT_LE(l.leak, kGood);
+  ASSERT_EQ(l.contacts.size(), 2u);
+  EXPECT_NEAR(std::abs(l.contacts[0].lambda[0]), 2.0 * g, 1e-9);  // weight of both
+}
+
+TEST(Linearisation, FreeAxisSpinsStableOrNot) {
+  // Euler's equations about axis 2 of J = (1, 2, 2.5): λ² = (J3 − J2)(J2 − J1)/(J1 J3) Ω² > 0;
+  // about axis 3 λ² = (J3 − J2)(J1 − J3)/(J1 J2) Ω² < 0. Where it is and its attitude give zeros,
+  // and the frame that turns ±iΩ.
+  const auto spectrum = [](const char* omega) {
+    Text t(std::string("<systems><RigidBody name=\"b\" mass=\"1\" inertia=\"1 2 2.5\" ") +
+           "angularVelocity=\"" + omega + "\"/></systems><simulation until=\"1\" step=\"1e-3\"/>");
+    return t.solve();
+  };
+  const Linearisation middle = spectrum("0 3 0"), largest = spectrum("0 0 3");
+  EXPECT_EQ(middle.growing(), 1);
+  EXPECT_NEAR(middle.eigenvalues[middle.eigenvalues.size() - 1].real(),
+              3.0 * std::sqrt(0.5 * 1.0 / 2.5), kGood);
+  EXPECT_EQ(largest.growing(), 0);
+  const std::vector<double> found = frequencies(largest);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0], 3.0 * std::sqrt(0.5 * 1.5 / 2.0), kGood);
+  EXPECT_NEAR(found[1], 3.0, kGood);
+  EXPECT_EQ(largest.zeros, 8);
+}
+
+TEST(Linearisation, SlipWithCoulombFrictionKeepsItsDirection) {
+  // A mass on a belt of 1 m/s, held by a spring: it slips against the belt all the time, friction
+  // does not depend on the velocity, and the oscillation is not damped.
+  Text t(R"xml(<systems><Coordinates name="m" q="x" units="m" q0="0.1" M="2" potential="50*x^2"/>
+    </systems><elements><CoordinateContact name="belt" on="m" slipVelocity="x_dot - 1">
+    <GivenFriction force="3"/></CoordinateContact></elements>
+    <simulation until="1" step="1e-3"/>)xml");
+  const Linearisation l = t.solve();
+  ASSERT_EQ(l.contacts.size(), 1u);
+  EXPECT_TRUE(l.contacts[0].slips);
+  EXPECT_NEAR(l.at.q[0], 3.0 / 100.0, 1e-12);
+  expectPair(l, 0, 0.0, std::sqrt(100.0 / 2.0));
+}
+
+TEST(Linearisation, RefusesWhatIsNotSteady) {
+  const auto message = [](const char* inside, bool seek) {
+    try {
+      Text t(std::string(inside) + "<simulation until=\"1\" step=\"1e-3\"/>");
+      t.solve({.seek = seek});
+    } catch (const ModelError& e) {
+      return std::string(e.what());
+    }
+    return std::string("nothing");
+  };
+  const std::string swinging = message(R"xml(<systems><Coordinates name="p" q="phi" units="rad"
+    q0="0.3" M="1" potential="-9.81*cos(phi)"/></systems>)xml",
+                                       false);
+  EXPECT_NE(swinging.find("no steady motion found: accelerations up to 2.9"), std::string::npos)
+      << swinging;
+  // At the lowest point without acceleration, but moving on.
+  const std::string passing = message(R"xml(<systems><Coordinates name="p" q="phi" units="rad"
+    u0="1" M="1" potential="-9.81*cos(phi)"/></systems>)xml",
+                                      false);
+  EXPECT_NE(passing.find("the motion is not steady"), std::string::npos) << passing;
+  // A contact that would have to pull.
+  const std::string pulled = message(R"xml(<systems><Coordinates name="p" q="x" units="m" M="1"
+    h="1"/></systems><elements><CoordinateContact name="stop" on="p" gap="x"/></elements>)xml",
+                                     true);
+  EXPECT_NE(pulled.find("stop does not permit the steady motion"), std::string::npos) << pulled;
+}
+
+TEST(Linearisation, SplitsZeroEigenvaluesOffBeforeTheOthers) {
+  // A Jordan block of three zeros, hidden by a rotation, beside −1 ± 2i.
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(5, 5);
+  J(0, 1) = 3.0, J(1, 2) = 5.0, J(0, 3) = 1.0, J(2, 4) = 7.0;
+  J.bottomRightCorner(2, 2) << -1.0, 2.0, -2.0, -1.0;
+  Eigen::MatrixXd Q = Eigen::MatrixXd::Identity(5, 5);
+  for (int i = 0; i < 5; ++i)
+    for (int k = i + 1; k < 5; ++k) {
+      Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(5, 5);
+      const double c = std::cos(0.3 + i + 2.0 * k), s = std::sin(0.3 + i + 2.0 * k);
+      turn(i, i) = turn(k, k) = c, turn(i, k) = -s, turn(k, i) = s;
+      Q *= turn;
+    }
+  const Eigen::MatrixXd A = Q * J * Q.transpose();
+  Eigen::VectorXcd values;
+  Eigen::MatrixXcd vectors;
+  EXPECT_EQ(nonzeroEigenvalues(A, 1e-12, values, vectors), 3);
+  ASSERT_EQ(values.size(), 2);
+  EXPECT_NEAR(values[0].real(), -1.0, 1e-13);  // rounding of entries up to 7
+  EXPECT_NEAR(values[0].imag(), 2.0, 1e-13);
+  for (Eigen::Index k = 0; k < 2; ++k)
+    EXPECT_LE((A.cast<std::complex<double>>() * vectors.col(k) - values[k] * vectors.col(k)).norm(),
+              1e-12 * vectors.col(k).norm());
+}
+
+}  // namespace
+}  // namespace dynamy

@@ -1,0 +1,123 @@
+// Where some islands switch too densely, the others go on being located.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <reference/located/bounce.hpp>
+#include <reference/located/located_run.hpp>
+#include <string>
+
+namespace dynamy::reference {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// Eighty balls that do not see each other and bounce until their switches are too dense at 5e-3;
+/// and what `other` adds.
+std::string ballsAnd(const std::string& other, const std::string& forces = "") {
+  std::string text = "<dynamy version=\"1\"><systems>";
+  for (int i = 0; i < 80; ++i)
+    text += "<PointMass name=\"p" + std::to_string(i) + "\" mass=\"1\" position=\"0 0 " +
+            std::to_string(0.5 + 0.01 * i) + "\"><Point material=\"ball\"/></PointMass>";
+  return text + other + R"xml(
+  <Ground name="world"><HalfSpace material="floor"/></Ground></systems><forces><Gravity/>)xml" +
+         forces + R"xml(</forces><elements>
+  <Contact between="ball floor"><Unilateral epsilonN="0.9"/></Contact>
+  <Contact between="drop floor"><Unilateral epsilonN="0.8"/></Contact>
+  <Contact between="stone floor"><Unilateral epsilonN="0.9"/></Contact>
+  <Contact between="stone stone"><Unilateral epsilonN="0.5"/></Contact>
+  <NoContact between="ball drop"/><NoContact between="ball stone"/>
+  <NoContact between="drop stone"/><NoContact between="drop drop"/></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+}
+
+constexpr double kTolerance = 5e-3;
+/// It bounces rarely, so that it owes least: after 0.68 and 1.77 s. Its place among q: behind the
+/// 80 balls.
+const std::string kDrop =
+    R"xml(<PointMass name="drop" mass="1" position="9 0 2.28"><Point material="drop"/></PointMass>)xml";
+constexpr int kDropZ = 3 * 80 + 2;
+
+TEST(GovernedIslands, ABallThatBouncesRarelyBesideOthersKeepsItsDigits) {
+  constexpr double kUntil = 2.5;
+  LocatedRun run(ballsAnd(kDrop), kTolerance, kUntil);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_GE(r.stepping.steps, 3);
+  EXPECT_LT(r.stepping.systems, 80);
+  // Its second impact falls into steps in time. Parabolas are exact and impacts located to
+  // rounding.
+  EXPECT_NEAR(run.state().q[kDropZ], bounceHeight(2.28, 0.8, kUntil), 1e-10);
+  // Of 730 J: an impact of a quiet ball whose work was not told would leave 1 J. Stepped balls that
+  // are lifted out of an overlap leave some mJ.
+  EXPECT_NEAR(r.energy.discretisation, 0.0, 0.1);
+  EXPECT_NEAR(r.energy.imbalance, 0.0, 1e-9);
+  // A step ends with an overlap e tol L at most, and the next one sees it half a step later, at a
+  // speed with h/2 (1 + 0.9) v ≤ e tol L: e (1 + 1/1.9) of it together. Quiet balls have none.
+  EXPECT_LE(r.penetration.value,
+            std::max(1.0, r.stepping.error) * 1.53 * kTolerance * run.model().length());
+}
+
+TEST(GovernedIslands, GoOnFromACheckpointBitForBit) {
+  const std::string model = ballsAnd(kDrop);
+  LocatedRun whole(model, kTolerance, 2.5), part(model, kTolerance, 2.0),
+      resumed(model, kTolerance, 2.5);
+  whole.run(), part.run();
+  ASSERT_GE(part.report().stepping.periods, 1);
+  resumed.simulation().resume(part.simulation().checkpoint());
+  resumed.run();
+  EXPECT_EQ(resumed.state().q, whole.state().q);
+  EXPECT_EQ(resumed.state().u, whole.state().u);
+  EXPECT_EQ(resumed.report().stepping.steps, whole.report().stepping.steps);
+  EXPECT_EQ(resumed.report().impacts, whole.report().impacts);
+}
+
+TEST(GovernedIslands, AreJoinedByWhatTouchesThem) {
+  // One stone bounces low and often, so that it is stepped; another falls on it from 21 m after two
+  // seconds, and does not pass through.
+  const std::string stones =
+      R"xml(<RigidBody name="low" position="9 0 0.25"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="late" position="9 0 21"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>)xml";
+  LocatedRun run(ballsAnd(stones), kTolerance, 2.5);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  const Eigen::VectorXd& q = run.state().q;
+  const double overlap = kTolerance * run.model().length();
+  EXPECT_GT(q[3 * 80 + 7 + 2] - q[3 * 80 + 2], 0.2 - overlap);
+  EXPECT_LE(r.penetration.value, std::max(1.0, r.stepping.error) * 1.000001 * overlap);
+  EXPECT_GT(run.state().u[3 * 80 + 6 + 2], -1.0);  // it falls with 20 m/s before
+}
+
+TEST(GovernedIslands, AreOneWhereGrainsComeAndGo) {
+  // Of three grains one comes every 0.9 s, the second while others are stepped in time.
+  const std::string fed =
+      R"xml(<Grains name="fed" count="3" present="0" within="20 0 50 21 1 51" feed="1.1111111111111112"
+    seed="1" feedWithin="20 0 50 30 10 50"><Sphere radius="1mm" mass="1" material="drop"/></Grains>)xml";
+  LocatedRun run(ballsAnd(fed), kTolerance, 2.5);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_EQ(r.stepping.systems, 81);
+  for (int k = 1; k <= 2; ++k) {
+    const double t = 2.5 - 0.9 * k;  // falls from 50 m
+    EXPECT_NEAR(run.state().q[3 * 80 + 7 * (k - 1) + 2], 50.0 - 0.5 * kG * t * t, 0.1) << k;
+  }
+}
+
+TEST(GovernedIslands, AreOneWhereAForceCouplesThem) {
+  const auto coupled = [](const std::string& forces) {
+    LocatedRun run(ballsAnd(kDrop, forces), kTolerance, 1.0);
+    SystemParts parts;
+    parts.topology = &run.model().topology();
+    for (const auto& c : run.model().contacts()) parts.contacts.push_back(c.get());
+    Islands islands;
+    EXPECT_TRUE(islands.start(parts));
+    return islands.of(80) == islands.of(5);
+  };
+  EXPECT_FALSE(coupled(""));  // gravity couples nothing, what may touch some time nothing yet
+  EXPECT_TRUE(coupled(R"xml(<SpringDamper between="drop p5" stiffness="1" length="4"/>)xml"));
+}
+
+}  // namespace
+}  // namespace dynamy::reference

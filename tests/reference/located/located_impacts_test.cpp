@@ -1,0 +1,88 @@
+// Every impact of a run to a tolerance is told, at its instant, wherever in a step it lies.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <reference/located/located_run.hpp>
+
+namespace dynamy::reference {
+namespace {
+
+/// A body that turns to and fro between two stops of its joint, free between them.
+const std::string kTwoStops = R"xml(<dynamy version="1">
+  <systems><Ground name="world"/>
+    <PlanarBody name="a" plane="xy" mass="1" inertia="0.5" angularVelocity="5"/></systems>
+  <elements><Revolute between="world a"/>
+    <JointStop name="stop" between="world a" start="1" lower="-3" upper="9">
+      <Unilateral epsilonN="0.6"/></JointStop></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+
+TEST(LocatedImpacts, OfAJointBetweenTwoStopsAreAllTold) {
+  // ω_k = 5·0.6^k; 8 rad to the first impact, 12 rad from each to the next. Some of these instants
+  // are ends of steps: free motion doubles the step up to a contact's reach.
+  for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-11}) {
+    LocatedRun run(kTwoStops, tolerance, 200.0);
+    ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+    const std::vector<double> upper = run.impacts("stop.upper"), lower = run.impacts("stop.lower");
+    double t = 8.0 / 5.0, omega = 5.0;
+    std::size_t n = 0;
+    for (; t < 200.0; ++n, omega *= 0.6, t += 12.0 / omega) {
+      const std::vector<double>& told = n % 2 == 0 ? upper : lower;
+      ASSERT_LT(n / 2, told.size()) << "tolerance " << tolerance << ", impact at " << t << " s";
+      // The motion between impacts is linear: rounding of ε per step, times (1/0.6)^n of the speed.
+      EXPECT_NEAR(told[n / 2], t, 1e-11 * t);
+    }
+    EXPECT_EQ(upper.size() + lower.size(), n);
+    EXPECT_EQ(run.report().impacts, static_cast<long>(n));
+    for (const ContactEvent& e : run.events) EXPECT_TRUE(!e.impact || e.impulse > 0.0);
+  }
+}
+
+/// A ball on the floor that falls at once, or from a height.
+std::string ball(double height, double velocity) {
+  return R"xml(<dynamy version="1"><systems>
+    <RigidBody name="ball" position="0 0 )xml" +
+         std::to_string(0.1 + height) + R"xml(" velocity="0 0 )xml" + std::to_string(velocity) +
+         R"xml("><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+    <Ground name="world"><HalfSpace material="floor"/></Ground></systems>
+  <forces><Gravity/></forces>
+  <elements><Contact name="floor" between="stone floor"><Unilateral epsilonN="0.5"/></Contact>
+  </elements><simulation until="1" step="1"/></dynamy>)xml";
+}
+
+TEST(LocatedImpacts, AtTheStartOfARunAreTold) {
+  LocatedRun run(ball(0.0, -2.0), 1e-8, 0.1);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  ASSERT_EQ(run.events.size(), 1u);
+  EXPECT_TRUE(run.events[0].impact);
+  EXPECT_EQ(run.events[0].t, 0.0);
+  EXPECT_DOUBLE_EQ(run.events[0].speed, 2.0);
+  EXPECT_NEAR(run.events[0].impulse, 3.0, 1e-12);  // m (1 + ε) v, rounding of the solver
+  EXPECT_NEAR(run.state().u[2], 1.0 - 0.1 * 9.81, 1e-9);
+}
+
+TEST(LocatedImpacts, OfABallThatComesToRestAreThoseOfTheSeries) {
+  // Heights below z tol L = 1e-10 m (L: below 1 m) are none: v_k = ε^k v, v²/(2g) = ε^{2k} h.
+  const double h = 0.5;
+  LocatedRun run(ball(h, 0.0), 1e-9, 2.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  const double length = run.model().length();
+  std::vector<double> told;
+  double t = std::sqrt(2.0 * h / 9.81), v = 9.81 * t;
+  for (const ContactEvent& e : run.events)
+    if (e.impact) told.push_back(e.t);
+  // The last is the first whose rebound is lower than the threshold.
+  for (std::size_t n = 0;; ++n) {
+    ASSERT_LT(n, told.size());
+    EXPECT_NEAR(told[n], t, 1e-8);  // ten times the tolerance, in seconds
+    v *= 0.5;
+    if (v * v / (2.0 * 9.81) <= 0.1 * 1e-9 * length) {
+      EXPECT_EQ(told.size(), n + 1);
+      break;
+    }
+    t += 2.0 * v / 9.81;
+  }
+  EXPECT_EQ(run.report().impacts, static_cast<long>(told.size()));
+}
+
+}  // namespace
+}  // namespace dynamy::reference

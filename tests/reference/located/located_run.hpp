@@ -1,0 +1,73 @@
+/// LocatedRun: a model file or text run to a tolerance by the program's own loop, with its events.
+#pragma once
+#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+#include <dynamy/located/located_dormand_prince.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dynamy::reference {
+
+class LocatedRun final : public RecordSink {
+ public:
+  /// `what`: a name in models/, or a text that begins with '<'.
+  LocatedRun(const std::string& what, double tolerance, double until, const Overrides& set = {},
+             const std::function<void(Registry&)>& types = {},
+             std::unique_ptr<OneStep> scheme = std::make_unique<LocatedDormandPrince>())
+      : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
+    registerFramework(registry_);
+    if (types) types(registry_);
+    plugins_.load(kStandardElements, {}, registry_);
+    LoadOptions options;
+    options.set = set;
+    model_ = std::make_unique<Model>(
+        what.starts_with('<') ? loadModelText(what, "scene.xml", registry_, plugins_, options)
+                              : loadModel(DYNAMY_SOURCE_DIR "/models/" + what + ".xml", registry_,
+                                          plugins_, options));
+    model_->scheme(std::move(scheme));
+    model_->checks.clear();
+    SimulationSettings& s = model_->simulation;
+    s.until = until, s.step = 0.0, s.tolerance = tolerance;
+    model_->record.framesPerSecond = 0.0;
+    model_->record.every = until;
+    simulation_ = std::make_unique<Simulation>(*model_);
+    simulation_->record(*this);
+  }
+  const RunReport& run() { return simulation_->run(); }
+
+  void row(double, std::span<const double>) override {}
+  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void event(const ContactEvent& e) override { events.push_back(e); }
+
+  /// Instants of the impacts of contact `name` [s].
+  std::vector<double> impacts(const std::string& name) const {
+    std::vector<double> out;
+    for (const ContactEvent& e : events)
+      if (e.impact && contactName(*model_, e.key) == name) out.push_back(e.t);
+    return out;
+  }
+  /// Instants at which contact `name` changed to `to` [s].
+  std::vector<double> changes(const std::string& name, Status to) const {
+    std::vector<double> out;
+    for (const ContactEvent& e : events)
+      if (!e.impact && e.to == to && contactName(*model_, e.key) == name) out.push_back(e.t);
+    return out;
+  }
+  const State& state() const { return simulation_->state(); }
+  const RunReport& report() const { return simulation_->report(); }
+  Simulation& simulation() { return *simulation_; }
+  Model& model() { return *model_; }
+  std::vector<ContactEvent> events;
+
+ private:
+  Registry registry_;
+  PluginLoader plugins_;
+  std::unique_ptr<Model> model_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+}  // namespace dynamy::reference

@@ -1,0 +1,134 @@
+// Where switches are too dense to be located, runs to a tolerance step in time, and back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <reference/located/bounce.hpp>
+#include <reference/located/located_run.hpp>
+#include <string>
+
+namespace dynamy::reference {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// Height at which ball i is let go [m].
+double start(int i) { return 0.5 + 0.01 * i; }
+
+/// Balls that do not see each other over a floor, with restitution e.
+std::string balls(int n, double e) {
+  std::string text = "<dynamy version=\"1\"><systems>";
+  for (int i = 0; i < n; ++i)
+    text += "<PointMass name=\"p" + std::to_string(i) + "\" mass=\"1\" position=\"0 0 " +
+            std::to_string(start(i)) + "\"><Point material=\"ball\"/></PointMass>";
+  return text +
+         "<Ground name=\"world\"><HalfSpace material=\"floor\"/></Ground></systems>"
+         "<forces><Gravity/></forces><elements><Contact between=\"ball floor\"><Unilateral "
+         "epsilonN=\"" +
+         std::to_string(e) +
+         "\"/></Contact></elements><simulation until=\"1\" step=\"1\"/></dynamy>";
+}
+
+/// Six balls in a funnel of four walls, which lie against each other in the end.
+const std::string kFunnel = R"xml(<dynamy version="1"><systems>
+  <RigidBody name="b0" position="0.061 0.121 0.150"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="b1" position="0.148 0.221 0.376"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="b2" position="0.120 0.211 0.602"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="b3" position="-0.235 -0.017 0.828"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="b4" position="0.222 0.074 1.054"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <RigidBody name="b5" position="0.200 -0.193 1.280"><Sphere radius="0.1" mass="1" material="stone"/></RigidBody>
+  <Ground name="world"><HalfSpace material="floor"/>
+    <HalfSpace normal="1 0 0.5" position="-0.25 0 0" material="floor"/>
+    <HalfSpace normal="-1 0 0.5" position="0.25 0 0" material="floor"/>
+    <HalfSpace normal="0 1 0.5" position="0 -0.25 0" material="floor"/>
+    <HalfSpace normal="0 -1 0.5" position="0 0.25 0" material="floor"/>
+  </Ground></systems><forces><Gravity/></forces><elements>
+  <Contact between="stone stone"><UnilateralCoulomb mu="0.3" epsilonN="0.3"/></Contact>
+  <Contact between="stone floor"><UnilateralCoulomb mu="0.3" epsilonN="0.3"/></Contact></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+
+TEST(SwitchGovernor, StepsManyBouncingBallsInTimeWithinTheTolerance) {
+  constexpr int kBalls = 80;
+  constexpr double kTolerance = 5e-3, kUntil = 2.5;
+  LocatedRun run(balls(kBalls, 0.9), kTolerance, kUntil);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_EQ(r.stepping.stalls, 0);
+  // Each of four or five impacts may be off by the tolerance, and its time by that over the
+  // speed, which the next flight passes on: ten tolerances, as for located switches.
+  for (int i = 0; i < kBalls; ++i)
+    EXPECT_NEAR(run.state().q[3 * i + 2], bounceHeight(start(i), 0.9, kUntil),
+                10.0 * kTolerance * run.model().length())
+        << i;
+  // Parabolas are exact for the trapezoidal rule: nothing but rounding of 260 J is left over.
+  EXPECT_NEAR(r.energy.discretisation, 0.0, 1e-9);
+  EXPECT_NEAR(r.energy.imbalance, 0.0, 1e-9);
+}
+
+TEST(SwitchGovernor, PassesAFunnelInWhichNoStatusLasts) {
+  LocatedRun run(kFunnel, 1e-4, 2.0), again(kFunnel, 1e-4, 2.0);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_GT(r.stepping.time, 0.0);
+  EXPECT_FALSE(r.stepping.first.name.empty());
+  const auto warned = [](const Warning& w) { return w.kind == "time stepping"; };
+  EXPECT_EQ(std::count_if(r.warnings.begin(), r.warnings.end(), warned), 1);
+  // Without steps in time 165 000 were not enough for the first 1.0085 s. Twice what it takes now.
+  EXPECT_LT(r.evaluations, 60000);
+  // Overlaps count as errors of a step; what does not fit is told.
+  EXPECT_LE(r.penetration.value,
+            std::max(1.0, r.stepping.error) * 1.000001e-4 * run.model().length());
+  EXPECT_NEAR(r.energy.imbalance, 0.0, 1e-9 * r.energy.start());
+  again.run();
+  EXPECT_EQ(run.state().q, again.state().q);
+  EXPECT_EQ(run.state().u, again.state().u);
+  EXPECT_EQ(r.evaluations, again.report().evaluations);
+}
+
+TEST(SwitchGovernor, FindsBackWhenAllIsAtRest) {
+  constexpr double kUntil = 4.0;
+  LocatedRun run(balls(40, 0.5), 5e-3, kUntil);
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  // The highest ball rests at (1 + e)/(1 − e) √(2 z/g) = 1.28 s; periods double, so that no more
+  // than as much again goes by until switches are located for good. Steps are 1e-3 T and longer.
+  EXPECT_LT(r.stepping.time, 2.0 * 3.0 * std::sqrt(2.0 * start(39) / kG));
+  EXPECT_LT(r.stepping.steps, 1000);
+  EXPECT_EQ(run.state().u.lpNorm<Eigen::Infinity>(), 0.0);
+}
+
+TEST(SwitchGovernor, GoesOnFromACheckpointBitForBit) {
+  LocatedRun whole(kFunnel, 1e-4, 1.6), part(kFunnel, 1e-4, 1.4), resumed(kFunnel, 1e-4, 1.6);
+  whole.run(), part.run();
+  ASSERT_GE(part.report().stepping.periods, 1);  // the first begins at 1.004 s
+  resumed.simulation().resume(part.simulation().checkpoint());
+  resumed.run();
+  EXPECT_EQ(resumed.state().q, whole.state().q);
+  EXPECT_EQ(resumed.state().u, whole.state().u);
+  EXPECT_EQ(resumed.report().stepping.steps, whole.report().stepping.steps);
+}
+
+TEST(SwitchGovernor, StaysInTheToleranceOfAFinerRunByAnotherScheme) {
+  LocatedRun run(kFunnel, 1e-5, 1.1);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_GE(run.report().stepping.periods, 1);
+  // x of the first ball: located switches at 1e-7 give -0.073470, MoreauMidpoint tends there with
+  // order 1 (-0.10967, -0.07699 at steps of 1e-4, 1e-5 s). Some hundred impacts by then amplify
+  // errors fiftyfold (located: 43 tol at 1e-6): ten times that.
+  EXPECT_NEAR(run.state().q[0], -0.073470, 500.0 * 1e-5);
+}
+
+TEST(SwitchGovernor, ScenesWithRareSwitchesNeverStepInTime) {
+  for (const char* model : {"woodpecker", "belt_oscillator", "falling_box", "impact_oscillator"})
+    for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+      LocatedRun run(model, tolerance, 1.0);
+      EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << model << run.report().reason;
+      EXPECT_EQ(run.report().stepping.periods, 0) << model << ", tolerance " << tolerance;
+    }
+}
+
+}  // namespace
+}  // namespace dynamy::reference
