@@ -17,14 +17,6 @@
 
 namespace dynamy {
 
-/// The unit vector across the axis a, |a| = 1, nearest to d. d − (a·d) a of a d that is nearly
-/// along a is off by its rounding over its length, along a: that part is taken out again, or the
-/// lowest point of a rim that lies almost flat would be as far off its plane.
-inline Vec3 unitAcross(const Vec3& d, const Vec3& a) {
-  const Vec3 e = (d - a.dot(d) * a).normalized();
-  return (e - a.dot(e) * a).normalized();
-}
-
 /// A line or circle that moves with a frame, at one of its points.
 struct BodyCurve {
   const Frame* frame = nullptr;

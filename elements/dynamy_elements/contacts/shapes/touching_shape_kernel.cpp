@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy_elements/contacts/pairs/curve_contact.hpp>
 #include <dynamy_elements/contacts/shapes/contour.hpp>
 #include <dynamy_elements/contacts/shapes/surface.hpp>
 #include <dynamy_elements/contacts/shapes/touching_shape.hpp>
