@@ -21,11 +21,11 @@ std::string folderBelow(const std::string& prefix, const std::string& path) {
   return end == std::string::npos ? "" : path.substr(prefix.size(), end - prefix.size());
 }
 
-// core ← system ← contact ← solver ← integrator ← simulation ← io ← testing: a position in this
-// row.
+// A position in this row: a room includes itself and what stands before it.
 int layer(const std::string& folder) {
-  static constexpr std::array kLayers = {"core",       "system",     "contact", "solver",
-                                         "integrator", "simulation", "io",      "testing"};
+  static constexpr std::array kLayers = {"core",       "system", "law",     "contact",
+                                         "solver",     "stages", "schemes", "located",
+                                         "simulation", "io",     "testing"};
   const auto found = std::find(kLayers.begin(), kLayers.end(), folder);
   return found == kLayers.end() ? -1 : static_cast<int>(found - kLayers.begin());
 }

@@ -80,7 +80,8 @@ std::set<std::string> parts(const SourceFile& file) {
 }  // namespace
 
 TEST(Documents, LinksLeadToFilesAndTheirParts) {
-  for (const SourceFile* file : filesUnder({"doc/", "README.md", "CONTRIBUTING.md"}, {".md"}))
+  for (const SourceFile* file :
+       filesUnder({"doc/", "framework/", "README.md", "CONTRIBUTING.md"}, {".md"}))
     for (const auto& [link, line] : found(*file, R"(\]\(([^):]+)\))")) {
       const std::size_t hash = link.find('#');
       const std::string target =
