@@ -8,7 +8,7 @@ namespace dynamy {
 namespace {
 
 /// Rotation vector of a rotation matrix, of length up to π.
-Vec3 rotationVector(const Mat3& R) {
+Vec3 turnVector(const Mat3& R) {
   const Eigen::Quaterniond p(R);
   const double sine = p.vec().norm(), sign = p.w() < 0.0 ? -1.0 : 1.0;
   const double angle = 2.0 * std::atan2(sine, sign * p.w());
@@ -74,7 +74,7 @@ Bushing::Strain Bushing::strain(const Kinematics& k) const {
   const Mat3 A_AI = A.A_IK.transpose();
   s.r_A = A_AI * s.rhoAQ_I - pointA_;
   s.rdot_A = A_AI * (B.velocity(s.rhoB_I) - A.velocity(s.rhoAQ_I));
-  s.theta_A = rotationVector(A_AI * B.A_IK * start_.transpose());
+  s.theta_A = turnVector(A_AI * B.A_IK * start_.transpose());
   s.Omega_A = A_AI * (B.Omega_I - A.Omega_I);
   return s;
 }

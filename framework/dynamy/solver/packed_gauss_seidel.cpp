@@ -7,18 +7,18 @@
 namespace dynamy {
 namespace {
 
-constexpr int kSweepsPerTest = 10;  ///< a test costs about as much as two sweeps
+constexpr int kSweepsBetweenTests = 10;  ///< a test costs about as much as two sweeps
 /// A start with a larger residual is compared with zero: forces of a contact that turned since.
 constexpr double kFarStart = 1.0;
 /// Of the tolerance: the packed measure and the full one differ by rounding.
 constexpr double kSafe = 0.999;
 /// Stalled: the best residual is not below this part of itself …
-constexpr double kProgress = 0.99;
+constexpr double kLeastProgress = 0.99;
 /// … as many sweeps ago, or half of all.
-constexpr int kPatience = 1000;
+constexpr int kSweepsOfPatience = 1000;
 /// A residual this many times the best one is on its way to nowhere: back to that, with a smaller
 /// β. Corners of faces have λ down to −0.5 in (4.25), and diverge with β > ½.
-constexpr double kLost = 3.0, kLess = 0.8;
+constexpr double kLostFrom = 3.0, kLess = 0.8;
 /// β of problems that cannot be packed, the default of BlockGaussSeidel at most.
 constexpr double kPlainMomentum = 0.7;
 
@@ -88,15 +88,15 @@ bool PackedGaussSeidel::sweeps(const InclusionProblem& p, double tolerance, int 
     const double beta = std::min(bound, (k - 1.0) / (k + 2.0));
     k = packed_.sweep(p, beta) > 0.0 ? 1 : k + 1;
     ++report.iterations;
-    if (sweep % kSweepsPerTest != 0 && sweep != most) continue;
+    if (sweep % kSweepsBetweenTests != 0 && sweep != most) continue;
     const double now = tested(p);
     if (now < best) best = now, packed_.store(best_.data());
-    if (!(now <= kLost * best)) {
+    if (!(now <= kLostFrom * best)) {
       packed_.load(best_.data());
       bound *= kLess, k = 1;
     }
-    if (best <= kProgress * mark) mark = best, marked = sweep;
-    if (sweep - marked > std::max(kPatience, sweep / 2)) {
+    if (best <= kLeastProgress * mark) mark = best, marked = sweep;
+    if (sweep - marked > std::max(kSweepsOfPatience, sweep / 2)) {
       report.status = SolveStatus::stalled;
       break;
     }

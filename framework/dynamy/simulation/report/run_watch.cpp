@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/located/switch_governor.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/report/run_watch.hpp>
@@ -11,8 +12,7 @@ namespace dynamy {
 namespace {
 
 constexpr double kPositions = 1e-11;  ///< of energies: what positions that are known to g_tol leave
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kFewSteps = 64.0;  ///< added to their number, for what one step rounds
+constexpr double kFewSteps = 64.0;    ///< added to their number, for what one step rounds
 /// Gaps are taken at ends of steps that lie so much deeper than all before, at first, and once in
 /// so many steps on average: each look costs up to a step, so that a run of 1000 steps takes 1.6 %
 /// longer. Beyond that γ^E alone says how deep: off by (ω Δt/2)²/2 of a body's size.
