@@ -1,0 +1,103 @@
+// Newton's iteration on joints, against closed forms of two masses on a line.
+#include <gtest/gtest.h>
+
+#include <dynamy/schemes/joints/joint_newton.hpp>
+
+#include "unit/stages/linked_masses.hpp"
+
+namespace dynamy {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using fixture::LinkedMasses;
+
+constexpr double kM1 = 1.0, kM2 = 3.0, kForce = 8.0, kDt = 1e-2;
+/// K is taken by differences of 1e-7 of a linear residual: rounding over the difference.
+constexpr double kDifferences = 1e-7;
+
+/// A rod of 1 m, and a force on mass 0.
+LinkedMasses pulled() {
+  return {Vector2d(kM1, kM2),
+          Vector2d(1.0, 0.0),
+          Vector2d::Zero(),
+          {{0, 1, 1.0}},
+          {},
+          0.0,
+          [](double, ConstVec, ConstVec, Vec h) { h = Vector2d(kForce, 0.0); }};
+}
+
+TEST(JointNewton, SolvesALinearProblemInTwoSteps) {
+  LinkedMasses s = pulled();
+  JointNewton newton;
+  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
+  EXPECT_EQ(newton.rows(), 1);
+  EXPECT_EQ(newton.unknowns(), 3);
+  const VectorXd none = VectorXd::Zero(2);
+  for (int turn = 0; turn < 2; ++turn) {  // the second takes the rounding of the differences away
+    newton.residual(*s.system, none);
+    ASSERT_TRUE(newton.linearise(*s.system, none));
+    EXPECT_EQ(newton.tangent(), JointNewton::Tangent::differences);
+    newton.newtonStep(), newton.take();
+  }
+  // Both masses get a = F/(m₁ + m₂); the rod gives mass 1 what it needs: Λ = −m₂ a Δt.
+  const double a = kForce / (kM1 + kM2);
+  EXPECT_NEAR(newton.v[0], 0.5 * a * kDt, kDifferences * kDt);
+  EXPECT_NEAR(newton.v[1], 0.5 * a * kDt, kDifferences * kDt);
+  EXPECT_NEAR(newton.Lambda[0], -kM2 * a * kDt, kDifferences);
+  newton.residual(*s.system, none);
+  EXPECT_NEAR(newton.end.q[0] - newton.end.q[1], 1.0, 1e-14);
+  EXPECT_NEAR(newton.end.u[0], a * kDt, kDifferences * kDt);
+  EXPECT_NEAR(newton.midpoint.t, 0.5 * kDt, 1e-17);
+}
+
+TEST(JointNewton, StartsFromThePercussionsOfTheLastStep) {
+  LinkedMasses s = pulled();
+  s.x.impulses.key = {contactKey(1, 0)};
+  s.x.impulses.first = {0, 1};
+  s.x.impulses.Lambda = {-0.5};
+  s.x.impulses.dt = 2.0 * kDt;
+  JointNewton newton;
+  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
+  EXPECT_EQ(newton.Lambda[0], -0.25);  // in proportion to the step
+}
+
+TEST(JointNewton, BringsBackARodThatIsOff) {
+  LinkedMasses s(Vector2d(kM1, kM2), Vector2d(1.001, 0.0), Vector2d::Zero(), {{0, 1, 1.0}}, {}, 0.0,
+                 [](double, ConstVec, ConstVec, Vec h) { h.setZero(); });
+  JointNewton newton;
+  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
+  const VectorXd none = VectorXd::Zero(2);
+  for (int turn = 0; turn < 2; ++turn) {
+    newton.residual(*s.system, none);
+    ASSERT_TRUE(newton.linearise(*s.system, none));
+    newton.newtonStep(), newton.take();
+  }
+  newton.residual(*s.system, none);
+  EXPECT_NEAR(newton.end.q[0] - newton.end.q[1], 1.0, 1e-13);
+  // No force from outside: the centre of mass stays.
+  EXPECT_NEAR(kM1 * newton.v[0] + kM2 * newton.v[1], 0.0, 1e-12);
+}
+
+TEST(JointNewton, AnswersWithTheMassesThatARodCouples) {
+  LinkedMasses s = pulled();
+  JointNewton newton;
+  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
+  const VectorXd none = VectorXd::Zero(2);
+  newton.residual(*s.system, none);
+  ASSERT_TRUE(newton.linearise(*s.system, none));
+  // An impulse on mass 0 moves both: 2 (m₁ + m₂) δv = 1.
+  const Vector2d w(1.0, 0.0);
+  std::vector<double> response;
+  newton.respond(w.data(), response);
+  EXPECT_NEAR(newton.velocityPart(response, w.data()), 0.5 / (kM1 + kM2), kDifferences);
+}
+
+TEST(JointNewton, HasNothingToDoWithoutJointsAndWithConstantMasses) {
+  LinkedMasses s(Vector2d(kM1, kM2), Vector2d(1.0, 0.0), Vector2d::Zero(), {}, {{0, 1, -1}});
+  JointNewton newton;
+  EXPECT_FALSE(newton.begin(*s.system, s.x, kDt));
+}
+
+}  // namespace
+}  // namespace dynamy

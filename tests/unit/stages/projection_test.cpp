@@ -1,0 +1,128 @@
+// Projections in the metric of the mass, against closed forms of two masses on a line.
+#include <gtest/gtest.h>
+
+#include <dynamy/stages/projection.hpp>
+
+#include "unit/stages/linked_masses.hpp"
+
+namespace dynamy {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using fixture::LinkedMasses;
+
+constexpr double kM1 = 1.0, kM2 = 3.0;
+const Vector2d kMasses{kM1, kM2};
+/// The solver's default tolerance of 1e-10, relative to numbers of size 1e-1 here; the regularised
+/// solution of touch() has 1e-10, too.
+constexpr double kSolved = 1e-9;
+
+/// Masses 0 and 1 with a rod of 1 m that is too long by `error`.
+LinkedMasses rodOffBy(double error, const Vector2d& u = Vector2d::Zero()) {
+  return {kMasses, Vector2d(1.0 + error, 0.0), u, {{0, 1, 1.0}}};
+}
+
+/// The state remembers that each contact of element 0 carried.
+void carried(LinkedMasses& s) {
+  s.x.impulses.dt = 1e-2;
+  s.x.impulses.first = {0};
+  for (const fixture::Pair& p : s.stack.pairs) {
+    s.x.impulses.key.push_back(contactKey(0, p.id));
+    s.x.impulses.first.push_back(static_cast<int>(s.x.impulses.key.size()));
+    s.x.impulses.Lambda.push_back(1.0);
+  }
+}
+
+TEST(Projection, MovesLightBodiesFartherThanHeavyOnes) {
+  // min ½ δᵀMδ with δ₁ − δ₂ = −e: δ₁ = −e m₂/(m₁ + m₂), δ₂ = e m₁/(m₁ + m₂).
+  LinkedMasses s = rodOffBy(0.1);
+  ASSERT_TRUE(Projection().positions(*s.system, s.solver, s.x, 1e-12));
+  EXPECT_NEAR(s.x.q[0], 1.1 - 0.1 * kM2 / (kM1 + kM2), kSolved);
+  EXPECT_NEAR(s.x.q[1], 0.1 * kM1 / (kM1 + kM2), kSolved);
+  EXPECT_EQ(s.x.t, 0.0);
+}
+
+TEST(Projection, LeavesWhatIsNotOffToTheLastBit) {
+  LinkedMasses s = rodOffBy(1e-6);
+  const VectorXd q = s.x.q;
+  ASSERT_TRUE(Projection().positions(*s.system, s.solver, s.x, 1e-5));
+  EXPECT_EQ(s.x.q, q);
+}
+
+TEST(Projection, OpensOverlapsAndClosesNoGap) {
+  // Contact of mass 0 on mass 1, and of mass 1 on the ground: the first overlaps, the second is
+  // open by more than the way that the first needs.
+  LinkedMasses s(kMasses, Vector2d(0.4, 0.5), Vector2d::Zero(), {}, {{0, 0, 1}, {1, 1, -1}});
+  ASSERT_TRUE(Projection().positions(*s.system, s.solver, s.x, 1e-12));
+  EXPECT_NEAR(s.x.q[0], 0.4 + 0.1 * kM2 / (kM1 + kM2), kSolved);
+  EXPECT_NEAR(s.x.q[1], 0.5 - 0.1 * kM1 / (kM1 + kM2), kSolved);
+}
+
+TEST(Projection, DoesNotMendAJointAtTheCostOfAContact) {
+  // Mass 1 lies on the ground and may not go below: the rod moves mass 0 alone.
+  LinkedMasses s(kMasses, Vector2d(0.9, 0.0), Vector2d::Zero(), {{0, 1, 1.0}}, {{0, 1, -1}});
+  ASSERT_TRUE(Projection().positions(*s.system, s.solver, s.x, 1e-12));
+  EXPECT_NEAR(s.x.q[0], 1.0, kSolved);
+  EXPECT_NEAR(s.x.q[1], 0.0, kSolved);
+}
+
+TEST(Projection, OfOverlapsHoldsJointsAndLeavesThoseThatRebound) {
+  // The rod is off and keeps its length; mass 1 comes out of the ground with mass 0.
+  LinkedMasses s(kMasses, Vector2d(1.05, -0.01), Vector2d::Zero(), {{0, 1, 1.0}}, {{0, 1, -1}});
+  ASSERT_TRUE(Projection().overlaps(*s.system, s.solver, s.x, 1e-12));
+  EXPECT_NEAR(s.x.q[1], 0.0, kSolved);
+  EXPECT_NEAR(s.x.q[0] - s.x.q[1], 1.06, kSolved);
+  LinkedMasses elastic(kMasses, Vector2d(1.0, -0.01), Vector2d::Zero(), {}, {{0, 1, -1}}, 0.5);
+  ASSERT_TRUE(Projection().overlaps(*elastic.system, elastic.solver, elastic.x, 1e-12));
+  EXPECT_EQ(elastic.x.q[1], -0.01);
+}
+
+TEST(Projection, TouchesWhatIsAboutToCloseAndOpensNothingThatCarries) {
+  // Mass 1 carries on the ground; mass 0 is to be closed on it and comes down alone.
+  LinkedMasses s(kMasses, Vector2d(1e-3, 0.0), Vector2d::Zero(), {}, {{0, 0, 1}, {1, 1, -1}});
+  carried(s);
+  s.x.impulses.Lambda[0] = 0.0;
+  s.system->evaluate(s.x, 0, 1e-2);
+  ASSERT_TRUE(Projection().touch(*s.system, s.x, {contactKey(0, 0)}, 1e-12));
+  EXPECT_NEAR(s.x.q[0], 0.0, 1e-3 * kSolved);
+  EXPECT_NEAR(s.x.q[1], 0.0, 1e-3 * kSolved);
+}
+
+TEST(Projection, OfVelocitiesKeepsTheMomentum) {
+  LinkedMasses s = rodOffBy(0.0, {2.0, -2.0});
+  ASSERT_TRUE(Projection().velocities(*s.system, s.solver, s.x));
+  const double common = (2.0 * kM1 - 2.0 * kM2) / (kM1 + kM2);
+  EXPECT_NEAR(s.x.u[0], common, kSolved);
+  EXPECT_NEAR(s.x.u[1], common, kSolved);
+}
+
+TEST(Projection, OfVelocitiesTakesContactsThatCarriedAlone) {
+  for (const bool carries : {true, false}) {
+    LinkedMasses s(kMasses, Vector2d(0.0, 0.0), Vector2d(-2.0, 0.0), {}, {{0, 0, 1}});
+    if (carries) carried(s);
+    ASSERT_TRUE(Projection().velocities(*s.system, s.solver, s.x));
+    EXPECT_NEAR(s.x.u[0], carries ? -2.0 * kM1 / (kM1 + kM2) : -2.0, kSolved) << carries;
+  }
+}
+
+TEST(Projection, HasAnImpactOnlyWhereForcesDoNotExplainTheApproach) {
+  // Δt = 1e-2 s: four steps of weight change a velocity by 0.39 m/s.
+  for (const double speed : {0.3, 2.0}) {
+    LinkedMasses s(kMasses, Vector2d(1.0, 0.0), Vector2d(0.0, -speed), {}, {{0, 1, -1}}, 0.5);
+    s.system->evaluate(s.x);
+    Projection projection;
+    Jump jump;
+    const auto solved = projection.impact(*s.system, s.solver, s.x, 1e-2, jump);
+    EXPECT_EQ(solved.has_value(), speed > 1.0) << speed;
+    if (!solved) continue;
+    EXPECT_NEAR(s.x.u[1], 0.5 * speed, kSolved);
+    ASSERT_NE(projection.percussions(contactKey(0, 0)), nullptr);
+    EXPECT_NEAR(projection.percussions(contactKey(0, 0))[0], 1.5 * kM2 * speed, kSolved);
+    // ½ m (u⁺² − u⁻²)
+    EXPECT_NEAR(jump.works.normal, -0.5 * kM2 * 0.75 * speed * speed, 10.0 * kSolved);
+  }
+}
+
+}  // namespace
+}  // namespace dynamy
