@@ -118,7 +118,8 @@ class ShapeContacts final : public NonSmoothElement {
   template <class F>
   void forNearPairs(F&& f) const;
   double gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const;
-  Passing passing(const Pair& pair, std::size_t f, const SweptPath& path) const;
+  /// Of feature f, if it begins before `latest` [s].
+  Passing passing(const Pair& pair, std::size_t f, const SweptPath& path, double latest) const;
 
   static ContactNumbers numbers(const Pair& pair, std::uint64_t f);
   double load(const SignalView& v, int ground, int axis) const;
@@ -149,6 +150,7 @@ class ShapeContacts final : public NonSmoothElement {
   mutable std::vector<double> turned_;     ///< per shape [m]
   mutable std::vector<double> gap_, way_;  ///< per near pair: at least, at most [m]
   mutable std::vector<int> near_;          ///< pairs of features
+  mutable std::vector<Vec3> turns_;        ///< of frames, per piece of a path
   mutable std::vector<BroadPhase::Ball> balls_;
   mutable BroadPhase broad_;
 };

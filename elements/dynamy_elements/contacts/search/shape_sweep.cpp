@@ -16,6 +16,8 @@
 #include <dynamy_elements/contacts/pairs/round_contact.hpp>
 #include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
 #include <dynamy_elements/contacts/pairs/surface_contact.hpp>
+#include <dynamy_elements/contacts/search/first_below.hpp>
+#include <dynamy_elements/contacts/search/moving_frame.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
 
 namespace dynamy {
@@ -38,34 +40,13 @@ constexpr double kSeen = 1000.0;
 constexpr int kMostSweptParts = 64;
 /// Pieces of half a step: who turns by more than a thousand radians in it is not followed closer.
 constexpr int kMostHalf = 2048;
-constexpr double kGolden = 0.6180339887498949;
+/// The same where a gap is only known up to a reach that a part may not pass.
+constexpr int kMostReaches = 4096;
 
 /// What can go how far round the origin of the frame.
 double lever(const TouchingShape& s) {
   return s.p_K.norm() + (s.kind == SweptTouch::ball ? 0.0 : s.bound);
 }
-
-Vec3 rotationVector(const Mat3& A) {
-  const Eigen::AngleAxisd turn(A);
-  return turn.angle() * turn.axis();
-}
-
-/// One frame on one piece of the path.
-struct FramePiece {
-  const SweptPose *a, *b;
-  Vec3 theta_K;
-  FramePiece(const SweptPath& path, FrameHandle f, int k)
-      : a(&path.pose(f, k)),
-        b(&path.pose(f, k + 1)),
-        theta_K(rotationVector(a->A_IK.transpose() * b->A_IK)) {}
-  Vec3 way() const { return b->r_OS_I - a->r_OS_I; }
-  void at(double s, Frame& out) const {
-    out.r_OS_I = a->r_OS_I + s * way();
-    out.A_IK = a->A_IK;
-    if (const double angle = s * theta_K.norm(); angle > 0.0)
-      out.A_IK *= Eigen::AngleAxisd(angle, theta_K.normalized()).toRotationMatrix();
-  }
-};
 
 /// How far the frame of A can move a point of it that B may touch, per angle. A ball turns in
 /// place.
@@ -87,8 +68,9 @@ struct PairPiece {
   FramePiece a, b;
   double L;     ///< bound of the change of the gap
   double bend;  ///< bound of the second derivative of B's points, seen from A
-  PairPiece(const TouchingShape& A, const TouchingShape& B, const SweptPath& path, int k)
-      : a(path, A.frame, k), b(path, B.frame, k) {
+  PairPiece(const TouchingShape& A, const TouchingShape& B, const SweptPath& path,
+            const std::vector<Vec3>& turns, int k)
+      : a(path, turns, A.frame, k), b(path, turns, B.frame, k) {
     const double go = (b.way() - a.way()).norm(), turnA = a.theta_K.norm(),
                  turnB = b.theta_K.norm(), leverB = lever(B), own = turnB * leverB;
     const bool round = A.kind == SweptTouch::ball;
@@ -98,23 +80,21 @@ struct PairPiece {
   }
 };
 
-/// Golden sections for the place in [a, b] where the convex `gap` is below `limit`; `flat`: width
-/// from which it cannot get there any more. −1: nowhere.
-template <class Gap>
-double anyBelow(Gap& gap, double a, double b, double limit, double flat) {
-  double c = b - kGolden * (b - a), d = a + kGolden * (b - a), gc = gap(c), gd = gap(d);
-  while (b - a > flat) {
-    if (!(c > a && d < b && c < d))
-      break;  // as close as numbers are, for a way of 1e16 thicknesses
-    if (gc < limit) return c;
-    if (gd < limit) return d;
-    if (gc < gd) {
-      b = d, d = c, gd = gc, c = b - kGolden * (b - a), gc = gap(c);
-    } else {
-      a = c, c = d, gc = gd, d = a + kGolden * (b - a), gd = gap(d);
-    }
+/// Lower bound of the distance on one piece, by the balls round the origins of the frames that hold
+/// the shapes; −∞ over a half space that turns.
+double clearance(const TouchingShape& A, const TouchingShape& B, const FramePiece& a,
+                 const FramePiece& b) {
+  const Vec3 r = b.a->r_OS_I - a.a->r_OS_I, way = b.way() - a.way();
+  const double ofB = B.p_K.norm() + B.bound;
+  if (A.kind == SweptTouch::halfSpace) {
+    if (!a.theta_K.isZero(0.0)) return -kInfinity;
+    const Vec3 n = a.a->A_IK * A.n_K;
+    const double at = n.dot(r - a.a->A_IK * A.p_K);
+    return std::min(at, at + n.dot(way)) - ofB;
   }
-  return -1.0;
+  const double square = way.squaredNorm();
+  const double nearest = square > 0.0 ? std::clamp(-r.dot(way) / square, 0.0, 1.0) : 0.0;
+  return (r + nearest * way).norm() - A.p_K.norm() - A.bound - ofB;
 }
 
 /// Where `gap` falls below `level` between a (above) and b (below).
@@ -197,24 +177,41 @@ double leastGap(const Contacts& found, int n) {
   return least;
 }
 
-/// Gap of b on the surface of a.
+/// How far gaps of b on a surface are looked for [m]; all others are known wherever b is.
+double gapsSeen(Meeting meets, const TouchingShape& b) {
+  switch (meets) {
+    case Meeting::ballOnSurface:
+    case Meeting::capsuleOnSurface:
+      return kSeen * b.bound;
+    case Meeting::smoothOnMesh:
+    case Meeting::discOnMesh:
+    case Meeting::polyhedronOnMesh:
+      return b.bound;
+    default:
+      return kInfinity;
+  }
+}
+
+/// Gap of b on the surface of a, at most as far as it is seen: what is not seen is further away.
 double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const Frame& B,
                     const TouchingShape& b) {
+  const double reach = gapsSeen(meets, b);
   if (meets == Meeting::ballOnSurface) {
     SurfaceContacts found;
-    const int n = a.surface->contacts(A, B, b.features[0], kSeen * b.bound, found);
-    return leastGap(found, n);
+    const int n = a.surface->contacts(A, B, b.features[0], reach, found);
+    return std::min(reach, leastGap(found, n));
   }
   OnSurfaceContacts found;
-  if (meets == Meeting::smoothOnMesh)
-    return leastGap(found, smoothOnMesh(A, *a.surface, B, b.features[0], b.bound, found));
-  if (meets == Meeting::discOnMesh)
-    return leastGap(found, discOnMesh(A, *a.surface, discBody(B, b), b.bound, found));
-  const int n =
-      meets == Meeting::capsuleOnSurface
-          ? capsuleOnSurface(A, *a.surface, B, b, kSeen * b.bound, found)
-          : polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), b.bound, false, found);
-  return leastGap(found, n);
+  const auto count = [&] {
+    if (meets == Meeting::smoothOnMesh)
+      return smoothOnMesh(A, *a.surface, B, b.features[0], reach, found);
+    if (meets == Meeting::discOnMesh)
+      return discOnMesh(A, *a.surface, discBody(B, b), reach, found);
+    if (meets == Meeting::capsuleOnSurface)
+      return capsuleOnSurface(A, *a.surface, B, b, reach, found);
+    return polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), reach, false, found);
+  };
+  return std::min(reach, leastGap(found, count()));
 }
 
 }  // namespace
@@ -285,8 +282,12 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
   balls_.clear();
   for (const TouchingShape& s : shapes_[0]) {
     double way = 0.0;
+    const auto first = static_cast<std::size_t>(s.frame.index * path.pieces());
+    turns_.resize(std::max(turns_.size(), first + static_cast<std::size_t>(path.pieces())));
     for (int piece = 0; piece < path.pieces(); ++piece) {
-      const FramePiece f(path, s.frame, piece);
+      turns_[first + static_cast<std::size_t>(piece)] = rotationVector(
+          path.pose(s.frame, piece).A_IK.transpose() * path.pose(s.frame, piece + 1).A_IK);
+      const FramePiece f(path, turns_, s.frame, piece);
       way += f.way().norm() + f.theta_K.norm() * (s.kind == SweptTouch::halfSpace ? 0.0 : lever(s));
     }
     const SweptPose& f = path.pose(s.frame, 0);
@@ -298,14 +299,14 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
     const double thick = thickness(*pair.A, *pair.B);
     if (thick == kInfinity) return;
     double both = 0.0;
-    for (int k = 0; k < path.pieces(); ++k) both += PairPiece(*pair.A, *pair.B, path, k).L;
+    for (int k = 0; k < path.pieces(); ++k) both += PairPiece(*pair.A, *pair.B, path, turns_, k).L;
     const SweptPose &A = path.pose(pair.A->frame, 0), &B = path.pose(pair.B->frame, 0);
     if (both <= thick || apart(*pair.A, *pair.B, A, B) > both) return;
     const bool single = pair.rule->meets != Meeting::overHalfSpace;
     const std::size_t features = single ? 1 : pair.B->features.size();
     for (std::size_t f = 0; f < features; ++f) {
       if (pair.B->features[f].flatOnly) continue;  // the rim it is on tells
-      Passing p = passing(pair, f, path);
+      Passing p = passing(pair, f, path, first.t);
       p.contact = contactKey(element, pair.id + f);
       if (p.t < first.t) first = p;
     }
@@ -313,38 +314,50 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
   return first;
 }
 
-Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path) const {
-  const double depth =
-      std::max(kDepth * thickness(*pair.A, *pair.B), kLeastDepth * path.resolution());
+namespace {
+
+/// Into how many parts, a power of 2, a piece is cut: so short that points bend away from straight
+/// lines by a quarter of `depth`, and that nothing goes further than it is seen.
+int partsOf(Meeting meets, const TouchingShape& B, const PairPiece& piece, double depth) {
+  const auto powerAbove = [](double wanted, int most) {
+    int n = 1;
+    while (n < wanted && n < most) n *= 2;
+    return n;
+  };
+  return std::max(powerAbove(std::sqrt(piece.bend / (2.0 * depth)), kMostSweptParts),
+                  powerAbove(2.0 * piece.L / gapsSeen(meets, B), kMostReaches));
+}
+
+}  // namespace
+
+Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path,
+                               double latest) const {
+  const TouchingShape &a = *pair.A, &b = *pair.B;
+  const double depth = std::max(kDepth * thickness(a, b), kLeastDepth * path.resolution());
+  const double dt = path.dt() / path.pieces();
   Frame A, B;
-  double start = 0.0;
-  for (int k = 0; k < path.pieces(); ++k) {
-    const PairPiece piece(*pair.A, *pair.B, path, k);
+  double start = kInfinity, end = 0.0;
+  int after = -1;  // the piece at whose begin the gap is `end`
+  for (int k = 0; k < path.pieces() && dt * k < latest; ++k) {
+    const PairPiece piece(a, b, path, turns_, k);
+    if (clearance(a, b, piece.a, piece.b) > depth) continue;
+    const MovingFrame moveA(piece.a), moveB(piece.b);
     auto gapAt = [&](double s) {
-      piece.a.at(s, A), piece.b.at(s, B);
+      moveA.at(s, A), moveB.at(s, B);
       return gap(pair, f, A, B);
     };
-    double left = gapAt(0.0);
+    const double left = k == after ? end : gapAt(0.0), right = gapAt(1.0);
     if (k == 0) start = left;
+    after = k + 1, end = right;
     // One that is closed may not sink deeper.
     const double limit = (start <= depth ? start : 0.0) - depth;
-    const double L = piece.L;
-    const double wanted = std::ceil(std::sqrt(piece.bend / (2.0 * depth)));
-    const int parts =
-        wanted < kMostSweptParts ? std::max(1, static_cast<int>(wanted)) : kMostSweptParts;
-    for (int j = 0; j < parts; ++j) {
-      const double s0 = static_cast<double>(j) / parts, s1 = static_cast<double>(j + 1) / parts;
-      const double right = gapAt(s1);
-      double below = right < limit ? s1 : -1.0;
-      if (below < 0.0 && 0.5 * (left + right - L * (s1 - s0)) < limit)
-        below = anyBelow(gapAt, s0, s1, limit, 0.25 * depth / L);
-      if (below >= 0.0) {
-        const double level = start <= depth ? limit : 0.0, width = 0.1 * kTiming * depth / L;
-        const double s = left <= level ? s0 : crossing(gapAt, s0, below, level, width);
-        const double dt = path.dt() / path.pieces();
-        return {dt * (k + s), kTiming * depth / L * dt, {}};
-      }
-      left = right;
+    const FirstBelow search{limit, piece.L, 1.0 / partsOf(pair.rule->meets, b, piece, depth),
+                            0.25 * depth / piece.L};
+    if (const FirstBelow::Place below = search.in(gapAt, 0.0, left, 1.0, right)) {
+      const double level = start <= depth ? limit : 0.0, width = 0.1 * kTiming * depth / piece.L;
+      const double s =
+          below.value <= level ? below.from : crossing(gapAt, below.from, below.at, level, width);
+      return {dt * (k + s), kTiming * depth / piece.L * dt, {}};
     }
   }
   return {};
