@@ -55,6 +55,13 @@ class JointDrive final : public CoordinateLaw {
   Bilateral bilateral_;
 };
 
+/// The force of a drive: a ForceLimit whose work on the bodies is that of a drive.
+class DriveForce final : public ForceLimit {
+ public:
+  using ForceLimit::ForceLimit;
+  RowKind rowKind(int) const override { return RowKind::drive; }
+};
+
 class JointMotor final : public CoordinateLaw {
  public:
   static void declare(Attributes& a);
@@ -64,7 +71,7 @@ class JointMotor final : public CoordinateLaw {
 
  private:
   TimeFormulas speed_;
-  ForceLimit law_;
+  DriveForce law_;
 };
 
 class JointFriction final : public CoordinateLaw {

@@ -23,10 +23,13 @@ enum class RowKind : std::uint8_t {
   normal,
   friction,
   joint,  ///< γ = 0, the rate of a position that is zero
-  rate    ///< γ = 0, the rate of nothing (BilateralRate)
+  rate,   ///< γ = 0, the rate of nothing (BilateralRate)
+  drive   ///< as friction on γ − (speed of the drive); its work on the bodies is that of a drive
 };
 /// Rows that hold γ = 0 whatever it takes.
 inline bool holds(RowKind kind) { return kind == RowKind::joint || kind == RowKind::rate; }
+/// Rows that hold γ = 0 until their force is at its bound.
+inline bool yields(RowKind kind) { return kind == RowKind::friction || kind == RowKind::drive; }
 
 /// What differs per contact.
 struct LawInput {

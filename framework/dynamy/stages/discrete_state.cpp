@@ -13,7 +13,7 @@ constexpr double kMostValue = 3.0 * 256.0;        ///< above three values a stat
 /// Sign of the only friction row of a contact or one-row law; 0 where the slip has a direction.
 int slipSign(const SetValuedForceLaw& law, int dim, const double* Lambda) {
   const int row = dim - 1, others = law.rowKind(0) == RowKind::normal ? 1 : 0;
-  if (dim - others != 1 || law.rowKind(row) != RowKind::friction) return 0;
+  if (dim - others != 1 || !yields(law.rowKind(row))) return 0;
   return Lambda[row] > 0.0 ? 1 : Lambda[row] < 0.0 ? 2 : 0;
 }
 

@@ -1,5 +1,6 @@
 /// OneStep: one step of one scheme.
 #pragma once
+#include <array>
 #include <dynamy/stages/mechanical_system.hpp>
 #include <span>
 
@@ -40,7 +41,29 @@ struct StepCounts {
 struct StepWorks {
   bool given = false;
   double nonPotential = 0.0, friction = 0.0, normal = 0.0, joints = 0.0, boundaries = 0.0;
+
+  /// Books the work of a row's percussion Λ at the relative velocity γ = Wᵀu + χ (theory 6): Λγ to
+  /// the kind of the row, −Λχ to what moves by itself. A drive brings in all of it, ΛWᵀu.
+  void book(RowKind kind, double Lambda, double gamma, double chi) {
+    if (kind == RowKind::drive) {
+      nonPotential += Lambda * (gamma - chi);
+      return;
+    }
+    (kind == RowKind::normal     ? normal
+     : kind == RowKind::friction ? friction
+                                 : joints) += Lambda * gamma;
+    boundaries -= Lambda * chi;
+  }
 };
+
+/// The same in the order nonPotential, friction, normal, joints, boundaries; λ gives powers [W].
+inline void bookWork(std::array<double, 5>& works, RowKind kind, double Lambda, double gamma,
+                     double chi) {
+  StepWorks w;
+  w.book(kind, Lambda, gamma, chi);
+  works[0] += w.nonPotential, works[1] += w.friction, works[2] += w.normal;
+  works[3] += w.joints, works[4] += w.boundaries;
+}
 
 /// An impact that a scheme takes as a jump before its step, at q^A.
 struct Jump {

@@ -288,13 +288,9 @@ void Projection::works(const State& x, Jump& jump) {
   contacts_.gamma(view(x.u), {problem_.c.data(), static_cast<Eigen::Index>(problem_.c.size())});
   for (int i = 0; i < contacts_.size(); ++i)
     for (int r = 0; r < contacts_.dim(i); ++r) {
-      const RowKind kind = problem_.law(i).rowKind(r);
       const auto row = static_cast<std::size_t>(problem_.row0(i) + r);
-      (kind == RowKind::normal     ? w.normal
-       : kind == RowKind::friction ? w.friction
-                                   : w.joints) +=
-          Lambda_[row] * 0.5 * (problem_.gammaA[row] + problem_.c[row]);
-      w.boundaries -= Lambda_[row] * contacts_.chi[row];
+      w.book(problem_.law(i).rowKind(r), Lambda_[row],
+             0.5 * (problem_.gammaA[row] + problem_.c[row]), contacts_.chi[row]);
     }
 }
 

@@ -19,11 +19,7 @@ StepWorks WorkMeter::of(const MechanicalSystem& s, const Eigen::VectorXd& uA,
     for (int r = 0; r < c.dim(i); ++r) {
       const int k = c.row0[at] + r;
       const auto row = static_cast<std::size_t>(k);
-      const RowKind kind = c.law[at]->rowKind(r);
-      (kind == RowKind::normal     ? w.normal
-       : kind == RowKind::friction ? w.friction
-                                   : w.joints) += Lambda[k] * 0.5 * (gammaA[row] + gammaE_[row]);
-      w.boundaries -= Lambda[k] * c.chi[row];
+      w.book(c.law[at]->rowKind(r), Lambda[k], 0.5 * (gammaA[row] + gammaE_[row]), c.chi[row]);
     }
   }
   return w;

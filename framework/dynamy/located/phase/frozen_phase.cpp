@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/law/most_rows.hpp>
 #include <dynamy/located/phase/frozen_phase.hpp>
+#include <dynamy/stages/one_step.hpp>
 
 namespace dynamy {
 namespace {
@@ -376,11 +377,7 @@ void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
     for (int r = 0; r < dim(i); ++r) {
       const int row = row0_[i] + r;
       const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
-      const RowKind kind = law.rowKind(held[i].first + r);
-      power_[kind == RowKind::friction ? 1
-             : kind == RowKind::normal ? 2
-                                       : 3] += lambda_[row] * gamma_[row];
-      power_[4] -= lambda_[row] * chi_[static_cast<std::size_t>(row)];
+      bookWork(power_, law.rowKind(held[i].first + r), lambda_[row], gamma_[row], chi_[row]);
     }
 }
 

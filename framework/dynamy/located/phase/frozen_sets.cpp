@@ -131,7 +131,7 @@ bool FrozenPhase::positionCorrection(const Evaluation& e, Eigen::VectorXd& delta
   for (std::size_t i = 0; i < held.size(); ++i) {
     const SetValuedForceLaw& law = *e.contacts.law[static_cast<std::size_t>(index_[i])];
     for (int r = 0; r < dim(i); ++r)
-      if (law.rowKind(held[i].first + r) != RowKind::friction || inNotch(law, dim(i), held[i]))
+      if (!yields(law.rowKind(held[i].first + r)) || inNotch(law, dim(i), held[i]))
         kept_.push_back(row0_[i] + r);
   }
   rhs_.resize(static_cast<Eigen::Index>(kept_.size()));

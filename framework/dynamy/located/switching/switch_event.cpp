@@ -210,12 +210,11 @@ void SwitchEvent::notePercussions(const MechanicalSystem& s) {
         c.key[at], std::min(c.dim(i), kMostRows), {}, {}, c.law[at]->rowKind(0) == RowKind::normal};
     for (int k = 0; k < p.dim; ++k) {
       const int row = c.row0[at] + k;
-      const double Lambda = s.Lambda(row), work = 0.5 * Lambda * (gammaBefore_[row] + gamma_[row]);
+      const double Lambda = s.Lambda(row);
       p.Lambda[static_cast<std::size_t>(k)] = Lambda;
       p.gammaMinus[static_cast<std::size_t>(k)] = gammaBefore_[row];
-      const RowKind kind = c.law[at]->rowKind(k);
-      works_[kind == RowKind::friction ? 1 : kind == RowKind::normal ? 2 : 3] += work;
-      works_[4] -= Lambda * c.chi[static_cast<std::size_t>(row)];
+      bookWork(works_, c.law[at]->rowKind(k), Lambda, 0.5 * (gammaBefore_[row] + gamma_[row]),
+               c.chi[row]);
     }
     percussions_.push_back(p);
   }

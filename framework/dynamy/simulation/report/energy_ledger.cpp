@@ -86,10 +86,6 @@ void EnergyLedger::add(const StepWorks& w) {
   joints_.add(w.joints), boundaries_.add(w.boundaries);
 }
 
-void EnergyLedger::addWork(RowKind kind, double work) {
-  (kind == RowKind::normal ? normal_ : kind == RowKind::friction ? friction_ : joints_).add(work);
-}
-
 void EnergyLedger::addJump(const StepView& v) {
   const Jump& jump = *v.report.jump;
   if (apart_.empty()) return add(jump.works);
@@ -100,9 +96,9 @@ void EnergyLedger::addJump(const StepView& v) {
   for (int i = 0; i < c.size(); ++i)
     for (int r = 0; r < c.dim(i) && !isApart(c, i); ++r) {
       const auto k = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r);
-      addWork(c.law[static_cast<std::size_t>(i)]->rowKind(r),
-              0.5 * jump.Lambda[k] * (before[k] + after[k]));
-      boundaries_.add(-jump.Lambda[k] * c.chi[k]);
+      StepWorks w;
+      w.book(c.law[i]->rowKind(r), jump.Lambda[k], 0.5 * (before[k] + after[k]), c.chi[k]);
+      add(w);
     }
 }
 
@@ -129,13 +125,12 @@ double EnergyLedger::contactWork(const StepView& v) {
       const int k = c.row0[at] + r;
       const auto row = static_cast<std::size_t>(k);
       const double Lambda = v.Lambda[k] - (jump ? jump->Lambda[row] : 0.0);
-      const double work = Lambda * 0.5 * (gammaA[row] + v.gammaE[k]);
-      const double brought = -Lambda * c.chi[row];
-      const RowKind kind = c.law[at]->rowKind(r);
-      addWork(kind, work);
-      boundaries_.add(brought);
-      all += work + brought;
-      if (!holds(kind)) gain += work;
+      const double gamma = 0.5 * (gammaA[row] + v.gammaE[k]);
+      StepWorks w;
+      w.book(c.law[at]->rowKind(r), Lambda, gamma, c.chi[row]);
+      add(w);
+      all += Lambda * gamma - Lambda * c.chi[row];
+      gain += w.friction + w.normal;
     }
   }
   if (gain > report_.largestGain) report_.largestGain = gain, report_.largestGainTime = v.after.t;

@@ -62,7 +62,6 @@ class EnergyLedger final : public Observer {
 
  private:
   void add(const StepWorks& w);
-  void addWork(RowKind kind, double work);
   void addJump(const StepView& view);
   void leaveApart(const StepView& view);
   bool isApart(const ContactSet& c, int contact) const;
