@@ -326,7 +326,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("contactElements", model.contacts().size());
   json.member("contactsMax", r.contactsMax).endObject();
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
-  json.member("parted", r.parted);
+  json.member("parted", r.parted).member("left", r.left);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
   json.member("switches", r.switches).member("switchesLocated", r.located);
   json.member("accumulationEnd", r.accumulationEnd);

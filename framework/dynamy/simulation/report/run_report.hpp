@@ -111,6 +111,8 @@ struct RunReport {
   long steps = 0, rejected = 0;
   long swept = 0;        ///< attempted steps whose path was looked along for fast bodies
   long parted = 0;       ///< steps taken in parts, because a body would have passed a contact
+  long left = 0;         ///< steps of so many parts that the rest was taken without looking
+  Worst firstLeft;       ///< of these the first, and the contact that was passed; no value
   long evaluations = 0;  ///< of M, h and contacts
   long solves = 0;       ///< inclusions with at least one contact
   long iterations = 0;

@@ -102,6 +102,17 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
                    1, r.jointError.t, r.jointError.name});
 }
 
+void aboutParts(const RunReport& r, Warnings& out) {
+  if (r.left == 0) return;
+  out.push_back(
+      {"passed",
+       fmt::format("fast bodies hit so often in {} step{} (first at t = {:.6g} s, {}) that "
+                   "the rest of it was taken without looking what they pass; take a "
+                   "smaller step",
+                   r.left, r.left == 1 ? "" : "s", r.firstLeft.t, r.firstLeft.name),
+       r.left, r.firstLeft.t, r.firstLeft.name});
+}
+
 void aboutStepping(const RunReport& r, Warnings& out) {
   const SteppingReport& s = r.stepping;
   if (s.periods == 0) return;
@@ -144,7 +155,7 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              t.fall, t.fall / length)});
 }
 
-constexpr std::array<WarningKind, 13> kKinds = {{
+constexpr std::array<WarningKind, 14> kKinds = {{
     {"contradiction", true, "joints or drives contradict each other at the start"},
     {"start positions", false, "joints did not fit at the start, bodies were moved onto them"},
     {"start velocities", false, "joints do not allow the start velocities, they were projected"},
@@ -155,6 +166,7 @@ constexpr std::array<WarningKind, 13> kKinds = {{
     {"start", false, "the model puts bodies into each other"},
     {"overlap", true, "bodies overlap by more than a step explains"},
     {"joints", true, "a joint is off at the end of a step"},
+    {"passed", true, "fast bodies may have passed others in a step of very many hits"},
     {"resolution", false, "steps are long for the motion"},
     {"rest", false, "forces changed unseen while nothing moved"},
     {"time stepping", true, "switches were stepped in time: the tolerance is not promised"},
@@ -191,6 +203,7 @@ std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
   aboutEnergy(report, out);
   aboutImpacts(report, out);
   aboutPositions(report, sceneLength, out);
+  aboutParts(report, out);
   aboutStep(report, sceneLength, out);
   aboutRest(report, out);
   aboutStepping(report, out);

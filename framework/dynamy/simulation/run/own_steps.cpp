@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostParted = 4000;  ///< tries of one step for fast bodies
+constexpr int kMostParted = 200;  ///< tries of one step for fast bodies
 /// A rest of so many roundings of the time is none.
 constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 
@@ -33,11 +33,13 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
     const StepReport report = stepper.attempt(stepper.t() + most, most);
     const bool sound = stepper.sound();
     if (const Passing p = sound ? stepper.passing() : Passing{}) {
-      stepper.reject();
-      if (i == kMostParted) return stepper.fail(p);
-      // Up to the contact; if it is there already, across it in a moment.
-      most = p.t > 2.0 * p.width ? p.t - p.width : 2.0 * p.t + p.width;
-      continue;
+      if (i < kMostParted) {
+        stepper.reject();
+        // Up to the contact; if it is there already, across it in a moment.
+        most = p.t > 2.0 * p.width ? p.t - p.width : 2.0 * p.t + p.width;
+        continue;
+      }
+      stepper.leave(p);
     }
     if (sound && !report.solved.ok() && policy_ == NonConvergence::stop) {
       stepper.reject();

@@ -230,10 +230,10 @@ Passing Simulation::passing() {
   return p;
 }
 
-bool Simulation::fail(const Passing& p) {
-  return endBecause("t = " + numberText(x_.t) +
-                    " s: fast bodies cut one step into too many parts, last at " +
-                    contactText(model_, p.contact) + "; take a smaller step");
+void Simulation::leave(const Passing& p) {
+  if (++report_.left > 1) return;
+  report_.firstLeft.t = before_.t, report_.firstLeft.contact = p.contact;
+  report_.firstLeft.name = contactText(model_, p.contact);
 }
 
 bool Simulation::accept() {

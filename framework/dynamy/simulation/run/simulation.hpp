@@ -65,7 +65,7 @@ class Simulation final : private Stepper {
   bool fail(const StepReport& report) override;
   bool sound() const override;
   Passing passing() override;
-  bool fail(const Passing& p) override;
+  void leave(const Passing& p) override;
   double t() const override { return x_.t; }
   double nextStep() const override { return model_.scheme().nextStep(x_); }
   bool pause(bool asked) override;

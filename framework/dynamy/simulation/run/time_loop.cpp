@@ -3,7 +3,6 @@
 namespace dynamy {
 namespace {
 constexpr int kMostHalvings = 6;
-constexpr int kMostSplittings = 4000;  ///< splittings of one full step for fast bodies
 }  // namespace
 
 bool FixedStep::run(Stepper& stepper, double until) {
@@ -30,9 +29,12 @@ void FixedStep::archive(Archive& a) {
 bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   const StepReport report = stepper.attempt(tEnd, dt);
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
-  if (const Passing p = sound ? stepper.passing() : Passing{}) {
-    stepper.reject();
-    return ++parted_ > kMostSplittings ? stepper.fail(p) : inParts(stepper, p, tEnd, dt, depth);
+  if (const Passing p = sound && parted_ <= kMostParted ? stepper.passing() : Passing{}) {
+    if (++parted_ <= kMostParted) {
+      stepper.reject();
+      return inParts(stepper, p, tEnd, dt, depth);
+    }
+    stepper.leave(p);
   }
   const bool halve = policy_ == NonConvergence::retry && depth < kMostHalvings;
   if (!good && halve) {  // the same step in two halves

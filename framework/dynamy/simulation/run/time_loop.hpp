@@ -27,8 +27,9 @@ class Stepper {
   virtual bool sound() const = 0;
   /// The first contact that the attempted step went through, if any (theory 37).
   virtual Passing passing() = 0;
-  /// Ends the run as failed: `p` is the last of too many passings in one step. Always false.
-  virtual bool fail(const Passing& p) = 0;
+  /// The rest of the present full step is taken without looking for passings: `p` is the last of
+  /// too many. The run goes on, and reports it.
+  virtual void leave(const Passing& p) = 0;
   virtual double t() const = 0;
   /// Length that the scheme would try next [s]; 0: it has no say, or does not know.
   virtual double nextStep() const = 0;
@@ -46,7 +47,8 @@ class TimeLoop {
 };
 
 /// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`. A step
-/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest.
+/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest. After
+/// kMostParted of them the rest is taken as it is: a step has an end.
 class FixedStep final : public TimeLoop {
  public:
   FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
@@ -58,10 +60,11 @@ class FixedStep final : public TimeLoop {
   bool advance(Stepper& stepper, double tEnd, double dt, int depth);
   /// The same in parts, with the closing of `p` in one that is too short to matter.
   bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);
+  static constexpr int kMostParted = 200;
   TimeGrid grid_;
   NonConvergence policy_;
   long i_ = 0;      // full steps done
-  int parted_ = 0;  // splittings of the present full step
+  int parted_ = 0;  // splittings of the present full step; above kMostParted: no more
 };
 
 }  // namespace dynamy
