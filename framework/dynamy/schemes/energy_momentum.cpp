@@ -24,16 +24,20 @@ StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, St
   if (joints_ == Joints::unknown)  // joints are always closed: once for all steps
     joints_ = newton_.begin(s, x, dt) ? Joints::some : Joints::none;
   if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
+  halvingHelps_ = true;
   return halve(s, solver, x, dt, 0);
 }
 
-/// One step, or two of half the length if Newton's iteration fails.
+/// One step, or two of half the length if Newton's iteration fails. Once a smallest part has failed,
+/// what is left of the step is not cut any more: 13 tries at most, instead of 127.
 StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                                  int depth) {
   State& start = start_[depth];
   start = x;
   const StepReport whole = joined(s, solver, x, dt);
-  if (whole.solved.ok() || !whole.refused.empty() || depth == kMostHalvings) return whole;
+  if (whole.solved.ok() || !whole.refused.empty()) return whole;
+  halvingHelps_ = halvingHelps_ && depth < kMostHalvings;
+  if (!halvingHelps_) return whole;
   x = start;
   const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
   StepReport second = halve(s, solver, x, 0.5 * dt, depth + 1);

@@ -39,6 +39,7 @@ class EnergyMomentum final : public OneStep {
   JointNewton newton_;
   CondensedContacts contacts_;
   static constexpr int kMostHalvings = 6;
+  bool halvingHelps_ = true;  // no part of the smallest length has failed in this step
   State start_[kMostHalvings + 1], xA_;
   bool project_ = false;
   Projection projection_;

@@ -201,6 +201,23 @@ TEST(EnergyMomentum, TakesRedundantJoints) {
   EXPECT_LT(kept.energy, 1e-8);
 }
 
+TEST(EnergyMomentum, AStepThatNoHalvesHelpHasAnEnd) {
+  // Two rods of fixed length hold one ball; their ends move apart beyond the sum of the lengths, so
+  // that no position fits. Thirteen tries of 25 turns at most: the whole, six first halves, the
+  // rest at each level. All 127 parts would take 3175.
+  const std::string torn =
+      "<systems><RigidBody name=\"a\" position=\"0 0 0.1\" mass=\"1\" inertia=\"1 1 1\"/>"
+      "<Ground name=\"world\"/></systems><elements>"
+      "<Spherical between=\"world a\" at=\"0 0 0\"/>"
+      "<Distance between=\"world a\" pointA=\"0.3 0 0\" length=\"0.1\"/></elements>";
+  Scene scene("torn", {.text = model(torn)});
+  int turns = 0;
+  scene.run(1e-2, 1e-2, [&] { turns = scene.report().solved.iterations; });
+  EXPECT_FALSE(scene.solved());
+  EXPECT_GT(turns, 25);
+  EXPECT_LE(turns, 13 * 25);
+}
+
 TEST(EnergyMomentum, KeepsTheHeavyChainInAnglesToTheOrderOfTheImplicitMidpoint) {
   // Pass mark 1e-5 of the 574.7 J that the drop frees at 1e-2; the rule conserves the energy of a
   // system whose mass turns with q to O(Δt²) only.
