@@ -109,13 +109,6 @@ Matrix<n> proxDerivative(const Ball<n>& C, const In<n>& x) {
   const Point<n> e = x / length;
   return (C.radius / length) * (Matrix<n>::Identity() - e * e.transpose());
 }
-/// dprox/dradius: 0 inside, e outside; with radius = μN it couples the normal force to friction.
-template <int n>
-Point<n> radiusDerivative(const Ball<n>& C, const In<n>& x) {
-  const double length = x.norm();
-  if (length <= std::max(C.radius, 0.0)) return Point<n>::Zero();
-  return x / length;
-}
 template <int n>
 double support(const Ball<n>& C, const In<n>& y) {
   return std::max(C.radius, 0.0) * y.norm();
@@ -240,18 +233,6 @@ Matrix<n> proxDerivative(const FrictionCone<n>& K, double rN, double rT, const I
   const FrictionCone<n> scaled{K.mu * root[0] / root[n - 1]};
   return root.asDiagonal() * proxDerivative(scaled, Point<n>(x.cwiseQuotient(root))) *
          root.cwiseInverse().asDiagonal();
-}
-/// prox onto the polar cone; x = prox_K(x) + prox_K°(x).
-template <int n>
-Point<n> proxPolar(const FrictionCone<n>& K, const In<n>& x) {
-  Point<n> y = -x;  // −K° is the cone of 1/μ, written so that μ = 0 is allowed
-  const double xT = x.template tail<n - 1>().norm();
-  if (K.mu * xT <= y[0]) return x;
-  if (xT <= -K.mu * y[0]) return Point<n>::Zero();
-  const double s = (xT + K.mu * y[0]) / (1.0 + K.mu * K.mu);
-  y[0] = -K.mu * s;
-  y.template tail<n - 1>() = x.template tail<n - 1>() * (s / xT);
-  return y;
 }
 /// 0 on the polar cone, else ∞.
 template <int n>

@@ -4,22 +4,6 @@
 
 namespace dynamy {
 
-StepReport OneStep::advance(MechanicalSystem& s, InclusionSolver& solver, State& x, double H,
-                            int n) {
-  StepReport total;
-  for (int k = 0; k < n; ++k) {
-    const StepReport report = step(s, solver, x, H / n);
-    total.contacts = report.contacts;
-    if (total.refused.empty()) total.refused = report.refused;
-    if (!report.solved.ok()) total.solved.status = report.solved.status;
-    total.solved.iterations += report.solved.iterations;
-    if (report.solved.residuals.largest() > total.solved.residuals.largest())
-      total.solved.residuals = report.solved.residuals;
-  }
-  total.dt = H;
-  return total;
-}
-
 std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s) const {
   if (!s.impactLaw().newtons() && !lacks(Asked::impactLaw).empty()) return lacks(Asked::impactLaw);
   // An impact: a contact that did not press before closes faster than forces explain.

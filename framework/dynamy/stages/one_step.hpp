@@ -153,9 +153,6 @@ class OneStep : public Element {
   virtual double nextStep(const State& /*x*/) const { return 0.0; }
   /// Advances x by dt. Neither prints nor throws.
   virtual StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) = 0;
-  /// n sub-steps of a macro step of length H.
-  virtual StepReport advance(MechanicalSystem& s, InclusionSolver& solver, State& x, double H,
-                             int n);
   /// Positions and velocities at fraction θ ∈ [0,1] of the step from `a` to `b`; default: linear in
   /// q, u of the end.
   virtual void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,

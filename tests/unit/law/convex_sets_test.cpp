@@ -231,12 +231,15 @@ TEST(ConvexSets, ProximalPointsOfAPolygonObeyTheirInequalities) {
   expectProximal<ConvexPolygon, 2>({corners.data(), 2}, random);
 }
 
+// Moreau: x = a + b with a in K, b in K°, a·b = 0, and no other a and b.
 TEST(ConvexSets, ConeAndPolarConeDecomposeEveryPoint) {
   Random random(31);
   for (int trial = 0; trial < kTrials; ++trial) {
     const FrictionCone<3> K{trial == 0 ? 0.0 : random.positive()};
-    const P3 x = random.point<3>(), a = prox(K, x), b = proxPolar(K, x);
-    EXPECT_LE((x - a - b).norm(), 20 * kEps * (1 + x.norm()));
+    const P3 x = random.point<3>(), a = prox(K, x), b = x - a;
+    const double rounding = 20 * kEps * (1 + x.norm());
+    EXPECT_LE(a.tail<2>().norm(), K.mu * a[0] + rounding);
+    EXPECT_LE(K.mu * b.tail<2>().norm(), -b[0] + (1 + K.mu) * rounding);
     EXPECT_NEAR(a.dot(b), 0.0, 20 * kEps * (1 + x.squaredNorm()));
   }
 }

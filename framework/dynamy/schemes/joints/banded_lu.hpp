@@ -18,7 +18,6 @@ class BandedLu {
     return a_[static_cast<std::size_t>(i) * static_cast<std::size_t>(width_) +
               static_cast<std::size_t>(j - i + b_)];
   }
-  bool inBand(int i, int j) const { return j >= i - b_ && j <= i + b_; }
   /// False: singular.
   bool factor();
   /// x ← A⁻¹ x.

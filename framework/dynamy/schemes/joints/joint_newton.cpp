@@ -193,12 +193,6 @@ void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactIm
   Rv_ = momentum_ - dt_ * e.h - force_ - contactImpulse;
 }
 
-double JointNewton::worstPosition() const {
-  double worst = 0.0;
-  for (const double g : Rg_) worst = std::max(worst, std::abs(g) * dt_);
-  return worst;
-}
-
 void JointNewton::addColumn(int block, int j, const Eigen::VectorXd& R0, double perturbation) {
   const int column = nodes_[blockNode_[block]].first + j;
   for (const int b : nearBlocks_[block]) {

@@ -60,7 +60,6 @@ class JointNewton {
   State midpoint, end;
   const std::vector<int>& joints() const { return joints_; }  ///< contacts of slot 0
   int rows() const { return static_cast<int>(Lambda.size()); }
-  double worstPosition() const;  ///< max |g(q^E)| [m, –]
 
  private:
   struct Node {
