@@ -4,12 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <dynamy/core/constants.hpp>
 
 namespace dynamy::app {
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The coordinates or velocities that move most in a mode, with size and phase.
 std::string shapeText(const Linearisation& l, Eigen::Index mode) {

@@ -48,9 +48,9 @@ std::optional<std::vector<Vec3>> latticePlaces(std::size_t count, const Region& 
 namespace {
 
 /// Balls in cells whose edge is the largest diameter: who overlaps is in 27 of them.
-class Placed {
+class PlacedGrains {
  public:
-  Placed(double edge, const std::vector<Vec3>& c, const std::vector<double>& radii)
+  PlacedGrains(double edge, const std::vector<Vec3>& c, const std::vector<double>& radii)
       : edge_(edge), c_(c), radii_(radii) {}
   void add(std::size_t i) { cells_[key(c_[i], 0, 0, 0)].push_back(i); }
   bool isFree(const Vec3& c, double radius) const {
@@ -89,7 +89,7 @@ std::optional<std::vector<Vec3>> randomPlaces(const std::vector<double>& radii,
                    [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
   std::vector<Vec3> out(radii.size());
   if (order.empty()) return out;
-  Placed placed(2.0 * radii[order.front()], out, radii);
+  PlacedGrains placed(2.0 * radii[order.front()], out, radii);
   for (const std::size_t i : order) {
     const Vec3 low = region.low + Vec3::Constant(radii[i]),
                high = region.high - Vec3::Constant(radii[i]);

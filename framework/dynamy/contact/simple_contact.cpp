@@ -8,7 +8,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostVelocities = 64;  ///< and coordinates of the one system
+constexpr int kMostOfOneSystem = 64;  ///< and coordinates of the one system
 
 }  // namespace
 
@@ -33,9 +33,9 @@ void SimpleContact::connect(Topology& topology) {
     throw ModelError("a simple contact has 1 to " + std::to_string(kMostRows) + " rows, not " +
                          std::to_string(rows()),
                      "report the rows as several contacts");
-  if (system_.nu > kMostVelocities || system_.nq > kMostVelocities)
+  if (system_.nu > kMostOfOneSystem || system_.nq > kMostOfOneSystem)
     throw ModelError("a simple contact acts on a system of at most " +
-                         std::to_string(kMostVelocities) + " coordinates",
+                         std::to_string(kMostOfOneSystem) + " coordinates",
                      "write a NonSmoothElement");
 }
 
@@ -45,7 +45,7 @@ void SimpleContact::contacts(const Kinematics& k, ContactSink& sink) const {
   if (!out) return;
   // γ is affine in u: χ = γ(t, q, 0), column j of W = γ(t, q, e_j) − χ.
   const int n = system_.nu, dim = out.dim(), all = rows();
-  double e[kMostVelocities] = {}, value[kMostRows], chi[kMostRows];
+  double e[kMostOfOneSystem] = {}, value[kMostRows], chi[kMostRows];
   gamma(k.t(), q, {e, n}, {chi, all});
   Block W = out.segment(system_.block0, system_.u0, n);
   for (int j = 0; j < n; ++j) {
@@ -69,7 +69,7 @@ void SimpleContact::addBias(const Kinematics& k, ContactRows& out, int dim) cons
     const double d = 1e-3 / (1.0 + u.lpNorm<Eigen::Infinity>());
     const double weight[4] = {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0},
                  at[4] = {-2.0, -1.0, 1.0, 2.0};
-    double moved[kMostVelocities], value[kMostRows];
+    double moved[kMostOfOneSystem], value[kMostRows];
     const int both = std::min(system_.nq, system_.nu);
     std::copy(q.data(), q.data() + system_.nq, moved);
     for (int p = 0; p < 4; ++p) {

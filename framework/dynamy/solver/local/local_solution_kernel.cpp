@@ -13,7 +13,7 @@ using SetShape = SimpleSet::Shape;
 constexpr double kSingularMatrix = 1e-13;
 
 /// D⁻¹, rows and columns scaled by the diagonal: rows of joints may have different units.
-bool invert(const double* D, int n, double* out) {
+bool invertLocal(const double* D, int n, double* out) {
   using Small =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostRows, kMostRows>;
   using Scale = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
@@ -85,7 +85,7 @@ void LocalSolutions::add(const double* D, int dim, const SimpleSet& set) {
     case SetShape::all:
       contact.at = numbers_.size();
       numbers_.resize(contact.at + static_cast<std::size_t>(dim * dim));
-      contact.simple = invert(D, dim, numbers_.data() + contact.at);
+      contact.simple = invertLocal(D, dim, numbers_.data() + contact.at);
       break;
     case SetShape::interval:
     case SetShape::ball: {
