@@ -262,9 +262,10 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
                        counted(r.accumulations, "accumulation"),
                        r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
   if (const SteppingReport& s = r.stepping; s.periods > 0)
-    out += fmt::format(" {} in time over {:.4g} s in {} ({}): switches too dense to be located\n",
-                       counted(s.steps, "step"), s.time, counted(s.periods, "period"),
-                       counted(s.stalls, "stall"));
+    out += fmt::format(
+        " {} in time over {:.4g} s in {} ({}): switches too dense to be located, or of what no gap "
+        "follows\n",
+        counted(s.steps, "step"), s.time, counted(s.periods, "period"), counted(s.stalls, "stall"));
   out += effortText(r);
   if (r.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",

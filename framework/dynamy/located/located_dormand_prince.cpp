@@ -74,7 +74,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   const double unit = plain_ ? norm_.time() : lookAhead_ * span();
   const SwitchEvent::Result r =
       event_.process(s, solver, probe_, phase_, p, smooth_, unit, stopped);
-  if (r.fault == FrozenPhase::kLost) return refuse(whyOwn_ = probe_.lost(r.lost));
+  if (r.fault == FrozenPhase::kLost) return lose(r.lost);
   if (r.fault == FrozenPhase::kOtherSet) return stall(r.lost);
   if (!r.fault.empty()) return refuse(r.fault);
   if (!r.solved.ok()) report.solved = r.solved;
@@ -171,14 +171,15 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   if (const double past = turn(); past > 2.0)
     return reject(std::clamp(1.0 / std::cbrt(past), kShrink, 0.7)), Tried::turned;
   found = {}, passing_ = 1.0;
-  if (search_.any() || probe_.comesAndGoes()) {
+  if (search_.any() || probe_.gathers()) {
     path_.through(s, from_, to_);
     search_.atEnd(phase_, to_.x.t);
-    if (!widen()) return refuse(ContactProbe::kUnfollowed), Tried::failed;
+    if (!widen()) return shortOfMeeting(h, report);
     const double width = 0.1 * std::cbrt(0.01 * norm_.tolerance());
-    if (!search_.find(s, probe_, phase_, path_, looked, width, found))
-      return phase_.fault().empty() ? refuse(ContactProbe::kUnfollowed) : refuse(phase_),
-             Tried::failed;
+    if (!search_.find(s, probe_, phase_, path_, looked, width, found)) {
+      if (phase_.fault().empty()) return clear_ = kHalf, shortOfMeeting(h, report);
+      return refuse(phase_), Tried::failed;
+    }
   }
   if (found.kind == Switch::Kind::look) return Tried::again;
   if (passing_ < (found ? found.theta : 1.0) || tooLongAtRest(s, h, found, report))
@@ -218,7 +219,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
                                  StepReport& report) {
   const bool same = system_ == &s;
   why_ = {}, system_ = &s, denseReady_ = false;
-  stalled_ = stepped_ = otherSet_ = false, lastSwitched_ = governor_.turnedAt();
+  stalled_ = stepped_ = otherSet_ = lost_ = false, lastSwitched_ = governor_.turnedAt();
   told_.clear(), impacts_.clear(), works_ = {};
   booked_ = s.evaluations(), tImpact_ = -1e300;
   stepKeys_.clear(), impulse_.resize(0), enteredAt_ = x.q;
@@ -246,7 +247,7 @@ bool LocatedDormandPrince::enter(MechanicalSystem& s, InclusionSolver& solver, c
 bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, double most,
                                 StepReport& report, bool& done) {
   if (H_ < kLeastStep * std::max(std::abs(from_.x.t), norm_.time())) return stall();
-  if (probe_.comesAndGoes() && !probe_.gather(from_.x, phaseKeys_))
+  if (probe_.gathers() && !probe_.gather(from_.x, phaseKeys_))
     return refuse(ContactProbe::kUnfollowed);
   startOverlap_ = std::max(0.0, probe_.overlap());
   if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
@@ -334,7 +335,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   const long before = s.evaluations();
   const bool good = proceed(s, solver, x, dt, report);
   if (!good && stalled_ && !plain_ &&
-      (search_.any() || probe_.comesAndGoes() || otherSet_)) {  // else a singular force
+      (search_.any() || probe_.gathers() || otherSet_ || lost_)) {  // else a singular force
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
     beginStepping(x);
     if (quietOnly_) return report;

@@ -67,6 +67,7 @@ class LocatedDormandPrince : public OneStep {
   void resumeStepping(const MechanicalSystem& s, const State& x);
   void storeStepping(State& x) const;
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
+  StepReport oneInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double h);
   double steppedError(MechanicalSystem& s, const State& a, const State& b, double h);
   /// After a located step: the governor may turn to steps in time.
   void govern(const MechanicalSystem& s, long evaluations, const StepReport& report);
@@ -92,6 +93,9 @@ class LocatedDormandPrince : public OneStep {
   void joinQuiet(MechanicalSystem& s, State& x, StepReport& report);
   double nextStepped(double t) const;
   void showQuiet(double t, State& out) const;
+  /// Fraction theta of a step in time.
+  static void betweenSteps(const MechanicalSystem& s, const State& a, const State& b, double theta,
+                           State& out);
   // What happens when it is told, and what elements switch (located_instants.cpp).
   /// How long until right before the next instant at which an element jumps by the time alone.
   double untilInstant();
@@ -136,6 +140,9 @@ class LocatedDormandPrince : public OneStep {
   bool widen();
   /// Contacts that come and go have bodies overlap at x that did not at from_.
   bool sinks(const State& x);
+  /// A trial of length h comes to bodies that cannot be followed where they touch: again up to
+  /// right before, or no step at all.
+  Tried shortOfMeeting(double h, StepReport& report);
   double leftOverlap() const;  ///< one that is left as it is [m]
   /// The step is taken again, shorter than h. True.
   bool takeShorter(const MechanicalSystem& s, double h, const std::array<double, 5>& works,
@@ -161,6 +168,8 @@ class LocatedDormandPrince : public OneStep {
   void tell(MechanicalSystem& s, State& x, StepReport& report);
   bool refuse(std::string_view why);
   bool refuse(const FrozenPhase& phase);
+  /// Stalls where contact `at` comes or goes in a way that cannot be followed.
+  bool lose(ContactKey at);
   /// Stalls where the set of contact `at` becomes another one (FrozenPhase::kOtherSet).
   bool stall(ContactKey at);
   bool stall();
@@ -232,11 +241,15 @@ class LocatedDormandPrince : public OneStep {
   bool plain_ = false;  // nothing that goes beyond the book
   bool stalled_ = false, stepped_ = false;
   bool otherSet_ = false;  // stalled_ where a law's set becomes another one
+  bool lost_ = false;      // stalled_ where a contact comes or goes that cannot be followed
   SwitchGovernor governor_;
   EnergyMomentum timeStepping_;
+  StaggeredMoreau projecting_;  // where its Newton iteration on joints has failed
+  bool projected_ = false;
   ContactKey lastSwitched_;
   Eigen::Matrix<double, kHead, 1> head_;
-  Eigen::VectorXd rate_;                       // Δu/Δt of the last step in time
+  Eigen::VectorXd rate_;  // Δu/Δt of the last step in time
+  double clear_ = 1.0;    // part of the path on which no bodies meet that cannot be followed
   double passing_ = 1.0, startOverlap_ = 0.0;  // of contacts that come and go [m]
   double overlap_ = 0.0, reached_ = 0.0;       // largest overlap at its end; of the trial [m]
   State steppedFrom_;

@@ -65,14 +65,22 @@ void LocatedDormandPrince::chooseStepped(const State& x) {
   const bool renews =
       std::any_of(systems.begin(), systems.end(), [](const auto* s) { return s->renews(); });
   if (!islands_.start(parts) || x.memory.size() > 0 || !untold_.empty() || renews) return;
+  const double touch = norm_.tolerance() * norm_.length();
   for (int i = 0; i < probe_.size(); ++i)
-    if (phase_.find(probe_.key(i)) != nullptr) islands_.join(probe_.contacts(), i);
+    if (lost_ ? !probe_.law(i).unilateral() || probe_.gap(i) <= touch
+              : phase_.find(probe_.key(i)) != nullptr)
+      islands_.join(probe_.contacts(), i);
   std::vector<char> chosen(n, 0);
   if (governor_.turnedBy() == TurnedBy::stall) {
     const int last = probe_.find(lastSwitched_);
     const int first = last < 0 ? -1 : islands_.systemOf(probe_.contacts(), last);
     if (first < 0) return;
     chosen[static_cast<std::size_t>(first)] = 1;
+    // Nor can others be located that lie in each other.
+    for (int i = 0; lost_ && i < probe_.size(); ++i)
+      if (const int system = islands_.systemOf(probe_.contacts(), i);
+          system >= 0 && probe_.law(i).unilateral() && probe_.gap(i) < -touch)
+        chosen[static_cast<std::size_t>(system)] = 1;
   } else {
     chooseDear(chosen);
   }

@@ -12,7 +12,15 @@ constexpr double kOverlap = 1e-3;  ///< of tol L: overlaps that are left as they
 constexpr double kPassing = 10.0;  ///< of tol L: overlaps inside a step, which end before it does
 constexpr std::uintmax_t kLooks = 12;  ///< for the place where two bodies are nearest
 constexpr int kNearestBits = 20;
-constexpr double kShorter = 0.5;  ///< steps in which bodies sink into one another
+constexpr double kHalfWay = 0.5;     ///< places look so far to the next ones
+constexpr double kNotAtAll = 0.25;   ///< of that way, where two meet at the first one
+constexpr double kAtMeeting = 1e-3;  ///< of T: shorter steps up to a meeting are not taken
+constexpr double kShorter = 0.5;     ///< steps in which bodies sink into one another
+
+/// Part of a path that is clear of what is noted first at place j of it.
+double clearBefore(int j) {
+  return std::max(static_cast<double>(j) - kHalfWay, kNotAtAll) / SwitchSearch::kSamples;
+}
 
 }  // namespace
 
@@ -21,7 +29,8 @@ double LocatedDormandPrince::leftOverlap() const {
 }
 
 bool LocatedDormandPrince::widen() {
-  if (!probe_.comesAndGoes()) return true;
+  clear_ = 1.0;
+  if (!probe_.gathers()) return true;
   const double deep = startOverlap_ + kPassing * norm_.tolerance() * norm_.length();
   trial_.x.memory = from_.x.memory;
   // Each place looks half of the way to the next ones.
@@ -34,8 +43,14 @@ bool LocatedDormandPrince::widen() {
     return probe_.overlap();
   };
   std::array<double, n + 1> depths{};
-  for (int j = 0; j <= n; ++j)
+  int fresh = -1;
+  for (int j = 0; j <= n; ++j) {
     depths[static_cast<std::size_t>(j)] = depth(static_cast<double>(j) / n);
+    if (fresh < 0 && probe_.notesFresh()) fresh = j;
+    if (!probe_.meets()) continue;
+    clear_ = clearBefore(j);
+    return false;
+  }
   // Bodies that come near and part again: how near between the samples?
   for (std::size_t j = 1; j < n; ++j) {
     const double here = depths[j], fall = std::max(here - depths[j - 1], here - depths[j + 1]);
@@ -45,7 +60,19 @@ bool LocatedDormandPrince::widen() {
                                           static_cast<double>(j - 1) / n,
                                           static_cast<double>(j + 1) / n, kNearestBits, looks);
   }
-  return probe_.settle(from_.x) && search_.watch(probe_, phase_, from_.x);
+  if (probe_.settle(from_.x) && search_.watch(probe_, phase_, from_.x)) return true;
+  clear_ = clearBefore(std::max(fresh, 0));  // what comes on the way is not there at its start
+  return false;
+}
+
+LocatedDormandPrince::Tried LocatedDormandPrince::shortOfMeeting(double h, StepReport& report) {
+  H_ = h * clear_;
+  if (H_ > kAtMeeting * norm_.time()) {
+    ++report.counts.rejected;
+    return Tried::rejected;
+  }
+  lose(probe_.meets() ? probe_.met() : probe_.unfollowed());
+  return Tried::failed;
 }
 
 bool LocatedDormandPrince::sinks(const State& x) {

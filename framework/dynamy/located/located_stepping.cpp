@@ -13,7 +13,7 @@ constexpr int kDense = 64;        ///< rows above are solved by sparse methods
 constexpr double kPerRow = 100.0;
 constexpr double kGrown = 0.1;    ///< of an allowed overlap: less is none
 constexpr double kSliver = 1e-3;  ///< of a step: so much longer, and no short one is left
-constexpr int kStepped = 3;       ///< numbers in front of the rates
+constexpr int kStepped = 4;       ///< numbers in front of the rates
 
 }  // namespace
 
@@ -83,7 +83,8 @@ bool LocatedDormandPrince::stepsInTime(const State& x) {
 
 void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State& x) {
   // Behind what there is of each system: the number of rates, the overlap, the length of what is
-  // kept of quiet islands; the rates, that, and what the other scheme keeps.
+  // kept of quiet islands, whether joints are projected; the rates, that, and what the other scheme
+  // keeps.
   resumeNorm(s, x);
   const Eigen::Index at = behindTimes(), systems = norm_.times().size();
   const auto n = static_cast<Eigen::Index>(x.scheme[at]),
@@ -92,7 +93,7 @@ void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State
   timed_.resize(static_cast<std::size_t>(systems));
   for (Eigen::Index i = 0; i < systems; ++i)
     timed_[static_cast<std::size_t>(i)] = x.scheme[kBehind + systems + i] != 0.0 ? 1 : 0;
-  overlap_ = x.scheme[at + 1];
+  overlap_ = x.scheme[at + 1], projected_ = x.scheme[at + 3] != 0.0;
   rate_ = x.scheme.segment(at + kStepped, n);
   quietKept_ = x.scheme.segment(at + kStepped + n, quiet);
   steppedFrom_.scheme = x.scheme.tail(x.scheme.size() - at - kStepped - n - quiet);
@@ -105,7 +106,7 @@ void LocatedDormandPrince::beginStepping(const State& x) {
   else
     head_.head<4>() << H_, norm_.time(), lookAhead_, lastEvent_;
   chooseStepped(x);
-  rate_.resize(0), overlap_ = 0.0, untold_.clear();
+  rate_.resize(0), overlap_ = 0.0, projected_ = false, untold_.clear();
   steppedFrom_.scheme.resize(0);
 }
 
@@ -121,10 +122,26 @@ void LocatedDormandPrince::storeStepping(State& x) const {
   x.scheme.segment(kBehind, at - kBehind).tail(2 * norm_.times().size()).setZero();
   for (std::size_t i = 0; i < timed_.size(); ++i)
     x.scheme[kBehind + norm_.times().size() + static_cast<Eigen::Index>(i)] = timed_[i];
-  x.scheme.segment<kStepped>(at) << static_cast<double>(n), overlap_, static_cast<double>(quiet);
+  x.scheme.segment<kStepped>(at) << static_cast<double>(n), overlap_, static_cast<double>(quiet),
+      projected_ ? 1.0 : 0.0;
   x.scheme.segment(at + kStepped, n) = rate_;
   x.scheme.segment(at + kStepped + n, quiet) = quietKept_;
   x.scheme.tail(own.size()) = own;
+}
+
+/// A step of length h. Where Newton's iteration on joints does not end, those of all further steps
+/// of the period are held by their mean velocity and projected, which needs none.
+StepReport LocatedDormandPrince::oneInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                           double h) {
+  timeStepping_.whole();
+  if (!projected_) {
+    const StepReport report = timeStepping_.step(s, solver, x, h);
+    if (report.solved.ok() || !timeStepping_.hasJoints()) return report;
+    projected_ = true;
+    rate_.resize(0), steppedFrom_.scheme.resize(0);
+    x = steppedFrom_;
+  }
+  return projecting_.step(s, solver, x, h);
 }
 
 StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
@@ -147,7 +164,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
     placeQuiet(s, tE);
     s.thaw(), s.bias(false);
     x = steppedFrom_;
-    report = timeStepping_.step(s, solver, x, h);
+    report = oneInTime(s, solver, x, h);
     newton += 1 + report.solved.newton;
     error = steppedError(s, steppedFrom_, x, h);
     if ((error <= 1.0 && report.solved.ok()) || !(h > governor_.least())) break;
@@ -167,7 +184,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   report.counts.effort.stepping = evaluations;
   governor_.told();
   governor_.stepped(x.t, h, error, steppedWork(s, static_cast<double>(evaluations), newton),
-                    rejected > 0, locatedWork(s, kSwitch));
+                    rejected > 0, locatedWork(s, kSwitch), evaluations);
   head_[0] = nextStepped(x.t);
   storeStepping(x);
   return report;

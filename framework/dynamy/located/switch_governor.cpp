@@ -5,14 +5,18 @@
 namespace dynamy {
 namespace {
 
-constexpr double kWindow = 3000;     ///< evaluations, about a hundred switches,
-constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make each of them dear
-constexpr double kDearer = 2.0;      ///< by so much locating switches may cost more,
-constexpr double kBearable = 0.5;    ///< of that: others go on being located
-constexpr double kFast = 100.0;      ///< and motion that is fast without any
-constexpr double kLeast = 1e-5;      ///< of T: shorter steps in time are not taken,
-constexpr double kMost = 0.1;        ///< nor longer ones
-constexpr double kFirstStay = 0.05;  ///< of T
+constexpr double kWindow = 3000;        ///< evaluations, about a hundred switches,
+constexpr double kWindowWork = 1e9;     ///< or operations, where many rows make each of them dear
+constexpr double kDearer = 2.0;         ///< by so much locating switches may cost more,
+constexpr double kBearable = 0.5;       ///< of that: others go on being located
+constexpr double kFast = 100.0;         ///< and motion that is fast without any
+constexpr double kLeast = 1e-5;         ///< of T: shorter steps in time are not taken,
+constexpr double kMost = 0.1;           ///< nor longer ones
+constexpr double kFirstStay = 0.05;     ///< of T
+constexpr double kStepPatience = 1500;  ///< evaluations of steps in time,
+constexpr double kLeastCovered = 0.1;   ///< and the part of T they have to cover;
+constexpr double kLonger = 4.0;         ///< else the least step becomes so much longer,
+constexpr double kLongestLeast = 1e-2;  ///< up to this part of T
 constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 
 }  // namespace
@@ -31,7 +35,10 @@ std::array<double, SwitchGovernor::kNumbers> SwitchGovernor::numbers() const {
           windowStepWork_,
           switchWork_,
           switches_,
-          stepWork_};
+          stepWork_,
+          longer_,
+          spent_,
+          covered_};
 }
 
 void SwitchGovernor::numbers(const double* x) {
@@ -39,10 +46,23 @@ void SwitchGovernor::numbers(const double* x) {
   turnedAt_.value = static_cast<std::uint64_t>(x[2]) << 32 | static_cast<std::uint64_t>(x[3]);
   h_ = x[4], began_ = x[5], stay_ = x[6], window_ = x[7], windowWork_ = x[8];
   windowEvaluations_ = x[9], windowStepWork_ = x[10], switchWork_ = x[11];
-  switches_ = x[12], stepWork_ = x[13];
+  switches_ = x[12], stepWork_ = x[13], longer_ = x[14], spent_ = x[15], covered_ = x[16];
 }
 
-double SwitchGovernor::least() const { return std::max(tolerance_, kLeast) * T_; }
+double SwitchGovernor::least() const {
+  const double least = std::max(tolerance_, kLeast);
+  return std::max(least, std::min(longer_ * least, kLongestLeast)) * T_;
+}
+
+void SwitchGovernor::watchProgress(double h, long evaluations) {
+  spent_ += static_cast<double>(evaluations), covered_ += h;
+  if (spent_ < kStepPatience) return;
+  if (covered_ < kLeastCovered * T_)
+    longer_ = std::min(kLonger * longer_, kLongestLeast / kLeast);
+  else if (covered_ > T_)
+    longer_ = std::max(longer_ / kLonger, 1.0);
+  spent_ = covered_ = 0.0;
+}
 
 bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
                              bool switched, ContactKey at) {
@@ -76,7 +96,8 @@ void SwitchGovernor::shorten(double h, double error) {
 }
 
 void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
-                             double switchWork) {
+                             double switchWork, long evaluations) {
+  watchProgress(h, evaluations);
   const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
   // A step that was bounded from outside says little about the next.
   h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), kMost * T_);

@@ -20,7 +20,7 @@ class SwitchGovernor {
  public:
   enum class Mode : std::uint8_t { locate, step, decideAnew };
   /// All that is kept from step to step, to be stored with a state.
-  static constexpr int kNumbers = 14;
+  static constexpr int kNumbers = 17;
   std::array<double, kNumbers> numbers() const;
   void numbers(const double* from);
 
@@ -56,8 +56,10 @@ class SwitchGovernor {
   double least() const;
   /// The step was too long by its error, in units of the tolerance.
   void shorten(double h, double error);
-  /// It was taken; `again`: after having been shortened.
-  void stepped(double t, double h, double error, double work, bool again, double switchWork);
+  /// It was taken; `again`: after having been shortened. Where so many evaluations have led next to
+  /// nowhere, the least step becomes longer: what the tolerance asks for is not to be had.
+  void stepped(double t, double h, double error, double work, bool again, double switchWork,
+               long evaluations);
 
  private:
   SwitchGovernor(double tolerance, double T) : tolerance_(tolerance), T_(T) {}
@@ -74,6 +76,9 @@ class SwitchGovernor {
   double bearable_ = 0.0;    // not kept: of use right after a turn
   bool tooFast_ = false;
   double switches_ = 0.0, stepWork_ = 0.0;  // while stepping, since began_
+  void watchProgress(double h, long evaluations);
+  double longer_ = 1.0;                 // times the least step of the tolerance
+  double spent_ = 0.0, covered_ = 0.0;  // since it changed: evaluations, time [s]
 };
 
 }  // namespace dynamy

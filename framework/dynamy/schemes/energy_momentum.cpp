@@ -36,7 +36,7 @@ StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, S
   start = x;
   const StepReport whole = joined(s, solver, x, dt);
   if (whole.solved.ok() || !whole.refused.empty()) return whole;
-  halvingHelps_ = halvingHelps_ && depth < kMostHalvings;
+  halvingHelps_ = halvingHelps_ && depth < most_;
   if (!halvingHelps_) return whole;
   x = start;
   const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);

@@ -21,6 +21,10 @@ class EnergyMomentum final : public OneStep {
   EnergyMomentum() = default;
   explicit EnergyMomentum(const Parameters& x);
   static void declare(Attributes& a);
+  /// Steps are not halved where Newton's iteration fails: of use to those who go on otherwise.
+  void whole() { most_ = 0; }
+  /// Known after the first step.
+  bool hasJoints() const { return joints_ == Joints::some; }
   int order() const override { return 1; }
   int evaluations() const override { return 2; }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
@@ -40,6 +44,7 @@ class EnergyMomentum final : public OneStep {
   CondensedContacts contacts_;
   static constexpr int kMostHalvings = 6;
   bool halvingHelps_ = true;  // no part of the smallest length has failed in this step
+  int most_ = kMostHalvings;
   State start_[kMostHalvings + 1], xA_;
   bool project_ = false;
   Projection projection_;

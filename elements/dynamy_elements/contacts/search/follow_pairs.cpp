@@ -1,4 +1,5 @@
 // Pairs of features of boxes, polyhedra and polygons one by one, for runs that follow their gaps.
+#include <algorithm>
 #include <dynamy_elements/contacts/search/feature_pairs.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
 
@@ -28,6 +29,95 @@ Nearness movesWithin(const TouchingShape& a, const TouchingShape& b, const Frame
 bool ShapeContacts::comesAndGoes(const Pair& pair) {
   const Meeting m = pair.rule->meets;
   return m == Meeting::boxes || m == Meeting::polyhedra || m == Meeting::polygons;
+}
+
+/// Pairs whose contacts no gap follows: they jump from one feature to another while they touch.
+bool ShapeContacts::jumps(const Pair& pair) {
+  switch (pair.rule->meets) {
+    case Meeting::capsules:
+    case Meeting::capsuleOnBox:
+    case Meeting::capsuleOnSurface:
+    case Meeting::capsuleOnPolygon:
+    case Meeting::polyhedronOnMesh:
+    case Meeting::smoothOnMesh:
+    case Meeting::discOnPolyhedron:
+    case Meeting::discOnMesh:
+      return true;
+    case Meeting::discs:
+      return pair.B->kind != TouchingShape::Kind::ball;
+    case Meeting::ballOnSurface:
+      return !pair.A->polyhedron;
+    default:
+      return false;
+  }
+}
+
+/// Of many shapes pairs whose gap takes a search are looked at only where they are near.
+bool ShapeContacts::waits(const Pair& pair) const {
+  const Meeting m = pair.rule->meets;
+  return namedPairs_.empty() &&
+         (m == Meeting::smooth || m == Meeting::smoothOnPolyhedron || m == Meeting::smoothOnDisc);
+}
+
+/// The gap of the pair may close in the time that is looked ahead; true in a listing, where nothing
+/// is asked for by name.
+template <class Gap>
+bool ShapeContacts::mayClose(const Pair& pair, const Kinematics& k, const ContactSink& sink,
+                             Gap&& gap) const {
+  const ContactRequest& request = sink.request();
+  if (request.ahead < 0.0) return request.frozen.empty();
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  const double reach = movesWithin(*pair.A, *pair.B, A, B, request.ahead).reach;
+  const Vec3 way = B.r_OS_I + B.A_IK * pair.B->p_K - A.r_OS_I - A.A_IK * pair.A->p_K;
+  return way.norm() <= pair.A->bound + pair.B->bound + reach && gap(A, B) <= reach;
+}
+
+/// Reports the contacts of the pair if some of them are asked for by name, and notes those that it
+/// has where they may close.
+void ShapeContacts::watch(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
+  const std::uint64_t end = pair.id + pair.rule->features;
+  const auto near = [&](const Frame& A, const Frame& B) {
+    // Surfaces are seen from so near only.
+    return std::min(gap(pair, 0, A, B), std::min(pair.A->bound, pair.B->bound));
+  };
+  if (!sink.asked(pair.id, end).empty()) narrow(pair, k, sink);
+  if (!mayClose(pair, k, sink, near)) return;
+  if (sink.request().ahead < 0.0) return sink.note(pair.id);
+  ContactRequest all;
+  all.refresh = true;
+  ContactSet found;
+  ContactSink into(found, all);
+  narrow(pair, k, into);
+  for (const ContactKey key : found.candidateKey) sink.note(contactNumber(key));
+  // Nothing is reported by this name: near, and without a contact that could be followed.
+  if (found.candidateKey.empty()) sink.note(pair.id);
+}
+
+/// Rims over a half space are followed but where one lies flat: four points of it touch there. A
+/// spin about its own axis brings it no nearer to that.
+void ShapeContacts::watchFlat(const Pair& pair, const OverHalfSpace& over, const Kinematics& k,
+                              ContactSink& sink) const {
+  const std::vector<SupportFeature>& features = pair.B->features;
+  const auto point = std::find_if(features.begin(), features.end(),
+                                  [](const SupportFeature& f) { return f.flatOnly; });
+  const ContactRequest& request = sink.request();
+  if (point == features.end() || (request.ahead < 0.0 && !request.frozen.empty())) return;
+  const std::uint64_t number = pair.id + static_cast<std::uint64_t>(point - features.begin());
+  if (request.ahead < 0.0) return sink.note(number);
+  const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
+  const Vec3 axis = B.A_IK * point->axis_K, Omega = B.Omega_I - A.Omega_I;
+  const Vec3 level = axis.cross(A.A_IK * pair.A->n_K);  // about it the rim tilts
+  const double turn = axis.cross(Omega).norm(), sine = level.norm(), tau = request.ahead,
+               tilt = sine > 0.0 ? std::abs(Omega.dot(level)) / sine : turn;
+  const double rate = std::min(turn, tilt + kFaster * tau * Omega.norm() * turn);
+  const double margin = kNear * pair.B->thickness;
+  const Vec3 c = B.A_IK * pair.B->p_K;
+  const double speed = (B.velocity(c) - A.velocity(B.r_OS_I + c - A.r_OS_I)).norm();
+  if (over.beyondFlat(*point) > margin + kFaster * tau * rate * point->rho) return;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const SupportFeature& f : features)
+    if (f.kind == SupportFeature::Kind::rim) lowest = std::min(lowest, over.gap(f));
+  if (lowest <= margin + kFaster * tau * (speed + turn * pair.B->bound)) sink.note(number);
 }
 
 void ShapeContacts::follow(const Pair& pair, const Kinematics& k, ContactSink& sink) const {

@@ -47,7 +47,27 @@ void addBias(ContactRows& rows, const ContactPoint& at, const Frame& A, const Fr
 
 }  // namespace
 
+/// The pairs of the contacts that are asked for by name, and no others.
+void ShapeContacts::namedAlone(const Kinematics& k, ContactSink& sink) const {
+  const std::uint64_t n = shapes_[0].size();
+  std::uint64_t last = n * n;
+  for (const ContactKey key : sink.asked(0, n * n * features_)) {
+    const std::uint64_t number = contactNumber(key) / features_;
+    if (number == last) continue;
+    last = number;
+    const Pair pair = pairOf(static_cast<int>(number / n), static_cast<int>(number % n));
+    if (!pair) continue;
+    if (pair.rule->meets == Meeting::overHalfSpace)
+      overHalfSpace(pair, k, sink);
+    else if (sink.request().follow && comesAndGoes(pair))
+      follow(pair, k, sink);
+    else
+      narrow(pair, k, sink);
+  }
+}
+
 void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
+  if (sink.request().refresh && sink.request().gTol < 0.0) return namedAlone(k, sink);
   const std::vector<TouchingShape>& shapes = shapes_[0];
   const int n = static_cast<int>(shapes.size());
   lookAhead(k, sink.request());
@@ -93,6 +113,8 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
     if (!pair) continue;
     if (sink.request().follow && comesAndGoes(pair))
       follow(pair, k, sink);
+    else if (sink.request().follow && (jumps(pair) || waits(pair)))
+      watch(pair, k, sink);
     else
       narrow(pair, k, sink);
   }
@@ -102,11 +124,16 @@ void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, Contact
   const OverHalfSpace over(k.frame(pair.A->frame), *pair.A, k.frame(pair.B->frame));
   const Vec3& plane = planes_[pair.rule->plane];
   const SupportFeature* lowest = lowestCorner(over, *pair.B, pair.id, sink);
+  const bool follows = sink.request().follow;
+  if (follows) watchFlat(pair, over, k, sink);
   for (std::size_t f = 0; f < pair.B->features.size(); ++f) {
     const SupportFeature& feature = pair.B->features[f];
-    if (!over.touches(feature)) continue;
+    // A rim that lies flat is followed as one of its points: all of them are as high.
+    const bool touches = over.touches(feature), isRim = feature.kind == SupportFeature::Kind::rim;
+    if (follows ? feature.flatOnly : !touches) continue;
     emit(pair, f, over.gap(feature), k, sink, [&] {
-      ContactPoint at = over.contact(feature, plane);
+      const bool lies = isRim && !touches;
+      ContactPoint at = over.contact(lies ? pair.B->features[f + 1] : feature, plane);
       if (lowest && &feature != lowest)
         intoPlane(at.d[0], at.ddot[0], over.contact(*lowest, plane), at);
       return at;

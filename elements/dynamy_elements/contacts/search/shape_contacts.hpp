@@ -88,6 +88,7 @@ class ShapeContacts final : public NonSmoothElement {
   Approach approach(const Kinematics& k, std::size_t i, std::size_t j) const;
   /// Of the shapes i, j in any order; false: they never touch.
   Pair pairOf(int i, int j) const;
+  void namedAlone(const Kinematics& k, ContactSink& sink) const;
   void narrow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   void narrowInPlane(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
   static ContactPoint singleInPlane(const Pair& pair, const Frame& A, const Frame& B,
@@ -101,6 +102,14 @@ class ShapeContacts final : public NonSmoothElement {
   // Contacts that come and go with features, one by one (follow_pairs.cpp).
   static bool comesAndGoes(const Pair& pair);
   void follow(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  // Those that are noted before they touch.
+  static bool jumps(const Pair& pair);
+  bool waits(const Pair& pair) const;
+  template <class Gap>
+  bool mayClose(const Pair& pair, const Kinematics& k, const ContactSink& sink, Gap&& gap) const;
+  void watch(const Pair& pair, const Kinematics& k, ContactSink& sink) const;
+  void watchFlat(const Pair& pair, const OverHalfSpace& over, const Kinematics& k,
+                 ContactSink& sink) const;
   template <class Body>
   void followBodies(const Pair& pair, const Body& a, const Body& b, const Kinematics& k,
                     ContactSink& sink) const;

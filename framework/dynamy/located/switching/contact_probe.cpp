@@ -5,6 +5,12 @@
 #include <dynamy/located/switching/contact_probe.hpp>
 
 namespace dynamy {
+namespace {
+
+/// As g_tol, where contacts are asked for by name: elements may leave out all others.
+constexpr double kOnly = -1.0;
+
+}  // namespace
 
 void ContactProbe::evaluate(const State& x, const ContactRequest& request) {
   kinematics_.evaluate(*parts_->topology, x.t, view(x.q), view(x.u), view(x.memory));
@@ -27,10 +33,11 @@ void ContactProbe::list(const State& x) {
   order_ = contacts_.candidateKey, all_ = order_;
   std::sort(all_.begin(), all_.end());
   fixed_ = all_;
+  notes_ = !contacts_.noted.empty();
 }
 
 bool ContactProbe::gather(const State& x, std::span<const ContactKey> held) {
-  if (!comesAndGoes()) return look(x);
+  if (!gathers()) return look(x);
   wide_ = fixed_;
   wide_.insert(wide_.end(), held.begin(), held.end());
   widen(x, 0.0);
@@ -43,6 +50,47 @@ void ContactProbe::widen(const State& x, double ahead) {
   evaluate(x, request);
   wide_.insert(wide_.end(), contacts_.noted.begin(), contacts_.noted.end());
   overlap_ = contacts_.overlap;
+  noted_ = contacts_.noted;
+  notesFresh_ = std::any_of(noted_.begin(), noted_.end(), [&](ContactKey key) {
+    return !std::binary_search(all_.begin(), all_.end(), key);
+  });
+  learn(x);
+}
+
+/// Which of those that were noted are reported by their names, and which are not.
+void ContactProbe::learn(const State& x) {
+  const auto has = [](const std::vector<ContactKey>& keys, ContactKey key) {
+    return std::binary_search(keys.begin(), keys.end(), key);
+  };
+  fresh_.clear();
+  for (const ContactKey key : noted_)
+    if (!has(followed_, key) && !has(neverFollowed_, key)) fresh_.push_back(key);
+  if (!fresh_.empty()) {
+    std::sort(fresh_.begin(), fresh_.end());
+    ContactRequest request;
+    request.refresh = request.follow = true, request.frozen = fresh_;
+    evaluate(x, request);
+    for (const ContactKey key : fresh_) {
+      std::vector<ContactKey>& known =
+          std::find(contacts_.key.begin(), contacts_.key.end(), key) != contacts_.key.end()
+              ? followed_
+              : neverFollowed_;
+      known.insert(std::upper_bound(known.begin(), known.end(), key), key);
+    }
+  }
+  const auto first = std::find_if(noted_.begin(), noted_.end(),
+                                  [&](ContactKey key) { return has(neverFollowed_, key); });
+  meets_ = first == noted_.end() ? kNone : *first;
+}
+
+ContactKey ContactProbe::lookAround(const State& x, double within, ContactKey key) {
+  ContactRequest request;
+  request.gTol = within;
+  evaluate(x, request);
+  ContactKey found = kNone;  // contacts of two bodies are numbered from the one that was noted on
+  for (const ContactKey other : contacts_.key)
+    if (other >= key && other < found) found = other;
+  return found.value >> 40 == key.value >> 40 ? found : kNone;
 }
 
 bool ContactProbe::settle(const State& x) {
@@ -87,22 +135,38 @@ bool ContactProbe::look(const State& x) {
   return true;
 }
 
-std::string ContactProbe::unfollowed() const {
+bool ContactProbe::lookAt(const State& x, int i) {
+  const ContactKey wanted = key(i);
+  kinematics_.evaluate(*parts_->topology, x.t, view(x.q), view(x.u), view(x.memory));
+  one_.clear();
+  ContactRequest request;
+  request.refresh = request.follow = true, request.frozen = {&wanted, 1}, request.gTol = kOnly;
+  ContactSink sink(one_, request);
+  reportContacts(*parts_, kinematics_, sink);
+  const auto at = std::find(one_.key.begin(), one_.key.end(), wanted);
+  if (at == one_.key.end()) return false;
+  const int found = static_cast<int>(at - one_.key.begin()), dim = contacts_.dim(i);
+  if (one_.dim(found) != dim) return false;
+  gammaOne_.resize(one_.rows());
+  one_.gamma(view(x.u), view(gammaOne_));
+  const int from = one_.row0[static_cast<std::size_t>(found)];
+  gamma_.segment(row0(i), dim) = gammaOne_.segment(from, dim);
+  std::copy_n(one_.position.begin() + from, dim, contacts_.position.begin() + row0(i));
+  contacts_.presence[static_cast<std::size_t>(i)] = one_.presence[static_cast<std::size_t>(found)];
+  return true;
+}
+
+ContactKey ContactProbe::unfollowed() const {
   const std::vector<ContactKey>& now = contacts_.candidateKey;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (!std::binary_search(all_.begin(), all_.end(), now[i]))
-      return why(now[i], "appears with a gap of " + fmt::format("{:.3g}", contacts_.g[i]) + " m");
+  for (const ContactKey key : now)
+    if (!std::binary_search(all_.begin(), all_.end(), key)) return key;
   for (const ContactKey key : all_)
-    if (std::find(now.begin(), now.end(), key) == now.end())
-      return why(key, "is no longer reported");
-  return "contacts are reported in another order than at the start";
+    if (std::find(now.begin(), now.end(), key) == now.end()) return key;
+  return now.empty() ? kNone : now.front();  // in another order than at the start
 }
 
-std::string ContactProbe::lost(ContactKey key) const {
-  return why(key, "is closed, and no longer reported");
-}
-
-std::string ContactProbe::why(ContactKey key, const std::string& what) const {
+std::string ContactProbe::why(ContactKey key) const {
+  if (key == kNone) return std::string(kUnfollowed);
   const auto number = static_cast<std::size_t>(key.value >> 40);
   const NonSmoothElement& e = *parts_->contacts[number];
   // Contacts of shapes have no type of their own.
@@ -111,7 +175,7 @@ std::string ContactProbe::why(ContactKey key, const std::string& what) const {
                          "edges, faces of "
                          "a mesh that are nearest to a ball) is another list after every motion"
                        : "<" + e.type() + "> reports it at some positions only";
-  return "contact " + contactName(e, number, contactNumber(key)) + " " + what + ": " + cause +
+  return "contact " + contactName(e, number, contactNumber(key)) + " comes and goes: " + cause +
          ", and its gap cannot be followed; give a step instead of the tolerance";
 }
 

@@ -2,7 +2,9 @@
 /// masses and forces: what switches are searched with.
 ///
 /// Contacts that come and go with the features of bodies are gathered anew before every step and
-/// every event, and widened by those that the bodies may meet with along the path of a step.
+/// every event, and widened by those that the bodies may meet with along the path of a step. Those
+/// of bodies that no gap follows while they touch are noted as well, but not reported by their
+/// names: where they are met what is followed ends.
 #pragma once
 #include <dynamy/located/switching/announcements.hpp>
 
@@ -19,13 +21,22 @@ class ContactProbe {
   void list(const State& x);
   /// All contacts at x; false: they are not those noted before.
   bool look(const State& x);
+  /// Gap, presence and γ of contact i of the last look() at x; those of all others stay.
+  bool lookAt(const State& x, int i);
   /// True: some contacts come and go.
   bool comesAndGoes() const { return contacts_.comesAndGoes; }
+  /// True: contacts have to be gathered before each step.
+  bool gathers() const { return comesAndGoes() || notes_; }
   /// Of those that come and go from now on the ones that may touch at x and the `held`; all at x.
   bool gather(const State& x, std::span<const ContactKey> held);
   /// From the next settle() on also those that may touch within `ahead` [s] of x.
   void widen(const State& x, double ahead);
   bool settle(const State& x);
+  /// True: where it was gathered or widened last, bodies may meet that cannot be followed.
+  bool meets() const { return meets_ != kNone; }
+  ContactKey met() const { return meets_; }
+  /// True: widened last by some that are not among those looked at.
+  bool notesFresh() const { return notesFresh_; }
   /// How deep bodies with such contacts overlap where it was gathered or widened last [m].
   double overlap() const { return overlap_; }
   /// Positive while the features of contact i lie over one another [m].
@@ -33,10 +44,14 @@ class ContactProbe {
   bool comesAndGoes(int i) const { return presence(i) < ContactSet::kAlways; }
   /// True: contacts i and j, which come and go, are at one place with one normal.
   bool coincide(int i, int j, double distance) const;
-  /// Why a run is refused where look() failed: the contact that came or went, and the cause.
-  std::string unfollowed() const;
-  /// The same of a contact that is held and gone.
-  std::string lost(ContactKey key) const;
+  static constexpr ContactKey kNone{~std::uint64_t{0}};
+  /// The contact that came or went where look() failed; kNone: they came in another order.
+  ContactKey unfollowed() const;
+  /// All contacts at x nearer than `within` [m], followed or not. The one that `key` stands for,
+  /// kNone: there is none.
+  ContactKey lookAround(const State& x, double within, ContactKey key);
+  /// Why a contact that comes, or goes while it is held, cannot be followed.
+  std::string why(ContactKey key) const;
   const Announcements& announcements() const { return announcements_; }
   /// Numbers that are positive where an element would switch.
   const std::vector<double>& switching() const { return switching_; }
@@ -56,14 +71,19 @@ class ContactProbe {
   void evaluate(const State& x, const ContactRequest& request);
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;
-  ContactSet contacts_;
-  std::string why(ContactKey key, const std::string& what) const;
+  ContactSet contacts_, one_;
   std::vector<ContactKey> fixed_;  // those that do not come and go
+  void learn(const State& x);
   std::vector<ContactKey> all_, order_, wide_;
+  std::vector<ContactKey> noted_, fresh_;             // noted last; of these not known before
+  std::vector<ContactKey> followed_, neverFollowed_;  // noted before, ascending
+  ContactKey meets_ = kNone;
+  bool notesFresh_ = false;
+  bool notes_ = false;  // some pairs of bodies are noted before they touch
   double overlap_ = 0.0;
   Announcements announcements_;
   std::vector<double> switching_;
-  Eigen::VectorXd gamma_;
+  Eigen::VectorXd gamma_, gammaOne_;
 };
 
 }  // namespace dynamy

@@ -28,9 +28,11 @@ constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a p
 
 bool SwitchSearch::kinematicAt(ContactProbe& probe, const QuinticPath& path, int monitor,
                                double theta, double& v) {
+  const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
   path.at(theta, at_);
-  if (!probe.look(at_)) return false;
-  v = measure(probe, kinematic_[static_cast<std::size_t>(monitor)]);
+  const bool ofContact = k.kind != Monitor::Kind::latch;
+  if (!(ofContact ? probe.lookAt(at_, k.contact) : probe.look(at_))) return false;
+  v = measure(probe, k);
   return true;
 }
 

@@ -119,10 +119,10 @@ void aboutStepping(const RunReport& r, Warnings& out) {
   const std::string at = s.first.name.empty() ? "" : " at " + s.first.name;
   out.push_back(
       {"time stepping",
-       fmt::format("switches{} came too fast to be located (t = {:.6g} s): {:.4g} s in {} "
-                   "period{} were stepped in time for {} system{} with steps up to {:.2g} s, whose "
-                   "errors reach {:.2g} times the tolerance each; it is not promised for them, nor "
-                   "for what they touch, from there on",
+       fmt::format("switches{} came too fast to be located, or no gap follows what touches there "
+                   "(t = {:.6g} s): {:.4g} s in {} period{} were stepped in time for {} system{} "
+                   "with steps up to {:.2g} s, whose errors reach {:.2g} times the tolerance each; "
+                   "it is not promised for them, nor for what they touch, from there on",
                    at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
                    s.systems == 1 ? "" : "s", s.longest, s.error),
        s.periods, s.first.t, s.first.name});
