@@ -13,10 +13,10 @@
 /// equal error. Taking the state at the switch from the dense output was rejected: errors grow up
 /// to tenfold.
 #pragma once
+#include <dynamy/located/stepped_islands.hpp>
 #include <dynamy/located/switch_governor.hpp>
 #include <dynamy/located/switching/switch_event.hpp>
 #include <dynamy/located/switching/switch_search.hpp>
-#include <dynamy/schemes/energy_momentum.hpp>
 #include <dynamy/stages/islands.hpp>
 #include <memory>
 
@@ -67,11 +67,8 @@ class LocatedDormandPrince : public OneStep {
   void resumeStepping(const MechanicalSystem& s, const State& x);
   void storeStepping(State& x) const;
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
-  StepReport oneInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double h);
-  double steppedError(MechanicalSystem& s, const State& a, const State& b, double h);
   /// After a located step: the governor may turn to steps in time.
   void govern(const MechanicalSystem& s, long evaluations, const StepReport& report);
-  double deepest(const ContactSet& c) const;
   double locatedWork(const MechanicalSystem& s, double evaluations) const;
   double steppedWork(const MechanicalSystem& s, double evaluations, double newton) const;
   // Islands that are not, meanwhile (located_islands.cpp).
@@ -93,9 +90,6 @@ class LocatedDormandPrince : public OneStep {
   void joinQuiet(MechanicalSystem& s, State& x, StepReport& report);
   double nextStepped(double t) const;
   void showQuiet(double t, State& out) const;
-  /// Fraction theta of a step in time.
-  static void betweenSteps(const MechanicalSystem& s, const State& a, const State& b, double theta,
-                           State& out);
   // What happens when it is told, and what elements switch (located_instants.cpp).
   /// How long until right before the next instant at which an element jumps by the time alone.
   double untilInstant();
@@ -243,15 +237,11 @@ class LocatedDormandPrince : public OneStep {
   bool otherSet_ = false;  // stalled_ where a law's set becomes another one
   bool lost_ = false;      // stalled_ where a contact comes or goes that cannot be followed
   SwitchGovernor governor_;
-  EnergyMomentum timeStepping_;
-  StaggeredMoreau projecting_;  // where its Newton iteration on joints has failed
-  bool projected_ = false;
+  SteppedIslands steps_;
   ContactKey lastSwitched_;
   Eigen::Matrix<double, kHead, 1> head_;
-  Eigen::VectorXd rate_;  // Δu/Δt of the last step in time
-  double clear_ = 1.0;    // part of the path on which no bodies meet that cannot be followed
+  double clear_ = 1.0;  // part of the path on which no bodies meet that cannot be followed
   double passing_ = 1.0, startOverlap_ = 0.0;  // of contacts that come and go [m]
-  double overlap_ = 0.0, reached_ = 0.0;       // largest overlap at its end; of the trial [m]
   State steppedFrom_;
   Islands islands_;
   /// Work in the governor's window that is owed to each system: of steps with its switches, of

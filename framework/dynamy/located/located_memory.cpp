@@ -269,24 +269,10 @@ void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& repor
   report.works = {true, works_[0], works_[1], works_[2], works_[3], works_[4]};
 }
 
-void LocatedDormandPrince::betweenSteps(const MechanicalSystem& s, const State& a, const State& b,
-                                        double theta, State& out) {
-  // Positions of these steps go on by the mean velocity: u is linear between the ends. With u^A up
-  // to the middle and u^E behind it, the scheme's own way, energies of long steps in free flight
-  // rise and fall from row to row.
-  const bool first = theta < 0.5;
-  const State& from = first ? a : b;
-  const double part = first ? theta : theta - 1.0;
-  const Eigen::VectorXd change = b.u - a.u, mean = from.u + 0.5 * part * change;
-  out.t = from.t, out.q = from.q;
-  s.move(out, mean, part * (b.t - a.t));
-  out.u = from.u + part * change;
-}
-
 void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                        double theta, State& out) const {
   if (stepped_ && system_ == &s) {
-    betweenSteps(s, a, b, theta, out);
+    SteppedIslands::between(s, a, b, theta, out);
     showQuiet(a.t + theta * (b.t - a.t), out);
     return;
   }

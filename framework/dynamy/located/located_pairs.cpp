@@ -13,13 +13,13 @@ constexpr double kPassing = 10.0;  ///< of tol L: overlaps inside a step, which 
 constexpr std::uintmax_t kLooks = 12;  ///< for the place where two bodies are nearest
 constexpr int kNearestBits = 20;
 constexpr double kHalfWay = 0.5;     ///< places look so far to the next ones
-constexpr double kNotAtAll = 0.25;   ///< of that way, where two meet at the first one
+constexpr double kNotAtAll = 0.25;   ///< of the path, where two meet right at its start
 constexpr double kAtMeeting = 1e-3;  ///< of T: shorter steps up to a meeting are not taken
 constexpr double kShorter = 0.5;     ///< steps in which bodies sink into one another
 
 /// Part of a path that is clear of what is noted first at place j of it.
 double clearBefore(int j) {
-  return std::max(static_cast<double>(j) - kHalfWay, kNotAtAll) / SwitchSearch::kSamples;
+  return std::max((static_cast<double>(j) - kHalfWay) / SwitchSearch::kSamples, kNotAtAll);
 }
 
 }  // namespace

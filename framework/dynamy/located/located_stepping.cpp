@@ -11,7 +11,6 @@ constexpr int kDense = 64;        ///< rows above are solved by sparse methods
 
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
-constexpr double kGrown = 0.1;    ///< of an allowed overlap: less is none
 constexpr double kSliver = 1e-3;  ///< of a step: so much longer, and no short one is left
 constexpr int kStepped = 4;       ///< numbers in front of the rates
 
@@ -27,19 +26,6 @@ void LocatedDormandPrince::govern(const MechanicalSystem& s, long evaluations,
   if (over && governor_.mode() == SwitchGovernor::Mode::locate) owed_.setZero();
 }
 
-/// The largest overlap of unilateral contacts of what is stepped in time, of those that rebound as
-/// well [m].
-double LocatedDormandPrince::deepest(const ContactSet& c) const {
-  double overlap = 0.0;
-  for (int i = 0; i < c.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const int system = c.law[at]->unilateral() ? islands_.systemOf(c, i) : -1;
-    if (system >= 0 && timed_[static_cast<std::size_t>(system)] != 0)
-      overlap = std::max(overlap, -c.position[static_cast<std::size_t>(c.row0[at])]);
-  }
-  return overlap;
-}
-
 double LocatedDormandPrince::locatedWork(const MechanicalSystem& s, double evaluations) const {
   // Each solves for the forces by an orthogonal decomposition of all rows.
   const double n = static_cast<double>(s.slot(0).h.size()), m = phase_.rows();
@@ -51,25 +37,6 @@ double LocatedDormandPrince::steppedWork(const MechanicalSystem& s, double evalu
   const double n = static_cast<double>(s.slot(0).h.size()), m = s.slot(0).contacts.rows();
   const double dense = std::min(m, static_cast<double>(kDense));
   return evaluations * kPerRow * (n + m) + newton / 3.0 * m * dense * dense;
-}
-
-double LocatedDormandPrince::steppedError(MechanicalSystem& s, const State& a, const State& b,
-                                          double h) {
-  // Positions by the trapezoidal rule: h/2 |Δu − Δu of the step before|, an impact or h³ü/2; the
-  // first step tells the rate. Overlaps at the end count as well, which the step itself does not
-  // look at, if they grew: one that stays, shorter steps do not mend.
-  double worst = 0.0;
-  const bool known = rate_.size() == a.u.size();
-  for (std::size_t k = 0; known && k < timed_.size(); ++k) {
-    const SystemHandle& part = s.parts().topology->system(static_cast<int>(k));
-    for (int i = part.u0; timed_[k] != 0 && i < part.u0 + part.nu; ++i)
-      worst = std::max(worst, norm_.velocity(i, b.u[i] - a.u[i] - h * rate_[i], 0.0));
-  }
-  worst *= 0.5 * h / norm_.time();
-  reached_ = deepest(s.evaluate(b, 1).contacts);
-  const double allowed = norm_.tolerance() * norm_.length(), gained = reached_ - overlap_;
-  worst = std::max(worst, (gained > kGrown * allowed ? reached_ : gained) / allowed);
-  return std::isfinite(worst) && s.indefiniteMass() < 0 ? worst : 1e300;
 }
 
 bool LocatedDormandPrince::stepsInTime(const State& x) {
@@ -93,8 +60,7 @@ void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State
   timed_.resize(static_cast<std::size_t>(systems));
   for (Eigen::Index i = 0; i < systems; ++i)
     timed_[static_cast<std::size_t>(i)] = x.scheme[kBehind + systems + i] != 0.0 ? 1 : 0;
-  overlap_ = x.scheme[at + 1], projected_ = x.scheme[at + 3] != 0.0;
-  rate_ = x.scheme.segment(at + kStepped, n);
+  steps_.resume(x.scheme.segment(at + kStepped, n), x.scheme[at + 1], x.scheme[at + 3] != 0.0);
   quietKept_ = x.scheme.segment(at + kStepped + n, quiet);
   steppedFrom_.scheme = x.scheme.tail(x.scheme.size() - at - kStepped - n - quiet);
 }
@@ -106,13 +72,13 @@ void LocatedDormandPrince::beginStepping(const State& x) {
   else
     head_.head<4>() << H_, norm_.time(), lookAhead_, lastEvent_;
   chooseStepped(x);
-  rate_.resize(0), overlap_ = 0.0, projected_ = false, untold_.clear();
+  steps_.begin(), untold_.clear();
   steppedFrom_.scheme.resize(0);
 }
 
 void LocatedDormandPrince::storeStepping(State& x) const {
   const auto numbers = governor_.numbers();
-  const Eigen::Index at = behindTimes(), n = rate_.size(), quiet = quietKept_.size();
+  const Eigen::Index at = behindTimes(), n = steps_.rate().size(), quiet = quietKept_.size();
   const Eigen::VectorXd own = x.scheme;
   x.scheme.resize(at + kStepped + n + quiet + own.size());
   x.scheme.head<kHead>() = head_;
@@ -122,26 +88,11 @@ void LocatedDormandPrince::storeStepping(State& x) const {
   x.scheme.segment(kBehind, at - kBehind).tail(2 * norm_.times().size()).setZero();
   for (std::size_t i = 0; i < timed_.size(); ++i)
     x.scheme[kBehind + norm_.times().size() + static_cast<Eigen::Index>(i)] = timed_[i];
-  x.scheme.segment<kStepped>(at) << static_cast<double>(n), overlap_, static_cast<double>(quiet),
-      projected_ ? 1.0 : 0.0;
-  x.scheme.segment(at + kStepped, n) = rate_;
+  x.scheme.segment<kStepped>(at) << static_cast<double>(n), steps_.overlap(),
+      static_cast<double>(quiet), steps_.projected() ? 1.0 : 0.0;
+  x.scheme.segment(at + kStepped, n) = steps_.rate();
   x.scheme.segment(at + kStepped + n, quiet) = quietKept_;
   x.scheme.tail(own.size()) = own;
-}
-
-/// A step of length h. Where Newton's iteration on joints does not end, those of all further steps
-/// of the period are held by their mean velocity and projected, which needs none.
-StepReport LocatedDormandPrince::oneInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
-                                           double h) {
-  timeStepping_.whole();
-  if (!projected_) {
-    const StepReport report = timeStepping_.step(s, solver, x, h);
-    if (report.solved.ok() || !timeStepping_.hasJoints()) return report;
-    projected_ = true;
-    rate_.resize(0), steppedFrom_.scheme.resize(0);
-    x = steppedFrom_;
-  }
-  return projecting_.step(s, solver, x, h);
 }
 
 StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
@@ -162,17 +113,15 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
     tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;
     if (known <= tE + kSliver * h) tE = known, h = tE - steppedFrom_.t;
     placeQuiet(s, tE);
-    s.thaw(), s.bias(false);
-    x = steppedFrom_;
-    report = oneInTime(s, solver, x, h);
-    newton += 1 + report.solved.newton;
-    error = steppedError(s, steppedFrom_, x, h);
-    if ((error <= 1.0 && report.solved.ok()) || !(h > governor_.least())) break;
+    const SteppedIslands::Trial trial =
+        steps_.attempt(s, solver, norm_, islands_, timed_, steppedFrom_, x, h);
+    report = trial.report, error = trial.error, newton += trial.newton;
+    if (trial.good() || !(h > governor_.least())) break;
     governor_.shorten(h, std::max(error, 1.0));
   }
   x.t = tE;
   report.dt = x.t - steppedFrom_.t;
-  rate_ = (x.u - steppedFrom_.u) / h, overlap_ = reached_;
+  steps_.take(steppedFrom_, x.u, h);
   joinQuiet(s, x, report);
   report.counts = quiet;
   report.counts.rejected += rejected;

@@ -1,4 +1,5 @@
-// Pairs of features of boxes, polyhedra and polygons one by one, for runs that follow their gaps.
+// For runs that follow gaps: pairs of features of boxes, polyhedra and polygons one by one, and pairs of
+// shapes that are noted before they touch (theory 50.9, 50.11).
 #include <algorithm>
 #include <dynamy_elements/contacts/search/feature_pairs.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
