@@ -60,7 +60,7 @@ void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State
   timed_.resize(static_cast<std::size_t>(systems));
   for (Eigen::Index i = 0; i < systems; ++i)
     timed_[static_cast<std::size_t>(i)] = x.scheme[kBehind + systems + i] != 0.0 ? 1 : 0;
-  steps_.resume(x.scheme.segment(at + kStepped, n), x.scheme[at + 1], x.scheme[at + 3] != 0.0);
+  steps_.resume(slice(x.scheme, at + kStepped, n), x.scheme[at + 1], x.scheme[at + 3] != 0.0);
   quietKept_ = x.scheme.segment(at + kStepped + n, quiet);
   steppedFrom_.scheme = x.scheme.tail(x.scheme.size() - at - kStepped - n - quiet);
 }
