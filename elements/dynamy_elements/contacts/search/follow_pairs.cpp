@@ -1,6 +1,7 @@
 // For runs that follow gaps: pairs of features of boxes, polyhedra and polygons one by one, and pairs of
 // shapes that are noted before they touch (theory 50.9, 50.11).
 #include <algorithm>
+#include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <dynamy_elements/contacts/search/feature_pairs.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
 
@@ -114,10 +115,11 @@ void ShapeContacts::watchFlat(const Pair& pair, const OverHalfSpace& over, const
   const double margin = kNear * pair.B->thickness;
   const Vec3 c = B.A_IK * pair.B->p_K;
   const double speed = (B.velocity(c) - A.velocity(B.r_OS_I + c - A.r_OS_I)).norm();
-  if (over.beyondFlat(*point) > margin + kFaster * tau * rate * point->rho) return;
-  double lowest = std::numeric_limits<double>::infinity();
+  double lowest = std::numeric_limits<double>::infinity(), rho = 0.0;
   for (const SupportFeature& f : features)
-    if (f.kind == SupportFeature::Kind::rim) lowest = std::min(lowest, over.gap(f));
+    if (f.kind == SupportFeature::Kind::rim)
+      lowest = std::min(lowest, over.gap(f)), rho = std::max(rho, f.rho);
+  if (rho * (sine - DiscBody::kFlat - kFaster * tau * rate) > margin) return;
   if (lowest <= margin + kFaster * tau * (speed + turn * pair.B->bound)) sink.note(number);
 }
 

@@ -40,8 +40,6 @@ class OverHalfSpace {
     const bool always = feature.kind == SupportFeature::Kind::ball && !feature.flatOnly;
     return always || feature.touches(-n_B_);
   }
-  /// How far a rim is from lying flat, by one of its points that touch then [m].
-  double beyondFlat(const SupportFeature& point) const { return point.beyondFlat(-n_B_); }
   ContactPoint contact(const SupportFeature& feature, const Vec3& plane) const;
 
  private:

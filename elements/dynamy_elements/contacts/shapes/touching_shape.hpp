@@ -56,9 +56,6 @@ struct SupportFeature : RoundFeature {
   Mat3 pointDerivative(const Vec3& d_K) const;  ///< H(d) [m]
   /// Whether it can touch a plane with the normal −d: the lowest point of a flat rim is any.
   bool touches(const Vec3& d_K) const;
-  /// Of a point that touches while its circle lies almost flat: how far that is from it, by the way
-  /// that the point goes as the circle turns there [m].
-  double beyondFlat(const Vec3& d_K) const;
 };
 
 /// A shape as contact sees it: a half space, or its features.

@@ -62,10 +62,6 @@ bool SupportFeature::touches(const Vec3& d) const {
   return !flatOnly || across(d, axis_K).squaredNorm() < kFlat * kFlat;
 }
 
-double SupportFeature::beyondFlat(const Vec3& d) const {
-  return rho * (across(d, axis_K).norm() - kFlat);
-}
-
 namespace {
 
 using ShapeTouch = TouchingShape::Kind;
@@ -102,7 +98,6 @@ class Features {
       ball(i % 2 == 0 ? Vec3(side, 0.0, z) : Vec3(0.0, side, z), tube,
            name + ".point" + std::to_string(i));
       out_.features.back().flatOnly = true, out_.features.back().axis_K = axis_K;
-      out_.features.back().rho = rho;
     }
   }
   /// Points given in the shape's axes as they cut the plane of motion: `points` with a coordinate
