@@ -13,6 +13,7 @@
 #include <dynamy/law/pair_laws.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/report/start_overlap.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <memory>
@@ -24,6 +25,9 @@
 namespace dynamy::app {
 namespace {
 
+/// Bodies that start inside each other by more than this share of their size are a mistake.
+constexpr double kDeepStart = 0.1;
+
 /// What a step of the scene costs, at its initial state.
 struct Sizes {
   std::size_t systems = 0, contactElements = 0, forces = 0, signals = 0, checks = 0;
@@ -32,6 +36,7 @@ struct Sizes {
   int closed = 0, unknowns = 0;  ///< of them, and their rows
   double energy = 0.0;           ///< T + V [J]
   Worst penetration;
+  StartOverlap overlap;        ///< the deepest, measured by the size of the bodies
   std::string weightless;      ///< systems that <Gravity> does not act on
   std::vector<Warning> start;  ///< what joints do not allow
   double evaluation = 0.0;     ///< M, h and all contacts at the start, measured [s], about
@@ -132,6 +137,7 @@ Sizes sizesOf(Model& model) {
     if (-c.g[i] > s.penetration.value)
       s.penetration.value = -c.g[i], s.penetration.name = contactName(model, c.candidateKey[i]);
   }
+  s.overlap = startOverlap(model, c);
   EnergyMeter meter(model);
   s.energy = meter.kinetic(x) + meter.potential(x);
   s.weightless = weightless(model, x);
@@ -217,7 +223,9 @@ std::string needsText(const Model& model, const Sizes& s, const RunSizes& run) {
 
 std::string text(const Model& model, const Sizes& s, const RunSizes& run,
                  const std::optional<Alternative>& other) {
-  std::string out = fmt::format("{}: ok\n", model.sourceFile);
+  const bool deep = s.overlap.share() > kDeepStart;
+  std::string out =
+      fmt::format("{}: {}\n", model.sourceFile, deep ? "bodies start inside each other" : "ok");
   out += fmt::format(" systems {}   forces {}   contact elements {}   signals {}   checks {}\n",
                      s.systems, s.forces, s.contactElements, s.signals, s.checks);
   out += fmt::format(" q {}   u {}   mass blocks {}, of them constant {}\n", s.nq, s.nu, s.blocks,
@@ -239,7 +247,13 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
                        s.weightless);
   for (const Warning& w : s.start) out += fmt::format(" warning: {}: {}\n", w.kind, w.text);
   // Contacts that begin closed have a gap of rounding.
-  if (s.penetration.value > 1e-9 * model.length())
+  if (deep)
+    out += fmt::format(
+        " failed: {} begins with a penetration of {:.3g} m, {:.3g} of the size of the smaller body "
+        "({:.3g} m) — move one of the two, or take the material of a shape away; a run goes on and "
+        "reports it\n",
+        contactName(model, s.overlap.contact), s.overlap.depth, s.overlap.share(), s.overlap.size);
+  else if (s.penetration.value > 1e-9 * model.length())
     out += fmt::format(" warning: {} begins with a penetration of {:.3g} m\n", s.penetration.name,
                        s.penetration.value);
   return out;
@@ -269,13 +283,15 @@ std::string json(const Model& model, const Sizes& s, const RunSizes& run,
                  const std::optional<Alternative>& other) {
   std::string out;
   JsonWriter j(out, 2);
-  j.beginObject().member("model", model.sourceFile).member("ok", true);
+  j.beginObject().member("model", model.sourceFile);
+  j.member("ok", !(s.overlap.share() > kDeepStart));
   j.member("systems", s.systems).member("forces", s.forces);
   j.member("contactElements", s.contactElements).member("signals", s.signals);
   j.member("checks", s.checks).member("q", s.nq).member("u", s.nu).member("blocks", s.blocks);
   j.member("constantBlocks", s.constantBlocks).member("gaps", s.gaps).member("closed", s.closed);
   j.member("unknowns", s.unknowns).member("energy", s.energy);
-  j.member("penetration", s.penetration.value).member("withoutGravity", s.weightless);
+  j.member("penetration", s.penetration.value).member("overlapOfSize", s.overlap.share());
+  j.member("withoutGravity", s.weightless);
   j.member("integrator", model.scheme().type()).member("solver", model.solver().type());
   j.member("step", model.simulation.step).member("tolerance", model.simulation.tolerance);
   j.member("until", model.simulation.until);
@@ -309,7 +325,8 @@ int check(Program& program, const CheckChoice& choice) {
   fmt::print("{}", choice.json ? json(model, sizes, run, other) : text(model, sizes, run, other));
   RunReport atStart;
   atStart.warnings = sizes.start;
-  const int status = atStart.qualified() ? kQualified : kOk;
+  const bool deep = sizes.overlap.share() > kDeepStart;
+  const int status = deep ? kFailed : atStart.qualified() ? kQualified : kOk;
   if (!choice.elements) return status;
   const Verdict verdict = checkModel(model);
   for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/files/json_writer.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/reference/describe.hpp>
@@ -23,6 +24,14 @@ std::vector<std::string> kindTexts() {
         Kind::solver, Kind::impact, Kind::observer, Kind::part})
     all.emplace_back(kindText(kind));
   return all;
+}
+
+/// "Laws" → "law": kinds are understood in any case and in the plural.
+std::string singular(std::string kind) {
+  const std::vector<std::string> all = kindTexts();
+  for (const std::string& k : all)
+    if (typingDistance(k, kind) == 0 || typingDistance(k + "s", kind) == 0) return k;
+  return kind;
 }
 
 /// Types of the kind; all without one.
@@ -70,6 +79,7 @@ void addList(CLI::App& app, Program& program) {
   addPlugins(*c, program, false);
   c->add_option("--kind", form->kind, "types of this kind only")
       ->type_name("KIND")
+      ->transform([](const std::string& kind) { return singular(kind); })
       ->check(CLI::IsMember(kindTexts()));
   c->add_flag("--names", form->names, "print names only");
   c->add_flag("--json", form->json, "print JSON");

@@ -19,8 +19,35 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return out;
 }
 
-/// What the user may have meant, for the first word that is neither a sub-command nor an option.
-std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
+/// What is wrong with a command line and what the user may have meant.
+struct Misuse {
+  std::string text, hint;
+};
+
+/// Sub-commands that people look for by another name.
+std::string commandOfOthers(std::string_view word) {
+  for (const auto& [other, ours] : {std::pair("simulate", "run"),
+                                    {"sim", "run"},
+                                    {"start", "run"},
+                                    {"validate", "check"},
+                                    {"lint", "check"},
+                                    {"show", "view"},
+                                    {"replay", "view"},
+                                    {"animate", "view"},
+                                    {"play", "view"},
+                                    {"plot", "report"},
+                                    {"info", "describe"},
+                                    {"explain", "describe"},
+                                    {"types", "list"},
+                                    {"elements", "list"},
+                                    {"modes", "eigen"},
+                                    {"xsd", "schema"}})
+    if (word == other) return ours;
+  return {};
+}
+
+/// For the first word that is neither a sub-command nor an option; `text`: what was found wrong.
+Misuse misuse(const CLI::App& app, const std::vector<std::string>& words, std::string text) {
   std::vector<std::string> commands;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(sub->get_name());
@@ -30,21 +57,25 @@ std::string suggestion(const CLI::App& app, const std::vector<std::string>& word
       const std::string name = word.substr(0, word.find('='));
       const std::vector<std::string> known = optionNames(*in);
       if (std::find(known.begin(), known.end(), name) == known.end())
-        return didYouMean(nearest(name, known));
+        return {"there is no option \"" + name + '"', didYouMean(nearest(name, known))};
     } else if (in == &app && !word.starts_with("-")) {
-      if (std::find(commands.begin(), commands.end(), word) == commands.end())
-        return didYouMean(nearest(word, commands));
+      if (std::find(commands.begin(), commands.end(), word) == commands.end()) {
+        std::string near = nearest(word, commands);
+        if (near.empty()) near = commandOfOthers(word);
+        return {"there is no command \"" + word + '"', didYouMean(near)};
+      }
       in = app.get_subcommand(word);
     }
   }
-  return {};
+  if (words.empty()) text = "a command is missing, such as dynamy run model.xml";
+  return {std::move(text), {}};
 }
 
 int usage(const CLI::App& app, const CLI::ParseError& error,
           const std::vector<std::string>& words) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  const std::string hint = suggestion(app, words);
-  fmt::print(stderr, "dynamy: {}{}\n", error.what(), hint.empty() ? "" : " — " + hint);
+  const Misuse wrong = misuse(app, words, error.what());
+  fmt::print(stderr, "dynamy: {}{}\n", wrong.text, wrong.hint.empty() ? "" : " — " + wrong.hint);
   fmt::print(stderr,
              "  dynamy --help tells all commands, dynamy COMMAND --help the options of one\n");
   return kUsage;
@@ -54,7 +85,7 @@ int usage(const CLI::App& app, const CLI::ParseError& error,
 constexpr const char* kFooter =
     "Exit status:\n"
     "  0   done as the model asks, all checks passed\n"
-    "  1   the simulation or a check failed\n"
+    "  1   the simulation or a check failed; dynamy check: bodies start inside each other\n"
     "  2   error in a model, a plug-in or a file\n"
     "  3   finished, but a warning says that a step missed what the model asks for\n"
     "      (an inclusion unsolved, energy gained, bodies overlap, ...); run --accept makes it 0\n"

@@ -128,5 +128,38 @@ TEST_F(CommandLine, TheVersionNamesLibrariesAndFormats) {
     EXPECT_NE(out().find(part), std::string::npos) << part << '\n' << out();
 }
 
+TEST_F(CommandLine, AWrongWordIsNamedWithTheRightOne) {
+  const auto first = [&](const std::string& arguments) {
+    EXPECT_EQ(call(arguments), 64);
+    return err().substr(0, err().find('\n'));
+  };
+  EXPECT_EQ(first("runn"), "dynamy: there is no command \"runn\" — did you mean \"run\"?");
+  EXPECT_EQ(first("runn m.xml"), "dynamy: there is no command \"runn\" — did you mean \"run\"?");
+  EXPECT_EQ(first("simulate m.xml"),
+            "dynamy: there is no command \"simulate\" — did you mean \"run\"?");
+  EXPECT_EQ(first("run m.xml --untill 3"),
+            "dynamy: there is no option \"--untill\" — did you mean \"--until\"?");
+  EXPECT_EQ(first(""), "dynamy: a command is missing, such as dynamy run model.xml");
+}
+
+TEST_F(CommandLine, KindsAreUnderstoodInAnyCaseAndNumber) {
+  ASSERT_EQ(call("list --kind law"), 0) << err();
+  const std::string laws = out();
+  ASSERT_EQ(call("list --kind Laws"), 0) << err();
+  EXPECT_EQ(out(), laws);
+}
+
+TEST_F(CommandLine, DescribeListsTheTypesOnASubject) {
+  ASSERT_EQ(call("describe friction"), 0) << err();
+  for (const char* law :
+       {"UnilateralCoulomb", "GivenFriction", "UnilateralStribeck", "BeltFriction"})
+    EXPECT_NE(out().find(std::string("  ") + law + ' '), std::string::npos) << law << out();
+  EXPECT_EQ(out().find("  Gravity "), std::string::npos) << out();
+  ASSERT_EQ(call("describe hinge"), 0) << err();
+  EXPECT_TRUE(out().starts_with("in dynamY a hinge is <Revolute>\n")) << out();
+  ASSERT_EQ(call("describe restitution"), 0) << err();
+  EXPECT_NE(out().find("<UnilateralCoulomb> epsilonN: "), std::string::npos) << out();
+}
+
 }  // namespace
 }  // namespace dynamy

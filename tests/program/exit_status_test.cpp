@@ -111,5 +111,33 @@ TEST_F(ExitStatus, JointsThatContradictEachOtherAreToldByCheckAndRun) {
   EXPECT_NE(err().find("contradiction"), std::string::npos) << err();
 }
 
+/// A ball of 0.2 m at height z above a floor.
+std::string ball(double z) {
+  return R"(<dynamy version="1"><systems>
+  <RigidBody name="ball" position="0 0 )" +
+         std::to_string(z) + R"("><Sphere radius="0.1" mass="1" material="a"/></RigidBody>
+  <Ground name="floor"><HalfSpace material="a"/></Ground></systems>
+  <elements><Contact between="a a"><Unilateral/></Contact></elements>
+  <simulation until="0.01" step="1e-3"/></dynamy>
+)";
+}
+
+TEST_F(ExitStatus, BodiesInsideEachOtherFailTheCheckAndNotTheRun) {
+  // A tenth of the diameter is 0.02 m: 0.019 m pass, 0.021 m do not.
+  write("ball.xml", ball(0.081));
+  EXPECT_EQ(call("check ball.xml"), 0) << out();
+  EXPECT_NE(out().find("ball.xml: ok\n"), std::string::npos) << out();
+  write("ball.xml", ball(0.079));
+  EXPECT_EQ(call("check ball.xml"), 1) << out();
+  EXPECT_NE(out().find("ball.xml: bodies start inside each other\n"), std::string::npos) << out();
+  EXPECT_NE(out().find("penetration of 0.021 m, 0.105 of the size of the smaller body (0.2 m)"),
+            std::string::npos)
+      << out();
+  EXPECT_EQ(call("check ball.xml --json"), 1);
+  EXPECT_NE(out().find("\"ok\": false"), std::string::npos) << out();
+  EXPECT_EQ(call("run ball.xml --quiet --out r --accept"), 0) << err();
+  EXPECT_NE(readWholeFile(path("r/run.json")).find("\"kind\": \"start\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace dynamy

@@ -194,9 +194,10 @@ TEST_F(ProgramTest, SetTakesNumbersWithUnitsAndExpressionsInBraces) {
   // A signal that is named twice is recorded once.
   EXPECT_EQ(readWholeFile(path("o/signals.csv")).substr(0, 10), "t,p.z,p.x,");
   EXPECT_EQ(call("check m.xml --set h=3/2"), 2);
-  EXPECT_EQ(err(),
-            "error: --set h=3/2: expected the end after the number, found \"/\" — an "
-            "expression stands in braces: '{3/2}'\n1 error\n");
+  EXPECT_EQ(
+      err(),
+      "error: --set h=3/2: cannot be read: expected the end after the number, found \"/\" — an "
+      "expression stands in braces: '{3/2}'\n1 error\n");
   EXPECT_EQ(call("check m.xml --set h=-1"), 2);
   EXPECT_EQ(err(), "error: --set h=-1: must be >= 0, is -1\n1 error\n");
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/law/pair_laws.hpp>
 #include <dynamy/law/standard_laws.hpp>
 
@@ -94,6 +95,18 @@ const PairLaw& PairLaws::find(const std::string& a, const std::string& b) {
   return out;
 }
 
+/// A material of the rules near to one of a and b that no rule names; "" if there is none.
+std::string PairLaws::misspelt(const std::string& a, const std::string& b) const {
+  std::vector<std::string> known;
+  for (const auto& [name, values] : materials_) known.push_back(name);
+  for (const auto& [names, rule] : pairs_) known.insert(known.end(), {names.first, names.second});
+  for (const std::string& name : {a, b}) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (const std::string near = nearest(name, known); !near.empty()) return near;
+  }
+  return {};
+}
+
 Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
   const std::string between = "between=\"" + a + " " + b + "\"";
   Diagnostic d;
@@ -111,7 +124,9 @@ Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
     d.notes.push_back({.place = mixing_->place(), .text = "values mix by this rule"});
     return d;
   }
-  d.hint = "add <Contact " + between + ">…</Contact>, or <NoContact " + between + "/>";
+  const std::string near = misspelt(a, b);
+  d.hint = (near.empty() ? "add" : "did you mean the material \"" + near + "\"? Else add") +
+           (" <Contact " + between + ">…</Contact>, or <NoContact " + between + "/>");
   if (material(a) && material(b))
     d.hint += ", or say by <Contacts mixing=\"…\"/> how the values of two materials mix";
   return d;

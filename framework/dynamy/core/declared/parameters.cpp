@@ -2,6 +2,7 @@
 /// values against the same declaration as a file.
 
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <stdexcept>
 
@@ -131,7 +132,8 @@ Parameters Parameters::fromGiven(Attributes a, std::string type, std::string nam
   for (const Attribute& d : x.declaration->list()) known.push_back(d.name);
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (x.declaration->find(given[i].name) == nullptr)
-      report("unknown attribute \"" + given[i].name + '"', unknownNameHint(given[i].name, known));
+      report("unknown attribute \"" + given[i].name + '"',
+             meantAttribute(given[i].name, known).hint);
     for (std::size_t j = 0; j < i; ++j)
       if (given[j].name == given[i].name)
         report("attribute \"" + given[i].name + "\" is given twice", {});

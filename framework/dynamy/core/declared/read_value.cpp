@@ -5,8 +5,10 @@
 #include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/declared/written_numbers.hpp>
 #include <dynamy/core/expression/expression_error.hpp>
 #include <dynamy/core/expression/unit_suffix.hpp>
+#include <dynamy/core/suggestion.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -98,20 +100,40 @@ std::optional<std::string> outOfRange(const Attribute& a, double x) {
   return "must be " + rangeText(a, below) + ", is " + numberText(x);
 }
 
+constexpr std::string_view kUnread = "cannot be read: ";
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
+/// The hint for a word that is no number: what was misspelt, or that it is a formula.
+std::string whatToWrite(std::string_view word, const ExpressionError& e) {
+  if (!e.suggestion().empty()) return didYouMean(e.suggestion());
+  const bool name = e.offset() == 0 && word.find_first_of("0123456789") != 0;
+  if (parseUnitSuffix(word)) return "a number stands before its unit: 1" + std::string(word);
+  const bool computes = word.find_first_of("+*/^(") != std::string_view::npos;
+  if (!name && !computes) return {};
+  return "a parameter or a formula stands in braces: {" + std::string(word) + '}';
+}
+
 /// One number with its suffix; `given` values are bound by the range.
 std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, bool given,
                                      double& x) {
   const auto fault = [&](std::string text) {
     return ValueFault{std::move(text), {}, word.offset, word.text.size()};
   };
-  if (word.text == "inf" || word.text == "-inf") {
+  const std::string plain = lower(word.text);
+  const bool infinite = plain == "inf" || plain == "-inf" || plain == "infinity";
+  if (infinite) {
     // Only where the declaration names the word: elsewhere infinity makes nonsense of a step.
-    const bool admitted =
-        std::find(a.choices.begin(), a.choices.end(), word.text) != a.choices.end();
+    const bool admitted = std::find(a.choices.begin(), a.choices.end(), plain) != a.choices.end();
     if (given && !admitted) return fault("must be finite, is " + std::string(word.text));
+    if (word.text != "inf" && word.text != "-inf") return fault("infinity is written inf");
     x = word.text == "inf" ? kInfinity : -kInfinity;
-  } else if (word.text == "nan") {
-    if (given) return fault("must be a number, is nan");
+  } else if (plain == "nan") {
+    if (given) return fault("must be a number, is " + std::string(word.text));
     x = std::numeric_limits<double>::quiet_NaN();
   } else {
     try {
@@ -124,8 +146,7 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
         return fault("expects " + expectedNumber(a.unit) + ", has [" +
                      std::string(siUnit(quantity.family)) + ']');
     } catch (const ExpressionError& e) {
-      return ValueFault{e.message(),
-                        e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()),
+      return ValueFault{std::string(kUnread) + e.message(), whatToWrite(word.text, e),
                         word.offset + e.offset(), e.length()};
     }
   }
@@ -136,7 +157,7 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
 
 std::string counted(std::size_t n) { return std::to_string(n) + (n == 1 ? " number" : " numbers"); }
 
-std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value) {
+std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
   const std::vector<ReadWord> words = split(value.text);
   const std::size_t expected =
       a.type == AttributeType::vector ? static_cast<std::size_t>(a.size) : 1;
@@ -174,6 +195,45 @@ std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value)
   return std::nullopt;
 }
 
+/// Numbers; where they cannot be read because they are written in another way, the fault says so
+/// and how to write them.
+std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value) {
+  auto fault = readWords(a, value);
+  if (!fault) return fault;
+  const OddWriting odd = oddWriting(value.text);
+  const bool unread = fault->text.starts_with(kUnread);
+  if (!unread && odd.text.empty()) return fault;
+  if (!odd.text.empty()) fault = ValueFault{odd.text, {}, odd.offset, odd.length};
+  for (const std::string& text : probableNumbers(value.text)) {
+    ParameterValue better;
+    better.text = text, better.given = value.given;
+    if (text == value.text || readWords(a, better)) continue;
+    fault->hint = "write \"" + text + '"';
+    break;
+  }
+  return fault;
+}
+
+/// Names stand between blanks; a name may hold a comma, but not end with one.
+std::optional<ValueFault> readNames(const ParameterValue& value) {
+  constexpr std::string_view kSeparators = ",;|";
+  const std::vector<ReadWord> words = split(value.text);
+  const auto wrong = std::find_if(words.begin(), words.end(), [&](const ReadWord& w) {
+    return kSeparators.find(w.text.front()) != std::string_view::npos ||
+           kSeparators.find(w.text.back()) != std::string_view::npos;
+  });
+  if (wrong == words.end()) return std::nullopt;
+  const std::size_t at = wrong->offset + wrong->text.find_first_of(kSeparators);
+  std::string better = value.text;
+  for (char& c : better)
+    if (kSeparators.find(c) != std::string_view::npos) c = ' ';
+  std::string text;
+  for (const ReadWord& word : split(better))
+    text += (text.empty() ? "" : " ") + std::string(word.text);
+  return ValueFault{"has \"" + value.text.substr(at, 1) + "\"; names stand between blanks",
+                    "write \"" + text + '"', at, 1};
+}
+
 std::optional<ValueFault> readWord(const std::vector<std::string>& words, const std::string& text,
                                    const std::string& expected) {
   for (const std::string& w : words)
@@ -192,8 +252,9 @@ std::optional<ValueFault> readValue(const Attribute& a, ParameterValue& value) {
       return readNumbers(a, value);
     case AttributeType::flag:
       if (value.text == "true" || value.text == "false") return std::nullopt;
-      return ValueFault{
-          "expects true or false, is \"" + value.text + '"', {}, 0, value.text.size()};
+      return ValueFault{"expects true or false, is \"" + value.text + '"',
+                        didYouMean(nearest(value.text, std::vector<std::string>{"true", "false"})),
+                        0, value.text.size()};
     case AttributeType::choice: {
       auto fault = readWord(a.choices, value.text, "one of " + quotedList(a.choices));
       if (fault && fault->hint.starts_with("known")) fault->hint.clear();  // the text lists them
@@ -204,8 +265,9 @@ std::optional<ValueFault> readValue(const Attribute& a, ParameterValue& value) {
       if (value.given && value.text.empty())
         return ValueFault{"expects a name, is empty", {}, 0, 0};
       return std::nullopt;
-    case AttributeType::text:
     case AttributeType::names:
+      return readNames(value);
+    case AttributeType::text:
     case AttributeType::expression:
     case AttributeType::expressions:
       return std::nullopt;

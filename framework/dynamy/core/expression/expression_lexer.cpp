@@ -2,6 +2,7 @@
 #include <charconv>
 #include <dynamy/core/expression/expression_error.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <system_error>
 
@@ -182,8 +183,13 @@ class Lexer {
     if (!suffix) suffix = parseUnitSuffix(text_.substr(begin, first));
     const std::string_view word = text_.substr(begin, length);
     if (!suffix) {
-      throw ExpressionError("unknown unit " + quoted(word) + " after a number", begin, length,
-                            nearest(word, unitSuffixes()));
+      std::string ours = unitOfOthers(word);
+      if (!parseUnitSuffix(ours)) ours = nearest(word, unitSuffixes());
+      const std::string value = unitInOurs(word);
+      if (!value.empty()) ours.clear();
+      throw ExpressionError(
+          "unknown unit " + quoted(word) + " after a number" + (value.empty() ? "" : ", " + value),
+          begin, length, std::move(ours));
     }
     at_ += length;
     // 2mm^2 reads as (2mm)^2 to a program and as 2 mm² to an engineer.

@@ -3,6 +3,7 @@
 #include <dynamy/core/expression/expression_functions.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/core/expression/expression_parser.hpp>
+#include <dynamy/core/expression/unit_suffix.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <numbers>
 #include <optional>
@@ -68,6 +69,10 @@ class Parser {
   }
 
   [[noreturn]] void expectedOperator() const {
+    const bool afterNumber = at_ > 0 && tokens_[at_ - 1].kind == TokenKind::number;
+    if (afterNumber && current().kind == TokenKind::name && parseUnitSuffix(word(current())))
+      fail("a blank stands before the unit " + quotedWord(word(current())), current(),
+           std::string(word(tokens_[at_ - 1])) + std::string(word(current())));
     const bool isFactor = current().kind == TokenKind::name || current().kind == TokenKind::open ||
                           current().kind == TokenKind::number;
     fail("expected an operator, found " + describe(current(), text_), current(),
@@ -281,10 +286,10 @@ class Parser {
     }
     std::vector<std::string> known = symbols_.names();
     std::string message = "unknown symbol " + quotedWord(name);
-    if (!known.empty() && known.size() <= kMostNamesListed) {
-      message += ", known:";
-      for (const std::string& k : known) message += " " + k;
-    }
+    if (!known.empty()) message += ", known:";
+    for (std::size_t i = 0; i < std::min(known.size(), kMostNamesListed); ++i)
+      message += " " + known[i];
+    if (known.size() > kMostNamesListed) message += " …";
     known.emplace_back("pi");
     fail(message, token, name == "π" ? "pi" : nearest(name, known));
   }

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/io/model/attribute_reader.hpp>
 #include <stdexcept>
 
@@ -88,7 +88,7 @@ bool AttributeReader::allDeclared(const XmlNode& node, const Scope& scope,
     for (const Attribute& a : declared.list()) known.push_back(a.name);
     for (const std::string_view c : common) known.emplace_back(c);
     faults_->add(scope, written.namePlace, node, "unknown attribute \"" + written.name + '"',
-                 unknownNameHint(written.name, known));
+                 meantAttribute(written.name, known).hint);
     good = false;
   }
   return good;
@@ -131,7 +131,7 @@ bool AttributeReader::isMisspelt(const std::string& name, const XmlNode& node,
   for (const std::string_view c : common) known.emplace_back(c);
   return std::any_of(node.attributes.begin(), node.attributes.end(), [&](const XmlAttribute& a) {
     return std::find(known.begin(), known.end(), a.name) == known.end() &&
-           nearest(a.name, known) == name;
+           meantAttribute(a.name, known).name == name;
   });
 }
 
@@ -158,6 +158,8 @@ bool AttributeReader::read(const XmlNode& node, const Scope& scope, const Attrib
         throw std::logic_error("default of " + x.type + '.' + a.name + ": " + fault->text);
     } else if (!a.optionalValue && isMisspelt(a.name, node, declared, common)) {
       good = false;  // told already: unknown attribute, did you mean this one?
+    } else if (!a.optionalValue && scope.file().defaultsAreBroken) {
+      good = false;  // told already: it may stand in the defaults
     } else if (!a.optionalValue) {
       const std::string unit =
           unitText(a.unit) == "-" ? std::string() : " [" + std::string(unitText(a.unit)) + ']';

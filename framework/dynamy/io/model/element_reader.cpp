@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <dynamy/core/expression/expression_error.hpp>
-#include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/element_reader.hpp>
+#include <dynamy/io/model/unknown_element.hpp>
 #include <limits>
 #include <new>
 #include <set>
@@ -63,19 +63,9 @@ bool fits(const ChildRule& rule, const RegisteredType& type) {
 
 void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
                                    const std::vector<std::string>& allowed) {
-  // The nearest name among those that fit here, else among all.
-  std::string near = nearest(node.tag, allowed);
-  if (near.empty()) {
-    std::vector<std::string> all;
-    for (const RegisteredType* t : registry_->types()) all.push_back(t->name);
-    near = nearest(node.tag, all);
-  }
-  if (near.empty() && source_->typesAreMissing()) return;  // told already: the plug-in
-  std::string hint;
-  if (!near.empty())
-    hint = "did you mean <" + near + ">?";
-  else if (!allowed.empty())
-    hint = "known here: " + quotedList(allowed);
+  std::string hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
+  if (hint.empty() && source_->typesAreMissing()) return;  // told already: the plug-in
+  if (hint.empty() && !allowed.empty()) hint = "known here: " + quotedList(allowed);
   faults_->add(scope, node.place, parent, "unknown element <" + node.tag + '>', std::move(hint));
 }
 

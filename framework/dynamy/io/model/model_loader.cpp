@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/law/pair_laws.hpp>
@@ -17,6 +18,18 @@ struct Placed {
   std::string name;
 };
 
+/// Declares the names of an element that could not be placed, so that references to it are no
+/// second error; a misspelt attribute counts, too.
+void declareSilently(const XmlNode& node, const Scope& scope, NameTable& names) {
+  Faults silent;
+  const std::string name = elementName(node, scope, scope.prefix, silent);
+  if (!name.empty()) names.declare(name, Kind::system, node, scope, silent);
+  if (node.attribute("name") != nullptr) return;
+  for (const XmlAttribute& a : node.attributes)
+    if (meantAttribute(a.name, {"name"}).name == "name")
+      names.declare(scope.prefix + a.value + scope.suffix, Kind::system, node, scope, silent);
+}
+
 /// Types and names of all elements, before any of them is made: references may point forward.
 std::vector<Placed> placeElements(const ModelSource& source, ElementReader& reader,
                                   NameTable& names, Faults& faults) {
@@ -28,16 +41,15 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
     const Word& word = *source.vocabulary().find(item.section);
     const RegisteredType* type = reader.typeIn(word, *item.node, *item.scope, section);
     if (type == nullptr) {
-      // Its name counts nevertheless, so that references to it are no second error.
-      Faults silent;
-      const std::string name = elementName(*item.node, *item.scope, item.scope->prefix, silent);
-      if (!name.empty()) names.declare(name, Kind::system, *item.node, *item.scope, silent);
+      declareSilently(*item.node, *item.scope, names);
       continue;
     }
     // Materials are the same in all files; a body may be called like its material.
     const bool rule = type->kind == Kind::rule;
     std::string name = elementName(*item.node, *item.scope, rule ? "" : item.scope->prefix, faults);
     if (!name.empty() && !rule) names.declare(name, type->kind, *item.node, *item.scope, faults);
+    if (item.node->attribute("name") == nullptr && type->kind == Kind::system)
+      declareSilently(*item.node, *item.scope, names);
     out.push_back({&item, type, std::move(name)});
   }
   return out;
@@ -69,6 +81,22 @@ std::unique_ptr<Element> standIn(const XmlNode& node) {
 }
 
 using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;
+
+/// Adds a rule for each element that could not be read. False if one of them may have been a rule
+/// of materials that nobody knows: then a pair without a law is no second error.
+bool addStandIns(const ModelSource& source, const Registry& registry,
+                 const std::set<const ModelItem*>& good, Parts& parts) {
+  bool all = true;
+  for (const ModelItem& item : source.elements()) {
+    if (good.contains(&item)) continue;
+    const RegisteredType* type = registry.find(item.node->tag);
+    if (auto rule = standIn(*item.node))
+      parts.emplace_back(Kind::rule, std::move(rule));
+    else if (item.section == "elements" && (type == nullptr || type->kind == Kind::rule))
+      all = false;
+  }
+  return all;
+}
 
 /// False if a section, an included file or a plug-in is missing: it may hold the missing rules.
 bool allElementsAreKnown(const Faults& faults) {
@@ -142,10 +170,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
                                        : source.title();
   for (const Model::Completion& completion : registry.completions())
     model.addCompletion(completion);
-  if (faults.size() > 0 && whole) {
-    for (const ModelItem& item : source.elements())
-      if (auto rule = good.contains(&item) ? nullptr : standIn(*item.node))
-        parts.emplace_back(Kind::rule, std::move(rule));
+  if (faults.size() > 0 && whole && addStandIns(source, registry, good, parts)) {
     findUncoveredPairs(parts, registry, source.document(), faults);
   }
   faults.throwIfAny();

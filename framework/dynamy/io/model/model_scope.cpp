@@ -137,6 +137,11 @@ std::vector<std::string> namesInBraces(std::string_view value) {
 
 namespace {
 
+bool isName(std::string_view word) {
+  return !word.empty() && nameStart(word[0]) &&
+         std::all_of(word.begin(), word.end(), nameContinues) && word != "e" && word != "pi";
+}
+
 /// The same error, found with all names in reach, so that it can say which one was meant.
 ExpressionError withAllNames(std::string_view text, const Scope& scope, const ExpressionError& e) {
   try {
@@ -192,8 +197,12 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       out.text += number;
     } catch (const ExpressionError& found) {
       const ExpressionError e = withAllNames(inner, scope, found);
-      fault(at + 1 + e.offset(), e.length(), e.message(),
-            e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
+      std::string hint = didYouMean(e.suggestion());
+      // Of a model without parameters no name can be near.
+      const std::string_view wrong = inner.substr(e.offset(), e.length());
+      if (scope.symbolCount() == 0 && hint.empty() && isName(wrong))
+        hint = "add <parameter name=\"" + std::string(wrong) + "\" value=\"…\"/>";
+      fault(at + 1 + e.offset(), e.length(), e.message(), std::move(hint));
     }
     at = end;
   }

@@ -35,6 +35,7 @@ struct Scope {
   std::set<std::string, std::less<>>
       broken;  ///< names whose own value is wrong: their users stay silent
   DefaultsTable defaults;
+  bool defaultsAreBroken = false;  ///< what lacks an attribute stays silent
 
   const Scope& file() const;
   /// Number behind a name, from the innermost turn outwards; nullptr if there is none.

@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/expression/expression.hpp>
 #include <dynamy/core/expression/expression_error.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/model_source.hpp>
 #include <dynamy/io/model/parameter_evaluator.hpp>
+#include <dynamy/io/model/unknown_element.hpp>
 
 namespace dynamy {
 
@@ -18,6 +20,16 @@ constexpr std::array<std::string_view, 2> kNamedClass{"name", "class"};
 /// The attributes of the root that XML itself and editors want.
 bool isSchemaAttribute(const std::string& name) {
   return name == "xmlns" || name.starts_with("xmlns:") || name.starts_with("xsi:");
+}
+
+/// The hint for a file that another program reads.
+std::string formatOf(const std::string& root) {
+  if (!sameInOtherCase(root, {"dynamy"}).empty()) return "did you mean <dynamy>?";
+  for (const auto& [tag, format] : {std::pair("mujoco", "MJCF"), {"robot", "URDF"}, {"sdf", "SDF"}})
+    if (root == tag)
+      return "the file is in " + std::string(format) +
+             ", which dynamY does not read; dynamy describe dynamy shows a small model";
+  return {};
 }
 
 std::string joined(const std::vector<fs::path>& chain) {
@@ -98,7 +110,8 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
 
 bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
   if (root.tag != "dynamy") {
-    faults_->add(scope, root.place, root, "a model begins with <dynamy version=\"1\">");
+    faults_->add(scope, root.place, root, "a model begins with <dynamy version=\"1\">",
+                 formatOf(root.tag));
     return false;
   }
   XmlNode own;  // without the attributes that belong to the schema
@@ -190,6 +203,11 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
   for (const XmlNode& node : root.children)
     if (node.tag == "parameter") evaluator.add(node);
+  // An element that nobody knows may have been meant as a parameter: what uses it stays silent.
+  for (const XmlNode& node : root.children)
+    if (const XmlAttribute* name = node.attribute("name");
+        name != nullptr && vocabulary_.find(node.tag) == nullptr && !evaluator.has(name->value))
+      scope.broken.insert(name->value);
   const std::vector<std::string> known = evaluator.names();  // for prefixes and hints
   for (const std::string& name : known) parameterNames_.push_back(scope.prefix + name);
 
@@ -231,12 +249,17 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
 }
 
 void ModelSource::readDefaults(const XmlNode& root, Scope& scope) {
+  const std::size_t before = faults_->size();
   for (const XmlNode& section : root.children) {
+    const bool known = vocabulary_.find(section.tag) != nullptr;
+    if (!known && !nearest(section.tag, std::vector<std::string>{"defaults"}).empty())
+      scope.defaultsAreBroken = true;  // reported by walk()
     if (section.tag != "defaults") continue;
     noText(section, scope);
     for (const XmlNode& node : section.children)
       if (node.tag != "doc") readDefault(node, section, scope);
   }
+  if (faults_->size() > before) scope.defaultsAreBroken = true;
 }
 
 void ModelSource::readDefault(const XmlNode& node, const XmlNode& section, Scope& scope) {
@@ -244,9 +267,8 @@ void ModelSource::readDefault(const XmlNode& node, const XmlNode& section, Scope
   if (type == nullptr) {
     std::vector<std::string> known;
     for (const RegisteredType* t : registry_->types()) known.push_back(t->name);
-    const std::string near = nearest(node.tag, known);
     faults_->add(scope, node.place, section, "unknown element <" + node.tag + '>',
-                 near.empty() ? std::string() : "did you mean <" + near + ">?");
+                 meantElement(node.tag, known, *registry_, vocabulary_));
     return;
   }
   AttributeReader(*faults_, nullptr).allDeclared(node, scope, type->attributes, kNamedClass);
@@ -289,10 +311,9 @@ void ModelSource::walk(const XmlNode& parent, const Scope& scope, const Includin
                          (where.empty() ? "; it stands inside of another element"
                                         : "; put it into <" + std::string(where) + '>'));
       } else {
-        const std::string near = nearest(tag, root.children);
-        faults_->add(
-            scope, node.place, parent, "unknown element <" + tag + '>',
-            near.empty() ? "known: " + quotedList(root.children) : "did you mean <" + near + ">?");
+        std::string hint = meantElement(tag, root.children, *registry_, vocabulary_);
+        if (hint.empty()) hint = "known here: " + quotedList(root.children);
+        faults_->add(scope, node.place, parent, "unknown element <" + tag + '>', std::move(hint));
       }
     } else if (!isRoot && tag != "doc") {
       faults_->add(scope, node.place, parent, "<" + tag + "> cannot be replicated");
@@ -314,7 +335,7 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
   for (const XmlNode& child : node.children)
     if (child.tag != "set" && child.tag != "doc")
       faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>',
-                   "known: \"set\", \"doc\"");
+                   "known here: \"set\", \"doc\"");
   Parameters x;
   if (!readWord(node, scope, x)) return;
   const fs::path file = scope.file().folder / x["file"].text;

@@ -34,7 +34,14 @@ std::vector<std::string> ParameterEvaluator::names() const {
 void ParameterEvaluator::add(const XmlNode& node) {
   const XmlAttribute* name = node.attribute("name");
   if (name == nullptr) {
-    faults_->add(*scope_, node.place, node, "missing attribute \"name\"", "name in expressions");
+    // A misspelt name is reported as that, and what uses it stays silent.
+    AttributeReader reader(*faults_, nullptr);
+    if (AttributeReader::isMisspelt("name", node, word_->attributes, {})) {
+      reader.allDeclared(node, *scope_, word_->attributes, {});
+      for (const XmlAttribute& a : node.attributes) scope_->broken.insert(a.value);
+    } else {
+      faults_->add(*scope_, node.place, node, "missing attribute \"name\"", "name in expressions");
+    }
     return;
   }
   if (!isName(name->value)) {

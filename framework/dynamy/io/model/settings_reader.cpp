@@ -15,7 +15,8 @@ void SettingsReader::read(const ModelItem& item) {
   if (node.tag != "simulation")
     for (const XmlNode& child : node.children)
       if (child.tag != "doc")
-        faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>');
+        faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>',
+                     "known here: \"doc\"");
   Parameters x;
   x.type = node.tag;
   if (!attributes_.read(node, scope, word.attributes, {}, x)) return;

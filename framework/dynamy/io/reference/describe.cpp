@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <dynamy/core/declared/unknown_name.hpp>
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/io/reference/declaration_text.hpp>
 #include <dynamy/io/reference/describe.hpp>
+#include <dynamy/io/reference/subject.hpp>
 #include <dynamy/io/xml/vocabulary.hpp>
 
 namespace dynamy {
@@ -85,6 +88,19 @@ std::string typesThatTellOf(const Registry& registry, std::string_view word) {
   return fmt::format("the description of {} has this word", fmt::join(telling, ", "));
 }
 
+/// What the declarations have about a word that is no name; "" if nothing.
+std::string onSubject(const Registry& registry, std::string_view word) {
+  constexpr std::size_t kShortest = 2;  // letters
+  if (word.size() < kShortest) return {};
+  std::string out = elementOfOthers(word);
+  if (!out.empty()) out += "\n";
+  if (const auto types = typesOnSubject(registry, word); !types.empty())
+    return out + fmt::format("about \"{}\":\n\n{}", word, listTypes(types));
+  if (const std::string attributes = attributesOnSubject(registry, word); !attributes.empty())
+    return out + fmt::format("attributes for \"{}\":\n{}", word, attributes);
+  return out;
+}
+
 }  // namespace
 
 std::string describe(const Registry& registry, std::string_view name) {
@@ -104,6 +120,9 @@ std::string describe(const Registry& registry, std::string_view name) {
   std::vector<std::string> known;
   for (const RegisteredType* t : registry.types()) known.push_back(t->name);
   for (const Word& word : vocabulary.words()) known.push_back(word.name);
+  if (const std::string same = sameInOtherCase(name, known); !same.empty())
+    return describe(registry, same);
+  if (std::string found = onSubject(registry, name); !found.empty()) return found;
   const std::string near = nearest(name, known);
   throw ModelError("there is no \"" + std::string(name) + '"',
                    near.empty() ? typesThatTellOf(registry, name) : didYouMean(near));
@@ -117,10 +136,7 @@ std::string listTypes(const std::vector<const RegisteredType*>& types) {
   for (const RegisteredType* t : types) {
     if (before == nullptr || before->kind != t->kind)
       out += (out.empty() ? "" : "\n") + std::string(kindText(t->kind)) + '\n';
-    // The first sentence, or the first line, of the description.
-    std::string about = t->attributes.aboutText();
-    about = about.substr(0, about.find('\n'));
-    about = about.substr(0, about.find(": "));
+    std::string about = firstSentence(t->attributes.aboutText());
     if (t->library != "dynamy" && t->library != "dynamy_elements")
       about += (about.empty() ? "[" : " [") + t->library + ']';
     std::string line = "  " + t->name + std::string(longest - width(t->name) + 2, ' ') + about;

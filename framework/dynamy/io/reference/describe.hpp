@@ -7,7 +7,9 @@
 namespace dynamy {
 
 /// What `name` (a type, or a word of the format such as "simulation") is: text, table of
-/// attributes, children, example. Throws ModelError with the nearest name if there is none.
+/// attributes, children, example. For another word, such as "friction": the types about it, else
+/// the attributes of that name, words of other programs included. Throws ModelError with the
+/// nearest name if there is nothing.
 std::string describe(const Registry& registry, std::string_view name);
 
 /// Types by kind, one line each.

@@ -118,7 +118,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"1e+", "malformed number \"1e\"", 0, 2, ""},
                     Wrong{"2e999", "the number \"2e999\" is out of range", 0, 5, ""},
                     Wrong{"3kgs", "unknown unit \"kgs\" after a number", 1, 3, "kg"},
-                    Wrong{"1+30degree", "unknown unit \"degree\" after a number", 4, 6, ""},
+                    Wrong{"1+30degree", "unknown unit \"degree\" after a number", 4, 6, "deg"},
+                    Wrong{"4in", "unknown unit \"in\" after a number, 1in is 0.0254m", 1, 2, ""},
+                    Wrong{"2 m", "a blank stands before the unit \"m\"", 2, 1, "2m"},
                     Wrong{"2phiM", "unknown unit \"phiM\" after a number", 1, 4, ""},
                     Wrong{"2mm^2", "a power directly after a unit is ambiguous", 3, 1, "(2mm)^"}));
 

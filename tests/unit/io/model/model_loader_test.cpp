@@ -112,7 +112,7 @@ TEST(ModelLoader, OverridesReplaceParameters) {
   EXPECT_EQ(errors(text, {{"hh", "3"}}),
             "error: --set hh=3: no parameter \"hh\" — did you mean \"h\"?");
   EXPECT_EQ(errors(text, {{"h", "high"}}),
-            "error: --set h=high: expected a number, found \"high\"");
+            "error: --set h=high: cannot be read: expected a number, found \"high\"");
 }
 
 }  // namespace

@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <dynamy/core/declared/written_numbers.hpp>
+#include <dynamy/core/expression/unit_suffix.hpp>
+#include <dynamy/core/other_words.hpp>
+#include <sstream>
+
+namespace dynamy {
+namespace {
+
+constexpr std::string_view kSeparators = ",;|";
+constexpr std::string_view kBrackets = "[]()";
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & 0x80) != 0;
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// "m/s^2", "m/s²", "N*m" → "m/s2", "Nm"; words of others in ours. "" if it is no unit.
+std::string unitText(std::string_view word) {
+  std::string unit(word);
+  for (const std::string_view sign : {"^", "*", "·"}) unit = replaced(std::move(unit), sign, "");
+  unit = replaced(replaced(std::move(unit), "²", "2"), "³", "3");
+  if (parseUnitSuffix(unit)) return unit;
+  for (const std::string& known : unitSuffixes())  // KG, Kg
+    if (std::equal(unit.begin(), unit.end(), known.begin(), known.end(), [](char a, char b) {
+          return (a | 0x20) == (b | 0x20) && isLetter(a) == isLetter(b);
+        }))
+      return known;
+  unit = unitOfOthers(unit);
+  return parseUnitSuffix(unit) ? unit : std::string();
+}
+
+/// A word as its number and what follows; an empty number if it begins with none.
+struct Parts {
+  std::string number, rest;
+};
+
+Parts parts(const std::string& word) {
+  std::size_t at = 0;
+  const auto digits = [&] {
+    while (at < word.size() && (isDigit(word[at]) || word[at] == '.')) ++at;
+  };
+  if (at < word.size() && (word[at] == '-' || word[at] == '+')) ++at;
+  const std::size_t first = at;
+  digits();
+  if (at == first) return {"", word};
+  if (at < word.size() && (word[at] == 'e' || word[at] == 'E')) {
+    const std::size_t sign = at + 1 < word.size() && (word[at + 1] == '-' || word[at + 1] == '+');
+    if (at + 1 + sign < word.size() && isDigit(word[at + 1 + sign])) at += 1 + sign, digits();
+  }
+  return {word.substr(0, at), word.substr(at)};
+}
+
+/// Words with units right after their numbers; a single unit at the end is that of all.
+std::string withUnits(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  bool onlyLast = true;  // no number but the last has a unit
+  for (std::string word; in >> word;) {
+    const Parts p = parts(word);
+    const std::string unit = unitText(p.rest);
+    if (p.number.empty() && !unit.empty() && !words.empty()) {
+      words.back() += unit;
+      continue;
+    }
+    onlyLast = onlyLast && (words.empty() || parts(words.back()).rest.empty());
+    words.push_back(unit.empty() ? word : p.number + unit);
+  }
+  std::string out;
+  const std::string last = words.empty() ? std::string() : parts(words.back()).rest;
+  for (const std::string& word : words)
+    out += (out.empty() ? "" : " ") + (onlyLast ? parts(word).number + last : word);
+  return out;
+}
+
+/// The unit vector of "x", "-y", "Z"; "" if it is none.
+std::string axis(std::string_view text) {
+  const bool negative = text.starts_with("-");
+  if (negative || text.starts_with("+")) text.remove_prefix(1);
+  const std::size_t at = text.size() == 1 ? std::string_view("xyzXYZ").find(text[0]) : 6;
+  if (at >= 6) return {};
+  std::string out = "0 0 0";
+  out[2 * (at % 3)] = '1';
+  if (negative) out.insert(2 * (at % 3), "-");
+  return out;
+}
+
+}  // namespace
+
+OddWriting oddWriting(std::string_view text) {
+  if (const std::size_t at = text.find_first_of(kBrackets); at != std::string_view::npos)
+    return {"has brackets; numbers stand without", at, 1};
+  if (const std::size_t at = text.find_first_of(kSeparators); at != std::string_view::npos) {
+    const std::string sign(text.substr(at, 1));
+    return {"has \"" + sign + "\"; numbers stand between blanks, decimals have a point", at, 1};
+  }
+  // A unit that stands alone, after a number.
+  bool number = false;
+  for (std::size_t at = text.find_first_not_of(" \t\r\n"); at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
+    const std::string word(text.substr(at, end - at));
+    if (number && !unitText(word).empty())
+      return {"has a blank before the unit \"" + word + '"', at, word.size()};
+    number = !parts(word).number.empty();
+    at = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
+  }
+  return {};
+}
+
+std::vector<std::string> probableNumbers(std::string_view text) {
+  std::vector<std::string> out;
+  if (std::string unit = axis(text); !unit.empty()) out.push_back(std::move(unit));
+  const auto add = [&](bool decimalComma) {
+    std::string blanks(text);
+    for (char& c : blanks) {
+      if (decimalComma && c == ',')
+        c = '.';
+      else if (kSeparators.find(c) != std::string_view::npos ||
+               kBrackets.find(c) != std::string_view::npos)
+        c = ' ';
+    }
+    out.push_back(withUnits(blanks));
+  };
+  add(false);
+  if (text.find(',') != std::string_view::npos) add(true);
+  return out;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,46 @@
+/// Words of other programs and of textbooks, and what dynamY calls the same: hints in messages.
+///
+/// One table for elements, one for attributes, one for units. They hold words of URDF and SDF,
+/// MJCF, Chrono, Drake, Bullet, Simscape and Siconos that a newcomer may write. A word is compared
+/// without case and without "_", "-" and ":". A test checks that every name of ours in the tables
+/// exists (tests/unit/elements/other_words_test.cpp). Rejected: other names that each element declares
+/// for itself, because most of these words have no single element, and because the reader would
+/// have to look at all types to answer for one.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dynamy {
+
+/// One row of a table. `words` and `ours` are separated by blanks.
+struct OtherWord {
+  std::string_view words;           ///< as others write it, in lower case, without "_", "-" and ":"
+  std::string_view ours;            ///< of attributes and units: our names, the best first; else ""
+  std::string_view hint;            ///< "a hinge is <Revolute>"; "{}": the name of ours that fits
+  std::string_view elsewhere = {};  ///< of attributes: the hint where none of `ours` fits
+};
+
+std::span<const OtherWord> otherElements();
+std::span<const OtherWord> otherAttributes();
+std::span<const OtherWord> otherUnits();
+
+/// "in dynamY a hinge is <Revolute>" for the element <Hinge> of others; "" if it is in no table.
+std::string elementOfOthers(std::string_view word);
+
+/// What an attribute of others means.
+struct AttributeOfOthers {
+  std::string name;  ///< the one of `known`, "" if none of them fits
+  std::string hint;  ///< "in dynamY the stiffness is stiffness="…""; "" if it is in no table
+};
+/// `known`: the attributes that the element has.
+AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::string> known);
+
+/// "deg" for "degrees", the same with a divisor: "deg/s" for "degrees/sec"; "" if unknown.
+std::string unitOfOthers(std::string_view word);
+/// "1lb is 0.45359237kg": the hint of a unit that dynamY does not have; "" if it is in no table.
+std::string unitInOurs(std::string_view word);
+
+}  // namespace dynamy

@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <dynamy/core/declared/unknown_name.hpp>
+#include <dynamy/core/other_words.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model/unknown_element.hpp>
+
+namespace dynamy {
+namespace {
+
+/// The first <Name> in a hint.
+std::string firstElement(const std::string& hint) {
+  const std::size_t begin = hint.find('<') + 1;  // 0: there is none
+  return begin == 0 ? std::string() : hint.substr(begin, hint.find_first_of(" >", begin) - begin);
+}
+
+/// Where `name` stands, if it may not stand among `allowed`.
+std::string elsewhere(const std::string& name, const std::vector<std::string>& allowed,
+                      const Registry& registry) {
+  const RegisteredType* type = registry.find(name);
+  if (type == nullptr || std::find(allowed.begin(), allowed.end(), name) != allowed.end())
+    return {};
+  const std::string_view section = sectionOf(type->kind);
+  return section.empty() ? std::string() : "; put it into <" + std::string(section) + '>';
+}
+
+}  // namespace
+
+std::string meantElement(std::string_view tag, const std::vector<std::string>& allowed,
+                         const Registry& registry, const Vocabulary& vocabulary) {
+  std::vector<std::string> types, all;
+  for (const RegisteredType* t : registry.types()) types.push_back(t->name);
+  all = types;
+  for (const Word& word : vocabulary.words()) all.push_back(word.name);
+
+  std::string near = sameInOtherCase(tag, allowed);
+  if (near.empty()) near = sameInOtherCase(tag, all);
+  if (near.empty())
+    if (const std::string other = elementOfOthers(tag); !other.empty())
+      return other + elsewhere(firstElement(other), allowed, registry);
+  if (near.empty()) near = nearest(tag, allowed);
+  if (near.empty()) near = nearest(tag, types);
+  if (near.empty()) return {};
+  return "did you mean <" + near + ">?" + elsewhere(near, allowed, registry);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <dynamy/core/constants.hpp>
+#include <dynamy/simulation/report/start_overlap.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Smallest edge of the box around points, in axes of the shape; flat ones: of those that are none.
+double smallestEdge(const std::vector<Vec3>& points) {
+  if (points.size() < 3) return 0.0;
+  Vec3 low = points.front(), high = points.front();
+  for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  double least = kInfinity;
+  for (const double edge : Vec3(high - low))
+    if (edge > 0.0) least = std::min(least, edge);
+  return least < kInfinity ? least : 0.0;
+}
+
+/// Size of the body that mass block `block` is of, 0 if it has no shape with a size.
+double bodySize(const Model& model, int block) {
+  const Topology& t = model.topology();
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    const SystemHandle& s = t.system(static_cast<int>(i));
+    if (block < s.block0 || block >= s.block0 + s.blocks) continue;
+    // Of a population each block is a body with a frame of its own.
+    const int frame = s.blocks > 1 ? block - s.block0 : -1;
+    double size = 0.0;
+    for (const PlacedShape& p : model.descriptions()[i].shapes)
+      if (!p.shape->material().empty() && (frame < 0 || p.frame == frame))
+        size = std::max(size, thickness(p.shape->geometry()));
+    return size;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+double thickness(const ShapeGeometry& shape) {
+  const std::string& type = shape.type;
+  const auto& size = shape.size;
+  if (type == "Point" || type == "Line" || type == "HalfSpace") return 0.0;
+  if (type == "Sphere" || type == "Circle" || type == "Capsule") return 2.0 * size[0];
+  if (type == "Cylinder" || type == "Cone") return std::min(2.0 * size[0], size[1]);
+  if (type == "Torus") return 2.0 * size[1];
+  if (type == "Box") return std::min({size[0], size[1], size[2]});
+  if (type == "Ellipsoid") return 2.0 * std::min({size[0], size[1], size[2]});
+  return smallestEdge(shape.points);
+}
+
+StartOverlap startOverlap(const Model& model, const ContactSet& start) {
+  StartOverlap worst;
+  for (int i = 0; i < start.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const auto candidate = static_cast<std::size_t>(start.candidate[at]);
+    StartOverlap here{-start.g[candidate], kInfinity, start.candidateKey[candidate]};
+    if (!start.law[at]->unilateral() || !(here.depth > 0.0)) continue;
+    for (int k = start.segment0[at]; k < start.segment0[at + 1]; ++k) {
+      const double size = bodySize(model, start.segment[static_cast<std::size_t>(k)].block);
+      if (size > 0.0) here.size = std::min(here.size, size);
+    }
+    if (here.size < kInfinity && here.share() > worst.share()) worst = here;
+  }
+  return worst;
+}
+
+}  // namespace dynamy
