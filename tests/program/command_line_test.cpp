@@ -117,7 +117,7 @@ TEST_F(CommandLine, ListTellsNamesOfOneKind) {
   ASSERT_EQ(call("list --names --kind impact"), 0) << err();
   EXPECT_NE(out().find("NewtonImpact\n"), std::string::npos);
   EXPECT_EQ(out().find("RigidBody"), std::string::npos);
-  EXPECT_EQ(call("list --kind impacts"), 64);
+  EXPECT_EQ(call("list --kind bump"), 64);
   EXPECT_NE(err().find("impact"), std::string::npos) << err();
 }
 
