@@ -65,7 +65,7 @@ constexpr auto kElements = std::to_array<OtherWord>({
   {"newton nsn nonsmoothnewton", "", "Newton's method as a solver is <ProximalNewton>, as an impact law <NewtonImpact>"},
   // Words of the file.
   {"bodies links parts objects", "", "bodies stand in <systems>"},
-  {"joints constraints contacts interactions contact materials sensors collisions", "", "joints, contacts and materials stand in <elements>"},
+  {"joints constraints interactions materials sensors collisions", "", "joints, contacts and materials stand in <elements>"},
   {"actuators springs loads", "", "springs, drives and loads stand in <forces>"},
   {"option options physics simulator solveroptions settings integrator solver experiment time", "", "time, step, scheme and solver stand in <simulation>"},
   {"output outputs log logging sensor recorder", "", "what is kept of a run stands in <record>"},

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
-#include <dynamy/core/declared/unknown_name.hpp>
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/law/pair_laws.hpp>
@@ -25,8 +25,9 @@ void declareSilently(const XmlNode& node, const Scope& scope, NameTable& names) 
   const std::string name = elementName(node, scope, scope.prefix, silent);
   if (!name.empty()) names.declare(name, Kind::system, node, scope, silent);
   if (node.attribute("name") != nullptr) return;
+  static const std::vector<std::string> kName{"name"};
   for (const XmlAttribute& a : node.attributes)
-    if (meantAttribute(a.name, {"name"}).name == "name")
+    if (!nearest(a.name, kName).empty())
       names.declare(scope.prefix + a.value + scope.suffix, Kind::system, node, scope, silent);
 }
 
