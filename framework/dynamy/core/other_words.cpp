@@ -6,7 +6,7 @@ namespace dynamy {
 namespace {
 
 // clang-format off
-constexpr auto kElements = std::to_array<OtherWord>({
+constexpr auto kOtherElements = std::to_array<OtherWord>({
   // Bodies.
   {"body rigid rigidsolid link chbody solid multibody actor", "", "a body is <RigidBody>, in a plane <PlanarBody>"},
   {"body2d planarrigidbody", "", "a body in a plane is <PlanarBody>"},
@@ -78,7 +78,7 @@ constexpr auto kElements = std::to_array<OtherWord>({
   {"default", "", "attributes that elements of a type take if they lack them stand in <defaults>"},
 });
 
-constexpr auto kAttributes = std::to_array<OtherWord>({
+constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   // Contact.
   {"friction frictioncoefficient coefficientoffriction mu1 slidingfriction staticfriction lateralfriction mus frictionstatic", "mu",
    "the coefficient of friction is {}", "friction belongs to the law of two materials: <UnilateralCoulomb mu=\"…\">"},
@@ -147,7 +147,7 @@ constexpr auto kAttributes = std::to_array<OtherWord>({
   {"n number times copies", "count", "the count is {}"},
 });
 
-constexpr auto kUnits = std::to_array<OtherWord>({
+constexpr auto kOtherUnits = std::to_array<OtherWord>({
   {"degree degrees", "deg", ""},
   {"radian radians", "rad", ""},
   {"meter meters metre metres", "m", ""},
@@ -180,7 +180,7 @@ constexpr auto kUnits = std::to_array<OtherWord>({
 // clang-format on
 
 /// In lower case, without what words are joined by.
-std::string plain(std::string_view word) {
+std::string plainWord(std::string_view word) {
   std::string out;
   for (const char c : word)
     if (c != '_' && c != '-' && c != ':')
@@ -188,7 +188,7 @@ std::string plain(std::string_view word) {
   return out;
 }
 
-std::vector<std::string_view> split(std::string_view text) {
+std::vector<std::string_view> wordsOfRow(std::string_view text) {
   std::vector<std::string_view> out;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
@@ -199,41 +199,41 @@ std::vector<std::string_view> split(std::string_view text) {
 }
 
 /// The rows that have this word, in the order of the table.
-std::vector<const OtherWord*> rows(std::span<const OtherWord> table, std::string_view word) {
-  const std::string wanted = plain(word);
+std::vector<const OtherWord*> rowsWith(std::span<const OtherWord> table, std::string_view word) {
+  const std::string wanted = plainWord(word);
   std::vector<const OtherWord*> out;
   for (const OtherWord& row : table) {
-    const auto words = split(row.words);
+    const auto words = wordsOfRow(row.words);
     if (std::find(words.begin(), words.end(), wanted) != words.end()) out.push_back(&row);
   }
   return out;
 }
 
-std::string inOurs(std::string_view hint) { return "in dynamY " + std::string(hint); }
+std::string inDynamy(std::string_view hint) { return "in dynamY " + std::string(hint); }
 
 }  // namespace
 
-std::span<const OtherWord> otherElements() { return kElements; }
-std::span<const OtherWord> otherAttributes() { return kAttributes; }
-std::span<const OtherWord> otherUnits() { return kUnits; }
+std::span<const OtherWord> otherElements() { return kOtherElements; }
+std::span<const OtherWord> otherAttributes() { return kOtherAttributes; }
+std::span<const OtherWord> otherUnits() { return kOtherUnits; }
 
 std::string elementOfOthers(std::string_view word) {
-  const auto found = rows(kElements, word);
-  return found.empty() ? std::string() : inOurs(found.front()->hint);
+  const auto found = rowsWith(kOtherElements, word);
+  return found.empty() ? std::string() : inDynamy(found.front()->hint);
 }
 
 AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::string> known) {
-  const auto found = rows(kAttributes, word);
+  const auto found = rowsWith(kOtherAttributes, word);
   for (const OtherWord* row : found)
-    for (const std::string_view name : split(row->ours)) {
+    for (const std::string_view name : wordsOfRow(row->ours)) {
       if (std::find(known.begin(), known.end(), name) == known.end()) continue;
       std::string hint(row->hint);
       if (const std::size_t at = hint.find("{}"); at != std::string::npos)
         hint.replace(at, 2, std::string(name) + "=\"…\"");
-      return {std::string(name), inOurs(hint)};
+      return {std::string(name), inDynamy(hint)};
     }
   for (const OtherWord* row : found)
-    if (!row->elsewhere.empty()) return {"", inOurs(row->elsewhere)};
+    if (!row->elsewhere.empty()) return {"", inDynamy(row->elsewhere)};
   return {};
 }
 
@@ -244,7 +244,7 @@ std::string unitOfOthers(std::string_view word) {
   for (std::size_t at = 0; at <= word.size();) {
     const std::size_t end = std::min(word.find('/', at), word.size());
     const std::string_view part = word.substr(at, end - at);
-    const auto found = rows(kUnits, part);
+    const auto found = rowsWith(kOtherUnits, part);
     const bool ours = !found.empty() && !found.front()->ours.empty();
     out += (at > 0 ? "/" : "") + std::string(ours ? found.front()->ours : part);
     changed = changed || ours;
@@ -254,7 +254,7 @@ std::string unitOfOthers(std::string_view word) {
 }
 
 std::string unitInOurs(std::string_view word) {
-  const auto found = rows(kUnits, word);
+  const auto found = rowsWith(kOtherUnits, word);
   return found.empty() ? std::string() : std::string(found.front()->hint);
 }
 

@@ -17,6 +17,16 @@ std::string quotedPair(const std::string& a, const std::string& b) {
   return "\"" + a + "\" and \"" + b + "\"";
 }
 
+/// The known material near to the first of `asked` that is unknown; "" if there is none.
+std::string nearMaterial(const std::vector<std::string>& asked,
+                         const std::vector<std::string>& known) {
+  for (const std::string& name : asked) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (const std::string near = nearest(name, known); !near.empty()) return near;
+  }
+  return {};
+}
+
 }  // namespace
 
 void PairLaws::add(std::unique_ptr<MaterialRule> rule) {
@@ -95,18 +105,6 @@ const PairLaw& PairLaws::find(const std::string& a, const std::string& b) {
   return out;
 }
 
-/// A material of the rules near to one of a and b that no rule names; "" if there is none.
-std::string PairLaws::misspelt(const std::string& a, const std::string& b) const {
-  std::vector<std::string> known;
-  for (const auto& [name, values] : materials_) known.push_back(name);
-  for (const auto& [names, rule] : pairs_) known.insert(known.end(), {names.first, names.second});
-  for (const std::string& name : {a, b}) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    if (const std::string near = nearest(name, known); !near.empty()) return near;
-  }
-  return {};
-}
-
 Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
   const std::string between = "between=\"" + a + " " + b + "\"";
   Diagnostic d;
@@ -124,7 +122,10 @@ Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
     d.notes.push_back({.place = mixing_->place(), .text = "values mix by this rule"});
     return d;
   }
-  const std::string near = misspelt(a, b);
+  std::vector<std::string> known;
+  for (const auto& [name, values] : materials_) known.push_back(name);
+  for (const auto& [names, rule] : pairs_) known.insert(known.end(), {names.first, names.second});
+  const std::string near = nearMaterial({a, b}, known);
   d.hint = (near.empty() ? "add" : "did you mean the material \"" + near + "\"? Else add") +
            (" <Contact " + between + ">…</Contact>, or <NoContact " + between + "/>");
   if (material(a) && material(b))

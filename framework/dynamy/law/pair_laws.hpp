@@ -46,7 +46,6 @@ class PairLaws {
   void once(Known& known, const Rule& rule, const std::string& what);
   PairLaw mixed(const Material& a, const Material& b);
   const Material* material(const std::string& name) const;
-  std::string misspelt(const std::string& a, const std::string& b) const;
 
   std::vector<std::unique_ptr<MaterialRule>> rules_;
   std::map<Names, const ContactRule*> pairs_;

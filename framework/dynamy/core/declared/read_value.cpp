@@ -102,7 +102,7 @@ std::optional<std::string> outOfRange(const Attribute& a, double x) {
 
 constexpr std::string_view kUnread = "cannot be read: ";
 
-std::string lower(std::string_view text) {
+std::string inLowerCase(std::string_view text) {
   std::string out(text);
   for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return out;
@@ -124,7 +124,7 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
   const auto fault = [&](std::string text) {
     return ValueFault{std::move(text), {}, word.offset, word.text.size()};
   };
-  const std::string plain = lower(word.text);
+  const std::string plain = inLowerCase(word.text);
   const bool infinite = plain == "inf" || plain == "-inf" || plain == "infinity";
   if (infinite) {
     // Only where the declaration names the word: elsewhere infinity makes nonsense of a step.

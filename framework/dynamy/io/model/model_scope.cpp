@@ -137,7 +137,7 @@ std::vector<std::string> namesInBraces(std::string_view value) {
 
 namespace {
 
-bool isName(std::string_view word) {
+bool isSymbolName(std::string_view word) {
   return !word.empty() && nameStart(word[0]) &&
          std::all_of(word.begin(), word.end(), nameContinues) && word != "e" && word != "pi";
 }
@@ -200,7 +200,7 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       std::string hint = didYouMean(e.suggestion());
       // Of a model without parameters no name can be near.
       const std::string_view wrong = inner.substr(e.offset(), e.length());
-      if (scope.symbolCount() == 0 && hint.empty() && isName(wrong))
+      if (scope.symbolCount() == 0 && hint.empty() && isSymbolName(wrong))
         hint = "add <parameter name=\"" + std::string(wrong) + "\" value=\"…\"/>";
       fault(at + 1 + e.offset(), e.length(), e.message(), std::move(hint));
     }

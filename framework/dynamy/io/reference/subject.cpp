@@ -8,32 +8,32 @@
 namespace dynamy {
 namespace {
 
-bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
-bool isLetter(char c) { return isUpper(c) || (c >= 'a' && c <= 'z') || (c & 0x80) != 0; }
+bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
+bool isWordLetter(char c) { return isCapital(c) || (c >= 'a' && c <= 'z') || (c & 0x80) != 0; }
 
 /// In lower case and without the s of a plural.
-std::string singular(std::string_view word) {
+std::string inSingular(std::string_view word) {
   std::string out;
-  for (const char c : word) out += isUpper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+  for (const char c : word) out += isCapital(c) ? static_cast<char>(c - 'A' + 'a') : c;
   if (out.size() > 3 && out.ends_with('s') && !out.ends_with("ss")) out.pop_back();
   return out;
 }
 
 /// The words of a text; "JointSpring" has the words joint and spring.
-std::vector<std::string> wordsOf(std::string_view text) {
+std::vector<std::string> wordsInside(std::string_view text) {
   std::vector<std::string> out;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= text.size(); ++i) {
-    const bool ends = i == text.size() || !isLetter(text[i]);
-    const bool camel = !ends && i > begin && isUpper(text[i]) && !isUpper(text[i - 1]);
+    const bool ends = i == text.size() || !isWordLetter(text[i]);
+    const bool camel = !ends && i > begin && isCapital(text[i]) && !isCapital(text[i - 1]);
     if (!ends && !camel) continue;
-    if (i > begin) out.push_back(singular(text.substr(begin, i - begin)));
+    if (i > begin) out.push_back(inSingular(text.substr(begin, i - begin)));
     begin = ends ? i + 1 : i;
   }
   return out;
 }
 
-bool has(const std::vector<std::string>& words, const std::string& word) {
+bool hasWord(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -46,7 +46,7 @@ std::string firstSentence(std::string_view about) {
        at = about.find(". ", at + 1)) {
     const bool abbreviation = at >= 2 && about[at - 2] == '.';
     const char next = at + 2 < about.size() ? about[at + 2] : '.';
-    if (abbreviation || !(isUpper(next) || (next >= '0' && next <= '9'))) continue;
+    if (abbreviation || !(isCapital(next) || (next >= '0' && next <= '9'))) continue;
     about = about.substr(0, at);
     break;
   }
@@ -59,12 +59,12 @@ std::string firstSentence(std::string_view about) {
 }
 
 std::vector<const RegisteredType*> typesOnSubject(const Registry& registry, std::string_view word) {
-  const std::string wanted = singular(word);
+  const std::string wanted = inSingular(word);
   std::vector<const RegisteredType*> ofKind, out;
   for (const RegisteredType* t : registry.types()) {
-    if (singular(kindText(t->kind)) == wanted) ofKind.push_back(t);
-    if (has(wordsOf(t->name), wanted) ||
-        has(wordsOf(firstSentence(t->attributes.aboutText())), wanted))
+    if (inSingular(kindText(t->kind)) == wanted) ofKind.push_back(t);
+    if (hasWord(wordsInside(t->name), wanted) ||
+        hasWord(wordsInside(firstSentence(t->attributes.aboutText())), wanted))
       out.push_back(t);
   }
   return ofKind.empty() ? out : ofKind;
