@@ -124,14 +124,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"2phiM", "unknown unit \"phiM\" after a number", 1, 4, ""},
                     Wrong{"2mm^2", "a power directly after a unit is ambiguous", 3, 1, "(2mm)^"}));
 
-TEST(ExpressionError, ListsNoNamesIfThereAreMany) {
+TEST(ExpressionError, ListsTheFirstNamesIfThereAreMany) {
   SymbolTable symbols;
   for (int i = 0; i < 13; ++i) symbols.variable("variable" + std::to_string(i));
   try {
     Expression::compile("variable", symbols);
     FAIL();
   } catch (const ExpressionError& error) {
-    EXPECT_EQ(error.message(), "unknown symbol \"variable\"");
+    EXPECT_EQ(error.message(),
+              "unknown symbol \"variable\", known: variable0 variable1 variable10 variable11 "
+              "variable12 variable2 variable3 variable4 variable5 variable6 variable7 variable8 …");
     EXPECT_EQ(error.suggestion(), "variable0");
   }
 }
