@@ -22,16 +22,6 @@ bool isSchemaAttribute(const std::string& name) {
   return name == "xmlns" || name.starts_with("xmlns:") || name.starts_with("xsi:");
 }
 
-/// The hint for a file that another program reads.
-std::string formatOf(const std::string& root) {
-  if (!sameInOtherCase(root, {"dynamy"}).empty()) return "did you mean <dynamy>?";
-  for (const auto& [tag, format] : {std::pair("mujoco", "MJCF"), {"robot", "URDF"}, {"sdf", "SDF"}})
-    if (root == tag)
-      return "the file is in " + std::string(format) +
-             ", which dynamY does not read; dynamy describe dynamy shows a small model";
-  return {};
-}
-
 std::string joined(const std::vector<fs::path>& chain) {
   std::string out;
   for (const fs::path& p : chain) out += (out.empty() ? "" : " → ") + p.filename().string();
@@ -111,7 +101,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
 bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
   if (root.tag != "dynamy") {
     faults_->add(scope, root.place, root, "a model begins with <dynamy version=\"1\">",
-                 formatOf(root.tag));
+                 meantFormat(root.tag));
     return false;
   }
   XmlNode own;  // without the attributes that belong to the schema

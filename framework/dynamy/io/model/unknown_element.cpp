@@ -3,6 +3,7 @@
 #include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/unknown_element.hpp>
+#include <utility>
 
 namespace dynamy {
 namespace {
@@ -41,6 +42,15 @@ std::string meantElement(std::string_view tag, const std::vector<std::string>& a
   if (near.empty()) near = nearest(tag, types);
   if (near.empty()) return {};
   return "did you mean <" + near + ">?" + elsewhere(near, allowed, registry);
+}
+
+std::string meantFormat(const std::string& root) {
+  if (!sameInOtherCase(root, {"dynamy"}).empty()) return "did you mean <dynamy>?";
+  for (const auto& [tag, format] : {std::pair("mujoco", "MJCF"), {"robot", "URDF"}, {"sdf", "SDF"}})
+    if (root == tag)
+      return "the file is in " + std::string(format) +
+             ", which dynamY does not read; dynamy describe dynamy shows a small model";
+  return {};
 }
 
 }  // namespace dynamy

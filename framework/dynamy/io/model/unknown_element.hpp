@@ -15,4 +15,7 @@ namespace dynamy {
 std::string meantElement(std::string_view tag, const std::vector<std::string>& allowed,
                          const Registry& registry, const Vocabulary& vocabulary);
 
+/// The hint for a file whose root is not <dynamy>: the format of another program; "" if unknown.
+std::string meantFormat(const std::string& root);
+
 }  // namespace dynamy
