@@ -28,6 +28,12 @@ std::string joined(const std::vector<fs::path>& chain) {
   return out;
 }
 
+std::size_t elementsIn(const XmlNode& node) {
+  std::size_t n = node.children.size();
+  for (const XmlNode& child : node.children) n += elementsIn(child);
+  return n;
+}
+
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   const fs::path result = fs::weakly_canonical(path, error);
@@ -193,11 +199,10 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
   for (const XmlNode& node : root.children)
     if (node.tag == "parameter") evaluator.add(node);
-  // An element that nobody knows may have been meant as a parameter: what uses it stays silent.
+  // What uses an element that may have been meant as a parameter stays silent.
   for (const XmlNode& node : root.children)
-    if (const XmlAttribute* name = node.attribute("name");
-        name != nullptr && vocabulary_.find(node.tag) == nullptr && !evaluator.has(name->value))
-      scope.broken.insert(name->value);
+    if (const XmlAttribute* name = node.attribute("name"); name && !vocabulary_.find(node.tag))
+      if (!evaluator.has(name->value)) scope.broken.insert(name->value);
   const std::vector<std::string> known = evaluator.names();  // for prefixes and hints
   for (const std::string& name : known) parameterNames_.push_back(scope.prefix + name);
 
@@ -240,9 +245,9 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
 
 void ModelSource::readDefaults(const XmlNode& root, Scope& scope) {
   const std::size_t before = faults_->size();
+  const std::vector<std::string> defaults{"defaults"};
   for (const XmlNode& section : root.children) {
-    const bool known = vocabulary_.find(section.tag) != nullptr;
-    if (!known && !nearest(section.tag, std::vector<std::string>{"defaults"}).empty())
+    if (vocabulary_.find(section.tag) == nullptr && !nearest(section.tag, defaults).empty())
       scope.defaultsAreBroken = true;  // reported by walk()
     if (section.tag != "defaults") continue;
     noText(section, scope);
@@ -365,16 +370,6 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
     }
   }
 }
-
-namespace {
-
-std::size_t elementsIn(const XmlNode& node) {
-  std::size_t n = node.children.size();
-  for (const XmlNode& child : node.children) n += elementsIn(child);
-  return n;
-}
-
-}  // namespace
 
 /// One scope for each turn, with the index as its number.
 std::vector<const Scope*> ModelSource::turns(const XmlNode& replicate, const Scope& scope) {
