@@ -89,9 +89,11 @@ std::string axisVector(std::string_view text) {
   if (negative || text.starts_with("+")) text.remove_prefix(1);
   const std::size_t at = text.size() == 1 ? std::string_view("xyzXYZ").find(text[0]) : 6;
   if (at >= 6) return {};
-  std::string out = "0 0 0";
-  out[2 * (at % 3)] = '1';
-  if (negative) out.insert(2 * (at % 3), "-");
+  std::string out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k > 0) out += ' ';
+    out += k != at % 3 ? "0" : negative ? "-1" : "1";
+  }
   return out;
 }
 
