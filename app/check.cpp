@@ -328,7 +328,7 @@ int check(Program& program, const CheckChoice& choice) {
   const bool deep = sizes.overlap.share() > kDeepStart;
   const int status = deep ? kFailed : atStart.qualified() ? kQualified : kOk;
   if (!choice.elements) return status;
-  const Verdict verdict = checkModel(model);
+  const dynamy::Verdict verdict = checkModel(model);
   for (const std::string& fault : verdict.faults()) fmt::print(stderr, "{}\n", fault);
   if (!choice.json && verdict) fmt::print(" every entry of its elements agrees with differences\n");
   return verdict ? status : kFailed;

@@ -43,13 +43,7 @@ endif()
 # In batches of ten, sources read their headers once a batch, which halves the cost of a build from
 # nothing; so no file may use a name that another one of its target gives to something else. Rejected:
 # one precompiled header a target (48 s against 38 s of CPU for 25 files).
-# With a compiler cache each file stands alone, so that a change costs one file.
-if(CMAKE_CXX_COMPILER_LAUNCHER)
-  set(in_batches OFF)
-else()
-  set(in_batches ON)
-endif()
-option(DYNAMY_UNITY "Compile sources in batches: a whole build costs less, a changed file more" ${in_batches})
+option(DYNAMY_UNITY "Compile sources in batches: a whole build costs less, a changed file more" OFF)
 function(dynamy_in_batches target)
   if(DYNAMY_UNITY)  # sources with options of their own (kernels) stay alone
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
