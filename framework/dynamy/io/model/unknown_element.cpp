@@ -35,9 +35,12 @@ std::string meantElement(std::string_view tag, const std::vector<std::string>& a
 
   std::string near = sameInOtherCase(tag, allowed);
   if (near.empty()) near = sameInOtherCase(tag, all);
-  if (near.empty())
-    if (const std::string other = elementOfOthers(tag); !other.empty())
-      return other + elsewhere(firstElement(other), allowed, registry);
+  if (near.empty()) {
+    // A hint helps where its element is at hand: a program without the standard elements has few.
+    const std::string other = elementOfOthers(tag), ours = firstElement(other);
+    if (!other.empty() && (ours.empty() || std::find(all.begin(), all.end(), ours) != all.end()))
+      return other + elsewhere(ours, allowed, registry);
+  }
   if (near.empty()) near = nearest(tag, allowed);
   if (near.empty()) near = nearest(tag, types);
   if (near.empty()) return {};

@@ -192,8 +192,10 @@ TEST(ModelLoaderError, UnknownSignalsAfterBuilding) {
 }
 
 TEST(ModelLoaderError, RootVersionAndText) {
-  EXPECT_EQ(firstLine("<mujoco/>"),
-            "m.xml:1:1: error: <mujoco>: a model begins with <dynamy version=\"1\">");
+  EXPECT_EQ(
+      firstLine("<mujoco/>"),
+      "m.xml:1:1: error: <mujoco>: a model begins with <dynamy version=\"1\"> — the file is in "
+      "MJCF, which dynamY does not read; dynamy describe dynamy shows a small model");
   EXPECT_EQ(firstLine("<dynamy version=\"2\"/>"),
             "m.xml:1:18: error: <dynamy>: the format has version 2, this program reads version 1");
   EXPECT_EQ(firstLine(around("<systems>Hello</systems>")),
