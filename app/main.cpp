@@ -65,6 +65,9 @@ Misuse misuse(const CLI::App& app, const std::vector<std::string>& words, std::s
         return {"there is no command \"" + word + '"', didYouMean(near)};
       }
       in = app.get_subcommand(word);
+    } else if (!word.starts_with("-")) {
+      for (const CLI::App* sub : in->get_subcommands([](const CLI::App*) { return true; }))
+        if (sub->get_name() == word) in = sub;
     }
   }
   if (words.empty()) text = "a command is missing, such as dynamy run model.xml";
