@@ -22,7 +22,7 @@ std::string nearMaterial(const std::vector<std::string>& asked,
                          const std::vector<std::string>& known) {
   for (const std::string& name : asked) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    if (const std::string near = nearest(name, known); !near.empty()) return near;
+    if (std::string near = nearest(name, known); !near.empty()) return near;
   }
   return {};
 }
