@@ -2,6 +2,8 @@
 # scripts/run and the tutorial build: `cmake --install` works after them.
 #   cmake -DBINARY_DIR=... -DNINJA=... -P rules.cmake
 file(GLOB_RECURSE rules ${BINARY_DIR}/cmake_install.cmake)
+# Other tests build projects of their own in there.
+list(FILTER rules EXCLUDE REGEX "^${BINARY_DIR}/(install|package)-test/")
 execute_process(COMMAND ${NINJA} -C ${BINARY_DIR} -t commands dynamy plugins
   OUTPUT_VARIABLE commands RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
