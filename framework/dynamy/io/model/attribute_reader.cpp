@@ -156,15 +156,16 @@ bool AttributeReader::read(const XmlNode& node, const Scope& scope, const Attrib
       value.text = *a.defaultValue;
       if (const auto fault = readValue(a, value))
         throw std::logic_error("default of " + x.type + '.' + a.name + ": " + fault->text);
-    } else if (!a.optionalValue && isMisspelt(a.name, node, declared, common)) {
-      good = false;  // told already: unknown attribute, did you mean this one?
-    } else if (!a.optionalValue && scope.file().defaultsAreBroken) {
-      good = false;  // told already: it may stand in the defaults
     } else if (!a.optionalValue) {
-      const std::string unit =
-          unitText(a.unit) == "-" ? std::string() : " [" + std::string(unitText(a.unit)) + ']';
-      faults_->add(scope, node.place, node, "missing attribute \"" + a.name + '"', a.text + unit);
       good = false;
+      // Told already: an unknown attribute that means this one, or defaults that may hold it.
+      const bool told =
+          isMisspelt(a.name, node, declared, common) || scope.file().defaultsAreBroken;
+      if (!told) {
+        const std::string unit =
+            unitText(a.unit) == "-" ? std::string() : " [" + std::string(unitText(a.unit)) + ']';
+        faults_->add(scope, node.place, node, "missing attribute \"" + a.name + '"', a.text + unit);
+      }
     }
     x.values.push_back(std::move(value));
   }
