@@ -12,18 +12,17 @@ constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-bool OwnSteps::run(Stepper& stepper, double until) {
-  bool kept = false;
-  while (until - stepper.t() > kTimeNoise * std::abs(until)) {
-    // What is kept before the end bounds a step is where a longer run goes on.
-    const double rest = until - stepper.t(), next = stepper.nextStep();
-    if (!kept && !(next > 0.0 && std::min(next, largest_ > 0.0 ? largest_ : next) < rest)) {
-      if (!stepper.pause(true)) return false;
-      kept = true;
-    }
-    if (!advance(stepper, until) || !stepper.pause(false)) return false;
+Advance OwnSteps::next(Stepper& stepper, double until) {
+  const double rest = until - stepper.t(), next = stepper.nextStep();
+  const bool over = !(rest > kTimeNoise * std::abs(until));
+  // What is kept before the end bounds a step is where a longer run goes on.
+  if (!kept_ &&
+      (over || !(next > 0.0 && std::min(next, largest_ > 0.0 ? largest_ : next) < rest))) {
+    if (!stepper.pause(true)) return Advance::stopped;
+    kept_ = true;
   }
-  return kept || stepper.pause(true);
+  if (over) return Advance::atEnd;
+  return advance(stepper, until) && stepper.pause(false) ? Advance::taken : Advance::stopped;
 }
 
 bool OwnSteps::advance(Stepper& stepper, double until) {

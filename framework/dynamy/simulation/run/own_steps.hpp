@@ -10,13 +10,14 @@ class OwnSteps final : public TimeLoop {
  public:
   /// `largest`: no step is longer [s]; 0: any length.
   OwnSteps(double largest, NonConvergence policy) : largest_(largest), policy_(policy) {}
-  bool run(Stepper& stepper, double until) override;
+  Advance next(Stepper& stepper, double until) override;
   void archive(Archive&) override {}
 
  private:
   bool advance(Stepper& stepper, double until);
   double largest_;
   NonConvergence policy_;
+  bool kept_ = false;  // what a longer run goes on from
 };
 
 }  // namespace dynamy

@@ -119,18 +119,28 @@ int Simulation::threads(int count) {
 }
 
 const RunReport& Simulation::run() {
+  if (over_) return report_;
+  guarded([this] {
+    while (next()) {
+    }
+  });
+  return report_;
+}
+
+bool Simulation::step() {
+  bool taken = false;
+  if (!over_) guarded([&] { taken = next(); });
+  return taken;
+}
+
+/// Whatever `call` throws ends the run, and is told.
+template <class Call>
+void Simulation::guarded(Call&& call) {
   const auto wall = Clock::now();
   const std::clock_t cpu = std::clock();
-  lastIdle_ = lastSave_ = wall;
   const double wallBefore = report_.wall, cpuBefore = report_.cpu;
-  report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
   try {
-    spare_.resize(kSpare);
-    if (!resumed_) begin();
-    whole_ = true, attempted_ = false;
-    if (save_ && !resumed_) save();
-    loop();
-    end();
+    call();
   } catch (const std::bad_alloc&) {
     outOfMemory();
   } catch (const ElementFault& e) {
@@ -145,10 +155,35 @@ const RunReport& Simulation::run() {
   }
   report_.wall = wallBefore + seconds(Clock::now() - wall);
   report_.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
-  return report_;
+}
+
+/// Begins the run before its first step, and ends it after the last one: false.
+bool Simulation::next() {
+  over_ = true;  // what is thrown ends the run
+  if (!begun_) {
+    begun_ = true;
+    begin();
+  }
+  const bool good = report_.ended == RunReport::Ended::finished;
+  if (good && loop_->next(*this, model_.simulation.until) == Advance::taken) {
+    over_ = false;
+    return true;
+  }
+  end();
+  return false;
 }
 
 void Simulation::begin() {
+  lastIdle_ = lastSave_ = Clock::now();
+  report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
+  spare_.resize(kSpare);
+  if (!resumed_) start();
+  whole_ = true, attempted_ = false;
+  if (save_ && !resumed_) save();
+  if (const std::string reason = fault(); !reason.empty()) endBecause(reason);
+}
+
+void Simulation::start() {
   system_.evaluate(x_);
   report_.start = makeConsistent(model_, system_, x_);
   before_ = x_;
@@ -156,15 +191,6 @@ void Simulation::begin() {
   zero_.assign(static_cast<std::size_t>(system_.slot(0).contacts.rows()), 0.0);
   const StepView initial = view(true);
   forAll([&](Observer& o) { o.start(initial); });
-}
-
-void Simulation::loop() {
-  const std::string reason = fault();
-  if (!reason.empty()) {
-    endBecause(reason);
-    return;
-  }
-  loop_->run(*this, model_.simulation.until);
 }
 
 void Simulation::end() {

@@ -27,7 +27,7 @@ class Simulation final : private Stepper {
   /// if a check asks for an unknown signal.
   explicit Simulation(Model& model);
 
-  // Before run().
+  // Before the first step.
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
   void record(RecordSink& sink);
   void observe(Observer& observer) { observers_.push_back(&observer); }
@@ -50,6 +50,11 @@ class Simulation final : private Stepper {
   /// of memory, and a sink that can keep no more, end it as failed with their cause, and
   /// checkpoint() is of the last moment that is known as a whole.
   const RunReport& run();
+  /// The next step of the same run, with all that run() does: records, checks, ledger, hash,
+  /// checkpoints; `while (s.step()) {}` is run(). A step of given length is a full one, whatever
+  /// halves or parts it took. True: there is a new state(). False: the run has ended, and report()
+  /// tells how; until then its figures are those so far.
+  bool step();
   const RunReport& report() const { return report_; }
   const State& state() const { return x_; }
   /// The step that was tried last; dt = 0: none yet.
@@ -70,8 +75,11 @@ class Simulation final : private Stepper {
   double nextStep() const override { return model_.scheme().nextStep(x_); }
   bool pause(bool asked) override;
 
+  template <class Call>
+  void guarded(Call&& call);
+  bool next();
   void begin();
-  void loop();
+  void start();
   void end();
   StepView view(bool whole);
   bool endBecause(std::string reason, RunReport::Cause cause = RunReport::Cause::simulation);
@@ -122,6 +130,7 @@ class Simulation final : private Stepper {
   bool whole_ = false, attempted_ = false;
   std::string checkpoint_;
   bool resumed_ = false, renews_ = false;
+  bool begun_ = false, over_ = false;
   int diagnoses_ = 0;
 };
 

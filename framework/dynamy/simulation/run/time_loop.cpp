@@ -5,20 +5,21 @@ namespace {
 constexpr int kMostHalvings = 6;
 }  // namespace
 
-bool FixedStep::run(Stepper& stepper, double until) {
+Advance FixedStep::next(Stepper& stepper, double until) {
+  if (rest_) return Advance::atEnd;
   const double dt = grid_.spacing();
+  parted_ = 0;
   // Full steps as long as they do not pass the end by more than rounding.
-  while (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
-    parted_ = 0;
-    if (!advance(stepper, grid_.at(i_ + 1), dt, 0)) return false;
+  if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
+    if (!advance(stepper, grid_.at(i_ + 1), dt, 0)) return Advance::stopped;
     ++i_;
-    if (!stepper.pause(false)) return false;
+    return stepper.pause(false) ? Advance::taken : Advance::stopped;
   }
   const double rest = until - stepper.t();
-  if (!stepper.pause(true)) return false;  // a longer run takes a full step here
-  if (rest <= 1e-9 * dt) return true;
-  parted_ = 0;
-  return advance(stepper, until, rest, 0);
+  if (!stepper.pause(true)) return Advance::stopped;  // a longer run takes a full step here
+  if (rest <= 1e-9 * dt) return Advance::atEnd;
+  rest_ = true;
+  return advance(stepper, until, rest, 0) ? Advance::taken : Advance::stopped;
 }
 
 void FixedStep::archive(Archive& a) {

@@ -38,11 +38,18 @@ class Stepper {
   virtual bool pause(bool asked) = 0;
 };
 
+/// What the next step of a loop came to.
+enum class Advance {
+  taken,   ///< there is a new state
+  atEnd,   ///< nothing was left to take: `until` is reached
+  stopped  ///< the run is to end earlier
+};
+
 class TimeLoop {
  public:
   virtual ~TimeLoop() = default;
-  /// Steps to `until`; false as soon as the run is to end earlier.
-  virtual bool run(Stepper& stepper, double until) = 0;
+  /// One step towards `until`, with all its tries, halves and parts.
+  virtual Advance next(Stepper& stepper, double until) = 0;
   virtual void archive(Archive& a) = 0;
 };
 
@@ -52,7 +59,7 @@ class TimeLoop {
 class FixedStep final : public TimeLoop {
  public:
   FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
-  bool run(Stepper& stepper, double until) override;
+  Advance next(Stepper& stepper, double until) override;
   void archive(Archive& a) override;
 
  private:
@@ -63,8 +70,9 @@ class FixedStep final : public TimeLoop {
   static constexpr int kMostParted = 200;
   TimeGrid grid_;
   NonConvergence policy_;
-  long i_ = 0;      // full steps done
-  int parted_ = 0;  // splittings of the present full step; above kMostParted: no more
+  long i_ = 0;         // full steps done
+  int parted_ = 0;     // splittings of the present full step; above kMostParted: no more
+  bool rest_ = false;  // the last, shortened step is taken
 };
 
 }  // namespace dynamy

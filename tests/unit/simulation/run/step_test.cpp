@@ -1,0 +1,158 @@
+// Simulation::step: a run that is taken step by step is the same run, to the last bit.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <functional>
+#include <string>
+
+#include "unit/simulation/scenes.hpp"
+
+namespace dynamy {
+namespace {
+
+using namespace scenes;
+
+/// 50 ms steps to 0.93 s: 18 of them and a shortened one, with an impact on the way.
+Model bouncing() {
+  Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
+  m.build();
+  return m;
+}
+
+/// What is to be equal: rows, motion, figures.
+struct Outcome {
+  Table table;
+  RunReport report;
+  State end;
+};
+
+Outcome outcome(Model m, const std::function<void(Simulation&)>& drive) {
+  Outcome out;
+  Simulation s(m);
+  s.record(out.table);
+  drive(s);
+  out.report = s.report(), out.end = s.state();
+  return out;
+}
+
+void expectEqual(const Outcome& a, const Outcome& b) {
+  EXPECT_EQ(a.table.t, b.table.t);
+  EXPECT_EQ(a.table.rows, b.table.rows);
+  EXPECT_EQ(a.report.hash, b.report.hash);
+  EXPECT_EQ(a.report.ended, b.report.ended);
+  EXPECT_EQ(a.report.steps, b.report.steps);
+  EXPECT_EQ(a.report.impacts, b.report.impacts);
+  EXPECT_EQ(a.report.energy.end(), b.report.energy.end());
+  EXPECT_EQ(a.end.t, b.end.t);
+  EXPECT_EQ(a.end.q, b.end.q);
+}
+
+TEST(Steps, AreThoseOfARun) {
+  int taken = 0;
+  const Outcome straight = outcome(bouncing(), [](Simulation& s) { s.run(); });
+  const Outcome stepped = outcome(bouncing(), [&](Simulation& s) {
+    for (; s.step(); ++taken) {
+      // Instants are counted, not summed; the last step ends at `until`.
+      EXPECT_EQ(s.state().t, taken < 18 ? 5 * (taken + 1) / 100.0 : 0.93) << taken;
+    }
+  });
+  EXPECT_EQ(taken, 19);
+  EXPECT_EQ(straight.report.evaluations, stepped.report.evaluations);
+  EXPECT_GT(straight.report.impacts, 0);
+  expectEqual(straight, stepped);
+}
+
+TEST(Steps, OfATolerance) {
+  // No contact: a pendulum, by the steps that its scheme chooses.
+  const auto pendulum = [] {
+    Model m;
+    m.add<Pendulum>("p", {});
+    m.simulation.until = 3.0, m.simulation.tolerance = 1e-8;
+    m.build();
+    return m;
+  };
+  const Outcome straight = outcome(pendulum(), [](Simulation& s) { s.run(); });
+  double before = 0.0;
+  const Outcome stepped = outcome(pendulum(), [&](Simulation& s) {
+    while (s.step()) {
+      EXPECT_GT(s.state().t, before);
+      before = s.state().t;
+    }
+  });
+  EXPECT_EQ(before, 3.0);
+  expectEqual(straight, stepped);
+}
+
+TEST(Steps, MayBeFollowedByTheRestOfTheRun) {
+  const Outcome straight = outcome(bouncing(), [](Simulation& s) { s.run(); });
+  expectEqual(straight, outcome(bouncing(), [](Simulation& s) {
+                for (int i = 0; i < 7; ++i) EXPECT_TRUE(s.step());
+                s.run();
+              }));
+}
+
+TEST(Steps, GoOnFromACheckpointOfOthers) {
+  const Outcome straight = outcome(bouncing(), [](Simulation& s) { s.run(); });
+  Table table;
+  std::string bytes;
+  {
+    Model m = bouncing();
+    Simulation first(m);
+    first.record(table);
+    first.onCheckpoint(1e-12, 1e12, [&](const std::string& b) { bytes = b; });
+    for (int i = 0; i < 7; ++i) EXPECT_TRUE(first.step());
+  }
+  Outcome resumed;
+  Model m = bouncing();
+  Simulation second(m);
+  second.record(resumed.table);
+  second.resume(bytes);
+  EXPECT_EQ(second.state().t, 0.35);
+  while (second.step()) {
+  }
+  resumed.report = second.report(), resumed.end = second.state();
+  expectEqual(straight, resumed);
+}
+
+TEST(Steps, EndOnceAndForAll) {
+  Model m = bouncing();
+  Table table;
+  Simulation s(m);
+  s.record(table);
+  while (s.step()) {
+  }
+  const std::size_t rows = table.rows.size();
+  EXPECT_FALSE(s.step());
+  EXPECT_EQ(s.run().steps, 19);
+  EXPECT_EQ(table.rows.size(), rows);
+}
+
+TEST(Steps, EndWhereTheRunFailsAndTheReportTellsWhy) {
+  Model m;
+  addBall(m, "ball", 1.0);
+  m.add<Broken>("motor", {{"what", "throws"}});
+  m.simulation.until = 1.0, m.simulation.step = 0.1;
+  m.build();
+  Simulation s(m);
+  int taken = 0;
+  while (s.step()) ++taken;
+  EXPECT_GE(taken, 4);  // it breaks at 0.5 s
+  EXPECT_LE(taken, 5);
+  EXPECT_EQ(s.report().ended, RunReport::Ended::failed);
+  EXPECT_FALSE(s.report().reason.empty());
+}
+
+TEST(Steps, EndWhenTheRunIsStopped) {
+  Model m = bouncing();
+  std::atomic<bool> stop{false};
+  Simulation s(m);
+  s.stopWhen(stop);
+  EXPECT_TRUE(s.step());
+  stop = true;
+  EXPECT_FALSE(s.step());  // the second step is taken, and is the last
+  EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
+  EXPECT_EQ(s.state().t, 0.1);
+}
+
+}  // namespace
+}  // namespace dynamy
