@@ -6,9 +6,11 @@
 include(CMakePackageConfigHelpers)
 set(package_dir lib/cmake/dynamy)
 
-install(TARGETS dynamy_framework dynamy_elements_headers EXPORT dynamyTargets
+install(TARGETS dynamy_framework EXPORT dynamyTargets
   LIBRARY DESTINATION lib COMPONENT runtime NAMELINK_COMPONENT dev
   RUNTIME DESTINATION bin COMPONENT runtime)
+install(TARGETS dynamy_elements EXPORT dynamyTargets
+  LIBRARY DESTINATION lib/dynamy COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/dynamy DESTINATION include COMPONENT dev
   FILES_MATCHING PATTERN "*.hpp")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/elements/dynamy_elements DESTINATION include COMPONENT dev

@@ -30,6 +30,8 @@
 #include <dynamy_elements/laws/stribeck_friction.hpp>
 #include <dynamy_elements/trees/compose_trees.hpp>
 
+#include <dynamy_elements/standard_elements.hpp>
+
 namespace dynamy {
 namespace {
 
@@ -92,6 +94,12 @@ void registerElements(Registry& r) {
 }
 
 }  // namespace
+
+void completeStandardElements(Model& model) {
+  model.addCompletion(composeTrees);
+  model.addCompletion(addShapeContacts);
+}
+
 }  // namespace dynamy
 
 DYNAMY_PLUGIN("dynamy_elements", dynamy::kVersionText, dynamy::registerElements)

@@ -80,6 +80,7 @@ TEST_F(DocumentTest, Install) { follow("doc/install.md"); }
 TEST_F(DocumentTest, FirstPluginAgainstTheInstalledPackage) {
   follow("doc/tutorial/03_first_plugin.md");
 }
+TEST_F(DocumentTest, ModelsInCpp) { follow("doc/cpp_models.md"); }
 using LongDocumentTest = DocumentTest;
 TEST_F(LongDocumentTest, NewPlugin) { follow("doc/new_plugin.md"); }
 #endif

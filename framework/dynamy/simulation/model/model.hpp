@@ -1,10 +1,12 @@
 /// Model: owner of all elements of a scene, made from XML (io/model/model_loader) or in C++:
 ///
 ///   Model m;
-///   m.add<RigidBody>("ball", {{"position", {0, 0, 1}}, {"mass", 1.0},
-///                             {"inertia", {0.1, 0.1, 0.1}}});
-///   m.simulation.until = 5;
+///   m.add<RigidBody>("ball", {{"position", {0, 0, 1}}},
+///                    child<Sphere>({{"radius", 0.1}, {"density", 1000.0}}));
+///   m.simulation.until = 5, m.simulation.tolerance = 1e-6;
 ///   m.build();
+///
+/// (a whole program: doc/cpp_models.md)
 ///
 /// build() composes (completions), asks every element to describe itself, lays out q and u,
 /// connects. After that it is immutable.
@@ -33,6 +35,13 @@ struct NamedSignal {
   int memory0 = 0, memory = 0;
 };
 
+/// A T that belongs to another element, from its declared attributes: a shape of a body, the law of
+/// a contact. Throws ModelError.
+template <class T>
+std::unique_ptr<T> child(const std::vector<GivenValue>& given = {}) {
+  return std::make_unique<T>(Parameters::of<T>({}, {}, given));
+}
+
 class Model {
  public:
   using Completion = std::function<void(Model&)>;
@@ -50,10 +59,13 @@ class Model {
     add(T::kKind, std::move(element));
     return out;
   }
-  /// Makes a T from its declared attributes. Throws ModelError.
-  template <class T>
-  T& add(const std::string& name, const std::vector<GivenValue>& given) {
-    return add(std::make_unique<T>(Parameters::of<T>({}, name, given)));
+  /// Makes a T from its declared attributes and its children. Throws ModelError.
+  template <class T, class... Children>
+  T& add(const std::string& name, const std::vector<GivenValue>& given,
+         std::unique_ptr<Children>... children) {
+    Parameters x = Parameters::of<T>({}, name, given);
+    (x.children.push_back({Children::kKind, std::move(children)}), ...);
+    return add(std::make_unique<T>(x));
   }
   /// For completions: takes systems out, e.g. to put them into one; `indices` ascending.
   std::vector<std::unique_ptr<PartialMechanicalSystem>> takeSystems(
