@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <map>
 #include <memory>
 
+#include "chosen_scenes.hpp"
 #include "numbers.hpp"
 #include "stability/stability_page.hpp"
 
@@ -53,18 +53,10 @@ std::pair<std::string, std::string> ownMethods(Program& program, const Stability
   return {model.scheme().type(), model.solver().type()};
 }
 
-std::vector<StabilityScene> chosenScenes(const StabilityChoice& c) {
-  std::vector<StabilityScene> all = stabilityScenes(c.folder), out;
-  std::vector<std::string> known;
-  for (const StabilityScene& s : all) known.push_back(s.name);
-  for (const std::string& name : c.scenes)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw CLI::ValidationError("--scene",
-                                 "no scene \"" + name + '"' + didYouMean(nearest(name, known)));
-  for (StabilityScene& s : all) {
-    const bool asked = std::find(c.scenes.begin(), c.scenes.end(), s.name) != c.scenes.end();
-    if (!c.scenes.empty() && !asked) continue;
-    if (c.quick && s.quickStep <= 0.0 && !asked) continue;
+std::vector<StabilityScene> scenesWithSteps(const StabilityChoice& c) {
+  std::vector<StabilityScene> out;
+  for (StabilityScene& s : chosenScenes(stabilityScenes(c.folder), c.scenes)) {
+    if (c.quick && s.quickStep <= 0.0 && c.scenes.empty()) continue;
     if (c.quick && s.quickStep > 0.0) s.steps = {s.quickStep};
     if (!c.steps.empty()) s.steps.clear();
     for (const std::string& step : c.steps) s.steps.push_back(seconds(step, "--step"));
@@ -123,7 +115,7 @@ void writeMatrix(const StabilityMatrix& m, const std::filesystem::path& folder) 
 void benchStability(Program& program, const StabilityChoice& c) {
   program.load();
   StabilityMatrix m;
-  m.scenes = chosenScenes(c);
+  m.scenes = scenesWithSteps(c);
   if (m.scenes.empty()) throw CLI::ValidationError("--scene", "no scene is left");
   for (const StabilityScene& s : m.scenes)
     std::tie(m.scheme, m.solver) = ownMethods(program, s);  // throws where a scene is at fault

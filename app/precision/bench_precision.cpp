@@ -13,6 +13,7 @@
 #include <fstream>
 #include <memory>
 
+#include "chosen_scenes.hpp"
 #include "numbers.hpp"
 #include "precision/precision_page.hpp"
 
@@ -53,27 +54,14 @@ std::vector<std::string> peerPrograms(const PrecisionChoice& c) {
     const auto found = std::find_if(out.begin(), out.end(), [&](const std::string& p) {
       return fs::path(p).filename().string() == "peer_" + name;
     });
+    const std::string hint = didYouMean(nearest(name, names));
     if (found == out.end())
       throw CLI::ValidationError(
-          "--peers", fmt::format("no program peer_{} in {}{}; bench/peers/install builds them",
-                                 name, peerFolder(c).string(), didYouMean(nearest(name, names))));
+          "--peers", fmt::format("no program peer_{} in {}; bench/peers/install builds them{}{}",
+                                 name, peerFolder(c).string(), hint.empty() ? "" : " — ", hint));
     chosen.push_back(*found);
   }
   return chosen;
-}
-
-std::vector<PrecisionScene> chosenScenes(const PrecisionChoice& c) {
-  std::vector<PrecisionScene> all = precisionScenes(c.folder), out;
-  std::vector<std::string> known;
-  for (const PrecisionScene& s : all) known.push_back(s.name);
-  for (const std::string& name : c.scenes)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw CLI::ValidationError("--scene",
-                                 "no scene \"" + name + '"' + didYouMean(nearest(name, known)));
-  for (PrecisionScene& s : all)
-    if (c.scenes.empty() || std::find(c.scenes.begin(), c.scenes.end(), s.name) != c.scenes.end())
-      out.push_back(std::move(s));
-  return out;
 }
 
 std::string processorName() {
@@ -152,7 +140,7 @@ void writeChart(const PrecisionChart& m, const fs::path& folder) {
 void benchPrecision(Program& program, const PrecisionChoice& c) {
   program.load();
   PrecisionChart m;
-  m.scenes = chosenScenes(c);
+  m.scenes = chosenScenes(precisionScenes(c.folder), c.scenes);
   const std::vector<PrecisionMethod> methods = precisionMethods(c.folder);
   for (const PrecisionMethod& method : methods)
     if (!method.words.empty()) methodElement(program.registry, method.words, Kind::scheme);
