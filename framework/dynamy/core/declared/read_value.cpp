@@ -203,14 +203,18 @@ std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value)
   const OddWriting odd = oddWriting(value.text);
   const bool unread = fault->text.starts_with(kUnread);
   if (!unread && odd.text.empty()) return fault;
-  if (!odd.text.empty()) fault = ValueFault{odd.text, {}, odd.offset, odd.length};
+  std::string hint;
   for (const std::string& text : probableNumbers(value.text)) {
     ParameterValue better;
     better.text = text, better.given = value.given;
     if (text == value.text || readWords(a, better)) continue;
-    fault->hint = "write \"" + text + '"';
+    hint = "write \"" + text + '"';
     break;
   }
+  // A unit is meant where it fits: "0 0 h" is no position in hours.
+  const bool meant = !odd.text.empty() && !(odd.guess && hint.empty());
+  if (meant) fault = ValueFault{odd.text, {}, odd.offset, odd.length};
+  if (!hint.empty()) fault->hint = hint;
   return fault;
 }
 

@@ -113,7 +113,7 @@ OddWriting oddWriting(std::string_view text) {
     const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
     const std::string word(text.substr(at, end - at));
     if (number && !unitMeant(word).empty())
-      return {"has a blank before the unit \"" + word + '"', at, word.size()};
+      return {"has a blank before the unit \"" + word + '"', at, word.size(), true};
     number = !numberAndRest(word).number.empty();
     at = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
   }

@@ -11,6 +11,7 @@ namespace dynamy {
 struct OddWriting {
   std::string text;
   std::size_t offset = 0, length = 0;
+  bool guess = false;  ///< a word is a unit, or a parameter with its name: "h"
 };
 OddWriting oddWriting(std::string_view text);
 
