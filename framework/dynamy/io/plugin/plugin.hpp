@@ -6,7 +6,7 @@
 namespace dynamy {
 
 /// Integer of the binary interface; raised with every incompatible change of a public header.
-inline constexpr int kPluginAbi = 1;
+inline constexpr int kPluginAbi = 2;
 
 struct PluginInfo {
   int abi;
