@@ -21,6 +21,7 @@ function(dynamy_add_plugin name)
     set_target_properties(${name} PROPERTIES
       LIBRARY_OUTPUT_DIRECTORY ${dynamy_BINARY_DIR}/lib/dynamy)
     set_property(GLOBAL APPEND PROPERTY DYNAMY_PLUGINS ${name})
+    dynamy_in_batches(${name})
   endif()
   install(TARGETS ${name} LIBRARY DESTINATION lib/dynamy COMPONENT runtime)
 endfunction()

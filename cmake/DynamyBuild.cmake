@@ -40,12 +40,20 @@ if(DYNAMY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
-# In batches of ten, sources read their headers once a batch, which halves the cost of a build from
-# nothing; so no file may use a name that another one of its target gives to something else. Rejected:
-# one precompiled header a target (48 s against 38 s of CPU for 25 files).
-option(DYNAMY_UNITY "Compile sources in batches: a whole build costs less, a changed file more" OFF)
+# In batches of ten, sources read their headers once a batch: a build from nothing costs less, one
+# changed file more. So batches are for who builds once; with ccache, files stay alone. No file may use a
+# name that another one of its target gives to something else. Rejected: one precompiled header a target
+# (48 s against 38 s of CPU for 25 files).
+set(DYNAMY_UNITY AUTO CACHE STRING "Compile sources in batches: ON, OFF, or AUTO (where there is no ccache)")
+set(in_batches ${DYNAMY_UNITY})
+if(DYNAMY_UNITY STREQUAL "AUTO")
+  set(in_batches ON)
+  if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache")
+    set(in_batches OFF)
+  endif()
+endif()
 function(dynamy_in_batches target)
-  if(DYNAMY_UNITY)  # sources with options of their own (kernels) stay alone
+  if(in_batches)  # sources with options of their own (kernels) stay alone
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
   endif()
 endfunction()
@@ -54,7 +62,7 @@ add_library(dynamy_warnings INTERFACE)
 target_compile_options(dynamy_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion
   # In a batch a local name may be that of a function of another file.
-  $<IF:$<BOOL:${DYNAMY_UNITY}>,-Wshadow=local,-Wshadow>
+  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>
   # Indices are int, as they count rows of small blocks. gcc's -Wconversion lets them index a vector;
   # clang's would ask for a cast in every subscript and bury the equations.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>

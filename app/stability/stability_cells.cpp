@@ -57,7 +57,7 @@ void work(Program& program, const StabilityScene& scene, const StabilityTask& ta
   a(result);
   const std::string& bytes = a.bytes();
   for (std::size_t at = 0; at < bytes.size();) {
-    const ssize_t n = write(pipe, bytes.data() + at, bytes.size() - at);
+    const ssize_t n = ::write(pipe, bytes.data() + at, bytes.size() - at);
     if (n <= 0) break;
     at += static_cast<std::size_t>(n);
   }
