@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 
@@ -49,6 +52,20 @@ void BodyParts::describe(Description& d) const {
     d.frame(frames_[i]->name(), static_cast<int>(i) + 1);
 }
 
+namespace {
+
+/// r − s; components that are no more than rounding of r and s are zero, so that masses at one place
+/// or on a line along an axis have no moment of inertia instead of a tiny one.
+Vec3 offset(const Vec3& r, const Vec3& s) {
+  Vec3 out = r - s;
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(out[k]) <= 64.0 * kEpsilon * std::max(std::abs(r[k]), std::abs(s[k])))
+      out[k] = 0.0;
+  return out;
+}
+
+}  // namespace
+
 BodyMass BodyParts::mass(double total) const {
   // Masses of the parts.
   std::vector<double> part(shapes_.size(), 0.0);
@@ -77,7 +94,7 @@ BodyMass BodyParts::mass(double total) const {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const Shape& s = *shapes_[i];
     const MassProperties p = s.massProperties();
-    const Vec3 d = s.r_SB_K() + s.A_KB() * p.centre_B - out.r_BS_K;
+    const Vec3 d = offset(s.r_SB_K() + s.A_KB() * p.centre_B, out.r_BS_K);
     if (p.volume > 0.0)
       out.J_S_K += part[i] / p.volume * s.A_KB() * p.inertia_B * s.A_KB().transpose();
     out.J_S_K += part[i] * (d.squaredNorm() * Mat3::Identity() - d * d.transpose());

@@ -1,10 +1,20 @@
 #include <Eigen/Eigenvalues>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/gyroscopic.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
 
 namespace dynamy {
 namespace {
+
+/// Principal moments, the least first. With products of inertia one below 64 ε of the largest is
+/// rounding of zero, and told as zero: masses on a slanted line have none about it.
+Vec3 principalMoments(const Mat3& J) {
+  Vec3 out = Eigen::SelfAdjointEigenSolver<Mat3>(J, Eigen::EigenvaluesOnly).eigenvalues();
+  const bool products = J(1, 0) != 0.0 || J(2, 0) != 0.0 || J(2, 1) != 0.0;
+  if (products && out[0] < 64.0 * kEpsilon * out[2]) out[0] = 0.0;
+  return out;
+}
 
 /// J from 3 or 6 numbers: Jxx Jyy Jzz [Jxy Jxz Jyz], the products as entries of the matrix.
 Mat3 readInertia(const ParameterValue& value) {
@@ -14,8 +24,7 @@ Mat3 readInertia(const ParameterValue& value) {
                       "here are " + std::to_string(v.size()), 0, value.text.size());
   Mat3 J = Vec3(v[0], v[1], v[2]).asDiagonal();
   if (v.size() == 6) J(0, 1) = J(1, 0) = v[3], J(0, 2) = J(2, 0) = v[4], J(1, 2) = J(2, 1) = v[5];
-  const Vec3 principal =
-      Eigen::SelfAdjointEigenSolver<Mat3>(J, Eigen::EigenvaluesOnly).eigenvalues();
+  const Vec3 principal = principalMoments(J);
   if (!(principal[0] > 0.0))
     throw value.fault("the inertia is not positive", "principal moments must be > 0", 0,
                       value.text.size());
@@ -29,7 +38,7 @@ Mat3 readInertia(const ParameterValue& value) {
 
 BodyMass readMass(const Parameters& x, const BodyParts& parts) {
   BodyMass out = parts.mass(x, readInertia);
-  if (!(out.J_S_K.determinant() > 0.0))
+  if (!(principalMoments(out.J_S_K)[0] > 0.0))
     throw ModelError("the body's shapes have mass but no inertia",
                      "add mass and inertia to the body, or use shapes with a volume");
   return out;

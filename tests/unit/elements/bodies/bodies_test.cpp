@@ -166,6 +166,53 @@ std::string refusal(const std::vector<GivenValue>& given) {
   return "none";
 }
 
+/// "none", or why a body of point masses of 0.1, 0.2, … kg at `places` is refused.
+template <class T>
+std::string refusalOfPoints(const std::vector<Vec3>& places) {
+  Parameters x = Parameters::of<T>("Body", "b", {});
+  double m = 0.0;
+  for (const Vec3& r : places)
+    x.children.push_back({Kind::shape, std::make_unique<PointShape>(Parameters::of<PointShape>(
+                                           "Point", "", {{"position", r}, {"mass", m += 0.1}}))});
+  try {
+    const T body(std::move(x));
+  } catch (const ModelError& e) {
+    return e.diagnostics().at(0).text;
+  }
+  return "none";
+}
+constexpr const char* kNoInertia = "the body's shapes have mass but no inertia";
+
+TEST(RigidBody, RefusesPointsOnALineInAnyDirection) {
+  // Rounding gives the moment about the line either sign; the motion about it would be rounding.
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 d(std::sin(1.0 + i), std::sin(2.0 + 3.0 * i), std::sin(5.0 * i)), r(0.1, -0.7, i);
+    EXPECT_EQ(refusalOfPoints<RigidBody>({d, -d}), kNoInertia) << i;
+    EXPECT_EQ(refusalOfPoints<RigidBody>({r + d, r - 0.3 * d, r + 0.7 * d}), kNoInertia) << i;
+  }
+  EXPECT_EQ(refusalOfPoints<RigidBody>({{0.1, 0.1, 1}, {0.1, 0.1, 2}, {0.1, 0.1, 4}}), kNoInertia);
+  EXPECT_EQ(refusal<RigidBody>({{"mass", 1.0}, {"inertia", "2 2 2 -1 -1 -1"}}),
+            "inertia=\"2 2 2 -1 -1 -1\": the inertia is not positive");
+}
+
+TEST(RigidBody, TakesThinAndTinyBodiesWhoseInertiaIsToldByTheirNumbers) {
+  // 1 µm beside 1 m: a moment of 1e-12 of the largest, and a grain of 1e-120 kg m².
+  EXPECT_EQ(refusalOfPoints<RigidBody>({{0.6, 0, 0.8}, {-0.6, 0, -0.8}, {1e-6, 1e-6, 0}}), "none");
+  EXPECT_EQ(refusal<RigidBody>({{"mass", 1e-100}, {"inertia", "1e-120 1e-120 1e-120"}}), "none");
+  EXPECT_EQ(refusal<RigidBody>({{"mass", 1.0}, {"inertia", "1e-20 1 1"}}), "none");
+  Parameters tiny = Parameters::of<RigidBody>("RigidBody", "b", {});
+  tiny.children.push_back({Kind::shape, std::make_unique<Sphere>(Parameters::of<Sphere>(
+                                            "Sphere", "", {{"radius", 1e-10}, {"mass", 1e-100}}))});
+  EXPECT_NO_THROW(RigidBody(std::move(tiny)));
+}
+
+TEST(PlanarBody, RefusesPointsAtOnePlace) {
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 r(std::sin(1.0 + i), 0.0, std::sin(3.0 * i));
+    EXPECT_EQ(refusalOfPoints<PlanarBody>({r, r, r}), kNoInertia) << i;
+  }
+}
+
 template <class T>
 class BodyWithMass : public ::testing::Test {};
 using BodiesWithMass = ::testing::Types<RigidBody, PlanarBody>;
