@@ -34,7 +34,7 @@ constexpr std::array kKinds{
     KindText{"scheme", "a time-stepping scheme, here velocities first, then positions."},
     KindText{"solver", "a solver of inclusions, here a fixed-point iteration."},
     KindText{"observer", "an observer of all steps, here a sum of percussions."},
-    KindText{"shape", "a shape with its mass properties, here a cube."}};
+    KindText{"shape", "a smooth shape that touches all others, here a pebble."}};
 
 /// Words that cmake or the headers of dynamY keep for themselves.
 constexpr std::array kTaken{"all",        "attributes",     "clean",      "element",  "frame",

@@ -10,3 +10,4 @@
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/smooth_shape.hpp>

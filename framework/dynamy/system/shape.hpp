@@ -38,6 +38,8 @@ void declarePose(Attributes& a, const std::string& of);
 /// quaternion vanishes.
 std::array<double, 4> orientation(const Parameters& x);
 
+class SmoothShape;
+
 class Shape : public Element {
  public:
   static constexpr Kind kKind = Kind::shape;
@@ -48,6 +50,8 @@ class Shape : public Element {
 
   virtual ShapeGeometry geometry() const = 0;
   virtual MassProperties massProperties() const { return {}; }
+  /// This shape, if it is a SmoothShape (smooth_shape.hpp); else null.
+  virtual const SmoothShape* smooth() const { return nullptr; }
 
   const std::string& material() const { return material_; }  ///< empty: drawn only, no contact
   const Vec3& r_SB_K() const { return r_SB_K_; }  ///< place of the shape in its frame [m]

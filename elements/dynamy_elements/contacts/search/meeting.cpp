@@ -30,11 +30,11 @@ namespace {
 Meeting roundInPlane(const TouchingShape& A, const TouchingShape& B) {
   const bool polygon = !A.polygon_K.empty();
   if (polygon && B.kind == Touch::capsule) return Meeting::capsuleOnPolygon;
-  if (polygon && B.kind == Touch::ellipsoid) return Meeting::smoothOnPolygon;
-  if (A.kind != Touch::ellipsoid) return Meeting::missing;
+  if (polygon && B.kind == Touch::smooth) return Meeting::smoothOnPolygon;
+  if (A.kind != Touch::smooth) return Meeting::missing;
   if (B.kind == Touch::capsule) return Meeting::capsuleOnSmooth;
-  return B.kind == Touch::ellipsoid || B.kind == Touch::ball ? Meeting::smoothInPlane
-                                                             : Meeting::missing;
+  return B.kind == Touch::smooth || B.kind == Touch::ball ? Meeting::smoothInPlane
+                                                          : Meeting::missing;
 }
 
 }  // namespace
@@ -62,19 +62,19 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
     return A.isBox(8) && B.isBox(8) ? Meeting::boxes : Meeting::missing;
   if (A.kind == Touch::box && B.kind == Touch::ball)
     return inPlane == A.isBox(4) ? Meeting::ballOnBox : Meeting::missing;
-  if (!inPlane && B.kind == Touch::ellipsoid && A.polyhedron) return Meeting::smoothOnPolyhedron;
+  if (!inPlane && B.kind == Touch::smooth && A.polyhedron) return Meeting::smoothOnPolyhedron;
   if (!inPlane && isDisc(B) && A.polyhedron) return Meeting::discOnPolyhedron;
   if (!inPlane && isDisc(A) && (isDisc(B) || B.kind == Touch::capsule)) return Meeting::discs;
   if (!inPlane && A.kind == Touch::torus && B.kind == Touch::ball) return Meeting::discs;
-  if (!inPlane && A.kind == Touch::ellipsoid && (isDisc(B) || B.kind == Touch::capsule))
+  if (!inPlane && A.kind == Touch::smooth && (isDisc(B) || B.kind == Touch::capsule))
     return Meeting::smoothOnDisc;
-  if (!inPlane && A.kind == Touch::ellipsoid)
-    return B.kind == Touch::ellipsoid || B.kind == Touch::ball ? Meeting::smooth : Meeting::missing;
+  if (!inPlane && A.kind == Touch::smooth)
+    return B.kind == Touch::smooth || B.kind == Touch::ball ? Meeting::smooth : Meeting::missing;
   if (!inPlane && A.surface) {
     if (B.kind == Touch::ball) return Meeting::ballOnSurface;
     if (B.kind == Touch::capsule) return Meeting::capsuleOnSurface;
     if (isDisc(B)) return Meeting::discOnMesh;
-    if (B.kind == Touch::ellipsoid) return Meeting::smoothOnMesh;
+    if (B.kind == Touch::smooth) return Meeting::smoothOnMesh;
     if (B.polyhedron) return A.polyhedron ? Meeting::polyhedra : Meeting::polyhedronOnMesh;
   }
   if (A.kind == Touch::capsule)

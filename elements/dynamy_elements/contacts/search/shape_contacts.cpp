@@ -48,10 +48,11 @@ Diagnostic tooManyRows(const Shape& a, const Shape& b, bool contour) {
 Diagnostic missingPair(const Shape& a, const Shape& b, bool thin) {
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
-      std::string(thin ? "points and lines have no thickness and would pass through: take a small "
-                         "Sphere or a Capsule"
-                       : "use balls and half spaces with all, boxes, polyhedra, capsules, "
-                         "cylinders, cones, tori and ellipsoids with each other in space") +
+      std::string(
+          thin ? "points and lines have no thickness and would pass through: take a small "
+                 "Sphere or a Capsule"
+               : "use balls and half spaces with all, boxes, polyhedra, capsules, "
+                 "cylinders, cones, tori, ellipsoids and smooth shapes with each other in space") +
           " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
 }
 
@@ -167,7 +168,7 @@ void ShapeContacts::makeSurfaces() {
     return s.kind == Touch::polyhedron || s.kind == Touch::surface;
   };
   const auto needed = [&](const TouchingShape& s) {
-    return faceted(s) || s.kind == Touch::ellipsoid || s.kind == Touch::cylinder ||
+    return faceted(s) || s.kind == Touch::smooth || s.kind == Touch::cylinder ||
            s.kind == Touch::torus || s.kind == Touch::cone || s.isBox(8);
   };
   if (std::none_of(shapes_[0].begin(), shapes_[0].end(), needed)) return;

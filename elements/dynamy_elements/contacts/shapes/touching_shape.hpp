@@ -12,6 +12,7 @@
 ///     a circle of radius ρ about a                        s = |d − (a·d) a|,  e = (d − (a·d) a)/s
 ///   ellipsoid, D: semi-axes       h = d·c + |D d|         H = (D² − x xᵀ)/|D d|,   x = D² d/|D d|
 ///   contour, convex, in a plane   h = d·c + max_φ d·x(φ)  H = t tᵀ/κ
+///   smooth shape                  h = d·c + d·x(d)        as the shape says (smooth_shape.hpp)
 ///
 /// A rim that lies flat (s = 0) touches all around: four points of it that are fixed in the body
 /// stand for the circle there, beside the lowest one.
@@ -33,6 +34,7 @@ inline Vec3 unitAcross(const Vec3& d, const Vec3& a) {
 class Surface;
 class Polyhedron;
 class Contour;
+class SmoothShape;
 
 /// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
 struct RoundFeature {
@@ -42,14 +44,16 @@ struct RoundFeature {
 
 /// A convex part of a shape.
 struct SupportFeature : RoundFeature {
-  enum class Kind : std::uint8_t { ball, rim, ellipsoid, contour } kind = Kind::ball;
+  enum class Kind : std::uint8_t { ball, rim, ellipsoid, contour, smooth } kind = Kind::ball;
   bool flatOnly = false;       ///< touches while the circle about `axis_K` lies almost flat
   Vec3 axis_K = Vec3::Zero();  ///< rim: a
   double rho = 0.0;            ///< rim: radius of the circle; `radius` is that of the tube [m]
-  /// Ellipsoid: D² in axes of the frame [m²]. Contour: its axes, the third across its plane.
+  /// Ellipsoid: D² in axes of the frame [m²]. Contour: its axes, the third across its plane. Smooth
+  /// shape: its axes.
   Mat3 square_K = Mat3::Zero();
-  const Contour* contour = nullptr;  ///< borrowed
-  std::string name;                  ///< in names of contacts; empty: the shape has no other
+  const Contour* contour = nullptr;     ///< borrowed
+  const SmoothShape* smooth = nullptr;  ///< borrowed
+  std::string name;                     ///< in names of contacts; empty: the shape has no other
 
   double support(const Vec3& d_K) const;        ///< h(d) [m]
   Vec3 point(const Vec3& d_K) const;            ///< x(d) [m]
@@ -68,7 +72,7 @@ struct TouchingShape {
     cylinder,
     torus,
     cone,
-    ellipsoid,
+    smooth,  ///< an ellipsoid, or a SmoothShape
     other,
     contour,
     section,  ///< of a round body, with corners

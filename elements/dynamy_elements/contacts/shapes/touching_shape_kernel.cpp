@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/system/smooth_shape.hpp>
 #include <dynamy_elements/contacts/shapes/contour.hpp>
 #include <dynamy_elements/contacts/shapes/surface.hpp>
 #include <dynamy_elements/contacts/shapes/touching_shape.hpp>
@@ -23,7 +24,7 @@ Contour::Vec2 inPlane(const SupportFeature& f, const Vec3& d) {
 }  // namespace
 
 double SupportFeature::support(const Vec3& d) const {
-  if (kind == Kind::contour) return d.dot(point(d));
+  if (kind == Kind::contour || kind == Kind::smooth) return d.dot(point(d));
   const double centre = d.dot(c_K);
   if (kind == Kind::rim) return centre + rho * across(d, axis_K).norm() + radius;
   if (kind == Kind::ellipsoid) return centre + std::sqrt(d.dot(square_K * d));
@@ -35,6 +36,7 @@ Vec3 SupportFeature::point(const Vec3& d) const {
     return c_K + square_K.leftCols<2>() * contour->furthest(inPlane(*this, d)).x;
   if (kind == Kind::rim) return c_K + rho * unitAcross(d, axis_K) + radius * d;
   if (kind == Kind::ellipsoid) return c_K + square_K * d / std::sqrt(d.dot(square_K * d));
+  if (kind == Kind::smooth) return c_K + square_K * smooth->point(square_K.transpose() * d);
   return c_K + radius * d;
 }
 
@@ -49,6 +51,8 @@ Mat3 SupportFeature::pointDerivative(const Vec3& d) const {
     const double h2 = d.dot(s);
     return (square_K - s * s.transpose() / h2) / std::sqrt(h2);
   }
+  if (kind == Kind::smooth)
+    return square_K * smooth->pointDerivative(square_K.transpose() * d) * square_K.transpose();
   Mat3 H = radius * (Mat3::Identity() - d * d.transpose());
   if (kind == Kind::rim) {
     const Vec3 v = across(d, axis_K), e = unitAcross(v, axis_K);
@@ -196,11 +200,24 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   const Vec3 semi(g.size[0], g.size[1], g.size[2]);
   const Mat3& A = out.shape->A_KB();
-  out.kind = ShapeTouch::ellipsoid, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
+  out.kind = ShapeTouch::smooth, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
   f.ball(Vec3::Zero(), 0.0);
   SupportFeature& feature = out.features.back();
   feature.kind = SupportFeature::Kind::ellipsoid;
   feature.square_K = A * semi.cwiseAbs2().asDiagonal() * A.transpose();
+}
+
+/// In a plane of motion a section would have to be known, not the shadow.
+void smooth(Features& f, const SmoothShape& shape, TouchingShape& out) {
+  const SmoothShape::Extent extent = shape.extent();
+  out.bound = extent.bound, out.thickness = extent.halfWidth;
+  if (!f.inSpace()) return;
+  shape.requireConsistent();
+  out.kind = ShapeTouch::smooth;
+  f.ball(Vec3::Zero(), 0.0);
+  SupportFeature& feature = out.features.back();
+  feature.kind = SupportFeature::Kind::smooth;
+  feature.square_K = shape.A_KB(), feature.smooth = &shape;
 }
 
 /// Half of the least width of a convex body: across one of its faces, or less where edges face each
@@ -313,6 +330,10 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   out.shape = instance.shape, out.frame = instance.frame, out.system = instance.system;
   out.p_K = shape.r_SB_K(), out.A_KB = shape.A_KB(), out.grain_K = out.A_KB * shape.grain_B();
   Features f(out, shape.A_KB().transpose() * plane_K);
+  if (const SmoothShape* given = shape.smooth()) {
+    smooth(f, *given, out);
+    return out;
+  }
   if (g.type == "Sphere" || g.type == "Point") {
     const double R = g.type == "Sphere" ? g.size[0] : 0.0;
     out.kind = ShapeTouch::ball, out.bound = R;
