@@ -42,7 +42,7 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
     fmt::print(stderr, "{}{}{}", failedChecks(checks), unsolvedText(report),
                warningsText(report, &show.accept));
   if (!show.quiet && !show.json) fmt::print("{}", qualifiedText(report, checks, show.accept));
-  if (report.ended == RunReport::Ended::failed) fmt::print(stderr, "dynamy: {}\n", report.reason);
+  if (!report.reason.empty()) fmt::print(stderr, "dynamy: {}\n", report.reason);
 }
 
 /// How a run ended, beside its report.

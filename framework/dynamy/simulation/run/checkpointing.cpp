@@ -77,6 +77,20 @@ void Simulation::keep() {
   checkpoint_ = a.bytes();
 }
 
+/// Of a step in parts, those that observers have seen stay.
+void Simulation::stopWithin() {
+  report_.ended = RunReport::Ended::stopped;
+  if (whole_) {
+    keep();
+  } else {
+    report_.reason =
+        "t = " + numberText(x_.t) +
+        " s: stopped within a step of many parts; a checkpoint is of an earlier moment";
+  }
+  stepReport_ = {};
+  end();
+}
+
 /// A step that needs more memory than there is is taken back, if nobody has seen it.
 void Simulation::outOfMemory() noexcept {
   report_.ended = RunReport::Ended::failed, report_.cause = RunReport::Cause::memory;

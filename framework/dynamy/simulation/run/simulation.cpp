@@ -22,6 +22,9 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
+/// The run is asked to stop, and a step has more than one try.
+struct Stopped {};
+
 /// Of the file, for what is missing in it; nowhere for a model that no file holds.
 Place beginning(const Model& model) {
   return model.sourceFile.empty() ? Place() : Place(model.sourceFile, 1, 1);
@@ -141,6 +144,8 @@ void Simulation::guarded(Call&& call) {
   const double wallBefore = report_.wall, cpuBefore = report_.cpu;
   try {
     call();
+  } catch (const Stopped&) {
+    stopWithin();
   } catch (const std::bad_alloc&) {
     outOfMemory();
   } catch (const ElementFault& e) {
@@ -224,6 +229,7 @@ StepView Simulation::view(bool whole) {
 }
 
 StepReport Simulation::attempt(double tEnd, double dt) {
+  if (stopped()) throw Stopped{};
   before_ = x_, attempted_ = true;
   const long evaluations = system_.evaluations();
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
@@ -340,7 +346,7 @@ bool Simulation::pause(bool asked) {
   whole_ = true, attempted_ = false;
   const auto now = Clock::now();
   if (idle_ && seconds(now - lastIdle_) >= kIdleSeconds) lastIdle_ = now, idle_();
-  const bool stop = stop_ != nullptr && stop_->load(std::memory_order_relaxed);
+  const bool stop = stopped();
   const double since = seconds(now - lastSave_);
   const bool due =
       save_ && saveEvery_ > 0.0 && since >= saveEvery_ && saveCost_ <= saveShare_ * since;

@@ -39,7 +39,9 @@ class Simulation final : private Stepper {
   /// Called with the bytes of a checkpoint before the first step, then every `seconds` of wall
   /// time, later if making them and the call take more than `share` of it.
   void onCheckpoint(double seconds, double share, std::function<void(const std::string&)> call);
-  /// The run ends at the next step once `flag` is true (Ctrl-C); nothing recorded is lost.
+  /// The run ends once `flag` is true (Ctrl-C): after the present step, or before the next try or
+  /// part of it. Nothing recorded is lost; checkpoint() of a run that ended within a step is of an
+  /// earlier moment, or empty if none was made.
   void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
   /// Goes on from a checkpoint of the same model. Throws ModelError if it belongs to another one or
   /// holds what no run can have left, FileError (of the sink) if the recorded files do not go with
@@ -84,6 +86,8 @@ class Simulation final : private Stepper {
   StepView view(bool whole);
   bool endBecause(std::string reason, RunReport::Cause cause = RunReport::Cause::simulation);
   void outOfMemory() noexcept;
+  bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+  void stopWithin();
   void save();
   std::string stateFault() const;
   void noteUnsolved();

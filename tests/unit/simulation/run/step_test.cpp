@@ -154,5 +154,49 @@ TEST(Steps, EndWhenTheRunIsStopped) {
   EXPECT_EQ(s.state().t, 0.1);
 }
 
+/// Solves short steps alone.
+class OnlyShort final : public OneStep {
+ public:
+  int order() const override { return 2; }
+  StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override {
+    StepReport r = inner_.step(s, solver, x, dt);
+    if (dt > 0.02) r.solved.status = SolveStatus::stalled;
+    return r;
+  }
+
+ private:
+  MoreauMidpoint inner_;
+};
+
+class StopsAfterAPart final : public Observer {
+ public:
+  explicit StopsAfterAPart(std::atomic<bool>& stop) : stop_(stop) {}
+  void step(const StepView& /*view*/) override { stop_ = true; }
+
+ private:
+  std::atomic<bool>& stop_;
+};
+
+TEST(Steps, OfManyPartsAreStoppedWithin) {
+  // 50 ms are taken in four parts; the first one is the last.
+  Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
+  m.scheme(std::make_unique<OnlyShort>());
+  m.simulation.onNonConvergence = NonConvergence::retry;
+  m.build();
+  std::atomic<bool> stop{false};
+  StopsAfterAPart observer(stop);
+  Table table;
+  Simulation s(m);
+  s.record(table);
+  s.observe(observer);
+  s.stopWhen(stop);
+  EXPECT_FALSE(s.step());
+  EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
+  EXPECT_NE(s.report().reason.find("stopped within a step"), std::string::npos);
+  EXPECT_EQ(s.state().t, 0.0125);
+  EXPECT_EQ(table.t.back(), 0.0125);
+  EXPECT_FALSE(s.step());
+}
+
 }  // namespace
 }  // namespace dynamy
