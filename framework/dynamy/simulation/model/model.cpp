@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/law/pair_laws.hpp>
 #include <dynamy/located/located_dormand_prince.hpp>
 #include <dynamy/schemes/energy_momentum.hpp>
@@ -22,6 +25,21 @@ std::unique_ptr<T> makeDefault(const char* type) {
 
 /// Not AugmentedMoreau, which locates switches within steps that the run gives.
 bool takesTolerance(const OneStep& scheme) { return scheme.choosesSteps() && !scheme.needsStep(); }
+
+/// Steps that the rounding of t swallows never reach the end. Six halvings of a step that is not
+/// solved are to move t, too.
+void refuseStepsWithoutWay(const SimulationSettings& s) {
+  const double least = 64.0 * kEpsilon * s.until;
+  if (!(s.step > 0.0) || s.step >= least) return;
+  throw ModelError(Diagnostic{
+      .place = s.place,
+      .element = std::string(s.place.line == 0 ? "" : "simulation"),
+      .text = fmt::format("a step of {} s does not move t near {} s, where the run ends", s.step,
+                          s.until),
+      .hint = fmt::format(
+          "take a step of {:.1g} s or more; with a tolerance the program chooses the steps",
+          2.0 * least)});
+}
 
 }  // namespace
 
@@ -102,6 +120,7 @@ void Model::askTolerance(double tolerance) {
 }
 
 void Model::readyScheme() {
+  refuseStepsWithoutWay(simulation);
   chooseScheme();
   if (!takesTolerance(*scheme_)) return;
   if (!(simulation.tolerance > 0.0)) simulation.tolerance = Accuracy{}.tolerance;
