@@ -285,7 +285,9 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
     out += fmt::format(" solver  {}, {:.3g} iterations on average, at most {}, ",
                        counted(r.solves, "solve"), r.iterationsMean(), r.iterationsMax);
     out += r.unconverged == 0
-               ? "all converged\n"
+               ? (r.residual.value > kSolvedResidual
+                      ? fmt::format("all converged, to residual {:.2g} at most\n", r.residual.value)
+                      : "all converged\n")
                : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
                              r.unconverged, r.residual.value, r.residual.name, r.residual.t);
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/schemes/staggered_moreau.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -16,6 +17,17 @@ constexpr double kStricter = 1.0 / 3.0;
 /// Newton steps up to which a solve corrects a stack at rest. Where it takes more, something lands,
 /// and rates may differ by all of that noise.
 constexpr int kCorrection = 4;
+
+/// Part of the tolerance at which a start is taken as it is: gaps are asked back in the next step.
+/// After a loose step it is smaller, by which Automatic knows that there is no exact start.
+constexpr double kTakenStart = 0.1, kRoughStart = 0.01;
+/// Residual above which positions are not those of a solved step.
+constexpr double kLooseResidual = 1e-4;
+/// Contacts from which an unsolved step is not repaired by exact solves either.
+constexpr int kUnrepairedFrom = 200;
+
+/// The last step ended with such a residual, or what bodies overlap since is not gone yet.
+bool isRough(const State& x) { return x.scheme.size() > 0; }
 
 bool hasJoints(const ContactSet& contacts) {
   for (int i = 0; i < contacts.size(); ++i)
@@ -42,6 +54,12 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
   s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
   x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
+  const bool loose = solved.residuals.largest() > kLooseResidual &&
+                     (solved.ok() || isRough(x) || problem.size() >= kUnrepairedFrom);
+  if (loose || (isRough(x) && largestOverlap(e.contacts) > s.gTol()))
+    LostImpulses::remember(e.contacts, view(s.Lambda()), x.scheme);
+  else
+    x.scheme.resize(0);
   s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
   StepReport report{dt, solved, problem.size()};
   if (!apart) report.solved.status = SolveStatus::stalled;
@@ -58,13 +76,21 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
 InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kPositionShare * s.gTol();
-  PositionAim aim{kDead * dt * s.largestChange(dt) + rounding,
+  PositionAim aim{isRough(x) ? -std::numeric_limits<double>::infinity()
+                             : kDead * dt * s.largestChange(dt) + rounding,
                   mean,
                   mean ? 0.0 : options_.kappa,
                   options_.cap,
                   x.impulses.corrected ? kStricter * rounding : rounding,
                   arrived_};
   InclusionProblem* problem = &s.impactProblem(x, dt, 0, &aim);
+  if (isRough(x)) {
+    // A step at a bounded cost leaves overlaps and forces behind that the next one asks back.
+    lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
+                 s.Lambda());
+    problem->warmStart = kRoughStart;
+    return *problem;
+  }
   if (!s.arriving().empty()) {
     arriving_ = s.arriving();
     if (projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
@@ -76,7 +102,7 @@ InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt
     }
   }
   // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
-  problem->warmStart = 0.1;  // gaps are asked back in the next step
+  problem->warmStart = kTakenStart;
   return *problem;
 }
 
@@ -85,7 +111,7 @@ const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& 
                                           double dt, bool& apart) {
   const Evaluation& e = ahead(s, x, dt);
   arrived_.clear();
-  if (largestOverlap(e.contacts) <= s.gTol()) return e;
+  if (isRough(x) || largestOverlap(e.contacts) <= s.gTol()) return e;
   for (int i = 0; i < e.contacts.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double g = e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at])];

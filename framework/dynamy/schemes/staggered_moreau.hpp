@@ -10,12 +10,17 @@
 /// h at q^M and u^A, gyroscopic terms of free bodies at the mean velocity of their free motion: at
 /// u^A they would drive a spinning body.
 ///
+/// Where the solver stops at a residual above 1e-4 (many contacts at a bounded cost), x.scheme holds
+/// the places of the contacts, and the next step is rough: it lifts nothing and closes nothing
+/// before its impacts, but asks for s_N = g^M/Δt for gaps of either sign, until no overlap is left.
+///
 /// Rounding can no longer carry a resting contact away: its gap is asked back in the next step, and
 /// with that a start that fulfils the solver's tolerance is good enough. The dead band keeps
 /// rounding of gaps out of the rates; it must be small, because four corners with different s make
 /// a rigid face contradict itself by dead/Δt. γ^E = 0 in joints was rejected: it takes Δt ω²/2 of
 /// the kinetic energy per second; the mean velocity keeps it.
 #pragma once
+#include <dynamy/stages/lost_impulses.hpp>
 #include <dynamy/stages/one_step.hpp>
 #include <dynamy/stages/projection.hpp>
 
@@ -47,6 +52,7 @@ class StaggeredMoreau final : public OneStep {
   InclusionProblem& pose(MechanicalSystem& s, State& x, double dt);
   Options options_;
   Projection projection_;
+  LostImpulses lost_;
   std::vector<ContactKey> arrived_;  // lifted out of an overlap, or closed, in this step
   std::vector<ContactKey> arriving_;
 };

@@ -15,6 +15,16 @@ constexpr int kMostPivoted = 100;
 /// nothing before solves, 10 are solved by one of sixty: which one is luck, so that many short
 /// tries are worth more than a few long ones.
 constexpr int kMostOthers = 200, kOtherStarts = 9, kOtherSteps = 400;
+/// Of bounded solves: contacts from which they are; Newton steps that correct a start, and how near
+/// it has to be; sweeps at most to what is enough, and more to what is accepted; where the start is
+/// good enough, sweeps at most to a third of that.
+constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 300, kLastSweeps = 1000,
+              kFewSweeps = 40;
+constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
+/// A problem whose scheme takes no start above this part of the tolerance follows a step that was
+/// not exact. Newton steps after one that was.
+constexpr double kLooseStart = 0.01;
+constexpr int kAfterExact = 100;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
 /// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
@@ -31,8 +41,13 @@ Automatic::Automatic(const AutomaticOptions& options)
 
 Automatic::Automatic(const Parameters& x)
     : InclusionSolver(x),
-      options_{x["tolerance"], x["maxNewton"].integer(), 4 * x["maxNewton"].integer(),
-               x["maxIterations"].integer(), x["minimalNorm"].flag()},
+      options_{
+          x["tolerance"],
+          x["maxNewton"].integer(),
+          4 * x["maxNewton"].integer(),
+          x["maxIterations"].integer(),
+          x["minimalNorm"].flag(),
+          x["work"].text == "bounded" || (x["work"].text == "automatic" && !x["tolerance"].given)},
       newton_({options_.tolerance, options_.maxNewton, options_.maxIterations, 64,
                options_.maxPatient}),
       lemke_({.tolerance = options_.tolerance, .polish = false}),
@@ -66,12 +81,22 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   keptLambda_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   report = rungs(p, Lambda, report);
   keep({Lambda.data(), Lambda.size()}, report.residuals);
-  if (report.ok() ||
+  const bool many = bounds(p);
+  if ((report.ok() && !many) ||
       !(kept_.largest() < report.residuals.largest() || !std::isfinite(report.residuals.largest())))
-    return report;
+    return many ? judged(report) : report;
   std::copy(keptLambda_.begin(), keptLambda_.end(), Lambda.data());
   report.residuals = kept_;
   if (kept_.largest() <= options_.tolerance) report.status = SolveStatus::solved;
+  return many ? judged(report) : report;
+}
+
+SolveReport Automatic::judged(SolveReport report) const {
+  const double enough = std::max(kAccepted, options_.tolerance);
+  if (report.residuals.largest() <= enough)
+    report.status = SolveStatus::solved;
+  else if (report.ok())
+    report.status = SolveStatus::maxIterations;
   return report;
 }
 
@@ -85,7 +110,10 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   const double E = report.residuals.largest();
   if (p.size() == 1 && easy_.oneContact(p, options_.tolerance, Lambda, report)) return report;
   const bool good = E <= options_.tolerance;  // and still worth a step
-  const bool cold = !good && (E > kColdResidual || Lambda.isZero(0.0));
+  const bool first = Lambda.isZero(0.0);
+  const bool cold = !good && (E > kColdResidual || first);
+  const bool many = bounds(p), afterExact = p.warmStart > kLooseStart;
+  if (many && !first && !afterExact && E > kCorrectable) return boundedSweeps(p, Lambda, report);
   if (cold && LemkeSolver::pays(p)) {
     report = lemke_.solve(p, Lambda);
     if (report.ok() || lemke_.proven()) return report;
@@ -99,10 +127,33 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
     if (solved) return report;
     keep({easy_.best().data(), Lambda.size()}, easy_.bestResiduals());
   }
-  report = newton_.refine(p, Lambda, report, cold, scratch_.data());
+  // After exact steps Newton's method has its chance once: a scene at rest stays exact, and so does
+  // one that begins to slide.
+  const int most = first ? options_.maxNewton : (afterExact ? kAfterExact : kCorrecting);
+  const NewtonLimits limits{most, 0, 0};
+  report = newton_.refine(p, Lambda, report, cold, scratch_.data(), many ? &limits : nullptr);
   if (report.ok()) return report;
   keep({Lambda.data(), Lambda.size()}, report.residuals);
+  if (many) return boundedSweeps(p, Lambda, report);
   if (!restarts(p, Lambda, report) && !pivot(p, Lambda, report)) others(p, Lambda, report);
+  return report;
+}
+
+bool Automatic::bounds(const InclusionProblem& p) const {
+  return options_.bounded && p.warmStart > 0.0 && p.size() >= kBoundedFrom && p.G->hasBodies() &&
+         !p.rule;
+}
+
+SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, SolveReport report) {
+  // Forces that are near already: some sweeps more, so that the errors of many steps do not add up.
+  const double now = report.residuals.largest();
+  const bool near = now <= kEnough;
+  const double aim = near ? std::max(now / 3.0, options_.tolerance) : kEnough;
+  const int before = report.iterations;
+  packed_.sweeps(p, aim, near ? kFewSweeps : kMostSweeps, Lambda, report);
+  if (report.residuals.largest() > kAccepted)
+    packed_.sweeps(p, kAccepted, kLastSweeps, Lambda, report);
+  report.note(report.method, before);
   return report;
 }
 
@@ -230,6 +281,11 @@ void Automatic::declare(Attributes& a) {
         "Newton steps; four times as many of the second try")
       .min = 1;
   a.add(AttributeType::integer, "maxIterations", "10000", "sweeps of the last stage").min = 1;
+  a.choice(
+      "work", {"automatic", "bounded", "unbounded"}, "automatic",
+      "bounded: 200 contacts and more are solved to what is enough for the scheme (1e-2) by sweeps "
+      "where few Newton steps do not reach the tolerance; automatic: bounded if no tolerance is "
+      "given");
   a.add(AttributeType::flag, "minimalNorm", "false",
         "of forces that are not unique, the smallest: equal shares; about five times the work");
   a.example("<simulation until=\"1\" step=\"1e-3\"><Automatic tolerance=\"1e-12\"/></simulation>");

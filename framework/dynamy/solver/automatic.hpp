@@ -5,6 +5,10 @@
 ///   → proximal Newton from other starts → pivoting
 ///   → given problems: many more starts
 ///
+/// A user who names no tolerance does not require one at any price: many contacts then get exact
+/// forces where few Newton steps find them, and packed sweeps elsewhere to the residual that is
+/// enough for the scheme (`bounded`, theory 4.15); the report says so.
+///
 /// Every stage is judged by the same residuals. The result is the best Λ that any of them had, be
 /// it the start; an unconverged one is returned as such.
 #pragma once
@@ -12,6 +16,7 @@
 #include <dynamy/solver/easy_problems.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 #include <dynamy/solver/minimal_norm.hpp>
+#include <dynamy/solver/packed_gauss_seidel.hpp>
 #include <dynamy/solver/proximal_newton.hpp>
 
 namespace dynamy {
@@ -22,6 +27,7 @@ struct AutomaticOptions {
   int maxPatient = 2000;      ///< Newton steps of these, then sweeps
   int maxIterations = 10000;  ///< sweeps of the last stage
   bool minimalNorm = false;   ///< of forces that are not unique, the smallest ones
+  bool bounded = false;       ///< what many contacts may cost is bounded (theory 4.15)
 };
 
 class Automatic final : public InclusionSolver {
@@ -35,6 +41,12 @@ class Automatic final : public InclusionSolver {
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
   /// The stages one after the other, from a start that is worth improving; its residuals in.
   SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);
+  /// Is the work on this problem bounded?
+  bool bounds(const InclusionProblem& problem) const;
+  /// The last stage for many contacts, at a bounded cost.
+  SolveReport boundedSweeps(const InclusionProblem& problem, Vec Lambda, SolveReport report);
+  /// Its status by what is enough.
+  SolveReport judged(SolveReport report) const;
   /// Remembers Λ if it is the best one so far.
   void keep(ConstVec Lambda, const Residuals& residuals);
   /// Alternating directions for problems with large factors; true: solved, else Λ is the start.
@@ -62,6 +74,7 @@ class Automatic final : public InclusionSolver {
   BlockNewton rescue_;
   MinimalNorm minimalNorm_;
   Admm admm_;
+  PackedGaussSeidel packed_;
   ProxGaussSeidel gaussSeidel_;  // starts of restarts
   std::vector<double> r_, scratch_, start_, keptLambda_;
   Residuals kept_;

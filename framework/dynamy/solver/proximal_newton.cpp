@@ -233,7 +233,10 @@ bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, Solv
 }
 
 SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveReport report,
-                                   bool cold, const double* xi) {
+                                   bool cold, const double* xi, const NewtonLimits* given) {
+  const NewtonLimits limits =
+      given ? *given
+            : NewtonLimits{options_.maxNewton, options_.maxPatient, options_.maxIterations};
   report.status = SolveStatus::solved, report.method = "proximal Newton";
   const bool good = report.residuals.largest() <= options_.tolerance;
   if (xi && !cold && !good && p.G->hasBodies() && p.rows() > kMinVelocities &&
@@ -255,14 +258,18 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
       return report;
     }
   }
-  if (!blocks && !block_.prepare(p)) return finish(p, Lambda, report);
+  const auto left = [&] {
+    report.status = SolveStatus::maxIterations;
+    return limits.maxIterations == 0 ? report : finish(p, Lambda, report);
+  };
+  if (!blocks && !block_.prepare(p)) return left();
   if (good) {
     block_.improve(p, Lambda, report);
     return report;
   }
   NewtonSchedule schedule;
   schedule.separateNormal = true;
-  schedule.maxNewton = options_.maxNewton;
+  schedule.maxNewton = limits.maxNewton;
   const double warm = block_.inVelocities() ? kWarmVelocities : kWarmBlock;
   schedule.start = pressed ? kPressed : (cold ? kCold : warm);
   int before = report.iterations;
@@ -277,9 +284,9 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   report.note(report.method, before);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
-  if (block_.tooLarge()) return finish(p, Lambda, report);
+  if (limits.maxPatient == 0 || block_.tooLarge()) return left();
   schedule.start = kCold, schedule.rho = kPatientRho;
-  schedule.maxNewton = options_.maxPatient;
+  schedule.maxNewton = limits.maxPatient;
   report.method = "proximal Newton, longer steps";
   before = report.iterations;
   block_.solve(p, schedule, options_.tolerance, Lambda, report);

@@ -25,6 +25,13 @@ struct ProximalNewtonOptions {
   int maxPatient = 2000;      ///< Newton steps with it, then Gauss–Seidel goes on
 };
 
+/// What a call of ProximalNewton::refine may cost.
+struct NewtonLimits {
+  int maxNewton = 500;        ///< Newton steps, then
+  int maxPatient = 2000;      ///< those with another ρ, 0: none, and
+  int maxIterations = 10000;  ///< sweeps of Gauss–Seidel, 0: none
+};
+
 class ProximalNewton final : public InclusionSolver {
  public:
   explicit ProximalNewton(const ProximalNewtonOptions& options = {});
@@ -32,9 +39,9 @@ class ProximalNewton final : public InclusionSolver {
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
   /// Goes on from Λ whose residuals are in `report`; `cold`: Λ is no neighbour of the solution,
-  /// else xi = GΛ + c, if it is known.
+  /// else xi = GΛ + c, if it is known. `limits`: null: the solver's own.
   SolveReport refine(const InclusionProblem& problem, Vec Lambda, SolveReport report, bool cold,
-                     const double* xi = nullptr);
+                     const double* xi = nullptr, const NewtonLimits* limits = nullptr);
 
  private:
   /// Dense form with a proximal parameter that starts at `a`; true: solved.

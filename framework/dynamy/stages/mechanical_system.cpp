@@ -177,13 +177,19 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
     const SetValuedForceLaw& law = *c.law[at];
     if (law.unilateral()) {
       const double g = c.position[first];
-      if (g <= aim.dead) continue;
+      const bool rough = std::isinf(aim.dead);  // overlaps are asked back, impacts come as they are
+      if (!rough && g <= aim.dead) continue;
       // One that is to rebound, and any impact, waits until it is closed: done in two parts, each
       // with its own slip, an impact with friction would depend on where in the step it falls.
       double epsilon[kMostRows] = {};
       law.epsilon(c.dim(i), epsilon);
-      const bool impact = (epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0) ||
-                          -problem_.gammaA[first] > kImpactSteps * changeByForces(i);
+      const bool fast = -problem_.gammaA[first] > kImpactSteps * changeByForces(i);
+      if (rough && (epsilon[0] == 0.0 || (g <= request_.gTol && !fast))) {
+        problem_.gammaFree[first] += g / dt;
+        continue;
+      }
+      if (rough && g <= request_.gTol) continue;  // its rebound takes it away
+      const bool impact = (epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0) || fast;
       const bool arrived = g <= request_.gTol ||
                            std::binary_search(aim.arrived.begin(), aim.arrived.end(), c.key[at]);
       if (impact && arrived) continue;

@@ -1,0 +1,128 @@
+// Many contacts at a bounded cost: a wall hit by a ball with the default scheme and solver.
+#include <gtest/gtest.h>
+
+#include <dynamy/solver/automatic.hpp>
+#include <reference/scene.hpp>
+
+#include "unit/solver/inclusion_fixture.hpp"
+
+namespace dynamy {
+namespace {
+
+using reference::Scene;
+
+constexpr int kSide = 6;
+constexpr double kStep = 2e-3, kMass = 100.0, kSpeed = 10.0;
+/// Newton steps of a cold start, or twelve that correct a warm one; sweeps: 300, and 1000 more where
+/// these leave too much.
+constexpr int kMostNewton = 500, kMostSweeps = 1300;
+/// Residual up to which many contacts count as solved (theory 4.15).
+constexpr double kAccepted = 3e-2;
+
+/// kSide rows of as many bricks of 0.4 × 0.2 × 0.2 m and 16 kg in running bond, μ ½ (about 400
+/// contacts), and a ball 5 cm from the wall.
+std::string wall(const std::string& solver, double speed = kSpeed) {
+  std::string bricks;
+  for (int i = 0; i < kSide * kSide; ++i)
+    bricks += "<RigidBody name=\"b" + std::to_string(i) + "\" position=\"" +
+              std::to_string(0.4 * (i % kSide) + 0.2 * (i / kSide % 2)) + " 0 " +
+              std::to_string(0.1 + 0.2 * (i / kSide)) +
+              "\"><Box size=\"0.4 0.2 0.2\" mass=\"16\" material=\"m\"/></RigidBody>";
+  return "<dynamy version=\"1\"><systems>" + bricks +
+         "<RigidBody name=\"ball\" position=\"1 -0.45 0.6\" velocity=\"0 " + std::to_string(speed) +
+         " 0\"><Sphere radius=\"0.3\" mass=\"" + std::to_string(kMass) +
+         "\" material=\"m\"/></RigidBody><Ground name=\"world\"><HalfSpace material=\"m\"/>"
+         "</Ground></systems><forces><Gravity/></forces><elements><Contact between=\"m m\">"
+         "<UnilateralCoulomb mu=\"0.5\"/></Contact></elements><simulation until=\"1\" "
+         "step=\"2ms\">" +
+         solver + "</simulation></dynamy>";
+}
+
+TEST(BoundedWork, AWallThatIsHitStaysApartAndGainsNothing) {
+  Scene scene("wall", {.text = wall("")});
+  const double ball = 0.5 * kMass * kSpeed * kSpeed;
+  double least = scene.energy(), deepest = 0.0;
+  int most = 0, loose = 0;
+  for (int i = 0; i < 100; ++i) {
+    const StepReport& report = scene.step(kStep);
+    const double E = report.solved.residuals.largest();
+    if (report.contacts >= 200) {
+      most = std::max(most, report.solved.iterations);
+      loose += E > 1e-10 ? 1 : 0;
+      // The status is that of what is accepted.
+      EXPECT_EQ(report.solved.ok(), E <= kAccepted) << i << ": " << E;
+    }
+    for (const double g : scene.system().slot(0).contacts.g) deepest = std::max(deepest, -g);
+    const double now = scene.energy();
+    // Nothing drives the scene. The mark of the project: a thousandth of the ball's energy.
+    EXPECT_LT(now - least, 1e-3 * ball) << i;
+    least = std::min(least, now);
+  }
+  EXPECT_LE(most, kMostNewton + kMostSweeps);
+  EXPECT_GT(loose, 0);  // else nothing of it was tried
+  // Bodies that turn may meet within a step where no contact was: less than the ball's way in it.
+  EXPECT_LT(deepest, kSpeed * kStep);
+}
+
+TEST(BoundedWork, LeavesAWallAtRestExact) {
+  Scene scene("wall", {.text = wall("", 0.0)});
+  for (int i = 0; i < 50; ++i) {
+    const StepReport& report = scene.step(kStep);
+    EXPECT_LE(report.solved.residuals.largest(), 1e-10) << i;  // the default tolerance
+  }
+}
+
+TEST(BoundedWork, IsForThoseWhoGiveNoTolerance) {
+  // The ball hits in the third step; what a bounded solve leaves there is above 1e-6.
+  const auto worst = [](const std::string& solver) {
+    Scene scene("wall", {.text = wall(solver)});
+    double E = 0.0;
+    for (int i = 0; i < 4; ++i) E = std::max(E, scene.step(kStep).solved.residuals.largest());
+    return E;
+  };
+  EXPECT_LE(worst("<Automatic tolerance=\"1e-8\"/>"), 1e-8);
+  EXPECT_LE(worst("<Automatic work=\"unbounded\"/>"), 1e-10);
+  EXPECT_GT(worst("<Automatic tolerance=\"1e-8\" work=\"bounded\"/>"), 1e-6);
+  EXPECT_GT(worst(""), 1e-6);
+}
+
+/// What the default scheme takes of a start, after a step that was solved to rounding and after one
+/// that was not.
+constexpr double kAfterExact = 0.1, kAfterLoose = 0.01;
+
+/// A chain of `n` blocks of six velocities with a frictional contact each; its percussions from a
+/// cold start.
+Eigen::VectorXd chain(int n, bool bounded, double warmStart) {
+  std::mt19937 random(3);
+  const UnilateralCoulomb law(0.0, 0.0, 0.3);
+  fixture::Inclusion x(
+      std::vector<Eigen::MatrixXd>(static_cast<std::size_t>(n), Eigen::MatrixXd::Identity(6, 6)));
+  Eigen::VectorXd c(3 * n), Lambda = Eigen::VectorXd::Zero(3 * n);
+  for (int i = 0; i < n; ++i) {
+    Eigen::MatrixXd Wt = Eigen::MatrixXd::Zero(3, 6 * n);
+    Wt.middleCols(6 * i, 6) = fixture::randomMatrix(random, 3, 6);
+    if (i > 0) Wt.middleCols(6 * (i - 1), 6) = fixture::randomMatrix(random, 3, 6);
+    x.contact(law, Wt);
+    c.segment(3 * i, 3) = Eigen::Vector3d(-1.0, 0.1, 0.0);
+  }
+  InclusionProblem& p = x.pose(c);
+  p.warmStart = warmStart;
+  Lambda[0] = 100.0;  // a start, but a bad one: sweeps only
+  Automatic solver({.bounded = bounded});
+  const SolveReport report = solver.solve(p, view(Lambda));
+  EXPECT_TRUE(report.ok());
+  const bool exact = report.residuals.largest() <= 1e-10;
+  EXPECT_EQ(exact, !(bounded && warmStart == kAfterLoose && n >= 200))
+      << n << ": " << report.residuals.largest();
+  return Lambda;
+}
+
+TEST(BoundedWork, LeavesFewContactsAndOtherSchemesExact) {
+  EXPECT_EQ(chain(199, false, kAfterLoose), chain(199, true, kAfterLoose));
+  EXPECT_EQ(chain(200, false, 0.0), chain(200, true, 0.0));  // nobody corrects what is left
+  EXPECT_EQ(chain(200, false, kAfterExact), chain(200, true, kAfterExact));  // a few Newton steps
+  EXPECT_NE(chain(200, false, kAfterLoose), chain(200, true, kAfterLoose));
+}
+
+}  // namespace
+}  // namespace dynamy
