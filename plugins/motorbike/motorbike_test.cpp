@@ -1,5 +1,6 @@
 // The motorbike against the published benchmark bicycle, closed forms and ballistics.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/simulation/linear/linearisation.hpp>
 #include <dynamy/testing/check_element.hpp>

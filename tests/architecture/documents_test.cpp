@@ -1,6 +1,7 @@
 /// The documents hold together: links lead somewhere, cited literature is listed, equations that
 /// code cites exist, and every marked block is one that a test can take out.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,7 @@
 /// The folders of sources: few files each, a README that names them all and says what the folder
 /// may include, no two folders that include each other, kernels compiled as kernels.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <filesystem>

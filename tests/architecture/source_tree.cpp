@@ -1,4 +1,5 @@
 #include "architecture/source_tree.hpp"
+#include <build_paths.hpp>
 
 #include <stdio.h>  // popen
 

@@ -1,6 +1,7 @@
 /// scripts/trust: what it appends to doc/trust/*.csv and draws into doc/trust.md.
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <build_paths.hpp>
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,7 @@
 /// DefectRun: a model, from a text or a file, run by the program's own loop within a bound of work,
 /// with its rows and events in memory.
 #pragma once
+#include <build_paths.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>

@@ -1,5 +1,6 @@
 /// Known defects that users meet early: steady motions, elastic ropes, writing the state.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <defects/defect_run.hpp>
 #include <program/program_fixture.hpp>

@@ -1,5 +1,6 @@
 /// Known defects of many contacts at once: arches, balls in a row, long steps, jams.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <cmath>
 #include <defects/defect_run.hpp>

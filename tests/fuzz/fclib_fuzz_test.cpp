@@ -2,6 +2,7 @@
 // or refused with a message that names the place. Thousands in one process: nothing may crash, and
 // what the HDF5 library leaves behind must not grow.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <dynamy/core/error.hpp>

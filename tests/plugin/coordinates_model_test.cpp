@@ -1,5 +1,6 @@
 // Formulas in model files: places of faults, parameters, and steps without allocation.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/testing/counting_allocation.hpp>
 #include <support/load_model.hpp>

@@ -1,4 +1,5 @@
 /// scripts/animate: the film of a run as an animated SVG.
+#include <build_paths.hpp>
 #include <program/program_fixture.hpp>
 #include <regex>
 #include <vector>

@@ -1,4 +1,5 @@
 /// The manual page and the completion of shells say what --help says, for every command.
+#include <build_paths.hpp>
 #include <program/program_fixture.hpp>
 #include <regex>
 #include <set>

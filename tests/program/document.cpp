@@ -1,4 +1,5 @@
 #include "document.hpp"
+#include <build_paths.hpp>
 
 #include <fstream>
 #include <stdexcept>

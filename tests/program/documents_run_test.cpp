@@ -1,6 +1,7 @@
 /// Everything that the documents tell a reader to type or to save works as printed, from the top of
 /// a page to its end. The folder looks like a clone after its first build.
 #include <algorithm>
+#include <build_paths.hpp>
 #include <fstream>
 #include <program/program_fixture.hpp>
 

@@ -1,4 +1,5 @@
 /// What `dynamy describe` shows as an example works, and the schema knows every model of the tree.
+#include <build_paths.hpp>
 #include <fstream>
 #include <program/program_fixture.hpp>
 #include <regex>

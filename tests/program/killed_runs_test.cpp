@@ -1,5 +1,6 @@
 /// Runs killed at random instants: a part of bench/trust/killed_runs.py.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <cstdlib>
 #include <string>

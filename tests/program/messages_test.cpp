@@ -1,6 +1,7 @@
 /// What a user reads about a wrong model, word by word: every tests/data/messages/NAME.xml is
 /// checked by the program and has to give NAME.txt on standard error, and exit code 2.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <program/program_fixture.hpp>

@@ -1,5 +1,6 @@
 /// dynamy new-plugin: what it writes builds against the installed package, runs, and passes its
 /// test as it stands.
+#include <build_paths.hpp>
 #include <program/program_fixture.hpp>
 #include <vector>
 

@@ -1,5 +1,6 @@
 /// Problems of a run that are not solved, or that are written for `dynamy solve`.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/io/fclib/fclib_file.hpp>
 #include <dynamy/io/fclib/hdf5_file.hpp>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <build_paths.hpp>
 
 #include <chrono>
 #include <cstdlib>

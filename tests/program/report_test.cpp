@@ -1,4 +1,5 @@
 /// dynamy report DIR: the page has what the run's files have.
+#include <build_paths.hpp>
 #include <dynamy/io/files/json_reader.hpp>
 #include <program/program_fixture.hpp>
 

@@ -1,5 +1,6 @@
 /// Runs that are ended from outside: by signals, a full disk, a lack of memory; two runs into one
 /// folder; damaged checkpoints.
+#include <build_paths.hpp>
 #include <dynamy/io/files/json_reader.hpp>
 #include <dynamy/io/run_files/checkpoint.hpp>
 #include <dynamy/io/run_files/frames_file.hpp>

@@ -1,4 +1,5 @@
 /// scripts/build-release, with a stand-in for cmake.
+#include <build_paths.hpp>
 #include <program/program_fixture.hpp>
 
 namespace dynamy {

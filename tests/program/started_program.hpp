@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <build_paths.hpp>
 
 #include <chrono>
 #include <csignal>

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <build_paths.hpp>
 
 #include <cmath>
 #include <dynamy/io/files/csv.hpp>

@@ -1,5 +1,6 @@
 /// Whose code runs: no library of the current folder, one of a model's folder only by the user's
 /// word, one of a sweep or a checkpoint by name and content.
+#include <build_paths.hpp>
 #include <program/program_fixture.hpp>
 #include <sstream>
 

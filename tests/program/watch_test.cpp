@@ -1,5 +1,6 @@
 /// dynamy run --watch, and what a run tells while it goes on.
 #include <signal.h>
+#include <build_paths.hpp>
 
 #include <dynamy/io/files/json_reader.hpp>
 #include <dynamy/io/run_files/signals_file.hpp>

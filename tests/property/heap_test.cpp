@@ -1,5 +1,6 @@
 // Heaps of balls: the packed sweeps against others, any number of threads, grains that come and go.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/solver/block_gauss_seidel.hpp>
 #include <reference/scene.hpp>

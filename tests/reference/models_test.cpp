@@ -1,5 +1,6 @@
 /// Every file of models/ is run as the program runs it, and all of its <check>s must hold.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // Which models run to a tolerance: the table of doc/models.md.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -2,6 +2,7 @@
 /// sees every state and every percussion. The time loop of the program is not used: what is tested
 /// here are the equations of a step.
 #pragma once
+#include <build_paths.hpp>
 #include <cmath>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>

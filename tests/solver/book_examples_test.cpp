@@ -2,6 +2,7 @@
 // coplanar points, a column, Painlevé's rod, a cradle. Figures are printed as tables for
 // theory 4.10.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -2,6 +2,7 @@
 // shares no code with the solvers. The collection of others lies beside the source tree and is not
 // part of it; without it those tests are skipped.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,7 @@
 // Problems that once crashed a solver, were read although they were corrupt, or were not solved
 // although one of the methods at hand solves them: tests/data/hard_problems.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/core/error.hpp>
 #include <dynamy/solver/admm.hpp>

@@ -1,6 +1,7 @@
 // The plain complementarity problems of the collection: each solved by Lemke, or named with the
 // reason; judged by min(w, z) from its definition and, up to 6 unknowns, by all solutions.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,7 @@
 /// Loads models with the standard elements and plug-ins of the build tree, as the program does.
 #pragma once
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>

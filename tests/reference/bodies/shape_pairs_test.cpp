@@ -1,6 +1,7 @@
 /// Which shapes touch which: the tables of doc/shape_pairs.md are what models are told, and what
 /// is without thickness rests on all that it touches.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/core/error.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>

@@ -1,5 +1,6 @@
 // Eigenvalues of steady motions against closed forms.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <cmath>
 #include <dynamy/io/model/model_loader.hpp>

@@ -5,6 +5,7 @@
 // located_cost_test.cpp show that such runs are true. The table that is printed stands in
 // doc/theory/50.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 /// LocatedRun: a model file or text run to a tolerance by the program's own loop, with its events.
 #pragma once
+#include <build_paths.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/located/located_dormand_prince.hpp>

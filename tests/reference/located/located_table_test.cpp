@@ -1,5 +1,6 @@
 // Which laws runs to a tolerance follow: the table of theory 50.8, and the refusal of the others.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>

@@ -1,5 +1,6 @@
 // What a run does with a start that its joints do not allow, in every scheme.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>

@@ -1,5 +1,6 @@
 /// Implicit midpoint with joints at position level: joints to rounding, energy at any step.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/schemes/energy_momentum.hpp>
 #include <fstream>

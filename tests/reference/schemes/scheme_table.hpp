@@ -3,6 +3,7 @@
 /// the tests that go through all schemes.
 #pragma once
 #include <array>
+#include <build_paths.hpp>
 #include <fstream>
 #include <limits>
 #include <ostream>

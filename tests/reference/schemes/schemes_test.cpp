@@ -4,6 +4,7 @@
 /// the bouncing ball, and Runge–Kutta's method in minimal coordinates (a second formulation of the
 /// same motion).
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <fstream>
 #include <iomanip>

@@ -1,6 +1,7 @@
 /// Staggered Moreau midpoint: what rests stays, what lands does not sink, joints keep length and
 /// energy.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/schemes/staggered_moreau.hpp>
 #include <dynamy/simulation/run/simulation.hpp>

@@ -1,6 +1,7 @@
 /// What a newcomer writes and reads: each text of tests/data/wrong_inputs.txt stands in a small
 /// model and has to give the messages below it, word by word.
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/model/model_loader.hpp>

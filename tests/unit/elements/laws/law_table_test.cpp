@@ -1,6 +1,7 @@
 // Every registered law against its row in doc/laws.md: does it take energy, is it even, what does
 // it become in its limits?
 #include <gtest/gtest.h>
+#include <build_paths.hpp>
 
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin.hpp>

@@ -1,3 +1,4 @@
+#include <build_paths.hpp>
 #include <unit/io/plugin/compiled_library.hpp>
 
 namespace dynamy {
