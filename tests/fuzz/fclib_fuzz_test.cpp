@@ -2,6 +2,7 @@
 // or refused with a message that names the place. Thousands in one process: nothing may crash, and
 // what the HDF5 library leaves behind must not grow.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <build_paths.hpp>
 
 #include <algorithm>
@@ -42,6 +43,13 @@ void expectSizes(const FclibProblem& p, unsigned seed) {
   }
 }
 
+/// The most memory that this process ever took [bytes].
+double largestMemory() {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return 1024.0 * static_cast<double>(used.ru_maxrss);
+}
+
 /// Mutations [from, to) of the kept files; returns how many were refused.
 int mutate(unsigned from, unsigned to) {
   const testing::ScratchFolder folder;
@@ -73,6 +81,11 @@ int mutate(unsigned from, unsigned to) {
       ++refused;
       EXPECT_FALSE(e.diagnostics().front().text.empty()) << "seed " << seed;
     }
+    // Files of 30 kB; what is left of earlier ones is among it.
+    if (largestMemory() > 1e9) {
+      ADD_FAILURE() << "more than 1 GB after seed " << seed;
+      break;
+    }
   }
   return refused;
 }
@@ -84,6 +97,31 @@ TEST(FclibFuzz, ChangedFilesAreReadOrRefused) {
 }
 
 TEST(LongFclibFuzz, ChangedFilesAreReadOrRefused) { mutate(10'000, 110'000); }
+
+/// The widths of texts, integers and numbers as the file says them: the library would make room for
+/// them before it finds that nothing is there.
+TEST(FclibFuzz, WidthsThatNoNumberHasAreRefused) {
+  const testing::ScratchFolder folder;
+  const fs::path file = folder.path() / "wide.hdf5";
+  FclibProblem p = randomProblem(3, 2, 8, 0.5, 0.0, 1);
+  p.title = "a title of 21 letters";
+  writeFclib(file, p);
+  const std::string bytes = readWholeFile(file);
+  // Class and version, three bytes of flags, four of the width [HDF5 file format, IV.A.2.d].
+  const std::string kText("\x13\x10\0\0\x16\0\0\0", 8), kInteger("\x10\x08\0\0\x04\0\0\0", 8),
+      kNumber("\x11\x20\x3f\0\x08\0\0\0", 8);
+  for (const std::string& type : {kText, kInteger, kNumber})
+    for (const char high : {'\x10', '\x40', '\x7f'}) {
+      std::string changed = bytes;
+      std::size_t count = 0;
+      for (std::size_t at = 0; (at = changed.find(type, at)) != std::string::npos; ++count)
+        changed[at + 7] = high;
+      ASSERT_GT(count, 0U);
+      writeWholeFile(file, changed);
+      EXPECT_THROW(readFclib(file), ModelError) << count;
+    }
+  EXPECT_LT(largestMemory(), 1e9);
+}
 
 /// Every entry of every integer vector replaced: sizes, storages, pointers, indices.
 TEST(FclibFuzz, WrongIntegersOfTheStructureAreRefused) {

@@ -1,5 +1,8 @@
+#include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
+#include <array>
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/fclib/hdf5_file.hpp>
 
@@ -87,24 +90,43 @@ std::int64_t Hdf5File::dataset(const std::string& place) const {
   return id;
 }
 
+void Hdf5File::expectRoom(const std::string& place, double bytes) const {
+  // Compression makes data 1032 times smaller at most.
+  constexpr double kSmallest = 1100.0;
+  constexpr double kAlways = 64e6;  // a chunk may be larger than what is in it
+  std::error_code ignored;
+  const auto size = static_cast<double>(std::filesystem::file_size(path_, ignored));
+  if (ignored || bytes > std::max(kAlways, kSmallest * size))
+    fail(place, fmt::format("needs {:.2g} bytes, more than the file can hold", bytes));
+}
+
 std::size_t Hdf5File::count(std::int64_t dataset, const std::string& place) const {
   const hssize_t n = points(dataset);
   if (n < 0) fail(place, "has no size");
-  // A corrupt size must not ask for all memory. Compression makes numbers 1032 times smaller at
-  // most.
-  std::error_code ignored;
-  const auto bytes = std::filesystem::file_size(path_, ignored);
-  constexpr std::uintmax_t kSmallest = 1100;
-  if (ignored || static_cast<std::uintmax_t>(n) / kSmallest > bytes)
-    fail(place, "has " + std::to_string(n) + " entries, more than the file can hold");
+  const Id type(H5Dget_type(dataset), H5Tclose);
+  expectRoom(place, static_cast<double>(n) * static_cast<double>(H5Tget_size(type)));
+  // What the library makes room for in one piece, however little of it is there.
+  const Id layout(H5Dget_create_plist(dataset), H5Pclose);
+  std::array<hsize_t, H5S_MAX_RANK> edges{};
+  const int rank = H5Pget_layout(layout) == H5D_CHUNKED
+                       ? H5Pget_chunk(layout, static_cast<int>(edges.size()), edges.data())
+                       : 0;
+  double chunk = static_cast<double>(H5Tget_size(type));
+  for (int k = 0; k < rank; ++k) chunk *= static_cast<double>(edges[static_cast<std::size_t>(k)]);
+  expectRoom(place, chunk);
   return static_cast<std::size_t>(n);
 }
 
 void Hdf5File::expectKind(std::int64_t dataset, const std::string& place, bool integers) const {
   const Id type(H5Dget_type(dataset), H5Tclose);
   const H5T_class_t kind = H5Tget_class(type);
-  if (kind == H5T_INTEGER || (kind == H5T_FLOAT && !integers)) return;
-  fail(place, integers ? "holds no integers" : "holds no numbers");
+  if (kind != H5T_INTEGER && (kind != H5T_FLOAT || integers))
+    fail(place, integers ? "holds no integers" : "holds no numbers");
+  // The library makes room for some thousand numbers at once, in the width that the file says.
+  constexpr std::size_t kWidest = 16;
+  const std::size_t width = H5Tget_size(type);
+  if (width > kWidest)
+    fail(place, fmt::format("holds numbers of {} bytes; at most {} are read", width, kWidest));
 }
 
 std::vector<int> Hdf5File::integers(const std::string& place) const {
@@ -150,6 +172,7 @@ std::string Hdf5File::text(const std::string& place) const {
     H5free_memory(value);
     return out;
   }
+  count(id, place);
   std::string out(H5Tget_size(type), '\0');
   if (H5Dread(id, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0) return {};
   return out.substr(0, out.find('\0'));

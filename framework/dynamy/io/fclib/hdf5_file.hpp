@@ -47,6 +47,8 @@ class Hdf5File {
 
  private:
   std::int64_t dataset(const std::string& place) const;
+  /// A corrupt size must not ask for all memory. \throws ModelError more than the file can hold
+  void expectRoom(const std::string& place, double bytes) const;
   /// Its entries. \throws ModelError more than the file can hold
   std::size_t count(std::int64_t dataset, const std::string& place) const;
   void expectKind(std::int64_t dataset, const std::string& place, bool integers) const;
