@@ -108,11 +108,19 @@ std::string inLowerCase(std::string_view text) {
   return out;
 }
 
-/// The hint for a word that is no number: what was misspelt, or that it is a formula.
-std::string whatToWrite(std::string_view word, const ExpressionError& e) {
+/// Whether a number in units of this family is one of `a`.
+bool fits(UnitFamily given, const Attribute& a) {
+  return given == UnitFamily::none || a.unit == Unit::any || given == family(a.unit);
+}
+
+/// The hint for a word that is no number: what was misspelt, a unit that fits without its number,
+/// or that it is a formula ("h" is no position in hours).
+std::string whatToWrite(const Attribute& a, std::string_view word, const ExpressionError& e) {
   if (!e.suggestion().empty()) return didYouMean(e.suggestion());
   const bool name = e.offset() == 0 && word.find_first_of("0123456789") != 0;
-  if (parseUnitSuffix(word)) return "a number stands before its unit: 1" + std::string(word);
+  const auto unit = parseUnitSuffix(word);
+  if (unit && fits(unit->family, a))
+    return "a number stands before its unit: 1" + std::string(word);
   const bool computes = word.find_first_of("+*/^(") != std::string_view::npos;
   if (!name && !computes) return {};
   return "a parameter or a formula stands in braces: {" + std::string(word) + '}';
@@ -141,12 +149,11 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
       x = quantity.value;
       if (!std::isfinite(x))
         return fault("the number " + std::string(word.text) + " is out of range");
-      if (quantity.family != UnitFamily::none && a.unit != Unit::any &&
-          quantity.family != family(a.unit))
+      if (!fits(quantity.family, a))
         return fault("expects " + expectedNumber(a.unit) + ", has [" +
                      std::string(siUnit(quantity.family)) + ']');
     } catch (const ExpressionError& e) {
-      return ValueFault{std::string(kUnread) + e.message(), whatToWrite(word.text, e),
+      return ValueFault{std::string(kUnread) + e.message(), whatToWrite(a, word.text, e),
                         word.offset + e.offset(), e.length()};
     }
   }
