@@ -2,6 +2,8 @@
 /// find_package uses a library that it does not name.
 #include <gtest/gtest.h>
 
+#include <build_paths.hpp>
+#include <filesystem>
 #include <map>
 #include <regex>
 #include <set>
@@ -107,8 +109,10 @@ const std::map<std::string, std::string> kCMake = {
     {"pybind11", "pybind11-dev"},
 };
 
-// A header of ours, under one of the folders that the compiler searches.
+// A header of ours, under one of the folders that the compiler searches, or made from NAME.in.
 bool isInTree(const std::string& header) {
+  const std::filesystem::path root = DYNAMY_SOURCE_DIR;
+  if (std::filesystem::exists(root / "tests" / (header + ".in"))) return true;
   for (const char* folder : {"framework/", "elements/", "plugins/", "app/", "tests/"}) {
     for (const SourceFile& file : sourceTree()) {
       if (file.path == folder + header) return true;

@@ -23,7 +23,7 @@ constexpr double kSameTime = 1e-9;  ///< of the end time: the last row is that o
 /// What run.json says of the others.
 struct Facts {
   std::string state;
-  bool finished = false;  ///< or stopped: everything was written
+  bool finished = false;  ///< or stopped between steps: rows and frames reach its end
   double t = 0.0;         ///< reached [s]
   std::vector<std::string> signals;
   std::vector<RecordedFile> files;
@@ -40,7 +40,9 @@ Facts readFacts(const RunFolder& folder) {
   Facts out;
   out.state = run["state"].text;
   if (out.state.empty()) throw FileError("run.json", "does not say how the run ended");
-  out.finished = out.state == "finished" || out.state.starts_with("stopped");
+  // A run that was stopped within a step gives a reason, like one that failed.
+  out.finished =
+      out.state == "finished" || (out.state.starts_with("stopped") && run["reason"].text.empty());
   out.t = run["t"].value;
   for (const JsonValue& s : run["signals"].items) out.signals.push_back(s["name"].text);
   for (const JsonValue& f : run["files"].items)

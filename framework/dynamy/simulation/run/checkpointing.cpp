@@ -77,16 +77,14 @@ void Simulation::keep() {
   checkpoint_ = a.bytes();
 }
 
-/// Of a step in parts, those that observers have seen stay.
+/// Of a step in parts, those that observers have seen stay; a step that was only tried is taken back.
+/// Either way the recorded rows end before.
 void Simulation::stopWithin() {
   report_.ended = RunReport::Ended::stopped;
-  if (whole_) {
-    keep();
-  } else {
-    report_.reason =
-        "t = " + numberText(x_.t) +
-        " s: stopped within a step of many parts; a checkpoint is of an earlier moment";
-  }
+  report_.reason =
+      "t = " + numberText(x_.t) + " s: stopped within a step" +
+      (whole_ ? ", which was taken back" : " of many parts; a checkpoint is of an earlier moment");
+  if (whole_) keep();
   stepReport_ = {};
   end();
 }

@@ -229,7 +229,7 @@ StepView Simulation::view(bool whole) {
 }
 
 StepReport Simulation::attempt(double tEnd, double dt) {
-  if (stopped()) throw Stopped{};
+  if ((attempted_ || !whole_) && stopped()) throw Stopped{};  // else seen at the step's end
   before_ = x_, attempted_ = true;
   const long evaluations = system_.evaluations();
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);

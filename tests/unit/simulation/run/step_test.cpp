@@ -149,9 +149,10 @@ TEST(Steps, EndWhenTheRunIsStopped) {
   s.stopWhen(stop);
   EXPECT_TRUE(s.step());
   stop = true;
-  EXPECT_FALSE(s.step());  // it is seen before the second step
+  EXPECT_FALSE(s.step());  // the second step is taken, and is the last
   EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
-  EXPECT_EQ(s.state().t, 0.05);
+  EXPECT_TRUE(s.report().reason.empty());
+  EXPECT_EQ(s.state().t, 0.1);
 }
 
 /// Solves short steps alone.
@@ -196,6 +197,33 @@ TEST(Steps, OfManyPartsAreStoppedWithin) {
   EXPECT_EQ(s.state().t, 0.0125);
   EXPECT_DOUBLE_EQ(table.t.back(), 13 * 0.93e-3);  // the last thousandth of the run in the part
   EXPECT_FALSE(s.step());
+}
+
+class StopsAfterATry final : public Observer {
+ public:
+  explicit StopsAfterATry(std::atomic<bool>& stop) : stop_(stop) {}
+  void step(const StepView& /*view*/) override {}
+  void failed(const StepView& /*view*/) override { stop_ = true; }
+
+ private:
+  std::atomic<bool>& stop_;
+};
+
+TEST(Steps, ThatWereOnlyTriedAreTakenBackByAStop) {
+  Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
+  m.scheme(std::make_unique<OnlyShort>());
+  m.simulation.onNonConvergence = NonConvergence::retry;
+  m.build();
+  std::atomic<bool> stop{false};
+  StopsAfterATry observer(stop);
+  Simulation s(m);
+  s.observe(observer);
+  s.stopWhen(stop);
+  EXPECT_FALSE(s.step());
+  EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
+  EXPECT_NE(s.report().reason.find("taken back"), std::string::npos) << s.report().reason;
+  EXPECT_EQ(s.state().t, 0.0);
+  EXPECT_FALSE(s.checkpoint().empty());
 }
 
 }  // namespace
