@@ -6,6 +6,7 @@
 #include <build_paths.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/fclib/fclib_file.hpp>
 #include <dynamy/io/files/output_file.hpp>
@@ -120,6 +121,34 @@ TEST(FclibFuzz, WidthsThatNoNumberHasAreRefused) {
       writeWholeFile(file, changed);
       EXPECT_THROW(readFclib(file), ModelError) << count;
     }
+  EXPECT_LT(largestMemory(), 1e9);
+}
+
+/// The names of each group stand in a heap, whose first free block is made to lead to itself: the
+/// library would follow it until no memory is left.
+TEST(FclibFuzz, FreeBlocksWithoutAnEndAreRefused) {
+  const testing::ScratchFolder folder;
+  const fs::path file = folder.path() / "endless.hdf5";
+  const auto number = [](const std::string& bytes, std::size_t at) {
+    std::uint64_t out = 0;
+    std::memcpy(&out, bytes.data() + at, sizeof out);
+    return out;
+  };
+  for (const fs::path& sound : kept()) {
+    const std::string bytes = readWholeFile(sound);
+    std::size_t heaps = 0;
+    for (std::size_t at = 0; (at = bytes.find("HEAP", at)) != std::string::npos; at += 4) {
+      // Signature, version and 3 bytes; size, first free block, address [HDF5 file format, III.D].
+      const std::uint64_t block = number(bytes, at + 16), place = number(bytes, at + 24) + block;
+      if (block == 1) continue;  // none is free
+      std::string changed = bytes;
+      std::memcpy(changed.data() + place, &block, sizeof block);
+      ++heaps;
+      writeWholeFile(file, changed);
+      EXPECT_THROW(readFclib(file), ModelError) << sound << " at " << at;
+    }
+    EXPECT_GT(heaps, 0U) << sound;
+  }
   EXPECT_LT(largestMemory(), 1e9);
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/fclib/hdf5_file.hpp>
+#include <dynamy/io/fclib/hdf5_heaps.hpp>
+#include <dynamy/io/files/output_file.hpp>
 
 namespace dynamy {
 namespace {
@@ -56,6 +58,8 @@ Hdf5File::Hdf5File(const std::filesystem::path& file, Mode mode) : path_(file.st
   const Silence silence;
   if (mode == Mode::read) {
     if (!std::filesystem::exists(file)) fail("", "no such file");
+    if (std::filesystem::is_regular_file(file) && !freeBlocksEnd(readWholeFile(file)))
+      fail("", "is corrupt: a list of free blocks in it has no end");
     file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (file_ < 0) fail("", "not an HDF5 file");
   } else {
