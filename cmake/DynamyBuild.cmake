@@ -61,8 +61,8 @@ endfunction()
 add_library(dynamy_warnings INTERFACE)
 target_compile_options(dynamy_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion
-  # In a batch a local name may be that of a function of another file.
-  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wshadow=local,-Wshadow>
+  # In a batch a local name may be that of a function of another file; clang's -Wshadow leaves functions out.
+  $<IF:$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>,-Wshadow=local,-Wshadow>
   # Indices are int, as they count rows of small blocks. gcc's -Wconversion lets them index a vector;
   # clang's would ask for a cast in every subscript and bury the equations.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
