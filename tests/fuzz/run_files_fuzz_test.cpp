@@ -228,6 +228,33 @@ TEST_F(RunFiles, BodiesOfAnySpeedAreFollowedOrRefused) {
   }
 }
 
+/// Also where nothing is left to do. Joints drift up to the last state; the watch looks at one
+/// step of fourteen, and the last of the 3333 is none of them.
+TEST_F(RunFiles, ARunResumedAtItsEndReportsWhatTheStraightOneDoes) {
+  for (const char* settings : {R"(step="0.3ms"/>)", R"(tolerance="1e-6"/>)",
+                               R"(step="0.3ms"><MoreauMidpoint/></simulation>)"}) {
+    SCOPED_TRACE(settings);
+    const std::string text = fuzz::scene(std::string(R"(<simulation until="0.9999" )") + settings);
+    Model model = loadModelText(text, "fuzz.xml", world_.registry, world_.plugins);
+    Model again = loadModelText(text, "fuzz.xml", world_.registry, world_.plugins);
+    Simulation straight(model), resumed(again);
+    std::string last;  // after the last step, before the run is known to be over
+    straight.onCheckpoint(1e-12, 1e12, [&last](const std::string& bytes) { last = bytes; });
+    const RunReport& a = straight.run();
+    resumed.resume(last);
+    const RunReport& b = resumed.run();
+    EXPECT_EQ(b.jointError.value, a.jointError.value);
+    EXPECT_EQ(b.jointError.t, a.jointError.t);
+    EXPECT_EQ(b.jointError.name, a.jointError.name);
+    EXPECT_EQ(b.penetration.value, a.penetration.value);
+    EXPECT_EQ(b.penetration.t, a.penetration.t);
+    EXPECT_EQ(b.trust.energyError, a.trust.energyError);
+    EXPECT_EQ(b.steps, a.steps);
+    EXPECT_EQ(b.hash, a.hash);
+    EXPECT_EQ(b.warnings.size(), a.warnings.size());
+  }
+}
+
 class LongRunFiles : public RunFiles {
  protected:
   unsigned long count_ = number("DYNAMY_COUNT", 100'000);

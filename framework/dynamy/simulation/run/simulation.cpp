@@ -199,7 +199,9 @@ void Simulation::start() {
 }
 
 void Simulation::end() {
-  if (report_.ended == RunReport::Ended::failed) system_.evaluate(x_);
+  // A run resumed at its end takes no step, which would have evaluated the system.
+  const bool resumedHere = resumed_ && stepReport_.dt <= 0.0;
+  if (report_.ended == RunReport::Ended::failed || resumedHere) system_.evaluate(x_);
   const bool whole = report_.ended != RunReport::Ended::failed && stepReport_.dt > 0.0;
   const StepView last = view(whole);
   forAll([&](Observer& o) { o.finish(last); });
