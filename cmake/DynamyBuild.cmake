@@ -66,6 +66,8 @@ target_compile_options(dynamy_warnings INTERFACE
   # Indices are int, as they count rows of small blocks. gcc's -Wconversion lets them index a vector;
   # clang's would ask for a cast in every subscript and bury the equations.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
+  # clang counts the letters of embedded files, which every compiler in use takes.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>
   $<$<BOOL:${DYNAMY_WARNINGS_AS_ERRORS}>:-Werror>
   # gcc 12 guesses this one wrongly in optimised Eigen code; it stays a warning.
   $<$<AND:$<BOOL:${DYNAMY_WARNINGS_AS_ERRORS}>,$<CXX_COMPILER_ID:GNU>>:-Wno-error=maybe-uninitialized>)
