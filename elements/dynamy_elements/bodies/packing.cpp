@@ -31,7 +31,10 @@ std::optional<std::vector<Vec3>> latticePlaces(std::size_t count, const Region& 
   const Vec3 width = region.high - region.low;
   const double nx = std::floor(width.x() / pitch + 1e-9), ny = std::floor(width.y() / pitch + 1e-9);
   if (nx < 1.0 || ny < 1.0) return std::nullopt;
-  const auto x = static_cast<std::size_t>(nx), y = static_cast<std::size_t>(ny);
+  // Cells beyond the number of grains stay empty; there may be more than numbers count.
+  const auto most = static_cast<double>(std::max<std::size_t>(count, 1));
+  const auto x = static_cast<std::size_t>(std::min(nx, most)),
+             y = static_cast<std::size_t>(std::min(ny, most));
   std::vector<Vec3> out;
   out.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -45,6 +45,11 @@ CoordinateContact::CoordinateContact(const Parameters& x)
   if (gapText_.empty() && law_->rowKind(0) == RowKind::joint)
     law_ = std::make_unique<BilateralRate>();
   tangents_ = directions() ? slipText_.rows() : slipVelocityText_.size();
+  if (tangents_ == 0 && gapText_.empty())
+    throw ModelError(Diagnostic{.place = place(),
+                                .element = type() + " name=\"" + name() + '"',
+                                .text = "there is nothing that it could act on",
+                                .hint = "add gap, slip or slipVelocity"});
   if (tangents_ == 0 && hasFriction(*law_))
     throw ModelError(Diagnostic{.place = place(),
                                 .element = type() + " name=\"" + name() + '"',

@@ -86,6 +86,22 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
   return Meeting::missing;
 }
 
+Traits traits(const TouchingShape& s) {
+  const auto number = [](auto n) { return static_cast<std::uint64_t>(n); };
+  Traits out{number(s.kind),         number(s.features.size()),  number(!s.grain_K.isZero(0.0)),
+             number(s.bound == 0.0), number(s.thickness == 0.0), number(s.polygon_K.size()),
+             number(goesIn(s))};
+  if (s.surface) {
+    out[7] = 1, out[8] = number(s.surface->corners());
+    out[9] = number(s.surface->edges()), out[10] = number(s.surface->faces().size());
+  }
+  if (s.polyhedron) {
+    out[11] = 1, out[12] = number(s.polyhedron->corners().size());
+    out[13] = number(s.polyhedron->edges().size()), out[14] = number(s.polyhedron->faces().size());
+  }
+  return out;
+}
+
 std::uint64_t followedOf(Meeting meets, const TouchingShape& A, const TouchingShape& B) {
   if (meets == Meeting::polygons)
     return static_cast<std::uint64_t>(featurePairs(A.polygon_K, B.polygon_K));

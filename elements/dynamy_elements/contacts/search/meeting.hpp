@@ -1,5 +1,7 @@
 /// Which contact two kinds of shapes make: the table of pairs.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <dynamy_elements/contacts/shapes/touching_shape.hpp>
 #include <limits>
 
@@ -39,6 +41,11 @@ enum class Meeting : std::uint8_t {
 
 /// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.
 Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane);
+
+/// All that the functions of this page, and friction along a grain, ask of a shape: what two shapes do
+/// holds for all pairs of shapes with their traits.
+using Traits = std::array<std::uint64_t, 15>;
+Traits traits(const TouchingShape& s);
 
 /// How many contacts two shapes may make, numbered from 0.
 std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingShape& B);

@@ -80,11 +80,6 @@ constexpr int kContourRows = 8;
 /// for rolling and the way along the contour beside.
 int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
 
-/// What tells shapes of one kind apart: a direction of friction, no thickness.
-int traits(const TouchingShape& s) {
-  return (s.grain_K.isZero(0.0) ? 0 : 1) + (s.isThin() ? 2 : 0);
-}
-
 /// Shapes further apart than half their sizes are not reported.
 double earlyReach(const TouchingShape& s) {
   // Boxes are looked at where their circumscribed balls meet.
@@ -221,7 +216,7 @@ void ShapeContacts::group(Search& search) {
   ground_.assign(n, -1), grounds_.clear();
   flats_.clear();
   thinnest_ = std::numeric_limits<double>::infinity();
-  using Key = std::tuple<std::string, double, double, double, int, int, std::size_t, int, int>;
+  using Key = std::tuple<std::string, double, double, double, int, Traits, Traits>;
   std::map<Key, int> known;
   std::map<std::string, int> names;
   for (std::size_t i = 0; i < n; ++i) {
@@ -239,10 +234,9 @@ void ShapeContacts::group(Search& search) {
                : blocks.capacity == 1 ? s.system
                                       : systems + search.start.frame(s.frame).block;
     const bool alone = !moves || own.kind == Touch::halfSpace;
-    const Key key{
-        s.shape->material(),    blocks.planeNormal.x(),           blocks.planeNormal.y(),
-        blocks.planeNormal.z(), alone ? static_cast<int>(i) : -1, static_cast<int>(own.kind),
-        own.features.size(),    static_cast<int>(inSpace.kind),   traits(own)};
+    const Key key{s.shape->material(),    blocks.planeNormal.x(),           blocks.planeNormal.y(),
+                  blocks.planeNormal.z(), alone ? static_cast<int>(i) : -1, traits(own),
+                  traits(inSpace)};
     const auto [at, isNew] = known.try_emplace(key, static_cast<int>(search.groups.size()));
     group_[i] = at->second;
     if (isNew) {

@@ -1,0 +1,77 @@
+// Mutated models that broke a promise of `dynamy check` (scripts/mutate-models), cut down.
+#include <gtest/gtest.h>
+
+#include <fuzz/small_runs.hpp>
+
+namespace dynamy {
+namespace {
+
+class Mutants : public ::testing::Test {
+ protected:
+  /// What is wrong with the model; "" if nothing is.
+  std::string fault(const std::string& systems, const std::string& elements) {
+    const std::string text = R"(<dynamy version="1"><systems>)" + systems + "</systems><elements>" +
+                             elements +
+                             R"(</elements><simulation until="1ms" step="1ms"/></dynamy>)";
+    try {
+      Model model = loadModelText(text, "mutant.xml", world_.registry, world_.plugins);
+      Simulation(model).run();
+      return {};
+    } catch (const ModelError& e) {
+      EXPECT_GT(e.diagnostics().front().place.line, 0) << e.what();
+      return e.what();
+    }
+  }
+  bool has(const std::string& text, const char* part) { return text.find(part) != text.npos; }
+  fuzz::World world_;
+};
+
+TEST_F(Mutants, GrainsInABoxOfMoreCellsThanNumbersCount) {
+  for (const char* half : {"1e8", "1e18", "1e200"}) {
+    const std::string high(half);
+    EXPECT_EQ(fault(R"(<Grains count="3" pitch="20mm" within="-)" + high + " -" + high + " 0 " +
+                        high + ' ' + high + R"( 1"><Sphere radius="5mm" density="1"/></Grains>)",
+                    ""),
+              "");
+  }
+}
+
+/// The second is not convex: a ball cannot touch it, though it can touch the first.
+TEST_F(Mutants, PolygonsOfAsManyCornersNeedNotBeAlike) {
+  const auto polygon = [](const std::string& last) {
+    return R"(<PlanarBody mass="1" inertia="1"><Polygon material="p" points="0 0 0  1 0 0  1 0 1  )" +
+           last + R"("/></PlanarBody>)";
+  };
+  const std::string
+      ball = R"(<PlanarBody position="0 0 5" mass="1" inertia="1">
+    <Sphere radius="0.1" material="q"/></PlanarBody>)",
+      law = R"(<Contact between="p q"><Unilateral/></Contact><NoContact between="p p"/>)",
+      convex = polygon("0 0 1"), other = polygon("0.9 0 0.5");
+  EXPECT_EQ(fault(convex + convex + ball, law), "");
+  EXPECT_TRUE(has(fault(other + convex + ball, law), "is not available"));
+  EXPECT_TRUE(has(fault(convex + other + ball, law), "is not available"));
+}
+
+/// A contour that goes in touches a plane at more than one point.
+TEST_F(Mutants, ContoursNeedNotBeAlike) {
+  const auto contour = [](const std::string& r) {
+    return R"(<PlanarBody position="0 0 5" mass="1" inertia="1"><Contour material="p" r=")" + r +
+           R"(" euler="{pi/2} 0 0"/></PlanarBody>)";
+  };
+  const std::string
+      floor = R"(<Ground name="g"><HalfSpace material="q"/></Ground>)",
+      law = R"(<Contact between="p q"><Unilateral/></Contact><NoContact between="p p"/>)",
+      convex = contour("0.2 + 0.01*cos(2*phi)"), other = contour("0.2 + 0.1*cos(4*phi)");
+  EXPECT_EQ(fault(convex + convex + floor, law), "");
+  EXPECT_TRUE(has(fault(other + convex + floor, law), "is not available"));
+  EXPECT_TRUE(has(fault(convex + other + floor, law), "is not available"));
+}
+
+TEST_F(Mutants, AContactOfCoordinatesNeedsAFormula) {
+  EXPECT_TRUE(has(fault(R"(<PlanarBody name="a" mass="1" inertia="1"/>)",
+                        R"(<CoordinateContact on="a"><Bilateral/></CoordinateContact>)"),
+                  "nothing that it could act on"));
+}
+
+}  // namespace
+}  // namespace dynamy
