@@ -25,6 +25,10 @@ constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
 /// not exact. Newton steps after one that was.
 constexpr double kLooseStart = 0.01;
 constexpr int kAfterExact = 100;
+/// Products that the Newton steps of one attempt at a problem without bodies may take in a time step:
+/// some tenths of a second; and steps that it has in any case.
+constexpr double kMostProducts = 1e9;
+constexpr int kFewestSteps = 25;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
 /// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
@@ -130,11 +134,16 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   // After exact steps Newton's method has its chance once: a scene at rest stays exact, and so does
   // one that begins to slide.
   const int most = first ? options_.maxNewton : (afterExact ? kAfterExact : kCorrecting);
-  const NewtonLimits limits{most, 0, 0};
-  report = newton_.refine(p, Lambda, report, cold, scratch_.data(), many ? &limits : nullptr);
+  const int affordable = stepsAtMost(p);
+  const bool dear = affordable < options_.maxNewton;
+  const NewtonLimits limits =
+      dear ? NewtonLimits{affordable, affordable, kMostSweeps} : NewtonLimits{most, 0, 0};
+  report =
+      newton_.refine(p, Lambda, report, cold, scratch_.data(), many || dear ? &limits : nullptr);
   if (report.ok()) return report;
   keep({Lambda.data(), Lambda.size()}, report.residuals);
   if (many) return boundedSweeps(p, Lambda, report);
+  if (dear) return report;
   if (!restarts(p, Lambda, report) && !pivot(p, Lambda, report)) others(p, Lambda, report);
   return report;
 }
@@ -142,6 +151,14 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
 bool Automatic::bounds(const InclusionProblem& p) const {
   return options_.bounded && p.warmStart > 0.0 && p.size() >= kBoundedFrom && p.G->hasBodies() &&
          !p.rule;
+}
+
+int Automatic::stepsAtMost(const InclusionProblem& p) const {
+  if (!options_.bounded || !(p.warmStart > 0.0) || p.G->hasBodies() || p.rule)
+    return options_.maxNewton;
+  const double rows = p.rows(), products = rows * rows * rows / 3.0;
+  return std::clamp(static_cast<int>(std::min(1e6, kMostProducts / products)), kFewestSteps,
+                    options_.maxNewton);
 }
 
 SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, SolveReport report) {

@@ -43,6 +43,9 @@ class Automatic final : public InclusionSolver {
   SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Is the work on this problem bounded?
   bool bounds(const InclusionProblem& problem) const;
+  /// Newton steps that one attempt may take: fewer where G has no bodies, which is condensed from
+  /// joints or stiff forces, and is eliminated as a whole.
+  int stepsAtMost(const InclusionProblem& problem) const;
   /// The last stage for many contacts, at a bounded cost.
   SolveReport boundedSweeps(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Its status by what is enough.

@@ -28,7 +28,7 @@ void Simulation::onCheckpoint(double every, double share,
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 6");  // counts changes of what follows
+  a.section("dynamy checkpoint 7");  // counts changes of what follows
   archiveState(a, x_);
   a(*loop_), a(report_);
   forAll([&a](Observer& o) { o.archive(a); });

@@ -1,14 +1,33 @@
+#include <algorithm>
 #include <dynamy/simulation/run/time_loop.hpp>
 
 namespace dynamy {
 namespace {
 constexpr int kMostHalvings = 6;
+/// See Allowance::begin.
+constexpr int kFewer = 4, kMore = 2;
 }  // namespace
+
+void Allowance::begin() {
+  now_ = exhausted() ? std::max(1, now_ / kFewer) : std::min(kMore * now_, most_);
+  taken_ = 0;
+}
+
+bool Allowance::take() {
+  ++taken_;
+  return !exhausted();
+}
+
+void Allowance::archive(Archive& a) {
+  a(now_), a(taken_);
+  if (now_ < 1 || now_ > most_ || taken_ < 0)
+    throw ModelError("the checkpoint leaves no step its tries");
+}
 
 Advance FixedStep::next(Stepper& stepper, double until) {
   if (rest_) return Advance::atEnd;
   const double dt = grid_.spacing();
-  parted_ = 0;
+  parts_.begin(), halves_.begin();
   // Full steps as long as they do not pass the end by more than rounding.
   if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
     if (!advance(stepper, grid_.at(i_ + 1), dt, 0)) return Advance::stopped;
@@ -23,22 +42,25 @@ Advance FixedStep::next(Stepper& stepper, double until) {
 }
 
 void FixedStep::archive(Archive& a) {
-  a(i_);
+  a(i_), parts_.archive(a), halves_.archive(a);
   if (i_ < 0) throw ModelError("the checkpoint counts its steps from below zero");
 }
 
 bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   const StepReport report = stepper.attempt(tEnd, dt);
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
-  if (const Passing p = sound && parted_ <= kMostParted ? stepper.passing() : Passing{}) {
-    if (++parted_ <= kMostParted) {
+  if (const Passing p = sound && !parts_.exhausted() ? stepper.passing() : Passing{}) {
+    if (parts_.take()) {
       stepper.reject();
       return inParts(stepper, p, tEnd, dt, depth);
     }
     stepper.leave(p);
   }
-  const bool halve = policy_ == NonConvergence::retry && depth < kMostHalvings;
-  if (!good && halve) {  // the same step in two halves
+  const bool retry = !good && policy_ == NonConvergence::retry;
+  if (retry && depth == kMostHalvings) halves_.exhaust();
+  // A state that is not sound would end the run: it has all the halves there are.
+  if (retry && (sound ? !halves_.exhausted() && halves_.take()
+                      : depth < kMostHalvings)) {  // the same step in two halves
     stepper.reject();
     const double tM = stepper.t() + 0.5 * dt;
     return advance(stepper, tM, 0.5 * dt, depth + 1) &&

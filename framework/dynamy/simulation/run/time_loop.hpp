@@ -53,9 +53,29 @@ class TimeLoop {
   virtual void archive(Archive& a) = 0;
 };
 
+/// How many tries of one kind a step may take: all of them after steps that got along with what
+/// they had, else fewer. A run of steps that try in vain costs about one try a step.
+class Allowance {
+ public:
+  explicit Allowance(int most) : most_(most), now_(most) {}
+  /// A step begins. It has a quarter of what the last one had, one at least, if that did not get
+  /// along; else twice as many.
+  void begin();
+  /// Takes one; false: there is none left.
+  bool take();
+  /// The present step has none left, whatever it took.
+  void exhaust() { taken_ = now_ + 1; }
+  bool exhausted() const { return taken_ > now_; }
+  void archive(Archive& a);
+
+ private:
+  int most_, now_, taken_ = 0;
+};
+
 /// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`. A step
-/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest. After
-/// kMostParted of them the rest is taken as it is: a step has an end.
+/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest; one
+/// whose inclusion is not solved in halves. Both have an end, after which the rest of the step is
+/// taken as it is: a part of the smallest length that is not solved, or what the allowances say.
 class FixedStep final : public TimeLoop {
  public:
   FixedStep(double dt, NonConvergence policy) : grid_(dt), policy_(policy) {}
@@ -67,11 +87,10 @@ class FixedStep final : public TimeLoop {
   bool advance(Stepper& stepper, double tEnd, double dt, int depth);
   /// The same in parts, with the closing of `p` in one that is too short to matter.
   bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);
-  static constexpr int kMostParted = 200;
   TimeGrid grid_;
   NonConvergence policy_;
-  long i_ = 0;         // full steps done
-  int parted_ = 0;     // splittings of the present full step; above kMostParted: no more
+  long i_ = 0;  // full steps done
+  Allowance parts_{200}, halves_{24};
   bool rest_ = false;  // the last, shortened step is taken
 };
 

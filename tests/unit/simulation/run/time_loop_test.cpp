@@ -1,0 +1,92 @@
+/// Fixed steps have an end, whatever fails in them.
+#include <gtest/gtest.h>
+
+#include <dynamy/simulation/run/time_loop.hpp>
+#include <functional>
+
+namespace dynamy {
+namespace {
+
+TEST(Allowance, IsLessAfterAStepThatDidNotGetAlong) {
+  Allowance a(8);
+  const auto step = [&](int tries) {
+    a.begin();
+    int taken = 0;
+    while (taken < tries && a.take()) ++taken;
+    return taken;
+  };
+  EXPECT_EQ(step(20), 8);
+  EXPECT_EQ(step(20), 2);
+  EXPECT_EQ(step(20), 1);
+  EXPECT_EQ(step(20), 1);
+  EXPECT_EQ(step(1), 1);  // got along with it
+  EXPECT_EQ(step(0), 0);
+  EXPECT_EQ(step(20), 4);
+}
+
+/// A stepper that answers as told, and counts.
+class Counted final : public Stepper {
+ public:
+  StepReport attempt(double tEnd, double dt) override {
+    ++attempts;
+    begin_ = t_, t_ = tEnd;
+    StepReport report;
+    report.dt = dt;
+    if (!solves(dt)) report.solved.status = SolveStatus::stalled;
+    return report;
+  }
+  bool accept() override { return true; }
+  void reject() override { t_ = begin_; }
+  bool fail(const StepReport&) override { return false; }
+  bool sound() const override { return true; }
+  Passing passing() override {
+    Passing p;
+    if (passes) p.t = 0.5 * (t_ - begin_), p.width = 1e-3 * (t_ - begin_), p.contact = 0;
+    return p;
+  }
+  void leave(const Passing&) override { ++left; }
+  double t() const override { return t_; }
+  double nextStep() const override { return 0.0; }
+  bool pause(bool) override { return true; }
+
+  std::function<bool(double)> solves = [](double) { return true; };
+  bool passes = false;
+  long attempts = 0, left = 0;
+
+ private:
+  double t_ = 0.0, begin_ = 0.0;
+};
+
+TEST(FixedSteps, ThatAreNeverSolvedTakeThreeTriesInTheEnd) {
+  Counted s;
+  s.solves = [](double) { return false; };
+  FixedStep loop(1.0, NonConvergence::retry);
+  loop.next(s, 1000.0);
+  EXPECT_LE(s.attempts, 60);  // 127 without a bound
+  for (int i = 0; i < 5; ++i) loop.next(s, 1000.0);
+  const long before = s.attempts;
+  for (int i = 0; i < 100; ++i) loop.next(s, 1000.0);
+  EXPECT_EQ(s.attempts - before, 300);  // the step and its halves
+}
+
+TEST(FixedSteps, ThatAreSolvedInHalvesKeepThem) {
+  Counted s;
+  s.solves = [](double dt) { return dt < 0.2; };
+  FixedStep loop(1.0, NonConvergence::retry);
+  for (int i = 0; i < 10; ++i) loop.next(s, 1000.0);
+  EXPECT_EQ(s.attempts, 10 * (1 + 2 + 4 + 8));
+}
+
+TEST(FixedSteps, ThatArePassedAgainAndAgainTakeFewPartsInTheEnd) {
+  Counted s;
+  s.passes = true;
+  FixedStep loop(1.0, NonConvergence::retry);
+  for (int i = 0; i < 10; ++i) loop.next(s, 1000.0);
+  EXPECT_EQ(s.left, 10);
+  const long before = s.attempts;
+  for (int i = 0; i < 100; ++i) loop.next(s, 1000.0);
+  EXPECT_LE(s.attempts - before, 100 * 6);
+}
+
+}  // namespace
+}  // namespace dynamy
