@@ -270,6 +270,12 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (r.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
                        counted(r.parted, "step"));
+  if (r.damped > 0)
+    out += fmt::format(
+        " {} faster than steps follow: taken at the end of steps, which damps them (a smaller step "
+        "resolves them, stiff=\"true\" keeps their energy)\n",
+        r.damped == 1 ? "1 spring or damper is"
+                      : fmt::format("{} springs and dampers are", r.damped));
   if (r.repairedImpacts > 0)
     out += fmt::format(
         " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
@@ -329,7 +335,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("contactElements", model.contacts().size());
   json.member("contactsMax", r.contactsMax).endObject();
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
-  json.member("parted", r.parted).member("left", r.left);
+  json.member("parted", r.parted).member("left", r.left).member("damped", r.damped);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
   json.member("switches", r.switches).member("switchesLocated", r.located);
   json.member("accumulationEnd", r.accumulationEnd);

@@ -81,10 +81,15 @@ void SpringDamper::addTo(const Kinematics& k, ForceSink& sink) const {
 }
 
 void SpringDamper::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
-  // ∂F/∂l along the line alone: what turns it is of the size of the force, not of the stiffness.
+  // ∂F/∂l along the line, and F/l across it where it pulls: a line that is pushed would turn away.
   const Line s = line(k);
-  sink.spring(k.frame(frames_.A), s.rhoA_I, k.frame(frames_.B), s.rhoB_I, s.e, stiffness_,
-              damping_);
+  const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
+  sink.spring(A, s.rhoA_I, B, s.rhoB_I, s.e, stiffness_, damping_);
+  const double across = stiffness_ * (s.l - length_);
+  if (!(across > 0.0)) return;
+  const Vec3 n = s.e.unitOrthogonal();
+  for (const Vec3& e : {n, Vec3(s.e.cross(n))})
+    sink.spring(A, s.rhoA_I, B, s.rhoB_I, e, across / s.l, 0.0);
 }
 
 double SpringDamper::potentialEnergy(const Kinematics& k) const {

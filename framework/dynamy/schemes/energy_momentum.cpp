@@ -106,13 +106,13 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   SolveReport report;
   const double length = std::max(1e-6, x.q.cwiseAbs().maxCoeff());
   contacts_.begin(s, x, dt);
-  contacts_.select(s, x, dt);
+  contacts_.select(s, x, newton_.v, dt);
   double before = 0.0;
   bool fresh = true;
   auto tangent = JointNewton::Tangent::closedForm;
   for (int turn = 0; turn < kMostNewtonTurns; ++turn) {
     newton_.residual(s, contacts_.impulse());
-    contacts_.select(s, x, dt);
+    contacts_.select(s, x, newton_.v, dt);
     ++report.iterations;
     if (fresh) {
       ++report.newton;
@@ -138,7 +138,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
     if (last || (way <= kLast * length && rate * way <= kLeftOfWay * length)) {
       newton_.residual(s, contacts_.impulse());
-      return report;
+      if (!contacts_.misses(s, x, newton_.v)) return report;
     }
     const bool slow = turn > 0 && rate > kSlow;
     if (slow && fresh) tangent = JointNewton::Tangent::differences;
@@ -166,6 +166,7 @@ void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt, bool jump) {
     if (isJoint) ++joint, row += c.dim(i);
   }
   s.keepImpulses(x);  // those of a jump do not come again
+  newton_.finish(s);
   x.t = xA_.t;
   if (!jump) return;
   jump_.Lambda.assign(static_cast<std::size_t>(c.rows()), 0.0);

@@ -35,9 +35,10 @@ bool hasJoints(const ContactSet& contacts) {
   return false;
 }
 
-/// M, h, contacts at q^M; gyroscopic terms at the mean velocity, where they do no work.
+/// M, h, contacts at q^M; gyroscopic terms at the mean velocity, where they do no work; what the
+/// step does not resolve is damped.
 const Evaluation& ahead(MechanicalSystem& s, const State& x, double dt) {
-  const Evaluation& e = s.evaluateAhead(x, dt);
+  const Evaluation& e = s.evaluateDamped(x, dt, kImplicitMidpoint);
   s.gyroscopicAtMean(x, dt);
   return e;
 }
@@ -49,19 +50,18 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   s.moveConfiguration(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
   bool apart = true;
   const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
-  auto& problem = pose(s, x, dt);                         // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitMidpoint);
-  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-  s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+  pose(s, x, dt);                                         // ξ = G Λ + c
+  const SolveReport solved = solve(s, solver, x, dt);     // Λ = prox_C(Λ − r ξ)
+  s.velocityFromImpulses(x);                              // u^E = u^A + M⁻¹(h Δt + W Λ)
   x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
   const bool loose = solved.residuals.largest() > kLooseResidual &&
-                     (solved.ok() || isRough(x) || problem.size() >= kUnrepairedFrom);
+                     (solved.ok() || isRough(x) || s.problem().size() >= kUnrepairedFrom);
   if (loose || (isRough(x) && largestOverlap(e.contacts) > s.gTol()))
     LostImpulses::remember(e.contacts, view(s.Lambda()), x.scheme);
   else
     x.scheme.resize(0);
   s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
-  StepReport report{dt, solved, problem.size()};
+  StepReport report{dt, solved, s.problem().size()};
   if (!apart) report.solved.status = SolveStatus::stalled;
   if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
   if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))
@@ -71,39 +71,53 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   return report;
 }
 
+/// Solves, and again with the contacts that the solution closes.
+SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                   double dt) {
+  SolveReport report;
+  for (;;) {  // contacts come in and never go: there is an end
+    s.linearlyImplicit(x, kImplicitMidpoint);
+    const int iterations = report.iterations, newton = report.newton;
+    report = s.impactLaw().solve(*problem_, solver, s.Lambda());
+    report.iterations += iterations, report.newton += newton;
+    if (!s.bringIn()) return report;
+    ask(s, x, dt);
+  }
+}
+
+/// Poses the inclusion for the aim of this step.
+void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
+  problem_ = &s.impactProblem(x, dt, 0, &aim_);
+  // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
+  problem_->warmStart = kTakenStart;
+  if (!isRough(x)) return;
+  // A step at a bounded cost leaves overlaps and forces behind that the next one asks back.
+  lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
+               s.Lambda());
+  problem_->warmStart = kRoughStart;
+}
+
 /// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they
 /// contradict each other they wait, and the next step finds an overlap.
-InclusionProblem& StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
+void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kPositionShare * s.gTol();
-  PositionAim aim{isRough(x) ? -std::numeric_limits<double>::infinity()
-                             : kDead * dt * s.largestChange(dt) + rounding,
-                  mean,
-                  mean ? 0.0 : options_.kappa,
-                  options_.cap,
-                  x.impulses.corrected ? kStricter * rounding : rounding,
-                  arrived_};
-  InclusionProblem* problem = &s.impactProblem(x, dt, 0, &aim);
-  if (isRough(x)) {
-    // A step at a bounded cost leaves overlaps and forces behind that the next one asks back.
-    lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
-                 s.Lambda());
-    problem->warmStart = kRoughStart;
-    return *problem;
-  }
-  if (!s.arriving().empty()) {
-    arriving_ = s.arriving();
-    if (projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
-      ahead(s, x, dt);
-      arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
-      std::sort(arrived_.begin(), arrived_.end());
-      aim.arrived = arrived_;
-      problem = &s.impactProblem(x, dt, 0, &aim);
-    }
-  }
-  // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
-  problem->warmStart = kTakenStart;
-  return *problem;
+  aim_ = {isRough(x) ? -std::numeric_limits<double>::infinity()
+                     : kDead * dt * s.largestChange(dt) + rounding,
+          mean,
+          mean ? 0.0 : options_.kappa,
+          options_.cap,
+          x.impulses.corrected ? kStricter * rounding : rounding,
+          arrived_};
+  ask(s, x, dt);
+  if (isRough(x) || s.arriving().empty()) return;
+  arriving_ = s.arriving();
+  if (!projection_.touch(s, x, arriving_, 0.5 * s.gTol())) return;
+  ahead(s, x, dt);
+  arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
+  std::sort(arrived_.begin(), arrived_.end());
+  aim_.arrived = arrived_;
+  ask(s, x, dt);
 }
 
 /// Evaluates at q^M; overlaps are repaired before. apart: false if they could not be.

@@ -49,11 +49,15 @@ class StaggeredMoreau final : public OneStep {
  private:
   const Evaluation& detect(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                            bool& apart);
-  InclusionProblem& pose(MechanicalSystem& s, State& x, double dt);
+  void pose(MechanicalSystem& s, State& x, double dt);
+  void ask(MechanicalSystem& s, const State& x, double dt);
+  SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   Options options_;
   Projection projection_;
   LostImpulses lost_;
-  std::vector<ContactKey> arrived_;  // lifted out of an overlap, or closed, in this step
+  PositionAim aim_;                      // of this step
+  InclusionProblem* problem_ = nullptr;  // of this step
+  std::vector<ContactKey> arrived_;      // lifted out of an overlap, or closed, in this step
   std::vector<ContactKey> arriving_;
 };
 

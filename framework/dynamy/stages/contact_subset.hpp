@@ -8,4 +8,15 @@ namespace dynamy {
 /// rows under `law`.
 void append(const ContactSet& all, int i, int rows, const SetValuedForceLaw& law, ContactSet& out);
 
+/// Rate of the gap of contact `i` at the velocities u, and the least one if all of its bodies but one
+/// were stopped [m/s].
+struct GapRate {
+  double gamma = 0.0, alone = 0.0;
+};
+GapRate gapRate(const ContactSet& all, int i, ConstVec u);
+
+/// Whether the gap of contact `i` stays open within dt [s] at the velocities u, with half of its rate
+/// to spare, and also if one of its bodies were stopped.
+bool staysOpen(const ContactSet& all, int i, ConstVec u, double dt);
+
 }  // namespace dynamy

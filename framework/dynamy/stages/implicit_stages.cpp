@@ -27,15 +27,40 @@ void MechanicalSystem::implicitMass(const State& x, double dt, const ImplicitWei
 }
 
 void MechanicalSystem::linearlyImplicit(const State& x, const ImplicitWeights& weights, int slot) {
-  if (!stiff_.any()) return;
+  if (!stiff_.any() || implicit_) return;  // or taken so already
   const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
-  const double dt = problem_.dt;
-  implicitMass(x, dt, weights, slot);
-  work_ = dt * e.h;
-  stiff_.addK(dt * dt * weights.s, uA_, work_);
-  stiff_.applyInverse(e.mass, work_, implicitFree_);
-  implicitFree_ += uA_;  // u_free = u^A + M̂⁻¹ Δt (h + Δt s K u^A)
+  implicitMass(x, problem_.dt, weights, slot);
+  implicitChange(e, uA_, problem_.dt);
+  implicitFree_ += uA_;
   freeVelocity(implicitFree_);
+}
+
+/// u_free − u^A = M̂⁻¹ Δt (h + Δt s K u^A)
+void MechanicalSystem::implicitChange(const Evaluation& e, const Eigen::VectorXd& uA, double dt) {
+  work_ = dt * e.h;
+  stiff_.addStart(dt, uA, work_);
+  stiff_.applyInverse(e.mass, work_, implicitFree_);
+}
+
+const Evaluation& MechanicalSystem::evaluateDamped(const State& x, double dt,
+                                                   const ImplicitWeights& declared) {
+  Evaluation& e = slots_.front();
+  smooth(x, e);
+  unresolved_ = false, forgetAside();
+  if (!parts_.forces.empty()) {
+    stiff_.evaluate(*parts_.topology, parts_.forces, e.kinematics, x);
+    unresolved_ = stiff_.addUnresolved(parts_.forces, e.kinematics, e.mass, dt);
+  }
+  damped_ = unresolved_ ? stiff_.unresolved() : 0;
+  if (unresolved_) {
+    stiff_.factor(e.mass, dt, declared);
+    implicitChange(e, x.u, dt);
+    change_ = implicitFree_ / dt;
+  } else {
+    e.mass.applyInverse(view(std::as_const(e.h)), view(change_));
+  }
+  detectAhead(x, dt, e);
+  return e;
 }
 
 bool MechanicalSystem::explicitIsUnstable(const State& x, double dt, double limit, int slot) {

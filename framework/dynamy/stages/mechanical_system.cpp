@@ -56,6 +56,7 @@ namespace {}  // namespace
 const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double reach) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   smooth(x, e);
+  if (slot == 0) unresolved_ = false, forgetAside();
   detect(reach, e);
   if (request_.bias && !differenced_.empty()) tellDifferences(x, e);
   return e;
@@ -64,13 +65,20 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double re
 const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int slot) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   smooth(x, e);
-  // Twice the way of the fastest block in Δt, angles as lengths.
-  e.mass.applyInverse(view(std::as_const(e.h)), view(work_));
+  if (slot == 0) unresolved_ = false, forgetAside();
+  e.mass.applyInverse(view(std::as_const(e.h)), view(change_));
+  detectAhead(x, dt, e);
+  return e;
+}
+
+/// Contacts within twice the way of the fastest block in Δt, by |u| and the accelerations change_;
+/// angles as lengths.
+void MechanicalSystem::detectAhead(const State& x, double dt, Evaluation& e) {
   double largest = 0.0;
   for (int b = 0; b < e.mass.blocks(); ++b) {
     double speed = 0.0;
     for (int i = e.mass.u0(b); i < e.mass.u0(b) + e.mass.nu(b); ++i)
-      speed += std::abs(x.u[i]) + dt * std::abs(work_[i]);
+      speed += std::abs(x.u[i]) + dt * std::abs(change_[i]);
     largest = std::max(largest, speed);
   }
   detect(2.0 * dt * largest, e);
@@ -81,7 +89,6 @@ const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int
     if (c.law[i]->scales() && c.law[i]->unilateral() && !c.law[i]->reservoir() &&
         !c.scale.empty() && c.position[static_cast<std::size_t>(c.row0[i])] > request_.gTol)
       c.scale[i] = 0.0;
-  return e;
 }
 
 void MechanicalSystem::smooth(const State& x, Evaluation& e) {
@@ -101,7 +108,9 @@ void MechanicalSystem::smooth(const State& x, Evaluation& e) {
     });
   }
   ForceSink forces(view(e.h), view(e.hNonPotential));
-  for (const ExternalForce* f : parts_.forces) {
+  for (std::size_t i = 0; i < parts_.forces.size(); ++i) {
+    const ExternalForce* f = parts_.forces[i];
+    if (!withheld_.empty() && withheld_[i] != 0) continue;
     forces.hasPotential(f->hasPotential());
     named(*f, [&] { f->addTo(e.kinematics, forces); });
   }
@@ -139,28 +148,41 @@ void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& 
 
 double MechanicalSystem::largestChange(double dt) const {
   const Evaluation& e = slots_.front();
-  e.mass.applyInverse(view(e.h), view(change_));
+  if (!unresolved_) e.mass.applyInverse(view(e.h), view(change_));
   return change_.size() == 0 ? 0.0 : dt * change_.cwiseAbs().maxCoeff();
 }
 
 InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int slot,
                                                   const PositionAim* aim) {
   const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
-  const auto n = static_cast<std::size_t>(e.contacts.rows());
   uA_ = x.u;
-  slot_ = slot, implicit_ = false;
-  e.mass.applyInverse(view(e.h), view(uFree_));
-  uFree_ = uA_ + dt * uFree_;  // u_free = u^A + M⁻¹hΔt
+  slot_ = slot, implicit_ = unresolved_ && slot == 0;
+  if (implicit_) {
+    implicitChange(e, uA_, dt);
+    uFree_ = uA_ + implicitFree_;
+  } else {
+    e.mass.applyInverse(view(e.h), view(uFree_));
+    uFree_ = uA_ + dt * uFree_;  // u_free = u^A + M⁻¹hΔt
+  }
   problem_.G = &delassus_;
   problem_.contacts = &e.contacts;
   problem_.dt = dt, problem_.warmStart = 0.0;
-  problem_.c.resize(n), problem_.gammaFree.resize(n), problem_.gammaA.resize(n);
-  if (n > 0) {
+  const auto gamma = [&](const Eigen::VectorXd& u, std::vector<double>& out) {
+    const Eigen::Index rows = e.contacts.rows();
+    out.resize(static_cast<std::size_t>(rows));
+    if (rows > 0) e.contacts.gamma({u.data(), u.size()}, {out.data(), rows});
+  };
+  gamma(uFree_, problem_.gammaFree);
+  if (aim && slot == 0 &&
+      closing_.reduce(slots_.front().contacts, view(std::as_const(uFree_)), dt, request_.gTol,
+                      x.impulses))
+    gamma(uFree_, problem_.gammaFree);
+  gamma(uA_, problem_.gammaA);
+  problem_.c.resize(problem_.gammaA.size());
+  if (implicit_ && e.contacts.rows() > 0)
+    stiff_.delassus(e.contacts, e.mass, delassus_);
+  else if (e.contacts.rows() > 0)
     delassus_.assemble(e.contacts, e.mass, form_);
-    const auto rows = static_cast<Eigen::Index>(n);
-    e.contacts.gamma({uFree_.data(), uFree_.size()}, {problem_.gammaFree.data(), rows});
-    e.contacts.gamma({uA_.data(), uA_.size()}, {problem_.gammaA.data(), rows});
-  }
   gapNoise_ = aim ? aim->noise / dt : 0.0;
   if (aim) addAim(*aim, dt);
   startImpulses(x);
@@ -278,21 +300,46 @@ void MechanicalSystem::startImpulses(const State& x) {
   Lambda_.assign(static_cast<std::size_t>(c.rows()), 0.0);
   pressedBefore_.assign(static_cast<std::size_t>(c.size()), 0);
   const RememberedImpulses& old = x.impulses;
-  if (old.key.empty() || old.dt <= 0.0) return;
-  const double scale = problem_.dt / old.dt;
+  if (!old.key.empty() && old.dt > 0.0) {
+    startFrom(old, problem_.dt / old.dt);
+    for (int i = 0; i < c.size(); ++i) {
+      const int found = remembered_.find(c.key[static_cast<std::size_t>(i)]);
+      if (found < 0) continue;
+      const auto at = static_cast<std::size_t>(found);
+      const int first = old.first[at];
+      pressedBefore_[static_cast<std::size_t>(i)] =
+          old.first[at + 1] > first && old.Lambda[static_cast<std::size_t>(first)] > 0.0 ? 1 : 0;
+    }
+  }
+  if (!again_.key.empty()) startFrom(again_, 1.0);
+}
+
+/// Λ of the contacts that `old` knows.
+void MechanicalSystem::startFrom(const RememberedImpulses& old, double scale) {
+  const ContactSet& c = *problem_.contacts;
   remembered_.build(old.key);
   for (int i = 0; i < c.size(); ++i) {
     const int found = remembered_.find(c.key[static_cast<std::size_t>(i)]);
     if (found < 0) continue;
     const auto at = static_cast<std::size_t>(found);
     const int first = old.first[at], dim = old.first[at + 1] - first;
-    pressedBefore_[static_cast<std::size_t>(i)] =
-        dim > 0 && old.Lambda[static_cast<std::size_t>(first)] > 0.0 ? 1 : 0;
     if (dim != c.dim(i)) continue;
     for (int r = 0; r < dim; ++r)
       Lambda_[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r)] =
           scale * old.Lambda[static_cast<std::size_t>(first + r)];
   }
+}
+
+bool MechanicalSystem::bringIn() {
+  if (!closing_.any()) return false;
+  Evaluation& e = slots_.front();
+  work_ = uFree_;
+  if (problem_.rows() > 0 && implicit_)
+    stiff_.addVelocity(e.contacts, e.mass, Lambda_.data(), work_);
+  else if (problem_.rows() > 0)
+    delassus_.addVelocity(Lambda_.data(), view(work_));
+  again_.key = e.contacts.key, again_.first = e.contacts.row0, again_.Lambda = Lambda_;
+  return closing_.bringIn(e.contacts, work_, problem_.dt);
 }
 
 void MechanicalSystem::velocityFromImpulses(State& x) {

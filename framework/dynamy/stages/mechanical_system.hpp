@@ -4,9 +4,10 @@
 /// A slot (Evaluation) holds everything evaluated at one (t, q, u). Data are produced by a stage in
 /// fixed order and const afterwards; "is up to date" flags were rejected.
 #pragma once
-#include <dynamy/contact/key_index.hpp>
+#include <algorithm>
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/solver/impact/impact_law.hpp>
+#include <dynamy/stages/closing_contacts.hpp>
 #include <dynamy/stages/stiff_part.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/state.hpp>
@@ -58,6 +59,13 @@ class MechanicalSystem {
   /// The same with the contacts that may close within Δt: reach is twice the way that the fastest
   /// block goes with |u| + Δt|M⁻¹h|, angles as lengths.
   const Evaluation& evaluateAhead(const State& x, double dt, int slot = 0);
+  /// The same into slot 0; forces with derivatives that the step does not resolve
+  /// (StiffPart::addUnresolved) are taken at its end, in the reach and in the next impactProblem, by
+  /// the implicit Euler rule: what oscillates faster than steps can follow comes to rest instead of
+  /// growing. Where there are some, forces that declare themselves stiff have the weights `declared`.
+  const Evaluation& evaluateDamped(const State& x, double dt, const ImplicitWeights& declared);
+  /// Forces that the present step takes in this way, or that are withheld.
+  int damped() const { return damped_; }
   /// Gyroscopic terms in h of slot 0 at the mean velocity of the coming step, see
   /// PartialMechanicalSystem::gyroscopicAtMean. x: what the slot was evaluated at.
   void gyroscopicAtMean(const State& x, double dt);
@@ -65,6 +73,10 @@ class MechanicalSystem {
   /// holds its terms as well.
   InclusionProblem& impactProblem(const State& x, double dt, int slot = 0,
                                   const PositionAim* aim = nullptr);
+  /// After a solution of the problem posed with an aim, which has left out contacts that nothing
+  /// seemed to close (ClosingContacts): true if it closes some of them. They are contacts of the slot
+  /// now, and the problem is to be posed and solved again; it starts from Λ.
+  bool bringIn();
   /// Contacts whose impact falls into this step and waits, by the last impactProblem with an aim;
   /// sorted. Those that rebound are not among them.
   const std::vector<ContactKey>& arriving() const { return arriving_; }
@@ -83,6 +95,13 @@ class MechanicalSystem {
   void implicitMass(const State& x, double dt, const ImplicitWeights& weights, int slot);
   /// out = M̂⁻¹ in; M⁻¹ of the problem's slot in models without stiff elements.
   void applyInverseMass(const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  /// Forces with a 1 here are left out of h until release() (by their index, borrowed; empty: none
+  /// is): a scheme takes them in another way, and tells by usedForce() what it took.
+  void withhold(std::span<const char> forces) {
+    withheld_ = forces;
+    damped_ = static_cast<int>(std::count(forces.begin(), forces.end(), 1));
+  }
+  void release() { withheld_ = {}; }
   /// Replaces h of slot 0 by what the step really used, for the energy ledger.
   void usedForce(const Eigen::VectorXd& h, const Eigen::VectorXd& hNonPotential);
   const ImpactLaw& impactLaw() const { return *parts_.impactLaw; }
@@ -146,12 +165,16 @@ class MechanicalSystem {
   void detect(double reach, Evaluation& e) const;
   void tellDifferences(const State& x, Evaluation& e);
   void startImpulses(const State& x);
+  void startFrom(const RememberedImpulses& old, double scale);
   void addAim(const PositionAim& aim, double dt);
   /// How much the smooth forces of this step can change γ_N of contact i, without cancellation
   /// [m/s].
   double changeByForces(int i) const;
   std::vector<ContactKey> arriving_;
   void addImplicitVelocity(State& x);
+  void forgetAside() { closing_.clear(), again_.key.clear(); }
+  void detectAhead(const State& x, double dt, Evaluation& e);
+  void implicitChange(const Evaluation& e, const Eigen::VectorXd& uA, double dt);
   void roundingOfC();
   double velocityAskedOf(int i) const;
   void scales();
@@ -161,13 +184,18 @@ class MechanicalSystem {
   Delassus delassus_;
   StiffPart stiff_;
   bool implicit_ = false;  // the present problem has M̂ instead of M
+  std::span<const char> withheld_;
+  int damped_ = 0;
+  bool unresolved_ = false;  // M̂ of slot 0 has forces that the step does not resolve
   Delassus::Form form_ = Delassus::Form::automatic;
   InclusionProblem problem_;
   Eigen::VectorXd uFree_, uA_, work_, implicitFree_;
   mutable Eigen::VectorXd change_;  // M⁻¹h
   std::vector<double> gammaWork_;
   std::vector<double> Lambda_;
-  KeyIndex remembered_;  // of the impulses that the problem starts from
+  ClosingContacts closing_;   // of slot 0
+  RememberedImpulses again_;  // solution without those that it closes
+  KeyIndex remembered_;       // of the impulses that the problem starts from
   std::vector<char> pressedBefore_;
   int indefinite_ = -1;
   double gapNoise_ = 0.0;  // of rates that aim at gaps

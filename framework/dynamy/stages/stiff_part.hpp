@@ -3,13 +3,15 @@
 ///   M̂ = M − b Δt D − a Δt² K,   K = ∂h/∂q F,  D = ∂h/∂u
 ///
 /// in the rows of the mass blocks that stiff elements touch; all others keep M⁻¹. With contacts,
-/// Ĝ = Wᵀ M̂⁻¹ W takes the place of G. Dense over the touched rows: a handful of springs is what it
-/// is for. Rejected: springs as further rows of the inclusion with a compliance (they would be in
-/// every solver's way), and M̂ by blocks, which a spring between two bodies does not have.
+/// Ĝ = Wᵀ M̂⁻¹ W takes the place of G. Blocks that stiff elements couple form a group, and M̂ is
+/// dense over each group. Rejected: springs as further rows of the inclusion with a compliance (they
+/// would be in every solver's way), and M̂ by blocks, which a spring between two bodies does not
+/// have.
 #pragma once
+#include <algorithm>
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/problem/delassus.hpp>
-#include <dynamy/system/external_force.hpp>
+#include <dynamy/stages/unresolved_forces.hpp>
 #include <dynamy/system/state.hpp>
 
 namespace dynamy {
@@ -33,14 +35,22 @@ class StiffPart {
   /// K and D at x, whose frames are in `k`.
   void evaluate(const Topology& topology, const std::vector<const ExternalForce*>& forces,
                 const Kinematics& k, const State& x);
-  /// M̂ of these weights.
-  void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights);
+  /// After evaluate(): adds the forces that a step Δt does not resolve. False: none.
+  bool addUnresolved(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
+                     const MassMatrix& mass, double dt);
+  /// Number of the forces added last.
+  int unresolved() const {
+    return static_cast<int>(std::count(found_.taken().begin(), found_.taken().end(), 1));
+  }
+  /// M̂ of these weights; unresolved forces have weights of their own.
+  void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights,
+              const ImplicitWeights& unresolved = kImplicitEnd);
   /// out = M̂⁻¹ in; in and out may not overlap.
   void applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
   /// ωΔt > limit for an oscillation, or Δt d/m > 2, the limit of Euler's explicit rule.
   bool explicitIsUnstable(const MassMatrix& mass, double dt, double limit);
-  /// out += scale K v.
-  void addK(double scale, const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
+  /// out += Δt² s K v.
+  void addStart(double dt, const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
   /// Gives Ĝ = Wᵀ M̂⁻¹ W to `delassus`.
   void delassus(const ContactSet& contacts, const MassMatrix& mass, Delassus& delassus);
   /// u += M̂⁻¹ W Λ.
@@ -51,18 +61,36 @@ class StiffPart {
                     Eigen::VectorXd& h, Eigen::VectorXd& hNonPotential) const;
 
  private:
+  /// Mass blocks that stiff elements couple, and M̂ over them.
+  struct Group {
+    std::vector<int> u;  // its velocities
+    Eigen::MatrixXd Mhat;
+    Lu lu;
+  };
+  void mapBlocks(const MassMatrix& mass);
   void touch(const MassMatrix& mass);
+  int groupRoot(int block);
+  void solveGroup(const Group& g, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
+  void neighbours(const ContactSet& contacts, int blocks);
+  void respond(const ContactSet& contacts, const MassMatrix& mass, int j, int row);
+  const ImplicitWeights& weightsOf(std::size_t entry) const {
+    return entry < declared_ ? weights_ : unresolved_;
+  }
+  int blockOf(int u) const { return blockOf_[static_cast<std::size_t>(u)]; }
   bool any_ = false;
   int nu_ = 0;
-  ImplicitWeights weights_;
+  ImplicitWeights weights_, unresolved_;
   std::vector<StiffEntry> entries_;
-  std::vector<int> touched_, local_, blockOf_;  // velocities of touched blocks, and back
+  std::size_t declared_ = 0;  // of the entries; unresolved ones follow
+  UnresolvedForces found_;
+  std::vector<int> local_, blockOf_, parent_, group_;  // of velocities; of blocks
+  std::vector<Group> groups_;
+  int used_ = 0;                                  // of the groups
+  std::vector<std::vector<int>> near_, atBlock_;  // contacts of a contact, of a mass block
+  std::vector<std::ptrdiff_t> filled_;            // blocks of a row that are there
   std::vector<double> K_, D_;
-  Eigen::MatrixXd Mhat_;
-  Lu lu_;
   mutable Eigen::VectorXd part_;
   Eigen::VectorXd force_, column_, probe_;
-  std::vector<double> row_;
 };
 
 }  // namespace dynamy

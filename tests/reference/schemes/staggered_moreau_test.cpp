@@ -222,5 +222,38 @@ TEST(Projection, KeepsTheJointsOfAnyScheme) {
   EXPECT_NEAR(simulation.state().q.norm(), 1.0, 1e-12);
 }
 
+// ---- contacts within reach that nothing closes --------------------------------------------------
+
+/// Balls of 0.1 m and 1 kg without weight: one that flies along x at 1000 m/s, two in a row before
+/// it, 10 and 5 mm apart, and 60 at rest elsewhere, 15 mm apart: within its reach in 18 µs.
+std::string fastBall() {
+  std::string out = "<systems>";
+  const auto ball = [&](const std::string& name, double x, double y, const char* velocity) {
+    out += "<RigidBody name=\"" + name + "\" position=\"" + std::to_string(x) + ' ' +
+           std::to_string(y) + " 0\" velocity=\"" + velocity +
+           "\"><Sphere radius=\"0.1\" mass=\"1\" material=\"steel\"/></RigidBody>";
+  };
+  ball("a", 0.0, 0.0, "1000 0 0"), ball("b", 0.21, 0.0, "0 0 0"), ball("c", 0.415, 0.0, "0 0 0");
+  for (int i = 0; i < 60; ++i)
+    ball("rest" + std::to_string(i), 0.215 * (i % 10), 1.0 + 0.215 * (i / 10), "0 0 0");
+  return out +
+         "<Ground name=\"world\"/></systems><elements><Contact between=\"steel steel\">"
+         "<Unilateral/></Contact></elements>";
+}
+
+TEST(StaggeredMoreau, AsksOnlyContactsThatSomethingCloses) {
+  Scene scene("fast", {.text = withScheme(fastBall(), "<StaggeredMoreau/>")});
+  const StepReport& report = scene.step(1.8e-5);
+  EXPECT_TRUE(report.solved.ok());
+  // a–b closes with the free motion, b–c by what a does to b; the 104 gaps of the others do not.
+  EXPECT_EQ(report.contacts, 2);
+  const double a = scene.q("a")[0], b = scene.q("b")[0], c = scene.q("c")[0];
+  EXPECT_GE(b - a, 0.2 - 1e-12);  // rounding of positions of 1 m, some times over
+  EXPECT_GE(c - b, 0.2 - 1e-12);
+  EXPECT_GT(scene.u("c")[0], 1.0);
+  EXPECT_NEAR(scene.u("a")[0] + scene.u("b")[0] + scene.u("c")[0], 1000.0, 1e-9);
+  EXPECT_EQ(scene.u("rest7").norm(), 0.0);
+}
+
 }  // namespace
 }  // namespace dynamy::reference

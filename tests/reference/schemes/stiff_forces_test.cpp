@@ -117,5 +117,89 @@ TEST(StiffFormulas, AreTakenWithExactDerivatives) {
   }
 }
 
+// ---- forces that nobody declares, beyond what the step resolves ----------------------------------
+
+/// Two masses of 2 kg on a spring of 1e8 N/m, stretched by 1 cm of 1 m; a pendulum beside them, so
+/// that EnergyMomentum takes its own way.
+std::string pair(const char* stiffness) {
+  return std::string(
+             "<systems><PointMass name=\"a\" plane=\"xz\" position=\"0 0 0\" mass=\"2\"/>"
+             "<PointMass name=\"b\" plane=\"xz\" position=\"0 0 1.01\" mass=\"2\"/>"
+             "<PointMass name=\"c\" plane=\"xz\" position=\"5 0 0\" mass=\"1\"/><Ground "
+             "name=\"world\"/></systems><forces><SpringDamper between=\"a b\" length=\"1\" "
+             "stiffness=\"") +
+         stiffness +
+         "\"/></forces><elements><Distance name=\"rod\" between=\"world c\"/></elements>";
+}
+
+class UnresolvedSpring : public testing::TestWithParam<const char*> {};
+
+TEST_P(UnresolvedSpring, ComesToRestAsTheEndOfItsStepsSays) {
+  // x: stretch, y = Δt u, z = ωΔt = 10:  y' (1 + z²) = y − z² (x + y/2),  x' = x + (y + y')/2.
+  Scene scene("pair", {.text = modelWith(GetParam(), pair("1e8"))});
+  double x = 0.01, y = 0.0;
+  const double start = scene.energy();
+  const double dt = 1e-3, zz = 100.0;
+  for (int step = 0; step < 8; ++step) {
+    const double before = y;
+    y = (before - zz * (x + 0.5 * before)) / (1.0 + zz);
+    x += 0.5 * (before + y);
+    EXPECT_TRUE(scene.step(dt).solved.ok());
+    // Rounding of positions of 1 m: 1e-16 m, of which a spring of 1e8 N/m makes velocities of
+    // 1e-16 z²/Δt; some of them in eight steps.
+    EXPECT_NEAR(scene.q("b")[1] - scene.q("a")[1] - 1.0, x, 1e-14) << step;
+    EXPECT_NEAR(scene.u("b")[1] - scene.u("a")[1], y / dt, 1e-10) << step;
+    EXPECT_NEAR(scene.u("b")[1] + scene.u("a")[1], 0.0, 1e-12) << step;
+    EXPECT_LT(scene.energy(), start) << step;
+  }
+  EXPECT_LT(std::abs(x), 1e-6);  // of 1 cm
+}
+
+TEST_P(UnresolvedSpring, IsExplicitWhereTheStepResolvesIt) {
+  // ωΔt = 0.1: the explicit rule, whose energy swings by (ωΔt)²/8 and does not fall.
+  Scene scene("pair", {.text = modelWith(GetParam(), pair("1e4"))});
+  const double start = scene.energy();
+  double least = start, most = start;
+  scene.run(1.0, 1e-3, [&] {
+    least = std::min(least, scene.energy()), most = std::max(most, scene.energy());
+  });
+  EXPECT_GT(least, start * (1.0 - 0.005));
+  EXPECT_LT(most, start * (1.0 + 0.005));
+}
+
+TEST_P(UnresolvedSpring, CarriesWhatLiesOnIt) {
+  // 1 kg on 1e7 N/m (ωΔt = 32), 3 kg on top of it by a contact: 4 kg g/c deep at rest.
+  const std::string sections =
+      "<systems><PointMass name=\"a\" plane=\"xz\" position=\"0 0 0\" mass=\"1\"><Sphere "
+      "radius=\"0.1\" material=\"steel\"/></PointMass><PointMass name=\"b\" plane=\"xz\" "
+      "position=\"0 0 0.2\" mass=\"3\"><Sphere radius=\"0.1\" material=\"steel\"/></PointMass>"
+      "<PointMass name=\"c\" plane=\"xz\" position=\"5 0 0\" mass=\"1\"/><Ground "
+      "name=\"world\"/></systems><forces><Gravity/><SpringDamper between=\"world a\" "
+      "pointA=\"0 0 -1\" stiffness=\"1e7\" length=\"1\"/></forces><elements><Contact "
+      "between=\"steel steel\"><Unilateral/></Contact><Distance name=\"rod\" between=\"world "
+      "c\"/></elements>";
+  Scene scene("plate", {.text = modelWith(GetParam(), sections)});
+  for (int step = 0; step < 60; ++step) EXPECT_TRUE(scene.step(1e-2).solved.ok()) << step;
+  // The contact's share goes through a quarter of the way in each step at most: 2^-60 of it is left.
+  const double deep = 4.0 * 9.81 / 1e7;
+  EXPECT_NEAR(scene.q("a")[1], -deep, 1e-4 * deep);
+  EXPECT_NEAR(scene.q("b")[1] - scene.q("a")[1], 0.2, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Default, UnresolvedSpring,
+                         testing::Values("StaggeredMoreau", "EnergyMomentum"),
+                         [](const auto& p) { return std::string(p.param); });
+
+TEST(UnresolvedDamper, StopsInsteadOfGrowing) {
+  // 1 kg, 1e4 Ns/m, Δt = 1e-2: Δt d/m = 100; explicit rules grow by 99 in every step.
+  const std::string sections =
+      "<systems><PointMass name=\"a\" plane=\"xz\" position=\"0 0 0\" velocity=\"0 0 1\" "
+      "mass=\"1\"/><Ground name=\"world\"/></systems><forces><SpringDamper between=\"world a\" "
+      "pointA=\"0 0 -1\" stiffness=\"0\" damping=\"1e4\" length=\"1\"/></forces>";
+  Scene scene("damper", {.text = modelWith("EnergyMomentum", sections)});
+  scene.step(1e-2);
+  EXPECT_NEAR(scene.u("a")[1], 1.0 / 101.0, 1e-12);  // u' = u/(1 + Δt d/m)
+}
+
 }  // namespace
 }  // namespace dynamy::reference

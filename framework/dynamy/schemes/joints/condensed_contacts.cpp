@@ -11,6 +11,9 @@ namespace {
 /// Slip of less than so many times its rounding does not count as driven.
 constexpr double kDriving = 1e3;
 
+/// Contacts that stay out have to be so many at least, and three of four (see ClosingContacts).
+constexpr int kFew = 36;
+
 /// Column of contact i's row r, as nu numbers.
 void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
   w.setZero();
@@ -25,7 +28,7 @@ void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
 }  // namespace
 
 void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double dt) {
-  contacts_.clear(), Lambda_.clear(), closed_.clear();
+  contacts_.clear(), Lambda_.clear(), closed_.clear(), asked_.clear();
   const ContactSet& all = s.slot(0).contacts;
   for (int i = 0; i < all.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -36,7 +39,37 @@ void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double 
   const double scale = last_.dt > 0.0 ? dt / last_.dt : 0.0;
   for (double& L : last_.Lambda) L *= scale;
   dt_ = dt;
+  for (std::size_t i = 0; i < last_.key.size(); ++i)
+    if (last_.first[i + 1] > last_.first[i] &&
+        last_.Lambda[static_cast<std::size_t>(last_.first[i])] > 0.0)
+      asked_.push_back(last_.key[i]);
+  std::sort(asked_.begin(), asked_.end());
   impulse_.setZero(x.u.size());
+}
+
+bool CondensedContacts::asks(const MechanicalSystem& s, int i) const {
+  const ContactSet& all = s.slot(0).contacts;
+  const auto at = static_cast<std::size_t>(i);
+  return !all.law[at]->unilateral() ||
+         !(all.position[static_cast<std::size_t>(all.row0[at])] > s.gTol()) ||
+         !staysOpen(all, i, view(uE_), dt_) ||
+         std::binary_search(asked_.begin(), asked_.end(), all.key[at]);
+}
+
+bool CondensedContacts::misses(const MechanicalSystem& s, const State& xA,
+                               const Eigen::VectorXd& v) {
+  if (few_) return false;
+  const ContactSet& all = s.slot(0).contacts;
+  uE_ = 2.0 * v - xA.u;
+  for (int i = 0; i < all.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double g = all.position[static_cast<std::size_t>(all.row0[at])];
+    if (all.law[at]->unilateral() && g > s.gTol() &&
+        g / dt_ + gapRate(all, i, view(std::as_const(uE_))).gamma < 0.0 &&
+        !std::binary_search(asked_.begin(), asked_.end(), all.key[at]))
+      return true;
+  }
+  return false;
 }
 
 double CondensedContacts::start(ContactKey key, int row) const {
@@ -47,16 +80,29 @@ double CondensedContacts::start(ContactKey key, int row) const {
   return at < last_.first[i + 1] ? last_.Lambda[static_cast<std::size_t>(at)] : 0.0;
 }
 
-void CondensedContacts::select(const MechanicalSystem& s, const State& xA, double dt) {
+void CondensedContacts::select(const MechanicalSystem& s, const State& xA, const Eigen::VectorXd& v,
+                               double dt) {
   if (contacts_.size() > 0) {  // impulses of the last turn
     last_.key = contacts_.key, last_.first = contacts_.row0, last_.Lambda = Lambda_;
   }
   const ContactSet& all = s.slot(0).contacts;
   contacts_.clear();
+  few_ = all.size() < kFew;
+  if (!few_) {
+    uE_ = 2.0 * v - xA.u;
+    int aside = 0;
+    for (int i = 0; i < all.size(); ++i) aside += asks(s, i) ? 0 : 1;
+    few_ = aside < kFew || 4 * aside < 3 * all.size();
+  }
   for (int i = 0; i < all.size(); ++i) {
     const SetValuedForceLaw& law = *all.law[static_cast<std::size_t>(i)];
-    if (law.unilateral() || law.rowKind(0) != RowKind::joint)
+    if ((law.unilateral() || law.rowKind(0) != RowKind::joint) && (few_ || asks(s, i)))
       append(all, i, all.dim(i), law, contacts_);
+  }
+  if (!few_) {
+    asked_.insert(asked_.end(), contacts_.key.begin(), contacts_.key.end());
+    std::sort(asked_.begin(), asked_.end());
+    asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
   }
   const auto n = static_cast<std::size_t>(contacts_.rows());
   Lambda_.assign(n, 0.0);

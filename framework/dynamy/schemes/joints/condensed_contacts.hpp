@@ -15,8 +15,11 @@ class CondensedContacts {
  public:
   /// Starts a step, slot 0 being evaluated at q^A: no impulses but those remembered in x.
   void begin(const MechanicalSystem& s, const State& x, double dt);
-  /// Takes the contacts of slot 0 that are no joints.
-  void select(const MechanicalSystem& s, const State& xA, double dt);
+  /// Takes the contacts of slot 0 that are no joints; where most of many stay open, those that the
+  /// mean velocity v closes, and all that were taken before in this step.
+  void select(const MechanicalSystem& s, const State& xA, const Eigen::VectorXd& v, double dt);
+  /// Whether select() with this v would take others.
+  bool misses(const MechanicalSystem& s, const State& xA, const Eigen::VectorXd& v);
   /// Solves them on the linear model and corrects the Newton step by it.
   SolveReport solve(const MechanicalSystem& s, InclusionSolver& solver, const State& xA,
                     JointNewton& newton);
@@ -37,12 +40,15 @@ class CondensedContacts {
   /// that is to rebound waits until a step begins with it closed: there it is an impact.
   double aim(int i, double gTol) const;
   void pose(const MechanicalSystem& s);
+  bool asks(const MechanicalSystem& s, int i) const;
   double start(ContactKey key, int row) const;
   ContactSet contacts_;
   Delassus delassus_;
   InclusionProblem problem_;
   RememberedImpulses last_;
   std::vector<ContactKey> closed_;  // at q^A
+  std::vector<ContactKey> asked_;   // in this step, sorted; of no use if few_
+  bool few_ = true;
   std::vector<ContactKey> meanSlip_;
   double dt_ = 0.0;
   std::vector<double> Lambda_, old_;

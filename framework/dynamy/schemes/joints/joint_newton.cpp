@@ -29,10 +29,14 @@ void JointNewton::findJoints(const ContactSet& c, std::vector<int>& out) const {
 
 bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
   xA_ = &x, dt_ = dt;
-  const ContactSet& c = s.evaluateAhead(x, dt, 0).contacts;
+  const bool coupled = damped_.begin(s, x, dt);
+  const ContactSet& c = s.slot(0).contacts;
   findJoints(c, joints_);
-  if (joints_.empty() && !massDependsOnPosition(*s.parts().topology)) return false;
-  bool same = !blockNu_.empty() && keys_.size() == joints_.size();
+  if (joints_.empty() && !massDependsOnPosition(*s.parts().topology)) {
+    s.release();
+    return false;
+  }
+  bool same = !blockNu_.empty() && !coupled && keys_.size() == joints_.size();
   for (std::size_t k = 0; same && k < joints_.size(); ++k) same = keys_[k] == c.key[joints_[k]];
   if (!same) connect(s, c);
   for (std::size_t k = 0; k < joints_.size(); ++k)
@@ -78,6 +82,7 @@ void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
         if (other != b) near[b].push_back(other), nearBlocks_[b].push_back(other);
     }
   }
+  for (const auto& [a, b] : damped_.pairs()) near[a].push_back(b), nearBlocks_[a].push_back(b);
   for (std::vector<int>& list : nearBlocks_) {
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -191,6 +196,18 @@ void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactIm
   uE_ = 2.0 * (v - xA_->u);
   e.mass.apply(view(std::as_const(uE_)), view(momentum_));
   Rv_ = momentum_ - dt_ * e.h - force_ - contactImpulse;
+  if (!damped_.any()) return;
+  h_.setZero(nu), hNonPotential_.setZero(nu);
+  damped_.addTo(v, xA_->u, h_, hNonPotential_);
+  Rv_ -= dt_ * h_;
+}
+
+void JointNewton::finish(MechanicalSystem& s) {
+  s.release();
+  if (!damped_.any()) return;
+  h_ = s.slot(0).h, hNonPotential_ = s.slot(0).hNonPotential;
+  damped_.addTo(v, xA_->u, h_, hNonPotential_);
+  s.usedForce(h_, hNonPotential_);
 }
 
 void JointNewton::addColumn(int block, int j, const Eigen::VectorXd& R0, double perturbation) {
@@ -265,6 +282,9 @@ bool JointNewton::closedForm(const MechanicalSystem& s) {
     for (int i = 0; i < blockNu_[b]; ++i)
       for (int j = 0; j < blockNu_[b]; ++j) K_.at(first + i, first + j) += K(i, j);
   }
+  damped_.forEach(s.slot(0).mass, [this](int a, int i, int b, int j, double value) {
+    K_.at(nodes_[blockNode_[a]].first + i, nodes_[blockNode_[b]].first + j) += value;
+  });
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const std::size_t row = static_cast<std::size_t>(jointRow_[k]);
     if (!parts_.joint(s, joints_[k], endJoints_[k], Lambda.data() + row, gRate_.data() + row))

@@ -17,6 +17,7 @@
 /// and K is a band.
 #pragma once
 #include <dynamy/schemes/joints/banded_lu.hpp>
+#include <dynamy/schemes/joints/damped_forces.hpp>
 #include <dynamy/schemes/joints/joint_tangent.hpp>
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ class JointNewton {
   /// Starts a step from x: v = u^A, Λ from the last step. False: there are no joints, and no masses
   /// that depend on q.
   bool begin(MechanicalSystem& s, const State& x, double dt);
+  /// Ends the step: forces are no longer withheld, and h of slot 0 is what the step used.
+  void finish(MechanicalSystem& s);
   /// Evaluates R at v, Λ and the impulses of contacts, W_c Λ_c, nu numbers.
   void residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
   /// How K is found: in closed form where all bodies and joints offer it, else by differences.
@@ -86,13 +89,14 @@ class JointNewton {
   std::vector<int> blockNode_, jointNode_, jointRow_, colour_, blockU0_, blockNu_;
   std::vector<std::vector<int>> nearBlocks_, nearJoints_;  // of a block, itself included
   int colours_ = 0, band_ = 0, unknowns_ = 0, mostNu_ = 0;
-  Eigen::VectorXd Rv_, force_, force0_, momentum_, uE_, base_;
+  Eigen::VectorXd Rv_, force_, force0_, momentum_, uE_, base_, h_, hNonPotential_;
   std::vector<double> Rg_, g0_, gA_, gRate_, gRate0_, work_;
   BandedLu K_;
   Tangent tangent_ = Tangent::differences;
   std::string fault_;
   bool offered_ = true;  // until an element refuses the closed form
   JointTangent parts_;
+  DampedForces damped_;
 };
 
 }  // namespace dynamy

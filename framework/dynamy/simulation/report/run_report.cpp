@@ -12,8 +12,8 @@ void RunTrust::archive(Archive& a) {
 
 void RunReport::archive(Archive& a) {
   a.section("report");
-  a(t), a(steps), a(rejected), a(parted), a(left), a(firstLeft), a(evaluations), a(solves),
-      a(iterations), a(iterationsMax);
+  a(t), a(steps), a(rejected), a(parted), a(left), a(firstLeft), a(damped), a(evaluations),
+      a(solves), a(iterations), a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
   a(located), a(accumulations), a(accumulationEnd), a(undecided), a(unseen);
   a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);

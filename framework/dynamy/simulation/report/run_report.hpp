@@ -113,6 +113,7 @@ struct RunReport {
   long parted = 0;       ///< steps taken in parts, because a body would have passed a contact
   long left = 0;         ///< steps of so many parts that the rest was taken without looking
   Worst firstLeft;       ///< of these the first, and the contact that was passed; no value
+  int damped = 0;        ///< most forces at a time that steps do not resolve and take at their end
   long evaluations = 0;  ///< of M, h and contacts
   long solves = 0;       ///< inclusions with at least one contact
   long iterations = 0;

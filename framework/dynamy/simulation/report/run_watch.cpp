@@ -108,6 +108,7 @@ void RunWatch::step(const StepView& view) {
   } else {
     smooth_ = -1;
   }
+  report_.damped = std::max(report_.damped, view.system.damped());
   if (!view.scheme.choosesSteps()) ends(view);
   if (view.after.t >= nextSample_) sample(view);
 }

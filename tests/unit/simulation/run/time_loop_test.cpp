@@ -41,7 +41,7 @@ class Counted final : public Stepper {
   bool sound() const override { return true; }
   Passing passing() override {
     Passing p;
-    if (passes) p.t = 0.5 * (t_ - begin_), p.width = 1e-3 * (t_ - begin_), p.contact = 0;
+    if (passes) p.t = 0.5 * (t_ - begin_), p.width = 1e-3 * (t_ - begin_);
     return p;
   }
   void leave(const Passing&) override { ++left; }

@@ -1,0 +1,78 @@
+#include <dynamy/stages/closing_contacts.hpp>
+#include <dynamy/stages/contact_subset.hpp>
+
+namespace dynamy {
+namespace {
+
+/// So many contacts, and three of four, have to be aside: then the reach of one fast body covers what
+/// it does not meet. In a heap most gaps within reach are soon asked.
+constexpr int kFew = 36;
+/// Part of g/Δt that counts as rounding.
+constexpr double kRounding = 1e-14;
+
+}  // namespace
+
+bool ClosingContacts::reduce(ContactSet& c, ConstVec uFree, double dt, double gTol,
+                             const RememberedImpulses& pressed) {
+  if (aside_ > 0 || c.size() < kFew || !c.bias.empty()) return false;
+  asks_.assign(static_cast<std::size_t>(c.size()), 1);
+  bool known = false;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double g = c.position[static_cast<std::size_t>(c.row0[at])];
+    if (!c.law[at]->unilateral() || !(g > gTol) || !staysOpen(c, i, uFree, dt)) continue;
+    if (!known) old_.build(pressed.key), known = true;
+    const int found = old_.find(c.key[at]);
+    const bool pressing =
+        found >= 0 &&
+        pressed.first[static_cast<std::size_t>(found) + 1] >
+            pressed.first[static_cast<std::size_t>(found)] &&
+        pressed.Lambda[static_cast<std::size_t>(pressed.first[static_cast<std::size_t>(found)])] >
+            0.0;
+    if (!pressing) asks_[at] = 0, ++aside_;
+  }
+  if (aside_ < kFew || 4 * aside_ < 3 * c.size()) {
+    aside_ = 0;
+    return false;
+  }
+  std::swap(all_, c);
+  write(c);
+  return true;
+}
+
+bool ClosingContacts::bringIn(ContactSet& c, const Eigen::VectorXd& uE, double dt) {
+  if (aside_ == 0) return false;
+  bool closes = false;
+  for (int i = 0; i < all_.size() && !closes; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double open = all_.position[static_cast<std::size_t>(all_.row0[at])] / dt;
+    closes = asks_[at] == 0 && open + gapRate(all_, i, view(uE)).gamma < -kRounding * open;
+  }
+  if (!closes) return false;
+  // And those that are near it: chains of contacts are not to take a solution a link.
+  for (int i = 0; i < all_.size(); ++i)
+    if (char& asks = asks_[static_cast<std::size_t>(i)];
+        asks == 0 && !staysOpen(all_, i, view(uE), dt))
+      asks = 1, --aside_;
+  write(c);
+  return true;
+}
+
+/// c ← the contacts of all_ that are asked; all candidates stay.
+void ClosingContacts::write(ContactSet& c) const {
+  c.clear();
+  c.candidateKey = all_.candidateKey, c.g = all_.g, c.candidateElement = all_.candidateElement;
+  c.closedIndex.assign(all_.closedIndex.size(), -1);
+  c.noted = all_.noted, c.comesAndGoes = all_.comesAndGoes, c.overlap = all_.overlap;
+  for (int i = 0; i < all_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (asks_[at] == 0) continue;
+    c.closedIndex[static_cast<std::size_t>(all_.candidate[at])] = c.size();
+    append(all_, i, all_.dim(i), *all_.law[at], c);
+    c.point.push_back(all_.point[at]), c.normal.push_back(all_.normal[at]);
+    c.t1.push_back(all_.t1[at]), c.t2.push_back(all_.t2[at]);
+    if (!all_.presence.empty()) c.presence.push_back(all_.presence[at]);
+  }
+}
+
+}  // namespace dynamy

@@ -1,0 +1,57 @@
+#include <dynamy/stages/unresolved_forces.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kUnresolved = 0.5, kOwnShare = 0.05;
+
+}  // namespace
+
+double UnresolvedForces::shareOf(const StiffEntry& e, const MassMatrix& mass, double dt) const {
+  const int b = block(e.i);
+  if (b != block(e.j)) return 0.0;  // not of the trace
+  const double inverse = mass.inverse(b)(e.j - mass.u0(b), e.i - mass.u0(b));
+  return -inverse * (0.25 * dt * dt * e.K + 0.5 * dt * e.D);
+}
+
+bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
+                            const MassMatrix& mass, double dt) {
+  if (blockOf_.empty())
+    for (int b = 0; b < mass.blocks(); ++b)
+      blockOf_.insert(blockOf_.end(), static_cast<std::size_t>(mass.nu(b)), b);
+  all_.clear(), entries_.clear(), ends_.clear();
+  StiffnessSink sink(all_);
+  for (const ExternalForce* f : forces) {
+    if (!f->stiff()) f->addStiffness(k, sink);
+    ends_.push_back(all_.size());
+  }
+  taken_.assign(forces.size(), 0);
+  if (all_.empty()) return false;
+  shares_.assign(static_cast<std::size_t>(mass.blocks()), 0.0);
+  for (const StiffEntry& e : all_)
+    shares_[static_cast<std::size_t>(block(e.i))] += shareOf(e, mass, dt);
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < forces.size(); ++f) {
+    if (isUnresolved(first, ends_[f], mass, dt)) {
+      taken_[f] = 1;
+      entries_.insert(entries_.end(), all_.begin() + static_cast<std::ptrdiff_t>(first),
+                      all_.begin() + static_cast<std::ptrdiff_t>(ends_[f]));
+    }
+    first = ends_[f];
+  }
+  return !entries_.empty();
+}
+
+/// The force with these entries; those of one mass block follow each other.
+bool UnresolvedForces::isUnresolved(std::size_t first, std::size_t end, const MassMatrix& mass,
+                                    double dt) const {
+  while (first < end) {
+    const int b = block(all_[first].i);
+    double own = 0.0;
+    for (; first < end && block(all_[first].i) == b; ++first) own += shareOf(all_[first], mass, dt);
+    if (shares_[static_cast<std::size_t>(b)] > kUnresolved && own > kOwnShare) return true;
+  }
+  return false;
+}
+
+}  // namespace dynamy
