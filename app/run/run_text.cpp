@@ -243,6 +243,21 @@ std::string effortText(const RunReport& r) {
       r.evaluations > told ? fmt::format(", output {}", r.evaluations - told) : "");
 }
 
+/// Steps in parts, forces that are damped.
+std::string stepsText(const RunReport& r) {
+  std::string out;
+  if (r.parted > 0)
+    out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
+                       counted(r.parted, "step"));
+  if (r.damped > 0)
+    out += fmt::format(
+        " {} faster than steps follow: taken at the end of steps, which damps them (a smaller step "
+        "resolves them, stiff=\"true\" keeps their energy)\n",
+        r.damped == 1 ? "1 spring or damper is"
+                      : fmt::format("{} springs and dampers are", r.damped));
+  return out;
+}
+
 std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
                        const std::filesystem::path& folder) {
   std::string out =
@@ -267,15 +282,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
         "follows\n",
         counted(s.steps, "step"), s.time, counted(s.periods, "period"), counted(s.stalls, "stall"));
   out += effortText(r);
-  if (r.parted > 0)
-    out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
-                       counted(r.parted, "step"));
-  if (r.damped > 0)
-    out += fmt::format(
-        " {} faster than steps follow: taken at the end of steps, which damps them (a smaller step "
-        "resolves them, stiff=\"true\" keeps their energy)\n",
-        r.damped == 1 ? "1 spring or damper is"
-                      : fmt::format("{} springs and dampers are", r.damped));
+  out += stepsText(r);
   if (r.repairedImpacts > 0)
     out += fmt::format(
         " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
