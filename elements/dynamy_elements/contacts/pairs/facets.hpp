@@ -21,6 +21,9 @@ inline constexpr double kSameFeature = 1e-6;
 inline constexpr double kCross = 0.05;
 /// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
 inline constexpr double kLikeFace = 0.7;
+/// Cosine between a contact's normal and the face's from which the contact is one of that face: a
+/// point that moves along its own tangents into the face's plane moves by at most √3 gaps.
+inline constexpr double kOfThatFace = 0.5;
 
 /// A straight edge in the world.
 struct PlacedEdge {
@@ -127,16 +130,14 @@ inline bool tellsOverlap(double f, double loose, std::span<const NumberedContact
 }
 
 /// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved
-/// into one plane along that face; where there are three and more, so that their gaps tell how far
+/// into one plane along that face (those across it stay); where there are three and more, so that their gaps tell how far
 /// the two faces can be tilted, all slide along it. Normals, gaps and γ_N stay. Otherwise sticking
 /// contacts contradict each other by the tilt, and every contact has to slide by almost nothing.
 /// `faceAlong(n, t)`: makes of n the normal of A's face along n, and a direction t in it.
 template <class FaceAlong>
 void closeTogetherOn(const Frame& A, double reach, bool rates, std::span<NumberedContact> contacts,
                      FaceAlong&& faceAlong) {
-  const auto near = [reach](const NumberedContact& c) { return c.at.g <= reach; };
-  const auto closed = std::count_if(contacts.begin(), contacts.end(), near);
-  if (closed < 2) return;
+  if (contacts.empty()) return;
   const ContactPoint lowest =
       std::min_element(
           contacts.begin(), contacts.end(),
@@ -144,6 +145,11 @@ void closeTogetherOn(const Frame& A, double reach, bool rates, std::span<Numbere
           ->at;
   Vec3 n = lowest.d[0], t1;
   faceAlong(n, t1);
+  const auto near = [reach, &n](const NumberedContact& c) {
+    return c.at.g <= reach && n.dot(c.at.d[0]) > kOfThatFace;
+  };
+  const auto closed = std::count_if(contacts.begin(), contacts.end(), near);
+  if (closed < 2) return;
   const Vec3 t2 = n.cross(t1), ndot = A.Omega_I.cross(n);
   for (NumberedContact& c : contacts) {
     if (!near(c)) continue;

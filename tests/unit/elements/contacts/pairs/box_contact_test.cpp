@@ -267,6 +267,26 @@ TEST(BoxContact, TwoThatCloseTogetherSlideOnTheirOwnFaces) {
   }
 }
 
+TEST(BoxContact, OneAcrossTheFaceStaysAsItIs) {
+  // Four corners on a face of A, and one whose normal lies in that face: no plane along the face
+  // holds its gap.
+  const Body A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
+  const Body B(Vec3(0.1, 0.2, 1.0 - 1e-4), Mat3::Identity(), Vec3::Constant(0.5));
+  Contacts found;
+  const int n = betweenBoxes(A.box, B.box, true, found);
+  ASSERT_EQ(n, 4);
+  found[1].at.P[2] += 1e-3, found[1].at.g += 1e-3;
+  BoxContact& across = found[4];
+  across = found[0];
+  std::rotate(std::begin(across.at.d), std::begin(across.at.d) + 1, std::end(across.at.d));
+  const Contacts before = found;
+  closeTogether(A.box, 0.01, true, {found.data(), 5});
+  for (int d = 0; d < 3; ++d) EXPECT_EQ(across.at.d[d], before[4].at.d[d]);
+  EXPECT_EQ(across.at.P, before[4].at.P);
+  EXPECT_EQ(across.at.Pdot, before[4].at.Pdot);
+  EXPECT_NE(found[1].at.P, before[1].at.P);  // the one out of the plane was moved into it
+}
+
 TEST(BoxContact, RatesStayThoseOfTheMotionWhereContactsCloseTogether) {
   constexpr unsigned kSeed = 12;
   std::mt19937 random(kSeed);
