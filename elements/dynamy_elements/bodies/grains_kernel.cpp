@@ -32,14 +32,14 @@ class ScaledShape final : public Shape {
   double s_;
 };
 
-std::unique_ptr<Shape> scaled(const Shape& like, double s) {
+/// What a ScaledShape is made from.
+Parameters scaled(const Shape& like, double s) {
   const Eigen::Quaterniond p(like.A_KB());
   std::vector<GivenValue> given{{"position", Vec3(s * like.r_SB_K())},
                                 {"orientation", {p.w(), p.x(), p.y(), p.z()}}};
   if (!like.material().empty()) given.emplace_back("material", like.material());
   if (!like.colour().empty()) given.emplace_back("colour", like.colour());
-  const Parameters x = Parameters::of<ScaledShape>(like.type(), like.name(), given);
-  return std::make_unique<ScaledShape>(x, like, s);
+  return Parameters::of<ScaledShape>(like.type(), like.name(), given);
 }
 
 /// Distance of the farthest point of a shape from the middle of its grain [m].
@@ -142,7 +142,12 @@ void Grains::takeSizes(const Parameters& x, SeededNumbers& numbers) {
   }
   if (a == b) std::fill(size_.begin(), size_.end(), a);
   if (a == 1.0 && b == 1.0) return;
-  for (const double s : size_) ownShapes_.push_back(scaled(*shape_, s));
+  const bool central = shape_->r_SB_K().isZero(0.0);  // then all are made from the same
+  Parameters of = scaled(*shape_, 1.0);
+  for (const double s : size_) {
+    if (!central) of = scaled(*shape_, s);
+    ownShapes_.push_back(std::make_unique<ScaledShape>(of, *shape_, s));
+  }
 }
 
 void Grains::place(const Parameters& x, SeededNumbers& numbers) {

@@ -32,10 +32,12 @@ const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& b
 }
 
 void BroadPhase::compareAll(const std::vector<Ball>& balls) {
-  for (std::size_t i = 0; i < balls.size(); ++i)
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    if (balls[i].radius < 0.0) continue;  // all of many that are not there yet, for one
     for (std::size_t j = i + 1; j < balls.size(); ++j)
-      if (balls[i].radius >= 0.0 && balls[j].radius >= 0.0 && touch(balls[i], balls[j]))
+      if (balls[j].radius >= 0.0 && touch(balls[i], balls[j]))
         pairs_.emplace_back(static_cast<int>(i), static_cast<int>(j));
+  }
 }
 
 /// Sorts the balls into cells; false: there are no sizes to choose cells by.
