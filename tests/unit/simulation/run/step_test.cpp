@@ -169,61 +169,56 @@ class OnlyShort final : public OneStep {
   MoreauMidpoint inner_;
 };
 
-class StopsAfterAPart final : public Observer {
+/// Asks for a stop after the first part of a step, or its first try.
+class StopsAfter final : public Observer {
  public:
-  explicit StopsAfterAPart(std::atomic<bool>& stop) : stop_(stop) {}
-  void step(const StepView& /*view*/) override { stop_ = true; }
+  enum class What { part, attempt };
+  StopsAfter(What what, std::atomic<bool>& stop) : what_(what), stop_(stop) {}
+  void step(const StepView& /*view*/) override { stop_ = stop_ || what_ == What::part; }
+  void failed(const StepView& /*view*/) override { stop_ = stop_ || what_ == What::attempt; }
 
  private:
+  What what_;
   std::atomic<bool>& stop_;
+};
+
+/// A run whose steps of 50 ms are taken in four parts, stopped in the first one.
+struct Stopped {
+  explicit Stopped(StopsAfter::What what) : observer(what, stop), model(parted()), run(model) {
+    run.record(table);
+    run.observe(observer);
+    run.stopWhen(stop);
+    EXPECT_FALSE(run.step());
+    EXPECT_EQ(run.report().ended, RunReport::Ended::stopped);
+  }
+  static Model parted() {
+    Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
+    m.scheme(std::make_unique<OnlyShort>());
+    m.simulation.onNonConvergence = NonConvergence::retry;
+    m.build();
+    return m;
+  }
+  std::atomic<bool> stop{false};
+  StopsAfter observer;
+  Table table;
+  Model model;
+  Simulation run;
 };
 
 TEST(Steps, OfManyPartsAreStoppedWithin) {
-  // 50 ms are taken in four parts; the first one is the last.
-  Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
-  m.scheme(std::make_unique<OnlyShort>());
-  m.simulation.onNonConvergence = NonConvergence::retry;
-  m.build();
-  std::atomic<bool> stop{false};
-  StopsAfterAPart observer(stop);
-  Table table;
-  Simulation s(m);
-  s.record(table);
-  s.observe(observer);
-  s.stopWhen(stop);
-  EXPECT_FALSE(s.step());
-  EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
-  EXPECT_NE(s.report().reason.find("stopped within a step"), std::string::npos);
-  EXPECT_EQ(s.state().t, 0.0125);
-  EXPECT_DOUBLE_EQ(table.t.back(), 13 * 0.93e-3);  // the last thousandth of the run in the part
-  EXPECT_FALSE(s.step());
+  Stopped s(StopsAfter::What::part);
+  EXPECT_NE(s.run.report().reason.find("stopped within a step"), std::string::npos);
+  EXPECT_EQ(s.run.state().t, 0.0125);
+  EXPECT_DOUBLE_EQ(s.table.t.back(), 13 * 0.93e-3);  // the last thousandth of the run in the part
+  EXPECT_FALSE(s.run.step());
 }
 
-class StopsAfterATry final : public Observer {
- public:
-  explicit StopsAfterATry(std::atomic<bool>& stop) : stop_(stop) {}
-  void step(const StepView& /*view*/) override {}
-  void failed(const StepView& /*view*/) override { stop_ = true; }
-
- private:
-  std::atomic<bool>& stop_;
-};
-
 TEST(Steps, ThatWereOnlyTriedAreTakenBackByAStop) {
-  Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
-  m.scheme(std::make_unique<OnlyShort>());
-  m.simulation.onNonConvergence = NonConvergence::retry;
-  m.build();
-  std::atomic<bool> stop{false};
-  StopsAfterATry observer(stop);
-  Simulation s(m);
-  s.observe(observer);
-  s.stopWhen(stop);
-  EXPECT_FALSE(s.step());
-  EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
-  EXPECT_NE(s.report().reason.find("taken back"), std::string::npos) << s.report().reason;
-  EXPECT_EQ(s.state().t, 0.0);
-  EXPECT_FALSE(s.checkpoint().empty());
+  Stopped s(StopsAfter::What::attempt);
+  const std::string& reason = s.run.report().reason;
+  EXPECT_NE(reason.find("taken back"), std::string::npos) << reason;
+  EXPECT_EQ(s.run.state().t, 0.0);
+  EXPECT_FALSE(s.run.checkpoint().empty());
 }
 
 }  // namespace
