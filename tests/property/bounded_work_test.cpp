@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <dynamy/solver/automatic.hpp>
+#include <dynamy/solver/problem/given_problem.hpp>
 #include <reference/scene.hpp>
 
 #include "unit/solver/inclusion_fixture.hpp"
@@ -122,6 +123,70 @@ TEST(BoundedWork, LeavesFewContactsAndOtherSchemesExact) {
   EXPECT_EQ(chain(200, false, 0.0), chain(200, true, 0.0));  // nobody corrects what is left
   EXPECT_EQ(chain(200, false, kAfterExact), chain(200, true, kAfterExact));  // a few Newton steps
   EXPECT_NE(chain(200, false, kAfterLoose), chain(200, true, kAfterLoose));
+}
+
+/// `n` frictional contacts without bodies, each coupled with the one before: what is left of stiff
+/// forces and joints.
+std::unique_ptr<GivenProblem> givenChain(int n) {
+  std::mt19937 random(3);
+  Eigen::MatrixXd Wt = Eigen::MatrixXd::Zero(3 * n, 6 * n);
+  Eigen::VectorXd c(3 * n);
+  std::vector<GivenContact> contacts;
+  for (int i = 0; i < n; ++i) {
+    Wt.block(3 * i, 6 * i, 3, 6) = fixture::randomMatrix(random, 3, 6);
+    if (i > 0) Wt.block(3 * i, 6 * (i - 1), 3, 6) = fixture::randomMatrix(random, 3, 6);
+    c.segment(3 * i, 3) = Eigen::Vector3d(-1.0, 0.1, 0.0);
+    contacts.push_back({std::make_unique<UnilateralCoulomb>(0.0, 0.0, 0.3), 3});
+  }
+  return std::make_unique<GivenProblem>(std::move(contacts), (Wt * Wt.transpose()).sparseView(), c);
+}
+
+TEST(BoundedWork, SweepsManyContactsWithoutBodies) {
+  // An elimination of all rows costs more than all sweeps, so that Newton's method is not tried.
+  for (const double warmStart : {kAfterExact, kAfterLoose}) {
+    const auto given = givenChain(200);
+    InclusionProblem& p = given->problem();
+    p.warmStart = warmStart;
+    Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
+    const SolveReport report = Automatic({.bounded = true}).solve(p, view(Lambda));
+    EXPECT_TRUE(report.ok());
+    EXPECT_LE(report.residuals.largest(), kAccepted);
+    EXPECT_LE(report.iterations, kMostSweeps);
+    EXPECT_EQ(report.newton, 0);
+  }
+}
+
+TEST(BoundedWork, IsExactWhereAStepIsTriedAgain) {
+  const auto given = givenChain(200);
+  InclusionProblem& p = given->problem();
+  p.warmStart = 1.0, p.retried = true;
+  Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
+  const SolveReport report = Automatic({.bounded = true}).solve(p, view(Lambda));
+  EXPECT_TRUE(report.ok());
+  EXPECT_LE(report.residuals.largest(), 1e-10);  // the default tolerance
+}
+
+TEST(BoundedWork, GivesUpEarlyWhereAStepIsTriedAgain) {
+  // Pairs ξ = [1 −2; −2 1] Λ − (1, 1): neither both, nor one, nor none of the two can carry.
+  constexpr int kPairs = 20;
+  Eigen::MatrixXd G = Eigen::MatrixXd::Identity(2 * kPairs, 2 * kPairs);
+  std::vector<GivenContact> contacts;
+  for (int i = 0; i < kPairs; ++i) {
+    G(2 * i, 2 * i + 1) = G(2 * i + 1, 2 * i) = -2.0;
+    for (int k = 0; k < 2; ++k) contacts.push_back({std::make_unique<Unilateral>(0.0), 1});
+  }
+  GivenProblem given(std::move(contacts), G.sparseView(),
+                     Eigen::VectorXd::Constant(2 * kPairs, -1));
+  InclusionProblem& p = given.problem();
+  p.warmStart = 1.0, p.retried = true;
+  Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
+  const SolveReport early = Automatic({.bounded = true}).solve(p, view(Lambda));
+  EXPECT_FALSE(early.ok());
+  EXPECT_EQ(early.attempts, 3);  // sweeps, Newton's method with all of G, and by blocks
+  Lambda.setZero();
+  const SolveReport patient = Automatic().solve(p, view(Lambda));  // who gives a tolerance
+  EXPECT_FALSE(patient.ok());
+  EXPECT_LT(3 * early.iterations, patient.iterations);
 }
 
 }  // namespace

@@ -7,6 +7,9 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostNewtonTurns = 25;
+/// Turns whose contacts found no solution: mostly the tangent is one of forces or velocities that are
+/// far off, and half the step is near enough.
+constexpr int kMostUnsolved = 2;
 /// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
 /// with an old one it is the last if what is left of it after another turn drowns in rounding.
 constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
@@ -18,6 +21,18 @@ constexpr double kLost = 1e3;
 /// Corrections that shrink by less than this ask for a new tangent.
 constexpr double kSlow = 0.1;
 
+/// Forces that a step withholds are released however it ends.
+class Withheld {
+ public:
+  explicit Withheld(MechanicalSystem& s) : s_(s) {}
+  Withheld(const Withheld&) = delete;
+  Withheld& operator=(const Withheld&) = delete;
+  ~Withheld() { s_.release(); }
+
+ private:
+  MechanicalSystem& s_;
+};
+
 }  // namespace
 
 StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
@@ -25,6 +40,7 @@ StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, St
     joints_ = newton_.begin(s, x, dt) ? Joints::some : Joints::none;
   if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
   halvingHelps_ = true;
+  const Withheld forces(s);
   return halve(s, solver, x, dt, 0);
 }
 
@@ -109,6 +125,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   contacts_.select(s, x, newton_.v, dt);
   double before = 0.0;
   bool fresh = true;
+  int unsolved = 0;
   auto tangent = JointNewton::Tangent::closedForm;
   for (int turn = 0; turn < kMostNewtonTurns; ++turn) {
     newton_.residual(s, contacts_.impulse());
@@ -132,6 +149,8 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     report.residuals.Eu = std::max(inner.residuals.Eu, way / length);
     report.status = inner.status;
     report.energyGain = inner.energyGain, report.repaired = inner.repaired;
+    unsolved += inner.ok() ? 0 : 1;
+    if (unsolved == kMostUnsolved) break;
     if (!std::isfinite(way) || way > kLost * length) break;
     const double rate = turn > 0 ? way / before : 1.0;
     const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;

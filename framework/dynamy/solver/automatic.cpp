@@ -29,10 +29,30 @@ constexpr int kAfterExact = 100;
 /// some tenths of a second; and steps that it has in any case.
 constexpr double kMostProducts = 1e9;
 constexpr int kFewestSteps = 25;
+/// The same where the step is tried again. Of 7953 such problems of jointed scenes 7873 are solved by
+/// sweeps and at most 453 Newton steps in 17 s, 3 by longer searches in 2 s; 77 are not solved by any,
+/// in 37 s.
+constexpr double kMostTried = 2e8;
+constexpr int kFewestTried = 4;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
 /// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
 constexpr int kAlternations = 20;
+
+/// Products of an elimination whose blocks of G are filled where islands are: the rows of a contact
+/// are coupled with those of its neighbours alone.
+double productsOf(const InclusionProblem& p) {
+  const BlockRows& G = p.G->blockRows();
+  double products = 0.0;
+  for (int i = 0; i < p.size(); ++i) {
+    double coupled = 0.0;
+    for (int k = G.first[static_cast<std::size_t>(i)]; k < G.first[static_cast<std::size_t>(i) + 1];
+         ++k)
+      coupled += p.dim(G.column[static_cast<std::size_t>(k)]);
+    products += p.dim(i) * coupled * coupled / 3.0;
+  }
+  return products;
+}
 
 }  // namespace
 
@@ -117,13 +137,16 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   const bool first = Lambda.isZero(0.0);
   const bool cold = !good && (E > kColdResidual || first);
   const bool many = bounds(p), afterExact = p.warmStart > kLooseStart;
-  if (many && !first && !afterExact && E > kCorrectable) return boundedSweeps(p, Lambda, report);
+  // Without bodies a Newton step eliminates all rows: of so many it costs more than all sweeps.
+  if (many && (!p.G->hasBodies() || (!first && !afterExact && E > kCorrectable)))
+    return boundedSweeps(p, Lambda, report);
   if (cold && LemkeSolver::pays(p)) {
     report = lemke_.solve(p, Lambda);
     if (report.ok() || lemke_.proven()) return report;
     keep({Lambda.data(), Lambda.size()}, report.residuals);
   }
-  if (cold && Admm::pays(p) && alternate(p, Lambda, report)) return report;
+  const bool hurried = options_.bounded && p.retried;
+  if (cold && !hurried && Admm::pays(p) && alternate(p, Lambda, report)) return report;
   if (cold) {
     const int before = report.iterations;
     const bool solved = easy_.sweeps(p, options_.tolerance, Lambda, report);
@@ -133,32 +156,39 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   }
   // After exact steps Newton's method has its chance once: a scene at rest stays exact, and so does
   // one that begins to slide.
-  const int most = first ? options_.maxNewton : (afterExact ? kAfterExact : kCorrecting);
-  const int affordable = stepsAtMost(p);
-  const bool dear = affordable < options_.maxNewton;
-  const NewtonLimits limits =
-      dear ? NewtonLimits{affordable, affordable, kMostSweeps} : NewtonLimits{most, 0, 0};
-  report =
-      newton_.refine(p, Lambda, report, cold, scratch_.data(), many || dear ? &limits : nullptr);
+  const NewtonLimits most =
+      limits(p, first ? options_.maxNewton : (afterExact ? kAfterExact : kCorrecting));
+  report = newton_.refine(p, Lambda, report, cold, scratch_.data(), &most);
   if (report.ok()) return report;
   keep({Lambda.data(), Lambda.size()}, report.residuals);
   if (many) return boundedSweeps(p, Lambda, report);
-  if (dear) return report;
+  if (hurried || most.maxNewton < options_.maxNewton) return report;
   if (!restarts(p, Lambda, report) && !pivot(p, Lambda, report)) others(p, Lambda, report);
   return report;
 }
 
 bool Automatic::bounds(const InclusionProblem& p) const {
-  return options_.bounded && p.warmStart > 0.0 && p.size() >= kBoundedFrom && p.G->hasBodies() &&
-         !p.rule;
+  // Without bodies only where the scheme asks back what is left: not of joints, which hold velocities.
+  const bool askedBack =
+      p.G->hasBodies() ? p.warmStart > 0.0 : p.warmStart > 0.0 && p.warmStart < 1.0;
+  return options_.bounded && askedBack && p.size() >= kBoundedFrom && !p.rule;
 }
 
-int Automatic::stepsAtMost(const InclusionProblem& p) const {
-  if (!options_.bounded || !(p.warmStart > 0.0) || p.G->hasBodies() || p.rule)
-    return options_.maxNewton;
-  const double rows = p.rows(), products = rows * rows * rows / 3.0;
-  return std::clamp(static_cast<int>(std::min(1e6, kMostProducts / products)), kFewestSteps,
-                    options_.maxNewton);
+bool Automatic::condensed(const InclusionProblem& p) const {
+  return options_.bounded && p.warmStart > 0.0 && !p.G->hasBodies() && !p.rule;
+}
+
+NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
+  const NewtonLimits all{options_.maxNewton, options_.maxPatient, options_.maxIterations};
+  if (bounds(p)) return {steps, 0, 0};
+  if (!condensed(p)) return all;
+  const double products = productsOf(p);
+  const auto affordable = [&](double most) {
+    return static_cast<int>(std::min(most / products, 1.0 * all.maxNewton));
+  };
+  if (p.retried) return {std::max(kFewestTried, affordable(kMostTried)), 0, 0};
+  const int most = std::max(kFewestSteps, affordable(kMostProducts));
+  return most < all.maxNewton ? NewtonLimits{most, most, kMostSweeps} : all;
 }
 
 SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, SolveReport report) {
@@ -247,8 +277,9 @@ bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& rep
 }
 
 bool Automatic::others(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
-  if (p.G->hasBodies() || p.rows() > kMostOthers || report.status == SolveStatus::notFinite ||
-      !rescue_.prepare(p))
+  // In a time step, tries by the hundred cost more than the halves of the step.
+  if (p.G->hasBodies() || condensed(p) || p.rows() > kMostOthers ||
+      report.status == SolveStatus::notFinite || !rescue_.prepare(p))
     return false;
   constexpr double kPressed[] = {10.0, 0.0, 0.1, 100.0, 1.0};
   constexpr int kAlike = 5, kSchedules = 12;

@@ -3,7 +3,7 @@
 ///   start good enough → accept it · one contact → closed form · large factors → ADMM
 ///   · sweeps while they pay → proximal Newton → the same, other ρ → Gauss–Seidel
 ///   → proximal Newton from other starts → pivoting
-///   → given problems: many more starts
+///   → problems from files: many more starts
 ///
 /// A user who names no tolerance does not require one at any price: many contacts then get exact
 /// forces where few Newton steps find them, and packed sweeps elsewhere to the residual that is
@@ -43,9 +43,11 @@ class Automatic final : public InclusionSolver {
   SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Is the work on this problem bounded?
   bool bounds(const InclusionProblem& problem) const;
-  /// Newton steps that one attempt may take: fewer where G has no bodies, which is condensed from
-  /// joints or stiff forces, and is eliminated as a whole.
-  int stepsAtMost(const InclusionProblem& problem) const;
+  /// Is it that of a time step, without bodies: condensed from joints or stiff forces?
+  bool condensed(const InclusionProblem& problem) const;
+  /// What Newton's method may cost: less where a condensed G is eliminated as a whole, and little
+  /// where the step is tried again. `steps`: at many contacts whose work is bounded.
+  NewtonLimits limits(const InclusionProblem& problem, int steps) const;
   /// The last stage for many contacts, at a bounded cost.
   SolveReport boundedSweeps(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Its status by what is enough.

@@ -50,8 +50,18 @@ SolveReport PackedGaussSeidel::solve(const InclusionProblem& p, Vec Lambda) {
     report.status = SolveStatus::notFinite;
     return report;
   }
-  if (sweeps(p, options_.tolerance, options_.maxIterations, Lambda, report)) return report;
-  return report.iterations > 0 ? report : plain_.solve(p, Lambda);
+  sweeps(p, options_.tolerance, options_.maxIterations, Lambda, report);
+  return report;
+}
+
+bool PackedGaussSeidel::plainSweeps(const InclusionProblem& p, double tolerance, int most,
+                                    Vec Lambda, SolveReport& report) {
+  const SolveReport found = plain_.solve(p, tolerance, most, Lambda);
+  report.status = found.status, report.residuals = found.residuals;
+  report.warmAccepted = found.warmAccepted;
+  report.iterations += found.iterations;
+  report.method = "sweeps";
+  return report.ok();
 }
 
 void PackedGaussSeidel::chooseStart(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
@@ -76,7 +86,7 @@ double PackedGaussSeidel::tested(const InclusionProblem& p) {
 bool PackedGaussSeidel::sweeps(const InclusionProblem& p, double tolerance, int most, Vec Lambda,
                                SolveReport& report) {
   // A measure of its own is not known to batches.
-  if (p.rule || !packed_.prepare(p)) return false;
+  if (p.rule || !packed_.prepare(p)) return plainSweeps(p, tolerance, most, Lambda, report);
   report.method = "packed sweeps";
   chooseStart(p, Lambda, report);
   packed_.load(Lambda.data());

@@ -25,12 +25,15 @@ class PackedGaussSeidel final : public InclusionSolver {
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
   /// At most `most` sweeps from Λ, whose residuals are in `report`, until `tolerance` is met. Λ is
-  /// the best one that was tested; true: solved. False at once, nothing changed, where nothing can
-  /// be packed: a problem without bodies, or with a measure of its own.
+  /// the best one that was tested; true: solved. Where nothing can be packed, in problems without
+  /// bodies or with a measure of their own, contacts are solved one by one.
   bool sweeps(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
               SolveReport& report);
 
  private:
+  /// The sweeps of problems that cannot be packed.
+  bool plainSweeps(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
+                   SolveReport& report);
   /// Λ ← 0 where that is nearer than the start.
   void chooseStart(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// The larger of E_f and E_u by the packed contacts.

@@ -74,11 +74,12 @@ void ProxSolver::declareOrder(Attributes& a) {
            "symmetric: every sweep to and fro, counted as two");
 }
 
-SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
+SolveReport ProxSolver::solve(const InclusionProblem& problem, double tolerance, int most,
+                              Vec Lambda) {
   SolveReport report;
   if (problem.rows() == 0) return report;
   report.residuals = residuals(problem, view(Lambda), scratch_);
-  if (report.residuals.largest() <= acceptedStart(problem, options_.tolerance)) {
+  if (report.residuals.largest() <= acceptedStart(problem, tolerance)) {
     report.warmAccepted = true;
     return report;
   }
@@ -96,7 +97,7 @@ SolveReport ProxSolver::solve(const InclusionProblem& problem, Vec Lambda) {
     for (std::size_t k = 0; k < rows; ++k) weights_[k] = r_[k] > 0.0 ? 1.0 / r_[k] : 1.0;
     anderson_.begin(options_.anderson, weights_.data(), problem.rows());
   }
-  iterate(problem, Lambda, report);
+  iterate(problem, tolerance, most, Lambda, report);
   return report;
 }
 
@@ -105,7 +106,8 @@ void ProxSolver::goBack(const InclusionProblem& problem, Vec Lambda) {
   problem.G->begin(Lambda.data());
 }
 
-void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report) {
+void ProxSolver::iterate(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
+                         SolveReport& report) {
   const int passes = options_.symmetric ? 2 : 1;
   double first = -1.0, mark = report.residuals.largest(), part = kPart;
   Residuals best = report.residuals;
@@ -114,7 +116,7 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
   report.status = SolveStatus::maxIterations;
   problem.G->begin(Lambda.data());
   momentum_.begin(options_.anderson > 0 ? 0.0 : options_.momentum);
-  for (bool fresh = true; report.iterations < options_.maxIterations; fresh = false) {
+  for (bool fresh = true; report.iterations < most; fresh = false) {
     if (!fresh && options_.anderson > 0) {
       anderson_.next(before_.data(), Lambda.data(), Lambda.data());
       problem.G->begin(Lambda.data());
@@ -135,8 +137,8 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
     // The change alone would flatter a creeping iteration: it only says when the full test is worth
     // its price.
     const bool enough = problem.rule && problem.rule->enough();
-    const bool last = lost || enough || report.iterations >= options_.maxIterations;
-    if (part * d > options_.tolerance && report.iterations < nextTest && !last) continue;
+    const bool last = lost || enough || report.iterations >= most;
+    if (part * d > tolerance && report.iterations < nextTest && !last) continue;
     const Residuals now = residuals(problem, view(Lambda), scratch_);
     if (d > 0.0) part = std::max(kPart, now.largest() / d);
     if (now.largest() < best.largest()) {
@@ -145,8 +147,8 @@ void ProxSolver::iterate(const InclusionProblem& problem, Vec Lambda, SolveRepor
     } else {
       momentum_.halve();
     }
-    if (now.largest() <= options_.tolerance) report.status = SolveStatus::solved;
-    if (now.largest() <= options_.tolerance || lost || enough) break;
+    if (now.largest() <= tolerance) report.status = SolveStatus::solved;
+    if (now.largest() <= tolerance || lost || enough) break;
     if (best.largest() <= kProgress * mark) mark = best.largest(), marked = report.iterations;
     if (report.iterations - marked > std::max(kPatience * passes, report.iterations / 2)) {
       if (momentum_.end()) {

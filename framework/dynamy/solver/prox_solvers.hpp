@@ -30,7 +30,11 @@ class ProxSolver : public InclusionSolver {
   ProxSolver(const Parameters& x, Relaxation defaultRule);
   static void declareCommon(Attributes& a, const char* defaultRule, double momentum = 0.0);
   static void declareOrder(Attributes& a);
-  SolveReport solve(const InclusionProblem& problem, Vec Lambda) final;
+  SolveReport solve(const InclusionProblem& problem, Vec Lambda) final {
+    return solve(problem, options_.tolerance, options_.maxIterations, Lambda);
+  }
+  /// The same with a tolerance and a bound on sweeps of its own.
+  SolveReport solve(const InclusionProblem& problem, double tolerance, int most, Vec Lambda);
   const ProxOptions& options() const { return options_; }
   /// One sweep over all contacts; r of relaxation(), one a row. Gauss–Seidel wants begin() of the
   /// problem's G before the first one.
@@ -42,7 +46,8 @@ class ProxSolver : public InclusionSolver {
 
  private:
   /// Sweeps until the tolerance is met; Λ is the best one that was tested.
-  void iterate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
+  void iterate(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
+               SolveReport& report);
   /// Λ of the best test, for the next sweep.
   void goBack(const InclusionProblem& problem, Vec Lambda);
 

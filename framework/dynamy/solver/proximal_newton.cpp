@@ -260,7 +260,7 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   }
   const auto left = [&] {
     report.status = SolveStatus::maxIterations;
-    return limits.maxIterations == 0 ? report : finish(p, Lambda, report);
+    return limits.maxIterations == 0 ? report : finish(p, limits.maxIterations, Lambda, report);
   };
   if (!blocks && !block_.prepare(p)) return left();
   if (good) {
@@ -292,14 +292,15 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   report.note(report.method, before);
   if (report.ok() || (p.rule && p.rule->enough())) return report;
-  return finish(p, Lambda, report);
+  return finish(p, limits.maxIterations, Lambda, report);
 }
 
-SolveReport ProximalNewton::finish(const InclusionProblem& p, Vec Lambda, SolveReport report) {
+SolveReport ProximalNewton::finish(const InclusionProblem& p, int most, Vec Lambda,
+                                   SolveReport report) {
   // Sweeps may lose what Newton's method has gained: the better one is kept.
   best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   const Residuals reached = report.residuals;
-  const SolveReport last = fallback_.solve(p, Lambda);
+  const SolveReport last = fallback_.solve(p, options_.tolerance, most, Lambda);
   report.iterations += last.iterations;
   // Sweeps that gain nothing are no matter of patience.
   const bool gained = last.residuals.largest() < 0.5 * reached.largest();

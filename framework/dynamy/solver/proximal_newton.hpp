@@ -59,7 +59,7 @@ class ProximalNewton final : public InclusionSolver {
   bool step(const InclusionProblem& problem, double a);
   /// One outer step for a start that fulfils the tolerance; kept only if it is better.
   SolveReport improve(const InclusionProblem& problem, Vec Lambda, SolveReport report);
-  SolveReport finish(const InclusionProblem& problem, Vec Lambda, SolveReport report);
+  SolveReport finish(const InclusionProblem& problem, int most, Vec Lambda, SolveReport report);
 
   ProximalNewtonOptions options_;
   ProxGaussSeidel starter_, fallback_;

@@ -4,9 +4,6 @@
 namespace dynamy {
 namespace {
 
-/// So many contacts, and three of four, have to be aside: then the reach of one fast body covers what
-/// it does not meet. In a heap most gaps within reach are soon asked.
-constexpr int kFew = 36;
 /// Part of g/Δt that counts as rounding.
 constexpr double kRounding = 1e-14;
 
@@ -14,7 +11,7 @@ constexpr double kRounding = 1e-14;
 
 bool ClosingContacts::reduce(ContactSet& c, ConstVec uFree, double dt, double gTol,
                              const RememberedImpulses& pressed) {
-  if (aside_ > 0 || c.size() < kFew || !c.bias.empty()) return false;
+  if (aside_ > 0 || !worthLeavingOut(c.size(), c.size()) || !c.bias.empty()) return false;
   asks_.assign(static_cast<std::size_t>(c.size()), 1);
   bool known = false;
   for (int i = 0; i < c.size(); ++i) {
@@ -31,7 +28,7 @@ bool ClosingContacts::reduce(ContactSet& c, ConstVec uFree, double dt, double gT
             0.0;
     if (!pressing) asks_[at] = 0, ++aside_;
   }
-  if (aside_ < kFew || 4 * aside_ < 3 * c.size()) {
+  if (!worthLeavingOut(aside_, c.size())) {
     aside_ = 0;
     return false;
   }

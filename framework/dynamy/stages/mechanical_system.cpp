@@ -62,6 +62,17 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, int slot, double re
   return e;
 }
 
+const Evaluation& MechanicalSystem::evaluateOf(std::span<const char> elements, const State& x,
+                                               int slot) {
+  Evaluation& e = slots_[static_cast<std::size_t>(slot)];
+  smooth(x, e);
+  if (slot == 0) unresolved_ = false, forgetAside();
+  e.contacts.clear();
+  ContactSink sink(e.contacts, request_);
+  reportContacts(parts_, e.kinematics, sink, elements);
+  return e;
+}
+
 const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int slot) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   smooth(x, e);
@@ -137,10 +148,11 @@ void MechanicalSystem::detect(double reach, Evaluation& e) const {
   reportContacts(parts_, e.kinematics, sink);
 }
 
-void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& sink) {
+void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& sink,
+                    std::span<const char> only) {
   for (std::size_t i = 0; i < parts.contacts.size(); ++i) {
     const NonSmoothElement& element = *parts.contacts[i];
-    if (parts.topology->leftOut(element)) continue;
+    if (parts.topology->leftOut(element) || (!only.empty() && only[i] == 0)) continue;
     sink.element(static_cast<int>(i));
     named(element, [&] { element.contacts(k, sink); });
   }

@@ -32,7 +32,9 @@ struct SystemParts {
 };
 
 /// Contacts of all elements, less those between systems that are left out.
-void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& sink);
+/// `only`: of the elements with a 1, by their index; empty: of all.
+void reportContacts(const SystemParts& parts, const Kinematics& k, ContactSink& sink,
+                    std::span<const char> only = {});
 
 /// Aims γ^E at positions instead of velocities. Unilateral: the gap term g/Δt, for g > dead; an
 /// impact waits until the contact is closed; joints: γ^E + γ^A = 0, the mean velocity of the step,
@@ -56,11 +58,14 @@ class MechanicalSystem {
   void move(State& x, const Eigen::VectorXd& v, double dt) const;
   /// M, h and the contacts with g ≤ g_tol + reach, at (x.t, x.q, x.u), into slot `slot`.
   const Evaluation& evaluate(const State& x, int slot = 0, double reach = 0.0);
-  /// The same with the contacts that may close within Δt: reach is twice the way that the fastest
+  /// M, h and the closed contacts of the elements with a 1, by their index: nothing is searched for
+  /// the others.
+  const Evaluation& evaluateOf(std::span<const char> elements, const State& x, int slot);
+  /// The same as evaluate() with the contacts that may close within Δt: reach is twice the way that the fastest
   /// block goes with |u| + Δt|M⁻¹h|, angles as lengths.
   const Evaluation& evaluateAhead(const State& x, double dt, int slot = 0);
   /// The same into slot 0; forces with derivatives that the step does not resolve
-  /// (StiffPart::addUnresolved) are taken at its end, in the reach and in the next impactProblem, by
+  /// (UnresolvedForces) are taken at its end, in the reach and in the next impactProblem, by
   /// the implicit Euler rule: what oscillates faster than steps can follow comes to rest instead of
   /// growing. Where there are some, forces that declare themselves stiff have the weights `declared`.
   const Evaluation& evaluateDamped(const State& x, double dt, const ImplicitWeights& declared);

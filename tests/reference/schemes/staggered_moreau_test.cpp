@@ -226,8 +226,8 @@ TEST(Projection, KeepsTheJointsOfAnyScheme) {
 
 /// Balls of 0.1 m and 1 kg without weight: one that flies along x at 1000 m/s, two in a row before
 /// it, 10 and 5 mm apart, and 60 at rest elsewhere, 15 mm apart: within its reach in 18 µs.
-std::string fastBall() {
-  std::string out = "<systems>";
+std::string fastBall(const std::string& systems = "", const std::string& elements = "") {
+  std::string out = "<systems>" + systems;
   const auto ball = [&](const std::string& name, double x, double y, const char* velocity) {
     out += "<RigidBody name=\"" + name + "\" position=\"" + std::to_string(x) + ' ' +
            std::to_string(y) + " 0\" velocity=\"" + velocity +
@@ -238,7 +238,8 @@ std::string fastBall() {
     ball("rest" + std::to_string(i), 0.215 * (i % 10), 1.0 + 0.215 * (i / 10), "0 0 0");
   return out +
          "<Ground name=\"world\"/></systems><elements><Contact between=\"steel steel\">"
-         "<Unilateral/></Contact></elements>";
+         "<Unilateral/></Contact>" +
+         elements + "</elements>";
 }
 
 TEST(StaggeredMoreau, AsksOnlyContactsThatSomethingCloses) {
@@ -250,6 +251,22 @@ TEST(StaggeredMoreau, AsksOnlyContactsThatSomethingCloses) {
   const double a = scene.q("a")[0], b = scene.q("b")[0], c = scene.q("c")[0];
   EXPECT_GE(b - a, 0.2 - 1e-12);  // rounding of positions of 1 m, some times over
   EXPECT_GE(c - b, 0.2 - 1e-12);
+  EXPECT_GT(scene.u("c")[0], 1.0);
+  EXPECT_NEAR(scene.u("a")[0] + scene.u("b")[0] + scene.u("c")[0], 1000.0, 1e-9);
+  EXPECT_EQ(scene.u("rest7").norm(), 0.0);
+}
+
+TEST(EnergyMomentum, LeavesNoContactOutThatCloses) {
+  // The same beside a pendulum: contacts are condensed onto the equations of joints.
+  Scene scene("fast",
+              {.text = withScheme(
+                   fastBall("<RigidBody name=\"bob\" position=\"0 0 5\"><Sphere radius=\"0.1\" "
+                            "mass=\"1\"/></RigidBody>",
+                            "<Spherical between=\"world bob\" at=\"0 0 6\"/>"),
+                   "<EnergyMomentum/>")});
+  EXPECT_TRUE(scene.step(1.8e-5).solved.ok());
+  EXPECT_GE(scene.q("b")[0] - scene.q("a")[0], 0.2 - 1e-12);  // rounding, as above
+  EXPECT_GE(scene.q("c")[0] - scene.q("b")[0], 0.2 - 1e-12);
   EXPECT_GT(scene.u("c")[0], 1.0);
   EXPECT_NEAR(scene.u("a")[0] + scene.u("b")[0] + scene.u("c")[0], 1000.0, 1e-9);
   EXPECT_EQ(scene.u("rest7").norm(), 0.0);

@@ -11,9 +11,6 @@ namespace {
 /// Slip of less than so many times its rounding does not count as driven.
 constexpr double kDriving = 1e3;
 
-/// Contacts that stay out have to be so many at least, and three of four (see ClosingContacts).
-constexpr int kFew = 36;
-
 /// Column of contact i's row r, as nu numbers.
 void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
   w.setZero();
@@ -87,12 +84,12 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, const
   }
   const ContactSet& all = s.slot(0).contacts;
   contacts_.clear();
-  few_ = all.size() < kFew;
+  few_ = !worthLeavingOut(all.size(), all.size());
   if (!few_) {
     uE_ = 2.0 * v - xA.u;
     int aside = 0;
     for (int i = 0; i < all.size(); ++i) aside += asks(s, i) ? 0 : 1;
-    few_ = aside < kFew || 4 * aside < 3 * all.size();
+    few_ = !worthLeavingOut(aside, all.size());
   }
   for (int i = 0; i < all.size(); ++i) {
     const SetValuedForceLaw& law = *all.law[static_cast<std::size_t>(i)];
@@ -148,9 +145,52 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
         problem_.gammaFree[r] += problem_.gammaA[r];
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }
-  problem_.uRef = uRef, problem_.warmStart = 1.0;
+  problem_.uRef = uRef, problem_.warmStart = 1.0, problem_.retried = true;
   for (double& noise : problem_.cNoise)
     noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
+}
+
+/// G from the responses to all rows; its part of what old_ has done already leaves γ_free.
+BlockRows CondensedContacts::condensed(const JointNewton& newton) {
+  BlockRows G = delassus_.release();
+  G.clear();
+  for (int i = 0; i < contacts_.size(); ++i) {
+    for (int j = 0; j < contacts_.size(); ++j) {
+      const auto value0 = static_cast<std::ptrdiff_t>(G.value.size());
+      for (int r = 0; r < contacts_.dim(i); ++r)
+        for (int m = 0; m < contacts_.dim(j); ++m) {
+          const int row = contacts_.row0[static_cast<std::size_t>(i)] + r,
+                    other = contacts_.row0[static_cast<std::size_t>(j)] + m;
+          const double value =
+              2.0 * along(newton, response_[static_cast<std::size_t>(other)], i, r);
+          G.value.push_back(value);
+          problem_.gammaFree[static_cast<std::size_t>(row)] -=
+              value * old_[static_cast<std::size_t>(other)];
+        }
+      // Contacts of bodies that no chain of joints connects do not feel each other.
+      const auto first = G.value.begin() + value0;
+      if (i != j && std::all_of(first, G.value.end(), [](double x) { return x == 0.0; })) {
+        G.value.erase(first, G.value.end());
+        continue;
+      }
+      G.column.push_back(j), G.value0.push_back(value0);
+    }
+    G.first.push_back(static_cast<int>(G.column.size()));
+  }
+  return G;
+}
+
+/// Row r of contact i along the velocities of a response.
+double CondensedContacts::along(const JointNewton& newton, const std::vector<double>& response,
+                                int i, int r) const {
+  const auto at = static_cast<std::size_t>(i);
+  double sum = 0.0;
+  for (int k = contacts_.segment0[at]; k < contacts_.segment0[at + 1]; ++k) {
+    const Segment& s = contacts_.segment[static_cast<std::size_t>(k)];
+    sum += newton.velocityPart(response, s.block,
+                               contacts_.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu);
+  }
+  return sum;
 }
 
 SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
@@ -169,28 +209,8 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
           w_.data(),
           response_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)]);
     }
-  BlockRows G;
-  G.clear();
   old_ = Lambda_;
-  for (int i = 0; i < contacts_.size(); ++i) {
-    for (int j = 0; j < contacts_.size(); ++j) {
-      G.column.push_back(j);
-      G.value0.push_back(static_cast<std::ptrdiff_t>(G.value.size()));
-      for (int r = 0; r < contacts_.dim(i); ++r) {
-        column(contacts_, i, r, w_);
-        const auto row = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r);
-        for (int m = 0; m < contacts_.dim(j); ++m) {
-          const auto other =
-              static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(j)] + m);
-          const double value = 2.0 * newton.velocityPart(response_[other], w_.data());
-          G.value.push_back(value);
-          problem_.gammaFree[row] -= value * old_[other];
-        }
-      }
-    }
-    G.first.push_back(static_cast<int>(G.column.size()));
-  }
-  delassus_.given(contacts_, std::move(G));
+  delassus_.given(contacts_, condensed(newton));
   pose(s);
   const SolveReport report =
       s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});

@@ -40,6 +40,8 @@ class CondensedContacts {
   /// that is to rebound waits until a step begins with it closed: there it is an impact.
   double aim(int i, double gTol) const;
   void pose(const MechanicalSystem& s);
+  BlockRows condensed(const JointNewton& newton);
+  double along(const JointNewton& newton, const std::vector<double>& response, int i, int r) const;
   bool asks(const MechanicalSystem& s, int i) const;
   double start(ContactKey key, int row) const;
   ContactSet contacts_;

@@ -39,6 +39,8 @@ bool JointNewton::begin(MechanicalSystem& s, const State& x, double dt) {
   bool same = !blockNu_.empty() && !coupled && keys_.size() == joints_.size();
   for (std::size_t k = 0; same && k < joints_.size(); ++k) same = keys_[k] == c.key[joints_[k]];
   if (!same) connect(s, c);
+  elements_.assign(s.parts().contacts.size(), 0);
+  for (const int i : joints_) elements_[c.element[i]] = 1;
   for (std::size_t k = 0; k < joints_.size(); ++k)
     for (int r = 0; r < c.dim(joints_[k]); ++r)
       gA_[jointRow_[k] + r] = c.position[c.row0[joints_[k]] + r];
@@ -175,7 +177,8 @@ void JointNewton::jointForces(const Evaluation& e, Eigen::VectorXd& out) {
   }
 }
 
-void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse) {
+void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
+                           Search search) {
   const Eigen::Index nu = v.size();
   momentum_.resize(nu), force_.resize(nu), uE_.resize(nu), Rv_.resize(nu);
   midpoint.t = end.t = xA_->t;
@@ -183,8 +186,9 @@ void JointNewton::residual(MechanicalSystem& s, const Eigen::VectorXd& contactIm
   midpoint.memory = end.memory = xA_->memory;
   s.move(midpoint, v, 0.5 * dt_), s.move(end, v, dt_);
   midpoint.u = v, end.u = 2.0 * v - xA_->u;
-  const Evaluation& e = s.evaluateAhead(midpoint, dt_, 0);
-  const ContactSet& atEnd = s.evaluate(end, 1).contacts;
+  const Evaluation& e = search == Search::all ? s.evaluateAhead(midpoint, dt_, 0)
+                                              : s.evaluateOf(elements_, midpoint, 0);
+  const ContactSet& atEnd = s.evaluateOf(elements_, end, 1).contacts;
   findJoints(e.contacts, joints_), findJoints(atEnd, endJoints_);
   for (std::size_t k = 0; k < endJoints_.size(); ++k)
     for (int r = 0; r < atEnd.dim(endJoints_[k]); ++r) {
@@ -315,7 +319,7 @@ void JointNewton::differences(MechanicalSystem& s, const Eigen::VectorXd& contac
       for (std::size_t b = 0; b < colour_.size(); ++b)
         if (colour_[b] == colour && j < blockNu_[b]) v[blockU0_[b] + j] += d, any = true;
       if (!any) continue;
-      residual(s, contactImpulse);
+      residual(s, contactImpulse, Search::joints);
       for (std::size_t b = 0; b < colour_.size(); ++b)
         if (colour_[b] == colour && j < blockNu_[b]) addColumn(static_cast<int>(b), j, force0_, d);
       v = base_;
@@ -379,11 +383,11 @@ void JointNewton::add(const std::vector<double>& response, double factor) {
         dv[blockU0_[n.index] + j] += factor * response[n.first + j];
 }
 
-double JointNewton::velocityPart(const std::vector<double>& response, const double* w) const {
+double JointNewton::velocityPart(const std::vector<double>& response, int block,
+                                 const double* w) const {
+  const double* part = response.data() + nodes_[blockNode_[block]].first;
   double sum = 0.0;
-  for (const Node& n : nodes_)
-    for (int j = 0; !n.joint && j < blockNu_[n.index]; ++j)
-      sum += w[blockU0_[n.index] + j] * response[n.first + j];
+  for (int j = 0; j < blockNu_[block]; ++j) sum += w[j] * part[j];
   return sum;
 }
 

@@ -2,7 +2,7 @@
 /// Newton's iteration on them.
 ///
 ///   q^M = q^A ⊕ Δt/2 v,   q^E = q^A ⊕ Δt v,   u^E = 2v − u^A
-///   R_v = 2M(v − u^A) − Δt h(q^M, v) − W̃ Λ − W_c Λ_c = 0
+///   R_v = 2M(v − u^A) − Δt (h(q^M, v) + h_d(v)) − W̃ Λ − W_c Λ_c = 0      h_d: DampedForces
 ///   R_g = g_J(q^E)/Δt = 0
 ///   W̃ = W − M v ω/(vᵀMv),   ω = Wᵀv + χ − (g(q^E) − g(q^A))/Δt    per joint, over its bodies
 ///
@@ -31,8 +31,11 @@ class JointNewton {
   bool begin(MechanicalSystem& s, const State& x, double dt);
   /// Ends the step: forces are no longer withheld, and h of slot 0 is what the step used.
   void finish(MechanicalSystem& s);
-  /// Evaluates R at v, Λ and the impulses of contacts, W_c Λ_c, nu numbers.
-  void residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
+  enum class Search { all, joints };
+  /// Evaluates R at v, Λ and the impulses of contacts, W_c Λ_c, nu numbers. Slot 0 then has all
+  /// contacts, or joints alone.
+  void residual(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
+                Search search = Search::all);
   /// How K is found: in closed form where all bodies and joints offer it, else by differences.
   enum class Tangent { closedForm, differences };
   /// K at the last residual; false: singular.
@@ -52,8 +55,8 @@ class JointNewton {
   void solve(double* x) const { K_.solve(x); }
   /// (dv, dΛ) += factor · response.
   void add(const std::vector<double>& response, double factor);
-  /// w·v of a response.
-  double velocityPart(const std::vector<double>& response, const double* w) const;
+  /// w·v of a response in one mass block; w: nu numbers of that block.
+  double velocityPart(const std::vector<double>& response, int block, const double* w) const;
   /// v += dv, Λ += dΛ.
   void take();
 
@@ -84,6 +87,7 @@ class JointNewton {
   const State* xA_ = nullptr;
   double dt_ = 0.0;
   std::vector<int> joints_, endJoints_;
+  std::vector<char> elements_;  // 1: has joints
   std::vector<ContactKey> keys_;
   std::vector<Node> nodes_;
   std::vector<int> blockNode_, jointNode_, jointRow_, colour_, blockU0_, blockNu_;

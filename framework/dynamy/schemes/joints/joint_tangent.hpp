@@ -7,8 +7,9 @@
 ///   ∂R_g/∂v_b      W_E,bᵀ T_E
 ///
 /// and the quotient's own terms of W̃Λ = WΛ − p/s Mv, p = vᵀWΛ + (χ − Δg/Δt)ᵀΛ, s = vᵀMv. Forces of
-/// ExternalForce elements count as constant: those that change much within a step are to declare
-/// themselves stiff, then differences are taken. All matrices are filled up to six by zeros.
+/// ExternalForce elements count as constant: those that the step does not resolve are no part of h
+/// (DampedForces); where others change so much that Newton's iteration is slow, differences are
+/// taken. All matrices are filled up to six by zeros.
 #pragma once
 #include <dynamy/stages/mechanical_system.hpp>
 

@@ -24,6 +24,9 @@ struct InclusionProblem {
   /// is exact to rounding (kExactStart), because nobody corrects the velocities it leaves. Schemes
   /// that correct them in the next step by the gap may ask for less.
   double warmStart = 0.0;
+  /// True: where this is not solved, who poses it tries again with a shorter step, which is worth
+  /// more than long searches: they find a solution of one in some thousand.
+  bool retried = false;
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;
   Workers* workers = nullptr;  ///< null: the caller's thread alone
