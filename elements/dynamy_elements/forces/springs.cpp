@@ -9,7 +9,9 @@ namespace {
 
 void declareStiff(Attributes& a) {
   a.add(AttributeType::flag, "stiff", "false",
-        "true: taken linearly implicitly by the schemes, for steps beyond the spring's period");
+        "true: taken linearly implicitly by the schemes, which keeps its energy where steps are "
+        "beyond "
+        "its period; else such a spring is found, and damped");
 }
 bool isStiff(const Parameters& x) { return x["stiff"].flag(); }
 

@@ -13,7 +13,9 @@ CoordinateForce::CoordinateForce(const Parameters& x)
 void CoordinateForce::declareForce(Attributes& a) {
   JointCoordinate::declare(a);
   a.add(AttributeType::flag, "stiff", "false",
-        "true: taken linearly implicitly by the schemes, for steps beyond its period");
+        "true: taken linearly implicitly by the schemes, which keeps its energy where steps are "
+        "beyond "
+        "its period; else it is found, and damped");
 }
 
 void CoordinateForce::addTo(const Kinematics& k, ForceSink& sink) const {

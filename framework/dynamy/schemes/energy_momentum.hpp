@@ -1,15 +1,15 @@
 /// Energy-conserving midpoint for joints, with staggered contacts (theory 34.4):
 ///
 ///   q^M = q^A ⊕ Δt/2 v,  q^E = q^A ⊕ Δt v,  u^E = 2v − u^A
-///   2M(v − u^A) − Δt h(q^M, v) − W̃ Λ_J − W Λ_c = 0
+///   2M(v − u^A) − Δt (h(q^M, v) + h_d(v)) − W̃ Λ_J − W Λ_c = 0
 ///   g_J(q^E) = 0                        joints at position level, W̃ their discrete gradient
 ///   ξ = γ^E + ε γ^A + s,  −ξ ∈ N_C(Λ_c)    contacts at q^M, s = g^M/Δt as in StaggeredMoreau
 ///
 /// Solved by Newton's method with the full tangent, in halves of the step where that fails. Joints
 /// then do no work at any Δt and hold to rounding; forces that are linear in q do exactly the work
-/// they should. Without joints the step is that of StaggeredMoreau. RATTLE and joints at velocity
-/// level were rejected: with a heavy mass at the end of a light chain they explode at steps at
-/// which this one keeps the energy.
+/// they should; those that the step does not resolve, h_d, are damped (DampedForces). Without
+/// joints the step is that of StaggeredMoreau. RATTLE and joints at velocity level were rejected:
+/// with a heavy mass at the end of a light chain they explode where this one keeps the energy.
 #pragma once
 #include <dynamy/schemes/joints/condensed_contacts.hpp>
 #include <dynamy/schemes/staggered_moreau.hpp>

@@ -8,7 +8,8 @@
 ///   q^E = q^M ⊕ Δt/2 u^E,   joints projected
 ///
 /// h at q^M and u^A, gyroscopic terms of free bodies at the mean velocity of their free motion: at
-/// u^A they would drive a spinning body.
+/// u^A they would drive a spinning body. Forces that the step does not resolve (UnresolvedForces)
+/// are taken at its end: M̂ = M − Δt D − Δt² K stands for M, and they are damped.
 ///
 /// Where the solver stops at a residual above 1e-4 (many contacts at a bounded cost), x.scheme holds
 /// the places of the contacts, and the next step is rough: it lifts nothing and closes nothing

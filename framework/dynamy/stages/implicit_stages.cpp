@@ -46,11 +46,9 @@ const Evaluation& MechanicalSystem::evaluateDamped(const State& x, double dt,
                                                    const ImplicitWeights& declared) {
   Evaluation& e = slots_.front();
   smooth(x, e);
-  unresolved_ = false, forgetAside();
-  if (!parts_.forces.empty()) {
-    stiff_.evaluate(*parts_.topology, parts_.forces, e.kinematics, x);
-    unresolved_ = stiff_.addUnresolved(parts_.forces, e.kinematics, e.mass, dt);
-  }
+  forgetAside();
+  unresolved_ =
+      stiff_.evaluateUnresolved(*parts_.topology, parts_.forces, e.kinematics, x, e.mass, dt);
   damped_ = unresolved_ ? stiff_.unresolved() : 0;
   if (unresolved_) {
     stiff_.factor(e.mass, dt, declared);

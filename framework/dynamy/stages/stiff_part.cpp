@@ -67,9 +67,12 @@ void StiffPart::mapBlocks(const MassMatrix& mass) {
     for (int j = 0; j < mass.nu(b); ++j) blockOf_[static_cast<std::size_t>(mass.u0(b) + j)] = b;
 }
 
-bool StiffPart::addUnresolved(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
-                              const MassMatrix& mass, double dt) {
+bool StiffPart::evaluateUnresolved(const Topology& topology,
+                                   const std::vector<const ExternalForce*>& forces,
+                                   const Kinematics& k, const State& x, const MassMatrix& mass,
+                                   double dt) {
   if (!found_.find(forces, k, mass, dt)) return false;
+  evaluate(topology, forces, k, x);
   entries_.insert(entries_.end(), found_.entries().begin(), found_.entries().end());
   return true;
 }
@@ -233,6 +236,18 @@ void StiffPart::respond(const ContactSet& contacts, const MassMatrix& mass, int 
   }
 }
 
+/// force_ and column_ are zero again.
+void StiffPart::clearResponse(const ContactSet& contacts, int j) {
+  const auto at = static_cast<std::size_t>(j);
+  for (int k = contacts.segment0[at]; k < contacts.segment0[at + 1]; ++k) {
+    const Segment& s = contacts.segment[static_cast<std::size_t>(k)];
+    force_.segment(s.u0, s.nu).setZero(), column_.segment(s.u0, s.nu).setZero();
+    const int g = group_[static_cast<std::size_t>(s.block)];
+    if (g < 0) continue;
+    for (const int u : groups_[static_cast<std::size_t>(g)].u) column_[u] = 0.0;
+  }
+}
+
 void StiffPart::delassus(const ContactSet& contacts, const MassMatrix& mass, Delassus& delassus) {
   const int n = contacts.size();
   neighbours(contacts, mass.blocks());
@@ -260,7 +275,7 @@ void StiffPart::delassus(const ContactSet& contacts, const MassMatrix& mass, Del
         for (int r = 0; r < contacts.dim(i); ++r)
           value[r * contacts.dim(j) + c] = along(contacts, i, r, column_);
       }
-      force_.setZero(), column_.setZero();
+      clearResponse(contacts, j);
     }
     for (const int i : near) ++filled_[static_cast<std::size_t>(i)];
   }

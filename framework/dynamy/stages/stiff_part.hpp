@@ -35,10 +35,11 @@ class StiffPart {
   /// K and D at x, whose frames are in `k`.
   void evaluate(const Topology& topology, const std::vector<const ExternalForce*>& forces,
                 const Kinematics& k, const State& x);
-  /// After evaluate(): adds the forces that a step Δt does not resolve. False: none.
-  bool addUnresolved(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
-                     const MassMatrix& mass, double dt);
-  /// Number of the forces added last.
+  /// Finds the forces that a step Δt does not resolve. If there are some, K and D at x are theirs
+  /// and those of who is stiff; false: none, and nothing is evaluated.
+  bool evaluateUnresolved(const Topology& topology, const std::vector<const ExternalForce*>& forces,
+                          const Kinematics& k, const State& x, const MassMatrix& mass, double dt);
+  /// Number of the forces found last.
   int unresolved() const {
     return static_cast<int>(std::count(found_.taken().begin(), found_.taken().end(), 1));
   }
@@ -73,6 +74,7 @@ class StiffPart {
   void solveGroup(const Group& g, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
   void neighbours(const ContactSet& contacts, int blocks);
   void respond(const ContactSet& contacts, const MassMatrix& mass, int j, int row);
+  void clearResponse(const ContactSet& contacts, int j);
   const ImplicitWeights& weightsOf(std::size_t entry) const {
     return entry < declared_ ? weights_ : unresolved_;
   }

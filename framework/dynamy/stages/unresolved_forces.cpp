@@ -3,6 +3,8 @@
 namespace dynamy {
 namespace {
 
+/// Shares of what explicit rules bear: of all forces of a block (why one half: see the header), and
+/// of one force, below which it is a soft one beside fast ones.
 constexpr double kUnresolved = 0.5, kOwnShare = 0.05;
 
 }  // namespace

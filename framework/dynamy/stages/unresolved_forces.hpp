@@ -4,8 +4,12 @@
 ///
 ///   tr_b(−M⁻¹(Δt² K/4 + Δt D/2)),   K = ∂h/∂q F,  D = ∂h/∂u,
 ///
-/// ω²Δt²/4 of one spring, and a bound for several. Beyond one half a force is unresolved, if its own
-/// part is beyond a twentieth: schemes take it at the end of the step, by the implicit Euler rule.
+/// ω²Δt²/4 of one spring to the ground, and at least the largest one of several. What joins two
+/// blocks counts in both: (x_a − x_b)² ≤ 2 (x_a² + x_b²), so that the whole is at most twice the
+/// largest share of a block. Up to one half explicit rules are stable for certain; beyond, a force
+/// is unresolved, if its own part is beyond a twentieth: schemes take it at the end of the step, by
+/// the implicit Euler rule. ωΔt is then beyond 1.4 of a spring to the ground, beyond 2 of one
+/// between two equal bodies.
 /// Rejected: the largest eigenvalue of all forces together, which would say so of soft ones, too.
 #pragma once
 #include <dynamy/system/external_force.hpp>

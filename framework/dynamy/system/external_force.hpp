@@ -45,7 +45,8 @@ class ExternalForce : public Element {
   virtual double potentialEnergy(const Kinematics&) const { return 0.0; }
   /// True: the force is stiff, schemes take it linearly implicitly from addStiffness.
   virtual bool stiff() const { return false; }
-  /// Derivatives of what addTo adds, at the same kinematics. Called only if stiff().
+  /// Derivatives of what addTo adds, at the same kinematics. Worth giving in any case: by them
+  /// schemes know a force that changes faster than their steps follow, and damp it.
   virtual void addStiffness(const Kinematics&, StiffnessSink&) const {}
 };
 

@@ -1,4 +1,5 @@
-/// StiffnessSink: where elements that declare themselves stiff put the derivatives of their forces,
+/// StiffnessSink: where elements put the derivatives of their forces, for schemes that take them
+/// implicitly: of those that declare themselves stiff, and of those a step does not resolve,
 ///
 ///   ∂h/∂q F = −Σ c w wᵀ,   ∂h/∂u = −Σ d w wᵀ,
 ///
