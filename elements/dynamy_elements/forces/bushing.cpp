@@ -39,8 +39,7 @@ void Bushing::declare(Attributes& a) {
   readDiagonal(a, "turnDamping", Unit::rotationalDamping, "damping about the axes of A");
   a.add(AttributeType::flag, "stiff", "false",
         "true: taken linearly implicitly by the schemes, which keeps its energy where steps are "
-        "beyond "
-        "its periods; else it is found, and damped");
+        "beyond its periods; else it is found, and damped");
   a.example(
       "<Bushing between=\"world rod\" stiffness=\"1e4 1e4 5e3\" turnStiffness=\"50 50 20\"/>");
 }

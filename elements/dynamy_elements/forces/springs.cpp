@@ -10,8 +10,7 @@ namespace {
 void declareStiff(Attributes& a) {
   a.add(AttributeType::flag, "stiff", "false",
         "true: taken linearly implicitly by the schemes, which keeps its energy where steps are "
-        "beyond "
-        "its period; else such a spring is found, and damped");
+        "beyond its period; else such a spring is found, and damped");
 }
 bool isStiff(const Parameters& x) { return x["stiff"].flag(); }
 

@@ -14,8 +14,7 @@ void CoordinateForce::declareForce(Attributes& a) {
   JointCoordinate::declare(a);
   a.add(AttributeType::flag, "stiff", "false",
         "true: taken linearly implicitly by the schemes, which keeps its energy where steps are "
-        "beyond "
-        "its period; else it is found, and damped");
+        "beyond its period; else it is found, and damped");
 }
 
 void CoordinateForce::addTo(const Kinematics& k, ForceSink& sink) const {

@@ -130,9 +130,10 @@ inline bool tellsOverlap(double f, double loose, std::span<const NumberedContact
 }
 
 /// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved
-/// into one plane along that face (those across it stay); where there are three and more, so that their gaps tell how far
-/// the two faces can be tilted, all slide along it. Normals, gaps and γ_N stay. Otherwise sticking
-/// contacts contradict each other by the tilt, and every contact has to slide by almost nothing.
+/// into one plane along that face (those across it stay); where there are three and more, so that
+/// their gaps tell how far the two faces can be tilted, all slide along it. Normals, gaps and γ_N
+/// stay. Otherwise sticking contacts contradict each other by the tilt, and every contact has to
+/// slide by almost nothing.
 /// `faceAlong(n, t)`: makes of n the normal of A's face along n, and a direction t in it.
 template <class FaceAlong>
 void closeTogetherOn(const Frame& A, double reach, bool rates, std::span<NumberedContact> contacts,

@@ -25,7 +25,7 @@ struct InclusionProblem {
   /// that correct them in the next step by the gap may ask for less.
   double warmStart = 0.0;
   /// True: where this is not solved, who poses it tries again with a shorter step, which is worth
-  /// more than long searches: they find a solution of one in some thousand.
+  /// more than long searches: they find a solution of one in a thousand.
   bool retried = false;
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;
