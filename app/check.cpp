@@ -101,7 +101,7 @@ void requireFinite(const Model& model, const std::string& what, const Eigen::Vec
   }
 }
 
-Sizes sizesOf(Model& model) {
+Sizes measured(Model& model) {
   const auto velocities = [](const SystemHandle& h) { return std::pair(h.u0, h.nu); };
   Sizes s;
   const Topology& t = model.topology();
@@ -146,7 +146,23 @@ Sizes sizesOf(Model& model) {
   return s;
 }
 
-/// What the scene costs in the other coordinates of its joints; empty if there are none to choose.
+/// Larger scenes are not read once more for their other coordinates: that doubles what check needs.
+constexpr std::size_t kMostInOthers = 10'000;
+
+/// Errors that no element answers for have the place of the model.
+Sizes sizesOf(Model& model) {
+  try {
+    return measured(model);
+  } catch (const ModelError& e) {
+    std::vector<Diagnostic> faults = e.diagnostics();
+    for (Diagnostic& d : faults)
+      if (d.place.line <= 0) d.place = Place(model.sourceFile, 1, 1);
+    throw ModelError(std::move(faults));
+  }
+}
+
+/// What the scene costs in the other coordinates of its joints; empty if there are none to choose,
+/// or more than kMostInOthers systems.
 struct Alternative {
   std::string coordinates;
   Sizes sizes;
@@ -154,6 +170,7 @@ struct Alternative {
 
 std::optional<Alternative> otherCoordinates(const Model& model, const std::string& file,
                                             LoadOptions options, Program& program) {
+  if (model.systems().size() > kMostInOthers) return {};
   const bool minimal = model.simulation.coordinates == JointCoordinates::minimal;
   options.coordinates = minimal ? JointCoordinates::absolute : JointCoordinates::minimal;
   options.build = false;
@@ -317,7 +334,7 @@ int check(Program& program, const CheckChoice& choice) {
   LoadOptions options;
   options.set = choice.set;
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
-  const Simulation verified(model);  // signals of checks, step
+  { const Simulation verified(model); }  // signals of checks, step; its arrays are not kept
   if (choice.strict) refuseInconsistentStart(model);
   const Sizes sizes = sizesOf(model);
   const RunSizes run = runSizes(model);

@@ -25,10 +25,14 @@ class BroadPhase {
     Vec3 c = Vec3::Zero();  ///< [m]
     double radius = 0.0;    ///< [m]; below zero: takes no part
   };
-  /// Valid until the next call.
+  /// Valid until the next call. Ends early once the pairs are overfull().
   const std::vector<Pair>& near(const std::vector<Ball>& balls);
+  /// There were more than kMostPairs + kMostPerBall n pairs, which no step could use: balls have
+  /// about ten neighbours, packed rods of ten diameters 130.
+  bool overfull() const { return overfull_; }
 
  private:
+  static constexpr std::size_t kMostPairs = 1u << 21, kMostPerBall = 128;
   static constexpr int kLevels = 32;
   struct Cell {
     int x = 0, y = 0, z = 0, level = 0;
@@ -38,10 +42,12 @@ class BroadPhase {
   bool fill(const std::vector<Ball>& balls);
   void lookAround(const std::vector<Ball>& balls, int i);
   void lookInto(const std::vector<Ball>& balls, int i, const Cell& cell, bool later);
+  bool fillsUp(std::size_t n);
   void order(std::size_t n);
   Cell cellOf(const Vec3& c, int level) const;
   std::size_t bucket(const Cell& cell) const;
 
+  bool overfull_ = false;
   double edge_ = 1.0;  ///< of level 0 [m]
   bool used_[kLevels] = {};
   std::vector<Cell> cell_;  ///< per ball

@@ -20,13 +20,15 @@ bool touch(const BroadPhase::Ball& a, const BroadPhase::Ball& b) {
 }  // namespace
 
 const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& balls) {
-  pairs_.clear();
+  pairs_.clear(), overfull_ = false;
   if (balls.size() <= kFew || !fill(balls)) {
     compareAll(balls);
     return pairs_;
   }
-  for (int i = 0; i < static_cast<int>(balls.size()); ++i)
+  for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
     if (balls[static_cast<std::size_t>(i)].radius >= 0.0) lookAround(balls, i);
+    if (fillsUp(balls.size())) return pairs_;
+  }
   order(balls.size());
   return ordered_;
 }
@@ -37,7 +39,15 @@ void BroadPhase::compareAll(const std::vector<Ball>& balls) {
     for (std::size_t j = i + 1; j < balls.size(); ++j)
       if (balls[j].radius >= 0.0 && touch(balls[i], balls[j]))
         pairs_.emplace_back(static_cast<int>(i), static_cast<int>(j));
+    if (fillsUp(balls.size())) return;
   }
+}
+
+bool BroadPhase::fillsUp(std::size_t n) {
+  const std::size_t most = kMostPairs + kMostPerBall * n;
+  if (pairs_.size() > kMostPairs)
+    pairs_.reserve(most);  // grown by doubling, it takes thrice as much
+  return overfull_ = pairs_.size() > most;
 }
 
 /// Sorts the balls into cells; false: there are no sizes to choose cells by.

@@ -125,7 +125,7 @@ void ShapeContacts::forNearPairs(F&& f) const {
     for (int i = 0; i < n; ++i)
       if (i != h && balls_[static_cast<std::size_t>(i)].radius >= 0.0)
         if (const Pair pair = pairOf(h, i)) f(pair);
-  for (const auto& [i, j] : broad_.near(balls_))
+  for (const auto& [i, j] : nearPairs())
     if (const Pair pair = pairOf(i, j)) f(pair);
 }
 

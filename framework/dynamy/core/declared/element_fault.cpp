@@ -1,4 +1,5 @@
 #include <dynamy/core/declared/element_fault.hpp>
+#include <dynamy/core/error.hpp>
 #include <new>
 
 namespace dynamy {
@@ -17,6 +18,10 @@ void throwNamed(const Element& element) {
     throw;
   } catch (const std::bad_alloc&) {  // no fault of the element
     throw;
+  } catch (const ModelError& e) {
+    // All contacts of shapes are one element that no file names.
+    if (element.type().empty() && element.name().empty()) throw;
+    throw ElementFault(text + " failed: " + e.what());
   } catch (const std::exception& e) {
     throw ElementFault(text + " failed: " + e.what());
   } catch (...) {

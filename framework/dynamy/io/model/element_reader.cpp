@@ -165,12 +165,15 @@ bool ElementReader::readChild(const XmlNode& child, const Scope& scope, const Xm
   }
   int& count = counts[static_cast<std::size_t>(rule - rules.begin())];
   ++count;
-  if (count == rule->max + 1)
-    faults_->add(scope, child.place, parent, "takes at most " + counted(rule->max, *rule));
+  if (count > rule->max) {  // of thousands too many, none is read
+    if (count == rule->max + 1)
+      faults_->add(scope, child.place, parent, "takes at most " + counted(rule->max, *rule));
+    return false;
+  }
 
   // Names of children live in their parent.
   std::string name = elementName(child, scope, {}, *faults_);
-  for (const Parameters::Child& other : x.children)
+  for (const Parameters::Child& other : x.children)  // at most as many as the rules allow
     if (!name.empty() && other.element->name() == name) {
       Diagnostic d = scope.document->diagnostic(child.attribute("name")->valuePlace, child,
                                                 "the name \"" + name + "\" is used already");

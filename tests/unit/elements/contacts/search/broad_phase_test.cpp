@@ -61,6 +61,18 @@ TEST(BroadPhase, LeavesOutMillionsThatTakeNoPart) {
   EXPECT_TRUE(broad.near(std::vector<Ball>(2000000, {Vec3::Zero(), -1.0})).empty());
 }
 
+TEST(BroadPhase, EndsWhereEachIsNearThousands) {
+  // A hundred thousand bodies in one place: 5e9 pairs, which would take all memory.
+  BroadPhase broad;
+  const std::vector<Ball> all(100000, {Vec3::Zero(), 1.0});
+  EXPECT_LT(broad.near(all).size(), 200u * all.size());
+  EXPECT_TRUE(broad.overfull());
+  // Two thousand in one place are a scene: n (n − 1)/2.
+  const std::vector<Ball> some(2000, {Vec3::Zero(), 1.0});
+  EXPECT_EQ(broad.near(some).size(), 1000u * 1999);
+  EXPECT_FALSE(broad.overfull());
+}
+
 TEST(BroadPhase, StandsWhatLiesOnItsCells) {
   // A lattice of balls that touch: all middles lie on edges of cells, all distances are equal.
   std::vector<Ball> lattice;
