@@ -55,6 +55,7 @@ void CoordinateFrame::compile(const FormulaNames& names, Diagnostics& faults) {
         faults.add((k < 3 ? position_ : angle_)
                        .fault(k < 3 ? k : k - 3, "a frame depends on t and positions only"));
   moves_ = tape_->dependsOn(slots_);
+  position_ = {}, angle_ = {};  // told in messages alone, and a model may have 10⁵ frames
 }
 
 void CoordinateFrame::evaluate(const double* x, const double* w, Frame& out) const {

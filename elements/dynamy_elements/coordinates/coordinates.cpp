@@ -43,6 +43,7 @@ Coordinates::Coordinates(const Parameters& x)
   readState(x);
   compile(x, faults);
   faults.throwIfAny();
+  names_.parameters.clear(), names_.parameters.shrink_to_fit();  // formulas hold their values
 }
 
 Coordinates::~Coordinates() = default;

@@ -10,11 +10,17 @@ FormulaText::FormulaText(const Parameters& x, std::string_view attribute)
   const ParameterValue& value = x[attribute];
   text_ = value.text;
   split();
+  file_ = value.place.file;
   if (!value.locate) {
-    if (value.place.line > 0) places_.assign(text_.size() + 1, value.place);
+    if (value.place.line > 0)
+      spots_.assign(text_.size() + 1, {value.place.line, value.place.column});
     return;
   }
-  for (std::size_t i = 0; i <= text_.size(); ++i) places_.push_back(value.locate(i, 1));
+  spots_.reserve(text_.size() + 1);
+  for (std::size_t i = 0; i <= text_.size(); ++i) {
+    const Place place = value.locate(i, 1);
+    spots_.push_back({place.line, place.column});
+  }
 }
 
 /// Parts without the blanks around them; "||" is an operator and not two ends of rows.
@@ -72,16 +78,16 @@ Diagnostic FormulaText::fault(int i, std::string text, std::string hint) const {
 Diagnostic FormulaText::faultAt(std::size_t offset, std::size_t length, std::string text,
                                 std::string hint) const {
   Diagnostic d{.element = element_, .text = std::move(text), .hint = std::move(hint)};
-  if (places_.empty()) {
+  if (spots_.empty()) {
     d.text = attribute_ + "=\"" + text_ + "\": " + d.text;
     return d;
   }
-  const std::size_t first = std::min(offset, places_.size() - 1);
-  d.place = places_[first];
+  const std::size_t first = std::min(offset, spots_.size() - 1);
+  d.place = Place(file_, spots_[first].line, spots_[first].column);
   // As far as the line goes: a length counts characters, bytes of one character share a column.
-  const std::size_t last = std::min(first + std::max<std::size_t>(length, 1), places_.size()) - 1;
-  for (std::size_t i = first; i <= last && places_[i].line == d.place.line; ++i)
-    d.place.length = std::max(1, places_[i].column - d.place.column + 1);
+  const std::size_t last = std::min(first + std::max<std::size_t>(length, 1), spots_.size()) - 1;
+  for (std::size_t i = first; i <= last && spots_[i].line == d.place.line; ++i)
+    d.place.length = std::max(1, spots_[i].column - d.place.column + 1);
   return d;
 }
 

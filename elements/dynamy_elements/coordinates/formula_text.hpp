@@ -36,10 +36,13 @@ class FormulaText {
   Diagnostic faultAt(std::size_t offset, std::size_t length, std::string text,
                      std::string hint) const;
   void split();
-  std::string element_, attribute_, text_;
+  struct Spot {
+    int line = 0, column = 0;
+  };
+  std::string element_, attribute_, text_, file_;
   std::vector<ValuePart> parts_;
-  std::vector<int> rowEnd_;    // index behind the last part of each row
-  std::vector<Place> places_;  // of every byte; empty: made in C++
+  std::vector<int> rowEnd_;  // index behind the last part of each row
+  std::vector<Spot> spots_;  // of every byte, in the file; empty: made in C++
 };
 
 /// Names that formulas of one system may use, and the slots they have in the input array

@@ -309,7 +309,7 @@ void TreeSystem::describeBody(const Body& body, Description& d) const {
   for (const PlacedShape& p : own.shapes) d.shape(*p.shape, body.frame0 + p.frame);
   for (const auto& [label, id] : own.frames) d.frame(label, body.frame0 + id);
   for (const Signal& s : own.signals)
-    d.signal(name.empty() ? s.name : name + "." + s.name, s.unit, s.text,
+    d.signal(name.empty() ? s.name : name + "." + s.name, s.unit, std::string(s.text),
              [this, &body, f = s.value](const SignalView& v) { return ownSignal(body, f, v); });
 }
 

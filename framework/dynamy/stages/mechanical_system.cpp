@@ -18,8 +18,6 @@ MechanicalSystem::MechanicalSystem(const SystemParts& parts, int slots) : parts_
     e.hNonPotential.setZero(topology.nu());
     e.contacts.clear();
   }
-  energyKinematics_.resize(topology);
-  look_.kinematics.resize(topology);
   uFree_.setZero(topology.nu());
   uA_.setZero(topology.nu());
   work_.setZero(topology.nu()), change_ = work_, implicitFree_.setZero(topology.nu());

@@ -6,6 +6,7 @@
 #include <dynamy/core/types.hpp>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dynamy {
@@ -39,7 +40,7 @@ using SignalFunction = std::function<double(const SignalView&)>;
 struct Signal {
   std::string name;  ///< without the element's name in front
   Unit unit = Unit::none;
-  std::string text;
+  std::string_view text;  ///< lives as long as the program
   SignalFunction value;
 };
 

@@ -24,6 +24,7 @@ void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstV
                           ConstVec memory) {
   t_ = t, q_ = q.data(), u_ = u.data(), memory_ = memory.data();
   const auto& requested = topology.requestedFrames();
+  if (frames_.size() != requested.size()) resize(topology);
   for (std::size_t i = 0; i < requested.size(); ++i) {
     const SystemHandle& s = topology.system(requested[i].first);
     Frame& f = frames_[i];

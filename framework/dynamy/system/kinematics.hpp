@@ -10,6 +10,7 @@ class Kinematics {
   /// Reserves room for all frames asked for in `topology`; no allocation later.
   void resize(const Topology& topology);
   /// Points at q, u, memory and evaluates all frames. `q`, `u` and `memory` must outlive the use.
+  /// Reserves the room itself if nobody has.
   void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
                 ConstVec memory = {nullptr, 0});
 

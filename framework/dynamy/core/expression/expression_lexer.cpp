@@ -70,6 +70,7 @@ class Lexer {
 
   std::vector<Token> run() {
     std::vector<Token> tokens;
+    tokens.reserve(text_.size() / 2 + 2);  // what most need
     while (true) {
       while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
       if (at_ == text_.size()) break;
@@ -91,16 +92,16 @@ class Lexer {
     for (const Replacement& r : kReplacements) {
       // π is a good name if the model defines it, so the parser decides on letters that can stand
       // in names.
-      const bool isName = r.wrong == "π";
-      if (!isName && rest().starts_with(r.wrong) && !rest().starts_with("==") &&
-          !rest().starts_with("&&") && !rest().starts_with("||")) {
+      if (r.wrong.front() != peek() || r.wrong == "π") continue;
+      if (rest().starts_with(r.wrong) && !rest().starts_with("==") && !rest().starts_with("&&") &&
+          !rest().starts_with("||")) {
         throw ExpressionError("unexpected character " + quoted(r.wrong), at_, r.wrong.size(),
                               std::string(r.right));
       }
     }
     if (isLetter(peek())) return name();
     for (const Symbol& s : kSymbols) {
-      if (!rest().starts_with(s.text)) continue;
+      if (s.text.front() != peek() || !rest().starts_with(s.text)) continue;
       const Token token{s.kind, at_, s.text.size()};
       at_ += s.text.size();
       return token;
@@ -115,7 +116,7 @@ class Lexer {
     Token token{TokenKind::name, begin, at_ - begin};
     const std::string_view word = text_.substr(begin, token.length);
     for (const Symbol& s : kSymbols) {
-      if (s.text == word) token.kind = s.kind;
+      if (s.text.front() == word.front() && s.text == word) token.kind = s.kind;
     }
     return token;
   }

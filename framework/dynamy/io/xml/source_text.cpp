@@ -9,7 +9,7 @@ namespace dynamy {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kBlock = 1024;  // bytes between two counts of characters
+constexpr std::size_t kBlock = 64;  // bytes between two counts of characters
 
 /// Characters of valid UTF-8: bytes that are no continuation.
 int validCharacterCount(std::string_view text) {

@@ -42,7 +42,7 @@ class SourceText {
   std::size_t charactersBefore(std::size_t at) const;
   std::string text_, name_;
   std::vector<std::size_t> lineStarts_;
-  std::vector<std::size_t> blocks_;  ///< characters before byte 0, 1024, 2048, …
+  std::vector<std::size_t> blocks_;  ///< characters before byte 0, 64, 128, …
 };
 
 /// Places of offsets that never decrease: linear in the text, also if all of it is one line.

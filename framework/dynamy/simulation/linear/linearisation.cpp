@@ -4,6 +4,7 @@
 #include <cmath>
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/simulation/linear/linearisation.hpp>
+#include <dynamy/stages/error_norm.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -122,15 +123,9 @@ class Linear {
  private:
   /// Steps by unit: lengths scale with the scene.
   void steps() {
-    step_.setConstant(nu_, kStep);
-    for (int i = 0; i < static_cast<int>(model_.systems().size()); ++i) {
-      const SystemHandle& s = model_.topology().system(i);
-      const Description& d = model_.description(i);
-      for (const auto& [name, index] : d.velocities)
-        for (const Signal& signal : d.signals)
-          if (signal.name == name && signal.unit == Unit::velocity && index < s.nu)
-            step_[s.u0 + index] = kStep * std::min(1.0, model_.length());
-    }
+    Eigen::VectorXd positions;
+    unitScales(model_.topology(), std::min(1.0, model_.length()), positions, step_);
+    step_ *= kStep;
   }
 
   /// K: (F + dF)(u₀ + w) = d/dt (F δ) solved for δ̇, system by system.

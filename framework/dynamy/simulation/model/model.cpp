@@ -170,12 +170,13 @@ void Model::describeAll() {
     for (Signal& s : d.signals) {
       NamedSignal named;
       named.name = e.name().empty() ? s.name : e.name() + "." + s.name;
-      named.signal = s;
+      named.signal = std::move(s);
       named.system = system, named.contact = contact;
       const MemoryHandle memory = topology_->memoryOf(e);
       named.memory0 = memory.first, named.memory = memory.size;
       signals_.push_back(std::move(named));
     }
+    d.signals.clear(), d.signals.shrink_to_fit();  // one copy is enough for 10⁵ bodies
     descriptions_.push_back(std::move(d));
   };
   for (std::size_t i = 0; i < systems_.size(); ++i) take(*systems_[i], static_cast<int>(i), -1);

@@ -94,7 +94,7 @@ class Model {
   PairLaws& pairLaws() { return *pairLaws_; }
   const PairLaws& pairLaws() const { return *pairLaws_; }
   const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
-  /// Of systems, then contact elements, then forces.
+  /// Of systems, then contact elements, then forces; without their signals, which signals() has.
   const std::vector<Description>& descriptions() const { return descriptions_; }
   const Description& description(int system) const {
     return descriptions_[static_cast<std::size_t>(system)];

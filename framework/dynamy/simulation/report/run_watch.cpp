@@ -48,7 +48,6 @@ RunWatch::RunWatch(Model& model, EnergyLedger& ledger, RunReport& report)
     : model_(model),
       ledger_(ledger),
       report_(report),
-      ends_(model.mechanicalSystem()),
       sampleEvery_(std::max(model.simulation.until, 0.0) / kSamples) {
   for (Eigen::VectorXd* v : {&increment_, &before_, &momentum_}) v->setZero(model.topology().nu());
   collectShapes(model);
@@ -67,14 +66,16 @@ void RunWatch::collectShapes(const Model& model) {
   // Two points never touch; of the others the smallest of another system decides.
   std::sort(shapes.begin(), shapes.end(),
             [](const Sized& a, const Sized& b) { return a.size < b.size; });
+  const auto extended =
+      std::find_if(shapes.begin(), shapes.end(), [](const Sized& s) { return s.size > 0.0; });
   const std::vector<std::pair<int, int>>& asked = model.topology().requestedFrames();
   std::map<std::pair<int, int>, int> frames;
   for (std::size_t i = 0; i < asked.size(); ++i) frames.emplace(asked[i], static_cast<int>(i));
   for (const Sized& a : shapes) {
-    const auto partner = std::find_if(shapes.begin(), shapes.end(), [&](const Sized& b) {
+    const auto from = a.size > 0.0 ? shapes.begin() : extended;
+    const auto partner = std::find_if(from, shapes.end(), [&](const Sized& b) {
       const bool many = model.topology().system(b.system).blocks > 1;
-      const bool another = b.system != a.system || (many && b.frame != a.frame);
-      return another && a.size + b.size > 0.0;
+      return b.system != a.system || (many && b.frame != a.frame);
     });
     const auto at = frames.find({a.system, a.frame});
     if (partner == shapes.end() || at == frames.end()) continue;
@@ -151,8 +152,13 @@ void RunWatch::ends(const StepView& view) {
   }
 }
 
+MechanicalSystem& RunWatch::ends() {
+  if (!ends_) ends_ = std::make_unique<MechanicalSystem>(model_.mechanicalSystem());
+  return *ends_;
+}
+
 void RunWatch::overlapsAt(const State& x) {
-  const ContactSet& c = ends_.look(x);
+  const ContactSet& c = ends().look(x);
   Worst& worst = report_.penetration;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int closed = c.closedIndex[i];
@@ -163,7 +169,7 @@ void RunWatch::overlapsAt(const State& x) {
 }
 
 void RunWatch::positions(const State& x) {
-  const ContactSet& c = ends_.evaluate(x).contacts;
+  const ContactSet& c = ends().evaluate(x).contacts;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
     const int closed = c.closedIndex[i];
     const SetValuedForceLaw* law = closed >= 0 ? c.law[static_cast<std::size_t>(closed)] : nullptr;

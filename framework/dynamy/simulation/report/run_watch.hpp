@@ -28,6 +28,7 @@
 /// three times as much; it is there on request (dynamy run --error-bar).
 #pragma once
 #include <dynamy/simulation/report/run_report.hpp>
+#include <memory>
 
 namespace dynamy {
 
@@ -50,10 +51,12 @@ class RunWatch final : public Observer {
   void resolution(const StepView& view);
   void travel(const StepView& view);
   void collectShapes(const Model& model);
-  const Model& model_;
+  MechanicalSystem& ends();
+  Model& model_;
   EnergyLedger& ledger_;
   RunReport& report_;
-  MechanicalSystem ends_;  ///< evaluated at ends of steps, where schemes hold positions
+  /// Evaluated at ends of steps, where schemes hold positions; made when it is first asked.
+  std::unique_ptr<MechanicalSystem> ends_;
   double sampleEvery_ = 0.0, nextSample_ = 0.0, lastSample_ = -1.0;
   struct Mover {
     FrameHandle frame;
