@@ -147,7 +147,11 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--solver", t->choice.solver, "inclusion solver, replaces the model's")
       ->type_name("SOLVER");
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
-  c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")->type_name("DIR");
+  c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")
+      ->type_name("DIR")
+      ->check([](const std::string& folder) {
+        return folder.empty() ? "the name of the folder is empty" : std::string();
+      });
   addPlugins(*c, program);
   c->add_flag("--strict", t->show.strict,
               "refuse a start that joints do not allow, instead of projecting it");

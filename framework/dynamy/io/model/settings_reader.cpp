@@ -88,6 +88,7 @@ void SettingsReader::readMethods(const XmlNode& node, const Scope& scope) {
 
 void SettingsReader::readRecord(const XmlNode& node, const Scope& scope, const Parameters& x) {
   RecordSettings& r = model_->record;
+  r.place = node.place;
   for (const XmlWord& word : xmlWords(x["signals"].text)) {
     if (r.signals.size() == kMostSignalNames) {
       faults_->add(scope, x["signals"].place, node,

@@ -34,7 +34,8 @@ void requireRoom(const Model& model, const std::filesystem::path& folder) {
   const RunSizes s = runSizes(model);
   if (error || s.bytes <= static_cast<double>(space.available)) return;
   Diagnostic d;
-  d.place = Place(model.sourceFile);
+  const Place& written = model.record.place;
+  d.place = written.line > 0 ? written : Place(model.sourceFile);
   d.element = "record";
   d.text = fmt::format(
       "the run would write about {}: {:.6g} rows of {:g} numbers and {:.6g} pictures of {:g} "

@@ -39,6 +39,7 @@ struct RecordSettings {
   double framesPerSecond = 60.0;  ///< pictures of the replay
   std::string follow;             ///< system or frame that the replay goes with; "": none
   Place followPlace;
+  Place place;
 };
 
 /// One `<check>`: a measure of a signal compared with a value ± tolerance or with a band.
