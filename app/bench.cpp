@@ -14,6 +14,7 @@
 
 #include "chosen_scenes.hpp"
 #include "numbers.hpp"
+#include "paths.hpp"
 #include "stability/stability_page.hpp"
 
 namespace dynamy::app {
@@ -146,7 +147,9 @@ void addBench(CLI::App& app, Program& program) {
       "stability",
       "schemes and solvers on scenes where such methods fail; exit 1: one fails "
       "without saying so");
-  c->add_option("--out", t->out, "folder of page, picture and table")->type_name("DIR");
+  c->add_option("--out", t->out, "folder of page, picture and table")
+      ->type_name("DIR")
+      ->check(someName());
   c->add_flag("--quick", t->quick, "a part that takes a minute");
   c->add_flag("--all", t->all, "all schemes with all solvers, not only with the default one");
   c->add_option("--scenes", t->folder, "folder of other scenes: catalogue.txt and models")

@@ -13,6 +13,7 @@
 
 #include "eigen_text.hpp"
 #include "numbers.hpp"
+#include "paths.hpp"
 #include "program.hpp"
 #include "sweep/sweep_plan.hpp"
 
@@ -202,7 +203,8 @@ void addEigen(CLI::App& app, Program& program) {
   c->add_option("--over", t->over, "also the eigenvalues over a parameter, into locus.csv")
       ->type_name("NAME=A:B:COUNT");
   c->add_option("--out", t->out, "folder of eigen.csv and eigen.json; default: runs/MODEL.eigen")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(someName());
   addPlugins(*c, program);
   c->add_flag("--json", t->json, "print JSON");
   c->callback([t, &program] {

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "page.hpp"
+#include "paths.hpp"
 #include "program.hpp"
 #include "shell_text.hpp"
 
@@ -130,7 +131,9 @@ void addNewPlugin(CLI::App& app, Program& program) {
       ->required();
   c->add_option("--kind", t->kind, "system, contact, force, law, scheme, solver, observer or shape")
       ->required();
-  c->add_option("--out", t->out, "folder to write; default: NAME")->type_name("DIR");
+  c->add_option("--out", t->out, "folder to write; default: NAME")
+      ->type_name("DIR")
+      ->check(someName());
   c->callback([t, &program] { newPlugin(program, *t); });
 }
 

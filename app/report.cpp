@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "page.hpp"
+#include "paths.hpp"
 #include "program.hpp"
 #include "report_plots.hpp"
 #include "run/progress.hpp"
@@ -290,7 +291,9 @@ void addReport(CLI::App& app, Program& program) {
   auto folder = std::make_shared<std::string>(), out = std::make_shared<std::string>();
   CLI::App* c = app.add_subcommand("report", "one printable page about a run");
   c->add_option("DIR", *folder, "run folder, e.g. runs/ball")->required();
-  c->add_option("--out", *out, "file to write; default: DIR/report.html")->type_name("FILE");
+  c->add_option("--out", *out, "file to write; default: DIR/report.html")
+      ->type_name("FILE")
+      ->check(someName());
   c->callback([folder, out, &program] { program.exitCode = report(*folder, *out); });
 }
 

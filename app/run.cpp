@@ -8,6 +8,7 @@
 
 #include "build_text.hpp"
 #include "numbers.hpp"
+#include "paths.hpp"
 #include "run/error_bar.hpp"
 #include "run/run_job.hpp"
 #include "watch.hpp"
@@ -149,9 +150,7 @@ void addRun(CLI::App& app, Program& program) {
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   c->add_option("--out", t->out, "folder of the results; default: runs/MODEL")
       ->type_name("DIR")
-      ->check([](const std::string& folder) {
-        return folder.empty() ? "the name of the folder is empty" : std::string();
-      });
+      ->check(someName());
   addPlugins(*c, program);
   c->add_flag("--strict", t->show.strict,
               "refuse a start that joints do not allow, instead of projecting it");

@@ -10,6 +10,7 @@
 #include <memory>
 #include <thread>
 
+#include "paths.hpp"
 #include "processes.hpp"
 #include "run/progress.hpp"
 #include "shell_text.hpp"
@@ -231,7 +232,9 @@ void addSweep(CLI::App& app, Program& program) {
   c->add_option("-j,--jobs", t->jobs, "runs at once")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  c->add_option("--out", t->out, "folder of the sweep; default: sweeps/MODEL")->type_name("DIR");
+  c->add_option("--out", t->out, "folder of the sweep; default: sweeps/MODEL")
+      ->type_name("DIR")
+      ->check(someName());
   c->add_flag("--keep", t->keep, "keep the folder of every run, with its replay");
   c->add_flag("--restart", t->restart, "throw the results in the folder away");
   c->add_option("--emit", t->emit, "write a script for another engine instead of running")

@@ -15,6 +15,7 @@
 
 #include "chosen_scenes.hpp"
 #include "numbers.hpp"
+#include "paths.hpp"
 #include "precision/precision_page.hpp"
 
 namespace dynamy::app {
@@ -166,7 +167,9 @@ void addBenchPrecision(CLI::App& bench, Program& program) {
   auto t = std::make_shared<PrecisionChoice>();
   CLI::App* c = bench.add_subcommand(
       "work-precision", "error against CPU time, beside the programs of others that are installed");
-  c->add_option("--out", t->out, "folder of page, pictures and table")->type_name("DIR");
+  c->add_option("--out", t->out, "folder of page, pictures and table")
+      ->type_name("DIR")
+      ->check(someName());
   c->add_flag("--quick", t->quick, "a few points of each line, once");
   c->add_option("--scene", t->scenes, "these scenes only")->delimiter(',');
   c->add_option("--scenes", t->folder, "folder of other scenes: scenes.txt, methods.txt, models")

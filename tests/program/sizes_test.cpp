@@ -49,12 +49,18 @@ TEST_F(Sizes, CheckSaysThemInWords) {
 TEST_F(Sizes, ARunThatTheDiskCannotTakeIsRefused) {  // before: the disk was filled
   write("m.xml", ball("step=\"1e-3\"", "signals=\"b.z\" every=\"10ms\" frames=\"1e15\""));
   EXPECT_EQ(call("run m.xml --out r"), 2);
-  EXPECT_TRUE(err().starts_with("m.xml: error: <record>: the run would write about ")) << err();
+  EXPECT_TRUE(err().starts_with("m.xml:5:3: error: <record>: the run would write about ")) << err();
   EXPECT_NE(err().find("2e+15 pictures of 1 poses"), std::string::npos) << err();
   ASSERT_EQ(call("check m.xml"), 0) << err();
   EXPECT_NE(out().find(" left: a run into it is refused\n"), std::string::npos) << out();
   write("m.xml", ball("step=\"1e-3\"", "signals=\"b.z\" every=\"1e-15\""));
   EXPECT_EQ(call("run m.xml --out r"), 2);
+}
+
+TEST_F(Sizes, AFolderWithoutANameIsRefused) {  // before: the default folder was taken
+  write("m.xml", ball("step=\"1e-3\"", "signals=\"b.z\""));
+  EXPECT_EQ(call("run m.xml --out ''"), 64) << err();
+  EXPECT_NE(err().find("--out: the name is empty"), std::string::npos) << err();
 }
 
 TEST_F(Sizes, AnOptionThatIsNoFiniteNumberIsAWrongCommandLine) {  // before: nan was ignored
