@@ -19,6 +19,7 @@ FormulaText::FormulaText(const Parameters& x, std::string_view attribute)
   spots_.reserve(text_.size() + 1);
   for (std::size_t i = 0; i <= text_.size(); ++i) {
     const Place place = value.locate(i, 1);
+    file_ = place.file;  // one for all
     spots_.push_back({place.line, place.column});
   }
 }

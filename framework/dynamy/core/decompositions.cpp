@@ -16,7 +16,10 @@ void PseudoInverse::compute(const Eigen::MatrixXd& A) { qr_.compute(A); }
 
 Eigen::Index PseudoInverse::rank() const { return qr_.rank(); }
 
-Eigen::MatrixXd PseudoInverse::solve(const Eigen::MatrixXd& B) const { return qr_.solve(B); }
+Eigen::MatrixXd PseudoInverse::solve(const Eigen::MatrixXd& B) const {
+  if (B.cols() == 0) return Eigen::MatrixXd(qr_.cols(), 0);  // Eigen would refer to its first entry
+  return qr_.solve(B);
+}
 
 void PseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { x = qr_.solve(b); }
 
@@ -26,7 +29,10 @@ Eigen::Index PivotedQr::rank() const { return qr_.rank(); }
 
 Eigen::MatrixXd PivotedQr::Q() const { return qr_.householderQ(); }
 
-Eigen::MatrixXd PivotedQr::solve(const Eigen::MatrixXd& B) const { return qr_.solve(B); }
+Eigen::MatrixXd PivotedQr::solve(const Eigen::MatrixXd& B) const {
+  if (B.cols() == 0) return Eigen::MatrixXd(qr_.cols(), 0);
+  return qr_.solve(B);
+}
 
 EigenPairs eigenPairs(const Eigen::MatrixXd& A) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);

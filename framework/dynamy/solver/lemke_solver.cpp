@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/kept_text.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
 
 namespace dynamy {
@@ -16,8 +17,8 @@ ProximalNewtonOptions newtonOptions(double tolerance) {
 
 LemkeSolver::LemkeSolver(const LemkeOptions& options)
     : options_(options),
-      faceted_("Lemke, " + std::to_string(options.facets) + " facets"),
-      polished_(faceted_ + ", proximal Newton"),
+      faceted_(keptText("Lemke, " + std::to_string(options.facets) + " facets")),
+      polished_(keptText(std::string(faceted_) + ", proximal Newton")),
       newton_(newtonOptions(options.tolerance)) {
   expects(options.facets >= 4 && options.facets % 2 == 0, "facets: an even number from 4");
 }
@@ -26,8 +27,8 @@ LemkeSolver::LemkeSolver(const Parameters& x)
     : InclusionSolver(x),
       options_{x["tolerance"], x["maxPivots"].integer(), 2 * (x["facets"].integer() / 2),
                x["polish"].flag()},
-      faceted_("Lemke, " + std::to_string(options_.facets) + " facets"),
-      polished_(faceted_ + ", proximal Newton"),
+      faceted_(keptText("Lemke, " + std::to_string(options_.facets) + " facets")),
+      polished_(keptText(std::string(faceted_) + ", proximal Newton")),
       newton_(newtonOptions(options_.tolerance)) {}
 
 bool LemkeSolver::pays(const InclusionProblem& p) {
@@ -55,7 +56,7 @@ SolveReport LemkeSolver::solve(const InclusionProblem& p, Vec Lambda) {
   outcome_ = lemke_.solve(form_.M(), form_.q(), view(z_), options_.maxPivots,
                           [&p] { return p.rule && p.rule->enough(); });
   report.iterations = lemke_.pivots();
-  report.method = form_.exact() ? "Lemke" : std::string_view(faceted_);
+  report.method = form_.exact() ? "Lemke" : faceted_;
   report.status = SolveStatus::stalled;
   if (outcome_ == LcpOutcome::pivotLimit) report.status = SolveStatus::maxIterations;
   if (outcome_ == LcpOutcome::infeasible) report.method = "Lemke: there is no solution";
@@ -83,8 +84,7 @@ SolveReport LemkeSolver::solve(const InclusionProblem& p, Vec Lambda) {
   const bool cold = outcome_ != LcpOutcome::solved;
   report = newton_.refine(p, Lambda, report, cold);
   if (report.ok()) {
-    if (!cold)
-      report.method = form_.exact() ? "Lemke, proximal Newton" : std::string_view(polished_);
+    if (!cold) report.method = form_.exact() ? "Lemke, proximal Newton" : polished_;
   } else if (!(report.residuals.largest() <= before.largest())) {
     std::copy(best_.begin(), best_.end(), Lambda.data());
     report.residuals = before, report.method = found;

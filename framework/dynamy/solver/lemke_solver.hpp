@@ -38,7 +38,7 @@ class LemkeSolver final : public InclusionSolver {
 
  private:
   LemkeOptions options_;
-  std::string faceted_, polished_;
+  std::string_view faceted_, polished_;  ///< kept for good: reports outlive solvers
   LcpForm form_;
   Lemke lemke_;
   LcpOutcome outcome_ = LcpOutcome::solved;

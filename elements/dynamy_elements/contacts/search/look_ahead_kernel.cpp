@@ -121,4 +121,15 @@ ShapeContacts::Approach ShapeContacts::approach(const Kinematics& k, std::size_t
   return {std::max(apart, 0.0), -std::numeric_limits<double>::infinity()};
 }
 
+const std::vector<BroadPhase::Pair>& ShapeContacts::nearPairs() const {
+  const std::vector<BroadPhase::Pair>& near = broad_.near(balls_);
+  if (!broad_.overfull()) return near;
+  const auto name = [&](int i) { return names_[static_cast<std::size_t>(i)]; };
+  throw ModelError("more than " + std::to_string(near.size() - 1) + " pairs of " +
+                       std::to_string(balls_.size()) + " shapes are near each other, \"" +
+                       name(near.back().first) + "\" and \"" + name(near.back().second) +
+                       "\" are one: no step could take them all",
+                   "do bodies start inside each other, or did one copy too many?");
+}
+
 }  // namespace dynamy

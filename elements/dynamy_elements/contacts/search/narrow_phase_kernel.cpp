@@ -66,17 +66,6 @@ void ShapeContacts::namedAlone(const Kinematics& k, ContactSink& sink) const {
   }
 }
 
-const std::vector<BroadPhase::Pair>& ShapeContacts::nearPairs() const {
-  const std::vector<BroadPhase::Pair>& near = broad_.near(balls_);
-  if (!broad_.overfull()) return near;
-  const auto name = [&](int i) { return names_[static_cast<std::size_t>(i)]; };
-  throw ModelError("more than " + std::to_string(near.size() - 1) + " pairs of " +
-                       std::to_string(balls_.size()) + " shapes are near each other, \"" +
-                       name(near.back().first) + "\" and \"" + name(near.back().second) +
-                       "\" are one: no step could take them all",
-                   "do bodies start inside each other, or did one copy too many?");
-}
-
 void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   if (sink.request().refresh && sink.request().gTol < 0.0) return namedAlone(k, sink);
   const std::vector<TouchingShape>& shapes = shapes_[0];
