@@ -16,10 +16,10 @@ FormulaText::FormulaText(const Parameters& x, std::string_view attribute)
       spots_.assign(text_.size() + 1, {value.place.line, value.place.column});
     return;
   }
+  file_ = value.locate(0, 1).file;
   spots_.reserve(text_.size() + 1);
   for (std::size_t i = 0; i <= text_.size(); ++i) {
     const Place place = value.locate(i, 1);
-    file_ = place.file;  // one for all
     spots_.push_back({place.line, place.column});
   }
 }

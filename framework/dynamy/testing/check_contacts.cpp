@@ -16,7 +16,7 @@
 namespace dynamy {
 namespace {
 
-using testing::Motion, testing::nameOf;
+using testing::RandomMotion, testing::nameOf;
 
 class ContactCheck {
  public:
@@ -91,7 +91,7 @@ class ContactCheck {
 
   Model& model_;
   CheckOptions options_;
-  Motion motion_;
+  RandomMotion motion_;
   std::vector<ContactKey> frozen_;
   ContactSet here_, there_;
   std::set<std::pair<const SetValuedForceLaw*, int>> laws_;

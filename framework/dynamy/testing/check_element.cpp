@@ -39,7 +39,7 @@ namespace {
 /// Memory is changed at the end of steps and wherever any element switches: a second call in the
 /// same place must find it as the first one left it, but for rounding.
 template <class E>
-void checkMemory(Model& model, const E& element, testing::Motion& motion, Verdict& out) {
+void checkMemory(Model& model, const E& element, testing::RandomMotion& motion, Verdict& out) {
   const MemoryHandle m = model.topology().memoryOf(element);
   State x = motion.x();
   if (m.size == 0) return;
@@ -58,7 +58,7 @@ void checkMemory(Model& model, const E& element, testing::Motion& motion, Verdic
 
 Verdict checkMemories(Model& model, const CheckOptions& options) {
   Verdict result;
-  testing::Motion motion(model, options);
+  testing::RandomMotion motion(model, options);
   for (int i = 0; i < options.states && result; ++i) {
     motion.sample(i);
     for (const auto& e : model.forces()) checkMemory(model, *e, motion, result);

@@ -11,13 +11,13 @@ namespace dynamy {
 
 namespace {
 
-using testing::Motion, testing::nameOf;
+using testing::RandomMotion, testing::nameOf;
 
 }  // namespace
 
 Verdict checkForces(Model& model, const CheckOptions& options) {
   Verdict result;
-  Motion motion(model, options);
+  RandomMotion motion(model, options);
   const int nu = model.topology().nu();
   Eigen::VectorXd h(nu), nonPotential(nu);
   for (int i = 0; i < options.states && result; ++i) {

@@ -12,9 +12,9 @@ inline std::string nameOf(const Element& e, const char* otherwise) {
 }
 
 /// Random states of a model and the motion through them.
-class Motion {
+class RandomMotion {
  public:
-  Motion(Model& model, const CheckOptions& options)
+  RandomMotion(Model& model, const CheckOptions& options)
       : model_(model), options_(options), random_(options.seed), start_(model.initialState()) {
     kinematics_.resize(model.topology());
     x_ = start_;
