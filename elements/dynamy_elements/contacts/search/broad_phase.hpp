@@ -25,14 +25,16 @@ class BroadPhase {
     Vec3 c = Vec3::Zero();  ///< [m]
     double radius = 0.0;    ///< [m]; below zero: takes no part
   };
-  /// Valid until the next call. Ends early once the pairs are overfull().
-  const std::vector<Pair>& near(const std::vector<Ball>& balls);
-  /// There were more than kMostPairs + kMostPerBall n pairs, which no step could use: balls have
-  /// about ten neighbours, packed rods of ten diameters 130.
+  /// Valid until the next call. Ends early once there are more than kMostPairs + each·n pairs.
+  const std::vector<Pair>& near(const std::vector<Ball>& balls, std::size_t each = kPassed);
+  /// The last call ended early: what it found is no answer.
   bool overfull() const { return overfull_; }
+  /// Pairs a ball, more than which no step could use: at rest, where grains have about five and
+  /// packed rods of ten diameters 130, and of balls widened by the ways of a step.
+  static constexpr std::size_t kNeighbours = 128, kPassed = 1024;
 
  private:
-  static constexpr std::size_t kMostPairs = 1u << 21, kMostPerBall = 128;
+  static constexpr std::size_t kMostPairs = 1u << 21;
   static constexpr int kLevels = 32;
   struct Cell {
     int x = 0, y = 0, z = 0, level = 0;
@@ -42,12 +44,13 @@ class BroadPhase {
   bool fill(const std::vector<Ball>& balls);
   void lookAround(const std::vector<Ball>& balls, int i);
   void lookInto(const std::vector<Ball>& balls, int i, const Cell& cell, bool later);
-  bool fillsUp(std::size_t n);
+  bool fillsUp();
   void order(std::size_t n);
   Cell cellOf(const Vec3& c, int level) const;
   std::size_t bucket(const Cell& cell) const;
 
   bool overfull_ = false;
+  std::size_t most_ = 0;
   double edge_ = 1.0;  ///< of level 0 [m]
   bool used_[kLevels] = {};
   std::vector<Cell> cell_;  ///< per ball

@@ -9,6 +9,8 @@ namespace {
 
 /// Up to so many balls all pairs are compared: less work than cells.
 constexpr std::size_t kFew = 24;
+/// Room for so many pairs is taken at once, if more than a few are found (200 MB).
+constexpr std::size_t kAtOnce = 25'000'000;
 /// Coordinates of cells stay below, also for bodies that fly away.
 constexpr double kFarthest = 1e9;
 
@@ -19,15 +21,17 @@ bool touch(const BroadPhase::Ball& a, const BroadPhase::Ball& b) {
 
 }  // namespace
 
-const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& balls) {
+const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& balls,
+                                                      std::size_t each) {
   pairs_.clear(), overfull_ = false;
+  most_ = kMostPairs + each * balls.size();
   if (balls.size() <= kFew || !fill(balls)) {
     compareAll(balls);
     return pairs_;
   }
   for (int i = 0; i < static_cast<int>(balls.size()); ++i) {
     if (balls[static_cast<std::size_t>(i)].radius >= 0.0) lookAround(balls, i);
-    if (fillsUp(balls.size())) return pairs_;
+    if (fillsUp()) return pairs_;
   }
   order(balls.size());
   return ordered_;
@@ -39,15 +43,14 @@ void BroadPhase::compareAll(const std::vector<Ball>& balls) {
     for (std::size_t j = i + 1; j < balls.size(); ++j)
       if (balls[j].radius >= 0.0 && touch(balls[i], balls[j]))
         pairs_.emplace_back(static_cast<int>(i), static_cast<int>(j));
-    if (fillsUp(balls.size())) return;
+    if (fillsUp()) return;
   }
 }
 
-bool BroadPhase::fillsUp(std::size_t n) {
-  const std::size_t most = kMostPairs + kMostPerBall * n;
-  if (pairs_.size() > kMostPairs)
-    pairs_.reserve(most);  // grown by doubling, it takes thrice as much
-  return overfull_ = pairs_.size() > most;
+bool BroadPhase::fillsUp() {
+  // Of bodies in one place: grown by doubling, it takes thrice as much.
+  if (pairs_.size() > kMostPairs && most_ <= kAtOnce) pairs_.reserve(most_);
+  return overfull_ = pairs_.size() > most_;
 }
 
 /// Sorts the balls into cells; false: there are no sizes to choose cells by.

@@ -121,8 +121,8 @@ ShapeContacts::Approach ShapeContacts::approach(const Kinematics& k, std::size_t
   return {std::max(apart, 0.0), -std::numeric_limits<double>::infinity()};
 }
 
-const std::vector<BroadPhase::Pair>& ShapeContacts::nearPairs() const {
-  const std::vector<BroadPhase::Pair>& near = broad_.near(balls_);
+const std::vector<BroadPhase::Pair>& ShapeContacts::nearPairs(std::size_t each) const {
+  const std::vector<BroadPhase::Pair>& near = broad_.near(balls_, each);
   if (!broad_.overfull()) return near;
   const auto name = [&](int i) { return names_[static_cast<std::size_t>(i)]; };
   throw ModelError("more than " + std::to_string(near.size() - 1) + " pairs of " +

@@ -105,7 +105,8 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
       if (const Pair pair = pairOf(h, i)) overHalfSpace(pair, k, sink);
     }
   }
-  const std::vector<BroadPhase::Pair>& near = nearPairs();
+  const std::vector<BroadPhase::Pair>& near =
+      nearPairs(tau_ > 0.0 ? BroadPhase::kPassed : BroadPhase::kNeighbours);
   if (tau_ > 0.0) followTurns(k, near);
   for (std::size_t m = 0; m < near.size(); ++m) {
     if (tau_ > 0.0 && gap_[m] > way_[m]) continue;

@@ -80,7 +80,7 @@ class ShapeContacts final : public NonSmoothElement {
   /// How far beyond its bound each shape is to be seen, into reach_.
   void lookAhead(const Kinematics& k, const ContactRequest& request) const;
   /// Of balls_. Raises ModelError if there are more than a step could take.
-  const std::vector<BroadPhase::Pair>& nearPairs() const;
+  const std::vector<BroadPhase::Pair>& nearPairs(std::size_t each) const;
   /// Which of the near pairs can meet: gap_ ≤ way_, from turned_ as half spaces have left it.
   void followTurns(const Kinematics& k, const std::vector<BroadPhase::Pair>& near) const;
   /// How near two shapes are [m], and how fast that changes [m/s].

@@ -125,7 +125,7 @@ void ShapeContacts::forNearPairs(F&& f) const {
     for (int i = 0; i < n; ++i)
       if (i != h && balls_[static_cast<std::size_t>(i)].radius >= 0.0)
         if (const Pair pair = pairOf(h, i)) f(pair);
-  for (const auto& [i, j] : nearPairs())
+  for (const auto& [i, j] : nearPairs(BroadPhase::kPassed))
     if (const Pair pair = pairOf(i, j)) f(pair);
 }
 

@@ -65,8 +65,16 @@ TEST(BroadPhase, EndsWhereEachIsNearThousands) {
   // A hundred thousand bodies in one place: 5e9 pairs, which would take all memory.
   BroadPhase broad;
   const std::vector<Ball> all(100000, {Vec3::Zero(), 1.0});
-  EXPECT_LT(broad.near(all).size(), 200u * all.size());
+  EXPECT_LT(broad.near(all, BroadPhase::kNeighbours).size(), 200u * all.size());
   EXPECT_TRUE(broad.overfull());
+  // Balls widened by the way of a fast step are near many: 300 each are an answer.
+  const std::vector<Ball> crowd(10000, {Vec3::Zero(), 1.0});  // 5e7 pairs, 5000 each
+  broad.near(crowd);
+  EXPECT_TRUE(broad.overfull());
+  std::vector<Ball> groups;
+  for (int i = 0; i < 12000; ++i) groups.push_back({Vec3(10.0 * (i / 600), 0.0, 0.0), 1.0});
+  EXPECT_EQ(broad.near(groups).size(), 20u * 300 * 599);
+  EXPECT_FALSE(broad.overfull());
   // Two thousand in one place are a scene: n (n − 1)/2.
   const std::vector<Ball> some(2000, {Vec3::Zero(), 1.0});
   EXPECT_EQ(broad.near(some).size(), 1000u * 1999);
