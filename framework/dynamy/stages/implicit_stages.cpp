@@ -61,6 +61,25 @@ const Evaluation& MechanicalSystem::evaluateDamped(const State& x, double dt,
   return e;
 }
 
+void MechanicalSystem::gyroscopicAtMean(const State& x, double dt) {
+  const Topology& topology = *parts_.topology;
+  Evaluation& e = slots_.front();
+  // Where forces are damped, bodies turn as M (u_free − u^A)/Δt lets them: h would spin them up.
+  if (unresolved_) {
+    e.mass.apply(view(std::as_const(implicitFree_)), view(work_));
+    work_ /= dt;
+    e.h -= work_;
+  }
+  Eigen::VectorXd& h = unresolved_ ? work_ : e.h;
+  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+    const SystemHandle& s = topology.system(static_cast<int>(i));
+    if (s.nu > 0)
+      topology.systems()[i]->gyroscopicAtMean(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
+                                              dt, slice(h, s.u0, s.nu));
+  }
+  if (unresolved_) e.h += h;
+}
+
 bool MechanicalSystem::explicitIsUnstable(const State& x, double dt, double limit, int slot) {
   if (!stiff_.any()) return false;
   const Evaluation& e = slots_[static_cast<std::size_t>(slot)];

@@ -128,16 +128,6 @@ void MechanicalSystem::smooth(const State& x, Evaluation& e) {
       e.h.segment(s.u0, s.nu).setZero(), e.hNonPotential.segment(s.u0, s.nu).setZero();
 }
 
-void MechanicalSystem::gyroscopicAtMean(const State& x, double dt) {
-  const Topology& topology = *parts_.topology;
-  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
-    const SystemHandle& s = topology.system(static_cast<int>(i));
-    if (s.nu > 0)
-      topology.systems()[i]->gyroscopicAtMean(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
-                                              dt, slice(slots_.front().h, s.u0, s.nu));
-  }
-}
-
 void MechanicalSystem::detect(double reach, Evaluation& e) const {
   e.contacts.clear();
   ContactRequest request = request_;
