@@ -343,6 +343,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("contactsMax", r.contactsMax).endObject();
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
   json.member("parted", r.parted).member("left", r.left).member("damped", r.damped);
+  json.member("simpler", r.simpler);
   json.member("evaluations", r.evaluations).member("impacts", r.impacts);
   json.member("switches", r.switches).member("switchesLocated", r.located);
   json.member("accumulationEnd", r.accumulationEnd);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/schemes/energy_momentum.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -18,8 +19,21 @@ constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
 constexpr double kLastClosed = 1e-13;
 /// A correction of this many lengths is on the way to nowhere.
 constexpr double kLost = 1e3;
-/// Corrections that shrink by less than this ask for a new tangent.
-constexpr double kSlow = 0.1;
+/// Corrections that shrink by less than this ask for a new tangent, and by less than kFresh if one
+/// in closed form will do, which costs less than a turn.
+constexpr double kSlow = 0.1, kFresh = 1e-3;
+/// Contacts whose features take turns keep the iteration from ending: a correction of kLast lengths
+/// is the last one after so many turns, one of kNearEnough lengths after more. Where the smallest has not
+/// halved for kMostIdle turns there is no way on.
+constexpr int kPatience = 10, kLastPatience = 15, kMostIdle = 6;
+constexpr double kNearEnough = 1e-8;
+/// Steps at a time that a simpler scheme takes.
+constexpr double kMostSimpler = 15.0;
+
+/// What a turn leaves is enough from here on [lengths].
+double enoughAfter(int turn) {
+  return turn >= kLastPatience ? kNearEnough : turn >= kPatience ? kLast : 0.0;
+}
 
 /// Forces that a step withholds are released however it ends.
 class Withheld {
@@ -45,25 +59,52 @@ StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, St
 }
 
 /// One step, or two of half the length if Newton's iteration fails. Once a smallest part has failed,
-/// what is left of the step is not cut any more: 13 tries at most, instead of 127.
+/// it and what is left of the step go the simpler way.
 StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                                  int depth) {
+  if (simplerAhead(x)) return simpler(s, solver, x, dt);
   State& start = start_[depth];
   start = x;
   const StepReport whole = joined(s, solver, x, dt);
-  if (whole.solved.ok() || !whole.refused.empty()) return whole;
-  halvingHelps_ = halvingHelps_ && depth < most_;
-  if (!halvingHelps_) return whole;
+  if (whole.solved.ok() || !whole.refused.empty() || most_ == 0) return whole;
   x = start;
-  const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
-  StepReport second = halve(s, solver, x, 0.5 * dt, depth + 1);
-  second.dt = dt;
-  second.solved.iterations += whole.solved.iterations + first.solved.iterations;
-  second.solved.newton += whole.solved.newton + first.solved.newton;
-  second.solved.energyGain += first.solved.energyGain;
-  second.solved.repaired += first.solved.repaired;
-  if (!first.solved.ok()) second.solved.status = first.solved.status;
-  return second;
+  halvingHelps_ = halvingHelps_ && depth < most_;
+  StepReport report;
+  if (halvingHelps_) {
+    const StepReport first = halve(s, solver, x, 0.5 * dt, depth + 1);
+    report = halve(s, solver, x, 0.5 * dt, depth + 1);
+    report.dt = dt;
+    report.simpler |= first.simpler;
+    report.solved.iterations += first.solved.iterations;
+    report.solved.newton += first.solved.newton;
+    report.solved.energyGain += first.solved.energyGain;
+    report.solved.repaired += first.solved.repaired;
+    if (!first.solved.ok()) report.solved.status = first.solved.status;
+  } else {
+    report = simpler(s, solver, x, dt);
+  }
+  report.solved.iterations += whole.solved.iterations, report.solved.newton += whole.solved.newton;
+  return report;
+}
+
+bool EnergyMomentum::simplerAhead(const State& x) {
+  return x.scheme.size() == 2 && x.scheme[0] >= 1.0;
+}
+
+/// By StaggeredMoreau, which needs no iteration for joints. x.scheme then holds how many more steps
+/// go that way at once, and how many did in all: 1, 3, 7, … where failure follows failure.
+StepReport EnergyMomentum::simpler(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                   double dt) {
+  s.release();
+  double ahead = 0.0, inAll = 0.0;
+  if (x.scheme.size() == 2) ahead = x.scheme[0], inAll = x.scheme[1];
+  if (ahead < 1.0) ahead = inAll = std::min(2.0 * inAll + 1.0, kMostSimpler);
+  x.scheme.resize(0);
+  StepReport report = staggered_.step(s, solver, x, dt);
+  report.simpler = true;
+  x.scheme.resize(2);
+  x.scheme << ahead - 1.0, inAll;
+  return report;
 }
 
 StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, State& x,
@@ -123,9 +164,9 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   const double length = std::max(1e-6, x.q.cwiseAbs().maxCoeff());
   contacts_.begin(s, x, dt);
   contacts_.select(s, x, newton_.v, dt);
-  double before = 0.0;
-  bool fresh = true;
-  int unsolved = 0;
+  double before = 0.0, least = std::numeric_limits<double>::infinity();
+  bool fresh = true, wasFresh = false, differencesHelp = true;
+  int unsolved = 0, idle = 0;
   auto tangent = JointNewton::Tangent::closedForm;
   for (int turn = 0; turn < kMostNewtonTurns; ++turn) {
     newton_.residual(s, contacts_.impulse());
@@ -155,13 +196,24 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     const double rate = turn > 0 ? way / before : 1.0;
     const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;
     const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
-    if (last || (way <= kLast * length && rate * way <= kLeftOfWay * length)) {
+    if (last || way <= enoughAfter(turn) * length ||
+        (way <= kLast * length && rate * way <= kLeftOfWay * length)) {
       newton_.residual(s, contacts_.impulse());
       if (!contacts_.misses(s, x, newton_.v)) return report;
     }
+    idle = way < 0.5 * least ? 0 : idle + 1;
+    if (idle == 0) least = way;
+    if (idle == kMostIdle) break;
+    // What is left now tells how good the tangent of the turn before was. If differences are no
+    // better, contacts that turn are what is missing.
     const bool slow = turn > 0 && rate > kSlow;
-    if (slow && fresh) tangent = JointNewton::Tangent::differences;
-    fresh = slow;
+    if (slow && wasFresh) {
+      differencesHelp = differencesHelp && closed;
+      tangent =
+          differencesHelp ? JointNewton::Tangent::differences : JointNewton::Tangent::closedForm;
+    }
+    wasFresh = fresh;
+    fresh = slow || (tangent == JointNewton::Tangent::closedForm && rate > kFresh);
     before = way;
   }
   if (report.status == SolveStatus::solved) report.status = SolveStatus::maxIterations;

@@ -5,7 +5,8 @@
 ///   g_J(q^E) = 0                        joints at position level, W̃ their discrete gradient
 ///   ξ = γ^E + ε γ^A + s,  −ξ ∈ N_C(Λ_c)    contacts at q^M, s = g^M/Δt as in StaggeredMoreau
 ///
-/// Solved by Newton's method with the full tangent, in halves of the step where that fails. Joints
+/// Solved by Newton's method with the full tangent, in halves of the step where that fails, and by
+/// StaggeredMoreau where that fails as well (StepReport::simpler). Joints
 /// then do no work at any Δt and hold to rounding; forces that are linear in q do exactly the work
 /// they should; those that the step does not resolve, h_d, are damped (DampedForces). Without
 /// joints the step is that of StaggeredMoreau. RATTLE and joints at velocity level were rejected:
@@ -21,7 +22,8 @@ class EnergyMomentum final : public OneStep {
   EnergyMomentum() = default;
   explicit EnergyMomentum(const Parameters& x);
   static void declare(Attributes& a);
-  /// Steps are not halved where Newton's iteration fails: of use to those who go on otherwise.
+  /// Where Newton's iteration fails steps are neither halved nor taken by a simpler scheme: of use to
+  /// those who go on otherwise.
   void whole() { most_ = 0; }
   /// Known after the first step.
   bool hasJoints() const { return joints_ == Joints::some; }
@@ -33,6 +35,8 @@ class EnergyMomentum final : public OneStep {
 
  private:
   StepReport halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt, int depth);
+  static bool simplerAhead(const State& x);
+  StepReport simpler(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   StepReport joined(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, const State& x, double dt);
   void hand(MechanicalSystem& s, State& x, double dt, bool jump);
@@ -42,7 +46,7 @@ class EnergyMomentum final : public OneStep {
   StaggeredMoreau staggered_;
   JointNewton newton_;
   CondensedContacts contacts_;
-  static constexpr int kMostHalvings = 6;
+  static constexpr int kMostHalvings = 3;
   bool halvingHelps_ = true;  // no part of the smallest length has failed in this step
   int most_ = kMostHalvings;
   State start_[kMostHalvings + 1], xA_;

@@ -93,6 +93,8 @@ struct StepReport {
   int contacts = 0;  ///< in the inclusion problem
   /// Why the scheme cannot take this step, whatever Δt is (it knows no impact, …); empty: it can.
   std::string_view refused{};
+  /// The scheme found no solution of its own equations, and a simpler one took the step or a part.
+  bool simpler = false;
   StepCounts counts{};
   StepWorks works{};
   bool ownStatuses = false;                ///< statuses are those below, all others are open

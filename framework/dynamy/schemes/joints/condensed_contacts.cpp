@@ -22,6 +22,11 @@ void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
   }
 }
 
+/// Whether contacts move a common part; others do not feel each other.
+bool meet(const ContactResponse& a, const ContactResponse& b) {
+  return std::any_of(a.parts.begin(), a.parts.end(), [&](int p) { return b.moves(p); });
+}
+
 }  // namespace
 
 void CondensedContacts::begin(const MechanicalSystem& s, const State& x, double dt) {
@@ -156,18 +161,19 @@ BlockRows CondensedContacts::condensed(const JointNewton& newton) {
   G.clear();
   for (int i = 0; i < contacts_.size(); ++i) {
     for (int j = 0; j < contacts_.size(); ++j) {
+      const ContactResponse& response = response_[static_cast<std::size_t>(j)];
+      if (i != j && !meet(response_[static_cast<std::size_t>(i)], response)) continue;
       const auto value0 = static_cast<std::ptrdiff_t>(G.value.size());
       for (int r = 0; r < contacts_.dim(i); ++r)
         for (int m = 0; m < contacts_.dim(j); ++m) {
           const int row = contacts_.row0[static_cast<std::size_t>(i)] + r,
                     other = contacts_.row0[static_cast<std::size_t>(j)] + m;
-          const double value =
-              2.0 * along(newton, response_[static_cast<std::size_t>(other)], i, r);
+          const double value = (2.0 + (r == 0 ? gapSlope_[static_cast<std::size_t>(i)] : 0.0)) *
+                               newton.along(contacts_, i, r, response, m);
           G.value.push_back(value);
           problem_.gammaFree[static_cast<std::size_t>(row)] -=
               value * old_[static_cast<std::size_t>(other)];
         }
-      // Contacts of bodies that no chain of joints connects do not feel each other.
       const auto first = G.value.begin() + value0;
       if (i != j && std::all_of(first, G.value.end(), [](double x) { return x == 0.0; })) {
         G.value.erase(first, G.value.end());
@@ -180,42 +186,45 @@ BlockRows CondensedContacts::condensed(const JointNewton& newton) {
   return G;
 }
 
-/// Row r of contact i along the velocities of a response.
-double CondensedContacts::along(const JointNewton& newton, const std::vector<double>& response,
-                                int i, int r) const {
-  const auto at = static_cast<std::size_t>(i);
-  double sum = 0.0;
-  for (int k = contacts_.segment0[at]; k < contacts_.segment0[at + 1]; ++k) {
-    const Segment& s = contacts_.segment[static_cast<std::size_t>(k)];
-    sum += newton.velocityPart(response, s.block,
-                               contacts_.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu);
+/// Gaps move with the midpoint: γ_N^E + g/Δt gains Wᵀδ/2 where g counts.
+void CondensedContacts::follow(const MechanicalSystem& s, const Eigen::VectorXd& dv) {
+  gapSlope_.assign(static_cast<std::size_t>(contacts_.size()), 0.0);
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i),
+               first = static_cast<std::size_t>(contacts_.row0[at]);
+    if (!problem_.law(i).unilateral() || !(contacts_.position[first] > s.gTol())) continue;
+    gapSlope_[at] = 0.5;
+    for (int k = contacts_.segment0[at]; k < contacts_.segment0[at + 1]; ++k) {
+      const Segment& segment = contacts_.segment[static_cast<std::size_t>(k)];
+      for (int j = 0; j < segment.nu; ++j)
+        problem_.gammaFree[first] +=
+            0.5 * contacts_.W[static_cast<std::size_t>(segment.w + j)] * dv[segment.u0 + j];
+    }
   }
-  return sum;
 }
 
 SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
                                      const State& xA, JointNewton& newton) {
   const int n = contacts_.rows();
   if (n == 0) return {};
-  const auto rows = static_cast<std::size_t>(n);
   uE_ = 2.0 * (newton.v + newton.dv) - xA.u;
   contacts_.gamma(view(std::as_const(uE_)), {problem_.gammaFree.data(), n});
   // G, row by row of blocks.
-  response_.resize(std::max(response_.size(), rows));
-  for (int i = 0; i < contacts_.size(); ++i)
-    for (int r = 0; r < contacts_.dim(i); ++r) {
-      column(contacts_, i, r, w_);
-      newton.respond(
-          w_.data(),
-          response_[static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)] + r)]);
-    }
+  const auto size = static_cast<std::size_t>(contacts_.size());
+  follow(s, newton.dv);
+  response_.resize(std::max(response_.size(), size));
+  for (std::size_t i = 0; i < size; ++i)
+    newton.respond(contacts_, static_cast<int>(i), response_[i]);
   old_ = Lambda_;
   delassus_.given(contacts_, condensed(newton));
   pose(s);
   const SolveReport report =
       s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
-  for (std::size_t r = 0; r < rows; ++r)
-    if (Lambda_[r] != old_[r]) newton.add(response_[r], Lambda_[r] - old_[r]);
+  for (std::size_t i = 0; i < size; ++i)
+    for (int r = 0; r < contacts_.dim(static_cast<int>(i)); ++r) {
+      const auto row = static_cast<std::size_t>(contacts_.row0[i] + r);
+      if (Lambda_[row] != old_[row]) newton.add(response_[i], r, Lambda_[row] - old_[row]);
+    }
   impulse_.setZero();
   for (int i = 0; i < contacts_.size(); ++i)
     for (int r = 0; r < contacts_.dim(i); ++r) {

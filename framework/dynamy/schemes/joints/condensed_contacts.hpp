@@ -40,8 +40,8 @@ class CondensedContacts {
   /// that is to rebound waits until a step begins with it closed: there it is an impact.
   double aim(int i, double gTol) const;
   void pose(const MechanicalSystem& s);
+  void follow(const MechanicalSystem& s, const Eigen::VectorXd& dv);
   BlockRows condensed(const JointNewton& newton);
-  double along(const JointNewton& newton, const std::vector<double>& response, int i, int r) const;
   bool asks(const MechanicalSystem& s, int i) const;
   double start(ContactKey key, int row) const;
   ContactSet contacts_;
@@ -53,8 +53,8 @@ class CondensedContacts {
   bool few_ = true;
   std::vector<ContactKey> meanSlip_;
   double dt_ = 0.0;
-  std::vector<double> Lambda_, old_;
-  std::vector<std::vector<double>> response_;
+  std::vector<double> Lambda_, old_, gapSlope_;
+  std::vector<ContactResponse> response_;  // of each contact
   Eigen::VectorXd impulse_, w_, uE_;
 };
 

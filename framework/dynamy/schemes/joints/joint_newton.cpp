@@ -67,6 +67,7 @@ void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
     mostNu_ = std::max(mostNu_, mass.nu(b));
   }
   // Nodes: blocks, then joints; joints make their blocks neighbours of each other.
+  std::vector<int> jointRows;
   std::vector<std::vector<int>> near(static_cast<std::size_t>(blocks + joints));
   nearBlocks_.assign(static_cast<std::size_t>(blocks), {}),
       nearJoints_.assign(static_cast<std::size_t>(blocks), {});
@@ -74,7 +75,7 @@ void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
   for (int k = 0; k < joints; ++k) {
     const int i = joints_[k];
     keys_.push_back(c.key[i]);
-    jointRow_.push_back(jointRow_.back() + c.dim(i));
+    jointRows.push_back(c.dim(i)), jointRow_.push_back(jointRow_.back() + c.dim(i));
     std::vector<int> of;
     for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) of.push_back(c.segment[m].block);
     for (const int b : of) {
@@ -92,45 +93,8 @@ void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
   Lambda.assign(static_cast<std::size_t>(jointRow_.back()), 0.0), dLambda = Lambda, Rg_ = Lambda,
                                                                   g0_ = Lambda;
   gA_ = Lambda, gRate_ = Lambda, gRate0_ = Lambda;
-  order(near), colour();
-  work_.resize(static_cast<std::size_t>(unknowns_));
-}
-
-void JointNewton::order(const std::vector<std::vector<int>>& near) {
-  // Breadth first from a node with few neighbours, component after component (Cuthill–McKee).
-  const int n = static_cast<int>(near.size()), blocks = static_cast<int>(blockNu_.size());
-  std::vector<int> position(static_cast<std::size_t>(n), -1);
-  nodes_.clear(), unknowns_ = 0;
-  const auto visit = [&](int node) {
-    if (position[node] >= 0) return;
-    position[node] = static_cast<int>(nodes_.size());
-    const bool joint = node >= blocks;
-    nodes_.push_back({joint, joint ? node - blocks : node, unknowns_});
-    unknowns_ += joint ? jointRow_[node - blocks + 1] - jointRow_[node - blocks] : blockNu_[node];
-  };
-  std::size_t next = 0;
-  while (static_cast<int>(nodes_.size()) < n) {
-    int start = -1;
-    for (int i = 0; i < n; ++i)
-      if (position[i] < 0 && (start < 0 || near[i].size() < near[start].size())) start = i;
-    visit(start);
-    for (; next < nodes_.size(); ++next) {
-      const int node = nodes_[next].joint ? blocks + nodes_[next].index : nodes_[next].index;
-      for (const int other : near[node]) visit(other);
-    }
-  }
-  blockNode_.assign(static_cast<std::size_t>(blocks), -1),
-      jointNode_.assign(static_cast<std::size_t>(n - blocks), -1), band_ = 0;
-  const auto last = [&](int p) { return (p + 1 < n ? nodes_[p + 1].first : unknowns_) - 1; };
-  for (int p = 0; p < n; ++p) {
-    const Node& node = nodes_[p];
-    (node.joint ? jointNode_ : blockNode_)[node.index] = p;
-    band_ = std::max(band_, last(p) - node.first);
-    for (const int other : near[node.joint ? blocks + node.index : node.index]) {
-      const int q = position[other];
-      band_ = std::max({band_, last(p) - nodes_[q].first, last(q) - node.first});
-    }
-  }
+  walk_.order(near, blockNu_, jointRows), colour();
+  work_.resize(static_cast<std::size_t>(unknowns()));
 }
 
 void JointNewton::colour() {
@@ -215,14 +179,14 @@ void JointNewton::finish(MechanicalSystem& s) {
 }
 
 void JointNewton::addColumn(int block, int j, const Eigen::VectorXd& R0, double perturbation) {
-  const int column = nodes_[blockNode_[block]].first + j;
+  const int column = walk_.block(block) + j;
   for (const int b : nearBlocks_[block]) {
-    const int row = nodes_[blockNode_[b]].first, u0 = blockU0_[b];
+    const int row = walk_.block(b), u0 = blockU0_[b];
     for (int i = 0; i < blockNu_[b]; ++i)
       K_.at(row + i, column) = (Rv_[u0 + i] - R0[u0 + i]) / perturbation;
   }
   for (const int k : nearJoints_[block]) {
-    const int row = nodes_[jointNode_[k]].first;
+    const int row = walk_.joint(k);
     for (int r = 0; r < jointRow_[k + 1] - jointRow_[k]; ++r)
       K_.at(row + r, column) = (Rg_[jointRow_[k] + r] - g0_[jointRow_[k] + r]) / perturbation;
   }
@@ -233,7 +197,7 @@ void JointNewton::addJointColumns(const Evaluation& e) {
   const ContactSet& c = e.contacts;
   e.mass.apply(view(std::as_const(v)), view(momentum_));
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const int i = joints_[k], first = nodes_[jointNode_[k]].first;
+    const int i = joints_[k], first = walk_.joint(k);
     for (int r = 0; r < c.dim(i); ++r) {
       double power = c.chi[c.row0[i] + r] - gRate_[jointRow_[k] + r], twiceT = 0.0, stiffness = 0.0;
       for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
@@ -250,7 +214,7 @@ void JointNewton::addJointColumns(const Evaluation& e) {
       for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
         const Segment& seg = c.segment[m];
         const double* w = c.W.data() + seg.w + static_cast<std::ptrdiff_t>(r) * seg.nu;
-        const int row = nodes_[blockNode_[seg.block]].first;
+        const int row = walk_.block(seg.block);
         for (int j = 0; j < seg.nu; ++j)
           K_.at(row + j, first + r) -= w[j] - share * momentum_[seg.u0 + j];
       }
@@ -261,12 +225,12 @@ void JointNewton::addJointColumns(const Evaluation& e) {
 
 bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse,
                             Tangent wanted) {
-  K_.reset(unknowns_, band_);
+  K_.reset(unknowns(), walk_.band(), walk_.ends());
   addJointColumns(s.slot(0));
   if (wanted == Tangent::closedForm && offered_) {
     offered_ = closedForm(s);
     if (!offered_) {  // what it has begun goes
-      K_.reset(unknowns_, band_);
+      K_.reset(unknowns(), walk_.band(), walk_.ends());
       addJointColumns(s.slot(0));
     }
   }
@@ -281,25 +245,25 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
 bool JointNewton::closedForm(const MechanicalSystem& s) {
   if (!parts_.begin(s, midpoint, v, dt_)) return false;
   for (std::size_t b = 0; b < blockNu_.size(); ++b) {
-    const int first = nodes_[blockNode_[b]].first;
+    const int first = walk_.block(b);
     const JointTangent::Matrix6& K = parts_.ofBlock(static_cast<int>(b));
     for (int i = 0; i < blockNu_[b]; ++i)
       for (int j = 0; j < blockNu_[b]; ++j) K_.at(first + i, first + j) += K(i, j);
   }
   damped_.forEach(s.slot(0).mass, [this](int a, int i, int b, int j, double value) {
-    K_.at(nodes_[blockNode_[a]].first + i, nodes_[blockNode_[b]].first + j) += value;
+    K_.at(walk_.block(a) + i, walk_.block(b) + j) += value;
   });
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const std::size_t row = static_cast<std::size_t>(jointRow_[k]);
     if (!parts_.joint(s, joints_[k], endJoints_[k], Lambda.data() + row, gRate_.data() + row))
       return false;
-    const int rows = jointRow_[k + 1] - jointRow_[k], firstRow = nodes_[jointNode_[k]].first;
+    const int rows = jointRow_[k + 1] - jointRow_[k], firstRow = walk_.joint(k);
     for (int b = 0; b < parts_.sides(); ++b) {
-      const int column = nodes_[blockNode_[parts_.block(b)]].first;
+      const int column = walk_.block(parts_.block(b));
       for (int j = 0; j < parts_.nu(b); ++j) {
         for (int r = 0; r < rows; ++r) K_.at(firstRow + r, column + j) += parts_.ofGap(b)(r, j);
         for (int a = 0; a < parts_.sides(); ++a) {
-          const int first = nodes_[blockNode_[parts_.block(a)]].first;
+          const int first = walk_.block(parts_.block(a));
           for (int i = 0; i < parts_.nu(a); ++i)
             K_.at(first + i, column + j) -= parts_.ofForce(a, b)(i, j);
         }
@@ -333,10 +297,10 @@ void JointNewton::checkPositions(const MechanicalSystem& s) {
   for (std::size_t k = 0; k < joints_.size(); ++k)
     for (int r = 0; r < c.dim(joints_[k]); ++r) {
       double moves = 0.0, follows = 0.0;
-      const int row = nodes_[jointNode_[k]].first + r, i = joints_[k];
+      const int row = walk_.joint(k) + r, i = joints_[k];
       for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
         const Segment& seg = c.segment[m];
-        const int column = nodes_[blockNode_[seg.block]].first;
+        const int column = walk_.block(seg.block);
         for (int j = 0; j < seg.nu; ++j) {
           moves = std::max(moves, std::abs(c.W[static_cast<int>(seg.w) + r * seg.nu + j]));
           follows = std::max(follows, std::abs(K_.at(row, column + j)));
@@ -353,7 +317,7 @@ void JointNewton::checkPositions(const MechanicalSystem& s) {
 }
 
 void JointNewton::newtonStep() {
-  for (const Node& n : nodes_)
+  for (const MechanismWalk::Node& n : walk_.nodes())
     if (n.joint)
       for (int r = jointRow_[n.index]; r < jointRow_[n.index + 1]; ++r)
         work_[n.first + r - jointRow_[n.index]] = -Rg_[r];
@@ -362,32 +326,58 @@ void JointNewton::newtonStep() {
   K_.solve(work_.data());
   dv.setZero(v.size());
   std::fill(dLambda.begin(), dLambda.end(), 0.0);
-  add(work_, 1.0);
+  for (const MechanismWalk::Node& n : walk_.nodes()) add(n, work_.data(), 1, 1.0);
 }
 
-void JointNewton::respond(const double* w, std::vector<double>& out) const {
-  out.assign(static_cast<std::size_t>(unknowns_), 0.0);
-  for (const Node& n : nodes_)
-    for (int j = 0; !n.joint && j < blockNu_[n.index]; ++j)
-      out[n.first + j] = w[blockU0_[n.index] + j];
-  K_.solve(out.data());
+void JointNewton::respond(const ContactSet& c, int i, ContactResponse& out) const {
+  const int rows = out.rows = c.dim(i);
+  out.parts.clear();
+  for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k)
+    out.parts.push_back(walk_.partOfBlock(c.segment[k].block));
+  std::sort(out.parts.begin(), out.parts.end());
+  out.parts.erase(std::unique(out.parts.begin(), out.parts.end()), out.parts.end());
+  out.value.resize(static_cast<std::size_t>(unknowns() * rows));
+  const auto row = [&](int unknown) { return out.value.data() + unknown * rows; };
+  for (const int p : out.parts) std::fill(row(walk_.part(p).first), row(walk_.part(p).last), 0.0);
+  for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k) {
+    const Segment& s = c.segment[k];
+    for (int r = 0; r < rows; ++r)
+      for (int j = 0; j < s.nu; ++j)
+        row(walk_.block(s.block) + j)[r] = c.W[static_cast<int>(s.w) + r * s.nu + j];
+  }
+  for (const int p : out.parts)
+    K_.solve(out.value.data(), walk_.part(p).first, walk_.part(p).last, rows);
 }
 
-void JointNewton::add(const std::vector<double>& response, double factor) {
-  for (const Node& n : nodes_)
-    if (n.joint)
-      for (int r = jointRow_[n.index]; r < jointRow_[n.index + 1]; ++r)
-        dLambda[r] += factor * response[n.first + r - jointRow_[n.index]];
-    else
-      for (int j = 0; j < blockNu_[n.index]; ++j)
-        dv[blockU0_[n.index] + j] += factor * response[n.first + j];
+void JointNewton::add(const ContactResponse& response, int r, double factor) {
+  for (const int p : response.parts)
+    for (int n = walk_.part(p).firstNode; n < walk_.part(p).lastNode; ++n)
+      add(walk_.nodes()[n], response.value.data() + r, response.rows, factor);
 }
 
-double JointNewton::velocityPart(const std::vector<double>& response, int block,
-                                 const double* w) const {
-  const double* part = response.data() + nodes_[blockNode_[block]].first;
+/// (dv, dΛ) of one node += factor · x[stride · unknown].
+void JointNewton::add(const MechanismWalk::Node& n, const double* x, int stride, double factor) {
+  x += n.first * stride;
+  if (n.joint)
+    for (int r = jointRow_[n.index]; r < jointRow_[n.index + 1]; ++r, x += stride)
+      dLambda[r] += factor * *x;
+  else
+    for (int j = 0; j < blockNu_[n.index]; ++j, x += stride)
+      dv[blockU0_[n.index] + j] += factor * *x;
+}
+
+double JointNewton::along(const ContactSet& c, int i, int r, const ContactResponse& response,
+                          int column) const {
   double sum = 0.0;
-  for (int j = 0; j < blockNu_[block]; ++j) sum += w[j] * part[j];
+  for (int k = c.segment0[i]; k < c.segment0[i + 1]; ++k) {
+    const Segment& s = c.segment[k];
+    if (!response.moves(walk_.partOfBlock(s.block))) continue;
+    const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(r) * s.nu;
+    const double* x = response.value.data() + walk_.block(s.block) * response.rows + column;
+    double part = 0.0;
+    for (int j = 0; j < s.nu; ++j, x += response.rows) part += w[j] * *x;
+    sum += part;
+  }
   return sum;
 }
 

@@ -16,13 +16,23 @@
 /// elements need not know second derivatives. Rows and columns follow a walk along the mechanism,
 /// and K is a band.
 #pragma once
+#include <algorithm>
 #include <dynamy/schemes/joints/banded_lu.hpp>
 #include <dynamy/schemes/joints/damped_forces.hpp>
 #include <dynamy/schemes/joints/joint_tangent.hpp>
+#include <dynamy/schemes/joints/mechanism_walk.hpp>
 #include <string>
 #include <string_view>
 
 namespace dynamy {
+
+/// What bodies and joints gain per impulse in each row of a contact.
+struct ContactResponse {
+  int rows = 0;
+  std::vector<int> parts;     ///< of the mechanism that move, ascending
+  std::vector<double> value;  ///< unknowns × rows, row after row; valid in `parts` alone
+  bool moves(int part) const { return std::binary_search(parts.begin(), parts.end(), part); }
+};
 
 class JointNewton {
  public:
@@ -48,15 +58,16 @@ class JointNewton {
   Tangent tangent() const { return tangent_; }
   /// Newton's step −K⁻¹R, not yet taken: dv(), dLambda().
   void newtonStep();
-  /// What all unknowns gain per impulse along w (nu numbers): K⁻¹ [w; 0].
-  void respond(const double* w, std::vector<double>& response) const;
-  int unknowns() const { return unknowns_; }
+  /// What all unknowns gain per impulse in each row of contact i of c: K⁻¹ [w; 0].
+  void respond(const ContactSet& c, int i, ContactResponse& response) const;
+  int unknowns() const { return walk_.unknowns(); }
   /// x ← K⁻¹ x, unknowns() numbers in the order of the walk.
   void solve(double* x) const { K_.solve(x); }
-  /// (dv, dΛ) += factor · response.
-  void add(const std::vector<double>& response, double factor);
-  /// w·v of a response in one mass block; w: nu numbers of that block.
-  double velocityPart(const std::vector<double>& response, int block, const double* w) const;
+  /// (dv, dΛ) += factor · (response to row r).
+  void add(const ContactResponse& response, int r, double factor);
+  /// wᵀ of row r of contact i along the velocities of the response to a row (`column`).
+  double along(const ContactSet& c, int i, int r, const ContactResponse& response,
+               int column) const;
   /// v += dv, Λ += dΛ.
   void take();
 
@@ -68,13 +79,8 @@ class JointNewton {
   int rows() const { return static_cast<int>(Lambda.size()); }
 
  private:
-  struct Node {
-    bool joint = false;
-    int index = 0;  ///< mass block, or position in joints_
-    int first = 0;  ///< its first unknown
-  };
   void connect(const MechanicalSystem& s, const ContactSet& c);
-  void order(const std::vector<std::vector<int>>& near);
+  void add(const MechanismWalk::Node& n, const double* x, int stride, double factor);
   void colour();
   void addJointColumns(const Evaluation& e);
   void differences(MechanicalSystem& s, const Eigen::VectorXd& contactImpulse);
@@ -89,10 +95,10 @@ class JointNewton {
   std::vector<int> joints_, endJoints_;
   std::vector<char> elements_;  // 1: has joints
   std::vector<ContactKey> keys_;
-  std::vector<Node> nodes_;
-  std::vector<int> blockNode_, jointNode_, jointRow_, colour_, blockU0_, blockNu_;
+  MechanismWalk walk_;
+  std::vector<int> jointRow_, colour_, blockU0_, blockNu_;
   std::vector<std::vector<int>> nearBlocks_, nearJoints_;  // of a block, itself included
-  int colours_ = 0, band_ = 0, unknowns_ = 0, mostNu_ = 0;
+  int colours_ = 0, mostNu_ = 0;
   Eigen::VectorXd Rv_, force_, force0_, momentum_, uE_, base_, h_, hNonPotential_;
   std::vector<double> Rg_, g0_, gA_, gRate_, gRate0_, work_;
   BandedLu K_;

@@ -12,8 +12,8 @@ void RunTrust::archive(Archive& a) {
 
 void RunReport::archive(Archive& a) {
   a.section("report");
-  a(t), a(steps), a(rejected), a(parted), a(left), a(firstLeft), a(damped), a(evaluations),
-      a(solves), a(iterations), a(iterationsMax);
+  a(t), a(steps), a(rejected), a(parted), a(left), a(firstLeft), a(damped), a(simpler),
+      a(firstSimpler), a(evaluations), a(solves), a(iterations), a(iterationsMax);
   a(unconverged), a(unsolved), a(impacts), a(switches), a(contactsMax);
   a(located), a(accumulations), a(accumulationEnd), a(undecided), a(unseen);
   a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);
@@ -27,6 +27,7 @@ void StepStatistics::step(const StepView& v) {
   RunReport& r = report_;
   ++r.steps;
   r.t = v.after.t;
+  if (v.report.simpler && r.simpler++ == 0) r.firstSimpler = r.t;
   const StepCounts& counts = v.report.counts;
   r.rejected += counts.rejected, r.located += counts.switches;
   r.effort.smooth += counts.effort.smooth, r.effort.rejected += counts.effort.rejected;

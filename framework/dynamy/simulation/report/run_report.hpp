@@ -109,13 +109,15 @@ struct RunReport {
   double t = 0.0;        ///< time reached [s]
 
   long steps = 0, rejected = 0;
-  long swept = 0;        ///< attempted steps whose path was looked along for fast bodies
-  long parted = 0;       ///< steps taken in parts, because a body would have passed a contact
-  long left = 0;         ///< steps of so many parts that the rest was taken without looking
-  Worst firstLeft;       ///< of these the first, and the contact that was passed; no value
-  int damped = 0;        ///< most forces at a time that steps do not resolve and take at their end
-  long evaluations = 0;  ///< of M, h and contacts
-  long solves = 0;       ///< inclusions with at least one contact
+  long swept = 0;    ///< attempted steps whose path was looked along for fast bodies
+  long parted = 0;   ///< steps taken in parts, because a body would have passed a contact
+  long left = 0;     ///< steps of so many parts that the rest was taken without looking
+  Worst firstLeft;   ///< of these the first, and the contact that was passed; no value
+  int damped = 0;    ///< most forces at a time that steps do not resolve and take at their end
+  long simpler = 0;  ///< steps that a simpler scheme took, StepReport::simpler
+  double firstSimpler = 0.0;  ///< where the first of these ends [s]
+  long evaluations = 0;       ///< of M, h and contacts
+  long solves = 0;            ///< inclusions with at least one contact
   long iterations = 0;
   int iterationsMax = 0;
   long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance

@@ -113,6 +113,16 @@ void aboutParts(const RunReport& r, Warnings& out) {
        r.left, r.firstLeft.t, r.firstLeft.name});
 }
 
+void aboutSimpler(const RunReport& r, Warnings& out) {
+  if (r.simpler == 0) return;
+  out.push_back({"simpler",
+                 fmt::format("<EnergyMomentum> found no solution with joints at their positions in "
+                             "{} step{} (the first ends at t = {:.6g} s): StaggeredMoreau took "
+                             "them, with joints in the mean; take a smaller step",
+                             r.simpler, r.simpler == 1 ? "" : "s", r.firstSimpler),
+                 r.simpler, r.firstSimpler, ""});
+}
+
 void aboutStepping(const RunReport& r, Warnings& out) {
   const SteppingReport& s = r.stepping;
   if (s.periods == 0) return;
@@ -155,7 +165,7 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              t.fall, t.fall / length)});
 }
 
-constexpr std::array<WarningKind, 14> kKinds = {{
+constexpr std::array<WarningKind, 15> kKinds = {{
     {"contradiction", true, "joints or drives contradict each other at the start"},
     {"start positions", false, "joints did not fit at the start, bodies were moved onto them"},
     {"start velocities", false, "joints do not allow the start velocities, they were projected"},
@@ -167,6 +177,7 @@ constexpr std::array<WarningKind, 14> kKinds = {{
     {"overlap", true, "bodies overlap by more than a step explains"},
     {"joints", true, "a joint is off at the end of a step"},
     {"passed", true, "fast bodies may have passed others in a step of very many hits"},
+    {"simpler", true, "a simpler scheme took steps that the chosen one did not solve"},
     {"resolution", false, "steps are long for the motion"},
     {"rest", false, "forces changed unseen while nothing moved"},
     {"time stepping", true, "switches were stepped in time: the tolerance is not promised"},
@@ -204,6 +215,7 @@ std::vector<Warning> warningsOf(const RunReport& report, double sceneLength) {
   aboutImpacts(report, out);
   aboutPositions(report, sceneLength, out);
   aboutParts(report, out);
+  aboutSimpler(report, out);
   aboutStep(report, sceneLength, out);
   aboutRest(report, out);
   aboutStepping(report, out);

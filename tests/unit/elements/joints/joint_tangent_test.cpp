@@ -14,7 +14,7 @@ std::string model(const std::string& systems, const std::string& joints) {
          "</elements><simulation until=\"1\" step=\"1e-2\"><EnergyMomentum/></simulation></dynamy>";
 }
 
-/// K⁻¹ of unit impulses on every velocity, in one way or the other; the way that was really taken.
+/// K⁻¹ of unit vectors, in one way or the other; the way that was really taken.
 JointNewton::Tangent responses(reference::Scene& scene, double dt, JointNewton::Tangent wanted,
                                std::vector<std::vector<double>>& out) {
   const State& x = scene.state();
@@ -23,11 +23,9 @@ JointNewton::Tangent responses(reference::Scene& scene, double dt, JointNewton::
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(x.u.size());
   newton.residual(scene.system(), none);
   EXPECT_TRUE(newton.linearise(scene.system(), none, wanted));
-  out.resize(static_cast<std::size_t>(x.u.size()));
-  for (Eigen::Index i = 0; i < x.u.size(); ++i) {
-    const Eigen::VectorXd w = Eigen::VectorXd::Unit(x.u.size(), i);
-    newton.respond(w.data(), out[static_cast<std::size_t>(i)]);
-  }
+  const auto unknowns = static_cast<std::size_t>(newton.unknowns());
+  out.assign(unknowns, std::vector<double>(unknowns, 0.0));
+  for (std::size_t i = 0; i < unknowns; ++i) out[i][i] = 1.0, newton.solve(out[i].data());
   return newton.tangent();
 }
 

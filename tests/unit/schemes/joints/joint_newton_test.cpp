@@ -27,6 +27,17 @@ LinkedMasses pulled() {
           [](double, ConstVec, ConstVec, Vec h) { h = Vector2d(kForce, 0.0); }};
 }
 
+/// Contact i: one row, 1 on velocity i.
+ContactSet unitDirections(int n) {
+  ContactSet c;
+  c.row0 = {0}, c.segment0 = {0};
+  for (int i = 0; i < n; ++i) {
+    c.segment.push_back({.block = i, .u0 = i, .nu = 1, .w = i});
+    c.W.push_back(1.0), c.row0.push_back(i + 1), c.segment0.push_back(i + 1);
+  }
+  return c;
+}
+
 TEST(JointNewton, SolvesALinearProblemInTwoSteps) {
   LinkedMasses s = pulled();
   JointNewton newton;
@@ -87,12 +98,11 @@ TEST(JointNewton, AnswersWithTheMassesThatARodCouples) {
   newton.residual(*s.system, none);
   ASSERT_TRUE(newton.linearise(*s.system, none));
   // An impulse on mass 0 moves both: 2 (m₁ + m₂) δv = 1.
-  const Vector2d w(1.0, 0.0);
-  std::vector<double> response;
-  newton.respond(w.data(), response);
-  const double unit = 1.0;
+  const ContactSet ends = unitDirections(2);
+  ContactResponse response;
+  newton.respond(ends, 0, response);
   for (const int mass : {0, 1})
-    EXPECT_NEAR(newton.velocityPart(response, mass, &unit), 0.5 / (kM1 + kM2), kDifferences);
+    EXPECT_NEAR(newton.along(ends, mass, 0, response, 0), 0.5 / (kM1 + kM2), kDifferences);
 }
 
 TEST(JointNewton, HasNothingToDoWithoutJointsAndWithConstantMasses) {
