@@ -6,7 +6,6 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostParted = 200;  ///< tries of one step for fast bodies
 /// A rest of so many roundings of the time is none.
 constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 
@@ -32,7 +31,7 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
     const StepReport report = stepper.attempt(stepper.t() + most, most);
     const bool sound = stepper.sound();
     if (const Passing p = sound ? stepper.passing() : Passing{}) {
-      if (i < kMostParted) {
+      if (i < tries_) {
         stepper.reject();
         // Up to the contact; if it is there already, across it in a moment.
         most = p.t > 2.0 * p.width ? p.t - p.width : 2.0 * p.t + p.width;

@@ -8,8 +8,10 @@ namespace dynamy {
 
 class OwnSteps final : public TimeLoop {
  public:
-  /// `largest`: no step is longer [s]; 0: any length.
-  OwnSteps(double largest, NonConvergence policy) : largest_(largest), policy_(policy) {}
+  /// `largest`: no step is longer [s]; 0: any length. `tries`: most of one step for fast bodies, see
+  /// mostParts().
+  OwnSteps(double largest, NonConvergence policy, int tries)
+      : largest_(largest), policy_(policy), tries_(tries) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive&) override {}
 
@@ -17,6 +19,7 @@ class OwnSteps final : public TimeLoop {
   bool advance(Stepper& stepper, double until);
   double largest_;
   NonConvergence policy_;
+  int tries_;
   bool kept_ = false;  // what a longer run goes on from
 };
 

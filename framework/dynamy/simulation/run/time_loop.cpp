@@ -6,7 +6,13 @@ namespace {
 constexpr int kMostHalvings = 6;
 /// See Allowance::begin.
 constexpr int kFewer = 4, kMore = 2;
+/// Parts of a step, and parts times velocities.
+constexpr int kMostParts = 200, kFewestParts = 8, kPartVelocities = 7200;
 }  // namespace
+
+int mostParts(int nu) {
+  return std::clamp(kPartVelocities / std::max(nu, 1), kFewestParts, kMostParts);
+}
 
 void Allowance::begin() {
   now_ = exhausted() ? std::max(1, now_ / kFewer) : std::min(kMore * now_, most_);

@@ -60,7 +60,7 @@ class Counted final : public Stepper {
 TEST(FixedSteps, ThatAreNeverSolvedTakeThreeTriesInTheEnd) {
   Counted s;
   s.solves = [](double) { return false; };
-  FixedStep loop(1.0, NonConvergence::retry);
+  FixedStep loop(1.0, NonConvergence::retry, 200);
   loop.next(s, 1000.0);
   EXPECT_LE(s.attempts, 60);  // 127 without a bound
   for (int i = 0; i < 5; ++i) loop.next(s, 1000.0);
@@ -72,7 +72,7 @@ TEST(FixedSteps, ThatAreNeverSolvedTakeThreeTriesInTheEnd) {
 TEST(FixedSteps, ThatAreSolvedInHalvesKeepThem) {
   Counted s;
   s.solves = [](double dt) { return dt < 0.2; };
-  FixedStep loop(1.0, NonConvergence::retry);
+  FixedStep loop(1.0, NonConvergence::retry, 200);
   for (int i = 0; i < 10; ++i) loop.next(s, 1000.0);
   EXPECT_EQ(s.attempts, 10 * (1 + 2 + 4 + 8));
 }
@@ -80,12 +80,19 @@ TEST(FixedSteps, ThatAreSolvedInHalvesKeepThem) {
 TEST(FixedSteps, ThatArePassedAgainAndAgainTakeFewPartsInTheEnd) {
   Counted s;
   s.passes = true;
-  FixedStep loop(1.0, NonConvergence::retry);
+  FixedStep loop(1.0, NonConvergence::retry, 200);
   for (int i = 0; i < 10; ++i) loop.next(s, 1000.0);
   EXPECT_EQ(s.left, 10);
   const long before = s.attempts;
   for (int i = 0; i < 100; ++i) loop.next(s, 1000.0);
   EXPECT_LE(s.attempts - before, 100 * 6);
+}
+
+TEST(FixedSteps, OfManyBodiesHaveFewerParts) {
+  EXPECT_EQ(mostParts(0), 200);
+  EXPECT_EQ(mostParts(12), 200);
+  EXPECT_EQ(mostParts(180), 40);
+  EXPECT_EQ(mostParts(100000), 8);
 }
 
 }  // namespace
