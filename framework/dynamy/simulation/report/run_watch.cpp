@@ -196,7 +196,10 @@ void RunWatch::energy(const StepView& view) {
   const double error = std::abs(unexplained_);
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
   rounding(e);
-  const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
+  // Above the lowest level so far: what impacts have lost hides no gain after them.
+  const double risen = e.end() - e.start() - e.nonPotential - e.boundaries;
+  least_ = std::min(least_, risen);
+  const double rise = risen - least_;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
 }
 
@@ -270,7 +273,7 @@ void RunWatch::finish(const StepView& last) {
 void RunWatch::archive(Archive& a) {
   a.section("watch");
   a(nextSample_), a(lastSample_), a(switches_), a(impacts_), a(smooth_);
-  a(sampled_), a(unexplained_), a(sampledImpacts_);
+  a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_);
   a(curvature_), a(speed_), a(increment_);
   if (increment_.size() != model_.topology().nu())
     throw ModelError("the checkpoint belongs to another model: it has " +

@@ -28,10 +28,12 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
   double most = until - stepper.t();
   if (largest_ > 0.0) most = std::min(most, largest_);
   for (int i = 0;; ++i) {
+    const long before = stepper.evaluations();
     const StepReport report = stepper.attempt(stepper.t() + most, most);
+    const int tries = mostParts(nu_, stepper.evaluations() - before);
     const bool sound = stepper.sound();
     if (const Passing p = sound ? stepper.passing() : Passing{}) {
-      if (i < tries_) {
+      if (i < tries) {
         stepper.reject();
         // Up to the contact; if it is there already, across it in a moment.
         most = p.t > 2.0 * p.width ? p.t - p.width : 2.0 * p.t + p.width;

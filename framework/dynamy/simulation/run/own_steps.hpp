@@ -8,10 +8,10 @@ namespace dynamy {
 
 class OwnSteps final : public TimeLoop {
  public:
-  /// `largest`: no step is longer [s]; 0: any length. `tries`: most of one step for fast bodies, see
-  /// mostParts().
-  OwnSteps(double largest, NonConvergence policy, int tries)
-      : largest_(largest), policy_(policy), tries_(tries) {}
+  /// `largest`: no step is longer [s]; 0: any length. `nu`: velocities of the model, which
+  /// bound the tries of a step for fast bodies, see mostParts().
+  OwnSteps(double largest, NonConvergence policy, int nu)
+      : largest_(largest), policy_(policy), nu_(nu) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive&) override {}
 
@@ -19,7 +19,7 @@ class OwnSteps final : public TimeLoop {
   bool advance(Stepper& stepper, double until);
   double largest_;
   NonConvergence policy_;
-  int tries_;
+  int nu_;
   bool kept_ = false;  // what a longer run goes on from
 };
 

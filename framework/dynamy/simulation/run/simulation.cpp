@@ -44,10 +44,10 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
   }
-  const int parts = mostParts(model.topology().nu());
+  const int nu = model.topology().nu();
   if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
-    return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, parts);
-  if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence, parts);
+    return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, nu);
+  if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence, nu);
   d.place = s.place, d.element = "simulation";
   if (s.place.line == 0) {
     d.place = beginning(model), d.element.clear();

@@ -75,6 +75,7 @@ class Simulation final : private Stepper {
   void leave(const Passing& p) override;
   double t() const override { return x_.t; }
   double nextStep() const override { return model_.scheme().nextStep(x_); }
+  long evaluations() const override { return report_.evaluations; }
   bool pause(bool asked) override;
 
   template <class Call>

@@ -6,12 +6,12 @@ namespace {
 constexpr int kMostHalvings = 6;
 /// See Allowance::begin.
 constexpr int kFewer = 4, kMore = 2;
-/// Parts of a step, and parts times velocities.
-constexpr int kMostParts = 200, kFewestParts = 8, kPartVelocities = 7200;
+constexpr long kMostParts = 200, kFewestParts = 8, kWork = 14400;  ///< see mostParts()
 }  // namespace
 
-int mostParts(int nu) {
-  return std::clamp(kPartVelocities / std::max(nu, 1), kFewestParts, kMostParts);
+int mostParts(int nu, long evaluations) {
+  const long cost = std::max(nu, 1) * std::max(evaluations, 1l);
+  return static_cast<int>(std::clamp(kWork / cost, kFewestParts, kMostParts));
 }
 
 void Allowance::begin() {
@@ -53,7 +53,9 @@ void FixedStep::archive(Archive& a) {
 }
 
 bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
+  const long before = stepper.evaluations();
   const StepReport report = stepper.attempt(tEnd, dt);
+  parts_.atMost(mostParts(nu_, stepper.evaluations() - before));
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
   if (const Passing p = sound && !parts_.exhausted() ? stepper.passing() : Passing{}) {
     if (parts_.take()) {

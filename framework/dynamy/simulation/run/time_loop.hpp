@@ -2,6 +2,7 @@
 /// only proposes steps, so that fixed steps, augmented stepping and event location are one file
 /// each.
 #pragma once
+#include <algorithm>
 #include <dynamy/core/archive.hpp>
 #include <dynamy/simulation/model/settings.hpp>
 #include <dynamy/simulation/model/time_grid.hpp>
@@ -33,6 +34,8 @@ class Stepper {
   virtual double t() const = 0;
   /// Length that the scheme would try next [s]; 0: it has no say, or does not know.
   virtual double nextStep() const = 0;
+  /// Of M, h and contacts, in all attempts up to now.
+  virtual long evaluations() const = 0;
   /// Between two full steps of the loop: what is archived here can be resumed. `asked`: keep it in
   /// any case, because the next step is shortened by the end time. False: the run is to end.
   virtual bool pause(bool asked) = 0;
@@ -63,6 +66,8 @@ class Allowance {
   void begin();
   /// Takes one; false: there is none left.
   bool take();
+  /// The present step has n at most.
+  void atMost(int n) { now_ = std::min(now_, n); }
   /// The present step has none left, whatever it took.
   void exhaust() { taken_ = now_ + 1; }
   bool exhausted() const { return taken_ > now_; }
@@ -72,9 +77,9 @@ class Allowance {
   int most_, now_, taken_ = 0;
 };
 
-/// Most parts that one step of a model of nu velocities is cut into for fast bodies. Each part moves
-/// all bodies, so that a step of many bodies has fewer: 200 up to 6 bodies, 40 of 30, 8 of 150 and more.
-int mostParts(int nu);
+/// Most parts that one step of a model of nu velocities is cut into for fast bodies, if each costs
+/// so many evaluations of all bodies: 14400 of evaluations times velocities, but 8 to 200 parts.
+int mostParts(int nu, long evaluations);
 
 /// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`. A step
 /// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest; one
@@ -82,9 +87,8 @@ int mostParts(int nu);
 /// taken as it is: a part of the smallest length that is not solved, or what the allowances say.
 class FixedStep final : public TimeLoop {
  public:
-  /// `parts`: most that a step is cut into for fast bodies, see mostParts().
-  FixedStep(double dt, NonConvergence policy, int parts)
-      : grid_(dt), policy_(policy), parts_(parts) {}
+  /// `nu`: velocities of the model, which bound the parts of a step, see mostParts().
+  FixedStep(double dt, NonConvergence policy, int nu) : grid_(dt), policy_(policy), nu_(nu) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive& a) override;
 
@@ -96,7 +100,8 @@ class FixedStep final : public TimeLoop {
   TimeGrid grid_;
   NonConvergence policy_;
   long i_ = 0;  // full steps done
-  Allowance parts_, halves_{24};
+  int nu_;
+  Allowance parts_{200}, halves_{24};
   bool rest_ = false;  // the last, shortened step is taken
 };
 
