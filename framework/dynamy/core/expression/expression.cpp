@@ -125,7 +125,8 @@ bool ExpressionSet::isAffine(int output, std::span<const int> variables) const {
   return degree[outputs_[static_cast<std::size_t>(output)]] < 2;
 }
 
-ExpressionCompiler::ExpressionCompiler(SymbolTable symbols) : symbols_(std::move(symbols)) {}
+ExpressionCompiler::ExpressionCompiler(SymbolTable symbols, bool simplifies)
+    : symbols_(std::move(symbols)), graph_(simplifies) {}
 
 int ExpressionCompiler::add(std::string_view text) {
   outputs_.push_back(parseExpression(text, symbols_, graph_, ConstantParts::finite));

@@ -94,7 +94,9 @@ class ExpressionSet {
 /// Collects formulas and makes the set.
 class ExpressionCompiler {
  public:
-  explicit ExpressionCompiler(SymbolTable symbols);
+  /// `simplifies` = false: results are those of evaluateConstant with the variables' values as
+  /// constants, bit by bit; derivatives at a power of 0 are not those of products.
+  explicit ExpressionCompiler(SymbolTable symbols, bool simplifies = true);
 
   /// Adds a formula and returns the index of its output. Raises ExpressionError; the compiler can
   /// be used on.

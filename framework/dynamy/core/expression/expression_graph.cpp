@@ -45,7 +45,7 @@ ExpressionGraph::Node ExpressionGraph::unary(Op op, Node a) {
   if (isConstant(a)) {
     return constant(fold(op, values_[a], 0.0));
   }
-  if (op == Op::negate && nodes_[a].op == Op::negate) return nodes_[a].a;
+  if (simplifies_ && op == Op::negate && nodes_[a].op == Op::negate) return nodes_[a].a;
   return intern({op, a, 0, 0});
 }
 
@@ -54,6 +54,7 @@ ExpressionGraph::Node ExpressionGraph::binary(Op op, Node a, Node b) {
   if (isConstant(a) && isConstant(b)) {
     return constant(fold(op, values_[a], values_[b]));
   }
+  if (!simplifies_) return intern({op, a, b, 0});
   switch (op) {
     case Op::add:
       return add(a, b);
@@ -111,9 +112,10 @@ ExpressionGraph::Node ExpressionGraph::integerPower(Node a, int n) {
 
 ExpressionGraph::Node ExpressionGraph::power(Node a, Node b) {
   constexpr double kLargestProduct = 8.0;
-  if (!isConstant(b)) return intern({Op::power, a, b, 0});
+  const bool constants = isConstant(a) && isConstant(b);
+  if (!isConstant(b) || (!simplifies_ && !constants)) return intern({Op::power, a, b, 0});
   const double n = values_[b];
-  if (isConstant(a)) return constant(std::pow(values_[a], n));
+  if (constants) return constant(std::pow(values_[a], n));
   if (n == 0.0) return constant(1.0);
   if (n == 0.5) return unary(Op::sqrt, a);
   if (std::abs(n) > kLargestProduct || n != std::floor(n)) {

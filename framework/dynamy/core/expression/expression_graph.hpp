@@ -71,6 +71,11 @@ class ExpressionGraph {
  public:
   using Node = std::uint32_t;
 
+  ExpressionGraph() = default;
+  /// `simplifies` = false: the tape computes what constants in place of the variables would give,
+  /// bit by bit.
+  explicit ExpressionGraph(bool simplifies) : simplifies_(simplifies) {}
+
   Node variable(int slot);
   Node constant(double value);
   Node unary(Op op, Node a);
@@ -96,6 +101,7 @@ class ExpressionGraph {
   std::vector<Instruction> nodes_;
   std::vector<double> values_;
   std::map<Key, Node> index_;
+  bool simplifies_ = true;
 };
 
 }  // namespace dynamy

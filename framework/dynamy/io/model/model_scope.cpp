@@ -154,8 +154,75 @@ ExpressionError withAllNames(std::string_view text, const Scope& scope, const Ex
 
 }  // namespace
 
+CompiledBraces::CompiledBraces(std::string_view value, const Scope& scope) : value_(value) {
+  SymbolTable symbols;
+  for (const std::string& name : namesInBraces(value)) {
+    if (scope.number(name) == nullptr || symbols.find(name) != nullptr) continue;
+    symbols.variable(name);
+    names_.push_back(name);
+  }
+  ExpressionCompiler compiler(symbols, false);
+  for (std::size_t at = value.find_first_of("{}"); at != std::string_view::npos;
+       at = value.find_first_of("{}", at)) {
+    const std::size_t end = value[at] == '{' ? closing(value, at) : std::string_view::npos;
+    if (end == std::string_view::npos) throw ExpressionError("a brace without the other", at, 1);
+    compiler.add(value.substr(at + 1, end - at - 2));
+    parts_.push_back({at, end});
+    at = end;
+  }
+  set_ = compiler.finish();
+  work_.emplace(*set_);
+  x_.resize(names_.size()), numbers_.resize(parts_.size());
+}
+
+std::optional<ResolvedText> CompiledBraces::resolved(const Scope& scope, bool formula) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const double* number = scope.isBroken(names_[i]) ? nullptr : scope.number(names_[i]);
+    if (number == nullptr) return std::nullopt;
+    x_[i] = *number;
+  }
+  set_->eval(x_.data(), numbers_.data(), *work_);
+  ResolvedText out;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (!std::isfinite(numbers_[i])) return std::nullopt;
+    out.text.append(value_, at, parts_[i].begin - at);
+    at = parts_[i].end;
+    out.add(numbers_[i], formula, parts_[i].begin, at);
+  }
+  out.text.append(value_, at);
+  return out;
+}
+
+void ResolvedText::add(double x, bool formula, std::size_t begin, std::size_t end) {
+  const std::string number = formula ? '(' + numberText(x) + ')' : numberText(x);
+  pieces.push_back({text.size(), number.size(), begin, end - begin});
+  text += number;
+}
+
+namespace {
+
+/// What was found before, if the value has braces and comes back; nothing: find it step by step.
+std::optional<ResolvedText> resolvedAgain(const XmlAttribute& attribute, const Scope& scope,
+                                          bool formula) {
+  if (attribute.value.find('{') == std::string::npos) return std::nullopt;
+  const auto [known, isNew] = scope.file().braces.try_emplace(&attribute);
+  if (isNew) return std::nullopt;
+  if (!known->second) {
+    try {
+      known->second.emplace(attribute.value, scope);
+    } catch (const ExpressionError&) {
+      return std::nullopt;
+    }
+  }
+  return known->second->resolved(scope, formula);
+}
+
+}  // namespace
+
 std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
                                           const Scope& scope, bool formula, Faults& faults) {
+  if (auto again = resolvedAgain(attribute, scope, formula)) return again;
   const std::string& value = attribute.value;
   ResolvedText out;
   bool good = true;
@@ -192,9 +259,7 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       const double x = evaluateConstant(inner, symbols);
       if (!std::isfinite(x))
         fault(at, end - at, "the expression has no finite value, is " + numberText(x));
-      const std::string number = formula ? '(' + numberText(x) + ')' : numberText(x);
-      out.pieces.push_back({out.text.size(), number.size(), at, end - at});
-      out.text += number;
+      out.add(x, formula, at, end);
     } catch (const ExpressionError& found) {
       const ExpressionError e = withAllNames(inner, scope, found);
       std::string hint = didYouMean(e.suggestion());

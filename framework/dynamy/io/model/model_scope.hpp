@@ -1,13 +1,14 @@
 /// Scope: what a value of a model file may refer to: parameters, indices, the prefix of its names.
 /// Also the collector of errors, which knows the lines of all files read.
 #pragma once
-#include <dynamy/core/expression/symbol_table.hpp>
+#include <dynamy/core/expression/expression.hpp>
 #include <dynamy/io/xml/fault_list.hpp>
 #include <dynamy/io/xml/xml.hpp>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 namespace dynamy {
 
@@ -19,6 +20,43 @@ struct DefaultEntry {
   const Scope* scope = nullptr;
 };
 using DefaultsTable = std::map<std::string, std::map<std::string, DefaultEntry>>;
+
+/// A value after its braces were replaced by numbers; knows where each byte came from.
+struct ResolvedText {
+  struct Piece {
+    std::size_t begin, size;              ///< of the number in `text`
+    std::size_t sourceBegin, sourceSize;  ///< of the braces in the value
+  };
+  std::string text;
+  std::vector<Piece> pieces;
+
+  /// Appends the number that stands for bytes [begin, end) of the value; in a formula with
+  /// parentheses.
+  void add(double x, bool formula, std::size_t begin, std::size_t end);
+  /// Bytes of the value in the file that bytes of `text` came from.
+  std::pair<std::size_t, std::size_t> source(std::size_t offset, std::size_t length) const;
+};
+
+/// A value with braces whose expressions are compiled: for values that come back with other
+/// numbers, as those of a replicate do in each of its turns.
+class CompiledBraces {
+ public:
+  /// Names with a number in `scope` become variables. Raises ExpressionError.
+  CompiledBraces(std::string_view value, const Scope& scope);
+  /// Nothing: something is wrong in this scope, whatever it is.
+  std::optional<ResolvedText> resolved(const Scope& scope, bool formula);
+
+ private:
+  struct Part {
+    std::size_t begin, end;  // of the braces in the value
+  };
+  std::string value_;
+  std::vector<std::string> names_;  // of the inputs
+  std::vector<Part> parts_;
+  std::optional<ExpressionSet> set_;
+  std::optional<ExpressionWorkspace> work_;
+  std::vector<double> x_, numbers_;
+};
 
 /// A file that is being read, or one turn of a replicate inside of it, which holds its index only
 /// and finds all else in the scope around it.
@@ -36,6 +74,8 @@ struct Scope {
       broken;  ///< names whose own value is wrong: their users stay silent
   DefaultsTable defaults;
   bool defaultsAreBroken = false;  ///< what lacks an attribute stays silent
+  /// Values that were resolved once; compiled from the second time on.
+  mutable std::unordered_map<const XmlAttribute*, std::optional<CompiledBraces>> braces;
 
   const Scope& file() const;
   /// Number behind a name, from the innermost turn outwards; nullptr if there is none.
@@ -77,19 +117,6 @@ class Faults {
   std::map<std::string, const XmlDocument*, std::less<>> files_;
   FaultList all_;
   bool stopped_ = false;
-};
-
-/// A value after its braces were replaced by numbers; knows where each byte came from.
-struct ResolvedText {
-  struct Piece {
-    std::size_t begin, size;              ///< of the number in `text`
-    std::size_t sourceBegin, sourceSize;  ///< of the braces in the value
-  };
-  std::string text;
-  std::vector<Piece> pieces;
-
-  /// Bytes of the value in the file that bytes of `text` came from.
-  std::pair<std::size_t, std::size_t> source(std::size_t offset, std::size_t length) const;
 };
 
 /// Replaces every {expression}; in a formula the number gets parentheses. Nothing: an error was
