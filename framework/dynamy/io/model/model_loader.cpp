@@ -4,6 +4,7 @@
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/law/pair_laws.hpp>
+#include <dynamy/system/partial_mechanical_system.hpp>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -115,6 +116,17 @@ void addOfModel(Faults& faults, const ModelError& error, const XmlDocument& docu
   }
 }
 
+/// Models of more frames are not built to find more faults than those that are known.
+constexpr long kMostFrames = 100'000;
+
+bool isHuge(const Parts& parts) {
+  long frames = 0;
+  for (const auto& [kind, element] : parts)
+    if (kind == Kind::system)
+      frames += static_cast<const PartialMechanicalSystem&>(*element).frames();
+  return frames > kMostFrames;
+}
+
 /// Pairs of materials that no rule covers, although other faults forbid to build the model; for
 /// that, takes systems and rules out of `parts`.
 void findUncoveredPairs(Parts& parts, const Registry& registry, const XmlDocument& document,
@@ -171,9 +183,8 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
                                        : source.title();
   for (const Model::Completion& completion : registry.completions())
     model.addCompletion(completion);
-  if (faults.size() > 0 && whole && addStandIns(source, registry, good, parts)) {
+  if (faults.size() > 0 && whole && addStandIns(source, registry, good, parts) && !isHuge(parts))
     findUncoveredPairs(parts, registry, source.document(), faults);
-  }
   faults.throwIfAny();
   for (auto& [kind, element] : parts) model.add(kind, std::move(element));
   if (!options.build) return model;

@@ -92,6 +92,31 @@ TEST(ModelLoader, ReplicatesWithIndexAndNamesOfTheSameTurn) {
   EXPECT_EQ(stop(m, 1).frames, "b[1].tip b[2]");
 }
 
+TEST(ModelLoader, GivesValuesThatComeBackTheBitsOfTheFirst) {
+  // From the second turn on expressions are compiled. A power computed as a product would differ.
+  const std::string z = "(k+1.1)^7*sin(0.3*k)+h*(k>3)-(k-k)/3";
+  const Model m = load(
+      around("<parameter name=\"h\" value=\"0.7\"/><systems><replicate count=\"20\" index=\"k\">"
+             "<Ball name=\"b\" mass=\"1\" z=\"{" +
+             z + "}\"/></replicate></systems>"));
+  for (int k = 0; k < 20; ++k) {
+    SymbolTable numbers;
+    numbers.constant("h", 0.7), numbers.constant("k", k);
+    // Written with 17 digits and read again: the same number.
+    EXPECT_EQ(m.initialState().q[k], evaluateConstant(z, numbers)) << k;
+  }
+}
+
+TEST(ModelLoader, TellsWhatIsWrongInALaterTurn) {
+  const auto turns = [](const std::string& mass) {
+    return errors(inSystems("<replicate count=\"4\"><Ball mass=\"" + mass + "\"/></replicate>"));
+  };
+  EXPECT_NE(turns("{1/(i-2)+2}").find("the expression has no finite value, is inf"),
+            std::string::npos);
+  EXPECT_NE(turns("{1.5-i}").find("mass"), std::string::npos);
+  EXPECT_NE(turns("{i+1}}").find("\"}\" without \"{\""), std::string::npos);
+}
+
 TEST(ModelLoader, ReplicatesWholeSectionsAndInsideOfElements) {
   const Model m = load(around(
       "<replicate count=\"2\"><systems><replicate count=\"2\" index=\"j\">"
