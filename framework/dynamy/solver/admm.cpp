@@ -162,7 +162,7 @@ SolveReport Admm::solve(const InclusionProblem& p, Vec Lambda) {
       break;
     }
     ++report.iterations;
-    const bool enough = p.rule && p.rule->enough();
+    const bool enough = p.enough();
     if (report.iterations % kTestEvery != 0 && !enough) continue;
     const Residuals now = residuals(p, ConstVec(y_.data(), p.rows()), scratch_);
     if (now.largest() < report.residuals.largest()) report.residuals = now, best_ = y_;

@@ -205,14 +205,13 @@ SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, Solv
 }
 
 bool Automatic::pivot(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
-  if (report.status == SolveStatus::notFinite || p.rows() > kMostPivoted ||
-      (p.rule && p.rule->enough()))
+  if (report.status == SolveStatus::notFinite || p.rows() > kMostPivoted || p.enough())
     return false;
   keep({Lambda.data(), Lambda.size()}, report.residuals);
   Eigen::VectorXd trial = Eigen::VectorXd::Zero(p.rows());
   SolveReport found = lemke_.solve(p, view(trial));
   report.iterations += found.iterations;
-  if (!found.ok() && lemke_.outcome() == LcpOutcome::solved && !(p.rule && p.rule->enough())) {
+  if (!found.ok() && lemke_.outcome() == LcpOutcome::solved && !p.enough()) {
     found = newton_.refine(p, view(trial), found, false);
     report.iterations += found.iterations, report.newton += found.newton;
   }
@@ -251,8 +250,8 @@ void Automatic::press(const InclusionProblem& p, double velocity, int spread,
 }
 
 bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
-  if (report.status == SolveStatus::notFinite || p.size() > kMostRestarted ||
-      (p.rule && p.rule->enough()) || !rescue_.prepare(p))
+  if (report.status == SolveStatus::notFinite || p.size() > kMostRestarted || p.enough() ||
+      !rescue_.prepare(p))
     return false;
   relaxation(p, Relaxation::exact, 1.0, r_);
   Eigen::VectorXd trial(p.rows());
@@ -287,7 +286,7 @@ bool Automatic::others(const InclusionProblem& p, Vec Lambda, SolveReport& repor
   const int before = report.iterations;
   bool solved = false;
   for (int k = 0; k < kSchedules * kOtherStarts && !solved; ++k) {
-    if (p.rule && p.rule->enough()) break;
+    if (p.enough()) break;
     const int start = k % kOtherStarts, way = k / kOtherStarts;
     NewtonSchedule schedule = way % 2 == 0 ? NewtonSchedule() : NewtonSchedule::gentle();
     schedule.velocities = way / 2 % 2 == 1;

@@ -90,7 +90,7 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
     block_.sweep(p, r_.data(), Lambda.data());
     ++sweep, ++report.iterations;
     const double moved = sweep > 1 ? change(view(Lambda)) : 0.0;
-    const bool enough = p.rule && p.rule->enough();
+    const bool enough = p.enough();
     if (!enough && sweep > 2 && sweep - tested < kSweepsPerTest && part * moved > tolerance)
       continue;
     const Residuals now = residuals(p, view(Lambda), scratch_);
@@ -108,8 +108,7 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
   }
   std::copy(best_.begin(), best_.end(), Lambda.data());
   report.residuals = best;
-  if (best.largest() <= tolerance || (p.rule && p.rule->enough()))
-    return best.largest() <= tolerance;
+  if (best.largest() <= tolerance || p.enough()) return best.largest() <= tolerance;
   // Newton's method starts better from plain prox sweeps: extrapolated and locally exact Λ have a
   // more ragged set of sticking contacts.
   std::copy(start_.begin(), start_.end(), Lambda.data());

@@ -53,8 +53,8 @@ SolveReport LemkeSolver::solve(const InclusionProblem& p, Vec Lambda) {
   best_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   form_.pose(p, options_.facets);
   z_.resize(form_.size());
-  outcome_ = lemke_.solve(form_.M(), form_.q(), view(z_), options_.maxPivots,
-                          [&p] { return p.rule && p.rule->enough(); });
+  outcome_ =
+      lemke_.solve(form_.M(), form_.q(), view(z_), options_.maxPivots, [&p] { return p.enough(); });
   report.iterations = lemke_.pivots();
   report.method = form_.exact() ? "Lemke" : faceted_;
   report.status = SolveStatus::stalled;

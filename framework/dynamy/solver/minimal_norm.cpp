@@ -21,7 +21,7 @@ void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec 
   if (!report.ok() || !std::isfinite(unit)) return;
   problem_ = p;
   const StopWith stop(p.rule);
-  problem_.G = &G_, problem_.rule = &stop;
+  problem_.G = &G_, problem_.rule = &stop, problem_.stop = p.stop;
   trial_ = Lambda;
   double a = 0.0;
   for (const double part : kPath) {

@@ -106,6 +106,7 @@ bool PackedGaussSeidel::sweeps(const InclusionProblem& p, double tolerance, int 
       bound *= kLess, k = 1;
     }
     if (best <= kLeastProgress * mark) mark = best, marked = sweep;
+    if (p.enough()) break;
     if (sweep - marked > std::max(kSweepsOfPatience, sweep / 2)) {
       report.status = SolveStatus::stalled;
       break;

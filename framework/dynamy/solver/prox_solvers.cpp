@@ -136,7 +136,7 @@ void ProxSolver::iterate(const InclusionProblem& problem, double tolerance, int 
     if (lost) report.status = std::isfinite(d) ? SolveStatus::diverged : SolveStatus::notFinite;
     // The change alone would flatter a creeping iteration: it only says when the full test is worth
     // its price.
-    const bool enough = problem.rule && problem.rule->enough();
+    const bool enough = problem.enough();
     const bool last = lost || enough || report.iterations >= most;
     if (part * d > tolerance && report.iterations < nextTest && !last) continue;
     const Residuals now = residuals(problem, view(Lambda), scratch_);

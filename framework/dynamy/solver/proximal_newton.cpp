@@ -134,7 +134,7 @@ int ProximalNewton::newton(const InclusionProblem& p, double a, double stop, Vec
   double merit = evaluate(p, a, Lambda.data(), true);
   std::fill(recent, recent + kMemory, merit);
   for (int it = 0; it < kMaxInner; ++it) {
-    if (!(merit >= 0.0) || (p.rule && p.rule->enough())) return -1;
+    if (!(merit >= 0.0) || p.enough()) return -1;
     if (it > 0 && std::sqrt(merit) <= stop) return it;
     if (!step(p, a)) return -1;
     const double bound = *std::max_element(recent, recent + kMemory);
@@ -208,7 +208,7 @@ bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, Solv
   double bestE = report.residuals.largest();
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
   Residuals best = report.residuals;
-  for (int steps = 0; steps < kMostDenseSteps && !(p.rule && p.rule->enough());) {
+  for (int steps = 0; steps < kMostDenseSteps && !p.enough();) {
     std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
     const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
     const int used = newton(p, a, kInnerShare * outer, Lambda), counted = used < 0 ? 40 : used;
@@ -253,7 +253,7 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
     const bool solved = dense(p, Lambda, pressed ? kPressed : (cold ? kCold : kWarm), report);
     report.note("proximal Newton, dense", before);
     if (solved) return report;
-    if (p.rule && p.rule->enough()) {
+    if (p.enough()) {
       report.status = SolveStatus::maxIterations;
       return report;
     }
@@ -283,7 +283,7 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   }
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   report.note(report.method, before);
-  if (report.ok() || (p.rule && p.rule->enough())) return report;
+  if (report.ok() || p.enough()) return report;
   if (limits.maxPatient == 0 || block_.tooLarge()) return left();
   schedule.start = kCold, schedule.rho = kPatientRho;
   schedule.maxNewton = limits.maxPatient;
@@ -291,7 +291,7 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   before = report.iterations;
   block_.solve(p, schedule, options_.tolerance, Lambda, report);
   report.note(report.method, before);
-  if (report.ok() || (p.rule && p.rule->enough())) return report;
+  if (report.ok() || p.enough()) return report;
   return finish(p, limits.maxIterations, Lambda, report);
 }
 

@@ -183,7 +183,7 @@ SolveStatus SemismoothNewton::iterate(const InclusionProblem& p, SolveReport& re
     if (!std::isfinite(now.largest())) return SolveStatus::diverged;
     if (now.largest() < report.residuals.largest()) report.residuals = now, best_ = Lambda_;
     if (report.residuals.largest() <= options_.tolerance) return SolveStatus::solved;
-    if (p.rule && p.rule->enough()) return SolveStatus::maxIterations;
+    if (p.enough()) return SolveStatus::maxIterations;
     merit = map(p, Lambda_.data(), xi_.data(), blocks_.F.data(), true);
     recent[it % memory] = merit;
   }

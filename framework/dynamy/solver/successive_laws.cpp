@@ -47,9 +47,7 @@ double SuccessiveLaws::sweep(const InclusionProblem& p, Phase phase, double* Lam
 int SuccessiveLaws::inner(const InclusionProblem& p, Phase phase, Vec Lambda) {
   p.G->begin(Lambda.data());
   for (int k = 1; k <= options_.maxIterations; ++k)
-    if (!(sweep(p, phase, Lambda.data()) > kInner * options_.tolerance) ||
-        (p.rule && p.rule->enough()))
-      return k;
+    if (!(sweep(p, phase, Lambda.data()) > kInner * options_.tolerance) || p.enough()) return k;
   return options_.maxIterations;
 }
 
@@ -90,7 +88,7 @@ SolveReport SuccessiveLaws::solve(const InclusionProblem& p, Vec Lambda) {
       report.status = SolveStatus::diverged;
       break;
     }
-    if (p.rule && p.rule->enough()) break;
+    if (p.enough()) break;
   }
   std::copy(best_.begin(), best_.end(), Lambda.data());
   report.residuals = bestResiduals;

@@ -125,6 +125,8 @@ class MechanicalSystem {
   bool renew(double tA, State& x) const;
   /// Threads that work on a step; null: the caller's alone. Borrowed.
   void workers(Workers* w) { problem_.workers = w; }
+  /// Once it is set, solvers leave off; null: nobody asks. Borrowed.
+  void stopWhen(const std::atomic<bool>* stop) { problem_.stop = stop; }
 
   /// Lets elements that reserved memory change it; the time loop calls it after every step.
   void remember(State& x);

@@ -22,7 +22,7 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
-/// The run is asked to stop, and a step has more than one try.
+/// The run is asked to stop within a step.
 struct Stopped {};
 
 /// Of the file, for what is missing in it; nowhere for a model that no file holds.
@@ -235,7 +235,10 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   if ((attempted_ || !whole_) && stopped()) throw Stopped{};  // else seen at the step's end
   before_ = x_, attempted_ = true;
   const long evaluations = system_.evaluations();
+  const bool last = stopped();  // the run ends after this step, which is to be solved
+  system_.stopWhen(last ? nullptr : stop_);
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
+  if (!last && stopped()) throw Stopped{};  // solvers may have left off
   if (!model_.scheme().choosesSteps()) x_.t = tEnd;
   project();
   system_.remember(x_);

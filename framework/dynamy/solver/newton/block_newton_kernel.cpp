@@ -173,7 +173,7 @@ BlockNewton::Inner BlockNewton::inner(const InclusionProblem& p, const NewtonSch
   const double first = map(p, Lambda_.data(), xi_.data(), blocks_.F.data(), true);
   recent_.assign(1, first);
   for (steps = 0; steps < s.maxInner && report.newton < s.maxNewton;) {
-    if (p.rule && p.rule->enough()) return Inner::enough;
+    if (p.enough()) return Inner::enough;
     ++steps, ++report.newton, ++report.iterations;
     if (!system_->solve(p, blocks_, dLambda_))
       return system_->tooLarge() ? Inner::tooLarge : Inner::failed;

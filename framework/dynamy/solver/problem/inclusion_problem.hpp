@@ -2,6 +2,7 @@
 ///
 /// Solvers see operators and laws, never elements.
 #pragma once
+#include <atomic>
 #include <dynamy/core/workers.hpp>
 #include <dynamy/solver/problem/delassus.hpp>
 #include <dynamy/solver/problem/stopping_rule.hpp>
@@ -30,6 +31,12 @@ struct InclusionProblem {
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;
   Workers* workers = nullptr;  ///< null: the caller's thread alone
+  /// Set by another thread or a signal: the answer is of no use any more; null: it always is.
+  const std::atomic<bool>* stop = nullptr;
+  /// No more work is wanted: the solver returns its best Λ so far. Asked now and then.
+  bool enough() const {
+    return (stop != nullptr && stop->load(std::memory_order_relaxed)) || (rule && rule->enough());
+  }
 
   int size() const { return contacts->size(); }
   int rows() const { return contacts->rows(); }

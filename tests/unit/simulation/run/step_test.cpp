@@ -155,6 +155,37 @@ TEST(Steps, EndWhenTheRunIsStopped) {
   EXPECT_EQ(s.state().t, 0.1);
 }
 
+/// Is asked to stop by a signal within its fourth step.
+class Interrupted final : public OneStep {
+ public:
+  explicit Interrupted(std::atomic<bool>& stop) : stop_(stop) {}
+  int order() const override { return 2; }
+  StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override {
+    EXPECT_FALSE(s.problem().enough());
+    stop_ = ++steps_ == 4;
+    EXPECT_EQ(s.problem().enough(), steps_ == 4);  // solvers leave off
+    return inner_.step(s, solver, x, dt);
+  }
+
+ private:
+  std::atomic<bool>& stop_;
+  int steps_ = 0;
+  MoreauMidpoint inner_;
+};
+
+TEST(Steps, AreTakenBackIfTheRunIsStoppedWithinThem) {
+  Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 0.93, 0.05);
+  std::atomic<bool> stop{false};
+  m.scheme(std::make_unique<Interrupted>(stop));
+  m.build();
+  Simulation s(m);
+  s.stopWhen(stop);
+  s.run();
+  EXPECT_EQ(s.report().ended, RunReport::Ended::stopped);
+  EXPECT_EQ(s.report().steps, 3);
+  EXPECT_DOUBLE_EQ(s.state().t, 0.15);
+}
+
 /// Solves short steps alone.
 class OnlyShort final : public OneStep {
  public:
