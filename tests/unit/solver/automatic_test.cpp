@@ -122,12 +122,16 @@ TEST(Automatic, SolvesOneContactInClosedForm) {
   EXPECT_LT((Lambda - VectorXd(Eigen::Vector3d(1.0, -0.5, 0.0))).norm(), 1e-12);
 }
 
-/// Never content.
+/// Never content; has enough in the end, since other starts are many.
 class Never final : public FclibRule {
  public:
   double measure(const InclusionProblem&, const double*, const double*) const override {
     return 1.0;
   }
+  bool enough() const override { return --left_ < 0; }
+
+ private:
+  mutable long left_ = 5000;
 };
 /// Asks to stop at once.
 class AtOnce final : public FclibRule {
