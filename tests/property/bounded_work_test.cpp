@@ -159,7 +159,7 @@ TEST(BoundedWork, SweepsManyContactsWithoutBodies) {
 TEST(BoundedWork, IsExactWhereAStepIsTriedAgain) {
   const auto given = givenChain(200);
   InclusionProblem& p = given->problem();
-  p.warmStart = 1.0, p.retried = true;
+  p.warmStart = 1.0, p.effort = Effort::retried;
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   const SolveReport report = Automatic({.bounded = true}).solve(p, view(Lambda));
   EXPECT_TRUE(report.ok());
@@ -178,11 +178,16 @@ TEST(BoundedWork, GivesUpEarlyWhereAStepIsTriedAgain) {
   GivenProblem given(std::move(contacts), G.sparseView(),
                      Eigen::VectorXd::Constant(2 * kPairs, -1));
   InclusionProblem& p = given.problem();
-  p.warmStart = 1.0, p.retried = true;
+  p.warmStart = 1.0, p.effort = Effort::retried;
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   const SolveReport early = Automatic({.bounded = true}).solve(p, view(Lambda));
   EXPECT_FALSE(early.ok());
   EXPECT_EQ(early.attempts, 3);  // sweeps, Newton's method with all of G, and by blocks
+  Lambda.setZero();
+  p.effort = Effort::little;
+  const SolveReport least = Automatic({.bounded = true}).solve(p, view(Lambda));
+  EXPECT_FALSE(least.ok());
+  EXPECT_LE(least.newton, 2 * 4);  // kFewestTried, with all of G and by blocks
   Lambda.setZero();
   const SolveReport patient = Automatic().solve(p, view(Lambda));  // who gives a tolerance
   EXPECT_FALSE(patient.ok());

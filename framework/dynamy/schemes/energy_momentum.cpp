@@ -19,6 +19,9 @@ constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
 constexpr double kLastClosed = 1e-13;
 /// A correction of this many lengths is on the way to nowhere.
 constexpr double kLost = 1e3;
+/// Joints and forces that alone would move bodies by so many lengths more than in the turn before
+/// are far from where their tangent holds: contacts are not solved to the end there.
+constexpr double kFar = 1.0;
 /// Corrections that shrink by less than this ask for a new tangent, and by less than kFresh if one
 /// in closed form will do, which costs less than a turn.
 constexpr double kSlow = 0.1, kFresh = 1e-3;
@@ -183,7 +186,9 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
       }
     }
     newton_.newtonStep();
-    const SolveReport inner = contacts_.solve(s, solver, x, newton_);
+    const bool far = dt * newton_.dv.cwiseAbs().maxCoeff() > kFar * length;
+    const SolveReport inner =
+        contacts_.solve(s, solver, x, newton_, far ? Effort::little : Effort::retried);
     newton_.take();
     const double way = dt * newton_.dv.cwiseAbs().maxCoeff();
     report.residuals = inner.residuals;

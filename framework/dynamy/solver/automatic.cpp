@@ -145,7 +145,7 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
     if (report.ok() || lemke_.proven()) return report;
     keep({Lambda.data(), Lambda.size()}, report.residuals);
   }
-  const bool hurried = options_.bounded && p.retried;
+  const bool hurried = options_.bounded && p.effort != Effort::full;
   if (cold && !hurried && Admm::pays(p) && alternate(p, Lambda, report)) return report;
   if (cold) {
     const int before = report.iterations;
@@ -186,7 +186,8 @@ NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
   const auto affordable = [&](double most) {
     return static_cast<int>(std::min(most / products, 1.0 * all.maxNewton));
   };
-  if (p.retried) return {std::max(kFewestTried, affordable(kMostTried)), 0, 0};
+  if (p.effort == Effort::little) return {kFewestTried, 0, 0};
+  if (p.effort == Effort::retried) return {std::max(kFewestTried, affordable(kMostTried)), 0, 0};
   const int most = std::max(kFewestSteps, affordable(kMostProducts));
   return most < all.maxNewton ? NewtonLimits{most, most, kMostSweeps} : all;
 }

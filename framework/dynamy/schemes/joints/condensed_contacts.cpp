@@ -151,7 +151,7 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
         problem_.gammaFree[r] += problem_.gammaA[r];
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }
-  problem_.uRef = uRef, problem_.warmStart = 1.0, problem_.retried = true;
+  problem_.uRef = uRef, problem_.warmStart = 1.0;
   for (double& noise : problem_.cNoise)
     noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
 }
@@ -205,7 +205,7 @@ void CondensedContacts::follow(const MechanicalSystem& s, const Eigen::VectorXd&
 }
 
 SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver& solver,
-                                     const State& xA, JointNewton& newton) {
+                                     const State& xA, JointNewton& newton, Effort effort) {
   const int n = contacts_.rows();
   if (n == 0) return {};
   uE_ = 2.0 * (newton.v + newton.dv) - xA.u;
@@ -219,6 +219,7 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
   old_ = Lambda_;
   delassus_.given(contacts_, condensed(newton));
   pose(s);
+  problem_.effort = effort;
   const SolveReport report =
       s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
   for (std::size_t i = 0; i < size; ++i)

@@ -22,7 +22,7 @@ class CondensedContacts {
   bool misses(const MechanicalSystem& s, const State& xA, const Eigen::VectorXd& v);
   /// Solves them on the linear model and corrects the Newton step by it.
   SolveReport solve(const MechanicalSystem& s, InclusionSolver& solver, const State& xA,
-                    JointNewton& newton);
+                    JointNewton& newton, Effort effort);
   /// Whether friction drove instead of braking in the step with mean velocity v: where slip turns
   /// to stick, Λ_T(γ_T^A + γ_T^E)/2 may be positive. A step from begin(…) on then takes the mean
   /// slip in these contacts, ξ_T = γ_T^E + γ_T^A, until forgetMeanSlip().

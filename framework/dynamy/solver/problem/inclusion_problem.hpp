@@ -9,6 +9,14 @@
 
 namespace dynamy {
 
+/// How long a search for a solution is worth it.
+enum class Effort {
+  full,     ///< as long as the solver's settings allow
+  retried,  ///< if this is not solved, a shorter step is tried, which is worth more than long
+            ///< searches: they find a solution of one in a thousand
+  little    ///< posed on a linear model, far from where that holds: any answer is only a direction
+};
+
 struct InclusionProblem {
   Delassus* G = nullptr;
   const ContactSet* contacts = nullptr;
@@ -25,9 +33,7 @@ struct InclusionProblem {
   /// is exact to rounding (kExactStart), because nobody corrects the velocities it leaves. Schemes
   /// that correct them in the next step by the gap may ask for less.
   double warmStart = 0.0;
-  /// True: where this is not solved, who poses it tries again with a shorter step, which is worth
-  /// more than long searches: they find a solution of one in a thousand.
-  bool retried = false;
+  Effort effort = Effort::full;
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;
   Workers* workers = nullptr;  ///< null: the caller's thread alone
