@@ -259,7 +259,8 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   }
   if (!any) return std::nullopt;
   const auto n = static_cast<std::size_t>(contacts_.rows());
-  problem_.contacts = &contacts_, problem_.G = &delassus_;
+  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.problem().stop;
+  problem_.effort = Effort::retried;  // by the scheme, with half the step
   problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
   Lambda_.assign(n, 0.0);
   offVelocities(x);
