@@ -5,8 +5,9 @@
 namespace dynamy {
 
 void RunTrust::archive(Archive& a) {
-  for (double* x : {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise,
-                    &energyRiseTime, &omegaDt, &turn, &way, &fall, &leap, &rounding})
+  for (double* x :
+       {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise, &energyRiseTime,
+        &energyGain, &energyGainTime, &omegaDt, &turn, &way, &fall, &leap, &rounding})
     a(*x);
 }
 

@@ -42,12 +42,14 @@ struct RunTrust {
   double kineticMax = 0.0;                          ///< largest T seen [J]
   double stepEnergy = 0.0;                          ///< what the forces alone give in a step [J]
   double energyError = 0.0, energyErrorTime = 0.0;  ///< [J], [s]
-  double energyRise = 0.0, energyRiseTime = 0.0;    ///< [J], [s]
-  double omegaDt = 0.0;                             ///< resolution of smooth motion
-  double turn = 0.0;                                ///< [rad]
-  double way = 0.0;                                 ///< of the fastest frame in a step [m]
-  double fall = 0.0;                                ///< by the forces alone in a step [m]
-  double leap = 0.0;                                ///< way in a step over the sizes of shapes
+  double energyRise = 0.0, energyRiseTime = 0.0;    ///< above the start [J], [s]
+  /// Above the lowest level so far, as far as the scheme itself brought it in [J], [s].
+  double energyGain = 0.0, energyGainTime = 0.0;
+  double omegaDt = 0.0;  ///< resolution of smooth motion
+  double turn = 0.0;     ///< [rad]
+  double way = 0.0;      ///< of the fastest frame in a step [m]
+  double fall = 0.0;     ///< by the forces alone in a step [m]
+  double leap = 0.0;     ///< way in a step over the sizes of shapes
   /// What rounding leaves of energies [J]; nothing below it is reported (RunWatch).
   double rounding = 0.0;
   /// What energies are compared with [J]; kWarned of it is never below `rounding`.

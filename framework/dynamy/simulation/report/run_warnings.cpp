@@ -44,14 +44,16 @@ void aboutSolver(const RunReport& r, Warnings& out) {
 
 void aboutEnergy(const RunReport& r, Warnings& out) {
   const RunTrust& t = r.trust;
-  const double rise = ratio(t.energyRise, t.energyScale());
+  const bool after = t.energyGain > t.energyRise;  // losses
+  const double risen = after ? t.energyGain : t.energyRise;
+  const double rise = ratio(risen, t.energyScale());
   const double error = ratio(t.energyError, t.energyScale());
   if (rise > kEnergy)
     out.push_back({"energy gain",
                    fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
                                "and nothing brought it in; take a smaller step",
-                               t.energyRise, t.energyRiseTime, rise),
-                   1, t.energyRiseTime});
+                               risen, after ? t.energyGainTime : t.energyRiseTime, rise),
+                   1, after ? t.energyGainTime : t.energyRiseTime});
   else if (error > kEnergy)
     out.push_back({"energy",
                    fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "

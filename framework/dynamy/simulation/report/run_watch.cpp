@@ -196,11 +196,13 @@ void RunWatch::energy(const StepView& view) {
   const double error = std::abs(unexplained_);
   if (error > trust.energyError) trust.energyError = error, trust.energyErrorTime = view.after.t;
   rounding(e);
-  // Above the lowest level so far: what impacts have lost hides no gain after them.
-  const double risen = e.end() - e.start() - e.nonPotential - e.boundaries;
-  least_ = std::min(least_, risen);
-  const double rise = risen - least_;
+  const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
+  // What impacts have lost hides no gain after them. Laws that store energy give it back: only what
+  // rises together with the scheme's own part is a gain.
+  least_ = std::min(least_, rise), leastOwn_ = std::min(leastOwn_, e.discretisation);
+  const double gain = std::min(rise - least_, e.discretisation - leastOwn_);
+  if (gain > trust.energyGain) trust.energyGain = gain, trust.energyGainTime = view.after.t;
 }
 
 void RunWatch::rounding(const EnergyReport& e) {
@@ -273,7 +275,7 @@ void RunWatch::finish(const StepView& last) {
 void RunWatch::archive(Archive& a) {
   a.section("watch");
   a(nextSample_), a(lastSample_), a(switches_), a(impacts_), a(smooth_);
-  a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_);
+  a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_), a(leastOwn_);
   a(curvature_), a(speed_), a(increment_);
   if (increment_.size() != model_.topology().nu())
     throw ModelError("the checkpoint belongs to another model: it has " +

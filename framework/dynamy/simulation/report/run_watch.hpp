@@ -64,7 +64,8 @@ class RunWatch final : public Observer {
   };
   std::vector<Mover> movers_;
   double sampled_ = 0.0, unexplained_ = 0.0;
-  double least_ = 0.0;  // smallest rise from the start so far, below zero after losses [J]
+  // Lowest so far of T + V over that of the start, and of what the scheme itself brought in [J].
+  double least_ = 0.0, leastOwn_ = 0.0;
   long sampledImpacts_ = 0;
   double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
   double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]

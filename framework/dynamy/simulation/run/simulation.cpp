@@ -239,7 +239,10 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   const bool last = stopped();  // the run ends after this step, which is to be solved
   system_.stopWhen(last ? nullptr : stop_);
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
-  if (!last && stopped()) throw Stopped{};  // solvers may have left off
+  if (!last && stopped()) {  // solvers may have left off
+    x_ = before_;
+    throw Stopped{};
+  }
   if (!model_.scheme().choosesSteps()) x_.t = tEnd;
   project();
   system_.remember(x_);
