@@ -103,7 +103,6 @@ StepReport EnergyMomentum::simpler(MechanicalSystem& s, InclusionSolver& solver,
   if (x.scheme.size() == 2) ahead = x.scheme[0], inAll = x.scheme[1];
   if (ahead < 1.0) ahead = inAll = std::min(2.0 * inAll + 1.0, kMostSimpler);
   x.scheme.resize(0);
-  staggered_.spend(Effort::retried);
   StepReport report = staggered_.step(s, solver, x, dt);
   report.simpler = true;
   x.scheme.resize(2);

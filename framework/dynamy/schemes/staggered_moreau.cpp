@@ -89,7 +89,7 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
 void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
   problem_ = &s.impactProblem(x, dt, 0, &aim_);
   // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
-  problem_->warmStart = kTakenStart, problem_->effort = effort_;
+  problem_->warmStart = kTakenStart;
   if (!isRough(x)) return;
   // A step at a bounded cost leaves overlaps and forces behind that the next one asks back.
   lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,

@@ -40,8 +40,6 @@ class StaggeredMoreau final : public OneStep {
   StaggeredMoreau() = default;
   explicit StaggeredMoreau(const Options& options) : options_(options) {}
   explicit StaggeredMoreau(const Parameters& x);
-  /// How long inclusions are worth it from now on.
-  void spend(Effort effort) { effort_ = effort; }
   static void declare(Attributes& a);
   int order() const override { return 1; }
   int evaluations() const override { return 2; }
@@ -55,7 +53,6 @@ class StaggeredMoreau final : public OneStep {
   void pose(MechanicalSystem& s, State& x, double dt);
   void ask(MechanicalSystem& s, const State& x, double dt);
   SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
-  Effort effort_ = Effort::full;
   Options options_;
   Projection projection_;
   LostImpulses lost_;
