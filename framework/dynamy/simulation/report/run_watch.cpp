@@ -220,7 +220,9 @@ void RunWatch::resolution(const StepView& view) {
   before_ = view.after.u - view.before.u;
   e.mass.applyInverse(dynamy::view(e.h), dynamy::view(momentum_));
   const double force = dt * dt * e.h.dot(momentum_);
-  report_.trust.stepEnergy = std::max(report_.trust.stepEnergy, 0.5 * force);
+  // Not of forces that the step does not resolve: what it takes of them is a part of h.
+  if (view.system.damped() == 0)
+    report_.trust.stepEnergy = std::max(report_.trust.stepEnergy, 0.5 * force);
   if (momentum_.size() > 0)
     report_.trust.fall =
         std::max(report_.trust.fall, 0.5 * dt * dt * momentum_.cwiseAbs().maxCoeff());

@@ -16,8 +16,7 @@ namespace {
 constexpr double kIdleSeconds = 0.1;
 constexpr std::size_t kSpare = std::size_t{1} << 20;  ///< [byte]
 constexpr int kMostDiagnoses = 3;                     ///< of a run
-constexpr int kManyRows = 150;       ///< one diagnosis of more takes a second: the last
-constexpr int kDiagnosisRows = 400;  ///< above, a diagnosis would take seconds
+constexpr int kDiagnosisRows = 400;                   ///< above, a diagnosis would take seconds
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
@@ -343,8 +342,7 @@ void Simulation::noteUnsolved() {
   const bool known = p.size() > 0 && stepReport_.contacts == p.size();
   u.contact = known && solved.residuals.worst >= 0 ? name(solved.residuals.worst) : "";
   u.findings.clear();
-  if (!known || stopped() || diagnoses_ >= kMostDiagnoses) return;
-  diagnoses_ += p.rows() > kManyRows ? kMostDiagnoses : 1;
+  if (!known || stopped() || diagnoses_++ >= kMostDiagnoses) return;
   DiagnosisOptions options;
   options.maxRows = kDiagnosisRows, options.name = name;
   const Vec Lambda = system_.Lambda();
