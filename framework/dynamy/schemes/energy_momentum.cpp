@@ -38,6 +38,9 @@ double enoughAfter(int turn) {
   return turn >= kLastPatience ? kNearEnough : turn >= kPatience ? kLast : 0.0;
 }
 
+/// What contacts are worth where joints and forces alone move bodies by so many lengths.
+Effort worth(double ahead) { return ahead > kFar ? Effort::little : Effort::retried; }
+
 /// Forces that a step withholds are released however it ends.
 class Withheld {
  public:
@@ -186,9 +189,8 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
       }
     }
     newton_.newtonStep();
-    const bool far = dt * newton_.dv.cwiseAbs().maxCoeff() > kFar * length;
-    const SolveReport inner =
-        contacts_.solve(s, solver, x, newton_, far ? Effort::little : Effort::retried);
+    const double ahead = dt * newton_.dv.cwiseAbs().maxCoeff() / length;
+    const SolveReport inner = contacts_.solve(s, solver, x, newton_, worth(ahead));
     newton_.take();
     const double way = dt * newton_.dv.cwiseAbs().maxCoeff();
     report.residuals = inner.residuals;

@@ -154,7 +154,15 @@ ExpressionError withAllNames(std::string_view text, const Scope& scope, const Ex
 
 }  // namespace
 
-CompiledBraces::CompiledBraces(std::string_view value, const Scope& scope) : value_(value) {
+CompiledBraces::CompiledBraces(std::string_view value, const Scope& scope)
+    : value_(value),
+      set_(compiled(scope)),
+      work_(set_),
+      x_(names_.size()),
+      numbers_(parts_.size()) {}
+
+ExpressionSet CompiledBraces::compiled(const Scope& scope) {
+  const std::string_view value = value_;
   SymbolTable symbols;
   for (const std::string& name : namesInBraces(value)) {
     if (scope.number(name) == nullptr || symbols.find(name) != nullptr) continue;
@@ -170,9 +178,7 @@ CompiledBraces::CompiledBraces(std::string_view value, const Scope& scope) : val
     parts_.push_back({at, end});
     at = end;
   }
-  set_ = compiler.finish();
-  work_.emplace(*set_);
-  x_.resize(names_.size()), numbers_.resize(parts_.size());
+  return compiler.finish();
 }
 
 std::optional<ResolvedText> CompiledBraces::resolved(const Scope& scope, bool formula) {
@@ -181,7 +187,7 @@ std::optional<ResolvedText> CompiledBraces::resolved(const Scope& scope, bool fo
     if (number == nullptr) return std::nullopt;
     x_[i] = *number;
   }
-  set_->eval(x_.data(), numbers_.data(), *work_);
+  set_.eval(x_.data(), numbers_.data(), work_);
   ResolvedText out;
   std::size_t at = 0;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -210,7 +216,7 @@ std::optional<ResolvedText> resolvedAgain(const XmlAttribute& attribute, const S
   if (isNew) return std::nullopt;
   if (!known->second) {
     try {
-      known->second.emplace(attribute.value, scope);
+      known->second = std::make_unique<CompiledBraces>(attribute.value, scope);
     } catch (const ExpressionError&) {
       return std::nullopt;
     }

@@ -6,6 +6,7 @@
 #include <dynamy/io/xml/xml.hpp>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -50,11 +51,14 @@ class CompiledBraces {
   struct Part {
     std::size_t begin, end;  // of the braces in the value
   };
+  /// Fills names_ and parts_.
+  ExpressionSet compiled(const Scope& scope);
+
   std::string value_;
   std::vector<std::string> names_;  // of the inputs
   std::vector<Part> parts_;
-  std::optional<ExpressionSet> set_;
-  std::optional<ExpressionWorkspace> work_;
+  ExpressionSet set_;
+  ExpressionWorkspace work_;
   std::vector<double> x_, numbers_;
 };
 
@@ -75,7 +79,7 @@ struct Scope {
   DefaultsTable defaults;
   bool defaultsAreBroken = false;  ///< what lacks an attribute stays silent
   /// Values that were resolved once; compiled from the second time on.
-  mutable std::unordered_map<const XmlAttribute*, std::optional<CompiledBraces>> braces;
+  mutable std::unordered_map<const XmlAttribute*, std::unique_ptr<CompiledBraces>> braces;
 
   const Scope& file() const;
   /// Number behind a name, from the innermost turn outwards; nullptr if there is none.
