@@ -198,8 +198,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     report.status = inner.status;
     report.energyGain = inner.energyGain, report.repaired = inner.repaired;
     unsolved += inner.ok() ? 0 : 1;
-    if (unsolved == kMostUnsolved) break;
-    if (!std::isfinite(way) || way > kLost * length) break;
+    if (unsolved == kMostUnsolved || !std::isfinite(way) || way > kLost * length) break;
     const double rate = turn > 0 ? way / before : 1.0;
     const bool closed = newton_.tangent() == JointNewton::Tangent::closedForm;
     const bool last = fresh && way <= (closed ? kLastClosed : kLast) * length;
@@ -219,9 +218,8 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
       tangent =
           differencesHelp ? JointNewton::Tangent::differences : JointNewton::Tangent::closedForm;
     }
-    wasFresh = fresh;
+    wasFresh = fresh, before = way;
     fresh = slow || (tangent == JointNewton::Tangent::closedForm && rate > kFresh);
-    before = way;
   }
   if (report.status == SolveStatus::solved) report.status = SolveStatus::maxIterations;
   newton_.residual(s, contacts_.impulse());
