@@ -10,6 +10,9 @@ namespace {
 
 /// Slip of less than so many times its rounding does not count as driven.
 constexpr double kDriving = 1e3;
+/// Of wᵀM⁻¹w, what joints that hold a contact leave: positions agree to 1e-10 lengths or so, and K
+/// has 1e-10 on the diagonal of the joints' rows.
+constexpr double kHeld = 1e-8;
 
 /// Column of contact i's row r, as nu numbers.
 void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
@@ -20,6 +23,19 @@ void column(const ContactSet& c, int i, int r, Eigen::VectorXd& w) {
     for (int j = 0; j < s.nu; ++j)
       w[s.u0 + j] = c.W[static_cast<std::size_t>(s.w + static_cast<std::ptrdiff_t>(r) * s.nu + j)];
   }
+}
+
+/// wᵀM⁻¹w of the normal of contact i.
+double freeG(const ContactSet& c, const MassMatrix& mass, int i) {
+  double G = 0.0;
+  for (int k = c.segment0[static_cast<std::size_t>(i)];
+       k < c.segment0[static_cast<std::size_t>(i) + 1]; ++k) {
+    const Segment& s = c.segment[static_cast<std::size_t>(k)];
+    const ConstVec w(c.W.data() + s.w, s.nu);
+    const ConstBlock inverse = mass.inverse(s.block);
+    for (int j = 0; j < s.nu; ++j) G += w[j] * inverse.row(j).dot(w);
+  }
+  return G;
 }
 
 /// Whether contacts move a common part; others do not feel each other.
@@ -152,8 +168,27 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }
   problem_.uRef = uRef, problem_.warmStart = 1.0;
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (held_[static_cast<std::size_t>(i)] > 0.0) {
+      const auto first = problem_.gammaFree.begin() + contacts_.row0[static_cast<std::size_t>(i)];
+      std::fill(first, first + contacts_.dim(i), 0.0), *first = uRef;
+    }
   for (double& noise : problem_.cNoise)
     noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
+}
+
+/// Contacts at places that joints hold, as a corner on a hinge: nothing that acts along the normal
+/// moves them, wᵀK⁻¹w vanishes against wᵀM⁻¹w. Their gap is that of the joint, which bears what
+/// they could: they stay without force. Asked to open by as much as rounding lets them overlap, they
+/// and the joint would have no solution.
+void CondensedContacts::findHeld(const MechanicalSystem& s, const JointNewton& newton) {
+  held_.assign(static_cast<std::size_t>(contacts_.size()), 0.0);
+  for (int i = 0; i < contacts_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!problem_.law(i).unilateral()) continue;
+    const double free = freeG(contacts_, s.slot(0).mass, i);
+    if (std::abs(newton.along(contacts_, i, 0, response_[at], 0)) <= kHeld * free) held_[at] = free;
+  }
 }
 
 /// G from the responses to all rows; its part of what old_ has done already leaves γ_free.
@@ -161,7 +196,9 @@ BlockRows CondensedContacts::condensed(const JointNewton& newton) {
   BlockRows G = delassus_.release();
   G.clear();
   for (int i = 0; i < contacts_.size(); ++i) {
+    const bool held = held_[static_cast<std::size_t>(i)] > 0.0;
     for (int j = 0; j < contacts_.size(); ++j) {
+      if (held && i != j) continue;
       const ContactResponse& response = response_[static_cast<std::size_t>(j)];
       if (i != j && !meet(response_[static_cast<std::size_t>(i)], response)) continue;
       const auto value0 = static_cast<std::ptrdiff_t>(G.value.size());
@@ -176,6 +213,14 @@ BlockRows CondensedContacts::condensed(const JointNewton& newton) {
               value * old_[static_cast<std::size_t>(other)];
         }
       const auto first = G.value.begin() + value0;
+      if (held) {
+        std::fill(first, G.value.end(), 0.0);
+        for (int r = 0; r < contacts_.dim(i); ++r)
+          G.value[static_cast<std::size_t>(value0 + r * (contacts_.dim(i) + 1))] =
+              held_[static_cast<std::size_t>(i)];
+      } else if (held_[static_cast<std::size_t>(j)] > 0.0) {
+        std::fill(first, G.value.end(), 0.0);
+      }
       if (i != j && std::all_of(first, G.value.end(), [](double x) { return x == 0.0; })) {
         G.value.erase(first, G.value.end());
         continue;
@@ -216,6 +261,7 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
   response_.resize(std::max(response_.size(), size));
   for (std::size_t i = 0; i < size; ++i)
     newton.respond(contacts_, static_cast<int>(i), response_[i]);
+  findHeld(s, newton);
   old_ = Lambda_;
   delassus_.given(contacts_, condensed(newton));
   pose(s);

@@ -41,6 +41,7 @@ class CondensedContacts {
   double aim(int i, double gTol) const;
   void pose(const MechanicalSystem& s);
   void follow(const MechanicalSystem& s, const Eigen::VectorXd& dv);
+  void findHeld(const MechanicalSystem& s, const JointNewton& newton);
   BlockRows condensed(const JointNewton& newton);
   bool asks(const MechanicalSystem& s, int i) const;
   double start(ContactKey key, int row) const;
@@ -55,6 +56,7 @@ class CondensedContacts {
   double dt_ = 0.0;
   std::vector<double> Lambda_, old_, gapSlope_;
   std::vector<ContactResponse> response_;  // of each contact
+  std::vector<double> held_;               // of each contact: its free G if joints hold it, or 0
   Eigen::VectorXd impulse_, w_, uE_;
 };
 
