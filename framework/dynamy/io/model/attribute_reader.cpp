@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/io/model/attribute_reader.hpp>
+#include <dynamy/io/model/braces.hpp>
 #include <stdexcept>
 
 namespace dynamy {

@@ -7,6 +7,8 @@
 
 namespace dynamy {
 
+struct ResolvedText;
+
 /// Names of all elements of a model that others may refer to.
 class NameTable {
  public:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <dynamy/core/expression/expression_error.hpp>
+#include <dynamy/io/model/braces.hpp>
 #include <dynamy/io/model/element_reader.hpp>
 #include <dynamy/io/model/unknown_element.hpp>
 #include <limits>

@@ -1,5 +1,6 @@
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/model/attribute_reader.hpp>
+#include <dynamy/io/model/braces.hpp>
 #include <dynamy/io/model/parameter_evaluator.hpp>
 
 namespace dynamy {

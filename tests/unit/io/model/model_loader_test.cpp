@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <dynamy/core/expression/expression.hpp>
 #include <unit/io/model/load_text.hpp>
 
 namespace dynamy {

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/declared/attributes.hpp>
+#include <dynamy/io/model/braces.hpp>
+
+namespace dynamy {
+namespace {
+
+/// End of the braces that begin at `begin`: index behind '}', npos if they never end.
+std::size_t closing(std::string_view value, std::size_t begin) {
+  const std::size_t end = value.find_first_of("{}", begin + 1);
+  return end == std::string_view::npos || value[end] == '{' ? std::string_view::npos : end + 1;
+}
+
+bool nameStart(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c & 0x80) != 0;
+}
+bool nameContinues(char c) { return nameStart(c) || (c >= '0' && c <= '9'); }
+
+}  // namespace
+
+std::pair<std::size_t, std::size_t> ResolvedText::source(std::size_t offset,
+                                                         std::size_t length) const {
+  // A byte inside of a replaced piece stands for all of its braces. The last piece that begins
+  // before `at` decides; as an end, `at` belongs to what stands before it.
+  const auto map = [this](std::size_t at, bool end) {
+    const auto next = std::upper_bound(
+        pieces.begin(), pieces.end(), at,
+        [end](std::size_t x, const Piece& p) { return end ? x <= p.begin : x < p.begin; });
+    if (next == pieces.begin()) return at;
+    const Piece& p = *(next - 1);
+    const std::size_t behind = p.begin + p.size, sourceEnd = p.sourceBegin + p.sourceSize;
+    if (at < behind || (end && at == behind)) return end ? sourceEnd : p.sourceBegin;
+    return sourceEnd + (at - behind);
+  };
+  const std::size_t begin = map(offset, false);
+  const std::size_t end = length == 0 ? begin : map(offset + length, true);
+  return {begin, end - begin};
+}
+
+void namesIn(std::string_view formula, std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < formula.size();) {
+    if (!nameContinues(formula[i])) {
+      ++i;
+      continue;
+    }
+    const std::size_t first = i;
+    while (i < formula.size() && nameContinues(formula[i])) ++i;
+    if (nameStart(formula[first])) names.emplace_back(formula.substr(first, i - first));
+  }
+}
+
+std::vector<std::string> namesInBraces(std::string_view value) {
+  std::vector<std::string> names;
+  for (std::size_t at = value.find('{'); at != std::string_view::npos; at = value.find('{', at)) {
+    const std::size_t end = std::min(closing(value, at), value.size());
+    namesIn(value.substr(at + 1, end - at - 1), names);
+    at = end;
+  }
+  return names;
+}
+
+namespace {
+
+bool isSymbolName(std::string_view word) {
+  return !word.empty() && nameStart(word[0]) &&
+         std::all_of(word.begin(), word.end(), nameContinues) && word != "e" && word != "pi";
+}
+
+/// The same error, found with all names in reach, so that it can say which one was meant.
+ExpressionError withAllNames(std::string_view text, const Scope& scope, const ExpressionError& e) {
+  try {
+    evaluateConstant(text, scope.all());
+  } catch (const ExpressionError& better) {
+    return better;
+  }
+  return e;
+}
+
+}  // namespace
+
+CompiledBraces::CompiledBraces(std::string_view value, const Scope& scope)
+    : value_(value),
+      set_(compiled(scope)),
+      work_(set_),
+      x_(names_.size()),
+      numbers_(parts_.size()) {}
+
+ExpressionSet CompiledBraces::compiled(const Scope& scope) {
+  const std::string_view value = value_;
+  SymbolTable symbols;
+  for (const std::string& name : namesInBraces(value)) {
+    if (scope.number(name) == nullptr || symbols.find(name) != nullptr) continue;
+    symbols.variable(name);
+    names_.push_back(name);
+  }
+  ExpressionCompiler compiler(symbols, false);
+  for (std::size_t at = value.find_first_of("{}"); at != std::string_view::npos;
+       at = value.find_first_of("{}", at)) {
+    const std::size_t end = value[at] == '{' ? closing(value, at) : std::string_view::npos;
+    if (end == std::string_view::npos) throw ExpressionError("a brace without the other", at, 1);
+    compiler.add(value.substr(at + 1, end - at - 2));
+    parts_.push_back({at, end});
+    at = end;
+  }
+  return compiler.finish();
+}
+
+std::optional<ResolvedText> CompiledBraces::resolved(const Scope& scope, bool formula) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const double* number = scope.isBroken(names_[i]) ? nullptr : scope.number(names_[i]);
+    if (number == nullptr) return std::nullopt;
+    x_[i] = *number;
+  }
+  set_.eval(x_.data(), numbers_.data(), work_);
+  ResolvedText out;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (!std::isfinite(numbers_[i])) return std::nullopt;
+    out.text.append(value_, at, parts_[i].begin - at);
+    at = parts_[i].end;
+    out.add(numbers_[i], formula, parts_[i].begin, at);
+  }
+  out.text.append(value_, at);
+  return out;
+}
+
+void ResolvedText::add(double x, bool formula, std::size_t begin, std::size_t end) {
+  const std::string number = formula ? '(' + numberText(x) + ')' : numberText(x);
+  pieces.push_back({text.size(), number.size(), begin, end - begin});
+  text += number;
+}
+
+namespace {
+
+/// What was found before, if the value has braces and comes back; nothing: find it step by step.
+std::optional<ResolvedText> resolvedAgain(const XmlAttribute& attribute, const Scope& scope,
+                                          bool formula) {
+  if (attribute.value.find('{') == std::string::npos) return std::nullopt;
+  const auto [known, isNew] = scope.file().braces.try_emplace(&attribute);
+  if (isNew) return std::nullopt;
+  if (!known->second) {
+    try {
+      known->second = std::make_shared<CompiledBraces>(attribute.value, scope);
+    } catch (const ExpressionError&) {
+      return std::nullopt;
+    }
+  }
+  return known->second->resolved(scope, formula);
+}
+
+}  // namespace
+
+std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
+                                          const Scope& scope, bool formula, Faults& faults) {
+  if (auto again = resolvedAgain(attribute, scope, formula)) return again;
+  const std::string& value = attribute.value;
+  ResolvedText out;
+  bool good = true;
+  const auto fault = [&](std::size_t at, std::size_t size, std::string text,
+                         std::string hint = {}) {
+    faults.add(scope, scope.document->at(attribute, at, size), node, std::move(text),
+               std::move(hint));
+    good = false;
+  };
+  const std::vector<std::string> names = namesInBraces(value);
+  for (const std::string& name : names)
+    if (scope.isBroken(name)) return std::nullopt;
+  const SymbolTable symbols = scope.some(names);
+
+  for (std::size_t at = 0; at < value.size();) {
+    if (value[at] == '}') {
+      fault(at, 1, "\"}\" without \"{\"");
+      return std::nullopt;
+    }
+    if (value[at] != '{') {
+      const std::size_t next = std::min(value.find_first_of("{}", at), value.size());
+      out.text.append(value, at, next - at);
+      at = next;
+      continue;
+    }
+    const std::size_t end = closing(value, at);
+    if (end == std::string::npos) {
+      fault(at, 1, "\"{\" without \"}\"");
+      return std::nullopt;
+    }
+    // The expression between the braces becomes a number.
+    const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);
+    try {
+      const double x = evaluateConstant(inner, symbols);
+      if (!std::isfinite(x))
+        fault(at, end - at, "the expression has no finite value, is " + numberText(x));
+      out.add(x, formula, at, end);
+    } catch (const ExpressionError& found) {
+      const ExpressionError e = withAllNames(inner, scope, found);
+      std::string hint = didYouMean(e.suggestion());
+      // Of a model without parameters no name can be near.
+      const std::string_view wrong = inner.substr(e.offset(), e.length());
+      if (scope.symbolCount() == 0 && hint.empty() && isSymbolName(wrong))
+        hint = "add <parameter name=\"" + std::string(wrong) + "\" value=\"…\"/>";
+      fault(at + 1 + e.offset(), e.length(), e.message(), std::move(hint));
+    }
+    at = end;
+  }
+  if (!good) return std::nullopt;
+  return out;
+}
+
+}  // namespace dynamy
