@@ -284,9 +284,10 @@ std::vector<Warning> startWarnings(const StartReport& start, double sceneLength)
   if (v.share > kFileNumbers)
     out.push_back(
         {"start velocities",
-         fmt::format("joint {}{} does not allow the velocities at the start, by {:.3g} (m/s or "
+         fmt::format("joint {}{} {} not allow the velocities at the start, by {:.3g} (m/s or "
                      "rad/s): they were projected in the metric of the mass, T {:.6g} -> {:.6g} J",
-                     v.joint, others(v), v.off, start.kineticBefore, start.kineticAfter),
+                     v.joint, others(v), v.joints > 1 ? "do" : "does", v.off, start.kineticBefore,
+                     start.kineticAfter),
          std::max(1L, v.joints), 0.0, v.joint});
   return out;
 }

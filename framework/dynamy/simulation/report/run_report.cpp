@@ -7,7 +7,7 @@ namespace dynamy {
 void RunTrust::archive(Archive& a) {
   for (double* x :
        {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise, &energyRiseTime,
-        &energyGain, &energyGainTime, &omegaDt, &turn, &way, &fall, &leap, &rounding})
+        &energyGain, &energyGainTime, &gainStep, &omegaDt, &turn, &way, &fall, &leap, &rounding})
     a(*x);
 }
 

@@ -45,15 +45,18 @@ struct RunTrust {
   double energyRise = 0.0, energyRiseTime = 0.0;    ///< above the start [J], [s]
   /// Above the lowest level so far, as far as the scheme itself brought it in [J], [s].
   double energyGain = 0.0, energyGainTime = 0.0;
-  double omegaDt = 0.0;  ///< resolution of smooth motion
-  double turn = 0.0;     ///< [rad]
-  double way = 0.0;      ///< of the fastest frame in a step [m]
-  double fall = 0.0;     ///< by the forces alone in a step [m]
-  double leap = 0.0;     ///< way in a step over the sizes of shapes
+  double gainStep = 0.0;  ///< what forces gave in a step since that level [J]
+  double omegaDt = 0.0;   ///< resolution of smooth motion
+  double turn = 0.0;      ///< [rad]
+  double way = 0.0;       ///< of the fastest frame in a step [m]
+  double fall = 0.0;      ///< by the forces alone in a step [m]
+  double leap = 0.0;      ///< way in a step over the sizes of shapes
   /// What rounding leaves of energies [J]; nothing below it is reported (RunWatch).
   double rounding = 0.0;
   /// What energies are compared with [J]; kWarned of it is never below `rounding`.
   double energyScale() const { return std::max({kineticMax, stepEnergy, rounding / kWarned}); }
+  /// The same for energyGain: forces that were gone when it began are no measure of it.
+  double gainScale() const { return std::max({kineticMax, gainStep, rounding / kWarned}); }
   static constexpr double kWarned = 0.01;  ///< of the scale: changes of energy above are reported
   void archive(Archive& a);
 };

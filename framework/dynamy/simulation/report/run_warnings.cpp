@@ -44,9 +44,11 @@ void aboutSolver(const RunReport& r, Warnings& out) {
 
 void aboutEnergy(const RunReport& r, Warnings& out) {
   const RunTrust& t = r.trust;
-  const bool after = t.energyGain > t.energyRise;  // losses
+  const double fromStart = ratio(t.energyRise, t.energyScale());
+  const double fromLeast = ratio(t.energyGain, t.gainScale());
+  const bool after = fromLeast > fromStart;  // losses
   const double risen = after ? t.energyGain : t.energyRise;
-  const double rise = ratio(risen, t.energyScale());
+  const double rise = std::max(fromStart, fromLeast);
   const double error = ratio(t.energyError, t.energyScale());
   if (rise > kEnergy)
     out.push_back({"energy gain",

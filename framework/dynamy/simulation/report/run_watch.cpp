@@ -200,9 +200,12 @@ void RunWatch::energy(const StepView& view) {
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
   // What impacts have lost hides no gain after them. Laws that store energy give it back: only what
   // rises together with the scheme's own part is a gain.
+  if (rise < least_ || e.discretisation < leastOwn_) sinceLeast_ = 0.0;
   least_ = std::min(least_, rise), leastOwn_ = std::min(leastOwn_, e.discretisation);
-  const double gain = std::min(rise - least_, e.discretisation - leastOwn_);
-  if (gain > trust.energyGain) trust.energyGain = gain, trust.energyGainTime = view.after.t;
+  RunTrust now = trust;
+  now.energyGain = std::min(rise - least_, e.discretisation - leastOwn_);
+  now.energyGainTime = view.after.t, now.gainStep = sinceLeast_;
+  if (now.energyGain * trust.gainScale() > trust.energyGain * now.gainScale()) trust = now;
 }
 
 void RunWatch::rounding(const EnergyReport& e) {
@@ -221,11 +224,13 @@ void RunWatch::resolution(const StepView& view) {
   e.mass.applyInverse(dynamy::view(e.h), dynamy::view(momentum_));
   const double force = dt * dt * e.h.dot(momentum_);
   // Not of forces that the step does not resolve: what it takes of them is a part of h.
-  if (view.system.damped() == 0)
+  if (view.system.damped() == 0) {
     report_.trust.stepEnergy = std::max(report_.trust.stepEnergy, 0.5 * force);
-  if (momentum_.size() > 0)
-    report_.trust.fall =
-        std::max(report_.trust.fall, 0.5 * dt * dt * momentum_.cwiseAbs().maxCoeff());
+    sinceLeast_ = std::max(sinceLeast_, 0.5 * force);
+    if (momentum_.size() > 0)
+      report_.trust.fall =
+          std::max(report_.trust.fall, 0.5 * dt * dt * momentum_.cwiseAbs().maxCoeff());
+  }
   const bool changed = report_.switches != switches_ || report_.impacts != impacts_;
   switches_ = report_.switches, impacts_ = report_.impacts;
   smooth_ = changed ? 0 : smooth_ + 1;
@@ -277,7 +282,7 @@ void RunWatch::finish(const StepView& last) {
 void RunWatch::archive(Archive& a) {
   a.section("watch");
   a(nextSample_), a(lastSample_), a(switches_), a(impacts_), a(smooth_);
-  a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_), a(leastOwn_);
+  a(sampled_), a(unexplained_), a(sampledImpacts_), a(least_), a(leastOwn_), a(sinceLeast_);
   a(curvature_), a(speed_), a(increment_);
   if (increment_.size() != model_.topology().nu())
     throw ModelError("the checkpoint belongs to another model: it has " +

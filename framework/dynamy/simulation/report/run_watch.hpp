@@ -66,6 +66,7 @@ class RunWatch final : public Observer {
   double sampled_ = 0.0, unexplained_ = 0.0;
   // Lowest so far of T + V over that of the start, and of what the scheme itself brought in [J].
   double least_ = 0.0, leastOwn_ = 0.0;
+  double sinceLeast_ = 0.0;  // largest that forces gave in a step since then [J]
   long sampledImpacts_ = 0;
   double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
   double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]
