@@ -62,7 +62,7 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
     x.scheme.resize(0);
   s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
   StepReport report{dt, solved, s.problem().size()};
-  if (!apart) report.solved.status = SolveStatus::stalled;
+  if (!apart) report.solved.status = SolveStatus::stalled, s.effort(Effort::retried);
   if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
   if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))
     report.solved.status = SolveStatus::stalled;
@@ -80,6 +80,7 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
     const int iterations = report.iterations, newton = report.newton;
     report = s.impactLaw().solve(*problem_, solver, s.Lambda());
     report.iterations += iterations, report.newton += newton;
+    if (!report.ok()) s.effort(Effort::retried);  // in what is left of this attempt at a step
     if (!s.bringIn()) return report;
     ask(s, x, dt);
   }

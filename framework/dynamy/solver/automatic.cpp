@@ -25,6 +25,8 @@ constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
 /// not exact. Newton steps after one that was.
 constexpr double kLooseStart = 0.01;
 constexpr int kAfterExact = 100;
+/// Newton steps with bodies where a step does with little: 364 of 379 solved ones need less than 60.
+constexpr int kQuick = 100;
 /// Products that the Newton steps of one attempt at a problem without bodies may take in a time step:
 /// some tenths of a second; and steps that it has in any case.
 constexpr double kMostProducts = 1e9;
@@ -181,7 +183,9 @@ bool Automatic::condensed(const InclusionProblem& p) const {
 NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
   const NewtonLimits all{options_.maxNewton, options_.maxPatient, options_.maxIterations};
   if (bounds(p)) return {steps, 0, 0};
-  if (!condensed(p)) return all;
+  // With bodies, where a step does with what finds nearly all solutions.
+  if (!condensed(p))
+    return options_.bounded && p.effort != Effort::full ? NewtonLimits{kQuick, 0, 0} : all;
   const double products = productsOf(p);
   const auto affordable = [&](double most) {
     return static_cast<int>(std::min(most / products, 1.0 * all.maxNewton));

@@ -127,6 +127,9 @@ class MechanicalSystem {
   void workers(Workers* w) { problem_.workers = w; }
   /// Once it is set, solvers leave off; null: nobody asks. Borrowed.
   void stopWhen(const std::atomic<bool>* stop) { problem_.stop = stop; }
+  /// What solvers may spend on the problems that are posed from now on.
+  void effort(Effort e) { effort_ = e; }
+  Effort effort() const { return effort_; }
 
   /// Lets elements that reserved memory change it; the time loop calls it after every step.
   void remember(State& x);
@@ -193,6 +196,7 @@ class MechanicalSystem {
   bool implicit_ = false;  // the present problem has M̂ instead of M
   std::span<const char> withheld_;
   int damped_ = 0;
+  Effort effort_ = Effort::full;
   bool unresolved_ = false;  // M̂ of slot 0 has forces that the step does not resolve
   Delassus::Form form_ = Delassus::Form::automatic;
   InclusionProblem problem_;

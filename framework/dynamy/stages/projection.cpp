@@ -71,7 +71,8 @@ double largestViolation(const ContactSet& c) {
   return worst;
 }
 
-void Projection::select(const ContactSet& all, const State& x, Level level) {
+void Projection::select(const MechanicalSystem& s, const ContactSet& all, const State& x,
+                        Level level) {
   contacts_.clear();
   remembered_.build(x.impulses.key);
   // At a midpoint, where overlaps are repaired and contacts touched, joints may be off by design
@@ -97,7 +98,7 @@ void Projection::select(const ContactSet& all, const State& x, Level level) {
     }
   }
   const auto n = static_cast<std::size_t>(contacts_.rows());
-  problem_.contacts = &contacts_, problem_.G = &delassus_;
+  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.problem().stop;
   problem_.c.assign(contacts_.position.begin(), contacts_.position.end());
   problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0), Lambda_.assign(n, 0.0);
 }
@@ -185,12 +186,16 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
   };
   double worst = violation();
+  Effort effort = s.effort();
   for (int turn = 0; worst > tolerance; ++turn) {
     if (turn == kMostProjections || !std::isfinite(worst)) return false;
     // Gaps that the way of a few violations can close take part.
     const Evaluation& e = s.evaluate(x, slot, std::max(reach, 8.0 * worst));
-    select(e.contacts, x, level);
-    if (level == Level::touch ? !close(e) : !solve(e, *solver) && turn > 2) return false;
+    select(s, e.contacts, x, level);
+    problem_.effort = effort;
+    const bool solved = level == Level::touch ? close(e) : solve(e, *solver);
+    if (!solved && (level == Level::touch || turn > 2)) return false;
+    if (!solved) effort = Effort::retried;  // the next turn meets what is left
     delta_ /= kDisplacementTime;
     const double t = x.t;
     s.move(x, delta_, kDisplacementTime);
@@ -303,8 +308,9 @@ const double* Projection::percussions(ContactKey key) const {
 
 bool Projection::velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot) {
   const Evaluation& e = s.evaluate(x, slot);
-  select(e.contacts, x, Level::velocity);
+  select(s, e.contacts, x, Level::velocity);
   if (contacts_.size() == 0 || !offVelocities(x)) return true;
+  problem_.effort = s.effort();
   const bool ok = solve(e, solver);
   x.u += delta_;
   return ok;

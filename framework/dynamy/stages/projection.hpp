@@ -52,7 +52,7 @@ class Projection {
   bool close(const Evaluation& e);
   bool isTouched(ContactKey key) const;
   double largestGap(const ContactSet& c) const;
-  void select(const ContactSet& all, const State& x, Level level);
+  void select(const MechanicalSystem& s, const ContactSet& all, const State& x, Level level);
   bool solve(const Evaluation& e, InclusionSolver& solver);
   /// Approach speed beyond what brings contact i to g = 0 in Δt [m/s].
   static double closing(const ContactSet& all, int i, double gamma, double dt);

@@ -28,9 +28,9 @@ void Simulation::onCheckpoint(double every, double share,
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 7");  // counts changes of what follows
+  a.section("dynamy checkpoint 8");  // counts changes of what follows
   archiveState(a, x_);
-  a(*loop_), a(report_);
+  a(*loop_), a(report_), searches_.archive(a);
   forAll([&a](Observer& o) { o.archive(a); });
 }
 

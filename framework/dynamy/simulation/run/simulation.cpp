@@ -5,7 +5,6 @@
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/run/own_steps.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
-#include <dynamy/solver/diagnosis/diagnosis.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <exception>
 #include <utility>
@@ -15,8 +14,6 @@ namespace {
 
 constexpr double kIdleSeconds = 0.1;
 constexpr std::size_t kSpare = std::size_t{1} << 20;  ///< [byte]
-constexpr int kMostDiagnoses = 3;                     ///< of a run
-constexpr int kDiagnosisRows = 400;                   ///< above, a diagnosis would take seconds
 
 double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
@@ -61,13 +58,6 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     d.hint = "add one, e.g. tolerance=\"1e-6\", or run with --tolerance 1e-6";
   }
   throw ModelError(d);
-}
-
-/// Index of a gap that is not a number in the last evaluation, which would pass for open; −1: none.
-int gapWithoutNumber(const MechanicalSystem& system) {
-  const std::vector<double>& g = system.slot(0).contacts.g;
-  const auto at = std::find_if(g.begin(), g.end(), [](double x) { return std::isnan(x); });
-  return at == g.end() ? -1 : static_cast<int>(at - g.begin());
 }
 
 /// A solver that threw asked a law of the last problem: what the first one that throws says, or
@@ -237,12 +227,15 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   const long evaluations = system_.evaluations();
   const bool last = stopped();  // the run ends after this step, which is to be solved
   system_.stopWhen(last ? nullptr : stop_);
+  const bool searches = !model_.scheme().choosesSteps();
+  system_.effort(searches ? searches_.next() : Effort::full);
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   if (!last && stopped()) {  // solvers may have left off
     x_ = before_;
     throw Stopped{};
   }
-  if (!model_.scheme().choosesSteps()) x_.t = tEnd;
+  // Schemes search no longer in what is left of an attempt once a search was in vain.
+  if (searches) searches_.done(system_.effort() == Effort::full), x_.t = tEnd;
   project();
   system_.remember(x_);
   report_.evaluations += system_.evaluations() - evaluations;
@@ -256,11 +249,6 @@ void Simulation::project() {
     stepReport_.solved.status = SolveStatus::stalled;
   if (what == Project::both && !projection_.velocities(system_, model_.solver(), x_))
     stepReport_.solved.status = SolveStatus::stalled;
-}
-
-bool Simulation::sound() const {
-  return stepReport_.refused.empty() && system_.indefiniteMass() < 0 && x_.q.allFinite() &&
-         x_.u.allFinite() && gapWithoutNumber(system_) < 0;
 }
 
 Passing Simulation::passing() {
@@ -313,44 +301,6 @@ void Simulation::reject() {
   ++report_.rejected;
 }
 
-bool Simulation::fail(const StepReport& report) {
-  const ContactSet& c = system_.slot(0).contacts;
-  const Residuals& e = report.solved.residuals;
-  std::string text = "t = " + numberText(x_.t) + " s: the inclusion was not solved (" +
-                     std::string(solveStatusText(report.solved.status)) + " after " +
-                     std::to_string(report.solved.iterations) + " iterations, residual " +
-                     numberText(e.largest());
-  if (e.worst >= 0 && e.worst < c.size())
-    text += ", worst at " + contactText(model_, c.key[static_cast<std::size_t>(e.worst)]);
-  stepReport_ = {};
-  return endBecause(text + "); onNonConvergence is stop");
-}
-
-void Simulation::noteUnsolved() {
-  const SolveReport& solved = stepReport_.solved;
-  const InclusionProblem& p = system_.problem();
-  Unsolved& u = report_.unsolved;
-  const double E = solved.residuals.largest();
-  if (u.step > 0 && !(E > 10.0 * u.residual)) return;
-  u.step = report_.steps + 1, u.t = x_.t, u.residual = E, u.iterations = solved.iterations;
-  u.status = std::string(solveStatusText(solved.status));
-  u.tried = attemptsText(solved);
-  const auto name = [&](int i) {
-    return contactText(model_, p.contacts->key[static_cast<std::size_t>(i)]);
-  };
-  // A scheme may solve other problems than the last one in a step.
-  const bool known = p.size() > 0 && stepReport_.contacts == p.size();
-  u.contact = known && solved.residuals.worst >= 0 ? name(solved.residuals.worst) : "";
-  u.findings.clear();
-  if (!known || stopped() || diagnoses_++ >= kMostDiagnoses) return;
-  DiagnosisOptions options;
-  options.maxRows = kDiagnosisRows, options.name = name;
-  const Vec Lambda = system_.Lambda();
-  const Diagnosis d = diagnose(p, dynamy::view(Lambda), solved, model_.solver(), options);
-  for (const Finding& f : d.findings)
-    if (f.kind != FindingKind::unsolved) u.findings += f.text + ' ' + f.advice + '\n';
-}
-
 bool Simulation::pause(bool asked) {
   whole_ = true, attempted_ = false;
   const auto now = Clock::now();
@@ -372,29 +322,6 @@ bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
   report_.ended = RunReport::Ended::failed, report_.cause = cause;
   report_.reason = std::move(reason);
   return false;
-}
-
-std::string Simulation::fault() const {
-  const std::string when = "t = " + numberText(x_.t) + " s: ";
-  if (!stepReport_.refused.empty())
-    return when + "<" + model_.scheme().type() + "> refuses: " + std::string(stepReport_.refused);
-  if (system_.indefiniteMass() >= 0)
-    return when + "the mass matrix of " + systemName(model_, system_.indefiniteMass()) +
-           " is not positive definite";
-  for (std::size_t i = 0; i < model_.systems().size(); ++i) {
-    const SystemHandle& s = model_.topology().system(static_cast<int>(i));
-    for (const auto& [letter, v, first, n] :
-         {std::tuple{"u", &x_.u, s.u0, s.nu}, std::tuple{"q", &x_.q, s.q0, s.nq}})
-      for (int k = 0; k < n; ++k)
-        if (!std::isfinite((*v)[first + k]))
-          return when + letter + "[" + std::to_string(k) + "] of " +
-                 systemName(model_, static_cast<int>(i)) + " is not finite";
-  }
-  if (const int i = gapWithoutNumber(system_); i >= 0)
-    return when + "the gap of " +
-           contactText(model_, system_.slot(0).contacts.candidateKey[static_cast<std::size_t>(i)]) +
-           " is not a number";
-  return {};
 }
 
 }  // namespace dynamy

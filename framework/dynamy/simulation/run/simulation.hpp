@@ -15,6 +15,7 @@
 #include <dynamy/simulation/report/motion_hash.hpp>
 #include <dynamy/simulation/report/recorder.hpp>
 #include <dynamy/simulation/report/run_watch.hpp>
+#include <dynamy/simulation/run/search_pauses.hpp>
 #include <dynamy/simulation/run/time_loop.hpp>
 #include <dynamy/stages/projection.hpp>
 #include <functional>
@@ -115,6 +116,7 @@ class Simulation final : private Stepper {
   Sweep sweep_;
   std::vector<double> zero_, gammaE_;
   std::unique_ptr<TimeLoop> loop_;
+  SearchPauses searches_;
   RunReport report_;
   MotionHash motion_;
   StepStatistics statistics_;

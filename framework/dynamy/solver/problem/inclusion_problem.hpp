@@ -12,8 +12,8 @@ namespace dynamy {
 /// How long a search for a solution is worth it.
 enum class Effort {
   full,     ///< as long as the solver's settings allow
-  retried,  ///< if this is not solved, a shorter step is tried, which is worth more than long
-            ///< searches: they find a solution of one in a thousand
+  retried,  ///< a shorter step follows if this is not solved, or long searches were in vain before:
+            ///< they find a solution of one problem in a thousand
   little    ///< posed on a linear model, far from where that holds: any answer is only a direction
 };
 

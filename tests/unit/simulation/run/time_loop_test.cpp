@@ -1,6 +1,7 @@
 /// Fixed steps have an end, whatever fails in them.
 #include <gtest/gtest.h>
 
+#include <dynamy/simulation/run/search_pauses.hpp>
 #include <dynamy/simulation/run/time_loop.hpp>
 #include <functional>
 
@@ -22,6 +23,39 @@ TEST(Allowance, IsLessAfterAStepThatDidNotGetAlong) {
   EXPECT_EQ(step(1), 1);  // got along with it
   EXPECT_EQ(step(0), 0);
   EXPECT_EQ(step(20), 4);
+}
+
+/// Attempts that search for long, of 1000 of which one in `every` has no solution.
+long searchesOf(int every) {
+  SearchPauses pauses;
+  long searches = 0;
+  for (int i = 0; i < 1000; ++i) {
+    searches += pauses.next() == Effort::full ? 1 : 0;
+    pauses.done(i % every != 0);
+  }
+  return searches;
+}
+
+TEST(SearchPauses, GrowWhereSearchesAreInVain) {
+  // After pauses of 1, 3, 7, 15, 31 and 63 attempts one in 64.
+  EXPECT_EQ(searchesOf(1), 6 + (1000 - 6 - (1 + 3 + 7 + 15 + 31 + 63)) / 64 + 1);
+  // One pause of one attempt after each failure; the next search shortens it again.
+  EXPECT_EQ(searchesOf(100), 990);
+}
+
+TEST(SearchPauses, AreKeptAndExamined) {
+  SearchPauses pauses, same;
+  pauses.done(false), pauses.done(false), pauses.done(false);
+  Archive out;
+  pauses.archive(out);
+  Archive in(out.bytes());
+  same.archive(in);
+  EXPECT_EQ(same.next(), Effort::retried);
+  Archive wrong;
+  int pause = 1, left = 64;
+  wrong(pause), wrong(left);
+  Archive back(wrong.bytes());
+  EXPECT_THROW(same.archive(back), ModelError);
 }
 
 /// A stepper that answers as told, and counts.
