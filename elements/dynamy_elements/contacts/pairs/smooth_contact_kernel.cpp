@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <dynamy_elements/contacts/pairs/segments.hpp>
 #include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
@@ -17,6 +19,10 @@ constexpr double kBesideCap = 1e-3;
 constexpr double kOutermost = 1e-9;
 /// Directions around a cone, the best of which begins.
 constexpr int kTurns = 8;
+/// Rounding of a gap, of the coordinates that it is computed from.
+constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+/// Edges and corners nearest to the middle of a feature, which are tried first.
+constexpr int kFirst = 3;
 
 }  // namespace
 
@@ -85,11 +91,14 @@ class OnDisc {
     if (A_.rho > 0.0)
       for (const double side : {1.0, -1.0})
         if (!(A_.tip && side > 0.0)) cap(side * A_.a);
-    if (A_.tip)
+    if (A_.tip && !nearest_)
       take(onSide(A_, B_), 0.0);
-    else if (A_.half > 0.0)
+    else if (A_.half > 0.0 && !nearest_)
       take(onPoint(*A_.frame, A_.c, B_, &A_.a), A_.rho + A_.r);
-    for (int i = 0; i < A_.rims(); ++i) rim(i);
+    const int near = A_.rims() == 2 && A_.a.dot(B_.centre() - A_.c) > 0.0 ? 1 : 0;
+    if (!nearest_) rim(near);
+    if (!nearest_ && A_.rims() == 2) rim(1 - near);
+    if (nearest_) return best_;
     // Deep inside each other, what separates most need not be a gap of the features found: then n
     // stays in A, and the outermost points count.
     const Vec3 n = best_.d[0];
@@ -103,7 +112,12 @@ class OnDisc {
     const Vec3& n = at.d[0];
     at.g -= tube;
     const double f = n.dot(B_.point(-n)) - A_.support(n);
-    if (f > most_) most_ = f, best_ = at;
+    if (!(f > most_)) return;
+    most_ = f, best_ = at;
+    // They are apart by f at least. If what lies opposite to B's point belongs to A, they are not further.
+    const Vec3 q = at.P - at.g * n;
+    const double rounding = kRounding * (q.cwiseAbs().maxCoeff() + A_.half + A_.rho + A_.r);
+    nearest_ = f > 0.0 && at.g - f <= rounding && (q - A_.nearest(q)).norm() <= A_.r + rounding;
   }
   void cap(const Vec3& n) {
     const PlacedFace face(*A_.frame, n, A_.c, A_.half + A_.r, A_.x, 1.0, true);
@@ -127,13 +141,88 @@ class OnDisc {
     const Vec3 e = A_.acrossAxis(way), u = A_.acrossAxis(B_.point(-n) - o);
     for (const Vec3& start : {e.norm() > 0.0 ? Vec3(way - A_.rho * e.normalized()) : way,
                               u.norm() > A_.rho ? Vec3(n + kBesideCap * u.normalized()) : way})
-      if (start.norm() > 0.0) take(betweenFrom(a, B_, start.normalized()), 0.0);
+      if (start.norm() > 0.0 && !nearest_) take(betweenFrom(a, B_, start.normalized()), 0.0);
   }
 
   const DiscBody& A_;
   const Placed& B_;
   double most_ = -std::numeric_limits<double>::infinity();
   ContactPoint best_;
+  bool nearest_ = false;  // best_ is proven to be
+};
+
+/// Edges and corners of a polyhedron that may be nearest to a feature. Apart, one whose normal points
+/// out of the polyhedron is: they are apart by its gap at least, and there.
+class OnEdges {
+ public:
+  OnEdges(const PlacedPolyhedron& A, const Placed& B) : A_(A), B_(B), body_(*A.of) {}
+
+  ContactPoint best(const ContactPoint& onFace) {
+    best_ = onFace;
+    const int edges = static_cast<int>(body_.edges().size()),
+              corners = static_cast<int>(body_.corners().size());
+    nearMiddle();
+    for (const Near& near : first_)
+      if (near.i >= 0 && !found_) tryOne(near.i);
+    for (int i = 0; i < edges + corners && !found_; ++i) tryOne(i);
+    return best_;
+  }
+
+ private:
+  struct Near {
+    double square = std::numeric_limits<double>::infinity();
+    int i = -1;  // of an edge; of a corner behind all edges
+  };
+  /// Fills first_, nearest to the middle of B first.
+  void nearMiddle() {
+    const Vec3 p = A_.R.transpose() * (B_.centre() - A_.c);
+    const auto enter = [this](double square, int i) {
+      Near other{square, i};
+      for (Near& have : first_)
+        if (other.square < have.square) std::swap(other, have);
+    };
+    const int edges = static_cast<int>(body_.edges().size());
+    for (int i = 0; i < static_cast<int>(body_.corners().size()); ++i)
+      enter((p - body_.corner(i)).squaredNorm(), edges + i);
+    for (int i = 0; i < edges; ++i) {
+      const Polyhedron::Edge& e = body_.edge(i);
+      const Vec3 way = p - e.middle;
+      const double along = std::clamp(way.dot(e.e), -e.half, e.half);
+      enter((way - along * e.e).squaredNorm(), i);
+    }
+  }
+  void tryOne(int i) {
+    const int edges = static_cast<int>(body_.edges().size());
+    i < edges ? edge(i) : corner(i - edges);
+  }
+  void take(const ContactPoint& at) {
+    if (at.g > best_.g) best_ = at, found_ = at.g > 0.0;
+  }
+  void edge(int i) {
+    const Polyhedron::Edge& e = body_.edge(i);
+    const PlacedEdge edge = A_.edge(i);
+    const Vec3 way = A_.R.transpose() * (B_.centre() - edge.o);
+    if (body_.face(e.f).n.dot(way) < 0.0 && body_.face(e.g).n.dot(way) < 0.0) return;
+    const ContactPoint at = onPoint(*A_.frame, edge.o, B_, &edge.e);
+    const Vec3 n = A_.R.transpose() * at.d[0];
+    const bool inWedge =
+        body_.face(e.f).n.cross(n).dot(e.e) >= 0.0 && n.cross(body_.face(e.g).n).dot(e.e) >= 0.0;
+    if (inWedge && std::abs(edge.e.dot(at.P - edge.o)) <= edge.half) take(at);
+  }
+  void corner(int i) {
+    const ContactPoint at = onPoint(*A_.frame, A_.vertex(i), B_, nullptr);
+    const Vec3 n = A_.R.transpose() * at.d[0];
+    for (const int k : body_.neighbours(i))
+      if (n.dot(body_.corner(k) - body_.corner(i)) > 0.0) return;
+    take(at);
+  }
+
+  const PlacedPolyhedron& A_;
+  const Placed& B_;
+  const Polyhedron& body_;
+  std::array<Near, kFirst> first_;
+  ContactPoint best_;
+  bool found_ = false;
 };
 
 }  // namespace
@@ -171,27 +260,7 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
 
   // An edge or corner: what separates most of those whose normal points out of the polyhedron. Deep
   // inside there may be none, or less than a face.
-  ContactPoint best = onFace(highest);
-  for (int i = 0; i < static_cast<int>(body.edges().size()); ++i) {
-    const Polyhedron::Edge& e = body.edge(i);
-    const PlacedEdge edge = A.edge(i);
-    const Vec3 way = A.R.transpose() * (b.centre() - edge.o);
-    if (body.face(e.f).n.dot(way) < 0.0 && body.face(e.g).n.dot(way) < 0.0) continue;
-    const ContactPoint at = onPoint(*A.frame, edge.o, b, &edge.e);
-    const Vec3 n = A.R.transpose() * at.d[0];
-    const bool inWedge =
-        body.face(e.f).n.cross(n).dot(e.e) >= 0.0 && n.cross(body.face(e.g).n).dot(e.e) >= 0.0;
-    if (inWedge && std::abs(edge.e.dot(at.P - edge.o)) <= edge.half && at.g > best.g) best = at;
-  }
-  for (int i = 0; i < static_cast<int>(body.corners().size()); ++i) {
-    const ContactPoint at = onPoint(*A.frame, A.vertex(i), b, nullptr);
-    const Vec3 n = A.R.transpose() * at.d[0];
-    bool inCone = true;
-    for (const int k : body.neighbours(i))
-      inCone = inCone && n.dot(body.corner(k) - body.corner(i)) <= 0.0;
-    if (inCone && at.g > best.g) best = at;
-  }
-  return best;
+  return OnEdges(A, b).best(onFace(highest));
 }
 
 }  // namespace dynamy
