@@ -161,6 +161,7 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
   }
   const int rows = row0_.back();
   W_.setZero(u.size(), rows), MInvW_.resize(u.size(), rows);
+  moved_.clear(), moved0_.clear();
   gamma_.resize(rows), bias_.resize(rows), position_.resize(rows);
   chi_.resize(static_cast<std::size_t>(rows));
   for (std::size_t i = 0; i < n; ++i) {
@@ -169,6 +170,11 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
       const int row = row0_[i] + r, of = held[i].first + r;
       const auto from = static_cast<std::size_t>(c.row0[at] + of);
       addRow(c, index_[i], of, W_, row);
+      moved0_.push_back(static_cast<int>(moved_.size()));
+      for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+        const Segment& s = c.segment[static_cast<std::size_t>(k)];
+        moved_.push_back({s.u0, s.nu});
+      }
       bias_[row] = c.bias.size() > from ? c.bias[from] : 0.0;
       position_[row] = c.position[from];
       chi_[static_cast<std::size_t>(row)] = c.chi[from];
@@ -176,6 +182,7 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
       e.mass.applyInverse({W_.col(row).data(), u.size()}, {MInvW_.col(row).data(), u.size()});
     }
   }
+  moved0_.push_back(static_cast<int>(moved_.size()));
   return true;
 }
 
@@ -275,11 +282,14 @@ void FrozenPhase::solve(const Evaluation& e, const Eigen::MatrixXd& R,
   redundant_ = false;
   if (m == 0) return;
   A_.resize(m, m), rhs_.resize(m);
-  MP_.noalias() = MInvW_ * P_.leftCols(m);
+  multiplyByP();
   for (Eigen::Index k = 0; k < m; ++k) {
     const int row = kept_[static_cast<std::size_t>(k)];
     rhs_[k] = -(R.col(row).dot(free_) + bias[row]);
-    A_.row(k).noalias() = R.col(row).transpose() * MP_;
+    A_.row(k).setZero();
+    for (const Moved& p : moved(row))
+      A_.row(k).noalias() +=
+          R.col(row).segment(p.u0, p.nu).transpose() * MP_.middleRows(p.u0, p.nu);
   }
   // Smallest in units of what each contact carries, so that one that is pressed hard holds more.
   scale_.resize(m);

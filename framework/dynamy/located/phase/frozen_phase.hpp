@@ -19,6 +19,7 @@
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/law/most_rows.hpp>
 #include <dynamy/stages/mechanical_system.hpp>
+#include <span>
 
 namespace dynamy {
 
@@ -158,6 +159,18 @@ class FrozenPhase {
   void columns(std::size_t i);
   void finish(const Evaluation& e, const Eigen::VectorXd& u);
   bool correction(const Evaluation& e, Eigen::VectorXd& delta);
+  void multiplyByP();
+  /// Velocities that a row of W moves; others of its column are zero.
+  struct Moved {
+    int u0, nu;
+  };
+  /// Those of a row of the held contacts.
+  std::span<const Moved> moved(int row) const {
+    const auto first = moved0_.begin() + row;
+    return {moved_.data() + first[0], moved_.data() + first[1]};
+  }
+  std::vector<Moved> moved_;
+  std::vector<int> moved0_;  // the first of each row, and the end
   std::vector<int> row0_, index_;
   std::vector<Form> form_;
   std::vector<Bounds> bounds_;

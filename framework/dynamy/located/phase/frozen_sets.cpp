@@ -106,6 +106,15 @@ double FrozenPhase::gauge(std::size_t i, const double* x) const {
   return b.set->support(in, k, y.data());
 }
 
+/// M⁻¹W P, whose columns are few of those of M⁻¹W each.
+void FrozenPhase::multiplyByP() {
+  const auto m = static_cast<Eigen::Index>(kept_.size());
+  MP_.setZero(MInvW_.rows(), m);
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (Eigen::Index row = 0; row < P_.rows(); ++row)
+      if (P_(row, k) != 0.0) MP_.col(k) += P_(row, k) * MInvW_.col(row);
+}
+
 bool FrozenPhase::correction(const Evaluation& e, Eigen::VectorXd& delta) {
   const auto m = static_cast<Eigen::Index>(kept_.size());
   bool off = false;
@@ -113,10 +122,15 @@ bool FrozenPhase::correction(const Evaluation& e, Eigen::VectorXd& delta) {
   delta.setZero(e.h.size());
   if (!off) return false;
   A_.resize(m, m);
-  for (Eigen::Index k = 0; k < m; ++k)
+  A_.setZero();
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const int row = kept_[static_cast<std::size_t>(k)];
     for (Eigen::Index j = 0; j < m; ++j)
-      A_(k, j) = W_.col(kept_[static_cast<std::size_t>(k)])
-                     .dot(MInvW_.col(kept_[static_cast<std::size_t>(j)]));
+      for (const Moved& p : moved(row))
+        A_(k, j) += W_.col(row)
+                        .segment(p.u0, p.nu)
+                        .dot(MInvW_.col(kept_[static_cast<std::size_t>(j)]).segment(p.u0, p.nu));
+  }
   inverse_.compute(A_);
   inverse_.solve(rhs_, work_);
   for (Eigen::Index k = 0; k < m; ++k)
