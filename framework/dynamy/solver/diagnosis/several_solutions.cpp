@@ -2,6 +2,7 @@
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/solver/diagnosis/diagnosis_parts.hpp>
 #include <dynamy/solver/lemke_solver.hpp>
+#include <limits>
 
 namespace dynamy::diagnosis {
 namespace {
@@ -31,6 +32,12 @@ std::vector<Eigen::VectorXd> starts(const DenseProblem& dense) {
   for (int i = 0; i < p.size(); ++i)
     if (dense.hasNormal(i)) out[2][p.row0(i)] = 10.0 * p.uRef * s[p.row0(i)] * s[p.row0(i)];
   return out;
+}
+
+/// Forces so large that velocities of the problem's size are rounding of GΛ fulfil any law.
+bool onlyRounding(const DenseProblem& dense, const Eigen::VectorXd& Lambda) {
+  const double largest = (dense.G().cwiseAbs() * Lambda.cwiseAbs()).maxCoeff();
+  return std::numeric_limits<double>::epsilon() * largest > kOneSolution * dense.problem().uRef;
 }
 
 std::string stateText(const DenseProblem& dense, const Eigen::VectorXd& Lambda,
@@ -83,7 +90,7 @@ std::optional<Finding> severalSolutions(const DenseProblem& dense, const SolveRe
   for (Eigen::VectorXd& Lambda : starts(dense)) {
     ++tried;
     const SolveReport r = solver.solve(p, view(Lambda));
-    if (!r.ok()) continue;
+    if (!r.ok() || onlyRounding(dense, Lambda)) continue;
     ++solved;
     const Eigen::VectorXd xi =
         dense.G() * Lambda + Eigen::Map<const Eigen::VectorXd>(p.c.data(), p.rows());
