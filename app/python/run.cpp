@@ -157,6 +157,7 @@ class Steps {
       throw ModelError("no step is given",
                        "say step(1e-3), model.step = 1e-3 or model.tolerance = 1e-6");
     const double t = x_.t;
+    system_.effort(Effort::full);
     const StepReport report = model_.scheme().step(system_, model_.solver(), x_, dt);
     if (!model_.scheme().choosesSteps()) x_.t = t + dt;
     system_.remember(x_);

@@ -127,7 +127,8 @@ class MechanicalSystem {
   void workers(Workers* w) { problem_.workers = w; }
   /// Once it is set, solvers leave off; null: nobody asks. Borrowed.
   void stopWhen(const std::atomic<bool>* stop) { problem_.stop = stop; }
-  /// What solvers may spend on the problems that are posed from now on.
+  /// What solvers may spend on the problems that are posed from now on. Schemes lower it once a search
+  /// was in vain; whoever calls them sets it for each step.
   void effort(Effort e) { effort_ = e; }
   Effort effort() const { return effort_; }
 
