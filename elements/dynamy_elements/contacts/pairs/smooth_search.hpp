@@ -19,8 +19,10 @@ struct Placed {
   const Frame& frame;
   const SupportFeature& feature;
   Vec3 centre() const { return frame.r_OS_I + frame.A_IK * feature.c_K; }
-  Vec3 point(const Vec3& d) const {
-    return frame.r_OS_I + frame.A_IK * feature.point(frame.A_IK.transpose() * d);
+  Vec3 point(const Vec3& d) const { return frame.r_OS_I + fromOrigin(d); }
+  /// The same from the origin of its frame, far from that of the world as precise as near it.
+  Vec3 fromOrigin(const Vec3& d) const {
+    return frame.A_IK * feature.point(frame.A_IK.transpose() * d);
   }
   Mat3 derivative(const Vec3& d) const {
     const Mat3& R = frame.A_IK;
@@ -53,8 +55,12 @@ struct Tangents {
 class Search {
  public:
   Search(const Placed* a, const Vec3& at, const Placed& b, const Vec3* e)
-      : a_(a), at_(at), b_(b), e_(e) {}
-  Vec3 y(const Vec3& n) const { return b_.point(-n) - (a_ ? a_->point(n) : at_); }
+      : a_(a), way_(b.frame.r_OS_I - (a ? a->frame.r_OS_I : at)), b_(b), e_(e) {}
+  /// Places in the world would round it otherwise for each n, by more than f is flat at its maximum.
+  Vec3 y(const Vec3& n) const {
+    const Vec3 toB = way_ + b_.fromOrigin(-n);
+    return a_ ? Vec3(toB - a_->fromOrigin(n)) : toB;
+  }
   Mat3 H(const Vec3& n) const {
     const Mat3 ofB = b_.derivative(-n);
     return a_ ? Mat3(ofB + a_->derivative(n)) : ofB;
@@ -82,7 +88,7 @@ class Search {
 
  private:
   const Placed* a_;
-  Vec3 at_;
+  Vec3 way_;  // from the origin of A's frame, or its point, to that of B's
   const Placed& b_;
   const Vec3* e_;
 };

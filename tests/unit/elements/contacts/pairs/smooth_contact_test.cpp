@@ -179,5 +179,43 @@ TEST(SmoothContact, OfEllipsoidsOnRoundBodiesIsTheLargestSeparation) {
   EXPECT_GT(compared, 175);
 }
 
+/// No direction separates by more than the distance of two points, and none of the bodies' points are
+/// nearer than a direction separates: both together prove a gap.
+TEST(SmoothContact, OfEllipsoidsIsProvenWhereBodiesAreApart) {
+  Random r(38);
+  int proven = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    // Also far from the origin, where coordinates round to 1e-13 m.
+    const double far = trial % 4 == 0 ? 1e3 : 1.0;
+    const Mover A = random(r, far * r.vec()), B = random(r, A.frame.r_OS_I + 2.0 * r.vec());
+    const SupportFeature b =
+        ellipsoid(Vec3::Constant(0.1) + 0.4 * r.vec().cwiseAbs(), 0.1 * r.vec());
+    const double rounding = 1e-12 * far;  // some thousand operations on coordinates of this size
+    const bool round = trial % 2 == 0;
+    const Polyhedron body(r.hull(4 + trial % 12));
+    const double half = trial % 3 == 0 ? 0.0 : 0.5, tube = trial % 3 == 0 ? 0.1 : 0.0;
+    const DiscBody disc{
+        &A.frame, A.frame.r_OS_I, A.frame.A_IK.col(2),         A.frame.A_IK.col(0), half,
+        0.4,      tube,           half > 0.0 && trial % 5 == 0};
+    const PlacedPolyhedron of = placed(A.frame, body);
+    const ContactPoint c =
+        round ? smoothOnDisc(disc, B.frame, b) : smoothOnPolyhedron(of, B.frame, b);
+    if (c.g < 1e-6) continue;
+    ++proven;
+    const Vec3 &n = c.d[0], q = c.P - c.g * n;
+    double most = -kInfinity, outside = -kInfinity;
+    if (round) {
+      most = disc.support(n), outside = (q - disc.nearest(q)).norm() - disc.r;
+    } else {
+      for (const Vec3& p : body.corners()) most = std::max(most, n.dot(of.c + of.R * p));
+      for (const Polyhedron::Face& face : body.faces())
+        outside = std::max(outside, face.n.dot(of.R.transpose() * (q - of.c)) - face.height);
+    }
+    EXPECT_NEAR(-support(B.frame, b, -n) - most, c.g, rounding) << "trial " << trial;
+    EXPECT_LT(outside, rounding) << "trial " << trial;
+  }
+  EXPECT_GT(proven, 2000);
+}
+
 }  // namespace
 }  // namespace dynamy
