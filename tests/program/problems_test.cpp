@@ -36,7 +36,7 @@ TEST_F(ProblemsTest, AnUnsolvedStepSaysWhereWhatWasTriedAndWhatToDo) {
         "tried: sweeps (", "then proximal Newton", "Gauss-Seidel (", "Jammed and squeezed: left",
         "Make room for the body between them", "Try a smaller --step", "--dump-problems 0"})
     EXPECT_TRUE(says(out(), part)) << part << "\n" << out();
-  // Forces of 1e16 u_ref hide the contradiction in the rounding of their difference.
+  // Huge forces hide the contradiction in the rounding of their difference.
   EXPECT_FALSE(says(out(), "the problem has a solution")) << out();
   const std::string facts = readWholeFile(path("r/run.json"));
   for (const char* part : {"\"unsolved\": {", "\"status\": \"stalled\"", "\"tried\": \"sweeps ("})

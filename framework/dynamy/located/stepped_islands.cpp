@@ -30,6 +30,7 @@ SteppedIslands::Trial SteppedIslands::attempt(MechanicalSystem& s, InclusionSolv
   Trial out;
   s.thaw(), s.bias(false);
   out.report = step(s, solver, from, x, h);
+  s.effort(Effort::full);  // a search in vain is that of this step alone
   out.newton = 1 + out.report.solved.newton;
   out.error = error(s, norm, islands, stepped, from, x, h);
   return out;
@@ -44,6 +45,7 @@ StepReport SteppedIslands::step(MechanicalSystem& s, InclusionSolver& solver, co
     if (report.solved.ok() || !midpoint_.hasJoints()) return report;
     projected_ = true, rate_.resize(0);
     x = from;
+    s.effort(Effort::full);
   }
   x.scheme.resize(0);
   return projecting_.step(s, solver, x, h);

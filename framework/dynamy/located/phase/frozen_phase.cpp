@@ -286,6 +286,10 @@ void FrozenPhase::solve(const Evaluation& e, const Eigen::MatrixXd& R,
   for (Eigen::Index k = 0; k < m; ++k) {
     const int row = kept_[static_cast<std::size_t>(k)];
     rhs_[k] = -(R.col(row).dot(free_) + bias[row]);
+    if (&R != &W_) {  // at another position, where contacts may move others
+      A_.row(k).noalias() = R.col(row).transpose() * MP_;
+      continue;
+    }
     A_.row(k).setZero();
     for (const Moved& p : moved(row))
       A_.row(k).noalias() +=

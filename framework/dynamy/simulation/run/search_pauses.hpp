@@ -1,7 +1,7 @@
 /// SearchPauses: which steps of a run may search for long. What no search has found in a step is
 /// seldom found in the next one: after a search in vain 1, 3, 7, … 63 attempts do with what finds
-/// nearly all solutions (Effort::retried). Where one of ten steps has no solution, pauses grow; where
-/// one of a hundred has none, they do not.
+/// nearly all solutions (Effort::retried). Where three of ten steps, at random, have no solution, one
+/// attempt of twenty searches; where one of a hundred has none, 99 of a hundred do.
 #pragma once
 #include <algorithm>
 #include <dynamy/core/archive.hpp>
