@@ -87,13 +87,9 @@ TEST(BoundedWork, IsForThoseWhoGiveNoTolerance) {
   EXPECT_GT(worst(""), 1e-6);
 }
 
-/// What the default scheme takes of a start, after a step that was solved to rounding and after one
-/// that was not.
-constexpr double kAfterExact = 0.1, kAfterLoose = 0.01;
-
 /// A chain of `n` blocks of six velocities with a frictional contact each; its percussions from a
 /// cold start.
-Eigen::VectorXd chain(int n, bool bounded, double warmStart) {
+Eigen::VectorXd chain(int n, bool bounded, Corrected corrected) {
   std::mt19937 random(3);
   const UnilateralCoulomb law(0.0, 0.0, 0.3);
   fixture::Inclusion x(
@@ -107,22 +103,26 @@ Eigen::VectorXd chain(int n, bool bounded, double warmStart) {
     c.segment(3 * i, 3) = Eigen::Vector3d(-1.0, 0.1, 0.0);
   }
   InclusionProblem& p = x.pose(c);
-  p.warmStart = warmStart;
+  p.corrected = corrected;
   Lambda[0] = 100.0;  // a start, but a bad one: sweeps only
   Automatic solver({.bounded = bounded});
   const SolveReport report = solver.solve(p, view(Lambda));
   EXPECT_TRUE(report.ok());
   const bool exact = report.residuals.largest() <= 1e-10;
-  EXPECT_EQ(exact, !(bounded && warmStart == kAfterLoose && n >= 200))
+  EXPECT_EQ(exact, !(bounded && corrected == Corrected::byGapsLoosely && n >= 200))
       << n << ": " << report.residuals.largest();
   return Lambda;
 }
 
 TEST(BoundedWork, LeavesFewContactsAndOtherSchemesExact) {
-  EXPECT_EQ(chain(199, false, kAfterLoose), chain(199, true, kAfterLoose));
-  EXPECT_EQ(chain(200, false, 0.0), chain(200, true, 0.0));  // nobody corrects what is left
-  EXPECT_EQ(chain(200, false, kAfterExact), chain(200, true, kAfterExact));  // a few Newton steps
-  EXPECT_NE(chain(200, false, kAfterLoose), chain(200, true, kAfterLoose));
+  EXPECT_EQ(chain(199, false, Corrected::byGapsLoosely),
+            chain(199, true, Corrected::byGapsLoosely));
+  EXPECT_EQ(chain(200, false, Corrected::never),
+            chain(200, true, Corrected::never));  // nobody corrects what is left
+  EXPECT_EQ(chain(200, false, Corrected::byGaps),
+            chain(200, true, Corrected::byGaps));  // a few Newton steps
+  EXPECT_NE(chain(200, false, Corrected::byGapsLoosely),
+            chain(200, true, Corrected::byGapsLoosely));
 }
 
 /// `n` frictional contacts without bodies, each coupled with the one before: what is left of stiff
@@ -143,10 +143,10 @@ std::unique_ptr<GivenProblem> givenChain(int n) {
 
 TEST(BoundedWork, SweepsManyContactsWithoutBodies) {
   // An elimination of all rows costs more than all sweeps, so that Newton's method is not tried.
-  for (const double warmStart : {kAfterExact, kAfterLoose}) {
+  for (const Corrected corrected : {Corrected::byGaps, Corrected::byGapsLoosely}) {
     const auto given = givenChain(200);
     InclusionProblem& p = given->problem();
-    p.warmStart = warmStart;
+    p.corrected = corrected;
     Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
     const SolveReport report = Automatic({.bounded = true}).solve(p, view(Lambda));
     EXPECT_TRUE(report.ok());
@@ -159,7 +159,7 @@ TEST(BoundedWork, SweepsManyContactsWithoutBodies) {
 TEST(BoundedWork, IsExactWhereAStepIsTriedAgain) {
   const auto given = givenChain(200);
   InclusionProblem& p = given->problem();
-  p.warmStart = 1.0, p.effort = Effort::retried;
+  p.corrected = Corrected::inIteration, p.effort = Effort::retried;
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   const SolveReport report = Automatic({.bounded = true}).solve(p, view(Lambda));
   EXPECT_TRUE(report.ok());
@@ -181,7 +181,7 @@ std::unique_ptr<GivenProblem> unsolvablePairs(int pairs) {
 TEST(BoundedWork, IsLittleWhereTheModelDoesNotHold) {
   const auto given = unsolvablePairs(40);  // more rows than the dense form takes
   InclusionProblem& p = given->problem();
-  p.warmStart = 1.0, p.effort = Effort::little;
+  p.corrected = Corrected::inIteration, p.effort = Effort::little;
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   const SolveReport report = Automatic({.bounded = true}).solve(p, view(Lambda));
   EXPECT_FALSE(report.ok());
@@ -191,7 +191,7 @@ TEST(BoundedWork, IsLittleWhereTheModelDoesNotHold) {
 TEST(BoundedWork, GivesUpEarlyWhereAStepIsTriedAgain) {
   const auto given = unsolvablePairs(20);
   InclusionProblem& p = given->problem();
-  p.warmStart = 1.0, p.effort = Effort::retried;
+  p.corrected = Corrected::inIteration, p.effort = Effort::retried;
   Eigen::VectorXd Lambda = Eigen::VectorXd::Zero(p.rows());
   const SolveReport early = Automatic({.bounded = true}).solve(p, view(Lambda));
   EXPECT_FALSE(early.ok());

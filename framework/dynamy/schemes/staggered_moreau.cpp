@@ -18,9 +18,6 @@ constexpr double kStricter = 1.0 / 3.0;
 /// and rates may differ by all of that noise.
 constexpr int kCorrection = 4;
 
-/// Part of the tolerance at which a start is taken as it is: gaps are asked back in the next step.
-/// After a loose step it is smaller, by which Automatic knows that there is no exact start.
-constexpr double kTakenStart = 0.1, kRoughStart = 0.01;
 /// Residual above which positions are not those of a solved step.
 constexpr double kLooseResidual = 1e-4;
 /// Contacts from which an unsolved step is not repaired by exact solves either.
@@ -89,13 +86,12 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
 /// Poses the inclusion for the aim of this step.
 void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
   problem_ = &s.impactProblem(x, dt, 0, &aim_);
-  // Gaps are asked back in the next step, creep is not: a start must be better than a solution.
-  problem_->warmStart = kTakenStart;
+  problem_->corrected = Corrected::byGaps;
   if (!isRough(x)) return;
   // A step at a bounded cost leaves overlaps and forces behind that the next one asks back.
   lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
                s.Lambda());
-  problem_->warmStart = kRoughStart;
+  problem_->corrected = Corrected::byGapsLoosely;
 }
 
 /// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they

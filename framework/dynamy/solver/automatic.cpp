@@ -21,9 +21,7 @@ constexpr int kMostOthers = 200, kOtherStarts = 9, kOtherSteps = 400;
 constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 300, kLastSweeps = 1000,
               kFewSweeps = 40;
 constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
-/// A problem whose scheme takes no start above this part of the tolerance follows a step that was
-/// not exact. Newton steps after one that was.
-constexpr double kLooseStart = 0.01;
+/// Newton steps of bounded solves after a step that was exact.
 constexpr int kAfterExact = 100;
 /// Newton steps with bodies where a step does with little: 364 of 379 solved ones need less than 60.
 constexpr int kQuick = 100;
@@ -36,6 +34,9 @@ constexpr int kFewestSteps = 25;
 /// in 37 s.
 constexpr double kMostTried = 2e8;
 constexpr int kFewestTried = 4;
+/// Forces of contacts that would each make velocities above this alone [u_ref] leave nothing but the rounding
+/// of their sum: of a problem without a solution they are no answer.
+constexpr double kDrowned = 1e12;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
 /// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
@@ -54,6 +55,15 @@ double productsOf(const InclusionProblem& p) {
     products += p.dim(i) * coupled * coupled / 3.0;
   }
   return products;
+}
+
+bool drowns(const InclusionProblem& p, ConstVec Lambda) {
+  for (int i = 0; i < p.size(); ++i) {
+    const double own = contactLambda(p.G->diagonalBlock(i), p.dim(i)) *
+                       Lambda.segment(p.row0(i), p.dim(i)).cwiseAbs().maxCoeff();
+    if (own > kDrowned * p.uRef) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -106,11 +116,12 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   kept_ = report.residuals;
   keptLambda_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   report = rungs(p, Lambda, report);
-  keep({Lambda.data(), Lambda.size()}, report.residuals);
+  keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   const bool many = bounds(p);
-  if ((report.ok() && !many) ||
-      !(kept_.largest() < report.residuals.largest() || !std::isfinite(report.residuals.largest())))
-    return many ? judged(report) : report;
+  const bool better = kept_.largest() < report.residuals.largest() ||
+                      !std::isfinite(report.residuals.largest()) ||
+                      (!report.ok() && drowns(p, view(Lambda)));
+  if ((report.ok() && !many) || !better) return many ? judged(report) : report;
   std::copy(keptLambda_.begin(), keptLambda_.end(), Lambda.data());
   report.residuals = kept_;
   if (kept_.largest() <= options_.tolerance) report.status = SolveStatus::solved;
@@ -126,8 +137,8 @@ SolveReport Automatic::judged(SolveReport report) const {
   return report;
 }
 
-void Automatic::keep(ConstVec Lambda, const Residuals& residuals) {
-  if (!(residuals.largest() < kept_.largest())) return;
+void Automatic::keep(const InclusionProblem& p, ConstVec Lambda, const Residuals& residuals) {
+  if (!(residuals.largest() < kept_.largest()) || drowns(p, Lambda)) return;
   kept_ = residuals;
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), keptLambda_.begin());
 }
@@ -138,14 +149,14 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   const bool good = E <= options_.tolerance;  // and still worth a step
   const bool first = Lambda.isZero(0.0);
   const bool cold = !good && (E > kColdResidual || first);
-  const bool many = bounds(p), afterExact = p.warmStart > kLooseStart;
+  const bool many = bounds(p), loose = p.corrected == Corrected::byGapsLoosely;
   // Without bodies a Newton step eliminates all rows: of so many it costs more than all sweeps.
-  if (many && (!p.G->hasBodies() || (!first && !afterExact && E > kCorrectable)))
+  if (many && (!p.G->hasBodies() || (!first && loose && E > kCorrectable)))
     return boundedSweeps(p, Lambda, report);
   if (cold && LemkeSolver::pays(p)) {
     report = lemke_.solve(p, Lambda);
     if (report.ok() || lemke_.proven()) return report;
-    keep({Lambda.data(), Lambda.size()}, report.residuals);
+    keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   }
   const bool hurried = options_.bounded && p.effort != Effort::full;
   if (cold && !hurried && Admm::pays(p) && alternate(p, Lambda, report)) return report;
@@ -154,15 +165,15 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
     const bool solved = easy_.sweeps(p, options_.tolerance, Lambda, report);
     report.note("sweeps", before);
     if (solved) return report;
-    keep({easy_.best().data(), Lambda.size()}, easy_.bestResiduals());
+    keep(p, {easy_.best().data(), Lambda.size()}, easy_.bestResiduals());
   }
   // After exact steps Newton's method has its chance once: a scene at rest stays exact, and so does
   // one that begins to slide.
   const NewtonLimits most =
-      limits(p, first ? options_.maxNewton : (afterExact ? kAfterExact : kCorrecting));
+      limits(p, first ? options_.maxNewton : (loose ? kCorrecting : kAfterExact));
   report = newton_.refine(p, Lambda, report, cold, scratch_.data(), &most);
   if (report.ok()) return report;
-  keep({Lambda.data(), Lambda.size()}, report.residuals);
+  keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   if (many) return boundedSweeps(p, Lambda, report);
   if (hurried || most.maxNewton < options_.maxNewton) return report;
   if (!restarts(p, Lambda, report) && !pivot(p, Lambda, report)) others(p, Lambda, report);
@@ -171,13 +182,14 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
 
 bool Automatic::bounds(const InclusionProblem& p) const {
   // Without bodies only where the scheme asks back what is left: not of joints, which hold velocities.
-  const bool askedBack =
-      p.G->hasBodies() ? p.warmStart > 0.0 : p.warmStart > 0.0 && p.warmStart < 1.0;
+  const bool askedBack = p.corrected == Corrected::byGaps ||
+                         p.corrected == Corrected::byGapsLoosely ||
+                         (p.corrected == Corrected::inIteration && p.G->hasBodies());
   return options_.bounded && askedBack && p.size() >= kBoundedFrom && !p.rule;
 }
 
 bool Automatic::condensed(const InclusionProblem& p) const {
-  return options_.bounded && p.warmStart > 0.0 && !p.G->hasBodies() && !p.rule;
+  return options_.bounded && p.corrected != Corrected::never && !p.G->hasBodies() && !p.rule;
 }
 
 NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
@@ -212,7 +224,7 @@ SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, Solv
 bool Automatic::pivot(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
   if (report.status == SolveStatus::notFinite || p.rows() > kMostPivoted || p.enough())
     return false;
-  keep({Lambda.data(), Lambda.size()}, report.residuals);
+  keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   Eigen::VectorXd trial = Eigen::VectorXd::Zero(p.rows());
   SolveReport found = lemke_.solve(p, view(trial));
   report.iterations += found.iterations;

@@ -52,8 +52,8 @@ class Automatic final : public InclusionSolver {
   SolveReport boundedSweeps(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Its status by what is enough.
   SolveReport judged(SolveReport report) const;
-  /// Remembers Λ if it is the best one so far.
-  void keep(ConstVec Lambda, const Residuals& residuals);
+  /// Remembers Λ if it is the best one so far, and more than rounding.
+  void keep(const InclusionProblem& problem, ConstVec Lambda, const Residuals& residuals);
   /// Alternating directions for problems with large factors; true: solved, else Λ is the start.
   bool alternate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Newton's method from other starts with other steps ρ; true: solved. Λ is the best one so far.

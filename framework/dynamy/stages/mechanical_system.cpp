@@ -166,7 +166,7 @@ InclusionProblem& MechanicalSystem::impactProblem(const State& x, double dt, int
   }
   problem_.G = &delassus_;
   problem_.contacts = &e.contacts;
-  problem_.dt = dt, problem_.warmStart = 0.0, problem_.effort = effort_;
+  problem_.dt = dt, problem_.corrected = Corrected::never, problem_.effort = effort_;
   const auto gamma = [&](const Eigen::VectorXd& u, std::vector<double>& out) {
     const Eigen::Index rows = e.contacts.rows();
     out.resize(static_cast<std::size_t>(rows));

@@ -167,7 +167,7 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
         problem_.gammaFree[r] += problem_.gammaA[r];
     uRef = std::max(uRef, -problem_.gammaFree[first]);
   }
-  problem_.uRef = uRef, problem_.warmStart = 1.0;
+  problem_.uRef = uRef, problem_.corrected = Corrected::inIteration;
   for (int i = 0; i < contacts_.size(); ++i)
     if (held_[static_cast<std::size_t>(i)] > 0.0) {
       const auto first = problem_.gammaFree.begin() + contacts_.row0[static_cast<std::size_t>(i)];

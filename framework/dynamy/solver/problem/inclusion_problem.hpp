@@ -17,6 +17,14 @@ enum class Effort {
   little    ///< posed on a linear model, far from where that holds: any answer is only a direction
 };
 
+/// Who corrects the velocities that an answer leaves wrong.
+enum class Corrected {
+  never,         ///< nobody
+  inIteration,   ///< the scheme iterates, and halves the step where that leads nowhere
+  byGaps,        ///< the next step, by the gaps it finds, after one that was solved to rounding
+  byGapsLoosely  ///< the same after one that was not
+};
+
 struct InclusionProblem {
   Delassus* G = nullptr;
   const ContactSet* contacts = nullptr;
@@ -29,10 +37,7 @@ struct InclusionProblem {
   double uRef = 1.0;
   /// Per row: how much of c is rounding; empty: none  [m/s].
   std::vector<double> cNoise;
-  /// A start whose residuals are below this times the tolerance is taken as it is. 0: only one that
-  /// is exact to rounding (kExactStart), because nobody corrects the velocities it leaves. Schemes
-  /// that correct them in the next step by the gap may ask for less.
-  double warmStart = 0.0;
+  Corrected corrected = Corrected::never;
   Effort effort = Effort::full;
   /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
   const StoppingRule* rule = nullptr;

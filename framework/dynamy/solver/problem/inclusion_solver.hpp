@@ -63,9 +63,26 @@ struct SolveReport {
 /// velocities it leaves, a resting contact drifts off by tolerance · u_ref · Δt in every step until
 /// its gap exceeds g_tol and it opens.
 inline constexpr double kExactStart = 1e-14;
+/// Part of the tolerance up to which a start is taken where somebody corrects what it leaves. Creep is not
+/// corrected by gaps: there a start must be better than a solution. After a loose step it must be
+/// better still, or a step at rest would never be solved again.
+inline double takenStart(Corrected corrected) {
+  constexpr double kByGaps = 0.1, kByGapsLoosely = 0.01;
+  switch (corrected) {
+    case Corrected::never:
+      return 0.0;
+    case Corrected::inIteration:
+      return 1.0;
+    case Corrected::byGaps:
+      return kByGaps;
+    case Corrected::byGapsLoosely:
+      return kByGapsLoosely;
+  }
+  return 0.0;
+}
 /// Residual up to which the start of `problem` is taken as it is by a solver of this tolerance.
 inline double acceptedStart(const InclusionProblem& problem, double tolerance) {
-  const double asked = problem.warmStart * tolerance;
+  const double asked = takenStart(problem.corrected) * tolerance;
   return asked > kExactStart ? asked : (kExactStart < tolerance ? kExactStart : tolerance);
 }
 
