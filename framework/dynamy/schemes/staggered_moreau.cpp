@@ -95,7 +95,8 @@ void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
 }
 
 /// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they
-/// contradict each other they wait, and the next step finds an overlap.
+/// contradict each other they wait, and the next step finds an overlap. Among too many contacts that
+/// carry, their impacts are divided between this step and the next one.
 void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kPositionShare * s.gTol();
@@ -105,11 +106,15 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
           mean ? 0.0 : options_.kappa,
           options_.cap,
           x.impulses.corrected ? kStricter * rounding : rounding,
-          arrived_};
+          arrived_,
+          false};
   ask(s, x, dt);
   if (isRough(x) || s.arriving().empty()) return;
   arriving_ = s.arriving();
-  if (!projection_.touch(s, x, arriving_, 0.5 * s.gTol())) return;
+  const Projection::Touch touched = projection_.touch(s, x, arriving_, 0.5 * s.gTol());
+  aim_.divide = touched == Projection::Touch::tooMany;
+  if (aim_.divide) ask(s, x, dt);
+  if (touched != Projection::Touch::closed) return;
   ahead(s, x, dt);
   arrived_.insert(arrived_.end(), arriving_.begin(), arriving_.end());
   std::sort(arrived_.begin(), arrived_.end());

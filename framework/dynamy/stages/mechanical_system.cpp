@@ -215,6 +215,10 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
       const bool arrived = g <= request_.gTol ||
                            std::binary_search(aim.arrived.begin(), aim.arrived.end(), c.key[at]);
       if (impact && arrived) continue;
+      if (impact && aim.divide && epsilon[0] == 0.0) {
+        problem_.gammaFree[first] += g / dt;
+        continue;
+      }
       if (impact && epsilon[0] == 0.0 && g + dt * problem_.gammaFree[first] < 0.0)
         arriving_.push_back(c.key[at]);
       const double away = std::abs(problem_.gammaFree[first]) + std::abs(problem_.gammaA[first]);

@@ -46,6 +46,8 @@ struct PositionAim {
   double cap = 0.0;         ///< up to this speed [m/s]
   double noise = 0.0;       ///< rounding of gaps [m]: no solver has to meet rates that differ by it
   std::span<const ContactKey> arrived{};  ///< sorted; these are closed, whatever their gap
+  /// Impacts without restitution do not wait: one part closes the gap, the next step has the rest.
+  bool divide = false;
 };
 
 class MechanicalSystem {

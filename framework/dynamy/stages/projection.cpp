@@ -125,12 +125,21 @@ bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x
   return repair(s, &solver, x, tolerance, slot, Level::overlap);
 }
 
-bool Projection::touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys,
-                       double tolerance, int slot) {
+Projection::Touch Projection::touch(MechanicalSystem& s, State& x,
+                                    const std::vector<ContactKey>& keys, double tolerance,
+                                    int slot) {
   touched_ = keys, start_ = x;
-  if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return true;
+  contacts_.clear();
+  if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return Touch::closed;
   x = start_;
-  return false;
+  return rowsToClose() > kMostTouched ? Touch::tooMany : Touch::contradictory;
+}
+
+int Projection::rowsToClose() const {
+  int rows = 0;
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
+  return rows;
 }
 
 bool Projection::isTouched(ContactKey key) const {
@@ -147,9 +156,7 @@ double Projection::largestGap(const ContactSet& c) const {
 /// δ = M⁻¹W Λ with g + Wᵀδ = 0 for the rows that are to be closed or held; the others follow. One
 /// linear system: redundant rows share, contradicting ones are told by the gaps they leave.
 bool Projection::close(const Evaluation& e) {
-  int rows = 0;
-  for (int i = 0; i < contacts_.size(); ++i)
-    if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
+  const int rows = rowsToClose();
   if (rows == 0 || rows > kMostTouched) return false;
   const Eigen::Index nu = e.h.size();
   W_.setZero(nu, rows), MInvW_.resize(nu, rows);

@@ -29,10 +29,10 @@ class Projection {
   bool overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                 int slot = 1);
   /// Closes the contacts `keys` (sorted), which are about to be reached, without opening one that
-  /// carries: only what moves towards them moves. Rates of joints held. False: they contradict each
-  /// other or are too many, x is as it was.
-  bool touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys, double tolerance,
-             int slot = 1);
+  /// carries: only what moves towards them moves. Rates of joints held. Not closed: x is as it was.
+  enum class Touch { closed, contradictory, tooMany };
+  Touch touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys, double tolerance,
+              int slot = 1);
   /// Takes from x.u what leaves the constraints at x.q; evaluates into `slot`.
   bool velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot = 1);
 
@@ -50,6 +50,7 @@ class Projection {
   bool repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance, int slot,
               Level level);
   bool close(const Evaluation& e);
+  int rowsToClose() const;
   bool isTouched(ContactKey key) const;
   double largestGap(const ContactSet& c) const;
   void select(const MechanicalSystem& s, const ContactSet& all, const State& x, Level level);

@@ -118,13 +118,14 @@ bool onFace(int vertex, int face) { return ((vertex >> axisOf(face)) & 1) == (fa
 class BoxFacePair {
  public:
   BoxFacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const BoxSeparation& in,
-              double same, bool rates, std::array<BoxContact, kMostBoxContacts>& out)
+              double same, double beside, bool rates, std::array<BoxContact, kMostBoxContacts>& out)
       : A_(A),
         B_(B),
         faceA_(faceA),
         faceB_(faceB),
         in_(in),
         same_(same),
+        beside_(beside),
         rates_(rates),
         x_((axisOf(faceA) + 1) % 3),
         y_((axisOf(faceA) + 2) % 3),
@@ -143,7 +144,7 @@ class BoxFacePair {
   /// Is p, from the centre of a box in its axes, over the face along axis k?
   bool over(const Vec3& half, int k, const Vec3& p) const {
     const int u = (k + 1) % 3, v = (k + 2) % 3;
-    return std::abs(p[u]) <= half[u] + same_ && std::abs(p[v]) <= half[v] + same_;
+    return std::abs(p[u]) <= half[u] + beside_ && std::abs(p[v]) <= half[v] + beside_;
   }
 
   /// True: all of the face's vertices are over the other face.
@@ -206,7 +207,7 @@ class BoxFacePair {
   const PlacedBox &A_, &B_;
   int faceA_, faceB_;
   const BoxSeparation& in_;
-  double same_;
+  double same_, beside_;
   bool rates_;
   int x_, y_;  ///< axes of A in its face
   Manifold<kMostBoxContacts> found_;
@@ -243,7 +244,8 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
     }
   }
   const Vec3 n = face.sign * (face.i < 3 ? A.R.col(face.i) : B.R.col(face.i - 3));
-  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same, rates, out)
+  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same,
+                     besideFace(face.separation, same), rates, out)
       .contacts();
 }
 

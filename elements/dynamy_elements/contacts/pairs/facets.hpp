@@ -21,9 +21,19 @@ inline constexpr double kSameFeature = 1e-6;
 inline constexpr double kCross = 0.05;
 /// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
 inline constexpr double kLikeFace = 0.7;
+/// A corner beside a face counts as over it up to this part of the separation of the two faces, and
+/// up to so many kSameFeature: two bodies that turn about parallel edges which meet, one edge on the
+/// other, have a contact while they are apart, too, and not only where they overlap.
+inline constexpr double kBeside = 0.5, kMostBeside = 100.0;
 /// Cosine between a contact's normal and the face's from which the contact is one of that face: a
 /// point that moves along its own tangents into the face's plane moves by at most √3 gaps.
 inline constexpr double kOfThatFace = 0.5;
+
+/// How far beside a face a corner still is over it [m]; `separation` of the two faces, `same`: what
+/// is one feature.
+inline double besideFace(double separation, double same) {
+  return same + std::min(kBeside * std::max(separation, 0.0), kMostBeside * same);
+}
 
 /// A straight edge in the world.
 struct PlacedEdge {

@@ -35,16 +35,16 @@ int edgeAlong(const PlacedPolygon& body, const Vec3& n) {
 class OverEdge {
  public:
   /// `sign` +1: the edge is A's.
-  OverEdge(const PlacedPolygon& body, int edge, double sign, double same, bool rates)
+  OverEdge(const PlacedPolygon& body, int edge, double sign, double beside, bool rates)
       : o_(body.corner(edge)),
         way_(body.corner(edge + 1) - o_),
         length_(way_.norm()),
-        same_(same),
+        beside_(beside),
         face_(*body.frame, body.normal(edge), o_, 0.0, sign * body.normal(edge).cross(body.plane),
               sign, rates) {}
   bool holds(const Vec3& p) const {
     const double s = way_.dot(p - o_) / length_;
-    return s >= -same_ && s <= length_ + same_;
+    return s >= -beside_ && s <= length_ + beside_;
   }
   void contact(const Frame& mover, const Vec3& p, ContactPoint& out) const {
     face_.contact(mover, p, out);
@@ -52,7 +52,7 @@ class OverEdge {
 
  private:
   Vec3 o_, way_;
-  double length_, same_;
+  double length_, beside_;
   PlacedFace face_;
 };
 
@@ -76,7 +76,8 @@ int betweenPolygons(const PlacedPolygon& A, const PlacedPolygon& B, double reach
     c.id = id + corner % body.size();
     edge.contact(*body.frame, p, c.at);
   };
-  const OverEdge onA(A, a, 1.0, same, rates), onB(B, b, -1.0, same, rates);
+  const double beside = besideFace(std::max(ofA.separation, ofB.separation), same);
+  const OverEdge onA(A, a, 1.0, beside, rates), onB(B, b, -1.0, beside, rates);
   for (const int corner : {b, b + 1}) take(onA, B, corner, 0);
   for (const int corner : {a, a + 1}) take(onB, A, corner, B.size());
   return found.size();

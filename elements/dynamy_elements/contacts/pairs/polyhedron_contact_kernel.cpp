@@ -98,7 +98,7 @@ struct Separation {
 class FacePair {
  public:
   FacePair(const PlacedPolyhedron& A, int faceA, const PlacedPolyhedron& B, int faceB,
-           const Separation& in, double same, bool rates, PolyhedraContacts& out)
+           const Separation& in, double same, double beside, bool rates, PolyhedraContacts& out)
       : A_(A),
         B_(B),
         a_(A.of->face(faceA)),
@@ -107,6 +107,7 @@ class FacePair {
         faceB_(faceB),
         in_(in),
         same_(same),
+        beside_(beside),
         rates_(rates),
         found_(4.0 * same),
         out_(out) {
@@ -131,7 +132,7 @@ class FacePair {
     for (int i = 0; i < b_.count; ++i) {
       const int v = B_.of->border(b_.first + i).corner;
       const Vec3 p_A = in_.t + in_.C * B_.of->corner(v);
-      const bool inside = A_.of->over(a_, p_A, same_);
+      const bool inside = A_.of->over(a_, p_A, beside_);
       all = all && inside;
       if (!inside || i % stride(b_.count) != 0 || !takes(p_A)) continue;
       last().id = v;
@@ -146,7 +147,7 @@ class FacePair {
     for (int i = 0; i < a_.count; ++i) {
       const int v = A_.of->border(a_.first + i).corner;
       const Vec3 p_A = A_.of->corner(v);
-      const bool inside = B_.of->over(b_, in_.C.transpose() * (p_A - in_.t), same_);
+      const bool inside = B_.of->over(b_, in_.C.transpose() * (p_A - in_.t), beside_);
       all = all && inside;
       if (!inside || i % stride(a_.count) != 0 || !takes(p_A)) continue;
       last().id = corners + v;
@@ -181,7 +182,7 @@ class FacePair {
   const Polyhedron::Face &a_, &b_;
   int faceA_, faceB_;
   const Separation& in_;
-  double same_;
+  double same_, beside_;
   bool rates_;
   Vec3 x_, y_;  ///< in A's face
   Manifold<kMostPolyhedraContacts> found_;
@@ -224,7 +225,9 @@ int betweenPolyhedra(const PlacedPolyhedron& A, const PlacedPolyhedron& B, doubl
   }
   const int faceA = face.i >= 0 ? face.i : faceAlong(*A.of, face.n);
   const int faceB = face.j >= 0 ? face.j : faceAlong(*B.of, -(separation.C.transpose() * face.n));
-  return FacePair(A, faceA, B, faceB, separation, same, rates, out).contacts();
+  return FacePair(A, faceA, B, faceB, separation, same, besideFace(face.separation, same), rates,
+                  out)
+      .contacts();
 }
 
 void closeTogether(const PlacedPolyhedron& A, double reach, bool rates,

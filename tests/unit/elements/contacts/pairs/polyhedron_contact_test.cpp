@@ -59,6 +59,33 @@ TEST(PolyhedronContact, OfTwoBoxesIsThatOfBoxes) {
   EXPECT_GT(faces, 100);
 }
 
+TEST(PolyhedronContact, OfParallelEdgesThatMeetIsThereWhileTheyAreApart) {
+  // Bricks side by side that turn by ±θ: the edges in front are δ apart, δ sin θ beside the faces.
+  const Vec3 half(0.2, 0.1, 0.1);
+  const Polyhedron brick(boxTriangles(half));
+  for (const double theta : {0.02, 0.2, 0.4})
+    for (const double delta : {-1e-6, 1e-12, 1e-9, 1e-6, 1e-2}) {
+      const double front = half.x() * std::cos(theta) + half.y() * std::sin(theta) + delta / 2.0;
+      const Mover A(-front * Vec3::UnitX(), turned(theta * Vec3::UnitZ())),
+          B(front * Vec3::UnitX(), turned(-theta * Vec3::UnitZ()));
+      std::array<BoxContact, kMostBoxContacts> ofBoxes;
+      PolyhedraContacts ofPolyhedra;
+      const int boxes =
+                    betweenBoxes({&A.frame, A.frame.r_OS_I, A.frame.A_IK, half},
+                                 {&B.frame, B.frame.r_OS_I, B.frame.A_IK, half}, false, ofBoxes),
+                polyhedra = betweenPolyhedra(placed(A.frame, brick), placed(B.frame, brick),
+                                             kInfinity, false, ofPolyhedra);
+      // Farther apart they pass each other: what is beside is at most 1e-4 of the half width.
+      const int least = delta < 1e-3 ? 2 : 0;
+      EXPECT_TRUE(least == 0 ? boxes == 0 : boxes >= least) << theta << ' ' << delta;
+      EXPECT_TRUE(least == 0 ? polyhedra == 0 : polyhedra >= least) << theta << ' ' << delta;
+      for (int i = 0; i < boxes; ++i)  // rounding of positions of 0.4 m
+        EXPECT_NEAR(ofBoxes[static_cast<std::size_t>(i)].at.g, delta * std::cos(theta), 1e-15);
+      for (int i = 0; i < polyhedra; ++i)
+        EXPECT_NEAR(ofPolyhedra[static_cast<std::size_t>(i)].at.g, delta * std::cos(theta), 1e-15);
+    }
+}
+
 TEST(PolyhedronContact, SmallestGapIsTheDistanceWhereFeaturesMeet) {
   Random random(6);
   int met = 0;
