@@ -2,7 +2,7 @@
 /// passes and reports the wrong figures while the defect is there, and fails once the right result
 /// comes out, so that nobody forgets to take the mark off.
 ///
-///   knownDefect("hinge_at_contact_cost", [&] { EXPECT_NEAR(phi, truth, tolerance); });
+///   knownDefect("robot_arm_minimal", [&] { EXPECT_NEAR(phi, truth, tolerance); });
 ///
 /// Every name has a row in doc/trust.md, section "Known defects"; a test compares both. To take the
 /// mark off: keep the expectations, delete the call around them and the row, and move the test to

@@ -250,7 +250,8 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
   if (probe_.gathers() && !probe_.gather(from_.x, phaseKeys_))
     return refuse(ContactProbe::kUnfollowed);
   startOverlap_ = std::max(0.0, probe_.overlap());
-  if (!search_.begin(probe_, phase_, from_.x)) return refuse(ContactProbe::kUnfollowed);
+  if (!search_.begin(probe_, phase_, from_.x) || !leaveToJoints(s))
+    return refuse(ContactProbe::kUnfollowed);
   const double until = untilInstant();
   const double end = from_.x.t + most;
   const bool told = until < most && instant_ <= end;

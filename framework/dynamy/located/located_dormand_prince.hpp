@@ -130,6 +130,9 @@ class LocatedDormandPrince : public OneStep {
   bool settle(MechanicalSystem& s);
   /// True: an open contact penetrates at from_.
   bool closesOpen();
+  /// Finds the open contacts at from_ that joints bear, and has them watched as such. False: contacts
+  /// changed.
+  bool leaveToJoints(MechanicalSystem& s);
   /// Adds the contacts that bodies may meet with along path_.
   bool widen();
   /// Contacts that come and go have bodies overlap at x that did not at from_.
@@ -223,6 +226,7 @@ class LocatedDormandPrince : public OneStep {
   std::vector<int> untold_;  // elements without a bias, ascending
   bool foundUntold_ = false;
   std::vector<ContactKey> asked_;
+  std::vector<ContactKey> borne_;                   // by joints, in this step
   double instant_ = -1e300, instantAfter_ = 1e300;  // the next one after that time [s]
   std::string_view why_;
   std::string whyOwn_;  // what why_ points to, if it names an element

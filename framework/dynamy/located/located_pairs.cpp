@@ -4,6 +4,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cstdint>
 #include <dynamy/located/located_dormand_prince.hpp>
+#include <dynamy/located/switching/borne_by_joints.hpp>
 
 namespace dynamy {
 namespace {
@@ -16,6 +17,7 @@ constexpr double kHalfWay = 0.5;     ///< places look so far to the next ones
 constexpr double kNotAtAll = 0.25;   ///< of the path, where two meet right at its start
 constexpr double kAtMeeting = 1e-3;  ///< of T: shorter steps up to a meeting are not taken
 constexpr double kShorter = 0.5;     ///< steps in which bodies sink into one another
+constexpr double kDrifted = 1e-10;  ///< of L: what joints drift between their projections, and more
 
 /// Part of a path that is clear of what is noted first at place j of it.
 double clearBefore(int j) {
@@ -26,6 +28,30 @@ double clearBefore(int j) {
 
 double LocatedDormandPrince::leftOverlap() const {
   return kOverlap * norm_.tolerance() * norm_.length();
+}
+
+bool LocatedDormandPrince::leaveToJoints(MechanicalSystem& s) {
+  borne_.clear();
+  const bool jointed = std::any_of(phase_.held.begin(), phase_.held.end(), [&](const Held& h) {
+    const int i = probe_.find(h.key);
+    return i >= 0 && !probe_.law(i).unilateral() && probe_.law(i).rowKind(0) == RowKind::joint;
+  });
+  if (!jointed) return true;
+  const double drifted = std::max(kDrifted * norm_.length(), leftOverlap());
+  asked_ = phaseKeys_;
+  for (int i = 0; i < probe_.size(); ++i)
+    if (probe_.law(i).unilateral() && std::abs(probe_.gap(i)) <= drifted &&
+        phase_.find(probe_.key(i)) == nullptr)
+      asked_.push_back(probe_.key(i));
+  if (asked_.size() == phaseKeys_.size()) return true;
+  std::sort(asked_.begin(), asked_.end());
+  s.hold(asked_);
+  s.evaluate(from_.x, 1);
+  s.hold(phaseKeys_);
+  borneByJoints(s.slot(1), borne_);
+  if (borne_.empty()) return true;
+  search_.borne(borne_, kPassing * norm_.tolerance() * norm_.length());
+  return search_.watch(probe_, phase_, from_.x);
 }
 
 bool LocatedDormandPrince::widen() {

@@ -114,7 +114,8 @@ bool LocatedDormandPrince::closesOpen() {
   if (!probe_.look(from_.x)) return true;
   for (int i = 0; i < probe_.size(); ++i)
     if (probe_.law(i).unilateral() && probe_.gap(i) < 0.0 && !probe_.comesAndGoes(i) &&
-        phase_.find(probe_.key(i)) == nullptr)
+        phase_.find(probe_.key(i)) == nullptr &&
+        std::find(borne_.begin(), borne_.end(), probe_.key(i)) == borne_.end())
       return true;
   return sinks(from_.x);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/law/most_rows.hpp>
+#include <dynamy/located/switching/borne_by_joints.hpp>
 #include <dynamy/located/switching/switch_event.hpp>
 #include <dynamy/stages/projection.hpp>
 
@@ -104,6 +105,15 @@ void SwitchEvent::projectHeld(MechanicalSystem& s, const FrozenPhase& phase, Sta
   projectVelocities(s, next_, x);
 }
 
+/// Contacts that joints bear take no part.
+void SwitchEvent::leaveToJoints(MechanicalSystem& s, const State& x) {
+  borneByJoints(s.slot(0), borne_);
+  if (borne_.empty()) return;
+  std::erase_if(keys_, [&](ContactKey key) { return has(borne_, key); });
+  s.hold(keys_);
+  s.evaluate(x, 0);
+}
+
 void SwitchEvent::projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x) {
   if (phase.velocityCorrection(s.slot(0), x.u, delta_)) x.u += delta_;
 }
@@ -124,6 +134,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   }
   s.hold(keys_);
   s.evaluate(x, 0);
+  leaveToJoints(s, x);
   projectPositions(s, phase, x);
   projectVelocities(s, phase, x);
   uBefore_ = x.u, aBefore_ = p.a;

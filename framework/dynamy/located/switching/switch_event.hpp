@@ -100,6 +100,7 @@ class SwitchEvent {
   bool touches(const ContactProbe& probe, int i) const;
   bool leaves(const ContactProbe& probe, int i) const;
   void projectHeld(MechanicalSystem& s, const FrozenPhase& phase, State& x);
+  void leaveToJoints(MechanicalSystem& s, const State& x);
   void leaveOneOfEach(const ContactProbe& probe, const FrozenPhase& phase);
   void projectPositions(MechanicalSystem& s, const FrozenPhase& phase, State& x);
   void projectVelocities(MechanicalSystem& s, FrozenPhase& phase, State& x);
@@ -135,7 +136,7 @@ class SwitchEvent {
   bool staysInNotch(const MechanicalSystem& s, const FrozenPhase& old, const FrozenPhase& phase,
                     const PhasePoint& p, Result& r);
   const ErrorNorm* norm_ = nullptr;
-  std::vector<ContactKey> keys_, closing_, plastic_, shut_;
+  std::vector<ContactKey> keys_, closing_, plastic_, shut_, borne_;
   std::vector<std::unique_ptr<WithoutRebound>> wrappers_;
   std::vector<Percussion> percussions_;
   std::array<double, 5> works_{};

@@ -16,6 +16,7 @@ void SwitchSearch::prepare(double gapNoise, double speedNoise, double touch, dou
 }
 
 bool SwitchSearch::begin(ContactProbe& probe, const FrozenPhase& phase, const State& x) {
+  borne_.clear();
   if (x.t != start_ || startIdle_.size() != phase.held.size()) {
     const bool known = x.t == end_ && endIdle_.size() == phase.held.size();
     if (known)
@@ -66,7 +67,10 @@ void SwitchSearch::watchOpen(const ContactProbe& probe, const FrozenPhase& phase
       continue;
     const bool behind = features && (probe.gap(i) < -touch_ ||
                                      (probe.gap(i) < gapNoise_ && probe.presence(i) <= 0.0));
-    kinematic_.push_back({Monitor::Kind::gap, i, 0, 1.0, false, probe.key(i), features, behind});
+    const bool borne = std::find(borne_.begin(), borne_.end(), probe.key(i)) != borne_.end();
+    const double above = borne ? deep_ + 2.0 * (kStart * gapNoise_ + std::abs(probe.gap(i))) : 0.0;
+    kinematic_.push_back(
+        {Monitor::Kind::gap, i, 0, 1.0, false, probe.key(i), features, behind, above});
   }
 }
 
@@ -105,7 +109,8 @@ double SwitchSearch::measure(const ContactProbe& probe, const Monitor& m) const 
   if (m.kind == Monitor::Kind::latch)
     return -probe.switching()[static_cast<std::size_t>(m.contact)];
   if (m.kind == Monitor::Kind::presence) return probe.presence(m.contact);
-  return m.sign * (isGap(m) ? probe.gap(m.contact) : probe.gamma(m.contact, m.row));
+  return isGap(m) ? m.sign * probe.gap(m.contact) + m.above
+                  : m.sign * probe.gamma(m.contact, m.row);
 }
 
 double SwitchSearch::rate(const ContactProbe& probe, const Monitor& m) const {

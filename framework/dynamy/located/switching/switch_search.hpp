@@ -41,6 +41,9 @@ class SwitchSearch {
   /// Monitors of `phase` and their values at the start of a step; `x`: the start; the phase has
   /// the forces there. False: contacts changed.
   bool begin(ContactProbe& probe, const FrozenPhase& phase, const State& x);
+  /// Until the next begin(): the gaps of the open contacts `keys`, which joints bear, are what joints drift, and a
+  /// switch only where they fall below −`deep` [m].
+  void borne(const std::vector<ContactKey>& keys, double deep) { borne_ = keys, deep_ = deep; }
   /// Kinematic monitors anew, of the contacts that `probe` follows now.
   bool watch(ContactProbe& probe, const FrozenPhase& phase, const State& x);
   static constexpr int kSamples = 8;
@@ -98,6 +101,7 @@ class SwitchSearch {
     ContactKey key = {};
     bool features = false;  // a gap of two features that come and go
     bool behind = false;    // of these, and it starts below zero
+    double above = 0.0;     // added to the gap of a contact that joints bear
   };
   static bool isGap(const Monitor& m) { return m.kind == Monitor::Kind::gap; }
   /// Value of a kinematic monitor, and of a gap its rate, else 0, where the probe has looked.
@@ -142,6 +146,8 @@ class SwitchSearch {
                    double width, Switch& first);
   bool near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   std::vector<Monitor> kinematic_, force_;
+  std::vector<ContactKey> borne_;
+  double deep_ = 0.0;
   static void idles(const FrozenPhase& phase, std::vector<char>& out);
   bool roughSamples() const;
   /// A force that is off by so much bends too fast for the samples of its monitor.
