@@ -23,6 +23,9 @@ void ProxBlockMetric::prepare(const InclusionProblem& p) {
       const double scale = block.trace();
       if (!(disc.radius >= 0.0) || !(block.determinant() > 1e-12 * scale * scale)) continue;
       disc.R = options().factor * block.inverse();
+      // Of an indefinite G, or at the edge of what numbers hold, there is no metric.
+      if (!disc.R.allFinite() || Eigen::LLT<convex::Matrix<2>>(disc.R).info() != Eigen::Success)
+        continue;
       disc.set = convex::inMetric(convex::Ellipsoid<2>{convex::Point<2>::Ones()}, disc.R);
       discs_.push_back(disc);
     }
