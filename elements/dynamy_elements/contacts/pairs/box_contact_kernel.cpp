@@ -118,14 +118,17 @@ bool onFace(int vertex, int face) { return ((vertex >> axisOf(face)) & 1) == (fa
 class BoxFacePair {
  public:
   BoxFacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const BoxSeparation& in,
-              double same, double beside, bool rates, std::array<BoxContact, kMostBoxContacts>& out)
+              double separation, double same, bool rates,
+              std::array<BoxContact, kMostBoxContacts>& out)
       : A_(A),
         B_(B),
         faceA_(faceA),
         faceB_(faceB),
         in_(in),
         same_(same),
-        beside_(beside),
+        beside_(besideFace(separation, same)),
+        margin_(same),
+        separation_(separation),
         rates_(rates),
         x_((axisOf(faceA) + 1) % 3),
         y_((axisOf(faceA) + 2) % 3),
@@ -135,16 +138,28 @@ class BoxFacePair {
   int contacts() {
     // A face that lies inside of the other one is the intersection: its vertices are all of it.
     if (!verticesOfB() && !verticesOfA()) edges();
+    if (beside_ > same_ && isBeside_ && leastGap(taken()) > separation_ + same_) {
+      margin_ = beside_;
+      verticesOfB(), verticesOfA();
+    }
     return found_.size();
   }
 
  private:
+  std::span<const BoxContact> taken() const {
+    return {out_.data(), static_cast<std::size_t>(found_.size())};
+  }
   BoxContact& last() { return out_[static_cast<std::size_t>(found_.size() - 1)]; }
   bool takes(const Vec3& p_A) { return found_.takes(p_A[x_], p_A[y_]); }
   /// Is p, from the centre of a box in its axes, over the face along axis k?
-  bool over(const Vec3& half, int k, const Vec3& p) const {
+  bool over(const Vec3& half, int k, const Vec3& p) {
     const int u = (k + 1) % 3, v = (k + 2) % 3;
-    return std::abs(p[u]) <= half[u] + beside_ && std::abs(p[v]) <= half[v] + beside_;
+    const auto within = [&](double margin) {
+      return std::abs(p[u]) <= half[u] + margin && std::abs(p[v]) <= half[v] + margin;
+    };
+    if (within(margin_)) return true;
+    isBeside_ = isBeside_ || within(beside_);
+    return false;
   }
 
   /// True: all of the face's vertices are over the other face.
@@ -207,7 +222,8 @@ class BoxFacePair {
   const PlacedBox &A_, &B_;
   int faceA_, faceB_;
   const BoxSeparation& in_;
-  double same_, beside_;
+  double same_, beside_, margin_, separation_;
+  bool isBeside_ = false;  ///< a vertex is beside a face, but not over it
   bool rates_;
   int x_, y_;  ///< axes of A in its face
   Manifold<kMostBoxContacts> found_;
@@ -244,8 +260,8 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
     }
   }
   const Vec3 n = face.sign * (face.i < 3 ? A.R.col(face.i) : B.R.col(face.i - 3));
-  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, same,
-                     besideFace(face.separation, same), rates, out)
+  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, face.separation, same,
+                     rates, out)
       .contacts();
 }
 

@@ -21,9 +21,10 @@ inline constexpr double kSameFeature = 1e-6;
 inline constexpr double kCross = 0.05;
 /// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
 inline constexpr double kLikeFace = 0.7;
-/// A corner beside a face counts as over it up to this part of the separation of the two faces, and
-/// up to so many kSameFeature: two bodies that turn about parallel edges which meet, one edge on the
-/// other, have a contact while they are apart, too, and not only where they overlap.
+/// If no other contact is as near as the separation of two faces, a corner beside a face counts as
+/// over it up to this part of the separation, and up to so many kSameFeature. Two bodies that turn
+/// about parallel edges which meet, one edge on the other, then have a contact while they are apart,
+/// too, and not only where they overlap.
 inline constexpr double kBeside = 0.5, kMostBeside = 100.0;
 /// Cosine between a contact's normal and the face's from which the contact is one of that face: a
 /// point that moves along its own tangents into the face's plane moves by at most √3 gaps.
@@ -33,6 +34,13 @@ inline constexpr double kOfThatFace = 0.5;
 /// is one feature.
 inline double besideFace(double separation, double same) {
   return same + std::min(kBeside * std::max(separation, 0.0), kMostBeside * same);
+}
+
+/// Least gap of contacts; infinite if there are none.
+inline double leastGap(std::span<const NumberedContact> contacts) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const NumberedContact& c : contacts) least = std::min(least, c.at.g);
+  return least;
 }
 
 /// A straight edge in the world.
@@ -134,9 +142,7 @@ class Manifold {
 /// near another, and those that are nearest to each other, as the far end of a rim, may be open.
 inline bool tellsOverlap(double f, double loose, std::span<const NumberedContact> contacts) {
   if (!(f < -loose)) return true;
-  double least = std::numeric_limits<double>::infinity();
-  for (const NumberedContact& c : contacts) least = std::min(least, c.at.g);
-  return std::abs(least - f) <= loose;
+  return std::abs(leastGap(contacts) - f) <= loose;
 }
 
 /// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved

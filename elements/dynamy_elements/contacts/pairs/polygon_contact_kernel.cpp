@@ -35,16 +35,15 @@ int edgeAlong(const PlacedPolygon& body, const Vec3& n) {
 class OverEdge {
  public:
   /// `sign` +1: the edge is A's.
-  OverEdge(const PlacedPolygon& body, int edge, double sign, double beside, bool rates)
+  OverEdge(const PlacedPolygon& body, int edge, double sign, bool rates)
       : o_(body.corner(edge)),
         way_(body.corner(edge + 1) - o_),
         length_(way_.norm()),
-        beside_(beside),
         face_(*body.frame, body.normal(edge), o_, 0.0, sign * body.normal(edge).cross(body.plane),
               sign, rates) {}
-  bool holds(const Vec3& p) const {
+  bool holds(const Vec3& p, double beside) const {
     const double s = way_.dot(p - o_) / length_;
-    return s >= -beside_ && s <= length_ + beside_;
+    return s >= -beside && s <= length_ + beside;
   }
   void contact(const Frame& mover, const Vec3& p, ContactPoint& out) const {
     face_.contact(mover, p, out);
@@ -52,7 +51,7 @@ class OverEdge {
 
  private:
   Vec3 o_, way_;
-  double length_, beside_;
+  double length_;
   PlacedFace face_;
 };
 
@@ -69,17 +68,24 @@ int betweenPolygons(const PlacedPolygon& A, const PlacedPolygon& B, double reach
   const double same = kSameFeature * std::min((A.corner(a + 1) - A.corner(a)).norm(),
                                               (B.corner(b + 1) - B.corner(b)).norm());
   Manifold<kMostPolygonContacts> found(4.0 * same);
+  const double separation = std::max(ofA.separation, ofB.separation);
+  double margin = same;
   const auto take = [&](const OverEdge& edge, const PlacedPolygon& body, int corner, int id) {
     const Vec3 p = body.corner(corner);
-    if (!edge.holds(p) || !found.takes(along.dot(p - A.corner(a)), 0.0)) return;
+    if (!edge.holds(p, margin) || !found.takes(along.dot(p - A.corner(a)), 0.0)) return;
     NumberedContact& c = out[static_cast<std::size_t>(found.size() - 1)];
     c.id = id + corner % body.size();
     edge.contact(*body.frame, p, c.at);
   };
-  const double beside = besideFace(std::max(ofA.separation, ofB.separation), same);
-  const OverEdge onA(A, a, 1.0, beside, rates), onB(B, b, -1.0, beside, rates);
-  for (const int corner : {b, b + 1}) take(onA, B, corner, 0);
-  for (const int corner : {a, a + 1}) take(onB, A, corner, B.size());
+  const OverEdge onA(A, a, 1.0, rates), onB(B, b, -1.0, rates);
+  const auto takeAll = [&] {
+    for (const int corner : {b, b + 1}) take(onA, B, corner, 0);
+    for (const int corner : {a, a + 1}) take(onB, A, corner, B.size());
+  };
+  takeAll();
+  const std::span<const NumberedContact> taken(out.data(), static_cast<std::size_t>(found.size()));
+  margin = besideFace(separation, same);
+  if (margin > same && leastGap(taken) > separation + same) takeAll();
   return found.size();
 }
 

@@ -98,7 +98,7 @@ struct Separation {
 class FacePair {
  public:
   FacePair(const PlacedPolyhedron& A, int faceA, const PlacedPolyhedron& B, int faceB,
-           const Separation& in, double same, double beside, bool rates, PolyhedraContacts& out)
+           const Separation& in, double separation, double same, bool rates, PolyhedraContacts& out)
       : A_(A),
         B_(B),
         a_(A.of->face(faceA)),
@@ -107,7 +107,9 @@ class FacePair {
         faceB_(faceB),
         in_(in),
         same_(same),
-        beside_(beside),
+        beside_(besideFace(separation, same)),
+        margin_(same),
+        separation_(separation),
         rates_(rates),
         found_(4.0 * same),
         out_(out) {
@@ -117,12 +119,24 @@ class FacePair {
   int contacts() {
     // A face that lies inside of the other one is the intersection: its vertices are all of it.
     if (!verticesOfB() && !verticesOfA()) edges();
+    const std::span<const NumberedContact> taken(out_.data(),
+                                                 static_cast<std::size_t>(found_.size()));
+    if (beside_ > same_ && isBeside_ && leastGap(taken) > separation_ + same_) {
+      margin_ = beside_;
+      verticesOfB(), verticesOfA();
+    }
     return found_.size();
   }
 
  private:
   NumberedContact& last() { return out_[static_cast<std::size_t>(found_.size() - 1)]; }
   bool takes(const Vec3& p_A) { return found_.takes(x_.dot(p_A), y_.dot(p_A)); }
+  /// Is p, in axes of `body`, over its face f?
+  bool over(const Polyhedron& body, const Polyhedron::Face& f, const Vec3& p) {
+    if (body.over(f, p, margin_)) return true;
+    isBeside_ = isBeside_ || body.over(f, p, beside_);
+    return false;
+  }
   static int stride(int corners) { return (corners + kMostCorners - 1) / kMostCorners; }
 
   /// True: all of the face's vertices are over the other face.
@@ -132,7 +146,7 @@ class FacePair {
     for (int i = 0; i < b_.count; ++i) {
       const int v = B_.of->border(b_.first + i).corner;
       const Vec3 p_A = in_.t + in_.C * B_.of->corner(v);
-      const bool inside = A_.of->over(a_, p_A, beside_);
+      const bool inside = over(*A_.of, a_, p_A);
       all = all && inside;
       if (!inside || i % stride(b_.count) != 0 || !takes(p_A)) continue;
       last().id = v;
@@ -147,7 +161,7 @@ class FacePair {
     for (int i = 0; i < a_.count; ++i) {
       const int v = A_.of->border(a_.first + i).corner;
       const Vec3 p_A = A_.of->corner(v);
-      const bool inside = B_.of->over(b_, in_.C.transpose() * (p_A - in_.t), beside_);
+      const bool inside = over(*B_.of, b_, in_.C.transpose() * (p_A - in_.t));
       all = all && inside;
       if (!inside || i % stride(a_.count) != 0 || !takes(p_A)) continue;
       last().id = corners + v;
@@ -182,7 +196,8 @@ class FacePair {
   const Polyhedron::Face &a_, &b_;
   int faceA_, faceB_;
   const Separation& in_;
-  double same_, beside_;
+  double same_, beside_, margin_, separation_;
+  bool isBeside_ = false;  ///< a vertex is beside a face, but not over it
   bool rates_;
   Vec3 x_, y_;  ///< in A's face
   Manifold<kMostPolyhedraContacts> found_;
@@ -225,9 +240,7 @@ int betweenPolyhedra(const PlacedPolyhedron& A, const PlacedPolyhedron& B, doubl
   }
   const int faceA = face.i >= 0 ? face.i : faceAlong(*A.of, face.n);
   const int faceB = face.j >= 0 ? face.j : faceAlong(*B.of, -(separation.C.transpose() * face.n));
-  return FacePair(A, faceA, B, faceB, separation, same, besideFace(face.separation, same), rates,
-                  out)
-      .contacts();
+  return FacePair(A, faceA, B, faceB, separation, face.separation, same, rates, out).contacts();
 }
 
 void closeTogether(const PlacedPolyhedron& A, double reach, bool rates,
