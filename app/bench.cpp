@@ -1,4 +1,5 @@
-/// dynamy bench stability: every scheme and every solver on scenes where such methods fail.
+/// dynamy bench stability: runs every scheme and every solver on scenes that make such methods
+/// fail.
 #include <fmt/format.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -20,7 +21,7 @@
 namespace dynamy::app {
 namespace {
 
-/// Variants of schemes that are methods of their own; all others run with their defaults.
+/// Schemes with attributes that make them separate methods; all others run with their defaults.
 constexpr std::array kVariants = {"ConstraintIndex index=1", "ConstraintIndex index=3",
                                   "StaggeredMoreau joints=stabilised", "ThetaMethod theta=1"};
 
@@ -47,7 +48,7 @@ std::vector<std::string> allSchemes(const Registry& registry) {
   return out;
 }
 
-/// What a model that says nothing is run with.
+/// Default scheme and solver of the program for a scene that names none.
 std::pair<std::string, std::string> ownMethods(Program& program, const StabilityScene& scene) {
   const Model model =
       loadModelText(scene.text, scene.name + ".xml", program.registry, program.plugins);
@@ -66,7 +67,8 @@ std::vector<StabilityScene> scenesWithSteps(const StabilityChoice& c) {
   return out;
 }
 
-/// Schemes × the own solver, and the own scheme × solvers; all with all where asked for.
+/// All schemes with the default solver, and the default scheme with all solvers; on request all
+/// schemes with all solvers.
 std::vector<StabilityTask> chosenTasks(const Registry& registry, const StabilityChoice& c,
                                        const StabilityMatrix& m) {
   const std::vector<std::string> schemes = c.schemes.empty() ? allSchemes(registry) : c.schemes;

@@ -15,15 +15,15 @@
 namespace dynamy::app {
 namespace {
 
-constexpr std::size_t kRound = 3;  ///< notes and their parts begin at multiples of four bytes
+constexpr std::size_t kRound = 3;  ///< notes and their parts are aligned to four bytes
 
-/// The linker's note "GNU" of type 3 in the notes of a loaded object, as hexadecimal digits; "": it
-/// has none.
+/// Build identifier of a loaded object, the linker's note "GNU" of type 3, as hexadecimal digits;
+/// "" if it has none.
 std::string buildId(const dl_phdr_info& object) {
   for (int i = 0; i < object.dlpi_phnum; ++i) {
     const auto& segment = object.dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
-    // The loader gives addresses as integers.
+    // The loader provides addresses as integers.
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     const char* at = reinterpret_cast<const char*>(object.dlpi_addr + segment.p_vaddr);
     const char* const end = at + segment.p_memsz;
@@ -70,10 +70,10 @@ std::string buildText() {
   std::vector<Object> found;
   ::dl_iterate_phdr(note, &found);
   std::vector<std::string> objects;
-  for (const Object& o : found)  // a linker that gave no identifier: the bytes say it
+  for (const Object& o : found)  // without an identifier: hash of the bytes
     objects.push_back(o.name + ' ' +
                       (o.id.empty() ? fingerprintOfBytes(readWholeFile(o.file)) : o.id));
-  std::sort(objects.begin(), objects.end());  // the order of loading is no matter
+  std::sort(objects.begin(), objects.end());  // the order of loading does not matter
   return fmt::format("{}, {}, build {}", versionString(), frameworkFingerprint().compiler,
                      fingerprintOfBytes(fmt::format("{}", fmt::join(objects, ", "))));
 }

@@ -1,4 +1,4 @@
-/// dynamy check MODEL: reads, builds and verifies; tells the size of the scene.
+/// dynamy check MODEL: reads, builds and verifies a model, and prints the size of the scene.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -25,25 +25,25 @@
 namespace dynamy::app {
 namespace {
 
-/// Bodies that start inside each other by more than this share of their size are a mistake.
+/// An initial overlap above this share of the size of the bodies is reported as an error.
 constexpr double kDeepStart = 0.1;
 
-/// What a step of the scene costs, at its initial state.
+/// Size of the scene and cost of an evaluation, at the initial state.
 struct Sizes {
   std::size_t systems = 0, contactElements = 0, forces = 0, signals = 0, checks = 0;
   int nq = 0, nu = 0, blocks = 0, constantBlocks = 0;
   std::size_t gaps = 0;          ///< reported by the contact elements
-  int closed = 0, unknowns = 0;  ///< of them, and their rows
+  int closed = 0, unknowns = 0;  ///< closed contacts, and their rows
   double energy = 0.0;           ///< T + V [J]
   Worst penetration;
-  StartOverlap overlap;        ///< the deepest, measured by the size of the bodies
+  StartOverlap overlap;        ///< the deepest relative to the size of the bodies
   std::string weightless;      ///< systems that <Gravity> does not act on
-  std::vector<Warning> start;  ///< what joints do not allow
+  std::vector<Warning> start;  ///< warnings about violated joints
   double evaluation = 0.0;     ///< M, h and all contacts at the start, measured [s], about
-  double memory = 0.0;         ///< of this program with the model [bytes], about
+  double memory = 0.0;         ///< memory of this program with the model [bytes], about
 };
 
-/// The least of a few evaluations, for at most a tenth of a second after the first.
+/// Shortest time of several evaluations [s]; after the first one they take at most 0.1 s.
 double evaluationTime(MechanicalSystem& system, const State& x) {
   using Clock = std::chrono::steady_clock;
   constexpr int kMost = 20;
@@ -64,7 +64,7 @@ double usedMemory() {
   return 1024.0 * static_cast<double>(used.ru_maxrss);
 }
 
-/// Names of the moving systems that do not answer to gravity, if the model has any.
+/// If the model has <Gravity>: names of the moving systems on which it does not act.
 std::string weightless(const Model& model, const State& x) {
   std::string out;
   for (const auto& force : model.forces()) {
@@ -89,7 +89,8 @@ std::string weightless(const Model& model, const State& x) {
   throw ModelError(std::move(d));
 }
 
-/// `part` tells first entry and count of a system in `all`.
+/// Throws ModelError for a system with entries in `all` that are not finite; `part` gives the first
+/// entry and the count of a system.
 template <class Part>
 void requireFinite(const Model& model, const std::string& what, const Eigen::VectorXd& all,
                    const Part& part) {
@@ -146,10 +147,11 @@ Sizes measured(Model& model) {
   return s;
 }
 
-/// Larger scenes are not read once more for their other coordinates: that doubles what check needs.
+/// Scenes with more systems are not built a second time in the other kind of joint coordinates,
+/// which would double time and memory of the check.
 constexpr std::size_t kMostInOthers = 10'000;
 
-/// Errors that no element answers for have the place of the model.
+/// Measures the scene. Errors without a place of their own get the place of the model.
 Sizes sizesOf(Model& model) {
   try {
     return measured(model);
@@ -161,8 +163,8 @@ Sizes sizesOf(Model& model) {
   }
 }
 
-/// What the scene costs in the other coordinates of its joints; empty if there are none to choose,
-/// or more than kMostInOthers systems.
+/// Cost of the scene in the other kind of joint coordinates (minimal or absolute). Missing if the
+/// model permits no other kind or has more than kMostInOthers systems.
 struct Alternative {
   std::string coordinates;
   Sizes sizes;
@@ -179,12 +181,12 @@ std::optional<Alternative> otherCoordinates(const Model& model, const std::strin
     other.build();
     return Alternative{minimal ? "absolute" : "minimal", sizesOf(other)};
   } catch (const ModelError&) {
-    return {};  // no joint makes a tree
+    return {};  // no joint forms a tree
   }
 }
 
-/// "wood and steel: UnilateralCoulomb (bench.xml:12)": which law each pair of materials gets, and
-/// where it is said; then the rules that no pair rests on.
+/// Lists the law of each pair of materials and the place of its rule, as in "wood and steel:
+/// UnilateralCoulomb (bench.xml:12)"; then the rules that apply to no pair.
 std::string lawsText(const PairLaws& laws) {
   const auto where = [](const MaterialRule& rule) {
     return Place(rule.place().file, rule.place().line).format();
@@ -202,7 +204,7 @@ std::string lawsText(const PairLaws& laws) {
   return out;
 }
 
-/// Steps of one length that lead to the end; 0 if the program chooses them.
+/// Number of steps of fixed length in the run; 0 if the program chooses the steps.
 double stepCount(const Model& model) {
   const SimulationSettings& s = model.simulation;
   return s.step > 0.0 ? std::ceil(s.until / s.step * (1.0 - 1e-12)) : 0.0;
@@ -217,7 +219,7 @@ std::string costText(double seconds) {
   return fmt::format("{:.2g} days", seconds / 86400.0);
 }
 
-/// What the run will need, as far as it is known before it.
+/// Estimate of the memory, disk space and time of the run.
 std::string needsText(const Model& model, const Sizes& s, const RunSizes& run) {
   std::string out = fmt::format(
       " a run: memory about {}   disk about {}: {:.6g} rows of {:g} numbers, {:.6g} pictures of "
@@ -263,7 +265,7 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
                        s.weightless);
   for (const Warning& w : s.start) out += fmt::format(" warning: {}: {}\n", w.kind, w.text);
-  // Contacts that begin closed have a gap of rounding.
+  // Contacts that are closed at the start may have a gap of the size of rounding.
   if (deep)
     out += fmt::format(
         " failed: {} begins with a penetration of {:.3g} m, {:.3g} of the size of the smaller body "
@@ -334,7 +336,7 @@ int check(Program& program, const CheckChoice& choice) {
   LoadOptions options;
   options.set = choice.set;
   Model model = loadModel(choice.model, program.registry, program.plugins, options);
-  { const Simulation verified(model); }  // signals of checks, step; its arrays are not kept
+  { const Simulation verified(model); }  // verifies step and signals of checks; frees its arrays
   if (choice.strict) refuseInconsistentStart(model);
   const Sizes sizes = sizesOf(model);
   const RunSizes run = runSizes(model);

@@ -1,4 +1,4 @@
-/// Scenes of a bench that the command line asks for.
+/// Selects the scenes of a benchmark that the command line names.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace dynamy::app {
 
-/// Those of `all` that `names` names, in the order of `all`; all, if none is named. Throws
-/// CLI::ValidationError with the nearest name.
+/// The scenes of `all` whose names are in `names`, in the order of `all`; every scene if `names` is
+/// empty. Throws CLI::ValidationError with the nearest name if a scene is unknown.
 template <class Scene>
 std::vector<Scene> chosenScenes(std::vector<Scene> all, const std::vector<std::string>& names) {
   std::vector<std::string> known;

@@ -35,7 +35,7 @@ std::vector<OptionText> optionTexts(const CLI::App& app) {
     const bool flag = o->get_type_size() == 0;
     if (!flag) t.value = t.argument ? t.names.front() : o->get_type_name();
     t.choices = choicesIn(o->get_type_name());
-    // Checks stand behind the word of the value: "FLOAT:POSITIVE".
+    // The name of a check follows the word for the value: "FLOAT:POSITIVE".
     t.value = t.value.substr(0, t.value.find(':'));
     t.text = o->get_description(), t.standard = o->get_default_str();
     t.required = o->get_required();

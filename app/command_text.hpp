@@ -1,5 +1,5 @@
-/// The commands of the program as data: what --help shows, for the manual page and the completion
-/// of shells. Rejected: texts written beside the declarations, which stay behind them.
+/// The commands of the program as data: what --help shows, for the manual page and for completion
+/// in shells. Rejected: a second set of texts beside the declarations, which would become outdated.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@ class App;
 
 namespace dynamy::app {
 
-/// One option or argument.
+/// One option or argument of a command.
 struct OptionText {
-  std::vector<std::string> names;    ///< "--until"; of an argument its word, "MODEL"
+  std::vector<std::string> names;    ///< "--until"; an argument has its word, "MODEL"
   std::string value;                 ///< word for what follows, "TIME"; empty for a flag
-  std::vector<std::string> choices;  ///< words that it may be, if there are few
-  std::string text, standard;        ///< what for; the value without it
+  std::vector<std::string> choices;  ///< the admissible words, if they are few
+  std::string text, standard;        ///< its purpose; the default value
   bool argument = false, required = false;
 };
 
@@ -25,7 +25,7 @@ struct CommandText {
   std::vector<OptionText> options;  ///< in the order of --help: arguments first
 };
 
-/// All sub-commands in the order of --help.
+/// Texts of all sub-commands in the order of --help.
 std::vector<CommandText> commandTexts(const CLI::App& app);
 
 /// Options of the program itself: --help, --version.

@@ -4,7 +4,8 @@
 
 namespace dynamy::app {
 
-/// Declares them, in the order of `dynamy --help`; their callbacks set program.exitCode.
+/// Declares all sub-commands in the order of `dynamy --help`; their callbacks set
+/// program.exitCode.
 void addCommands(CLI::App& app, Program& program);
 
 }  // namespace dynamy::app

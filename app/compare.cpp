@@ -2,8 +2,8 @@
 ///
 ///   error = max over recorded signals of |s(T) − s_ref(T)| / (max s_ref − min s_ref)
 ///
-/// The reference is the program's own tightest run and is named: the first scheme with an eighth of
-/// the smallest step. What it cannot show is an error that all schemes share.
+/// The reference is a run of this program, which the output names: the first scheme with an eighth
+/// of the smallest step. It cannot show an error that all schemes share.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -35,7 +35,7 @@ class Ends final : public RecordSink {
 struct Point {
   std::string integrator;
   double step = 0.0, error = 0.0;
-  std::string worst;  ///< signal
+  std::string worst;  ///< signal with the largest error
   RunReport report;
   Ends ends;
 };
@@ -84,7 +84,7 @@ void compare(Program& program, CompareTask& task) {
   for (const std::string& s : task.steps) steps.push_back(seconds(s, "--steps"));
   if (task.integrators.empty()) task.integrators.emplace_back();
   std::vector<std::string> signals;
-  if (steps.empty()) {  // the model's own step, and its halves
+  if (steps.empty()) {  // the model's own step, halved three times
     RunChoice choice = task.choice;
     const double own = chosenModel(program, choice).simulation.step;
     if (!(own > 0.0)) throw ModelError("the model says no step", "give --steps 1e-3,1e-4");

@@ -1,6 +1,6 @@
-/// dynamy completion SHELL: the script that completes words, made from the declarations of the
-/// commands. The word for a value (MODEL, DIR, SCHEME …) says what it completes to; names of types
-/// come from `dynamy list`, so that plug-ins in DYNAMY_PLUGIN_PATH need nothing of their own.
+/// dynamy completion SHELL: prints the script that completes words, made from the declarations of
+/// the commands. The word for a value (MODEL, DIR, SCHEME …) determines how it is completed. Names
+/// of types come from `dynamy list`, which also lists plug-ins in DYNAMY_PLUGIN_PATH.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -12,7 +12,7 @@
 namespace dynamy::app {
 namespace {
 
-/// What a value may be.
+/// The possible values of an option; the first member that is set applies.
 struct OptionValues {
   std::string words;    ///< known words
   std::string list;     ///< else: options of `dynamy list --names` that print them
@@ -56,7 +56,7 @@ std::string commandNames(const std::vector<CommandText>& commands) {
   return fmt::format("{}", fmt::join(all, " "));
 }
 
-/// Lines of bash that set `words`, `ending` or `folder` for the value.
+/// Lines of bash that set `words`, `ending` or `folder` for the value of an option.
 std::string bashValue(const OptionText& o) {
   const OptionValues v = valuesOf(o);
   if (!v.words.empty()) return fmt::format("words=\"{}\"", v.words);
@@ -111,7 +111,8 @@ std::string bash(const CLI::App& app) {
   return out;
 }
 
-/// Inside of single quotes of zsh and fish; colons and brackets mean something to _arguments.
+/// Escapes a text for single quotes of zsh or fish; for zsh also colons and brackets, which are
+/// special in _arguments.
 std::string quoted(const std::string& text, const std::string& shell) {
   std::string out;
   for (const char c : text) {
@@ -125,12 +126,12 @@ std::string quoted(const std::string& text, const std::string& shell) {
   return out;
 }
 
-/// ":word:action" of _arguments.
+/// The part ":word:action" of an argument of zsh's _arguments.
 std::string zshValue(const OptionText& o) {
   const OptionValues v = valuesOf(o);
   std::string action = " ";
   if (!v.words.empty()) action = "(" + v.words + ")";
-  // A space in front: _arguments gives no arguments of its own.
+  // The space in front keeps _arguments from adding arguments of its own.
   if (!v.list.empty()) action = fmt::format(" _dynamy_names{}", v.list == " " ? "" : v.list);
   if (!v.ending.empty()) action = v.ending == "*" ? "_files" : "_files -g \"*." + v.ending + "\"";
   if (v.folder) action = "_files -/";

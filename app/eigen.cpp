@@ -1,5 +1,5 @@
-/// dynamy eigen MODEL: linearises about a steady motion; eigenvalues, critical values of a
-/// parameter.
+/// dynamy eigen MODEL: linearises about a steady motion and computes eigenvalues and critical
+/// values of a parameter.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -29,11 +29,11 @@ struct EigenTask {
   bool json = false, asItIs = false;
 };
 
-/// Intervals in which a change of sign is looked for.
+/// Number of intervals of a parameter that are searched for a change of sign.
 constexpr int kIntervals = 20;
-constexpr int kHalvings = 6;  ///< of such an interval
+constexpr int kHalvings = 6;  ///< halvings of such an interval
 
-/// "SYSTEM.COORDINATE=VALUE" into the state. Throws ModelError with the nearest name.
+/// Sets "SYSTEM.COORDINATE=VALUE" in the state. Throws ModelError with the nearest name.
 void place(const Model& model, const std::string& text, State& x) {
   const auto [name, value] = assignment(text);
   std::vector<std::string> known;
@@ -81,7 +81,7 @@ class Eigenvalues {
     return solve(model);
   }
 
-  /// A root in every interval whose ends differ in how many motions grow.
+  /// One root in each interval whose ends have different numbers of growing motions.
   std::vector<CriticalValue> critical() const {
     const auto [name, text] = assignment(task_.rootOf);
     const Variation range =
@@ -110,8 +110,9 @@ class Eigenvalues {
   }
 
  private:
-  /// Bisection by the count of growing motions, then the root of the polynomial through v as a
-  /// function of the real part at points around it: no tolerance of "zero" enters.
+  /// Bisection by the number of growing motions, then inverse interpolation: a polynomial gives the
+  /// parameter as a function of the real part and is evaluated at 0. No tolerance for "zero"
+  /// enters.
   CriticalValue root(const std::string& name, double a, double b, int before, int after) const {
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = 0.5 * (a + b);
@@ -135,7 +136,7 @@ class Eigenvalues {
     return out;
   }
 
-  /// The eigenvalue with the least real part among those of about the frequency of `near`.
+  /// The eigenvalue nearest to the imaginary axis among those with about the frequency of `near`.
   static std::complex<double> crossing(const Eigen::VectorXcd& all, std::complex<double> near) {
     std::complex<double> out;
     double least = std::numeric_limits<double>::infinity();

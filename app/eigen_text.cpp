@@ -9,7 +9,7 @@
 namespace dynamy::app {
 namespace {
 
-/// The coordinates or velocities that move most in a mode, with size and phase.
+/// The velocities with the largest amplitudes in a mode, with amplitude and phase.
 std::string shapeText(const Linearisation& l, Eigen::Index mode) {
   const Eigen::Index nu = l.modes.rows() / 2;
   std::vector<Eigen::Index> order;
@@ -30,7 +30,7 @@ std::string shapeText(const Linearisation& l, Eigen::Index mode) {
   return out;
 }
 
-/// Of a pair, what a person wants to know.
+/// Frequency, damping and doubling or halving time of an eigenvalue.
 std::string behaviour(std::complex<double> z, double noise) {
   const double size = std::abs(z);
   std::string out;

@@ -1,4 +1,4 @@
-/// dynamy list, dynamy describe NAME, dynamy schema: from the registry, plug-ins included.
+/// dynamy list, dynamy describe NAME, dynamy schema: print the registry, including plug-ins.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -34,7 +34,7 @@ std::string singular(std::string kind) {
   return kind;
 }
 
-/// Types of the kind; all without one.
+/// Types of one kind; all types if `kind` is empty.
 std::vector<const RegisteredType*> typesOf(const Registry& registry, const std::string& kind) {
   std::vector<const RegisteredType*> types = registry.types();
   std::erase_if(
@@ -42,7 +42,7 @@ std::vector<const RegisteredType*> typesOf(const Registry& registry, const std::
   return types;
 }
 
-/// One name a line, for scripts; without a kind also the words of the model file.
+/// Names, one per line, for scripts; if `kind` is empty also the words of the model file.
 std::string names(const Registry& registry, const std::string& kind) {
   std::string out;
   for (const RegisteredType* t : typesOf(registry, kind)) out += t->name + "\n";

@@ -1,4 +1,4 @@
-/// The program `dynamy`: reads the command line, calls one sub-command, turns errors into exit
+/// The program `dynamy`: reads the command line, calls one sub-command and turns errors into exit
 /// codes. Results go to standard output, errors and progress to standard error.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -19,12 +19,12 @@ std::vector<std::string> optionNames(const CLI::App& app) {
   return out;
 }
 
-/// What is wrong with a command line and what the user may have meant.
+/// The fault of a command line and a hint at what the user may have meant.
 struct Misuse {
   std::string text, hint;
 };
 
-/// Sub-commands that people look for by another name.
+/// The sub-command that has the name `word` in other programs.
 std::string commandOfOthers(std::string_view word) {
   for (const auto& [other, ours] : {std::pair("simulate", "run"),
                                     {"sim", "run"},
@@ -46,7 +46,8 @@ std::string commandOfOthers(std::string_view word) {
   return {};
 }
 
-/// For the first word that is neither a sub-command nor an option; `text`: what was found wrong.
+/// Describes the first word that is neither a sub-command nor an option; `text`: the error of the
+/// parser.
 Misuse misuse(const CLI::App& app, const std::vector<std::string>& words, std::string text) {
   std::vector<std::string> commands;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))

@@ -1,4 +1,4 @@
-/// dynamy manual: the page for man(1), made from the declarations of the commands.
+/// dynamy manual: prints the page for man(1), made from the declarations of the commands.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -12,7 +12,7 @@
 namespace dynamy::app {
 namespace {
 
-/// Text for troff: no escape, no hyphen that man turns into another sign.
+/// Escapes a text for troff, including hyphens, which man would turn into another sign.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -23,7 +23,7 @@ std::string roff(const std::string& text) {
     else
       out += c;
   }
-  // A line that begins with one of these would be a request.
+  // troff would take a line that begins with . or ' for a request.
   if (out.starts_with('.') || out.starts_with('\'')) out.insert(0, "\\&");
   return out;
 }
@@ -39,7 +39,7 @@ std::string optionEntry(const OptionText& o) {
   return ".TP\n" + names + "\n" + roff(text) + "\n";
 }
 
-/// Sections that follow the commands; the lines of the footer are "word  text" under a heading.
+/// Sections that follow the commands. In the footer, lines "word  text" stand under a heading.
 std::string footerSections(const std::string& footer) {
   std::string out;
   std::istringstream lines(footer);

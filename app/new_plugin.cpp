@@ -1,5 +1,5 @@
-/// dynamy new-plugin NAME --kind KIND: a folder with a plug-in that builds, runs and passes its
-/// test as it stands. The texts are in app/templates; nothing in them is made up here.
+/// dynamy new-plugin NAME --kind KIND: writes a folder with a plug-in that builds, runs and passes
+/// its test without changes. All texts come from app/templates.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -37,7 +37,7 @@ constexpr std::array kKinds{
     KindText{"observer", "an observer of all steps, here a sum of percussions."},
     KindText{"shape", "a smooth shape that touches all others, here a pebble."}};
 
-/// Words that cmake or the headers of dynamY keep for themselves.
+/// Names that are reserved by cmake or the headers of dynamY.
 constexpr std::array kTaken{"all",        "attributes",     "clean",      "element",  "frame",
                             "help",       "install",        "kinematics", "model",    "observer",
                             "one_step",   "package",        "registry",   "shape",    "state",

@@ -1,5 +1,5 @@
-/// Numbers on the command line: CLI11's own checks let "nan" pass, since it is neither too small
-/// nor too large, and "inf".
+/// Checks of numbers on the command line. CLI11's own checks accept "inf", and also "nan", which is
+/// neither too small nor too large.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -7,7 +7,8 @@
 
 namespace dynamy::app {
 
-/// Accepts what reads as a finite number for which `fits` holds; `expected` ends the message.
+/// Accepts a text that is a finite number for which `fits` holds; `expected` describes such numbers
+/// in the error message.
 template <class Fits>
 CLI::Validator finiteNumber(const std::string& name, const std::string& expected,
                             const Fits& fits) {
@@ -21,12 +22,12 @@ CLI::Validator finiteNumber(const std::string& name, const std::string& expected
       name);
 }
 
-/// A finite number > 0.
+/// Accepts a finite number > 0.
 inline CLI::Validator positiveNumber() {
   return finiteNumber("POSITIVE", "a positive number", [](double x) { return x > 0.0; });
 }
 
-/// A number between two bounds, both allowed.
+/// Accepts a number between two bounds, both included.
 inline CLI::Validator numberBetween(double low, double high) {
   const std::string bounds = CLI::detail::to_string(low) + " - " + CLI::detail::to_string(high);
   return finiteNumber("FLOAT in [" + bounds + "]", "a number in " + bounds,

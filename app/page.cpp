@@ -22,7 +22,7 @@ std::string filled(std::string_view page, const Values& values) {
 }
 
 std::string filledPage(const std::string& file, const std::string& title, const std::string& data) {
-  // '<' occurs in JSON inside of strings only; escaped there, no "</script>" can end the data early
+  // '<' occurs in JSON only inside strings. Escaped, no "</script>" can end the data early.
   std::string escaped;
   escaped.reserve(data.size());
   for (const char c : data) {

@@ -1,4 +1,4 @@
-/// Pages of one file: a template of app/pages with style, script and data put in.
+/// HTML pages of a single file: a template of app/pages with style, script and data inserted.
 #pragma once
 #include <string>
 #include <string_view>
@@ -10,14 +10,14 @@ namespace dynamy::app {
 /// The text of app/pages/`name`, or of a template of new-plugin; empty if there is no such file.
 std::string_view pageFile(std::string_view name);
 
-/// Names and what is put in the place of each "{{name}}".
+/// Pairs of a name and the text that replaces "{{name}}".
 using Values = std::vector<std::pair<std::string_view, std::string>>;
 
-/// The page with all values in their places, in one pass: a mark inside of a value is text.
+/// The page with all values inserted, in one pass: "{{…}}" inside a value stays as text.
 std::string filled(std::string_view page, const Values& values);
 
-/// The template `file` with title, the common style, the script of its name if there is one, and
-/// `data` (JSON), which cannot end its <script> early.
+/// The template `file` with title, common style, the script of the same name if there is one, and
+/// `data` (JSON). The data are escaped, so that they cannot end their <script> element early.
 std::string filledPage(const std::string& file, const std::string& title, const std::string& data);
 
 }  // namespace dynamy::app

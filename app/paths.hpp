@@ -5,7 +5,7 @@
 
 namespace dynamy::app {
 
-/// Refuses "": an empty variable of a shell would stand for the default without a word.
+/// Refuses an empty name. Otherwise an empty shell variable would silently select the default.
 inline CLI::Validator someName() {
   return CLI::Validator(
       [](std::string& name) {

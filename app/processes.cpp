@@ -17,17 +17,17 @@
 namespace dynamy::app {
 pid_t startProcess(const std::function<int()>& work) {
   const pid_t parent = ::getpid();
-  std::fflush(nullptr);  // or the child writes it a second time
+  std::fflush(nullptr);  // else the child writes the buffers a second time
   const pid_t child = ::fork();
   if (child < 0)
     throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));
   if (child > 0) return child;
-  // Ctrl-C on the terminal is for the parent, which then kills its children.
+  // Ctrl-C on the terminal reaches only the parent, which then kills its children.
   ::setpgid(0, 0);
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // it died before the line above
+  if (::getppid() != parent) ::_exit(1);  // the parent died before the line above
   int status = 1;
   try {
     status = work();
@@ -56,7 +56,7 @@ void inProcesses(std::size_t count, int jobs, const std::atomic<bool>& stop,
     int status = 0;
     const pid_t child = ::waitpid(-1, &status, 0);
     const auto found = running.find(child);
-    if (found == running.end()) continue;  // a signal came
+    if (found == running.end()) continue;  // waitpid was interrupted by a signal
     const std::size_t number = found->second;
     running.erase(found);
     ended(number, status);

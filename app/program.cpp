@@ -26,8 +26,7 @@ namespace {
 
 constexpr std::size_t kShownErrors = 100;  // as many as dynamy::format shows
 
-/// An error that was found after the files were read shows its line, too; of each file one copy is
-/// read.
+/// Adds source lines to errors that were found after reading the model. Each file is read once.
 std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
   std::map<std::string, std::optional<SourceText>> files;
   for (std::size_t i = 0; i < std::min(all.size(), kShownErrors); ++i) {
@@ -51,7 +50,7 @@ std::vector<Diagnostic> withSourceLines(std::vector<Diagnostic> all) {
 
 namespace {
 
-/// Where even words find no room, the exit status has to do.
+/// Prints an error. If even that fails, as on a full disk, only the exit status reports it.
 void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 bool isLackOfRoom(const std::error_code& code) {
@@ -66,7 +65,7 @@ bool isLackOfRoom(const std::error_code& code) {
 int withErrorsTold(const std::function<int()>& call) {
   try {
     const int status = call();
-    // What was printed has left the process, or the status says that it could not.
+    // If the output cannot be written, the status reports it.
     return std::fflush(stdout) == 0 || status != kOk ? status : kCannotWrite;
   } catch (const CLI::ParseError&) {
     throw;
@@ -75,7 +74,7 @@ int withErrorsTold(const std::function<int()>& call) {
     say(fmt::format("{}\n{} error{}\n", format(withSourceLines(e.diagnostics())), n,
                     n == 1 ? "" : "s"));
     return kModel;
-  } catch (const WriteError& e) {  // path and reason
+  } catch (const WriteError& e) {  // the text has path and reason
     say(fmt::format("dynamy: {}\n", e.what()));
     return kCannotWrite;
   } catch (const FileError& e) {
@@ -84,7 +83,7 @@ int withErrorsTold(const std::function<int()>& call) {
   } catch (const std::bad_alloc&) {
     say("dynamy: out of memory\n");
     return kOutOfMemory;
-  } catch (const std::system_error& e) {  // of printing, as a rule
+  } catch (const std::system_error& e) {  // usually from printing
     say(fmt::format("dynamy: {}\n", e.what()));
     return isLackOfRoom(e.code()) ? kCannotWrite : kFailed;
   } catch (const std::exception& e) {

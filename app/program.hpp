@@ -1,4 +1,4 @@
-/// What all sub-commands share: registry and plug-ins, exit codes, values of options.
+/// Shared by all sub-commands: registry and plug-ins, exit codes, values of options.
 #pragma once
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/io/plugin/registry.hpp>
@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace CLI {
-class App;  // its header costs seconds; only what declares or reads options includes it
+class App;  // compiling its header takes seconds; only files that use options include it
 }
 
 namespace dynamy::app {
@@ -16,28 +16,28 @@ namespace dynamy::app {
 inline constexpr int kOk = 0;      ///< done, all checks passed
 inline constexpr int kFailed = 1;  ///< the simulation or a check failed
 inline constexpr int kModel = 2;   ///< error in model, plug-in or file
-/// The run reached its end, but a step or a figure is not what the model asks for; its warnings say
-/// which. kFailed wins over it.
+/// The run reached its end, but a step or a figure does not fulfil the requirements of the model;
+/// the warnings say which. kFailed takes precedence.
 inline constexpr int kQualified = 3;
 inline constexpr int kUsage = 64;        ///< wrong command line
 inline constexpr int kOutOfMemory = 71;  ///< memory ran out
 inline constexpr int kCannotWrite = 74;  ///< a file cannot be written: the disk is full, …
-inline constexpr int kSignalled = 128;   ///< and the signal's number: ended by a signal
+inline constexpr int kSignalled = 128;   ///< plus the signal's number: ended by a signal
 
-/// One run of the program.
+/// State of one call of the program.
 struct Program {
   Registry registry;
   PluginLoader plugins;
-  std::vector<std::string> libraries;  ///< of --plugin
-  bool trust = false;                  ///< --trust: models may bring libraries of their own
+  std::vector<std::string> libraries;  ///< given by --plugin
+  bool trust = false;                  ///< --trust: models may load libraries of their own
   int exitCode = kOk;
 
-  /// Registers the framework's types, those of the standard elements and of --plugin.
-  /// Throws ModelError.
+  /// Registers the types of the framework, of the standard elements and of the libraries in
+  /// --plugin. Throws ModelError.
   void load();
 };
 
-/// Declares --plugin, and for a command that reads models --trust.
+/// Declares the option --plugin, and for a command that reads models also --trust.
 void addPlugins(CLI::App& command, Program& program, bool readsModels = true);
 
 /// "1.5", "10s", "2ms" → seconds. Throws CLI::ValidationError.
@@ -46,9 +46,9 @@ double seconds(const std::string& text, const std::string& option);
 /// "name=value" → both. Throws CLI::ValidationError.
 std::pair<std::string, std::string> assignment(const std::string& text);
 
-/// A scheme, solver or impact law by its registered name, with default attributes but for those
-/// that follow the name: "ConstraintIndex index=3". Throws ModelError with the nearest name of this
-/// kind.
+/// Makes a scheme, solver or impact law by its registered name. Attributes may follow the name, as
+/// in "ConstraintIndex index=3"; all others have their defaults. Throws ModelError with the nearest
+/// name of this kind.
 template <class T>
 std::unique_ptr<T> method(const Registry& registry, const std::string& words);
 std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& words,
@@ -56,17 +56,17 @@ std::unique_ptr<Element> methodElement(const Registry& registry, const std::stri
 template <class T>
 std::unique_ptr<T> method(const Registry& registry, const std::string& words) {
   return std::unique_ptr<T>(
-      static_cast<T*>(methodElement(registry, words, T::kKind).release()));  // the kind tells
+      static_cast<T*>(methodElement(registry, words, T::kKind).release()));  // the kind is checked
 }
 
-/// Calls it; errors of models, files and others are printed and become an exit code. Those of the
-/// command line (CLI::ParseError) are passed on.
+/// Calls `call` and returns its exit code. Errors of models, files and others are printed and
+/// become an exit code; errors of the command line (CLI::ParseError) are passed on.
 int withErrorsTold(const std::function<int()>& call);
 
 /// The version and what the program was built with, several lines.
 std::string versionText();
 
-// One function a sub-command: declares it; its callback sets program.exitCode.
+// One function for each sub-command: declares it; its callback sets program.exitCode.
 void addRun(CLI::App& app, Program& program);
 void addResume(CLI::App& app, Program& program);
 void addVerify(CLI::App& app, Program& program);

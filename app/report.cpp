@@ -1,4 +1,4 @@
-/// dynamy report DIR: one printable page about a run, from the files of its folder.
+/// dynamy report DIR: writes one printable page about a run from the files of its folder.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -20,9 +20,9 @@
 namespace dynamy::app {
 namespace {
 
-constexpr std::size_t kWorst = 12;  ///< impacts in the table
+constexpr std::size_t kWorst = 12;  ///< number of impacts in the table
 
-/// Six digits; a count as it is; a dash for what is not there.
+/// A number with six digits, a count as an integer, a dash for a missing value.
 std::string shown(const JsonValue& v) {
   if (v.type == JsonValue::Type::text) return escapedXml(v.text);
   if (v.type != JsonValue::Type::number) return "–";
@@ -34,7 +34,7 @@ std::string shown(const JsonValue& v, const std::string& unit) {
   return v ? shown(v) + ' ' + unit : shown(v);
 }
 
-/// A table of two columns.
+/// An HTML table of two columns, name and value.
 class Facts {
  public:
   void row(const std::string& name, const std::string& value, const char* kind = "") {
@@ -69,7 +69,7 @@ std::string worst(const JsonValue& w, const char* unit) {
                      escapedXml(w["contact"].text), w["t"].value);
 }
 
-/// The scheme locates switches.
+/// True: the scheme of the run locates switches.
 bool located(const JsonValue& run) {
   const JsonValue& e = run["effort"];
   return e["smooth"].value + e["events"].value + e["stepping"].value > 0.0;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kPlotWidth = 1000, kPlotLeft = 190, kPlotRight = 24, kPlotRow = 24, kBar = 14;
 constexpr std::size_t kMostPlotRows = 30;
 
-/// "" for what leaves no trace: an open contact.
+/// Colour of the bar for a status; "" for an open contact, which has no bar.
 std::string colourOf(const std::string& status) {
   if (status == "stick") return "#2f7d32";
   if (status == "slip") return "#e08a1e";
@@ -38,7 +38,7 @@ bool isZero(const std::vector<double>& x) {
   return std::all_of(x.begin(), x.end(), [](double v) { return v == 0.0; });
 }
 
-/// The row of one contact: bars of its status, ticks of its impacts.
+/// The row of one contact: bars for its status, ticks for its impacts.
 std::string rowSvg(const std::vector<const EventLine*>& events, double y, double begin, double end,
                    double fastest) {
   const auto x = [&](double t) {
@@ -64,7 +64,8 @@ std::string rowSvg(const std::vector<const EventLine*>& events, double y, double
     ticks += fmt::format("<path d='M{0:.2f} {1:.1f}V{2:.1f}'/>\n", x(e->t), y + kPlotRow - 1,
                          y + kPlotRow - 1 - height);
   }
-  // Whether it opened after its last impact no event tells: as after the one before.
+  // No event says whether the contact opened after its last impact. It is assumed to do the same as
+  // after the impact before.
   if (hit && !afterImpact.empty()) status = afterImpact;
   bar(end);
   return bars + "<g stroke='#b3261e' stroke-width='1.3'>" + ticks + "</g>\n";

@@ -14,20 +14,20 @@ struct EventLine {
   double speed = 0.0, impulse = 0.0;  ///< of an impact [m/s], [N s]
 };
 
-/// Throws FileError.
+/// Reads events.csv. Throws FileError.
 std::vector<EventLine> readEvents(const std::filesystem::path& file);
 
-/// Status of each contact over time, with a tick for each impact; of the contacts with the most
-/// events. "" if there is none.
+/// Picture of the status over time of the contacts with the most events, with a tick for each
+/// impact. "" if there are no events.
 std::string timelineSvg(const std::vector<EventLine>& events, double begin, double end);
 
-/// Energies, and the works that are not zero all the time. `ledger`: ledger.csv.
+/// Columns of the energies, and of the works that are not always zero. `ledger`: ledger.csv.
 SignalTable energyTable(const SignalTable& ledger);
 
-/// Residual (decades), iterations, contacts and penetration, as far as they are not zero.
+/// Columns of residual (decades), iterations, contacts and penetration that are not always zero.
 SignalTable solverTable(const SignalTable& ledger);
 
-/// A picture as an element of a page: it brings its own style and must not lend it to the page.
+/// An SVG picture as an <img> element, so that the style of the picture does not affect the page.
 std::string imageOf(const std::string& svg, const std::string& text);
 
 }  // namespace dynamy::app

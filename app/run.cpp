@@ -16,7 +16,7 @@
 namespace dynamy::app {
 namespace {
 
-/// Texts of options until they are read.
+/// Options of run and resume as texts, before they are converted.
 struct Texts {
   std::string until, step, checkpoint, out, accept;
   std::vector<std::string> set;
@@ -48,7 +48,7 @@ void addShow(CLI::App& command, Texts& t) {
       ->excludes(every);
 }
 
-/// Options that say how often checkpoints are written.
+/// Reads the options for the frequency of checkpoints.
 void readCheckpoints(Texts& t) {
   t.show.checkpoints = !t.noCheckpoint;
   if (t.checkpoint.empty()) return;
@@ -60,7 +60,7 @@ double given(const std::string& text, const std::string& option) {
   return text.empty() ? 0.0 : seconds(text, option);
 }
 
-/// `tell` gets the files that were read, also if the model is faulty.
+/// Runs a model. `tell` receives the files that were read, also if the model is faulty.
 int run(Program& program, Texts& t, const TellFiles& tell) {
   std::vector<std::filesystem::path> files;
   for (const std::string& library : program.libraries)
@@ -85,7 +85,8 @@ int run(Program& program, Texts& t, const TellFiles& tell) {
   return runInto(folder, *model, t.choice, t.show, checks);
 }
 
-/// What the checkpoint says of a file or a library against what is there; throws FileError.
+/// Compares the fingerprints of files or libraries in a checkpoint with the present ones. Throws
+/// FileError if one differs.
 void compare(const std::vector<Fingerprint>& then, const std::vector<Fingerprint>& now,
              const std::string& what, const std::string& hint) {
   for (std::size_t i = 0; i < std::max(then.size(), now.size()); ++i) {
@@ -111,7 +112,8 @@ int resume(Program& program, Texts& t, double until) {
                                "the last digits");
   RunChoice choice = from.choice;
   if (until > 0.0) choice.until = until;
-  // The libraries that the run was told of; the user's own word for one comes before its name.
+  // Load the libraries that were given to the run. A path that the user gives now takes precedence
+  // over the stored name.
   for (const Fingerprint& library : from.choice.loaded)
     if (std::count(choice.libraries.begin(), choice.libraries.end(), library.name) > 0)
       program.plugins.load(library, program.registry);

@@ -1,14 +1,14 @@
-/// Words for a POSIX shell.
+/// Quotes words for a POSIX shell.
 #pragma once
 #include <string>
 
 namespace dynamy::app {
 
-/// `text` as one word, in single quotes: whatever is in it, blanks, quotes, `$` or line ends,
-/// means itself.
+/// `text` as one word in single quotes. All characters in it, such as blanks, quotes, `$` and line
+/// ends, are taken literally.
 std::string shellQuoted(const std::string& text);
 
-/// The same for a command that a person reads: quoted only if it must be.
+/// `text` as one word for a command that a person reads: quoted only if necessary.
 std::string shellWord(const std::string& text);
 
 }  // namespace dynamy::app

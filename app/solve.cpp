@@ -1,9 +1,9 @@
-/// dynamy solve PROBLEM: one contact problem of the FCLIB layout, judged by FCLIB's own measure
+/// dynamy solve PROBLEM: solves one contact problem in FCLIB's layout, judged by FCLIB's measure
 ///
 ///   √( Σ_c |r_c − P_K(r_c − û_c)|² ) / |q|        of the condensed problem u = W r + q
 ///
-/// which is printed for r = 0 as well: |q| holds the sliding velocities, so that the zero vector
-/// looks good on some problems.
+/// The measure of r = 0 is printed as well: |q| contains the sliding velocities, so that even the
+/// zero vector has a small measure on some problems.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -41,25 +41,25 @@ class TimedRule final : public FclibRule {
 
 struct Solved {
   SolveReport report;
-  double atZero = 0.0;   ///< measure of r = 0
-  double seconds = 0.0;  ///< of the solver alone
+  double atZero = 0.0;   ///< FCLIB's measure of r = 0
+  double seconds = 0.0;  ///< time of the solver alone
   FclibSolution solution;
   Diagnosis diagnosis;
 };
 
 /// Unlimited time, in effect [s].
 constexpr double kLong = 1e9;
-/// Problems that take longer are not solved again from other starts [s].
+/// A problem that takes longer than this [s] is not solved again from other starts.
 constexpr double kPatience = 2.0;
 
 Solved solveProblem(const Program& program, const Task& task, const FclibProblem& problem,
                     GivenProblem& given) {
   const std::string name = task.solver == "automatic" ? "Automatic" : task.solver;
-  methodElement(program.registry, name, Kind::solver);  // the message for a wrong name
+  methodElement(program.registry, name, Kind::solver);  // throws the error for an unknown name
   const RegisteredType* type = program.registry.find(name);
   const auto element = type->make(Parameters::of(
       type->attributes, name, "", {{"tolerance", fmt::format("{}", task.tolerance)}}));
-  auto& solver = static_cast<InclusionSolver&>(*element);  // the kind tells
+  auto& solver = static_cast<InclusionSolver&>(*element);  // the kind was checked
   InclusionProblem& p = given.problem();
   Solved s;
   s.solution.r.setZero(p.rows());
@@ -75,7 +75,7 @@ Solved solveProblem(const Program& program, const Task& task, const FclibProblem
   p.G->apply(s.solution.r.data(), s.solution.u.data());
   s.solution.u += ConstVec(p.c.data(), p.rows());
   if (problem.global) s.solution.v = velocities(problem, s.solution.r);
-  // Other starts within a second time limit; without the measure of r = 0 they end by E_f and E_u.
+  // The other starts have a second time limit and end by E_f and E_u, not by the FCLIB measure.
   const TimedRule again(task.maxTime.empty() ? kLong : seconds(task.maxTime, "--max-time"));
   p.rule = &again;
   DiagnosisOptions options;

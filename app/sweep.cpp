@@ -1,4 +1,4 @@
-/// dynamy sweep MODEL|DIR: a model with many values of its parameters.
+/// dynamy sweep MODEL|DIR: runs a model with many values of its parameters.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -37,7 +37,7 @@ std::atomic<bool>& interruptedSweep() {
 }
 extern "C" void onSweepInterrupt(int) { interruptedSweep() = true; }
 
-/// Waiting for a process ends with the signal: no SA_RESTART.
+/// Installs the handlers without SA_RESTART, so that a signal ends the wait for a process.
 void catchInterrupt() {
   struct sigaction action {};
   action.sa_handler = onSweepInterrupt;
@@ -51,7 +51,7 @@ std::string joined(const std::vector<std::string>& list) {
   return out;
 }
 
-/// What the command line says.
+/// The sweep that the command line describes.
 Sweep asked(const SweepTexts& t) {
   Sweep s;
   s.choice.model = t.what, s.measures = t.measures, s.keep = t.keep;
@@ -81,8 +81,8 @@ fs::path defaultFolder(const std::string& model) {
   return fs::path("sweeps") / fs::path(model).stem();
 }
 
-/// The first and the last run. One corner of the parameters may be no model; if neither is one, the
-/// message for the first tells.
+/// Verifies the models of the first and the last run. One of them may be faulty; if both are, the
+/// error of the first one is thrown.
 void verifyCorners(Program& program, Sweep& s) {
   std::exception_ptr fault;
   for (const std::size_t id : {std::size_t{1}, s.runs()}) {
@@ -128,7 +128,7 @@ int finish(const Sweep& s, const SweepFolder& folder, const SweepTexts& t,
   return c.qualified > 0 ? kQualified : kOk;  // a check may hold for other parameters only
 }
 
-/// All runs without a result, in processes of their own.
+/// Computes all runs without a result, each in a separate process.
 int goOn(Program& program, const Sweep& s, const SweepFolder& folder, const SweepTexts& t) {
   std::vector<std::size_t> left;
   for (std::size_t id = 1; id <= s.runs(); ++id)

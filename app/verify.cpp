@@ -1,4 +1,4 @@
-/// dynamy verify DIR: whether the files of a run are whole and belong together.
+/// dynamy verify DIR: checks whether the files of a run are complete and belong together.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 

@@ -29,7 +29,7 @@ std::atomic<bool>& interrupted() {
 }
 extern "C" void onWatchInterrupt(int) { interrupted() = true; }
 
-/// What tells one state of a file from another; the same for all that is not there.
+/// Identifies a state of a file; equal for all files that do not exist.
 struct Stamp {
   bool there = false;
   std::uintmax_t size = 0;
@@ -47,7 +47,7 @@ Stamp stampOf(const fs::path& file) {
   return s;
 }
 
-/// One run, and the files it has told of.
+/// One run, and the files that it has reported.
 class Watched {
  public:
   Watched(std::map<fs::path, Stamp> files, const std::function<int(const TellFiles&)>& run)
@@ -79,14 +79,14 @@ class Watched {
   Watched(const Watched&) = delete;
   Watched& operator=(const Watched&) = delete;
 
-  /// The first file that is no longer as it was; empty: none.
+  /// The first file that has changed; empty: none.
   fs::path changed() {
     takeNames();
     for (auto& [file, stamp] : files_)
       if (stampOf(file) != stamp) return file;
     return {};
   }
-  /// All files as they are now.
+  /// The present state of all files.
   std::map<fs::path, Stamp> now() const {
     std::map<fs::path, Stamp> out;
     for (const auto& [file, stamp] : files_) out[file] = stampOf(file);
@@ -148,7 +148,7 @@ int watch(const std::string& model, const std::function<int(const TellFiles&)>& 
       watched.end(SIGINT);
       break;
     }
-    // An editor or a linker may still be at it: until two looks are the same.
+    // An editor or a linker may still be writing: wait until two successive states are equal.
     for (files = watched.now();;) {
       std::this_thread::sleep_for(kPause);
       auto later = watched.now();

@@ -1,7 +1,7 @@
-/// run --watch: runs in a process of its own, and again whenever one of its files changes. Files
-/// are looked at four times a second, which also sees file systems of other machines and files that
-/// an editor replaces; a new process loads a plug-in that was built anew, which one that holds the
-/// old library cannot.
+/// run --watch: runs a model in a separate process, and again whenever one of its files changes.
+/// The files are polled four times a second. Polling also notices changes on network file systems
+/// and files that an editor replaces. A new process can load a rebuilt plug-in; a process that
+/// holds the old library cannot.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -12,8 +12,9 @@ namespace dynamy::app {
 
 using TellFiles = std::function<void(const std::vector<std::filesystem::path>&)>;
 
-/// Calls `run`, which tells the files it depends on; until Ctrl-C, which ends a run that goes on as
-/// it always does. `model` is watched from the beginning. Returns the exit code.
+/// Calls `run` at once and again after every change, until Ctrl-C. `run` reports the files that it
+/// depends on; the file `model` is watched from the beginning. Ctrl-C ends a running simulation in
+/// the same way as without --watch. Returns the exit code.
 int watch(const std::string& model, const std::function<int(const TellFiles&)>& run);
 
 }  // namespace dynamy::app

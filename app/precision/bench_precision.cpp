@@ -1,4 +1,4 @@
-/// dynamy bench work-precision: error against CPU time, own methods beside those of other programs.
+/// dynamy bench work-precision: error against CPU time for this program and for other programs.
 #include <fmt/format.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -22,7 +22,7 @@ namespace dynamy::app {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kLongRun = 0.5;  ///< [s] points that cost more are run once
+constexpr double kLongRun = 0.5;  ///< [s]; points that cost more are run once
 
 struct PrecisionChoice {
   std::string out = "runs/work_precision", folder, peersIn;
@@ -32,7 +32,7 @@ struct PrecisionChoice {
   double limit = 20.0;
 };
 
-/// Where the programs peer_NAME lie: beside this one unless said otherwise.
+/// Folder of the programs peer_NAME: that of this program unless the user names another.
 fs::path peerFolder(const PrecisionChoice& c) {
   if (!c.peersIn.empty()) return c.peersIn;
   std::error_code none;
@@ -81,8 +81,8 @@ std::string machineText() {
                      versionText());
 }
 
-/// Runs all points in turn, `repeats` times, so that what else the machine does meets all alike;
-/// the cost of a point is the median.
+/// Runs all points in turn, `repeats` times, so that other load of the machine affects all points
+/// alike. The cost of a point is the median.
 void measure(Program& program, PrecisionChart& m, const PrecisionChoice& c) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   m.results.resize(m.points.size());
@@ -104,7 +104,7 @@ void measure(Program& program, PrecisionChart& m, const PrecisionChoice& c) {
   if (terminal) fmt::print(stderr, "\r{:50}\r", "");
 }
 
-/// The cheapest point of each engine that reaches an error, a line a scene.
+/// Prints for each scene and engine the point with the smallest error.
 void say(const PrecisionChart& m) {
   for (std::size_t s = 0; s < m.scenes.size(); ++s) {
     fmt::print(" {}\n", m.scenes[s].name);

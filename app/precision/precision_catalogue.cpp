@@ -1,7 +1,7 @@
-/// The files of bench/work_precision, and what the peers say they can do.
+/// Reads the files of bench/work_precision, and the points that the programs of peers offer.
 ///
-/// scenes.txt   NAME[+FORM] STEP …      a line a scene; a second form of it adds no steps of its
-/// own methods.txt  label | step or tolerance | scheme | scenes | tolerances
+///   scenes.txt   NAME[+FORM] STEP …      one line per form of a scene; the first has the steps
+///   methods.txt  label | step or tolerance | scheme | scenes | tolerances
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-/// The parts between bars, without blanks around them.
+/// The parts of a line between the separators `bar`, without surrounding blanks.
 std::vector<std::string> parts(const std::string& line, char bar) {
   std::vector<std::string> out;
   std::istringstream in(line);
@@ -42,7 +42,7 @@ std::vector<std::string> parts(const std::string& line, char bar) {
   return out;
 }
 
-/// Lines without comments and empty ones.
+/// All lines that are not empty, without comments.
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> out;
   std::istringstream in(text);
@@ -53,7 +53,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return out;
 }
 
-/// The first comment of a model without its marks and line ends.
+/// Text of the first comment of a model, without line ends.
 std::string firstComment(const std::string& text) {
   const auto begin = text.find("<!--"), end = text.find("-->");
   if (begin == std::string::npos || end == std::string::npos) return "";

@@ -15,7 +15,7 @@
 namespace dynamy::app {
 namespace {
 
-/// [s] that a process has used so far; 0 if it has ended.
+/// CPU time that a process has used so far [s]; 0 if it has ended.
 double cpuTimeOf(pid_t process) {
   clockid_t clock = 0;
   timespec t{};
@@ -25,7 +25,7 @@ double cpuTimeOf(pid_t process) {
 
 }  // namespace
 
-// Rejected: RLIMIT_CPU; where it is set the process's own clock moves in ticks of 4 ms only.
+// Rejected: RLIMIT_CPU, because with it the CPU clock of the process advances in ticks of 4 ms.
 ProcessOutput outputOf(const std::function<int()>& work, double limit) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe for a process");

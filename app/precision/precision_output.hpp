@@ -1,4 +1,4 @@
-/// What a process prints, with a limit of its CPU time.
+/// Captures the standard output of a process and limits its CPU time.
 #pragma once
 #include <functional>
 #include <string>
@@ -8,15 +8,16 @@ namespace dynamy::app {
 
 struct ProcessOutput {
   std::string text;
-  int status = 0;        ///< of waitpid
-  bool tooLong = false;  ///< it was ended by the limit
+  int status = 0;        ///< status of waitpid
+  bool tooLong = false;  ///< the process was killed at the limit
 };
 
-/// Runs `work` in a process forked from this one, standard output into `text`; `limit` in seconds
-/// of CPU time. Throws std::runtime_error.
+/// Runs `work` in a process forked from this one and returns its standard output in `text`; `limit`
+/// is in seconds of CPU time. Throws std::runtime_error.
 ProcessOutput outputOf(const std::function<int()>& work, double limit);
 
-/// The same for a program with arguments; what it says on standard error is dropped.
+/// Runs a program with its arguments, `words`, as outputOf() runs a function; its standard error is
+/// discarded.
 ProcessOutput outputOfProgram(const std::vector<std::string>& words, double limit);
 
 }  // namespace dynamy::app

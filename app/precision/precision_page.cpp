@@ -38,9 +38,9 @@ std::string tableOf(const PrecisionChart& m, int scene) {
   return out + "</table></div></details>\n";
 }
 
-/// Methods that have no point at all in a scene, with the reason of the first.
+/// Methods without any point in a scene, with the reason given for their first setting.
 std::string absentOf(const PrecisionChart& m, int scene) {
-  std::vector<std::pair<std::string, std::string>> lines;  // name, reason; empty: there are points
+  std::vector<std::pair<std::string, std::string>> lines;  // name, reason; "": it has points
   for (std::size_t i = 0; i < m.points.size(); ++i) {
     const PrecisionPoint& p = m.points[i];
     if (p.scene != scene) continue;

@@ -1,9 +1,9 @@
-/// Runs one point; own ones and those of peers print the same lines:
+/// Runs one point. This program and the programs of peers print the same lines:
 ///
-///   values V …       what the checks of the scene measure, in their order
+///   values V …       measured values of the checks of the scene, in their order
 ///   cpu S            [s] of CPU time from the first step to the last; the median of several runs
 ///   evaluations N
-///   note TEXT        why there are no values, or what to know about them
+///   note TEXT        why there are no values, or a remark about them
 #include "precision/precision_point.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 namespace dynamy::app {
 namespace {
 
-// A process repeats a short run so that the first one's cold caches do not count.
+// A process repeats a short run, so that the cold caches of the first run do not count.
 constexpr double kRepeatFor = 0.05;  // [s]
 constexpr std::size_t kRepeatMost = 20;
 
@@ -73,17 +73,17 @@ void printOwn(Program& program, const PrecisionScene& scene, const PrecisionPoin
   fmt::print("cpu {:.9g}\n", median(times));
 }
 
-/// Runs in the child.
+/// Computes a point of this program; called in the child process.
 int ownWork(Program& program, const PrecisionScene& scene, const PrecisionPoint& p) {
   try {
     printOwn(program, scene, p);
-  } catch (const ModelError& e) {  // the method does not take the scene
+  } catch (const ModelError& e) {  // the method does not admit the scene
     fmt::print("note {}\n", e.what());
   }
   return 0;
 }
 
-/// The lines of a point; the values are compared with what the scene's checks ask for.
+/// Reads the printed lines of a point and compares the values with the checks of the scene.
 PrecisionResult read(const std::string& text, const std::vector<CheckSettings>& checks) {
   PrecisionResult out;
   out.error = std::nan("");
@@ -124,7 +124,7 @@ PrecisionResult read(const std::string& text, const std::vector<CheckSettings>& 
 PrecisionResult runPoint(Program& program, const std::vector<PrecisionScene>& scenes,
                          const PrecisionPoint& point, double limit) {
   const PrecisionScene& scene = scenes[static_cast<std::size_t>(point.scene)];
-  PrecisionPoint plain;  // the model as it stands, for its checks
+  PrecisionPoint plain;  // the unchanged model, for its checks
   plain.form = point.form;
   const Model model = ownModel(program, scene, plain);
   const ProcessOutput output =

@@ -1,4 +1,4 @@
-/// The picture of a scene: decades on both axes, a line with marks a method, and a legend.
+/// The picture of a scene: decades on both axes, one line with marks for each method, a legend.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kChartWidth = 940.0, kChartLeft = 66.0, kChartTop = 34.0, kChartRight = 600.0,
                  kBottom = 440.0;
-constexpr double kLegendRow = 17.0;  ///< of the legend
-constexpr double kSmallest = 1e-16;  ///< errors below are drawn here
+constexpr double kLegendRow = 17.0;  ///< height of a row of the legend
+constexpr double kSmallest = 1e-16;  ///< smaller errors are drawn at this value
 
-// Colours by Okabe and Ito, dark ones of one family for the own methods; each line has a mark of
-// its own beside its colour.
+// Colours by Okabe and Ito; dark ones of one family for the methods of this program. Each line also
+// has a mark of its own.
 constexpr std::array kOwn = {"#08519c", "#2b8cd6", "#016c59", "#54278f", "#3690c0", "#02818a"};
 struct Engine {
   const char *name, *colour;
@@ -86,7 +86,7 @@ class ChartPicture {
         yLow = std::min(yLow, error(i)), yHigh = std::max(yHigh, error(i));
       }
     if (lines_.empty()) xLow = 1e-3, xHigh = 1.0, yLow = 1e-6, yHigh = 1.0;
-    yHigh = std::min(yHigh, 1e3);  // what has blown up is drawn on the upper edge
+    yHigh = std::min(yHigh, 1e3);  // larger errors are drawn on the upper edge
     x0_ = std::floor(std::log10(xLow) + 1e-9), x1_ = std::ceil(std::log10(xHigh) - 1e-9);
     y0_ = std::floor(std::log10(std::min(yLow, yHigh)) + 1e-9);
     y1_ = std::ceil(std::log10(yHigh) - 1e-9);

@@ -1,11 +1,12 @@
-/// Force laws written in Python, for trying out what later becomes a plug-in: a class with the
-/// functions below, registered under a name that models use like any other.
+/// Force laws written in Python, to try out a law before writing a plug-in. A law is a class with
+/// the functions below, registered under a name that models use like that of any other law.
 ///
 ///   reservoir law (normal force times a convex set B):   support(y) → S_B(y), ∇S_B, Hessian
 ///   any other law:                                       prox(Lambda − r ξ, r) → Λ
 ///
-/// Every call costs a microsecond or more; a step of a plug-in does not. Rejected: classes derived
-/// from the C++ ones, whose life would then be shared by two languages.
+/// Every call of a Python function costs a microsecond or more; a step of a plug-in has no such
+/// cost. Rejected: Python classes derived from C++ classes, whose lifetimes two languages would
+/// share.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -22,7 +23,7 @@ py::array_t<double> array(const double* x, int n) {
   return py::array_t<double>(static_cast<py::ssize_t>(n), x);
 }
 
-/// Copies `n` numbers that Python returned; says whose they are if there are others.
+/// Copies `n` numbers that Python returned; the error for another count names the function `what`.
 void take(const py::object& from, int n, double* to, const char* what) {
   const auto values = from.cast<std::vector<double>>();
   if (static_cast<int>(values.size()) != n)
@@ -78,7 +79,7 @@ class LawInPython final : public SetValuedForceLaw {
   }
   Status status(const LawInput& in, const double* argument) const override {
     if (unilateral_ && !(argument[0] > 0.0)) return Status::separating;
-    // Sticks where the argument lies in the set.
+    // The contact sticks if the argument lies in the set.
     std::vector<double> one(static_cast<std::size_t>(in.dim), 1.0), x(one.size());
     take(law_.attr("prox")(array(argument, in.dim), array(one.data(), in.dim), in.dt), in.dim,
          x.data(), "prox");
@@ -91,7 +92,7 @@ class LawInPython final : public SetValuedForceLaw {
   bool unilateral_ = true;
 };
 
-/// Attributes of the law: a number is the default, None demands a value.
+/// Attributes of the law: a number is a default, None makes the attribute required.
 Attributes declared(const std::string& about, const py::dict& attributes) {
   Attributes a;
   a.about(about);

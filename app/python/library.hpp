@@ -1,4 +1,5 @@
-/// What all bindings share: the registry with the standard elements, loaded when the module is.
+/// What all Python bindings share: the registry with the standard elements, loaded when the module
+/// is imported.
 #pragma once
 #include <pybind11/pybind11.h>
 #include <dynamy/io/model/model_loader.hpp>
@@ -17,10 +18,12 @@ struct Library {
   }
 };
 
-/// One for the interpreter: models hold code of the libraries that it loaded.
+/// The one library of the interpreter. It is never destroyed, because models hold code of the
+/// plug-ins that it loaded.
 Library& library();
 
-/// name=value of Python as an XML author would have written it: 0.3, True, "wood", (0, 0, 1).
+/// Converts Python keyword arguments (0.3, True, "wood", (0, 0, 1)) to the texts that an author
+/// would write in XML.
 std::vector<GivenValue> givenValues(const pybind11::kwargs& values);
 
 void bindModel(pybind11::module_& m);

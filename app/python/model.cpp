@@ -1,4 +1,4 @@
-/// Model and State: from a file, from text, or element by element.
+/// Python classes Model and State. A model is made from a file, from text, or element by element.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -11,7 +11,7 @@ namespace py = pybind11;
 namespace dynamy::python {
 namespace {
 
-/// An element that waits to be added to a model or to another element.
+/// An element that has not yet been added to a model or to another element.
 struct Made {
   Kind kind;
   std::unique_ptr<Element> element;

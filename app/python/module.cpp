@@ -1,5 +1,4 @@
-/// The module `dynamy` of Python: models, simulations, states and laws for notebooks and
-/// prototypes.
+/// The Python module `dynamy`: models, simulations, states and laws for notebooks and prototypes.
 #include <dynamy/core/version.hpp>
 
 #include "library.hpp"
@@ -9,7 +8,7 @@ namespace py = pybind11;
 namespace dynamy::python {
 
 Library& library() {
-  // Not destroyed: objects of Python may outlive it.
+  // Never destroyed, because Python objects may outlive it.
   static auto* all = new Library;  // NOLINT(cppcoreguidelines-owning-memory)
   return *all;
 }
@@ -26,7 +25,7 @@ std::string text(py::handle value) {
     for (const py::handle part : value) out += (out.empty() ? "" : " ") + text(part);
     return out;
   }
-  return numberText(value.cast<double>());  // numbers of numpy
+  return numberText(value.cast<double>());  // includes numbers of numpy
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Simulation and Stepper: whole runs with their signals as arrays, and single steps.
+/// Runs and steps from Python: whole runs with their signals as arrays, and single steps.
 #include <pybind11/eigen.h>
 #include <pybind11/functional.h>
 #include <pybind11/numpy.h>
@@ -17,7 +17,7 @@ namespace py = pybind11;
 namespace dynamy::python {
 namespace {
 
-/// Signals of a run in memory, row after row.
+/// Keeps the signals of a run in memory, row after row.
 class Table final : public RecordSink {
  public:
   void row(double t, std::span<const double> values) override {
@@ -42,7 +42,7 @@ class Table final : public RecordSink {
   std::vector<double> t_, values_;
 };
 
-/// Calls a function of Python after each step; it ends the run by returning False.
+/// Calls a Python function after each step. The function ends the run by returning False.
 class Callback final : public Observer {
  public:
   Callback(py::object call, std::atomic<bool>& stop) : call_(std::move(call)), stop_(stop) {}
@@ -56,7 +56,7 @@ class Callback final : public Observer {
       fault_ = std::current_exception(), stop_ = true;
     }
   }
-  /// Raises what the function raised, or Ctrl-C.
+  /// Raises the exception of the function, or that of Ctrl-C.
   void raise() const {
     if (fault_) std::rethrow_exception(fault_);
   }
@@ -113,7 +113,7 @@ void writeFolderFacts(const RunFolder& folder, const Model& model, const RunRepo
   });
 }
 
-/// One run from the initial state, in memory or into a folder.
+/// Runs a model from its initial state and keeps the signals in memory or writes a run folder.
 py::tuple run(Model& model, const py::object& each, const std::string& out) {
   std::atomic<bool> stop{false};
   Simulation simulation(model);
@@ -140,7 +140,7 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
   return py::make_tuple(py::none(), figures(simulation));
 }
 
-/// Steps of the model's scheme, one by one, from a state that may be written between them.
+/// Takes single steps of the model's scheme; the state may be changed between the steps.
 class Steps {
  public:
   explicit Steps(Model& model)
@@ -169,7 +169,7 @@ class Steps {
     if (!report.refused.empty()) throw std::runtime_error(std::string(report.refused));
     return out;
   }
-  /// Closed contacts of the last step: name, percussions.
+  /// Name and percussions of each closed contact of the last step.
   py::list contacts() {
     py::list out;
     const ContactSet& c = system_.slot(0).contacts;

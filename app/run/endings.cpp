@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-// A handler reaches nothing but what is there for the whole program.
+// A signal handler can only use objects that live as long as the program.
 std::atomic<bool>& flag() {
   static std::atomic<bool> value{false};
   return value;
@@ -27,7 +27,8 @@ extern "C" void onSignal(int which) {
   number() = which, flag() = true;
   for (const int s : kSignals) {
     struct sigaction now {};
-    // The next one, of whichever kind, ends at once; the system repeats SIGXCPU every second.
+    // The next signal of any kind ends the program at once. Only SIGXCPU is ignored from now on,
+    // because the system repeats it every second.
     if (::sigaction(s, nullptr, &now) == 0 && now.sa_handler == onSignal)
       std::signal(s, s == SIGXCPU ? SIG_IGN : SIG_DFL);
   }
@@ -36,12 +37,12 @@ extern "C" void onSignal(int which) {
 }  // namespace
 
 EndingSignals::EndingSignals() {
-  flag() = false, number() = 0;  // made before a handler may need them
+  flag() = false, number() = 0;  // constructs them before a handler may need them
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  // One at a time: what comes meanwhile finds the handler of the first done.
+  // Block all signals in the handler: a second signal waits until the handler of the first is done.
   for (const int s : kSignals) sigaddset(&action.sa_mask, s);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     ::sigaction(kSignals[i], nullptr, &before()[i]);

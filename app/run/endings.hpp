@@ -1,13 +1,13 @@
-/// How a run is ended from outside: signals of the system, a full disk.
+/// Events outside of the program that end a run: signals of the system, a full disk.
 #pragma once
 #include <atomic>
 #include <string>
 
 namespace dynamy::app {
 
-/// As long as it lives, the first SIGINT, SIGTERM, SIGHUP or SIGXCPU sets requested(), and
-/// the next one ends the program at once. What was ignored before (nohup) stays ignored. One at a
-/// time.
+/// During the life of the object the first SIGINT, SIGTERM, SIGHUP or SIGXCPU sets requested(), and
+/// the next one ends the program at once. Signals that were ignored before (nohup) stay ignored.
+/// Only one object may exist at a time.
 class EndingSignals {
  public:
   EndingSignals();
@@ -15,15 +15,15 @@ class EndingSignals {
   EndingSignals(const EndingSignals&) = delete;
   EndingSignals& operator=(const EndingSignals&) = delete;
   const std::atomic<bool>& requested() const;
-  /// Number of the signal that came; 0: none.
+  /// Number of the received signal; 0: none.
   static int signal();
 };
 
 /// "stopped by SIGTERM"; "stopped by the user" for Ctrl-C.
 std::string stopText(int signal);
 
-/// A file that grows beyond what the system allows is then an error of its writer, as a full disk
-/// is, and does not kill the program.
+/// Ignores SIGXFSZ. A file that grows beyond the limit of the system then gives a write error, as
+/// on a full disk, instead of ending the program.
 void takeFileLimitsAsErrors();
 
 }  // namespace dynamy::app

@@ -17,7 +17,7 @@ std::vector<double> errorBars(const std::vector<CheckResult>& whole,
 
 namespace {
 
-/// Keeps what a run records.
+/// Keeps the recorded signals of a run in memory.
 class Table final : public RecordSink {
  public:
   explicit Table(std::size_t columns) { table.columns.resize(columns); }

@@ -1,6 +1,6 @@
-/// The error bar of a figure: twice its change when the step is halved, or the tolerance divided by
-/// ten. That is its error for a scheme of order one, and more than it for a higher one; what it
-/// cannot show is an error that both runs share.
+/// The error bar of a figure: twice its change when the step is halved or the tolerance is divided
+/// by ten. For a scheme of order one the bar is the error; for a higher order it is larger than the
+/// error. The bar cannot show an error that both runs share.
 #pragma once
 #include <dynamy/io/files/json_writer.hpp>
 #include <dynamy/io/run_files/run_difference.hpp>
@@ -10,29 +10,29 @@
 
 namespace dynamy::app {
 
-/// Bars of the checks of a run, from those of a run with half the step.
+/// Error bars of the checks `whole` of a run, from the checks `half` of a run with half the step.
 std::vector<double> errorBars(const std::vector<CheckResult>& whole,
                               const std::vector<CheckResult>& half);
 
-/// What a second run says about the first.
+/// Error bars of a run, obtained from a second run.
 struct ErrorBars {
   double tolerance = 0.0, step = 0.0;  ///< of the second run; one of them is 0
-  std::string reason;                  ///< why it ended early; "": it did not
-  std::vector<CheckResult> checks;     ///< of the first run
-  std::vector<double> bars;            ///< one for each of them
-  RunDifference difference;            ///< of all recorded signals
+  std::string reason;                  ///< why the second run ended early; "": it did not
+  std::vector<CheckResult> checks;     ///< checks of the first run
+  std::vector<double> bars;            ///< error bar of each check
+  RunDifference difference;            ///< differences of all recorded signals
 };
 
-/// Runs `choice` again with half the step or a tenth of the tolerance, no folder written, and
-/// compares the checks `whole` and the recorded signals, those of the first run in the file
-/// `signals`; where differences grow exponentially, up to when the motion can be told. Throws
-/// FileError.
+/// Runs `choice` again with half the step or a tenth of the tolerance, without a folder. Compares
+/// the checks with those of the first run, `whole`, and the recorded signals with those of the
+/// first run in the file `signals`. If differences grow exponentially, the result also has the time
+/// up to which the motion is predictable. Throws FileError.
 ErrorBars errorBars(Program& program, RunChoice choice, const std::vector<CheckResult>& whole,
                     const std::filesystem::path& signals);
 
-/// For people, some lines.
+/// The error bars as some lines of text for people.
 std::string errorBarsText(const ErrorBars& bars);
-/// Member `errorBars` of run.json.
+/// Writes the member `errorBars` of run.json.
 void writeErrorBars(JsonWriter& json, const ErrorBars& bars);
 
 }  // namespace dynamy::app

@@ -16,7 +16,7 @@ constexpr int kBarWidth = 16;
 constexpr auto kQuietFor = std::chrono::seconds(10);
 constexpr auto kRefresh = std::chrono::milliseconds(90);
 
-/// Columns of the terminal; a longer line would not be replaced but repeated.
+/// Number of columns of the terminal. A longer line would be repeated instead of replaced.
 int columns() {
   winsize size{};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -42,7 +42,7 @@ void StatusLine::show(double part, const std::string& text) {
   const auto full = static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * kBarWidth);
   std::string line =
       fmt::format(" [{}{}] {}", std::string(full, '#'), std::string(kBarWidth - full, ' '), text);
-  // The end of a long line is what can be spared; a cut inside of a character must not be.
+  // Shorten a long line at its end, but never inside a character.
   while (characterCount(line) >= columns()) {
     while ((static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();
     line.pop_back();

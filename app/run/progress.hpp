@@ -1,18 +1,18 @@
-/// Progress on standard error: one line that is replaced on a terminal, a line every ten seconds
-/// elsewhere.
+/// Progress on standard error: on a terminal one line that is replaced, elsewhere a new line every
+/// ten seconds.
 #pragma once
 #include <chrono>
 #include <string>
 
 namespace dynamy::app {
 
-/// The line itself.
+/// The line of progress on standard error.
 class StatusLine {
  public:
   explicit StatusLine(bool quiet);
-  /// Whether a text would be shown now; saves making one.
+  /// True if show() would print now; lets the caller avoid formatting an unused text.
   bool due() const;
-  /// `part` of the whole is done, 0 … 1.
+  /// Shows a bar and `text`; `part` is the completed fraction, 0 … 1.
   void show(double part, const std::string& text);
   /// Removes the line.
   void end();
@@ -24,19 +24,19 @@ class StatusLine {
   Clock::time_point start_, last_;
 };
 
-/// What a run tells about itself while it goes on.
+/// Figures of a run in progress.
 struct RunState {
   double t = 0.0;  ///< [s]
   long steps = 0;
-  int contacts = 0;       ///< of the last step
-  double residual = 0.0;  ///< of its inclusion
-  long unsolved = 0;      ///< steps that missed the tolerance so far
+  int contacts = 0;       ///< contacts of the last step
+  double residual = 0.0;  ///< residual of the inclusion of the last step
+  long unsolved = 0;      ///< steps so far that missed the tolerance
 };
 
 /// Progress of a run: time, steps, real-time factor, contacts, residual, time to go.
 class Progress {
  public:
-  /// From time `begin` to `until` [s].
+  /// Progress of a run from time `begin` to `until` [s].
   Progress(bool quiet, double begin, double until) : line_(quiet), begin_(begin), until_(until) {}
   void show(const RunState& s);
   void end() { line_.end(); }

@@ -20,7 +20,7 @@ namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// signals.svg and replay.html from the files of the folder.
+/// Writes signals.svg and replay.html from the files of the folder.
 ReplaySize writePictures(const RunFolder& folder, const Model& model) {
   SignalTable table = readSignals(folder.signals());
   const std::vector<SignalName> named = recordedSignals(model);
@@ -45,14 +45,14 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
   if (!report.reason.empty()) fmt::print(stderr, "dynamy: {}\n", report.reason);
 }
 
-/// How a run ended, beside its report.
+/// How a run ended, in addition to its report.
 struct End {
   int status = kOk;
   std::vector<RecordedFile> files;
-  std::string fault;  ///< of a file that could not be written; empty: none
+  std::string fault;  ///< why a file could not be written; empty: none
 };
 
-/// run.json, pictures and words of a run that has ended.
+/// Writes run.json and the pictures of a run that has ended, and prints its result.
 void conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
               const RunShow& show, const RunReport& report, const std::vector<CheckResult>& checks,
               const ProblemDump* problems, End& end) {
@@ -91,7 +91,8 @@ void conclude(const RunFolder& folder, const Model& model, const RunChoice& choi
   if (bars && !show.json && !show.quiet && !show.tell) fmt::print("{}", errorBarsText(*bars));
 }
 
-/// As many as the system gives; that it gives fewer changes no number, so that a run goes on.
+/// Starts as many threads as the system provides. Fewer threads do not change the results, so that
+/// the run continues.
 void startThreads(Simulation& simulation, const RunShow& show) {
   const int count = simulation.threads(show.threads);
   if (count < show.threads)
@@ -122,7 +123,7 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   if (choice.until > 0.0) s.until = choice.until;
   if (choice.tolerance > 0.0) model.askTolerance(choice.tolerance);
   if (choice.step > 0.0 && choice.tolerance > 0.0)
-    s.step = choice.step;  // the longest
+    s.step = choice.step;  // the longest step
   else if (choice.step > 0.0)
     model.askStep(choice.step);
   if (choice.every > 0.0) model.record.every = choice.every;
@@ -140,7 +141,7 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
 
 namespace {
 
-/// A run into a folder that is there, whether it begins or goes on.
+/// Carries out a run in an existing folder, from the initial state or from a checkpoint.
 int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, const RunShow& show,
              Simulation& simulation, RunRecording& recording, std::vector<CheckResult>& checks) {
   std::optional<ProblemDump> problems;
@@ -168,7 +169,7 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
   const RunReport& report = simulation.run();
   progress.end();
 
-  // Files first: what is printed is then true.
+  // Write the files before printing, so that the printed result holds for them.
   recording.flush();
   if (show.checkpoints && !simulation.checkpoint().empty()) saver.saveLast(simulation);
   checks = simulation.checks();
@@ -186,7 +187,7 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
 int runInto(const fs::path& path, Model& model, const RunChoice& choice, const RunShow& show,
             std::vector<CheckResult>& checks) {
   if (show.strict) refuseInconsistentStart(model);
-  Simulation simulation(model);  // first: a model it refuses leaves an older run alone
+  Simulation simulation(model);  // first: if it throws, an older run in the folder stays
   const RunFolder folder(path);
   RunRecording recording(folder, model);
   simulation.record(recording);

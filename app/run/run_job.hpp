@@ -1,4 +1,4 @@
-/// A run into its folder: what `run` and `resume` share.
+/// Runs a model into a run folder; shared by `run` and `resume`.
 #pragma once
 #include <dynamy/io/run_files/checkpoint.hpp>
 #include <dynamy/io/run_files/run_folder.hpp>
@@ -12,26 +12,26 @@ namespace dynamy::app {
 
 struct ErrorBars;
 
-/// How it is shown.
+/// Options of a run that do not change its numbers: output, checkpoints, threads.
 struct RunShow {
   bool json = false, quiet = false;
   bool checkpoints = true;
-  double checkpointEvery = 10.0;  ///< [s] of wall time,
-  double checkpointShare = 0.02;  ///< or longer, so that they take no more of it than this
-  /// A second run with half the step, or a tenth of the tolerance: what it says about the checks
-  /// and the recorded signals in that file. Empty: none.
+  double checkpointEvery = 10.0;  ///< least interval of checkpoints [s] of wall time
+  double checkpointShare = 0.02;  ///< largest share of the wall time that they may take
+  /// Makes a second run with half the step or a tenth of the tolerance, and returns the error bars
+  /// of the checks and of the signals recorded in the given file. Empty: no second run.
   std::function<ErrorBars(const std::vector<CheckResult>&, const std::filesystem::path&)> errorBars;
-  bool strict = false;    ///< a start that joints do not allow is refused
+  bool strict = false;    ///< refuse an initial state that violates joints
   Accepted accept;        ///< warnings that leave the exit status at 0
-  int threads = 1;        ///< the same numbers with any
-  int dumpProblems = -1;  ///< inclusion problems to write; −1: none, not even unsolved ones
-  /// Gets the result instead of a person: nothing is printed then.
+  int threads = 1;        ///< any number gives the same results
+  int dumpProblems = -1;  ///< number of problems to write; −1: none, not even unsolved ones
+  /// Receives the result; if it is set, nothing is printed.
   std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;
 };
 
-/// The model with all choices applied; `choice` gets absolute path, end time, sample time
-/// and the fingerprints of what was read; `files` gets all that was looked for (LoadOptions).
-/// Throws ModelError.
+/// The model with all choices applied. `choice` receives the absolute path, the end time, the
+/// sample time and the fingerprints of the files that were read. `files` receives all files that
+/// were searched for (LoadOptions). Throws ModelError.
 Model chosenModel(Program& program, RunChoice& choice,
                   std::vector<std::filesystem::path>* files = nullptr);
 
@@ -40,8 +40,8 @@ Model chosenModel(Program& program, RunChoice& choice,
 int runInto(const std::filesystem::path& path, Model& model, const RunChoice& choice,
             const RunShow& show, std::vector<CheckResult>& checks);
 
-/// The same from a checkpoint of the folder; `choice` is that of the checkpoint, but for the end
-/// time. Throws ModelError if the checkpoint does not belong to the model, FileError.
+/// Continues a run from a checkpoint of its folder. `choice` is that of the checkpoint, except for
+/// the end time. Throws ModelError if the checkpoint does not belong to the model, and FileError.
 int resumeIn(RunFolder folder, Model& model, const RunChoice& choice, const RunShow& show,
              const Checkpoint& from, std::vector<CheckResult>& checks);
 

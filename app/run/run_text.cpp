@@ -216,10 +216,10 @@ std::string headText(const Model& model, const RunChoice& choice) {
   return out;
 }
 
-/// Warns of a scheme that changes the energy by itself: by more than 1 % of what moves in the run,
-/// and by more than rounding.
+/// Warns if the scheme itself changes the energy by more than rounding and by more than 1 % of the
+/// energy that is exchanged in the run.
 std::string discretisationText(const EnergyReport& e, double rounding) {
-  // Works one by one: what drives bring in and friction takes may cancel.
+  // Add the absolute works: the work of drives and that of friction may cancel.
   const double moves =
       std::max({e.kineticStart, std::abs(e.potentialEnd - e.potentialStart),
                 std::abs(e.nonPotential) + std::abs(e.friction) + std::abs(e.normal) +
@@ -231,7 +231,7 @@ std::string discretisationText(const EnergyReport& e, double rounding) {
       change / moves);
 }
 
-/// What the evaluations of a run to a tolerance were for.
+/// Purposes of the evaluations in a run to a tolerance.
 std::string effortText(const RunReport& r) {
   const StepEffort& e = r.effort;
   const long told = e.smooth + e.rejected + e.switches + e.events + e.stepping;
@@ -243,7 +243,7 @@ std::string effortText(const RunReport& r) {
       r.evaluations > told ? fmt::format(", output {}", r.evaluations - told) : "");
 }
 
-/// Steps in parts, forces that are damped.
+/// Counts of steps that were divided and of forces that were damped.
 std::string stepsText(const RunReport& r) {
   std::string out;
   if (r.parted > 0)

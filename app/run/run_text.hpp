@@ -1,4 +1,4 @@
-/// A run for people (standard output) and for programs (run.json).
+/// Describes a run for people (standard output) and for programs (run.json).
 #pragma once
 #include <dynamy/io/fclib/problem_dump.hpp>
 #include <dynamy/io/files/json_writer.hpp>
@@ -8,24 +8,25 @@
 
 namespace dynamy::app {
 
-/// Model, sizes, scheme, solver, step and end time: two lines.
 /// "step 0.001 s" or "tolerance 1e-06".
 std::string stepText(const Model& model);
+/// Two lines with model, sizes, scheme, solver, step and end time.
 std::string headText(const Model& model, const RunChoice& choice);
 
 /// Steps, energy, penetration, solver, checks, files and hash.
 std::string resultText(const Model& model, const RunReport& report,
                        const std::vector<CheckResult>& checks, const std::filesystem::path& folder);
 
-/// All members of run.json. `state` "": how the run ended.
+/// Writes the general members of run.json. If `state` is "", the member says how the run ended.
 void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice,
                 const RunReport& report, const std::vector<CheckResult>& checks,
                 const std::string& state);
 
-/// "finished", "stopped by SIGTERM", "failed".
+/// How the run ended: "finished", "stopped by SIGTERM", "failed".
 std::string stateText(const RunReport& report);
 
-/// Member `files` of run.json: bytes and CRC-32 of the recorded files at the end of the run.
+/// Writes the member `files` of run.json: size and CRC-32 of the recorded files at the end of the
+/// run.
 void writeFiles(JsonWriter& json, const std::vector<RecordedFile>& files);
 
 /// "max ball.z 0.4 … 1 s"
@@ -34,21 +35,23 @@ std::string checkText(const CheckResult& check);
 /// The lines of the checks that failed, for calls that print nothing else; "" if all hold.
 std::string failedChecks(const std::vector<CheckResult>& checks);
 
-/// What to say when the replay does not hold all frames; else "".
+/// Message that the replay does not hold all frames; "" if it does.
 std::string thinningText(const ReplaySize& size);
 
-/// A line a warning, but for unsolved inclusions, which unsolvedText() reports; with `accepted`
-/// only those that qualify the run and are not accepted.
+/// One line for each warning, except those about unsolved inclusions, which unsolvedText() reports.
+/// With `accepted`: only the warnings that qualify the run and are not accepted.
 std::string warningsText(const RunReport& report, const Accepted* accepted = nullptr);
 
-/// "finished, but: …" with the exit status that follows; empty: as the model asks, or failed.
+/// "finished, but: …" with the exit status of a qualified run; empty if the run is not qualified or
+/// has failed.
 std::string qualifiedText(const RunReport& report, const std::vector<CheckResult>& checks,
                           const Accepted& accepted);
 
-/// The worst step whose inclusion was not solved: where, what was tried, why, what to do; "": none.
+/// The worst step whose inclusion was not solved: place, methods tried, reason and advice; "" if
+/// all were solved.
 std::string unsolvedText(const RunReport& report);
 
-/// Where the dumped problems lie, how many had no place in FCLIB's layout and why.
+/// Folder of the dumped problems, and how many do not fit FCLIB's layout, with the reason.
 std::string problemsText(const ProblemDump& dump, const std::filesystem::path& folder);
 void writeProblems(JsonWriter& json, const ProblemDump& dump);
 

@@ -8,10 +8,11 @@ namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// A run that took no longer is made again as fast as a disk confirms what it wrote [s].
+/// A run of at most this time [s] is not synchronised to the disk, because to repeat it takes no
+/// longer than the synchronisation.
 constexpr double kShort = 1.0;
-/// What the tables and the film collect before they write it [byte]: on a full disk it goes into
-/// the checkpoint.
+/// Data that tables and frames collect before they are written [byte]. On a full disk these data
+/// are stored in the checkpoint.
 constexpr std::uint64_t kRows = std::uint64_t{1} << 19;
 
 }  // namespace
@@ -33,7 +34,7 @@ void Saver::release() {
 void Saver::save(const std::string& simulation, double t, bool lasting) {
   next_.simulation = simulation, next_.t = t, next_.files = recording_.archived();
   fault_.clear();
-  // The first one is there for kills, and nothing is lost with it.
+  // The first checkpoint need not survive a loss of power: a run that has just begun loses nothing.
   const bool safe = lasting && any_;
   try {
     if (safe) recording_.sync();
@@ -49,7 +50,7 @@ void Saver::save(const std::string& simulation, double t, bool lasting) {
 
 void Saver::saveLast(const Simulation& simulation) {
   save(simulation.checkpoint(), simulation.state().t, simulation.report().wall > kShort);
-  release();  // the other files of the end may need it
+  release();  // the last files of the run may need this room
 }
 
 }  // namespace dynamy::app

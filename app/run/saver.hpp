@@ -6,18 +6,19 @@ namespace dynamy::app {
 
 class Saver {
  public:
-  /// All outlive it.
+  /// The arguments must outlive the Saver.
   Saver(const RunFolder& folder, const RunChoice& choice, const Model& model,
         RunRecording& recording);
   ~Saver();
   Saver(const Saver&) = delete;
   Saver& operator=(const Saver&) = delete;
-  /// `simulation`: the bytes of Simulation::checkpoint at t [s]. Throws nothing: a checkpoint that
-  /// cannot be written is in fault(), the older ones stay, and the run goes on.
+  /// Writes a checkpoint; `simulation`: the bytes of Simulation::checkpoint at t [s]. `lasting`: it
+  /// shall survive a loss of power. Throws nothing: if a checkpoint cannot be written, fault() has
+  /// the reason, the older ones stay, and the run continues.
   void save(const std::string& simulation, double t, bool lasting);
-  /// Of a run that has ended.
+  /// Writes the last checkpoint, that of a run that has ended.
   void saveLast(const Simulation& simulation);
-  /// Why the last one could not be written; empty: it could.
+  /// Why the last checkpoint could not be written; empty: it was written.
   const std::string& fault() const { return fault_; }
 
  private:

@@ -17,7 +17,7 @@ struct Run {
   std::vector<CheckResult> checks;
 };
 
-/// `part`: of the task's step.
+/// Runs the task with `part` times its step.
 Run runOnce(Program& program, const StabilityScene& scene, const StabilityTask& task, double part) {
   LoadOptions options;
   options.set = {{"dt", numberText(task.step)}};
@@ -33,7 +33,7 @@ Run runOnce(Program& program, const StabilityScene& scene, const StabilityTask& 
   return out;
 }
 
-/// Distance of a figure from the middle of its band, 1 at its edges.
+/// Distance of a figure from the middle of its band, normalised to 1 at the edges.
 double strain(const CheckResult& c) {
   const double half = 0.5 * (c.high - c.low), off = std::abs(c.got - 0.5 * (c.low + c.high));
   if (std::isnan(off)) return std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ std::string markText(const CheckResult& c) {
 /// How far a figure lies outside of its band.
 double miss(const CheckResult& c) { return std::max(c.low - c.got, c.got - c.high); }
 
-/// A line for each missed check whose error bar reaches what should have come out.
+/// One line for each missed check whose error bar reaches the expected band.
 std::string errorBarText(Program& program, const StabilityScene& scene, const StabilityTask& task,
                          const Run& run) {
   const Run half = runOnce(program, scene, task, 0.5);

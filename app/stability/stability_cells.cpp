@@ -1,4 +1,4 @@
-/// The catalogue of scenes, and many cells in processes of their own.
+/// Reads the catalogue of scenes, and runs many cells in separate processes.
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -18,7 +18,7 @@
 namespace dynamy::app {
 namespace {
 
-/// The first comment of a model, without its marks and line ends.
+/// Text of the first comment of a model, without line ends.
 std::string firstComment(std::string_view text) {
   const auto begin = text.find("<!--"), end = text.find("-->");
   if (begin == std::string_view::npos || end == std::string_view::npos) return "";
@@ -35,7 +35,7 @@ std::string titleOf(std::string_view text) {
   return std::string(text.substr(begin, text.find('"', begin) - begin));
 }
 
-/// A cell that runs in a child.
+/// A cell that runs in a child process.
 struct Child {
   pid_t id = -1;
   int pipe = -1;
@@ -90,13 +90,13 @@ Child start(Program& program, const std::vector<StabilityScene>& scenes, const S
     close(ends[0]);
     work(program, scenes[static_cast<std::size_t>(task.scene)], task, limit, ends[1]);
     close(ends[1]);
-    std::_Exit(0);  // the parent's files and plug-ins are not this process's to close
+    std::_Exit(0);  // leaves the files and plug-ins of the parent alone
   }
   close(ends[1]);
   return {id, ends[0], index, {}};
 }
 
-/// Waits for output; returns the index of a child that has ended, or the count of children.
+/// Waits for output of the children; returns the index of one that has ended, else their count.
 std::size_t listen(std::vector<Child>& children) {
   std::vector<pollfd> all;
   for (const Child& c : children) all.push_back({c.pipe, POLLIN, 0});

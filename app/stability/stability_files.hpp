@@ -1,5 +1,5 @@
 /// The files of bench/stability as text inside the program (cmake/EmbedText.cmake), so that an
-/// installed program has its scenes with it.
+/// installed program carries its scenes.
 #pragma once
 #include <string_view>
 

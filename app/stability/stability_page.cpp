@@ -34,7 +34,7 @@ std::string commandLine(const StabilityMatrix& m, const StabilityTask& t,
                      sceneOf(m, t).name, numberText(t.step), quoted(t.scheme), quoted(t.solver));
 }
 
-// Okabe and Ito's colours; a mark beside the colour, so that it is never the only sign.
+// Colours by Okabe and Ito. A mark accompanies each colour, so that colour is never the only sign.
 struct Look {
   const char *fill, *ink, *mark, *text;
 };
@@ -45,7 +45,7 @@ constexpr std::array<Look, 4> kLooks = {{{"#8fcfb8", "#0b4f3a", "", "pass"},
 
 const Look& look(Verdict v) { return kLooks[static_cast<std::size_t>(v)]; }
 
-/// Columns of the picture: schemes with the own solver, then solvers with the own scheme.
+/// A column of the picture: a scheme with the default solver, or a solver with the default scheme.
 struct MatrixColumn {
   std::string name;
   bool scheme;
@@ -174,7 +174,7 @@ std::string json(const StabilityMatrix& m, const std::string& folder) {
     j.member("cpu", r.cpu).member("run", commandLine(m, t, folder)).endObject();
   }
   j.endArray().endObject();
-  // "</" would end the script element.
+  // Escaped, since "</" would end the script element.
   for (std::size_t at = 0; (at = out.find("</", at)) != std::string::npos; at += 3)
     out.replace(at, 2, "<\\/");
   return out;

@@ -1,4 +1,4 @@
-/// The stability matrix as table, picture and page.
+/// The stability matrix as a CSV table, an SVG picture and an HTML page.
 #pragma once
 #include "stability/stability_cell.hpp"
 
@@ -8,15 +8,16 @@ struct StabilityMatrix {
   std::vector<StabilityScene> scenes;
   std::vector<StabilityTask> tasks;
   std::vector<StabilityResult> results;
-  std::string scheme, solver;  ///< the program's own choice
+  std::string scheme, solver;  ///< the defaults of the program
 };
 
 /// stability.csv: scene,scheme,solver,step,verdict,figure,passmark.
 std::string stabilityCsv(const StabilityMatrix& m);
-/// stability.svg: a row a scene, a column a scheme and then a solver, a field a step.
+/// stability.svg: one row for each scene, one column for each scheme and then for each solver, one
+/// field for each step.
 std::string stabilitySvg(const StabilityMatrix& m);
-/// stability.html: one file, with figure, pass mark, words and command line of each cell.
-/// `folder`: where the scenes lie, for the command lines.
+/// stability.html: a page of one file with figure, pass mark, report and command line of each cell.
+/// `folder` holds the scenes; the command lines refer to it.
 std::string stabilityPage(const StabilityMatrix& m, const std::string& folder);
 
 }  // namespace dynamy::app

@@ -11,10 +11,11 @@ namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// Slurm's usual MaxArraySize is 1001: larger sweeps take several runs a task.
+/// Slurm's usual MaxArraySize is 1001; in larger sweeps each task computes several runs.
 constexpr std::size_t kMostTasks = 1000;
 
-/// What the user said about libraries: the scripts say it again, since nothing in a folder may.
+/// The user's options --plugin and --trust. The script repeats them, because a folder itself may
+/// not grant trust.
 std::string options(const Program& program) {
   std::string out;
   for (const std::string& library : program.libraries) {

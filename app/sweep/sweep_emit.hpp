@@ -1,11 +1,11 @@
-/// Scripts with which other engines compute the runs of a sweep.
+/// Writes scripts with which GNU parallel or Slurm compute the runs of a sweep.
 #pragma once
 #include "sweep/sweep_folder.hpp"
 
 namespace dynamy::app {
 
-/// Writes parallel.sh or slurm.sh into the folder, with the plug-ins and the trust of this command;
-/// returns what to do with it. Throws FileError.
+/// Writes parallel.sh or slurm.sh into the folder; the script repeats --plugin and --trust of this
+/// command. Returns a text that says how to start the script. Throws FileError.
 std::string emit(const std::string& engine, const Program& program, const Sweep& sweep,
                  const SweepFolder& folder);
 

@@ -50,7 +50,7 @@ std::string factsText(const Sweep& s) {
   return out + '\n';
 }
 
-/// The first member in which two texts of sweep.json differ.
+/// Describes the first member in which two texts of sweep.json differ.
 std::string difference(const std::string& before, const std::string& now) {
   const JsonValue a = readJson(before, "sweep.json"), b = readJson(now, "sweep.json");
   const auto text = [](const JsonValue& v) {
@@ -86,7 +86,7 @@ bool isSweep(const fs::path& folder) {
   return readWholeFile(folder / "sweep.json").find(kFormat) != std::string::npos;
 }
 
-/// Empty, or left by a sweep that was killed while it wrote its first file.
+/// True: the folder is empty, or a sweep was killed in it while writing its first file.
 bool isFree(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
@@ -147,7 +147,8 @@ SweepFolder::SweepFolder(const fs::path& path, const Sweep& sweep) : path_(path)
                     "is not empty and holds no sweep; nothing in it was touched: choose another "
                     "--out");
   }
-  // sweep.json first: from then on the folder is one of ours, whenever the process is killed.
+  // sweep.json comes first: it marks the folder as that of a sweep, even if the process is killed
+  // later.
   fs::create_directories(path, error);
   if (error) throw FileError(path.string(), "cannot create the folder: " + error.message());
   writeWholeFile(this->facts(), facts);
@@ -203,7 +204,7 @@ std::optional<Claim> SweepFolder::claim(std::size_t id) const {
     if (errno == EWOULDBLOCK) return std::nullopt;
     throw failed(part, "cannot lock");
   }
-  // Between the first look and the lock another process may have finished this very file.
+  // Another process may have finished this run between the first test and the lock.
   if (has(id)) {
     std::error_code none;
     fs::remove(part, none);

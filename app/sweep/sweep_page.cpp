@@ -19,7 +19,7 @@ namespace {
 
 using Line = std::vector<std::string>;
 
-/// The line of a run without its id; empty if there is none.
+/// The result line of a run without its id; empty if the run has no result.
 Line lineOf(const SweepFolder& folder, std::size_t id, std::size_t columns) {
   if (!folder.has(id)) return {};
   auto lines = readCsv(readWholeFile(folder.result(id)));
@@ -30,7 +30,7 @@ Line lineOf(const SweepFolder& folder, std::size_t id, std::size_t columns) {
   return lines[0];
 }
 
-/// A number as JSON, a text else; "" and what is not finite become null.
+/// Writes a number or else a text as JSON; "" and numbers that are not finite become null.
 void cell(JsonWriter& j, const std::string& text) {
   double x = 0.0;
   const char* const end = text.data() + text.size();
@@ -87,7 +87,7 @@ std::string dataText(const Sweep& sweep, const SweepFolder& folder,
   return out;
 }
 
-/// True if a kind of "unsolved; overlap" is not accepted.
+/// True if one of the kinds, given as in "unsolved; overlap", is not accepted.
 bool qualifies(const std::string& kinds, const Accepted& accept) {
   for (std::size_t from = 0; from < kinds.size();) {
     const std::size_t end = std::min(kinds.find("; ", from), kinds.size());

@@ -1,10 +1,10 @@
-/// results.csv and sweep.html of a sweep: the table of all runs, and pictures of it.
+/// Writes results.csv and sweep.html of a sweep: the table of all runs, and its pictures.
 #pragma once
 #include "sweep/sweep_folder.hpp"
 
 namespace dynamy::app {
 
-/// How many runs ended in which way.
+/// Number of runs that ended in each way.
 struct Collected {
   std::size_t finished = 0, failed = 0, missing = 0;
   std::size_t qualified = 0;     ///< finished runs with a warning that qualifies them
@@ -12,8 +12,8 @@ struct Collected {
   std::string firstFault;        ///< message of the first run that failed
 };
 
-/// Writes both files from the lines that are there; `accept`: warnings that qualify no run. Throws
-/// FileError.
+/// Writes results.csv and sweep.html from the lines of the runs that are done. Warnings in `accept`
+/// do not qualify a run. Throws FileError.
 Collected collect(const Sweep& sweep, const SweepFolder& folder, const Accepted& accept);
 
 }  // namespace dynamy::app

@@ -21,7 +21,7 @@ constexpr std::size_t kMostRuns = 1'000'000;
   throw CLI::ValidationError(option, '"' + name + '=' + text + "\": " + why);
 }
 
-/// Cut at `separator`, but not inside of brackets and braces.
+/// Splits a text at `separator`, but not inside brackets and braces.
 std::vector<std::string> pieces(const std::string& text, char separator) {
   std::vector<std::string> out(1);
   int depth = 0;
@@ -35,7 +35,7 @@ std::vector<std::string> pieces(const std::string& text, char separator) {
   return out;
 }
 
-/// A number with or without unit, in SI.
+/// Reads a number with or without a unit; returns it in SI units.
 double quantity(const Variation& v, const std::string& text, const std::string& option) {
   Attribute a;
   a.unit = Unit::any;
@@ -45,7 +45,8 @@ double quantity(const Variation& v, const std::string& text, const std::string& 
   return value.numbers.at(0);
 }
 
-/// Twelve digits: 0.15 and not 0.15000000000000002. What is written is what the run gets.
+/// Formats a value with twelve digits: 0.15 and not 0.15000000000000002. The run uses the formatted
+/// value.
 std::string written(double x) { return fmt::format("{:.12g}", x); }
 
 void readRange(Variation& v, const std::vector<std::string>& part, const std::string& text,
@@ -65,7 +66,7 @@ void readRange(Variation& v, const std::vector<std::string>& part, const std::st
   }
 }
 
-/// "uniform(a,b)" or "normal(m,s)": true if it is one.
+/// Reads "uniform(a,b)" or "normal(m,s)"; false if the text is neither.
 bool readDraw(Variation& v, const std::string& text, const std::string& option) {
   const std::size_t open = text.find('(');
   const std::string word = text.substr(0, open);
@@ -81,7 +82,8 @@ bool readDraw(Variation& v, const std::string& text, const std::string& option) 
   return true;
 }
 
-/// Uniform in (0, 1), the same on every machine: std's distributions are not.
+/// A random number, uniform in (0, 1). It is the same on every machine, unlike the distributions of
+/// the standard library.
 double uniform(std::mt19937_64& random) {
   return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
 }

@@ -1,4 +1,4 @@
-/// What varies in a sweep, and the runs that follow from it.
+/// The variations of a sweep, and the list of runs that follows from them.
 ///
 ///   mu=0.1:0.5:9          nine values, equal distances
 ///   mu=1e-3:1:4:log       four values, equal ratios
@@ -7,9 +7,9 @@
 ///   mu=uniform(0.1,0.5)   --samples values drawn at random
 ///   mu=normal(0.3,0.05)   the same, mean and standard deviation
 ///
-/// Grids and lists are combined with each other, the last one varies fastest; each combination is
-/// taken --samples times if anything is drawn. All values are written down in the manifest before
-/// the first run: whoever computes a run, here or on another machine, reads them from there.
+/// Grids and lists are combined with each other; the last one varies fastest. Each combination is
+/// repeated --samples times if any value is drawn. All values are written to the manifest before
+/// the first run, and every process that computes a run, on any machine, reads them from there.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -27,20 +27,21 @@ struct Variation {
   bool fixed() const { return draw == Draw::none && values.size() == 1; }
 };
 
-/// Reads the part behind "NAME="; `option` for messages. Throws CLI::ValidationError.
+/// Reads the text after "NAME="; messages name `option`. Throws CLI::ValidationError.
 Variation readVariation(const std::string& name, const std::string& text,
                         const std::string& option);
 
-/// One line a run, one column a varied name.
+/// Table of a sweep: one row for each run, one column for each varied name.
 struct SweepPlan {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Throws CLI::ValidationError if nothing varies or if there are more than a million runs.
+/// Combines the variations to runs. Throws CLI::ValidationError if nothing varies or if there are
+/// more than a million runs.
 SweepPlan planOf(const std::vector<Variation>& variations, int samples, std::uint64_t seed);
 
-/// A plan from a table of the user's own; a column "id" is left out. Throws FileError.
+/// Reads a plan from a CSV table of the user; a column "id" is ignored. Throws FileError.
 SweepPlan readTable(const std::string& file);
 
 /// manifest.csv: id, then the plan's columns.

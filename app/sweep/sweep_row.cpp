@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostEnds = 12;
 
-/// "max ball.z", "ball.z@1.5s", "mean ball.z@2..5": measure, signal, instant or interval.
+/// Reads measure, signal, and instant or interval: "max ball.z", "ball.z@1.5s", "mean ball.z@2..5".
 CheckSettings measureOf(const std::string& text) {
   const auto fail = [&](const std::string& why) {
     throw CLI::ValidationError("--measure", '"' + text + "\": " + why);
@@ -54,7 +54,7 @@ CheckSettings measureOf(const std::string& text) {
   return c;
 }
 
-/// Puts what is measured before the model's own checks.
+/// Inserts the measures of the sweep as checks before the model's own checks.
 void addMeasures(Model& model, const std::vector<std::string>& measures) {
   std::vector<CheckSettings> all;
   for (const std::string& text : measures) {
@@ -74,7 +74,7 @@ std::string unitOf(const Model& model, const CheckSettings& c) {
   return std::string(unitText(signal->signal.unit));
 }
 
-/// Without anything to measure: the recorded signals at the end.
+/// The recorded signals at the end, as default measures of a sweep.
 std::vector<std::string> endsOf(const Model& model) {
   std::vector<std::string> out;
   for (const NamedSignal* s : chooseSignals(model, model.record.signals, model.record.places))
@@ -148,7 +148,7 @@ void verify(Program& program, Sweep& sweep, std::size_t id) {
   sweep.fingerprint = fingerprintOf(files), sweep.title = model.title;
   if (sweep.measures.empty() && model.checks.empty()) sweep.measures = endsOf(model);
   addMeasures(model, sweep.measures);
-  const Simulation verified(model);  // its step, and the signals of the measures
+  const Simulation verified(model);  // verifies the step and the signals of the measures
   const std::vector<CheckResult> checks = verified.checks();
   const bool first = sweep.columns.empty();
   for (std::size_t k = 0; k < checks.size(); ++k) {
@@ -157,7 +157,7 @@ void verify(Program& program, Sweep& sweep, std::size_t id) {
     if (first)
       sweep.columns.push_back({name, unitOf(model, model.checks[k])});
     else if (k < sweep.columns.size() && sweep.columns[k].name != name)
-      // Its instant depends on what varies.
+      // The instant of this check depends on a varied parameter.
       sweep.columns[k].name =
           (checks[k].measure == "value" ? checks[k].signal
                                         : checks[k].measure + " " + checks[k].signal) +
@@ -173,7 +173,7 @@ void prepare(Program& program, const Sweep& sweep) {
   std::vector<std::filesystem::path> files;
   try {
     chosenModel(program, choice, &files);
-  } catch (const ModelError&) {  // a line of its own says so
+  } catch (const ModelError&) {  // each run reports the fault in its line
   }
   if (fingerprintOf(files) != sweep.fingerprint)
     throw ModelError(sweep.choice.model + " has changed since the sweep began",

@@ -4,20 +4,21 @@
 
 namespace dynamy::app {
 
-/// Figures of every run that stand behind the measured values in its line.
+/// Columns that follow the measured values in the line of every run.
 std::vector<Column> factColumns();
 
-/// Checks the measures against the model of run `id`, and fills columns, title and fingerprint; a
-/// second call for another run renames columns whose instant depends on what varies. Throws
-/// ModelError and CLI::ValidationError.
+/// Checks the measures against the model of run `id`, and fills columns, title and fingerprint of
+/// the sweep. A second call for another run renames columns that contain an instant which depends
+/// on a varied parameter. Throws ModelError and CLI::ValidationError.
 void verify(Program& program, Sweep& sweep, std::size_t id);
 
-/// Computes a claimed run and writes its line; a faulty model gives a line, too. False if it was
-/// stopped from outside: then there is none. Throws FileError.
+/// Computes a claimed run and writes its line; a faulty model gives a line, too. Returns false and
+/// writes no line if the run was stopped from outside. Throws FileError.
 bool computeRun(Program& program, const Sweep& sweep, const SweepFolder& folder, std::size_t id,
                 const Claim& claim);
 
-/// Loads the plug-ins, and throws ModelError if the files are no longer those of the sweep.
+/// Loads the plug-ins. Throws ModelError if the files of the model have changed since the sweep
+/// began.
 void prepare(Program& program, const Sweep& sweep);
 
 }  // namespace dynamy::app

@@ -16,7 +16,7 @@ StartKinematics::StartKinematics(const Topology& topology)
 
 namespace {
 
-/// True: both belong to one rigid body, v_B = v_A + Ω × r_AB whatever u is.
+/// Do both frames belong to one rigid body: is v_B = v_A + Ω × r_AB for all u?
 bool belongToOneBody(const Frame& a, const Frame& b) {
   if (a.block < 0 || a.block != b.block || a.u0 != b.u0) return false;
   const Vec3 r = b.r_OS_I - a.r_OS_I;
@@ -26,7 +26,7 @@ bool belongToOneBody(const Frame& a, const Frame& b) {
     off = std::max({off, (b.J_R_I.col(j) - turn).norm(), (b.J_S_I.col(j) - way).norm()});
     size = std::max({size, turn.norm() * (1.0 + r.norm()), way.norm()});
   }
-  return off <= 1e-12 * size;  // rounding of a rotation or two
+  return off <= 1e-12 * size;  // rounding of one or two rotations
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ void FramePair::connect(Topology& topology, const Element& asking) {
 Vec3 commonPlane(const Blocks& a, const Blocks& b) {
   if (a.nu == 0) return b.planeNormal;
   if (b.nu == 0) return a.planeNormal;
-  // Unit vectors: the cross product of parallel ones is rounding.
+  // The normals are unit vectors: the cross product of parallel ones is a rounding error.
   const bool parallel = a.planeNormal.cross(b.planeNormal).norm() < 1e-12;
   return parallel && !b.planeNormal.isZero(0.0) ? a.planeNormal : Vec3(Vec3::Zero());
 }

@@ -1,4 +1,4 @@
-/// Two frames by name, as springs and joints refer to them, and where they are at the start.
+/// Two frames given by name, as for springs and joints, and the kinematics of frames at the start.
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/kinematics.hpp>
@@ -6,7 +6,7 @@
 
 namespace dynamy {
 
-/// Kinematics of all frames asked for so far, at the initial state and t = 0.
+/// Kinematics of all frames requested so far, at the initial state and t = 0.
 class StartKinematics {
  public:
   explicit StartKinematics(const Topology& topology);
@@ -27,15 +27,15 @@ class FramePair {
   void connect(Topology& topology, const Element& asking);
 
   FrameHandle A, B;
-  /// Normal of the plane both systems move in; zero if one moves in space or the planes differ.
-  /// A system without velocities (ground) takes part in any plane.
+  /// Normal of the plane in which both systems move; zero if one moves in space or the planes
+  /// differ. A system without velocities (ground) is in every plane.
   Vec3 planeNormal = Vec3::Zero();
 
  private:
   std::string a_, b_;
 };
 
-/// Normal of the plane that two systems share, zero: none.
+/// Normal of the plane in which two systems move; zero if there is none.
 Vec3 commonPlane(const Blocks& a, const Blocks& b);
 
 }  // namespace dynamy

@@ -18,11 +18,12 @@ class TimeFormulas {
   TimeFormulas(const Parameters& x, std::string_view attribute, int count);
 
   bool empty() const { return formulas_.empty(); }
-  /// f(t); derivatives where the pointers are not null; `count` numbers each.
+  /// Writes `count` values f(t), and as many first and second derivatives
+  /// where pointers are not null.
   void eval(double t, double* f, double* df = nullptr, double* ddf = nullptr) const;
-  /// First instant after t at which any jumps or has a kink (ExpressionSet::nextInstant).
+  /// First instant after t at which any formula jumps or has a kink (ExpressionSet::nextInstant).
   double nextInstant(double t) const;
-  /// Tells of these instants (announced_signals.hpp).
+  /// Announces the instants at which formulas jump or have a kink (announced_signals.hpp).
   static void announce(Description& d, std::vector<const TimeFormulas*> all);
 
  private:

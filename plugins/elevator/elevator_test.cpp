@@ -1,4 +1,4 @@
-// Guide shoes as a plug-in and as formulas: the same contacts; what bent rails do.
+// Guide shoes as a plug-in and as formulas have the same contacts; effect of bent rails.
 #include <gtest/gtest.h>
 
 #include <dynamy/testing/check_element.hpp>
@@ -38,18 +38,18 @@ TEST(GuideShoes, AreTheSameAsFormulas) {
   Scene plugin("", {.text = lift(kStraight, moving)}),
       formulas("", {.text = lift(kFormulas, moving)});
   for (int i = 0; i < 300; ++i) plugin.step(1e-3), formulas.step(1e-3);
-  // The same steps but for rounding, 1e-16 of numbers up to 10 m/s, through some impacts.
+  // The steps are equal except for rounding, 1e-16 of numbers up to 10 m/s, amplified by impacts.
   EXPECT_LT((plugin.state().q - formulas.state().q).norm(), 1e-12);
   EXPECT_LT((plugin.state().u - formulas.state().u).norm(), 1e-11);
   EXPECT_TRUE(plugin.solved() && formulas.solved());
 }
 
 TEST(GuideShoes, StickToTheRailThatTheyHit) {
-  // ε = 0: across the play once, then along the rail for good.
+  // ε = 0: the shoe crosses the play once and then stays at the rail.
   Scene s("", {.text = lift(kStraight, "velocity=\"0.1 0 -1\"")});
   s.run(0.1, 1e-4);
   EXPECT_NEAR(s.state().u[0], 0.0, 1e-12);
-  // Met within a step: 0.1 m/s · 1e-4 s.
+  // The shoe reaches the rail within a step: tolerance 0.1 m/s · 1e-4 s.
   EXPECT_NEAR(s.state().q[0], 0.201, 1.1e-5);
 }
 

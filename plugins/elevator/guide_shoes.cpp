@@ -3,9 +3,10 @@
 ///   shoe at (a, b) of the cabin, a = ±width/2, b = ±height/2, in the plane xz, side s = ±1:
 ///   g = play + s (x_P − x_0 − a − e(z_P)),   γ_N = s (v_Px − e′ v_Pz),   γ_T = v_Pz
 ///
-/// e(z) is how far a rail is out of line at height z. Contact number 4 j + 2 k + l: j bottom, k
-/// left, l the side at which x grows closes. A shoe as a point between two lines was preferred to a
-/// body with faces: the slope of e, some mm per m, is all that a longer shoe would see.
+/// e(z) is the misalignment of a rail at height z. Contact 4 j + 2 k + l belongs to an upper or
+/// lower shoe (j = 0, 1) at the right or left rail (k = 0, 1); growing x opens it if l = 0 and
+/// closes it if l = 1. A shoe is a point between two lines. A body with faces was rejected: a
+/// longer shoe would only add the effect of the slope of e, some mm per m.
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/expression/expression.hpp>
@@ -19,7 +20,8 @@ namespace {
 
 constexpr int kContacts = 8;
 
-/// e(z) with two derivatives. Registers are scratch: one thread at a time.
+/// Misalignment e(z) with two derivatives. The registers of the formula are work space, so that
+/// only one thread at a time may use a Rail.
 class Rail {
  public:
   Rail(const Parameters& x, const char* attribute) : formula_(compile(x, attribute)) {}
@@ -107,7 +109,8 @@ class GuideShoes final : public NonSmoothElement {
   static bool bottom(int i) { return i / 4 == 1; }
   static bool left(int i) { return (i / 2) % 2 == 1; }
 
-  /// Rows along n and e_z; the direction n turns with the curvature of the rail.
+  /// Fills the rows along n and e_z. `turn`: bias factor from the curvature of the rail, with which
+  /// the direction n turns.
   static void fill(ContactRows& out, const Frame& f, const Vec3& rho, const Vec3& n, double turn) {
     const Vec3 v = f.velocity(rho), nu = f.nu_S_I + f.nu_R_I.cross(rho), up = Vec3::UnitZ();
     const bool slips = out.dim() > 1;

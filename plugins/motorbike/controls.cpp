@@ -8,10 +8,11 @@
 namespace dynamy::motorbike {
 namespace {
 
-/// Part of the torque that is there without braking.
+/// Share of the torque that acts without braking.
 constexpr double kDrag = 1e-6;
 
-/// Both act on the coordinates of a Motorbike.
+/// The Motorbike called `name`. Brake and rider act on its coordinates, so that a system of another
+/// type is an error.
 SystemHandle motorbikeNamed(const std::string& name, const Topology& topology,
                             const Element& asking) {
   const SystemHandle out = topology.system(name, asking);
@@ -50,7 +51,8 @@ WheelBrake::WheelBrake(const Parameters& x)
 void WheelBrake::connect(Topology& topology) { system_ = motorbikeNamed(on_, topology, *this); }
 
 void WheelBrake::contacts(const Kinematics& k, ContactSink& sink) const {
-  // The pads always drag a little: a contact that comes and goes has no status to be followed.
+  // The pads always drag a little, because the status of a contact that comes and goes could not be
+  // followed.
   const double ramp = k.t() < end_ ? std::clamp((k.t() - start_) / rise_, 0.0, 1.0) : 0.0;
   const double s = kDrag + (1.0 - kDrag) * ramp;
   ContactRows rows = sink.add(0, 0.0, law_, 1);

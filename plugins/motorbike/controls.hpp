@@ -1,4 +1,4 @@
-/// What a rider does: brakes and steering.
+/// Controls of the rider: brakes and steering.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/law/standard_laws.hpp>
@@ -8,11 +8,12 @@
 
 namespace dynamy::motorbike {
 
-/// Brake between a wheel and what carries it: a friction torque in [−M_b(t), M_b(t)],
+/// Brake between a wheel and the body that carries it: a friction torque in [−M_b(t), M_b(t)],
 ///
 ///   γ = s(t) φ̇,   λ ∈ −M_b Sgn γ,   torque s(t) λ       s from 0 at `start` to 1 in `rise`
 ///
-/// A set that changes with time was rejected: laws are constant, and s in W does the same.
+/// A force set that changes with time was rejected: laws are constant, and the factor s in W has
+/// the same effect.
 class WheelBrake final : public NonSmoothElement {
  public:
   static void declare(Attributes& a);

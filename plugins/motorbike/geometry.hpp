@@ -1,19 +1,20 @@
-/// Data of a single-track vehicle: four rigid bodies in their places when it stands upright with
-/// straight steering. x forward from the rear contact, y to the left, z up from the ground; trail
-/// and caster angle as usual: the steering axis meets the ground at x = w + c and leans back by λ.
+/// Data of a single-track vehicle: four rigid bodies in the upright position with straight
+/// steering. x points forward from the rear contact, y to the left, z up from the ground. Trail c
+/// and caster angle λ are as usual: the steering axis meets the ground at x = w + c and leans back
+/// by λ.
 #pragma once
 #include <dynamy/dynamy.hpp>
 
 namespace dynamy::motorbike {
 
-/// A body when upright.
+/// Data of one body in the upright position.
 struct Part {
   double m = 0.0;            ///< [kg]
   Vec3 r_OS = Vec3::Zero();  ///< centre of mass [m]
-  Mat3 J_S = Mat3::Zero();   ///< about it, axes of the vehicle [kg m²]
+  Mat3 J_S = Mat3::Zero();   ///< about the centre of mass, axes of the vehicle [kg m²]
 };
 
-/// A wheel turns about y; its tyre is a tube around a circle: tube = radius is a ball, 0 an edge.
+/// A wheel turns about y. Its tyre is a torus: tube = radius gives a ball, tube = 0 an edge.
 struct Wheel : Part {
   double radius = 0.0, tube = 0.0;  ///< [m]
 };
@@ -33,9 +34,9 @@ struct Geometry {
 
   static void declare(Attributes& a);
   explicit Geometry(const Parameters& x);
-  /// Unit vector along the steering axis, up.
+  /// Unit vector along the steering axis, pointing up.
   Vec3 steerAxis() const;
-  /// Where the axis meets the ground.
+  /// Point where the steering axis meets the ground.
   Vec3 steerFoot() const { return {wheelbase + trail, 0.0, 0.0}; }
 };
 

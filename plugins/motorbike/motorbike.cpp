@@ -194,7 +194,7 @@ void Motorbike::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
 }
 
 void Motorbike::move(double, Vec q, ConstVec u, double dt) const {
-  // The screw with constant v_B and Ω: r ← r + Δt A (∫₀¹ exp(s θ~) ds) v.
+  // Screw motion with constant v_B and Ω: r ← r + Δt A (∫₀¹ exp(s θ~) ds) v.
   const Vec3 v = u.head<3>(), theta = dt * u.segment<3>(kOmega);
   q.head<3>() += dt * (rotationMatrix(q.data() + 3) * (rotationTangent(-theta) * v));
   rotate(q.data() + 3, theta);

@@ -8,10 +8,10 @@
 ///
 ///   M = Σ m J_Sᵀ J_S + J_Rᵀ J J_R,   h = −Σ J_Sᵀ m β_S + J_Rᵀ (J β_R + Ω × JΩ) + springs
 ///
-/// M and h depend on δ and s alone: a steady turn has constant u, and linear equations with
-/// constant coefficients. Yaw, lean and pitch angles as coordinates were rejected: their rates are
-/// not constant in a turn, and a wheelie past the vertical has no pitch. Weight comes from
-/// <Gravity>.
+/// Of the coordinates, M and h depend on δ, s_r and s_f alone. So a steady turn has constant u, and
+/// its linear equations have constant coefficients. Yaw, lean and pitch angles as coordinates were
+/// rejected: their rates are not constant in a turn, and the pitch angle is undefined in a wheelie
+/// past the vertical. <Gravity> adds the weight.
 #pragma once
 #include <memory>
 
@@ -31,10 +31,11 @@ enum Index : int {
 };
 inline constexpr int kMost = 11;
 
-/// Places and axes that move with a body.
+/// Frames of the bodies by index.
 enum FrameId : int { kFrameId = 0, kRearWheelId = 1, kForkId = 2, kFrontWheelId = 3 };
 
-/// One body in motion: of its point of reference.
+/// Motion of one body: position r, velocity v and Jacobian JS of its point of reference, rotation A
+/// with Omega and JR, and the bias accelerations betaS and betaR.
 struct Moving {
   Vec3 r = Vec3::Zero(), v = Vec3::Zero(), Omega = Vec3::Zero();
   Vec3 betaS = Vec3::Zero(), betaR = Vec3::Zero();
@@ -42,11 +43,12 @@ struct Moving {
   Eigen::Matrix<double, 3, kMost> JS = Eigen::Matrix<double, 3, kMost>::Zero();
   Eigen::Matrix<double, 3, kMost> JR = Eigen::Matrix<double, 3, kMost>::Zero();
 
-  /// The point ρ_K further, in axes of the body.
+  /// Moves the point of reference by ρ_K, in axes of the body.
   void shift(const Vec3& rho_K);
-  /// The next body slides by s along the unit vector e_K, velocity j.
+  /// Passes to the next body, which slides by s along the unit vector e_K; j: index of ṡ in u.
   void slide(const Vec3& e_K, double s, double rate, int j);
-  /// The next body turns by φ about the unit vector e_K through the point, velocity j.
+  /// Passes to the next body, which turns by φ about the unit vector e_K through the point of
+  /// reference; j: index of φ̇ in u.
   void turn(const Vec3& e_K, double phi, double rate, int j);
 };
 
@@ -68,17 +70,17 @@ class Motorbike final : public PartialMechanicalSystem {
   double potentialEnergy(double t, ConstVec q) const override;
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const override;
-  /// 0 the frame at B, 1 the rear wheel's middle, 2 the fork (at the foot of its axis), 3 the front
-  /// wheel's middle.
+  /// Frames by id: 0 the vehicle frame at B, 1 the centre of the rear wheel, 2 the fork at the foot
+  /// of the steering axis, 3 the centre of the front wheel.
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return 4; }
   void describe(Description& d) const override;
 
  private:
   int nu() const { return data_.suspended ? 11 : 9; }
-  /// Points of reference of all frames.
+  /// Motion of the points of reference of all four bodies.
   std::array<Moving, 4> motion(ConstVec q, const double* u) const;
-  /// From the point of reference to the centre of mass, in axes of the body.
+  /// Vector from the point of reference to the centre of mass, in axes of the body.
   Vec3 centre(int id) const;
   const Part& part(int id) const;
   Vec3 centreOfMass(ConstVec q) const;

@@ -1,4 +1,4 @@
-// The motorbike against the published benchmark bicycle, closed forms and ballistics.
+// Compares the motorbike with the published benchmark bicycle, closed forms and ballistics.
 #include <gtest/gtest.h>
 #include <build_paths.hpp>
 
@@ -14,10 +14,11 @@ Linearisation eigenvalues(const std::string& file, const Overrides& set) {
   return linearise(loaded.model(), loaded.model().initialState());
 }
 
-/// Real pair, oscillation, by growing real part; the figures have 12 digits.
+/// Compares four eigenvalues in the order of growing real part: a real one, the weave pair, a real
+/// one. The expected figures have 12 digits.
 void expectEigenvalues(const Linearisation& l, double fast, std::complex<double> weave, double slow,
                        double tolerance) {
-  EXPECT_EQ(l.zeros, 6);  // place, heading, turns of both wheels, speed
+  EXPECT_EQ(l.zeros, 6);  // position, heading, angles of both wheels, speed
   ASSERT_EQ(l.eigenvalues.size(), 4);
   EXPECT_NEAR(l.eigenvalues[0].real(), fast, tolerance);
   EXPECT_NEAR(l.eigenvalues[1].real(), weave.real(), tolerance);
@@ -34,19 +35,20 @@ TEST(Motorbike, BenchmarkBicycleHasThePublishedEigenvalues) {
 }
 
 TEST(Motorbike, BenchmarkBicycleIsStableBetweenWeaveAndCapsize) {
-  // 4.2923825363 and 6.0242620154 m/s: 1e-9 m/s beside them one motion grows, or none.
+  // The limits are 4.2923825363 and 6.0242620154 m/s; the number of growing motions is counted some
+  // 1e-9 m/s below and above them.
   const auto growing = [](const char* v) {
     return eigenvalues("models/benchmark_bicycle.xml", {{"v", v}, {"disturbance", "0"}}).growing();
   };
   EXPECT_EQ(growing("4.292382535"), 2);
   EXPECT_EQ(growing("4.292382538"), 0);
   EXPECT_EQ(growing("6.024262000"), 0);
-  EXPECT_EQ(growing("6.024262030"), 1);  // its real part is 4e-10 there
+  EXPECT_EQ(growing("6.024262030"), 1);  // its real part is 4e-10
 }
 
 TEST(Motorbike, ItsOwnEigenvaluesAreThoseOfTheLinearEquations) {
   // M q'' + v C1 q' + (g K0 + v² K2) q = 0 with the coefficients of Meijaard et al., appendix A.
-  // Tolerance as above, entries of A up to 4 times as large.
+  // The tolerance is larger than for the benchmark, since entries of A are up to 4 times as large.
   expectEigenvalues(eigenvalues("models/motorbike.xml", {{"push", "0"}, {"v", "8"}}), -23.115275125,
                     {-2.02925695381, 4.49726353297}, -0.461457263449, 6e-10);
   expectEigenvalues(eigenvalues("models/motorbike.xml", {{"push", "0"}, {"v", "20"}}),
@@ -63,9 +65,9 @@ TEST(Motorbike, WheelsCarryTheStaticLoads) {
 }
 
 TEST(Motorbike, GrowthOfASmallDisturbanceIsThatOfTheUnstableEigenvalue) {
-  // The bicycle above its capsize speed. After 8 s that motion is alone: weave has died to
-  // e^(−2.69·8) = 4e-10. Tolerance: a lean of 2e-3 is linear to its square, 4e-6; the run's 1e-9 is
-  // 5e-7 of it.
+  // The bicycle runs above its capsize speed. After 8 s only capsize is left: weave has decayed to
+  // e^(−2.69·8) = 4e-10. Tolerance: for a lean of 2e-3 the nonlinear terms are its square, 4e-6;
+  // the tolerance of the run, 1e-9, is 5e-7 of the lean.
   const auto leanAt = [](double t) {
     LoadedModel loaded("models/benchmark_bicycle.xml", {{"v", "8"}, {"disturbance", "1e-2"}});
     loaded.model().simulation.until = t;
@@ -82,8 +84,8 @@ TEST(Motorbike, GrowthOfASmallDisturbanceIsThatOfTheUnstableEigenvalue) {
 }
 
 TEST(Motorbike, SteadyTurnIsFoundAndBalanced) {
-  // From a rough start: leaned by 0.1 rad, the steer and yaw rate of a circle of radius v²/(g tan
-  // φ).
+  // The start is rough: a lean of 0.1 rad, and steer and yaw rate of a circle of radius
+  // v²/(g tan φ).
   const double lean = 0.1, v = 6.1, g = 9.81, w = 1.02;
   LoadedModel loaded("models/benchmark_bicycle.xml", {{"v", "6.1"}, {"disturbance", "0"}});
   Model& model = loaded.model();
@@ -94,7 +96,7 @@ TEST(Motorbike, SteadyTurnIsFoundAndBalanced) {
   x.u[4] = -yaw * std::sin(lean), x.u[5] = -yaw * std::cos(lean);
   const Linearisation l = linearise(model, x, {.near = 0.02});
 
-  // Σ F = m ω × v_S, Σ N = m g, by the forces of its two contacts; rounding of 2000 N.
+  // The forces of the two contacts fulfil Σ F = m ω × v_S, Σ N = m g; rounding of 2000 N.
   const Eigen::Quaterniond p(l.at.q[3], l.at.q[4], l.at.q[5], l.at.q[6]);
   const Vec3 omega = p * Vec3(l.at.u.segment<3>(3)), v_B = p * Vec3(l.at.u.head<3>());
   EXPECT_LE(omega.head<2>().norm(), 1e-10);
@@ -110,7 +112,7 @@ TEST(Motorbike, SteadyTurnIsFoundAndBalanced) {
     N += c.lambda[0], F += Eigen::Vector2d(c.lambda[1], c.lambda[2]);
   EXPECT_NEAR(N, 94.0 * g, 1e-7);
   EXPECT_NEAR(F.norm(), needed.head<2>().norm(), 1e-7);
-  // Seen from the vehicle a displaced circle goes round once a turn: ± i ω.
+  // Seen from the vehicle, a displaced circle rotates once per turn: eigenvalues ± i ω.
   bool round = false;
   for (const std::complex<double>& z : l.eigenvalues)
     round = round || std::abs(z - std::complex<double>(0.0, std::abs(omega.z()))) < 1e-9;
@@ -128,8 +130,8 @@ TEST(Motorbike, EveryEntryOfItsSystemAgreesWithDifferences) {
 }
 
 TEST(Motorbike, InTheAirOnlyTheWeightActs) {
-  // The centre of mass of the four bodies, from their frames: Sz(t+d) − 2 Sz(t) + Sz(t−d) = −g d²,
-  // Sx moves uniformly. Both wheels are in the air from 0.9 to 1.4 s.
+  // For the centre of mass of the four bodies Sz(t+d) − 2 Sz(t) + Sz(t−d) = −g d², and Sx moves
+  // uniformly. Both wheels are in the air from 0.9 to 1.4 s.
   LoadedModel loaded("models/motorbike_jump.xml");
   Model& model = loaded.model();
   const auto centre = [&model](const HandStepper& s) {
@@ -145,13 +147,14 @@ TEST(Motorbike, InTheAirOnlyTheWeightActs) {
     s.step(1e-3);
   }
   const Eigen::Vector2d second = at[2] - 2.0 * at[1] + at[0];
-  // The scheme has the mass matrix of the beginning of each step: order 2, (1 ms)² × 10 1/s² × 13
-  // m.
+  // The scheme uses the mass matrix at the beginning of each step, with an error of order 2:
+  // (1 ms)² × 10 1/s² × 13 m.
   EXPECT_NEAR(second[0], 0.0, 1.3e-4);
   EXPECT_NEAR(second[1], -9.81 * 0.2 * 0.2, 1.3e-4);
 }
 
-/// What road and ramp give, along x and z, and places of the centre of mass, at all steps.
+/// Records impulses of road and ramp and positions of the centre of mass, along x and z, for all
+/// steps.
 class Ride final : public Observer {
  public:
   Ride() : Observer(Parameters()) {}
@@ -162,15 +165,16 @@ class Ride final : public Observer {
       const auto at = static_cast<std::size_t>(i);
       const double* Lambda = v.Lambda.data() + c.row0[at];
       const Vec3 F = Lambda[0] * c.normal[at] + Lambda[1] * c.t1[at] + Lambda[2] * c.t2[at];
-      sum += c.normal[at].z() > 0.0 ? F : Vec3(-F);  // onto what stands on it
+      sum += c.normal[at].z() > 0.0 ? F : Vec3(-F);  // on the upper body
     }
     const SignalView at{.q = ConstVec(v.after.q.data(), v.after.q.size())};
     impulse_.push_back(Eigen::Vector2d(sum.x(), sum.z()));
     place_.emplace_back(v.model.signal("bike.Sx")->signal.value(at),
                         v.model.signal("bike.Sz")->signal.value(at));
   }
-  /// What the contacts give from step a to step b, less m (v + g t) of the centre of mass by
-  /// differences of its places, which uniform motion and parabolas have exactly.
+  /// Impulse of the contacts from step a to step b minus the change of m (v + g t). The velocity v
+  /// of the centre of mass comes from differences of positions, exact for uniform motion and
+  /// parabolas.
   Eigen::Vector2d missing(std::size_t a, std::size_t b, double dt) const {
     const auto v = [&](std::size_t k) {
       return Eigen::Vector2d((place_[k + 100] - place_[k - 100]) / (200.0 * dt));
@@ -186,10 +190,10 @@ class Ride final : public Observer {
 };
 
 TEST(Motorbike, MomentumOverRampAndLandingIsThatOfWeightAndRoad) {
-  // From steady riding at 0.2 s into the air at 1.2 s, and on until it runs in its springs, 2.8 s.
-  // Tolerances: of 2766 N s that the weight gives in a second the scheme misses, with the mass
-  // matrix of the start of each step, 32, 9.7 and 0.8 at 1, 0.5 and 0.25 ms, while the wheels hit
-  // the road at 6 m/s, and less than a tenth of that before.
+  // From steady riding at 0.2 s to flight at 1.2 s, and then until it rolls on its springs at 2.8
+  // s. Tolerances: the weight gives 2766 N s in a second. Since the scheme uses the mass matrix at
+  // the start of each step, 32, 9.7 and 0.8 N s of it are missing at 1, 0.5 and 0.25 ms while the
+  // wheels hit the road at 6 m/s, and less than a tenth of that before.
   LoadedModel loaded("models/motorbike_jump.xml");
   Simulation simulation(loaded.model());
   Ride ride;

@@ -8,7 +8,7 @@
 
 namespace dynamy::motorbike {
 
-/// A shape with the geometry of one that contact and replay know.
+/// A shape that takes its geometry from a kind that contacts and replay support.
 class Picture::Body final : public Shape {
  public:
   static void declare(Attributes&) {}
@@ -62,7 +62,7 @@ void Picture::ellipsoid(int frame, const Vec3& at, const Vec3& semiAxes, double 
 
 void Picture::wheel(int frame, const Wheel& wheel, const std::string& name,
                     const std::string& material, bool bicycle) {
-  // What touches.
+  // The tyre that makes contact.
   const double R = wheel.radius;
   const bool ball = wheel.tube == R, drawn = wheel.tube > 0.0 && !ball;
   const ShapeGeometry tyre = ball ? ShapeGeometry{"Sphere", {R}, {}, ""}
@@ -70,7 +70,7 @@ void Picture::wheel(int frame, const Wheel& wheel, const std::string& name,
   add(frame, std::make_unique<Body>(name, tyre, drawn ? kBlack : "transparent", material,
                                     Vec3::Zero(), kAboutY));
 
-  // What is seen of an edge or a ball, and the spokes.
+  // A tyre that is only drawn, if the real one is an edge or a ball; then the spokes.
   const double thick = bicycle ? 0.016 : 0.045, rim = R - 2.0 * thick;
   if (!drawn)
     add(frame, std::make_unique<Body>("", ShapeGeometry{"Torus", {R - thick, thick}, {}, ""},
@@ -133,7 +133,7 @@ void Picture::motorbike(const Geometry& data) {
     tube(kFrameId, elbow, grip + 0.3 * out, 0.045, suit);
   }
 
-  // Fork: legs, mudguard, handlebar, lamp. Its frame is at the foot of the axis.
+  // Fork: legs, mudguard, handlebar, lamp. Its frame is at the foot of the steering axis.
   const Vec3 hub = data.front.r_OS - foot;
   for (const double side : {-1.0, 1.0}) {
     const Vec3 out(0.0, 0.095 * side, 0.0);

@@ -1,4 +1,4 @@
-/// What is drawn of the vehicle, and its tyres, which touch.
+/// Shapes of the vehicle: those that are only drawn, and the tyres, which also make contact.
 #pragma once
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/shape.hpp>
@@ -22,7 +22,7 @@ class Picture {
     std::unique_ptr<Body> shape;
   };
   Body& add(int frame, std::unique_ptr<Body> shape);
-  /// A tube from a to b, in axes of the frame.
+  /// Adds a tube from a to b, in axes of the frame.
   void tube(int frame, const Vec3& a, const Vec3& b, double radius, const char* colour);
   void ellipsoid(int frame, const Vec3& at, const Vec3& semiAxes, double pitch, const char* colour);
   void wheel(int frame, const Wheel& wheel, const std::string& name, const std::string& material,

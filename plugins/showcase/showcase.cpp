@@ -1,4 +1,4 @@
-/// A scheme, a solver and an observer of a user, to show that they are plug-ins like elements.
+/// A scheme, a solver and an observer in a plug-in: users add them in the same way as elements.
 ///
 ///   VelocityFirst  M(u^E − u^A) = hΔt + WΛ at (t^A, q^A),   q^E = q^A + Δt (F u^E + β)
 ///   FixedPoint     Λ ← prox_C(Λ − r (GΛ + c)),   r = factor/λ_max(G) for all rows
@@ -93,7 +93,7 @@ class ImpulseMeter final : public Observer {
     out.precision(17);
     out << sum_ << '\n';
   }
-  void archive(Archive& a) override { a(sum_); }  // a resumed run goes on adding
+  void archive(Archive& a) override { a(sum_); }  // a resumed run continues the sum
 
  private:
   std::string file_;

@@ -5,7 +5,8 @@ using namespace dynamy;
 
 /// Skin under a ski: it glides forwards and holds backwards. One convex set is the whole law,
 ///   B = disc of radius μ about (δ, 0):   S_B(y) = μ |y| + δ y₁   ⇒   slip: Λ_T = Λ_N (−μ e + (δ, 0)),
-/// so that it takes μ − δ along the first tangent and μ + δ against it; 0 ∈ B if δ ≤ μ.
+/// so that the coefficient of friction is μ − δ for slip along the first tangent and μ + δ against
+/// it; 0 ∈ B if δ ≤ μ.
 class SkiSkin final : public NormalTimesReservoir {
  public:
   static void declare(Attributes& a) {

@@ -1,5 +1,5 @@
-// A friction law by one convex set, its support function: fulfils the definitions of a law, and
-// skis stop where the closed form says.
+// A friction law given by the support function of one convex set fulfils the definitions of a law,
+// and skis stop where the closed form predicts.
 #include <gtest/gtest.h>
 
 #include <dynamy/testing/check_element.hpp>

@@ -1,4 +1,4 @@
-// The plug-in to copy: the pendulum bounces as the closed form says.
+// Test of the template plug-in: the pendulum bounces as in the closed form.
 #include <gtest/gtest.h>
 
 #include <support/load_model.hpp>
@@ -19,7 +19,7 @@ TEST(PendulumWall, DescribesItself) {
   ASSERT_NE(type, nullptr);
   EXPECT_EQ(type->library, "pendulum_wall");
   EXPECT_NE(type->attributes.find("distance"), nullptr);
-  EXPECT_NE(type->attributes.find("on"), nullptr);  // what every simple contact has
+  EXPECT_NE(type->attributes.find("on"), nullptr);  // every simple contact has it
 }
 
 }  // namespace

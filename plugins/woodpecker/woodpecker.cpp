@@ -1,15 +1,15 @@
-/// The woodpecker toy: a sleeve (M) slides down a pole, a bird (S) hangs on it by a torsion spring.
+/// The woodpecker toy: a sleeve (M) slides down a pole; a torsion spring connects a bird (S) to it.
 ///
 ///   q = (y, φ_M, φ_S)      M u̇ = h + W λ,   all of M, W constant (linearised kinematics)
 ///
-///   M = ⎡ m_S+m_M   m_S l_M          m_S l_G         ⎤      h = ⎡ −(m_S+m_M) g ⎤
-///       ⎢ m_S l_M   J_M + m_S l_M²   m_S l_M l_G     ⎥          ⎢ −c (φ_M−φ_S) − m_S l_M g ⎥ ⎣ m_S
-///       l_G   m_S l_M l_G      J_S + m_S l_G²  ⎦          ⎣ −c (φ_S−φ_M) − m_S l_G g         ⎦
+///   M = ⎡ m_S+m_M   m_S l_M          m_S l_G        ⎤      h = ⎡ −(m_S+m_M) g             ⎤
+///       ⎢ m_S l_M   J_M + m_S l_M²   m_S l_M l_G    ⎥          ⎢ −c (φ_M−φ_S) − m_S l_M g ⎥
+///       ⎣ m_S l_G   m_S l_M l_G      J_S + m_S l_G² ⎦          ⎣ −c (φ_S−φ_M) − m_S l_G g ⎦
 ///
 /// Model and data: Glocker, doctoral thesis, TU München 1995; Pfeiffer and Glocker, Multibody
-/// Dynamics with Unilateral Contacts, 1996; Leine, van Campen and Glocker, JVC 9 (2003). The same
-/// toy without a line of C++ is models/woodpecker_expressions.xml. A model of the elastic pole was
-/// rejected: its data were never published.
+/// Dynamics with Unilateral Contacts, 1996; Leine, van Campen and Glocker, JVC 9 (2003). The file
+/// models/woodpecker_expressions.xml describes the same toy by formulas, without C++. A model of
+/// the elastic pole was rejected: its data were never published.
 #include <dynamy/dynamy.hpp>
 #include <dynamy/law/standard_laws.hpp>
 #include <dynamy/system/description.hpp>
@@ -56,8 +56,8 @@ std::vector<Vec3> rectangle(double x0, double x1, double z0, double z1) {
   return {{x0, 0, z0}, {x1, 0, z0}, {x1, 0, z1}, {x0, 0, z1}};
 }
 
-/// The bird from the side, from back to front; its centre of mass is the origin, its beak touches
-/// the pole. For the picture only.
+/// Outlines of the bird seen from the side, from back to front; only for the picture. The origin is
+/// the centre of mass of the bird, and the beak reaches the pole.
 std::vector<std::unique_ptr<Outline>> bird(const Lengths& l) {
   std::vector<std::unique_ptr<Outline>> all;
   const auto add = [&all](const char* name, const char* colour, std::vector<Vec3> points) {
@@ -153,7 +153,7 @@ class Woodpecker final : public PartialMechanicalSystem {
            0.5 * c_ * twist * twist;
   }
 
-  /// Frames 0 pole, 1 sleeve, 2 bird; angles turn x to z.
+  /// Frames: 0 pole, 1 sleeve, 2 bird. Positive angles turn x towards z.
   int frames() const override { return 3; }
   void frame(double, ConstVec q, ConstVec u, int id, Frame& out) const override {
     if (id == 0) return;  // the pole does not move
@@ -222,7 +222,7 @@ class WoodpeckerContact final : public SimpleContact {
       drawn_ = slip_ - Vec3(1, 0, 0), height_ = where == "sleeve2" ? -l.hM : l.hM;
     }
   }
-  /// Its places on the pole, and the directions of g and γ_T: away from the pole, and up.
+  /// The point on the pole, and the directions of g (away from the pole) and γ_T (up).
   bool drawnAt(double, ConstVec q, DrawnPlace& at) const override {
     at.point = Vec3(r0_, 0, q[0] + drawn_.dot(q.head<3>()) + height_);
     at.normal = Vec3(1, 0, 0), at.t1 = Vec3(0, 0, 1);

@@ -1,4 +1,4 @@
-// The toy as a plug-in and as formulas: the same equations, the same motion.
+// The woodpecker as a plug-in and as formulas has the same equations and the same motion.
 #include <gtest/gtest.h>
 
 #include <dynamy/contact/contact_sink.hpp>
@@ -24,7 +24,7 @@ struct Equations {
     k.resize(model.topology());
     k.evaluate(model.topology(), 0.0, view(q), view(u));
     contacts.clear();
-    const ContactRequest request{1e9, true, {}, false};  // all of them closed
+    const ContactRequest request{1e9, true, {}, false};  // all contacts closed
     ContactSink sink(contacts, request);
     for (std::size_t i = 0; i < model.contacts().size(); ++i) {
       sink.element(static_cast<int>(i));
@@ -55,9 +55,9 @@ TEST(Woodpecker, PluginAndFormulasHaveTheSameEquations) {
 
 TEST(Woodpecker, PluginAndFormulasMoveAlikeForATenthOfASecond) {
   LoadedModel plugin("models/woodpecker.xml"), formulas("models/woodpecker_expressions.xml");
-  plugin.model().scheme(std::make_unique<MoreauMidpoint>());  // that of the formulas
+  plugin.model().scheme(std::make_unique<MoreauMidpoint>());  // as the model with formulas
   HandStepper a(plugin.model()), b(formulas.model());
-  // 10 000 steps with two impacts; equal but for the rounding of h (1e-16 relative a step).
+  // 10 000 steps with two impacts; equal except for the rounding of h (1e-16 relative per step).
   double difference = 0.0;
   for (int i = 0; i < 10000; ++i) {
     a.step(1e-5), b.step(1e-5);
@@ -101,11 +101,11 @@ TEST(Woodpecker, ChecksOfBothModelsHold) {
 }
 
 TEST(Woodpecker, ParametersCanBeSetFromOutside) {
-  // Without friction nothing holds the sleeve: it falls on after the first cycle.
+  // Without friction nothing holds the sleeve: it continues to fall after the first cycle.
   LoadedModel free("models/woodpecker.xml", {{"mu", "0"}});
   HandStepper s(free.model());
   for (int i = 0; i < 2000; ++i) s.step(1e-4);
-  EXPECT_LT(s.x.q[0], -0.2);  // ½ g t² + 0.34 t = 0.264 m less what impacts take
+  EXPECT_LT(s.x.q[0], -0.2);  // ½ g t² + 0.34 t = 0.264 m minus the loss in impacts
 }
 
 }  // namespace

@@ -54,8 +54,8 @@ void BodyParts::describe(Description& d) const {
 
 namespace {
 
-/// r − s; components that are no more than rounding of r and s are zero, so that masses at one place
-/// or on a line along an axis have no moment of inertia instead of a tiny one.
+/// r − s, with components set to zero that are within the rounding of r and s. Masses at one place,
+/// or on a line along an axis, thus have no moment of inertia instead of a tiny one.
 Vec3 offset(const Vec3& r, const Vec3& s) {
   Vec3 out = r - s;
   for (int k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-/// What bodies carry: shapes, named frames, and the mass that follows from the shapes.
+/// Parts of bodies: shapes, named frames, and the mass that follows from the shapes.
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/description.hpp>
@@ -33,7 +33,7 @@ struct BodyMass {
   Mat3 J_S_K = Mat3::Identity();  ///< [kg m²]
 };
 
-/// Throws ModelError at the first of `shapes` that has a mass or density: here it means nothing.
+/// Throws ModelError at the first of `shapes` with a mass or density, which would have no effect.
 void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::string& why);
 
 /// Shapes and frames of one body; frame 0 is the body's origin B with its axes K.
@@ -45,23 +45,24 @@ class BodyParts {
   /// Names the frames and places the shapes on frame 0.
   void describe(Description& d) const;
   int frames() const { return 1 + static_cast<int>(frames_.size()); }
-  /// Origin of frame `id` from B, and its axes.
+  /// Origin of frame `id` from B, and its axes, both in axes K.
   Vec3 position(int id) const { return id == 0 ? Vec3(Vec3::Zero()) : at(id).r_BF_K(); }
   Mat3 axes(int id) const { return id == 0 ? Mat3(Mat3::Identity()) : at(id).A_KF(); }
 
-  /// Throws ModelError if a shape has a mass of its own, which would be ignored. `why`: what has
-  /// the mass instead.
+  /// Throws ModelError if a shape has a mass of its own, which would be ignored. `why`: names what
+  /// has the mass instead.
   void refuseMass(const std::string& why) const { dynamy::refuseMass(shapes_, why); }
 
-  /// Mass from the shapes: each brings its `mass` or `density`; with `total` > 0 this mass is
-  /// spread over the shapes' volumes. m = 0: the shapes say none.
+  /// Mass from the shapes: each contributes its `mass` or `density`; a mass `total` > 0 is spread
+  /// over the shapes' volumes instead. m = 0: the shapes have neither.
   BodyMass mass(double total) const;
 
   /// Declares `mass` and `inertia`, which may both be absent and then follow from the shapes;
   /// returns the inertia.
   static Attribute& declareMass(Attributes& a, AttributeType inertia, const std::string& about);
-  /// What declareMass() declared, as given or of the shapes. `J` makes a matrix of the inertia's
-  /// value. Throws ModelError if there is no mass, or an inertia without a mass.
+  /// The mass properties that declareMass() declared, as given or from the shapes.
+  /// `J` makes a matrix of the inertia's value. Throws ModelError if there is no
+  /// mass, or an inertia without a mass.
   BodyMass mass(const Parameters& x, Mat3 (*J)(const ParameterValue&)) const;
 
  private:
@@ -70,9 +71,9 @@ class BodyParts {
   std::vector<std::unique_ptr<NamedFrame>> frames_;
 };
 
-/// Turns a frame whose Jacobians, velocities and axes are those at B into the one at lever arm
-/// rho_I with axes A_KF, all moving with the body:  v ← v + Ω × ρ, J_S ← J_S − ρ~ J_R,
-/// β_S ← β_S + β_R × ρ + Ω × (Ω × ρ).
+/// Moves a frame, whose Jacobians, velocities and axes are those at B, to the lever arm rho_I with
+/// the axes A_KF; both are fixed to the body:
+/// v ← v + Ω × ρ,   J_S ← J_S − ρ~ J_R,   β_S ← β_S + β_R × ρ + Ω × (Ω × ρ).
 void shiftFrame(Frame& f, const Vec3& rho_I, const Mat3& A_KF);
 
 /// The plane of a planar element: word "xy", "xz" or "yz".

@@ -6,11 +6,11 @@
 namespace dynamy {
 namespace {
 
-/// Places tried for one grain.
+/// Most places that are tried for one grain.
 constexpr int kTries = 20;
-/// Of the length of a step: an instant that rounding has moved is still met.
+/// Part of a step's length by which rounding may move an instant that still belongs to the step.
 constexpr double kRounding = 1e-9;
-constexpr double kPassed = 1e-13;  ///< of the time: a grain that came so shortly before
+constexpr double kPassed = 1e-13;  ///< part of the time within which a grain counts as fed
 
 bool inside(const Region& box, const Vec3& c) {
   return (c.array() >= box.low.array()).all() && (c.array() <= box.high.array()).all();

@@ -51,7 +51,7 @@ class Grains final : public PartialMechanicalSystem {
   std::vector<Grain> grains_;
   std::unique_ptr<const GrainExchange> exchange_;
   Vec3 v_S_I_;
-  mutable std::vector<double> sorted_;  ///< of a signal
+  mutable std::vector<double> sorted_;  ///< scratch of a signal
 };
 
 }  // namespace dynamy

@@ -10,7 +10,7 @@
 namespace dynamy {
 namespace {
 
-/// A shape as another one, s times as large.
+/// A copy of a shape that is s times as large.
 class ScaledShape final : public Shape {
  public:
   static void declare(Attributes&) {}
@@ -32,7 +32,7 @@ class ScaledShape final : public Shape {
   double s_;
 };
 
-/// What a ScaledShape is made from.
+/// Parameters from which a ScaledShape is made.
 Parameters scaled(const Shape& like, double s) {
   const Eigen::Quaterniond p(like.A_KB());
   std::vector<GivenValue> given{{"position", Vec3(s * like.r_SB_K())},
@@ -53,7 +53,7 @@ double bound(const Shape& shape) {
   if (g.type == "Torus") out = g.size[0] + g.size[1];
   if (g.type == "Cone") out = std::max(g.size[0], g.size[1]);
   if (g.type == "Ellipsoid") out = std::max({g.size[0], g.size[1], g.size[2]});
-  // Seen from the centre of mass.
+  // Points are measured from the centre of mass.
   return out + (shape.massProperties().centre_B).norm();
 }
 
@@ -133,7 +133,7 @@ void Grains::takeSizes(const Parameters& x, SeededNumbers& numbers) {
   const double sigma = 0.5 * std::log(b / a) / std::sqrt(2.0 * std::log(100.0));
   for (double& s : size_) {
     if (distribution == "byNumber") s = numbers.uniform(a, b);
-    // Share of the volume even over s: density of the number as s⁻³.
+    // The volume is distributed uniformly over s: the number of grains has a density like s⁻³.
     if (distribution == "byVolume")
       s = 1.0 / std::sqrt(numbers.uniform(1.0 / (b * b), 1.0 / (a * a)));
     if (distribution == "lognormal") do
@@ -142,7 +142,7 @@ void Grains::takeSizes(const Parameters& x, SeededNumbers& numbers) {
   }
   if (a == b) std::fill(size_.begin(), size_.end(), a);
   if (a == 1.0 && b == 1.0) return;
-  const bool central = shape_->r_SB_K().isZero(0.0);  // then all are made from the same
+  const bool central = shape_->r_SB_K().isZero(0.0);  // then all grains have the same parameters
   Parameters of = scaled(*shape_, 1.0);
   for (const double s : size_) {
     if (!central) of = scaled(*shape_, s);
@@ -193,7 +193,7 @@ void Grains::describe(Description& d) const {
     }
     return T;
   });
-  // Of those that are there.
+  // Signals include present grains only.
   const auto over = [this](const SignalView& s, const auto& visit) {
     int count = 0;
     for (std::size_t i = 0; i < grains_.size(); ++i)
@@ -215,7 +215,7 @@ void Grains::describe(Description& d) const {
     const int n = over(s, [&](std::size_t i) { most = std::max(most, part(s.q, i, 7)[2]); });
     return n > 0 ? most : 0.0;
   });
-  // Where a heap ends, but for the few that roll away.
+  // Extent of a heap, without the few grains that roll away.
   for (int k = 0; k < 3; ++k)
     for (const double share : {0.01, 0.99})
       d.signal(std::string(share < 0.5 ? "low" : "high") + axis[k], Unit::length,
@@ -294,7 +294,7 @@ double Grains::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   double V = 0.0;
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     part(h, i, 6).setZero();
-    // Absent ones rest in the feeder.
+    // Absent grains rest in the feeder.
     if (!absent(q, i)) part(h, i, 6).head<3>() = grains_[i].m * g_I;
     V -= grains_[i].m * g_I.dot(part(q, i, 7).head<3>());
   }

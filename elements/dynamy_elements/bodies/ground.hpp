@@ -1,9 +1,9 @@
-/// Ground: what does not move, or moves as told: a vibrating table, a belt, a crank that is driven.
+/// Ground: a body at rest or with prescribed motion: a vibrating table, a belt, a driven crank.
 ///
 ///   r_OB = position + s(t),   A_IK = A_0 exp(φ(t) a~)
 ///   ν_S = ṡ,   ν_R = φ̇ a,   β_S = s̈,   β_R = φ̈ a                     no q and u of its own
 ///
-/// Contacts feel the motion through χ and the bias, both exact.
+/// The motion enters contacts through χ and the bias; both are exact.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>

@@ -5,8 +5,8 @@
 namespace dynamy {
 namespace {
 
-/// Turning by less than this in a step, a body notices nothing of where its gyroscopic term is
-/// taken: the change is this share of a term that is itself Ω²Δt.
+/// Turn per step [rad] below which the velocity at which the gyroscopic term is taken does not
+/// matter: the change is this share of a term that is itself Ω²Δt.
 constexpr double kHardlyTurns = 1e-8;
 constexpr int kMostParts = 100000;
 
@@ -18,7 +18,7 @@ bool turnedByMean(const Mat3& J, const Vec3& M, double dt, Vec3& Omega) {
     const Vec3 rest = J * (mean - Omega) - 0.5 * dt * (M - mean.cross(L));
     const Vec3 d = (J + 0.5 * dt * (skew(mean) * J - skew(L))).inverse() * rest;
     mean -= d;
-    // Convergence is quadratic: what this correction leaves is below rounding.
+    // Convergence is quadratic: the error after this correction is below rounding.
     if (!(d.squaredNorm() > 1e-18 * mean.squaredNorm())) {
       Omega = 2.0 * mean - Omega;
       return true;

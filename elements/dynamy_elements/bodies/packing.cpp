@@ -27,11 +27,11 @@ void SeededNumbers::attitude(double* p) {
 std::optional<std::vector<Vec3>> latticePlaces(std::size_t count, const Region& region,
                                                double pitch, double jitter,
                                                SeededNumbers& numbers) {
-  // A width that is a whole number of cells up to rounding holds them all.
+  // A width that is up to rounding a whole number of cells holds all of these cells.
   const Vec3 width = region.high - region.low;
   const double nx = std::floor(width.x() / pitch + 1e-9), ny = std::floor(width.y() / pitch + 1e-9);
   if (nx < 1.0 || ny < 1.0) return std::nullopt;
-  // Cells beyond the number of grains stay empty; there may be more than numbers count.
+  // Cells beyond the number of grains stay empty; their number may exceed the range of integers.
   const auto most = static_cast<double>(std::max<std::size_t>(count, 1));
   const auto x = static_cast<std::size_t>(std::min(nx, most)),
              y = static_cast<std::size_t>(std::min(ny, most));
@@ -50,7 +50,7 @@ std::optional<std::vector<Vec3>> latticePlaces(std::size_t count, const Region& 
 
 namespace {
 
-/// Balls in cells whose edge is the largest diameter: who overlaps is in 27 of them.
+/// Balls in cells whose edge is the largest diameter: balls that overlap a ball are in 27 cells.
 class PlacedGrains {
  public:
   PlacedGrains(double edge, const std::vector<Vec3>& c, const std::vector<double>& radii)
@@ -67,7 +67,7 @@ class PlacedGrains {
   }
 
  private:
-  /// 21 bits for each coordinate of a cell. Cells that share a number only cost time.
+  /// Key of a cell, 21 bits for each coordinate. Cells that share a key only cost time.
   std::uint64_t key(const Vec3& c, int dx, int dy, int dz) const {
     const auto at = [&](double x, int d) {
       return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / edge_)) + d) &

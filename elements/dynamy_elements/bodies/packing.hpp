@@ -1,5 +1,5 @@
-/// Packing: places for many balls in a box, none of which overlap, and random numbers that are the
-/// same everywhere.
+/// Packing: places for many balls in a box without overlaps, and random numbers that are the same
+/// on every machine.
 #pragma once
 #include <cstdint>
 #include <dynamy/core/types.hpp>
@@ -30,14 +30,15 @@ struct Region {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
 };
 
-/// Cells of edge `pitch` from `low` on, row by row along x, then y, layer upon layer along z, as
-/// many as needed: `region.high.z` is no limit. Each place is the middle of a cell, off by up to
-/// `jitter` in each direction. Nothing if not one cell fits into a layer.
+/// Places in the middles of cells of edge `pitch`, off by up to `jitter` in each
+/// direction. The cells begin at `region.low` and follow row by row along x, then y, in
+/// layers along z. There are as many layers as needed: `region.high.z` is no limit.
+/// Returns nothing if not one cell fits into a layer.
 std::optional<std::vector<Vec3>> latticePlaces(std::size_t count, const Region& region,
                                                double pitch, double jitter, SeededNumbers& numbers);
 
-/// Places at random, the largest balls first, each tried until it overlaps no other and stays
-/// inside. Nothing if one finds no place in 10 000 trials: about from 0.35 of the volume on.
+/// Random places, the largest balls first; each is tried until it overlaps no other and is inside.
+/// Returns nothing if a ball finds no place in 10 000 trials: about from 0.35 of the volume on.
 std::optional<std::vector<Vec3>> randomPlaces(const std::vector<double>& radii,
                                               const Region& region, SeededNumbers& numbers);
 

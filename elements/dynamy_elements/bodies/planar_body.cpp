@@ -96,7 +96,7 @@ bool PlanarBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, con
 }
 
 bool PlanarBody::rigidPart(RigidPart& out) const {
-  // Out of the plane S counts as in the plane of B: nothing turns about any other axis.
+  // Normal to the plane, S counts as being at B: the body turns about no other axis than n.
   out = {false, m_, r_BS_K_, J_ * Mat3::Identity()};
   return true;
 }
@@ -108,7 +108,7 @@ void PlanarBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {
 
 void PlanarBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   out.block = 0;
-  // Out of the plane S stays where the body's origin was put; the offset of S has no meaning there.
+  // Normal to the plane, S stays where the body's origin was put; its offset has no effect there.
   out.r_OS_I[plane_.a] = q[0], out.r_OS_I[plane_.b] = q[1];
   out.r_OS_I[plane_.rest()] = r_OB_I_[plane_.rest()] + r_BS_K_[plane_.rest()];
   out.A_IK = axes(q[2]);

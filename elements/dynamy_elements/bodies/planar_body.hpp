@@ -3,8 +3,8 @@
 ///   q = (c1, c2, φ),  u = (v1, v2, ω):   r_OS = c1 e1 + c2 e2 + const,  Ω = ω n,  A_IK = exp(φ n~)
 ///   m c̈ = f,  J φ̈ = M_n                  M = diag(m, m, J) is constant
 ///
-/// At φ = 0 the body axes are x, y, z. A spatial body with constraints was rejected: six instead of
-/// three velocities and as many constraints as the plane has missing ones.
+/// At φ = 0 the body axes are x, y, z. A spatial body with constraints was rejected: it has six
+/// velocities instead of three, and as many constraints as the plane has fewer motions.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>

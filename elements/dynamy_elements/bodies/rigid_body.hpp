@@ -22,8 +22,8 @@ class RigidBody final : public PartialMechanicalSystem {
   void initialState(Vec q, Vec u) const override;
   void M(double t, ConstVec q, MassBlocks M) const override;
   void h(double t, ConstVec q, ConstVec u, Vec h) const override;
-  /// J(Ω_free − Ω^A) = Δt (M_K − Ω̄ × JΩ̄), Ω̄ = ½(Ω^A + Ω_free): energy and |JΩ| of a free body
-  /// stay. Steps of more than a radian are taken in parts.
+  /// J(Ω_free − Ω^A) = Δt (M_K − Ω̄ × JΩ̄), Ω̄ = ½(Ω^A + Ω_free): this conserves the energy and
+  /// |JΩ| of a free body. Steps that turn by more than a radian are divided into parts.
   void gyroscopicAtMean(double t, ConstVec q, ConstVec uA, double dt, Vec h) const override;
   void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const override;
   void move(double t, Vec q, ConstVec u, double dt) const override;

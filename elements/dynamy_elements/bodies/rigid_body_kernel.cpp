@@ -7,8 +7,9 @@
 namespace dynamy {
 namespace {
 
-/// Principal moments, the least first. With products of inertia one below 64 ε of the largest is
-/// rounding of zero, and told as zero: masses on a slanted line have none about it.
+/// Principal moments, the least first. If there are products of inertia, a moment
+/// below 64 ε of the largest is the rounding of zero and returned as zero: masses on
+/// a slanted line have none about it.
 Vec3 principalMoments(const Mat3& J) {
   Vec3 out = Eigen::SelfAdjointEigenSolver<Mat3>(J, Eigen::EigenvaluesOnly).eigenvalues();
   const bool products = J(1, 0) != 0.0 || J(2, 0) != 0.0 || J(2, 1) != 0.0;
@@ -28,7 +29,7 @@ Mat3 readInertia(const ParameterValue& value) {
   if (!(principal[0] > 0.0))
     throw value.fault("the inertia is not positive", "principal moments must be > 0", 0,
                       value.text.size());
-  // A relative 1e-9 lets thin plates pass whose numbers were rounded in the file.
+  // The relative tolerance 1e-9 accepts thin plates whose numbers were rounded in the file.
   if (principal[0] + principal[1] < principal[2] * (1.0 - 1e-9))
     throw value.fault("no mass distribution has this inertia",
                       "each principal moment is at most the sum of the other two", 0,

@@ -79,7 +79,7 @@ void CoordinateContact::nameCoordinates(const PartialMechanicalSystem& system) {
       d.velocities.size() != n)
     bad("\"" + on_ + "\" does not name one coordinate and one velocity per degree of freedom");
 
-  // q̇ = u is what makes W the gradient of g.
+  // W is the gradient of g only if q̇ = u.
   Eigen::VectorXd q(b.nq), u(b.nq), qdot(b.nq);
   system.initialState(view(q), view(u));
   for (int i = 0; i < b.nq; ++i) u[i] = 1.0 + 0.37 * i;
@@ -159,7 +159,7 @@ void CoordinateContact::gapRow(const double* x, ContactRows& out, Block W) const
 void CoordinateContact::slipRows(const double* x, int first, ContactRows& out, Block W) const {
   const int n = names_.n(), count = std::min(tangents_, out.dim() - first);
   const double* u = x + 1 + n;
-  // W of directions is read off; W of velocities is ∂γ/∂u, and χ what remains of γ.
+  // Slip directions are the rows of W; for slip velocities W is ∂γ/∂u, and χ the rest of γ.
   const double* value = directions() ? slip_->eval(x) : slip_->gradient(x, u_);
   for (int r = 0; r < count; ++r)
     for (int j = 0; j < n; ++j)
@@ -170,7 +170,7 @@ void CoordinateContact::slipRows(const double* x, int first, ContactRows& out, B
       for (int j = 0; j < n; ++j) out.chi(first + r) -= W(first + r, j) * u[j];
     }
   if (!out.wantsBias()) return;
-  // d/dt with u constant.
+  // The bias is d/dt of the row with u constant.
   const double* rate = slip_->derivative(x, w_.data());
   for (int r = 0; r < count; ++r) {
     double& bias = out.bias(first + r);

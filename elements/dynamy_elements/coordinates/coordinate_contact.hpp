@@ -3,8 +3,9 @@
 ///   g(t,q):  γ_N = ġ,   W_N = ∂g/∂q,   χ_N = ∂g/∂t,   bias_N = (∂t + u·∂q)² g
 ///   slip directions d_k(t,q):   γ_T = d·u          or   slip velocities γ_T(t,q,u), affine in u
 ///
-/// Works on every system that names its coordinates and has q̇ = u: `<Coordinates>`, planar bodies,
-/// users' own. Rejected: a contact inside `<Coordinates>`, which no other system could use.
+/// It works on every system that names its coordinates and has q̇ = u:
+/// `<Coordinates>`, planar bodies, users' own systems. Rejected: a contact inside
+/// `<Coordinates>`, which no other system could use.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy_elements/coordinates/reservoir_switch.hpp>
@@ -23,7 +24,7 @@ class CoordinateContact final : public NonSmoothElement {
   void remember(const Kinematics& k, Vec memory) const override;
   void describe(Description& d) const override;
 
-  /// Rows on offer: the normal one, if there is a gap, then the tangential ones.
+  /// Rows that the law is offered: the normal one, if there is a gap, then the tangential ones.
   int rows() const { return (gapText_.empty() ? 0 : 1) + tangents_; }
 
  private:

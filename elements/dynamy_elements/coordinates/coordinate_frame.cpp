@@ -55,14 +55,14 @@ void CoordinateFrame::compile(const FormulaNames& names, Diagnostics& faults) {
         faults.add((k < 3 ? position_ : angle_)
                        .fault(k < 3 ? k : k - 3, "a frame depends on t and positions only"));
   moves_ = tape_->dependsOn(slots_);
-  position_ = {}, angle_ = {};  // told in messages alone, and a model may have 10⁵ frames
+  position_ = {}, angle_ = {};  // only messages need them; a model may have 10⁵ frames
 }
 
 void CoordinateFrame::evaluate(const double* x, const double* w, Frame& out) const {
   const int n = static_cast<int>(slots_.size()), m = 3 + static_cast<int>(axes_.size());
   using Columns = Eigen::Map<const Eigen::MatrixXd>;
 
-  // Point: value, velocity and second derivative along the motion come from one pass.
+  // Point: one pass gives value, velocity and second derivative along the motion.
   const double* second = tape_->second(x, w, w);
   const double* first = tape_->firstDerivative();
   const double* value = tape_->value();
@@ -81,7 +81,7 @@ void CoordinateFrame::evaluate(const double* x, const double* w, Frame& out) con
     out.A_IK = out.A_IK * Eigen::AngleAxisd(value[3 + k], axes_[k]).toRotationMatrix();
   }
 
-  // Jacobians by columns, and what moves with time alone.
+  // Jacobians by columns, and the velocities that depend on time alone.
   out.block = moves_ ? 0 : -1;
   if (moves_) {
     const Columns J(tape_->gradient(x, slots_), m, n);

@@ -3,7 +3,7 @@
 ///   r_OS = r(t, q),   A_IK = R(e₁, α₁(t,q)) R(e₂, α₂(t,q)) …
 ///   J_S = ∂r/∂q,  ν_S = ∂r/∂t,  β_S = (∂t + u·∂q)² r,   the same for the angles        (exact)
 ///
-/// Rotations by formulas of a whole matrix were rejected: nine formulas would have to fit.
+/// A formula for each entry of a rotation matrix was rejected: nine formulas would have to agree.
 #pragma once
 #include <dynamy/system/frame.hpp>
 #include <dynamy/system/shape.hpp>

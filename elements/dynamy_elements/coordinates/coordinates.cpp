@@ -104,7 +104,7 @@ void Coordinates::compile(const Parameters& x, Diagnostics& faults) {
   const std::size_t before = faults.size();
   compileInertia(x, faults);
 
-  // Forces: all of them, or none.
+  // Formulas for forces: one per coordinate, or none.
   const FormulaText force(x, "h");
   if (!force.empty() && force.size() != n())
     faults.add(force.fault(-1, "h has " + std::to_string(force.size()) + " formulas for " +
@@ -166,9 +166,10 @@ void Coordinates::compileInertia(const Parameters& x, Diagnostics& faults) {
   checkInertia(text);
 }
 
-/// M must be symmetric, T quadratic in u: looked at in two states, since formulas tell no more.
+/// Checks in two states that M is symmetric and T quadratic in u;
+/// formulas themselves do not show it.
 void Coordinates::checkInertia(const FormulaText& text) const {
-  constexpr double kRounding = 1e-9;  // relative; far above rounding, far below any mistake
+  constexpr double kRounding = 1e-9;  // relative; far above rounding, far below a wrong formula
   for (const double shift : {0.0, 0.3}) {
     const Eigen::VectorXd q = q0_.array() + shift;
     const double* x = arguments(shift, view(q), u0_.data());
@@ -253,7 +254,7 @@ void Coordinates::addGyroscopic(double factor, Vec h) const {
   }
 }
 
-/// The same for given M, with T = ½ uᵀMu.
+/// h += factor · (∂T/∂q − (∂t + u·∂q) ∂T/∂u) for given M, with T = ½ uᵀMu.
 void Coordinates::addGyroscopicOfM(double factor, Vec h) const {
   const double* u = x_.data() + 1 + n();
   const double* rate = mass_->derivative(x_.data(), w_.data());
@@ -278,7 +279,7 @@ void Coordinates::nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) con
   const double* x = arguments(t, q, u.data());
   h.setZero();
   if (force_) h = ConstVec(force_->eval(x), n());
-  // With M given, the user's h holds the gyroscopic terms, too.
+  // If M is given, the user's h includes the gyroscopic terms.
   if (inertia_ != Inertia::energy && !constantMass_) addGyroscopicOfM(-1.0, h);
 }
 

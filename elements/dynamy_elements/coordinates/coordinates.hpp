@@ -3,9 +3,9 @@
 ///   M(q,t) u̇ = h(q,u,t) − ∂V/∂q,   q̇ = u                                   (M and h given)
 ///   T(q,u,t):  M = ∂²T/∂u²,   h_gyr = ∂T/∂q − (∂t + u·∂q) ∂T/∂u            (T given: Lagrange)
 ///
-/// All derivatives are exact: directional derivatives of the tapes (core/expression/expression.hpp). Rejected:
-/// difference quotients, which spend half of the digits, and symbolic results written to a source
-/// file, which need a compiler beside the model.
+/// All derivatives are exact: directional derivatives of the tapes
+/// (core/expression/expression.hpp). Rejected: difference quotients, which lose half of the digits,
+/// and symbolic results written to a source file, which require a compiler beside the model.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/coordinates/coordinate_frame.hpp>
@@ -13,12 +13,13 @@
 
 namespace dynamy {
 
-/// Formulas see t, the coordinates q, their velocities q_dot and the parameters of the model.
-/// One object evaluates in one thread at a time: registers belong to it.
+/// Formulas can use t, the coordinates q, their velocities q_dot and the
+/// parameters of the model. An object must be evaluated in one thread at a time,
+/// since it owns the registers of its formulas.
 class Coordinates final : public PartialMechanicalSystem {
  public:
   static void declare(Attributes& a);
-  /// Raises ModelError with all faults of all formulas.
+  /// Throws ModelError with all faults of all formulas.
   explicit Coordinates(const Parameters& x);
   ~Coordinates() override;
 

@@ -24,7 +24,8 @@ FormulaText::FormulaText(const Parameters& x, std::string_view attribute)
   }
 }
 
-/// Parts without the blanks around them; "||" is an operator and not two ends of rows.
+/// Splits the text into formulas without blanks around them; "||" is an
+/// operator and does not end a row.
 void FormulaText::split() {
   constexpr std::string_view kBlanks = " \t\r\n";
   if (text_.find_first_not_of(kBlanks) == std::string::npos) return;
@@ -85,7 +86,7 @@ Diagnostic FormulaText::faultAt(std::size_t offset, std::size_t length, std::str
   }
   const std::size_t first = std::min(offset, spots_.size() - 1);
   d.place = Place(file_, spots_[first].line, spots_[first].column);
-  // As far as the line goes: a length counts characters, bytes of one character share a column.
+  // The length ends with the line. It counts characters, and bytes of one character share a column.
   const std::size_t last = std::min(first + std::max<std::size_t>(length, 1), spots_.size()) - 1;
   for (std::size_t i = first; i <= last && spots_[i].line == d.place.line; ++i)
     d.place.length = std::max(1, spots_[i].column - d.place.column + 1);

@@ -1,10 +1,10 @@
-/// Formulas of an attribute with the places of their bytes, and a tape with its registers.
+/// Formulas of an attribute with their places in the file, and a tape with its registers.
 ///
 ///   text "a ; b ; c" → parts → ExpressionCompiler → ExpressionSet
 ///
 /// Formulas of contacts are compiled in connect(), when the names of the coordinates are known and
-/// the file is already closed; the places are therefore looked up once, when the element is made.
-/// Keeping the document alive was rejected: elements would then depend on who made them.
+/// the file is already closed. The places are therefore looked up once, when the element is made.
+/// Keeping the document alive was rejected: elements would then depend on what created them.
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/expression/expression.hpp>
@@ -29,7 +29,7 @@ class FormulaText {
   int compile(int i, ExpressionCompiler& compiler, Diagnostics& faults) const;
   /// Adds all formulas in their order.
   void compileAll(ExpressionCompiler& compiler, Diagnostics& faults) const;
-  /// A fault of formula i as a whole; i < 0: of the whole attribute.
+  /// Fault that concerns formula i as a whole; i < 0: the whole attribute.
   Diagnostic fault(int i, std::string text, std::string hint = {}) const;
 
  private:
@@ -42,11 +42,10 @@ class FormulaText {
   std::string element_, attribute_, text_, file_;
   std::vector<ValuePart> parts_;
   std::vector<int> rowEnd_;  // index behind the last part of each row
-  std::vector<Spot> spots_;  // of every byte, in the file; empty: made in C++
+  std::vector<Spot> spots_;  // place of every byte in the file; empty: made in C++
 };
 
-/// Names that formulas of one system may use, and the slots they have in the input array
-/// x = (t, q, u).
+/// Names that formulas of one system may use, and their slots in the input array x = (t, q, u).
 class FormulaNames {
  public:
   std::vector<std::string> q, u;  ///< names of positions and velocities, in their order
@@ -80,9 +79,10 @@ class Tape {
   const double* partial(const double* x, int slot);
   /// ∂²f/∂x_i∂x_j.
   const double* secondPartial(const double* x, int i, int j);
-  /// Any output depends on one of the slots.
+  /// Does any output depend on one of the slots?
   bool dependsOn(const std::vector<int>& slots) const;
-  /// First instant after t at which any jumps or has a kink, of time alone.
+  /// First instant after t at which any formula jumps or has a kink, as
+  /// far as time alone causes it.
   double nextInstant(double t) const { return set_.nextInstant(t, FormulaNames::kTime); }
 
   const double* value() const { return value_.data(); }            ///< f of the last call

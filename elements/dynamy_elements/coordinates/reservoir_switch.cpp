@@ -49,7 +49,7 @@ bool ReservoirSwitch::engaged(const Kinematics& k) const {
 double ReservoirSwitch::scale(const double* x) const {
   if (!scale_) return 1.0;
   const double s = scale_->eval(x)[0];
-  return s < 0.0 ? 0.0 : s;  // passes NaN on
+  return s < 0.0 ? 0.0 : s;  // NaN is returned as NaN
 }
 
 void ReservoirSwitch::remember(const double* x, Vec memory) const {

@@ -1,12 +1,12 @@
-/// ReservoirSwitch: a force reservoir that varies and that is switched:  C(t) = s(t, q, u) C.
+/// ReservoirSwitch: a force reservoir that is scaled and switched:  C(t) = s(t, q, u) C.
 ///
 ///   scale    s ≥ 0, a formula: the set is s times that of the law
 ///   engage   the law acts from the end of the step in which this formula is positive …
-///   release  … until this one is, which wins where both are; without it for ever (a latch:
-///   overspeed governor, safety gear)
+///   release  … until the step in which this one is; it wins if both are positive. Without it the
+///            law acts for ever (a latch: overspeed governor, safety gear)
 ///
-/// Engaged or not is one number in State::memory. Rejected: a formula of the state alone, which
-/// lets go as soon as the cause is gone.
+/// Whether the law is engaged is one number in State::memory. Rejected: a formula of the state
+/// alone, which releases as soon as its cause is gone.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>
 #include <dynamy/system/description.hpp>
@@ -21,25 +21,25 @@ class ReservoirSwitch {
   /// Adds the three attributes; `variables`: what formulas may use, in words.
   static void declare(Attributes& a, const std::string& variables);
   explicit ReservoirSwitch(const Parameters& x);
-  /// Any of the attributes is given.
+  /// Is any of the attributes given?
   bool given() const { return !scaleText_.empty() || !engageText_.empty(); }
   /// Compiles the formulas and reserves the memory. Throws ModelError with the place of each fault,
   /// also if there is a scale and `law` does not scale.
   void connect(Topology& topology, const Element& owner, const SetValuedForceLaw& law,
                const FormulaNames& names);
-  /// The law acts.
+  /// Does the law act?
   bool engaged(const Kinematics& k) const;
   /// s ≥ 0 at inputs x = (t, q, u); 1 if not given.
   double scale(const double* x) const;
   /// Switches at the end of a step.
   void remember(const double* x, Vec memory) const;
-  /// There is something to engage.
+  /// Is there a formula `engage`?
   bool engages() const { return engage_ != nullptr; }
   /// Positive where remember() would switch; only if it engages().
   double switching(const Kinematics& k, const double* x) const;
   /// First instant after t at which a formula jumps or has a kink.
   double nextInstant(double t) const;
-  /// Signal `engaged`, if there is something to engage.
+  /// Adds the signal `engaged` if there is a formula `engage`.
   void describe(Description& d) const;
 
  private:

@@ -71,7 +71,7 @@ Bushing::Strain Bushing::strain(const Kinematics& k) const {
   Strain s;
   s.A_IA = A.A_IK;
   s.rhoB_I = B.A_IK * pointB_;
-  s.rhoAQ_I = B.r_OS_I + s.rhoB_I - A.r_OS_I;  // A's point that is at Q now
+  s.rhoAQ_I = B.r_OS_I + s.rhoB_I - A.r_OS_I;  // lever arm of A's point that is now at Q
   const Mat3 A_AI = A.A_IK.transpose();
   s.r_A = A_AI * s.rhoAQ_I - pointA_;
   s.rdot_A = A_AI * (B.velocity(s.rhoB_I) - A.velocity(s.rhoAQ_I));

@@ -3,8 +3,8 @@
 ///   F = −C r_PQ − D ṙ_PQ on B at Q,      M = −T(−θ)⁻ᵀ K θ − E (Ω_B − Ω_A) on B
 ///   V = ½ r_PQᵀ C r_PQ + ½ θᵀ K θ        C, D, K, E diagonal
 ///
-/// θ is the rotation vector of B against A since the start, |θ| < π, and T its tangent, so that the
-/// moment derives from V at any angle.
+/// θ is the rotation vector of B relative to A since the start, |θ| < π. T is its tangent, so that
+/// the moment derives from V at any angle.
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/frame_pair.hpp>

@@ -1,6 +1,6 @@
 /// Drag of air or another fluid on a body:                                          (theory 40.5)
 ///
-///   F = −½ ρ c A |v| v − d v       v: velocity of the point against the wind
+///   F = −½ ρ c A |v| v − d v       v: velocity of the point relative to the wind
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/time_formulas.hpp>

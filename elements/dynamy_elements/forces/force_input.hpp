@@ -1,4 +1,5 @@
-/// ForceInput: force and moment as formulas of time on a point of a frame; drives, excitations.
+/// ForceInput: force and moment on a point of a frame, as formulas of
+/// time; for drives, excitations.
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/time_formulas.hpp>

@@ -1,4 +1,4 @@
-/// Gravity: uniform field, constant or as told.   h += Σ J_Sᵀ m g(t),   V = −Σ m g·r_OS
+/// Gravity: a uniform field, constant or prescribed.   h += Σ J_Sᵀ m g(t),   V = −Σ m g·r_OS
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/system/external_force.hpp>
@@ -6,14 +6,15 @@
 
 namespace dynamy {
 
-/// Acts on all systems that have weight; each answers itself (PartialMechanicalSystem::gravity).
+/// Gravity acts on all systems that have weight; each computes it itself
+/// (PartialMechanicalSystem::gravity).
 class Gravity final : public ExternalForce {
  public:
   static void declare(Attributes& a);
   explicit Gravity(const Parameters& x);
   void connect(Topology& topology) override;
   void addTo(const Kinematics& k, ForceSink& sink) const override;
-  /// A field that changes does work that no potential of q gives.
+  /// A field that changes with time does work that is not the change of a potential of q.
   bool hasPotential() const override { return change_.empty(); }
   double potentialEnergy(const Kinematics& k) const override;
   void describe(Description& d) const override { TimeFormulas::announce(d, {&change_}); }

@@ -70,7 +70,7 @@ SpringDamper::Line SpringDamper::line(const Kinematics& k) const {
 void SpringDamper::addTo(const Kinematics& k, ForceSink& sink) const {
   const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
   const Line s = line(k);
-  // Spring and damper apart: the first has a potential.
+  // Spring and damper are added separately, since only the spring has a potential.
   const Vec3 spring = stiffness_ * (s.l - length_) * s.e, damper = damping_ * s.ldot * s.e;
   sink.hasPotential(true);
   sink.force(A, s.rhoA_I, spring);
@@ -82,7 +82,8 @@ void SpringDamper::addTo(const Kinematics& k, ForceSink& sink) const {
 }
 
 void SpringDamper::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
-  // ∂F/∂l along the line, and F/l across it where it pulls: a line that is pushed would turn away.
+  // ∂F/∂l along the line, and F/l across it under tension; a line under
+  // compression would be unstable.
   const Line s = line(k);
   const Frame &A = k.frame(frames_.A), &B = k.frame(frames_.B);
   sink.spring(A, s.rhoA_I, B, s.rhoB_I, s.e, stiffness_, damping_);
@@ -99,7 +100,7 @@ double SpringDamper::potentialEnergy(const Kinematics& k) const {
 }
 
 void SpringDamper::describe(Description& d) const {
-  if (stiffness_ > 0.0 || damping_ > 0.0)  // else it only measures
+  if (stiffness_ > 0.0 || damping_ > 0.0)  // otherwise it only measures the distance
     d.link({frames_.A.index, frames_.B.index, pointA_, pointB_, true});
   d.signal("length", Unit::length, "distance of the points",
            [this](const SignalView& v) { return line(*v.kinematics).l; });

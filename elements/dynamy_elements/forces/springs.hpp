@@ -47,7 +47,7 @@ class TorsionSpring final : public ExternalForce {
   void addStiffness(const Kinematics& k, StiffnessSink& sink) const override;
 
  private:
-  /// Angle of B against A about the axis, in (−π, π] [rad].
+  /// Angle of B relative to A about the axis, in (−π, π] [rad].
   double angle(const Kinematics& k) const;
   FramePair frames_;
   Vec3 axis_A_;

@@ -62,7 +62,7 @@ double JointSpring::force(double, double x, double rate, double* c, double* d) c
 }
 
 void JointSpring::addTo(const Kinematics& k, ForceSink& sink) const {
-  // Spring and damper apart: the first has a potential.
+  // Spring and damper are added separately, since only the spring has a potential.
   sink.hasPotential(true);
   coordinate().row().addForce(k, -stiffness_ * (coordinate().value(k) - rest_), sink);
   if (damping_ == 0.0) return;

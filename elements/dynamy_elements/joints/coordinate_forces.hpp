@@ -4,7 +4,7 @@
 ///   JointForce     F(t, x, ẋ) by a formula
 ///   PdController   F = k(t) (s(t) − x) + d(t) (ṡ(t) − ẋ) + f(t), cut off at ±limit
 ///
-/// F is the force or moment on B in the direction of x. Stiff ones are taken implicitly with
+/// F is the force or moment on B in the direction of x. Stiff forces are integrated implicitly with
 /// −∂F/∂x and −∂F/∂ẋ.
 #pragma once
 #include <dynamy/system/announced_signals.hpp>
@@ -16,7 +16,7 @@
 
 namespace dynamy {
 
-/// Base: F and its derivatives are the leaf's.
+/// Base of the forces in one joint coordinate; a leaf class gives F and its derivatives.
 class CoordinateForce : public ExternalForce {
  public:
   explicit CoordinateForce(const Parameters& x);

@@ -14,7 +14,7 @@ void limit(Attributes& a, const char* name, const char* text) {
   x.mayBeAbsent();
 }
 
-/// Rows of a law that holds a position or a speed.
+/// The one row of a law that prescribes a position or a speed.
 ContactRows oneRow(ContactSink& sink, double g, const SetValuedForceLaw& law) {
   ContactRows out = sink.add(0, std::abs(g), law, 1);
   if (out) out.position(0) = g;
@@ -100,7 +100,8 @@ void JointDrive::connect(Topology& topology) {
   double motion = 0.0;
   motion_.eval(0.0, &motion);
   const double x = coordinate().row().start();
-  // Rounding of a formula; anything more would be a jump of the joint in the first step.
+  // The tolerance covers the rounding of a formula; a larger difference would be a jump of the
+  // joint in the first step.
   if (!(std::abs(motion - x) <= 1e-9 * (1.0 + std::abs(x))))
     throw ModelError(
         "the motion begins at " + numberText(motion) + ", the coordinate at " + numberText(x),

@@ -1,4 +1,4 @@
-/// What acts in one joint coordinate x as an inclusion:                             (theory 40.4)
+/// Inclusions (set-valued laws) in one joint coordinate x:                          (theory 40.4)
 ///
 ///   JointStop      g = x − lower ≥ 0,  g = upper − x ≥ 0     unilateral laws
 ///   JointDrive     g = x − motion(t) = 0                     bilateral: χ = −motion′(t)

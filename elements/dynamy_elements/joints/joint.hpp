@@ -2,7 +2,7 @@
 /// bias are exact, also away from g = 0.
 ///
 /// Rows of different units are different contacts of the element (0 points, 1 angles, 2 friction in
-/// the free directions, 3 what couples them): a solver then scales each by itself.
+/// the free directions, 3 coupled rows), so that a solver can scale each of them by itself.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/law/standard_laws.hpp>
@@ -27,7 +27,7 @@ class Joint : public NonSmoothElement {
   std::vector<double> errors(const Kinematics& k) const;
 
  protected:
-  /// Where the joint is at the start and how A and B are turned then.
+  /// Place and axes of the joint at the start, and the orientations of A and B.
   struct Start {
     Vec3 at_I = Vec3::Zero();
     Vec3 axis_I = Vec3::Zero();  ///< unit axis, zero if the joint has none
@@ -39,8 +39,8 @@ class Joint : public NonSmoothElement {
   static void declareFriction(Attributes& a, const std::string& text);
   /// Adds the rows of the concrete joint.
   virtual void build(const Start& start) = 0;
-  /// What it leaves free, one motion after the other; false (default): nothing a tree could take as
-  /// coordinates.
+  /// The motions that the joint leaves free, one after the other; false (default): it has none that
+  /// a tree could take as coordinates.
   virtual bool freeMotions(const Start& /*start*/, std::vector<FreeMotion>& /*out*/) const {
     return false;
   }
@@ -56,8 +56,8 @@ class Joint : public NonSmoothElement {
   /// Signals `name` and `rate` of the displacement of B along d_I, fixed in A, from the start.
   void measureShift(const Start& s, const Vec3& d_I, const std::string& name,
                     const std::string& rate);
-  /// The same of the angle about d_I from where e_I is at the start; e_I fixed in B. `inB`: d_I is
-  /// fixed in B and e_I in A, for axes that B carries.
+  /// Signals `name` and `rate` of the angle about d_I from where e_I is at the start, with e_I
+  /// fixed in B. `inB`: d_I is fixed in B and e_I in A, for axes that B carries.
   void measureTurn(const Start& s, const Vec3& d_I, const Vec3& e_I, const std::string& name,
                    const std::string& rate, bool inB = false);
   [[noreturn]] static void refusePlane(const std::string& hint);
@@ -78,7 +78,7 @@ class Joint : public NonSmoothElement {
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();
   bool atGiven_ = false;
   Start start_;
-  bool ofTree_ = false;  // of a tree: without points_ and angles_
+  bool ofTree_ = false;  // the joint belongs to a tree: without points_ and angles_
   Vec3 pointA_ = Vec3::Zero(), pointB_ = Vec3::Zero();
   std::vector<JointRow> points_, angles_, free_, coupled_;
   std::vector<Coordinate> coordinates_;

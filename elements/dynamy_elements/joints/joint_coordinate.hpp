@@ -3,9 +3,9 @@
 ///
 ///   x = start + g − g(0),   ẋ = Wᵀu + χ,   ẍ = Wᵀu̇ + bias         g: a row of joint_row.hpp
 ///
-/// An angle counts whole turns. The frames tell it but for a multiple of 2π; the element keeps
-/// angle, rate and time of the end of the last step in its memory, and the multiple is that nearest
-/// to
+/// An angle includes whole turns. The frames determine it up to a multiple of 2π only. The element
+/// keeps angle, rate and time of the end of the last step in its memory, and it chooses the
+/// multiple nearest to
 ///
 ///   x⁻ + (t − t⁻) (ẋ⁻ + ẋ)/2                                                       (theory 40.3)
 ///
@@ -22,8 +22,8 @@ namespace dynamy {
 class CoordinateRow {
  public:
   CoordinateRow() = default;
-  /// Angle of B against A about axis_I from the start; reference_I: direction across the axis that
-  /// B carries and whose turn is measured, zero: any.
+  /// Angle of B relative to A about axis_I since the start. reference_I: direction across the axis
+  /// that B carries and whose turn is measured; zero: any.
   static CoordinateRow angle(const StartKinematics& k, FrameHandle A, FrameHandle B,
                              const Vec3& axis_I, const Vec3& reference_I, double start);
   /// Displacement of B's point that is at at_I at the start, along direction_I fixed in A.
@@ -33,14 +33,14 @@ class CoordinateRow {
   static CoordinateRow distance(FrameHandle A, FrameHandle B, const Vec3& pointA,
                                 const Vec3& pointB);
 
-  /// True: the value is known but for whole turns.
+  /// Is the value an angle, which the frames determine up to whole turns only?
   bool turns() const { return row_.kind == JointRow::Kind::turn; }
   double start() const { return start_; }
-  /// Numbers to be remembered from step to step.
+  /// How many numbers are remembered from step to step.
   int memory() const { return turns() ? kMemory : 0; }
-  /// They at the start.
+  /// Appends the remembered numbers at the start.
   void startMemory(const StartKinematics& k, std::vector<double>& out) const;
-  /// x [m or rad]; `memory` as left by remember(), not read without turns.
+  /// x [m or rad]; `memory` as left by remember(), not read unless x is an angle.
   double value(const Kinematics& k, const double* memory) const;
   void remember(const Kinematics& k, double* memory) const;
   double rate(const Kinematics& k) const;
@@ -49,9 +49,9 @@ class CoordinateRow {
   void terms(const Kinematics& k, double factor, RateTerm* two) const;
   /// Force F [N or N m] in the coordinate.
   void addForce(const Kinematics& k, double F, ForceSink& sink) const;
-  /// ∂F/∂x = −c, ∂F/∂ẋ = −d.
+  /// Adds the stiffness of a force F with ∂F/∂x = −c, ∂F/∂ẋ = −d.
   void addStiffness(const Kinematics& k, double c, double d, StiffnessSink& sink) const;
-  /// Where it acts on B, in I [m].
+  /// Point at which a force in the coordinate acts on B, in I [m].
   Vec3 place(const Kinematics& k) const;
 
  private:
@@ -69,9 +69,9 @@ class JointCoordinate {
  public:
   static void declare(Attributes& a);
   explicit JointCoordinate(const Parameters& x);
-  /// Once, in the element's connect(); reserves the memory of `owner`.
+  /// To be called once, in the element's connect(); reserves the memory of `owner`.
   void connect(Topology& topology, const Element& owner);
-  /// For the element's remember().
+  /// To be called in the element's remember().
   void remember(const Kinematics& k, Vec memory) const { row_.remember(k, memory.data()); }
   double value(const Kinematics& k) const { return row_.value(k, k.memory(memory_).data()); }
   double rate(const Kinematics& k) const { return row_.rate(k); }

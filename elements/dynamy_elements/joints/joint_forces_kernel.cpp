@@ -1,7 +1,8 @@
-// Forces of a joint on its frames for given percussions, and how they turn with the frames:
+// Forces of a joint on its frames for given percussions, and their
+// derivatives by motions of the frames:
 //
 //   point     f = Σ Λ d, d fixed in A      on B (f, ρ_B × f), on A (−f, −ρ_AQ × f)
-//   distance  f = Λ e, e = r_PQ/|r_PQ|     the same; ρ_AQ: lever arm of A's point that is at Q now
+//   distance  f = Λ e, e = r_PQ/|r_PQ|     the same; ρ_AQ: lever arm of A's point now at Q
 //   angle     m = Λ b × d                  on B (0, m), on A (0, −m)
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/joints/joint.hpp>
@@ -13,8 +14,8 @@ namespace {
 /// rotation in (δr_A, δθ_A, δr_B, δθ_B).
 enum RowPart { kA = 0, kTurnA = 3, kB = 6, kTurnB = 9 };
 
-/// `force` of a point at Q acts on B, its opposite on A's point that is at Q; `turn`: ∂f by the
-/// four displacements.
+/// Adds a force f that acts on B at Q, and its opposite on A's point that is at Q; `turn`:
+/// derivative of f by the four displacements.
 void addForce(const Vec3& f, const Vec3& rhoAQ_I, const Vec3& rhoB_I,
               const Eigen::Matrix<double, 3, 12>& turn, JointForces& out) {
   out.F[0] -= f, out.M[0] -= rhoAQ_I.cross(f);

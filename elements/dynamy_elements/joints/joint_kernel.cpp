@@ -36,7 +36,7 @@ Joint::Joint(const Parameters& x)
 // ---- connect -----------------------------------------------------------------------------------
 
 void Joint::connect(Topology& topology) {
-  // A coordinate needs no frames, but for friction and signals.
+  // A joint that became a coordinate needs frames for friction and signals only.
   if (ofTree_ && free_.empty() && coordinates_.empty()) return;
   frames_.connect(topology, *this);
   const StartKinematics start(topology);
@@ -137,8 +137,8 @@ void Joint::emit(const JointPose& p, std::uint64_t id, const std::vector<JointRo
     wrench[r] = rowWrench(p, row);
     if (out.wantsBias()) out.bias(r) = rowBias(p, row);
   }
-  // Segments and χ of both sides. A distance row may take A's own point as well: its force is along
-  // r_PQ, so that the lever arms P and Q give the same.
+  // Segments and χ of both sides. A distance row may use A's own point P as well: its force is
+  // along r_PQ, so that the lever arms of P and Q give the same.
   const auto addSide = [&](const Frame& f, const Vec3& rho, double sign) {
     if (f.block >= 0) {
       const Block W = out.segment(f.block, f.u0, f.nu());

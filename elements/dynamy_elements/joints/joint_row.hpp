@@ -8,8 +8,9 @@
 ///   turn      g = atan2(b·(d × e), b·e)     angle about d from e (fixed in A) to b (fixed in B)
 ///   screw     g = d·r_PQ − h ψ              ψ the angle of `turn`, of the turn nearest to g = 0
 ///
-/// A unit force of the row acts on B with a force f at Q and a moment m, and on A's point that is
-/// at Q with the opposite, so that  γ = f·(v_Q − v_AQ) + m·(Ω_B − Ω_A). (theory 40.1, 40.2)
+/// A unit force of the row acts on B with a force f at Q and a moment m. It acts with the opposite
+/// on the point AQ of A that coincides with Q, so that
+///   γ = f·(v_Q − v_AQ) + m·(Ω_B − Ω_A).                                     (theory 40.1, 40.2)
 #pragma once
 #include <dynamy/contact/contact_sink.hpp>
 #include <span>
@@ -34,16 +35,16 @@ struct JointPose {
         rhoA_I(a.A_IK * pointA),
         rhoB_I(b.A_IK * pointB),
         r_PQ(b.r_OS_I + rhoB_I - a.r_OS_I - rhoA_I) {}
-  Vec3 rhoAQ_I() const { return rhoA_I + r_PQ; }  ///< of A's point that is at Q now
+  Vec3 rhoAQ_I() const { return rhoA_I + r_PQ; }  ///< lever arm of A's point that is now at Q
 };
 
-/// What a unit force of a row does to B.
+/// Force and moment on B of a unit force of a row.
 struct RowWrench {
   bool force = false, moment = false;
   Vec3 f = Vec3::Zero(), m = Vec3::Zero();
 };
 
-/// The same for turns and screws, whose angle takes more to find.
+/// Position and wrench of turns and screws, whose angle needs more computation than other rows.
 double turnPosition(const JointPose& p, const JointRow& row);
 void turnWrench(const JointPose& p, const JointRow& row, RowWrench& out);
 
@@ -86,7 +87,7 @@ inline RowWrench rowWrench(const JointPose& p, const JointRow& row) {
 
 /// γ [m/s, rad/s].
 double rowRate(const JointPose& p, const RowWrench& w);
-/// What γ̇ has beyond Wᵀu̇ [m/s², rad/s²].
+/// Bias of the row, γ̇ − Wᵀu̇ [m/s², rad/s²].
 double rowBias(const JointPose& p, const JointRow& row);
 
 /// Adds sign (f·v(ρ) + m·Ω) of frame f to row `row` of its segment.
@@ -96,7 +97,7 @@ inline void addWrench(Block W, int row, const Frame& f, const Vec3& rho_I, const
   if (!w.moment) return;
   for (int j = 0; j < f.nu(); ++j) W(row, j) += sign * f.J_R_I.col(j).dot(w.m);
 }
-/// f·v(ρ) + m·Ω of the part of the velocities that is not from u.
+/// f·v(ρ) + m·Ω of the part of the velocities that is prescribed and not from u.
 inline double drivenRate(const Frame& f, const Vec3& rho_I, const RowWrench& w) {
   double chi = 0.0;
   if (w.force) chi += w.f.dot(f.nu_S_I + f.nu_R_I.cross(rho_I));
@@ -104,7 +105,7 @@ inline double drivenRate(const Frame& f, const Vec3& rho_I, const RowWrench& w) 
   return chi;
 }
 
-/// Part of one frame in γ: sign (f·v(ρ) + m·Ω).
+/// Contribution of one frame to γ: sign (f·v(ρ) + m·Ω).
 struct RateTerm {
   const Frame* frame = nullptr;
   Vec3 rho_I = Vec3::Zero();

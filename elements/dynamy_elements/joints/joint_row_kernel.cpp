@@ -10,7 +10,7 @@ Vec3 pointBias(const Frame& f, const Vec3& rho_I) {
   return f.bias_S_I + f.bias_R_I.cross(rho_I) + f.Omega_I.cross(f.Omega_I.cross(rho_I));
 }
 
-/// b and what it is measured from: ψ = atan2(y, x), ψ̇ = (Ω_B − Ω_A)·w, w = b × n/(x² + y²).
+/// Directions that define the angle: ψ = atan2(y, x), ψ̇ = (Ω_B − Ω_A)·w, w = b × n/(x² + y²).
 struct Turn {
   Vec3 d, e, c, b, n;  // c = d × e, n = x c − y e
   double x, y, square;

@@ -88,7 +88,8 @@ void Prismatic::build(const Start& s) {
   measureShift(s, s.axis_I, "displacement", "rate");
   if (planar(s.plane)) {
     const Vec3 across = s.plane.cross(s.axis_I);
-    // A direction out of the plane leaves nothing to slide along: |across| = sine of the angle.
+    // For an axis out of the plane there is nothing to slide along: |across| is the sine of its
+    // angle to the normal.
     if (across.norm() < 1.0 - 1e-12)
       throw ModelError("the axis points out of the plane of the bodies",
                        "the plane's normal is perpendicular to the axis of a slider");

@@ -1,4 +1,4 @@
-/// The joints and what acts in them.
+/// Registers the joints and the elements that act in joint coordinates.
 #pragma once
 #include <dynamy/io/plugin/registry.hpp>
 

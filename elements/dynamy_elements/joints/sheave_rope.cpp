@@ -10,10 +10,10 @@
 namespace dynamy {
 namespace {
 
-constexpr double kBrokenNow = 1e-13;  ///< of the time: it has just broken
-constexpr double kNoWrap = 1e-9;      ///< of an angle of wrap that is zero [rad]
+constexpr double kBrokenNow = 1e-13;  ///< part of the time within which a rope has just broken
+constexpr double kNoWrap = 1e-9;      ///< an angle of wrap below is zero [rad]
 
-/// Adds `factor` times a·Ω to a row.
+/// Adds the Jacobian of `factor` times a·Ω to a row.
 void addSpin(Block W, int row, const Frame& f, const Vec3& a, double factor) {
   for (int j = 0; j < f.nu(); ++j) W(row, j) += factor * f.J_R_I.col(j).dot(a);
 }
@@ -92,7 +92,7 @@ SheaveRope::Strand SheaveRope::strand(const Frame& body, const Vec3& point, cons
   e -= axis_I.dot(e) * axis_I;
   const double D = e.norm();
   out.length = std::sqrt(std::max(D * D - radius_ * radius_, 0.0));
-  // e = r n + l t with t = turn a × n, turned back by the angle between n and e.
+  // e = r n + l t with t = turn a × n is solved for n.
   out.n = (radius_ * e - turn * out.length * axis_I.cross(e)) / (D * D);
   out.t = turn * axis_I.cross(out.n);
   return out;
@@ -103,7 +103,8 @@ double SheaveRope::wrap(const Strand& a, const Strand& b, const Vec3& axis_I, do
 }
 
 void SheaveRope::chooseSense(const Frame& A, const Frame& B, const Frame& S, const Vec3& axis_I) {
-  // Either way round, straight or with crossed strands, may pass the wanted side: the shorter arc.
+  // Both senses of wrap, with straight or crossed strands, may pass the wanted side: the shorter
+  // arc is chosen.
   double best = -2.0;
   for (const double sense : {1.0, -1.0}) {
     const Strand a = strand(A, pointA_, S, axis_I, -sense),
@@ -150,7 +151,8 @@ void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
   const Vec3 axis_I = S.A_IK * axis_S_;
   const Strand a = strand(A, pointA_, S, axis_I, -sense_),
                b = strand(B, pointB_, S, axis_I, sense_);
-  // The turn next to that of the start: the rope is never longer or shorter by a whole one.
+  // The angle of wrap is the one nearest to that at the start: the rope
+  // never changes by a whole turn.
   double theta = wrap(a, b, axis_I, sense_);
   theta += kTwoPi * std::round((wrap0_ - theta) / kTwoPi);
   ContactRows out = sink.add(0, length_ - a.length - b.length - radius_ * theta, *law_, 2);
@@ -185,7 +187,7 @@ void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
 void SheaveRope::bias(ContactRows& out, const Kinematics& k, const Strand& a,
                       const Strand& b) const {
   const Frame& S = k.frame(sheave_);
-  // A strand of length l whose end moves across it with v_n turns: ṫ·v = v_n²/l.
+  // A strand of length l turns if its end moves across it with v_n: ṫ·v = v_n²/l.
   const auto end = [&](const Frame& f, const Strand& s) {
     const double across = s.n.dot(f.velocity(s.rho_I) - S.v_S_I);
     return s.t.dot(ropePointBias(f, s.rho_I) - S.bias_S_I) + across * across / s.length;

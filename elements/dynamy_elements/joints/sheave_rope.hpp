@@ -4,9 +4,10 @@
 ///   slack   g = l − |T1P| − |T2Q| − r θ,      γ_N = −t1·(v_P − v_C) − t2·(v_Q − v_C)
 ///   slip    γ_T = ½ (t2·(v_Q − v_C) − t1·(v_P − v_C)) − σ r ω
 ///
-/// with t1 = T1P/|T1P|, t2 = T2Q/|T2Q| and σ = ±1 the sense about the axis in which the rope runs
-/// from A to B. Λ_N is the mean of the rope forces S1, S2, Λ_T = S1 − S2: BeltFriction limits it,
-/// a law without friction lets the rope run freely. All in the plane of the sheave.
+/// with t1 = T1P/|T1P|, t2 = T2Q/|T2Q| and σ = ±1 the sense about the axis in which the
+/// rope runs from A to B. Λ_N is the mean of the rope forces S1, S2, and Λ_T = S1 − S2. The
+/// law BeltFriction limits Λ_T; a law without friction lets the rope run freely. All
+/// vectors are in the plane of the sheave.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy_elements/frame_pair.hpp>
@@ -24,7 +25,7 @@ class SheaveRope final : public NonSmoothElement {
   void describe(Description& d) const override;
 
  private:
-  /// One strand: from the sheave's centre C to the point where it ends.
+  /// One strand of the rope: from the sheave with the centre C to the point where the strand ends.
   struct Strand {
     Vec3 rho_I, n, t;  ///< lever arm on its body, direction C → T, direction T → end
     double length;     ///< of the free part [m]

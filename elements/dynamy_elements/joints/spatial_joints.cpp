@@ -12,7 +12,7 @@ const Vec3& neededAxis(const Vec3& axis_I, const char* what) {
   return axis_I;
 }
 
-/// The axis of B as build() takes it: exactly perpendicular to that of A.
+/// The axis of B for build(), exactly perpendicular to that of A.
 Vec3 perpendicular(const Vec3& b, const Vec3& a) { return (b - a.dot(b) * a).normalized(); }
 
 }  // namespace
@@ -36,7 +36,8 @@ Universal::Universal(const Parameters& x) : Joint(x), axisB_(x["axisB"].vec3()) 
 void Universal::build(const Start& s) {
   if (!s.plane.isZero(0.0)) refusePlane("planar bodies have the Revolute");
   const Vec3 &a = neededAxis(s.axis_I, "a universal joint"), b = axisB_.normalized();
-  // Axes written with four digits are off by 1e-4: what was meant is told apart from what was not.
+  // Axes written with four digits are off by 1e-4: the tolerance accepts
+  // them and rejects wrong axes.
   if (!(std::abs(a.dot(b)) < 1e-3))
     throw ModelError("the two axes are not perpendicular",
                      "axis is fixed in A, axisB in B; the cross joins them at a right angle");

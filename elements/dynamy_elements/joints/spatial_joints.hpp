@@ -1,4 +1,4 @@
-/// Joints of bodies in space with more than one freedom, or with freedoms that belong together.
+/// Joints of bodies in space with more than one degree of freedom, or with coupled ones.
 ///
 ///                rows                          free
 ///   Universal    3 points, 1 angle             alpha about the axis of A, beta about that of B

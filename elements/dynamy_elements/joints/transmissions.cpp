@@ -7,7 +7,7 @@
 namespace dynamy {
 namespace {
 
-/// Two names, as FramePair reads them.
+/// Reads two names like FramePair.
 std::pair<std::string, std::string> twoNames(const ParameterValue& value) {
   const std::vector<std::string> words = value.words();
   if (words.size() != 2)
@@ -230,7 +230,8 @@ void Rope::build(Topology& topology) {
   for (std::size_t i = 0; i + 1 < frames_.size(); ++i) {
     const Frame &A = start.frame(frames_[i]), &B = start.frame(frames_[i + 1]);
     const double l = (B.r_OS_I + B.A_IK * points_[i + 1] - A.r_OS_I - A.A_IK * points_[i]).norm();
-    // A slack rope has no force there and needs no direction.
+    // A piece of zero length is allowed in a rope that can go slack: a slack rope has no force and
+    // needs no direction.
     if (!(l > 0.0) && !(law().unilateral() && length_ > 0.0))
       throw ModelError("two points of the rope coincide at the start",
                        "leave one of them out, or say the length of a rope that can go slack");

@@ -4,8 +4,8 @@
 ///   RackAndPinion  z − r φ
 ///   Rope           L − Σ l_k                   distances of the points it runs through
 ///
-/// Rejected: couplings of joints by their names. A gear then could not be between bodies of a tree,
-/// where a joint is no element.
+/// Rejected: couplings that refer to joints by name. A gear could then not act between bodies of a
+/// tree, where a joint is no element.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/law/standard_laws.hpp>
@@ -26,10 +26,10 @@ class Coupling : public NonSmoothElement {
 
  protected:
   static void declareLaw(Attributes& a, const std::string& text);
-  /// Adds the coordinates; the frames are handed out by `frame`.
+  /// Adds the coordinates; frames are obtained from frame().
   virtual void build(Topology& topology) = 0;
   FrameHandle frame(Topology& topology, const std::string& name);
-  /// Normal of the plane in which the frames asked for so far move; zero: none.
+  /// Normal of the plane in which the frames requested so far move; zero: none.
   const Vec3& plane() const { return plane_; }
   void add(const CoordinateRow& row, double factor) { parts_.push_back({row, factor}); }
   void constant(double g0) { constant_ = g0; }

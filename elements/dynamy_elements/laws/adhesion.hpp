@@ -2,9 +2,10 @@
 ///
 ///   C_N = [−a Δt, ∞),   |Λ_T| ≤ μ (Λ_N + a Δt)
 ///
-/// With Λ' = Λ + (a Δt, 0) it is Coulomb friction; nothing else is computed here. The contact holds
-/// while its gap is closed; once it is pulled off, it pulls no more until it touches again. Pulling
-/// off costs no energy: a Δt γ → 0 with Δt. In an impact (Δt = 0) it is an ordinary contact.
+/// With Λ' = Λ + (a Δt, 0) the law is Coulomb friction, which computes everything. The contact
+/// holds while its gap is closed. Once it is pulled off, it does not pull again until it touches
+/// again. Pulling off costs no energy: a Δt γ → 0 with Δt. In an impact (Δt = 0) the law is that of
+/// an ordinary contact.
 #pragma once
 #include <dynamy/law/standard_laws.hpp>
 
@@ -27,7 +28,7 @@ class UnilateralAdhesion final : public SetValuedForceLaw {
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
   SimpleSet simpleSet(const LawInput& in) const override;
-  /// `lower` in the step in which it is pulled off.
+  /// Returns `lower` in the step in which the contact is pulled off.
   Status status(const LawInput& in, const double* argument) const override;
 
  private:

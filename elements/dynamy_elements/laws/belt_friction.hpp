@@ -3,9 +3,9 @@
 ///   e^{−μα} S₂ ≤ S₁ ≤ e^{μα} S₂,   S₁, S₂ ≥ 0
 ///
 /// With the mean force S = (S₁ + S₂)/2 and the traction T = S₁ − S₂ the wedge is |T| ≤ 2 tanh(μα/2)
-/// S, and its law is planar Coulomb friction with this coefficient: row 0 the slack (Λ_N = S Δt,
-/// γ_N its rate), row 1 the slip (Λ_T = T Δt, γ_T half the sum of both strands' slips). Rejected:
-/// the normal cone of the wedge in (S₁, S₂), which makes a slipping rope longer.
+/// S. Its law is planar Coulomb friction with the coefficient 2 tanh(μα/2). Row 0 is the slack (Λ_N
+/// = S Δt, γ_N its rate), row 1 the slip (Λ_T = T Δt, γ_T half the sum of both strands' slips).
+/// Rejected: the normal cone of the wedge in (S₁, S₂), which makes a slipping rope longer.
 #pragma once
 #include <dynamy/law/standard_laws.hpp>
 

@@ -12,11 +12,11 @@ namespace {
 struct Elliptic {
   double K, S1 = 0.0;
   explicit Elliptic(double k) {
-    // At k = 1 K is infinite like a logarithm: this close F and T are those of the limit.
+    // K has a logarithmic singularity at k = 1; this close to it F and T are those of the limit.
     constexpr double kClosest = 1e-30;
     double a = 1.0, b = std::max(std::sqrt((1.0 - k) * (1.0 + k)), kClosest), c = 1.0;
     for (double weight = 1.0; std::abs(c) > 1e-17 * a && weight < 1e6; weight *= 2.0) {
-      // c = (a − b)/2; of the first mean k²/(2(1 + b)), which keeps its digits at small k.
+      // c = (a − b)/2; for the first mean k²/(2(1 + b)), which keeps its digits at small k.
       c = weight == 1.0 ? 0.5 * k * k / (1.0 + b) : 0.5 * (a - b);
       const double mean = 0.5 * (a + b);
       b = std::sqrt(a * b), a = mean;
@@ -53,8 +53,8 @@ ContensouCurve contensouCurve(double v, double w) {
 
 namespace {
 
-/// F, T and d³F′ of Hertz pressure as series in k = 1/d ≤ ½, where the closed form loses d⁴ of its
-/// digits. (22.10)
+/// F, T and d³F′ for Hertz pressure as series in k = 1/d ≤ ½, where the closed form loses digits by
+/// a factor d⁴. (22.10)
 void hertzFar(double k, ContensouCurve& out) {
   out.F = 1.0, out.T = 0.0, out.slopeCubed = 0.0;
   double c = 1.0, power = 1.0;  // c_n m_n, k^(2n−2)
@@ -88,7 +88,8 @@ ContensouCurve hertzCurve(double v, double w) {
     hertzFar(k, out);
     return out;
   }
-  // The angle from y and not from k: both are then those of one d, also next to the rim.
+  // The angle is computed from y and not from k: both then belong to the
+  // same d, also next to the rim.
   const double d = v / w, d2 = d * d, y = std::sqrt((d - 1.0) * (d + 1.0));
   const double theta = std::atan2(1.0, y);
   const double dF = 0.75 * ((d2 - 0.25 * d2 * d2) * theta + 0.75 * y + 0.25 * y * y * y);

@@ -14,17 +14,17 @@
 
 namespace dynamy {
 
-/// Friction force F and moment T of the patch over their largest values at the ratio d = v/w ≥ 0,
-/// and their slope; F(∞) = 1, T(∞) = 0.
+/// Friction force F and moment T of the patch relative to their largest values, and the slope of F,
+/// at the ratio d = v/w ≥ 0; F(∞) = 1, T(∞) = 0.
 struct ContensouCurve {
   double F = 0.0, T = 2.0 / 3.0;
   double FOverD = 1.0;       ///< F/d, also at d = 0; only for d ≤ 1
   double slope = 1.0;        ///< F′ = dF/dd for d ≤ 1
   double slopeCubed = 0.25;  ///< d³ F′ for d ≥ 1
 };
-/// Uniform pressure; d = v/w without the quotient: v, w ≥ 0, not both 0.
+/// The curve at d = v/w for uniform pressure; v, w ≥ 0, not both 0, and no quotient is needed.
 ContensouCurve contensouCurve(double v, double w);
-/// The same for Hertz pressure, p ~ √(1 − (r/a)²).
+/// The curve at d = v/w for Hertz pressure, p ~ √(1 − (r/a)²).
 ContensouCurve hertzCurve(double v, double w);
 
 class UnilateralDrilling final : public NormalTimesReservoir {

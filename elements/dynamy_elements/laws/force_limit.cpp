@@ -30,7 +30,7 @@ ForceLimit::ForceLimit(const Parameters& x) : SetValuedForceLaw(x), limit_{-kInf
 }
 
 convex::Interval ForceLimit::interval(const LawInput& in) const {
-  // ∞ · 0 is no number: an infinite limit stays infinite in an impact.
+  // ∞ · 0 would be NaN: an infinite limit stays infinite in an impact.
   const double factor = in.scale * in.dt;
   return {std::isinf(limit_.lower) ? limit_.lower : limit_.lower * factor,
           std::isinf(limit_.upper) ? limit_.upper : limit_.upper * factor};

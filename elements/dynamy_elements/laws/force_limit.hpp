@@ -4,8 +4,9 @@
 ///   row moves against the limit that it reaches. Overload clutches, drives of limited force,
 ///   one-sided brakes (one limit 0).
 ///
-/// With limits of both signs it takes energy only (Λ·ξ ≤ 0); an interval without 0 feeds at most
-/// its nearer limit times γ. In a pure impact (Δt = 0) finite limits transmit nothing.
+/// With limits of both signs the law only dissipates energy (Λ·ξ ≤ 0). With an
+/// interval without 0 it supplies at most its nearer limit times γ. In a pure impact
+/// (Δt = 0) finite limits transmit nothing.
 #pragma once
 #include <dynamy/law/convex_sets.hpp>
 #include <dynamy/law/set_valued_force_law.hpp>
@@ -26,7 +27,7 @@ class ForceLimit : public SetValuedForceLaw {
   void prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const override;
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
-  /// Of several rows the first that is at a limit.
+  /// Status of the first row that is at a limit.
   Status status(const LawInput& in, const double* argument) const override;
 
  protected:
@@ -37,8 +38,8 @@ class ForceLimit : public SetValuedForceLaw {
   convex::Interval limit_;
 };
 
-/// Sprag clutch, ratchet, free wheel: C = ℝ₀⁺ (free in the positive direction), ℝ₀⁻ (negative), cut
-/// at ±limit Δt where one is given. No gap: it acts at all times.              (theory 42.1)
+/// Sprag clutch, ratchet, free wheel: C = ℝ₀⁺ (free in the positive direction) or ℝ₀⁻ (negative),
+/// cut off at ±limit Δt if a limit is given. No gap: the law always acts.      (theory 42.1)
 class OneWayClutch final : public ForceLimit {
  public:
   explicit OneWayClutch(const Parameters& x);

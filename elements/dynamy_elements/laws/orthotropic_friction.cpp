@@ -10,7 +10,7 @@ namespace {
 using Point = convex::Point<2>;
 using Matrix = convex::Matrix<2>;
 
-/// Columns: the axes of the grain.
+/// Rotation matrix with the axes of the grain as columns.
 Matrix turn(double c, double s) {
   Matrix R;
   R << c, -s, s, c;

@@ -4,8 +4,8 @@
 ///   S_B(y) = √(μ₁² y₁'² + μ₂² y₂'²)
 ///   slip:  Λ_T = −Λ_N (μ₁² γ₁', μ₂² γ₂') / √(μ₁² γ₁'² + μ₂² γ₂'²)
 ///
-/// The force is not opposite to the slip: the slip is normal to the ellipse, which makes the law
-/// dissipate the most. A force along −γ of direction-dependent size was rejected: its set is not
+/// The force is not opposite to the slip: the slip is normal to the ellipse, so that dissipation is
+/// maximal. A force along −γ whose size depends on its direction was rejected: its set is not
 /// convex, and it has no potential. A planar contact has B = [−a, a] with a = S_B of its tangent.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Displacements below this are in the notch  [m or rad].
+/// Displacements below this value are in the notch x = 0  [m or rad].
 constexpr double kNotch = 1e-9;
 
 }  // namespace

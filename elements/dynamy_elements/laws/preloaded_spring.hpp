@@ -1,16 +1,17 @@
-/// PreloadedSpring: a spring of stiffness c that is held with a force a until it yields.
+/// PreloadedSpring: a spring of stiffness c with the preload a, at rest in x = 0 up to this force.
 ///                                                                              (theory 42.3)
 ///   both sides   λ ∈ −c x − a Sign(x)
 ///   one side     λ ∈ c max(−x, 0) + a [0, 1]_{x}     1 for x < 0, [0, 1] at x = 0, 0 for x > 0
 ///
-/// The set lives on displacements. With x of the midpoint of a step, c x is taken there, and the
-/// set-valued part sees where the next midpoint would be, x + Δt γ:
+/// The set-valued law is one of displacements. With x at the midpoint of a step, c x is evaluated
+/// there; the set-valued part is evaluated at the next midpoint, x + Δt γ:
 ///
 ///   −(γ + x/Δt) ∈ N_C(Λ),    C = Δt [−c x − a, −c x + a]   or   Δt (c max(−x, 0) + [0, a])
 ///
-/// so that what rests in the notch is back in it after one step (rejected: x + Δt γ/2, the end of
-/// the step, about which a body swings for ever). It stores V = c x²/2 + a |x|: its work in the
-/// energy ledger is not dissipation. In a pure impact it transmits nothing.
+/// so that a spring at rest in the notch x = 0 is back in it after one step. Rejected: x + Δt γ/2,
+/// the end of the step, about which a body oscillates for ever. The spring stores the energy
+/// V = c x²/2 + a |x|: its work in the energy ledger is not dissipation. In a pure impact it
+/// transmits nothing.
 #pragma once
 #include <dynamy/law/convex_sets.hpp>
 #include <dynamy/law/set_valued_force_law.hpp>
@@ -32,7 +33,7 @@ class PreloadedSpring final : public SetValuedForceLaw {
   bool proxDerivative(const LawInput& in, double rho, const double* xi, const double* Lambda,
                       double* A, double* B) const override;
   bool notched(const LawInput& in, NotchedForce& out) const override;
-  /// `locked` in the notch, `lower` for x > 0, `upper` for x < 0.
+  /// Returns `locked` in the notch x = 0, `lower` for x > 0, `upper` for x < 0.
   Status status(const LawInput& in, const double* argument) const override;
 
  private:

@@ -1,4 +1,4 @@
-// Both laws are those of constant friction with the size that holds in this step.
+// Both Stribeck laws are laws of constant friction, with the size that applies in the current step.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>

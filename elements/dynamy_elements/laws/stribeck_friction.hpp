@@ -3,9 +3,9 @@
 ///   a(v) = a_k + (a_s − a_k) f((v/v_s)^p) + d v,     f(x) = e^{−x}  or  1/(1 + x)
 ///   −γ ∈ N_C(Λ),  C = disc of radius a(v) Δt (given force) or a(v) Λ_N (with a contact)
 ///
-/// v is that of the beginning of the step: the set does not depend on the solution, which exists
-/// and is unique as for constant friction; the error is of first order in Δt like the scheme's.
-/// Rejected: v of the end of the step, which has one solution only while Δt |a'| < 1/G.
+/// v is taken at the beginning of the step: the set does not depend on the solution, which exists
+/// and is unique as for constant friction. The error is of first order in Δt like that of the
+/// scheme. Rejected: v at the end of the step, which has one solution only while Δt |a'| < 1/G.
 #pragma once
 #include <dynamy/law/standard_laws.hpp>
 
@@ -19,7 +19,7 @@ struct StribeckCurve {
   bool rational = false;           ///< f(x) = 1/(1 + x)
   double viscous = 0.0;            ///< d [unit of a_s per m/s]
   double operator()(double v) const;
-  /// At the speed of rows first … first + k − 1 of γ^A; at rest if that is not known.
+  /// a(v) at the speed of the rows first … first + k − 1 of γ^A; at rest if γ^A is not known.
   double at(const LawInput& in, int first, int k) const;
 };
 

@@ -7,7 +7,8 @@
 namespace dynamy {
 namespace {
 
-/// Velocities that joints do not allow count from here [m/s, rad/s]; below is rounding of the file.
+/// Velocities that joints do not allow count from this value on [m/s,
+/// rad/s]; less is rounding of the file.
 constexpr double kLost = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -26,7 +27,7 @@ struct Edge {
   }
 };
 
-/// A joint's motions as A moves against B: the last one first, the other way round.
+/// The motions of a joint for A moving relative to B: in reversed order, with opposite axes.
 std::vector<FreeMotion> reversed(std::vector<FreeMotion> free) {
   std::reverse(free.begin(), free.end());
   for (FreeMotion& m : free) m.axis_I = -m.axis_I;
@@ -61,8 +62,8 @@ class Composer {
 
   Model& model_;
   std::vector<bool> rigid_, fixed_;
-  std::vector<Edge> edges_;                 // of the trees, in the order of the model
-  std::vector<int> parent_;                 // of the groups
+  std::vector<Edge> edges_;                 // edges of the trees, in the order of the model
+  std::vector<int> parent_;                 // parent of each system in the union of groups
   std::vector<std::vector<int>> edgesOf_;   // per system
   std::vector<TreeSystem::System> bodies_;  // taken out, by index of the system
   std::vector<std::unique_ptr<TreeSystem>> trees_;
@@ -90,7 +91,7 @@ void Composer::findEdges() {
     try {
       if (!contact->jointMotion(topology, edge.motion)) continue;
     } catch (const ModelError&) {
-      continue;  // connect() tells it with all other faults
+      continue;  // connect() reports it with all other faults
     }
     any_ = true;
     if (const std::string why = whyNot(edge.motion); !why.empty())
@@ -100,7 +101,7 @@ void Composer::findEdges() {
   }
 }
 
-/// Keeps the edges of a spanning tree. All that stands still is one.
+/// Keeps the edges of a spanning tree. All systems at rest are one node.
 void Composer::span() {
   parent_.resize(rigid_.size());
   std::iota(parent_.begin(), parent_.end(), 0);
@@ -139,7 +140,7 @@ std::unique_ptr<TreeSystem> Composer::begin(int first) const {
   return std::make_unique<TreeSystem>(x, body.blocks().planeNormal);
 }
 
-/// Everything behind system `from`, which the tree carries as `index`; breadth first.
+/// Adds all systems after `from`, which the tree carries as `index`, in breadth-first order.
 void Composer::grow(TreeSystem& tree, int from, int index) {
   std::vector<std::pair<int, int>> queue{{from, index}};
   for (std::size_t next = 0; next < queue.size(); ++next) {
@@ -148,7 +149,7 @@ void Composer::grow(TreeSystem& tree, int from, int index) {
       const JointMotion& m = edges_[at(e)].motion;
       const bool forward = m.systemA == system;
       const int other = forward ? m.systemB : m.systemA;
-      if (!bodies_[at(other)]) continue;  // where it came from
+      if (!bodies_[at(other)]) continue;  // the system from which it was reached
       queue.emplace_back(other, tree.carry(std::move(bodies_[at(other)]), carried, m.at_I,
                                            forward ? m.free : reversed(m.free)));
       edges_[at(e)].joint->becomeCoordinate();

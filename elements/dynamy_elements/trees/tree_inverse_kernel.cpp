@@ -1,11 +1,12 @@
-// M⁻¹ of a tree by articulated bodies: from the leaves to the roots, at every node with columns
-// S = (v, w) and the inertia (m, C, I) of all that hangs on it,
+// M⁻¹ of a tree by articulated bodies. From the leaves to the roots, each node has the columns
+// S = (v, w) and the inertia (m, C, I) of all that it carries:
 //
 //   U = I_A S,  D = Sᵀ U,  I_A ← I_A − U D⁻¹ Uᵀ,  moved to the parent's origin and added there
 //   out = D⁻¹ (in − Sᵀ p − Uᵀ a_P),  p the forces left for the parent, a_P its acceleration
 //
-// A ball joint passes no moment on: nothing but m − C I⁻¹ Cᵀ is left, and its own acceleration is
-// α = I⁻¹ (A (in − Sᵀ p) − Cᵀ a). Written out it takes a fifth of the operations.
+// A ball joint transmits no moment: only m − C I⁻¹ Cᵀ remains for the parent, and
+// the node's own acceleration is α = I⁻¹ (A (in − Sᵀ p) − Cᵀ a). This explicit
+// form takes a fifth of the operations.
 #include <Eigen/LU>
 #include <dynamy_elements/trees/tree.hpp>
 
@@ -39,7 +40,7 @@ void own(const TreeNode& node, const NodeMotion& x, Tree::Articulated& out) {
   out.I.diagonal().array() += mc.dot(c);
 }
 
-/// U, 1/D and what is left of (m, C, I) once the one motion of the node follows.
+/// Computes U, 1/D and the remaining (m, C, I) once the one motion of the node follows freely.
 void follow(const TreeNode& node, const Vec3& axis, Tree::Articulated& a) {
   switch (node.kind) {
     case FreeBlock::slide:
@@ -71,7 +72,7 @@ void Tree::factor(const Motions& x, std::vector<Articulated>& out) const {
     else
       follow(node, x[k].a, a);
     if (node.parent < 0) continue;
-    // What is left once the node follows, at the parent's origin: d × on both sides.
+    // The remaining inertia is moved to the parent's origin: d × on both sides.
     Articulated& P = out[static_cast<std::size_t>(node.parent)];
     const Vec3& d = x[k].d;
     if (ball) {

@@ -6,7 +6,7 @@ namespace {
 
 using Free = FreeMotion::Kind;
 
-/// A exp(φ a~), a unit.
+/// A exp(φ a~) for the unit vector a.
 Mat3 turned(const Mat3& A, const Vec3& a, double phi) {
   const double c = std::cos(phi), s = std::sin(phi);
   Mat3 R = (1.0 - c) * a * a.transpose();
@@ -139,7 +139,7 @@ Tree::Columns Tree::columns(const Motions& x, int k) const {
 }
 
 void Tree::mass(const Motions& x, std::vector<Mat3>& work, Block M) const {
-  // Inertia of what hangs on each node, about its origin.
+  // Inertia of all that each node carries, about its origin.
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     const TreeNode& node = nodes_[k];
     const Vec3 c = x[k].A * node.centre;
@@ -155,7 +155,7 @@ void Tree::mass(const Motions& x, std::vector<Mat3>& work, Block M) const {
     P.diagonal().array() += 2.0 * d.dot(s) + x[k].mass * d.squaredNorm();
   }
 
-  // Momentum of unit velocities, against the columns on the way to the root.
+  // Momentum of unit velocities, projected onto the columns on the way to the root.
   M.setZero();
   for (int k = 0; k < size(); ++k) {
     const Columns own = columns(x, k);

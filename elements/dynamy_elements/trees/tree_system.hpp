@@ -1,9 +1,9 @@
-/// TreeSystem: bodies that joints connect, as one system in the coordinates of these joints. It
-/// owns the bodies; their frames, shapes and signals keep their names.
+/// TreeSystem: bodies that joints connect, as one system in the coordinates of these joints. The
+/// system owns the bodies; their frames, shapes and signals keep their names.
 ///
 ///   M(q) u̇ = h(q, u) + W λ,   q = 0 and unit quaternions where the model file puts the bodies
 ///
-/// Made by composeTrees() from the bodies and joints of a model, never by a tag.
+/// It is made by composeTrees() from the bodies and joints of a model, never by an XML tag.
 #pragma once
 #include <array>
 #include <dynamy/core/declared/parameters.hpp>
@@ -19,14 +19,15 @@ class TreeSystem final : public PartialMechanicalSystem {
   TreeSystem(const Parameters& x, const Vec3& planeNormal)
       : PartialMechanicalSystem(x), planeNormal_(planeNormal) {}
 
-  /// Puts a body behind `parent` (index of another one, −1: what stands still), moving against it
-  /// as `free` says at the point `at_I`. Returns its index.
+  /// Adds a body that is carried by `parent` (index of another body, −1: the fixed world) and moves
+  /// relative to it by the motions `free` at the point `at_I`. Returns its index.
   int carry(System body, int parent, const Vec3& at_I, const std::vector<FreeMotion>& free);
-  /// The same for a body that nothing holds: it moves freely in the plane with normal `n`, in space
-  /// if n = 0.
+  /// Adds a body without a joint to others: it moves freely in the plane with normal `n`, in space
+  /// if n = 0. Returns its index.
   int carryLoose(System body, const Vec3& n);
-  /// After the last body: velocities at the start. Of those the bodies bring, what joints do not
-  /// allow is lost as by an impact; returns the largest change of a body's velocity [m/s, rad/s].
+  /// To be called after the last body: computes the velocities at the start. Velocities of the
+  /// bodies that joints do not allow are lost as by an impact; returns the largest change of a
+  /// body's velocity [m/s, rad/s].
   double finish();
 
   Blocks blocks() const override {
@@ -50,17 +51,17 @@ class TreeSystem final : public PartialMechanicalSystem {
   int bodies() const { return static_cast<int>(bodies_.size()); }
 
  private:
-  static constexpr int kMostOwn = 16;  // coordinates of a body alone
+  static constexpr int kMostOwn = 16;  // most coordinates of a single body
   static constexpr int kDense = 12;    // velocities up to which M⁻¹ as a matrix costs no more
   struct Body {
     System system;
-    int node = -1;  // it is fixed to; −1: to what stands still
+    int node = -1;  // node that it is fixed to; −1: the fixed world
     int first = 0;  // node of its joint's first motion, node + 1 if it has none
     int frame0 = 0;
     Vec3 S = Vec3::Zero();  // centre of mass from the node's origin, in its axes
     RigidPart part;
     Blocks blocks;
-    Vec3 v = Vec3::Zero(), Omega = Vec3::Zero();  // given at the start
+    Vec3 v = Vec3::Zero(), Omega = Vec3::Zero();  // as given at the start
   };
   struct FixedFrame {
     int node;
@@ -72,8 +73,8 @@ class TreeSystem final : public PartialMechanicalSystem {
   void describeJoint(const Body& body, Description& d) const;
   double ownSignal(const Body& body, const SignalFunction& f, const SignalView& v) const;
   RigidMotion motionOf(const Body& body, const double* q, const Tree::Motions& x) const;
-  // What was computed last, and for which numbers: the questions of one evaluation come one after
-  // the other with the same q and u.
+  // The last results are kept with their q and u: during one evaluation
+  // most calls have the same q and u.
   const Tree::Motions& at(ConstVec q) const;
   const Tree::Motions& at(ConstVec q, ConstVec u) const;
 
@@ -89,7 +90,7 @@ class TreeSystem final : public PartialMechanicalSystem {
     std::vector<Tree::Articulated> factors;
     std::vector<Mat3> inertia;
     std::vector<Vec3> wrench;
-    // Of the body whose signals were asked for last, its own q and u there.
+    // The body whose signals were requested last, with its own q and u there.
     const Body* shown = nullptr;
     std::array<double, kMostOwn> shownQ{}, shownU{};
   };

@@ -55,7 +55,7 @@ int TreeSystem::carryLoose(System system, const Vec3& n) {
   return carry(std::move(system), -1, f.r_OS_I + f.A_IK * part.r_BS_K, free);
 }
 
-/// Frames of the body from its node's origin, its mass, its velocity at the start.
+/// Computes the frames of the body from its node's origin, its mass, and its velocity at the start.
 void TreeSystem::placeFrames(Body& body) {
   Vec3 origin = Vec3::Zero();
   for (int k = body.node; k >= 0; k = tree_.node(k).parent) origin += tree_.node(k).arm;
@@ -92,7 +92,7 @@ double TreeSystem::finish() {
   Eigen::VectorXd momentum = Eigen::VectorXd::Zero(nu());
   const Tree::Motions& x = at(view(std::as_const(start_)));
 
-  // M u = Σ Jᵀ (m v, J Ω): the impact that lets the joints hold.
+  // M u = Σ Jᵀ (m v, J Ω): the impact after which the velocities fit the joints.
   for (Vec3& w : work_.wrench) w.setZero();
   bool any = false;
   for (const Body& b : bodies_) {
@@ -121,7 +121,7 @@ double TreeSystem::finish() {
 
 namespace {
 
-/// Bit by bit: what was computed for NaN is not computed again.
+/// Bitwise comparison, so that results for NaN are not computed again.
 bool same(ConstVec a, const std::vector<double>& b) {
   return b.empty() || std::memcmp(a.data(), b.data(), b.size() * sizeof(double)) == 0;
 }
@@ -151,7 +151,7 @@ void TreeSystem::initialState(Vec q, Vec u) const { q = start_, u = u0_; }
 
 void TreeSystem::M(double, ConstVec q, MassBlocks M) const {
   if (nu() == 0) return;
-  // To the last bit what it was, where it does not depend on q.
+  // If M does not depend on q, it is always computed at the start, and thus bitwise the same.
   tree_.mass(tree_.constantMass() ? at(view(start_)) : at(q), work_.inertia, M[0]);
 }
 
@@ -197,7 +197,8 @@ void TreeSystem::normalise(Vec q) const {
 
 namespace {
 
-/// Columns of a frame for the velocities of a node before it: w and v + w × (r − r_K).
+/// Adds columns of a frame for the velocities of a node on its way to the
+/// root: w and v + w × (r − r_K).
 void addColumns(const TreeNode& node, const NodeMotion& at, Frame& f) {
   const Vec3 arm = f.r_OS_I - at.r;
   double *S = f.J_S_I.data() + 3 * node.u0, *R = f.J_R_I.data() + 3 * node.u0;
@@ -313,7 +314,8 @@ void TreeSystem::describeBody(const Body& body, Description& d) const {
              [this, &body, f = s.value](const SignalView& v) { return ownSignal(body, f, v); });
 }
 
-/// Coordinates of the body's joint: body.joint.angle and so on, numbered where there are several.
+/// Signals of the coordinates of the body's joint: body.joint.angle and so
+/// on, numbered if there are several.
 void TreeSystem::describeJoint(const Body& body, Description& d) const {
   const std::string start =
       (body.system->name().empty() ? "" : body.system->name() + ".") + "joint.";

@@ -13,7 +13,7 @@ namespace dynamy {
 
 struct Segment {
   int block = -1;  ///< mass block
-  int u0 = 0;      ///< its first velocity
+  int u0 = 0;      ///< first velocity of the block
   int nu = 0;
   std::ptrdiff_t w = 0;  ///< offset of the dim × nu entries in `W`
 };
@@ -30,28 +30,28 @@ class ContactSet {
   std::vector<ContactKey> key;
   std::vector<const SetValuedForceLaw*> law;
   std::vector<int> element;         ///< index of the emitting element
-  std::vector<int> candidate;       ///< its index among the candidates
+  std::vector<int> candidate;       ///< index of the contact among the candidates
   std::vector<int> row0, segment0;  ///< size() + 1 entries
   std::vector<Segment> segment;
   std::vector<double> W;     ///< the segments' entries of Wᵀ
   std::vector<double> chi;   ///< per row: γ = Wᵀu + χ [m/s]
-  std::vector<double> bias;  ///< per row: γ̇ = Wᵀu̇ + bias [m/s²]; only if asked for
-  /// Per row: what γ is the rate of and the constraint wants to be zero or positive: the gap in the
-  /// normal row, the signed position error of each joint row, 0 in rows without one [m].
+  std::vector<double> bias;  ///< per row: γ̇ = Wᵀu̇ + bias [m/s²]; only if requested
+  /// Per row: the position whose rate is γ, and which the constraint keeps at zero or above [m].
+  /// It is the gap in a normal row, the signed position error in a joint row, 0 in other rows.
   std::vector<double> position;
   std::vector<double> scale;  ///< per contact: factor on the set of its law; empty: 1
-  // For the replay: where the contact is [m], the directions of the rows N, T1, T2 (zero: not
-  // known; a zero normal: the contact has no place).
+  // For the replay: the point of contact [m] and the directions of the rows N, T1, T2. A zero
+  // direction is not known; a contact with a zero normal has no place.
   std::vector<Vec3> point, normal, t1, t2;
 
-  // Only where pairs of features are followed one by one (ContactRequest::follow).
-  /// Per contact: positive while its two features lie over one another, zero where they cease to
-  /// [m]; kAlways: of a contact that does not come and go.
+  // Filled only if pairs of features are followed one by one (ContactRequest::follow).
+  /// Presence per contact [m]: positive while its two features lie over one another, zero where
+  /// they cease to do so; kAlways: the contact does not come and go.
   std::vector<double> presence;
   static constexpr double kAlways = 1e300;
   std::vector<ContactKey> noted;  ///< pairs of features that may touch soon
   bool comesAndGoes = false;      ///< some contacts here come and go with the features that touch
-  double overlap = 0.0;           ///< the deepest of bodies with such contacts [m]
+  double overlap = 0.0;           ///< deepest overlap of bodies whose contacts come and go [m]
 
   int size() const { return static_cast<int>(law.size()); }
   int rows() const { return row0.empty() ? 0 : row0.back(); }
@@ -59,7 +59,8 @@ class ContactSet {
     return row0[static_cast<std::size_t>(i) + 1] - row0[static_cast<std::size_t>(i)];
   }
   void clear();
-  /// What law i is asked with; gammaA: all rows, null: not known.
+  /// Input for the law of closed contact i. gammaA: relative velocities of all rows at the
+  /// beginning of the step; null: not known.
   LawInput input(int i, double dt, const double* gammaA) const {
     const auto at = static_cast<std::size_t>(i);
     const std::ptrdiff_t first = row0[at];
@@ -68,7 +69,7 @@ class ContactSet {
   }
   /// γ = Wᵀu + χ, rows() entries.
   void gamma(ConstVec u, Vec gamma) const;
-  /// sum += |Wᵀ| v, rows() entries: with v ≥ |u| what the rounding of Wᵀu is measured by.
+  /// sum += |Wᵀ| v, rows() entries. For v ≥ |u| the rounding of Wᵀu is measured by this sum.
   void addAbsolute(ConstVec v, double* sum) const;
   /// Index of the closed contact of element `element` with number `id`, or −1.
   int find(int element, std::uint64_t id) const;
@@ -78,7 +79,7 @@ class ContactSet {
 inline ContactKey contactKey(int element, std::uint64_t id) {
   return {(static_cast<std::uint64_t>(element) << 40) | id};
 }
-/// Its number within the element.
+/// Number of the contact with this key within its element.
 inline std::uint64_t contactNumber(ContactKey key) {
   return key.value & ((std::uint64_t{1} << 40) - 1);
 }

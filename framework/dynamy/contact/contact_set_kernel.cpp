@@ -5,7 +5,8 @@
 namespace dynamy {
 namespace {
 
-/// Six velocities: unrolled and vectorised, where most of the work of a stack is.
+/// Six velocities: products of fixed size are unrolled and vectorised. Most of the work of a stack
+/// is in them.
 using Six = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace dynamy {
 namespace {
 
-/// Index of the contact among the closed ones of this step, −1: open.
+/// Index of the contact among the closed contacts of this step; −1: it is open.
 int closed(const SignalView& v, const ContactNumbers& n) {
   int i = v.contacts->find(v.element, n.id);
   for (std::uint64_t k = 0; i < 0 && k < n.count; ++k) i = v.contacts->find(v.element, n.first + k);
@@ -29,7 +29,7 @@ double rowOf(const SignalView& v, const ContactNumbers& id, int row, const Const
                                      : values[v.contacts->row0[static_cast<std::size_t>(i)] + row];
 }
 
-/// Percussion of the whole step.
+/// Percussion of the contact over the whole step.
 double percussion(const SignalView& v, const ContactNumbers& n, int row) {
   if (v.stepContacts == nullptr) return rowOf(v, n, row, v.Lambda);
   const auto of = [&](std::uint64_t id) {
@@ -43,8 +43,8 @@ double percussion(const SignalView& v, const ContactNumbers& n, int row) {
   return sum;
 }
 
-/// Status from Λ and γ^E: Λ − r ξ is the prox argument for any r once the inclusion
-/// holds; a small r, so that neither the unit of mass nor ε γ^A of a rebound decides.
+/// Status from Λ and γ^E: once the inclusion holds, Λ − r ξ is the prox argument for any r. A small
+/// r is taken, so that neither the unit of mass nor ε γ^A of a rebound decides.
 double statusNumber(const SignalView& v, const ContactNumbers& id) {
   const int i = closed(v, id);
   if (i < 0) return static_cast<double>(Status::open);
@@ -67,14 +67,14 @@ double statusNumber(const SignalView& v, const ContactNumbers& id) {
 std::string rowName(const SetValuedForceLaw& law, int row, int dim) {
   const bool normal = law.rowKind(0) == RowKind::normal;
   if (normal && row == 0) return "N";
-  // What follows the tangents: see rolling_contact.hpp.
+  // Names of the rows after the tangents: see rolling_contact.hpp.
   static constexpr const char* kAngular[] = {"spin", "roll1", "roll2", "along1", "along2"};
   if (normal && row > 2) return kAngular[row - (dim == 5 ? 2 : 3)];
   const int tangent = normal ? row : row + 1, tangents = normal ? dim - 1 : dim;
   return tangents == 1 ? "T" : "T" + std::to_string(tangent);
 }
 
-/// Whether the row is of an angular velocity.
+/// True: γ of the row is an angular velocity.
 bool angular(const SetValuedForceLaw& law, int row) {
   return law.rowKind(0) == RowKind::normal && row > 2 && row < 6;
 }

@@ -5,15 +5,16 @@
 
 namespace dynamy {
 
-/// Number of a contact, and of those that are reported in its place where pairs of features are
-/// followed one by one (ContactRequest::follow): at most one of them presses at a time.
+/// Number `id` of a contact, and the `count` numbers from `first` on of the contacts reported in
+/// its place if pairs of features are followed one by one (ContactRequest::follow). At most one of
+/// these contacts presses at a time.
 struct ContactNumbers {
   std::uint64_t id = 0, first = 0, count = 0;
 };
 
-/// Names the signals of contact `numbers` of the element: g [m], status (−), gamma_N, gamma_T…
-/// [m/s], Lambda_N, Lambda_T… [N s], lambda_N, lambda_T… [N] (Λ/Δt). `prefix` stands in front ("",
-/// "corner3.").
+/// Adds the signals of contact `numbers` of the element: g [m], status (−), gamma_N, gamma_T…
+/// [m/s], Lambda_N, Lambda_T… [N s], lambda_N, lambda_T… [N] (Λ/Δt). Their names begin with
+/// `prefix` ("", "corner3.").
 void describeContact(Description& d, const ContactNumbers& numbers, int geometric,
                      const SetValuedForceLaw& law, const std::string& prefix = {});
 inline void describeContact(Description& d, std::uint64_t id, int geometric,

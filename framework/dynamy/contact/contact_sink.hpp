@@ -18,8 +18,9 @@ class ContactRows {
   explicit operator bool() const { return set_ != nullptr; }
   int dim() const { return set_->dim(index_); }
   bool wantsBias() const { return bias_; }
-  /// The segment of one mass block: dim × nu entries of Wᵀ, zeroed at its first call; add to it,
-  /// as two bodies of a contact may share a block. `u0`: first velocity of the block.
+  /// The dim × nu entries of Wᵀ that belong to one mass block, zeroed at the first call for this
+  /// block. Add to them, never assign: two bodies of a contact may share a block. `u0`: first
+  /// velocity of the block.
   Block segment(int block, int u0, int nu);
   double& chi(int row) {
     return set_->chi[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
@@ -27,16 +28,17 @@ class ContactRows {
   double& bias(int row) {
     return set_->bias[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
   }
-  /// Signed position error of a joint's row [m]; set to g by the sink in the normal row and where
-  /// there is one row only.
+  /// Signed position error of a joint's row [m]. The sink itself sets it to g in the normal row,
+  /// and in a contact with a single row.
   double& position(int row) {
     return set_
         ->position[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
   }
-  /// Factor ≥ 0 on the set of a law that scales(): a reservoir that is switched or varies.
+  /// Sets the factor ≥ 0 on the set of a law with scales(), e.g. of a reservoir that is switched
+  /// or varies.
   void scale(double factor) { set_->scale[static_cast<std::size_t>(index_)] = factor; }
-  /// For the replay: where the contact is [m], its normal and, if known, the directions of the
-  /// tangential rows; all in I.
+  /// For the replay: sets the point of contact [m], the normal and, if known, the directions of the
+  /// tangential rows; all components in I.
   void place(const Vec3& point, const Vec3& normal, const Vec3& t1 = Vec3::Zero(),
              const Vec3& t2 = Vec3::Zero());
 
@@ -46,15 +48,15 @@ class ContactRows {
   bool bias_ = false;
 };
 
-/// What an evaluation asks of the contacts.
+/// What one evaluation of the contacts requests from the elements.
 struct ContactRequest {
   double gTol = 0.0;  ///< closed: g ≤ gTol [m]
   bool bias = false;  ///< fill the bias γ̇ − Wᵀu̇
   std::span<const ContactKey> frozen =
-      {};                ///< refresh: exactly these contacts count as closed, whatever their gap
+      {};                ///< refresh: exactly these contacts count as closed, for any gap
   bool refresh = false;  ///< use `frozen`
-  /// With refresh: contacts that come and go with the features that touch are reported pair by pair
-  /// of features, exactly those in `frozen` wherever they are, with their presence.
+  /// With refresh: contacts that come and go with the touching features are reported as pairs of
+  /// features, with their presence. Exactly the pairs in `frozen` are reported, wherever they are.
   bool follow = false;
   /// With follow: pairs of features that may touch within this time are noted [s]; below 0: none.
   double ahead = -1.0;
@@ -64,22 +66,22 @@ class ContactSink {
  public:
   ContactSink(ContactSet& set, const ContactRequest& request) : set_(&set), request_(request) {}
   /// Reports contact `id` (< 2^40, unique within the element, the same over time) with gap g [m]
-  /// and `geometric` rows on offer. Laws that are not unilateral are always closed; g is then the
-  /// norm of the position error of the joint.
+  /// and `geometric` rows, of which the law uses law.dim(geometric). A contact whose law is not
+  /// unilateral is always closed; its g is the norm of the position error of the joint.
   ContactRows add(std::uint64_t id, double g, const SetValuedForceLaw& law, int geometric);
   /// Set by the framework before each element.
   void element(int index) { element_ = index; }
   const ContactRequest& request() const { return request_; }
-  // Pairs of features that are followed one by one.
-  /// Those of the contacts with numbers from `first` up to `end` that are asked for by name.
+  // For pairs of features that are followed one by one:
+  /// Keys of the element's contacts `first` … `end` − 1 that are requested by key.
   std::span<const ContactKey> asked(std::uint64_t first, std::uint64_t end) const;
-  /// Of the contact that was added last.
+  /// Sets the presence of the contact that was added last [m].
   void presence(double value) { set_->presence.back() = value; }
   void note(std::uint64_t id) { set_->noted.push_back(contactKey(element_, id)); }
-  /// Two bodies with such contacts, and how deep they overlap [m].
+  /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m].
   void comesAndGoes() { set_->comesAndGoes = true; }
   void overlap(double depth) { set_->overlap = std::max(set_->overlap, depth); }
-  /// True: contact `id` of this element is not among those that are asked for by name.
+  /// True: contacts are requested by key, and contact `id` of this element is not among them.
   bool leftOut(std::uint64_t id) const {
     return request_.refresh && !std::binary_search(request_.frozen.begin(), request_.frozen.end(),
                                                    contactKey(element_, id));
@@ -93,7 +95,7 @@ class ContactSink {
 
 /// Point contact between frames A (body 1) and B (body 2) at the points with lever arms rhoA_I,
 /// rhoB_I: rows n, t1, t2 (as many as rows.dim()) of the velocity of B's point relative to A's.
-/// Fills segments, χ and, if asked for, the bias without the change of the directions
+/// Fills segments, χ and, if requested, the bias without the change of the directions
 /// (`directionRate` adds ṅ-terms where the element knows them). A frame without a block contributes
 /// to χ only.
 void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,

@@ -6,8 +6,9 @@
 namespace dynamy {
 namespace {
 
-/// Before anybody writes rows that are not there; asked of open contacts too, so that a model says
-/// it at once and not when it first touches. The framework adds the element's name and place.
+/// Raises the error for a wrong number of rows, before any row out of range is written. Open
+/// contacts are checked too, so that a model fails at once and not when its bodies first touch.
+/// The framework adds the element's name and place.
 [[noreturn]] void wrongRows(const SetValuedForceLaw& law, std::uint64_t id, int dim) {
   throw std::length_error("its contact " + std::to_string(id) + " has " + std::to_string(dim) +
                           " rows" + (law.type().empty() ? "" : " by its law <" + law.type() + '>') +
@@ -99,13 +100,13 @@ void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const 
 
 namespace {
 
-/// Rows of points; those behind are of angular velocities.
+/// Number of rows with velocities of points; further rows have angular velocities.
 constexpr int kPointRows = 3;
 
-/// Dᵀ J_S + (ρ × D)ᵀ J_R for the directions n, t1, t2 at once, of a block of six velocities.
+/// Rows Dᵀ J_S + (ρ × D)ᵀ J_R of all directions n, t1, t2 at once, for a block of six velocities.
 void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* direction,
                double sign) {
-  if (f.central) {  // written out: a stack has eighty of these a step
+  if (f.central) {  // products are written out: a stack has eighty such blocks per step
     const double* A = f.A_IK.data();
     double* out = W.data();
     for (int r = 0; r < 3; ++r, out += 6) {
@@ -130,8 +131,8 @@ void threeRows(Block W, const Frame& f, const Vec3& rho, const Vec3* const* dire
       D.lazyProduct(Jacobian(f.J_S_I.data())) + moment.lazyProduct(Jacobian(f.J_R_I.data()));
 }
 
-/// Part of one side: W, χ and bias of the point's velocity along each direction, times `sign`; from
-/// the fourth row on of the angular velocity along its direction.
+/// Adds the part of one body to W, χ and bias: the velocity of its point along each direction,
+/// times `sign`. From the fourth row on it is the angular velocity along the row's direction.
 void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* const* direction,
              double sign) {
   const int dim = rows.dim();

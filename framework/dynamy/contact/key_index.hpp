@@ -1,8 +1,9 @@
-/// KeyIndex: where a contact's key stands in a list, in constant time.
+/// KeyIndex: finds the place of a contact's key in a list in constant time.
 ///
-/// Open addressing in a table of at least twice as many places as keys. Heaps lose and make
-/// contacts in every step; a search through the list for each of them was O(n²), most of the time
-/// of a step from 2000 contacts on. No allocation once large enough.
+/// Open addressing in a table with at least twice as many places as keys; no allocation once the
+/// table is large enough. Rejected: a search through the list for each contact. A heap of bodies
+/// opens and closes contacts in every step, so that this search was O(n²), most of the time of a
+/// step from 2000 contacts on.
 #pragma once
 #include <bit>
 #include <dynamy/core/types.hpp>
@@ -13,7 +14,7 @@ namespace dynamy {
 
 class KeyIndex {
  public:
-  /// \pre every key stands once in the list; of two equal ones the first is found
+  /// \pre every key stands once in the list; of two equal keys the first is found
   void build(std::span<const ContactKey> keys) {
     keys_.assign(keys.begin(), keys.end());
     place_.assign(std::bit_ceil(2 * keys.size() + 2), -1);
@@ -23,7 +24,7 @@ class KeyIndex {
       place_[at] = static_cast<int>(i);
     }
   }
-  /// Its place, or −1.
+  /// Place of `key` in the list, or −1.
   int find(ContactKey key) const {
     if (place_.empty()) return -1;
     for (std::size_t at = start(key); place_[at] >= 0; at = next(at))

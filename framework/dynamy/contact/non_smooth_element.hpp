@@ -6,7 +6,7 @@
 
 namespace dynamy {
 
-/// Forces of a joint on its two frames, and how they turn with them.
+/// Forces of a joint on its two frames, and their derivatives with respect to motion of the frames.
 struct JointForces {
   FrameHandle frame[2];
   Vec3 F[2], M[2];  ///< on frame A and B, about their origins, in I [N, N m, times the unit of Λ]
@@ -19,31 +19,33 @@ class NonSmoothElement : public Element {
  public:
   static constexpr Kind kKind = Kind::contact;
   using Element::Element;
-  /// Names → handles, once.
+  /// Turns names into handles. Called once.
   virtual void connect(Topology& topology) = 0;
-  /// Reports every gap that can close, and W and χ rows of the closed ones.
+  /// Reports every gap that can close, and the rows of W and χ of closed contacts.
   virtual void contacts(const Kinematics& k, ContactSink& sink) const = 0;
-  /// Into how many pieces a step of Δt at these velocities is to be cut to see what it passes; 0:
-  /// nothing near another body goes further than that is thick.
+  /// Number of pieces into which a step of Δt at these velocities is cut to find contacts that it
+  /// passes through. 0: no bodies near each other move further than their thickness.
   virtual int piecesToSweep(const Kinematics&, double /*dt*/) const { return 0; }
-  /// The contact that the path passes first; `element` is the index to be put into its key.
+  /// The contact that the path passes through first. `element`: this element's index, for the key.
   virtual Passing firstPassing(const SweptPath&, int /*element*/) const { return {}; }
-  /// Changes the numbers reserved by Topology::memory, at the end of an accepted step and where any
-  /// element switches: twice in one place must be as good as once. A rejected step is rolled back.
+  /// Updates the numbers reserved by Topology::memory. Called at the end of an accepted step and
+  /// wherever any element switches; a second call at the same state must have no further effect.
+  /// A rejected step is rolled back.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
-  /// Forces of its joint `id` for percussions Λ and their derivative, for Newton's method on
-  /// positions; false (default): not offered, differences are taken.
+  /// Forces of this element's joint `id` for percussions Λ, and their derivative, for Newton's
+  /// method on positions. False (default): not offered, differences are taken.
   virtual bool jointForces(const Kinematics&, std::uint64_t /*id*/, const double* /*Lambda*/,
                            JointForces& /*out*/) const {
     return false;
   }
-  /// For joints between rigid bodies: what they leave free at the start. Asked before connect(), in
-  /// the topology of all bodies; false (default): always a law between its frames.
+  /// For joints between rigid bodies: the motion that the joint leaves free at the start. Called
+  /// before connect(), with the topology of all bodies. False (default): the joint always remains a
+  /// law between its frames.
   virtual bool jointMotion(Topology& /*topology*/, JointMotion& /*out*/) { return false; }
-  /// Its motion is a coordinate of a tree from now on: of its laws only those in the free
-  /// directions remain. Called before connect().
+  /// Makes the motion of the joint a coordinate of a tree: only its laws in the free directions
+  /// remain. Called before connect().
   virtual void becomeCoordinate() {}
-  /// Name of one of its contacts in reports, the element's own left out; "": its number is shown.
+  /// Name of contact `id` in reports, without the name of the element; "": the number is shown.
   virtual std::string contactName(std::uint64_t /*id*/) const { return {}; }
 };
 

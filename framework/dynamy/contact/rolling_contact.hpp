@@ -4,8 +4,8 @@
 
 namespace dynamy {
 
-/// As pointContact, for any number of rows a law in space may have: what they are follows from
-/// their number.
+/// Like pointContact, for any number of rows that a law in space may have. The number of rows
+/// determines their meaning:
 ///
 ///   up to 3   n, t1, t2       the velocity of B's point relative to A's along them
 ///   4         … spin          the angular velocity of B relative to A about n
@@ -14,7 +14,7 @@ namespace dynamy {
 ///   8         … C1, C2        the same along c1, c2, which have the unit of a length: the velocity
 ///                             of the point of contact over a body
 ///
-/// `c`: those two directions, or null without such rows.
+/// `c`: the two directions c1 and c2, or null if there are fewer than 8 rows.
 void rollingContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
                     const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2,
                     const Vec3* c);

@@ -8,7 +8,7 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostOfOneSystem = 64;  ///< and coordinates of the one system
+constexpr int kMostOfOneSystem = 64;  ///< most positions, and most velocities, of the system
 
 }  // namespace
 

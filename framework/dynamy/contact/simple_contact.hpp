@@ -1,5 +1,5 @@
-/// SimpleContact: the short way to write a contact on ONE system: give g and γ, W and χ follow
-/// exactly, because γ is affine in u:
+/// SimpleContact: the short way to write a contact on ONE system. The class gives g and γ; W and χ
+/// follow exactly, because γ is affine in u:
 ///
 ///   χ = γ(t, q, 0),   W e_j = γ(t, q, e_j) − χ.
 #pragma once
@@ -21,11 +21,11 @@ class SimpleContact : public NonSmoothElement {
   /// Relative velocities, `rows()` entries, affine in u: normal first, γ_N = ġ, then tangential
   /// ones [m/s].
   virtual void gamma(double t, ConstVec q, ConstVec u, Vec gamma) const = 0;
-  /// Rows gamma() fills: 1 without friction, 2 planar, 3 spatial.
+  /// Number of rows that gamma() fills: 1 without friction, 2 planar, 3 spatial.
   virtual int rows() const { return 1; }
 
-  /// For the replay: where the contact is and the directions of its rows, N first, in I; false: it
-  /// is not drawn.
+  /// For the replay: the point of contact and the directions of its rows, N first, in I. A contact
+  /// is not drawn if drawnAt() returns false.
   struct DrawnPlace {
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero(), t1 = Vec3::Zero();  ///< [m], [–], [–]
   };

@@ -1,20 +1,20 @@
-/// Kernels for contacts of three rows on free bodies, what stacks and heaps are made of: W is then
-/// one array of 3 × 6 numbers a segment, without anything between them.
+/// Kernels for contacts of three rows on free bodies, as in stacks and heaps: W is then one array
+/// of 3 × 6 numbers per segment, without gaps.
 ///
-/// Questions about sizes, as many instructions as the products themselves, are asked once a pass
-/// instead of once a segment.
+/// Sizes are checked once per pass instead of once per segment, because the checks take as many
+/// instructions as the products themselves.
 #pragma once
 #include <algorithm>
 #include <dynamy/contact/contact_set.hpp>
 
 namespace dynamy::spatial {
 
-inline constexpr std::ptrdiff_t kNumbers = 18;  ///< of a segment
+inline constexpr std::ptrdiff_t kNumbers = 18;  ///< numbers of W per segment
 using Rows = Eigen::Map<const Eigen::Matrix<double, 3, 6, Eigen::RowMajor>>;
 using Velocity = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
 
-/// All contacts have three rows, all segments six velocities: contact i has the rows 3i … 3i + 2,
-/// segment k the numbers 18k … 18k + 17 of W.
+/// True: all contacts have three rows and all segments six velocities. Contact i then has the rows
+/// 3i … 3i + 2, segment k the numbers 18k … 18k + 17 of W.
 inline bool all(const ContactSet& c) {
   if (c.size() == 0 || c.segment0.size() != c.row0.size()) return false;
   for (int i = 0; i <= c.size(); ++i)
@@ -32,7 +32,8 @@ void forSegments(const ContactSet& c, Visit&& visit) {
     for (int k = first[i]; k < first[i + 1]; ++k) visit(i, k, segment[k]);
 }
 
-/// W v of a contact over all of its segments: pairs are summed up first, halves at the end.
+/// Sum of W v over all segments of a contact. Even and odd columns are summed separately, and their
+/// sums added at the end.
 class RowSums {
  public:
   void add(const double* W, const double* v) {
@@ -41,7 +42,7 @@ class RowSums {
     t_ += Load(W + 6) * a + Load(W + 8) * b + Load(W + 10) * c;
     s_ += Load(W + 12) * a + Load(W + 14) * b + Load(W + 16) * c;
   }
-  /// The same with |W|.
+  /// Adds |W| v instead of W v.
   void addAbsolute(const double* W, const double* v) {
     const Pair a = Load(v), b = Load(v + 2), c = Load(v + 4);
     n_ += Load(W).abs() * a + Load(W + 2).abs() * b + Load(W + 4).abs() * c;
@@ -61,8 +62,8 @@ class RowSums {
   Pair n_ = Pair::Zero(), t_ = Pair::Zero(), s_ = Pair::Zero();
 };
 
-/// Calls add(sums, segment number, segment) for the segments of each contact, put(contact, sums)
-/// after them.
+/// Calls, for each contact, add(sums, segment number, segment) for its segments and then
+/// put(contact, sums).
 template <class Add, class Put>
 void forContacts(const ContactSet& c, Add&& add, Put&& put) {
   const Segment* segment = c.segment.data();

@@ -1,10 +1,11 @@
-/// SweptPath: where every frame was in one attempted step, and what a contact element found along it.
+/// SweptPath: the poses of every frame in one attempted step. Passing: what a contact element found
+/// along the path.
 ///
 ///   piece k = 0 … n−1 from pose k to pose k+1:   position linear in time, rate of turn constant
 ///
-/// A scheme sees gaps at one or two instants of a step. A body that goes further in a step than it
-/// is thick may be in front of a plate at one of them and behind it at the next; the poses between
-/// tell.
+/// A scheme evaluates gaps at one or two instants of a step. A body that moves further in a step
+/// than it is thick may be in front of a plate at one instant and behind it at the next. The poses
+/// between these instants show that it passed through.
 #pragma once
 #include <dynamy/system/kinematics.hpp>
 #include <limits>
@@ -13,10 +14,11 @@
 
 namespace dynamy {
 
-/// A contact that the step went through instead of stopping at it.
+/// A contact that the bodies passed through in a step instead of stopping at it.
 struct Passing {
-  double t = std::numeric_limits<double>::infinity();  ///< its closing, from the step's begin [s]
-  double width = 0.0;  ///< time in which the bodies overlap by no more than matters [s]
+  /// Time from the beginning of the step to the closing of the contact [s].
+  double t = std::numeric_limits<double>::infinity();
+  double width = 0.0;  ///< time in which the overlap of the bodies stays negligible [s]
   ContactKey contact;
   explicit operator bool() const { return t < std::numeric_limits<double>::infinity(); }
 };
@@ -28,12 +30,13 @@ struct SweptPose {
 
 class SweptPath {
  public:
-  /// Starts a path through `frames` frames in time dt [s]; gaps below `resolution` [m] are zero.
+  /// Starts a path of `frames` frames over the time dt [s]. Gaps below `resolution` [m] count as
+  /// zero.
   void begin(double dt, double resolution, std::size_t frames) {
     dt_ = dt, resolution_ = resolution, frames_ = frames;
     poses_.clear();
   }
-  /// The next instant; all are equally far apart.
+  /// Adds the poses at the next instant. The instants are equally spaced.
   void add(const Kinematics& k) {
     for (std::size_t f = 0; f < frames_; ++f) {
       const Frame& frame = k.frame({static_cast<int>(f)});

@@ -1,8 +1,8 @@
 /// Archive: numbers to bytes and back, for checkpoints. One function `archive(Archive&)` of a class
 /// serves both directions, so that reading cannot get out of step with writing.
 ///
-/// Doubles are kept bit by bit, little-endian words of 8 bytes. Rejected: text, which is either not
-/// exact or slow, and pairs of save/load functions, which drift apart.
+/// Doubles are stored bit by bit as little-endian words of 8 bytes. Rejected: text, which is either
+/// not exact or slow, and pairs of save/load functions, which drift apart.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace dynamy {
 
 class Archive {
  public:
-  /// Writes.
+  /// An archive to write to.
   Archive() = default;
-  /// Reads from `bytes`.
+  /// An archive that reads from `bytes`.
   explicit Archive(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
   bool reading() const { return reading_; }
-  /// All read?
+  /// True: all bytes have been read.
   bool atEnd() const { return at_ == bytes_.size(); }
   const std::string& bytes() const { return bytes_; }
 
@@ -53,7 +53,7 @@ class Archive {
   template <class T>
   requires requires(T& x, Archive& a) { x.archive(a); }
   void operator()(T& x) { x.archive(*this); }
-  /// A name at a joint: reading another one is an error that says both.
+  /// A name between two parts of the archive. Reading a different name is an error that names both.
   void section(const char* name);
 
  private:

@@ -1,6 +1,6 @@
-/// Decompositions of dense matrices, compiled once for the whole library: each one is Eigen's, and
-/// each takes a compiler seconds wherever it is written out. What is solved in steps and inner
-/// loops has fixed-size kernels of its own; these serve larger and rarer systems.
+/// Eigen's decompositions of dense matrices, compiled once for the whole library, because each
+/// takes a compiler seconds wherever it is instantiated. Steps and inner loops solve small systems
+/// with their own fixed-size kernels; these decompositions serve larger and rarer systems.
 /// Rejected: `extern template` for Eigen's classes; their members are templates themselves.
 #pragma once
 #include <Eigen/Eigenvalues>
@@ -34,11 +34,11 @@ class ComplexLu {
   Eigen::PartialPivLU<Eigen::MatrixXcd> lu_;
 };
 
-/// A⁺ of any matrix: x = A⁺ b has the least norm of all that bring A x nearest to b. Pivots below
-/// `threshold` times the largest count as zero.
+/// Pseudo-inverse A⁺ of any matrix: of all x that bring A x nearest to b, x = A⁺ b has the least
+/// norm. Pivots below `threshold` times the largest count as zero.
 class PseudoInverse {
  public:
-  /// Without a threshold: rounding of the matrix's size.
+  /// The threshold is Eigen's default: rounding times the smaller dimension of the matrix.
   PseudoInverse() = default;
   explicit PseudoInverse(double threshold) { qr_.setThreshold(threshold); }
   void compute(const Eigen::MatrixXd& A);
@@ -72,7 +72,7 @@ struct EigenPairs {
 EigenPairs eigenPairs(const Eigen::MatrixXd& A);
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& A);
 
-/// Those of a symmetric matrix, in ascending order.
+/// Eigenvalues and eigenvectors of a symmetric matrix, in ascending order.
 struct SymmetricEigenPairs {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;

@@ -9,8 +9,8 @@
 /// one type with a template parameter for the scalar, which would spread templates over every
 /// element.
 ///
-/// At points without a derivative one side is chosen, see each function. Where φ′ is infinite and
-/// the inner derivative is exactly zero (√(x²) at 0), the product is taken as zero.
+/// At points without a derivative the derivative of one side is taken, see each function. Where φ′
+/// is infinite and the inner derivative is exactly zero (√(x²) at 0), the product is taken as zero.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,7 @@ Jet<N> chain(const Jet<N>& x, double f, double fx, double fxx) {
   }
 }
 
-/// As chain, for functions whose derivative can be infinite inside their domain.
+/// Like chain, for functions whose derivative can be infinite inside their domain.
 template <int N>
 Jet<N> chainGuarded(const Jet<N>& x, double f, double fx, double fxx) {
   if constexpr (N == 0) {

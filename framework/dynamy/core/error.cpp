@@ -14,7 +14,7 @@ namespace dynamy {
 namespace {
 
 constexpr std::size_t kShownCharacters = 160;  // characters of a line that are shown at most
-constexpr std::size_t kBeforeCaret = 100;      // of these, at most so many before the place
+constexpr std::size_t kBeforeCaret = 100;      // most of these characters before the place
 constexpr std::size_t kShownErrors = 100;
 
 std::vector<Utf8Character> characters(std::string_view text) {
@@ -131,7 +131,7 @@ void Diagnostics::add(const ModelError& error) {
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {
-  // Files in the order in which they were met; an error without a place of its own first.
+  // Rank files in the order in which they were met; in a file, errors without a line first.
   std::map<std::string, std::size_t> rank;
   for (const Diagnostic& d : items_) rank.emplace(d.place.file, rank.size());
   const auto key = [&](const Diagnostic& d) {

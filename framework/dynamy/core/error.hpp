@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Errors with a place: what is wrong in a model, where it stands, and what was probably meant.
+/// Errors with a place: what is wrong in a model, in which line, and what was probably meant.
 ///
 ///   models/bad.xml:7:9: error: <Sphere>: unknown attribute "raduis" — did you mean "radius"?
 ///       7 |     <Sphere raduis="0.1"/>
@@ -28,7 +28,7 @@ struct Place {
   int column = 0;
   int length = 1;
 
-  /// Not an aggregate: inside of another one, GCC 12 takes parts of it for uninitialized.
+  /// Not an aggregate: inside of another aggregate, GCC 12 takes parts of it for uninitialized.
   // NOLINTNEXTLINE(google-explicit-constructor): {file, line} is a place wherever one is asked for
   Place(std::string inFile = {}, int atLine = 0, int atColumn = 0, int ofLength = 1)
       : file(std::move(inFile)), line(atLine), column(atColumn), length(ofLength) {}
@@ -83,8 +83,7 @@ class Diagnostics {
   std::size_t size() const { return items_.size(); }
   const std::vector<Diagnostic>& items() const { return items_; }
 
-  /// The errors file by file (in the order in which files were met), by line and column inside a
-  /// file, each once.
+  /// All errors, each once: sorted by file (in the order in which files were met), line and column.
   std::vector<Diagnostic> sorted() const;
   /// \throws ModelError with sorted(), if there is any error.
   void throwIfAny() const;
@@ -93,7 +92,7 @@ class Diagnostics {
   std::vector<Diagnostic> items_;
 };
 
-/// All messages under each other; after the first 100 only their number is told.
+/// All messages, one below the other; beyond the first 100 only their number is stated.
 std::string format(const std::vector<Diagnostic>& diagnostics);
 
 /// `did you mean "name"?`, or "" for an empty name: the hint of an unknown name.

@@ -1,13 +1,13 @@
-/// Hash: 64 bits over the bits of numbers, in their order: two sequences with the same hash agree
-/// bit for bit, but for an accident of one in 2⁶⁴.
+/// Hash: 64 bits over the bits of a sequence of numbers. Two sequences with the same hash agree bit
+/// for bit, except for a coincidence of one in 2⁶⁴.
 ///
 ///   h ← (h xor x) · p,   h ← h xor ⌊h / 2³²⌋,   p = 0x9e3779b97f4a7c15, odd
 ///
 /// for each word x of 64 bits. Both lines are one to one in h and in x: sequences that differ in
-/// one word only always have different hashes. Long sequences are dealt to four such hashes, word
-/// i to number i mod 4, which are then added as four words: their products do not wait for each
-/// other. Rejected: FNV-1a, whose eight products a word show in steps of many bodies; hashes of
-/// cryptography, because nobody is defended against here.
+/// one word only always have different hashes. Long sequences are distributed over four such
+/// hashes, word i to hash i mod 4, whose products do not wait for each other. The four hashes are
+/// then added as four words. Rejected: FNV-1a, whose eight products per word take noticeable time
+/// in steps of many bodies; cryptographic hashes, because there is no attacker here.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ class Hash {
     for (; i < values.size(); ++i) add(values[i]);
   }
   void add(std::uint64_t bits) { value_ = mixed(value_, bits); }
-  /// Their number, then eight of them a word; the last word is filled up with zeros.
+  /// Adds the number of bytes, then the bytes in words of eight; zeros fill up the last word.
   void addBytes(std::string_view bytes) {
     add(std::uint64_t{bytes.size()});
     for (std::size_t at = 0; at < bytes.size(); at += 8) {

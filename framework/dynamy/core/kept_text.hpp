@@ -5,8 +5,9 @@
 
 namespace dynamy {
 
-/// The same characters for good; equal texts are kept once. For texts of which there are few: names
-/// of methods, descriptions of signals. May be called by several threads.
+/// View of the same characters that stays valid until the program ends; equal texts are kept once.
+/// For texts of which there are few, such as names of methods and descriptions of signals. May be
+/// called by several threads.
 std::string_view keptText(std::string text);
 
 }  // namespace dynamy

@@ -179,7 +179,7 @@ constexpr auto kOtherUnits = std::to_array<OtherWord>({
 });
 // clang-format on
 
-/// In lower case, without what words are joined by.
+/// The word in lower case, without "_", "-" and ":".
 std::string plainWord(std::string_view word) {
   std::string out;
   for (const char c : word)
@@ -238,7 +238,7 @@ AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::
 }
 
 std::string unitOfOthers(std::string_view word) {
-  // "degrees/sec" part by part; a part that is no word of others stays.
+  // Units such as "degrees/sec" are replaced part by part; a part that is not in the table stays.
   std::string out;
   bool changed = false;
   for (std::size_t at = 0; at <= word.size();) {

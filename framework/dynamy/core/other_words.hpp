@@ -1,11 +1,12 @@
-/// Words of other programs and of textbooks, and what dynamY calls the same: hints in messages.
+/// Words of other programs and of textbooks, and the names that dynamY has for them: hints in
+/// messages.
 ///
 /// One table for elements, one for attributes, one for units. They hold words of URDF and SDF,
 /// MJCF, Chrono, Drake, Bullet, Simscape and Siconos that a newcomer may write. A word is compared
-/// without case and without "_", "-" and ":". A test checks that every name of ours in the tables
-/// exists (tests/unit/elements/other_words_test.cpp). Rejected: other names that each element declares
-/// for itself, because most of these words have no single element, and because the reader would
-/// have to look at all types to answer for one.
+/// without case and without "_", "-" and ":". A test checks that every name of dynamY in the tables
+/// exists (tests/unit/elements/other_words_test.cpp). Rejected: a declaration of such words by each
+/// element, because most of these words belong to no single element, and because the reader would
+/// have to search all types for one word.
 #pragma once
 
 #include <span>
@@ -30,15 +31,16 @@ std::span<const OtherWord> otherUnits();
 /// "in dynamY a hinge is <Revolute>" for the element <Hinge> of others; "" if it is in no table.
 std::string elementOfOthers(std::string_view word);
 
-/// What an attribute of others means.
+/// Meaning of an attribute that is written in the words of another program.
 struct AttributeOfOthers {
-  std::string name;  ///< the one of `known`, "" if none of them fits
+  std::string name;  ///< the name in `known` that is meant, "" if none of them fits
   std::string hint;  ///< "in dynamY the stiffness is stiffness="…""; "" if it is in no table
 };
 /// `known`: the attributes that the element has.
 AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::string> known);
 
-/// "deg" for "degrees", the same with a divisor: "deg/s" for "degrees/sec"; "" if unknown.
+/// The unit in dynamY: "deg" for "degrees", also with a divisor: "deg/s" for "degrees/sec"; "" if
+/// unknown.
 std::string unitOfOthers(std::string_view word);
 /// "1lb is 0.45359237kg": the hint of a unit that dynamY does not have; "" if it is in no table.
 std::string unitInOurs(std::string_view word);

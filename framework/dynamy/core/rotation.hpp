@@ -47,12 +47,12 @@ inline void rotate(double* p, const Vec3& theta_K) {
   for (int i = 0; i < 4; ++i) p[i] *= scale;
 }
 
-/// T of the rotation by θ + δ after which that by θ is undone: exp(θ + δ) = exp(θ) exp(T δ) to
-/// first order, T = I − (1 − cos θ)/θ² θ~ + (θ − sin θ)/θ³ θ~².
+/// Tangent T of the exponential map: exp(θ + δ) = exp(θ) exp(T δ) to first order in δ,
+/// T = I − (1 − cos θ)/θ² θ~ + (θ − sin θ)/θ³ θ~².
 inline Mat3 rotationTangent(const Vec3& theta) {
   const double square = theta.squaredNorm(), half = 0.5 * std::sqrt(square), s = sinc(half);
   const Mat3 S = skew(theta);
-  // (θ − sin θ)/θ³, which cancels for small θ: its series to θ⁴, then good to 1e-11.
+  // (θ − sin θ)/θ³. For small θ the difference cancels; the series to θ⁴ is then good to 1e-11.
   const double c = square < 1e-2 ? (1.0 - square / 20.0 * (1.0 - square / 42.0)) / 6.0
                                  : (1.0 - sinc(2.0 * half)) / square;
   return Mat3::Identity() - 0.5 * s * s * S + c * S * S;
@@ -68,8 +68,8 @@ inline void quaternionRate(const double* p, const Vec3& Omega_K, double* pdot) {
   pdot[3] = 0.5 * (w * c + x * b - y * a);
 }
 
-/// The sign s in the formula of tangents(). They jump where it changes: far from n.z = 0, the
-/// normals between balls of one layer, whose impulses of the step before would fit no more.
+/// The sign s in the formula of tangents(). The tangents jump where s changes, so that impulses of
+/// the step before no longer fit. This is far from n.z = 0, the normals between balls of one layer.
 inline double tangentSide(const Vec3& n) { return n.z() > -0.9 ? 1.0 : -1.0; }
 
 /// Two unit vectors t1, t2 that complete the unit normal n to a right-handed frame (n, t1, t2);

@@ -1,5 +1,5 @@
-/// √(Σ x_i²) of numbers of any size: squares of numbers above 1e154 overflow, those below 1e-162
-/// vanish, and a residual of either would be none.
+/// √(Σ x_i²) of numbers of any size. Squares of numbers above 1e154 overflow and squares of numbers
+/// below 1e-162 vanish, so that a residual of such numbers would be worthless.
 ///
 /// The plain sum is taken wherever it is good, so that a norm costs two comparisons more than the
 /// formula. Rejected: std::hypot, several times slower and for three numbers at most.
@@ -9,12 +9,12 @@
 
 namespace dynamy {
 
-/// Sums of squares between these have lost nothing that matters.
+/// Sums of squares between these two bounds have lost no digits that matter.
 inline constexpr double kLeastSquare = 1e-280, kMostSquare = 1e300;
 
 namespace detail {
 
-/// Scaled by the largest; NaN and infinity are passed on.
+/// Norm of numbers scaled by the largest of them; NaN and infinity are passed on.
 inline double scaledNorm(const double* x, int n, double sum) {
   double largest = 0.0;
   for (int i = 0; i < n; ++i) largest = std::fmax(largest, std::abs(x[i]));
@@ -26,7 +26,7 @@ inline double scaledNorm(const double* x, int n, double sum) {
 
 }  // namespace detail
 
-/// |x| of n numbers; `sum`: the sum of their squares, taken already.
+/// |x| of n numbers; `sum`: the sum of their squares, computed before.
 inline double safeNorm(const double* x, int n, double sum) {
   return sum > kLeastSquare && sum < kMostSquare ? std::sqrt(sum) : detail::scaledNorm(x, n, sum);
 }
@@ -37,7 +37,7 @@ inline double safeNorm(const double* x, int n) {
   return safeNorm(x, n, sum);
 }
 
-/// The same for numbers that come one after the other.
+/// √(Σ x_i²) of numbers that are added one after the other.
 class SafeSum {
  public:
   void add(double x) {
@@ -54,7 +54,7 @@ class SafeSum {
   }
   bool zero() const { return largest_ == 0.0; }
   double root() const { return largest_ * std::sqrt(squares_); }
-  /// root()/other.root(), where one of them may be too large for a number. \pre !other.zero()
+  /// root()/other.root(), also if one of the two roots would overflow. \pre !other.zero()
   double over(const SafeSum& other) const {
     return (largest_ / other.largest_) * std::sqrt(squares_ / other.squares_);
   }

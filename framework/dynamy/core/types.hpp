@@ -16,7 +16,7 @@ using Vec = Eigen::Map<Eigen::VectorXd>;             ///< view of a vector that 
 using ConstVec = Eigen::Map<const Eigen::VectorXd>;  ///< view of a vector that is only read
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Block = Eigen::Map<RowMatrix>;             ///< view of a small dense matrix, row after row
-using ConstBlock = Eigen::Map<const RowMatrix>;  ///< the same, only read
+using ConstBlock = Eigen::Map<const RowMatrix>;  ///< view of such a matrix that is only read
 using Mat3X = Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic>>;  ///< view, 3 × nu
 using ConstMat3X =
     Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic>>;  ///< view, 3 × nu, only read
@@ -32,8 +32,8 @@ inline ConstVec view(const Vec& v) { return {v.data(), v.size()}; }
 inline ConstVec view(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 inline Vec view(Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 
-/// Identity of a contact over time: element, pair and feature. Drives warm start and order
-/// (doc/architecture.md, 3).
+/// Identity of a contact over time: element, pair and feature. Warm starts and the order of
+/// contacts are based on it (doc/architecture.md, 3).
 struct ContactKey {
   std::uint64_t value = 0;
   auto operator<=>(const ContactKey&) const = default;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Characters of UTF-8 text: what columns of error messages and checks of files count.
+/// Characters of UTF-8 text, in which columns of error messages and checks of files count.
 
 #include <cstddef>
 #include <string_view>

@@ -5,7 +5,8 @@
 namespace dynamy {
 namespace {
 
-/// How often a waiting thread looks before it sleeps: sweeps follow each other within microseconds.
+/// Number of times a waiting thread looks for work before it sleeps: sweeps follow each other
+/// within microseconds.
 constexpr int kLooksForWork = 2000;
 
 /// Waits until `value` is not `old` any more.
@@ -22,7 +23,7 @@ Workers::Workers(int threads) {
   try {
     threads_.reserve(static_cast<std::size_t>(std::max(threads - 1, 0)));
     for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { work(); });
-  } catch (const std::exception&) {  // the system gives no more: those that are there do the work
+  } catch (const std::exception&) {  // no more threads available: those that exist do the work
   }
 }
 
@@ -39,8 +40,8 @@ void Workers::take() {
 
 namespace {
 
-/// A job whose first exception is kept for the caller: out of a thread it would end the program.
-/// Parts that nobody has begun are left out then.
+/// A job whose first exception is kept for the caller: an exception that leaves a thread would end
+/// the program. Parts that no thread has begun are then skipped.
 struct Guarded {
   void (*call)(void*, int);
   void* job;

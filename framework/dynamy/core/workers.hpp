@@ -2,9 +2,9 @@
 ///
 ///   run(parts, job):  job(0) … job(parts − 1), each once, in any order, on any thread
 ///
-/// The parts are cut by the problem, never by the number of threads, and each writes what is its
-/// own: the same bits with any number. A thread per task was rejected: a sweep over 20 000 contacts
-/// takes a millisecond, starting a thread a tenth of that.
+/// The parts depend on the problem, never on the number of threads, and each part writes only its
+/// own results: any number of threads gives the same bits. A thread per task was rejected: a sweep
+/// over 20 000 contacts takes a millisecond, starting a thread a tenth of that.
 #pragma once
 #include <atomic>
 #include <thread>
@@ -14,14 +14,15 @@ namespace dynamy {
 
 class Workers {
  public:
-  /// Up to `threads` ≥ 1, the caller's included; fewer where the system gives no more.
+  /// Up to `threads` ≥ 1 threads, the caller's included; fewer if the operating system refuses.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
   int threads() const { return static_cast<int>(threads_.size()) + 1; }
 
-  /// Returns when all are done; throws what one threw, without the rest. `job` may not call run().
+  /// Returns when all parts are done. If a part throws, parts not begun are skipped, and run()
+  /// throws the same exception. `job` must not call run().
   template <class Job>
   void run(int parts, Job&& job) {
     call_ = [](void* what, int part) { (*static_cast<std::remove_reference_t<Job>*>(what))(part); };

@@ -4,8 +4,9 @@
 
 namespace dynamy {
 
-/// C = ℝ^dim in rows that are rates of no position: rolling, steering edges, gears that may slip
-/// into place. Schemes that hold joints by their positions leave these at the level of velocities.
+/// C = ℝ^dim in rows whose γ is not the rate of a position: rolling, steering edges, gears that may
+/// slip into place. Schemes that enforce joints on the level of positions treat these rows on the
+/// level of velocities.
 class BilateralRate final : public SetValuedForceLaw {
  public:
   int dim(int geometric) const override { return geometric; }

@@ -1,6 +1,6 @@
-/// What a model says about the contact of materials: the law of two, that two do not touch, the
-/// values of one, how the values of two mix. Materials belong to shapes, laws to pairs of
-/// materials; PairLaws answers which law a pair gets.
+/// Rules of a model about the contact of materials: the law of two materials, two materials that do
+/// not touch, the values of one material, and how the values of two materials mix. Materials belong
+/// to shapes, laws to pairs of materials; PairLaws finds the law of a pair.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>
 #include <memory>
@@ -10,12 +10,12 @@ namespace dynamy {
 
 class PairLaws;
 
-/// One thing said about materials.
+/// One rule about the contact of materials.
 class MaterialRule : public Element {
  public:
   static constexpr Kind kKind = Kind::rule;
   using Element::Element;
-  /// Enters what it says. The rule is borrowed and outlives `laws`' answers.
+  /// Enters the rule into `laws`, which borrows it: the rule must outlive the answers of `laws`.
   virtual void enter(PairLaws& laws) const = 0;
 };
 

@@ -49,10 +49,10 @@ Secular<n> solveSecular(const Ellipsoid<n>& C, const In<n>& point) {
   double length = evaluate(s);
   if (length <= 1.0) return s;
 
-  // Start where one term alone reaches 1, hence 1 ≤ |w| ≤ √n, left of the root.
+  // Start at the t where one term alone reaches 1. There 1 ≤ |w| ≤ √n, left of the root.
   s.outside = true;
   for (int i = 0; i < n; ++i) s.t = std::max(s.t, s.a[i] * (std::abs(s.p[i]) - s.a[i]));
-  constexpr int kMostSteps = 30;  // 2 to 5 are usual, 10 the most of 2e5 random ones
+  constexpr int kMostSteps = 30;  // 2 to 5 steps are usual, 10 the most in 2e5 random cases
   for (int k = 0; k < kMostSteps; ++k) {
     length = evaluate(s);
     double slope = 0.0;  // −½ d|w|²/dt
@@ -91,7 +91,7 @@ Point<2> proxInverse(const ConvexPolygon& C, const Matrix<2>& Rinverse, const Po
   }
   if (inside) return x;
 
-  // Outside: the nearest of the nearest points of the edges.
+  // Outside: each edge has a nearest point; take the nearest of these.
   Point<2> best = C.corners[0];
   double nearest = kInfinity;
   for (int i = 0; i < C.count; ++i) {

@@ -8,9 +8,11 @@
 // for that reason.
 //
 // Mind the metric: rows of one coupled set with unequal r need the prox in the metric R = diag(r).
-// The Euclidean prox of Λ − R ξ converges as well, to another law (−R ξ ∈ N_C(Λ)).
+// An iteration with the Euclidean prox of Λ − R ξ converges as well, but to another law
+// (−R ξ ∈ N_C(Λ)).
 //
-// A radius below zero counts as zero, as it appears while normal forces iterate. NaN is passed on.
+// A radius below zero counts as zero: it occurs while a solver iterates normal forces. NaN is
+// passed on.
 #pragma once
 
 #include <Eigen/Core>
@@ -116,9 +118,9 @@ double support(const Ball<n>& C, const In<n>& y) {
 
 // ---- ellipsoid ---------------------------------------------------------------------------------
 
-/// C = { Σ (xᵢ/aᵢ)² ≤ 1 } in its principal frame, semi-axes aᵢ ≥ 0. An axis below kFlat times the
-/// largest one counts as zero, because t + aᵢ² below loses its digits: the error is at most that
-/// axis.
+/// C = { Σ (xᵢ/aᵢ)² ≤ 1 } in its principal frame, semi-axes aᵢ ≥ 0. An axis shorter than kFlat
+/// times the largest one counts as zero, because t + aᵢ² (see multiplier) would lose its digits.
+/// The error is at most that axis.
 template <int n>
 struct Ellipsoid {
   Point<n> axes;
@@ -156,7 +158,7 @@ struct MetricEllipsoid {
 /// @pre R symmetric positive definite. The ellipsoid has its principal frame along the rows of R.
 template <int n>
 MetricEllipsoid<n> inMetric(const Ellipsoid<n>& C, const Matrix<n>& R);
-/// The same with C = { H y : |y| ≤ 1 }: any orientation, H may be singular.
+/// The ellipsoid C = { H y : |y| ≤ 1 } in the metric R⁻¹: any orientation, H may be singular.
 template <int n>
 MetricEllipsoid<n> inMetric(const Matrix<n>& H, const Matrix<n>& R);
 template <int n>
@@ -271,7 +273,7 @@ template <int n>
 struct Segment {
   Point<n> from, to;
 };
-/// prox in the metric R⁻¹, which is given itself here; the identity makes it Euclidean.
+/// prox in the metric R⁻¹, where the argument is R⁻¹ and not R; the identity makes it Euclidean.
 template <int n>
 Point<n> proxInverse(const Segment<n>& C, const Matrix<n>& Rinverse, const In<n>& x) {
   const Point<n> edge = C.to - C.from, dual = Rinverse * edge;
@@ -288,8 +290,8 @@ double support(const Segment<n>& C, const In<n>& y) {
   return std::max(C.from.dot(y), C.to.dot(y));
 }
 
-/// Convex hull of `count` ≥ 1 corners given counter-clockwise; two corners are a segment. Borrows
-/// them.
+/// Convex hull of `count` ≥ 1 corners given counter-clockwise; two corners are a segment. The
+/// corners are borrowed.
 struct ConvexPolygon {
   const Point<2>* corners = nullptr;
   int count = 0;

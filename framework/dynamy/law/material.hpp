@@ -1,13 +1,13 @@
-/// Values of single materials and the rule by which those of two mix.
+/// Values of single materials, and the rule by which the values of two materials mix.
 ///
 ///   min        min(a, b)      the slippery one decides
 ///   max        max(a, b)      the rough one decides
 ///   mean       (a + b)/2
 ///   geometric  √(a b)
-///   product    a b            of two equal ones the square
+///   product    a b            equal values give their square
 ///
-/// No rule follows from the physics of surfaces: friction belongs to pairs. Hence none is taken
-/// unless the model names it, and the law of a pair wins.
+/// No mixing rule follows from the physics of surfaces, because friction is a property of pairs.
+/// Hence values mix only if the model names a rule, and a law given for the pair takes precedence.
 #pragma once
 #include <dynamy/law/contact_rule.hpp>
 

@@ -3,7 +3,7 @@
 ///
 /// Laws and solvers keep the numbers of one contact on the stack, in arrays of this size.
 /// ContactSink::add refuses a contact with more rows; a joint with more is cut into several
-/// contacts. Rejected: storage that grows, which every innermost loop would pay for.
+/// contacts. Rejected: storage that grows, because it would slow down every innermost loop.
 #pragma once
 
 namespace dynamy {

@@ -17,7 +17,7 @@ std::string quotedPair(const std::string& a, const std::string& b) {
   return "\"" + a + "\" and \"" + b + "\"";
 }
 
-/// The known material near to the first of `asked` that is unknown; "" if there is none.
+/// A known material with a name similar to the first unknown one of `asked`; "" if there is none.
 std::string nearMaterial(const std::vector<std::string>& asked,
                          const std::vector<std::string>& known) {
   for (const std::string& name : asked) {
@@ -34,7 +34,7 @@ void PairLaws::add(std::unique_ptr<MaterialRule> rule) {
   rules_.back()->enter(*this);
 }
 
-/// Takes the rule into the place `known`, unless one is there.
+/// Stores the rule in `known`. If `known` holds a rule already, this is noted as an error.
 template <class Known, class Rule>
 void PairLaws::once(Known& known, const Rule& rule, const std::string& what) {
   if (!known) {
@@ -110,7 +110,7 @@ Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
   Diagnostic d;
   d.text = "no law for contact of the materials " + quotedPair(a, b);
   if (mixing_) {
-    // Whose values are missing, and whether the name was misspelt.
+    // Find the material without values, and whether its name was misspelt.
     const std::string& without = material(a) ? b : a;
     std::vector<std::string> known;
     for (const auto& [name, values] : materials_) known.push_back(name);

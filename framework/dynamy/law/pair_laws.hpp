@@ -1,10 +1,10 @@
-/// PairLaws: which law two materials get, and who says so. The rules of a model are entered in any
-/// order; the answer is
+/// PairLaws: finds the law of two materials, and the rule that gives it. The rules of a model are
+/// entered in any order; the law of a pair is
 ///
-///   1. the <Contact> or <NoContact> of the pair,
+///   1. that of the <Contact> or <NoContact> of the pair,
 ///   2. else, if the model has <Contacts> and both materials have values, the law of the mixed
-///   ones,
-///   3. else none: an error if shapes of the two can touch.
+///   values,
+///   3. else none: an error if shapes of the two materials can touch.
 #pragma once
 #include <dynamy/law/material.hpp>
 #include <map>
@@ -16,7 +16,7 @@ namespace dynamy {
 /// The law of two materials.
 struct PairLaw {
   const SetValuedForceLaw* law = nullptr;  ///< null: they pass through each other
-  const MaterialRule* from = nullptr;      ///< the rule that says so; null: none does
+  const MaterialRule* from = nullptr;      ///< the rule that gives the law; null: none does
   std::string text;                        ///< "UnilateralCoulomb mu=0.3", for reports
 };
 
@@ -25,20 +25,20 @@ class PairLaws {
   using Names = std::pair<std::string, std::string>;  ///< in ascending order
 
   void add(std::unique_ptr<MaterialRule> rule);
-  /// For the rules.
+  /// Called by each rule in MaterialRule::enter().
   void enter(const ContactRule& rule);
   void enter(const Material& material);
   void enter(const MixingRule& rule);
 
-  /// Throws ModelError naming every pair, material and mixing rule that is said twice.
+  /// Throws ModelError that names every pair, material and mixing rule given twice.
   void verify() const { twice_.throwIfAny(); }
-  /// Of the materials a, b in any order; remembers that it was asked for.
+  /// Law of the materials a and b, in any order. The answer is kept for found() and idle().
   const PairLaw& find(const std::string& a, const std::string& b);
-  /// The error of shapes of a and b that can touch without a law: text, hint, notes.
+  /// The error for shapes of materials a and b that can touch without a law: text, hint, notes.
   Diagnostic missing(const std::string& a, const std::string& b) const;
   /// All answers given so far.
   const std::map<Names, PairLaw>& found() const { return found_; }
-  /// Rules that no answer rests on.
+  /// Rules that no answer given so far is based on.
   std::vector<const MaterialRule*> idle() const;
 
  private:

@@ -1,4 +1,4 @@
-// Discs over one normal force. Projection x of z onto K: with n = x_N,
+// Several discs that share one normal force. Projection x of z onto K: with n = x_N,
 //   min ½ (n − z_N)² + ½ Σ_b max(0, |z_b| − μ_b n)²,   n ≥ 0
 // whose derivative n − z_N − Σ_{b outside} μ_b (|z_b| − μ_b n) is monotone and piecewise linear.
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace dynamy {
 namespace {
 
-/// Coefficients above hold whatever the contact carries; their squares must stay numbers.
+/// Coefficients are limited to this value: friction then holds any load, and squares of
+/// coefficients do not overflow.
 constexpr double kMostRolling = 1e100;
 
 /// Length of the n ≤ 2 numbers at x.
@@ -19,7 +20,7 @@ double length(const double* x, int n) { return n == 1 ? std::abs(x[0]) : std::hy
 
 }  // namespace
 
-/// The discs of `dim` rows: their first row, rows and coefficient.
+/// The discs of a contact with `dim` rows: first row, number of rows and coefficient of each.
 struct UnilateralRolling::Parts {
   struct Part {
     int first, rows;
@@ -40,7 +41,7 @@ struct UnilateralRolling::Parts {
   void projectCone(double* z) const {
     double size[4] = {};
     for (int b = 0; b < count; ++b) size[b] = length(z + at(b).first, at(b).rows);
-    // n for every choice of discs that z leaves; the right one confirms its choice.
+    // Compute n for every choice of discs that z lies outside of. The right n confirms its choice.
     double n = z[0];
     for (int choice = 0; choice < 1 << count; ++choice) {
       double weight = 1.0, sum = z[0];

@@ -1,18 +1,18 @@
-/// UnilateralRolling: contact with Coulomb friction and resistance to rolling, to spin, and to the
-/// way of the contact along a body's contour.                                       (theory 9.6)
+/// UnilateralRolling: contact with Coulomb friction and resistance to rolling, to spin, and to
+/// motion of the point of contact along a body's contour.                           (theory 9.6)
 ///
 ///   K = { |Λ_T| ≤ μ Λ_N, |Λ_τ| ≤ μ_s Λ_N, |Λ_M| ≤ μ_r Λ_N, |Λ_C| ≤ μ_c Λ_N }
 ///   S_B(y) = μ |y_T| + μ_s |y_τ| + μ_r |y_M| + μ_c |y_C|
 ///   law  ⇔  K* ∋ (ξ_N + S_B(ξ), ξ_T, …) ⊥ Λ ∈ K                    [acary_bremond_huber2018]
 ///
-/// Rows, by their number, which every contact of shapes in space offers:
+/// Every contact of shapes in space offers these rows; their number determines their meaning:
 ///
 ///   5   N, T1, T2, M1, M2                      M: angular velocities about the tangents
 ///   6   N, T1, T2, τ, M1, M2                   τ: about the normal
 ///   8   N, T1, T2, τ, M1, M2, C1, C2           C: velocity of the point of contact over the body
 ///
 /// The parts do not weaken each other; UnilateralDrilling has the coupled set of sliding and spin.
-/// One law per part was rejected: all of them hang on the same normal force.
+/// One law per part was rejected: all parts depend on the same normal force.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>
 
@@ -37,7 +37,7 @@ class UnilateralRolling final : public NormalTimesReservoir {
   int dim(int) const override { return mu_.contour > 0.0 ? 8 : (mu_.drilling > 0.0 ? 6 : 5); }
   int groupEnd(int row, int dim) const override;
   void epsilon(int dim, double* epsilon) const override;
-  /// None whose slip is in all rows or in none: some of the parts may rest.
+  /// Null: a reservoir slips in all of its rows or in none, but here some parts may stick alone.
   const NormalTimesReservoir* reservoir() const override { return nullptr; }
   const NormalTimesReservoir* discs() const override { return this; }
   void project(const LawInput& in, double N, const double* r, int k, double* x) const override;

@@ -95,8 +95,8 @@ std::string_view statusText(Status status) {
 
 namespace {
 
-/// The projection onto N·B, in units of its numbers where their squares are none: the cone is the
-/// same in every unit.
+/// Projection onto N·B. If squares of its numbers would overflow or vanish, the numbers are divided
+/// by the largest, which is admissible because the cone is the same in every unit.
 void projectAnySize(const NormalTimesReservoir& law, const LawInput& in, double N, const double* r,
                     int k, double* x) {
   constexpr double kSmall = 1e-140, kLarge = 1e140;
@@ -162,7 +162,7 @@ void NormalTimesReservoir::project(const LawInput& in, double N, const double* r
   ReservoirVec nu = z.cwiseQuotient(R);
   if (!dual.separate(nu)) return;  // inside
 
-  // Damped Newton, judged by f.
+  // Damped Newton iteration: each step must reduce f.
   constexpr int kMaxSteps = 100;
   constexpr double kNear = 1e-7, kSolved = 1e-15;
   nu *= (z.dot(nu) - N * dual.S(nu)) / nu.dot(R.cwiseProduct(nu));
@@ -179,8 +179,8 @@ void NormalTimesReservoir::project(const LawInput& in, double N, const double* r
     }
   }
 
-  // Full steps near the solution: f no longer resolves the last half of the digits, its gradient
-  // does.
+  // Full Newton steps near the solution: f no longer resolves the last half of the digits, but its
+  // gradient does.
   for (int step = 0; step < 4; ++step) {
     const ReservoirVec trial = nu + dual.newtonStep(nu);
     const double before = dual.residual.norm();

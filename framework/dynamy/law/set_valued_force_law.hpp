@@ -1,5 +1,5 @@
-/// SetValuedForceLaw: the normal-cone inclusion −ξ ∈ N_C(Λ) of one contact, joint or clutch, with ξ
-/// = γ⁺ + ε γ⁻ and its equivalent
+/// SetValuedForceLaw: the normal-cone inclusion −ξ ∈ N_C(Λ) of one contact, joint or clutch, with
+/// ξ = γ⁺ + ε γ⁻, and its equivalent
 ///
 ///   Λ = prox_C(Λ − r ξ)    for any r > 0.
 ///
@@ -18,34 +18,35 @@ namespace dynamy {
 enum class Status : std::uint8_t { open, separating, stick, slip, lower, upper, locked };
 std::string_view statusText(Status status);
 
-/// What the percussion of a row does in the energy ledger.
+/// Kind of a row. It decides how the energy ledger counts the work of the row's percussion.
 enum class RowKind : std::uint8_t {
   normal,
   friction,
   joint,  ///< γ = 0, the rate of a position that is zero
-  rate,   ///< γ = 0, the rate of nothing (BilateralRate)
+  rate,   ///< γ = 0, where γ is not the rate of a position (BilateralRate)
   drive   ///< as friction on γ − (speed of the drive); its work on the bodies is that of a drive
 };
-/// Rows that hold γ = 0 whatever it takes.
+/// True: a row of this kind holds γ = 0 with a force of any size.
 inline bool holds(RowKind kind) { return kind == RowKind::joint || kind == RowKind::rate; }
-/// Rows that hold γ = 0 until their force is at its bound.
+/// True: a row of this kind holds γ = 0 until its force reaches its bound.
 inline bool yields(RowKind kind) { return kind == RowKind::friction || kind == RowKind::drive; }
 
-/// What differs per contact.
+/// Input of a law that differs from contact to contact.
 struct LawInput {
   int dim = 1;      ///< rows of this contact
   double dt = 0.0;  ///< sets of fixed size scale with it: a·dt in a step, 0 in a pure impact [s]
   const double* gammaA = nullptr;  ///< relative velocities at the beginning of the step, dim [m/s]
-  /// What each row's γ is the rate of (ContactSet::position), dim, or null: zero  [m, rad].
+  /// Positions whose rates are the rows' γ (ContactSet::position), dim [m, rad]; null: all zero.
   const double* position = nullptr;
   double scale = 1.0;  ///< factor on the set, given by the element (ContactRows::scale)
-  /// Slips up to this are rest where a law has two levels of friction [m/s or rad/s]: far above
-  /// rounding of a held contact, far below any motion of interest. 0 where a slip is known as one.
+  /// Laws with two levels of friction count slip up to this speed as rest [m/s or rad/s]. It is far
+  /// above the rounding of a held contact and far below any motion of interest. 0 if the contact is
+  /// known to slip.
   double rest = 1e-9;
 };
 
-/// The set of one contact where it is among those whose inclusion −(DΛ + b) ∈ N_C(Λ) has a closed
-/// form (solver/local/local_solution).
+/// The set of one contact, if it is one of the sets whose inclusion −(DΛ + b) ∈ N_C(Λ) has a
+/// solution in closed form (solver/local/local_solution).
 struct SimpleSet {
   enum class Shape : std::uint8_t {
     other,     ///< none of these: the solver knows prox alone
@@ -60,8 +61,8 @@ struct SimpleSet {
 
 class NormalTimesReservoir;
 
-/// Force of a law whose set lives on the displacement x of its one row: linear on both sides of
-/// x = 0, and at x = 0, where it holds, anything between.
+/// Force of a law whose set depends on the displacement x of its single row. The force is linear on
+/// both sides of x = 0; at x = 0, where the law holds the row, it takes any value between.
 ///
 ///   λ = below − cBelow x  (x < 0),   λ = above − cAbove x  (x > 0),   above ≤ λ ≤ below  (x = 0)
 struct NotchedForce {
@@ -84,8 +85,9 @@ class SetValuedForceLaw : public Element {
   /// a friction disc; a spin row with another unit is a group of its own, although it belongs to
   /// the same convex set).
   virtual int groupEnd(int row, int /*dim*/) const { return row + 1; }
-  /// True: the set is multiplied by LawInput::scale, which elements vary. Of a unilateral law that
-  /// has no reservoir() it is the pull, which open contacts in reach of a step do not have.
+  /// True: the set is multiplied by LawInput::scale, which elements vary. In a unilateral law
+  /// without reservoir() the scale multiplies the pull. Open contacts that may close within a step
+  /// have no pull.
   virtual bool scales() const { return false; }
   /// Coefficients of restitution ε, one per row.
   virtual void epsilon(int dim, double* epsilon) const;
@@ -103,14 +105,15 @@ class SetValuedForceLaw : public Element {
   /// solvers. False: not offered.
   virtual bool proxDerivative(const LawInput& in, double rho, const double* xi,
                               const double* Lambda, double* A, double* B) const;
-  /// Which simple set C is, the same for every Λ; default: none.
+  /// The simple set that C is, if it is the same for every Λ; default: none.
   virtual SimpleSet simpleSet(const LawInput& /*in*/) const { return {}; }
-  /// The law itself where it is a normal force times a reservoir; default: it is not.
+  /// This law, if it is a normal force times a reservoir, else null; default: null.
   virtual const NormalTimesReservoir* reservoir() const { return nullptr; }
-  /// The law itself where it is a normal force times a product of discs, one for each group of
-  /// rows: some of them may rest while others slip. Default: it is not.
+  /// This law, if it is a normal force times a product of discs, else null; default: null. Each
+  /// group of rows has one disc, so that some groups may stick while others slip.
   virtual const NormalTimesReservoir* discs() const { return nullptr; }
-  /// False: the set lives on velocities.
+  /// Writes the force of a law whose set depends on displacement. False (default): the set depends
+  /// on velocities.
   virtual bool notched(const LawInput& /*in*/, NotchedForce& /*out*/) const { return false; }
   /// Discrete state for the argument Λ − r ξ.
   virtual Status status(const LawInput& in, const double* argument) const = 0;

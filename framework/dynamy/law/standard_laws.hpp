@@ -5,7 +5,7 @@
 
 namespace dynamy {
 
-/// C = ℝ^dim: γ = 0 in every row. Joints.
+/// C = ℝ^dim: γ = 0 in every row. The law of joints.
 class Bilateral final : public SetValuedForceLaw {
  public:
   Bilateral() = default;

@@ -15,7 +15,8 @@
 namespace dynamy {
 namespace {
 
-/// Squares of coefficients below are numbers; above, the cone is a half space in all but name.
+/// Coefficients μ below this value have squares that do not overflow; above, the cone is
+/// practically a half space.
 constexpr double kMostMu = 1e100;
 
 /// x ← nearest point of the ball of `radius` in the metric diag(r)⁻¹.
@@ -49,7 +50,7 @@ void projectBall(double radius, const double* r, int k, double* x) {
 
 /// P of the ball: I inside, (a/|z|)(I − e eᵀ) outside; e = z/|z| outside, 0 inside.
 void ballDerivative(double radius, const double* z, int k, double* P, double* e) {
-  // Plain loops: an outer product of vectors whose size is not known makes a temporary matrix.
+  // Plain loops: an outer product of vectors of dynamic size makes a temporary matrix.
   const double length = safeNorm(z, k), q = std::max(radius, 0.0) / length;
   const bool inside = length <= std::max(radius, 0.0);
   for (int i = 0; i < k; ++i) e[i] = inside ? 0.0 : z[i] / length;
@@ -60,8 +61,8 @@ void ballDerivative(double radius, const double* z, int k, double* P, double* e)
     }
 }
 
-/// Nearest point of the cone where squares of z or of μ are no numbers: by the direction (cos, sin)
-/// of its edge, with z in units of its largest number.
+/// Nearest point of the cone if squares of z or of μ would overflow or vanish. It uses the
+/// direction (cos, sin) of the cone's edge, and z divided by its largest number.
 template <int n>
 convex::Point<n> farCone(double mu, const convex::Point<n>& z) {
   const double unit = z.template lpNorm<Eigen::Infinity>(), edge = std::hypot(1.0, mu);
@@ -194,7 +195,8 @@ double UnilateralCoulomb::support(const LawInput&, int k, const double* y, doubl
 
 void UnilateralCoulomb::prox(const LawInput& in, const double* r, const double* xi,
                              double* Lambda) const {
-  // The same as the family's, without its virtual call: this is the innermost loop of a solver.
+  // Same as NormalTimesReservoir::prox, but without its virtual call: this is the innermost loop of
+  // a solver.
   for (int i = 0; i < in.dim; ++i) Lambda[i] -= r[i] * xi[i];
   Lambda[0] = std::max(Lambda[0], 0.0);
   if (in.dim > 1) projectBall(mu_ * Lambda[0], r + 1, in.dim - 1, Lambda + 1);

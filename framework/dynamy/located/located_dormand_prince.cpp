@@ -9,11 +9,11 @@ namespace {
 constexpr double kLookAhead = 1e-5, kMostLookAhead = 1e-2;  ///< of the step
 constexpr double kAtOnce = 1e-6;  ///< events within this part of the step are at one instant
 constexpr int kMostNulls = 5;
-constexpr double kRapid = 1e-7;       ///< of T: so soon after each other plain events have no end
-constexpr double kMuted = 1e-3;       ///< of the step
+constexpr double kRapid = 1e-7;       ///< of T: plain events this close together have no end
+constexpr double kMuted = 1e-3;       ///< of the step: monitors are ignored for this time
 constexpr double kProject = 5e-4;     ///< corrections below this part of the tolerance wait
-constexpr double kSuspicious = 0.1;   ///< corrections above have the bias of elements checked
-constexpr int kMostTries = 60;        ///< of one step
+constexpr double kSuspicious = 0.1;   ///< above this part the bias of elements is checked
+constexpr int kMostTries = 60;        ///< tries of one step
 constexpr double kLeastStep = 1e-14;  ///< of the time and of T
 constexpr double kGapNoise = 2e-14, kSpeedNoise = 1e-12;  ///< of L and U
 constexpr double kSafety = 0.9, kShrink = 0.2, kHalf = 0.5;
@@ -88,7 +88,7 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
   keepPercussions(p.x.t);
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += event_.works()[k];
   noteNull(r, p);
-  // That a slip did not end was found with the statuses before.
+  // A slip that did not end was ignored because of the old statuses: it is watched again.
   for (Held& h : phase_.held)
     if (r.changed && h.slips) h.mutedUntil = std::min(h.mutedUntil, p.x.t);
   if (plain_ && nulls_ == kMostNulls) return stall();
@@ -100,8 +100,8 @@ bool LocatedDormandPrince::event(MechanicalSystem& s, InclusionSolver& solver, P
 }
 
 void LocatedDormandPrince::release(const Switch& w) {
-  // Stick whose friction has reached its bound slips against it: without a look ahead nothing else
-  // says so.
+  // A contact whose sticking friction has reached its bound slips against this friction. Without a
+  // look ahead no decision would find that.
   event_.release({}, 0.0);
   if (!plain_ || !w || !w.force) return;
   const ContactKey key = search_.contact(phase_, w);
@@ -112,7 +112,7 @@ void LocatedDormandPrince::release(const Switch& w) {
 }
 
 void LocatedDormandPrince::noteNull(const SwitchEvent::Result& r, const PhasePoint& p) {
-  if (plain_) {  // nothing but a count of events that follow each other at once
+  if (plain_) {  // only a count of events that follow each other at once
     nulls_ = p.x.t - lastEvent_ <= kRapid * norm_.time() ? nulls_ + 1 : 0;
     lastEvent_ = p.x.t;
     return;
@@ -141,7 +141,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
     H_ = h * factor;
     return Tried::rejected;
   };
-  // Up to where a law's set becomes another one, as near as steps can come.
+  // Where a law's set becomes another one, steps are halved: they end as near to it as possible.
   const auto otherSet = [&] {
     if (phase_.fault() != FrozenPhase::kOtherSet) return Tried::failed;
     lastSwitched_ = phase_.lost(), otherSet_ = true;
@@ -185,7 +185,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::attempt(MechanicalSystem& s, d
   if (passing_ < (found ? found.theta : 1.0) || tooLongAtRest(s, h, found, report))
     return reject(kHalf);
   if (found) smooth_.lighten();
-  // A step that was bounded from outside says little about the next.
+  // The next step does not become shorter because an outer bound shortened this one.
   const double next = h * std::min(factor, smooth_.mostGrowth());
   H_ = h < H_ ? std::max(H_, next) : next;
   return found ? Tried::located : Tried::accepted;
@@ -302,7 +302,7 @@ bool LocatedDormandPrince::goOn(MechanicalSystem& s, InclusionSolver& solver, do
     good = project(s, to_) && (!ended || evaluateEnd(s, to_));
   book(s, found ? &StepEffort::events : &StepEffort::smooth, report);
   if (good || !foundUntold_) return good;
-  works_ = works, done = false;  // once more, with the forces that an element did not know
+  works_ = works, done = false;  // the decision is repeated with the bias that an element lacks
   return decideUntold(s, solver, report);
 }
 
@@ -336,7 +336,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   const long before = s.evaluations();
   const bool good = proceed(s, solver, x, dt, report);
   if (!good && stalled_ && !plain_ &&
-      (search_.any() || probe_.gathers() || otherSet_ || lost_)) {  // else a singular force
+      (search_.any() || probe_.gathers() || otherSet_ || lost_)) {  // otherwise a force is singular
     governor_.turn(x.t, TurnedBy::stall, lastSwitched_);
     beginStepping(x);
     if (quietOnly_) return report;

@@ -1,4 +1,4 @@
-// LocatedDormandPrince: instants that are told, and elements that switch (theory 50.3).
+// LocatedDormandPrince: instants that elements announce, and elements that switch (theory 50.3).
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/located_dormand_prince.hpp>
@@ -6,12 +6,12 @@
 namespace dynamy {
 namespace {
 
-/// Of the time: right before and behind an instant, clear of the rounding of formulas.
+/// Of the time: distance right before and after an instant, larger than the rounding of formulas.
 constexpr double kBeside = 2e-14;
-constexpr double kPassed = 4e-13;  ///< of the time: an instant no event has met since lies behind
-constexpr double kNudge = 1e-6;    ///< of the step: a latch is thrown at the latest behind its root
-constexpr double kStill = 1e-3;    ///< of the tolerance: speeds of what is at rest
-constexpr double kShortRest = 0.02;  ///< of T: steps at rest are not shortened below
+constexpr double kPassed = 4e-13;    ///< of the time: an instant this far back may still be due
+constexpr double kNudge = 1e-6;      ///< of the step: greatest delay of a latch after its root
+constexpr double kStill = 1e-3;      ///< of the tolerance: speeds of bodies at rest
+constexpr double kShortRest = 0.02;  ///< of T: steps at rest are not shortened below this
 
 }  // namespace
 
@@ -55,7 +55,7 @@ bool LocatedDormandPrince::relist(const State& x) {
     probe_.list(x);
     probe_.gather(x, {});
   }
-  // A body may have been taken away and brought again elsewhere under the same number.
+  // A body may have been removed and added elsewhere under the same number.
   const double away = norm_.tolerance() * norm_.length();
   const std::size_t gone = std::erase_if(phase_.held, [&](const Held& h) {
     const int i = probe_.find(h.key);
@@ -71,7 +71,7 @@ bool LocatedDormandPrince::relist(const State& x) {
 
 bool LocatedDormandPrince::tooLongAtRest(MechanicalSystem& s, double h, const Switch& found,
                                          StepReport& report) {
-  // Where nothing moves no error bounds the step, however fast forces change by the time.
+  // Where nothing moves, no error bounds the step, however fast forces change with time.
   const auto moves = [&](const Eigen::VectorXd& u) {
     for (Eigen::Index i = 0; i < u.size(); ++i)
       if (norm_.velocity(i, u[i], 0.0) > kStill) return true;

@@ -7,7 +7,7 @@
 namespace dynamy {
 namespace {
 
-/// Leaves systems out as long as it lives.
+/// Leaves systems out of the topology during its lifetime.
 class LeftOut {
  public:
   LeftOut(Topology& topology, const std::vector<char>& systems) : topology_(topology) {
@@ -46,7 +46,7 @@ void forSystems(const Topology& topology, const std::vector<char>& flags, bool w
 }  // namespace
 
 void LocatedDormandPrince::owe(const MechanicalSystem& s, double work, bool switched) {
-  // A switch that is of no contact, or of one that is reported no more, is nobody's.
+  // A switch without a contact, or of a contact no longer reported, is charged to no system.
   int system = -1;
   if (switched) {
     if (const int i = probe_.find(lastSwitched_); i >= 0)
@@ -76,7 +76,7 @@ void LocatedDormandPrince::chooseStepped(const State& x) {
     const int first = last < 0 ? -1 : islands_.systemOf(probe_.contacts(), last);
     if (first < 0) return;
     chosen[static_cast<std::size_t>(first)] = 1;
-    // Nor can others be located that lie in each other.
+    // Other systems that overlap each other cannot be located either.
     for (int i = 0; lost_ && i < probe_.size(); ++i)
       if (const int system = islands_.systemOf(probe_.contacts(), i);
           system >= 0 && probe_.law(i).unilateral() && probe_.gap(i) < -touch)
@@ -88,7 +88,7 @@ void LocatedDormandPrince::chooseStepped(const State& x) {
   timed_ = chosen;
 }
 
-/// Islands to which most is owed, until what the others owe is bearable.
+/// Chooses the islands with most work charged to them, until the work of the others is bearable.
 void LocatedDormandPrince::chooseDear(std::vector<char>& chosen) const {
   const std::size_t n = chosen.size();
   const Eigen::VectorXd all = governor_.tooFast() ? owed_.rowwise().sum() : owed_.col(0).eval();
@@ -101,7 +101,7 @@ void LocatedDormandPrince::chooseDear(std::vector<char>& chosen) const {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return work[a] > work[b]; });
   double rest = all.sum();
-  if (!(rest > 0.0)) chosen.assign(n, 1);  // nobody is known to owe anything
+  if (!(rest > 0.0)) chosen.assign(n, 1);  // no work is charged to any system
   for (const std::size_t i : order) {
     if (rest <= governor_.bearable() && i != order[0]) break;
     chosen[i] = 1, rest -= work[i];
@@ -120,7 +120,8 @@ bool LocatedDormandPrince::anyQuiet() const {
   return any;
 }
 
-/// What a quiet run begins with: everything is decided anew, in the norm of this one.
+/// Scheme data that a run of located islands begins with: everything is decided anew, in the norm
+/// of the whole run.
 Eigen::VectorXd LocatedDormandPrince::decidedAnew() const {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(behindTimes());
   out[1] = norm_.time();
@@ -131,8 +132,8 @@ Eigen::VectorXd LocatedDormandPrince::decidedAnew() const {
   return out;
 }
 
-/// The start of a quiet step, which may go on up to `end`: as it was kept, else at the start of the
-/// step in time.
+/// Sets the start of a step of the located islands, which may reach up to `end`: as it was kept,
+/// else at the start of the step in time.
 void LocatedDormandPrince::startQuiet(const MechanicalSystem& s, double end) {
   State& from = quiet_.from;
   const Eigen::Index nq = steppedFrom_.q.size(), nu = steppedFrom_.u.size();
@@ -149,8 +150,8 @@ void LocatedDormandPrince::startQuiet(const MechanicalSystem& s, double end) {
   from.scheme = decidedAnew();
 }
 
-/// One step of the quiet islands from quiet_.from. False: some of them have to be stepped in time
-/// as well from now on.
+/// Takes one step of the located islands from quiet_.from. False: some of them have to be stepped
+/// in time as well from now on.
 bool LocatedDormandPrince::quietStep(MechanicalSystem& s, InclusionSolver& solver, bool again,
                                      StepCounts& counts) {
   LocatedDormandPrince& scheme = *quiet_.scheme;
@@ -159,7 +160,7 @@ bool LocatedDormandPrince::quietStep(MechanicalSystem& s, InclusionSolver& solve
   quiet_.works = r.works;
   const bool dense = scheme.governor_.mode() == SwitchGovernor::Mode::step;
   const bool good = r.refused.empty() && r.solved.ok() && !dense;
-  // What a step did that is not taken, or was counted when it was, did not happen.
+  // Of a step that is not accepted, or that was counted before, only the effort counts.
   again || !good ? add(counts.effort, r.counts.effort) : add(counts, r.counts);
   if (good) return true;
   const std::vector<char> before = timed_;
@@ -199,11 +200,12 @@ void LocatedDormandPrince::placeQuiet(MechanicalSystem& s, double t) {
   const LeftOut out(*s.parts().topology, timed_);
   const double length = quiet_.to.t - quiet_.from.t;
   quiet_.scheme->interpolate(s, quiet_.from, quiet_.to, (t - quiet_.from.t) / length, quiet_.at);
-  if (quiet_.to.t == t) quiet_.at = quiet_.to;  // behind a switch there
+  if (quiet_.to.t == t) quiet_.at = quiet_.to;  // the state after a switch there
 }
 
 void LocatedDormandPrince::joinQuiet(MechanicalSystem& s, State& x, StepReport& report) {
-  // What touched what is stepped in time is so from now on, this step included, which saw it.
+  // Systems that touched time-stepped ones are stepped in time from now on. This step, which
+  // included the contact, counts as the first of these steps.
   const std::vector<char> before = timed_;
   const ContactSet& c = s.slot(0).contacts;
   const Vec Lambda = s.Lambda();
@@ -239,7 +241,7 @@ void LocatedDormandPrince::joinQuiet(MechanicalSystem& s, State& x, StepReport& 
   quiet_.kept = quietKept_;
 }
 
-/// What the step from t on tries, before anything bounds it.
+/// Length that the step from t on tries, before outer bounds.
 double LocatedDormandPrince::nextStepped(double t) const {
   const double h = governor_.h();
   if (!anyQuiet()) return h;

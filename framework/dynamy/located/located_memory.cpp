@@ -1,4 +1,4 @@
-// LocatedDormandPrince: what it keeps from step to step, and what it tells of a step.
+// LocatedDormandPrince: the data kept from step to step, and the report of a step.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/law/most_rows.hpp>
@@ -7,19 +7,19 @@
 namespace dynamy {
 namespace {
 
-/// State::scheme: H, T, part of H that decisions look ahead, time of the last event, null events
-/// there, whether steps are implicit, SmoothStep::Counted, number of held contacts; what the
-/// governor keeps; T of each system, what it cost; then for each held contact
-/// element, number, slip, sign, end of muting, whether the slip starts, what it has turned, weight,
-/// first row and rows, direction, λ; the elements without a bias; where the Jacobian of implicit
-/// steps was taken; the number of these.
+/// Layout of State::scheme. First H, T, the part of H that decisions look ahead, time of the last
+/// event, number of empty events there, whether steps are implicit, SmoothStep::Counted, number of
+/// held contacts. Then the governor's numbers; T of each system, and its work. Then for each held
+/// contact: element, number, slip, sign, time until which it is ignored, whether the slip starts,
+/// how far it has turned, weight, first row and number of rows, direction, λ. At the end the
+/// elements without a bias, the place where the Jacobian of implicit steps was taken, and its size.
 constexpr int kDirection = kMostRows - 1;
 constexpr int kFixed = 10, kPerHeld = kFixed + kDirection + kMostRows;
-constexpr int kSteppedHead = 4;   ///< numbers in front of what is stepped in time
-constexpr double kAround = 1e-2;  ///< of L: contacts of what cannot be followed are looked for
+constexpr int kSteppedHead = 4;   ///< numbers at the front of the data of steps in time
+constexpr double kAround = 1e-2;  ///< of L: search distance for a contact that cannot be followed
 constexpr double kHalfKey = 4294967296.0, kMostNumber = 1099511627776.0;  ///< 2³², 2⁴⁰
 
-/// A whole number in [0, most)?
+/// True: x is a whole number in [0, most).
 bool isCount(double x, double most) { return x >= 0.0 && x < most && x == std::floor(x); }
 
 }  // namespace
@@ -77,7 +77,7 @@ bool LocatedDormandPrince::goesOn(const State& x) const {
 }
 
 bool LocatedDormandPrince::knows(const MechanicalSystem& s, const State& x) const {
-  // What it left a moment ago needs no look: this one is for states of files.
+  // Data that this object has just stored need no check: the check is for states from files.
   const bool own = x.scheme.size() == stored_.size() && x.scheme == stored_;
   return x.scheme.size() == 0 || (system_ == &s && own) || knows(s, x.scheme, false);
 }
@@ -94,7 +94,7 @@ bool LocatedDormandPrince::knows(const MechanicalSystem& s, const Eigen::VectorX
   bool good = isCount(mode, 3.0) && isCount(kept[kHead + 1], 3.0) && isCount(kept[4], 1e9);
   good = good && isCount(kept[kHead + 2], kHalfKey) && isCount(kept[kHead + 3], kHalfKey);
   if (!good || !(kept[1] > 0.0)) return false;
-  if (mode == static_cast<double>(Mode::decideAnew)) return true;  // of the rest nothing is read
+  if (mode == static_cast<double>(Mode::decideAnew)) return true;  // the rest is not read
   if (mode == static_cast<double>(Mode::step)) {
     if (quiet || kept.size() < front + kSteppedHead || !isCount(kept[front], most) ||
         !isCount(kept[front + 2], most))
@@ -108,7 +108,7 @@ bool LocatedDormandPrince::knows(const MechanicalSystem& s, const Eigen::VectorX
            knows(s, kept.segment(front + kSteppedHead + rates + 2 + nq + nu, apart - 2 - nq - nu),
                  true);
   }
-  // What is held, the elements without a bias, where the Jacobian was taken, the number of these.
+  // Held contacts, elements without a bias, place of the Jacobian, size of that place.
   if (!isCount(kept[kHead - 1], most) || !isCount(kept[kept.size() - 1], most)) return false;
   const auto n = static_cast<Eigen::Index>(kept[kHead - 1]);
   const auto placed = static_cast<Eigen::Index>(kept[kept.size() - 1]);
@@ -156,7 +156,7 @@ bool LocatedDormandPrince::restore(MechanicalSystem& s, InclusionSolver& solver,
   phaseKeys_.clear();
   phase_.keys(phaseKeys_);
   from_.x.t = x.t, from_.x.q = x.q, from_.x.u = x.u, from_.x.memory = x.memory;
-  // Between two steps populations take bodies away and bring others.
+  // Between two steps populations may remove bodies and add others.
   const bool renewed = x.q.size() != to_.x.q.size() || x.q != to_.x.q;
   if (renewed && relist(x)) {
     from_.a.setZero(x.u.size());
@@ -174,7 +174,7 @@ bool LocatedDormandPrince::refuse(std::string_view why) {
 }
 
 bool LocatedDormandPrince::lose(ContactKey at) {
-  // Which of its features touch is not known before it is looked at as steps in time do.
+  // The features that touch are known only after a search of contacts as in steps in time.
   if (const ContactKey found = probe_.lookAround(from_.x, kAround * norm_.length(), at);
       found != ContactProbe::kNone)
     at = found;
@@ -243,7 +243,7 @@ void LocatedDormandPrince::tell(MechanicalSystem& s, State& x, StepReport& repor
   delta_.resize(c.rows());
   c.gamma(view(std::as_const(x.u)), view(delta_));
   for (int k = 0; k < c.rows(); ++k) p.gammaA[static_cast<std::size_t>(k)] = delta_[k];
-  for (int i = 0; i < c.size(); ++i)  // what the projection leaves is no impact
+  for (int i = 0; i < c.size(); ++i)  // γ_N that the projection leaves is no impact
     if (c.law[static_cast<std::size_t>(i)]->unilateral())
       p.gammaA[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])] = 0.0;
   for (int i = 0; i < c.size(); ++i) {

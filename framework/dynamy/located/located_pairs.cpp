@@ -11,15 +11,16 @@ namespace {
 
 constexpr double kOverlap = 1e-3;  ///< of tol L: overlaps that are left as they are
 constexpr double kPassing = 10.0;  ///< of tol L: overlaps inside a step, which end before it does
-constexpr std::uintmax_t kLooks = 12;  ///< for the place where two bodies are nearest
+constexpr std::uintmax_t kLooks = 12;  ///< evaluations to find where two bodies are nearest
 constexpr int kNearestBits = 20;
-constexpr double kHalfWay = 0.5;     ///< places look so far to the next ones
-constexpr double kNotAtAll = 0.25;   ///< of the path, where two meet right at its start
+constexpr double kHalfWay = 0.5;     ///< part of a sample interval that each sample looks ahead
+constexpr double kNotAtAll = 0.25;   ///< part of the path to retry if bodies meet at its start
 constexpr double kAtMeeting = 1e-3;  ///< of T: shorter steps up to a meeting are not taken
-constexpr double kShorter = 0.5;     ///< steps in which bodies sink into one another
-constexpr double kDrifted = 1e-10;  ///< of L: what joints drift between their projections, and more
+constexpr double kShorter = 0.5;     ///< factor on a step in which bodies sink into one another
+/// Drift of joints between two projections, and more, as a part of L.
+constexpr double kDrifted = 1e-10;
 
-/// Part of a path that is clear of what is noted first at place j of it.
+/// Part of a path before a contact that is noted first at sample j of the path.
 double clearBefore(int j) {
   return std::max((static_cast<double>(j) - kHalfWay) / SwitchSearch::kSamples, kNotAtAll);
 }
@@ -59,7 +60,7 @@ bool LocatedDormandPrince::widen() {
   if (!probe_.gathers()) return true;
   const double deep = startOverlap_ + kPassing * norm_.tolerance() * norm_.length();
   trial_.x.memory = from_.x.memory;
-  // Each place looks half of the way to the next ones.
+  // Each sample looks ahead half of the way to the next one.
   const double ahead = 0.5 * path_.length() / SwitchSearch::kSamples;
   constexpr int n = SwitchSearch::kSamples;
   const auto depth = [&](double theta) {
@@ -77,7 +78,7 @@ bool LocatedDormandPrince::widen() {
     clear_ = clearBefore(j);
     return false;
   }
-  // Bodies that come near and part again: how near between the samples?
+  // Bodies may come near between two samples and part again: find the nearest place.
   for (std::size_t j = 1; j < n; ++j) {
     const double here = depths[j], fall = std::max(here - depths[j - 1], here - depths[j + 1]);
     if (here < depths[j - 1] || here <= depths[j + 1] || here > deep || here + fall < 0.0) continue;
@@ -87,7 +88,7 @@ bool LocatedDormandPrince::widen() {
                                           static_cast<double>(j + 1) / n, kNearestBits, looks);
   }
   if (probe_.settle(from_.x) && search_.watch(probe_, phase_, from_.x)) return true;
-  clear_ = clearBefore(std::max(fresh, 0));  // what comes on the way is not there at its start
+  clear_ = clearBefore(std::max(fresh, 0));  // a contact on the path is not reported at its start
   return false;
 }
 

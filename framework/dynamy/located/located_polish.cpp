@@ -1,4 +1,4 @@
-// LocatedDormandPrince: the step to a switch, and what is left to its root          (theory 50.3).
+// LocatedDormandPrince: the step to a switch, and the distance left to its root     (theory 50.3).
 //
 //   d        from the end of that step to the root, by Newton's method on the true monitor
 //   |d/h|³ ≤ 0.01 tol   u + d u̇ + ½ d² ü, with ü of the cubic through u and u̇ of both ends
@@ -13,12 +13,12 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostFirst = 8;        ///< contacts that close before the one that was found
-constexpr int kMostMoves = 8;        ///< of Newton's method
+constexpr int kMostMoves = 8;        ///< iterations of Newton's method
 constexpr double kTaylor = 0.01;     ///< (d/h)³ over the tolerance
-constexpr double kDenseShare = 0.1;  ///< d/h
-constexpr double kFarthest = 0.5;    ///< d/h: the root is none of this step
+constexpr double kDenseShare = 0.1;  ///< largest d/h for the dense output
+constexpr double kFarthest = 0.5;    ///< d/h above which the root is not of this step
 
-/// Taylor's polynomial is enough for this part of the step.
+/// True: Taylor's polynomial is accurate enough over this part of the step.
 bool isSmall(double part, double tolerance) {
   return std::abs(part) * part * part <= kTaylor * tolerance;
 }
@@ -42,7 +42,7 @@ bool LocatedDormandPrince::repeat(MechanicalSystem& s, double h, const Switch& w
 
 bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w) {
   double slope = w.slope, last = 0.0, moved = 0.0;
-  // Another look at a gap costs next to nothing, at a force an evaluation.
+  // Another value of a gap costs next to nothing, one of a force costs an evaluation.
   const double near = w.force ? std::min(1e-8, 0.01 * norm_.tolerance()) : 1e-15;
   bool known = true;
   known_ = to_;
@@ -64,7 +64,7 @@ bool LocatedDormandPrince::polish(MechanicalSystem& s, double h, const Switch& w
   }
   const double on = to_.x.t - known_.x.t;
   if (known || !isSmall(on / h, norm_.tolerance())) return known || settle(s);
-  // A gap: what follows evaluates the forces there.
+  // At the root of a gap the event evaluates the forces anew: here the last known ones will do.
   impulse_ += on * known_.lambda;
   for (std::size_t k = 0; k < works_.size(); ++k) works_[k] += on * known_.power[k];
   return true;
@@ -84,7 +84,7 @@ bool LocatedDormandPrince::moveOn(MechanicalSystem& s, double h, double d, bool&
 }
 
 void LocatedDormandPrince::moveByTaylor(MechanicalSystem& s, double d) {
-  // ü of a stiff motion is that of what has died away.
+  // In a stiff motion ü would be that of the fast part, which has died away: it is left out.
   const double h = smooth_.length();
   rates_.setZero(to_.x.u.size());
   if (!smooth_.implicit())

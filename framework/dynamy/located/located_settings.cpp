@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kLoose = 1e-2;  ///< from this tolerance up order 5
+constexpr double kLoose = 1e-2;  ///< from this tolerance up the method of order 5 is used
 
 }  // namespace
 

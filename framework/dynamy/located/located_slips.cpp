@@ -1,5 +1,5 @@
-// LocatedDormandPrince: ends of slip in space, starts of slip, and whether elements tell how their
-// rows turn.
+// LocatedDormandPrince: ends of slip in space, starts of slip, and checks of the bias that elements
+// report.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_name.hpp>
@@ -8,22 +8,22 @@
 namespace dynamy {
 namespace {
 
-constexpr double kMostTurn = 2.0;     ///< of a step with open contacts [rad]
+constexpr double kMostTurn = 2.0;     ///< largest turn in a step with open contacts [rad]
 constexpr double kMostTurned = 10.0;  ///< k of theory 20.6, in units of the tolerance
-constexpr double kStop = 0.1;  ///< of the tolerance: the end of a slip, as if it were straight
+constexpr double kStop = 0.1;         ///< of the tolerance: end of a slip that is taken as straight
 constexpr double kShareOfStop = 0.75;  ///< steps end before slip does
 constexpr double kDifference = 1e-4;   ///< of T: for γ̇ by differences
 constexpr double kBias = 1e-3;         ///< of the sum of absolute values in γ̇
-constexpr double kBiasNoise = 1e-12;   ///< of L/T² and 1/T²: rates that are none
+constexpr double kBiasNoise = 1e-12;   ///< of L/T² and 1/T²: rates that count as zero
 
 }  // namespace
 
 double LocatedDormandPrince::shortened(double h) const {
-  // What turns must not turn past a contact between two samples of the search.
+  // Turning bodies must not turn past a contact between two samples of the search.
   if (const double turn = norm_.fastestTurn(from_.x.u);
       (search_.gaps() || probe_.comesAndGoes()) && turn * h > kMostTurn)
     h = kMostTurn / turn;
-  // What is muted may pass its bound: not for longer than it is meant to.
+  // A force that is ignored may pass its bound, but no longer than it is to be ignored.
   for (const Held& held : phase_.held)
     if (!held.slips && held.mutedUntil > from_.x.t) h = std::min(h, held.mutedUntil - from_.x.t);
   return h;
@@ -46,7 +46,7 @@ bool LocatedDormandPrince::findStopping(double most, double& bound, double& last
     if (!(along < 0.0)) continue;
     const double T = -v * v / along, path = 0.5 * v * T, tol = kStop * norm_.tolerance();
     const double sine = std::max(0.0, 1.0 - along * along / (v * v * rate));
-    // The moment of a part may turn bodies: its way is one of angles.
+    // The moment of a disc may turn bodies: the way of its slip may be an angle.
     const double most1 =
         phase_.form(i) == FrozenPhase::Form::disc ? std::min(1.0, norm_.length()) : norm_.length();
     if (path > tol * most1 || T * sine > 10.0 * tol * norm_.time() || T > most) {
@@ -77,7 +77,7 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
   delta_ = from_.x.u + 0.5 * last * from_.a;
   s.move(from_.x, delta_, last);
   from_.x.u += last * from_.a;
-  if (closesOpen()) {  // an impact comes first: it is looked for in steps
+  if (closesOpen()) {  // an impact comes first: shorter steps locate it
     from_ = trial_;
     most = std::min(bound, kShareOfStop * last);
     return true;
@@ -90,7 +90,7 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
     return after == nullptr || !after->slips;
   });
   if (stopped) {
-    // Forces are constant over it, powers of slips fall to zero.
+    // Forces are constant until the slip ends, and powers of slips fall linearly to zero.
     stepKeys_.clear();
     impulse_ = last * trial_.lambda;
     for (std::size_t i = 0; i < oldPhase_.held.size(); ++i)
@@ -100,7 +100,7 @@ bool LocatedDormandPrince::stop(MechanicalSystem& s, InclusionSolver& solver, do
       works_[k] += 0.5 * last * (trial_.power[k] + from_.power[k]);
     return true;
   }
-  from_ = trial_, phase_ = oldPhase_;  // they slip on: not a stop
+  from_ = trial_, phase_ = oldPhase_;  // contacts continue to slip: this is no stop
   told_.resize(told), impacts_.resize(struck), works_ = works;
   for (Held& h : phase_.held)
     if (std::find(stopping_.begin(), stopping_.end(), HeldKey{h.key, h.first}) != stopping_.end())
@@ -121,7 +121,7 @@ bool LocatedDormandPrince::closesOpen() {
 }
 
 double LocatedDormandPrince::turn() {
-  // What the directions of slips that start have turned in the trial, over what they may.
+  // How far the directions of starting slips have turned in the trial, over the allowed turn.
   double past = 0.0;
   const double most = kMostTurned * norm_.tolerance() * norm_.speed();
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
@@ -130,7 +130,7 @@ double LocatedDormandPrince::turn() {
     const int first = phase_.slip0(i), k = phase_.slipRows(i);
     const Held& before = startHeld_[i];
     double speed = 0.0, along = 0.0, across = 0.0;
-    for (int turn = 0; turn < 2; ++turn)  // both have length 1: first the cosine, then the rest
+    for (int turn = 0; turn < 2; ++turn)  // unit vectors: first the cosine, then the part across
       for (int r = 0; r < k; ++r) {
         const double w = phase_.slipWeight(i, r), g = w * phase_.gamma()[first + r];
         const double a = w * before.direction[static_cast<std::size_t>(r)],
@@ -147,8 +147,9 @@ double LocatedDormandPrince::turn() {
 }
 
 bool LocatedDormandPrince::slipIsClear(std::size_t i, double h) const {
-  // Along its direction, and forces change it by less than itself within h: γ_T has a direction of
-  // its own. That of γ̇_T is not needed any more; where γ̇_T vanishes there is none.
+  // γ_T has a clear direction if it points along the slip's direction and forces change it by less
+  // than itself within h. The direction of γ̇_T, which has none where it vanishes, is then not
+  // needed.
   const Held& held = phase_.held[i];
   const double most = kMostTurned * norm_.tolerance() * norm_.speed();
   double speed = 0.0, rate = 0.0, along = 0.0;
@@ -185,7 +186,7 @@ LocatedDormandPrince::Tried LocatedDormandPrince::tryStep(MechanicalSystem& s, d
   if (tried == Tried::turned) {
     tried = endClearStarts(s, h) ? Tried::rejected : Tried::failed;
   } else if (tried == Tried::rejected) {
-    // Where slip in space ends is told by the speeds at the start, not by those of the trial.
+    // The end of slip in space is predicted from speeds at the start, not from those of the trial.
     bool inSpace = false;
     for (std::size_t i = 0; i < phase_.held.size(); ++i)
       if (phase_.held[i].slips && phase_.slipRows(i) > 1) inSpace = true;
@@ -219,10 +220,10 @@ bool LocatedDormandPrince::endStarts() {
 bool LocatedDormandPrince::checkBias(MechanicalSystem& s, const PhasePoint& p) {
   foundUntold_ = findUntold(s, p.x, true);
   if (foundUntold_) return false;
-  // γ̇ = Wᵀu̇ + w̄ against the difference of γ along the motion; right up to (δ/T)² = 1e-8, T that of
-  // the motion here: mechanisms beside a singular position are a hundred times as fast as at the
-  // start. Where γ has a kink close by (a formula with clamp, an edge that a ball rolls over), on
-  // one side of it.
+  // Compares γ̇ = Wᵀu̇ + w̄ with the difference of γ along the motion, which is accurate up to
+  // (δ/T)² = 1e-8. T is that of the motion here: mechanisms beside a singular position are a
+  // hundred times as fast as at the start. Where γ has a kink close by (a formula with clamp, an
+  // edge that a ball rolls over), the difference is taken on one side of the kink.
   double faster = 1.0;
   for (Eigen::Index i = 0; i < p.a.size(); ++i) {
     const double u = norm_.velocity(i, p.x.u[i], 0.0), a = norm_.velocity(i, p.a[i], 0.0);

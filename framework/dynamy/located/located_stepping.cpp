@@ -7,11 +7,11 @@ namespace dynamy {
 namespace {
 
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
-constexpr int kDense = 64;        ///< rows above are solved by sparse methods
+constexpr int kDense = 64;        ///< problems with more rows are solved by sparse methods
 
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
-constexpr double kSliver = 1e-3;  ///< of a step: so much longer, and no short one is left
+constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 constexpr int kStepped = 4;       ///< numbers in front of the rates
 
 }  // namespace
@@ -27,7 +27,7 @@ void LocatedDormandPrince::govern(const MechanicalSystem& s, long evaluations,
 }
 
 double LocatedDormandPrince::locatedWork(const MechanicalSystem& s, double evaluations) const {
-  // Each solves for the forces by an orthogonal decomposition of all rows.
+  // Each evaluation solves for the forces by an orthogonal decomposition of all rows.
   const double n = static_cast<double>(s.slot(0).h.size()), m = phase_.rows();
   return evaluations * (kPerRow * (n + m) + 10.0 / 3.0 * m * m * m);
 }
@@ -49,9 +49,9 @@ bool LocatedDormandPrince::stepsInTime(const State& x) {
 }
 
 void LocatedDormandPrince::resumeStepping(const MechanicalSystem& s, const State& x) {
-  // Behind what there is of each system: the number of rates, the overlap, the length of what is
-  // kept of quiet islands, whether joints are projected; the rates, that, and what the other scheme
-  // keeps.
+  // After the numbers of each system follow: the number of rates, the overlap, the number of data
+  // of located islands, whether joints are projected. Then the rates, the data of located islands,
+  // and the data of the time-stepping scheme.
   resumeNorm(s, x);
   const Eigen::Index at = behindTimes(), systems = norm_.times().size();
   const auto n = static_cast<Eigen::Index>(x.scheme[at]),

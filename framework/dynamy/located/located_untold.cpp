@@ -6,13 +6,13 @@
 namespace dynamy {
 namespace {
 
-/// Columns of the half-explicit rule at loose and at tight tolerances, and where these begin.
+/// Columns of the half-explicit rule at loose and at tight tolerances, which begin below kTight.
 constexpr int kLooseColumns = 3, kTightColumns = 4;
 constexpr double kTight = 1e-6;
-constexpr double kNoRate = 1e-9;   ///< of L/T² and 1/T²: differences that are none
-constexpr double kOneSided = 3.0;  ///< of its length: a difference all on one side
+constexpr double kNoRate = 1e-9;   ///< of L/T² and 1/T²: differences that count as zero
+constexpr double kOneSided = 3.0;  ///< offset of a one-sided difference, in its own lengths
 
-/// Contact i leaves the bias of all its rows zero.
+/// True: contact i leaves the bias of all its rows zero.
 bool isSilent(const ContactSet& c, int i) {
   const auto first = c.bias.begin() + c.row0[static_cast<std::size_t>(i)];
   return std::all_of(first, first + c.dim(i), [](double w) { return w == 0.0; });
@@ -29,8 +29,8 @@ bool LocatedDormandPrince::untold(int element) const {
 }
 
 bool LocatedDormandPrince::findUntold(MechanicalSystem& s, const State& x, bool held) {
-  // Of contacts that tell zero: is it so? Those that have just come together, and those that are
-  // held where a projection took much away.
+  // Checks contacts that report a zero bias: those that have just closed, and held contacts where a
+  // projection had to make a large correction.
   const ContactSet& c = s.slot(0).contacts;
   const auto asks = [&](int i) {
     const auto at = static_cast<std::size_t>(i);
@@ -56,7 +56,8 @@ bool LocatedDormandPrince::findUntold(MechanicalSystem& s, const State& x, bool 
     return !found.empty();
   };
   if (!note([&](int r) { return std::abs(rates_[r]) > least; })) return false;
-  // What is there with a kink within the difference alone, an edge that a ball rolls over, is none.
+  // A rate that appears only with a kink within the difference (an edge that a ball rolls over) is
+  // no missing bias.
   Eigen::VectorXd before, after;
   if (!s.differenceBias(x, before, -kOneSided) || !s.differenceBias(x, after, kOneSided))
     return false;

@@ -5,10 +5,10 @@
 namespace dynamy {
 namespace {
 
-constexpr double kGrown = 0.1;  ///< of an allowed overlap: less is none
+constexpr double kGrown = 0.1;  ///< of an allowed overlap: less growth counts as none
 
-/// The largest overlap of unilateral contacts of what is stepped in time, of those that rebound as
-/// well [m].
+/// The largest overlap of unilateral contacts of time-stepped systems, also of contacts that
+/// rebound [m].
 double deepestOverlap(const ContactSet& c, const Islands& islands,
                       const std::vector<char>& stepped) {
   double overlap = 0.0;
@@ -30,7 +30,7 @@ SteppedIslands::Trial SteppedIslands::attempt(MechanicalSystem& s, InclusionSolv
   Trial out;
   s.thaw(), s.bias(false);
   out.report = step(s, solver, from, x, h);
-  s.effort(Effort::full);  // a search in vain is that of this step alone
+  s.effort(Effort::full);  // a search in vain lowers the effort for this step alone
   out.newton = 1 + out.report.solved.newton;
   out.error = error(s, norm, islands, stepped, from, x, h);
   return out;
@@ -54,9 +54,10 @@ StepReport SteppedIslands::step(MechanicalSystem& s, InclusionSolver& solver, co
 double SteppedIslands::error(MechanicalSystem& s, const ErrorNorm& norm, const Islands& islands,
                              const std::vector<char>& stepped, const State& a, const State& b,
                              double h) {
-  // Positions by the trapezoidal rule: h/2 |Δu − Δu of the step before|, an impact or h³ü/2; the
-  // first step tells the rate. Overlaps at the end count as well, which the step itself does not
-  // look at, if they grew: one that stays, shorter steps do not mend.
+  // Error of positions by the trapezoidal rule: h/2 |Δu − Δu of the step before|, an impact or
+  // h³ü/2; the first step gives the rate. Overlaps at the end, which the step itself does not
+  // check, count as well if they grew. An overlap that stays would not be corrected by shorter
+  // steps.
   double worst = 0.0;
   const bool known = rate_.size() == a.u.size();
   for (std::size_t k = 0; known && k < stepped.size(); ++k) {
@@ -77,7 +78,7 @@ void SteppedIslands::take(const State& from, const Eigen::VectorXd& u, double h)
 
 void SteppedIslands::between(const MechanicalSystem& s, const State& a, const State& b,
                              double theta, State& out) {
-  // Positions of these steps go on by the mean velocity.
+  // Positions of these steps advance by the mean velocity.
   const bool first = theta < 0.5;
   const State& from = first ? a : b;
   const double part = first ? theta : theta - 1.0;

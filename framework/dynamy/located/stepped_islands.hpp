@@ -1,12 +1,12 @@
-/// SteppedIslands: one step in time of islands whose switches are not located, and how far off it
-/// is (theory 50.7).
+/// SteppedIslands: one step in time of islands whose switches are not located, and its error
+/// (theory 50.7).
 ///
 ///   e = h/2 |Δu − Δu⁻ h/h⁻| / (tol s_i),   or the largest overlap at its end over tol L, if it grew
 ///
-/// The step is that of EnergyMomentum. Where Newton's iteration on joints does not end, that step
-/// and all further ones of the period are those of StaggeredMoreau, which holds joints by their mean
-/// velocity and projects them: it needs no iteration. Who calls it decides how long steps are
-/// (SwitchGovernor), and what the other islands do meanwhile.
+/// The step is that of EnergyMomentum. Where Newton's iteration on joints does not converge, this
+/// step and all later ones of the period are those of StaggeredMoreau, which holds joints by their
+/// mean velocity and projects them: it needs no iteration. The caller chooses the length of steps
+/// (SwitchGovernor), and moves the other islands meanwhile.
 #pragma once
 #include <dynamy/schemes/energy_momentum.hpp>
 #include <dynamy/stages/error_norm.hpp>
@@ -22,27 +22,27 @@ class SteppedIslands {
     int newton = 0;      ///< solves by Newton's method, at least one
     bool good() const { return error <= 1.0 && report.solved.ok(); }
   };
-  /// A period of steps in time begins.
+  /// Begins a period of steps in time.
   void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false; }
-  /// The step of length h [s] from `from`, into x. It moves all systems; `stepped`, not 0: those
-  /// whose error counts.
+  /// Takes a step of length h [s] from `from`, into x. It moves all systems; the error of those
+  /// counts whose flag in `stepped` is not 0.
   Trial attempt(MechanicalSystem& s, InclusionSolver& solver, const ErrorNorm& norm,
                 const Islands& islands, const std::vector<char>& stepped, const State& from,
                 State& x, double h);
-  /// The last attempt, which ended with velocities u, is a step of the run.
+  /// Accepts the last attempt, which ended with velocities u, as a step of the run.
   void take(const State& from, const Eigen::VectorXd& u, double h);
 
   // What is kept from step to step.
-  const Eigen::VectorXd& rate() const { return rate_; }  ///< Δu/h of the last; empty: none
-  double overlap() const { return overlap_; }            ///< at its end [m]
+  const Eigen::VectorXd& rate() const { return rate_; }  ///< Δu/h of the last step; empty: none
+  double overlap() const { return overlap_; }            ///< overlap at the end of that step [m]
   bool projected() const { return projected_; }          ///< joints are projected
   void resume(ConstVec rate, double overlap, bool projected) {
     rate_ = rate, overlap_ = overlap, projected_ = projected;
   }
 
-  /// Fraction theta of the step from a to b: velocities are linear between its ends. With u^A up to
-  /// the middle and u^E behind it, the scheme's own way, energies of long steps in free flight rise
-  /// and fall from row to row.
+  /// State at fraction theta of the step from a to b: velocities are linear between its ends. With
+  /// the scheme's own interpolation, u^A up to the middle and u^E after it, the energy of long
+  /// steps in free flight would rise and fall from one output row to the next.
   static void between(const MechanicalSystem& s, const State& a, const State& b, double theta,
                       State& out);
 
@@ -55,7 +55,7 @@ class SteppedIslands {
   StaggeredMoreau projecting_;
   bool projected_ = false;
   Eigen::VectorXd rate_;
-  double overlap_ = 0.0, reached_ = 0.0;  // at the end of the last step, of the trial [m]
+  double overlap_ = 0.0, reached_ = 0.0;  // overlap at the end of the last step, of the trial [m]
 };
 
 }  // namespace dynamy

@@ -5,17 +5,17 @@
 namespace dynamy {
 namespace {
 
-constexpr double kWindow = 3000;        ///< evaluations, about a hundred switches,
-constexpr double kWindowWork = 1e9;     ///< or operations, where many rows make each of them dear
-constexpr double kDearer = 2.0;         ///< by so much locating switches may cost more,
-constexpr double kBearable = 0.5;       ///< of that: others go on being located
-constexpr double kFast = 100.0;         ///< and motion that is fast without any
-constexpr double kLeast = 1e-5;         ///< of T: shorter steps in time are not taken,
-constexpr double kMost = 0.1;           ///< nor longer ones
-constexpr double kFirstStay = 0.05;     ///< of T
-constexpr double kStepPatience = 1500;  ///< evaluations of steps in time,
-constexpr double kLeastCovered = 0.1;   ///< and the part of T they have to cover;
-constexpr double kLonger = 4.0;         ///< else the least step becomes so much longer,
+constexpr double kWindow = 3000;     ///< evaluations in a window, about a hundred switches,
+constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make these expensive
+constexpr double kDearer = 2.0;      ///< factor by which locating switches may cost more
+constexpr double kBearable = 0.5;    ///< of this: work of islands that continue to be located
+constexpr double kFast = 100.0;      ///< the same factor for motion that is fast without switches
+constexpr double kLeast = 1e-5;      ///< of T: shortest step in time
+constexpr double kMost = 0.1;        ///< of T: longest step in time
+constexpr double kFirstStay = 0.05;  ///< of T: first duration of stepping in time
+constexpr double kStepPatience = 1500;  ///< evaluations of steps in time between two checks
+constexpr double kLeastCovered = 0.1;   ///< of T: the time that these steps have to cover
+constexpr double kLonger = 4.0;         ///< factor on the least step where they do not,
 constexpr double kLongestLeast = 1e-2;  ///< up to this part of T
 constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 
@@ -86,7 +86,8 @@ void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {
 }
 
 double SwitchGovernor::factor(double error) const {
-  // The error of an impact grows with h, that of smooth motion with h³: the root is between.
+  // The error of an impact grows with h, that of smooth motion with h³: the square root of the
+  // error is a compromise.
   const double f = kGovernorSafety / std::sqrt(std::max(error, 1e-10));
   return std::isfinite(f) ? f : kGovernorShrink;
 }
@@ -99,7 +100,7 @@ void SwitchGovernor::stepped(double t, double h, double error, double work, bool
                              double switchWork, long evaluations) {
   watchProgress(h, evaluations);
   const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
-  // A step that was bounded from outside says little about the next.
+  // The next step does not become shorter because an outer bound shortened this one.
   h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), kMost * T_);
   switches_ += again || error > 1.0 ? 1.0 : 0.0, stepWork_ += work;
   if (t - began_ < stay_) return;

@@ -1,5 +1,5 @@
-/// Anitescu and Potra's scheme (theory (31.2), (31.4)): contacts that are closed at the beginning,
-/// on velocity level; rebound is the business of the impact law (theirs: Poisson's).
+/// Anitescu and Potra's scheme (theory (31.2), (31.4)): contacts that are closed at the beginning
+/// of the step, on velocity level. The impact law determines the rebound (theirs is Poisson's).
 ///
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)
 ///   q^E = q^A + Δt (F u^E + β)

@@ -11,11 +11,11 @@ namespace {
 /// More switches than this within Δt_max are not located: plain steps of Δt_max/kPlain follow.
 constexpr int kMostSwitches = 32;
 constexpr double kPlain = 32.0;
-/// Slower than so many times what forces change in a step: the rest of a rebound.
+/// A contact slower than this multiple of the change by forces in a step has the rest of a rebound.
 constexpr double kSettles = 4.0;
-/// Up to this ωH blocks let oscillations of stiff elements grow by 6e-5 at most, for any N.
+/// Up to this ωH, oscillations of stiff elements grow by at most 6e-5 per block, for any N.
 constexpr double kExtrapolated = 0.5;
-/// Shortest Δt_min: so many roundings of the time.
+/// Shortest Δt_min, as a multiple of the time.
 constexpr double kPostImpactNoise = 64.0 * std::numeric_limits<double>::epsilon();
 
 constexpr Eigen::Index kPlanSize = 7;
@@ -146,7 +146,7 @@ void AugmentedMoreau::baseStep(MechanicalSystem& s, InclusionSolver& solver, Sta
   s.evaluate(x);
   auto& problem = s.impactProblem(x, h);
   s.linearlyImplicit(x, kImplicitMidpoint);
-  // What is left of γ_N in a contact that lasts is error, not an approach.
+  // In a contact that stays closed, γ_N is an error and not an approach.
   if (rebound == Rebound::ofNew) restOfClosed(problem, h);
   const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());
   s.velocityFromImpulses(x);
@@ -172,7 +172,7 @@ void AugmentedMoreau::restOfClosed(InclusionProblem& p, double h) const {
     if (!p.law(i).unilateral()) continue;
     const ContactKey key = p.contacts->key[static_cast<std::size_t>(i)];
     const auto row = static_cast<std::size_t>(p.row0(i));
-    // Right behind a switch: no faster than forces made it in the step before.
+    // Right after a switch: the contact is no faster than forces made it in the step before.
     const double byForces = std::abs(p.gammaFree[row] - p.gammaA[row]) * longer;
     const bool settles = isIn(pressed_, key) && std::abs(p.gammaA[row]) <= kSettles * byForces;
     if (sigma_.known() ? isIn(sigma_.carrying(), key) : settles) p.gammaA[row] = 0.0;
@@ -181,7 +181,7 @@ void AugmentedMoreau::restOfClosed(InclusionProblem& p, double h) const {
 
 void AugmentedMoreau::accepted(double t, double H) {
   sigma_ = sigmaBlock_;
-  // Behind the end of what failed there is nothing to be found: it was not a switch.
+  // After the end of the block that failed no switch is left to be found: there was none.
   if (plan_.bisecting && t > plan_.failedEnd - 0.5 * dtMin()) plan_.bisecting = false;
   if (plan_.bisecting)
     plan_.next = std::max(H / 2, dtMin());
@@ -232,9 +232,8 @@ double AugmentedMoreau::dtMin() const {
 
 void AugmentedMoreau::restore(const State& x, double dt) {
   report_ = {};
-  const bool kept =
-      x.scheme.size() > kPlanSize && x.scheme.head(kPlanSize).allFinite() &&
-      std::abs(x.scheme[5]) < kMostSwitches;  // else of another scheme: from the start
+  const bool kept = x.scheme.size() > kPlanSize && x.scheme.head(kPlanSize).allFinite() &&
+                    std::abs(x.scheme[5]) < kMostSwitches;  // else from another scheme: start anew
   if (!kept || !sigma_.restore(x.scheme, kPlanSize)) {
     plan_ = {}, sigma_.forget();
   } else {

@@ -1,13 +1,14 @@
-/// Augmented time-stepping (theory 51) [studer2009]: Moreau's midpoint rule as the base of an
-/// extrapolation in smooth phases; steps that are halved down to Δt_min around the instants where
-/// the discrete state σ changes.
+/// Augmented time-stepping (theory 51) [studer2009]: in smooth phases, Moreau's midpoint rule is
+/// the base of an extrapolation. Around the instants where the discrete state σ changes, steps are
+/// halved down to Δt_min.
 ///
-///   block    T_{j,1} = base^j(x, H/j),  j = 1 … N;   x^E = T_{N,N}      if σ is one in all of it
+///   block    T_{j,1} = base^j(x, H/j),  j = 1 … N;   x^E = T_{N,N}      if σ is constant in it
 ///   switch   H ← H/2 until the block is smooth, or H = Δt_min: one step of the base
 ///
-/// A step is one block or one switch; Δt is the largest length of a block. Rejected: base steps
-/// that look for closed contacts anew. On a curved surface the midpoint may leave it by O(Δt²), and
-/// every such step then looks like a switch; contacts that carried stay closed until they pull.
+/// A step is one block or one switch; Δt is the largest length of a block. Contacts that carried
+/// stay closed until they pull. Rejected: base steps that search for closed contacts anew. The
+/// midpoint may leave a curved surface by O(Δt²), and every such step would then look like a
+/// switch.
 #pragma once
 #include <dynamy/stages/discrete_state.hpp>
 #include <dynamy/stages/extrapolation.hpp>
@@ -40,14 +41,14 @@ class AugmentedMoreau final : public OneStep {
                    State& out) const override;
 
  private:
-  /// What is kept from step to step, in State::scheme.
+  /// Data kept from step to step, in State::scheme.
   struct Plan {
-    double dtMax = 0.0;      ///< the largest Δt asked for [s]
-    double next = 0.0;       ///< length to be tried [s]
+    double dtMax = 0.0;      ///< the largest Δt required so far [s]
+    double next = 0.0;       ///< length to be tried next [s]
     double failedEnd = 0.0;  ///< end of the shortest block that failed [s], while bisecting
     bool bisecting = false;
-    double windowStart = 0.0;  ///< since when switches are counted [s]
-    int switches = 0;          ///< since then
+    double windowStart = 0.0;  ///< time since which switches are counted [s]
+    int switches = 0;          ///< number of switches since then
     double plainUntil = 0.0;   ///< plain time-stepping up to here [s]
   };
   void restore(const State& x, double dt);
@@ -76,15 +77,15 @@ class AugmentedMoreau final : public OneStep {
   Extrapolation table_;
   State begin_;
   StepReport report_;
-  std::vector<ContactKey> closed_;   // of the block, whatever their gaps
-  std::vector<ContactKey> pressed_;  // in the step before
+  std::vector<ContactKey> closed_;   // contacts closed during the block, whatever their gaps
+  std::vector<ContactKey> pressed_;  // contacts that pressed in the step before
   Kinematics kinematics_;
   bool ready_ = false;
   ContactSet contacts_;
   std::vector<double> Lambda_;  // percussions of the last row, summed
   WorkMeter meter_;
-  StepWorks works_;    // of the present row
-  Eigen::VectorXd z_;  // q, u and works: what is extrapolated
+  StepWorks works_;    // works of the present row of the table
+  Eigen::VectorXd z_;  // extrapolated quantities: q, u and works
   Eigen::VectorXd uA_;
 };
 

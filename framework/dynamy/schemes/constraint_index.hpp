@@ -6,7 +6,7 @@
 ///
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   q^E = q^A + Δt (F u^E + β);   M, h, W at (t^A, q^A)
 ///
-/// Impacts are not defined on these levels: a unilateral contact that closes is refused.
+/// Impacts are not defined on these levels: a step in which a unilateral contact closes is refused.
 #pragma once
 #include <dynamy/stages/displacement_level.hpp>
 #include <dynamy/stages/one_step.hpp>

@@ -8,40 +8,40 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostNewtonTurns = 25;
-/// Turns whose contacts found no solution: mostly the tangent is one of forces or velocities that are
-/// far off, and half the step is near enough.
+/// Most turns whose contacts found no solution. Mostly forces or velocities are then far from those
+/// of the tangent, and half the step is near enough.
 constexpr int kMostUnsolved = 2;
-/// A correction of this many lengths is the last one with a new tangent, which is good to 1e-6;
-/// with an old one it is the last if what is left of it after another turn drowns in rounding.
+/// A correction of kLast lengths is the last one with a new tangent, which is accurate to 1e-6.
+/// With an old tangent it is the last one if the rest after another turn would be below kLeftOfWay.
 constexpr double kLast = 1e-10, kLeftOfWay = 1e-15;
-/// The same with a new tangent in closed form, which takes forces of elements as constant: what it
-/// leaves is good to kSlow, else differences take its place.
+/// Last correction with a new tangent in closed form, which takes forces of elements as constant.
+/// It leaves at most kSlow of a correction, otherwise differences replace it.
 constexpr double kLastClosed = 1e-13;
-/// A correction of this many lengths is on the way to nowhere.
+/// A correction of this many lengths shows that the iteration diverges.
 constexpr double kLost = 1e3;
-/// Joints and forces that alone would move bodies by so many lengths more than in the turn before
-/// are far from where their tangent holds: contacts are not solved to the end there.
+/// If joints and forces alone would move bodies by more than this many lengths further than in the
+/// turn before, their tangent does not hold there: contacts are not solved to the end then.
 constexpr double kFar = 1.0;
-/// Corrections that shrink by less than this ask for a new tangent, and by less than kFresh if one
-/// in closed form will do, which costs less than a turn.
+/// A correction above kSlow times the one before requires a new tangent. A tangent in closed form,
+/// which costs less than a turn, is renewed above kFresh already.
 constexpr double kSlow = 0.1, kFresh = 1e-3;
-/// Contacts whose features take turns keep the iteration from ending: a correction of kLast lengths
-/// is the last one after so many turns, one of kNearEnough lengths after more. Where the smallest has not
-/// halved for kMostIdle turns there is no way on.
+/// Contacts with alternating features keep the iteration from ending. After kPatience turns a
+/// correction of kLast lengths is the last one, after kLastPatience turns one of kNearEnough
+/// lengths. The iteration fails where the smallest correction has not halved for kMostIdle turns.
 constexpr int kPatience = 10, kLastPatience = 15, kMostIdle = 6;
 constexpr double kNearEnough = 1e-8;
-/// Steps at a time that a simpler scheme takes.
+/// Most steps at a time that a simpler scheme takes.
 constexpr double kMostSimpler = 15.0;
 
-/// What a turn leaves is enough from here on [lengths].
+/// Correction that ends the iteration after this turn [lengths].
 double enoughAfter(int turn) {
   return turn >= kLastPatience ? kNearEnough : turn >= kPatience ? kLast : 0.0;
 }
 
-/// What contacts are worth where joints and forces alone move bodies by so many lengths.
+/// Effort for contacts where joints and forces alone move bodies by `ahead` lengths.
 Effort worth(double ahead) { return ahead > kFar ? Effort::little : Effort::retried; }
 
-/// Forces that a step withholds are released however it ends.
+/// Releases the forces that a step withholds, however the step ends.
 class Withheld {
  public:
   explicit Withheld(MechanicalSystem& s) : s_(s) {}
@@ -56,7 +56,7 @@ class Withheld {
 }  // namespace
 
 StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
-  if (joints_ == Joints::unknown)  // joints are always closed: once for all steps
+  if (joints_ == Joints::unknown)  // joints are always closed: found once for all steps
     joints_ = newton_.begin(s, x, dt) ? Joints::some : Joints::none;
   if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
   halvingHelps_ = true;
@@ -64,8 +64,8 @@ StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, St
   return halve(s, solver, x, dt, 0);
 }
 
-/// One step, or two of half the length if Newton's iteration fails. Once a smallest part has failed,
-/// it and what is left of the step go the simpler way.
+/// Takes one step, or two of half the length if Newton's iteration fails. Once a smallest part has
+/// failed, the simpler scheme takes it and the rest of the step.
 StepReport EnergyMomentum::halve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                                  int depth) {
   if (simplerAhead(x)) return simpler(s, solver, x, dt);
@@ -97,8 +97,9 @@ bool EnergyMomentum::simplerAhead(const State& x) {
   return x.scheme.size() == 2 && x.scheme[0] >= 1.0;
 }
 
-/// By StaggeredMoreau, which needs no iteration for joints. x.scheme then holds how many more steps
-/// go that way at once, and how many did in all: 1, 3, 7, … where failure follows failure.
+/// Takes a step by StaggeredMoreau, which needs no iteration for joints. x.scheme then holds how
+/// many more such steps follow at once, and the number of steps of this series: 1, 3, 7, … with
+/// repeated failures.
 StepReport EnergyMomentum::simpler(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                    double dt) {
   s.release();
@@ -118,7 +119,7 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   xA_ = x;
   newton_.begin(s, xA_, dt);  // M, h, contacts at q^A
   startMean(xA_, dt);         // v
-  // An impact must not act on turning links for a whole step: it is a jump at q^A.
+  // An impact must not act on turning links during a whole step: it is taken as a jump at q^A.
   const auto jump = projection_.impact(s, solver, xA_, dt, jump_);
   if (jump) newton_.v = xA_.u;
   contacts_.forgetMeanSlip();
@@ -145,8 +146,9 @@ StepReport EnergyMomentum::joined(MechanicalSystem& s, InclusionSolver& solver, 
   return report;
 }
 
-/// v goes on as the means of the last two steps do: they are smooth where the velocities at the
-/// ends, which satisfy joints in the mean only, jump to and fro. x.scheme holds both and their Δt.
+/// Extrapolates v from the mean velocities of the last two steps. These are smooth, while
+/// velocities at the ends of steps, which satisfy joints in the mean only, oscillate. x.scheme
+/// holds both mean velocities and their Δt.
 void EnergyMomentum::startMean(const State& x, double dt) {
   const Eigen::Index nu = x.u.size();
   if (x.scheme.size() != 2 * nu + 2) return;  // v = u^A
@@ -181,7 +183,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     if (fresh) {
       ++report.newton;
       if (!newton_.linearise(s, contacts_.impulse(), tangent)) {
-        // A force that is no number ends the run, with the name of its system.
+        // A force that is not finite ends the run, with an error that names its system.
         const Eigen::VectorXd& h = s.slot(0).h;
         for (Eigen::Index k = 0; k < h.size(); ++k)
           if (!std::isfinite(h[k])) newton_.v[k] = h[k];
@@ -210,8 +212,8 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
     idle = way < 0.5 * least ? 0 : idle + 1;
     if (idle == 0) least = way;
     if (idle == kMostIdle) break;
-    // What is left now tells how good the tangent of the turn before was. If differences are no
-    // better, contacts that turn are what is missing.
+    // The present correction shows how good the tangent of the turn before was. If differences are
+    // no better, the turning of contacts is missing in it.
     const bool slow = turn > 0 && rate > kSlow;
     if (slow && wasFresh) {
       differencesHelp = differencesHelp && closed;
@@ -226,7 +228,7 @@ SolveReport EnergyMomentum::solve(MechanicalSystem& s, InclusionSolver& solver, 
   return report;
 }
 
-/// The impulses go where observers and the next step look for them.
+/// Passes the impulses to the system and the state, where observers and the next step read them.
 void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt, bool jump) {
   x.t = xA_.t + dt / 2;
   s.impactProblem(x, dt, 0);
@@ -241,7 +243,7 @@ void EnergyMomentum::hand(MechanicalSystem& s, State& x, double dt, bool jump) {
     for (int r = 0; r < c.dim(i); ++r) Lambda[c.row0[at] + r] = from ? from[r] : 0.0;
     if (isJoint) ++joint, row += c.dim(i);
   }
-  s.keepImpulses(x);  // those of a jump do not come again
+  s.keepImpulses(x);  // without those of a jump, which does not repeat
   newton_.finish(s);
   x.t = xA_.t;
   if (!jump) return;

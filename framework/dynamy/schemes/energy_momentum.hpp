@@ -5,12 +5,12 @@
 ///   g_J(q^E) = 0                        joints at position level, W̃ their discrete gradient
 ///   ξ = γ^E + ε γ^A + s,  −ξ ∈ N_C(Λ_c)    contacts at q^M, s = g^M/Δt as in StaggeredMoreau
 ///
-/// Solved by Newton's method with the full tangent, in halves of the step where that fails, and by
-/// StaggeredMoreau where that fails as well (StepReport::simpler). Joints
-/// then do no work at any Δt and hold to rounding; forces that are linear in q do exactly the work
-/// they should; those that the step does not resolve, h_d, are damped (DampedForces). Without
-/// joints the step is that of StaggeredMoreau. RATTLE and joints at velocity level were rejected:
-/// with a heavy mass at the end of a light chain they explode where this one keeps the energy.
+/// The equations are solved by Newton's method with the full tangent. Where it fails the step is
+/// halved, and where that fails as well StaggeredMoreau takes it (StepReport::simpler). Joints do
+/// no work at any Δt and hold to rounding. Forces that are linear in q do exactly their work;
+/// forces that the step does not resolve, h_d, are damped (DampedForces). Without joints the step
+/// is that of StaggeredMoreau. RATTLE and joints at velocity level were rejected: with a heavy mass
+/// at the end of a light chain they diverge where this scheme conserves the energy.
 #pragma once
 #include <dynamy/schemes/joints/condensed_contacts.hpp>
 #include <dynamy/schemes/staggered_moreau.hpp>
@@ -22,10 +22,10 @@ class EnergyMomentum final : public OneStep {
   EnergyMomentum() = default;
   explicit EnergyMomentum(const Parameters& x);
   static void declare(Attributes& a);
-  /// Where Newton's iteration fails steps are neither halved nor taken by a simpler scheme: of use to
-  /// those who go on otherwise.
+  /// From now on a step fails where Newton's iteration fails: it is neither halved nor taken by a
+  /// simpler scheme. For callers that handle the failure themselves.
   void whole() { most_ = 0; }
-  /// Known after the first step.
+  /// True: the model has joints; known after the first step.
   bool hasJoints() const { return joints_ == Joints::some; }
   int order() const override { return 1; }
   int evaluations() const override { return 2; }

@@ -43,7 +43,7 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
   return {dt, solved, s.problem().size()};
 }
 
-/// Closed at q^A or at the forecast, or pressed in the last step.
+/// Finds the contacts that are closed at q^A or at the prediction, or pressed in the last step.
 void GeneralizedAlpha::activeContacts(MechanicalSystem& s, State& x, double dt) {
   keys_.clear();
   addKeys(s.evaluate(x, 1).contacts, keys_);
@@ -84,7 +84,7 @@ double GeneralizedAlpha::correct(MechanicalSystem& s, InclusionSolver& solver, S
   s.velocityFromImpulses(x);
   s.usedForce(h_, hNonPotential_);
   begin_.impulses = x.impulses;
-  // w = M⁻¹WΛ; v̇ gains M̂⁻¹(h − M v̇) and, per ∂ũ/∂v̇, what springs make of the change of w
+  // w = M⁻¹WΛ; v̇ gains M̂⁻¹(h − M v̇) and, per ∂ũ/∂v̇, the effect of springs on the change of w
   const MassMatrix& mass = s.slot(0).mass;
   mass.apply(view(std::as_const(vdot_)), view(residual_));
   residual_ = h_ - residual_;

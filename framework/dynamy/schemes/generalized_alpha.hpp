@@ -6,9 +6,10 @@
 ///   M w = WΛ,   u^E = ũ + w,   q^E = q^A ⊕ Δt F (u^A + Δt ((½−β) a^A + β a^E) + w/2)
 ///   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i);   M, W at q^E
 ///
-/// α_m = (2ρ−1)/(1+ρ), α_f = ρ/(1+ρ), γ = ½ + α_f − α_m, β = ¼(γ + ½)²: ρ is what is left of
-/// infinitely fast oscillations after a step. Newton with derivatives of stiff elements only, also
-/// in the matrix of the contacts, Wᵀ M̂⁻¹ W: percussions move the springs.
+/// α_m = (2ρ−1)/(1+ρ), α_f = ρ/(1+ρ), γ = ½ + α_f − α_m, β = ¼(γ + ½)²: ρ is the share of
+/// infinitely fast oscillations that is left after a step. Newton's method uses derivatives of
+/// stiff elements only, also in the matrix of the contacts, Wᵀ M̂⁻¹ W, since percussions move the
+/// springs.
 #pragma once
 #include <dynamy/stages/displacement_level.hpp>
 #include <dynamy/stages/one_step.hpp>

@@ -1,5 +1,5 @@
-/// Stabilised scheme of Gear, Gupta and Leimkuhler (theory (31.12), (31.13)): laws on velocity and
-/// on position level, with a multiplier each.
+/// Stabilised scheme of Gear, Gupta and Leimkuhler (theory (31.12), (31.13)): laws on velocity
+/// level and on position level, each with its own multiplier.
 ///
 ///   q^E = q^A + Δt (F u^A + β) + F M⁻¹Wτ,    0 ≤ g(q^E) ⊥ τ ≥ 0      (joints: g(q^E) = 0)
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i)
@@ -11,7 +11,7 @@
 
 namespace dynamy {
 
-/// A law's normal and joint rows alone; the others carry nothing.
+/// Restricts a law to its normal and joint rows; the other rows carry nothing.
 class PositionLaw final : public SetValuedForceLaw {
  public:
   void of(const SetValuedForceLaw& law) { law_ = &law; }

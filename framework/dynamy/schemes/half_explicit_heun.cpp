@@ -8,7 +8,7 @@ namespace {
 constexpr int kMostHeunIterations = 40;
 constexpr double kHeunConverged = 1e-14;  ///< change of γ, relative to the velocities
 
-/// Heun's rule lets oscillations grow by (ωΔt)⁴/8 a step; up to this ωΔt by 2e-4.
+/// With Heun's rule oscillations grow by (ωΔt)⁴/8 per step; up to this ωΔt by 2e-4.
 constexpr double kHeun = 0.2;
 
 }  // namespace
@@ -65,7 +65,7 @@ SolveReport HalfExplicitHeun::predict(MechanicalSystem& s, InclusionSolver& solv
   SolveReport solved;
   double before = 0.0;
   for (int i = 0;; ++i) {
-    // W(Q)ᵀU = W^Aᵀ U + what the turning of W adds at the last U.
+    // W(Q)ᵀU = W^Aᵀ U + the part that the turning of W adds, taken at the last U.
     s.slot(2).contacts.gamma(view(std::as_const(stage_.u)), {gammaQ_.data(), n});
     s.slot(1).contacts.gamma(view(std::as_const(stage_.u)), {gammaA_.data(), n});
     double change = 0.0, size = 0.0;

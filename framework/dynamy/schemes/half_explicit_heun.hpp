@@ -1,12 +1,13 @@
-/// Half-explicit Heun scheme (theory (31.10), (31.11)): order 2 with the laws on velocity level,
-/// impacts within the step, as in the half-explicit relatives of D1Minus.
+/// Half-explicit Heun scheme (theory (31.10), (31.11)): order 2 with the laws on velocity level and
+/// impacts within the step, as in the half-explicit relatives of the scheme D1Minus.
 ///
 ///   Q = q^A + Δt F u^A,    M^A (U − u^A) − Δt h^A − W^A Λ₁ = 0,   laws with W(Q)ᵀU + ε γ^A and Λ₁
 ///   q^E = q^A + Δt/2 F (u^A + U)
 ///   u^E = (u^A + U)/2 + Δt/2 M(Q)⁻¹ h(Q, U) + M^E⁻¹ W^E (Λ − Λ₁/2),   laws with γ^E + ε γ^A and Λ
 ///
-/// Active in both stages: contacts closed at q^A or Q, or pressed in the last step. Rejected:
-/// accelerations of closed contacts as unknowns, which are not unique where Coulomb's law is not.
+/// Active in both stages: contacts that are closed at q^A or Q, or pressed in the last step.
+/// Rejected: accelerations of closed contacts as unknowns, which are not unique where Coulomb's law
+/// is not.
 #pragma once
 #include <dynamy/stages/displacement_level.hpp>
 #include <dynamy/stages/one_step.hpp>

@@ -15,7 +15,7 @@ StepReport MoreauMidpoint::step(MechanicalSystem& s, InclusionSolver& solver, St
 
 void MoreauMidpoint::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                  double theta, State& out) const {
-  // The scheme's own trajectory: u^A up to the midpoint, u^E behind it.
+  // The scheme's own trajectory: u^A up to the midpoint, u^E after it.
   const double dt = b.t - a.t;
   out.t = a.t, out.q = a.q, out.u = theta < 0.5 ? a.u : b.u;
   if (theta <= 0.5) {

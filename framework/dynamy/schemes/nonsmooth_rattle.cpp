@@ -6,8 +6,8 @@ namespace {
 
 constexpr int kMostRattleIterations = 30;
 constexpr double kRattleConverged = 1e-13;  ///< change of h(q^A, u^½), relative
-constexpr double kRattleStalled = 1e-9;     ///< a change that no longer falls is taken below this
-constexpr double kLeapfrog = 2.0;           ///< stable up to this ωΔt
+constexpr double kRattleStalled = 1e-9;     ///< a change that stalls is accepted below this
+constexpr double kLeapfrog = 2.0;           ///< largest stable ωΔt
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-/// Nonsmooth RATTLE (theory (31.7), (31.8)): positions and velocities both at the end, order 2
-/// between impacts.
+/// Nonsmooth RATTLE (theory (31.7), (31.8)): laws for both positions and velocities at the end of
+/// the step, order 2 between impacts.
 ///
 ///   M^A (u^½ − u^A) − Δt/2 h(q^A, u^½) − W^A Λ₁ = 0,   q^E = q^A + Δt (F u^½ + β)
 ///        ξ_N = g(q^E)/Δt,  ξ_T = γ_T(u^½),   −ξ ∈ N_C(Λ₁)

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Of the step before: the shortest step that passes as equally long.
+/// Shortest step that is accepted as equally long, as a part of the step before.
 constexpr double kEqual = 1e-4;
 
 }  // namespace

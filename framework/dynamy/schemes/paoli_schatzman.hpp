@@ -1,10 +1,10 @@
-/// Paoli and Schatzman's scheme (theory (31.5)): two steps, laws on displacement level.
+/// Paoli and Schatzman's scheme (theory (31.5)): a two-step rule with laws on displacement level.
 ///
 ///   M (q_{k+1} − 2 q_k + q_{k−1})/Δt = h Δt + WΛ,   ξ_N = (g(q_{k+1}) + ε g(q_{k−1}))/Δt
 ///   u_k = (q_k − q_{k−1})/Δt is the velocity of the state; M, h, W at q_k
 ///
-/// Friction, which the method does not define, acts on (q_{k+1} − q_k)/Δt. Rejected: q_{k−1} as a
-/// second position in the state; it is q_k moved back by Δt u_k.
+/// The method does not define friction; here friction acts on (q_{k+1} − q_k)/Δt. Rejected: q_{k−1}
+/// as a second position in the state, since it is q_k moved back by Δt u_k.
 #pragma once
 #include <dynamy/stages/displacement_level.hpp>
 #include <dynamy/stages/one_step.hpp>

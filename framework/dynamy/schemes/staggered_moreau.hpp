@@ -3,23 +3,23 @@
 ///
 ///   q^M = q^A ⊕ Δt/2 u^A,   overlaps repaired in the metric of the mass
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ = γ^E + ε γ^A + s,   −ξ_i ∈ N_{C_i}(Λ_i)
-///   s_N = g^M/Δt if g^M > dead, else 0       (not for a contact that is to rebound)
+///   s_N = g^M/Δt if g^M > dead, else 0       (not for a contact that will rebound)
 ///   s_J = γ^A  (joints hold the mean velocity)   or   s_J = κ g^M/Δt, capped  (stabilised)
 ///   q^E = q^M ⊕ Δt/2 u^E,   joints projected
 ///
-/// h at q^M and u^A, gyroscopic terms of free bodies at the mean velocity of their free motion: at
-/// u^A they would drive a spinning body. Forces that the step does not resolve (UnresolvedForces)
-/// are taken at its end: M̂ = M − Δt D − Δt² K stands for M, and they are damped.
+/// h is taken at q^M and u^A, gyroscopic terms of free bodies at the mean velocity of their free
+/// motion: at u^A they would drive a spinning body. Forces that the step does not resolve
+/// (UnresolvedForces) are taken at its end: M̂ = M − Δt D − Δt² K replaces M, and they are damped.
 ///
 /// Where the solver stops at a residual above 1e-4 (many contacts at a bounded cost), x.scheme holds
-/// the places of the contacts, and the next step is rough: it lifts nothing and closes nothing
-/// before its impacts, but asks for s_N = g^M/Δt for gaps of either sign, until no overlap is left.
+/// the places of the contacts, and the next step is rough. A rough step lifts and closes no contact
+/// before its impacts, but uses s_N = g^M/Δt for gaps of either sign, until no overlap is left.
 ///
-/// Rounding can no longer carry a resting contact away: its gap is asked back in the next step, and
-/// with that a start that fulfils the solver's tolerance is good enough. The dead band keeps
-/// rounding of gaps out of the rates; it must be small, because four corners with different s make
-/// a rigid face contradict itself by dead/Δt. γ^E = 0 in joints was rejected: it takes Δt ω²/2 of
-/// the kinetic energy per second; the mean velocity keeps it.
+/// Rounding cannot move a resting contact away, since the next step closes its gap again. Therefore
+/// a start that fulfils the solver's tolerance is good enough. The dead band keeps rounding of gaps
+/// out of the rates. It must be small, because four corners of a rigid face with different s
+/// contradict each other by dead/Δt. γ^E = 0 in joints was rejected: it removes Δt ω²/2 of the
+/// kinetic energy per second, which the mean velocity conserves.
 #pragma once
 #include <dynamy/stages/lost_impulses.hpp>
 #include <dynamy/stages/one_step.hpp>
@@ -34,8 +34,8 @@ class StaggeredMoreau final : public OneStep {
   struct Options {
     Joints joints = Joints::mean;
     Project project = Project::both;
-    double kappa = 1.0;  ///< share of a joint's error asked back per step
-    double cap = 1.0;    ///< of the speed with which it is asked back [m/s]
+    double kappa = 1.0;  ///< share of a joint's error that one step corrects
+    double cap = 1.0;    ///< bound of the speed of this correction [m/s]
   };
   StaggeredMoreau() = default;
   explicit StaggeredMoreau(const Options& options) : options_(options) {}
@@ -58,7 +58,7 @@ class StaggeredMoreau final : public OneStep {
   LostImpulses lost_;
   PositionAim aim_;                      // of this step
   InclusionProblem* problem_ = nullptr;  // of this step
-  std::vector<ContactKey> arrived_;      // lifted out of an overlap, or closed, in this step
+  std::vector<ContactKey> arrived_;      // contacts lifted out of an overlap or closed in this step
   std::vector<ContactKey> arriving_;
 };
 

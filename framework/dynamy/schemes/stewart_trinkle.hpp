@@ -1,5 +1,5 @@
-/// Stewart and Trinkle's scheme (theory (31.2), (31.3)): the gap at the end of the step,
-/// linearised, in the law.
+/// Stewart and Trinkle's scheme (theory (31.2), (31.3)): the law holds for the linearised gap at
+/// the end of the step.
 ///
 ///   M(u^E − u^A) − hΔt − WΛ = 0,   ξ_N = γ_N^E + g/Δt,   ξ_T = γ_T^E,   −ξ_i ∈ N_{C_i}(Λ_i)
 ///   q^E = q^A + Δt (F u^E + β)

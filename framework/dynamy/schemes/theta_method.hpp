@@ -1,12 +1,12 @@
-/// Modified Θ-method (theory (31.6)), implicit in the smooth forces, Moreau's inclusion:
+/// Modified Θ-method (theory (31.6)): implicit in the smooth forces, with Moreau's inclusion:
 ///
 ///   q^M = q^A + (1−Θ)Δt (F u^A + β)
 ///   M(u^E − u^A) − Δt [Θ h(q^E,u^E,t^E) + (1−Θ) h(q^A,u^A,t^A)] − WΛ = 0
 ///   ξ = γ^E + ε γ^A,   −ξ_i ∈ N_{C_i}(Λ_i),     q^E = q^M + ΘΔt (F u^E + β)
 ///   M, W, χ at (t^M, q^M); contacts with g(q^M) ≤ g_tol
 ///
-/// Newton on the smooth part with the matrix M̂ = M − ΘΔt ∂h/∂u − Θ²Δt² ∂h/∂q F; derivatives only of
-/// elements that declare themselves stiff, the others converge as they are.
+/// Newton's method solves the smooth part with the matrix M̂ = M − ΘΔt ∂h/∂u − Θ²Δt² ∂h/∂q F. It
+/// uses derivatives only of elements that declare themselves stiff; others converge without them.
 #pragma once
 #include <dynamy/stages/one_step.hpp>
 

@@ -9,12 +9,14 @@ namespace dynamy {
 namespace {
 
 constexpr double kEta = 1e-6;  ///< proximal part η
-/// σ = τρ. ½, the value for convex problems, takes more iterations and factorisations on contacts.
+/// Factor of the first σ = τρ. The value ½ for convex problems takes more iterations and
+/// factorisations on contacts.
 constexpr double kOverRelaxed = 0.015;
-/// Large factors: contacts, and how many of them one feels on average, itself included.
+/// Problems with large factors have at least so many contacts, each of them coupled with so many on
+/// average, itself included.
 constexpr int kManyContactsOfAdmm = 200;
 constexpr double kManyNeighbours = 16.0;
-constexpr double kBalanced = 10.0;  ///< residuals that differ by less are balanced
+constexpr double kBalanced = 10.0;  ///< residuals that differ by a smaller factor are balanced
 constexpr double kLargestChange = 10.0;
 /// Residuals are compared after 10, 20, 40 … iterations.
 constexpr int kFirstBalance = 10;

@@ -4,9 +4,9 @@
 ///   x ← (G + (η + σ) D)⁻¹ (z − s − c + D (σ y + η x)),   D = diag(λ_i)
 ///   y ← P_C(x − z/(σλ)),   z ← z − σ D (x − y),   s_i = μ_i |z_Ti| e_N [carpentier2024]
 ///
-/// σ = τρ balances the residuals |x − y| and |y − y_old|; every change of it costs a factorisation,
-/// of which there are at most `maxFactorisations`. G may have any rank. A good first thousandth of
-/// the residual, then a long tail: for tight tolerances ProximalNewton is the solver.
+/// σ = τρ balances the residuals |x − y| and |y − y_old|. Every change of σ costs a factorisation;
+/// at most `maxFactorisations` are made. G may have any rank. The residual falls fast to about a
+/// thousandth, then slowly: for tight tolerances use ProximalNewton.
 #pragma once
 #include <dynamy/solver/newton/fischer_burmeister.hpp>
 #include <dynamy/solver/newton/newton_system.hpp>
@@ -15,7 +15,7 @@
 namespace dynamy {
 
 struct AdmmOptions {
-  double tolerance = 1e-10;  ///< of E_f and E_u
+  double tolerance = 1e-10;  ///< bound on E_f and E_u
   int maxIterations = 5000;
   int maxFactorisations = 10;
 };
@@ -26,17 +26,18 @@ class Admm final : public InclusionSolver {
   explicit Admm(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
-  /// Every contact feels many others, so that factors are large and one is better than several.
+  /// True for large problems without bodies in which every contact is coupled with many others:
+  /// factors are then large, and a method with one factorisation is better than one with several.
   static bool pays(const InclusionProblem& problem);
 
  private:
   bool prepare(const InclusionProblem& p, Vec Lambda);
   bool factor(const InclusionProblem& p);
-  /// One iteration; false: a number is not finite. Sets primal_ and dual_.
+  /// Makes one iteration and sets primal_ and dual_; false: a number is not finite.
   bool iterate(const InclusionProblem& p);
-  /// y_i ← P_C(a_i), and z without the shift.
+  /// Projects on the set of contact i, without the shift: y_i ← P_C(a_i), a_i in `y`.
   void project(const InclusionProblem& p, int i, double* y) const;
-  /// Another σ if the residuals differ much; false: its factors failed.
+  /// Changes σ and factors again if the residuals differ much; false: the factorisation failed.
   bool balance(const InclusionProblem& p, int iteration);
 
   AdmmOptions options_;

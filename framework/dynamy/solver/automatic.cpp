@@ -10,40 +10,41 @@ constexpr double kColdResidual = 1e-2;  ///< above, a start is not near the solu
 constexpr int kMostRestarted = 400;     ///< contacts; above, restarts cost seconds
 /// Rows that are pivoted if nothing else helps: above, the tableau of the polygons costs seconds.
 constexpr int kMostPivoted = 100;
-/// Rows of a given problem from which more starts cost seconds each; starts for every schedule, and
-/// Newton steps from each. Of 14 random problems with masses over up to sixteen decades that
-/// nothing before solves, 10 are solved by one of sixty: which one is luck, so that many short
-/// tries are worth more than a few long ones.
+/// Rows of a given problem above which every further start costs seconds; starts for every
+/// schedule; Newton steps from each start. No earlier stage solves 14 random problems with masses
+/// over up to sixteen decades; for 10 of them one of sixty starts leads to a solution. Which start
+/// does so is chance, so that many short attempts are worth more than a few long ones.
 constexpr int kMostOthers = 200, kOtherStarts = 9, kOtherSteps = 400;
-/// Of bounded solves: contacts from which they are; Newton steps that correct a start, and how near
-/// it has to be; sweeps at most to what is enough, and more to what is accepted; where the start is
-/// good enough, sweeps at most to a third of that.
+/// Limits of bounded solves: kBoundedFrom contacts or more; kCorrecting Newton steps from a start
+/// with a residual up to kCorrectable; kMostSweeps sweeps to reach kEnough, kLastSweeps more to
+/// reach kAccepted; kFewSweeps sweeps to a third of the residual of a start that is good enough.
 constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 300, kLastSweeps = 1000,
               kFewSweeps = 40;
 constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
 /// Newton steps of bounded solves after a step that was exact.
 constexpr int kAfterExact = 100;
-/// Newton steps with bodies where a step does with little: 364 of 379 solved ones need less than 60.
+/// Newton steps for problems with bodies that deserve little effort: 364 of 379 solved ones need
+/// less than 60.
 constexpr int kQuick = 100;
-/// Products that the Newton steps of one attempt at a problem without bodies may take in a time step:
-/// some tenths of a second; and steps that it has in any case.
+/// Products that the Newton steps of one attempt at a problem without bodies may take in a time
+/// step (some tenths of a second), and the least number of Newton steps.
 constexpr double kMostProducts = 1e9;
 constexpr int kFewestSteps = 25;
-/// The same where the step is tried again. Of 7952 such problems of jointed scenes 7873 are solved by
-/// sweeps and at most 453 Newton steps in 15 s, 5 by longer searches in 2 s; 74 are not solved by any,
-/// in 37 s.
+/// Products and least Newton steps if the time step is tried again. Of 7952 such problems of
+/// jointed scenes 7873 are solved by sweeps and at most 453 Newton steps in 15 s, and 5 by longer
+/// searches in 2 s; 74 are not solved by any, in 37 s.
 constexpr double kMostTried = 2e8;
 constexpr int kFewestTried = 4;
-/// Forces of contacts that would each make velocities above this alone [u_ref] leave nothing but the rounding
-/// of their sum: of a problem without a solution they are no answer.
+/// Largest velocity [u_ref] that a contact force may cause alone. Sums of larger forces are only
+/// rounding; they are no answer to a problem without a solution.
 constexpr double kDrowned = 1e12;
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
 /// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
 constexpr int kAlternations = 20;
 
-/// Products of an elimination whose blocks of G are filled where islands are: the rows of a contact
-/// are coupled with those of its neighbours alone.
+/// Products of an elimination of G in which every island is a filled block: the rows of a contact
+/// are coupled only with those of its neighbours.
 double productsOf(const InclusionProblem& p) {
   const BlockRows& G = p.G->blockRows();
   double products = 0.0;
@@ -146,11 +147,11 @@ void Automatic::keep(const InclusionProblem& p, ConstVec Lambda, const Residuals
 SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport report) {
   const double E = report.residuals.largest();
   if (p.size() == 1 && easy_.oneContact(p, options_.tolerance, Lambda, report)) return report;
-  const bool good = E <= options_.tolerance;  // and still worth a step
+  const bool good = E <= options_.tolerance;  // but still worth a step
   const bool first = Lambda.isZero(0.0);
   const bool cold = !good && (E > kColdResidual || first);
   const bool many = bounds(p), loose = p.corrected == Corrected::byGapsLoosely;
-  // Without bodies a Newton step eliminates all rows: of so many it costs more than all sweeps.
+  // Without bodies a Newton step eliminates all rows, which for so many costs more than all sweeps.
   if (many && (!p.G->hasBodies() || (!first && loose && E > kCorrectable)))
     return boundedSweeps(p, Lambda, report);
   if (cold && LemkeSolver::pays(p)) {
@@ -167,8 +168,8 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
     if (solved) return report;
     keep(p, {easy_.best().data(), Lambda.size()}, easy_.bestResiduals());
   }
-  // After exact steps Newton's method has its chance once: a scene at rest stays exact, and so does
-  // one that begins to slide.
+  // After exactly solved steps Newton's method is tried once: a scene at rest stays exact, and so
+  // does one that begins to slide.
   const NewtonLimits most =
       limits(p, first ? options_.maxNewton : (loose ? kCorrecting : kAfterExact));
   report = newton_.refine(p, Lambda, report, cold, scratch_.data(), &most);
@@ -181,7 +182,8 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
 }
 
 bool Automatic::bounds(const InclusionProblem& p) const {
-  // Without bodies only where the scheme asks back what is left: not of joints, which hold velocities.
+  // Problems without bodies are bounded only if the gaps of the next step correct their errors,
+  // which excludes joints, which hold velocities.
   const bool askedBack = p.corrected == Corrected::byGaps ||
                          p.corrected == Corrected::byGapsLoosely ||
                          (p.corrected == Corrected::inIteration && p.G->hasBodies());
@@ -195,7 +197,7 @@ bool Automatic::condensed(const InclusionProblem& p) const {
 NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
   const NewtonLimits all{options_.maxNewton, options_.maxPatient, options_.maxIterations};
   if (bounds(p)) return {steps, 0, 0};
-  // With bodies, where a step does with what finds nearly all solutions.
+  // With bodies, kQuick steps find nearly all solutions if little effort is wanted.
   if (!condensed(p))
     return options_.bounded && p.effort != Effort::full ? NewtonLimits{kQuick, 0, 0} : all;
   const double products = productsOf(p);
@@ -209,7 +211,7 @@ NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
 }
 
 SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, SolveReport report) {
-  // Forces that are near already: some sweeps more, so that the errors of many steps do not add up.
+  // If the forces are near already, some more sweeps keep the errors of many steps from adding up.
   const double now = report.residuals.largest();
   const bool near = now <= kEnough;
   const double aim = near ? std::max(now / 3.0, options_.tolerance) : kEnough;
@@ -260,7 +262,7 @@ void Automatic::press(const InclusionProblem& p, double velocity, int spread,
   for (int i = 0; i < p.size(); ++i) {
     const double lambda = contactLambda(p.G->diagonalBlock(i), p.dim(i));
     if (!(lambda > 0.0) || p.law(i).rowKind(0) != RowKind::normal) continue;
-    // Spread over four decades, otherwise in every start.
+    // Factors spread over four decades, different for every start.
     const double decades = spread == 0 ? 0.0 : 4.0 * std::fmod(kGolden * spread * (i + 1), 1.0);
     Lambda[p.row0(i)] = velocity * std::pow(10.0, decades) * p.uRef / lambda;
   }
@@ -293,7 +295,7 @@ bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& rep
 }
 
 bool Automatic::others(const InclusionProblem& p, Vec Lambda, SolveReport& report) {
-  // In a time step, tries by the hundred cost more than the halves of the step.
+  // In a time step, hundreds of attempts cost more than halving the step.
   if (p.G->hasBodies() || condensed(p) || p.rows() > kMostOthers ||
       report.status == SolveStatus::notFinite || !rescue_.prepare(p))
     return false;

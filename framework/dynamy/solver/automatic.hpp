@@ -5,12 +5,12 @@
 ///   → proximal Newton from other starts → pivoting
 ///   → problems from files: many more starts
 ///
-/// A user who names no tolerance does not require one at any price: many contacts then get exact
-/// forces where few Newton steps find them, and packed sweeps elsewhere to the residual that is
-/// enough for the scheme (`bounded`, theory 4.15); the report says so.
+/// If the user gives no tolerance, the work on many contacts is bounded (`bounded`, theory 4.15): a
+/// few Newton steps are tried for exact forces; if they fail, packed sweeps reduce the residual to
+/// what is enough for the scheme. The report says so.
 ///
-/// Every stage is judged by the same residuals. The result is the best Λ that any of them had, be
-/// it the start; an unconverged one is returned as such.
+/// All stages are judged by the same residuals. The result is the best Λ of all stages, the start
+/// included; if it has not converged, the status says so.
 #pragma once
 #include <dynamy/solver/admm.hpp>
 #include <dynamy/solver/easy_problems.hpp>
@@ -22,12 +22,12 @@
 namespace dynamy {
 
 struct AutomaticOptions {
-  double tolerance = 1e-10;   ///< of E_f and E_u, or of the problem's own measure
-  int maxNewton = 500;        ///< Newton steps, then those with another ρ
-  int maxPatient = 2000;      ///< Newton steps of these, then sweeps
+  double tolerance = 1e-10;   ///< bound on E_f and E_u, or on the problem's own measure
+  int maxNewton = 500;        ///< Newton steps of the first attempt
+  int maxPatient = 2000;      ///< Newton steps with another ρ, before the last sweeps
   int maxIterations = 10000;  ///< sweeps of the last stage
-  bool minimalNorm = false;   ///< of forces that are not unique, the smallest ones
-  bool bounded = false;       ///< what many contacts may cost is bounded (theory 4.15)
+  bool minimalNorm = false;   ///< returns the smallest forces if forces are not unique
+  bool bounded = false;       ///< bounds the work on many contacts (theory 4.15)
 };
 
 class Automatic final : public InclusionSolver {
@@ -39,43 +39,47 @@ class Automatic final : public InclusionSolver {
 
  private:
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
-  /// The stages one after the other, from a start that is worth improving; its residuals in.
+  /// Runs the stages one after the other from a start that is worth improving. In: `report` holds
+  /// the residuals of the start.
   SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Is the work on this problem bounded?
   bool bounds(const InclusionProblem& problem) const;
-  /// Is it that of a time step, without bodies: condensed from joints or stiff forces?
+  /// Is this the problem of a time step, without bodies, condensed from joints or stiff forces?
   bool condensed(const InclusionProblem& problem) const;
-  /// What Newton's method may cost: less where a condensed G is eliminated as a whole, and little
-  /// where the step is tried again. `steps`: at many contacts whose work is bounded.
+  /// Limits of Newton's method: fewer steps if a condensed G is eliminated as a whole, and few if
+  /// the time step is tried again. `steps`: limit for many contacts whose work is bounded.
   NewtonLimits limits(const InclusionProblem& problem, int steps) const;
-  /// The last stage for many contacts, at a bounded cost.
+  /// Makes packed sweeps at a bounded cost: the last stage for many contacts.
   SolveReport boundedSweeps(const InclusionProblem& problem, Vec Lambda, SolveReport report);
-  /// Its status by what is enough.
+  /// Sets the status of a bounded solve by the residual that is enough for the scheme.
   SolveReport judged(SolveReport report) const;
-  /// Remembers Λ if it is the best one so far, and more than rounding.
+  /// Remembers Λ if it is the best one so far, unless its forces are so large that their sums are
+  /// only rounding.
   void keep(const InclusionProblem& problem, ConstVec Lambda, const Residuals& residuals);
-  /// Alternating directions for problems with large factors; true: solved, else Λ is the start.
+  /// Tries alternating directions on problems with large factors; true: solved, otherwise Λ is the
+  /// start again.
   bool alternate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
-  /// Newton's method from other starts with other steps ρ; true: solved. Λ is the best one so far.
+  /// Tries Newton's method from other starts with other ρ; true: solved. Λ is the best one so far.
   bool restarts(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
 
-  /// Many short tries from many starts, for small given problems; true: solved. Λ is the best one
-  /// so far.
+  /// Makes short attempts from many starts, for small given problems; true: solved. Λ is the best
+  /// one so far.
   bool others(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Newton's method from `trial`; Λ and the residuals in `report` become better or remain.
   bool tryFrom(const InclusionProblem& problem, const NewtonSchedule& schedule,
                Eigen::VectorXd& trial, Vec Lambda, SolveReport& report);
-  /// Λ ← normal forces that alone give `velocity` · u_ref, times up to 1e4 in an order that
-  /// `spread` numbers; 0: all alike.
+  /// Λ ← normal forces that each alone give their own contact the velocity `velocity` · u_ref.
+  /// `spread` numbers a pattern of factors from 1 to 1e4 on these forces; 0: no factors.
   static void press(const InclusionProblem& problem, double velocity, int spread,
                     Eigen::VectorXd& Lambda);
-  /// Lemke's method and Newton steps from its polygons; true: solved. Λ is the best one so far.
+  /// Tries Lemke's method, then Newton steps from its solution for friction polygons; true: solved.
+  /// Λ is the best one so far.
   bool pivot(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
 
   AutomaticOptions options_;
   EasyProblems easy_;
   ProximalNewton newton_;
-  LemkeSolver lemke_;  // for G_ii = 0, and last
+  LemkeSolver lemke_;  // for contacts with G_ii = 0, and after restarts
   BlockNewton rescue_;
   MinimalNorm minimalNorm_;
   Admm admm_;

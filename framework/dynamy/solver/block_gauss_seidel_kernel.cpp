@@ -39,7 +39,7 @@ void BlockGaussSeidel::contact(const InclusionProblem& p, int i, int prepared, c
   }
   const LocalCase found = local_.solve(prepared, b, mine).found;
   const bool finite = std::all_of(mine, mine + dim, [](double x) { return std::isfinite(x); });
-  if (!finite) std::copy(old, old + dim, mine);  // of numbers whose squares are none
+  if (!finite) std::copy(old, old + dim, mine);  // squares of huge numbers overflow
   if (!finite || found == LocalCase::notSimple || found == LocalCase::noSolution)
     iterateContact(p.law(i), p.input(i), D, b, r + first, mine);
   for (int k = 0; k < dim; ++k) old[k] = mine[k] - old[k];

@@ -7,13 +7,14 @@
 namespace dynamy {
 namespace {
 
-constexpr int kAndersonDepth = 5;  ///< of Anderson's acceleration
+constexpr int kAndersonDepth = 5;  ///< depth of Anderson's acceleration
 constexpr int kFirstSweeps =
-    20;  ///< before the rate is judged: acceleration takes some to build up
+    20;  ///< sweeps before the rate is judged: acceleration takes some to build up
 constexpr int kSweepsPerTest = 5;
-/// Handed to Newton's method. 10 to 40 differ by luck on the collection; 15 was the best of five.
+/// Plain prox sweeps before Newton's method. On the collection, 10 to 40 sweeps differ by chance;
+/// 15 was the best of five values.
 constexpr int kPlainSweeps = 15;
-/// Sweeps that a Newton solve is worth; above, sweeps are left.
+/// Sweeps that cost as much as a Newton solve; if more are needed, sweeps end.
 constexpr double kSweepPatience = 300.0;
 
 }  // namespace
@@ -74,13 +75,14 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
                           SolveReport& report) {
   report.method = "sweeps";
   block_.prepare(p);
-  // Also where all sets are simple: a contact may have no solution for some b, and then steps by r.
+  // r is needed even if all sets are simple: a contact without solution for some b makes a prox
+  // step.
   relaxation(p, Relaxation::exact, 1.0, r_);
   start_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   best_ = start_;
   before_.resize(best_.size());
   Residuals& best = bestResiduals_ = report.residuals;
-  // Of the last two tests; `part`: residual over change at the last one.
+  // Residuals of the last two tests; `part`: residual over change of Λ at the last test.
   double last = best.largest(), earlier = last, part = 0.0;
   int sweep = 0, tested = 0, earlierSweep = 0;
   for (bool promising = true; promising;) {
@@ -99,7 +101,7 @@ bool EasyProblems::sweeps(const InclusionProblem& p, double tolerance, Vec Lambd
       std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
     }
     if (best.largest() <= tolerance || enough) break;
-    // ln E falls by `fall` a sweep: how many more are needed?
+    // ln E falls by `fall` per sweep: how many more are needed?
     const double fall = std::log(earlier / best.largest()) / (sweep - earlierSweep);
     const double missing = std::log(best.largest() / tolerance) / fall;
     promising = sweep < kFirstSweeps || (fall > 0.0 && missing <= kSweepPatience);

@@ -1,8 +1,9 @@
 /// EasyProblems: what Automatic tries before Newton's method: one contact in closed form,
 /// accelerated block sweeps while they pay. (theory 7.5)
 ///
-/// Full residuals are asked for after the first two sweeps and then when the change of Λ promises
-/// the solution, at the latest after five sweeps: for small problems they cost as much as a sweep.
+/// Full residuals are computed after each of the first two sweeps. Later they are computed when the
+/// change of Λ promises the solution, at the latest after five more sweeps: for small problems they
+/// cost as much as a sweep.
 #pragma once
 #include <dynamy/solver/block_gauss_seidel.hpp>
 
@@ -10,12 +11,12 @@ namespace dynamy {
 
 class EasyProblems {
  public:
-  /// A problem with one contact; `report.residuals` of the start in. True: solved; else Λ is the
-  /// start.
+  /// Solves a problem with one contact. In: `report.residuals` of the start. True: solved;
+  /// otherwise Λ is the start again.
   bool oneContact(const InclusionProblem& problem, double tolerance, Vec Lambda,
                   SolveReport& report);
-  /// Sweeps while the rate promises the solution soon; true: solved. Else Λ comes from 15 plain
-  /// prox sweeps, which may be worse than best().
+  /// Makes sweeps while their rate of convergence promises a solution soon; true: solved. Otherwise
+  /// Λ is the result of 15 plain prox sweeps, which may be worse than best().
   bool sweeps(const InclusionProblem& problem, double tolerance, Vec Lambda, SolveReport& report);
   /// The best Λ of the last sweeps(), and its residuals.
   const std::vector<double>& best() const { return best_; }

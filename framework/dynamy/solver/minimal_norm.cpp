@@ -8,7 +8,7 @@ namespace {
 
 /// a in units of the smallest λ_i.
 constexpr double kPath[] = {1e-2, 1e-5, 1e-8};
-constexpr double kSameVelocity = 1e-6;  ///< of u_ref
+constexpr double kSameVelocity = 1e-6;  ///< fraction of u_ref: smaller differences are none
 
 }  // namespace
 
@@ -39,7 +39,7 @@ void MinimalNorm::apply(const InclusionProblem& p, InclusionSolver& solver, Vec 
   SolveReport last = solver.solve(p, view(trial_));
   report.iterations += last.iterations, report.newton += last.newton;
   if (!last.ok() || trial_.norm() > (1.0 + 1e-9) * Lambda.norm()) return;
-  // Another solution, with other velocities, was not asked for.
+  // A solution with other velocities is discarded.
   Eigen::VectorXd change = trial_ - Lambda, velocity(p.rows());
   p.G->apply(change.data(), velocity.data());
   if (velocity.lpNorm<Eigen::Infinity>() > kSameVelocity * p.uRef) return;

@@ -8,18 +8,18 @@ namespace dynamy {
 namespace {
 
 constexpr int kSweepsBetweenTests = 10;  ///< a test costs about as much as two sweeps
-/// A start with a larger residual is compared with zero: forces of a contact that turned since.
+/// A start with a larger residual is compared with Λ = 0: its contacts may have turned since.
 constexpr double kFarStart = 1.0;
-/// Of the tolerance: the packed measure and the full one differ by rounding.
+/// Fraction of the tolerance for the packed measure, which differs from the full one by rounding.
 constexpr double kSafe = 0.999;
-/// Stalled: the best residual is not below this part of itself …
+/// Sweeps have stalled if the best residual does not fall to this fraction of itself in time.
 constexpr double kLeastProgress = 0.99;
-/// … as many sweeps ago, or half of all.
+/// Sweeps within which the best residual must fall, or half of all sweeps if those are more.
 constexpr int kSweepsOfPatience = 1000;
-/// A residual this many times the best one is on its way to nowhere: back to that, with a smaller
-/// β. Corners of faces have λ down to −0.5 in (4.25), and diverge with β > ½.
+/// If a residual exceeds the best one by this factor, sweeps return to the best Λ, and β is
+/// multiplied by kLess. Corners of faces have λ down to −0.5 in (4.25), and diverge with β > ½.
 constexpr double kLostFrom = 3.0, kLess = 0.8;
-/// β of problems that cannot be packed, the default of BlockGaussSeidel at most.
+/// Largest β of problems that cannot be packed: the default of BlockGaussSeidel.
 constexpr double kPlainMomentum = 0.7;
 
 ProxOptions plain(const PackedOptions& options) {
@@ -85,7 +85,7 @@ double PackedGaussSeidel::tested(const InclusionProblem& p) {
 
 bool PackedGaussSeidel::sweeps(const InclusionProblem& p, double tolerance, int most, Vec Lambda,
                                SolveReport& report) {
-  // A measure of its own is not known to batches.
+  // Batches cannot evaluate a problem's own measure.
   if (p.rule || !packed_.prepare(p)) return plainSweeps(p, tolerance, most, Lambda, report);
   report.method = "packed sweeps";
   chooseStart(p, Lambda, report);

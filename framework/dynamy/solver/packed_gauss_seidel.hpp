@@ -3,9 +3,10 @@
 ///   N⁺ = max(0, Ñ − ξ_N/G_NN),   ξ_T += G_TN (N⁺ − Ñ),   T⁺ = P_{|T| ≤ μN⁺}(T̃ − ξ_T/λ_max(G_TT))
 ///   Λ̃ = Λ_k + β_k (Λ_k − Λ_{k−1}),   β_k = min(β, (k − 1)/(k + 2)),   k ← 1 where Λ̃ led uphill
 ///
-/// Friction steps by a scalar: the inverse of G_TT and a radial clip have another fixed point.
-/// Contacts of other laws or bodies are solved exactly in turn (PackedContacts). For many contacts
-/// at engineering accuracy; what it reaches is told by its residuals like any other result.
+/// Friction takes a scalar step, because the inverse of G_TT and a radial projection have another
+/// fixed point. Contacts with other laws or bodies are solved exactly, one after the other
+/// (PackedContacts). The solver is meant for many contacts at engineering accuracy; the residuals
+/// report the accuracy reached.
 #pragma once
 #include <dynamy/solver/block_gauss_seidel.hpp>
 #include <dynamy/solver/local/packed_contacts.hpp>
@@ -13,9 +14,9 @@
 namespace dynamy {
 
 struct PackedOptions {
-  double tolerance = 1e-2;    ///< of E_f and E_u
+  double tolerance = 1e-2;    ///< bound on E_f and E_u
   int maxIterations = 10000;  ///< sweeps
-  double momentum = 0.9;      ///< β; 0: none
+  double momentum = 0.9;      ///< bound β; 0: no momentum
 };
 
 class PackedGaussSeidel final : public InclusionSolver {
@@ -24,9 +25,9 @@ class PackedGaussSeidel final : public InclusionSolver {
   explicit PackedGaussSeidel(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
-  /// At most `most` sweeps from Λ, whose residuals are in `report`, until `tolerance` is met. Λ is
-  /// the best one that was tested; true: solved. Where nothing can be packed, in problems without
-  /// bodies or with a measure of their own, contacts are solved one by one.
+  /// Makes at most `most` sweeps from Λ, whose residuals are in `report`, until `tolerance` is met.
+  /// Λ becomes the best one that was tested; true: solved. Problems without bodies or with a
+  /// measure of their own cannot be packed; their contacts are solved one by one.
   bool sweeps(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
               SolveReport& report);
 
@@ -34,14 +35,14 @@ class PackedGaussSeidel final : public InclusionSolver {
   /// The sweeps of problems that cannot be packed.
   bool plainSweeps(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
                    SolveReport& report);
-  /// Λ ← 0 where that is nearer than the start.
+  /// Λ ← 0 if zero forces have a smaller residual than a poor start.
   void chooseStart(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
-  /// The larger of E_f and E_u by the packed contacts.
+  /// The larger of E_f and E_u, computed from the packed contacts.
   double tested(const InclusionProblem& problem);
 
   PackedOptions options_;
   PackedContacts packed_;
-  BlockGaussSeidel plain_;  ///< of what cannot be packed
+  BlockGaussSeidel plain_;  ///< for problems that cannot be packed
   std::vector<double> scratch_, best_;
 };
 

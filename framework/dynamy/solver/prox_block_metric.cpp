@@ -47,7 +47,7 @@ void ProxBlockMetric::sweep(const InclusionProblem& p, const double* r, double* 
     const double* G = p.G->diagonalBlock(i);
     for (int d = first_[static_cast<std::size_t>(i)]; d < first_[static_cast<std::size_t>(i) + 1];
          ++d) {
-      // The friction feels the new normal force at once.
+      // The friction uses the new normal force at once.
       const Disc& disc = discs_[static_cast<std::size_t>(d)];
       const int a = disc.row;
       convex::Point<2> v(xi[a], xi[a + 1]), z(old[a], old[a + 1]);

@@ -15,14 +15,15 @@ Relaxation relaxationByName(const std::string& word) {
   return Relaxation::exact;
 }
 
-/// Residual over the change of the sweep before it, as long as no test has told better. A sweep
-/// that makes this promise worth the tolerance is worth a full test, which costs as much as three.
+/// Ratio of the residual to the change of the last sweep, until a test has measured it. If this
+/// ratio times the change is below the tolerance, a full test is made, which costs as much as three
+/// sweeps.
 constexpr double kPart = 0.1;
-/// Stalled: the best residual is not below this part of itself …
+/// Sweeps have stalled if the best residual does not fall to this fraction of itself in time.
 constexpr double kProgress = 0.99;
-/// … as many sweeps ago, or half of all.
+/// Sweeps within which the best residual must fall, or half of all sweeps if those are more.
 constexpr int kPatience = 1000;
-/// Change of a sweep over that of the first one, by which a slow divergence differs from a stall.
+/// Ratio of a sweep's change to that of the first sweep, above which a stall is a slow divergence.
 constexpr double kGrowth = 1e3;
 
 /// max_i |ΔΛ_i| / (r_i u_ref): the velocity form of the last sweep's change, a cheap pre-test of
@@ -134,8 +135,8 @@ void ProxSolver::iterate(const InclusionProblem& problem, double tolerance, int 
       continue;
     }
     if (lost) report.status = std::isfinite(d) ? SolveStatus::diverged : SolveStatus::notFinite;
-    // The change alone would flatter a creeping iteration: it only says when the full test is worth
-    // its price.
+    // The change alone underestimates the error of a slow iteration: it only decides when the full
+    // test is worth its price.
     const bool enough = problem.enough();
     const bool last = lost || enough || report.iterations >= most;
     if (part * d > tolerance && report.iterations < nextTest && !last) continue;

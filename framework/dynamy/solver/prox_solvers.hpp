@@ -3,9 +3,9 @@
 ///   JOR:  Λ_i ← prox_{C_i}(Λ_i − r_i ξ_i(Λ))           all i from the old Λ
 ///   SOR:  the same, newest values at once
 ///
-/// Any sweep may be accelerated (Anderson, or momentum, which costs nearly nothing). The status is
-/// `stalled` when the best residual has not fallen by 1 % for as many sweeps as half of those made,
-/// and at least 1000.
+/// The sweeps may be accelerated by Anderson's method, or by momentum, which costs nearly nothing.
+/// The status is `stalled` when the best residual has not fallen by 1 % within the last n sweeps; n
+/// is half of all sweeps made, but at least 1000.
 #pragma once
 #include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <dynamy/solver/prox/anderson.hpp>
@@ -15,13 +15,13 @@
 namespace dynamy {
 
 struct ProxOptions {
-  double tolerance = 1e-10;  ///< of E_f and E_u
+  double tolerance = 1e-10;  ///< bound on E_f and E_u
   int maxIterations = 10000;
   Relaxation relaxation = Relaxation::exact;
   double factor = 1.0;     ///< multiplies r
   int anderson = 0;        ///< depth of Anderson's acceleration; 0: none
-  bool symmetric = false;  ///< Gauss–Seidel: every sweep to and fro, counted as two
-  double momentum = 0.0;   ///< part of the last change by which a sweep starts further on
+  bool symmetric = false;  ///< Gauss–Seidel: sweeps run forward and backward, counted as two
+  double momentum = 0.0;   ///< fraction of the last change of Λ added before the next sweep
 };
 
 class ProxSolver : public InclusionSolver {
@@ -33,22 +33,22 @@ class ProxSolver : public InclusionSolver {
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) final {
     return solve(problem, options_.tolerance, options_.maxIterations, Lambda);
   }
-  /// The same with a tolerance and a bound on sweeps of its own.
+  /// Solves with the given tolerance and at most `most` sweeps in place of the options' values.
   SolveReport solve(const InclusionProblem& problem, double tolerance, int most, Vec Lambda);
   const ProxOptions& options() const { return options_; }
-  /// One sweep over all contacts; r of relaxation(), one a row. Gauss–Seidel wants begin() of the
-  /// problem's G before the first one.
+  /// Makes one sweep over all contacts; r: prox parameters of relaxation(), one per row.
+  /// Gauss–Seidel requires begin() of the problem's G before the first sweep.
   virtual void sweep(const InclusionProblem& problem, const double* r, double* Lambda) = 0;
 
  protected:
-  /// Called once a solve, before the first sweep.
+  /// Called once per solve, before the first sweep.
   virtual void prepare(const InclusionProblem& /*problem*/) {}
 
  private:
-  /// Sweeps until the tolerance is met; Λ is the best one that was tested.
+  /// Makes sweeps until the tolerance is met; Λ becomes the best one that was tested.
   void iterate(const InclusionProblem& problem, double tolerance, int most, Vec Lambda,
                SolveReport& report);
-  /// Λ of the best test, for the next sweep.
+  /// Resets Λ to the best tested one and prepares the next sweep.
   void goBack(const InclusionProblem& problem, Vec Lambda);
 
   ProxOptions options_;

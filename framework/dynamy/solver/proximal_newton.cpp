@@ -11,18 +11,18 @@ namespace {
 constexpr double kColdStart = 1e-2;  ///< above: start by sweeps and a large a
 constexpr double kWarm =
     1e-8;  ///< start of a after a warm start: one outer step for regular problems
-constexpr double kWarmBlock = 1e-8;       ///< the same for block rows
-constexpr double kWarmVelocities = 1e-6;  ///< the same in velocities, which divide by a
-/// Where no contact changes its state, one step with an a as small as rounding allows is all: it is
-/// tried first, twice at most.
+constexpr double kWarmBlock = 1e-8;       ///< start of a after a warm start, for block rows
+constexpr double kWarmVelocities = 1e-6;  ///< the same for systems in velocities, which divide by a
+/// If no contact changes its state, one step with the smallest a that rounding allows is enough. It
+/// is tried first, twice at most.
 constexpr double kTried = 1e-8;
 constexpr int kProximalTries = 2;
 constexpr double kCold = 3e-3;     ///< start of a after sweeps
 constexpr double kPressed = 3e-4;  ///< start of a when all contacts are pressed at first
-/// ρ of the second try: of 88 inclusions of landing stacks, 2 needs up to 2150 steps, 10 up to
-/// 1650.
+/// ρ of the second attempt: for 88 inclusions of landing stacks, ρ = 2 needs up to 2150 steps, ρ =
+/// 10 up to 1650.
 constexpr double kPatientRho = 10.0;
-constexpr double kInnerShare = 0.8;  ///< an inner problem is solved at this part of its first |F|
+constexpr double kInnerShare = 0.8;  ///< part of its first |F| at which an inner problem is solved
 /// Rows up to which the dense form is faster than the sparse one in velocities.
 constexpr int kMinVelocities = 16;
 constexpr int kMostDenseSteps = 200;  ///< Newton steps of the dense form, then block rows are tried
@@ -46,7 +46,7 @@ ProximalNewton::ProximalNewton(const Parameters& x)
 }
 
 void ProximalNewton::reserve() {
-  // The dense form never asks for memory in a step, whenever its first contact comes.
+  // The dense form must not allocate in a step, even when its first contact occurs.
   const auto rows = static_cast<std::size_t>(options_.maxRows);
   for (std::vector<double>* v : {&lambda_, &xi_, &F_, &dLambda_, &centre_, &trial_, &best_})
     v->reserve(rows);
@@ -302,7 +302,7 @@ SolveReport ProximalNewton::finish(const InclusionProblem& p, int most, Vec Lamb
   const Residuals reached = report.residuals;
   const SolveReport last = fallback_.solve(p, options_.tolerance, most, Lambda);
   report.iterations += last.iterations;
-  // Sweeps that gain nothing are no matter of patience.
+  // If sweeps gain nothing, more of them would not help.
   const bool gained = last.residuals.largest() < 0.5 * reached.largest();
   const bool finite = std::isfinite(reached.largest());
   report.status =

@@ -8,8 +8,8 @@
 /// λ_i bounds the largest eigenvalue of G_ii, so a has no unit. The proximal term makes every inner
 /// problem regular whatever the rank of G (redundant contacts); it vanishes at the solution, so
 /// that the exact law is solved. Plain Newton (a = 0) was rejected: it fails on rank-deficient
-/// stacks. What the schedule does not solve is tried with another ρ, then by Gauss–Seidel; laws
-/// that do not offer a derivative go to Gauss–Seidel at once.
+/// stacks. A problem that the schedule does not solve is tried with another ρ, then by
+/// Gauss–Seidel. Problems with a law without derivative go to Gauss–Seidel at once.
 #pragma once
 #include <dynamy/solver/newton/block_newton.hpp>
 #include <dynamy/solver/newton/held_states.hpp>
@@ -18,18 +18,18 @@
 namespace dynamy {
 
 struct ProximalNewtonOptions {
-  double tolerance = 1e-10;   ///< of E_f and E_u
-  int maxNewton = 500;        ///< Newton steps, then those with another ρ
-  int maxIterations = 10000;  ///< of Gauss–Seidel
-  int maxRows = 64;           ///< dense form up to here
-  int maxPatient = 2000;      ///< Newton steps with it, then Gauss–Seidel goes on
+  double tolerance = 1e-10;   ///< bound on E_f and E_u
+  int maxNewton = 500;        ///< Newton steps of the first attempt
+  int maxIterations = 10000;  ///< sweeps of Gauss–Seidel
+  int maxRows = 64;           ///< rows up to which the dense form is used
+  int maxPatient = 2000;      ///< Newton steps with another ρ, before Gauss–Seidel
 };
 
 /// What a call of ProximalNewton::refine may cost.
 struct NewtonLimits {
-  int maxNewton = 500;        ///< Newton steps, then
-  int maxPatient = 2000;      ///< those with another ρ, 0: none, and
-  int maxIterations = 10000;  ///< sweeps of Gauss–Seidel, 0: none
+  int maxNewton = 500;        ///< Newton steps of the first attempt
+  int maxPatient = 2000;      ///< Newton steps with another ρ; 0: none
+  int maxIterations = 10000;  ///< sweeps of Gauss–Seidel; 0: none
 };
 
 class ProximalNewton final : public InclusionSolver {
@@ -38,26 +38,26 @@ class ProximalNewton final : public InclusionSolver {
   explicit ProximalNewton(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
-  /// Goes on from Λ whose residuals are in `report`; `cold`: Λ is no neighbour of the solution,
-  /// else xi = GΛ + c, if it is known. `limits`: null: the solver's own.
+  /// Continues from Λ, whose residuals are in `report`. `cold`: Λ is not near the solution.
+  /// xi: GΛ + c if Λ is near, null if unknown. `limits`: null for the solver's own limits.
   SolveReport refine(const InclusionProblem& problem, Vec Lambda, SolveReport report, bool cold,
                      const double* xi = nullptr, const NewtonLimits* limits = nullptr);
 
  private:
-  /// Dense form with a proximal parameter that starts at `a`; true: solved.
+  /// Solves in dense form with a proximal parameter that starts at `a`; true: solved.
   bool dense(const InclusionProblem& problem, Vec Lambda, double a, SolveReport& report);
-  /// Whether all unilateral contacts carry a force, as in a stack; Λ then becomes the same normal
-  /// velocity pressed on each of them.
+  /// True if all unilateral contacts carry a force, as in a stack. Λ then becomes normal forces
+  /// that each alone give their own contact the same normal velocity.
   static bool press(const InclusionProblem& problem, Vec Lambda);
   void reserve();
   bool prepare(const InclusionProblem& problem);
-  /// Inner Newton iteration from Λ with proximal parameter a; steps used, or −1 if it did not
-  /// converge.
+  /// Makes the inner Newton iteration from Λ with proximal parameter a. Returns the steps used, or
+  /// −1 if it did not converge.
   int newton(const InclusionProblem& problem, double a, double stop, Vec Lambda);
-  /// F and, if asked for, A and B at Λ; returns Σ λ_i |F_i|².
+  /// Computes F and, if `derivative`, A and B at Λ; returns Σ λ_i |F_i|².
   double evaluate(const InclusionProblem& problem, double a, const double* Lambda, bool derivative);
   bool step(const InclusionProblem& problem, double a);
-  /// One outer step for a start that fulfils the tolerance; kept only if it is better.
+  /// Makes one outer step from a start that fulfils the tolerance, kept only if it is better.
   SolveReport improve(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   SolveReport finish(const InclusionProblem& problem, int most, Vec Lambda, SolveReport report);
 

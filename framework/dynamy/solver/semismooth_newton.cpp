@@ -12,7 +12,7 @@ namespace {
 constexpr double kColdMerit = 1e-2;       ///< above: start by sweeps
 constexpr int kMostDenseRows = 200;       ///< rows up to which A + BG is dense, with row pivoting
 constexpr double kSingularPivot = 1e-14;  ///< pivots below this part of the largest entry are zero
-constexpr double kArmijo = 1e-4;          ///< part of the predicted decrease that is demanded
+constexpr double kArmijo = 1e-4;          ///< fraction of the predicted decrease that is required
 constexpr int kMeritsKept = 5;            ///< values of |F|² a nonmonotone step is compared with
 constexpr int kMeritHalvings = 12;
 constexpr int kPatientSteps = 20;  ///< steps in a row without a sufficient decrease
@@ -64,7 +64,7 @@ bool SemismoothNewton::prepare(const InclusionProblem& p) {
     v->resize(rows);
   relaxation(p, Relaxation::exact, kRho, r_);
   for (int i = 0; i < p.size(); ++i) {
-    // Where the normal force comes first the rows may have their own r; else one for all.
+    // If the normal force comes first, the rows may have their own r; otherwise all share one.
     double* r = r_.data() + p.row0(i);
     if (p.law(i).rowKind(0) == RowKind::normal && cone_[i].kind == LawCone::Kind::other &&
         p.dim(i) <= 3)
@@ -101,7 +101,7 @@ double SemismoothNewton::map(const InclusionProblem& p, const double* Lambda, co
       std::copy(Lambda + first, Lambda + first + dim, F + first);
       p.law(i).prox(in, r, xi + first, F + first);
       for (int k = 0; k < dim; ++k) F[first + k] = Lambda[first + k] - F[first + k];
-      // The law knows one ρ: z = Λ − ρ ξ' with ξ' = R ξ/ρ, and B = P R = B' R/ρ.
+      // The derivative of a law takes one ρ: z = Λ − ρ ξ' with ξ' = R ξ/ρ, and B = P R = B' R/ρ.
       for (int k = 0; k < dim; ++k) scaled[k] = xi[first + k] * (r[k] / rho);
       if (derivative && !p.law(i).proxDerivative(in, rho, scaled, Lambda + first, A, B))
         return -1.0;

@@ -1,14 +1,13 @@
-/// Generalised Newton method for the inclusion, without a proximal term.                  (theory
-/// 9)
+/// Generalised Newton method for the inclusion, without a proximal term.             (theory 9)
 ///
 ///   F(Λ) = 0,   ξ = GΛ + c,   (A + B G) ΔΛ = −F,   Λ ← Λ + t ΔΛ
 ///   alartCurnier:      F_i = Λ_i − prox_{C_i}(Λ_i − R_i ξ_i) [alart_curnier1991]
 ///   fischerBurmeister: F_i = φ(x_i, y_i) of the cone, in De Saxcé's form; contacts of other laws
 ///                      keep the first form [fukushima_luo_tseng2001]
 ///
-/// The method of the literature, for comparison and for problems with regular G. Redundant contacts
-/// make A + BG singular where they stick: the solver then says `stalled`, it does not hide it
-/// behind sweeps. ProximalNewton is the method that solves those as well.
+/// This is the method of the literature, for comparison and for problems with regular G. Redundant
+/// contacts that stick make A + BG singular: the solver then returns `stalled` and does not
+/// continue with sweeps. ProximalNewton solves such problems as well.
 #pragma once
 #include <dynamy/solver/newton/fischer_burmeister.hpp>
 #include <dynamy/solver/newton/newton_system.hpp>
@@ -19,9 +18,9 @@ namespace dynamy {
 struct SemismoothOptions {
   enum class Formulation { alartCurnier, fischerBurmeister };
   enum class LineSearch { armijo, nonmonotone, none };
-  double tolerance = 1e-10;  ///< of E_f and E_u
+  double tolerance = 1e-10;  ///< bound on E_f and E_u
   int maxNewton = 200;
-  int sweeps = 10;  ///< of Gauss–Seidel before the first step of a cold start
+  int sweeps = 10;  ///< sweeps of Gauss–Seidel before the first step of a cold start
   Formulation formulation = Formulation::alartCurnier;
   LineSearch lineSearch = LineSearch::nonmonotone;
 };
@@ -37,13 +36,15 @@ class SemismoothNewton final : public InclusionSolver {
   using Formulation = SemismoothOptions::Formulation;
   using LineSearch = SemismoothOptions::LineSearch;
   bool prepare(const InclusionProblem& p);
-  /// F and, if asked for, A and B at (Λ, ξ); returns Σ λ_i|F_i|², negative: no derivative.
+  /// Computes F and, if `derivative`, A and B at (Λ, ξ). Returns Σ λ_i|F_i|²; negative: no
+  /// derivative.
   double map(const InclusionProblem& p, const double* Lambda, const double* xi, double* F,
              bool derivative);
-  /// ΔΛ; false: singular.
+  /// Solves for ΔΛ; false: the matrix is singular.
   bool step(const InclusionProblem& p);
   bool denseStep(const InclusionProblem& p);
-  /// Goes along ΔΛ; false: no length that was tried makes |F|² small enough, the best one is taken.
+  /// Steps along ΔΛ. False: no step length that was tried makes |F|² small enough; the best one is
+  /// taken.
   bool advance(const InclusionProblem& p, double reference);
   SolveStatus iterate(const InclusionProblem& p, SolveReport& report);
 

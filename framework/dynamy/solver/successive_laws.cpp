@@ -9,7 +9,7 @@ namespace dynamy {
 namespace {
 
 constexpr double kInner = 0.1;     ///< inner problems are solved to this part of the tolerance
-constexpr double kDiverged = 1e6;  ///< growth of the residual over its best that is no detour
+constexpr double kDiverged = 1e6;  ///< growth of the residual over its best: divergence
 
 }  // namespace
 
@@ -21,7 +21,8 @@ double SuccessiveLaws::sweep(const InclusionProblem& p, Phase phase, double* Lam
   double largest = 0.0;
   for (int i = 0; i < p.size(); ++i) {
     const int dim = p.dim(i), first = p.row0(i);
-    // A law with a normal force takes part with one of its halves, all others as they are.
+    // A law with a normal force takes part with its normal row or its friction rows, others with
+    // all rows.
     const bool coupled = p.law(i).unilateral();
     if (coupled && dim == 1 && phase == Phase::friction) continue;
     double xi[kMostRows], old[kMostRows];

@@ -5,18 +5,18 @@
 ///           2  all frictions (and joints) with Λ_N frozen:
 ///              −ξ_T ∈ N_{C_T(Λ_N)}(Λ_T), fixed sets,   a convex problem
 ///
-/// Each inner problem is solved by prox Gauss–Seidel and has one ξ. The outer map contracts for
-/// small μ; for one sliding contact its factor is μ|G_NT|/G_NN. Beyond 1 it diverges or jumps
-/// between two states, even where the solution is unique; SolveReport says so. Kept for the book's
-/// sake and for sets whose size depends on another law in a cascade; the other solvers take both
-/// laws together and do not have this limit.
+/// Each inner problem is solved by prox Gauss–Seidel and has a unique ξ. The outer map contracts
+/// for small μ; for one sliding contact its factor is μ|G_NT|/G_NN. Above 1 the iteration diverges
+/// or jumps between two states, even if the solution is unique; SolveReport says so. The solver is
+/// kept because the book describes it, and for sets whose size depends on another law in a cascade.
+/// The other solvers treat both laws together and do not have this limit.
 #pragma once
 #include <dynamy/solver/problem/inclusion_solver.hpp>
 
 namespace dynamy {
 
 struct SuccessiveOptions {
-  double tolerance = 1e-10;  ///< of E_f and E_u
+  double tolerance = 1e-10;  ///< bound on E_f and E_u
   int maxOuter = 200;
   int maxIterations = 2000;  ///< sweeps of one inner problem
 };
@@ -28,7 +28,7 @@ class SuccessiveLaws final : public InclusionSolver {
   static void declare(Attributes& a);
   /// `iterations` counts sweeps of the inner problems.
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
-  /// Rounds of the last solve.
+  /// Outer rounds of the last solve.
   int rounds() const { return rounds_; }
 
  private:

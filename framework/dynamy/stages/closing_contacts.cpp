@@ -46,7 +46,7 @@ bool ClosingContacts::bringIn(ContactSet& c, const Eigen::VectorXd& uE, double d
     closes = asks_[at] == 0 && open + gapRate(all_, i, view(uE)).gamma < -kRounding * open;
   }
   if (!closes) return false;
-  // And those that are near it: chains of contacts are not to take a solution a link.
+  // Contacts near closing are added, too: a chain of contacts must not take one solution per link.
   for (int i = 0; i < all_.size(); ++i)
     if (char& asks = asks_[static_cast<std::size_t>(i)];
         asks == 0 && !staysOpen(all_, i, view(uE), dt))
@@ -55,7 +55,7 @@ bool ClosingContacts::bringIn(ContactSet& c, const Eigen::VectorXd& uE, double d
   return true;
 }
 
-/// c ← the contacts of all_ that are asked; all candidates stay.
+/// c ← the contacts of all_ that the step has to solve for; all candidates stay.
 void ClosingContacts::write(ContactSet& c) const {
   c.clear();
   c.candidateKey = all_.candidateKey, c.g = all_.g, c.candidateElement = all_.candidateElement;

@@ -1,4 +1,4 @@
-// MechanicalSystem: contacts alone, and the bias of elements that tell none.
+// MechanicalSystem: contacts alone, and the bias of elements that report none.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/stages/mechanical_system.hpp>
@@ -6,14 +6,15 @@
 namespace dynamy {
 namespace {
 
-/// Of that time: truncation 3e-14, rounding 1e-13 of the rate of γ.
+/// Length of the difference over the time in which x passes through its scales: truncation 3e-14,
+/// rounding 1e-13 of the rate of γ.
 constexpr double kBesideState = 1e-3;
-/// Shorter ones where contacts come or go within it, and by how much each: the last has a rounding
-/// of 3e-11.
+/// Number of shorter differences where contacts come or go within the difference, and the factor of
+/// each: the last one has a rounding of 3e-11.
 constexpr int kShorterLooks = 2;
 constexpr double kShorten = 1.0 / 16.0;
 
-/// How fast x goes through `scales`, at least 1/time [1/s].
+/// Rate at which x passes through `scales`, at least 1/time [1/s].
 double goesThrough(const State& x, const Eigen::VectorXd* scales, double time) {
   double rate = 1.0 / time;
   for (Eigen::Index i = 0; scales && i < x.u.size(); ++i)

@@ -8,9 +8,10 @@ namespace dynamy {
 namespace {
 
 constexpr double kBoundOfHalfKey = 4294967296.0;  ///< 2³², above both halves of a key
-constexpr double kMostValue = 3.0 * 256.0;        ///< above three values a status
+constexpr double kMostValue = 3.0 * 256.0;        ///< above all values, with three per status
 
-/// Sign of the only friction row of a contact or one-row law; 0 where the slip has a direction.
+/// Sign (1: +, 2: −) of the only friction row of a contact or one-row law; 0 where slip has several
+/// rows.
 int slipSign(const SetValuedForceLaw& law, int dim, const double* Lambda) {
   const int row = dim - 1, others = law.rowKind(0) == RowKind::normal ? 1 : 0;
   if (dim - others != 1 || !yields(law.rowKind(row))) return 0;

@@ -44,7 +44,7 @@ double DisplacementLevel::errors(const MechanicalSystem& s, const InclusionProbl
       const double reached =
           end.position[static_cast<std::size_t>(end.row0[static_cast<std::size_t>(j)] + r)];
       const double error = reached / dt - (c.position[k] / dt + gamma_[k]);
-      // One that stays open matters only if it is reached after all.
+      // The error of an open contact matters only if its gap is negative after all.
       if (!open || reached < 0.0) change = std::max(change, std::abs(error - error_[k]) * dt);
       error_[k] = error;
     }
@@ -74,7 +74,7 @@ SolveReport DisplacementLevel::solve(MechanicalSystem& s, InclusionProblem& prob
     const double change = errors(s, problem, s.slot(end).contacts, x.u, dt);
     const double enough = 0.1 * s.gTol();
     if (change <= enough) break;
-    // Rounding of the positions may be above what is asked for: no better.
+    // Rounding of the positions may be above the required accuracy: no better result is possible.
     if (i > 2 && change > 0.5 * before && change <= 10.0 * s.gTol()) break;
     if (i + 1 == kMostDisplacements) report.status = SolveStatus::stalled;
     before = change;

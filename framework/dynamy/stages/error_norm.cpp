@@ -35,7 +35,8 @@ void ErrorNorm::scales(const MechanicalSystem& s) {
 
 namespace {
 
-/// One system of the island of each: those that two-sided contacts couple, directly or by others.
+/// For each system, one representative system of its island. Two-sided contacts couple the systems
+/// of an island, directly or through other systems.
 std::vector<std::size_t> islands(const Topology& topology, const ContactSet& c) {
   const std::size_t n = topology.systems().size();
   std::vector<std::size_t> systemOf(static_cast<std::size_t>(topology.nu()));
@@ -57,7 +58,7 @@ std::vector<std::size_t> islands(const Topology& topology, const ContactSet& c) 
   return out;
 }
 
-/// 1/T of something that moves with `rate` [1/s] and `acceleration` [1/s²], s_i as units.
+/// 1/T of a motion with `rate` [1/s] and `acceleration` [1/s²], both in units of s_i.
 double inverseTime(double rate, double acceleration) { return rate + std::sqrt(acceleration); }
 
 bool isTime(double inverse) { return inverse > 0.0 && std::isfinite(inverse); }
@@ -89,7 +90,7 @@ void ErrorNorm::start(const MechanicalSystem& s, const State& x, int slot, doubl
   time_ = isTime(all) ? 1.0 / all : 1.0;
   times_.resize(static_cast<Eigen::Index>(island.size()));
   for (std::size_t k = 0; k < island.size(); ++k) {
-    // What does not move yet is moved by others.
+    // An island that does not move yet will be moved by others: it gets their time.
     const double own = inverseTime(rate[island[k]], acceleration[island[k]]);
     times_[static_cast<Eigen::Index>(k)] = isTime(own) ? 1.0 / own : time_;
   }

@@ -2,13 +2,13 @@
 ///
 ///   |e| = max( |δq_i| / (tol s_i), |δu_i| / (tol s_i/T_i) ),   s_i = L for lengths, 1 for angles
 ///
-/// beside the size of the value itself where that is larger. L is the length of the scene and T_i a
-/// time of the motion of the island, fixed for a run: how long the velocities and accelerations of
-/// the start take to go through it. Islands are systems coupled by joints, or two-sided contacts:
-/// with one time for all a fast top would loosen the velocities of a slow pendulum beside it.
-/// Weighting velocities with the step size instead was rejected: it loosens them
-/// up to 30 times at tight tolerances. The root of the mean square was, too: bodies at rest would
-/// dilute the error of the one that moves.
+/// where the value itself replaces its scale if it is larger. L is the length of the scene. T_i is
+/// a time of the motion of the island, fixed for a run: the time in which the velocities and
+/// accelerations of the start pass through the scales. Islands are systems coupled by joints or
+/// two-sided contacts. With one time for all islands, a fast top would loosen the velocities of a
+/// slow pendulum beside it. Rejected: weighting velocities with the step size, which loosens them
+/// up to 30 times at tight tolerances. Also rejected: the root of the mean square, in which bodies
+/// at rest would dilute the error of the moving one.
 #pragma once
 #include <dynamy/stages/mechanical_system.hpp>
 
@@ -19,10 +19,11 @@ void unitScales(const Topology& topology, double length, Eigen::VectorXd& q, Eig
 
 class ErrorNorm {
  public:
-  /// Scales from M, h at x, evaluated in slot `slot`, and from all contacts there, open ones too.
+  /// Finds the scales from M, h at x, evaluated in slot `slot`, and from all contacts there, open
+  /// ones too.
   void start(const MechanicalSystem& s, const State& x, int slot, double tolerance, double length,
              const ContactSet& contacts);
-  /// For a resumed run: T of the scene and of each system as they were.
+  /// Restores the scales of a resumed run: T of the scene and of each system as they were.
   void resume(const MechanicalSystem& s, double tolerance, double length, double time,
               ConstVec times);
 
@@ -37,7 +38,7 @@ class ErrorNorm {
   /// Error of one position or velocity, in units of the tolerance.
   double position(Eigen::Index i, double error, double value) const;
   double velocity(Eigen::Index i, double error, double value) const;
-  /// Largest of the velocities that are not of lengths [rad/s].
+  /// Largest velocity of coordinates that are not lengths [rad/s].
   double fastestTurn(const Eigen::VectorXd& u) const;
 
  private:

@@ -13,7 +13,7 @@ namespace dynamy {
 class Extrapolation {
  public:
   void begin() { row_ = 0; }
-  /// Row j = 1, 2, …: T_{j,1}.
+  /// Adds row j = 1, 2, … of the table by its first entry T_{j,1}.
   void add(const Eigen::VectorXd& first) {
     ++row_;
     while (static_cast<int>(T_.size()) < row_) T_.emplace_back();
@@ -26,7 +26,7 @@ class Extrapolation {
     }
     T_[static_cast<std::size_t>(row_ - 1)] = next_;
   }
-  /// T_{j,j} of the last row.
+  /// T_{j,j}, the diagonal entry of the last row.
   const Eigen::VectorXd& result() const { return next_; }
 
  private:

@@ -1,5 +1,5 @@
-/// What tells an impact from a force: a contact that closes faster, −γ⁻ > 4 |M⁻¹(h + f)Δt| in its row,
-/// than the forces of that many steps explain, has an impact.
+/// Distinguishes an impact from the action of forces: a contact has an impact if it closes faster
+/// than the forces of four steps explain, −γ⁻ > 4 |M⁻¹(h + f)Δt| in its row.
 #pragma once
 
 namespace dynamy {

@@ -27,7 +27,7 @@ void MechanicalSystem::implicitMass(const State& x, double dt, const ImplicitWei
 }
 
 void MechanicalSystem::linearlyImplicit(const State& x, const ImplicitWeights& weights, int slot) {
-  if (!stiff_.any() || implicit_) return;  // or taken so already
+  if (!stiff_.any() || implicit_) return;  // no stiff forces, or they are taken implicitly already
   const Evaluation& e = slots_[static_cast<std::size_t>(slot)];
   implicitMass(x, problem_.dt, weights, slot);
   implicitChange(e, uA_, problem_.dt);
@@ -64,7 +64,7 @@ const Evaluation& MechanicalSystem::evaluateDamped(const State& x, double dt,
 void MechanicalSystem::gyroscopicAtMean(const State& x, double dt) {
   const Topology& topology = *parts_.topology;
   Evaluation& e = slots_.front();
-  // Where forces are damped, bodies turn as M (u_free − u^A)/Δt lets them: h would spin them up.
+  // Where forces are damped, bodies turn under M (u_free − u^A)/Δt: h would spin them up.
   if (unresolved_) {
     e.mass.apply(view(std::as_const(implicitFree_)), view(work_));
     work_ /= dt;
@@ -100,7 +100,7 @@ void MechanicalSystem::addImplicitVelocity(State& x) {
   Evaluation& e = slots_[static_cast<std::size_t>(slot_)];
   if (problem_.rows() > 0)
     stiff_.addVelocity(e.contacts, e.mass, Lambda_.data(), x.u);  // u^E = u_free + M̂⁻¹WΛ
-  // What the step used as h:  M(u^E − u^A) = Δt h + WΛ; dampers have no potential.
+  // The h that the step used:  M(u^E − u^A) = Δt h + WΛ; dampers have no potential.
   stiff_.addUsedForce(problem_.dt, uA_, x.u, e.h, e.hNonPotential);
 }
 

@@ -1,9 +1,9 @@
 /// Islands: which systems act on each other at present, and which do not.
 ///
-/// Joined for good are the systems that one force or one contact element asked for by name; shapes
-/// that touch are joined contact by contact. Whoever asked for nothing (gravity) joins nothing.
-/// A system is one island however many blocks it has: nobody says that they do not act on each
-/// other.
+/// Systems that one force or one contact element has requested by name are joined for the whole
+/// run. Shapes that touch join their systems contact by contact. An element that has requested no
+/// system (gravity) joins nothing. A system is in one island however many blocks it has, since
+/// nothing states that its blocks do not act on each other.
 #pragma once
 #include <dynamy/stages/mechanical_system.hpp>
 
@@ -11,10 +11,10 @@ namespace dynamy {
 
 class Islands {
  public:
-  /// Those of forces and named elements. False: they are not known, since an element asked for
-  /// nothing and reports contacts all the same.
+  /// Begins with the islands of forces and named elements. False: they are not known, since an
+  /// element has requested no system and reports contacts all the same.
   bool start(const SystemParts& parts);
-  /// Systems with a contact between them are one island.
+  /// Joins the systems of a contact into one island.
   void join(const ContactSet& c, int contact);
   /// Number of the island of a system.
   int of(int system) const;
@@ -22,7 +22,7 @@ class Islands {
   int systemOf(const ContactSet& c, int contact) const;
   /// The system of velocity i.
   static int systemOfVelocity(const Topology& topology, int i);
-  /// Flags of single systems (not 0) go over to their islands.
+  /// Extends flags (not 0) of single systems to all systems of their islands.
   void spread(std::vector<char>& systems) const;
 
  private:

@@ -14,7 +14,8 @@ void sortedKeys(const std::vector<ContactKey>& keys, NumberedKeys& out) {
   std::sort(out.begin(), out.end());
 }
 
-/// Numbers of those in `a` whose key is not in `b`; the others are passed to `both` with theirs in b.
+/// `out`: numbers of the entries of `a` whose key is not in `b`. For keys in both, calls `both`
+/// with the numbers in a and b.
 template <class Both>
 void splitBy(const NumberedKeys& a, const NumberedKeys& b, std::vector<int>& out, Both&& both) {
   out.clear();
@@ -51,7 +52,7 @@ int placedRows(const ContactSet& c, int i) {
   return rows;
 }
 
-/// No normal impulse pulls.
+/// Sets a pulling normal impulse of contact i to zero.
 void onlyPush(const ContactSet& c, int i, Vec Lambda) {
   const auto at = static_cast<std::size_t>(i);
   if (c.law[at]->unilateral()) Lambda[c.row0[at]] = std::max(0.0, Lambda[c.row0[at]]);

@@ -80,8 +80,8 @@ const Evaluation& MechanicalSystem::evaluateAhead(const State& x, double dt, int
   return e;
 }
 
-/// Contacts within twice the way of the fastest block in Δt, by |u| and the accelerations change_;
-/// angles as lengths.
+/// Finds contacts within twice the way of the fastest block in Δt, by |u| and the accelerations
+/// change_; angles count as lengths.
 void MechanicalSystem::detectAhead(const State& x, double dt, Evaluation& e) {
   double largest = 0.0;
   for (int b = 0; b < e.mass.blocks(); ++b) {
@@ -91,8 +91,8 @@ void MechanicalSystem::detectAhead(const State& x, double dt, Evaluation& e) {
     largest = std::max(largest, speed);
   }
   detect(2.0 * dt * largest, e);
-  // What an element scales of a law without a reservoir, whose set is not a cone of friction, is
-  // the pull of a contact (UnilateralAdhesion): closed ones have it.
+  // If a law has a scale but no reservoir, and its set is no friction cone, the element scales the
+  // pull of the contact (UnilateralAdhesion). Only closed contacts pull.
   ContactSet& c = e.contacts;
   for (std::size_t i = 0; i < c.law.size(); ++i)
     if (c.law[i]->scales() && c.law[i]->unilateral() && !c.law[i]->reservoir() &&
@@ -199,10 +199,10 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
     const SetValuedForceLaw& law = *c.law[at];
     if (law.unilateral()) {
       const double g = c.position[first];
-      const bool rough = std::isinf(aim.dead);  // overlaps are asked back, impacts come as they are
+      const bool rough = std::isinf(aim.dead);  // overlaps are corrected, impacts do not wait
       if (!rough && g <= aim.dead) continue;
-      // One that is to rebound, and any impact, waits until it is closed: done in two parts, each
-      // with its own slip, an impact with friction would depend on where in the step it falls.
+      // A rebound, and any impact, waits until the contact is closed. In two parts, each with its
+      // own slip, an impact with friction would depend on its place in the step.
       double epsilon[kMostRows] = {};
       law.epsilon(c.dim(i), epsilon);
       const bool fast = -problem_.gammaA[first] > kImpactSteps * changeByForces(i);
@@ -210,7 +210,7 @@ void MechanicalSystem::addAim(const PositionAim& aim, double dt) {
         problem_.gammaFree[first] += g / dt;
         continue;
       }
-      if (rough && g <= request_.gTol) continue;  // its rebound takes it away
+      if (rough && g <= request_.gTol) continue;  // its rebound removes the overlap
       const bool impact = (epsilon[0] > 0.0 && problem_.gammaA[first] < 0.0) || fast;
       const bool arrived = g <= request_.gTol ||
                            std::binary_search(aim.arrived.begin(), aim.arrived.end(), c.key[at]);
@@ -265,15 +265,15 @@ void MechanicalSystem::roundingOfC() {
 }
 
 double MechanicalSystem::velocityAskedOf(int i) const {
-  // Unilateral: how fast it closes, and by how much the forces change γ. A contact that leaves asks
-  // for nothing, and a slip velocity is there without being asked for.
+  // Unilateral contacts: the closing speed, and the change of γ by forces. A contact that leaves
+  // requires no velocity, and a slip velocity exists without being required.
   const InclusionProblem& p = problem_;
   const auto first = static_cast<std::size_t>(p.row0(i));
   const bool unilateral = p.law(i).unilateral();
   double asked = 0.0;
   if (unilateral) {
     const double noise = p.cNoise[first];
-    const bool open = p.contacts->position[first] > request_.gTol;  // here by its gap term
+    const bool open = p.contacts->position[first] > request_.gTol;  // present by its gap term
     const double closing =
         open ? -p.gammaFree[first] : std::max(-p.gammaFree[first], -p.gammaA[first]);
     if (closing <= noise) return 0.0;
@@ -292,7 +292,7 @@ void MechanicalSystem::scales() {
   double uRef = 0.0;
   for (int i = 0; i < problem_.size(); ++i) uRef = std::max(uRef, velocityAskedOf(i));
   if (!(uRef > 0.0)) {
-    // Nothing beyond rounding is asked of any contact: Λ = 0 solves the problem.
+    // No contact requires a velocity beyond rounding: Λ = 0 solves the problem.
     std::fill(Lambda_.begin(), Lambda_.end(), 0.0);
     for (const double gamma : problem_.gammaFree) uRef = std::max(uRef, std::abs(gamma));
   }
@@ -318,7 +318,7 @@ void MechanicalSystem::startImpulses(const State& x) {
   if (!again_.key.empty()) startFrom(again_, 1.0);
 }
 
-/// Λ of the contacts that `old` knows.
+/// Sets Λ of the contacts that are in `old`.
 void MechanicalSystem::startFrom(const RememberedImpulses& old, double scale) {
   const ContactSet& c = *problem_.contacts;
   remembered_.build(old.key);

@@ -6,7 +6,7 @@ namespace dynamy {
 
 std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s) const {
   if (!s.impactLaw().newtons() && !lacks(Asked::impactLaw).empty()) return lacks(Asked::impactLaw);
-  // An impact: a contact that did not press before closes faster than forces explain.
+  // An impact is a contact that did not press before and closes faster than forces explain.
   const InclusionProblem& p = s.problem();
   for (int i = 0; i < p.size(); ++i) {
     const auto first = static_cast<std::size_t>(p.row0(i));

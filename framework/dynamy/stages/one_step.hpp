@@ -6,7 +6,7 @@
 
 namespace dynamy {
 
-/// Evaluations of M, h and contacts by what they were for.
+/// Numbers of evaluations of M, h and contacts, by their purpose.
 struct StepEffort {
   long smooth = 0;    ///< steps within phases
   long rejected = 0;  ///< steps that were too long
@@ -18,32 +18,32 @@ struct StepEffort {
 /// Why a scheme that locates switches turns to steps in time.
 enum class TurnedBy : std::uint8_t { none, stall, density };
 
-/// What a scheme that chooses its steps did to take one of them.
+/// Counts of one step of a scheme that chooses its steps.
 struct StepCounts {
   StepEffort effort{};
   int rejected = 0;              ///< tries that were too long
-  int switches = 0;              ///< located
+  int switches = 0;              ///< switches that were located
   int impacts = 0;               ///< instants with an impact
   int accumulations = 0;         ///< infinite sequences of impacts that were passed
   int undecided = 0;             ///< switches at which no status was consistent, or several were
   double accumulationEnd = 0.0;  ///< when the last of these sequences comes to rest [s]
-  /// Length of a step in which nothing moved and forces changed faster than it looks at them [s].
+  /// Length of a step in which nothing moved and forces changed faster than it samples them [s].
   double unseen = 0.0;
   bool stepped = false;                ///< a step in time: switches in it were not located
-  int steppedSystems = 0;              ///< of so many systems; of the others they were
-  double stepError = 0.0;              ///< of such a step, in units of the tolerance
-  TurnedBy turnedBy = TurnedBy::none;  ///< the step is the first of such steps
+  int steppedSystems = 0;              ///< number of systems stepped in time; others were located
+  double stepError = 0.0;              ///< error of a step in time, in units of the tolerance
+  TurnedBy turnedBy = TurnedBy::none;  ///< if not none: the first of steps in time, and why
   ContactKey turnedAt;                 ///< the contact that switched too often
 };
 
-/// Works of a step, for the energy ledger, of schemes that integrate them better than the ledger
-/// can from the two ends [J].
+/// Works of a step for the energy ledger [J], from schemes that integrate them more accurately than
+/// the ledger can from the two ends.
 struct StepWorks {
   bool given = false;
   double nonPotential = 0.0, friction = 0.0, normal = 0.0, joints = 0.0, boundaries = 0.0;
 
-  /// Books the work of a row's percussion Λ at the relative velocity γ = Wᵀu + χ (theory 6): Λγ to
-  /// the kind of the row, −Λχ to what moves by itself. A drive brings in all of it, ΛWᵀu.
+  /// Books the work of a row's percussion Λ at the relative velocity γ = Wᵀu + χ (theory 6): Λγ for
+  /// the kind of the row, −Λχ for boundaries with a prescribed motion. A drive adds all of ΛWᵀu.
   void book(RowKind kind, double Lambda, double gamma, double chi) {
     if (kind == RowKind::drive) {
       nonPotential += Lambda * (gamma - chi);
@@ -56,7 +56,8 @@ struct StepWorks {
   }
 };
 
-/// The same in the order nonPotential, friction, normal, joints, boundaries; λ gives powers [W].
+/// Books works like StepWorks::book, in the order nonPotential, friction, normal, joints,
+/// boundaries. With a force λ in place of Λ the results are powers [W].
 inline void bookWork(std::array<double, 5>& works, RowKind kind, double Lambda, double gamma,
                      double chi) {
   StepWorks w;
@@ -69,21 +70,21 @@ inline void bookWork(std::array<double, 5>& works, RowKind kind, double Lambda, 
 struct Jump {
   Eigen::VectorXd u;           ///< velocities after it: the step starts with them
   std::vector<double> Lambda;  ///< its share of the step's percussions, row by row [N s]
-  StepWorks works;             ///< of its percussions
+  StepWorks works;             ///< works of its percussions
 };
 
-/// Status of a contact from the end of a step on, of schemes that hold it themselves.
+/// Status of a contact from the end of a step on, for schemes that hold statuses themselves.
 struct HeldStatus {
   ContactKey key;
   Status status = Status::open;
 };
 
-/// Impact of a contact within a step, of schemes that find its instant.
+/// Impact of a contact within a step, for schemes that find its instant.
 struct LocatedImpact {
   ContactKey key;
-  double t = 0.0;               ///< [s]
-  Status after = Status::open;  ///< right after it
-  double speed = 0.0;           ///< of approach, −γ_N⁻ [m/s]
+  double t = 0.0;               ///< instant [s]
+  Status after = Status::open;  ///< right after the impact
+  double speed = 0.0;           ///< speed of approach, −γ_N⁻ [m/s]
   double Lambda = 0.0;          ///< normal percussion [N s]
 };
 
@@ -93,30 +94,31 @@ struct StepReport {
   int contacts = 0;  ///< in the inclusion problem
   /// Why the scheme cannot take this step, whatever Δt is (it knows no impact, …); empty: it can.
   std::string_view refused{};
-  /// The scheme found no solution of its own equations, and a simpler one took the step or a part.
+  /// True: the scheme found no solution of its own equations, and a simpler scheme took the step or
+  /// a part of it.
   bool simpler = false;
   StepCounts counts{};
   StepWorks works{};
-  bool ownStatuses = false;                ///< statuses are those below, all others are open
+  bool ownStatuses = false;                ///< the scheme gives `statuses`; others are open
   std::span<const HeldStatus> statuses{};  ///< valid until the next step
   /// With own statuses: all impacts of the step, also of contacts that are far away at its end.
   std::span<const LocatedImpact> impacts{};
   /// Velocities right before an impact at the end of the step, the scheme's own until its next
   /// step; null: there is none.
   const Eigen::VectorXd* uBeforeImpact = nullptr;
-  /// Not 0: the system moved otherwise than by the equations of the step, and `works` are of those
-  /// systems alone; empty: none did. Valid until the next step.
+  /// Per system, not 0: the system did not move by the equations of the step, and `works` are those
+  /// of such systems alone. Empty: no such system. Valid until the next step.
   std::span<const char> apart{};
   const Jump* jump = nullptr;  ///< the scheme's own, until its next step; null: there was none
 };
 
-/// What a scheme that chooses its steps works to.
+/// Accuracy required of a scheme that chooses its steps.
 struct Accuracy {
   double tolerance = 1e-6;  ///< of positions over `length`, angles, and velocities over U
-  double length = 1.0;      ///< of the scene [m]
+  double length = 1.0;      ///< length of the scene [m]
 };
 
-/// What a model may ask of a scheme that not every scheme is defined for.
+/// Features that a model may require of a scheme and that not every scheme defines.
 enum class Asked : std::uint8_t {
   contact,           ///< a unilateral contact closes
   rebound,           ///< an impact with ε_N > 0
@@ -137,21 +139,21 @@ class OneStep : public Element {
   static constexpr Kind kKind = Kind::scheme;
   using Element::Element;
   virtual int order() const = 0;
-  /// Slots of evaluated data the scheme needs at once.
+  /// Number of slots of evaluated data that the scheme needs at once.
   virtual int evaluations() const { return 1; }
-  /// Why the definition of the scheme leaves this out; empty: it does not. A step that is asked for
-  /// it is refused with these words.
+  /// Why the definition of the scheme does not cover a feature; empty: it does. A step that
+  /// requires the feature is refused with these words.
   virtual std::string_view lacks(Asked /*what*/) const { return {}; }
-  /// True: the scheme chooses the lengths of its steps. step() then goes on by at most dt, sets x.t
-  /// and reports the length it took; what it keeps from step to step is in x.scheme.
+  /// True: the scheme chooses the lengths of its steps. step() then advances by at most dt, sets
+  /// x.t and reports the length it took; data kept from step to step are in x.scheme.
   virtual bool choosesSteps() const { return false; }
-  /// True: a run has to say its step, which bounds those that the scheme chooses.
+  /// True: a run has to give its step, which bounds the steps that the scheme chooses.
   virtual bool needsStep() const { return !choosesSteps(); }
-  /// True: it finds the contacts that its path comes to by itself, however fast bodies are.
+  /// True: the scheme itself finds all contacts on its path, however fast bodies are.
   virtual bool findsContacts() const { return false; }
-  /// Before a run, to schemes that choose their steps.
+  /// Sets the accuracy, before a run, of schemes that choose their steps.
   virtual void aim(const Accuracy&) {}
-  /// The length it would try next from x, if nothing bounds it [s]; 0: not known.
+  /// The length that the scheme would try next from x without an outer bound [s]; 0: not known.
   virtual double nextStep(const State& /*x*/) const { return 0.0; }
   /// Advances x by dt. Neither prints nor throws.
   virtual StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) = 0;
@@ -159,17 +161,17 @@ class OneStep : public Element {
   /// q, u of the end.
   virtual void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
                            State& out) const;
-  /// What contacts do at the instant `at` of the last step, which interpolate() gave: with the
-  /// statuses of the step, or `after` it with those that follow. False: the scheme knows the
-  /// percussions of the whole step alone.
+  /// Forces and relative velocities of contacts at `at`, a state of the last step by interpolate():
+  /// with the statuses of the step, or with those `after` it. False: the scheme knows only the
+  /// percussions of the whole step.
   virtual bool contactsAt(const MechanicalSystem& /*s*/, const State& /*at*/, bool /*after*/,
                           ContactInstant& /*out*/) const {
     return false;
   }
 
  protected:
-  /// For schemes with laws of their own: what an impact in the problem just solved asks of them and
-  /// they lack; empty: nothing.
+  /// For schemes with laws of their own: the feature that an impact in the problem just solved
+  /// requires and the scheme lacks; empty: none.
   std::string_view lackingAtImpact(const MechanicalSystem& s) const;
 };
 

@@ -10,9 +10,9 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostProjections = 12;
-/// Rows up to which contacts are closed before their impact.
+/// Most rows for which contacts are closed before their impact.
 constexpr int kMostTouched = 200;
-/// Added to the diagonal, of its largest entry: rows that depend on each other then share.
+/// Share of the largest diagonal entry that is added to the diagonal: redundant rows then share.
 constexpr double kRedundantRow = 1e-10;
 
 /// Normal impulse of contact `key` in the last step, 0 if it had none.
@@ -24,7 +24,7 @@ double carried(const KeyIndex& index, const RememberedImpulses& impulses, Contac
   return any ? impulses.Lambda[static_cast<std::size_t>(first)] : 0.0;
 }
 
-/// A unilateral contact without restitution.
+/// True: contact i is unilateral and has no restitution.
 bool rests(const ContactSet& c, int i) {
   const SetValuedForceLaw& law = *c.law[static_cast<std::size_t>(i)];
   if (!law.unilateral()) return false;
@@ -75,8 +75,8 @@ void Projection::select(const MechanicalSystem& s, const ContactSet& all, const 
                         Level level) {
   contacts_.clear();
   remembered_.build(x.impulses.key);
-  // At a midpoint, where overlaps are repaired and contacts touched, joints may be off by design
-  // and do not move; nor do contacts that carry, while others are touched.
+  // Overlaps are repaired and contacts touched at a midpoint. There joints may have errors by
+  // design and do not move. Contacts that carry do not move either while others are touched.
   const bool midpoint = level == Level::overlap || level == Level::touch;
   for (int i = 0; i < all.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -148,13 +148,13 @@ bool Projection::isTouched(ContactKey key) const {
 
 double Projection::largestGap(const ContactSet& c) const {
   double largest = 0.0;
-  for (std::size_t i = 0; i < c.g.size(); ++i)  // open ones, too
+  for (std::size_t i = 0; i < c.g.size(); ++i)  // open contacts, too
     if (isTouched(c.candidateKey[i])) largest = std::max(largest, c.g[i]);
   return largest;
 }
 
-/// δ = M⁻¹W Λ with g + Wᵀδ = 0 for the rows that are to be closed or held; the others follow. One
-/// linear system: redundant rows share, contradicting ones are told by the gaps they leave.
+/// δ = M⁻¹W Λ with g + Wᵀδ = 0 for the rows that have to be closed or held; other contacts move
+/// along. In this linear system redundant rows share; contradictory rows leave gaps.
 bool Projection::close(const Evaluation& e) {
   const int rows = rowsToClose();
   if (rows == 0 || rows > kMostTouched) return false;
@@ -184,7 +184,7 @@ bool Projection::close(const Evaluation& e) {
 
 bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance,
                         int slot, Level level) {
-  double reach = 0.0;  // gaps up to it take part
+  double reach = 0.0;  // gaps up to this take part
   if (level == Level::touch)
     for (const double g : s.slot(0).contacts.position) reach = std::max(reach, 2.0 * g);
   const auto violation = [&] {
@@ -202,7 +202,7 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     problem_.effort = effort;
     const bool solved = level == Level::touch ? close(e) : solve(e, *solver);
     if (!solved && (level == Level::touch || turn > 2)) return false;
-    if (!solved) effort = Effort::retried;  // the next turn meets what is left
+    if (!solved) effort = Effort::retried;  // the next turn corrects the rest
     delta_ /= kDisplacementTime;
     const double t = x.t;
     s.move(x, delta_, kDisplacementTime);
@@ -244,8 +244,9 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
                                               State& x, double dt, Jump& jump) {
   const Evaluation& e = s.slot(0);
   const ContactSet& all = e.contacts;
-  // Forces change velocities by δ = M⁻¹hΔt, and γ_N of a contact by no more than the largest number
-  // in δ, which may be the rate of a small part, nor than √(wᵀM⁻¹w) √(δᵀMδ), which joints lessen.
+  // Forces change velocities by δ = M⁻¹hΔt. They change γ_N of a contact by no more than the
+  // largest number in δ, which may be the rate of a small part, and by no more than √(wᵀM⁻¹w)
+  // √(δᵀMδ), which joints reduce.
   const double largest = s.largestChange(dt);
   change_.resize(e.h.size());
   e.mass.applyInverse(view(e.h), view(change_));
@@ -259,7 +260,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
     const auto at = static_cast<std::size_t>(i);
     const SetValuedForceLaw& law = *all.law[at];
     if (!law.unilateral() && !holds(law.rowKind(0))) continue;
-    // A contact that is to rebound takes part when it is closed.
+    // A contact with restitution takes part once it is closed.
     const double g = all.position[static_cast<std::size_t>(all.row0[at])];
     if (law.unilateral() && !rests(all, i) && g > s.gTol()) continue;
     append(all, i, all.dim(i), law, contacts_);
@@ -272,7 +273,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   if (!any) return std::nullopt;
   const auto n = static_cast<std::size_t>(contacts_.rows());
   problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.problem().stop;
-  problem_.effort = Effort::retried;  // by the scheme, with half the step
+  problem_.effort = Effort::retried;  // the scheme tries again with half the step
   problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
   Lambda_.assign(n, 0.0);
   offVelocities(x);
@@ -293,7 +294,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   return solved;
 }
 
-/// Of the impact that has just led to x.u: ΣΛγ̄ with γ̄ = ½(γ⁻ + γ⁺).
+/// Works of the impact that has just led to x.u: ΣΛγ̄ with γ̄ = ½(γ⁻ + γ⁺).
 void Projection::works(const State& x, Jump& jump) {
   jump.u = x.u;
   StepWorks& w = jump.works = {};

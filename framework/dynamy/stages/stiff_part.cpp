@@ -36,7 +36,7 @@ void StiffPart::evaluate(const Topology& topology, const std::vector<const Exter
 
 namespace {
 
-/// f += W_row of contact i.
+/// f += factor · W_row of contact i.
 void addRow(const ContactSet& c, int i, int row, double factor, Eigen::VectorXd& f) {
   const auto at = static_cast<std::size_t>(i);
   for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
@@ -162,8 +162,8 @@ void StiffPart::solveGroup(const Group& g, const Eigen::VectorXd& in, Eigen::Vec
 }
 
 bool StiffPart::explicitIsUnstable(const MassMatrix& mass, double dt, double limit) {
-  // Power iteration for M⁻¹K and M⁻¹D. Quotients of Rayleigh never exceed the largest eigenvalue:
-  // a step that is stable is not taken for one that is not.
+  // Power iteration for M⁻¹K and M⁻¹D. Rayleigh quotients never exceed the largest eigenvalue: a
+  // stable step is never classified as unstable.
   constexpr int kIterations = 12;
   for (const bool damping : {false, true}) {
     const double most = damping ? 2.0 / dt : limit * limit / (dt * dt);
@@ -190,7 +190,8 @@ void StiffPart::addStart(double dt, const Eigen::VectorXd& v, Eigen::VectorXd& o
   }
 }
 
-/// Contacts that feel each other: those that share a group or an untouched mass block.
+/// Finds contacts that are coupled: those that share a group, or a mass block without stiff
+/// elements.
 void StiffPart::neighbours(const ContactSet& contacts, int blocks) {
   atBlock_.resize(std::max(atBlock_.size(), static_cast<std::size_t>(blocks + used_)));
   for (std::vector<int>& list : atBlock_) list.clear();
@@ -236,7 +237,7 @@ void StiffPart::respond(const ContactSet& contacts, const MassMatrix& mass, int 
   }
 }
 
-/// force_ and column_ are zero again.
+/// Sets force_ and column_ back to zero.
 void StiffPart::clearResponse(const ContactSet& contacts, int j) {
   const auto at = static_cast<std::size_t>(j);
   for (int k = contacts.segment0[at]; k < contacts.segment0[at + 1]; ++k) {

@@ -2,11 +2,11 @@
 ///
 ///   M̂ = M − b Δt D − a Δt² K,   K = ∂h/∂q F,  D = ∂h/∂u
 ///
-/// in the rows of the mass blocks that stiff elements touch; all others keep M⁻¹. With contacts,
-/// Ĝ = Wᵀ M̂⁻¹ W takes the place of G. Blocks that stiff elements couple form a group, and M̂ is
-/// dense over each group. Rejected: springs as further rows of the inclusion with a compliance (they
-/// would be in every solver's way), and M̂ by blocks, which a spring between two bodies does not
-/// have.
+/// in the rows of the mass blocks on which stiff elements act; all others keep M⁻¹. With contacts,
+/// Ĝ = Wᵀ M̂⁻¹ W replaces G. Blocks that stiff elements couple form a group, and M̂ is dense over
+/// each group. Rejected: springs as further rows of the inclusion with a compliance, which every
+/// solver would have to handle. Also rejected: a block-diagonal M̂, since a spring between two
+/// bodies couples blocks.
 #pragma once
 #include <algorithm>
 #include <dynamy/core/decompositions.hpp>
@@ -16,39 +16,40 @@
 
 namespace dynamy {
 
-/// Where between the beginning and the end of a step a scheme takes the linear part of h:
+/// Weights of the place between beginning and end of a step at which the linear part of h is taken:
 /// h + Δt K (s u^A + a (u^E − u^A)) + b D (u^E − u^A).
 struct ImplicitWeights {
   double s = 0.0, a = 0.0, b = 0.0;
 };
-/// h given at q^A + Δt/2 u^A, wanted at the mean of the step: the implicit midpoint rule, neither
-/// damped nor unstable.
+/// Weights of the implicit midpoint rule, which is neither damped nor unstable: h is given at
+/// q^A + Δt/2 u^A and required at the mean of the step.
 inline constexpr ImplicitWeights kImplicitMidpoint{0.0, 0.25, 0.5};
-/// h given at q, wanted at q + Δt u^E and u^E: the implicit Euler rule, damps what is stiff.
+/// Weights of the implicit Euler rule, which damps stiff motions: h is given at q and required at
+/// q + Δt u^E and u^E.
 inline constexpr ImplicitWeights kImplicitEnd{1.0, 1.0, 1.0};
 
 class StiffPart {
  public:
-  /// Finds out who is stiff.
+  /// Finds out whether the model has stiff elements.
   void resize(const Topology& topology, const std::vector<const ExternalForce*>& forces);
   bool any() const { return any_; }
   /// K and D at x, whose frames are in `k`.
   void evaluate(const Topology& topology, const std::vector<const ExternalForce*>& forces,
                 const Kinematics& k, const State& x);
-  /// Finds the forces that a step Δt does not resolve. If there are some, K and D at x are theirs
-  /// and those of who is stiff; false: none, and nothing is evaluated.
+  /// Finds the forces that a step Δt does not resolve, and evaluates their K and D at x together
+  /// with those of stiff elements. False: there are no such forces, and nothing is evaluated.
   bool evaluateUnresolved(const Topology& topology, const std::vector<const ExternalForce*>& forces,
                           const Kinematics& k, const State& x, const MassMatrix& mass, double dt);
   /// Number of the forces found last.
   int unresolved() const {
     return static_cast<int>(std::count(found_.taken().begin(), found_.taken().end(), 1));
   }
-  /// M̂ of these weights; unresolved forces have weights of their own.
+  /// Factorises M̂ with these weights; unresolved forces have weights of their own.
   void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights,
               const ImplicitWeights& unresolved = kImplicitEnd);
   /// out = M̂⁻¹ in; in and out may not overlap.
   void applyInverse(const MassMatrix& mass, const Eigen::VectorXd& in, Eigen::VectorXd& out) const;
-  /// ωΔt > limit for an oscillation, or Δt d/m > 2, the limit of Euler's explicit rule.
+  /// True: ωΔt > limit for an oscillation, or Δt d/m > 2, the limit of Euler's explicit rule.
   bool explicitIsUnstable(const MassMatrix& mass, double dt, double limit);
   /// out += Δt² s K v.
   void addStart(double dt, const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
@@ -83,13 +84,14 @@ class StiffPart {
   int nu_ = 0;
   ImplicitWeights weights_, unresolved_;
   std::vector<StiffEntry> entries_;
-  std::size_t declared_ = 0;  // of the entries; unresolved ones follow
+  std::size_t declared_ = 0;  // number of entries of stiff elements; unresolved ones follow
   UnresolvedForces found_;
-  std::vector<int> local_, blockOf_, parent_, group_;  // of velocities; of blocks
+  // Per velocity: its index in its group, its mass block. Per mass block: union–find parent, group.
+  std::vector<int> local_, blockOf_, parent_, group_;
   std::vector<Group> groups_;
-  int used_ = 0;                                  // of the groups
-  std::vector<std::vector<int>> near_, atBlock_;  // contacts of a contact, of a mass block
-  std::vector<std::ptrdiff_t> filled_;            // blocks of a row that are there
+  int used_ = 0;                                  // number of groups in use
+  std::vector<std::vector<int>> near_, atBlock_;  // contacts coupled to a contact; of a mass block
+  std::vector<std::ptrdiff_t> filled_;            // next block to be filled in each row of blocks
   std::vector<double> K_, D_;
   mutable Eigen::VectorXd part_;
   Eigen::VectorXd force_, column_, probe_;

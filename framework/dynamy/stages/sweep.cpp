@@ -6,20 +6,20 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostPieces = 4096;
-/// Slot 0 holds velocities of the begin or of the end, by the scheme. If one are larger than the
-/// other by this, they are looked at on their own …
+/// Slot 0 holds velocities of the beginning or of the end of the step, depending on the scheme.
+/// Velocities at one end that are larger than at the other by this factor are examined separately …
 constexpr double kFactor = 2.0;
 /// … if they lead further than this many g_tol.
 constexpr double kNoWay = 1e6;
-/// A contact is there at gaps below this many g_tol.
+/// A body is at a contact at gaps below this many g_tol.
 constexpr double kNearBody = 1e3;
-/// Of the largest velocity: what closes faster is one of the fast bodies.
+/// Of the largest velocity: a contact that closes faster is that of a fast body.
 constexpr double kComparable = 0.1;
-/// Of the step: too short to matter.
+/// Of the step: a time too short to matter.
 constexpr double kMoment = 1e-9;
 
-/// A gap law that looks beyond the end of the step brakes a fast body far from the contact: then
-/// the middle of the step, so that the halves come near to it.
+/// A gap law that looks beyond the end of the step may brake a fast body far from the contact.
+/// Returns the middle of the step then, so that the halves come nearer to the contact.
 Passing braked(const MechanicalSystem& s, const State& a, double dt) {
   const ContactSet& c = s.slot(0).contacts;
   const InclusionProblem& p = s.problem();
@@ -60,8 +60,8 @@ Passing Sweep::look(const MechanicalSystem& s, const OneStep& scheme, const Stat
   }
   search();
   if (first) return first;
-  // A scheme that sees contacts at the end of the step stops a body at its begin: where would it
-  // have come without?
+  // A scheme that sees contacts at the end of the step stops a body at the beginning of the step:
+  // the second path continues with the velocities at the beginning.
   path_.begin(dt, s.gTol(), frames);
   at_ = a;
   for (int k = 0; k <= n; ++k) {

@@ -3,15 +3,15 @@
 namespace dynamy {
 namespace {
 
-/// Shares of what explicit rules bear: of all forces of a block (why one half: see the header), and
-/// of one force, below which it is a soft one beside fast ones.
+/// Shares of the stability limit of explicit rules above which a force is unresolved: of all forces
+/// of a block (why one half: see the header), and of the force itself, which else is a soft one.
 constexpr double kUnresolved = 0.5, kOwnShare = 0.05;
 
 }  // namespace
 
 double UnresolvedForces::shareOf(const StiffEntry& e, const MassMatrix& mass, double dt) const {
   const int b = block(e.i);
-  if (b != block(e.j)) return 0.0;  // not of the trace
+  if (b != block(e.j)) return 0.0;  // the entry is not in the trace
   const double inverse = mass.inverse(b)(e.j - mass.u0(b), e.i - mass.u0(b));
   return -inverse * (0.25 * dt * dt * e.K + 0.5 * dt * e.D);
 }
@@ -44,7 +44,7 @@ bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, con
   return !entries_.empty();
 }
 
-/// The force with these entries; those of one mass block follow each other.
+/// True: the force with these entries is unresolved. Entries of one mass block follow each other.
 bool UnresolvedForces::isUnresolved(std::size_t first, std::size_t end, const MassMatrix& mass,
                                     double dt) const {
   while (first < end) {

@@ -1,16 +1,16 @@
 /// UnresolvedForces: forces that know their derivatives (ExternalForce::addStiffness), do not declare
-/// themselves stiff, and change faster than a step Δt follows. At a mass block b the share of all of
-/// them of what explicit rules bear, ωΔt = 2 and Δt d/m = 2, is
+/// themselves stiff, and change faster than a step Δt resolves. Explicit rules are stable up to
+/// ωΔt = 2 and Δt d/m = 2. All such forces at a mass block b use up the share of this limit
 ///
 ///   tr_b(−M⁻¹(Δt² K/4 + Δt D/2)),   K = ∂h/∂q F,  D = ∂h/∂u,
 ///
-/// ω²Δt²/4 of one spring to the ground, and at least the largest one of several. What joins two
-/// blocks counts in both: (x_a − x_b)² ≤ 2 (x_a² + x_b²), so that the whole is at most twice the
-/// largest share of a block. Up to one half explicit rules are stable for certain; beyond, a force
-/// is unresolved, if its own part is beyond a twentieth: schemes take it at the end of the step, by
-/// the implicit Euler rule. ωΔt is then beyond 1.4 of a spring to the ground, beyond 2 of one
-/// between two equal bodies.
-/// Rejected: the largest eigenvalue of all forces together, which would say so of soft ones, too.
+/// which is ω²Δt²/4 for one spring to the ground, and at least the largest one for several. A force
+/// between two blocks counts in both: (x_a − x_b)² ≤ 2 (x_a² + x_b²), so that the share of the
+/// whole system is at most twice the largest share of a block. Up to a share of one half explicit
+/// rules are certainly stable. Above one half, a force is unresolved if its own part is above a
+/// twentieth: schemes take it at the end of the step, by the implicit Euler rule. ωΔt then exceeds
+/// 1.4 for a spring to the ground, and 2 for a spring between two equal bodies. Rejected: the
+/// largest eigenvalue of all forces together, by which soft forces would count as unresolved, too.
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/mass_matrix.hpp>
@@ -20,12 +20,12 @@ namespace dynamy {
 
 class UnresolvedForces {
  public:
-  /// Finds them and their derivatives at `k` and M; false: there are none.
+  /// Finds the unresolved forces and their derivatives at `k` and M; false: there are none.
   bool find(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
             const MassMatrix& mass, double dt);
-  /// Their derivatives.
+  /// Derivatives of the unresolved forces.
   const std::vector<StiffEntry>& entries() const { return entries_; }
-  /// Per force: 1 if it is one of them.
+  /// Per force: 1 if it is unresolved.
   std::span<const char> taken() const { return taken_; }
   /// Mass block of a velocity; after find().
   int block(int u) const { return blockOf_[static_cast<std::size_t>(u)]; }

@@ -1,4 +1,5 @@
-/// When the fixed point or Newton iteration of an implicit scheme has converged in velocities.
+/// VelocityIteration: convergence test, in velocities, for the fixed-point or Newton iteration of
+/// an implicit scheme.
 #pragma once
 #include <dynamy/stages/mechanical_system.hpp>
 
@@ -7,9 +8,10 @@ namespace dynamy {
 class VelocityIteration {
  public:
   explicit VelocityIteration(int most) : most_(most) {}
-  /// Takes the largest change of this turn and the size of the velocities [m/s]; true: the last
-  /// turn. A change that no longer falls is taken if it is rounding of large forces, or moves
-  /// nothing by more than a part of g_tol; without either the turns run out and the report says so.
+  /// Takes the largest change of this iteration and the size of the velocities [m/s]; true: the
+  /// iteration ends. A change that no longer falls is accepted if it is rounding of large forces,
+  /// or moves nothing by more than a part of g_tol. Otherwise iterations run out and the report
+  /// contains this status.
   bool done(const MechanicalSystem& s, double change, double size, double dt, SolveReport& report) {
     const bool stalls = turn_ > 4 && change > 0.5 * before_;
     const bool small = change <= kSmall * size || change * dt <= kPosition * s.gTol();

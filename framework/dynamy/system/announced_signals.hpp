@@ -1,13 +1,14 @@
-/// Signals by which elements tell in advance what no state shows, for schemes that locate switches:
+/// Signals by which elements announce what no state shows, for schemes that locate switches:
 ///
-///   nextInstant   after t: when a formula jumps or has a kink because of the time alone, a rope
-///                 breaks as told, a feeder brings a grain [s]; a step ends there
+///   nextInstant   first instant after t at which a formula jumps or has a kink because of the time
+///                 alone, a rope breaks at a given time, a feeder adds a grain [s]; a step ends
+///                 there
 ///   switching     positive where remember() would switch the element, smooth along a motion; a
 ///                 step ends where it passes zero, and remember() is called there
 ///
-/// Any element may have the first, contact elements the second, those of users too. They are not
-/// recorded unless they are named. Virtual functions of their own were rejected: few elements have
-/// something to tell, and signals can be looked at like any other.
+/// Any element may have the signal nextInstant, contact elements also switching; elements of users
+/// may, too. Both are recorded only if the model names them. Rejected: virtual functions in their
+/// place, because few elements announce anything, and signals can be plotted like any other.
 #pragma once
 #include <dynamy/core/declared/element.hpp>
 #include <dynamy/system/description.hpp>
@@ -17,11 +18,12 @@ namespace dynamy {
 inline constexpr const char* kNextInstant = "nextInstant";
 inline constexpr const char* kSwitching = "switching";
 
-/// Adds nextInstant if `next`, the first instant after t [s], finds any after the start at 0.
+/// Adds the signal nextInstant if next(0) is finite. next(t): the first instant after t [s].
 void announceInstants(Description& d, std::function<double(double)> next);
 
-/// Schemes that locate switches ask contact elements alone for `switching`: throws a ModelError if
-/// `e`, of another kind, has it and `scheme` is such a scheme's type.
+/// Throws a ModelError if `e`, which is not a contact element, has the signal `switching`.
+/// `scheme`: type of the scheme that locates switches; it reads this signal of contact elements
+/// only.
 void refuseSwitching(const Element& e, const std::string& scheme);
 
 }  // namespace dynamy

@@ -1,12 +1,12 @@
-/// ExternalForce: adds to h; a spring, a drive, gravity.   h ← h + J_Sᵀ F + J_Rᵀ M
+/// ExternalForce: an element that adds to h (spring, drive, gravity).   h ← h + J_Sᵀ F + J_Rᵀ M
 #pragma once
 #include <dynamy/system/kinematics.hpp>
 #include <dynamy/system/stiffness_sink.hpp>
 
 namespace dynamy {
 
-/// Where forces are added. Generalised forces of elements without potential are kept apart for the
-/// energy ledger.
+/// Receives the forces of elements. Generalised forces of elements without potential are also
+/// summed separately, for the energy ledger.
 class ForceSink {
  public:
   ForceSink(Vec h, Vec nonPotential) : h_(h), nonPotential_(nonPotential) {}
@@ -14,8 +14,7 @@ class ForceSink {
   void force(const Frame& frame, const Vec3& rho_I, const Vec3& F_I);
   /// Moment M_I [N m].
   void moment(const Frame& frame, const Vec3& M_I);
-  /// Writable slice of h of a whole system; generalised force is to be *added* there, through
-  /// `addTo`.
+  /// Adds the generalised force on a whole system, or on its velocity i, to h.
   void generalised(const SystemHandle& system, ConstVec force);
   void generalised(const SystemHandle& system, int i, double force);
   /// Set by the framework before each element: true if the element's forces have the potential it
@@ -37,16 +36,18 @@ class ExternalForce : public Element {
   using Element::Element;
   virtual void connect(Topology& topology) = 0;
   virtual void addTo(const Kinematics& k, ForceSink& sink) const = 0;
-  /// Changes the numbers reserved by Topology::memory, at the end of an accepted step and where any
-  /// element switches: twice in one place must be as good as once. A rejected step is rolled back.
+  /// Updates the numbers reserved by Topology::memory. Called at the end of an accepted step and
+  /// wherever any element switches; a second call at the same state must have no further effect.
+  /// A rejected step is rolled back.
   virtual void remember(const Kinematics&, Vec /*memory*/) const {}
   /// True: all of the force derives from potentialEnergy.
   virtual bool hasPotential() const { return false; }
   virtual double potentialEnergy(const Kinematics&) const { return 0.0; }
-  /// True: the force is stiff, schemes take it linearly implicitly from addStiffness.
+  /// True: the force is stiff. Schemes integrate it linearly implicitly, by means of addStiffness.
   virtual bool stiff() const { return false; }
-  /// Derivatives of what addTo adds, at the same kinematics. Worth giving in any case: by them
-  /// schemes know a force that changes faster than their steps follow, and damp it.
+  /// Adds the derivatives of the force from addTo, at the same kinematics. Useful also if the force
+  /// is not stiff(): with them schemes recognise and damp a force that changes faster than their
+  /// steps resolve.
   virtual void addStiffness(const Kinematics&, StiffnessSink&) const {}
 };
 

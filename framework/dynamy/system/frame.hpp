@@ -2,7 +2,7 @@
 ///
 ///   v_S = J_S u + ν_S,   Ω = J_R u + ν_R,   v̇_S = J_S u̇ + β_S,   Ω̇ = J_R u̇ + β_R
 ///
-/// All components are those of I.
+/// All components are given in the axes of I.
 #pragma once
 #include <dynamy/core/types.hpp>
 
@@ -22,7 +22,7 @@ struct Frame {
   Mat3X J_R_I{nullptr, 3, 0};  ///< 3 × nu
   /// The centre of mass of a free body with its own axes: J_S = (I, 0), J_R = (0, A_IK).
   bool central = false;
-  bool absent = false;  ///< of a body that takes no part at present: nothing touches it
+  bool absent = false;  ///< the body takes no part at present: nothing touches it
   int block = -1;       ///< mass block the frame moves with, −1: none (ground)
   int u0 = 0;           ///< first velocity of that block in u
 

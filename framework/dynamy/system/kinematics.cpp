@@ -31,7 +31,7 @@ void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstV
     f.block = 0, f.absent = false;
     const PartialMechanicalSystem& system = *topology.systems()[static_cast<std::size_t>(s.index)];
     named(system, [&] { system.frame(t, this->q(s), this->u(s), requested[i].second, f); });
-    // A frame that moves with no block: of a system without velocities, or one that stands still.
+    // A frame without a block belongs to a system without velocities, or stands still.
     const bool moves = s.blocks > 0 && f.block >= 0;
     f.u0 = moves ? s.u0 + f.block * s.blockNu : s.u0;
     f.block = moves ? s.block0 + f.block : -1;

@@ -1,10 +1,11 @@
-/// MassMatrix: block-diagonal M with M⁻¹ at hand. Constant blocks are inverted once, the others in
+/// MassMatrix: block-diagonal M and its inverse. Constant blocks are inverted once, the others in
 /// every evaluation.
 ///
 /// The inverse of each (small) block is stored: M⁻¹w is then one small product, which is what
 /// contacts need many times a step. Keeping Cholesky factors was rejected for small blocks: two
-/// triangular solves with divisions are slower, and equally accurate here. Systems that apply M⁻¹
-/// themselves (Blocks::ownInverse) have both made when they are first asked for in an evaluation.
+/// triangular solves with divisions are slower, and equally accurate here. For systems that apply
+/// M⁻¹ themselves (Blocks::ownInverse), M and M⁻¹ are computed at the first request after an
+/// evaluation.
 #pragma once
 #include <dynamy/system/topology.hpp>
 
@@ -25,7 +26,7 @@ class MassMatrix {
     if (has_[static_cast<std::size_t>(block)] != Has::inverse) make(block), invertBlock(block);
     return {inverse_.data() + offset(block), nu(block), nu(block)};
   }
-  /// The diagonal of M⁻¹ where that is all of it (free bodies in principal axes), else null.
+  /// Diagonal of M⁻¹ if M⁻¹ is diagonal (free bodies in principal axes), else null.
   const double* inverseDiagonal(int block) const {
     const auto b = static_cast<std::size_t>(block);
     return diagonal_[b] ? inverseDiagonal_.data() + u0_[b] : nullptr;
@@ -41,7 +42,7 @@ class MassMatrix {
 
  private:
   enum class Has : char { nothing, mass, inverse };
-  /// A system that applies M⁻¹ itself, and where: M and its inverse are made on demand.
+  /// A system that applies M⁻¹ itself, with the t and q at which M and M⁻¹ are computed on demand.
   struct Deferred {
     const PartialMechanicalSystem* system = nullptr;
     double t = 0.0;
@@ -53,9 +54,9 @@ class MassMatrix {
   std::vector<int> nu_, u0_;
   std::vector<std::ptrdiff_t> offset_;
   mutable std::vector<double> data_, inverse_, inverseDiagonal_;
-  mutable std::vector<char> diagonal_;  // of a block: M is diagonal
+  mutable std::vector<char> diagonal_;  // per block: M is diagonal
   mutable std::vector<Has> has_;
-  std::vector<Deferred> deferred_;  // per block; without a system: made in every evaluation
+  std::vector<Deferred> deferred_;  // per block; no system: M is computed in every evaluation
   std::vector<bool> constant_;
   bool first_ = true;
 };

@@ -113,7 +113,7 @@ int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
         if (!invertBlock(b) && failed < 0) failed = static_cast<int>(s);
     }
     if (!d.system) continue;
-    // Also the first time: a run that is resumed has to give the same bits.
+    // M and M⁻¹ are discarded also the first time: a resumed run has to give the same bits.
     d.t = t, d.q = q.segment(h.q0, h.nq);
     has_[static_cast<std::size_t>(h.block0)] = Has::nothing;
     diagonal_[static_cast<std::size_t>(h.block0)] = 0;
@@ -146,7 +146,7 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
 }
 
 void MassMatrix::apply(ConstVec in, Vec out) const {
-  // By coefficient: a temporary would take memory in every step.
+  // Products are evaluated by coefficient: a temporary would allocate memory in every step.
   for (int b = 0; b < blocks(); ++b) {
     const int n = nu(b);
     const ConstVec x(in.data() + u0(b), n);

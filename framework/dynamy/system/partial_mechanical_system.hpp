@@ -20,8 +20,8 @@ struct Blocks {
   /// Unit normal of the plane that all frames of the system move in; zero: motion in space.
   /// Contacts and joints between such systems need fewer rows.
   Vec3 planeNormal = Vec3::Zero();
-  /// applyInverseMass() is offered: M is made only if something else asks for it. For systems of
-  /// one block with many velocities.
+  /// True: the system implements applyInverseMass(), and M is computed only on request. For systems
+  /// of one block with many velocities.
   bool ownInverse = false;
 };
 
@@ -46,52 +46,54 @@ class PartialMechanicalSystem : public Element {
 
   virtual Blocks blocks() const = 0;
   virtual void initialState(Vec q, Vec u) const = 0;
-  /// Mass matrices, symmetric positive definite; all entries are to be written.
+  /// Mass matrices, symmetric positive definite; all entries must be written.
   virtual void M(double t, ConstVec q, MassBlocks M) const = 0;
-  /// out = M⁻¹ in, for systems whose Blocks say ownInverse; default: never called.
+  /// out = M⁻¹ in. Only called for systems with Blocks::ownInverse.
   virtual void applyInverseMass(double /*t*/, ConstVec /*q*/, ConstVec /*in*/, Vec /*out*/) const {}
-  /// All smooth forces, gyroscopic terms included (not those of ExternalForce elements); all
-  /// entries are to be written.
+  /// All smooth forces of the system, gyroscopic terms included, those of ExternalForce elements
+  /// not; all entries must be written.
   virtual void h(double t, ConstVec q, ConstVec u, Vec h) const = 0;
   /// q̇ = F u + β; default q̇ = u (nq = nu).
   virtual void qdot(double t, ConstVec q, ConstVec u, Vec qdot) const;
   /// q ← q ⊕ Δt q̇ with u constant; default q += Δt q̇(t, q, u); rotations use the exponential map.
   virtual void move(double t, Vec q, ConstVec u, double dt) const;
-  /// For systems with gyroscopic terms that change u much in a step: in, h holds all forces at u^A,
-  /// those of other elements included; out, the own gyroscopic terms are those at the mean
-  /// velocity ½(u^A + u_free) with M (u_free − u^A) = Δt h, where they do no work. Only for systems
-  /// with constant mass. Default: nothing is done.
+  /// For systems whose gyroscopic terms change u much in a step. On input, h holds all forces at
+  /// u^A, those of other elements included. On output, the system's own gyroscopic terms in h are
+  /// those at the mean velocity ½(u^A + u_free) with M (u_free − u^A) = Δt h; there they do no
+  /// work. Only for systems with constant mass. Default: h is not changed.
   virtual void gyroscopicAtMean(double /*t*/, ConstVec /*q*/, ConstVec /*uA*/, double /*dt*/,
                                 Vec /*h*/) const {}
   /// Brings q back on its manifold after linear combinations (unit quaternions); default: nothing
   /// to do.
   virtual void normalise(Vec) const {}
-  /// Between two steps: a population may take blocks away and bring others, by q alone, so that a
-  /// checkpoint knows them. tA, tE: the step that has been accepted [s]. True: q or u changed.
-  virtual bool renews() const { return false; }  ///< whether it ever does
+  /// Between two steps a population may remove blocks and add others. q alone shows which blocks
+  /// are present, so that a checkpoint contains them. tA, tE: begin and end of the accepted step
+  /// [s]. True: q or u changed.
+  virtual bool renews() const { return false; }  ///< true: renew() may change something
   virtual bool renew(double /*tA*/, double /*tE*/, Vec /*q*/, Vec /*u*/) const { return false; }
   /// V(q,t) of the forces in h that have a potential [J].
   virtual double potentialEnergy(double, ConstVec) const { return 0.0; }
   /// Uniform field of gravity g_I [m/s²]: writes its generalised force Σ J_Sᵀ m g into h (all
   /// entries) and returns its potential −Σ m g·r_OS [J]. Default: none, for systems without weight.
   virtual double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const;
-  /// Whether it answers to a field of gravity; its weight may also be part of h and
-  /// potentialEnergy. Default: gravity() is not zero in some direction, at position q. Overridden
-  /// by systems whose joints may carry all of their weight there.
+  /// True: a field of gravity acts on the system. (The weight may also be part of h and
+  /// potentialEnergy.) Default: gravity() is not zero in some direction, at position q. Systems
+  /// whose joints may carry all of their weight at q override it.
   virtual bool feelsGravity(ConstVec q) const;
   /// The part of h that neither has a potential nor is gyroscopic (drives, dampers); for the energy
   /// ledger. Default: none.
   virtual void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const;
   /// Frame `id` (0 ≤ id < frames()): r, A, v, Ω, J, ν and the bias. J_S_I, J_R_I point to 3 × nu
-  /// numbers, zero at the first call and as left behind by the last one later: assign, never add;
-  /// entries that are always zero need not be written. `block`: index of the block within this
-  /// system (0 unless said otherwise); −1: the frame moves with none.
+  /// numbers. They are zero at the first call; later they hold the values of the call before, so
+  /// assign, never add. Entries that are always zero need not be written. `block`: index of the
+  /// block within this system (0 if not set); −1: the frame moves with no block.
   virtual void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const;
   virtual int frames() const { return 0; }
-  /// True: h has stiff parts, schemes take them linearly implicitly from dh.
+  /// True: h has stiff parts. Schemes integrate them linearly implicitly, by means of dh().
   virtual bool stiff() const { return false; }
-  /// Parts K = ∂h/∂q F, D = ∂h/∂u of one block, all entries; false: none. Schemes that take stiff
-  /// parts linearly implicitly ask systems that are stiff(); Newton's method on positions asks all.
+  /// Derivatives K = ∂h/∂q F, D = ∂h/∂u of one block, all entries; false: none. Schemes that
+  /// integrate stiff parts linearly implicitly call it for systems that are stiff(), Newton's
+  /// method on positions for all systems.
   virtual bool dh(double /*t*/, ConstVec /*q*/, ConstVec /*u*/, int /*block*/, Block /*K*/,
                   Block /*D*/) const {
     return false;
@@ -99,18 +101,19 @@ class PartialMechanicalSystem : public Element {
   /// Derivatives for Newton's method on positions, for systems of one block with constant mass, all
   /// entries; false (default): not offered, differences are taken.
   ///
-  /// T of move():  q ⊕ Δt (u + δ) = (q ⊕ Δt u) ⊕ Δt T δ to first order; the unit matrix where q̇ =
-  /// u.
+  /// T of move():  q ⊕ Δt (u + δ) = (q ⊕ Δt u) ⊕ Δt T δ to first order. T is the unit matrix if
+  /// q̇ = u.
   virtual bool moveTangent(ConstVec /*u*/, double /*dt*/, Block /*T*/) const { return false; }
   /// K = ∂(J_Sᵀ F + J_Rᵀ M)/∂q F of frame `id`, with F_I [N] and M_I [N m] held in I.
   virtual bool frameStiffness(double /*t*/, ConstVec /*q*/, int /*id*/, const Vec3& /*F_I*/,
                               const Vec3& /*M_I*/, Block /*K*/) const {
     return false;
   }
-  /// For systems that are one rigid body, or stand still: what a tree of joints needs of them (its
-  /// frames are fixed on it); false (default): not to be carried by joints.
+  /// For systems that are one rigid body, or stand still: the data that a tree of joints needs. All
+  /// frames of the system are fixed on the body. False (default): joints of a tree cannot carry the
+  /// system.
   virtual bool rigidPart(RigidPart& /*out*/) const { return false; }
-  /// q and u of such a body from its motion since the start; for its signals.
+  /// q and u of a system with rigidPart() from its motion since the start; for its signals.
   virtual void ownState(const RigidMotion& /*motion*/, Vec /*q*/, Vec /*u*/) const {}
 };
 

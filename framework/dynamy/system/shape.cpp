@@ -1,4 +1,4 @@
-// What all shapes have: place in their frame, material, colour, mass.
+// Attributes of all shapes: place in their frame, material, colour, mass.
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/rotation.hpp>

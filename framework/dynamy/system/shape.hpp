@@ -9,8 +9,8 @@
 
 namespace dynamy {
 
-/// What contact geometry and the replay need to know. `type` is the registered name; a user's shape
-/// may call itself one of these and is treated as such:
+/// Geometry of a shape for contact and replay. `type` is the registered name. A shape of a user may
+/// give one of the following types, and is then treated as this type:
 ///
 ///   Sphere, Circle, Point   size[0] radius (of a Point: of its dot, may be 0); Circle about z
 ///   Cylinder, Capsule       size[0] radius, size[1] length along z
@@ -33,9 +33,9 @@ struct MassProperties {
 
 /// Declares `position`, and `orientation` or `euler`, of a shape, frame or body.
 void declarePose(Attributes& a, const std::string& of);
-/// Unit quaternion (w, x, y, z) from `orientation`, or from `euler`: turns about x, y and z of the
-/// axes that stand still, A = Rz(γ) Ry(β) Rx(α). Throws ModelError if both are given or the
-/// quaternion vanishes.
+/// Unit quaternion (w, x, y, z) from `orientation`, or from `euler`: rotations about the fixed axes
+/// x, y and z, A = Rz(γ) Ry(β) Rx(α). Throws ModelError if both are given or the quaternion
+/// vanishes.
 std::array<double, 4> orientation(const Parameters& x);
 
 class SmoothShape;
@@ -44,8 +44,8 @@ class Shape : public Element {
  public:
   static constexpr Kind kKind = Kind::shape;
   explicit Shape(const Parameters& x);
-  /// Declares material, grain, position, orientation, colour, mass and density: what all shapes
-  /// have.
+  /// Declares the attributes of all shapes: material, grain, position, orientation, colour, mass
+  /// and density.
   static void declareCommon(Attributes& a);
 
   virtual ShapeGeometry geometry() const = 0;

@@ -10,16 +10,17 @@
 namespace dynamy {
 namespace {
 
-// Of the picture and of extents: directions every 15°.
+// Directions every 15°, for the picture and the extent of a shape.
 constexpr int kRings = 12, kAround = 24;
-/// No direction is further than this from one of them [rad]: half a diagonal of 15° by 15°.
+/// Largest angle from any direction to the nearest of these [rad]: half a diagonal of 15° by 15°.
 constexpr double kBetween = 0.1852;
-/// Circles of the finest quadrature; integrands are analytic, so that few are enough for round
-/// bodies.
+/// Circles of the first and the finest quadrature. Integrands are analytic, so that few circles are
+/// enough for round bodies.
 constexpr int kFirstCircles = 16, kMostCircles = 256;
-constexpr double kQuadrature = 1e-13;  ///< relative change by twice the circles
-/// Angle of the differences that H is compared with [rad], and what may be left: their error of
-/// third derivatives and of rounding is about 1e-8 of the size; a wrong H is off by its own.
+constexpr double kQuadrature = 1e-13;  ///< circles are doubled until results change by less
+/// Angle of the differences that H is compared with [rad], and the tolerance relative to the size.
+/// The error of the differences by third derivatives and rounding is about 1e-8 of the size, but
+/// the error of a wrong H is as large as H.
 constexpr double kAngle = 1e-4, kOff = 1e-5;
 
 Vec3 direction(double polar, double azimuth) {
@@ -34,7 +35,7 @@ void forDirections(Use&& use) {
       use(direction(kPi * i / kRings, kTwoPi * j / kAround));
 }
 
-/// Nodes z and weights of Gauss and Legendre on −1 … 1: zeros of P_n by Newton's method.
+/// Nodes z and weights of Gauss–Legendre quadrature on −1 … 1: zeros of P_n by Newton's method.
 std::vector<std::pair<double, double>> gaussNodes(int n) {
   std::vector<std::pair<double, double>> out;
   for (int i = 0; i < n; ++i) {
@@ -110,7 +111,7 @@ MassProperties SmoothShape::massProperties() const {
 }
 
 SmoothShape::Extent SmoothShape::extent() const {
-  // The point furthest from the origin is seen from a direction beside it by at least its cosine.
+  // In a direction at an angle to the furthest point, h is at least its distance times the cosine.
   Extent out{0.0, std::numeric_limits<double>::infinity()};
   forDirections([&](const Vec3& d) {
     const double h = d.dot(point(d)), behind = -d.dot(point(-d));

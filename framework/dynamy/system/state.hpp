@@ -6,14 +6,14 @@
 
 namespace dynamy {
 
-/// Percussions of the last step by contact key: the warm start of the next.
+/// Percussions of the last step by contact key: the warm start of the next step.
 struct RememberedImpulses {
   std::vector<ContactKey> key;
   std::vector<int> first;      ///< index of the first row; one more entry than keys
   std::vector<double> Lambda;  ///< [N s]
   double dt = 0.0;             ///< length of the step they belong to [s]
-  /// The solver changed its start in that step: Λ then holds what corrected the velocities once,
-  /// and the next start is wrong by just as much.
+  /// True: the solver changed its start in that step. Λ then contains an impulse that corrected the
+  /// velocities once, and as a start of the next step it is wrong by this impulse.
   bool corrected = false;
 };
 

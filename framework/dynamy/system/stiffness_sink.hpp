@@ -1,10 +1,10 @@
-/// StiffnessSink: where elements put the derivatives of their forces, for schemes that take them
-/// implicitly: of those that declare themselves stiff, and of those a step does not resolve,
+/// StiffnessSink: receives the derivatives of forces, for schemes that integrate forces implicitly.
+/// It serves forces that are declared stiff, and forces that a step does not resolve. Derivatives
 ///
 ///   ∂h/∂q F = −Σ c w wᵀ,   ∂h/∂u = −Σ d w wᵀ,
 ///
-/// as directions w with a stiffness c and a damping d, or entry by entry. A direction is what a
-/// spring has; entries serve forces given by formulas. Rejected: whole matrices of every element,
+/// are given by directions w with a stiffness c and a damping d, or entry by entry. Springs have
+/// directions; entries serve forces given by formulas. Rejected: whole matrices of every element,
 /// which would be large and almost empty.
 #pragma once
 #include <dynamy/system/frame.hpp>
@@ -25,7 +25,7 @@ class StiffnessSink {
   /// vector e: stiffness c [N/m], damping d [N s/m].
   void spring(const Frame& A, const Vec3& rhoA_I, const Frame& B, const Vec3& rhoB_I, const Vec3& e,
               double c, double d);
-  /// The same about the unit axis a: c [N m/rad], d [N m s/rad].
+  /// Torsion spring and damper between A and B about the unit axis a: c [N m/rad], d [N m s/rad].
   void torsion(const Frame& A, const Frame& B, const Vec3& a, double c, double d);
   /// ∂h_i/∂u_j += D,  (∂h/∂q F)_ij += K of one system; i, j count its velocities.
   void entry(const SystemHandle& system, int i, int j, double K, double D) {
@@ -35,7 +35,7 @@ class StiffnessSink {
  private:
   struct Side {
     const Frame& frame;
-    Vec3 force, moment;  // of a unit force on this side
+    Vec3 force, moment;  // on this frame, for a unit force of the spring
   };
   void add(const Side& a, const Side& b, double c, double d);
   std::vector<StiffEntry>& entries_;

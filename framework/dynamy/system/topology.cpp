@@ -53,8 +53,8 @@ SystemHandle Topology::system(std::string_view name, const Element& asking) cons
 }
 
 FrameHandle Topology::frame(std::string_view name, const Element& asking) {
-  // "body" is frame 0; "body.frame" a named one. System names may contain dots: the whole name
-  // first.
+  // "body" is frame 0, "body.frame" a named frame. System names may contain dots, so whole names
+  // are compared.
   std::vector<std::string> known;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
     const std::string& system = systems_[i]->name();

@@ -1,5 +1,5 @@
-/// Topology: where everything lies in the flat arrays; turns names into handles, once, in
-/// connect().
+/// Topology: the places of all systems, frames and memory in the flat arrays. Elements turn names
+/// into handles with it, once, in connect().
 #pragma once
 #include <algorithm>
 #include <dynamy/core/types.hpp>
@@ -12,7 +12,7 @@
 
 namespace dynamy {
 
-/// One system in q, u and the mass blocks.
+/// Place of one system in q, u and the mass blocks.
 struct SystemHandle {
   int index = -1;
   int q0 = 0, nq = 0;          ///< slice of q, all blocks
@@ -21,7 +21,7 @@ struct SystemHandle {
   int blockNq = 0, blockNu = 0;
 };
 
-/// One frame among those the model's elements asked for.
+/// One of the frames that elements of the model requested.
 struct FrameHandle {
   int index = -1;
 };
@@ -31,14 +31,14 @@ struct MemoryHandle {
   int first = 0, size = 0;
 };
 
-/// What one force or contact element asked for while it was connected.
+/// What one force or contact element requested while it was connected.
 struct Connection {
   const Element* element = nullptr;
-  std::vector<int> systems;  ///< whose frames or coordinates, ascending
-  bool shapes = false;       ///< all shapes with a material, of whatever system
+  std::vector<int> systems;  ///< systems whose frames or coordinates it requested, ascending
+  bool shapes = false;       ///< true: all shapes with a material, of all systems
 };
 
-/// A shape in the scene: which frame carries it.
+/// A shape in the scene, and the frame that carries it.
 struct ShapeInstance {
   const Shape* shape = nullptr;
   FrameHandle frame;
@@ -57,30 +57,30 @@ class Topology {
   /// evaluated in every step.
   FrameHandle frame(std::string_view name, const Element& asking);
   FrameHandle frame(const SystemHandle& system, int id);
-  /// Which of the bodies of a system that consists of several carries frame `id`; null: it is one.
+  /// The body that carries frame `id`, in a system of several bodies; null: the system is one body.
   const NamedBody* body(int system, int id) const;
-  /// All shapes of all systems that have a material; asks for their frames.
+  /// All shapes of all systems that have a material; requests their frames.
   std::vector<ShapeInstance> shapesWithMaterial();
 
-  /// Reserves numbers of `owner` in State::memory, with their values at the start; in connect(),
-  /// once. The element reads them from Kinematics and changes them in remember() alone.
+  /// Reserves numbers of `owner` in State::memory, with their values at the start. Called once, in
+  /// connect(). The element reads them from Kinematics and changes them only in remember().
   MemoryHandle memory(const Element& owner, const std::vector<double>& initial);
-  /// What `owner` reserved; size 0 if nothing.
+  /// The numbers that `owner` reserved in State::memory; size 0 if none.
   MemoryHandle memoryOf(const Element& owner) const;
   const std::vector<double>& memoryStart() const { return memoryStart_; }
 
-  /// What is asked for from now on is for `element`, until the next call; null: for none.
+  /// Until the next call, what is requested is noted as a connection of `element`; null: not noted.
   void connecting(const Element* element);
   const std::vector<Connection>& connections() const { return connections_; }
 
-  /// Leaves systems out for a while, all for which `systems` is not 0 (empty: none): their frames
-  /// are absent, nothing acts on them, and what is between them reports no contact.
+  /// Leaves out, until the next call, all systems whose entry in `systems` is not 0 (empty: none).
+  /// Their frames are absent, nothing acts on them, and elements between them report no contact.
   void leaveOut(std::vector<char> systems);
   bool leavesOut() const { return !leftOut_.empty(); }
   bool leftOut(int system) const {
     return leavesOut() && leftOut_[static_cast<std::size_t>(system)] != 0;
   }
-  /// All systems that this element asked for are left out.
+  /// True: all systems that this element requested are left out.
   bool leftOut(const Element& element) const {
     return leavesOut() && std::binary_search(without_.begin(), without_.end(), &element);
   }
@@ -89,7 +89,7 @@ class Topology {
   int nu() const { return nu_; }
   int blocks() const { return blocks_; }
   const std::vector<const PartialMechanicalSystem*>& systems() const { return systems_; }
-  /// Frames asked for so far: (system index, frame id).
+  /// Frames requested so far: (system index, frame id).
   const std::vector<std::pair<int, int>>& requestedFrames() const { return requested_; }
 
  private:
@@ -99,20 +99,20 @@ class Topology {
   std::vector<SystemHandle> handles_;
   std::vector<std::pair<int, int>> requested_;
   std::vector<std::vector<int>>
-      indexOf_;  // per system and frame id: of requested_, −1: not asked for
+      indexOf_;  // per system and frame id: index in requested_, −1: not requested
   std::vector<std::pair<const Element*, MemoryHandle>> memories_;
   std::vector<double> memoryStart_;
-  mutable std::vector<Connection> connections_;  // system() tells of what it was asked for
+  mutable std::vector<Connection> connections_;  // system() const notes the request
   bool connecting_ = false;
   std::vector<char> leftOut_;
-  std::vector<const Element*> without_;  // elements between them
+  std::vector<const Element*> without_;  // elements between the systems left out
   struct Placed {
     const Shape* shape;
     int frame, system;
   };
   std::vector<Placed> materials_;
   std::vector<std::vector<std::pair<std::string, int>>> frameNames_;  // per system
-  std::vector<std::vector<NamedBody>> bodies_;                        // the same
+  std::vector<std::vector<NamedBody>> bodies_;                        // per system
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
 

@@ -1,4 +1,4 @@
-/// AllocationCounter: how often memory was asked for in a scope.
+/// AllocationCounter: counts how often memory is allocated in a scope.
 ///
 ///   AllocationCounter counter;
 ///   simulate(1000);

@@ -31,7 +31,7 @@ class ContactCheck {
       if (!shapesFit()) break;
       checkAffine();
       checkGaps();
-      if (i == 0) checkPositions();  // rotations tell their rates where they are closed
+      if (i == 0) checkPositions();  // rates of angles hold only where the joint is closed
       if (options_.bias) checkBias();
     }
     checkLaws();
@@ -61,7 +61,7 @@ class ContactCheck {
       model_.contacts()[i]->contacts(k, sink);
     }
   }
-  /// All candidates of this state.
+  /// Freezes all candidates of this state.
   void freeze() {
     ContactRequest request;
     request.gTol = std::numeric_limits<double>::infinity();
@@ -134,7 +134,7 @@ bool ContactCheck::shapesFit() {
 }
 
 void ContactCheck::checkAffine() {
-  // W and χ at another u.
+  // Compare W and χ with those at another u.
   State other = motion_.x();
   for (double& u : other.u) u = options_.speed * motion_.uniform();
   evaluate(other, there_);
@@ -187,7 +187,7 @@ void ContactCheck::checkGaps() {
     }
     return g;
   });
-  // A feature that vanishes near by leaves NaN: no statement.
+  // A contact that vanishes at a state nearby leaves NaN: nothing can be stated.
   if (!std::isfinite(D.error)) return;
   for (int i = 0; i < here_.size(); ++i) {
     const auto c = static_cast<std::size_t>(i);
@@ -204,7 +204,7 @@ void ContactCheck::checkGaps() {
   }
 }
 
-/// γ of a joint's row is the rate of its position, where it is closed.
+/// Checks that γ of a joint's row is the rate of the row's position, where the joint is closed.
 void ContactCheck::checkPositions() {
   Eigen::VectorXd gamma = Eigen::VectorXd::Zero(here_.rows()), u = motion_.x().u;
   for (double& v : u) v += options_.speed * motion_.uniform();
@@ -254,7 +254,8 @@ std::string ContactCheck::velocityName(int u) const {
   return fmt::format("u[{}]", u);
 }
 
-/// dg/dt is affine in u: χ_N is its value at u = 0, each W_N what a unit velocity adds to it.
+/// Names the wrong entries. dg/dt is affine in u: χ_N is its value at u = 0, and each entry of W_N
+/// is what a unit velocity adds to it.
 void ContactCheck::explain(int contact) {
   const auto c = static_cast<std::size_t>(contact);
   const auto rate = [&](const Eigen::VectorXd& u) {
@@ -325,7 +326,7 @@ void ContactCheck::checkBias() {
 }
 
 void ContactCheck::checkLaws() {
-  // Sorted by address: the order of faults may change from run to run, never what is found.
+  // Laws are sorted by address: the order of faults may change from run to run, but not the faults.
   for (const auto& [law, dim] : laws_) result_.add(checkLaw(*law, dim, options_));
 }
 

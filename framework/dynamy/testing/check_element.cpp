@@ -9,7 +9,7 @@
 namespace dynamy {
 namespace {
 
-/// Of a remembered number: angles that are followed over turns are rounded anew each time.
+/// Tolerance of a remembered number: angles that are counted over turns are rounded at each call.
 constexpr double kSameMemory = 1e-12;
 
 }  // namespace
@@ -36,8 +36,8 @@ std::ostream& operator<<(std::ostream& out, const Verdict& check) {
 
 namespace {
 
-/// Memory is changed at the end of steps and wherever any element switches: a second call in the
-/// same place must find it as the first one left it, but for rounding.
+/// Memory is changed at the end of steps and wherever any element switches. A second call of
+/// remember() at the same state must therefore leave it unchanged except for rounding.
 template <class E>
 void checkMemory(Model& model, const E& element, testing::RandomMotion& motion, Verdict& out) {
   const MemoryHandle m = model.topology().memoryOf(element);

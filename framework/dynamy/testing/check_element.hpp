@@ -24,7 +24,7 @@ class PluginLoader;
 class Verdict {
  public:
   explicit operator bool() const { return faults_.empty(); }
-  /// One fault a line; "" if there is none.
+  /// One fault per line; "" if there is none.
   std::string message() const;
   const std::vector<std::string>& faults() const { return faults_; }
   void fault(std::string text);
@@ -38,29 +38,29 @@ std::ostream& operator<<(std::ostream& out, const Verdict& check);
 
 struct CheckOptions {
   unsigned seed = 1;
-  int states = 6;       ///< random states (of a law: arguments, times 40)
-  double reach = 0.05;  ///< how long the start is moved at random velocities [s]
+  int states = 6;       ///< random states; a law is checked at 40 times as many arguments
+  double reach = 0.05;  ///< longest time for which the start moves at random velocities [s]
   double speed = 1.0;   ///< size of the random velocities added to those of the start [m/s, rad/s]
   bool bias = true;     ///< contacts: compare the bias with differences of γ
 };
 
 /// Checks one system by itself: all entries of M and h are written; M is symmetric, positive
-/// definite, and constant if so declared; q̇ is affine in u; `move` starts with q̇ and is left alone
-/// by `normalise`; with T = ½uᵀMu, along the motion
+/// definite, and constant if so declared; q̇ is affine in u; `move` starts with the rate q̇, and
+/// `normalise` does not change its result; with T = ½uᵀMu, along the motion
 ///
 ///   h·u + ½uᵀṀu + V̇ = h_nonPotential·u         [W]   (left out where q̇ or V depend on t directly)
 ///
-/// and the like for `gravity`; frames: v = J u + ν, ṙ_OS = v_S, Ȧ = Ω × A, A proper orthonormal,
-/// β = v̇ at u̇ = 0, equal results at the second call.
+/// and the same balance for `gravity`; frames: v = J u + ν, ṙ_OS = v_S, Ȧ = Ω × A, A proper
+/// orthonormal, β = v̇ at u̇ = 0, equal results at the second call.
 Verdict checkSystem(const PartialMechanicalSystem& system, const CheckOptions& options = {});
 
-/// Checks all contact elements of a built model, each contact as if closed, for either sign of its
-/// gap: W and χ do not depend on u; γ_N = Wᵀu + χ equals dg/dt [m/s], else the entries of W_N and
-/// χ_N that are wrong are named; the bias equals dγ/dt at
-/// u̇ = 0 [m/s²]; segments name existing mass blocks.
+/// Checks all contact elements of a built model. Every contact counts as closed, for either sign of
+/// its gap. W and χ must not depend on u; γ_N = Wᵀu + χ must equal dg/dt [m/s], else the wrong
+/// entries of W_N and χ_N are named; the bias must equal dγ/dt at u̇ = 0 [m/s²]; segments must name
+/// existing mass blocks.
 Verdict checkContacts(Model& model, const CheckOptions& options = {});
 
-/// Checks the forces of a built model that say they have a potential: force·u + V̇ = 0 [W].
+/// Checks the forces of a built model that state a potential: force·u + V̇ = 0 [W].
 Verdict checkForces(Model& model, const CheckOptions& options = {});
 
 /// Checks a force law with `dim` rows at random arguments z = Λ − r ξ: prox is idempotent, does not
@@ -69,11 +69,11 @@ Verdict checkForces(Model& model, const CheckOptions& options = {});
 /// equals differences, `status` fits the projection.
 Verdict checkLaw(const SetValuedForceLaw& law, int dim, const CheckOptions& options = {});
 
-/// All of the above for every element of a built model; memory is the same after two calls of
-/// remember() in one place.
+/// Checks all systems, forces, contacts and laws of a built model. Also checks that a second call
+/// of remember() at the same state leaves memory as it is.
 Verdict checkModel(Model& model, const CheckOptions& options = {});
 
-/// The same for a model file; what is wrong with the file itself is a fault like the others.
+/// Checks the model in a file. Errors of the file itself are faults like the others.
 Verdict checkModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
                    const CheckOptions& options = {});
 

@@ -34,7 +34,7 @@ Verdict checkForces(Model& model, const CheckOptions& options) {
       const double V = force->potentialEnergy(motion.kinematics(x));
       State later = x;
       later.t += 0.37;
-      // Driven through t: its power is not all of dV/dt.
+      // If the force is driven through t, its power is not all of dV/dt.
       if (force->potentialEnergy(motion.kinematics(later)) != V) continue;
       const testing::Difference D = testing::differentiate([&](double s) {
         return Eigen::VectorXd::Constant(1,

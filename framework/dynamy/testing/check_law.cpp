@@ -1,5 +1,5 @@
 // Checks of a force law at random arguments. With p = prox(z) and −ξ = R⁻¹(z − p) the pair (p, ξ)
-// is a solution of −ξ ∈ N_C(p) by construction; what must hold for solutions is asked of it.
+// is a solution of −ξ ∈ N_C(p) by construction, so it must have all properties of solutions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace dynamy {
 namespace {
 
-/// Laws may find their projection by iteration, to 1e-13 of the argument; ten times that.
+/// Tolerance of a projection: ten times 1e-13 of the argument, to which laws may iterate it.
 constexpr double kProjection = 1e-12;
 
 class LawCheck {
@@ -54,7 +54,7 @@ class LawCheck {
     for (double& v : x) v = size * uniform();
     return x;
   }
-  /// Positive, equal in each group.
+  /// Random r, positive and equal in each group of rows.
   Rows steps() {
     Rows r(dim_);
     for (int a = 0; a < dim_;) {
@@ -84,7 +84,7 @@ class LawCheck {
   }
 
   void sample(int i) {
-    // Small, middle and large arguments against the size of the set; dt = 0: pure impact.
+    // Small, middle and large arguments relative to the size of the set; dt = 0: pure impact.
     const double size = i % 3 == 0 ? 0.05 : (i % 3 == 1 ? 1.0 : 20.0);
     dt_ = i % 7 == 6 ? 0.0 : 1.0;
     gammaA_ = random(1.0);
@@ -130,7 +130,7 @@ void LawCheck::checkProjection() {
 }
 
 void LawCheck::checkSolution() {
-  // Another r: errors of ξ, of size |z|/r, come back times r'.
+  // With another r', errors of ξ, of size |z|/r, are multiplied by r'.
   const Rows other = steps();
   const double ratio = std::max(1.0, other.cwiseQuotient(r_).maxCoeff());
   const double tolerance = 4.0 * kProjection * scale_ * ratio;
@@ -155,7 +155,7 @@ void LawCheck::checkSolution() {
 }
 
 void LawCheck::checkExpansion() {
-  // Sets that grow with the normal force are convex sets of the other rows for equal normal rows.
+  // A set that grows with the normal force is a convex set of the other rows if z_N is equal.
   Rows z = z_ + random(0.5 * z_.norm());
   const bool reservoir = dim_ > 1 && law_.rowKind(0) == RowKind::normal;
   if (reservoir) z[0] = z_[0];
@@ -202,7 +202,7 @@ void LawCheck::checkDerivative() {
         testing::differentiate([&](double s) { return F(s, 0.0); }, 0.1 * size, noise / 30);
     const testing::Difference dB =
         testing::differentiate([&](double s) { return F(0.0, s); }, 0.1 * size / rho, noise / 30);
-    // Near a kink the two step lengths disagree: no statement there.
+    // Near a kink the two step lengths of the difference disagree: nothing can be stated there.
     if (dA.error > 1e-4 || dB.error > 1e-4 * rho) continue;
     for (int i = 0; i < dim_; ++i) {
       if (!(std::abs(A(i, j) - dA.value[i]) <= dA.error))

@@ -38,7 +38,7 @@ class SystemCheck {
       checkForces();
       checkVelocities();
       checkMove();
-      if (!result_) break;  // what follows builds on these
+      if (!result_) break;  // the next checks rely on these
       checkPower();
       checkGravity();
       for (int id = 0; id < std::min(system_.frames(), 8); ++id) checkFrame(id);
@@ -55,7 +55,7 @@ class SystemCheck {
     return v;
   }
 
-  /// q after time s with velocity v from (t, q).
+  /// q after the time s with velocity v, from (t, q).
   Eigen::VectorXd moved(const Eigen::VectorXd& v, double s) const {
     Eigen::VectorXd q = q_;
     system_.move(t_, view(q), in(v), s);
@@ -102,7 +102,7 @@ class SystemCheck {
     if (result_) startMass_ = mass(0.0, qStart_);
   }
 
-  /// The start itself first, then states near it.
+  /// Takes sample i: the start itself for i = 0, then random states near it.
   void sample(int i) {
     t_ = 0.0, q_ = qStart_, u_ = uStart_;
     if (i == 0) return;
@@ -127,7 +127,7 @@ class SystemCheck {
     Eigen::VectorXd J;
     Frame f;
   };
-  /// Frame at (t + s, q) with velocities u; Jacobians filled with `fill` before.
+  /// Frame at (t + s, q) with velocities u; the Jacobians hold `fill` before the call.
   FrameStorage frameAt(int id, double s, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
                        double fill = 0.0) const {
     FrameStorage out;
@@ -201,7 +201,7 @@ void SystemCheck::checkVelocities() {
   constexpr double a = -1.5;
   const Eigen::VectorXd u1 = u_, u2 = randomVelocity(), u3 = a * u1 + (1.0 - a) * u2;
   const Eigen::VectorXd q1 = qdot(u1), q2 = qdot(u2), q3 = qdot(u3);
-  // Some 10 roundings of numbers as large as the three rates and the velocities behind them.
+  // Tolerance: some 10 roundings of numbers as large as the three rates and their velocities.
   double size = 0.0;
   for (const Eigen::VectorXd* x : {&q1, &q2, &q3, &u1, &u2})
     if (x->size() > 0) size = std::max(size, x->lpNorm<Eigen::Infinity>());
@@ -221,7 +221,7 @@ void SystemCheck::checkMove() {
     if (!(std::abs(D.value[i] - rate[i]) <= D.error))
       fault(fmt::format("move changes q[{}] at the rate {:.9g}, qdot says {:.9g}", i, D.value[i],
                         rate[i]));
-  // What move returns lies on the manifold already: normalise changes rounding only.
+  // The result of move lies on the manifold already: normalise may change it by rounding only.
   const Eigen::VectorXd q = moved(u_, options_.reach);
   Eigen::VectorXd same = q;
   system_.normalise(view(same));
@@ -233,7 +233,7 @@ void SystemCheck::checkMove() {
 
 void SystemCheck::checkPower() {
   // A system that is driven through t (q̇ at u = 0, M or V at fixed q) exchanges power with its
-  // drive, which nothing states.
+  // drive. No function states this power, so that it cannot be checked.
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
   if (nq_ > 0 && qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
   const double V = system_.potentialEnergy(t_, in(q_)), later = t_ + 0.37;
@@ -264,7 +264,7 @@ void SystemCheck::checkGravity() {
   Eigen::VectorXd h = Eigen::VectorXd::Constant(nu_, kUnwritten), scratch(nu_);
   const double V = system_.gravity(t_, in(q_), g_I, view(h));
   if (system_.gravity(t_ + 0.37, in(q_), g_I, view(scratch)) != V) return;
-  // Parts of V along the axes cancel; the rounding of each stays.
+  // The parts of V along the three axes may cancel, but the rounding of each part remains.
   double parts = 0.0;
   for (int i = 0; i < 3; ++i)
     parts += std::abs(system_.gravity(t_, in(q_), g_I[i] * Vec3::Unit(i), view(scratch)));
@@ -307,7 +307,7 @@ void SystemCheck::checkFrame(int id) {
   if (!((f.A_IK.transpose() * f.A_IK - Mat3::Identity()).norm() <= 64.0 * kEpsilon * 3.0) ||
       !(f.A_IK.determinant() > 0.0))
     fault(fmt::format("frame {}: A_IK is not a rotation (det {:.9g})", id, f.A_IK.determinant()));
-  // The workspace is not cleared between evaluations.
+  // The workspace is not cleared between evaluations: a second call must give the same frame.
   FrameStorage again = frameAt(id, 0.1, moved(u_, 0.1), u_);
   system_.frame(t_, in(q_), in(u_), id, again.f);
   if (again.J != here.J || again.f.r_OS_I != f.r_OS_I || again.f.v_S_I != f.v_S_I)

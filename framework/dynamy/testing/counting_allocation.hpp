@@ -34,7 +34,7 @@ void* calloc(std::size_t n, std::size_t size) {
 
 #else
 
-// Not inlined: gcc would see free() of what new gave, and warn.
+// Not inlined: otherwise gcc sees that free() gets memory from new, and warns.
 [[gnu::noinline]] void* operator new(std::size_t n) {
   dynamy::detail::allocations.fetch_add(1, std::memory_order_relaxed);
   if (void* p = std::malloc(n > 0 ? n : 1)) return p;

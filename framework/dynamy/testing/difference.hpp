@@ -32,7 +32,7 @@ Difference differentiate(const F& f, double scale = 1.0, double noise = 0.0) {
       for (const Eigen::VectorXd* x : {&a, &b, &c, &e})
         if (x->size() > 0) size = std::max(size, x->lpNorm<Eigen::Infinity>());
     }
-    // f itself is worth some 10 ε of its largest entry: a few operations behind each value.
+    // f itself is accurate to some 10 ε of its largest entry, after a few operations per value.
     const double rounding = 30.0 * (kEpsilon * size + noise) / d;
     double truncation = D[0].size() > 0 ? (D[0] - D[1]).lpNorm<Eigen::Infinity>() : 0.0;
     if (!(truncation >= 0.0)) truncation = std::numeric_limits<double>::infinity();

@@ -20,7 +20,7 @@ class RandomMotion {
     x_ = start_;
   }
   double uniform() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
-  /// The start itself first, then states near it.
+  /// Takes sample i: the start itself for i = 0, then random states near it.
   void sample(int i) {
     x_ = start_;
     if (i == 0) return;
@@ -35,7 +35,7 @@ class RandomMotion {
     x_.t = options_.reach * std::abs(uniform());
   }
   State after(double s) const { return after(s, x_.u); }
-  /// Along another velocity than that of the state.
+  /// State after the time s with velocity u in place of that of the state.
   State after(double s, const Eigen::VectorXd& u) const {
     State x = x_;
     x.u = u;

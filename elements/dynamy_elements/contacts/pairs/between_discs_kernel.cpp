@@ -11,12 +11,12 @@ namespace {
 
 using DiscPart = DiscBody::Part;
 
-/// Directions of the grid, on the half of the sphere that looks from A to B.
+/// Number of directions of the grid, on the half of the sphere that faces from A to B.
 constexpr int kGrid = 60;
 constexpr double kGoldenAngle = 2.399963229728653;
-/// Angle beside a cap [rad].
+/// Angle to the normal of a cap at which a search beside it begins [rad].
 constexpr double kBesideEdge = 1e-3;
-/// Newton's steps between two rims.
+/// Most steps of Newton's method between two rims.
 constexpr int kDiscSteps = 50;
 
 struct DiscsApart {
@@ -24,14 +24,14 @@ struct DiscsApart {
   Vec3 n = Vec3::UnitZ();
 };
 
-/// A disc: its outermost point along d; of a direction along its axis the middle.
+/// Outermost point of a disc along d; its middle for a direction along its axis.
 Vec3 outermost(const DiscBody& D, int rim, const Vec3& d) {
   const Vec3 v = D.acrossAxis(d);
   const double s = v.norm();
   return s > 0.0 ? Vec3(D.middle(rim) + D.radius(rim) * unitAcross(v, D.a)) : D.middle(rim);
 }
 
-/// Candidates for the direction of largest separation.
+/// Search of the direction of largest separation among candidates.
 class DiscSearch {
  public:
   DiscSearch(const DiscBody& A, const DiscBody& B) : A_(A), B_(B) {}
@@ -54,7 +54,8 @@ class DiscSearch {
   void take(const Vec3& n) {
     if (const double s = f(n); s > std::max(best_.f, least_)) best_ = {s, n};
   }
-  /// Across the axis of one body; `sign`: n from it to the other is that from A to B.
+  /// Directions across the axis of `one`; `sign` +1: a normal n from `one` to `other` is that from
+  /// A to B.
   void across(const DiscBody& one, const DiscBody& other, double sign) {
     const Vec3 x = one.cosine() * one.a.unitOrthogonal(), o = one.tip ? one.middle(1) : one.c;
     const DiscArc arc{other, x, one.a.cross(x), other.c - o, one.sine() * one.a};
@@ -79,7 +80,7 @@ class DiscSearch {
           take(between(i, j, start[i][j].n));
     besideCap(A_, B_, 1.0), besideCap(B_, A_, -1.0);
   }
-  /// One of the rims is a point, a tip or an end: its nearest point on the other.
+  /// One of the rims is a point (a tip or an end): the nearest point of the other disc.
   void fromPoint(int i, int j) {
     const bool onA = A_.radius(i) > 0.0;
     const DiscBody& disc = onA ? A_ : B_;
@@ -89,7 +90,8 @@ class DiscSearch {
     const Vec3 way = p - o - (out > rho ? rho / out : 1.0) * beside;
     if (way.norm() > 0.0) take((onA ? way : Vec3(-way)).normalized());
   }
-  /// At a cap f has a peak or a kink: beside it, where the other body is beyond the rim.
+  /// At a cap f has a maximum or a kink. A search begins beside it, where
+  /// the other body is beyond the rim.
   void besideCap(const DiscBody& one, const DiscBody& other, double sign) {
     if (one.rho == 0.0) return;
     const Vec3 a = one.tip || one.a.dot(other.c - one.c) < 0.0 ? Vec3(-one.a) : one.a;
@@ -105,7 +107,7 @@ class DiscSearch {
   DiscsApart best_;
 };
 
-/// How that point wanders.
+/// Derivative by d of the outermost point of a disc along d.
 Mat3 wandering(const DiscBody& D, int rim, const Vec3& d) {
   const Vec3 v = D.acrossAxis(d);
   const double s = v.norm();
@@ -122,14 +124,14 @@ Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
     T.col(0) = n.unitOrthogonal(), T.col(1) = n.cross(T.col(0));
     Eigen::Matrix2d K = T.transpose() * (wandering(A_, i, n) + wandering(B_, j, -n)) * T;
     K += f * Eigen::Matrix2d::Identity();
-    // Deep inside f is no longer concave: along the gradient.
+    // For deep overlap f is no longer concave; the step then goes along the gradient.
     if (!(K(0, 0) > 0.0 && K.determinant() > 0.0)) K = K.norm() * Eigen::Matrix2d::Identity();
     const Vec3 go = T * (K.inverse() * (T.transpose() * y(n)));
     if (!go.allFinite()) break;
     double part = std::min(1.0, 0.5 / go.norm());
     Vec3 next = (n + part * go).normalized();
     double g = next.dot(y(next));
-    // Shorter until it separates more, up to rounding.
+    // The step is shortened until it separates more, up to rounding.
     for (; part > 1e-4 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
       part *= 0.5, next = (n + part * go).normalized();
     if (part <= 1e-4) break;
@@ -139,13 +141,13 @@ Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
   return n;
 }
 
-/// Numbers of the contacts seen from one body.
+/// First numbers of the contacts of rims with one body.
 struct Numbers {
   int rims, points, onSide;  ///< of the other body's rims: over the cap, its points, on the side
 };
 constexpr Numbers kOnA{0, 2, kBOnSide}, kOnB{10, 12, kAOnSide};
 
-/// All contacts along the direction that separates most.
+/// All contacts along the direction of largest separation.
 class Contacts {
  public:
   Contacts(const DiscBody& A, const DiscBody& B, const DiscsApart& apart, double same,
@@ -156,7 +158,8 @@ class Contacts {
 
   int all() {
     const DiscPart a = A_.part(n_), b = B_.part(-n_);
-    // Of two caps the points of the smaller that lies inside are enough.
+    // If two caps touch and the smaller is inside the other, the points of
+    // the smaller are sufficient.
     const bool small = A_.rho < B_.rho;
     const DiscBody &one = small ? B_ : A_, &other = small ? A_ : B_;
     const bool full = over(one, other, small ? -1.0 : 1.0, true, same_);
@@ -173,7 +176,7 @@ class Contacts {
   }
 
  private:
-  /// Takes a contact unless there is one at its place; `sign` −1: it is seen from B.
+  /// Adds a contact unless there is one at its place; `sign` −1: its normal is from B to A.
   bool add(int id, ContactPoint at, double sign = 1.0) {
     if (sign < 0.0)
       for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
@@ -182,8 +185,8 @@ class Contacts {
     return true;
   }
 
-  /// Rims of `other` over the cap of `one`; true: all of its four points are. `sign` +1: `one` is
-  /// A. `beside`: how far outside of it they may be [m].
+  /// Rims of `other` over the cap of `one`; true: all four points of the rim are over it. `sign`
+  /// +1: `one` is A. `beside`: how far outside of the cap the points may be [m].
   bool over(const DiscBody& one, const DiscBody& other, double sign, bool points, double beside) {
     const Vec3 towards = sign * n_;
     if (one.part(towards) != DiscPart::cap) return false;
@@ -212,7 +215,7 @@ class Contacts {
       if (!inside(p)) continue;
       ContactPoint at;
       cap.contact(*other.frame, p, at);
-      // A point of a tube stays below its middle.
+      // The contact of a tube with the cap stays below the middle of the tube.
       at.Pdot += other.r * (other.frame->Omega_I.cross(n) - at.ddot[0]);
       add(number.points + 4 * facing + k, at, sign);
     }
@@ -253,7 +256,7 @@ class Contacts {
     else
       rimsAt(A_.rim(i, n_), B_.rim(j, -n_), i, j);
   }
-  /// Tips and ends of capsules.
+  /// Contacts of tips, and of tips with ends of capsules.
   void points(int id, int i, int j) {
     if (!A_.tip && !B_.tip) return;
     const Vec3 a = A_.middle(i), b = B_.middle(j);
@@ -273,7 +276,7 @@ class Contacts {
     if (!toClosest(a, b) || !within(A_, a.x) || !within(B_, b.x)) return;
     add(kSides, curveOnCurve(a, b, n_));
   }
-  /// On a line of the side, from rim 0.
+  /// Is `s` on a line of the side of D, counted from rim 0?
   bool onLine(const DiscBody& D, double s) const {
     return s >= -same_ && s <= (D.tip ? D.slant() : 2.0 * D.half) + same_;
   }
@@ -281,7 +284,7 @@ class Contacts {
     return std::abs(D.a.dot(p - D.c)) <= D.half + same_;
   }
 
-  /// Rims of `other` on the side of `one`: where they cross, or come nearest.
+  /// Rims of `other` on the side of `one`: at their crossings, or at the nearest points.
   void onSide(const DiscBody& one, const DiscBody& other, double sign) {
     const Vec3 towards = sign * n_;
     if (one.part(towards) != DiscPart::side) return;
@@ -337,12 +340,12 @@ class Contacts {
     }
   }
 
-  /// Where features fit only up to a rounding: a rim beside a cap, else the outermost points.
+  /// If features fit only up to rounding: a rim beside a cap, else the outermost points.
   void any() {
     over(A_, B_, 1.0, false, kInfinity), over(B_, A_, -1.0, false, kInfinity);
     if (found_.size() == 0) outermostPoints();
   }
-  /// One contact alone: B's outermost point under the plane through that of A, n fixed in A.
+  /// A single contact: B's outermost point and the plane through that of A, n fixed in A.
   int outermostPoints() {
     const int j = B_.rimAlong(-n_);
     NumberedContact& c = out_[0];

@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-/// Edge number 4 · axis + 2 bits for the signs of the other two axes.
+/// Edge of a box; its number is 4 · axis + 2 bits for the signs along the other two axes.
 PlacedEdge placedEdge(const PlacedBox& box, int number) {
   const int axis = number / 4, u = (axis + 1) % 3, v = (axis + 2) % 3;
   Vec3 local = Vec3::Zero();
@@ -15,15 +15,15 @@ PlacedEdge placedEdge(const PlacedBox& box, int number) {
   return {box.c + box.R * local, box.R.col(axis), box.half[axis]};
 }
 
-/// Largest separation along the axes of one kind, and which.
+/// Largest separation among axes of one kind, and the axis.
 struct BoxAxis {
   double separation = -1e300;
   int i = -1, j = -1;
   double sign = 1.0;  ///< of the direction from A to B
 };
 
-/// Both boxes in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A), so that an axis costs a few
-/// products.
+/// Separations of two boxes in axes of A, where an axis costs a few products:
+/// C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A).
 struct BoxSeparation {
   Mat3 C, a;  ///< a: |C|
   Vec3 t, hA, hB;
@@ -34,7 +34,7 @@ struct BoxSeparation {
         hA(A.half),
         hB(B.half) {}
 
-  /// i = 0 … 2: faces of A, 3 … 5: faces of B.
+  /// Separation along face normals: i = 0 … 2 for faces of A, 3 … 5 for faces of B.
   BoxAxis faces() const {
     BoxAxis best;
     for (int i = 0; i < 6; ++i) {
@@ -48,8 +48,8 @@ struct BoxSeparation {
     return best;
   }
 
-  /// Axes e_i × e_j of an edge of A and an edge of B; those that do not separate by more than
-  /// `least` are passed over before their root is taken.
+  /// Separation along the axes e_i × e_j of an edge of A and an edge of B. Axes that do not
+  /// separate by more than `least` are skipped before their root is computed.
   BoxAxis edges(double least) const {
     BoxAxis best;
     const double bound = std::min(least, 0.0);  // the root is at most 1
@@ -68,7 +68,7 @@ struct BoxSeparation {
   }
 };
 
-/// Signed axis ±(k + 1) of the face of `box` that looks along n most.
+/// Signed axis ±(k + 1) of the face of `box` whose normal is nearest to n.
 int faceAlong(const PlacedBox& box, const Vec3& n) {
   int best = 0;
   double most = -1.0;
@@ -83,7 +83,7 @@ Vec3 normalOf(const PlacedBox& box, int face) {
   return (face > 0 ? 1.0 : -1.0) * box.R.col(axisOf(face));
 }
 
-/// `sign` +1: box is A.
+/// Face of a box in the world; `sign` +1: the box is A.
 PlacedFace placedFace(const PlacedBox& box, int face, double sign, bool rates) {
   const int k = axisOf(face);
   return {*box.frame, normalOf(box, face), box.c, box.half[k], box.R.col((k + 1) % 3), sign, rates};
@@ -95,7 +95,7 @@ struct Border {
   Vec3 middle;  ///< in axes of its box
 };
 
-/// In the order of their numbers.
+/// Writes the four borders of a face in the order of their numbers.
 void borders(const Vec3& half, int face, Border* out) {
   const int k = axisOf(face), positive = face > 0 ? 1 : 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -112,9 +112,9 @@ void borders(const Vec3& half, int face, Border* out) {
 
 bool onFace(int vertex, int face) { return ((vertex >> axisOf(face)) & 1) == (face > 0 ? 1 : 0); }
 
-/// The intersection of two faces seen along the normal of A's. All places are looked at in axes of
-/// A, so that one that is no contact costs a few products; a contact is then computed from the
-/// bodies' frames.
+/// The intersection of two faces seen along the normal of A's. All places are tested
+/// in axes of A, where a place without a contact costs a few products. A contact is
+/// then computed from the bodies' frames.
 class BoxFacePair {
  public:
   BoxFacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const BoxSeparation& in,
@@ -136,7 +136,7 @@ class BoxFacePair {
         out_(out) {}
 
   int contacts() {
-    // A face that lies inside of the other one is the intersection: its vertices are all of it.
+    // If one face lies inside of the other, its vertices are all of the intersection.
     if (!verticesOfB() && !verticesOfA()) edges();
     if (beside_ > same_ && isBeside_ && leastGap(taken()) > separation_ + same_) {
       margin_ = beside_;
@@ -151,7 +151,7 @@ class BoxFacePair {
   }
   BoxContact& last() { return out_[static_cast<std::size_t>(found_.size() - 1)]; }
   bool takes(const Vec3& p_A) { return found_.takes(p_A[x_], p_A[y_]); }
-  /// Is p, from the centre of a box in its axes, over the face along axis k?
+  /// Is p, given from the centre of a box in its axes, over the face along axis k?
   bool over(const Vec3& half, int k, const Vec3& p) {
     const int u = (k + 1) % 3, v = (k + 2) % 3;
     const auto within = [&](double margin) {
@@ -162,7 +162,7 @@ class BoxFacePair {
     return false;
   }
 
-  /// True: all of the face's vertices are over the other face.
+  /// Adds the vertices of B's face that are over A's face; true: all of them are.
   bool verticesOfB() {
     const PlacedFace onA = placedFace(A_, faceA_, 1.0, rates_);
     int inside = 0;
@@ -200,13 +200,13 @@ class BoxFacePair {
       for (const Border& j : b) edge(i, j);
   }
 
-  /// Closest points o_A + s e_A, o_B + t e_B, both middles in axes of A.
+  /// Contact of two edges at their closest points o_A + s e_A, o_B + t e_B; middles in axes of A.
   void edge(const Border& a, const Border& b) {
     const int k = axisOf(faceA_);
     const Vec3 eB = in_.C.col(b.axis), d = b.middle - a.middle;
     const int u = (a.axis + 1) % 3, v = (a.axis + 2) % 3;
     const double square = eB[u] * eB[u] + eB[v] * eB[v];
-    // Edges that cross at an angle, with a normal like that of the face: k is u or v.
+    // Only edges count that cross at an angle, with a normal like that of the face: k is u or v.
     const double normal = k == u ? eB[v] : eB[u];
     if (square < kCross * kCross || normal * normal < kLikeFace * kLikeFace * square) return;
     const double c = eB[a.axis], da = d[a.axis], db = d.dot(eB);

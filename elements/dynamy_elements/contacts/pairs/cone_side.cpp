@@ -6,11 +6,11 @@
 namespace dynamy {
 namespace {
 
-/// Of the radius: nearer than this to the rim, the base takes its place.
+/// Part of the radius; a point nearer to the rim than this touches the base instead.
 constexpr double kOnConeEdge = 1e-9;
-/// Newton's steps on a circle; from a good start about five are enough.
+/// Most steps of Newton's method on a circle; from a good start about five are enough.
 constexpr int kConeSteps = 50;
-/// Of the radius: a step below which the point is found.
+/// Step, as a part of the radius, below which the point is found.
 constexpr double kConeFound = 1e-15;
 
 }  // namespace
@@ -38,7 +38,7 @@ ContactPoint ballOnCone(const DiscBody& A, const Frame& B, const RoundFeature& b
   const double z = way.dot(A.a), out = A.acrossAxis(way).norm();
   double s = 0.0;
   ContactPoint beside = pointOnSide(A, B, c, ball.radius, s);
-  // Over the base, or inside and nearest to it.
+  // The ball is over the base, or inside and nearest to the base.
   const bool outside = out > A.rho, below = z <= 0.0;
   if (below ? !outside || out - A.rho < kOnConeEdge * A.rho : -z > beside.g + ball.radius) {
     const PlacedFace base(*A.frame, -A.a, A.middle(0), 0.0, A.x, 1.0, true);
@@ -60,7 +60,7 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
   const Vec3 middle = B.middle(0);
   Vec3 e, across;
   double reach = 0.0, K = 0.0;
-  // The slope m·t of the height over the side, and K, its own along the circle.
+  // Slope m·t along the circle of its height over the side, and K, the derivative of the slope.
   const auto slope = [&] {
     const Vec3 beside = B.acrossAxis(circle.x - middle);
     reach = beside.norm();
@@ -74,7 +74,7 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
   for (int i = 0; i < kConeSteps && !found; ++i) {
     const double f = slope();
     if (!(reach > 0.0)) return false;
-    // Where the height has no least value nearby: downwards. At most half a radius at once.
+    // Where the height has no minimum nearby, the step goes downwards, by at most half a radius.
     const double most = 0.5 * circle.rho, way = K > 0.0 ? -f / K : std::copysign(most, -f);
     circle.go(std::clamp(way, -most, most));
     found = std::abs(way) <= kConeFound * circle.rho;
@@ -82,7 +82,7 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
   if (const double f = slope(); !(K * circle.rho > kCross * kCross) || std::abs(f) > 1e-12)
     return false;
 
-  // ẋ = v + ṡ t, and m·t = 0 for all times.
+  // ṡ follows from ẋ = v + ṡ t, and from m·t = 0 for all times.
   const Vec3 &Omega = B.frame->Omega_I, adot = Omega.cross(B.a), v = circle.velocity();
   const Vec3 w = v - B.frame->velocity(circle.x - B.frame->r_OS_I), aside = B.acrossAxis(w);
   const Vec3 m = cosine * e + sine * B.a;
@@ -99,7 +99,7 @@ bool circleOnSide(const DiscBody& B, BodyCurve circle, double& s, ContactPoint& 
 
 namespace {
 
-/// The line of a side that looks along m, and how it turns.
+/// The line of a side with the normal m, and its rate.
 struct SideLine {
   Vec3 p, g, pdot, gdot;  ///< on the rim [m], along the line
   SideLine(const DiscBody& D, const Vec3& m, const Vec3& mdot) {
@@ -116,7 +116,7 @@ struct SideLine {
 
 bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, double& sA, double& sB,
                 ContactPoint& out) {
-  // n = x a_A + y b + z b × a_A, b = −a_B; the third part has the length that is left.
+  // n = x a_A + y b + z b × a_A, b = −a_B; z follows from |n| = 1.
   const Vec3 b = -B.a, third = b.cross(A.a);
   const double sineA = A.sine(), sineB = B.sine(), along = A.a.dot(b);
   const double square = third.squaredNorm();
@@ -127,7 +127,7 @@ bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, doubl
   const double z = std::copysign(std::sqrt(left / square), towards.dot(third));
   const Vec3 n = x * A.a + y * b + z * third;
 
-  // How the normal turns, and with it the lines of the sides.
+  // Rate of the normal, and with it the rates of the lines of the sides.
   Mat3 K;
   K << A.a.transpose(), b.transpose(), n.transpose();
   const Vec3 ndot = K.inverse() * Vec3(-n.dot(A.frame->Omega_I.cross(A.a)),
@@ -141,7 +141,7 @@ bool sideOnSide(const DiscBody& A, const DiscBody& B, const Vec3& towards, doubl
   const double wayA = way.dot(a.g), wayB = way.dot(of.g);
   sA = (wayA - c * wayB) / det, sB = (c * wayA - wayB) / det;
   const Vec3 xA = a.p + sA * a.g, xB = of.p + sB * of.g, d = xB - xA;
-  // … for all times: ḋ·g + d·ġ = 0 with ḋ = w + ṡ_B g_B − ṡ_A g_A.
+  // For all times ḋ·g + d·ġ = 0 with ḋ = w + ṡ_B g_B − ṡ_A g_A.
   const Vec3 vB = of.pdot + sB * of.gdot, w = vB - a.pdot - sA * a.gdot;
   const double ra = w.dot(a.g) + d.dot(a.gdot), rb = w.dot(of.g) + d.dot(of.gdot);
   out.g = n.dot(d) - A.r - B.r;

@@ -1,12 +1,12 @@
-/// How the point of contact goes over a body, in the angular velocities.
+/// Velocity of the point of contact over the surface of a body, by the angular velocities.
 #pragma once
 #include <cmath>
 #include <dynamy_elements/contacts/shapes/contact_geometry.hpp>
 
 namespace dynamy {
 
-/// The velocity of the point of contact over the body of B is c·(Ω_B − Ω_A) along the tangents:
-/// with H = ∇²h of its feature, n of the half space A and K = A_B H A_Bᵀ
+/// The velocity of the point of contact over the body B has the components c_i·(Ω_B − Ω_A) along
+/// the tangents t_i. With H = ∇²h of B's feature, n of the half space A and K = A_B H A_Bᵀ
 ///
 ///   ẋ = K ((Ω_B − Ω_A) × n)   ⇒   c_i = n × K t_i
 struct ContourMotion {
@@ -29,7 +29,7 @@ struct ContourMotion {
       cdot[i] = at.ddot[0].cross(K * t) + n.cross(rate);
     }
   }
-  /// Ḣ, by differences of fourth order: 1e-12 of its size.
+  /// Ḣ by finite differences of fourth order; their error is 1e-12 of its size.
   static Mat3 curvatureRate(const SupportFeature& feature, const Vec3& d, const Vec3& ddot) {
     constexpr double kStep = 2e-4;  // [rad]
     const double speed = ddot.norm();

@@ -6,12 +6,12 @@
 namespace dynamy {
 namespace {
 
-/// Newton's steps; from a good start about four are enough.
+/// Most steps of Newton's method; from a good start about four are enough.
 constexpr int kCurveSteps = 30;
-/// Of the sizes: a step below which the closest points are found.
+/// Step, as a part of the sizes, below which the closest points are found.
 constexpr double kCurveFound = 1e-15;
 
-/// The linear equations for the ways along both curves.
+/// The linear equations for the displacements s_A, s_B along both curves.
 struct Ways {
   double a11, c, a22, det;
   Ways(const BodyCurve& A, const BodyCurve& B, const Vec3& d)
@@ -51,7 +51,7 @@ bool toClosest(BodyCurve& A, BodyCurve& B) {
     if (!(ways.det > kParallel)) return false;
     double sA = 0.0, sB = 0.0;
     ways.solve(d.dot(A.t), d.dot(B.t), sA, sB);
-    // On a circle at most half a radius at once.
+    // A step on a circle is at most half a radius.
     double part = 1.0;
     for (const auto& [curve, s] : {std::pair{&A, sA}, std::pair{&B, sB}})
       if (curve->rho > 0.0 && std::abs(s) > 0.5 * curve->rho)
@@ -61,7 +61,7 @@ bool toClosest(BodyCurve& A, BodyCurve& B) {
     if (std::abs(sA) + std::abs(sB) <= kCurveFound * size) return true;
   }
   const Vec3 d = B.x - A.x;
-  // Steps of a rounding that go to and fro have found it as well.
+  // The points are also found if steps go to and fro by a rounding error.
   return std::abs(d.dot(A.t)) + std::abs(d.dot(B.t)) <= 1e-12 * (A.rho + B.rho + d.norm());
 }
 

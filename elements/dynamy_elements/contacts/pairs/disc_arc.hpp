@@ -1,4 +1,4 @@
-/// How far a round body is from a point along the directions of an arc, and where it is furthest.
+/// Separation of a round body from a point for the directions of an arc, and its local maxima.
 #pragma once
 #include <cmath>
 #include <dynamy_elements/contacts/pairs/disc_body.hpp>
@@ -6,22 +6,22 @@
 
 namespace dynamy {
 
-/// f(θ) = −h_B(−n) − n·o on n = cos θ n_0 + sin θ m + lift: the directions across an edge, across
-/// the axis of another body, or across the side of a cone, o its tip. On a great circle
-/// f'' + f ≤ 0 but where n is across B's side or along its axis; elsewhere it may have several tops
-/// between these places.
+/// f(θ) = −h_B(−n) − n·o for n = cos θ n_0 + sin θ m + lift: the directions across an edge, across
+/// the axis of another body, or across the side of a cone, with o its tip. On a great circle
+/// f'' + f ≤ 0 except where n is normal to B's side or along its axis. On other circles f may have
+/// several maxima between these places.
 struct DiscArc {
   const DiscBody& B;
   Vec3 n0, m;                ///< m ⟂ n_0, of the same length; that is 1 without lift
   Vec3 way;                  ///< from o to the middle of B [m]
-  Vec3 lift = Vec3::Zero();  ///< across both; a direction has the length 1
+  Vec3 lift = Vec3::Zero();  ///< orthogonal to both; |n| = 1
 
   Vec3 n(double angle) const { return std::cos(angle) * n0 + std::sin(angle) * m + lift; }
 
-  /// Calls take(n, f) for all n where f may be largest inside of 0 … end [rad].
+  /// Calls take(n, f) for all n inside of 0 … end [rad] where f may be largest.
   template <class Take>
   void tops(double end, Take&& take) const {
-    // Between the places where f has a kink.
+    // f is searched piece by piece, between the places where it has a kink.
     const double u = n0.dot(B.a), w = m.dot(B.a);
     double places[6] = {0.0};
     int pieces = 1;
@@ -54,14 +54,14 @@ struct DiscArc {
   }
 
  private:
-  /// Steps of a search: it halves the arc at least every second time.
+  /// Most steps of a search, which halves the arc at least every second step.
   static constexpr int kSteps = 100;
-  /// In which tops are looked for one by one where there may be several.
+  /// Parts of a piece that are searched one by one where f may have several maxima.
   static constexpr int kParts = 8;
-  /// Beside the ends of a piece slopes are taken [rad].
+  /// Distance from the ends of a piece at which slopes are computed [rad].
   static constexpr double kBeside = 1e-9;
 
-  /// Of B's outermost rim along −v, its height times `u`.
+  /// Part of h_B(−v) that stems from the height of B's outermost rim along −v; `u` = v·a.
   double up(int rim, double u) const {
     if (B.tip) return (rim == 1 ? -B.half : B.half) * u;
     return B.half * std::abs(u);

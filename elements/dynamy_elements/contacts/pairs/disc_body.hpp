@@ -1,5 +1,5 @@
-/// Round bodies as contact sees them: all points nearer than r to two equal discs across one axis
-/// and to what lies between them.
+/// Round bodies for contact: all points nearer than r to the convex hull of
+/// two equal discs with a common axis.
 ///
 ///   cylinder: r = 0      torus: one disc, nothing passes through its hole
 ///   capsule:  ρ = 0      ball:  one disc, ρ = 0
@@ -8,19 +8,21 @@
 ///   h(d) = d·c + ℓ |d·a| + ρ s + r,   s = |d − (a·d) a|,   |d| = 1
 ///   cone: h(d) = d·c + max(ℓ d·a, ρ s − ℓ d·a)
 ///
-/// What touches: a rim (circle of radius ρ, tube r), a cap at the height ℓ + r, or the side, which
-/// is a line between the rims' middles with a tube of the radius ρ + r; of a cone all lines from
-/// its rim to its tip, with the normals cos β e + sin β a, e ⟂ a, tan β = ρ/2ℓ (cone_side.hpp).
+/// Features that can touch are a rim (circle of radius ρ, tube r), a cap at the height ℓ + r, and
+/// the side. The side is a line between the rims' middles with a tube of radius ρ + r. The side of
+/// a cone consists of all lines from its rim to its tip, with the normals cos β e + sin β a, e ⟂ a,
+/// tan β = ρ/2ℓ (cone_side.hpp).
 #pragma once
 #include <dynamy_elements/contacts/pairs/curve_contact.hpp>
 
 namespace dynamy {
 
-/// In the world, with the motion of its frame.
+/// A round body in the world, with the motion of its frame.
 struct DiscBody {
-  /// Sine of the angle to a cap or to the side up to which a direction finds all of it: 38.1.
+  /// A direction selects all of a cap or side if the sine of its angle to
+  /// the normal is smaller: 38.1.
   static constexpr double kFlat = 0.1;
-  /// What of it looks along a direction.
+  /// The part of the body that faces a direction.
   enum class Part : std::uint8_t { cap, side, rim };
 
   const Frame* frame = nullptr;
@@ -31,7 +33,7 @@ struct DiscBody {
 
   int rims() const { return half > 0.0 ? 2 : 1; }
   double radius(int rim) const { return tip && rim == 1 ? 0.0 : rho; }  ///< [m]
-  /// Of a cone: length from the rim to the tip [m]; sin β, cos β.
+  /// Length of a cone's side from the rim to the tip [m], and its sin β and cos β.
   double slant() const { return std::hypot(rho, 2.0 * half); }
   double sine() const { return tip ? rho / slant() : 0.0; }
   double cosine() const { return tip ? 2.0 * half / slant() : 1.0; }
@@ -48,20 +50,21 @@ struct DiscBody {
     return half > 0.0 && rho > 0.0 ? std::min(half, rho) + r : rho + r;
   }
 
-  /// Of the discs and what is between them, at the height z over the middle [m].
+  /// Radius of the hull of the two discs at the height z over the middle [m].
   double radiusAt(double z) const { return tip ? rho * (0.5 - 0.5 * z / half) : rho; }
-  /// Their nearest point.
+  /// The point of the hull of the two discs that is nearest to p.
   Vec3 nearest(const Vec3& p) const;
   double support(const Vec3& d) const;
   Part part(const Vec3& d) const;
-  /// Has the rim an outermost point along d? A tip has.
+  /// Has the rim a unique outermost point along d? A tip always has.
   bool touches(const Vec3& d, int rim = 0) const;
   BodyCurve axis() const { return BodyCurve::line(*frame, c, a, rho + r); }
-  /// At its outermost point along d.
+  /// The rim, at its outermost point along d.
   BodyCurve rim(int rim, const Vec3& d) const {
     return BodyCurve::circle(*frame, middle(rim), a, radius(rim), r, d);
   }
-  /// Where the line through o along e passes over the rim, seen along n: returns how many.
+  /// Finds where the line through o along e crosses the rim, seen along n;
+  /// returns the number of crossings.
   int crossings(int rim, const Vec3& o, const Vec3& e, const Vec3& n, BodyCurve* out) const;
   /// Middle of the tube at point k = 0 … 3 of a rim, fixed in the body.
   Vec3 point(int rim, int k) const;
@@ -69,8 +72,8 @@ struct DiscBody {
 
 DiscBody discBody(const Frame& frame, const TouchingShape& shape);
 
-/// The rim of B, the lowest point of it, over the plane of `at`, a contact at B's point whose
-/// directions move with A: fills P and Ṗ.
+/// Fills P and Ṗ of `at`, a contact of a rim of B with a plane that moves with A and has the
+/// directions of `at`. P is the lowest point of the rim over this plane.
 void wander(const DiscBody& B, int rim, ContactPoint& at);
 
 }  // namespace dynamy

@@ -6,7 +6,8 @@
 namespace dynamy {
 namespace {
 
-/// Sine of the tilt below which a rim has no lowest point: it says where to 1e-16/1e-12 rad.
+/// Sine of the tilt below which a rim has no lowest point: its
+/// direction is known to 1e-16/1e-12 rad.
 constexpr double kLevel = 1e-12;
 
 }  // namespace
@@ -33,7 +34,7 @@ Vec3 DiscBody::nearest(const Vec3& p) const {
   const Vec3 beside = way - z * a;
   const double out = beside.norm();
   if (tip && z > -half && out > 0.0 && out > radiusAt(z)) {
-    // On a line of the side, from the rim.
+    // Position on a line of the side, from the rim.
     const double s = (z + half) * cosine() - (out - rho) * sine();
     const double on = std::clamp(s, 0.0, slant());
     return middle(0) + on * cosine() * a + (rho - on * sine()) / out * beside;
@@ -59,7 +60,7 @@ bool DiscBody::touches(const Vec3& d, int rim) const {
 
 int DiscBody::crossings(int which, const Vec3& o, const Vec3& e, const Vec3& n,
                         BodyCurve* out) const {
-  // The line in the plane of the rim, |o + s e|² = ρ² from its middle.
+  // The line projected along n into the plane of the rim: |o + s e|² = ρ² from the rim's middle.
   const double along = n.dot(a);
   if (std::abs(along) < kLikeFace) return 0;
   const auto seen = [&](const Vec3& v) { return Vec3(v - a.dot(v) / along * n); };
@@ -67,7 +68,7 @@ int DiscBody::crossings(int which, const Vec3& o, const Vec3& e, const Vec3& n,
   const double uu = u.squaredNorm(), up = u.dot(p);
   const double R2 = radius(which) * radius(which);
   const double root = up * up - uu * (p.squaredNorm() - R2);
-  // A line that touches the circle has no normal with it.
+  // A line tangent to the circle has no common normal with it.
   if (!(root > kCross * kCross * uu * R2)) return 0;
   for (const int k : {0, 1}) {
     const double s = (-up + (k == 0 ? -1.0 : 1.0) * std::sqrt(root)) / uu;

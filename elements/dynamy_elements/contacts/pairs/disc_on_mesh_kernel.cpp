@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Of a rim's radius: crossings nearer to each other are one.
+/// Crossings nearer to each other than this part of a rim's radius are one.
 constexpr double kSamePlace = 1e-6;
 
 /// One round body over a mesh, in the world.
@@ -18,7 +18,7 @@ class DiscOverMesh {
   int contacts() {
     const Mat3 toA = A_.A_IK.transpose();
     Eigen::AlignedBox3d box(toA * (B_.c - A_.r_OS_I));
-    // Half of its width along each axis of the mesh.
+    // Half of B's width along each axis of the mesh.
     Vec3 around;
     for (int k = 0; k < 3; ++k) {
       const Vec3 d = A_.A_IK.col(k);
@@ -43,7 +43,7 @@ class DiscOverMesh {
 
   bool near(double g) const { return std::abs(g) <= reach_; }
   void take(int id, const ContactPoint& at) {
-    // Two faces of one plane on their common edge, an edge of two faces.
+    // Coplanar faces meet B at one place on their common edge, and the faces at an edge do, too.
     for (int i = 0; i < size_; ++i) {
       const NumberedContact& c = out_[static_cast<std::size_t>(i)];
       if ((c.at.P - at.P).norm() <= kSamePlace * B_.thickness() &&
@@ -57,7 +57,7 @@ class DiscOverMesh {
     const Surface::Face& f = mesh_.faces()[static_cast<std::size_t>(number)];
     const Vec3 n = A_.A_IK * f.n, d = -n;
     const double height = n.dot(placed(f.v[0]));
-    // All of it is too high or too low.
+    // All of B is too high over the face, or too deep below it.
     if (-B_.support(d) - height > reach_ || B_.support(n) - height < -reach_) return;
     const PlacedFace on(A_, n, placed(f.v[0]), 0.0, A_.A_IK * f.out[0], 1.0, true);
     const auto over = [&](const Vec3& p_I) {
@@ -85,7 +85,7 @@ class DiscOverMesh {
     }
   }
 
-  /// From B to the mesh, seen from the mesh.
+  /// Adds a contact whose normal points from B to the mesh, with the normal reversed.
   void fromB(int id, int number, ContactPoint at) {
     for (const int k : {0, 1}) at.d[k] = -at.d[k], at.ddot[k] = -at.ddot[k];
     if (near(at.g) && mesh_.inCone(number, A_.A_IK.transpose() * at.d[0])) take(id, at);
@@ -97,7 +97,7 @@ class DiscOverMesh {
     const int id = 10 * faces() + i;
     if (B_.tip) return cornerOnCone(id, i, v);
     const bool above = std::abs(z) > B_.half;
-    // Over a cap, or inside and nearest to it.
+    // The corner is over a cap, or inside and nearest to a cap.
     if (out <= B_.rho && (above || std::abs(z) - B_.half > out - B_.rho)) {
       const PlacedFace cap(*B_.frame, side * B_.a, B_.c, B_.half + B_.r, B_.x, 1.0, true);
       ContactPoint at;
@@ -110,7 +110,8 @@ class DiscOverMesh {
     }
   }
 
-  /// What of a cone is nearest to a corner: side, base, rim; a tip meets edges and faces.
+  /// Contact of a corner with the nearest of side, base and rim of a cone;
+  /// the tip meets edges and faces.
   void cornerOnCone(int id, int number, const Vec3& v) {
     RoundFeature point;
     point.c_K = inA(v);
@@ -122,7 +123,7 @@ class DiscOverMesh {
     const Vec3 a = placed(e.a), b = placed(e.b);
     const double half = 0.5 * (b - a).norm();
     const BodyCurve line = BodyCurve::line(A_, 0.5 * (a + b), (b - a).normalized(), 0.0);
-    // Out of the mesh, between the normals of its faces.
+    // Direction out of the mesh, between the normals of the faces of the edge.
     const Surface::Face& first = mesh_.faces()[static_cast<std::size_t>(e.f)];
     const Vec3 &f = first.n, g = e.g < 0 ? f : mesh_.faces()[static_cast<std::size_t>(e.g)].n;
     const Vec3 m = A_.A_IK * (f + g).normalized();
@@ -136,7 +137,7 @@ class DiscOverMesh {
     if (B_.tip) {
       double s = 0.0, along = 0.0;
       ContactPoint at;
-      // Both lines of the side that look across the edge.
+      // Both lines of the side whose normals are across the edge.
       for (const Vec3& towards : {Vec3(-m), m})
         if (lineOnSide(B_, A_, line.x, line.t, towards, s, along, at) && std::abs(along) <= half &&
             s >= 0.0 && s <= B_.slant() && counts(at))
@@ -155,13 +156,14 @@ class DiscOverMesh {
       own.go(line.t.dot(at.x - line.x));
       if (!toClosest(own, at) || !on(own)) return;
       const ContactPoint c = curveOnCurve(own, at, m);
-      // Out of the rim: away from the axis, and from the other rim.
+      // The normal must point out of the rim: away from the axis, and from the other rim.
       const Vec3 d = -c.d[0];
       const bool out = d.dot(at.x - at.c) >= 0.0 &&
                        (B_.half == 0.0 || B_.fromSide(d) * (rim == 1 ? 1.0 : -1.0) >= 0.0);
       if (out && counts(c)) take(ofRims + 2 * rim + (line.t.dot(at.x - at.c) > 0.0 ? 1 : 0), c);
     };
-    // Where it passes under a cap, and where B is furthest among the normals of the edge.
+    // The edge touches a rim where it crosses it under a cap, and where B is furthest among the
+    // normals of the edge.
     for (int rim = 0; rim < (B_.tip ? 1 : B_.rims()); ++rim) {
       BodyCurve crossing[2];
       const int n = B_.crossings(rim, line.x, line.t, m, crossing);

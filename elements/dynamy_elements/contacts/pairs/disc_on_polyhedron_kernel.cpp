@@ -10,17 +10,17 @@
 namespace dynamy {
 namespace {
 
-/// Corners of a face that are looked at; of more every second, third …
+/// Most corners of a face that are tested; of more only every second, third … is.
 constexpr int kMostDiscCorners = 8;
 
-/// A direction that separates, and which features of A it belongs to.
+/// A direction with its separation f, and the feature of A that it belongs to.
 struct Apart {
   double f = -kInfinity;
   Vec3 n = Vec3::UnitZ();
   int face = -1, edge = -1, corner = -1;
 };
 
-/// Both in the world: candidates for the direction of largest separation.
+/// Search of the direction of largest separation among candidates, with both bodies in the world.
 class Search {
  public:
   Search(const PlacedPolyhedron& A, const DiscBody& B) : A_(A), B_(B), body_(*A.of) {}
@@ -40,7 +40,8 @@ class Search {
       }
     const double least = best_.f + more;
     for (int i = 0; i < count(body_.edges()); ++i) edge(i, least);
-    // Corners are nearest to smooth parts only of bodies that are apart, or to the side.
+    // A corner can be nearest to a smooth part only if the bodies are
+    // apart, or if the part is the side.
     for (int i = 0; i < count(body_.corners()); ++i) corner(i, least);
     return best_;
   }
@@ -83,7 +84,7 @@ void Search::corner(int i, double least) {
   const Vec3 beside = way - z * B_.a;
   const double out = beside.norm();
   Vec3 d = B_.nearest(v) - v;
-  // Inside, the side counts.
+  // For a corner inside of B, B's side counts.
   if (std::abs(z) < B_.half && out <= B_.radiusAt(z))
     d = -(out > 0.0 ? Vec3(B_.cosine() / out * beside) : B_.x) - B_.sine() * B_.a;
   if (!(d.norm() > 0.0)) return;
@@ -122,7 +123,7 @@ class Manifolds {
                ? found_.size()
                : outermostPoints();
   }
-  /// The face of A along n, −1: none.
+  /// The face of A with a normal near n, −1: none.
   int flatFace() const {
     if (apart_.face >= 0) return apart_.face;
     const Vec3 n = A_.R.transpose() * apart_.n;
@@ -135,7 +136,7 @@ class Manifolds {
   using Part = DiscBody::Part;
 
   bool like(const Vec3& n) const { return n.dot(apart_.n) > kLikeFace; }
-  /// Takes a contact unless there is one at its place.
+  /// Adds a contact unless there is one at its place.
   void add(int id, const ContactPoint& at) {
     if (like(at.d[0]) && found_.takes(x_.dot(at.P), y_.dot(at.P)))
       out_[static_cast<std::size_t>(found_.size() - 1)] = {id, at};
@@ -148,7 +149,7 @@ class Manifolds {
     const Vec3 n = A_.R * f.n;
     const bool flat = part_ == Part::cap;
     for (int rim = 0; rim < B_.rims(); ++rim) {
-      // The far rim of a body that does not lie is over the near one.
+      // Unless B lies on its side, its far rim is above the near one.
       if ((part_ != Part::side && rim != rim_) || !B_.touches(-n, rim)) continue;
       const ContactPoint at = lowest(onA, rim);
       if (body_.over(f, inA(at.P), same_)) add(rim, at);
@@ -158,7 +159,7 @@ class Manifolds {
       if (!body_.over(f, inA(p), same_)) continue;
       ContactPoint at;
       onA.contact(*B_.frame, p, at);
-      // A point of a tube stays below its middle.
+      // The contact of a tube with the face stays below the middle of the tube.
       at.Pdot += B_.r * (B_.frame->Omega_I.cross(n) - at.ddot[0]);
       add(2 + 4 * rim_ + k, at);
     }
@@ -173,7 +174,7 @@ class Manifolds {
     return at;
   }
 
-  /// Over the part of B that looks along −n; `best`: or the rim.
+  /// Contact of corner i with the part of B that faces −n; `best`: or with the rim.
   void corner(int i, bool best = false) {
     const Vec3 v = A_.vertex(i), way = v - B_.c;
     const double z = way.dot(B_.a), beside = B_.acrossAxis(way).norm();
@@ -200,7 +201,7 @@ class Manifolds {
   void onPoint(int id, const BodyCurve& curve, const Vec3& v) {
     addFromB(id, pointOnCurve(curve, *A_.frame, v, 0.0, -apart_.n));
   }
-  /// Over the side of a cone; `best`: or its rim, or its tip.
+  /// Contact of a corner with the side of a cone; `best`: or with its rim, or its tip.
   void onCone(int id, const Vec3& v, bool best) {
     double s = 0.0;
     const ContactPoint at = pointOnSide(B_, *A_.frame, v, 0.0, s);
@@ -215,7 +216,7 @@ class Manifolds {
   bool onEdge(const PlacedEdge& e, const Vec3& p) const {
     return std::abs(e.e.dot(p - e.o)) <= e.half + same_;
   }
-  /// `best`: where n lies, or where it does not cross anything.
+  /// Contacts of edge i. `best`: n belongs to this edge, which then counts also without crossings.
   void edge(int i, bool best = false) {
     const PlacedEdge e = A_.edge(i);
     const BodyCurve line = BodyCurve::line(*A_.frame, e.o, e.e, 0.0);
@@ -243,7 +244,7 @@ class Manifolds {
         onRimAt(e, line, at, onRim + 2 * rim + (e.e.dot(at.x - at.c) > 0.0 ? 1 : 0));
       }
   }
-  /// On the side of a cone, and under its tip.
+  /// Contact of an edge with the side of a cone, and with its tip.
   void edgeOnCone(const PlacedEdge& e, const BodyCurve& line, int onSide, int onRim, bool best) {
     if (part_ == Part::cap) return;
     double s = 0.0, along = 0.0;
@@ -260,7 +261,7 @@ class Manifolds {
     if (toClosest(line, rim) && onEdge(e, line.x)) add(id, curveOnCurve(line, rim, apart_.n));
   }
 
-  /// An edge along the part of B: those that lie across n, with their corners.
+  /// If an edge lies along the part of B: the edges across n, with their corners.
   void flatEdges() {
     const Vec3 n = A_.R.transpose() * apart_.n;
     double along = 0.0;
@@ -282,14 +283,14 @@ class Manifolds {
     corner(best);
   }
 
-  /// Where features fit only up to a rounding: the one n belongs to.
+  /// If features fit only up to rounding: a contact of the feature that n belongs to.
   int any(int face) {
     if (face < 0 || !B_.touches(-A_.R * body_.face(face).n)) return outermostPoints();
     out_[0] = {rim_, lowest(A_.face(face, 1.0, true), rim_)};
     return 1;
   }
-  /// One contact alone, of the outermost points along n. On a face or an edge n stays in A, else in
-  /// B.
+  /// A single contact of the outermost points along n. If n belongs to a face or edge of A, it
+  /// stays fixed in A, else in B.
   int outermostPoints() {
     const Vec3& n = apart_.n;
     double along = 0.0;

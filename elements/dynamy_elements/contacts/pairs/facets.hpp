@@ -5,7 +5,7 @@
 ///
 /// p_A, p_B on edges are the closest points of the two lines. Gap, normal and γ_N = ġ are exact
 /// before and after touching. Clipping one face against the sides of the other was rejected: a
-/// clipped point belongs to no feature, so that its gap is not what its velocity integrates.
+/// clipped point belongs to no feature, so that its gap is not the integral of its velocity.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -15,23 +15,24 @@
 
 namespace dynamy {
 
-/// Of the smaller body: features nearer than this are one.
+/// Features nearer than this part of the smaller body's size count as one.
 inline constexpr double kSameFeature = 1e-6;
 /// Sine of the angle from which two edges have a normal of their own.
 inline constexpr double kCross = 0.05;
-/// Cosine between that normal and the face's up to which crossing edges belong to a pair of faces.
+/// Crossing edges belong to a pair of faces if the cosine between their
+/// normal and the face's is larger.
 inline constexpr double kLikeFace = 0.7;
 /// If no other contact is as near as the separation of two faces, a corner beside a face counts as
-/// over it up to this part of the separation, and up to so many kSameFeature. Two bodies that turn
-/// about parallel edges which meet, one edge on the other, then have a contact while they are apart,
-/// too, and not only where they overlap.
+/// over it up to kBeside of this separation, and up to kMostBeside times kSameFeature. Two bodies
+/// may turn about parallel edges that meet, one edge on the other. With this margin they have a
+/// contact also while they are apart, and not only while they overlap.
 inline constexpr double kBeside = 0.5, kMostBeside = 100.0;
-/// Cosine between a contact's normal and the face's from which the contact is one of that face: a
-/// point that moves along its own tangents into the face's plane moves by at most √3 gaps.
+/// A contact is one of a face if the cosine between its normal and the face's is larger. A point
+/// that moves along its own tangents into the face's plane then moves by at most √3 gaps.
 inline constexpr double kOfThatFace = 0.5;
 
-/// How far beside a face a corner still is over it [m]; `separation` of the two faces, `same`: what
-/// is one feature.
+/// Distance beside a face up to which a corner counts as over it [m]. `separation`: of the two
+/// faces; `same`: distance below which features are one.
 inline double besideFace(double separation, double same) {
   return same + std::min(kBeside * std::max(separation, 0.0), kMostBeside * same);
 }
@@ -49,11 +50,13 @@ struct PlacedEdge {
   double half;
 };
 
-/// A face that vertices of the other body may touch: directions once for all of them.
+/// A face that vertices of the other body may touch; its directions are
+/// computed once for all of them.
 class PlacedFace {
  public:
-  /// Plane { n·(r − o) = height } of the frame `f`, `t` a direction in it; `sign` +1: it is A's.
-  /// `rates`: of the directions and of the points as well, else zero.
+  /// Plane { n·(r − o) = height } of the frame `f`, with a direction `t` in it;
+  /// `sign` +1: it is A's. `rates`: rates of the directions and of the points are
+  /// computed, too; otherwise they are zero.
   PlacedFace(const Frame& f, const Vec3& n, const Vec3& o, double height, const Vec3& t,
              double sign, bool rates)
       : rates_(rates), n_(n), o_(o), height_(height) {
@@ -63,7 +66,7 @@ class PlacedFace {
     for (int i = 0; i < 3; ++i)
       at_.ddot[i] = rates ? Vec3(f.Omega_I.cross(at_.d[i])) : Vec3(Vec3::Zero());
   }
-  /// Vertex p that moves with `mover`.
+  /// Contact of the face with the vertex p, which moves with `mover`.
   void contact(const Frame& mover, const Vec3& p, ContactPoint& out) const {
     out = at_;
     out.g = n_.dot(p - o_) - height_;
@@ -78,7 +81,7 @@ class PlacedFace {
   ContactPoint at_;
 };
 
-/// Closest points of two lines, parameters from the middles; of parallel ones they mean nothing.
+/// Closest points of two lines, with parameters from their middles; meaningless for parallel lines.
 struct EdgeCrossing {
   bool parallel;
   double s, t;
@@ -114,13 +117,14 @@ inline ContactPoint edgeOnEdge(const Frame& fA, const PlacedEdge& a, const Frame
   return out;
 }
 
-/// Collects contacts by their places x, y on the face of A; of places that coincide the first
-/// counts.
+/// Collects contacts by their places x, y on the face of A; of contacts at the
+/// same place only the first counts.
 template <int Most>
 class Manifold {
  public:
   explicit Manifold(double same) : same2_(same * same) {}
-  /// Is there room for a contact at (x, y), and none yet? Then it is taken.
+  /// Adds a contact at (x, y) if there is room and none is at this place
+  /// yet; returns whether it did.
   bool takes(double x, double y) {
     for (int i = 0; i < size_; ++i) {
       const double dx = x_[i] - x, dy = y_[i] - y;
@@ -137,20 +141,22 @@ class Manifold {
   int size_ = 0;
 };
 
-/// Do the contacts tell what separates two bodies most, `f`, up to `loose` [m]? Of bodies that lie
-/// deep in each other they need not: none of the features that look along the direction of f may be
-/// near another, and those that are nearest to each other, as the far end of a rim, may be open.
+/// Does the smallest gap of the contacts agree with f, the largest separation of two bodies, up to
+/// `loose` [m]? For bodies that overlap deeply it may not: the features that face along the
+/// direction of f may all be far from each other, and the nearest ones, such as the far end of a
+/// rim, may be open. Bodies that overlap by less than `loose` are always accepted.
 inline bool tellsOverlap(double f, double loose, std::span<const NumberedContact> contacts) {
   if (!(f < -loose)) return true;
   return std::abs(leastGap(contacts) - f) <= loose;
 }
 
-/// Contacts of a face of A whose gaps are at most `reach` [m], and thus close together, are moved
-/// into one plane along that face (those across it stay); where there are three and more, so that
-/// their gaps tell how far the two faces can be tilted, all slide along it. Normals, gaps and γ_N
-/// stay. Otherwise sticking contacts contradict each other by the tilt, and every contact has to
-/// slide by almost nothing.
-/// `faceAlong(n, t)`: makes of n the normal of A's face along n, and a direction t in it.
+/// Moves contacts of a face of A whose gaps are at most `reach` [m], and which are thus close
+/// together, into one plane along that face; contacts with a normal across that of the face stay.
+/// Three or more contacts, whose gaps limit how far the two faces can be tilted, also get the
+/// tangents of the face. Normals, gaps and γ_N stay. Otherwise sticking contacts contradict each
+/// other by the tilt, and every contact has to slide by almost nothing.
+/// `faceAlong(n, t)`: replaces n by the normal of A's face along n, and
+/// t by a direction in that face.
 template <class FaceAlong>
 void closeTogetherOn(const Frame& A, double reach, bool rates, std::span<NumberedContact> contacts,
                      FaceAlong&& faceAlong) {

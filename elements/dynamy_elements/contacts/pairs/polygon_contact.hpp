@@ -6,8 +6,8 @@
 ///   corner beside a capsule         g = n·(s − p) − R      s the point of the axis nearest to p,
 ///                                                          n ⟂ axis, from the polygon to it
 ///
-/// The edge of either polygon that separates them most, and the edge of the other that looks at it:
-/// the ends of what they share are the two contacts.
+/// For two polygons, the edge of either that separates them most is compared with the edge of the
+/// other that faces it. The ends of what the two edges share are the two contacts.
 #pragma once
 #include <dynamy_elements/contacts/pairs/facets.hpp>
 
@@ -30,8 +30,8 @@ struct PlacedPolygon {
 inline constexpr int kMostPolygonContacts = 4;
 using PolygonContacts = std::array<NumberedContact, kMostPolygonContacts>;
 
-/// Contacts of A and B, normals from A to B, if their separation is at most `reach` [m]; returns
-/// how many. Numbers: corners of B, corners of A.
+/// Finds the contacts of A and B, normals from A to B, if their separation is at most `reach` [m];
+/// returns their number. Contacts are numbered: corners of B, corners of A.
 int betweenPolygons(const PlacedPolygon& A, const PlacedPolygon& B, double reach, bool rates,
                     PolygonContacts& out);
 void closeTogether(const PlacedPolygon& A, double reach, bool rates,
@@ -39,14 +39,14 @@ void closeTogether(const PlacedPolygon& A, double reach, bool rates,
 /// Largest separation along the normals of the edges [m].
 double separation(const PlacedPolygon& A, const PlacedPolygon& B);
 
-/// Feature of B on the polygon A; inside the nearest edge counts.
+/// Contact of a round feature of B with the polygon A; for centres inside, the nearest edge counts.
 ContactPoint ballOnPolygon(const PlacedPolygon& A, const Frame& B, const RoundFeature& ball);
 
-/// Contacts of the capsule of B on the polygon A: its ends as circles, and corners beside it, seen
-/// from that side of its axis which separates the two most; returns how many. The gap of a corner
-/// has a sign, so that a capsule without a radius does not lose it. To choose corners by whether
-/// the normal points out of the polygon was rejected: where an edge is parallel to the axis that is
-/// rounding. Numbers: ends, corners of A.
+/// Finds the contacts of the capsule of B on the polygon A: the capsule's ends as circles, and
+/// corners of A beside it, seen from the side of its axis that separates the two most. Returns
+/// their number. The gap of a corner has a sign, so that a capsule without a radius does not lose
+/// it. To choose corners by whether the normal points out of the polygon was rejected: for an edge
+/// parallel to the axis rounding would decide. Contacts are numbered: ends, corners of A.
 inline constexpr int kMostCapsuleOnPolygon = 34;
 using CapsuleOnPolygon = std::array<NumberedContact, kMostCapsuleOnPolygon>;
 int capsuleOnPolygon(const PlacedPolygon& A, const Frame& B, const TouchingShape& capsule,

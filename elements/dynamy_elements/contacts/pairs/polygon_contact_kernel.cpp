@@ -5,10 +5,11 @@
 namespace dynamy {
 namespace {
 
-/// Of the way from a corner: nearer than this to it, an edge takes its place.
+/// Relative distance; a circle whose centre is nearer to a corner than
+/// this touches an edge instead.
 constexpr double kOnCorner = 1e-9;
 
-/// Edge of `of` that is separated most from `other`, and by how much.
+/// Edge of `of` that is separated most from `other`, and its separation.
 struct Outermost {
   double separation = -std::numeric_limits<double>::infinity();
   int edge = 0;
@@ -22,7 +23,7 @@ struct Outermost {
   }
 };
 
-/// The edge whose normal looks along n most.
+/// The edge whose normal is nearest to n.
 int edgeAlong(const PlacedPolygon& body, const Vec3& n) {
   int best = 0;
   double most = -2.0;
@@ -101,7 +102,8 @@ double separation(const PlacedPolygon& A, const PlacedPolygon& B) {
 
 ContactPoint ballOnPolygon(const PlacedPolygon& A, const Frame& B, const RoundFeature& ball) {
   const Vec3 rho = B.A_IK * ball.c_K, c = B.r_OS_I + rho;
-  // Heights over the edges: the highest counts inside, and the one under c outside.
+  // Heights over the edges: for a centre inside the highest counts,
+  // outside that of the edge under c.
   int highest = 0, under = -1;
   double height = -std::numeric_limits<double>::infinity(), size = 0.0;
   for (int i = 0; i < A.size(); ++i) {
@@ -130,10 +132,12 @@ ContactPoint ballOnPolygon(const PlacedPolygon& A, const Frame& B, const RoundFe
 
 namespace {
 
-/// Of the size of the polygon: what it may overlap more along the side of a capsule than elsewhere.
+/// Part of the polygon's size by which it may overlap more along the
+/// side of a capsule than elsewhere.
 constexpr double kDeeper = 0.01;
 
-/// The side of a capsule's axis, without its radius, that looks at a polygon: n from the polygon.
+/// The side of a capsule's axis, without its radius, that faces a
+/// polygon: n points from the polygon.
 struct NearSide {
   Vec3 n;
   double deepest;  ///< a corner further past the axis than this is not beside the capsule [m]
@@ -146,7 +150,7 @@ struct NearSide {
       size = std::max(size, (A.corner(i + 1) - c).norm());
     }
     if (-most > least) n = -n, least = -most;
-    // The line cuts the polygon, of which the axis may be clear: beyond an edge.
+    // The line cuts the polygon, but the axis itself may be clear of it, beyond an edge.
     for (int i = 0; i < A.size() && least < 0.0; ++i) {
       const Vec3 edge = A.normal(i);
       const double middle = edge.dot(axis.o - A.corner(i));
@@ -172,7 +176,7 @@ int capsuleOnPolygon(const PlacedPolygon& A, const Frame& B, const TouchingShape
     const Vec3 c = A.corner(i);
     const double h = side.n.dot(axis.o - c);
     if (std::abs(axis.e.dot(c - axis.o)) >= axis.half || h < side.deepest) continue;
-    // Where there is no room the nearest ones stay.
+    // If there is no room for all contacts, the nearest ones stay.
     NumberedContact* at = nullptr;
     if (count < kMostCapsuleOnPolygon) {
       at = &out[static_cast<std::size_t>(count++)];

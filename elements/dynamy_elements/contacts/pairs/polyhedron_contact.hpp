@@ -1,9 +1,9 @@
 /// Contact of two convex polyhedra: the full manifold of two faces, or one pair of edges.
 ///
-/// As of two boxes (box_contact.hpp), with the axes of all faces, and of those edges that can be
-/// nearest: the arcs between the normals of their faces cross on the unit sphere
-/// [Gregorius 2013, The separating axis test between convex polyhedra]. Then e_A × e_B is a face of
-/// A − B, and the separation along it costs one product.
+/// The method is that of two boxes (box_contact.hpp), with the axes of all faces and of those pairs
+/// of edges that can be nearest. For these, the arcs between the normals of their faces cross on
+/// the unit sphere [Gregorius 2013, The separating axis test between convex polyhedra]. Then e_A ×
+/// e_B is the normal of a face of A − B, and the separation along it costs one product.
 #pragma once
 #include <dynamy_elements/contacts/pairs/facets.hpp>
 #include <dynamy_elements/contacts/shapes/polyhedron.hpp>
@@ -22,28 +22,29 @@ struct PlacedPolyhedron {
     const Polyhedron::Edge& e = of->edge(i);
     return {c + R * e.middle, R * e.e, e.half};
   }
-  /// Plane of face i; `sign` +1: it is A's.
+  /// Plane of face i; `sign` +1: this polyhedron is A.
   PlacedFace face(int i, double sign, bool rates) const;
 };
 PlacedPolyhedron placedPolyhedron(const Frame& frame, const TouchingShape& shape);
 
-/// The corner outermost along d, and how far out it is, in axes of the body.
+/// The outermost corner along d, in axes of the body; `along`: its coordinate along d [m].
 int outermost(const Polyhedron& body, const Vec3& d, double& along);
-/// The face that looks along n most, of those around the corner that is outermost there.
+/// Of the faces around the outermost corner along n, the one whose normal is nearest to n.
 int faceAlong(const Polyhedron& body, const Vec3& n);
 
-/// Number of a contact: corners of B, corners of A, then edge of A · edges of B + edge of B.
+/// Number of possible contacts, which are numbered: corners of B, corners of A, then edge of A ·
+/// edges of B + edge of B.
 int polyhedraFeatures(const Polyhedron& A, const Polyhedron& B);
 inline constexpr int kMostPolyhedraContacts = 32;
 using PolyhedraContacts = std::array<NumberedContact, kMostPolyhedraContacts>;
 
-/// Contacts between A and B, normals from A to B, if their separation is at most `reach` [m];
-/// returns how many. `rates`: with ddot and Pdot. Of faces with more than 12 corners every second
-/// counts, of more than 24 every third, …
+/// Finds the contacts between A and B, normals from A to B, if their separation is at most `reach`
+/// [m]; returns their number. `rates`: ddot and Pdot are filled, too. On faces with more than 12
+/// corners every second corner counts, on those with more than 24 every third, …
 int betweenPolyhedra(const PlacedPolyhedron& A, const PlacedPolyhedron& B, double reach, bool rates,
                      PolyhedraContacts& out);
 
-/// Contacts of A's faces as those of one face (closeTogetherOn).
+/// Moves contacts of a face of A with gaps up to `reach` [m] into one plane (closeTogetherOn).
 void closeTogether(const PlacedPolyhedron& A, double reach, bool rates,
                    std::span<NumberedContact> contacts);
 

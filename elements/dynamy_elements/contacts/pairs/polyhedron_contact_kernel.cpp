@@ -24,17 +24,17 @@ int faceAlong(const Polyhedron& body, const Vec3& n) {
 
 namespace {
 
-/// Corners of a face and crossings of its edges that fit: see kMostPolyhedraContacts.
+/// Most corners of a face for which corners and crossings of edges fit into kMostPolyhedraContacts.
 constexpr int kMostCorners = 12;
 
-/// Largest separation along the axes of one kind, and which; n from A to B in axes of A.
+/// Largest separation among axes of one kind, and the axis; n from A to B in axes of A.
 struct Axis {
   double separation = -kInfinity;
   int i = -1, j = -1;
   Vec3 n = Vec3::UnitZ();
 };
 
-/// Both in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A).
+/// Separations of both polyhedra in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A).
 struct Separation {
   const Polyhedron &A, &B;
   Mat3 C;
@@ -42,7 +42,7 @@ struct Separation {
   Separation(const PlacedPolyhedron& a, const PlacedPolyhedron& b)
       : A(*a.of), B(*b.of), C(a.R.transpose() * b.R), t(a.R.transpose() * (b.c - a.c)) {}
 
-  /// Looks no further once they are further apart than `reach`.
+  /// Separation along face normals; the search ends once it exceeds `reach`.
   Axis faces(double reach) const {
     Axis best;
     const int nA = static_cast<int>(A.faces().size()), nB = static_cast<int>(B.faces().size());
@@ -63,7 +63,8 @@ struct Separation {
     return best;
   }
 
-  /// Pairs of edges whose cross product is a normal of A − B, and separates by more than `least`.
+  /// Pairs of edges whose cross product is a face normal of A − B and
+  /// separates by more than `least`.
   Axis edges(double least) const {
     Axis best;
     best.separation = least;
@@ -92,9 +93,9 @@ struct Separation {
   }
 };
 
-/// The intersection of two faces seen along the normal of A's. All places are looked at in axes of
-/// A, so that one that is no contact costs a few products; a contact is then computed from the
-/// bodies' frames.
+/// The intersection of two faces seen along the normal of A's. All places are tested
+/// in axes of A, where a place without a contact costs a few products. A contact is
+/// then computed from the bodies' frames.
 class FacePair {
  public:
   FacePair(const PlacedPolyhedron& A, int faceA, const PlacedPolyhedron& B, int faceB,
@@ -117,7 +118,7 @@ class FacePair {
   }
 
   int contacts() {
-    // A face that lies inside of the other one is the intersection: its vertices are all of it.
+    // If one face lies inside of the other, its vertices are all of the intersection.
     if (!verticesOfB() && !verticesOfA()) edges();
     const std::span<const NumberedContact> taken(out_.data(),
                                                  static_cast<std::size_t>(found_.size()));
@@ -139,7 +140,7 @@ class FacePair {
   }
   static int stride(int corners) { return (corners + kMostCorners - 1) / kMostCorners; }
 
-  /// True: all of the face's vertices are over the other face.
+  /// Adds the vertices of B's face that are over A's face; true: all of them are.
   bool verticesOfB() {
     const PlacedFace onA = A_.face(faceA_, 1.0, rates_);
     bool all = true;
@@ -181,7 +182,7 @@ class FacePair {
   void edge(int i, int j, const PlacedEdge& b) {
     const Polyhedron::Edge& e = A_.of->edge(i);
     const EdgeCrossing seen({e.middle, e.e, e.half}, b);
-    // Edges that cross at an angle, with a normal like that of the face.
+    // Only edges count that cross at an angle, with a normal like that of the face.
     if (seen.parallel || std::abs(seen.n.dot(a_.n)) < kLikeFace) return;
     if (std::abs(seen.s) > e.half + same_ || std::abs(seen.t) > b.half + same_) return;
     if (!takes(seen.PB)) return;

@@ -5,26 +5,28 @@
 ///   ball, cylinder     g = |c − p| − R             p of the cylinder, nearest to c
 ///   box, capsule       ends on the box; corners and edges of the box on the axis
 ///
-/// Each is a pair of features with a gap, normal and rates of its own that are exact at any
-/// distance, and a number that stays. All whose closest points lie on the features and whose normal
-/// points out of both bodies are given, so that a capsule rests on two of them. A search for the
-/// one pair of closest points was rejected: it jumps from end to end while a capsule rolls.
+/// Each contact is a pair of features with a number that stays the same. Its gap, normal
+/// and rates are its own and exact at any distance. All pairs are reported whose closest
+/// points lie on the features and whose normal points out of both bodies, so that a capsule
+/// rests on two of them. A search for the one pair of closest points was rejected: it jumps
+/// from end to end while a capsule rolls.
 #pragma once
 #include <dynamy_elements/contacts/pairs/box_contact.hpp>
 #include <dynamy_elements/contacts/shapes/contact_geometry.hpp>
 
 namespace dynamy {
 
-/// Ends, edges and corners of a capsule on a box.
+/// Contacts of a capsule on a box: ends of the capsule, edges and corners of the box.
 inline constexpr int kCapsuleOnBox = 2 + 12 + 8;
 inline constexpr int kCapsules = 5;
 inline constexpr int kMostRoundContacts = kCapsuleOnBox;
 using RoundContacts = std::array<BoxContact, kMostRoundContacts>;
 
-/// Feature of B on the capsule of A.
+/// Contact of a round feature of B with the capsule A.
 ContactPoint ballOnCapsule(const Frame& A, const TouchingShape& capsule, const Frame& B,
                            const RoundFeature& ball, const Vec3& plane);
-/// Feature of B on the cylinder of A, in space; inside the nearest face counts.
+/// Contact of a round feature of B with the cylinder A, in space; for centres
+/// inside, the nearest face counts.
 ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const Frame& B,
                             const RoundFeature& ball);
 

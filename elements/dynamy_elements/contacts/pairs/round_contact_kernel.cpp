@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Of a half length or radius: nearer than this to an edge, a face takes its place.
+/// Part of a half length or radius; a point nearer to an edge than this touches a face instead.
 constexpr double kOnEdge = 1e-9;
 
 }  // namespace
@@ -29,7 +29,7 @@ int betweenCapsules(const Frame& A, const TouchingShape& a, const Frame& B, cons
       out[n++] = {0, across(sa, a.thickness, sb, b.thickness, at)};
   for (std::size_t end = 0; end < 2; ++end)
     out[n++] = {1 + static_cast<int>(end), ballOnCapsule(A, a, B, b.features[end], plane)};
-  // Ends on ends have been seen.
+  // Contacts of ends with ends have been found before.
   for (std::size_t end = 0; end < 2; ++end) {
     const Vec3 rhoA = A.A_IK * a.features[end].c_K, c = A.r_OS_I + rhoA;
     if (std::abs(sb.e.dot(c - sb.o)) >= sb.half) continue;
@@ -42,8 +42,8 @@ int betweenCapsules(const Frame& A, const TouchingShape& a, const Frame& B, cons
 
 namespace {
 
-/// Does n, in axes of the box, point out of the edge along `axis` or the corner (−1) with the signs
-/// of p?
+/// Does n, in axes of the box, point out of the edge along `axis` (−1: out of the corner) whose
+/// signs are those of p?
 bool pointsOut(const Vec3& n, const Vec3& p, int axis) {
   for (int k = 0; k < 3; ++k)
     if (k != axis && n[k] * (p[k] < 0.0 ? -1.0 : 1.0) < 0.0) return false;
@@ -92,7 +92,7 @@ ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const
   const Vec3 none = Vec3::Zero(), foot = axis.o + z * axis.e;
   const double r = (c - foot).norm();
   const bool outside = r > R, above = beyond > 0.0;
-  // Over a face, or inside and nearest to it.
+  // The ball is over a face, or inside and nearest to a face.
   if (above ? !outside || r - R < kOnEdge * R : !outside && beyond > r - R) {
     ContactPoint out;
     const Vec3 n = side * axis.e;
@@ -103,7 +103,7 @@ ContactPoint ballOnCylinder(const Frame& A, const TouchingShape& cylinder, const
   }
   ContactPoint beside = overSegment(axis, R, c, v, ball.radius, none);
   if (!above || beyond < kOnEdge * half) return beside;
-  // The rim: p on it turns with the direction from the axis to c.
+  // Contact with the rim: its point p turns with the direction from the axis to c.
   const Vec3 e = beside.d[0], edot = beside.ddot[0];
   const Vec3 top = axis.o + side * half * axis.e, p = top + R * e;
   const Vec3 pdot = axis.velocity(top) + R * edot;

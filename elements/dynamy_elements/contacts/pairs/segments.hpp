@@ -5,7 +5,8 @@
 
 namespace dynamy {
 
-/// Square of the sine below which two segments are parallel: their ends tell everything then.
+/// Square of the sine below which two segments count as parallel; the contacts
+/// of their ends are then sufficient.
 inline constexpr double kParallel = 1e-10;
 /// A segment that moves with a frame.
 struct LineSegment {
@@ -25,7 +26,8 @@ inline LineSegment capsuleAxis(const Frame& f, const TouchingShape& capsule) {
   return {f, f.r_OS_I + f.A_IK * capsule.p_K, f.A_IK * capsule.A_KB.col(2), capsule.half.z()};
 }
 
-/// A contact from the way d between two points and its rate, the point p on A and its rate.
+/// Contact from the vector d between two points and its rate, and from the point p on A and its
+/// rate. `otherwise`: the normal if d is zero.
 inline ContactPoint fromWay(const Vec3& d, const Vec3& ddot, double RA, double RB, const Vec3& p,
                             const Vec3& pdot, const Vec3& otherwise, const Vec3& plane) {
   ContactPoint out;
@@ -38,7 +40,8 @@ inline ContactPoint fromWay(const Vec3& d, const Vec3& ddot, double RA, double R
   return out;
 }
 
-/// Point c with velocity v and radius RB over the inside of a segment of radius RA.
+/// Contact of a ball about c, with velocity v and radius RB, with the
+/// inside of a segment of radius RA.
 inline ContactPoint overSegment(const LineSegment& a, double RA, const Vec3& c, const Vec3& v,
                                 double RB, const Vec3& plane) {
   const double s = a.e.dot(c - a.o);
@@ -49,8 +52,9 @@ inline ContactPoint overSegment(const LineSegment& a, double RA, const Vec3& c, 
   return fromWay(d, w - sdot * a.e, RA, RB, p, vp + sdot * a.e, aside, plane);
 }
 
-/// Point c with velocity v beside a segment of radius R in a plane; n ⟂ e is the side of the
-/// segment that looks away from c. The gap has a sign, and the normal is from c to the segment.
+/// Contact of the point c, with velocity v, with a segment of radius R beside it,
+/// in a plane. The normal n ⟂ e points away from c, and the contact's normal from c
+/// to the segment. The gap has a sign.
 inline ContactPoint besideSegment(const LineSegment& a, double R, const Vec3& n, const Vec3& c,
                                   const Vec3& v, const Vec3& plane) {
   const double s = a.e.dot(c - a.o);
@@ -63,7 +67,7 @@ inline ContactPoint besideSegment(const LineSegment& a, double R, const Vec3& n,
   return out;
 }
 
-/// Two segments that cross; `inside`: both closest points are between the ends.
+/// Closest points of the lines of two segments; `inside`: both are between the ends.
 struct SegmentCrossing {
   bool inside = false;
   double s = 0.0, t = 0.0, c = 0.0, square = 0.0;

@@ -3,11 +3,11 @@
 ///
 ///   g = max over |n| = 1 of f(n),   f = n·y,   y = x_B(−n) − x_A(n)
 ///
-/// x are the support points: apart, g is the distance and y = g n; overlapping, −g is the depth.
-/// The gradient of f is y and its second derivative −(H_A + H_B) − f I, so that Newton's method
-/// finds n, and the same matrix tells how n turns while the bodies move. On an edge e of a
-/// polyhedron n is sought across e, on a face it is known. Distances of sampled surfaces were
-/// rejected: their normals jump.
+/// x_A and x_B are the support points. If the bodies are apart, g is the distance and y = g n; if
+/// they overlap, −g is the depth. The gradient of f is y, and its second derivative is
+/// −(H_A + H_B) − f I. With this matrix Newton's method finds n, and it also gives the rate of n
+/// while the bodies move. On an edge e of a polyhedron n is sought among the directions orthogonal
+/// to e, on a face it is known. Distances of sampled surfaces were rejected: their normals jump.
 #pragma once
 #include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
@@ -16,26 +16,26 @@
 
 namespace dynamy {
 
-/// Two features with smooth support functions, in space.
+/// Contact of two features with smooth support functions, in space.
 ContactPoint betweenSmooth(const Frame& A, const SupportFeature& a, const Frame& B,
                            const SupportFeature& b);
-/// Feature of B on the polyhedron A; inside the nearest face counts.
+/// Contact of a feature of B with the polyhedron A; for features inside, the nearest face counts.
 ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
                                 const SupportFeature& feature);
-/// Feature of B on the cylinder, cone, torus or capsule A: the largest of the separations along its
-/// caps, across its side and from its rims and tip.
+/// Contact of a feature of B with the cylinder, cone, torus or capsule A: the largest of the
+/// separations along its caps, across its side and from its rims and tip.
 ContactPoint smoothOnDisc(const DiscBody& A, const Frame& B, const SupportFeature& feature);
-/// The same seen from the feature, which is A's.
+/// The contact of smoothOnDisc with the roles exchanged: the feature belongs to A.
 ContactPoint discOnSmooth(const Frame& A, const SupportFeature& feature, const DiscBody& B);
 
-/// Contacts of a feature of B on the mesh of A with gaps between −reach and `reach` [m]; returns
-/// how many: its lowest point over faces, edges that stand out and corners. Numbers as those of a
-/// ball (surface.hpp).
+/// Finds the contacts of a feature of B on the mesh of A with gaps between −reach and `reach` [m];
+/// returns their number. The lowest point of the feature touches faces, edges that stand out and
+/// corners. Contacts have the numbers of those of a ball (surface.hpp).
 int smoothOnMesh(const Frame& A, const Surface& mesh, const Frame& B, const SupportFeature& feature,
                  double reach, OnSurfaceContacts& out);
 
-/// In the plane of motion with the normal `plane`: two features, one on a polygon, inside of which
-/// the nearest edge counts, and a capsule on one.
+/// Contacts in the plane of motion with the normal `plane`: of two features, of a feature with a
+/// polygon, inside of which the nearest edge counts, and of a capsule with a feature.
 ContactPoint smoothInPlane(const Frame& A, const SupportFeature& a, const Frame& B,
                            const SupportFeature& b, const Vec3& plane);
 ContactPoint smoothOnPolygon(const PlacedPolygon& A, const Frame& B, const SupportFeature& feature);

@@ -13,15 +13,15 @@ using namespace smooth;
 
 namespace {
 
-/// Angle beside a cap [rad].
+/// Angle to the normal of a cap at which a search beside it begins [rad].
 constexpr double kBesideCap = 1e-3;
-/// Of the size: by how much features may miss the outermost points along their normal.
+/// Part of the size by which features may miss the outermost points along their normal.
 constexpr double kOutermost = 1e-9;
-/// Directions around a cone, the best of which begins.
+/// Number of directions around a cone that are tried; the search begins with the best of them.
 constexpr int kTurns = 8;
-/// Rounding of a gap, of the coordinates that it is computed from.
+/// Rounding of a gap, relative to the coordinates that it is computed from.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
-/// Edges and corners nearest to the middle of a feature, which are tried first.
+/// Number of edges and corners that are tried first: those nearest to the middle of a feature.
 constexpr int kFirst = 3;
 
 }  // namespace
@@ -46,7 +46,7 @@ struct OverSide {
   double f() const { return n.dot(y); }
 };
 
-/// Across the side of the cone A: f' = cos β t·y, f'' = −cos β (cos β t·H t + e·y), by angle.
+/// Contact with the side of the cone A: f' = cos β t·y, f'' = −cos β (cos β t·H t + e·y), by angle.
 ContactPoint onSide(const DiscBody& A, const Placed& B) {
   const Vec3 way = A.acrossAxis(B.centre() - A.c);
   OverSide at(A, B, way.norm() > 0.0 ? Vec3(way.normalized()) : A.x);
@@ -68,7 +68,7 @@ ContactPoint onSide(const DiscBody& A, const Placed& B) {
     at = next;
     if (std::abs(step) < kFound) break;
   }
-  // t·y = 0 for all times: e turns by ν beside the body.
+  // ν, the rate at which e turns relative to the body, follows from t·y = 0 for all times.
   const Mat3 H = B.derivative(-at.n);
   const Vec3 &n = at.n, &t = at.t, &OmegaA = A.frame->Omega_I, tip = A.middle(1);
   ContactPoint out;
@@ -82,7 +82,7 @@ ContactPoint onSide(const DiscBody& A, const Placed& B) {
   return out;
 }
 
-/// Candidates for the largest separation of a round body and a feature.
+/// Search of the largest separation of a round body and a feature among candidates.
 class OnDisc {
  public:
   OnDisc(const DiscBody& A, const Placed& B) : A_(A), B_(B) {}
@@ -99,22 +99,23 @@ class OnDisc {
     if (!nearest_) rim(near);
     if (!nearest_ && A_.rims() == 2) rim(1 - near);
     if (nearest_) return best_;
-    // Deep inside each other, what separates most need not be a gap of the features found: then n
-    // stays in A, and the outermost points count.
+    // For deep overlap the largest separation need not be a gap of the features found. Then n is
+    // fixed in A, and the outermost points count.
     const Vec3 n = best_.d[0];
     if (best_.g - most_ <= kOutermost * (A_.half + A_.rho + A_.r)) return best_;
     return overPlane(*A_.frame, n, A_.support(n) * n, B_);
   }
 
  private:
-  /// `tube`: around what the contact was found on.
+  /// Takes a candidate. `tube`: radius of the tube around the feature that touches.
   void take(ContactPoint at, double tube) {
     const Vec3& n = at.d[0];
     at.g -= tube;
     const double f = n.dot(B_.point(-n)) - A_.support(n);
     if (!(f > most_)) return;
     most_ = f, best_ = at;
-    // They are apart by f at least. If what lies opposite to B's point belongs to A, they are not further.
+    // The bodies are apart by at least f. If the point opposite to B's point
+    // belongs to A, this is their distance.
     const Vec3 q = at.P - at.g * n;
     const double rounding = kRounding * (q.cwiseAbs().maxCoeff() + A_.half + A_.rho + A_.r);
     nearest_ = f > 0.0 && at.g - f <= rounding && (q - A_.nearest(q)).norm() <= A_.r + rounding;
@@ -135,7 +136,8 @@ class OnDisc {
     circle.axis_K = A_.frame->A_IK.transpose() * A_.a;
     circle.rho = A_.rho, circle.radius = A_.r;
     const Placed a{*A_.frame, circle};
-    // From the point of the rim that is nearest to the middle of B, and from beside the cap.
+    // The search begins from the point of the rim nearest to the middle of
+    // B, and from beside the cap.
     const bool up = !A_.tip && (i == 1 || A_.a.dot(way) > 0.0);
     const Vec3 n = up ? A_.a : Vec3(-A_.a);
     const Vec3 e = A_.acrossAxis(way), u = A_.acrossAxis(B_.point(-n) - o);
@@ -148,11 +150,11 @@ class OnDisc {
   const Placed& B_;
   double most_ = -std::numeric_limits<double>::infinity();
   ContactPoint best_;
-  bool nearest_ = false;  // best_ is proven to be
+  bool nearest_ = false;  // best_ is proven to be the nearest
 };
 
-/// Edges and corners of a polyhedron that may be nearest to a feature. Apart, one whose normal points
-/// out of the polyhedron is: they are apart by its gap at least, and there.
+/// Edges and corners of a polyhedron that may be nearest to a feature. If the bodies are apart and
+/// the normal of such a contact points out of the polyhedron, its gap is their distance.
 class OnEdges {
  public:
   OnEdges(const PlacedPolyhedron& A, const Placed& B) : A_(A), B_(B), body_(*A.of) {}
@@ -171,9 +173,9 @@ class OnEdges {
  private:
   struct Near {
     double square = std::numeric_limits<double>::infinity();
-    int i = -1;  // of an edge; of a corner behind all edges
+    int i = -1;  // number of an edge; numbers of corners follow
   };
-  /// Fills first_, nearest to the middle of B first.
+  /// Fills first_ with the candidates nearest to the middle of B, in ascending order.
   void nearMiddle() {
     const Vec3 p = A_.R.transpose() * (B_.centre() - A_.c);
     const auto enter = [this](double square, int i) {
@@ -242,7 +244,8 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
                                 const SupportFeature& feature) {
   const Placed b{B, feature};
   const Polyhedron& body = *A.of;
-  // The face over which B's outermost point lies and that separates most, and the highest.
+  // Of the faces over which B's outermost point lies, the one that
+  // separates most; and the highest face.
   int under = -1, highest = 0;
   double most = -std::numeric_limits<double>::infinity(), height = most;
   for (int i = 0; i < static_cast<int>(body.faces().size()); ++i) {
@@ -258,8 +261,8 @@ ContactPoint smoothOnPolyhedron(const PlacedPolyhedron& A, const Frame& B,
   };
   if (under >= 0 && most >= height - 1e-12 * body.halfWidth()) return onFace(under);
 
-  // An edge or corner: what separates most of those whose normal points out of the polyhedron. Deep
-  // inside there may be none, or less than a face.
+  // Of the edges and corners whose normal points out of the polyhedron, the one that separates
+  // most. For deep overlap there may be none, or one that separates less than a face.
   return OnEdges(A, b).best(onFace(highest));
 }
 

@@ -18,7 +18,8 @@ ContactPoint smoothInPlane(const Frame& fA, const SupportFeature& a, const Frame
 ContactPoint smoothOnPolygon(const PlacedPolygon& A, const Frame& B,
                              const SupportFeature& feature) {
   const Placed b{B, feature};
-  // The edge over which the outermost point lies and that separates most, else the highest.
+  // Of the edges over which the outermost point lies, the one that
+  // separates most; else the highest.
   int under = -1, highest = 0;
   double most = -std::numeric_limits<double>::infinity(), height = most, size = 0.0;
   for (int i = 0; i < A.size(); ++i) {
@@ -33,7 +34,7 @@ ContactPoint smoothOnPolygon(const PlacedPolygon& A, const Frame& B,
   };
   if (under >= 0 && most >= height - 1e-12 * size) return onEdge(under);
 
-  // A corner: the smallest gap of those whose normal points out of the polygon.
+  // Of the corners whose normal points out of the polygon, the one with the smallest gap.
   ContactPoint best;
   best.g = std::numeric_limits<double>::infinity();
   for (int i = 0; i < A.size(); ++i) {
@@ -50,7 +51,7 @@ ContactPoint capsuleOnSmooth(const Frame& A, const SupportFeature& feature, cons
   const Placed a{A, feature};
   const LineSegment axis = capsuleAxis(B, capsule);
   const double R = capsule.features[0].radius;
-  // Seen from the capsule: its sides, and its ends.
+  // The candidates, seen from the capsule, are its sides and its ends.
   double most = -std::numeric_limits<double>::infinity();
   ContactPoint best;
   const auto take = [&](const ContactPoint& at) {

@@ -43,7 +43,7 @@ class SmoothOverMesh {
     const Vec3 p = inA(at.P);
     for (std::size_t k = 0; k < 3; ++k)
       if (f.out[k].dot(p - mesh_.at(f.v[k])) > 0.0) return;
-    // Two faces of one plane on their common edge.
+    // Coplanar faces would both touch on their common edge; one contact is kept.
     for (int i = 0; i < size_; ++i)
       if ((out_[static_cast<std::size_t>(i)].at.d[0] - at.d[0]).squaredNorm() < 1e-18) return;
     take(number, at);

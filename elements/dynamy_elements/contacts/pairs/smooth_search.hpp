@@ -1,17 +1,17 @@
-/// The direction that separates two smooth features most, and the contact there: what pairs of
-/// ellipsoids with each other, with round bodies, polyhedra, meshes and in a plane have in common
-/// (smooth_contact.hpp).
+/// Search for the direction that separates two smooth features most, and the contact
+/// there. It serves all pairs of ellipsoids: with each other, with round bodies,
+/// polyhedra, meshes and in a plane (smooth_contact.hpp).
 #pragma once
 #include <cmath>
 #include <dynamy_elements/contacts/shapes/contact_geometry.hpp>
 
 namespace dynamy::smooth {
 
-/// Newton's steps; from the line of the centres about six are enough.
+/// Most steps of Newton's method; from the line of the centres about six are enough.
 inline constexpr int kSteps = 50;
-/// Of the unit vector: a step below which n is found.
+/// Length of a step of the unit vector n below which n is found.
 inline constexpr double kFound = 1e-15;
-/// Of the unit vector: a step that changes f by less than its rounding.
+/// Length of a step of the unit vector n that changes f by less than its rounding.
 inline constexpr double kFlat = 1e-7;
 
 /// A feature in the world.
@@ -20,7 +20,8 @@ struct Placed {
   const SupportFeature& feature;
   Vec3 centre() const { return frame.r_OS_I + frame.A_IK * feature.c_K; }
   Vec3 point(const Vec3& d) const { return frame.r_OS_I + fromOrigin(d); }
-  /// The same from the origin of its frame, far from that of the world as precise as near it.
+  /// Support point from the origin of its frame; it is as precise far from
+  /// the world's origin as near it.
   Vec3 fromOrigin(const Vec3& d) const {
     return frame.A_IK * feature.point(frame.A_IK.transpose() * d);
   }
@@ -31,8 +32,8 @@ struct Placed {
   Vec3 velocity(const Vec3& p) const { return frame.velocity(p - frame.r_OS_I); }
 };
 
-/// Where n may go: two directions across it, or one across it and `e`, an edge or the normal of the
-/// plane of motion.
+/// Directions in which n may turn: two across it, or one across it and across `e`, an edge or the
+/// normal of the plane of motion.
 struct Tangents {
   Eigen::Matrix<double, 3, 2> T;
   int count;
@@ -45,18 +46,20 @@ struct Tangents {
     Eigen::Matrix2d K = T.transpose() * H * T + f * Eigen::Matrix2d::Identity();
     Eigen::Vector2d rhs = T.transpose() * r;
     if (count == 1) K(0, 1) = K(1, 0) = rhs[1] = 0.0, K(1, 1) = 1.0;
-    // Deep inside f is no longer concave: along the gradient.
+    // For deep overlap f is no longer concave; the step then goes along the gradient.
     if (!(K(0, 0) > 0.0 && K.determinant() > 0.0)) K = K.norm() * Eigen::Matrix2d::Identity();
     return T * (K.inverse() * rhs);
   }
 };
 
-/// n that separates A and B most, from the start n; A's point is fixed to be `at` if `a` is null.
+/// Search for the n that separates A and B most. If `a` is null, the fixed point `at` takes the
+/// place of A.
 class Search {
  public:
   Search(const Placed* a, const Vec3& at, const Placed& b, const Vec3* e)
       : a_(a), way_(b.frame.r_OS_I - (a ? a->frame.r_OS_I : at)), b_(b), e_(e) {}
-  /// Places in the world would round it otherwise for each n, by more than f is flat at its maximum.
+  /// From A's support point to B's, without places in the world: their rounding differs for each n
+  /// by more than f changes near its maximum.
   Vec3 y(const Vec3& n) const {
     const Vec3 toB = way_ + b_.fromOrigin(-n);
     return a_ ? Vec3(toB - a_->fromOrigin(n)) : toB;
@@ -72,11 +75,11 @@ class Search {
       double part = 1.0;
       Vec3 next = (n + step).normalized();
       double g = next.dot(y(next));
-      // Shorter until it separates more, up to rounding.
+      // The step is shortened until it separates more, up to rounding.
       for (; part > 1e-3 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
         part *= 0.5, next = (n + part * step).normalized();
       if (part <= 1e-3) {
-        // f is flat here to its rounding, its gradient is not.
+        // Here f does not change by more than its rounding, but its gradient still does.
         if (step.norm() < kFlat) n = (n + step).normalized();
         break;
       }
@@ -88,18 +91,18 @@ class Search {
 
  private:
   const Placed* a_;
-  Vec3 way_;  // from the origin of A's frame, or its point, to that of B's
+  Vec3 way_;  // to the origin of B's frame from that of A's, or from `at`
   const Placed& b_;
   const Vec3* e_;
 };
 
-/// How the motion of A's side enters: velocity of its point, H_A (Ω_A × n), and the turn that n
-/// makes because it stays across an edge.
+/// Terms that A's motion adds: velocity of its point, H_A (Ω_A × n), and the rate of n that keeps
+/// it across an edge.
 struct OfA {
   Vec3 v, wander = Vec3::Zero(), ndot0 = Vec3::Zero();
 };
 
-/// `plane`: normal of the plane of motion, or zero.
+/// The contact with the normal n. `plane`: normal of the plane of motion, or zero.
 inline ContactPoint contactAt(const Vec3& n, const Vec3& y, const Mat3& H, const Mat3& HB,
                               const OfA& A, const Placed& B, const Tangents& t, const Vec3& plane) {
   ContactPoint out;
@@ -111,13 +114,14 @@ inline ContactPoint contactAt(const Vec3& n, const Vec3& y, const Mat3& H, const
   return out;
 }
 
-/// Feature of B on a point that moves with A: a corner, or (with `e`) on an edge through it.
+/// Contact of a feature of B with the point p, which moves with A: a corner
+/// or, with `e`, an edge through it.
 inline ContactPoint onPoint(const Frame& A, const Vec3& p, const Placed& B, const Vec3* e,
                             const Vec3& plane = Vec3::Zero()) {
   const Vec3 way = B.centre() - p;
   const Vec3 start = e ? Vec3(way - way.dot(*e) * *e) : way;
   const Vec3 n = Search(nullptr, p, B, e).best(start.normalized());
-  // The point of the line that is opposite to B's.
+  // The point of the edge that is opposite to B's support point.
   const Vec3 foot = e ? Vec3(p + (B.point(-n) - p).dot(*e) * *e) : p;
   OfA ofA{A.velocity(foot - A.r_OS_I)};
   if (e) ofA.ndot0 = -n.dot(A.Omega_I.cross(*e)) * *e;
@@ -125,7 +129,7 @@ inline ContactPoint onPoint(const Frame& A, const Vec3& p, const Placed& B, cons
   return contactAt(n, B.point(-n) - foot, HB, HB, ofA, B, Tangents(n, e), plane);
 }
 
-/// Both features, from the start n; in a plane of motion n stays in it.
+/// Contact of two features; the search begins with n = `start`. In a plane of motion n stays in it.
 inline ContactPoint betweenFrom(const Placed& A, const Placed& B, const Vec3& start,
                                 const Vec3& plane = Vec3::Zero()) {
   const Vec3* e = plane.isZero(0.0) ? nullptr : &plane;
@@ -136,7 +140,7 @@ inline ContactPoint betweenFrom(const Placed& A, const Placed& B, const Vec3& st
   return contactAt(n, search.y(n), HA + HB, HB, ofA, B, Tangents(n, e), plane);
 }
 
-/// Over a plane of A with the normal n, which is fixed in A, at the height o.
+/// Contact of a feature of B with the plane of A through o with the normal n, which is fixed in A.
 inline ContactPoint overPlane(const Frame& A, const Vec3& n, const Vec3& o, const Placed& B,
                               const Vec3& plane = Vec3::Zero()) {
   ContactPoint out;

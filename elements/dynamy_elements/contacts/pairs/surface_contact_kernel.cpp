@@ -7,7 +7,7 @@ namespace {
 /// Sine of the tilt of a corner's edges up to which it belongs to a face that lies on another.
 constexpr double kTilted = 0.2;
 
-/// Contacts as they are found.
+/// List of the contacts found so far.
 class Found {
  public:
   explicit Found(OnSurfaceContacts& out) : out_(out) {}
@@ -89,7 +89,7 @@ std::uint64_t meshFeatures(const Surface& mesh, const Polyhedron& B) {
 
 namespace {
 
-/// One polyhedron over a mesh, in axes of the mesh.
+/// Search for the contacts of one polyhedron with a mesh, in axes of the mesh.
 class OverMesh {
  public:
   OverMesh(const Frame& A, const Surface& mesh, const PlacedPolyhedron& B, double reach, bool rates,
@@ -136,14 +136,15 @@ class OverMesh {
     if (std::abs(g) > reach_) return;
     for (std::size_t k = 0; k < 3; ++k)
       if (f.out[k].dot(p - mesh_.at(f.v[k])) > 0.0) return;
-    // Its edges go up, up to the tilt of a face that lies on another.
+    // All edges of the corner must rise from the face, up to the tilt of
+    // a face that lies on another.
     const Vec3 n = C_.transpose() * f.n;
     for (const int u : B_.of->neighbours(v)) {
       const Vec3 way = B_.of->corner(u) - B_.of->corner(v);
       if (n.dot(way) < -kTilted * way.norm()) return;
     }
     const Vec3 n_I = A_.A_IK * f.n;
-    for (int i = 0; i < found_.size(); ++i)  // two faces of one plane on their common edge
+    for (int i = 0; i < found_.size(); ++i)  // coplanar faces on their common edge
       if (found_.at(i).id / faces() == v && (found_.at(i).at.d[0] - n_I).squaredNorm() < 1e-18)
         return;
     if (NumberedContact* c = found_.next(v * faces() + number))
@@ -152,7 +153,8 @@ class OverMesh {
           .contact(*B_.frame, B_.vertex(v), c->at);
   }
 
-  /// Over the face of B that is nearest, if it points out of the mesh there.
+  /// Contact of a corner of the mesh with the nearest face of B, if its
+  /// normal points out of the mesh.
   void cornerOfMesh(int i) {
     const Vec3 p = C_.transpose() * (mesh_.at(mesh_.corner(i).v) - t_);
     const Polyhedron& body = *B_.of;

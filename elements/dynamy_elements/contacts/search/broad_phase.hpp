@@ -1,15 +1,16 @@
-/// BroadPhase: which of n balls are near each other, in O(n) by grids.
+/// BroadPhase: finds which of n balls are near each other, in O(n), by a hierarchy of grids.
 ///
 ///   pairs (i, j), i < j, with |c_i − c_j| ≤ R_i + R_j, ordered by i, then j
 ///
-/// Level k is a grid of cells of edge s 2^k; a ball lives on the lowest level whose edge is at
-/// least its diameter, in the cell of its middle. Two balls of one level that are near are in equal
-/// or neighbouring cells; a ball meets larger ones in the 27 cells about its middle on their level.
-/// Cells are hashed, so that only those with balls cost memory. Few balls are compared one by one.
+/// Level k is a grid of cells of edge s 2^k. A ball belongs to the lowest level whose
+/// edge is at least its diameter, in the cell of its centre. Two near balls of one level
+/// are in equal or neighbouring cells. A ball finds larger ones in the 27 cells about its
+/// centre on their level. Cells are hashed, so that only cells with balls cost memory. A
+/// few balls are compared pair by pair.
 ///
-/// A tree over the balls was rejected: heaps change everywhere in every step, and a grid is made
-/// anew in less time than a tree is refitted. All memory is kept; nothing is allocated once the
-/// largest heap has been seen.
+/// A tree over the balls was rejected: heaps of bodies change everywhere in every step, and a grid
+/// is rebuilt in less time than a tree is refitted. All memory is kept between calls; nothing is
+/// allocated once the largest problem has been seen.
 #pragma once
 #include <dynamy/core/types.hpp>
 #include <utility>
@@ -20,17 +21,19 @@ namespace dynamy {
 class BroadPhase {
  public:
   using Pair = std::pair<int, int>;
-  /// A ball around a shape and all of its neighbourhood that matters.
+  /// A ball around a shape, enlarged by the distance at which other shapes are to be found.
   struct Ball {
     Vec3 c = Vec3::Zero();  ///< [m]
-    double radius = 0.0;    ///< [m]; below zero: takes no part
+    double radius = 0.0;    ///< [m]; below zero: the ball is ignored
   };
-  /// Valid until the next call. Ends early once there are more than kMostPairs + each·n pairs.
+  /// The near pairs, valid until the next call. The search ends early once there are more than
+  /// kMostPairs + each·n pairs.
   const std::vector<Pair>& near(const std::vector<Ball>& balls, std::size_t each = kPassed);
-  /// The last call ended early: what it found is no answer.
+  /// Did the last call end early? Then its pairs are incomplete.
   bool overfull() const { return overfull_; }
-  /// Pairs a ball, more than which no step could use: at rest, where grains have about five and
-  /// packed rods of ten diameters 130, and of balls widened by the ways of a step.
+  /// Number of pairs per ball above which no step could use them. kNeighbours: at rest, where
+  /// grains have about five and packed rods of ten diameters 130. kPassed: balls widened by their
+  /// motion in a step.
   static constexpr std::size_t kNeighbours = 128, kPassed = 1024;
 
  private:
@@ -51,7 +54,7 @@ class BroadPhase {
 
   bool overfull_ = false;
   std::size_t most_ = 0;
-  double edge_ = 1.0;  ///< of level 0 [m]
+  double edge_ = 1.0;  ///< edge of the cells of level 0 [m]
   bool used_[kLevels] = {};
   std::vector<Cell> cell_;  ///< per ball
   std::vector<int> first_;  ///< per bucket, into `members_`

@@ -7,11 +7,11 @@
 namespace dynamy {
 namespace {
 
-/// Up to so many balls all pairs are compared: less work than cells.
+/// Up to so many balls all pairs are compared, which costs less than sorting balls into cells.
 constexpr std::size_t kFew = 24;
-/// Room for so many pairs is taken at once, if more than a few are found (200 MB).
+/// Memory for up to so many pairs is reserved at once if more than a few are found (200 MB).
 constexpr std::size_t kAtOnce = 25'000'000;
-/// Coordinates of cells stay below, also for bodies that fly away.
+/// Bound of the coordinates of cells, also for bodies that fly away.
 constexpr double kFarthest = 1e9;
 
 bool touch(const BroadPhase::Ball& a, const BroadPhase::Ball& b) {
@@ -39,7 +39,7 @@ const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& b
 
 void BroadPhase::compareAll(const std::vector<Ball>& balls) {
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    if (balls[i].radius < 0.0) continue;  // all of many that are not there yet, for one
+    if (balls[i].radius < 0.0) continue;  // e.g. grains that are not present yet
     for (std::size_t j = i + 1; j < balls.size(); ++j)
       if (balls[j].radius >= 0.0 && touch(balls[i], balls[j]))
         pairs_.emplace_back(static_cast<int>(i), static_cast<int>(j));
@@ -48,12 +48,12 @@ void BroadPhase::compareAll(const std::vector<Ball>& balls) {
 }
 
 bool BroadPhase::fillsUp() {
-  // Of bodies in one place: grown by doubling, it takes thrice as much.
+  // For many bodies at one place: growing by doubling would take three times as much memory.
   if (pairs_.size() > kMostPairs && most_ <= kAtOnce) pairs_.reserve(most_);
   return overfull_ = pairs_.size() > most_;
 }
 
-/// Sorts the balls into cells; false: there are no sizes to choose cells by.
+/// Sorts the balls into cells; false: their radii give no size for the cells.
 bool BroadPhase::fill(const std::vector<Ball>& balls) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (const Ball& b : balls) {
@@ -77,7 +77,7 @@ bool BroadPhase::fill(const std::vector<Ball>& balls) {
     ++first_[bucket(cell_[i])];
   }
   for (std::size_t b = 0; b < buckets; ++b) first_[b + 1] += first_[b];
-  // From behind: first_[b] comes from the end of bucket b to its begin, the balls stay in order.
+  // Backwards: first_[b] moves from the end of bucket b to its begin, and balls keep their order.
   for (std::size_t i = n; i-- > 0;) {
     if (balls[i].radius < 0.0) continue;
     members_[static_cast<std::size_t>(--first_[bucket(cell_[i])])] = static_cast<int>(i);
@@ -87,7 +87,7 @@ bool BroadPhase::fill(const std::vector<Ball>& balls) {
 
 BroadPhase::Cell BroadPhase::cellOf(const Vec3& c, int level) const {
   const double scale = std::ldexp(1.0 / edge_, -level);
-  const auto at = [&](int k) {  // what is not a number goes to the edge of the world
+  const auto at = [&](int k) {  // NaN goes to the outermost cell
     const double x = std::floor(c[k] * scale);
     return static_cast<int>(x < kFarthest ? (x > -kFarthest ? x : -kFarthest) : kFarthest);
   };
@@ -104,7 +104,8 @@ std::size_t BroadPhase::bucket(const Cell& cell) const {
   return static_cast<std::size_t>(h >> 32) & (first_.size() - 2);
 }
 
-/// `later`: only balls behind i, so that two of one level are found once.
+/// Finds near balls in one cell. `later`: only balls after i, so that
+/// pairs of one level are found once.
 void BroadPhase::lookInto(const std::vector<Ball>& balls, int i, const Cell& cell, bool later) {
   const std::size_t b = bucket(cell);
   const Ball& ball = balls[static_cast<std::size_t>(i)];
@@ -117,7 +118,8 @@ void BroadPhase::lookInto(const std::vector<Ball>& balls, int i, const Cell& cel
 
 void BroadPhase::lookAround(const std::vector<Ball>& balls, int i) {
   const Cell own = cell_[static_cast<std::size_t>(i)];
-  // Its own level: half of the neighbours, the other half look here.
+  // On its own level a ball searches half of the neighbouring cells; balls
+  // of the other half search here.
   lookInto(balls, i, own, true);
   for (int k = 14; k < 27; ++k)
     lookInto(balls, i, {own.x + k / 9 - 1, own.y + k / 3 % 3 - 1, own.z + k % 3 - 1, own.level},
@@ -130,7 +132,8 @@ void BroadPhase::lookAround(const std::vector<Ball>& balls, int i) {
   }
 }
 
-/// By the first of each pair in one pass, then by the second among the few of each.
+/// Sorts the pairs by their first ball in one pass, then the few pairs of
+/// each first ball by the second.
 void BroadPhase::order(std::size_t n) {
   firstOf_.assign(n + 1, 0);
   ordered_.resize(pairs_.size());

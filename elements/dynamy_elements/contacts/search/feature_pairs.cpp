@@ -6,15 +6,15 @@ namespace {
 
 /// Sine of the angle of two edges below which they are parallel and have no normal.
 constexpr double kParallelEdges = 1e-4;
-/// Sine by which a normal may lie beyond those of the faces that meet in a feature: as much as
-/// rounding and drift turn faces that lie on each other, and more.
+/// Sine of the angle by which a normal may lie beyond those of the faces that meet in a feature:
+/// more than rounding and drift turn faces that lie on each other.
 constexpr double kBeyond = 0.05;
 
 double sameOf(const PlacedPolyhedron& A, const PlacedPolyhedron& B) {
   return kSameFeature * std::min(A.of->halfWidth(), B.of->halfWidth());
 }
 
-/// How far p, in axes of the body, is inside of all borders of the face.
+/// Least distance of p, in axes of the body, from the borders of the face; positive inside [m].
 double inside(const Polyhedron& body, const Polyhedron::Face& f, const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = f.first; i < f.first + f.count; ++i)
@@ -73,7 +73,7 @@ ContactPoint edgesCrossing(const PlacedPolyhedron& A, int i, const PlacedPolyhed
   const PlacedEdge a = A.edge(i), b = B.edge(j);
   const Polyhedron::Edge &ofA = A.of->edge(i), &ofB = B.of->edge(j);
   const Crossing at(a, b, A.R * outOf(*A.of, ofA));
-  if (at.parallel) {  // they are nothing to each other
+  if (at.parallel) {  // parallel edges have no contact
     presence = -std::min(a.half, b.half);
     ContactPoint out;
     setDirections(out, A.R * A.of->face(ofA.f).n, Vec3::Zero(), Vec3::Zero());
@@ -88,7 +88,8 @@ ContactPoint edgesCrossing(const PlacedPolyhedron& A, int i, const PlacedPolyhed
   return edgeOnEdge(*A.frame, a, *B.frame, b, EdgeCrossing(a, b), at.n);
 }
 
-/// Of vertices of one body over faces of the other, in axes of the latter: x ↦ R x + c.
+/// Appends the near pairs of vertices of one body (mover) and faces of the other (body), in axes of
+/// the latter: x ↦ R x + c.
 void nearVertices(const Polyhedron& body, const Polyhedron& mover, const Mat3& R, const Vec3& c,
                   const Nearness& within, int number, std::vector<int>& out) {
   const int vertices = static_cast<int>(mover.corners().size()),

@@ -1,44 +1,46 @@
-/// Pairs of features of two convex bodies one by one, so that each gap can be followed for itself.
+/// Pairs of features of two convex bodies, one by one, so that each gap can be followed on its own.
 ///
 ///   vertex of B over a face of A    g = n_A·(p_B − f_A)            and the other way round
 ///   edge of A, edge of B            g = n·(p_B − p_A),   n = ± e_A × e_B/|…|, out of A
 ///   corner, edge of polygons        as vertex and face, in a plane
 ///
-/// g is that of a plane or of two lines and goes on smoothly where the features do not lie over one
-/// another. Where they do is told by the presence, the least way to where they cease to [m]:
+/// The gap g is that of a point over a plane or of two lines, and it continues smoothly where the
+/// features do not lie over one another. The presence [m] is positive where they do; it is the
+/// least distance to where they cease to:
 ///
-///   vertex        to the borders of the face, kSameFeature of the body beyond them
-///   edges         of the crossing to their ends, as far beyond; and n within the normals of the
-///                 faces that meet there, on both bodies
+///   vertex        its distance from the borders of the face, plus kSameFeature of the body
+///   edges         distance of the crossing from the ends of both edges, plus the same; at most the
+///                 margin of n within the normals of the faces that meet there, on both bodies
 ///
-/// The contacts of facets.hpp, of which each corner has one whatever face it is over, were
-/// rejected: their gaps jump where the face changes.
+/// The contacts of facets.hpp were rejected: there each corner has one contact, whatever face it is
+/// over, and its gap jumps where that face changes.
 #pragma once
 #include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
 
 namespace dynamy {
 
-/// How far apart, and by which angle, two bodies may move against each other before they are looked
-/// at again.
+/// How far and by which angle two bodies may move relative to each other before
+/// their features are searched again.
 struct Nearness {
   double reach = 0.0;  ///< [m]
   double turn = 0.0;   ///< [rad]
 };
 
-/// Numbers: vertex of B · faces of A + face, then vertex of A · faces of B + face, then edge of A ·
-/// edges of B + edge.
+/// Number of pairs of features of two polyhedra, which are numbered: vertex of B · faces of A +
+/// face, then vertex of A · faces of B + face, then edge of A · edges of B + edge.
 int featurePairs(const Polyhedron& A, const Polyhedron& B);
-/// Corner of B · edges of A + edge, then corner of A · edges of B + edge.
+/// Number of pairs of features of two polygons, which are numbered: corner of B · edges of A +
+/// edge, then corner of A · edges of B + edge.
 int featurePairs(const std::vector<Vec3>& A, const std::vector<Vec3>& B);
 
-/// Pair f of features. `rates`: with ddot and Pdot.
+/// Contact of the pair f of features and its presence [m]. `rates`: ddot and Pdot are filled, too.
 ContactPoint featurePair(const PlacedPolyhedron& A, const PlacedPolyhedron& B, int f, bool rates,
                          double& presence);
 ContactPoint featurePair(const PlacedPolygon& A, const PlacedPolygon& B, int f, bool rates,
                          double& presence);
 
-/// Appends the pairs that may touch while A and B move by no more than `within`, ascending.
+/// Appends, in ascending order, the pairs that may touch while A and B move by at most `within`.
 void nearFeatures(const PlacedPolyhedron& A, const PlacedPolyhedron& B, const Nearness& within,
                   std::vector<int>& out);
 void nearFeatures(const PlacedPolygon& A, const PlacedPolygon& B, const Nearness& within,

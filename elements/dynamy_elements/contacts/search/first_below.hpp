@@ -4,9 +4,9 @@
 ///   g convex on every part           golden sections; secants through three of its points bound g
 ///                                    from below, and most searches end with the first of them
 ///
-/// [a, b] is halved while the first bound leaves it open, down to one part. Rejected: all parts of
-/// the path one after the other, of which nearly all are far from anything: of a body that spins
-/// among thirty others 60 of 64 evaluations.
+/// [a, b] is halved while the first bound does not decide, down to one part. Searching the parts of
+/// the path one after the other was rejected, since nearly all of them are far from anything: for a
+/// body that spins among thirty others these were 60 of 64 evaluations.
 #pragma once
 #include <algorithm>
 
@@ -14,17 +14,18 @@ namespace dynamy {
 
 struct FirstBelow {
   double limit = 0.0;
-  double L = 0.0;     ///< of g
+  double L = 0.0;     ///< Lipschitz constant of g
   double part = 1.0;  ///< length of a part on which g is convex
   double flat = 0.0;  ///< a minimum is narrowed down to this length
 
-  /// `at`: g is below the limit, −1: nowhere. `from`, `value`: where its part begins, and g there.
+  /// `at`: place where g is below the limit, −1: none. `from`, `value`: begin of the part that
+  /// contains this place, and g at that begin.
   struct Place {
     double at = -1.0, from = 0.0, value = 0.0;
     explicit operator bool() const { return at >= 0.0; }
   };
 
-  /// In [a, b], a whole number 2^k of parts; ga, gb: g there.
+  /// The first place in [a, b], which is 2^k parts long; ga, gb: g at a and b.
   template <class Gap>
   Place in(Gap& gap, double a, double ga, double b, double gb) const {
     if (0.5 * (ga + gb - L * (b - a)) >= limit) return {};
@@ -40,7 +41,7 @@ struct FirstBelow {
  private:
   static constexpr double kGolden = 0.6180339887498949;
 
-  /// Bound of a convex g on [a, b] from below, by what it is at a < c < d < b: beyond two points it
+  /// Lower bound of a convex g on [a, b] from its values at a < c < d < b: outside of two points g
   /// lies above the line through them.
   static double secants(double a, double ga, double c, double gc, double d, double gd, double b,
                         double gb) {
@@ -48,7 +49,8 @@ struct FirstBelow {
                  right = (gb - gd) / (b - d);
     const double atA = gc - std::max(0.0, middle) * (c - a),
                  atB = gd + std::min(0.0, middle) * (b - d);
-    // Between c and d: above both lines that come from outside, lowest where they meet.
+    // Between c and d, g lies above both lines that come from outside;
+    // these are lowest where they meet.
     double inside = std::min(gc, gd);
     if (left < 0.0 && right > 0.0) {
       const double meet = (gc - gd + right * (d - c)) / (right - left);
@@ -62,8 +64,7 @@ struct FirstBelow {
   double lowest(Gap& gap, double a, double ga, double b, double gb) const {
     double c = b - kGolden * (b - a), d = a + kGolden * (b - a), gc = gap(c), gd = gap(d);
     while (b - a > flat) {
-      if (!(c > a && d < b && c < d))
-        break;  // as close as numbers are, for a way of 1e16 thicknesses
+      if (!(c > a && d < b && c < d)) break;  // limit of rounding, for a path of 1e16 thicknesses
       if (gc < limit) return c;
       if (gd < limit) return d;
       if (secants(a, ga, c, gc, d, gd, b, gb) >= limit) return -1.0;

@@ -1,5 +1,5 @@
-// For runs that follow gaps: pairs of features of boxes, polyhedra and polygons one by one, and pairs of
-// shapes that are noted before they touch (theory 50.9, 50.11).
+// Contacts for simulations that follow gaps (theory 50.9, 50.11): pairs of features of boxes,
+// polyhedra and polygons one by one, and pairs of shapes that are noted before they touch.
 #include <algorithm>
 #include <dynamy_elements/contacts/pairs/disc_body.hpp>
 #include <dynamy_elements/contacts/search/feature_pairs.hpp>
@@ -9,12 +9,12 @@
 namespace dynamy {
 namespace {
 
-/// Of the thickness of the thinner: features nearer than this are noted in any case.
+/// Part of the thickness of the thinner shape; features nearer than this are always noted.
 constexpr double kNear = 1e-3;
-/// What bodies move between two looks at most, over what their speeds at one of them say.
+/// Factor on the motion that the speeds predict, so that it bounds the motion between two checks.
 constexpr double kFaster = 1.5;
 
-/// How far B moves against A in the time τ near the smaller of the two.
+/// Motion of B relative to A in the time τ near the smaller of the two.
 Nearness movesWithin(const TouchingShape& a, const TouchingShape& b, const Frame& A, const Frame& B,
                      double tau) {
   const bool small = b.bound < a.bound;
@@ -34,7 +34,8 @@ bool ShapeContacts::comesAndGoes(const Pair& pair) {
   return m == Meeting::boxes || m == Meeting::polyhedra || m == Meeting::polygons;
 }
 
-/// Pairs whose contacts no gap follows: they jump from one feature to another while they touch.
+/// Does the pair have contacts that no gap can follow, since they jump
+/// between features while they touch?
 bool ShapeContacts::jumps(const Pair& pair) {
   switch (pair.rule->meets) {
     case Meeting::capsules:
@@ -55,15 +56,16 @@ bool ShapeContacts::jumps(const Pair& pair) {
   }
 }
 
-/// Of many shapes pairs whose gap takes a search are looked at only where they are near.
+/// Among many shapes: does the pair's gap take a search, so that it is computed for near pairs
+/// only?
 bool ShapeContacts::waits(const Pair& pair) const {
   const Meeting m = pair.rule->meets;
   return namedPairs_.empty() &&
          (m == Meeting::smooth || m == Meeting::smoothOnPolyhedron || m == Meeting::smoothOnDisc);
 }
 
-/// The gap of the pair may close in the time that is looked ahead; true in a listing, where nothing
-/// is asked for by name.
+/// Can the gap of the pair close within the time that is looked ahead? In a listing, where nothing
+/// is requested by key, always true.
 template <class Gap>
 bool ShapeContacts::mayClose(const Pair& pair, const Kinematics& k, const ContactSink& sink,
                              Gap&& gap) const {
@@ -73,18 +75,18 @@ bool ShapeContacts::mayClose(const Pair& pair, const Kinematics& k, const Contac
   const double reach = movesWithin(*pair.A, *pair.B, A, B, request.ahead).reach;
   const Vec3 way = B.r_OS_I + B.A_IK * pair.B->p_K - A.r_OS_I - A.A_IK * pair.A->p_K;
   if (way.norm() > pair.A->bound + pair.B->bound + reach) return false;
-  // Surfaces are near whatever their gap if `reach` is beyond the bodies' bounds.
+  // If `reach` is beyond the bodies' bounds, surfaces count as near whatever their gap is.
   const bool small = reach < std::min(pair.A->bound, pair.B->bound) && pair.rule->plane == 0;
   if (small && seenApart(*pair.A, *pair.B, A, B, reach)) return false;
   return gap(A, B) <= reach;
 }
 
-/// Reports the contacts of the pair if some of them are asked for by name, and notes those that it
-/// has where they may close.
+/// Reports the contacts of the pair if some of them are requested by key, and notes its contacts if
+/// they may close.
 void ShapeContacts::watch(const Pair& pair, const Kinematics& k, ContactSink& sink) const {
   const std::uint64_t end = pair.id + pair.rule->features;
   const auto near = [&](const Frame& A, const Frame& B) {
-    // Surfaces are seen from so near only.
+    // Contacts on surfaces are found up to the smaller of the two bounds only.
     return std::min(gap(pair, 0, A, B), std::min(pair.A->bound, pair.B->bound));
   };
   if (!sink.asked(pair.id, end).empty()) narrow(pair, k, sink);
@@ -96,12 +98,12 @@ void ShapeContacts::watch(const Pair& pair, const Kinematics& k, ContactSink& si
   ContactSink into(found, all);
   narrow(pair, k, into);
   for (const ContactKey key : found.candidateKey) sink.note(contactNumber(key));
-  // Nothing is reported by this name: near, and without a contact that could be followed.
+  // The key of the pair itself has no contact: the pair is near, but nothing of it can be followed.
   if (found.candidateKey.empty()) sink.note(pair.id);
 }
 
-/// Rims over a half space are followed but where one lies flat: four points of it touch there. A
-/// spin about its own axis brings it no nearer to that.
+/// Rims over a half space are followed unless one lies flat, where four of its points touch. A spin
+/// about the rim's own axis brings it no nearer to lying flat.
 void ShapeContacts::watchFlat(const Pair& pair, const OverHalfSpace& over, const Kinematics& k,
                               ContactSink& sink) const {
   const std::vector<SupportFeature>& features = pair.B->features;
@@ -113,7 +115,7 @@ void ShapeContacts::watchFlat(const Pair& pair, const OverHalfSpace& over, const
   if (request.ahead < 0.0) return sink.note(number);
   const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
   const Vec3 axis = B.A_IK * point->axis_K, Omega = B.Omega_I - A.Omega_I;
-  const Vec3 level = axis.cross(A.A_IK * pair.A->n_K);  // about it the rim tilts
+  const Vec3 level = axis.cross(A.A_IK * pair.A->n_K);  // the rim tilts about this axis
   const double turn = axis.cross(Omega).norm(), sine = level.norm(), tau = request.ahead,
                tilt = sine > 0.0 ? std::abs(Omega.dot(level)) / sine : turn;
   const double rate = std::min(turn, tilt + kFaster * tau * Omega.norm() * turn);
@@ -158,7 +160,7 @@ void ShapeContacts::followBodies(const Pair& pair, const Body& a, const Body& b,
   const double gap = separation(a, b);
   if (gap > within.reach) return;
   sink.overlap(-gap);
-  within.reach += std::max(0.0, -2.0 * gap);  // those of bodies that overlap already lie deeper
+  within.reach += std::max(0.0, -2.0 * gap);  // for bodies that overlap already
   near_.clear();
   nearFeatures(a, b, within, near_);
   for (const int f : near_) sink.note(first + static_cast<std::uint64_t>(f));

@@ -7,7 +7,7 @@
 namespace dynamy {
 namespace {
 
-/// Sine of the angle between grain and normal below which there is no direction.
+/// Sine of the angle between grain and normal below which the grain gives no direction.
 constexpr double kOnEnd = 1e-6;
 constexpr int kPlanarRows = 2;
 
@@ -38,7 +38,7 @@ bool differsByDirection(const SetValuedForceLaw& law, int rows) {
   };
   constexpr double kDirections[][2] = {{-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}, {0.6, 0.8}};
   const double first = width(1.0, 0.0);
-  // Rounding of a width of any law.
+  // The tolerance exceeds the rounding of the width of any law.
   return std::any_of(std::begin(kDirections), std::end(kDirections), [&](const double* e) {
     return std::abs(width(e[0], e[1]) - first) > 1e-9 * (1.0 + first);
   });
@@ -47,7 +47,7 @@ bool differsByDirection(const SetValuedForceLaw& law, int rows) {
 GrainFault grainFault(const TouchingShape& a, const TouchingShape& b, Meeting meets,
                       const SetValuedForceLaw& law, int rows) {
   const bool ofA = !a.grain_K.isZero(0.0), ofB = !b.grain_K.isZero(0.0);
-  // In a plane the law has one tangent; what it would do with two tells whether it needs a grain.
+  // In a plane the law has one tangent; its width with two shows whether it needs a grain.
   if (!differsByDirection(law, std::max(rows, kPlanarRows + 1))) return {};
   if (rows <= kPlanarRows && (ofA || ofB))
     return {"bodies in a plane have one tangent, which no grain can choose",

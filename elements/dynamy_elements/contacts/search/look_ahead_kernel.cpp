@@ -1,4 +1,5 @@
-// How far each shape sees others, and which near pairs cannot meet within the step (theory 38.3).
+// Distance at which each shape finds others, and near pairs that cannot
+// touch within the step (theory 38.3).
 #include <algorithm>
 #include <cmath>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
@@ -7,11 +8,11 @@
 namespace dynamy {
 namespace {
 
-/// Of the thickness of a shape among many: how far it is seen in any case.
+/// Least distance at which a shape among many is found, as a part of its thickness.
 constexpr double kAtRest = 0.05;
-/// How often a turn is passed on at most.
+/// Most passes in which deflections are handed on from shape to shape.
 constexpr int kMostSearches = 8;
-/// Of a turn that is passed on.
+/// Part of a deflection that is handed on.
 constexpr double kShared = 0.5;
 
 double restReach(const TouchingShape& s) {
@@ -20,15 +21,15 @@ double restReach(const TouchingShape& s) {
 
 }  // namespace
 
-/// Few shapes are seen early, so that their gaps can be followed. Of many, each is seen as far as
-/// it goes while the fastest goes as far as is asked for: a reach τ max |u| is τ (|v| + l |Ω|) for
-/// it.
+/// If shapes are few, they are found early, so that their gaps can be followed. Among many, each is
+/// found within the distance that it moves while the fastest one moves by the requested reach. A
+/// reach τ max |u| is thus τ (|v| + l |Ω|) for a single shape.
 void ShapeContacts::lookAhead(const Kinematics& k, const ContactRequest& request) const {
   const std::vector<TouchingShape>& shapes = shapes_[0];
   const double all = std::max(request.gTol, 0.0);
   tau_ = 0.0;
   if (!namedPairs_.empty() || request.refresh) {
-    // Contacts that are to count as closed are looked for at any distance.
+    // Contacts that are to count as closed are searched at any distance.
     const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.5 * all;
     for (std::size_t i = 0; i < shapes.size(); ++i) reach_[i] = early_[i] + further;
     return;
@@ -49,17 +50,18 @@ void ShapeContacts::lookAhead(const Kinematics& k, const ContactRequest& request
   }
 }
 
-/// Balls that go side by side or past each other meet nothing, however fast they are: the distance
-/// of convex shapes is a convex function of their shift, so that g ≥ g_A + t ġ_A as long as they go
-/// straight on without turning. In the time τ two of them close by τ max(0, −ġ_ij); w_i, into
-/// turned_, is how far a shape may be thrown off its course:
+/// Balls that move side by side or past each other do not touch, however fast they are: the
+/// distance of convex shapes is a convex function of their shift. Hence g ≥ g_A + t ġ_A as long as
+/// they move straight on without turning. In the time τ two of them close by τ max(0, −ġ_ij). The
+/// deflection w_i, stored in turned_, is how far a shape may be thrown off its course:
 ///
 ///   w_i = max_j (τ max(0, −ġ_ij) − g_ij),   then   w_i ← max(w_i, (w_j − g_ij)/2)
 ///
-/// since one that is off its course by w_j moves the next one by what their gap leaves of it, and
-/// two equal ones that hit share it; walls are thrown nowhere. Pairs with g_ij > τ max(0, −ġ_ij) +
-/// w_i + w_j are left out. Halves are a forecast, no bound: what pushes from behind hands on more,
-/// for which τ is twice the step. Other shapes than balls and boxes count with all of their reach.
+/// A shape that is off its course by w_j moves the next one by w_j less their gap, and two equal
+/// shapes that collide share this. Walls are not deflected. Pairs are left out if their
+/// g_ij > τ max(0, −ġ_ij) + w_i + w_j. The factor 1/2 is a forecast, no bound: a body that is
+/// pushed from behind hands on more. For this reason τ is twice the step. Other shapes than balls
+/// and boxes count with all of their reach.
 void ShapeContacts::followTurns(const Kinematics& k,
                                 const std::vector<BroadPhase::Pair>& near) const {
   gap_.resize(near.size()), way_.resize(near.size());
@@ -91,7 +93,7 @@ void ShapeContacts::followTurns(const Kinematics& k,
           turned_[static_cast<std::size_t>(m)] + restReach(shapes_[0][static_cast<std::size_t>(m)]);
 }
 
-/// Of two near shapes: their gap, or what it is at least, and its rate, or the least it can be.
+/// Gap of two near shapes and its rate, or lower bounds of both.
 ShapeContacts::Approach ShapeContacts::approach(const Kinematics& k, std::size_t i,
                                                 std::size_t j) const {
   const TouchingShape &a = shapes_[0][i], &b = shapes_[0][j];
@@ -99,7 +101,7 @@ ShapeContacts::Approach ShapeContacts::approach(const Kinematics& k, std::size_t
   if (a.isBall() && b.isBall()) {
     const Vec3 d = balls_[j].c - balls_[i].c;
     const double distance = d.norm();
-    // Balls about one point: in any direction.
+    // Balls about the same point may approach in any direction.
     const Vec3 v = B.v_S_I - A.v_S_I;
     const double rate = distance > 0.0 ? d.dot(v) / distance : -v.norm();
     return {distance - a.bound - b.bound, rate};
@@ -116,7 +118,7 @@ ShapeContacts::Approach ShapeContacts::approach(const Kinematics& k, std::size_t
     if (const double distance = d.norm(); distance > 0.0)
       return {distance - ball.bound, (axes * d).dot(ofBall.v_S_I - F.v_S_I) / distance};
   }
-  // Balls around the shapes may overlap by far: nobody is thrown further than it goes itself.
+  // Bounding balls may overlap by far: no shape is deflected further than it moves itself.
   const double apart = (balls_[j].c - balls_[i].c).norm() - a.bound - b.bound;
   return {std::max(apart, 0.0), -std::numeric_limits<double>::infinity()};
 }

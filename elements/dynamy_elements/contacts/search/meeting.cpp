@@ -13,7 +13,7 @@ using Touch = TouchingShape::Kind;
 
 namespace {
 
-/// A contour that goes in may touch a plane at more than one point.
+/// Is it a concave contour? Such a contour may touch a plane at more than one point.
 bool goesIn(const TouchingShape& s) {
   return s.kind == Touch::contour && !s.features[0].contour->convex();
 }
@@ -26,7 +26,7 @@ bool isDisc(const TouchingShape& s) {
 
 namespace {
 
-/// Of ellipses and of capsules on polygons, in a plane.
+/// Contacts in a plane of ellipses, and of capsules on polygons.
 Meeting roundInPlane(const TouchingShape& A, const TouchingShape& B) {
   const bool polygon = !A.polygon_K.empty();
   if (polygon && B.kind == Touch::capsule) return Meeting::capsuleOnPolygon;
@@ -46,8 +46,9 @@ Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane) {
            : B.features.empty() || goesIn(B) ? Meeting::missing
                                              : Meeting::overHalfSpace;
   if (A.kind == Touch::ball) return A.bound + B.bound > 0.0 ? Meeting::balls : Meeting::never;
-  // Of two without an inside, and of a line with an edge, distances have no sign: one would pass.
-  // A mesh has one side: what is deeper than its own size is on the other, a point at once.
+  // Distances of two shapes without an inside, and of a line and an edge, have no sign: one shape
+  // would pass through the other. A mesh has one side: a body deeper than its own size counts as on
+  // the other side, a point immediately.
   if (B.isThin() && A.isThin()) return Meeting::missing;
   if (!inPlane && B.thickness == 0.0 && (A.kind == Touch::box || A.surface))
     return Meeting::missing;
@@ -163,7 +164,7 @@ std::string ofPolyhedra(const Polyhedron& A, const Polyhedron& B, std::uint64_t 
   return edgePair(f - a - b, B.edges().size());
 }
 
-/// Of pairs of features that are followed one by one.
+/// Name of a pair of features that is followed on its own.
 std::string followedName(std::size_t cornersA, std::size_t facesA, std::size_t cornersB,
                          std::size_t facesB, std::size_t edgesB, std::uint64_t f) {
   const auto over = [](const char* corner, std::uint64_t i, const char* face, std::uint64_t j) {

@@ -1,4 +1,4 @@
-/// Which contact two kinds of shapes make: the table of pairs.
+/// Meeting: the table of the kinds of contact that two kinds of shapes can have.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace dynamy {
 
 enum class Meeting : std::uint8_t {
-  never,          ///< half spaces do not meet, points neither
+  never,          ///< two half spaces, or two points
   missing,        ///< not implemented
   overHalfSpace,  ///< features of B over the half space A
   balls,
-  ballOnBox,  ///< B on A
+  ballOnBox,  ///< ball B on box A
   ballOnCapsule,
   ballOnCylinder,
   ballOnCone,
@@ -34,26 +34,28 @@ enum class Meeting : std::uint8_t {
   smoothOnPolyhedron,  ///< or on a box
   smoothOnDisc,        ///< A on B, a cylinder, cone, torus or capsule
   smoothOnMesh,        ///< or a height field
-  discOnPolyhedron,    ///< a cylinder, torus or cone, or on a box
+  discOnPolyhedron,    ///< a cylinder, torus or cone; also on a box
   discOnMesh,          ///< or a height field
   discs                ///< cylinders, cones and tori with each other, with capsules and balls
 };
 
-/// Of A with B, A of the kind that comes later in TouchingShape::Kind or of the same.
+/// Kind of contact of A with B. The kind of A comes later in
+/// TouchingShape::Kind, or both are equal.
 Meeting meeting(const TouchingShape& A, const TouchingShape& B, bool inPlane);
 
-/// All that the functions of this page, and friction along a grain, ask of a shape: what two shapes do
-/// holds for all pairs of shapes with their traits.
+/// All properties of a shape on which the functions of this file and friction along a grain depend.
+/// A contact rule found for two shapes holds for all pairs of shapes with the same traits.
 using Traits = std::array<std::uint64_t, 15>;
 Traits traits(const TouchingShape& s);
 
 /// How many contacts two shapes may make, numbered from 0.
 std::uint64_t featuresOf(Meeting meets, const TouchingShape& A, const TouchingShape& B);
 
-/// How many of these, the last ones, are pairs of features that are followed one by one.
+/// How many of the contacts of two shapes, the last ones, are pairs of
+/// features followed one by one.
 std::uint64_t followedOf(Meeting meets, const TouchingShape& A, const TouchingShape& B);
 
-/// Name of contact number f of the two; empty: there is only one.
+/// Name of contact number f of two shapes; empty if it is their only contact.
 std::string featureName(Meeting meets, const TouchingShape& A, const TouchingShape& B,
                         std::uint64_t f);
 

@@ -14,7 +14,7 @@ inline Vec3 rotationVector(const Mat3& A) {
 /// One frame on one piece of the path.
 struct FramePiece {
   const SweptPose *a, *b;
-  Vec3 theta_K;  ///< turn from a to b
+  Vec3 theta_K;  ///< rotation vector from a to b
   FramePiece(const SweptPath& path, const std::vector<Vec3>& turns, FrameHandle f, int k)
       : a(&path.pose(f, k)),
         b(&path.pose(f, k + 1)),
@@ -22,7 +22,8 @@ struct FramePiece {
   Vec3 way() const { return b->r_OS_I - a->r_OS_I; }
 };
 
-/// The frame along it: A_IK exp(sθ̃) = A_IK + sin(sθ) A_IK k̃ + (1 − cos(sθ)) A_IK k̃².
+/// The frame at s ∈ [0, 1] along the piece:
+/// A_IK exp(sθ̃) = A_IK + sin(sθ) A_IK k̃ + (1 − cos(sθ)) A_IK k̃².
 class MovingFrame {
  public:
   explicit MovingFrame(const FramePiece& piece)

@@ -17,8 +17,8 @@
 namespace dynamy {
 namespace {
 
-/// The lowest corner of a box among those that may be closed; null: B is no box. Where contacts are
-/// asked for by name, a corner that is not must not move them as it passes below.
+/// The lowest corner of a box among those that may be closed; null: B is no box. If contacts are
+/// requested by key, a corner that is not requested must not move them when it passes below.
 const SupportFeature* lowestCorner(const OverHalfSpace& over, const TouchingShape& B,
                                    std::uint64_t id, const ContactSink& sink) {
   if (B.kind != TouchingShape::Kind::box) return nullptr;
@@ -47,7 +47,7 @@ void addBias(ContactRows& rows, const ContactPoint& at, const Frame& A, const Fr
 
 }  // namespace
 
-/// The pairs of the contacts that are asked for by name, and no others.
+/// Reports the contacts of those pairs only that are requested by key.
 void ShapeContacts::namedAlone(const Kinematics& k, ContactSink& sink) const {
   const std::uint64_t n = shapes_[0].size();
   std::uint64_t last = n * n;
@@ -76,14 +76,14 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
     const bool bounded = std::isfinite(s.bound) && !f.absent;
-    // What is nowhere, in a trial step that was too long, is near all: pairs of features that are
-    // asked for by name are reported all the same.
+    // A shape without a finite place, in a trial step that was too long, is near all others: pairs
+    // of features that are requested by key are still reported.
     const Vec3 c = f.r_OS_I + f.A_IK * s.p_K;
     balls_.push_back(
         {c.allFinite() ? c : Vec3(Vec3::Zero()), bounded ? s.bound + reach_[i] : -1.0});
   }
   turned_.assign(shapes.size(), 0.0);
-  // Half spaces: all contacts of few shapes, so that their gaps can be followed, else near ones.
+  // Half spaces report all contacts of few shapes, to follow their gaps, and near ones of many.
   const bool all = !namedPairs_.empty() || sink.request().refresh;
   for (const int h : flats_) {
     const auto at = static_cast<std::size_t>(h);
@@ -96,7 +96,7 @@ void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
       const double beyond = ball.radius + reach_[at] - normal.dot(ball.c - onPlane);
       if (ball.radius < 0.0 || (!all && beyond < 0.0)) continue;
       const auto ofBall = static_cast<std::size_t>(i);
-      // What falls along a wall is not turned by it.
+      // A body that falls along a wall is not deflected by it.
       const double toIt = std::max(
           0.0, normal.dot(A.velocity(ball.c - A.r_OS_I) - k.frame(shapes[ofBall].frame).v_S_I));
       const double way =
@@ -129,7 +129,7 @@ void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, Contact
   if (follows) watchFlat(pair, over, k, sink);
   for (std::size_t f = 0; f < pair.B->features.size(); ++f) {
     const SupportFeature& feature = pair.B->features[f];
-    // A rim that lies flat is followed as one of its points: all of them are as high.
+    // A rim that lies flat is followed as one of its points, as all have the same height.
     const bool touches = over.touches(feature), isRim = feature.kind == SupportFeature::Kind::rim;
     if (follows ? feature.flatOnly : !touches) continue;
     emit(pair, f, over.gap(feature), k, sink, [&] {
@@ -142,13 +142,13 @@ void ShapeContacts::overHalfSpace(const Pair& pair, const Kinematics& k, Contact
   }
 }
 
-/// How far B is seen from a surface of A, which has one side: at most by its size [m].
+/// Largest gap of B reported on a surface of A, which has one side: at most B's size [m].
 double ShapeContacts::seenFrom(const Pair& pair, const ContactSink& sink) const {
   if (sink.request().refresh) return pair.B->bound;
   return std::min(pair.B->bound, 0.5 * pair.B->thickness + std::max(sink.request().gTol, 0.0));
 }
 
-/// How far two shapes are seen by each other [m].
+/// Up to which gap contacts of two shapes are reported [m].
 double ShapeContacts::reachOf(const Pair& pair, const ContactSink& sink) const {
   if (!namedPairs_.empty() || sink.request().refresh)
     return std::numeric_limits<double>::infinity();
@@ -166,7 +166,7 @@ void ShapeContacts::narrow(const Pair& pair, const Kinematics& k, ContactSink& s
     }
     case Meeting::ballOnBox: {
       const ContactPoint at = ballOnBox(A, *pair.A, B, pair.B->features[0], plane);
-      // Reported as early as two balls are.
+      // The contact is reported at the same distance as that of two balls.
       const double reach = 0.5 * (pair.B->bound + pair.A->half.minCoeff());
       if (sink.request().refresh || at.g <= reach)
         emit(pair, 0, at.g, k, sink, [&]() -> const ContactPoint& { return at; });
@@ -229,8 +229,8 @@ void ShapeContacts::narrowOnSurface(const Pair& pair, const Kinematics& k,
       const int n = pair.A->surface->contacts(A, B, ball, 0.5 * ball.radius + further, found);
       if (!pair.A->polyhedron || !sink.request().refresh || n == 0)
         return emitAll(pair, found, n, k, sink);
-      // The place nearest to the ball wanders over a convex body without a jump: one contact, whose
-      // gap can be followed.
+      // The point nearest to the ball moves over a convex body without a jump. It is one contact,
+      // whose gap can be followed.
       found[0] = *std::min_element(
           found.begin(), found.begin() + n,
           [](const SurfaceContact& a, const SurfaceContact& b) { return a.at.g < b.at.g; });
@@ -363,7 +363,7 @@ void ShapeContacts::emitPoint(const Pair& pair, std::size_t feature, const Conta
 template <class At>
 void ShapeContacts::emit(const Pair& pair, std::size_t feature, double g, const Kinematics& k,
                          ContactSink& sink, At&& closed) const {
-  // Of many shapes only those that can touch in the step.
+  // Among many shapes only contacts that can close in the step are reported.
   if (g > reachOf(pair, sink)) return;
   ContactRows rows = sink.add(pair.id + feature, g, *pair.rule->law, pair.rule->rows);
   if (!rows) return;

@@ -6,9 +6,9 @@ namespace dynamy {
 namespace {
 
 constexpr int kLooks = 6;
-constexpr std::size_t kMostFeatures = 64;  ///< those of a large mesh are not gone through
+constexpr std::size_t kMostFeatures = 64;  ///< shapes with more, as large meshes, are skipped
 
-/// In space, of the convex hull of the features [m].
+/// Furthest point along d of the convex hull of the features, in space [m].
 Vec3 furthest(const TouchingShape& shape, const Frame& f, const Vec3& d) {
   const Vec3 d_K = f.A_IK.transpose() * d;
   const SupportFeature* best = nullptr;

@@ -1,4 +1,5 @@
-// Who can touch whom: groups of like shapes, the rule of each two groups.
+// Which shapes can touch each other: groups of equal shapes, and the
+// contact rule of each two groups.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/simulation/model/model.hpp>
@@ -14,8 +15,8 @@ namespace {
 
 using Touch = TouchingShape::Kind;
 
-constexpr std::int64_t kMostNamedPairs = 64;  ///< beyond, single contacts have no signals
-/// Of the 40 bits of a contact's number.
+constexpr std::int64_t kMostNamedPairs = 64;  ///< with more pairs, single contacts have no signals
+/// Count of the numbers that the 40 bits of a contact's number can hold.
 constexpr double kMostNumbers = 1099511627776.0;
 
 Diagnostic pairFault(const Shape& a, const Shape& b, std::string text, std::string hint) {
@@ -56,8 +57,8 @@ Diagnostic missingPair(const Shape& a, const Shape& b, bool thin) {
           " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
 }
 
-/// A body of these triangles, three points each, has faces with directions: none vanishes by
-/// underflow, none is lost by overflow.
+/// Throws ModelError unless all faces of a body of these triangles, three points each, have a
+/// normal: none vanishes by underflow, none is lost by overflow.
 void requireFaces(const Shape& shape, const std::vector<Vec3>& triangles) {
   bool good = !triangles.empty();
   for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
@@ -73,23 +74,23 @@ void requireFaces(const Shape& shape, const std::vector<Vec3>& triangles) {
       .hint = "take sizes of the same order, or give it no material"});
 }
 
-/// Rows of a law that feels the way of the contact over the body (rolling_contact.hpp).
+/// Rows of a law that depends on the motion of the contact over the body (rolling_contact.hpp).
 constexpr int kContourRows = 8;
 
-/// Normal, tangents, spin about the normal; in a plane normal and tangent. Laws in space may ask
-/// for rolling and the way along the contour beside.
+/// Rows offered to a law: normal, tangents, spin about the normal; in a plane normal and tangent.
+/// Laws in space may also request rows for rolling and for the motion along the contour.
 int offeredRows(const Vec3& plane) { return plane.isZero(0.0) ? 4 : 2; }
 
 /// Shapes further apart than half their sizes are not reported.
 double earlyReach(const TouchingShape& s) {
-  // Boxes are looked at where their circumscribed balls meet.
+  // Boxes are searched where their circumscribed balls overlap.
   if (s.kind == Touch::box) return 0.0;
   return std::isfinite(s.thickness) ? 0.5 * s.thickness : 0.0;
 }
 
 }  // namespace
 
-/// What connect() looks at.
+/// Working data of connect().
 struct ShapeContacts::Search {
   explicit Search(Topology& t) : topology(t), instances(t.shapesWithMaterial()), start(t) {
     for (const PartialMechanicalSystem* s : t.systems()) blocks.push_back(s->blocks());
@@ -101,8 +102,8 @@ struct ShapeContacts::Search {
     const ShapeInstance& s = instances[shape];
     return touchingShape(s, start.frame(s.frame).A_IK.transpose() * plane);
   }
-  /// Tells a fault of the shapes i and j once per pair of words. A shape that its system has made
-  /// of its own has the place of the system.
+  /// Reports a fault of the shapes i and j once per pair of words a, b. A shape that was made by
+  /// its system is reported at the place of that system.
   void fault(std::size_t i, std::size_t j, const std::string& a, const std::string& b,
              Diagnostic d) {
     if (!told.insert(std::minmax(a, b)).second) return;
@@ -125,7 +126,7 @@ struct ShapeContacts::Search {
   std::vector<ShapeInstance> instances;
   StartKinematics start;
   std::vector<Blocks> blocks;
-  /// Of each group: a shape, and one of another body or −1.
+  /// Members of a group: its first shape, and one of another body or −1.
   struct Members {
     std::size_t first;
     int another = -1;
@@ -155,8 +156,9 @@ void ShapeContacts::connect(Topology& topology) {
   balls_.reserve(n), reach_.resize(n);
 }
 
-/// Surfaces of polyhedra and meshes, in axes of the frames that carry them; and polyhedra, boxes as
-/// well if there are bodies that meet them as such, one for all shapes that are equal.
+/// Makes the surfaces of polyhedra and meshes, in axes of the frames that carry them. Also makes
+/// the polyhedra, and those of boxes if there are bodies that touch boxes as polyhedra; shapes that
+/// are equal share one.
 void ShapeContacts::makeSurfaces() {
   surfaces_.clear(), polyhedra_.clear();
   const auto faceted = [](const TouchingShape& s) {
@@ -209,7 +211,8 @@ std::size_t ShapeContacts::planeIndex(const Vec3& plane, Search& search) {
   return planes_.size() - 1;
 }
 
-/// Bodies and groups of all shapes. What does not move has groups of its own, as planes differ.
+/// Finds bodies and groups of all shapes. Shapes that do not move are in groups of their own, as
+/// their planes differ.
 void ShapeContacts::group(Search& search) {
   const std::size_t n = search.instances.size();
   body_.resize(n), group_.resize(n), early_.resize(n), names_.resize(n);
@@ -225,7 +228,7 @@ void ShapeContacts::group(Search& search) {
     const TouchingShape &inSpace = shapes_[0][i],
                         &own = shapes_[planeIndex(blocks.planeNormal, search)][i];
     const bool moves = blocks.nu > 0;
-    // One body: a system, one of the many of a population, or a part of a tree.
+    // A body is a system, one body of a population, or a part of a tree.
     const int systems = static_cast<int>(search.blocks.size());
     const NamedBody* part = search.topology.body(
         s.system,
@@ -267,7 +270,7 @@ void ShapeContacts::group(Search& search) {
 }
 
 void ShapeContacts::addRule(Search& search, std::size_t a, std::size_t b) {
-  // Two shapes that stand for the groups: of different bodies, one of which moves.
+  // Two shapes that represent the groups: of different bodies, one of which moves.
   const Search::Members &first = search.groups[a], &second = search.groups[b];
   std::size_t i = first.first, j = second.first;
   if (body_[i] == body_[j]) {
@@ -336,7 +339,7 @@ void ShapeContacts::countPairs(const Search& search) {
       pairs_ += a == b ? count * (count - 1) / 2 : count * search.groups[b].count;
     }
   for (const PairRule& r : pairRules_) features_ = std::max(features_, r.features);
-  // Less those of one body, whose shapes lie next to each other.
+  // Pairs of shapes of one body are subtracted; these shapes lie next to each other in the list.
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n && body_[j] == body_[i]; ++j)
       if (table_[entry(i, j)] >= 0) --pairs_;
@@ -368,11 +371,11 @@ ShapeContacts::Pair ShapeContacts::pairOf(int i, int j) const {
 
 std::string ShapeContacts::contactName(std::uint64_t id) const {
   const std::uint64_t pairNumber = id / features_, n = body_.size();
-  if (pairNumber >= n * n) return {};  // of a file
+  if (pairNumber >= n * n) return {};  // number read from a file
   const auto i = static_cast<int>(pairNumber / n), j = static_cast<int>(pairNumber % n);
   const Pair pair = pairOf(i, j);
   if (!pair) return {};
-  // What rests on something comes first.
+  // The name begins with the shape that rests on the other one.
   std::string a = names_[static_cast<std::size_t>(i)], b = names_[static_cast<std::size_t>(j)];
   const bool swapped = pair.A != &shapes_[pair.rule->plane][static_cast<std::size_t>(i)];
   if (swapped != (pair.A->kind != pair.B->kind)) std::swap(a, b);

@@ -1,4 +1,5 @@
-// Signals of the contacts between shapes: single ones of few, sums of many, loads of the ground.
+// Signals of the contacts between shapes: each contact if they are few,
+// sums of many, loads on the ground.
 #include <algorithm>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
@@ -49,7 +50,8 @@ double ShapeContacts::load(const SignalView& v, int ground, int axis) const {
   return sum / v.dt;
 }
 
-/// Of contact f, where corners of polygons are followed over each side of the other.
+/// Numbers of the signals of contact f. For polygons they include the followed pairs of the corner
+/// f with each side of the other polygon.
 ContactNumbers ShapeContacts::numbers(const Pair& pair, std::uint64_t f) {
   if (pair.rule->meets != Meeting::polygons) return {pair.id + f, 0, 0};
   const std::uint64_t a = pair.A->polygon_K.size(), b = pair.B->polygon_K.size(),
@@ -75,7 +77,7 @@ void ShapeContacts::describe(Description& d) const {
   for (const auto& [i, j] : namedPairs_) {
     const Pair pair = pairOf(i, j);
     const int geometric = pair.rule->plane == 0 ? 3 : 2;
-    if (pair.rule->followed > kMostNamedFeatures) continue;  // by their count alone
+    if (pair.rule->followed > kMostNamedFeatures) continue;  // only their number is a signal
     for (std::uint64_t f = 0; f < pair.rule->followed; ++f)
       describeContact(d, numbers(pair, f), geometric, *pair.rule->law,
                       contactName(pair.id + f) + ".");

@@ -1,10 +1,11 @@
-// Shapes along the path of a step: which are fast, and which contact they pass first (theory 37).
+// Shapes along the path of a step: which shapes are fast, and which
+// contact is passed first (theory 37).
 //
-//   fast       way of both in the step > thickness of the thinner: half of its least width
+//   fast       way of both together > thickness (half the least width) of the thinner shape
 //   passed     gap below −d somewhere on the path, d = 1e-6 of the thickness
 //
-// In axes of one of two shapes a point of the other moves almost straight while a piece lasts, and
-// the distance from a convex set is convex along a straight line: a minimum is found by sections.
+// In axes of one of two shapes, a point of the other moves almost straight during a piece. The
+// distance from a convex set is convex along a straight line: a minimum is found by sections.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
@@ -25,37 +26,38 @@ namespace {
 
 using SweptTouch = TouchingShape::Kind;
 
-/// Of the thickness: an overlap that does not matter. A ball whose overlap with another stays below
-/// would have been turned by less than sqrt(2e-6) = 0.08° of its velocity.
+/// Overlap, as a part of the thickness, that does not matter. A ball whose overlap with another
+/// stays below it would have been turned by less than sqrt(2e-6) = 0.08° of its velocity.
 constexpr double kDepth = 1e-6;
-/// Least depth, in g_tol.
+/// Least depth at which a passing is detected, in units of g_tol.
 constexpr double kLeastDepth = 16.0;
-/// Part of that depth by which an impact may be mistimed.
+/// Error of the instant of an impact, as a part of the depth at which a passing is detected.
 constexpr double kTiming = 0.1;
 /// Largest turn of one piece [rad].
 constexpr double kLargestTurn = 0.5;
-/// Radii from which on a ball looks out for a surface that it may pass.
+/// Distance, in radii of a ball, from which on it searches for a surface that it may pass.
 constexpr double kSeen = 1000.0;
-/// Most parts of a piece between which bodies are taken to move straight.
+/// Most parts of a piece; within a part bodies are taken to move straight.
 constexpr int kMostSweptParts = 64;
-/// Pieces of half a step: who turns by more than a thousand radians in it is not followed closer.
+/// Most pieces of half a step: bodies that turn by more than a thousand
+/// radians in it are resolved no further.
 constexpr int kMostHalf = 2048;
-/// The same where a gap is only known up to a reach that a part may not pass.
+/// Most parts of a piece if a gap is only known up to a reach, which a part must not exceed.
 constexpr int kMostReaches = 4096;
 
-/// What can go how far round the origin of the frame.
+/// Largest distance of a point of the shape that can touch from the origin of the frame [m].
 double lever(const TouchingShape& s) {
   return s.p_K.norm() + (s.kind == SweptTouch::ball ? 0.0 : s.bound);
 }
 
-/// How far the frame of A can move a point of it that B may touch, per angle. A ball turns in
-/// place.
+/// Displacement per angle that a turn of A's frame gives to a point of A that B may touch [m]. A
+/// ball turns in place.
 template <class Pose>
 double leverOfA(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
   return a.kind == SweptTouch::ball ? lever(a) : (B.r_OS_I - A.r_OS_I).norm() + lever(b);
 }
 
-/// Lower bound of the distance.
+/// Lower bound of the distance of two shapes [m].
 template <class Pose>
 double apart(const TouchingShape& a, const TouchingShape& b, const Pose& A, const Pose& B) {
   const Vec3 r = B.r_OS_I + B.A_IK * b.p_K - A.r_OS_I - A.A_IK * a.p_K;
@@ -80,8 +82,8 @@ struct PairPiece {
   }
 };
 
-/// Lower bound of the distance on one piece, by the balls round the origins of the frames that hold
-/// the shapes; −∞ over a half space that turns.
+/// Lower bound of the distance on one piece, from the balls about the origins of the frames that
+/// enclose the shapes; −∞ over a half space that turns.
 double clearance(const TouchingShape& A, const TouchingShape& B, const FramePiece& a,
                  const FramePiece& b) {
   const Vec3 r = b.a->r_OS_I - a.a->r_OS_I, way = b.way() - a.way();
@@ -130,7 +132,7 @@ void ShapeContacts::forNearPairs(F&& f) const {
 }
 
 int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
-  // No two shapes together go further than the thinnest is thick: done.
+  // Nothing to do if no two shapes together move further than the thickness of the thinnest.
   const std::vector<TouchingShape>& shapes = shapes_[0];
   const auto way = [&](const TouchingShape& s) {
     const Frame& f = k.frame(s.frame);
@@ -145,7 +147,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
     second = std::max(second, std::min(most, w)), most = std::max(most, w);
   }
   if (most + second <= thinnest_) return 0;
-  // The pairs below are no further apart than twice their ways.
+  // Only pairs that are no further apart than twice their motion are tested below.
   balls_.clear();
   for (const TouchingShape& s : shapes) {
     const Frame& f = k.frame(s.frame);
@@ -163,7 +165,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
     for (const auto& [shape, frame] : {std::pair{pair.A, &A}, std::pair{pair.B, &B}})
       turn = std::max(turn, lever(*shape) > 0.0 ? frame->Omega_I.norm() * dt : 0.0);
   });
-  // An even number: schemes change velocities in the middle.
+  // The number of pieces is even, since schemes change velocities at the midpoint.
   const double half = std::ceil(0.5 * turn / kLargestTurn);
   return turn < 0.0 ? 0 : 2 * (half < kMostHalf ? std::max(1, static_cast<int>(half)) : kMostHalf);
 }
@@ -177,7 +179,7 @@ double leastGap(const Contacts& found, int n) {
   return least;
 }
 
-/// How far gaps of b on a surface are looked for [m]; all others are known wherever b is.
+/// Largest gap at which b is found on a surface [m]; other gaps are known wherever b is.
 double gapsSeen(Meeting meets, const TouchingShape& b) {
   switch (meets) {
     case Meeting::ballOnSurface:
@@ -192,7 +194,7 @@ double gapsSeen(Meeting meets, const TouchingShape& b) {
   }
 }
 
-/// Gap of b on the surface of a, at most as far as it is seen: what is not seen is further away.
+/// Gap of b on the surface of a, limited to the largest gap at which b is found there.
 double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const Frame& B,
                     const TouchingShape& b) {
   const double reach = gapsSeen(meets, b);
@@ -216,7 +218,7 @@ double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const
 
 }  // namespace
 
-/// Gap of feature f of B, of the boxes if both are.
+/// Gap of feature f of B; if both shapes are boxes, their separation.
 double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const {
   const Vec3& plane = planes_[pair.rule->plane];
   const TouchingShape &a = *pair.A, &b = *pair.B;
@@ -278,7 +280,7 @@ double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const
 }
 
 Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
-  // Balls that hold the shapes all along the path.
+  // Balls that enclose the shapes along the whole path.
   balls_.clear();
   for (const TouchingShape& s : shapes_[0]) {
     double way = 0.0;
@@ -305,7 +307,7 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
     const bool single = pair.rule->meets != Meeting::overHalfSpace;
     const std::size_t features = single ? 1 : pair.B->features.size();
     for (std::size_t f = 0; f < features; ++f) {
-      if (pair.B->features[f].flatOnly) continue;  // the rim it is on tells
+      if (pair.B->features[f].flatOnly) continue;  // its rim is tested instead
       Passing p = passing(pair, f, path, first.t);
       p.contact = contactKey(element, pair.id + f);
       if (p.t < first.t) first = p;
@@ -316,8 +318,9 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
 
 namespace {
 
-/// Into how many parts, a power of 2, a piece is cut: so short that points bend away from straight
-/// lines by a quarter of `depth`, and that nothing goes further than it is seen.
+/// Number of parts, a power of 2, of a piece. The parts are so short that paths of points deviate
+/// from straight lines by a quarter of `depth`, and that nothing moves further than the largest gap
+/// at which it is found.
 int partsOf(Meeting meets, const TouchingShape& B, const PairPiece& piece, double depth) {
   const auto powerAbove = [](double wanted, int most) {
     int n = 1;
@@ -337,7 +340,7 @@ Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath&
   const double dt = path.dt() / path.pieces();
   Frame A, B;
   double start = kInfinity, end = 0.0;
-  int after = -1;  // the piece at whose begin the gap is `end`
+  int after = -1;  // the piece at the begin of which the gap is `end`
   for (int k = 0; k < path.pieces() && dt * k < latest; ++k) {
     const PairPiece piece(a, b, path, turns_, k);
     if (clearance(a, b, piece.a, piece.b) > depth) continue;
@@ -349,7 +352,7 @@ Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath&
     const double left = k == after ? end : gapAt(0.0), right = gapAt(1.0);
     if (k == 0) start = left;
     after = k + 1, end = right;
-    // One that is closed may not sink deeper.
+    // A contact that is closed at the start must not overlap more.
     const double limit = (start <= depth ? start : 0.0) - depth;
     const FirstBelow search{limit, piece.L, 1.0 / partsOf(pair.rule->meets, b, piece, depth),
                             0.25 * depth / piece.L};

@@ -62,7 +62,7 @@ ContactPoint OverHalfSpace::contact(const SupportFeature& feature, const Vec3& p
     out.Pdot = B_.velocity(rho_I) - feature.radius * out.ddot[0];
     return out;
   }
-  // The lowest point wanders over the body as the direction to the plane does.
+  // The lowest point moves over the body as the direction to the plane changes.
   const Vec3 rho_I = B_.A_IK * feature.point(-n_B_);
   const Vec3 ddot_B = -B_.A_IK.transpose() * (A_.Omega_I - B_.Omega_I).cross(n_I_);
   out.P = B_.r_OS_I + rho_I;
@@ -88,10 +88,10 @@ ContactPoint betweenBalls(const Frame& A, const RoundFeature& a, const Frame& B,
 
 namespace {
 
-/// Of the smallest half edge: nearer to an edge than this, a face takes its place.
+/// Part of the smallest half edge; a point nearer to an edge than this touches the face instead.
 constexpr double kOnBoxEdge = 1e-9;
 
-/// Where a point is from a box, in the box's axes.
+/// Distance and normal of a point from a box, in the box's axes.
 struct FromBox {
   double distance = 0.0;  ///< negative inside
   Vec3 n = Vec3::Zero(), ndot = Vec3::Zero();
@@ -114,7 +114,7 @@ struct FromBox {
   }
 };
 
-/// Axis of the box along the normal of the plane of motion, −1: moves in space.
+/// Axis of the box along the normal of the plane of motion; −1: the box moves in space.
 int flatAxis(const Mat3& R, const Vec3& plane) {
   int axis = -1;
   if (!plane.isZero(0.0)) (R.transpose() * plane).cwiseAbs().maxCoeff(&axis);

@@ -8,20 +8,21 @@
 namespace dynamy {
 namespace {
 
-/// Newton's steps to a foot; from the nearest of the nodes four are enough.
+/// Most steps of Newton's method to a foot; from the nearest of the nodes four are enough.
 constexpr int kContourSteps = 20;
-/// Of the way between two nodes: a step below which the foot is found.
+/// Step, as a part of the distance of two nodes, below which the foot is found.
 constexpr double kContourFound = 1e-13;
 
-/// 120 times the six pieces of the B-spline of degree 5 that act between two nodes, as polynomials
-/// of the fraction b of the way.
+/// 120 times the six pieces of the B-spline of degree 5 that are nonzero between two nodes, as
+/// polynomials of the fraction b of the interval.
 constexpr double kPieces[6][6] = {{1, -5, 10, -10, 5, -1},  {26, -50, 20, 20, -20, 5},
                                   {66, 0, -60, 0, 30, -10}, {26, 50, 20, -20, -20, 10},
                                   {1, 5, 10, 10, 5, -5},    {0, 0, 0, 0, 0, 1}};
 
-/// Coefficients c with c_{i−2} + 26 c_{i−1} + 66 c_i + 26 c_{i+1} + c_{i+2} = 120 r_i, round the
-/// circle: two recursions each way, one for each root |z| < 1 of 1 + 26 z + 66 z² + 26 z³ + z⁴
-/// (Unser, Aldroubi, Eden 1993), begun so early that their start is forgotten.
+/// Coefficients c with c_{i−2} + 26 c_{i−1} + 66 c_i + 26 c_{i+1} + c_{i+2} = 120 r_i,
+/// periodic. There are two recursions in each direction, one for each root |z| < 1 of
+/// 1 + 26 z + 66 z² + 26 z³ + z⁴ (Unser, Aldroubi, Eden 1993). They begin so early
+/// that their start values have no effect.
 std::vector<double> coefficients(const std::vector<double>& r) {
   std::vector<double> c = r;
   const auto n = static_cast<std::ptrdiff_t>(r.size());
@@ -90,7 +91,8 @@ Contour::Point Contour::at(double phi) const {
 
 namespace {
 
-/// Newton for f(φ) = 0 between nodes; `value` gives f and f′, and steps stay within `step`.
+/// Newton's method for f(φ) = 0 between nodes; `value` gives f and f′,
+/// and steps stay within `step`.
 template <class Value>
 double root(double phi, double step, Value&& value) {
   double low = phi - step, high = phi + step;

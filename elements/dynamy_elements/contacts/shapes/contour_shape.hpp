@@ -4,8 +4,8 @@
 
 namespace dynamy {
 
-/// r(φ) about the shape's z axis, by a formula or by radii at equal angles. The points of its
-/// geometry are kContourPoints at equal angles.
+/// Curve r(φ) about the shape's z axis, given by a formula or by radii at equal angles. Its
+/// geometry consists of kContourPoints points at equal angles.
 class ContourShape final : public Shape {
  public:
   static void declare(Attributes& a);

@@ -11,7 +11,7 @@ class Hull {
   explicit Hull(const std::vector<Vec3>& points) : p_(points) {
     for (const Vec3& p : p_) extent_ = std::max(extent_, (p - p_.front()).norm());
   }
-  /// Four points that span a volume; false: there are none.
+  /// Begins with four points that span a volume; false: there are none.
   bool start() {
     const int n = static_cast<int>(p_.size());
     const auto farthest = [&](auto&& distance) {
@@ -33,9 +33,9 @@ class Hull {
     faces_ = {{a, x, y}, {a, d, x}, {x, d, y}, {y, d, a}};
     return true;
   }
-  /// Replaces the faces that p sees by those from their border to p.
+  /// Replaces the faces that are visible from p by faces from their border to p.
   void add(int p) {
-    std::map<std::pair<int, int>, int> edges;  // of faces that are seen: directed edge, count
+    std::map<std::pair<int, int>, int> edges;  // edges of visible faces: directed edge, count
     std::vector<Triangle> kept;
     for (const Triangle& f : faces_) {
       if (!sees(p, f)) {

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Three numbers each. Throws ModelError for another count or fewer than `least`.
+/// Vectors of three numbers each. Throws ModelError for another count or fewer than `least`.
 std::vector<Vec3> triples(const ParameterValue& value, const char* what, std::size_t least) {
   const std::size_t n = value.numbers.size();
   if (n % 3 != 0 || n < 3 * least)
@@ -43,7 +43,7 @@ PolyhedronShape::PolyhedronShape(const Parameters& x) : Shape(x) {
   if (triangles_.empty())
     throw x["points"].fault("the points lie in one plane", "they enclose no volume", 0,
                             x["points"].text.size());
-  // Points inside are left out.
+  // Points inside the hull are left out.
   std::vector<int> number(all.size(), -1);
   for (Triangle& t : triangles_)
     for (int& i : t) {

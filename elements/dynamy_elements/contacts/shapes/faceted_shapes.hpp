@@ -1,5 +1,5 @@
-/// Shapes with plane faces: convex polyhedra, triangle meshes and height fields. The points of
-/// their geometry are those of their triangles, three to each, counterclockwise from outside.
+/// Shapes with plane faces: convex polyhedra, triangle meshes and height fields. Their geometry
+/// lists three points per triangle, counterclockwise seen from outside.
 #pragma once
 #include <dynamy_elements/contacts/shapes/convex_hull.hpp>
 
@@ -14,12 +14,12 @@ class PolyhedronShape final : public Shape {
   MassProperties massProperties() const override { return mass_; }
 
  private:
-  std::vector<Vec3> points_;  ///< those on the hull
+  std::vector<Vec3> points_;  ///< points on the hull
   std::vector<Triangle> triangles_;
   MassProperties mass_;
 };
 
-/// Triangles with one side: ground of any form.
+/// Triangles that can be touched from one side only: ground of any form.
 class MeshShape final : public Shape {
  public:
   static void declare(Attributes& a);
@@ -31,7 +31,7 @@ class MeshShape final : public Shape {
   std::vector<Triangle> triangles_;
 };
 
-/// Heights z over a grid in x and y; matter is below.
+/// Surface of the heights z over a grid in x and y; the ground lies below it.
 class HeightFieldShape final : public Shape {
  public:
   static void declare(Attributes& a);

@@ -9,13 +9,13 @@
 namespace dynamy {
 namespace {
 
-/// Sine of the angle between triangles up to which they are one plane.
+/// Sine of the angle between triangles up to which they count as coplanar.
 constexpr double kOnePlane = 1e-9;
 
 }  // namespace
 
 Polyhedron::Polyhedron(const std::vector<Vec3>& triangles) {
-  // Corners at the same place are one.
+  // Corners at the same place are merged.
   std::map<std::array<double, 3>, int> known;
   std::vector<Triangle> all;
   std::vector<Vec3> points, normals;
@@ -33,7 +33,7 @@ Polyhedron::Polyhedron(const std::vector<Vec3>& triangles) {
     normals.push_back((at(1) - at(0)).cross(at(2) - at(0)).normalized());
   }
   corners_ = points;
-  // Triangles of one plane: sides that two of them share are inside of the polygon.
+  // Coplanar triangles form a polygon; sides that two of them share are inside of it.
   std::vector<bool> taken(all.size(), false);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (taken[i]) continue;
@@ -54,7 +54,7 @@ Polyhedron::Polyhedron(const std::vector<Vec3>& triangles) {
   findEdges();
 }
 
-/// `sides`: directed, in any order.
+/// Adds a face. `sides`: its directed sides, in any order.
 void Polyhedron::addFace(const Vec3& n, const std::vector<std::array<int, 2>>& sides) {
   std::map<int, int> next;
   for (const auto& s : sides) next[s[0]] = s[1];

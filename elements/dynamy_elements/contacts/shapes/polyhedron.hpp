@@ -1,4 +1,4 @@
-/// Polyhedron: convex body by its polygons, edges and corners, as contact needs them.
+/// Polyhedron: a convex body given by its polygonal faces, edges and corners, for contact.
 #pragma once
 #include <array>
 #include <dynamy/core/types.hpp>
@@ -8,46 +8,46 @@ namespace dynamy {
 
 class Polyhedron {
  public:
-  /// A polygon, corners counterclockwise from outside; its inside is { n·x ≤ height }.
+  /// A polygonal face, corners counterclockwise seen from outside; the body is in { n·x ≤ height }.
   struct Face {
     Vec3 n;
-    double height = 0.0;  ///< of its plane over the origin [m]
-    int first = 0;        ///< its corners, and the borders from each to the next
+    double height = 0.0;  ///< height of its plane over the origin [m]
+    int first = 0;        ///< index of its first border
     int count = 0;
   };
   /// A side of a face, from one corner to the next.
   struct Border {
     int corner = 0, edge = 0;
-    Vec3 out;  ///< in the face, away from it
+    Vec3 out;  ///< in the plane of the face, pointing out of it
   };
-  /// Where two faces meet; n_f × n_g points along e.
+  /// An edge, where the faces f and g meet; n_f × n_g points along e.
   struct Edge {
     int f = 0, g = 0;
     Vec3 middle, e;  ///< [m], unit direction
     double half = 0.0;
   };
 
-  /// From the triangles of a convex hull, three points to each, counterclockwise from outside.
-  /// Triangles in one plane are one face.
+  /// Builds it from the triangles of a convex hull, three points per triangle, counterclockwise
+  /// seen from outside. Triangles in one plane are merged into one face.
   explicit Polyhedron(const std::vector<Vec3>& triangles);
 
   const std::vector<Vec3>& corners() const { return corners_; }
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Edge>& edges() const { return edges_; }
-  /// Border i = first … first + count − 1 of a face.
+  /// Border i; the borders of a face are i = first … first + count − 1.
   const Border& border(int i) const { return borders_[static_cast<std::size_t>(i)]; }
   const Vec3& corner(int i) const { return corners_[static_cast<std::size_t>(i)]; }
   const Face& face(int i) const { return faces_[static_cast<std::size_t>(i)]; }
   const Edge& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
-  /// Faces around a corner.
+  /// The faces that meet in a corner.
   const std::vector<int>& facesAt(int corner) const {
     return facesAt_[static_cast<std::size_t>(corner)];
   }
-  /// Corners at the other ends of its edges.
+  /// The corners at the other ends of the edges that meet in a corner.
   const std::vector<int>& neighbours(int corner) const {
     return neighbours_[static_cast<std::size_t>(corner)];
   }
-  /// Is p over the face, or at most `beside` [m] next to it?
+  /// Is p over the face f, or at most `beside` [m] outside of its borders?
   bool over(const Face& f, const Vec3& p, double beside) const;
   /// Half of the least width across a face [m].
   double halfWidth() const { return halfWidth_; }

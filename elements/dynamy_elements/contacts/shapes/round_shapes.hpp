@@ -4,7 +4,7 @@
 
 namespace dynamy {
 
-/// Circle about the shape's z axis: touches in its own plane.
+/// Circle about the shape's z axis; it touches others in its own plane only.
 class CircleShape final : public Shape {
  public:
   static void declare(Attributes& a);

@@ -1,8 +1,8 @@
 /// Shapes: geometry, volume and inertia for unit density.
 ///
-/// Here those with corners, points and planes; round_shapes.hpp has those that turn about an axis.
-/// Each class is its declaration and a closed form; what touches what stands in
-/// contacts/shapes/touching_shape.hpp.
+/// This file has spheres and the shapes with corners, points and planes; round_shapes.hpp has those
+/// about an axis. Each class consists of its declaration and closed formulas. Which parts of a
+/// shape can touch is defined in contacts/shapes/touching_shape.hpp.
 #pragma once
 #include <dynamy/system/shape.hpp>
 

@@ -8,11 +8,12 @@
 namespace dynamy {
 namespace {
 
-/// Sine of the angle between faces up to which they are one plane.
+/// Sine of the angle between faces up to which they count as coplanar.
 constexpr double kSamePlane = 1e-9;
-/// Of the extent: how far beside a face a point is still over it, so that none falls between two.
+/// Part of the extent by which a point beside a face still counts as over it, so that no point
+/// falls between two faces.
 constexpr double kBeside = 1e-12;
-/// Faces of a leaf.
+/// Most faces of a leaf.
 constexpr int kLeaf = 4;
 
 }  // namespace
@@ -51,12 +52,12 @@ void Surface::findEdges() {
   for (const auto& [ends, here] : sides) {
     const auto there = sides.find({ends.second, ends.first});
     const bool border = there == sides.end();
-    if (!border && ends.second < ends.first) continue;  // seen from its other side
+    if (!border && ends.second < ends.first) continue;  // the edge is handled from its other side
     Edge e{ends.first,  ends.second,
            here.first,  border ? -1 : there->second.first,
            here.second, border ? -1 : there->second.second};
     Face& f = faces_[static_cast<std::size_t>(e.f)];
-    // Standing out: the neighbour goes down on the other side.
+    // The edge stands out only if the neighbour face descends on its other side.
     if (!border) {
       const Face& g = faces_[static_cast<std::size_t>(e.g)];
       if (g.n.dot(f.out[static_cast<std::size_t>(e.sideF)]) <= kSamePlane) continue;
@@ -66,7 +67,7 @@ void Surface::findEdges() {
   }
 }
 
-/// Corners at which two edges or more stand out that are not one line.
+/// Finds the corners at which two or more edges stand out that do not form one line.
 void Surface::findCorners() {
   std::map<int, std::set<int>> neighbours;
   std::map<int, std::vector<int>> facesOf;
@@ -95,7 +96,7 @@ void Surface::findCorners() {
   }
 }
 
-/// Halves at the median of the longest side of the box.
+/// Builds a node of the tree; it is halved at the median along the longest side of its box.
 int Surface::build(int first, int count) {
   const auto begin = order_.begin() + first;
   const int node = static_cast<int>(nodes_.size());
@@ -129,7 +130,7 @@ std::string Surface::featureName(int id) const {
   return "corner" + std::to_string(id - faces - edges);
 }
 
-/// What one ball meets: its centre and velocity in axes of the surface.
+/// Search for the contacts of one ball, with its centre and velocity in axes of the surface.
 struct Surface::Query {
   const Frame &A, &B;
   const RoundFeature& ball;
@@ -150,7 +151,8 @@ struct Surface::Query {
     setDirections(contact.at, n_I, ndot_I, Vec3::Zero());
     contact.at.P = c_I - ball.radius * n_I, contact.at.Pdot = v_I - ball.radius * ndot_I;
   }
-  /// From the point p of the surface, the part of the way along e left out.
+  /// Takes the contact with the point p of the surface; the part of the
+  /// distance along e is left out.
   void takeFrom(int id, const Vec3& p, const Vec3& e) {
     const Vec3 d = A.A_IK * (c - p), e_I = A.A_IK * e;
     const double distance = d.norm();
@@ -216,7 +218,7 @@ void Surface::lookAt(int number, Query& q) const {
   const double beside = kBeside * (at(f.v[1]) - at(f.v[0])).norm();
   bool over = true;
   for (std::size_t k = 0; k < 3; ++k) over = over && f.out[k].dot(q.c - at(f.v[k])) <= beside;
-  // One side: what is deeper than its own size is on the other.
+  // A mesh has one side: a ball deeper than its own size counts as on the other side.
   const double deepest = closed_ ? 0.0 : -q.reach;
   if (over && height <= q.reach && height >= deepest) {
     const Vec3 n = q.A.A_IK * f.n;

@@ -1,8 +1,8 @@
-/// A shape as contact sees it: what of it can touch.
+/// TouchingShape: the parts of a shape that can touch others, its features.
 ///
-/// A feature is a convex part of the shape by its support function: h(d) = max over its points x of
-/// d·x, for |d| = 1 in axes of the frame. The point that touches a plane with the outward normal
-/// −d, and how it wanders while d turns, are the derivatives:
+/// A feature is a convex part of the shape, given by its support function h(d) = max of d·x over
+/// its points x, for |d| = 1 in axes of the frame. Its derivatives give the point x that touches a
+/// plane with the outward normal −d, and the velocity of x over the body while d turns:
 ///
 ///   x = ∇h(d),   ẋ = H ḋ,   H = ∇²h(d)                      [Schneider, Convex bodies, 1.7
 ///   and 2.5]
@@ -14,8 +14,8 @@
 ///   contour, convex, in a plane   h = d·c + max_φ d·x(φ)  H = t tᵀ/κ
 ///   smooth shape                  h = d·c + d·x(d)        as the shape says (smooth_shape.hpp)
 ///
-/// A rim that lies flat (s = 0) touches all around: four points of it that are fixed in the body
-/// stand for the circle there, beside the lowest one.
+/// A rim that lies flat (s = 0) touches along its whole circle. Four points of the rim that are
+/// fixed in the body then represent the circle, in addition to its lowest point.
 #pragma once
 #include <dynamy/system/topology.hpp>
 #include <string>
@@ -23,9 +23,10 @@
 
 namespace dynamy {
 
-/// The unit vector across the axis a, |a| = 1, nearest to d. d − (a·d) a of a d that is nearly
-/// along a is off by its rounding over its length, along a: that part is taken out again, or the
-/// lowest point of a rim that lies almost flat would be as far off its plane.
+/// The unit vector orthogonal to the axis a, |a| = 1, that is nearest to d. If d is nearly parallel
+/// to a, the normalized d − (a·d) a has an amplified rounding error along a, which is removed in a
+/// second step. Otherwise the lowest point of a rim that lies almost flat would be off the plane of
+/// the rim by this error.
 inline Vec3 unitAcross(const Vec3& d, const Vec3& a) {
   const Vec3 e = (d - a.dot(d) * a).normalized();
   return (e - a.dot(e) * a).normalized();
@@ -38,33 +39,34 @@ class SmoothShape;
 
 /// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
 struct RoundFeature {
-  Vec3 c_K = Vec3::Zero();  ///< in axes of the frame, from its origin [m]
+  Vec3 c_K = Vec3::Zero();  ///< centre from the frame's origin, in axes of the frame [m]
   double radius = 0.0;      ///< [m]
 };
 
 /// A convex part of a shape.
 struct SupportFeature : RoundFeature {
   enum class Kind : std::uint8_t { ball, rim, ellipsoid, contour, smooth } kind = Kind::ball;
-  bool flatOnly = false;       ///< touches while the circle about `axis_K` lies almost flat
+  bool flatOnly = false;       ///< touches only while the circle about `axis_K` lies almost flat
   Vec3 axis_K = Vec3::Zero();  ///< rim: a
   double rho = 0.0;            ///< rim: radius of the circle; `radius` is that of the tube [m]
-  /// Ellipsoid: D² in axes of the frame [m²]. Contour: its axes, the third across its plane. Smooth
-  /// shape: its axes.
+  /// Ellipsoid: D² in axes of the frame [m²]. Contour: its axes, the third normal to its plane.
+  /// Smooth shape: the axes of the shape.
   Mat3 square_K = Mat3::Zero();
   const Contour* contour = nullptr;     ///< borrowed
   const SmoothShape* smooth = nullptr;  ///< borrowed
-  std::string name;                     ///< in names of contacts; empty: the shape has no other
+  std::string name;                     ///< for names of contacts; empty: its shape's only one
 
   double support(const Vec3& d_K) const;        ///< h(d) [m]
   Vec3 point(const Vec3& d_K) const;            ///< x(d) [m]
   Mat3 pointDerivative(const Vec3& d_K) const;  ///< H(d) [m]
-  /// Whether it can touch a plane with the normal −d: the lowest point of a flat rim is any.
+  /// Can it touch a plane with the normal −d? A flat rim cannot, as all
+  /// of its points are equally low.
   bool touches(const Vec3& d_K) const;
 };
 
-/// A shape as contact sees it: a half space, or its features.
+/// The data of a shape for contact: a half space, or a list of features.
 struct TouchingShape {
-  /// In a pair the shape of the later kind is A.
+  /// Kind of the shape. In a pair of shapes, A is the one whose kind comes later in this list.
   enum class Kind : std::uint8_t {
     none,
     ball,
@@ -75,7 +77,7 @@ struct TouchingShape {
     smooth,  ///< an ellipsoid, or a SmoothShape
     other,
     contour,
-    section,  ///< of a round body, with corners
+    section,  ///< section of a round body, with corners
     polygon,
     box,
     polyhedron,
@@ -90,28 +92,31 @@ struct TouchingShape {
   Vec3 p_K = Vec3::Zero();      ///< half space: a point of its plane; else the middle
   Vec3 grain_K = Vec3::Zero();  ///< unit vector along which friction differs, or zero
   Mat3 A_KB = Mat3::Identity();
-  /// Half edge lengths of a box; of a capsule, cylinder or cone: radius, radius, half length
-  /// [m].
+  /// Half edge lengths of a box; for a capsule, cylinder or cone: radius, radius, half length [m].
   Vec3 half = Vec3::Zero();
   const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
-  /// A ball that turns about its middle, which is that of its body.
+  /// Is it a ball whose centre is the origin of its frame, so that rotations do not move it?
   bool isBall() const { return kind == Kind::ball && p_K.isZero(0.0); }
-  /// Of a polyhedron, or of a box that may meet one, in axes of the shape; borrowed.
+  /// Faces, edges and corners of a polyhedron, or of a box that may touch one,
+  /// in axes of the shape; borrowed.
   const Polyhedron* polyhedron = nullptr;
-  /// Corners in a plane of motion if they are convex, counterclockwise about its normal.
+  /// Corners of the section in a plane of motion, counterclockwise about its normal; empty if the
+  /// section is not convex.
   std::vector<Vec3> polygon_K;
   double bound = 0.0;      ///< radius of a ball about the middle that holds the shape [m]
-  double thickness = 0.0;  ///< half of its least width; infinite: nothing passes it, or a point [m]
+  double thickness = 0.0;  ///< half of its least width [m]; infinite: a point, or nothing passes it
 
-  /// A point or a line: no inside, and no side on which another without one would have to stay.
+  /// Is it a point or a line? Two of these have no inside, and thus no
+  /// sides on which they could stay.
   bool isThin() const { return bound == 0.0 || thickness == 0.0; }
 
   bool isBox(std::size_t corners) const { return kind == Kind::box && features.size() == corners; }
 };
 
-/// Takes a shape apart. `plane`: normal of the plane of motion in the shape's frame, or zero; in a
-/// plane a shape is its section: a box with an edge along the normal has four corners there, a
-/// cylinder along it is a ball. Kind::none: cannot touch.
+/// Returns the features of a shape that can touch; Kind::none: it cannot touch. `plane_K`: normal
+/// of the plane of motion in the shape's frame, or zero. In a plane of motion a shape is replaced
+/// by its section: a box with an edge along the normal has four corners, a cylinder along the
+/// normal is a ball.
 TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K);
 
 }  // namespace dynamy

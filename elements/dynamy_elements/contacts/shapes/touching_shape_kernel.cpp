@@ -11,7 +11,8 @@ namespace {
 
 /// Sine of the tilt of a circle below which points of it that are fixed in the body touch as well.
 constexpr double kFlat = 0.1;
-/// Sine of the tilt below which a circle has no lowest point: it says where to 1e-16/1e-12 rad.
+/// Sine of the tilt below which a circle has no lowest point: its
+/// direction is known to 1e-16/1e-12 rad.
 constexpr double kLevelFace = 1e-12;
 
 /// d without its part along the axis a.
@@ -75,7 +76,7 @@ class Features {
  public:
   Features(TouchingShape& out, const Vec3& plane_B) : out_(out), shape_(*out.shape) {
     const double most = plane_B.cwiseAbs().maxCoeff(&along_);
-    // A unit vector along an axis, up to the rounding of an orientation.
+    // The normal counts as along an axis of the shape up to the rounding of an orientation.
     inSpace_ = plane_B.isZero(0.0);
     if (most < 1.0 - 1e-12) along_ = -1;
   }
@@ -89,7 +90,7 @@ class Features {
     f.c_K = shape_.r_SB_K() + shape_.A_KB() * c_B, f.radius = radius, f.name = std::move(name);
     out_.features.push_back(std::move(f));
   }
-  /// Circle about z through the height z, and four points of it for when it lies flat.
+  /// Circle about the z axis at the height z, with four of its points that touch when it lies flat.
   void rim(double z, double rho, double tube, const std::string& name) {
     const Vec3 axis_K = shape_.A_KB().col(2);
     SupportFeature f;
@@ -104,8 +105,9 @@ class Features {
       out_.features.back().flatOnly = true, out_.features.back().axis_K = axis_K;
     }
   }
-  /// Points given in the shape's axes as they cut the plane of motion: `points` with a coordinate
-  /// above zero along its normal are left out, the others moved into it.
+  /// Corners of the section with the plane of motion, for `points` in the shape's
+  /// axes. Points with a coordinate above zero along the plane's normal are left out,
+  /// the others moved into the plane.
   void corners(const std::vector<Vec3>& points) {
     for (Vec3 point : points) {
       if (along_ >= 0 && point[along_] > 0.0) continue;
@@ -207,7 +209,8 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   feature.square_K = A * semi.cwiseAbs2().asDiagonal() * A.transpose();
 }
 
-/// In a plane of motion a section would have to be known, not the shadow.
+/// A smooth shape has no features in a plane of motion: its section
+/// would be needed, not its shadow.
 void smooth(Features& f, const SmoothShape& shape, TouchingShape& out) {
   const SmoothShape::Extent extent = shape.extent();
   out.bound = extent.bound, out.thickness = extent.halfWidth;
@@ -220,8 +223,8 @@ void smooth(Features& f, const SmoothShape& shape, TouchingShape& out) {
   feature.square_K = shape.A_KB(), feature.smooth = &shape;
 }
 
-/// Half of the least width of a convex body: across one of its faces, or less where edges face each
-/// other, which is never thinner than the largest ball inside.
+/// Half of the least width of a convex body across one of its faces. It may be less where edges
+/// face each other, but never less than the radius of the largest ball inside.
 double halfWidth(const ShapeGeometry& g) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 2 < g.points.size(); i += 3) {
@@ -255,7 +258,7 @@ void contour(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   out.features.back().square_K = out.shape->A_KB();
 }
 
-/// Two points: a capsule without a radius.
+/// A line of two points, which touches as a capsule without a radius.
 void line(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (g.points.size() != 2 || (!f.inSpace() && f.along() < 0)) return;
   const Vec3 way = g.points[1] - g.points[0];
@@ -269,7 +272,7 @@ void line(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 
 /// A polygon that lies in the plane of motion.
 void polygon(Features& f, const ShapeGeometry& g, TouchingShape& out) {
-  // Also in space, where it does not touch: shapes are near each other by their bounds there.
+  // The bound is set in space, too, where the polygon does not touch: near shapes are found by it.
   out.thickness = std::numeric_limits<double>::infinity();
   for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
   if (f.along() < 0) return;
@@ -282,7 +285,7 @@ void polygon(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     f.ball(g.points[i], 0.0, "corner" + std::to_string(i));
 }
 
-/// The corners of a section in their order about the normal, which is that of their angles.
+/// Orders the corners of a section about the normal, by their angles.
 void orderCorners(TouchingShape& out, const Vec3& plane_K) {
   Vec3 middle = Vec3::Zero();
   for (const SupportFeature& f : out.features) {
@@ -295,7 +298,7 @@ void orderCorners(TouchingShape& out, const Vec3& plane_K) {
   const auto angle = [&](const Vec3& p) {
     return std::atan2(y.dot(p - middle), x.dot(p - middle));
   };
-  // A polygon may run either way round.
+  // The corners of a polygon may be given in either sense.
   const auto at = [&](std::size_t i) { return corners[i % corners.size()]; };
   double area = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i)

@@ -47,14 +47,14 @@ enum class AttributeType {
   choice,      ///< one word of a list
   text,        ///< free text
   name,        ///< a name given by the user
-  reference,   ///< name of something in the model; what, says `referenceKind`
+  reference,   ///< name of something in the model, of the kind `referenceKind`
   vector,      ///< `size` numbers (0: any count)
   names,       ///< list of names or words
   expression,  ///< formula over variables the element defines; compiled by the element
   expressions  ///< list of formulas, separated by ';'
 };
 
-/// Kinds of things a plug-in can bring; the base class of a registered type decides its kind.
+/// Kinds of types a plug-in can register; the base class of a registered type decides its kind.
 enum class Kind {
   system,
   contact,
@@ -114,7 +114,7 @@ struct Attribute {
   bool mustBeGiven() const { return !defaultValue && !optionalValue; }
 };
 
-/// Shortest text that reads back as the same number; "inf" and "nan" where it is one.
+/// Shortest text that reads back as the same number; "inf" for infinity, "nan" for no number.
 std::string numberText(double x);
 
 /// Child elements an element accepts.

@@ -5,7 +5,7 @@
 namespace dynamy {
 
 void throwNamed(const Element& element) {
-  // One that is built in C++ may have no type, or no name.
+  // An element that is built in C++ may have no type, or no name.
   const std::string type = element.type().empty() ? "element" : element.type();
   std::string text = '<' + type;
   if (!element.name().empty()) text += " name=\"" + element.name() + '"';
@@ -19,7 +19,7 @@ void throwNamed(const Element& element) {
   } catch (const std::bad_alloc&) {  // no fault of the element
     throw;
   } catch (const ModelError& e) {
-    // All contacts of shapes are one element that no file names.
+    // All contacts of shapes belong to one element, which stands in no file.
     if (element.type().empty() && element.name().empty()) throw;
     throw ElementFault(text + " failed: " + e.what());
   } catch (const std::exception& e) {

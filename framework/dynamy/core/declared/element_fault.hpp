@@ -1,4 +1,4 @@
-/// What an element throws while a run goes on, told with its name and place.
+/// Exceptions that elements throw during a run, reported with the name and place of the element.
 #pragma once
 #include <dynamy/core/declared/element.hpp>
 #include <stdexcept>
@@ -11,10 +11,11 @@ class ElementFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Inside of a handler: throws an ElementFault that names `element`, or passes one on.
+/// To be called inside a handler: throws an ElementFault that names `element`. If the exception is
+/// an ElementFault already, it is passed on.
 [[noreturn]] void throwNamed(const Element& element);
 
-/// Calls `call()`; costs nothing unless it throws.
+/// Calls `call()`; an exception is rethrown by throwNamed(). Costs nothing unless `call` throws.
 template <class Call>
 void named(const Element& element, Call&& call) {
   try {

@@ -1,5 +1,5 @@
-/// Values of attributes: access for elements, and the way of a C++ model, which checks names and
-/// values against the same declaration as a file.
+/// Values of attributes: access for elements, and models built in C++, whose names and values are
+/// checked against the same declaration as those of a file.
 
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/declared/unknown_name.hpp>

@@ -1,5 +1,5 @@
-/// Parameters: the checked values of one element, made from XML by io/model/model_loader or in C++ by
-/// `Parameters::of<T>`.
+/// Parameters: the checked values of one element, made from XML by io/model/model_loader or in C++
+/// by `Parameters::of<T>`.
 ///
 /// The same declaration (`T::declare(Attributes&)`) checks both ways, so that a C++ model gets the
 /// same messages as an XML file. Separate settings structs per element were rejected: they would be
@@ -24,8 +24,8 @@ struct ValuePart {
   std::size_t offset = 0;
 };
 
-/// Value of one attribute; converts to what the declaration says. Converting to another type is a
-/// programmer's error.
+/// Value of one attribute; converts to the type that the declaration states. Converting to another
+/// type is a programmer's error.
 class ParameterValue {
  public:
   const Attribute* declaration = nullptr;
@@ -75,7 +75,7 @@ class Parameters {
     T::declare(a);
     return fromGiven(std::move(a), std::move(type), std::move(name), given);
   }
-  /// The same for a declaration at hand, e.g. of a registered type.
+  /// Checks `given` against an existing declaration, e.g. of a registered type.
   static Parameters of(const Attributes& declaration, std::string type, std::string name,
                        const std::vector<GivenValue>& given) {
     return fromGiven(declaration, std::move(type), std::move(name), given);
@@ -131,7 +131,7 @@ std::unique_ptr<T> Parameters::takeOne() const {
   return all.empty() ? nullptr : std::move(all.front());
 }
 
-/// What is wrong with the text of a value, and with which bytes of it.
+/// What is wrong with the text of a value, and which bytes of it are wrong.
 struct ValueFault {
   std::string text;  ///< e.g. `must be > 0, is -1`
   std::string hint;
@@ -139,13 +139,13 @@ struct ValueFault {
 };
 
 /// Checks `value.text` (already without braces) against its declaration and fills
-/// `value.numbers`. Ranges bind values that are given; a default may stand outside, for "none".
+/// `value.numbers`. Ranges apply to given values only; a default outside the range means "none".
 std::optional<ValueFault> readValue(const Attribute& a, ParameterValue& value);
 
-/// `"a", "b", "c"` of at most `most` words, with `…` for the rest: what was expected.
+/// Expected words as a list `"a", "b", "c"` of at most `most` words, with `…` for the rest.
 std::string quotedList(const std::vector<std::string>& words, std::size_t most = 12);
 
-/// The hint for a name that is unknown: did you mean …, else what is known, else "".
+/// The hint for an unknown name: did you mean …, else the list of known names, else "".
 std::string unknownNameHint(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace dynamy

@@ -1,5 +1,5 @@
-/// Reads the text of a value as its declaration asks: numbers with suffixes of the right family of
-/// units, ranges, words of a list. Each fault says what was expected and what was found.
+/// Reads the text of a value as its declaration requires: numbers with suffixes of the right family
+/// of units, ranges, words of a list. Each fault says what was expected and what was found.
 
 #include <algorithm>
 #include <cmath>
@@ -108,13 +108,13 @@ std::string inLowerCase(std::string_view text) {
   return out;
 }
 
-/// Whether a number in units of this family is one of `a`.
+/// True: the attribute accepts a number with a unit of this family.
 bool fits(UnitFamily given, const Attribute& a) {
   return given == UnitFamily::none || a.unit == Unit::any || given == family(a.unit);
 }
 
-/// The hint for a word that is no number: what was misspelt, a unit that fits without its number,
-/// or that it is a formula ("h" is no position in hours).
+/// The hint for a word that is no number: the word that was misspelt, a fitting unit without its
+/// number, or a parameter or formula without braces ("h" is no position in hours).
 std::string whatToWrite(const Attribute& a, std::string_view word, const ExpressionError& e) {
   if (!e.suggestion().empty()) return didYouMean(e.suggestion());
   const bool name = e.offset() == 0 && word.find_first_of("0123456789") != 0;
@@ -126,7 +126,7 @@ std::string whatToWrite(const Attribute& a, std::string_view word, const Express
   return "a parameter or a formula stands in braces: {" + std::string(word) + '}';
 }
 
-/// One number with its suffix; `given` values are bound by the range.
+/// Reads one number with its suffix; the range applies to `given` values only.
 std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, bool given,
                                      double& x) {
   const auto fault = [&](std::string text) {
@@ -135,7 +135,7 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
   const std::string plain = inLowerCase(word.text);
   const bool infinite = plain == "inf" || plain == "-inf" || plain == "infinity";
   if (infinite) {
-    // Only where the declaration names the word: elsewhere infinity makes nonsense of a step.
+    // Infinity is accepted only if the declaration names the word; else steps would be nonsense.
     const bool admitted = std::find(a.choices.begin(), a.choices.end(), plain) != a.choices.end();
     if (given && !admitted) return fault("must be finite, is " + std::string(word.text));
     if (word.text != "inf" && word.text != "-inf") return fault("infinity is written inf");
@@ -170,7 +170,7 @@ std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
       a.type == AttributeType::vector ? static_cast<std::size_t>(a.size) : 1;
   const ValueFault whole{{}, {}, 0, value.text.size()};
 
-  // Each word by itself, then their number.
+  // Check each word by itself, then the number of words.
   value.numbers.clear();
   for (const ReadWord& word : words) {
     double x = 0.0;
@@ -202,7 +202,7 @@ std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
   return std::nullopt;
 }
 
-/// Numbers; where they cannot be read because they are written in another way, the fault says so
+/// Reads numbers. If they cannot be read because they are written in another way, the fault says so
 /// and how to write them.
 std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value) {
   auto fault = readWords(a, value);
@@ -218,7 +218,7 @@ std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value)
     hint = "write \"" + text + '"';
     break;
   }
-  // A unit is meant where it fits: "0 0 h" is no position in hours.
+  // A word counts as a unit only if this unit fits: "0 0 h" is no position in hours.
   const bool meant = !odd.text.empty() && !(odd.guess && hint.empty());
   if (meant) fault = ValueFault{odd.text, {}, odd.offset, odd.length};
   if (!hint.empty()) fault->hint = hint;

@@ -1,4 +1,4 @@
-/// Which attribute was meant by a name that an element does not have.
+/// Finds the attribute that was probably meant by a name that an element does not have.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,12 +7,12 @@
 namespace dynamy {
 
 struct MeantName {
-  std::string name;  ///< the one of ours that was probably meant, "" if none
+  std::string name;  ///< the known name that was probably meant, "" if none
   std::string hint;  ///< what to print after the dash of the message
 };
 
-/// In this order: the same name in another case, the word of another program (core/other_words),
-/// the nearest name, the list of `known`.
+/// Tries, in this order: the same name in another case, the word of another program
+/// (core/other_words), the nearest name, the list of `known`.
 MeantName meantAttribute(std::string_view name, const std::vector<std::string>& known);
 
 /// The name of `known` that differs from `name` in case only, "" if there is none.

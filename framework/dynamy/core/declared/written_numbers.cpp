@@ -22,7 +22,8 @@ std::string withAll(std::string text, std::string_view from, std::string_view to
   return text;
 }
 
-/// "m/s^2", "m/s²", "N*m" → "m/s2", "Nm"; words of others in ours. "" if it is no unit.
+/// The unit that was meant: "m/s^2", "m/s²" → "m/s2", "N*m" → "Nm", words of other programs → our
+/// units. "" if the word is no unit.
 std::string unitMeant(std::string_view word) {
   std::string unit(word);
   for (const std::string_view sign : {"^", "*", "·"}) unit = withAll(std::move(unit), sign, "");
@@ -37,7 +38,7 @@ std::string unitMeant(std::string_view word) {
   return parseUnitSuffix(unit) ? unit : std::string();
 }
 
-/// A word as its number and what follows; an empty number if it begins with none.
+/// A word split into its number and the rest; the number is empty if the word begins with none.
 struct NumberAndRest {
   std::string number, rest;
 };
@@ -58,7 +59,8 @@ NumberAndRest numberAndRest(const std::string& word) {
   return {word.substr(0, at), word.substr(at)};
 }
 
-/// Words with units right after their numbers; a single unit at the end is that of all.
+/// The words with units right after their numbers. If only the last number has a unit, all numbers
+/// get it.
 std::string withUnits(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> words;
@@ -83,7 +85,7 @@ std::string withUnits(const std::string& text) {
   return out;
 }
 
-/// The unit vector of "x", "-y", "Z"; "" if it is none.
+/// The unit vector of an axis "x", "-y", "Z"; "" if the text is no axis.
 std::string axisVector(std::string_view text) {
   const bool negative = text.starts_with("-");
   if (negative || text.starts_with("+")) text.remove_prefix(1);

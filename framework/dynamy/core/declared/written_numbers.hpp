@@ -1,4 +1,4 @@
-/// How numbers are written that could not be read: a better text and what was wrong with the old.
+/// Numbers that cannot be read as they are written: what is wrong with the text, and a better text.
 #pragma once
 #include <string>
 #include <string_view>
@@ -6,18 +6,18 @@
 
 namespace dynamy {
 
-/// What is not written as dynamY writes numbers, e.g. `has a blank before the unit "kg"`; "" if
-/// nothing of the kind was found. `offset`, `length`: the bytes in the text.
+/// A difference from the way dynamY writes numbers, e.g. `has a blank before the unit "kg"`; "" if
+/// none was found. `offset`, `length`: the bytes in the text.
 struct OddWriting {
   std::string text;
   std::size_t offset = 0, length = 0;
-  bool guess = false;  ///< a word is a unit, or a parameter with its name: "h"
+  bool guess = false;  ///< true: the word, e.g. "h", is a unit or the name of a parameter
 };
 OddWriting oddWriting(std::string_view text);
 
 /// Texts that may have been meant, the likeliest first: blanks for other separators and for
-/// brackets, decimal points for commas, units right after their numbers and in our words, "0 1 0"
-/// for an axis "y". The reader takes the first that reads as its declaration asks.
+/// brackets, decimal points for commas, units right after their numbers and in the spelling of
+/// dynamY, "0 1 0" for an axis "y". The reader takes the first text that the declaration accepts.
 std::vector<std::string> probableNumbers(std::string_view text);
 
 }  // namespace dynamy

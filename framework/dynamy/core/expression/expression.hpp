@@ -69,9 +69,9 @@ class ExpressionSet {
   /// listed, true says that the gradient is constant.
   bool isAffine(int output, std::span<const int> variables) const;
 
-  /// First value of x[variable] behind `after` at which step, clamp, abs, a condition, floor … of
-  /// any formula changes its branch; infinity: none. Seen where what they compare is affine in this
-  /// variable on the branch that holds, and free of the others.
+  /// First value of x[variable] beyond `after` at which step, clamp, abs, a condition, floor … of
+  /// any formula changes its branch; infinity: none. A change is found only if the compared values
+  /// are, on the present branch, affine in this variable and free of the others.
   double nextInstant(double after, int variable) const;
 
  private:
@@ -94,12 +94,12 @@ class ExpressionSet {
 /// Collects formulas and makes the set.
 class ExpressionCompiler {
  public:
-  /// `simplifies` = false: results are those of evaluateConstant with the variables' values as
-  /// constants, bit by bit; derivatives at a power of 0 are not those of products.
+  /// `simplifies` = false: results are, bit by bit, those of evaluateConstant with the variables'
+  /// values as constants. Powers are then not products, and derivatives at a power of 0 differ.
   explicit ExpressionCompiler(SymbolTable symbols, bool simplifies = true);
 
   /// Adds a formula and returns the index of its output. Raises ExpressionError; the compiler can
-  /// be used on.
+  /// still be used afterwards.
   int add(std::string_view text);
 
   /// The set of all formulas added so far; parts that no output needs are left out.

@@ -8,7 +8,7 @@ namespace dynamy {
 
 namespace {
 
-/// The operation on constants, by the same code that the tape runs.
+/// Result of an operation on constants, computed by the same code that the tape runs.
 double fold(Op op, double a, double b) {
   double values[2] = {a, b};
   return applyInstruction<0>({op, 0, 1, 0}, {values, nullptr, nullptr, nullptr}).v;
@@ -74,8 +74,8 @@ ExpressionGraph::Node ExpressionGraph::add(Node a, Node b) {
   if (isValue(b, 0.0)) return a;
   if (nodes_[b].op == Op::negate) return subtract(a, nodes_[b].a);
   if (nodes_[a].op == Op::negate) return subtract(b, nodes_[a].a);
-  // Sums and products of two floating-point numbers commute exactly: one order, so that a + b and b
-  // + a are shared.
+  // Sums and products of two floating-point numbers commute exactly: operands are sorted, so that
+  // a + b and b + a are shared.
   if (b < a) std::swap(a, b);
   return intern({Op::add, a, b, 0});
 }

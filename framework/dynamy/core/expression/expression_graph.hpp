@@ -1,5 +1,5 @@
-/// Operations of an expression as a graph without duplicates: what the parser writes and the tape
-/// is made of.
+/// Operations of an expression as a graph without duplicates, which the parser writes and from
+/// which the tape is made.
 ///
 /// A node is a variable, a constant, or an operation on earlier nodes; equal nodes exist once.
 /// Operations on constants are carried out at once, x + 0, x · 1, x · 0, −(−x) and small integer
@@ -72,8 +72,8 @@ class ExpressionGraph {
   using Node = std::uint32_t;
 
   ExpressionGraph() = default;
-  /// `simplifies` = false: the tape computes what constants in place of the variables would give,
-  /// bit by bit.
+  /// `simplifies` = false: results of the tape equal, bit by bit, those with constants in place of
+  /// the variables.
   explicit ExpressionGraph(bool simplifies) : simplifies_(simplifies) {}
 
   Node variable(int slot);

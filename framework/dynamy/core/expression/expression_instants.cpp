@@ -6,10 +6,11 @@
 namespace dynamy {
 namespace {
 
-/// Of the value: an instant so close behind it has just been passed.
+/// Relative distance: an instant that is so close after the present one has just been passed.
 constexpr double kInstantPassed = 1e-13;
 
-/// a t + b on the branches that hold right behind an instant, until the next one; else not known.
+/// Value a t + b of an operation, valid on its branches right after an instant and up to the next
+/// one; `known` is false for other values.
 struct Line {
   bool known = false;
   double a = 0.0, b = 0.0;
@@ -17,7 +18,7 @@ struct Line {
 
 Line constant(double value) { return {true, 0.0, value}; }
 
-/// Lines of the operands to that of the result; notes where branches end.
+/// Computes the line of a result from the lines of its operands, and notes where branches end.
 class Branches {
  public:
   explicit Branches(double after) : behind_(after + kInstantPassed * std::abs(after)) {}
@@ -103,7 +104,7 @@ class Branches {
     if (root > behind_ && root < next_) next_ = root;
   }
 
-  /// Sign right behind, and where it changes.
+  /// Sign of the line right after the instant; notes where it changes.
   double side(const Line& x) {
     if (!x.known) return 0.0;
     if (x.a != 0.0) note(-x.b / x.a);

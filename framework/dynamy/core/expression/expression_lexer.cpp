@@ -25,7 +25,7 @@ struct Symbol {
   TokenKind kind;
 };
 
-/// Longer symbols before their beginnings.
+/// A longer symbol stands before the symbols that it begins with.
 constexpr auto kSymbols = std::to_array<Symbol>({
     {"<=", TokenKind::lessEqual},   {">=", TokenKind::greaterEqual}, {"==", TokenKind::equal},
     {"!=", TokenKind::notEqual},    {"&&", TokenKind::logicalAnd},   {"||", TokenKind::logicalOr},
@@ -42,7 +42,7 @@ struct Replacement {
   std::string_view right;
 };
 
-/// What other notations write, and what to write here.
+/// Signs of other notations, and the signs to write here.
 constexpr auto kReplacements = std::to_array<Replacement>({
     {"**", "^"},
     {"=", "=="},
@@ -70,7 +70,7 @@ class Lexer {
 
   std::vector<Token> run() {
     std::vector<Token> tokens;
-    tokens.reserve(text_.size() / 2 + 2);  // what most need
+    tokens.reserve(text_.size() / 2 + 2);  // enough for most texts
     while (true) {
       while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
       if (at_ == text_.size()) break;

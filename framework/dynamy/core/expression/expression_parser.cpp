@@ -101,7 +101,7 @@ class Parser {
 
   bool isEndless(Node n) const { return graph_.isConstant(n) && !std::isfinite(graph_.value(n)); }
 
-  /// A branch that is never taken may be anything: only what the result is made of counts.
+  /// True: the result needs a part that is not finite. A branch that is never taken does not count.
   bool needsEndless(Node result) const {
     std::vector<bool> needed(result + 1, false);
     needed[result] = true;
@@ -270,7 +270,7 @@ class Parser {
     ++at_;
     if (const SymbolTable::Symbol* found = symbols_.find(name)) {
       if (found->isVariable) return graph_.variable(found->slot);
-      // Told where it stands: what uses it stays silent.
+      // A symbol that is not finite is reported where it is defined, not again where it is used.
       brokenSymbol_ = brokenSymbol_ || !std::isfinite(found->value);
       return graph_.constant(found->value);
     }

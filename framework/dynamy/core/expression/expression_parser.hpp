@@ -16,7 +16,7 @@
 
 namespace dynamy {
 
-/// What parts of constants alone may give, such as 1/0.
+/// Values that parts made of constants alone may have: 1/0 is not finite.
 enum class ConstantParts { any, finite };
 
 /// The node of the expression's value. Raises ExpressionError, with ConstantParts::finite also for

@@ -12,7 +12,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Where the entries of the outer dimension (columns or rows) begin: from 0 on, never back.
+/// Checks the indices at which the columns or rows begin: they start at 0 and never decrease.
 void checkPointers(const Hdf5File& file, const std::string& place, const std::vector<int>& p,
                    int outer, std::size_t entries) {
   const auto wanted = static_cast<std::size_t>(outer) + 1;
@@ -27,8 +27,8 @@ void checkPointers(const Hdf5File& file, const std::string& place, const std::ve
   if (static_cast<std::size_t>(p.back()) > entries) file.fail(place, "points beyond the entries");
 }
 
-/// Rows or columns as the file says them; they must be those of its vectors before a matrix of that
-/// size is made.
+/// Reads the number of rows or columns. It must match the vectors of the file before a matrix of
+/// that size is created.
 int readSize(const Hdf5File& file, const std::string& place, Eigen::Index wanted) {
   const int size = file.integer(place);
   if (size < 0) file.fail(place, "is negative");
@@ -38,7 +38,8 @@ int readSize(const Hdf5File& file, const std::string& place, Eigen::Index wanted
   return size;
 }
 
-/// Triplets (nz ≥ 0), compressed columns (−1) or rows (−2); repeated entries are summed.
+/// Reads a matrix stored as triplets (nz ≥ 0), compressed columns (−1) or rows (−2); repeated
+/// entries are summed.
 Sparse readMatrix(const Hdf5File& file, const std::string& place, Eigen::Index rows,
                   Eigen::Index columns) {
   const int m = readSize(file, place + "/m", rows), n = readSize(file, place + "/n", columns),
@@ -98,7 +99,7 @@ std::string groupName(const FclibProblem& p) {
   return std::string(p.global ? "/fclib_global" : "/fclib_local") + (p.dim == 5 ? "_rolling" : "");
 }
 
-/// Sizes and signs of what belongs to each contact; `rows`: of the problem.
+/// Checks sizes and signs of the coefficients of each contact; `rows`: rows of the problem.
 void checkContacts(const Hdf5File& file, const FclibProblem& p, Eigen::Index rows,
                    const std::string& group) {
   if (rows % p.dim != 0)
@@ -218,7 +219,7 @@ FclibProblem condensed(const FclibProblem& p) {
   Eigen::VectorXd column(p.rows());
   for (int j = 0; j < p.rows(); ++j) {
     const Eigen::VectorXd x = inverse * Eigen::VectorXd(p.H.col(j));
-    // Bodies that contact j does not move have exact zeros.
+    // Bodies that row j does not move have exact zeros.
     column.setZero();
     for (Eigen::Index k = 0; k < x.size(); ++k)
       if (x[k] != 0.0)

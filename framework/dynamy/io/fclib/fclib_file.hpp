@@ -7,9 +7,9 @@
 ///   global:  M v = H r + f,  u = Hᵀ v + w;     W = Hᵀ M⁻¹ H,  q = Hᵀ M⁻¹ f + w
 ///   law:     K_μ* ∋ u_c + μ_c |u_T,c| e_n ⊥ r_c ∈ K_μ      for every contact c
 ///
-/// In the letters of this framework: G = W, c = q, Λ = r, ξ = u. `dim` rows a contact, the normal
-/// first; rolling problems have 5 (n, t1, t2, m1, m2). Besides, plain complementarity problems of
-/// the layout /lcp/M, /lcp/q are read: dim = 1.
+/// In the letters of this framework: G = W, c = q, Λ = r, ξ = u. A contact has `dim` rows, the
+/// normal first; rolling problems have 5 (n, t1, t2, m1, m2). Plain complementarity problems in the
+/// layout /lcp/M, /lcp/q are read as well, with dim = 1.
 
 #include <Eigen/SparseCore>
 #include <dynamy/solver/problem/given_problem.hpp>
@@ -43,12 +43,13 @@ FclibProblem readFclib(const std::filesystem::path& file);
 void writeFclib(const std::filesystem::path& file, const FclibProblem& problem,
                 const FclibSolution& solution = {});
 
-/// The local form of a global problem; a local problem itself. \throws ModelError M is singular
+/// The local form of a global problem; a local problem is returned unchanged. \throws ModelError M
+/// is singular
 FclibProblem condensed(const FclibProblem& problem);
 /// v = M⁻¹ (H r + f). \throws ModelError M is singular
 Eigen::VectorXd velocities(const FclibProblem& global, const Eigen::VectorXd& r);
 
-/// The laws and numbers of a local problem as the solvers want them.
+/// A local problem as laws and numbers in the form that the solvers take.
 std::unique_ptr<GivenProblem> inclusionProblem(const FclibProblem& local);
 
 }  // namespace dynamy

@@ -11,7 +11,7 @@
 namespace dynamy {
 namespace {
 
-/// The library prints its error stack by itself; not while one of these lives.
+/// Prevents the HDF5 library from printing its error stack while an object of this class exists.
 class Silence {
  public:
   Silence() {
@@ -52,8 +52,9 @@ hssize_t points(hid_t dataset) {
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& file, Mode mode) : path_(file.string()) {
-  // What a corrupt file leaves open in the library would be told at the end of the program, as an
-  // "infinite loop closing library". Files are closed here; nothing is left for then.
+  // Objects of a corrupt file that stay open in the library would cause the message "infinite loop
+  // closing library" at the end of the program. Files are closed here, so that the exit handler is
+  // not needed.
   H5dont_atexit();
   const Silence silence;
   if (mode == Mode::read) {
@@ -95,9 +96,9 @@ std::int64_t Hdf5File::dataset(const std::string& place) const {
 }
 
 void Hdf5File::expectRoom(const std::string& place, double bytes) const {
-  // Compression makes data 1032 times smaller at most.
+  // Compression reduces data by a factor of at most 1032.
   constexpr double kSmallest = 1100.0;
-  constexpr double kAlways = 64e6;  // a chunk may be larger than what is in it
+  constexpr double kAlways = 64e6;  // a chunk may be larger than its content
   std::error_code ignored;
   const auto size = static_cast<double>(std::filesystem::file_size(path_, ignored));
   if (ignored || bytes > std::max(kAlways, kSmallest * size))
@@ -109,7 +110,7 @@ std::size_t Hdf5File::count(std::int64_t dataset, const std::string& place) cons
   if (n < 0) fail(place, "has no size");
   const Id type(H5Dget_type(dataset), H5Tclose);
   expectRoom(place, static_cast<double>(n) * static_cast<double>(H5Tget_size(type)));
-  // What the library makes room for in one piece, however little of it is there.
+  // The library allocates a whole chunk, however little of it is used.
   const Id layout(H5Dget_create_plist(dataset), H5Pclose);
   std::array<hsize_t, H5S_MAX_RANK> edges{};
   const int rank = H5Pget_layout(layout) == H5D_CHUNKED
@@ -126,7 +127,7 @@ void Hdf5File::expectKind(std::int64_t dataset, const std::string& place, bool i
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_INTEGER && (kind != H5T_FLOAT || integers))
     fail(place, integers ? "holds no integers" : "holds no numbers");
-  // The library makes room for some thousand numbers at once, in the width that the file says.
+  // The library allocates some thousand numbers at once, with the width given in the file.
   constexpr std::size_t kWidest = 16;
   const std::size_t width = H5Tget_size(type);
   if (width > kWidest)

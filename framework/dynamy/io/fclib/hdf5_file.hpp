@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// HDF5 files of named vectors of integers, numbers and texts: what the FCLIB layout needs, and no
-/// type of the HDF5 library in a header.
+/// HDF5 files of named vectors of integers, numbers and texts, as the FCLIB layout needs them. No
+/// type of the HDF5 library appears in a header.
 ///
 /// Every failure is a ModelError with the file and the place inside of it:
 ///
 ///     problem.hdf5: error: /fclib_local/W/x: not there
 ///
-/// Rejected: the C++ interface of HDF5, because it is a second library whose errors do not say the
-/// place either.
+/// Rejected: the C++ interface of HDF5, because it is a second library, and its errors do not name
+/// the place either.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace dynamy {
 class Hdf5File {
  public:
   enum class Mode { read, create };
-  /// \throws ModelError no such file, or no HDF5 file, or it cannot be written
+  /// \throws ModelError the file is missing, is no HDF5 file, or cannot be written
   Hdf5File(const std::filesystem::path& file, Mode mode);
   ~Hdf5File();
   Hdf5File(const Hdf5File&) = delete;
@@ -36,7 +36,7 @@ class Hdf5File {
   /// A scalar text of fixed or variable length; "" if it is not there.
   std::string text(const std::string& place) const;
 
-  // Groups on the way are made.
+  // Missing groups of the path are created.
   void write(const std::string& place, const std::vector<int>& values);
   void write(const std::string& place, const Eigen::VectorXd& values);
   void write(const std::string& place, const std::string& text);
@@ -47,9 +47,10 @@ class Hdf5File {
 
  private:
   std::int64_t dataset(const std::string& place) const;
-  /// A corrupt size must not ask for all memory. \throws ModelError more than the file can hold
+  /// Refuses sizes of corrupt files that would need all memory. \throws ModelError more than the
+  /// file can hold
   void expectRoom(const std::string& place, double bytes) const;
-  /// Its entries. \throws ModelError more than the file can hold
+  /// Number of entries of a dataset. \throws ModelError more than the file can hold
   std::size_t count(std::int64_t dataset, const std::string& place) const;
   void expectKind(std::int64_t dataset, const std::string& place, bool integers) const;
   std::string path_;

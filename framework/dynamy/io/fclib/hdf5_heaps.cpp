@@ -6,12 +6,12 @@
 namespace dynamy {
 namespace {
 
-/// Where the addresses of the file count from, and the bytes of an address and of a length.
+/// Base of the addresses in the file, and the sizes of an address and of a length in bytes.
 struct Layout {
   std::size_t base = 0, address = 0, length = 0;
 };
 
-/// The number of `bytes` bytes, the lowest first; none: beyond the end.
+/// The little-endian number of `bytes` bytes at `at`; none: beyond the end.
 std::optional<std::uint64_t> numberAt(std::string_view file, std::uint64_t at, std::size_t bytes) {
   if (at > file.size() || bytes > file.size() - at) return {};
   std::uint64_t out = 0;
@@ -20,7 +20,7 @@ std::optional<std::uint64_t> numberAt(std::string_view file, std::uint64_t at, s
   return out;
 }
 
-/// The superblock stands at 0, 512, 1024, 2048 …
+/// Reads the layout from the superblock, which starts at 0, 512, 1024, 2048 …
 std::optional<Layout> layoutOf(std::string_view file) {
   constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
   for (std::size_t base = 0; base < file.size(); base = base == 0 ? 512 : 2 * base) {
@@ -28,7 +28,7 @@ std::optional<Layout> layoutOf(std::string_view file) {
     const auto version = numberAt(file, base + 8, 1);
     const std::size_t sizes = base + (version.value_or(0) < 2 ? 13 : 9);
     const auto address = numberAt(file, sizes, 1), length = numberAt(file, sizes + 1, 1);
-    // The library knows others, of 16 and 32 bytes, but no file has use for them.
+    // The library also supports sizes of 16 and 32 bytes, but no file needs them.
     const auto isKnown = [](std::uint64_t bytes) { return bytes == 2 || bytes == 4 || bytes == 8; };
     if (!address || !length || !isKnown(*address) || !isKnown(*length)) return {};
     return Layout{base, static_cast<std::size_t>(*address), static_cast<std::size_t>(*length)};
@@ -36,9 +36,9 @@ std::optional<Layout> layoutOf(std::string_view file) {
   return {};
 }
 
-/// The list of the heap whose signature stands at `at`. Each block has two lengths: where the next one
-/// begins, and its own size. `blocks`: how many there may still be; they do not overlap, so that a file
-/// holds no more than fit.
+/// True if the list of free blocks ends in the heap with its signature at `at`. Each block holds
+/// two lengths: the offset of the next block, and its own size. `blocks`: number of further blocks
+/// that fit into the file; blocks do not overlap.
 bool freeBlocksEndAt(std::string_view file, const Layout& layout, std::size_t at,
                      std::uint64_t& blocks) {
   constexpr std::uint64_t kNone = 1;

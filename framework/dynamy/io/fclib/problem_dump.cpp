@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostDumped = 3000;  ///< elimination of joints makes W full
 constexpr int kMostUnsolved = 100;
 
-/// What FCLIB knows of a law.
+/// The properties of a law that FCLIB can hold.
 struct Friction {
   bool known = false;
   double mu = 0.0, muRolling = 0.0;
@@ -37,7 +37,8 @@ struct Split {
   std::vector<int> joints, contacts;
 };
 
-/// W, q of the contacts without joints; G as a full matrix. False: there are no such numbers.
+/// Computes W and q of the contacts with joints eliminated, from G as a full matrix. False: numbers
+/// are not finite.
 bool eliminate(const InclusionProblem& p, const Split& rows, Eigen::MatrixXd& W,
                Eigen::VectorXd& q) {
   Eigen::MatrixXd G(p.rows(), p.rows());

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Inclusion problems of a run as files of the FCLIB layout (doc/run_folder.md), so that `dynamy
-/// solve`, and other programs, can be tried on exactly what a run had to solve.
+/// Inclusion problems of a run as files in the FCLIB layout (doc/run_folder.md), so that `dynamy
+/// solve` and other programs can be tested on exactly the problems of a run.
 ///
 ///   ξ = G Λ + c   →   u = W r + q,   one file a problem, with the run's Λ as /solution/r
 
@@ -10,22 +10,22 @@
 
 namespace dynamy {
 
-/// A problem in the local layout, or why it has no place there.
+/// A problem in the local layout, or the reason why the layout cannot hold it.
 struct FclibCopy {
   FclibProblem problem;
   FclibSolution solution;
-  std::vector<int> contact;  ///< contact of the inclusion problem for every one of the file
+  std::vector<int> contact;  ///< for every contact of the file, its contact in the problem
   std::string refused;       ///< empty: it could be written
   int refusedAt = -1;        ///< contact whose law is to blame, or −1
 };
 
-/// Joints are eliminated, W = G_cc − G_cj G_jj⁺ G_jc; all contacts get the rows of the largest one,
-/// the added ones with W = λ_i and q = 0, where no force acts. Laws that FCLIB cannot hold (given
+/// Joints are eliminated, W = G_cc − G_cj G_jj⁺ G_jc. All contacts get as many rows as the largest
+/// one; the added rows have W = λ_i, q = 0 and no force. Laws that FCLIB cannot hold (given
 /// friction, ellipses, springs …) are refused. `Lambda`: rows() entries.
 FclibCopy fclibCopy(const InclusionProblem& problem, ConstVec Lambda);
 
-/// Keeps the problems of a run that took the most iterations and those that were not solved; writes
-/// them at the end.
+/// Keeps the problems of a run that took the most iterations and those that were not solved, and
+/// writes them at the end.
 class ProblemDump final : public Observer {
  public:
   /// `count` ≥ 0 problems besides the unsolved ones, of which the first 100 are kept.
@@ -33,7 +33,7 @@ class ProblemDump final : public Observer {
       : folder_(std::move(folder)), count_(count) {}
   void step(const StepView& view) override { consider(view); }
   void failed(const StepView& view) override { consider(view); }
-  /// Writes the kept ones; a run that is resumed adds its own.
+  /// Writes the kept problems; a resumed run adds its own.
   void finish(const StepView& last) override;
 
   struct File {
@@ -43,9 +43,9 @@ class ProblemDump final : public Observer {
     int iterations = 0, contacts = 0;
     bool solved = true;
   };
-  /// What was written, in the order of time.
+  /// The written files, in the order of time.
   const std::vector<File>& files() const { return files_; }
-  /// Problems that had no place in the layout, and why the first one had none.
+  /// Number of problems that the layout cannot hold, and the reason for the first one.
   long refused() const { return refused_; }
   const std::string& refusedBecause() const { return refusedBecause_; }
 

@@ -3,7 +3,8 @@
 namespace dynamy {
 namespace {
 
-/// CRC of every single byte: entry i is i divided eight times by the reflected polynomial.
+/// Table of the CRC of every single byte: entry i is i divided eight times by the reflected
+/// polynomial.
 constexpr std::array<std::uint32_t, 256> makeCrcTable() {
   std::array<std::uint32_t, 256> table{};
   for (std::uint32_t i = 0; i < 256; ++i) {

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Little-endian numbers, CRC-32 and base64: what the binary parts of a run folder are made of.
-/// Structs are never written as they lie in memory: padding and byte order would become the format.
+/// Little-endian numbers, CRC-32 and base64, of which the binary parts of a run folder consist.
+/// Structs are never written as they lie in memory, because padding and byte order would then be
+/// part of the format.
 
 #include <array>
 #include <bit>
@@ -15,7 +16,7 @@
 namespace dynamy {
 
 namespace detail {
-/// Bytes of `value` in little-endian order; its own inverse.
+/// Bytes of `value` in little-endian order; the function is its own inverse.
 template <class T>
 std::array<char, sizeof(T)> littleEndian(T value) {
   static_assert(std::is_arithmetic_v<T>);
@@ -34,7 +35,7 @@ void appendBytes(std::string& out, T value) {
   out.append(bytes.data(), bytes.size());
 }
 
-/// The T that stands little-endian at `at`; the caller has checked that sizeof(T) bytes are there.
+/// Reads a little-endian T from `at`; the caller has checked that sizeof(T) bytes are there.
 template <class T>
 T readBytes(const char* at) {
   std::array<char, sizeof(T)> bytes;
@@ -42,8 +43,8 @@ T readBytes(const char* at) {
   return std::bit_cast<T>(detail::littleEndian(std::bit_cast<T>(bytes)));
 }
 
-/// CRC-32 (polynomial 0xEDB88320 reflected, start and final xor 0xFFFFFFFF: the one of zip and PNG)
-/// of `bytes`; `before` continues an earlier result: crc32(b, crc32(a)) = crc32(ab).
+/// CRC-32 (polynomial 0xEDB88320 reflected, start and final xor 0xFFFFFFFF, as in zip and PNG) of
+/// `bytes`; `before` continues an earlier result: crc32(b, crc32(a)) = crc32(ab).
 std::uint32_t crc32(std::string_view bytes, std::uint32_t before = 0);
 
 /// Appends the base64 text of `bytes` (alphabet A–Z a–z 0–9 + /, padded with =) to `out`.

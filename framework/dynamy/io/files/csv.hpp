@@ -8,14 +8,15 @@
 
 namespace dynamy {
 
-/// Appends a field: quoted only where a comma, a quote or a line's end makes it needed.
+/// Appends a field, in quotes only if it holds a comma, a quote or a line end.
 void appendCsvField(std::string& out, std::string_view field);
 
 /// Splits the first line of `text` into `fields`; quotes may hold commas and line ends. Returns the
-/// bytes it took, with the line's end.
+/// number of bytes read, including the line end.
 std::size_t readCsvLine(std::string_view text, std::vector<std::string>& fields);
 
-/// All whole lines of `text`; a last line without its end is left out, its writer was stopped.
+/// All whole lines of `text`; a last line without line end is left out, because its writer was
+/// stopped.
 std::vector<std::vector<std::string>> readCsv(std::string_view text);
 
 }  // namespace dynamy

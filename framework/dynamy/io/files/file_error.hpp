@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// What goes wrong with a file: its path and the reason, in one line ready to be shown.
-/// Apart from ModelError, because a full disk or a foreign folder is no fault of a model and has no
-/// line in it.
+/// Errors of files: path and reason in one line that can be shown to the user. They are separate
+/// from ModelError, because a full disk or a foreign folder is no fault of a model and has no line
+/// in it.
 
 #include <stdexcept>
 #include <string>

@@ -82,7 +82,7 @@ class Reader {
     return v;
   }
 
-  /// Behind the opening quote.
+  /// The rest of a string, after its opening quote.
   std::string string() {
     std::string out;
     for (;;) {
@@ -112,7 +112,7 @@ class Reader {
     at_ += 4;
     return code;
   }
-  /// Behind \u; two of them make one character beyond U+FFFF.
+  /// The character of an escape, after its \u; two escapes form one character beyond U+FFFF.
   unsigned codePoint() {
     const unsigned high = hexadecimal();
     if (high < 0xd800 || high > 0xdbff || !takesWord("\\u")) return high;

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Reads JSON that this program wrote: the facts of a run and of a sweep. A tree of values; what is
-/// not there reads as null, so that facts of an older version can be shown, too. Objects keep the
-/// order of their members; duplicate names and numbers beyond double are not looked for.
+/// Reads JSON that this program wrote, the facts of a run and of a sweep, into a tree of values.
+/// Missing members read as null, so that facts of an older version can be shown, too. Objects keep
+/// the order of their members; duplicate names and numbers beyond double are not detected.
 
 #include <limits>
 #include <string>
@@ -18,7 +18,7 @@ class JsonValue {
   bool flag = false;
   double value = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not a number, or null
   std::string text;
-  std::vector<std::string> names;  ///< of an object: of `items`
+  std::vector<std::string> names;  ///< of an object: names of `items`
   std::vector<JsonValue> items;    ///< of an array or object
 
   /// Member of an object; a null value if there is none.

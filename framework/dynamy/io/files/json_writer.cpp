@@ -8,7 +8,7 @@ namespace dynamy {
 
 void appendNumber(std::string& out, double x) {
   if (std::isnan(x)) {
-    out += "nan";  // without the sign that to_chars would show
+    out += "nan";  // without the sign that to_chars would write
     return;
   }
   std::array<char, 32> text;  // the longest is 24 characters: -1.2345678901234567e-308
@@ -102,7 +102,8 @@ JsonWriter& JsonWriter::close(char bracket) {
   return *this;
 }
 
-/// What stands before a key or a value: nothing after a key, else a comma and, in objects, a line.
+/// Writes the separator before a key or a value: nothing after a key, otherwise a comma and, in
+/// objects, a new line.
 void JsonWriter::separate() {
   if (afterKey_) {
     afterKey_ = false;

@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// JSON, written straight to the end of a string: for run.json, scenes and the replay.
-/// Numbers have the shortest text that reads back to the same double; JSON knows no NaN and no
-/// infinity, both become null. A document tree (and with it a JSON library) is not needed: nothing
-/// here is read back, changed or looked up.
+/// JSON, written straight to the end of a string: for run.json, scenes and the replay. Numbers have
+/// the shortest text that reads back to the same double. JSON has no NaN and no infinity; both
+/// become null. A document tree, and with it a JSON library, is not needed: the text is neither
+/// read back nor changed nor searched.
 
 #include <concepts>
 #include <cstdint>
@@ -21,21 +21,21 @@ namespace dynamy {
 ///     json.endObject();
 class JsonWriter {
  public:
-  /// Appends to `out`, which outlives the writer. `indent` spaces a level; 0 writes one line.
+  /// Appends to `out`, which outlives the writer. `indent`: spaces per level; 0 writes one line.
   explicit JsonWriter(std::string& out, int indent = 0) : out_(out), indent_(indent) {}
 
   JsonWriter& beginObject() { return open('{'); }
   JsonWriter& endObject() { return close('}'); }
   JsonWriter& beginArray() { return open('['); }
   JsonWriter& endArray() { return close(']'); }
-  /// Name of the next member of the object that is open.
+  /// Writes the name of the next member of the open object.
   JsonWriter& key(std::string_view name);
 
-  /// A string (UTF-8), escaped.
+  /// Writes a string (UTF-8) with its escapes.
   JsonWriter& value(std::string_view text);
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(const std::string& text) { return value(std::string_view(text)); }
-  /// true, false, an integer, or a floating-point number (non-finite: null).
+  /// Writes true, false, an integer, or a floating-point number (null if it is not finite).
   template <class T>
   requires std::integral<T> || std::floating_point<T> JsonWriter& value(T x) {
     if constexpr (std::same_as<T, bool>)
@@ -47,7 +47,7 @@ class JsonWriter {
     else
       return natural(static_cast<std::uint64_t>(x));
   }
-  /// All of a range as an array.
+  /// Writes all values of a range as an array.
   template <class Range>
   JsonWriter& values(const Range& range) {
     beginArray();
@@ -58,7 +58,7 @@ class JsonWriter {
   JsonWriter& member(std::string_view name, const T& x) {
     return key(name).value(x);
   }
-  /// A value that is JSON text already.
+  /// Writes a value that is JSON text already.
   JsonWriter& raw(std::string_view json);
 
  private:
@@ -84,7 +84,7 @@ class JsonWriter {
 /// Appends `text` as a JSON string with its quotes.
 void appendJsonString(std::string& out, std::string_view text);
 
-/// Appends the shortest decimal text that reads back to the same double; "nan", "inf", "-inf" else.
+/// Appends the shortest decimal text that reads back to the same double, or "nan", "inf", "-inf".
 void appendNumber(std::string& out, double x);
 
 }  // namespace dynamy

@@ -21,11 +21,11 @@ std::string because(const char* what, int error) {
   return std::string(what) + ": " + std::strerror(error);
 }
 
-/// What an entry of a folder is on the disk is decided by the folder, not by the file.
+/// Brings the entry of `file` in its folder to the disk: it is part of the folder, not of the file.
 void syncFolder(const std::filesystem::path& file) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (opened < 0) return;  // a file system without folders to open: nothing to be done
+  if (opened < 0) return;  // a file system whose folders cannot be opened: nothing to do
   ::fsync(opened);
   ::close(opened);
 }
@@ -78,7 +78,7 @@ void writeWholeFile(const std::filesystem::path& path, std::string_view content,
     file.write(bytes);
     if (lasting) file.sync();
   } catch (const WriteError&) {
-    std::filesystem::remove(part, error);  // half a file helps nobody, and its room may help
+    std::filesystem::remove(part, error);  // a partial file is useless, and its space may be needed
     throw;
   }
   std::filesystem::rename(part, path, error);

@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// A file that is written once from front to back, or at once as a whole; every failure is a
-/// FileError with path and reason. The bytes leave the process with each call, so that a killed run
-/// keeps them; std::ofstream hides the reason of a failure and buffers a second time.
+/// A file that is written once from front to back, or in one call as a whole. Every failure is a
+/// FileError with path and reason. Each call hands its bytes to the operating system, so that they
+/// survive if the run is killed. Rejected: std::ofstream, which hides the reason of a failure and
+/// buffers a second time.
 
 #include <cstdint>
 #include <cstdio>
@@ -13,9 +14,10 @@
 
 namespace dynamy {
 
-/// How much of a file is written, and what: a checkpoint knows the files of its run by it.
+/// Number and checksum of the bytes written to a file so far, by which a checkpoint recognises the
+/// files of its run.
 struct FilePlace {
-  std::uint64_t bytes = 0;  ///< from the begin of the file
+  std::uint64_t bytes = 0;  ///< from the beginning of the file
   std::uint32_t crc = 0;    ///< CRC-32 of these bytes
   bool operator==(const FilePlace&) const = default;
 };
@@ -24,13 +26,13 @@ class OutputFile {
  public:
   /// Creates or empties the file. \throws WriteError
   explicit OutputFile(const std::filesystem::path& path);
-  /// Goes on at `keep` in an existing file; what follows is dropped.
+  /// Continues an existing file after the bytes `keep`; later bytes are removed.
   /// \throws FileError, also if the file does not begin with these bytes
   OutputFile(const std::filesystem::path& path, const FilePlace& keep);
-  /// Hands `bytes` to the operating system and removes from them what it took.
-  /// \throws WriteError, e.g. when the disk is full: what is left was not written
+  /// Hands `bytes` to the operating system and removes the written part from `bytes`.
+  /// \throws WriteError, e.g. when the disk is full: the bytes left were not written
   void write(std::string& bytes);
-  /// Returns when the disk has what was written. \throws WriteError
+  /// Returns when the written bytes are on the disk. \throws WriteError
   void sync();
   const std::filesystem::path& path() const { return path_; }
   const FilePlace& place() const { return place_; }
@@ -44,17 +46,18 @@ class OutputFile {
   FilePlace place_;
 };
 
-/// Replaces `path` by a file with this content; a reader sees the old or the new one, never a half.
-/// With `lasting` the new one is on the disk before the old one goes, so that it outlives a loss of
-/// power. \throws WriteError
+/// Replaces `path` by a file with this content; a reader sees the old or the new file, never a part
+/// of one. With `lasting` the new file is on the disk before the old one is removed, so that it
+/// survives a loss of power. \throws WriteError
 void writeWholeFile(const std::filesystem::path& path, std::string_view content,
                     bool lasting = false);
 
-/// Writes `content` into the room that the file has already: on a full disk, where no other way is
-/// left. \throws WriteError; what the file holds then is open
+/// Writes `content` into the disk space that the file already has, the last resort on a full disk.
+/// \throws WriteError; the content of the file is then undefined
 void overwriteFile(const std::filesystem::path& path, std::string_view content);
 
-/// Does the file begin with these bytes? "" or why not: "is shorter than …". \throws FileError
+/// Why the file does not begin with these bytes, e.g. "is shorter than …"; "" if it does. \throws
+/// FileError
 std::string placeFault(const std::filesystem::path& path, const FilePlace& place);
 
 /// The content of a file. \throws FileError

@@ -95,7 +95,7 @@ bool AttributeReader::allDeclared(const XmlNode& node, const Scope& scope,
   return good;
 }
 
-/// The element itself, its class, the plain default of its type.
+/// Collects the sources of values: the element itself, its class, the plain default of its type.
 bool AttributeReader::sources(const XmlNode& node, const Scope& scope,
                               std::vector<Source>& out) const {
   out.push_back({&node, &scope});
@@ -159,7 +159,8 @@ bool AttributeReader::read(const XmlNode& node, const Scope& scope, const Attrib
         throw std::logic_error("default of " + x.type + '.' + a.name + ": " + fault->text);
     } else if (!a.optionalValue) {
       good = false;
-      // Told already: an unknown attribute that means this one, or defaults that may hold it.
+      // Reported already: an unknown attribute that means this one, or faulty defaults that may
+      // hold it.
       const bool told =
           isMisspelt(a.name, node, declared, common) || scope.file().defaultsAreBroken;
       if (!told) {
@@ -188,7 +189,7 @@ bool AttributeReader::readOne(const Source& source, const XmlAttribute& written,
     return sourcePlace(*document, written, text, offset, length);
   };
   if (const auto fault = readValue(a, value)) {
-    // A fault in a default is told once for the element that uses it, at the default's place.
+    // A fault in a default is reported once for the element that uses it, at the default's place.
     faults_->add(*source.scope, value.locate(fault->offset, fault->length), *source.node,
                  a.name + ' ' + fault->text, fault->hint);
     return false;

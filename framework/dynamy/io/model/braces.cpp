@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-/// End of the braces that begin at `begin`: index behind '}', npos if they never end.
+/// End of the braces that begin at `begin`: index after '}', npos if they are not closed.
 std::size_t closing(std::string_view value, std::size_t begin) {
   const std::size_t end = value.find_first_of("{}", begin + 1);
   return end == std::string_view::npos || value[end] == '{' ? std::string_view::npos : end + 1;
@@ -21,8 +21,8 @@ bool nameContinues(char c) { return nameStart(c) || (c >= '0' && c <= '9'); }
 
 std::pair<std::size_t, std::size_t> ResolvedText::source(std::size_t offset,
                                                          std::size_t length) const {
-  // A byte inside of a replaced piece stands for all of its braces. The last piece that begins
-  // before `at` decides; as an end, `at` belongs to what stands before it.
+  // A byte inside of a replaced piece maps to the whole braces. The last piece that begins before
+  // `at` decides; as the end of a range, `at` belongs to the bytes before it.
   const auto map = [this](std::size_t at, bool end) {
     const auto next = std::upper_bound(
         pieces.begin(), pieces.end(), at,
@@ -67,7 +67,8 @@ bool isSymbolName(std::string_view word) {
          std::all_of(word.begin(), word.end(), nameContinues) && word != "e" && word != "pi";
 }
 
-/// The same error, found with all names in reach, so that it can say which one was meant.
+/// The same error, evaluated with all names of the scope, so that it can suggest the one that was
+/// meant.
 ExpressionError withAllNames(std::string_view text, const Scope& scope, const ExpressionError& e) {
   try {
     evaluateConstant(text, scope.all());
@@ -133,7 +134,8 @@ void ResolvedText::add(double x, bool formula, std::size_t begin, std::size_t en
 
 namespace {
 
-/// What was found before, if the value has braces and comes back; nothing: find it step by step.
+/// The value by its compiled form, if it has braces and was resolved before. Nothing: it has to be
+/// parsed step by step.
 std::optional<ResolvedText> resolvedAgain(const XmlAttribute& attribute, const Scope& scope,
                                           bool formula) {
   if (attribute.value.find('{') == std::string::npos) return std::nullopt;
@@ -194,7 +196,7 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
     } catch (const ExpressionError& found) {
       const ExpressionError e = withAllNames(inner, scope, found);
       std::string hint = didYouMean(e.suggestion());
-      // Of a model without parameters no name can be near.
+      // A model without parameters has no name to suggest.
       const std::string_view wrong = inner.substr(e.offset(), e.length());
       if (scope.symbolCount() == 0 && hint.empty() && isSymbolName(wrong))
         hint = "add <parameter name=\"" + std::string(wrong) + "\" value=\"…\"/>";

@@ -1,5 +1,5 @@
-/// Values with braces: {expression} becomes a number, read step by step the first time, with its
-/// errors, and compiled for values that come back.
+/// Values with braces: {expression} becomes a number. It is parsed with full error reports the
+/// first time, and compiled for values that are used again.
 #pragma once
 #include <dynamy/core/expression/expression.hpp>
 #include <dynamy/io/model/model_scope.hpp>
@@ -7,7 +7,7 @@
 
 namespace dynamy {
 
-/// A value after its braces were replaced by numbers; knows where each byte came from.
+/// A value whose braces have been replaced by numbers, with the origin of each byte.
 struct ResolvedText {
   struct Piece {
     std::size_t begin, size;              ///< of the number in `text`
@@ -16,20 +16,21 @@ struct ResolvedText {
   std::string text;
   std::vector<Piece> pieces;
 
-  /// Appends the number that stands for bytes [begin, end) of the value; in a formula with
+  /// Appends the number that replaces bytes [begin, end) of the value; in a formula it gets
   /// parentheses.
   void add(double x, bool formula, std::size_t begin, std::size_t end);
-  /// Bytes of the value in the file that bytes of `text` came from.
+  /// The bytes of the original value, as offset and length, that the given bytes of `text` come
+  /// from.
   std::pair<std::size_t, std::size_t> source(std::size_t offset, std::size_t length) const;
 };
 
-/// A value with braces whose expressions are compiled: for values that come back with other
-/// numbers, as those of a replicate do in each of its turns.
+/// A value with braces whose expressions are compiled: for values that are used again with other
+/// numbers, as in each turn of a replicate.
 class CompiledBraces {
  public:
-  /// Names with a number in `scope` become variables. Raises ExpressionError.
+  /// Names with a number in `scope` become variables. Throws ExpressionError.
   CompiledBraces(std::string_view value, const Scope& scope);
-  /// Nothing: something is wrong in this scope, whatever it is.
+  /// The value in `scope`; nothing if there is any error in this scope.
   std::optional<ResolvedText> resolved(const Scope& scope, bool formula);
 
  private:
@@ -47,12 +48,12 @@ class CompiledBraces {
   std::vector<double> x_, numbers_;
 };
 
-/// Replaces every {expression}; in a formula the number gets parentheses. Nothing: an error was
-/// reported, or the value uses a name that is wrong itself.
+/// Replaces every {expression}; in a formula the number gets parentheses. Returns nothing if an
+/// error was reported, or if the value uses a name whose own value is wrong.
 std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
                                           const Scope& scope, bool formula, Faults& faults);
 
-/// Names inside the braces of a value, in order; built-in ones and functions included.
+/// Names inside the braces of a value, in order, including built-in names and functions.
 std::vector<std::string> namesInBraces(std::string_view value);
 /// Appends every word of a formula that looks like a name.
 void namesIn(std::string_view formula, std::vector<std::string>& names);

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kNameAndClass{"name", "class"};
 
-/// So many names are given to every element, so that its messages can list and suggest them.
+/// Up to this number, all names are given to every element, so that its messages can list and
+/// suggest them.
 constexpr std::size_t kFewSymbols = 100;
 
 /// Words of all formulas that an element may read: its own, those of its children and of its
@@ -28,8 +29,8 @@ void wordsOf(const XmlNode& node, const Scope& scope, std::vector<std::string>& 
   for (const XmlNode& child : node.children) wordsOf(child, scope, words);
 }
 
-/// Numbers for the formulas of an element. Of many parameters it gets those that its text names:
-/// thousands of them in thousands of turns would be copied for nothing.
+/// Numbers for the formulas of an element. If there are many parameters, it gets only those named
+/// in its text: thousands of parameters would otherwise be copied in thousands of turns.
 std::vector<std::pair<std::string, double>> symbolsFor(const XmlNode& node, const Scope& scope) {
   SymbolTable table;
   std::set<std::string, std::less<>> broken;
@@ -44,7 +45,7 @@ std::vector<std::pair<std::string, double>> symbolsFor(const XmlNode& node, cons
   }
   std::vector<std::pair<std::string, double>> out;
   for (const std::string& name : table.names()) out.emplace_back(name, table.find(name)->value);
-  for (const std::string& name : broken)  // told already: no second error in a formula
+  for (const std::string& name : broken)  // reported already: no second error in a formula
     out.emplace_back(name, std::numeric_limits<double>::quiet_NaN());
   return out;
 }
@@ -65,7 +66,7 @@ bool fits(const ChildRule& rule, const RegisteredType& type) {
 void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
                                    const std::vector<std::string>& allowed) {
   std::string hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
-  if (hint.empty() && source_->typesAreMissing()) return;  // told already: the plug-in
+  if (hint.empty() && source_->typesAreMissing()) return;  // the plug-in is reported already
   if (hint.empty() && !allowed.empty()) hint = "known here: " + quotedList(allowed);
   faults_->add(scope, node.place, parent, "unknown element <" + node.tag + '>', std::move(hint));
 }
@@ -112,7 +113,7 @@ std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& s
                  e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception& e) {  // a plug-in's own, or one of the libraries it uses
+  } catch (const std::exception& e) {  // an exception of a plug-in or of a library that it uses
     faults_->add(scope, node.place, node, "its constructor failed: " + std::string(e.what()), "");
   }
   return nullptr;
@@ -128,7 +129,7 @@ bool ElementReader::readChildren(const XmlNode& node, const Scope& scope,
     good = readChild(child, inner, node, type, counts, x) && good;
   });
 
-  // Enough of each, not too many, no name twice.
+  // Checks that there are enough children of each kind.
   for (std::size_t i = 0; i < rules.size(); ++i) {
     if (counts[i] >= rules[i].min || !good) continue;
     faults_->add(scope, node.place, node,
@@ -166,7 +167,7 @@ bool ElementReader::readChild(const XmlNode& child, const Scope& scope, const Xm
   }
   int& count = counts[static_cast<std::size_t>(rule - rules.begin())];
   ++count;
-  if (count > rule->max) {  // of thousands too many, none is read
+  if (count > rule->max) {  // surplus children are not read
     if (count == rule->max + 1)
       faults_->add(scope, child.place, parent, "takes at most " + counted(rule->max, *rule));
     return false;

@@ -14,7 +14,8 @@ class ElementReader {
   /// The element of `node`, or null if anything in it was wrong. `name`: its full name.
   std::unique_ptr<Element> read(const XmlNode& node, const Scope& scope, const RegisteredType& type,
                                 std::string name);
-  /// The type of `node` if it may stand in the word `section`; reports if not.
+  /// The type of `node` if it may stand in the word `section`; otherwise null, and the error is
+  /// reported.
   const RegisteredType* typeIn(const Word& section, const XmlNode& node, const Scope& scope,
                                const XmlNode& parent);
 

@@ -12,15 +12,15 @@
 namespace dynamy {
 namespace {
 
-/// An element of the model that may stand where it stands.
+/// An element of the model whose place is allowed for its type.
 struct Placed {
   const ModelItem* item;
   const RegisteredType* type;
   std::string name;
 };
 
-/// Declares the names of an element that could not be placed, so that references to it are no
-/// second error; a misspelt attribute counts, too.
+/// Declares the names of an element that could not be placed, so that references to it give no
+/// second error. The value of a misspelt attribute "name" counts, too.
 void declareSilently(const XmlNode& node, const Scope& scope, NameTable& names) {
   Faults silent;
   const std::string name = elementName(node, scope, scope.prefix, silent);
@@ -32,7 +32,8 @@ void declareSilently(const XmlNode& node, const Scope& scope, NameTable& names) 
       names.declare(scope.prefix + a.value + scope.suffix, Kind::system, node, scope, silent);
 }
 
-/// Types and names of all elements, before any of them is made: references may point forward.
+/// Finds types and names of all elements before any of them is created, because references may
+/// point forward.
 std::vector<Placed> placeElements(const ModelSource& source, ElementReader& reader,
                                   NameTable& names, Faults& faults) {
   std::vector<Placed> out;
@@ -46,7 +47,7 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
       declareSilently(*item.node, *item.scope, names);
       continue;
     }
-    // Materials are the same in all files; a body may be called like its material.
+    // Materials are shared by all files; a body may have the name of its material.
     const bool rule = type->kind == Kind::rule;
     std::string name = elementName(*item.node, *item.scope, rule ? "" : item.scope->prefix, faults);
     if (!name.empty() && !rule) names.declare(name, type->kind, *item.node, *item.scope, faults);
@@ -57,7 +58,8 @@ std::vector<Placed> placeElements(const ModelSource& source, ElementReader& read
   return out;
 }
 
-/// A rule with these values, as if it were written at `node`; none if it refuses them, too.
+/// A rule with these values, as if it were written at `node`; null if the rule refuses the values,
+/// too.
 template <class Rule>
 std::unique_ptr<Element> standInOf(const XmlNode& node, const std::string& name,
                                    const std::vector<GivenValue>& values) {
@@ -65,13 +67,13 @@ std::unique_ptr<Element> standInOf(const XmlNode& node, const std::string& name,
     Parameters x = Parameters::of<Rule>(node.tag, name, values);
     x.place = node.place;
     return std::make_unique<Rule>(x);
-  } catch (const ModelError&) {  // told already, with its place
+  } catch (const ModelError&) {  // reported already, with its place
     return nullptr;
   }
 }
 
-/// A rule that could not be read still says that its materials were thought of. It answers for its
-/// element in messages.
+/// A substitute for a rule that could not be read: it marks the materials of the rule as covered.
+/// Messages name the original element.
 std::unique_ptr<Element> standIn(const XmlNode& node) {
   const XmlAttribute* name = node.attribute("name");
   if (node.tag == "Material" && name != nullptr)
@@ -85,7 +87,7 @@ std::unique_ptr<Element> standIn(const XmlNode& node) {
 using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;
 
 /// Adds a rule for each element that could not be read. False if one of them may have been a rule
-/// of materials that nobody knows: then a pair without a law is no second error.
+/// for unknown materials: then pairs without a law must not give further errors.
 bool addStandIns(const ModelSource& source, const Registry& registry,
                  const std::set<const ModelItem*>& good, Parts& parts) {
   bool all = true;
@@ -108,7 +110,7 @@ bool allElementsAreKnown(const Faults& faults) {
   });
 }
 
-/// Errors of the model as a whole, which no element answers for, have the place of its root.
+/// Adds errors of the model as a whole. Errors without an element get the place of the root.
 void addOfModel(Faults& faults, const ModelError& error, const XmlDocument& document) {
   for (Diagnostic d : error.diagnostics()) {
     if (d.place.line <= 0) d.place = document.root().place;
@@ -116,7 +118,7 @@ void addOfModel(Faults& faults, const ModelError& error, const XmlDocument& docu
   }
 }
 
-/// Models of more frames are not built to find more faults than those that are known.
+/// Models with more frames than this are not built just to find further faults.
 constexpr long kMostFrames = 100'000;
 
 bool isHuge(const Parts& parts) {
@@ -127,8 +129,8 @@ bool isHuge(const Parts& parts) {
   return frames > kMostFrames;
 }
 
-/// Pairs of materials that no rule covers, although other faults forbid to build the model; for
-/// that, takes systems and rules out of `parts`.
+/// Reports pairs of materials that no rule covers, even if other faults prevent the model from
+/// being built. Moves systems and rules out of `parts`.
 void findUncoveredPairs(Parts& parts, const Registry& registry, const XmlDocument& document,
                         Faults& faults) {
   Model partial;
@@ -176,7 +178,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
 
   if (options.coordinates) model.simulation.coordinates = *options.coordinates;
 
-  // The model itself knows its title, text and where it came from.
+  // The model stores its title, text and file.
   model.sourceFile = source.document().name();
   model.doc = documentation(source.document().root());
   model.title = source.title().empty() ? std::filesystem::path(model.sourceFile).stem().string()

@@ -1,4 +1,4 @@
-/// The way from a model file to a model that is ready to run. All errors of the files are thrown
+/// Loads a model file into a model that is ready to run. All errors of the files are thrown
 /// together, each with file, line, column and the nearest known name.
 ///
 /// Order: files and includes → parameters → names → elements → settings → build → signals. A later
@@ -13,18 +13,20 @@ namespace dynamy {
 struct LoadOptions {
   Overrides set;      ///< parameters: (name, value)
   bool build = true;  ///< false: the caller changes the model and calls build() itself
-  std::optional<JointCoordinates> coordinates = {};  ///< instead of those the file says
-  /// Gets the model, what it includes and its plug-ins, also those that were looked for in vain and
-  /// also if the model is faulty: whoever waits for a change watches these.
+  std::optional<JointCoordinates> coordinates = {};  ///< instead of those in the file
+  /// Receives the paths of the model, its included files and its plug-ins, including files that
+  /// were not found, and even if the model is faulty. A program that waits for changes watches
+  /// these files.
   std::vector<std::filesystem::path>* files = nullptr;
 };
 
-/// Reads the model in `file` and builds it. The types it uses must be registered already, but for
+/// Reads the model in `file` and builds it. The types it uses must be registered already, except
 /// those of its own `<plugin>`, which are added to `registry`. Throws ModelError.
 Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoader& plugins,
                 const LoadOptions& options = {});
 
-/// The same from text. `name`: of the file in messages; includes count from `folder`.
+/// Reads a model from text. `name`: name of the file in messages; paths of includes are relative to
+/// `folder`.
 Model loadModelText(std::string text, const std::string& name, Registry& registry,
                     PluginLoader& plugins, const LoadOptions& options = {},
                     const std::filesystem::path& folder = ".");

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kNamedClass{"name", "class"};
 
-/// The attributes of the root that XML itself and editors want.
+/// True for attributes of the root that only XML itself and editors need.
 bool isSchemaAttribute(const std::string& name) {
   return name == "xmlns" || name.starts_with("xmlns:") || name.starts_with("xsi:");
 }
@@ -72,7 +72,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
   scope.folder = std::move(folder);
   faults_->file(*scope.document);
   if (from.node != nullptr) {
-    // An included file sees the defaults around it, but only its own parameters.
+    // An included file uses the defaults of the including file, but only its own parameters.
     scope.defaults = from.scope->file().defaults;
     scope.prefix = from.scope->prefix;
     scope.suffix = from.scope->suffix;
@@ -95,7 +95,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
   readDefaults(root, scope);
   walk(root, scope, from, true);
 
-  // What was set for a parameter that no file has.
+  // Overrides of parameters that no file has.
   if (from.node != nullptr) return;
   for (std::size_t i = 0; i < overrides_.size(); ++i)
     if (!overrideUsed_[i])
@@ -110,7 +110,7 @@ bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
                  meantFormat(root.tag));
     return false;
   }
-  XmlNode own;  // without the attributes that belong to the schema
+  XmlNode own;  // copy of the root without the attributes of the schema
   own.tag = root.tag;
   own.place = root.place;
   for (const XmlAttribute& a : root.attributes)
@@ -167,7 +167,8 @@ void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
 
 namespace {
 
-/// A number with or without unit, or an expression of numbers in braces; nothing after a report.
+/// The value of an override: a number with or without unit, or an expression of numbers in braces.
+/// Nothing: an error was reported.
 std::optional<double> overrideValue(const std::string& text,
                                     const std::function<void(std::string)>& report) {
   if (text.starts_with('{') && text.ends_with('}')) {
@@ -199,14 +200,14 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
   for (const XmlNode& node : root.children)
     if (node.tag == "parameter") evaluator.add(node);
-  // What uses an element that may have been meant as a parameter stays silent.
+  // An unknown element may be a misspelt parameter: uses of its name give no further errors.
   for (const XmlNode& node : root.children)
     if (const XmlAttribute* name = node.attribute("name"); name && !vocabulary_.find(node.tag))
       if (!evaluator.has(name->value)) scope.broken.insert(name->value);
   const std::vector<std::string> known = evaluator.names();  // for prefixes and hints
   for (const std::string& name : known) parameterNames_.push_back(scope.prefix + name);
 
-  // <set> of the including file.
+  // Values of <set> in the including file.
   for (std::size_t i = 0; from.node != nullptr && i < from.node->children.size(); ++i) {
     const XmlNode& set = from.node->children[i];
     Parameters x;
@@ -224,7 +225,7 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
          }});
   }
 
-  // --set of the caller.
+  // Values of --set on the command line.
   for (std::size_t i = 0; i < overrides_.size(); ++i) {
     const auto& [name, text] = overrides_[i];
     if (!name.starts_with(scope.prefix)) continue;
@@ -282,7 +283,7 @@ void ModelSource::readDefault(const XmlNode& node, const XmlNode& section, Scope
   entry = {&node, &scope};
 }
 
-/// Children of the root, or of a replicate of whole sections.
+/// Reads the children of the root, or of a replicate of whole sections.
 void ModelSource::walk(const XmlNode& parent, const Scope& scope, const Including& from,
                        bool isRoot) {
   const Word& root = *vocabulary_.find("dynamy");
@@ -371,7 +372,7 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
   }
 }
 
-/// One scope for each turn, with the index as its number.
+/// Makes one scope for each turn of a replicate, with the index as its number.
 std::vector<const Scope*> ModelSource::turns(const XmlNode& replicate, const Scope& scope) {
   Parameters x;
   if (!readWord(replicate, scope, x)) return {};

@@ -11,7 +11,7 @@ namespace dynamy {
 /// Parameters set from outside: (name, value as text). In an included file the name has its prefix.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-/// An element or a word of the format, in the scope it stands in.
+/// An element or a word of the format, with its scope.
 struct ModelItem {
   const XmlNode* node = nullptr;
   const Scope* scope = nullptr;
@@ -22,7 +22,8 @@ class ModelSource {
  public:
   ModelSource(Registry& registry, PluginLoader& plugins, const Overrides& overrides,
               Faults& faults);
-  /// Appends to `files` every file that is read from now on, and those that were looked for.
+  /// Appends to `files` every file that is read from now on, and every file that is searched but
+  /// missing.
   void noteFiles(std::vector<std::filesystem::path>* files) { noted_ = files; }
 
   /// Reads the model and all it includes. Throws ModelError if the first file cannot be read.
@@ -34,11 +35,11 @@ class ModelSource {
   const XmlDocument& document() const { return documents_.front(); }
   const Vocabulary& vocabulary() const { return vocabulary_; }
   const std::string& title() const { return title_; }
-  /// A plug-in was refused: types that nobody knows are probably its.
+  /// True: a plug-in was refused, so that unknown types probably belong to it.
   bool typesAreMissing() const { return typesAreMissing_; }
 
-  /// Calls `use(child, scope)` for the children of `node`: `<doc>` is left out, replicates are
-  /// unrolled. Reports text where none belongs.
+  /// Calls `use(child, scope)` for the children of `node`, with replicates unrolled and without
+  /// `<doc>`. Reports text that is not allowed there.
   template <class Use>
   void forEachChild(const XmlNode& node, const Scope& scope, const Use& use);
 

@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-/// The range of a parameter as the range of its value.
+/// Declaration of the attribute "value" with the range of the parameter.
 Attribute valueDeclaration(const Attribute& declared, const Parameters& x) {
   Attribute a = declared;
   if (x.has("min")) a.min = x["min"];
@@ -35,7 +35,7 @@ std::vector<std::string> ParameterEvaluator::names() const {
 void ParameterEvaluator::add(const XmlNode& node) {
   const XmlAttribute* name = node.attribute("name");
   if (name == nullptr) {
-    // A misspelt name is reported as that, and what uses it stays silent.
+    // A misspelt attribute "name" is reported; uses of the parameter give no further errors.
     AttributeReader reader(*faults_, nullptr);
     if (AttributeReader::isMisspelt("name", node, word_->attributes, {})) {
       reader.allDeclared(node, *scope_, word_->attributes, {});
@@ -67,7 +67,7 @@ void ParameterEvaluator::evaluate() {
   for (std::size_t i = 0; i < items_.size(); ++i) evaluate(i);
 }
 
-/// The item with the parameters that its values use.
+/// Marks an item as running and finds the parameters that its values use.
 ParameterEvaluator::Pending ParameterEvaluator::start(std::size_t item) {
   Pending out{item, {}};
   items_[item].progress = Progress::running;
@@ -78,7 +78,7 @@ ParameterEvaluator::Pending ParameterEvaluator::start(std::size_t item) {
   return out;
 }
 
-/// Depth first on a stack of its own: a chain of parameters may be as long as it likes.
+/// Evaluates depth first with an explicit stack, so that a chain of parameters may have any length.
 void ParameterEvaluator::evaluate(std::size_t item) {
   std::vector<Pending> stack;
   if (items_[item].progress == Progress::waiting) stack.push_back(start(item));
@@ -101,7 +101,7 @@ void ParameterEvaluator::evaluate(std::size_t item) {
   }
 }
 
-/// The number of an item whose own ones are known.
+/// Computes the number of an item once all parameters that it uses are known.
 void ParameterEvaluator::finish(Item& item, bool good) {
   Parameters x;
   x.type = "parameter";
@@ -126,8 +126,8 @@ void ParameterEvaluator::finish(Item& item, bool good) {
   if (!scope_->broken.contains(item.name)) scope_->numbers[item.name] = result;
 }
 
-/// The number that the outside says instead, if it says one; a wrong one is told once, and what
-/// uses the parameter stays silent.
+/// The number that replaces the one of the file, if there is one. A wrong replacement is reported
+/// once, and uses of the parameter give no further errors.
 double ParameterEvaluator::replaced(const Item& item, const Attribute& declared,
                                     const ParameterValue& value) {
   double result = value.numbers[0];

@@ -9,7 +9,7 @@ namespace dynamy {
 
 class ParameterEvaluator {
  public:
-  /// A value that replaces what the file says.
+  /// A value that replaces the one in the file.
   struct Replacement {
     std::string name;
     double value = 0.0;
@@ -18,13 +18,14 @@ class ParameterEvaluator {
 
   ParameterEvaluator(Scope& scope, const Word& word, Faults& faults)
       : scope_(&scope), word_(&word), faults_(&faults) {}
-  /// Takes a `<parameter>`; reports a name that is given twice.
+  /// Adds a `<parameter>`; reports a name that is given twice.
   void add(const XmlNode& node);
   void replace(Replacement replacement) {
     std::string name = replacement.name;
     replacements_.emplace(std::move(name), std::move(replacement));
   }
-  /// Evaluates all into scope.numbers; wrong ones into scope.broken.
+  /// Evaluates all parameters: numbers go to scope.numbers, names of faulty parameters to
+  /// scope.broken.
   void evaluate();
   std::vector<std::string> names() const;
   bool has(const std::string& name) const { return index_.contains(name); }
@@ -36,7 +37,7 @@ class ParameterEvaluator {
     const XmlNode* node;
     Progress progress = Progress::waiting;
   };
-  /// An item that waits for those it uses.
+  /// An item that waits for the items it uses.
   struct Pending {
     std::size_t item;
     std::vector<std::pair<std::size_t, const XmlAttribute*>> uses;

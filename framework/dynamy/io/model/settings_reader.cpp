@@ -66,7 +66,7 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
   if (s.place.line == 0) s.place = node.place;
 }
 
-/// Scheme, solver and impact law, at most one of each.
+/// Reads scheme, solver and impact law, at most one of each.
 void SettingsReader::readMethods(const XmlNode& node, const Scope& scope) {
   const Word& word = *source_->vocabulary().find("simulation");
   for (const XmlNode& child : node.children) {
@@ -162,11 +162,11 @@ void SettingsReader::readCheck(const XmlNode& node, const Scope& scope, const Pa
   checkTimes_.push_back(x[x["at"].given ? "at" : "over"].place);
 }
 
-/// A check beyond the end of the run could not pass.
+/// Reports a check at a time after the end of the run, because it could not pass.
 void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) const {
   const double until = model_->simulation.until;
   const double last = check.measure == CheckSettings::Measure::value ? check.at : check.to;
-  constexpr double kRounding = 1e-9;  // of formulas that give both
+  constexpr double kRounding = 1e-9;  // relative rounding of formulas for both times
   if (!std::isfinite(last) || !(until > 0.0) || last <= until * (1.0 + kRounding)) return;
   faults_->add({.place = place,
                 .element = "check",
@@ -192,7 +192,7 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
       name = name.substr(0, name.rfind('.')) + ".*";
     }
   }
-  // Those of the same element are the likeliest.
+  // Signals of the same element are the likeliest.
   const std::string owner = signal.substr(0, signal.rfind('.') + 1);
   std::vector<std::string> same;
   for (const std::string& name : known)
@@ -210,7 +210,7 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
                 .hint = std::move(hint)});
 }
 
-/// A system that carries shapes, or one of its frames.
+/// Reports a name that is neither a system that carries shapes nor one of its frames.
 void SettingsReader::verifyFollow(const std::string& name, const Place& place) const {
   std::vector<std::string> known;
   for (const SceneFrame& frame : modelScene(*model_).frames) {

@@ -17,7 +17,7 @@ class SettingsReader {
         attributes_(faults, nullptr) {}
 
   void read(const ModelItem& item);
-  /// After build(): reports signals that no element has, and checks after the end.
+  /// Call after build(): reports signals that no element has, and checks at times after the end.
   void verifySignals() const;
 
  private:

@@ -14,7 +14,7 @@ std::string firstElement(const std::string& hint) {
   return begin == 0 ? std::string() : hint.substr(begin, hint.find_first_of(" >", begin) - begin);
 }
 
-/// Where `name` stands, if it may not stand among `allowed`.
+/// Advice on the section of `name`, if it is not among `allowed`.
 std::string elsewhere(const std::string& name, const std::vector<std::string>& allowed,
                       const Registry& registry) {
   const RegisteredType* type = registry.find(name);
@@ -36,7 +36,8 @@ std::string meantElement(std::string_view tag, const std::vector<std::string>& a
   std::string near = sameInOtherCase(tag, allowed);
   if (near.empty()) near = sameInOtherCase(tag, all);
   if (near.empty()) {
-    // A hint helps where its element is at hand: a program without the standard elements has few.
+    // A hint helps only if its element is registered; a program without the standard elements has
+    // few.
     const std::string other = elementOfOthers(tag), ours = firstElement(other);
     if (!other.empty() && (ours.empty() || std::find(all.begin(), all.end(), ours) != all.end()))
       return other + elsewhere(ours, allowed, registry);

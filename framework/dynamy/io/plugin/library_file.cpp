@@ -26,7 +26,7 @@ bool readHeader(std::ifstream& in, Header& h) {
          std::memcmp(h.e_ident, ELFMAG, SELFMAG) == 0;
 }
 
-/// Is `h` a header for programs like this one?
+/// True if `h` is the header of a library for the machine of this program.
 bool forThisMachine(const Header& h) {
   std::ifstream in("/proc/self/exe", std::ios::binary);
   Header own{};
@@ -91,7 +91,7 @@ std::string fingerprintOf(const fs::path& file) { return fingerprintOfBytes(read
 std::string writableByOthers(const fs::path& file) {
   std::error_code error;
   fs::path below = fs::canonical(file, error);
-  if (error) return {};  // not there: nothing to load either
+  if (error) return {};  // the file is missing: there is nothing to load
   struct stat owned {};
   if (::stat(below.c_str(), &owned) == 0 && (owned.st_mode & S_IWOTH) != 0)
     return "everybody may write " + below.string();

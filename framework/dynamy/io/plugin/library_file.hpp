@@ -1,8 +1,8 @@
-/// A shared library as a file, before and without running any code of it.
+/// Examines a shared library as a file, without running any of its code.
 ///
-/// The dynamic linker maps what the headers of a file promise: from a file that is cut off the
-/// process dies by SIGBUS, and a constructor of the library runs before anybody can look at it.
-/// Therefore the headers are read here first, with plain reads.
+/// The dynamic linker maps what the headers of a file announce: a truncated file ends the process
+/// by SIGBUS, and constructors of the library run before it can be checked. Therefore the headers
+/// are read here first, as plain data.
 #pragma once
 #include <dynamy/core/archive.hpp>
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace dynamy {
 
-/// A file or library that a run was made with, known by what is in it.
+/// A file or library that a run was made with, identified by its content.
 struct Fingerprint {
   std::string name;
   std::string fingerprint;  ///< of its bytes
@@ -23,18 +23,19 @@ struct Fingerprint {
 /// for another kind of machine"; "" if the headers are those of a whole library for this machine.
 std::string libraryFault(const std::filesystem::path& file);
 
-/// "my_elements" of "../lib/libmy_elements.so": the name under which a library is searched.
+/// "my_elements" of "../lib/libmy_elements.so": the name by which a library is searched.
 std::string nameOfLibrary(const std::string& library);
 
-/// 16 hexadecimal digits, a hash over the bytes: it tells two builds of a library apart, but is no
-/// protection against somebody who wants two files to agree.
+/// A hash of the bytes as 16 hexadecimal digits. It distinguishes two builds of a library, but does
+/// not protect against deliberately made collisions.
 std::string fingerprintOfBytes(std::string_view bytes);
-/// Of all bytes of a file. Throws FileError.
+/// Fingerprint of all bytes of a file. Throws FileError.
 std::string fingerprintOf(const std::filesystem::path& file);
 
-/// Who else than the user and the administrator may replace `file`, e.g. "everybody may write into
-/// /srv/models"; "" if nobody may. Looks at the file and at all folders above it; a folder in which
-/// each may remove but his own (the sticky bit, as of /tmp) counts for files of others only.
+/// Who other than the user and the administrator may replace `file`, e.g. "everybody may write into
+/// /srv/models"; "" if nobody may. Checks the file and all folders above it. A folder with the
+/// sticky bit, such as /tmp, where users may remove only their own files, counts only for files of
+/// others.
 std::string writableByOthers(const std::filesystem::path& file);
 
 }  // namespace dynamy

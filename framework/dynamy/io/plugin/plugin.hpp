@@ -5,7 +5,7 @@
 
 namespace dynamy {
 
-/// Integer of the binary interface; raised with every incompatible change of a public header.
+/// Number of the binary interface; raised with every incompatible change of a public header.
 inline constexpr int kPluginAbi = 2;
 
 struct PluginInfo {
@@ -20,7 +20,8 @@ struct PluginInfo {
   void (*registerElements)(Registry&);
 };
 
-/// What this translation unit was compiled with; `name`, `version` and `registerElements` empty.
+/// Versions that this translation unit was compiled with; `name`, `version` and `registerElements`
+/// are empty.
 PluginInfo frameworkFingerprint();
 
 }  // namespace dynamy

@@ -29,7 +29,7 @@ namespace {
 
 std::string text(const char* t) { return t == nullptr ? "?" : t; }
 
-/// "0.1" of "0.1.7": what must agree before version 1.
+/// "0.1" of "0.1.7": the part of a version that must agree before version 1.
 std::string series(const std::string& version) {
   return version.substr(0, version.find('.', version.find('.') + 1));
 }
@@ -41,14 +41,14 @@ std::string eigenVersion(const PluginInfo& p) {
 
 constexpr const char* kEntry = "dynamy_plugin_info";
 
-/// Loads a library for good; an undefined symbol is found now, not in the middle of a run.
+/// Loads a library until the end of the program; undefined symbols are found now, not during a run.
 void* linkNow(const fs::path& file, const std::string& name) {
   void* handle = nullptr;
   // The header calls dlopen noexcept, but a constructor of the library may throw through it.
   void* (*volatile open)(const char*, int) = ::dlopen;
   try {
     handle = open(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  } catch (const std::exception& e) {  // of a constructor in it
+  } catch (const std::exception& e) {  // thrown by a constructor in it
     throw ModelError(name +
                      ": cannot be loaded: code that runs while it is loaded failed: " + e.what());
   } catch (...) {
@@ -62,7 +62,7 @@ void* linkNow(const fs::path& file, const std::string& name) {
   return handle;
 }
 
-/// Does [at, at + bytes) lie in what was mapped from the library?
+/// A range of bytes [at, at + bytes); `mapped`: it lies in the memory mapped from the library.
 struct Range {
   ElfW(Addr) library;
   std::uintptr_t at;
@@ -86,8 +86,8 @@ bool isMapped(const link_map& library, const void* at, std::size_t bytes) {
   return r.mapped;
 }
 
-/// The entry as a function of the library itself: not of one that it needs, and no variable, which
-/// would be jumped into.
+/// The entry function of the library. It must not belong to a library that it depends on, and must
+/// not be a variable, because calling that would run data.
 void* entryFunction(void* handle, const link_map& library, const std::string& name) {
   void* const at = ::dlsym(handle, kEntry);
   Dl_info where{};
@@ -143,7 +143,7 @@ const PluginInfo& openPlugin(const fs::path& file) {
       reinterpret_cast<const PluginInfo* (*)()>(entryFunction(handle, *library, name));
   const PluginInfo* const info = entry();
   if (info == nullptr) throw ModelError(name + ": its plug-in entry is empty");
-  // The number of the interface says how long the rest is.
+  // The number of the interface determines the size of the struct.
   const PluginInfo host = frameworkFingerprint();
   if (!isMapped(*library, info, sizeof info->abi) ||
       (info->abi == host.abi && !isMapped(*library, info, sizeof *info)))

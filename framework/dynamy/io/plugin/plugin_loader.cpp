@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of the libraries in a folder, as one writes them in a model.
+/// Names of the libraries in a folder, as they are written in a model.
 std::vector<std::string> librariesIn(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error, none;
@@ -26,10 +26,11 @@ std::vector<std::string> librariesIn(const fs::path& folder) {
   return names;
 }
 
-/// A text with a '/' is a path, any other one a name that is searched, as in a shell.
+/// True if the text is a path: it holds a '/'. Any other text is a name that is searched, as in a
+/// shell.
 bool isPath(const std::string& library) { return library.find('/') != std::string::npos; }
 
-/// The file of a name: "my_elements" and "libmy_elements.so" are libmy_elements.so.
+/// The file name of a library: "my_elements" and "libmy_elements.so" both give libmy_elements.so.
 fs::path fileOf(const std::string& library) {
   return isPath(library) || library.ends_with(".so") ? library : "lib" + library + ".so";
 }
@@ -38,7 +39,7 @@ void append(std::vector<fs::path>& to, const std::vector<fs::path>& folders, con
   for (const fs::path& folder : folders) to.push_back(folder / file);
 }
 
-/// Does a library stand in one of these folders itself?
+/// True if a library is directly in one of these folders.
 bool isIn(const std::vector<fs::path>& folders, const fs::path& file) {
   std::error_code error;
   const fs::path folder = fs::canonical(file.parent_path(), error);
@@ -47,7 +48,7 @@ bool isIn(const std::vector<fs::path>& folders, const fs::path& file) {
   });
 }
 
-/// What to say of a file that was looked for and not taken.
+/// Text about a file that was tried and not loaded.
 std::string lookedFor(const fs::path& path) {
   std::error_code error;
   std::string text = "looked for " + fs::absolute(path).lexically_normal().string();
@@ -55,7 +56,8 @@ std::string lookedFor(const fs::path& path) {
   return fs::exists(path, error) ? text + ", which is no file" : text;
 }
 
-/// Nothing there: every path tried, and the nearest name, unless there is better advice.
+/// Throws ModelError for a missing library, with every path tried and the nearest name, unless
+/// there is better advice.
 [[noreturn]] void throwMissing(const std::string& library, const std::vector<fs::path>& tried,
                                std::string advice = {}) {
   std::vector<std::string> known;
@@ -75,8 +77,8 @@ std::string lookedFor(const fs::path& path) {
   throw ModelError(std::move(d));
 }
 
-/// What to do if the library that the user named is not found: it is never that of the current
-/// folder. Empty: nothing special.
+/// Advice if the library that the user named is not found; libraries in the current folder are
+/// never found by name. Empty: no special advice.
 std::string adviceFor(const std::string& library) {
   if (library == kStandardElements) return "install dynamY again: its own elements are missing";
   std::error_code error;
@@ -84,7 +86,7 @@ std::string adviceFor(const std::string& library) {
   return here ? "the one in the current folder is ./" + fileOf(library).string() : "";
 }
 
-/// The first regular file; empty: none is one.
+/// The first path that is a regular file; empty: none is.
 fs::path firstFile(const std::vector<fs::path>& paths) {
   std::error_code error;
   for (const fs::path& path : paths)
@@ -215,7 +217,7 @@ void PluginLoader::open(const fs::path& file, bool chosen, Registry& registry) {
     l.chosen = l.chosen || chosen;
     return;
   }
-  // The C struct first; C++ only if everything agrees.
+  // The C struct is checked first; C++ is called only if everything agrees.
   const std::string name = file.filename().string();
   const PluginInfo& info = openPlugin(file);
   for (const Loaded& l : loaded_)

@@ -8,12 +8,12 @@
 ///                              model's own folder, or a path, only if the user trusts it
 ///   a checkpoint, a sweep      name and fingerprint, in the user's folders; never a path
 ///
-/// The user's folders are those of DYNAMY_PLUGIN_PATH, then those where dynamY stands. The current
-/// folder is none of them. The fingerprint of a library (a plain C struct) is compared with the
-/// program's own before any C++ of the library is called; a mismatch says both sides. Libraries
-/// stay loaded to the end of the program, because models and registries hold code of theirs.
-/// Rejected: unloading with the loader, which saves nothing and makes the order of destructors a
-/// trap.
+/// The user's folders are those of DYNAMY_PLUGIN_PATH, then those where dynamY is installed. The
+/// current folder is not among them. The fingerprint of a library (a plain C struct) is compared
+/// with the program's own before any C++ of the library is called; the error of a mismatch names
+/// both. Libraries stay loaded until the end of the program, because models and registries refer to
+/// their code. Rejected: unloading with the loader, which saves nothing and makes the order of
+/// destructors a trap.
 #pragma once
 #include <dynamy/io/plugin/library_file.hpp>
 #include <dynamy/io/plugin/plugin.hpp>
@@ -30,41 +30,44 @@ inline constexpr const char kStandardElements[] = "dynamy_elements";
 class PluginLoader {
  public:
   struct Loaded {
-    std::string name, version;   ///< as the library says them
+    std::string name, version;   ///< as given by the library
     std::filesystem::path file;  ///< canonical
     bool chosen = false;         ///< named by the user
   };
 
   /// The user's folders are those of the environment variable DYNAMY_PLUGIN_PATH (separated by
   /// ':'), then `dynamy` beside the framework's own library and `../lib/dynamy` relative to the
-  /// program; trust is read from the user's configuration when it is needed.
+  /// program; the trusted folders are read from the user's configuration when they are needed.
   PluginLoader();
-  /// These folders hold everything, and no other is trusted.
+  /// Uses only these folders; no other folder is trusted.
   explicit PluginLoader(std::vector<std::filesystem::path> folders);
 
   /// Trusts the folders of all models from now on (--trust).
   void trustModels() { trustsModels_ = true; }
-  /// How messages say that a model is trusted, for a program that has another way than --trust.
+  /// Sets the words by which messages explain how to trust a model, for programs without the option
+  /// --trust.
   void howToTrust(std::string words) { howToTrust_ = std::move(words); }
   /// Trusts the libraries of models in `folder` and below.
   void trust(const std::filesystem::path& folder) { trusted_.add(folder); }
 
-  /// Loads what the user names: "my_elements" is the file libmy_elements.so in one of the folders;
-  /// a text with '/' is a path. A library that is loaded already is registered only once. Throws
-  /// ModelError: missing file (with all paths tried), no plug-in, mismatch, duplicate types.
+  /// Loads a library that the user names: "my_elements" is the file libmy_elements.so in one of the
+  /// folders; a text with '/' is a path. A library that is loaded already is not registered again.
+  /// Throws ModelError if the file is missing (with all paths tried), is no plug-in or does not
+  /// match, or if types are duplicate.
   void load(const std::string& library, Registry& registry);
-  /// Loads what a model in `modelFolder` names. Throws ModelError, also if the library stands only
-  /// where the user's trust is needed.
+  /// Loads a library that a model in `modelFolder` names. Throws ModelError, also if the library is
+  /// only in a folder that the user has not trusted.
   void load(const std::string& library, const std::filesystem::path& modelFolder,
             Registry& registry);
-  /// Loads what a file of results names; a library of this name that the user named counts first.
-  /// Throws ModelError, also if all libraries of this name have other fingerprints.
+  /// Loads a library that a file of results names; a library of this name that is loaded already
+  /// takes precedence. Throws ModelError, also if all libraries of this name have other
+  /// fingerprints.
   void load(const Fingerprint& library, Registry& registry);
 
   const std::vector<Loaded>& loaded() const { return loaded_; }
-  /// All but the standard elements. Throws FileError.
+  /// Fingerprints of all libraries but the standard elements. Throws FileError.
   std::vector<Fingerprint> fingerprints() const;
-  /// The files that `load` looks at, in their order; the first one that exists is taken.
+  /// The files that `load` tries, in this order; it takes the first one that exists.
   std::vector<std::filesystem::path> candidates(const std::string& library) const;
   std::vector<std::filesystem::path> candidates(const std::string& library,
                                                 const std::filesystem::path& modelFolder) const;

@@ -1,5 +1,5 @@
-/// The types that the framework itself brings: schemes, solvers, impact laws. All others come from
-/// plug-ins, the standard ones too.
+/// The types of the framework itself: schemes, solvers, impact laws. All other types come from
+/// plug-ins, including the standard elements.
 
 #include <dynamy/io/plugin/registry.hpp>
 #include <dynamy/located/event_driven.hpp>

@@ -6,7 +6,8 @@ namespace dynamy {
 
 namespace {
 
-/// Of elements and attributes in XML, and in messages: what an English name may have.
+/// True if `name` may be the name of a type or attribute in XML and in messages: letters, digits
+/// and _.
 bool isTypeName(const std::string& name) {
   const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   return !name.empty() && isLetter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {

@@ -1,5 +1,5 @@
-/// Registry: type names → how to declare and make them. `elements` and users' plug-ins register
-/// through the same calls.
+/// Registry: maps type names to declarations and constructors. `elements` and users' plug-ins
+/// register through the same calls.
 #pragma once
 #include <concepts>
 #include <dynamy/core/declared/parameters.hpp>
@@ -17,7 +17,7 @@ namespace dynamy {
 struct RegisteredType {
   std::string name;
   Kind kind = Kind::part;
-  std::string library;  ///< plug-in it came from, "dynamy" for the framework itself
+  std::string library;  ///< plug-in that registered it; "dynamy": the framework
   Attributes attributes;
   std::function<std::unique_ptr<Element>(const Parameters&)> make;
 };
@@ -37,7 +37,7 @@ class Registry {
   }
   /// Throws ModelError naming both libraries if the name is taken.
   void add(RegisteredType type);
-  /// Called at the beginning of every Model::build().
+  /// Adds a completion that every Model::build() calls at its beginning.
   void addCompletion(Model::Completion completion) {
     completions_.push_back(std::move(completion));
   }
@@ -46,7 +46,7 @@ class Registry {
   /// All types, ordered by kind and name.
   std::vector<const RegisteredType*> types() const;
   const std::vector<Model::Completion>& completions() const { return completions_; }
-  /// Name of the library whose registration follows.
+  /// Sets the name of the library whose registration follows.
   void library(std::string name) { library_ = std::move(name); }
 
  private:

@@ -1,14 +1,15 @@
 /// TrustedFolders: the folders of models whose libraries may be loaded.
 ///
-/// A model says by `<plugin>` which library it needs, and a library may do whatever its user may: a
-/// model from elsewhere must not bring its own. The user decides, either for one command (--trust)
-/// or by a line in the file `dynamy/trusted` of the own configuration:
+/// A model names the libraries it needs by `<plugin>`, and the code of a library may do whatever
+/// its user may. So a model of unknown origin must not bring its own library. The user decides,
+/// either for one command (--trust) or by a line in the file `dynamy/trusted` of the user
+/// configuration:
 ///
 ///   # folders whose models may bring libraries; folders below them are included
 ///   /srv/models
 ///   ~/work
 ///
-/// Rejected: trust that is kept in the model's folder, because it would come with the model.
+/// Rejected: a trust file in the model's folder, because it would come with the model.
 #pragma once
 #include <dynamy/core/error.hpp>
 #include <filesystem>
@@ -23,11 +24,12 @@ std::filesystem::path trustFile();
 
 class TrustedFolders {
  public:
-  /// The folders of `file`; nothing if it is not there. A line that is no absolute folder counts
-  /// for nothing, neither does a file that others may write: notes() say so.
+  /// The folders listed in `file`; none if it is missing. Lines that are no absolute folder are
+  /// ignored, and so is a file that others may write; notes() report this.
   static TrustedFolders of(const std::filesystem::path& file);
   void add(const std::filesystem::path& folder) { folders_.push_back(folder); }
-  /// Is `folder` one of them, or below one? Symbolic links are followed on both sides.
+  /// True if `folder` is a trusted folder or lies below one. Symbolic links are followed on both
+  /// sides.
   bool holds(const std::filesystem::path& folder) const;
   const std::vector<Note>& notes() const { return notes_; }
 

@@ -22,7 +22,7 @@ std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(characterCount(text));
 }
 
-/// Columns as wide as their widest entry; the last one is not filled up.
+/// Formats rows with columns as wide as their widest entry; the last column is not padded.
 std::string table(const std::vector<Row>& rows) {
   std::array<std::size_t, kColumns> widths{};
   for (const Row& row : rows)
@@ -69,7 +69,7 @@ std::string childrenText(const RegisteredType& type, const Registry& registry) {
   return out;
 }
 
-/// A hint for a word that names no type: the types whose description has it.
+/// A hint for a word that names no type: the types whose description contains it.
 std::string typesThatTellOf(const Registry& registry, std::string_view word) {
   constexpr std::size_t kShortest = 3, kMost = 6;  // letters; types worth naming
   const auto lower = [](std::string_view text) {
@@ -88,7 +88,7 @@ std::string typesThatTellOf(const Registry& registry, std::string_view word) {
   return fmt::format("the description of {} has this word", fmt::join(telling, ", "));
 }
 
-/// What the declarations have about a word that is no name; "" if nothing.
+/// What the declarations say about a word that is no name; "" if nothing.
 std::string onSubject(const Registry& registry, std::string_view word) {
   constexpr std::size_t kShortest = 2;  // letters
   if (word.size() < kShortest) return {};

@@ -6,9 +6,9 @@
 
 namespace dynamy {
 
-/// What `name` (a type, or a word of the format such as "simulation") is: text, table of
-/// attributes, children, example. For another word, such as "friction": the types about it, else
-/// the attributes of that name, words of other programs included. Throws ModelError with the
+/// Describes `name`, a type or a word of the format such as "simulation": text, table of
+/// attributes, children, example. For another word, such as "friction": the types about it, or else
+/// the attributes of that name, including names that other programs use. Throws ModelError with the
 /// nearest name if there is nothing.
 std::string describe(const Registry& registry, std::string_view name);
 

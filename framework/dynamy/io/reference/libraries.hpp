@@ -1,5 +1,5 @@
-/// The libraries that the framework was built with, for `dynamy --version`. No part of dynamY is
-/// left out where a library is missing: the build fails instead.
+/// The libraries that the framework was built with, for `dynamy --version`. If a library is
+/// missing, the build fails; no part of dynamY is left out.
 #pragma once
 #include <string>
 

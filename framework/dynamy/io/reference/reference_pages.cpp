@@ -35,7 +35,8 @@ const char* titleOf(Kind kind) {
   return "Elements";
 }
 
-/// Text of a declaration outside of code: no tag, no table cell by accident.
+/// Escapes the text of a declaration outside of code, so that it forms no tags or table cells by
+/// accident.
 std::string prose(const std::string& text) {
   std::string out;
   bool code = false;
@@ -47,7 +48,7 @@ std::string prose(const std::string& text) {
   return out;
 }
 
-/// Code inside of a table.
+/// Formats code inside of a table.
 std::string code(const std::string& text) {
   if (text == "-") return "";
   std::string out = "`";

@@ -1,5 +1,5 @@
-/// Reference of all types as Markdown pages, one a kind of element, made from the declarations in
-/// the registry; doc/reference holds them for the standard elements.
+/// Reference of all types as Markdown pages, one per kind of element, made from the declarations in
+/// the registry; doc/reference holds the pages of the standard elements.
 #pragma once
 #include <dynamy/io/plugin/registry.hpp>
 #include <string>

@@ -1,6 +1,6 @@
-/// Three complex types for a registered type or word: `word.x` and `type.X` with attributes and
-/// children, `default.X` with the attributes alone. Rejected: global elements and xs:any, with
-/// which an editor completes what the loader refuses.
+/// Complex types of the schema: `word.x` for words and `type.X` for registered types, with
+/// attributes and children; `default.X` for registered types, with the attributes alone. Rejected:
+/// global elements and xs:any, with which an editor would suggest what the loader refuses.
 
 #include <fmt/format.h>
 
@@ -86,7 +86,7 @@ class SchemaWriter {
     return fmt::format("      <xs:element name=\"{0}\" type=\"{1}.{0}\"/>\n", name, prefix);
   }
 
-  /// Any number of these, in any order.
+  /// Writes that any number of these children may follow in any order.
   void choice(const std::vector<std::string>& children) {
     if (children.empty()) return;
     out_ += "    <xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">\n";
@@ -108,7 +108,7 @@ class SchemaWriter {
     }
   }
 
-  /// One of the words, or an {expression}.
+  /// Writes a type that allows one of the words, or an {expression}.
   void enumeration(const std::vector<std::string>& words) {
     out_ +=
         "      <xs:simpleType><xs:union memberTypes=\"braces\"><xs:simpleType>"

@@ -11,7 +11,7 @@ namespace {
 bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 bool isWordLetter(char c) { return isCapital(c) || (c >= 'a' && c <= 'z') || (c & 0x80) != 0; }
 
-/// In lower case and without the s of a plural.
+/// The word in lower case and without the s of a plural.
 std::string inSingular(std::string_view word) {
   std::string out;
   for (const char c : word) out += isCapital(c) ? static_cast<char>(c - 'A' + 'a') : c;

@@ -8,15 +8,16 @@
 namespace dynamy {
 
 /// The first sentence of a description without its dot, as `dynamy list` shows it. It ends before
-/// ": " if at least three words stand there, because what follows is an equation as a rule.
+/// ": " if at least three words precede it, because an equation usually follows.
 std::string firstSentence(std::string_view about);
 
-/// Types whose kind, a part of whose name, or a word of whose first sentence is `word`, in any case
-/// and number.
+/// Types that match `word`: by their kind, a part of their name, or a word of their first sentence.
+/// Upper case and plural forms match, too.
 std::vector<const RegisteredType*> typesOnSubject(const Registry& registry, std::string_view word);
 
-/// "<UnilateralCoulomb> mu: coefficient of friction", a line for each type that has the attribute
-/// `word` or what others call so (core/other_words); "" if none has.
+/// One line, such as "<UnilateralCoulomb> mu: coefficient of friction", for each type that has the
+/// attribute `word`, or an attribute that other programs call so (core/other_words); "" if none
+/// has.
 std::string attributesOnSubject(const Registry& registry, std::string_view word);
 
 }  // namespace dynamy

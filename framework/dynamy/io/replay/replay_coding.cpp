@@ -14,14 +14,15 @@ namespace {
 
 constexpr std::size_t kManyPoses = 50;
 constexpr std::size_t kArrows = 100;  ///< contacts of a frame that are kept in any case
-constexpr int kNone = -32768;         ///< in the place of a logarithm: the number is zero
-/// Of a few bodies each coordinate has a range of its own; of many nobody sees more than parts of
-/// the scene, and equal steps for all of them make their numbers alike, which deflates well.
+constexpr int kNone = -32768;         ///< stands for the logarithm of zero
+/// With few bodies each coordinate has a range of its own. With many bodies the range is that of
+/// the scene, because finer steps are not visible, and equal steps for all bodies give similar
+/// numbers, which deflate well.
 constexpr PoseSteps kFewPoses{65535, 65535}, kManyPosesSteps{8192, 512};
 constexpr ContactSteps kFewContacts{65535, 8192, 128}, kManyContacts{8192, 64, 8};
 using Column = std::vector<std::uint16_t>;
 
-/// Smallest and largest of the numbers that a coordinate takes; not finite ones do not count.
+/// Smallest and largest value of a coordinate; values that are not finite do not count.
 struct CodedRange {
   float lo = std::numeric_limits<float>::infinity();
   float hi = -std::numeric_limits<float>::infinity();
@@ -33,7 +34,7 @@ struct CodedRange {
   }
   bool isConstant() const { return !(lo < hi); }
   float length() const { return isConstant() ? 0.0f : hi - lo; }
-  /// lo … hi as 0 … steps.
+  /// Maps lo … hi to 0 … steps.
   std::uint16_t rounded(float x, int steps) const {
     if (isConstant() || !std::isfinite(x)) return 0;
     const double share = (static_cast<double>(x) - lo) / (static_cast<double>(hi) - lo);
@@ -45,7 +46,8 @@ std::uint16_t zigzag(std::uint16_t e) {
   return static_cast<std::uint16_t>((e << 1) ^ ((e & 0x8000u) != 0 ? 0xffffu : 0u));
 }
 
-/// Error of the prediction of c[f] from `order` numbers before; those before the first are 0.
+/// Error of the prediction of c[f] from the `order` numbers before it, coded by zigzag(); the
+/// prediction of the first number is 0.
 std::uint16_t error(const Column& c, std::size_t f, int order) {
   const int a = f > 0 ? c[f - 1] : 0, b = f > 1 ? c[f - 2] : a;
   const int guess = order == 0 ? 0 : order == 1 ? a : 2 * a - b;
@@ -62,7 +64,7 @@ int bestOrder(const Column& c) {
   return static_cast<int>(std::min_element(bits.begin(), bits.end()) - bits.begin());
 }
 
-/// Low and high bytes of the errors, apart from each other.
+/// Low and high bytes of the errors, stored separately.
 struct Planes {
   std::string low, high;
   void add(const Column& c, int order) {
@@ -99,7 +101,7 @@ std::vector<float> smoothPoses(const Frames& frames, const std::vector<std::size
   return poses;
 }
 
-/// The box with all edges as long as the longest: one step for all axes.
+/// The box with all edges as long as the longest, so that all axes have the same step.
 std::array<CodedRange, 3> cube(std::array<CodedRange, 3> box) {
   float edge = 0.0f;
   for (const CodedRange& b : box) edge = std::max(edge, b.length());
@@ -108,13 +110,14 @@ std::array<CodedRange, 3> cube(std::array<CodedRange, 3> box) {
   return box;
 }
 
-/// Forces of an impact and of rest differ by powers of ten: the logarithm, in steps.
+/// The logarithm of a force, in steps, because forces of impacts and of rest differ by powers of
+/// ten.
 int logarithm(double x, int octaveSteps) {
   if (!(x > 0.0) || !std::isfinite(x)) return kNone;
   return static_cast<int>(std::clamp(std::lround(std::log2(x) * octaveSteps), -32767L, 32767L));
 }
 
-/// A contact as 12 integers (doc/replay.md).
+/// Codes a contact as 12 integers (doc/replay.md).
 std::array<int, kContactColumns> codedContact(const float* x, const std::array<CodedRange, 3>& box,
                                               const ContactSteps& steps) {
   const auto of = [](float part) { return std::isfinite(part) ? static_cast<double>(part) : 0.0; };

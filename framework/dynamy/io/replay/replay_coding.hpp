@@ -8,12 +8,13 @@
 ///     e_f = c_f,   c_f − c_{f−1}   or   c_f − 2c_{f−1} + c_{f−2}   (mod 2¹⁶), whichever is least
 ///     z = (e << 1) ^ (e >> 15), so that small errors of both signs have a high byte of zero
 ///
-/// Contacts are another set of contacts in every frame: nothing predicts them, but few steps do for
-/// an arrow, and logarithms for its length.
+/// Every frame has another set of contacts, so that they cannot be predicted. But few steps are
+/// enough for the direction of an arrow, and logarithms for its length.
 ///
-/// Smooth motion leaves a few bits a number: about 5 bytes a body and frame where f32 take 28. The
-/// three smallest parts of a quaternion were rejected: which ones they are jumps, and a jump costs
-/// more than the fourth part. General video codecs as well: nothing in them knows a body.
+/// Smooth motion leaves a few bits per number: about 5 bytes per body and frame, compared with 28
+/// as f32. Rejected: coding only the three smallest components of a quaternion, because their
+/// choice jumps, and a jump costs more than the fourth component. Also rejected: general video
+/// codecs, which do not use that bodies move.
 
 #include <array>
 #include <dynamy/io/run_files/frames_file.hpp>
@@ -37,11 +38,12 @@ struct PoseSteps {
 struct CodedPoses {
   PoseSteps steps;
   std::string ranges;  ///< f32 lo, hi of each coordinate 7 i + k
-  std::string orders;  ///< of each that changes: how many numbers before predict it, one byte
+  std::string orders;  ///< one byte per changing coordinate: numbers that predict it
   std::string data;    ///< base64 of the deflated planes: all low bytes, then all high bytes
 };
 
-/// Poses of the kept frames. Quaternions get the sign that is next to the one before.
+/// Codes the poses of the kept frames. Each quaternion gets the sign that is nearer to the one
+/// before.
 CodedPoses codedPoses(const Frames& frames, const std::vector<std::size_t>& kept);
 
 struct ContactSteps {
@@ -58,11 +60,12 @@ struct CodedContacts {
   std::string counts;          ///< u32: contacts of each kept frame
   std::string data;            ///< 12 columns as planes
   std::size_t recorded = 0;    ///< most contacts of one frame
-  std::size_t kept = 0;        ///< most that one frame has here
+  std::size_t kept = 0;        ///< most contacts of one frame that are kept
 };
 
-/// Contacts of the kept frames. Among many bodies those with the largest forces, one for ten bodies
-/// and 100 at least: more arrows are a fog, and would take ten times as much as the poses.
+/// Codes the contacts of the kept frames. With many bodies only those with the largest forces are
+/// kept, one for ten bodies and 100 at least: more arrows cannot be distinguished, and would take
+/// ten times as much as the poses.
 CodedContacts codedContacts(const Frames& frames, const std::vector<std::size_t>& kept);
 
 }  // namespace dynamy

@@ -44,7 +44,8 @@ void writeFrames(JsonWriter& json, const Frames& frames, const std::vector<std::
   json.key("data").raw('"' + contacts.data + '"').endObject().endObject();
 }
 
-/// Every n-th frame and the last, n the least with which poses and contacts stay below `bytes`.
+/// Writes every n-th frame and the last; n is the smallest number with which poses and contacts
+/// take at most `bytes`.
 void writeFrames(JsonWriter& json, const Frames& frames, std::size_t bytes, ReplaySize& size) {
   size.recorded = frames.t.size();
   for (std::size_t stride = 1;;) {
@@ -64,7 +65,8 @@ void writeFrames(JsonWriter& json, const Frames& frames, std::size_t bytes, Repl
   }
 }
 
-/// Each signal thinned to what a plot can show; "t" is left out where it is that of the one before.
+/// Writes each signal, thinned to what a plot can show; "t" is left out if it equals that of the
+/// signal before.
 void writeSignals(JsonWriter& json, const SignalTable& table) {
   json.beginArray();
   std::string before;
@@ -83,7 +85,7 @@ void writeSignals(JsonWriter& json, const SignalTable& table) {
   json.endArray();
 }
 
-/// Puts `value` in the place of the mark "{{name}}" of the template.
+/// Replaces the mark "{{name}}" of the template by `value`.
 void fill(std::string& page, const std::string& name, std::string_view value) {
   const std::string mark = "{{" + name + "}}";
   const std::size_t at = page.find(mark);
@@ -117,7 +119,8 @@ std::string replayData(const Frames& frames, const SignalTable& signals, const R
 
 std::string replayPage(const Frames& frames, const SignalTable& signals, const ReplayText& text,
                        ReplaySize* size) {
-  // '<' occurs in JSON inside strings only; escaped there, no "</script>" can end the data early
+  // in JSON '<' occurs only inside strings; it is escaped, so that no "</script>" can end the data
+  // early
   const std::string raw = replayData(frames, signals, text, size);
   std::string data;
   data.reserve(raw.size());
@@ -129,7 +132,7 @@ std::string replayPage(const Frames& frames, const SignalTable& signals, const R
     }
   }
 
-  // the data last: a mark inside the model text must not be filled
+  // the data are filled in last, because a mark inside the model text must not be replaced
   std::string page(viewerFile("replay.html"));
   fill(page, "title", escapedXml(text.title));
   fill(page, "style", viewerFile("replay.css"));

@@ -18,17 +18,16 @@ struct ReplayText {
   std::string runJson = "null";  ///< content of run.json
   std::string modelName = {};    ///< file name of the model
   std::string modelText = {};
-  std::string events = {};  ///< content of events.csv
-  std::string ledger = {};  ///< content of ledger.csv
-  std::size_t frameBytes =
-      30'000'000;  ///< [byte] more than that, and only every n-th frame is kept
+  std::string events = {};              ///< content of events.csv
+  std::string ledger = {};              ///< content of ledger.csv
+  std::size_t frameBytes = 30'000'000;  ///< [byte] if frames take more, only every n-th is kept
 };
 
 /// How much of a film a page holds.
 struct ReplaySize {
   std::size_t frames = 0, recorded = 0;            ///< in the page; in frames.bin
   std::size_t poseBytes = 0, contactBytes = 0;     ///< [byte] in the page, as text
-  std::size_t contacts = 0, contactsRecorded = 0;  ///< most of one frame: in the page; there
+  std::size_t contacts = 0, contactsRecorded = 0;  ///< most of a frame: in the page; in frames.bin
   std::size_t wholeBytes = 0;                      ///< [byte] that all frames would take
   bool thinned() const { return frames < recorded; }
 };

@@ -24,7 +24,7 @@ struct AxisRange {
     lo = std::min(lo, x);
     hi = std::max(hi, x);
   }
-  /// A range with some extent, also for constant or empty curves; `share` of it as a margin.
+  /// The range widened by the margin `share`; it has some extent even for constant or empty curves.
   AxisRange widened(double share) const {
     if (!(lo <= hi)) return {0, 1};
     double margin = (hi - lo) * share;
@@ -35,7 +35,7 @@ struct AxisRange {
   }
 };
 
-/// A coordinate with two decimals: a hundredth of a pixel.
+/// Text of a coordinate with two decimals, to a hundredth of a pixel.
 std::string px(double x) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.2f", x);
@@ -51,7 +51,7 @@ std::string lineTo(double x1, double y1, double x2, double y2, const char* kind)
          ' ' + px(y2) + "\"/>\n";
 }
 
-/// One curve as a path that is lifted over values which are not finite.
+/// One curve as a path, interrupted at values that are not finite.
 std::string curve(std::span<const double> t, std::span<const double> y, AxisRange time,
                   AxisRange value, double top, const char* colour) {
   std::string d;

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// signals.svg: the recorded signals over time as small multiples with one time axis. Signals of
-/// one element with the same unit share a panel; where no unit is known each signal has its own.
-/// SVG is text that browsers, papers and reviews show alike, so no plotting library is asked for.
+/// one element with the same unit share a panel; a signal without a known unit has its own panel.
+/// SVG is text that browsers, papers and reviews all show, so no plotting library is needed.
 
 #include <dynamy/io/run_files/signals_file.hpp>
 #include <filesystem>
@@ -10,7 +10,8 @@
 
 namespace dynamy {
 
-/// The picture as SVG text; `title` stands above it. At most 40 panels, a note counts the rest.
+/// The picture as SVG text with `title` above it. It has at most 40 panels; a note gives the number
+/// of omitted ones.
 std::string signalsSvg(const SignalTable& table, const std::string& title);
 
 /// Writes signalsSvg to a file. \throws FileError

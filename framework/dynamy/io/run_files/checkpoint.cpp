@@ -18,8 +18,8 @@ constexpr std::uint32_t kCheckpointByteOrder = 0x01020304u;
 constexpr std::size_t kHead = 40;  // magic, layout, byte order, bytes, hash, CRC, 0
 constexpr std::size_t kHashAt = 24, kCheckpointCrcAt = 32;
 
-/// Word by word, so that a checkpoint of many megabytes costs milliseconds; the steps are one to
-/// one, so that a changed word always shows.
+/// Hash of the bytes. It works word by word, so that a checkpoint of many megabytes takes
+/// milliseconds; each step is one to one, so that one changed word always changes the hash.
 std::uint64_t hashOf(std::string_view bytes) {
   std::uint64_t h = bytes.size();
   const auto add = [&h](std::uint64_t word) {
@@ -32,7 +32,7 @@ std::uint64_t hashOf(std::string_view bytes) {
   return h;
 }
 
-/// Why these bytes are no whole checkpoint; empty: they are one.
+/// Why these bytes are no complete checkpoint; empty: they are one.
 std::string fault(std::string_view bytes) {
   if (bytes.size() < kHead || bytes.substr(0, kCheckpointMagic.size()) != kCheckpointMagic)
     return "is no checkpoint of dynamY, or its begin is damaged";
@@ -55,13 +55,13 @@ std::string fault(std::string_view bytes) {
   return good ? "" : "is damaged: its checksum is wrong";
 }
 
-/// What is wrong with the checkpoint `file` or the recorded files that go with it; empty: nothing.
+/// The fault of the checkpoint `file` or of the recorded files that belong to it; empty: none.
 std::string read(const RunFolder& folder, const fs::path& file, Checkpoint& out) {
   std::error_code error;
   if (!fs::exists(file, error)) return file.filename().string() + " is missing";
   try {
     out = readCheckpoint(readWholeFile(file), file.filename().string());
-  } catch (const FileError& e) {  // "checkpoint: is damaged …", as a part of a sentence
+  } catch (const FileError& e) {  // "checkpoint: is damaged …" becomes a part of a sentence
     std::string why = e.what();
     const std::string name = file.filename().string() + ": ";
     return why.starts_with(name) ? why.replace(name.size() - 2, 1, "") : why;
@@ -76,7 +76,7 @@ std::string read(const RunFolder& folder, const fs::path& file, Checkpoint& out)
   return {};
 }
 
-/// Into the room that was kept for it, else into that of the older one.
+/// Writes a checkpoint into the space reserved for it, or into the space of the older one.
 void writeWithoutRoom(const RunFolder& folder, const fs::path& file, const std::string& bytes) {
   std::error_code error;
   if (fs::file_size(folder.spareRoom(), error) >= bytes.size() && !error) {
@@ -111,7 +111,7 @@ void RunChoice::archive(Archive& a) {
 }
 
 void Checkpoint::archive(Archive& a) {
-  a.section("dynamy run 2");  // counts changes of what follows
+  a.section("dynamy run 2");  // the number counts changes of the layout
   a(program), a(t), a(choice), a(modelText), a(files), a(simulation);
 }
 
@@ -160,10 +160,11 @@ void writeCheckpoint(const RunFolder& folder, Checkpoint& checkpoint, bool lasti
   } catch (const WriteError&) {
     writeWithoutRoom(folder, next, bytes);
   }
-  // First a second name for the last one, so that there is one under its name at every moment.
+  // The last checkpoint first gets its second name, so that a checkpoint has the name `last` at
+  // every moment.
   fs::remove(older, error);
   fs::create_hard_link(last, older, error);
-  if (error && fs::exists(last)) fs::rename(last, older, error);  // without links
+  if (error && fs::exists(last)) fs::rename(last, older, error);  // file systems without hard links
   fs::rename(next, last, error);
   if (error) throw WriteError(last.string(), "cannot replace: " + error.message());
 }

@@ -25,7 +25,7 @@ EventsFile::EventsFile(const std::filesystem::path& path, const FilePlace& keep,
 EventsFile::~EventsFile() {
   try {
     flush();
-  } catch (const FileError&) {  // a destructor has nobody to tell
+  } catch (const FileError&) {  // a destructor cannot report it
   }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// events.csv: one line for each impact and each contact that changed its status, at the end of the
-/// step in which it happened (doc/run_folder.md). At most kMostEvents lines: a heap of grains has
-/// millions, and nobody jumps from one to the next of those.
+/// step in which it happened (doc/run_folder.md). The file has at most kMostEvents lines: a heap of
+/// grains has millions of events, and nobody steps through those one by one.
 
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/simulation/report/record_sink.hpp>
@@ -15,8 +15,8 @@ class EventsFile {
 
   /// Creates the file and writes its head. \throws FileError
   explicit EventsFile(const std::filesystem::path& path);
-  /// Goes on at `keep` in the file of an earlier run, which had `events` lines and could not write
-  /// `pending`. \throws FileError
+  /// Continues the file of an earlier run after the bytes `keep`; it had `events` lines, and
+  /// `pending` is text that could not be written. \throws FileError
   EventsFile(const std::filesystem::path& path, const FilePlace& keep, long events,
              std::string pending = {});
   ~EventsFile();
@@ -26,9 +26,9 @@ class EventsFile {
   /// Adds a line; `contact` is the name of the contact. \throws FileError
   void event(const ContactEvent& event, std::string_view contact);
   bool full() const { return events_ >= kMostEvents; }
-  /// \throws WriteError; what is left is kept for the next try
+  /// \throws WriteError; the text left is kept for the next try
   void flush();
-  /// What is in the file; pending() is not.
+  /// The bytes in the file; pending() is not part of them.
   const FilePlace& place() const { return file_.place(); }
   const std::string& pending() const { return buffer_; }
   void sync() { file_.sync(); }  ///< \throws WriteError

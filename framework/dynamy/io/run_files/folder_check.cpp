@@ -18,12 +18,12 @@ namespace dynamy {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSameTime = 1e-9;  ///< of the end time: the last row is that of the last step
+constexpr double kSameTime = 1e-9;  ///< tolerance of the last time, over the end time
 
-/// What run.json says of the others.
+/// The statements of run.json about the other files.
 struct Facts {
   std::string state;
-  bool finished = false;  ///< or stopped between steps: rows and frames reach its end
+  bool finished = false;  ///< or stopped between steps: rows and frames are complete
   double t = 0.0;         ///< reached [s]
   std::vector<std::string> signals;
   std::vector<RecordedFile> files;
@@ -52,7 +52,7 @@ Facts readFacts(const RunFolder& folder) {
   return out;
 }
 
-/// Bytes and CRC-32 of the file against what run.json says of it. Throws FileError.
+/// Compares the size and CRC-32 of a file with run.json. Throws FileError.
 void compare(const RunFolder& folder, const Facts& facts, const std::string& name) {
   for (const RecordedFile& f : facts.files) {
     if (f.name != name) continue;
@@ -64,7 +64,7 @@ void compare(const RunFolder& folder, const Facts& facts, const std::string& nam
   }
 }
 
-/// Times go on, and reach the end of a run that did.
+/// Checks that times do not decrease, and that they reach the end time of a finished run.
 void compareTimes(const std::vector<double>& t, const Facts& facts, const std::string& name) {
   for (std::size_t i = 0; i < t.size(); ++i)
     if (!std::isfinite(t[i]) || (i > 0 && t[i] < t[i - 1]))
@@ -155,7 +155,7 @@ FileVerdict verdict(const std::string& file, const std::function<std::string()>&
   out.file = file;
   try {
     out.text = look();
-  } catch (const std::exception& e) {  // of a file: path and reason; of a lack of memory
+  } catch (const std::exception& e) {  // errors of files, with path and reason; lack of memory
     out.good = false, out.text = e.what();
     for (const std::string& twice : {file + ": ", file + ':'})
       if (out.text.starts_with(twice)) out.text.erase(0, twice.size());

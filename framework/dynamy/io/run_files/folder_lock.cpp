@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kName = "run.lock";
-constexpr int kLockTries = 100;     ///< others may remove their file between our two looks
-constexpr int kLooksForHolder = 4;  ///< somebody who only asks for the holder holds it for a moment
+constexpr int kLockTries = 100;     ///< others may remove their file between open and lock
+constexpr int kLooksForHolder = 4;  ///< a query for the holder holds the lock for a moment
 constexpr auto kBetweenLooks = std::chrono::milliseconds(20);
 
 std::string ownText() {
@@ -44,7 +44,7 @@ std::string textOf(int file) {
   return out.empty() ? "another process" : out;
 }
 
-/// Is the open file the one that stands under this name? Its holder may have removed it.
+/// True if the open file still has this name. The holder of the lock may have removed it.
 bool isThere(int file, const fs::path& path) {
   struct stat opened {
   }, named{};
@@ -52,7 +52,8 @@ bool isThere(int file, const fs::path& path) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
-/// A file system that knows no locks lets everybody pass: the run goes on, as it would alone.
+/// True if the lock was taken. On file systems without locks every run gets it and continues as if
+/// it were alone.
 bool taken(int file) {
   for (int look = 0; look < kLooksForHolder; ++look) {
     if (::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
@@ -96,7 +97,7 @@ FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
 }
 
 FolderLock::~FolderLock() {
-  if (opened_ >= 0) ::unlink(file_.c_str());  // while it is held: nobody else's
+  if (opened_ >= 0) ::unlink(file_.c_str());  // its own, while the lock is held
   release();
 }
 

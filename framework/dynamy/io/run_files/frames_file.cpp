@@ -44,7 +44,8 @@ bool readPayload(std::string_view payload, std::uint32_t count, Frames& frames) 
   return at == payload.size();
 }
 
-/// Reads the chunk at the begin of `rest` and returns its bytes; 0 if it is cut off or broken.
+/// Reads the chunk at the beginning of `rest` and returns its size in bytes; 0 if it is cut off or
+/// broken.
 std::size_t readChunk(std::string_view rest, Frames& frames) {
   if (rest.size() < kChunkHead || rest.substr(0, 4) != kChunk) return 0;
   const auto count = readBytes<std::uint32_t>(&rest[4]);
@@ -86,7 +87,7 @@ FramesFile::FramesFile(const std::filesystem::path& path, std::size_t poses, con
 FramesFile::~FramesFile() {
   try {
     flush();
-  } catch (const FileError&) {  // a destructor has nobody to tell
+  } catch (const FileError&) {  // a destructor cannot report it
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// frames.bin: poses and contacts at recorded instants, in chunks that are whole by themselves.
-/// Little-endian; doc/run_folder.md gives every byte:
+/// frames.bin: poses and contacts at recorded instants, in self-contained chunks. Little-endian;
+/// doc/run_folder.md gives every byte:
 ///
 ///     head   "DYNFRAME" u32 version, u32 0x01020304, u32 poses, u32 bytes of JSON | JSON | u32 CRC
 ///     chunk  "CHNK" u32 frames, u64 bytes of payload, f64 first t, f64 last t, u32 CRC, u32 0
@@ -9,8 +9,9 @@
 ///     frame  f64 t, u32 contacts, u32 0 | poses × 7 f32 (x y z qw qx qy qz) | contacts × 11 f32
 ///
 /// Times are double, poses single: 2^-24 of the scene's size is far below a pixel, and signals.csv
-/// has the full numbers. One record a frame without chunks was rejected: a check sum and a flush
-/// for 40 bytes; an index at the end as well: a killed run has no end.
+/// has the full numbers. Rejected: one record per frame without chunks, which needs a checksum and
+/// a flush for 40 bytes. Also rejected: an index at the end, because a killed run does not write
+/// it.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -28,7 +29,7 @@ namespace dynamy {
 /// Version of the format that is written and read.
 inline constexpr std::uint32_t kFramesVersion = 2;
 
-/// Where a frame K of the scene is.
+/// Pose of a frame K of the scene.
 struct Pose {
   Eigen::Vector3d r_OS_I = Eigen::Vector3d::Zero();          ///< [m]
   Eigen::Quaterniond p_IK = Eigen::Quaterniond::Identity();  ///< A_IK as a unit quaternion
@@ -51,22 +52,22 @@ class FramesFile {
   /// Creates the file and writes its head; every frame then has scene.frames.size() poses.
   /// \throws FileError
   FramesFile(const std::filesystem::path& path, const Scene& scene);
-  /// Goes on at `keep` in the file of an earlier run, which had `poses` poses a frame and could not
-  /// write `pending`. \throws FileError
+  /// Continues the file of an earlier run after the bytes `keep`; it has `poses` poses per frame,
+  /// and `pending` are bytes that could not be written. \throws FileError
   FramesFile(const std::filesystem::path& path, std::size_t poses, const FilePlace& keep,
              std::string pending = {});
-  /// Writes the frames that are left; a failure at this late point is lost: call flush() to see it.
+  /// Writes the frames that are left. An error is not reported here; call flush() first to see it.
   ~FramesFile();
   FramesFile(const FramesFile&) = delete;
   FramesFile& operator=(const FramesFile&) = delete;
 
   /// Adds the frame at t [s]. Does not allocate after the first chunk. \throws FileError
   void frame(double t, std::span<const Pose> poses, std::span<const ContactMark> contacts = {});
-  /// Ends the chunk if the last one is long ago: for loops with rare frames.
+  /// Ends the chunk if the last one was written long ago: for loops with rare frames.
   void flushIfDue();
-  /// Ends the chunk and writes it. \throws WriteError; what is left is kept for the next try
+  /// Ends the chunk and writes it. \throws WriteError; the bytes left are kept for the next try
   void flush();
-  /// What is in the file; pending() and frames since the last flush() are not.
+  /// The bytes in the file; pending() and frames since the last flush() are not part of them.
   const FilePlace& place() const { return file_.place(); }
   const std::string& pending() const { return head_; }
   void sync() { file_.sync(); }  ///< \throws WriteError
@@ -75,7 +76,7 @@ class FramesFile {
   OutputFile file_;
   std::size_t poses_;
   std::string payload_;
-  std::string head_;  // and chunks that could not be written
+  std::string head_;  // head and chunks that are not written yet
   std::uint32_t frames_ = 0;
   double first_ = 0;
   double last_ = 0;
@@ -99,7 +100,7 @@ struct Frames {
 /// Reads frames.bin up to its end, or up to the first chunk that is cut off or has a wrong check
 /// sum. \throws FileError if the head is not one of ours
 Frames readFrames(const std::filesystem::path& path);
-/// The same of the bytes of a file, which is named in messages.
+/// Reads the frames in the bytes of a file; `file` is named in messages.
 Frames framesIn(std::string_view bytes, const std::string& file);
 
 }  // namespace dynamy

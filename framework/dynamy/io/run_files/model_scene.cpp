@@ -23,7 +23,7 @@ SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
   return {name, place.line > 0 ? place.file + ":" + std::to_string(place.line) : ""};
 }
 
-/// Kind and sizes; the orientation of a half-space turns its z axis to the normal.
+/// Kind and sizes of a shape; for a half-space `turn` rotates its z axis onto the normal.
 SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
   static const std::map<std::string, ShapeKind> kinds = {{"Sphere", ShapeKind::sphere},
                                                          {"Point", ShapeKind::sphere},
@@ -75,7 +75,7 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
   return s;
 }
 
-/// Index of the frame with handle `f` among the drawn ones.
+/// Index of the frame with handle `f` among the drawn frames; −1: it is not drawn.
 int drawnIndex(const Model& model, const std::vector<DrawnFrame>& drawn, int f) {
   const auto [system, id] = model.topology().requestedFrames()[static_cast<std::size_t>(f)];
   for (std::size_t k = 0; k < drawn.size(); ++k)

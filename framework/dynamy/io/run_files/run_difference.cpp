@@ -8,9 +8,9 @@
 namespace dynamy {
 namespace {
 
-constexpr double kChaotic = 6.0;  ///< ln of the growth in a run, at its rate
+constexpr double kChaotic = 6.0;  ///< growth rate times duration, above which a run is chaotic
 
-/// Rows of both at equal instants; of several at one instant the last of each.
+/// Pairs of rows at equal instants; of several rows at one instant the last one is taken.
 std::vector<std::pair<std::size_t, std::size_t>> common(const std::vector<double>& a,
                                                         const std::vector<double>& b) {
   std::vector<std::pair<std::size_t, std::size_t>> out;
@@ -28,7 +28,7 @@ std::vector<std::pair<std::size_t, std::size_t>> common(const std::vector<double
   return out;
 }
 
-/// Slope of ln d over t from `first` to before `last`, least squares.
+/// Least-squares slope of ln d over t in the rows [first, last).
 double slope(const std::vector<double>& t, const std::vector<double>& d, std::size_t first,
              std::size_t last) {
   double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
@@ -41,8 +41,8 @@ double slope(const std::vector<double>& t, const std::vector<double>& d, std::si
   return n > 2.0 && D > 0.0 ? (n * sty - st * sy) / D : 0.0;
 }
 
-/// Whether the value of a at `row` is one of those of b there or in the rows beside it, or between
-/// them: a jump that comes a little sooner or later.
+/// Whether the value a[i] lies in the range of b in the rows first … last around the same instant:
+/// then a jump is only shifted in time.
 bool onlyShifted(const std::vector<double>& a, std::size_t i, const std::vector<double>& b,
                  std::size_t first, std::size_t last) {
   const auto [low, high] = std::minmax_element(b.begin() + static_cast<std::ptrdiff_t>(first),
@@ -84,7 +84,7 @@ RunDifference runDifference(const SignalTable& a, const SignalTable& b, double n
   if (t.size() < 3 || !(d.back() > 0.0)) return out;
   const auto lost =
       std::find_if(d.begin(), d.end(), [](double x) { return x >= RunDifference::kLost; });
-  // Differences as large as the signals grow no more.
+  // Differences as large as the signals stop growing, so only rows before are used.
   const auto told = static_cast<std::size_t>(lost - d.begin());
   out.growth = slope(t, d, told / 2, told);
   out.chaotic = told > 0 && out.growth * (t[told - 1] - t.front()) > kChaotic;

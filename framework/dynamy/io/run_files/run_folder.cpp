@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kMarker = "dynamy-run";
 constexpr int kVersion = 1;
 
-/// Nothing in it but the lock of a run that was killed as it began.
+/// True if the folder holds nothing but the lock of a run that was killed at its start.
 bool isEmpty(const fs::path& path, std::error_code& error) {
   for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error))
     if (it->path().filename() != "run.lock") return false;
@@ -51,7 +51,7 @@ fs::path RunFolder::defaultPath(const fs::path& model) { return fs::path("runs")
 RunFolder::RunFolder(const fs::path& path) : path_(path) {
   prepare(path);
   lock_ = FolderLock(path);
-  // first the new run.json, so that the folder is one of ours at every moment
+  // first the new run.json, so that the folder carries the marker at every moment
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
   for (const fs::path& file : {model(), signals(), signalsPlot(), events(), ledger(), frames(),

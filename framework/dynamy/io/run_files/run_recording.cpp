@@ -67,7 +67,8 @@ RunRecording::RunRecording(const RunFolder& folder, const Model& model)
 
 namespace {
 
-/// Nothing recorded is lost silently: a resumed run has to be read before it is written to.
+/// Error of a resumed recording that is used before archive() has read its checkpoint, so that no
+/// recorded number is lost silently.
 [[noreturn]] void tooEarly() {
   throwExpectation("a resumed run is read before it is recorded", std::source_location::current());
 }
@@ -104,7 +105,7 @@ void RunRecording::ledger(const LedgerRow& row) {
 void RunRecording::archive(Archive& a) {
   a.section("files");
   FilePlace signalsAt, framesAt, ledgerAt, eventsAt;
-  std::string rows, chunks, entries, lines;  // what the files did not take
+  std::string rows, chunks, entries, lines;  // text that could not be written
   long count = 0;
   if (!a.reading()) {
     flush();
@@ -127,8 +128,8 @@ void RunRecording::archive(Archive& a) {
   archived_ = files();
 }
 
-/// A file that cannot be written ends the run at the end of its step: the rest of this step is
-/// collected in memory.
+/// Calls `write`. A file that cannot be written ends the run after the present step; until then its
+/// numbers are collected in memory.
 void RunRecording::guarded(const std::function<void()>& write) {
   try {
     write();

@@ -1,5 +1,5 @@
-/// RunRecording: what a recorder takes goes to signals.csv, events.csv, ledger.csv and
-/// frames.bin of a run folder.
+/// RunRecording: writes the recorded numbers of a run to signals.csv, events.csv, ledger.csv and
+/// frames.bin of its run folder.
 #pragma once
 #include <dynamy/io/files/json_writer.hpp>
 #include <dynamy/io/run_files/events_file.hpp>
@@ -18,21 +18,21 @@ namespace dynamy {
 /// Names and units of the recorded signals, in the order of the columns.
 std::vector<SignalName> recordedSignals(const Model& model);
 
-/// A file of a run with what is in it.
+/// A file of a run, with the number and checksum of its bytes.
 struct RecordedFile {
   std::string name;  ///< in the folder
   FilePlace place;
   void archive(Archive& a) { a(name), a(place.bytes), a(place.crc); }
 };
-/// The member `warnings` of run.json.
+/// Writes the member `warnings` of run.json.
 void writeWarnings(JsonWriter& json, const std::vector<Warning>& warnings);
 
 class RunRecording final : public RecordSink {
  public:
   /// Creates the files. \throws FileError, ModelError for unknown signals
   RunRecording(const RunFolder& folder, const Model& model);
-  /// Goes on in the files of an earlier run; what follows its checkpoint is dropped by archive(),
-  /// and nothing is written before.
+  /// Continues the files of an earlier run. archive() removes the part after its checkpoint;
+  /// nothing may be recorded before that.
   struct Resume {};
   RunRecording(const RunFolder& folder, const Model& model, Resume);
 
@@ -42,15 +42,15 @@ class RunRecording final : public RecordSink {
   void event(const ContactEvent& event) override;
   void ledger(const LedgerRow& row) override;
   bool wantsLedger() const override { return true; }
-  /// A file that cannot be written: nothing is thrown within a step. What it did not take is kept
-  /// for the next try, and goes into a checkpoint.
+  /// The error of a file that cannot be written, because nothing is thrown within a step. Text that
+  /// is not written is kept for the next try, and becomes part of a checkpoint.
   std::string_view fault() const override { return fault_; }
   void archive(Archive& a) override;
-  /// To be called now and then: rows that wait for a slow step are handed over.
+  /// Call this from time to time: it writes rows that wait during a slow step.
   void flushIfDue();
-  /// Hands all over; fault() says whether that worked.
+  /// Writes everything; fault() reports an error.
   void flush();
-  /// Returns when the disk has what was handed over; fault() says whether that worked.
+  /// Returns when all written bytes are on the disk; fault() reports an error.
   void sync();
   /// The files as they are written by now.
   std::vector<RecordedFile> files() const;

@@ -43,7 +43,7 @@ void write(JsonWriter& json, const SceneShape& shape) {
   json.key("position").values(shape.position);
   json.key("orientation").values(shape.orientation);
   const bool isLong = shape.kind == capsule || shape.kind == cylinder || shape.kind == cone;
-  // A ball without radius is a point, drawn as a dot.
+  // A sphere without radius is a point, drawn as a dot.
   if (shape.radius > 0 || shape.kind == sphere) json.member("radius", shape.radius);
   if (isLong) json.member("halfLength", shape.halfLength);
   if (shape.kind == torus) json.member("tube", shape.tube);

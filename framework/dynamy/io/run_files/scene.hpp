@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// What a replay draws: named frames, one pose each, and shapes bound to them. Plain data, filled
-/// once from the model. Shapes refer to frames by index and are never sent again: a frame of a film
-/// is poses only. A triangle mesh for everything was rejected: a sphere is a radius, and stays
-/// round.
+/// The scene that a replay draws: named frames with one pose each, and shapes fixed to them. It is
+/// plain data, filled once from the model. Shapes refer to frames by index and are stored once; a
+/// frame of the film holds poses only. Rejected: triangle meshes for all shapes, because a sphere
+/// given by its radius stays round.
 
 #include <array>
 #include <dynamy/io/files/json_writer.hpp>
@@ -12,7 +12,7 @@
 
 namespace dynamy {
 
-/// A frame K that moves with a body: the entry i here has pose i in frames.bin.
+/// A frame K that moves with a body; frame i has pose i in frames.bin.
 struct SceneFrame {
   std::string name;   ///< path of the element, e.g. "toy/beak"
   std::string place;  ///< "file:line" of the element that made it; may be empty
@@ -53,7 +53,7 @@ struct SceneShape {
   std::string style{};   ///< of a link or segment: "", "dashed" or "spring"
 };
 
-/// All that is drawn, and from where.
+/// Everything that is drawn, and the view.
 struct Scene {
   std::string view;  ///< "xy", "xz", "yz" (axes to the right and up), "iso"; empty: by the motion
   int follow = -1;   ///< frame that the view moves with; −1: the view stands
@@ -61,7 +61,7 @@ struct Scene {
   std::vector<SceneShape> shapes;
 };
 
-/// Writes `scene` as one JSON object; members that do not matter for a kind are left out.
+/// Writes `scene` as one JSON object; members without meaning for a kind are left out.
 void write(JsonWriter& json, const Scene& scene);
 
 }  // namespace dynamy

@@ -36,7 +36,7 @@ SignalsFile::SignalsFile(const std::filesystem::path& path, std::size_t columns,
 SignalsFile::~SignalsFile() {
   try {
     flush();
-  } catch (const FileError&) {  // a destructor has nobody to tell
+  } catch (const FileError&) {  // a destructor cannot report it
   }
 }
 

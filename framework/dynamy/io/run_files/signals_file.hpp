@@ -1,10 +1,11 @@
 #pragma once
 /// \file
 /// signals.csv: one row for each recorded instant, first column t [s], then the signals by name.
-/// Every number has the shortest text that reads back to the same bits. Rows leave the process as a
-/// whole, at least once a second of wall time: a killed run keeps all but its last second. A row is
-/// put together in a buffer that only grows while warming up; printf-like formatting would be
-/// slower, depend on the locale and lose digits or waste them.
+/// Every number has the shortest text that reads back to the same bits. Whole rows are handed to
+/// the operating system at least once a second of wall time: a killed run keeps all but its last
+/// second. Rows are formatted in a buffer that stops growing after the first rows. Rejected:
+/// formatting like printf, which is slower, depends on the locale and has too few or too many
+/// digits.
 
 #include <chrono>
 #include <dynamy/io/files/csv.hpp>
@@ -26,23 +27,24 @@ class SignalsFile {
  public:
   /// Creates the file and writes its head. \throws FileError
   SignalsFile(const std::filesystem::path& path, std::span<const SignalName> signals);
-  /// Goes on at `keep` in the file of an earlier run, which could not write `pending`.
+  /// Continues the file of an earlier run after the bytes `keep`; `pending` is text that could not
+  /// be written.
   /// \throws FileError
   SignalsFile(const std::filesystem::path& path, std::size_t columns, const FilePlace& keep,
               std::string pending = {});
-  /// Writes the rows that are left; a failure at this late point is lost: call flush() to see it.
+  /// Writes the rows that are left. An error is not reported here; call flush() first to see it.
   ~SignalsFile();
   SignalsFile(const SignalsFile&) = delete;
   SignalsFile& operator=(const SignalsFile&) = delete;
 
-  /// Adds a row: t [s] and one value a signal. Does not allocate after the first rows.
+  /// Adds a row: t [s] and one value per signal. Does not allocate after the first rows.
   /// \throws FileError when the file cannot take more
   void row(double t, std::span<const double> values);
-  /// Writes the collected rows if the last writing is long ago: for loops with rare rows.
+  /// Writes the collected rows if the last were written long ago: for loops with rare rows.
   void flushIfDue();
-  /// Writes the collected rows now. \throws WriteError; what is left is kept for the next try
+  /// Writes the collected rows now. \throws WriteError; the rows left are kept for the next try
   void flush();
-  /// What is in the file; pending() is not.
+  /// The bytes in the file; pending() is not part of them.
   const FilePlace& place() const { return file_.place(); }
   const std::string& pending() const { return buffer_; }
   void sync() { file_.sync(); }  ///< \throws WriteError
@@ -64,7 +66,7 @@ struct SignalTable {
 /// Reads signals.csv; an unfinished last row is left out. Units are not in the file and stay empty.
 /// \throws FileError with the line of the first fault
 SignalTable readSignals(const std::filesystem::path& path);
-/// The same of a text; `file` is named in messages.
+/// Reads the table in a text; `file` is named in messages.
 SignalTable signalsIn(std::string_view text, const std::string& file);
 
 }  // namespace dynamy

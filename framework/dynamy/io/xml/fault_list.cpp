@@ -23,7 +23,7 @@ void FaultList::throwAll() const {
   Diagnostics all;
   for (const Diagnostic& d : items_) all.add(d);
   std::vector<Diagnostic> sorted = all.sorted();
-  // The last one says that there may be more.
+  // The last diagnostic says that there may be more errors.
   if (full()) {
     Diagnostic end{.place = sorted.back().place, .text = "reading ends after so many errors"};
     end.hint = "mend the first ones";

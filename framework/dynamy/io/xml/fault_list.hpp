@@ -1,5 +1,5 @@
-/// FaultList: the errors of files, each once, up to a limit that ends the reading: a file of a
-/// million mistakes costs no more than one of a thousand, and nobody reads more.
+/// FaultList: the errors of files, each once, up to a limit that ends the reading. So a file with a
+/// million errors costs no more than one with a thousand, and nobody reads more.
 #pragma once
 #include <dynamy/core/error.hpp>
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace dynamy {
 
-/// Different errors after which reading ends.
+/// Number of different errors after which reading ends.
 inline constexpr std::size_t kMostErrors = 1000;
-/// Errors, with those that are equal to an earlier one, after which reading ends.
+/// Number of errors, including repeated ones, after which reading ends.
 inline constexpr std::size_t kMostRepeatedErrors = 50000;
 
 class FaultList {
  public:
-  /// Leaves an equal one out. Throws ModelError with all so far after kMostErrors different ones or
-  /// kMostRepeatedErrors.
+  /// Adds an error unless it equals an earlier one. Throws ModelError with all errors so far after
+  /// kMostErrors different or kMostRepeatedErrors errors in total.
   void add(Diagnostic diagnostic);
   std::size_t size() const { return items_.size(); }
   const std::vector<Diagnostic>& items() const { return items_; }

@@ -11,14 +11,15 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kBlock = 64;  // bytes between two counts of characters
 
-/// Characters of valid UTF-8: bytes that are no continuation.
+/// Number of characters in valid UTF-8: bytes that are no continuation.
 int validCharacterCount(std::string_view text) {
   return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
   }));
 }
 
-/// The character that holds byte `at` <= text.size(): its first byte and the one behind it.
+/// The character that holds byte `at` <= text.size(): index of its first byte and of the byte after
+/// it.
 std::pair<std::size_t, std::size_t> characterAround(std::string_view text, std::size_t at) {
   for (std::size_t back = 1; back <= std::min<std::size_t>(at, 3); ++back) {
     const std::size_t size = nextCharacter(text, at - back).bytes.size();
@@ -71,7 +72,7 @@ Place SourceText::place(std::size_t offset, std::size_t length) const {
   const std::size_t first = std::min(offset - std::min(begin, offset), content.size());
   const std::size_t last = first + std::min(length, content.size() - first);
 
-  // An offset inside of a character means all of it.
+  // An offset inside of a character selects the whole character.
   const std::size_t at = characterAround(content, first).first;
   const int marked = characterCount(content.substr(at, characterAround(content, last).second - at));
   const std::size_t before = charactersBefore(begin + at) - charactersBefore(begin);

@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// A text file in memory that knows its lines: byte offsets become places, places become lines.
-/// Everything that reads text works on byte offsets; lines and columns are computed only where
-/// somebody asks for them.
+/// A text file in memory with an index of its lines: it converts byte offsets into places, and
+/// places into lines. Readers of text work on byte offsets; lines and columns are computed only
+/// when they are needed.
 
 #include <dynamy/core/error.hpp>
 
@@ -13,8 +13,8 @@
 
 namespace dynamy {
 
-/// Bytes of the longest line that messages hold: a thousand copies of a line without end would
-/// fill the memory.
+/// Length in bytes of the longest line that messages quote: a thousand copies of an endless line
+/// would fill the memory.
 inline constexpr std::size_t kLongestShownLine = 10000;
 
 class SourceText {
@@ -28,12 +28,12 @@ class SourceText {
   /// Line `number` (from 1) without its end (LF or CR LF) and without a byte order mark; "" if
   /// there is no such line.
   std::string_view line(int number) const;
-  /// What a message about `place` shows of its line: of a line longer than kLongestShownLine the
-  /// beginning, "" if the place lies far behind it.
+  /// The line that a message about `place` shows. Of a line longer than kLongestShownLine it is the
+  /// beginning, or "" if the place lies far after it.
   std::string shownLine(const Place& place) const;
 
-  /// Place of `length` bytes from `offset`, at most to the end of the line. Cost: `length`, however
-  /// long the line is.
+  /// Place of `length` bytes from `offset`, at most to the end of the line. The cost grows with
+  /// `length`, not with the length of the line.
   Place place(std::size_t offset, std::size_t length = 1) const;
 
  private:
@@ -45,7 +45,8 @@ class SourceText {
   std::vector<std::size_t> blocks_;  ///< characters before byte 0, 64, 128, …
 };
 
-/// Places of offsets that never decrease: linear in the text, also if all of it is one line.
+/// Finds the places of offsets that never decrease. The cost is linear in the text, even if it is a
+/// single line.
 class Locator {
  public:
   explicit Locator(const SourceText& source) : source_(source) {}

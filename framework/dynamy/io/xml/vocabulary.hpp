@@ -1,5 +1,6 @@
 /// Vocabulary: the words of the model file that are no element types (`<systems>`, `<parameter>`,
-/// …). They are declared as elements are, so that reader, describe and schema know them alike.
+/// …). They are declared like elements, so that reader, describe and schema use the same
+/// declarations.
 #pragma once
 #include <dynamy/core/declared/attributes.hpp>
 #include <string>
@@ -11,15 +12,15 @@ namespace dynamy {
 /// Version of the file format: `<dynamy version="1">`.
 inline constexpr int kModelVersion = 1;
 
-/// Turns of all replicates of a model together; more are better a population.
+/// Largest number of turns of all replicates of a model together; a population is better for more.
 inline constexpr int kMostTurns = 100000;
-/// Elements of all turns together.
+/// Largest number of elements in all turns together.
 inline constexpr std::size_t kMostReplicated = 1000000;
-/// Files that a model includes, and how deep.
+/// Largest number of files that a model includes, and their deepest nesting.
 inline constexpr std::size_t kMostIncludes = 1000, kDeepestInclude = 32;
-/// Names that `<record signals>` lists.
+/// Largest number of names in `<record signals>`.
 inline constexpr std::size_t kMostSignalNames = 10000;
-/// Bytes of all files of a model together.
+/// Largest size of all files of a model together, in bytes.
 inline constexpr std::size_t kMostText = 64000000;
 
 /// One word of the format.
@@ -41,9 +42,10 @@ class Vocabulary {
   std::vector<Word> words_;
 };
 
-/// Where an element of this kind belongs: "forces", "systems", …; "" if it stands inside of others.
+/// Section for elements of this kind: "forces", "systems", …; "" if they stand inside of other
+/// elements.
 std::string_view sectionOf(Kind kind);
-/// "a force", "an impact".
+/// The name of a kind with its article: "a force", "an impact".
 std::string kindWithArticle(Kind kind);
 
 }  // namespace dynamy

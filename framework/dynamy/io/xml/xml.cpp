@@ -1,5 +1,5 @@
-/// Joins two readings of one text: the scanner's list of places and the parser's tree, which both
-/// come in document order.
+/// Combines two readings of one text, the scanner's list of places and the parser's tree; both are
+/// in document order.
 
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/xml/xml.hpp>

@@ -43,9 +43,9 @@ struct XmlNode {
   Place textPlace = {};   ///< line 0 if there is no text
   std::vector<XmlPiece> pieces = {};
 
-  /// The attribute of this name, nullptr if it is not given.
+  /// The attribute of this name; nullptr if it is not given.
   const XmlAttribute* attribute(std::string_view name) const;
-  /// As in messages: `RigidBody name="ball"`.
+  /// The element as messages name it: `RigidBody name="ball"`.
   std::string label() const;
 };
 
@@ -61,12 +61,12 @@ class XmlDocument {
   const std::string& name() const { return source_.name(); }
   std::size_t size() const { return source_.text().size(); }  ///< bytes
   std::string_view sourceLine(int line) const { return source_.line(line); }
-  /// What a message about `place` shows of its line (SourceText::shownLine).
+  /// The line that a message about `place` shows (SourceText::shownLine).
   std::string shownLine(const Place& place) const { return source_.shownLine(place); }
 
   /// Place of `length` bytes from byte `offset` of a decoded value; both are cut at its end.
   Place at(const XmlAttribute& attribute, std::size_t offset, std::size_t length = 1) const;
-  /// The same in an element's text.
+  /// Place of `length` bytes from byte `offset` of an element's text; both are cut at its end.
   Place at(const XmlNode& node, std::size_t offset, std::size_t length = 1) const;
 
   /// An error at a place of this file, with its line.
@@ -79,7 +79,8 @@ class XmlDocument {
   XmlNode root_;
 };
 
-/// A word of a value, e.g. of `0 0 {h0 + 0.1}`: white space separates, but not inside of braces.
+/// A word of a value, e.g. of `0 0 {h0 + 0.1}`: words are separated by white space outside of
+/// braces.
 struct XmlWord {
   std::string_view text = {};
   std::size_t offset = 0;  ///< in the value
@@ -88,9 +89,10 @@ struct XmlWord {
 /// \pre `value` outlives the result
 std::vector<XmlWord> xmlWords(std::string_view value);
 
-/// Text as the content of an element: & < > replaced, forbidden control characters become U+FFFD.
+/// Escapes text for the content of an element: & < > are replaced, forbidden control characters
+/// become U+FFFD.
 std::string escapeXmlText(std::string_view text);
-/// Text as a value between quotes of either kind; line ends and tabs become entities, too.
+/// Escapes text for a value between quotes of either kind; line ends and tabs become entities, too.
 std::string escapeXmlValue(std::string_view text);
 
 /// The parser and its version, "tinyxml2 9.0.0".

@@ -1,6 +1,6 @@
 /// One pass over the text with a stack of open elements. Errors after which the rest can still be
-/// read (doubled attribute, unknown entity) are collected; the others end the scan, because after
-/// them a scanner only guesses.
+/// read (doubled attribute, unknown entity) are collected; all other errors end the scan, because
+/// after them a scanner can only guess.
 
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/io/xml/fault_list.hpp>
@@ -84,7 +84,7 @@ class Scanner {
 
   // Characters.
 
-  /// The whole text is UTF-8 and has no characters that XML forbids.
+  /// Checks that the whole text is UTF-8 without characters that XML forbids.
   void checkCharacters() {
     const Place file{source_.name()};
     if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
@@ -280,7 +280,7 @@ class Scanner {
            "write " + attributeName + "=\"" + (word.empty() ? "…" : word) + '"');
     }
 
-    // A quote that is not closed swallows the text up to the next one.
+    // An unclosed quote takes in the text up to the next quote.
     const std::size_t end = text_.find(quote, begin + 1);
     const std::string_view content = text_.substr(begin + 1, end - begin - 1);
     const char next = end < text_.size() - 1 ? text_[end + 1] : '>';
@@ -357,7 +357,7 @@ std::optional<XmlEntity> xmlEntity(std::string_view text, std::size_t at) {
 
 namespace {
 
-/// The unit of decoded content that begins at byte `at`: its bytes in the source and decoded.
+/// Sizes in bytes of the unit of content that begins at byte `at`: in the source, and decoded.
 std::pair<std::size_t, std::size_t> unitAt(std::string_view text, std::size_t at, bool cdata) {
   const char c = text[at];
   const char next = at + 1 < text.size() ? text[at + 1] : '\0';

@@ -1,14 +1,15 @@
 #pragma once
 /// \file
-/// Finds where everything in an XML text stands, and says exactly what is wrong with it.
+/// Finds the places of all elements, attributes and texts in an XML text, and reports its errors
+/// exactly.
 ///
 /// The parser of the tree (tinyxml2) knows lines only, and it accepts two roots, doubled
 /// attributes, text outside of the root and unknown entities. The scanner reads the same text
-/// before it: either it throws a ModelError with line, column and cause, or it lists the byte
-/// offsets of all elements, attributes and texts in document order, and the parser gives the
+/// before the parser. Either it throws a ModelError with line, column and cause, or it lists the
+/// byte offsets of all elements, attributes and texts in document order. The parser then gives the
 /// content.
 ///
-/// Not read, and said so: document types (`<!DOCTYPE`) with their entities.
+/// Document types (`<!DOCTYPE`) with their entities are not supported; they give an error.
 
 #include <dynamy/io/xml/source_text.hpp>
 
@@ -42,7 +43,8 @@ constexpr std::size_t kDeepestXml = 64;
 /// Most attributes of one element that are read.
 constexpr std::size_t kMostXmlAttributes = 256;
 
-/// A piece of a value that has another length in the file: an entity, a line end of two bytes.
+/// A piece of a value whose length in the file differs from its decoded length: an entity, or a
+/// line end of two bytes.
 struct XmlShift {
   std::size_t begin = 0, size = 0;              ///< in the decoded value
   std::size_t sourceBegin = 0, sourceSize = 0;  ///< bytes of the file
@@ -56,15 +58,15 @@ struct XmlEntity {
   std::size_t size = 0;
   char32_t code = 0;
 };
-/// The entity at the `&` at byte `at`, if there is one that XML knows.
+/// The entity that begins with the `&` at byte `at`, if XML defines it.
 std::optional<XmlEntity> xmlEntity(std::string_view text, std::size_t at);
 
-/// The pieces of the value from byte `begin` to the end of `text` that decoding makes shorter.
+/// The pieces that decoding shortens in the value from byte `begin` to the end of `text`.
 std::vector<XmlShift> xmlShifts(std::string_view text, std::size_t begin);
 
-/// Walks over decoded content in the source: the offset in the source of the character that holds
-/// byte `decoded` of the content that begins at `begin`. A line end of two bytes counts as one, an
-/// entity as the bytes of its character; in a CDATA section there are no entities.
+/// Offset in the source of a character of decoded content: the one that holds byte `decoded` of the
+/// content that begins at `begin`. A line end of two bytes counts as one, an entity as the bytes of
+/// its character; in a CDATA section there are no entities.
 std::size_t sourceOffset(std::string_view text, std::size_t begin, std::size_t decoded, bool cdata);
 
 }  // namespace dynamy

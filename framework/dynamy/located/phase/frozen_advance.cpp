@@ -8,7 +8,7 @@ bool FrozenPhase::rowsAhead(const ContactSet& next, const Eigen::VectorXd& befor
   ahead_.setZero(before.size(), rows());
   biasAhead_.resize(rows());
   for (std::size_t i = 0; i < held.size(); ++i) {
-    // The same contacts were asked for, in the same order.
+    // The same contacts were requested at both positions, in the same order.
     const int at = index_[i];
     if (at >= next.size() || next.key[static_cast<std::size_t>(at)] != held[i].key) {
       fault_ = kLost, lost_ = held[i].key;

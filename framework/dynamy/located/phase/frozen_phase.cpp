@@ -9,8 +9,8 @@ namespace {
 
 /// Pivots below this share of the largest belong to redundant rows.
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
-constexpr int kMostSlipTurns = 200;    ///< of the directions of slips that start
-constexpr double kTurned = 1e-14;      ///< change of a direction that ends them
+constexpr int kMostSlipTurns = 200;    ///< iterations for the directions of slips that start
+constexpr double kTurned = 1e-14;      ///< change of a direction that ends these iterations
 
 }  // namespace
 
@@ -73,7 +73,7 @@ bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bound
     return true;
   }
   if (NotchedForce f; law.notched(in, f)) {
-    // A slip with the sign of x has the force of that side, which goes on smoothly past x = 0.
+    // A slip with the sign of x has the force of that side, continued smoothly past x = 0.
     const double x = in.position ? in.position[0] : 0.0;
     out.form = Form::notch, out.lower = f.above - f.cAbove * x, out.upper = f.below - f.cBelow * x;
     return true;
@@ -105,7 +105,7 @@ bool FrozenPhase::bounds(const SetValuedForceLaw& law, const LawInput& in, Bound
     double axis[kMostRows] = {};
     axis[r] = 1.0;
     out.weight[static_cast<std::size_t>(r)] = out.set->support(in, dim - 1, axis);
-    // Lengths alone are forces over Λ_N; a spin row comes last.
+    // Only widths of tangential rows are forces over Λ_N; a spin row comes last.
     if (r < 2) out.upper = std::max(out.upper, out.weight[static_cast<std::size_t>(r)]);
   }
   for (double& w : out.weight) w = out.upper > 0.0 ? w / out.upper : 1.0;
@@ -149,7 +149,7 @@ bool FrozenPhase::gather(const Evaluation& e, const Eigen::VectorXd& u) {
   std::size_t cursor = 0;
   for (std::size_t i = 0; i < n; ++i) {  // contacts come in the same order, with others between
     while (cursor < c.key.size() && c.key[cursor] != held[i].key) ++cursor;
-    // Of a checkpoint: a part that the contact does not have.
+    // A checkpoint may name a part that the contact does not have.
     const bool other =
         cursor < c.key.size() && held[i].first + held[i].rows > c.dim(static_cast<int>(cursor));
     if (cursor == c.key.size() || other) {
@@ -201,7 +201,7 @@ void FrozenPhase::columns(std::size_t i) {
   const int tangent = slip0(i), k = slipRows(i);
   const bool normal = tangent > first;
   if (normal) unknown(first);
-  // γ_T of the stage; of one tangent, and of a slip that starts, what was decided.
+  // Direction of slip: γ_T of the stage; in one tangent, and while a slip starts, the decided one.
   const double speed = slipSpeed(bounds_[i], k, gamma_.data() + tangent);
   const bool decided = k > 1 && (h.starts || !(speed > Held::kLeastSlip));
   const double* t = decided ? h.direction.data() : k > 1 ? gamma_.data() + tangent : &h.sign;
@@ -286,7 +286,7 @@ void FrozenPhase::solve(const Evaluation& e, const Eigen::MatrixXd& R,
   for (Eigen::Index k = 0; k < m; ++k) {
     const int row = kept_[static_cast<std::size_t>(k)];
     rhs_[k] = -(R.col(row).dot(free_) + bias[row]);
-    if (&R != &W_) {  // at another position, where contacts may move others
+    if (&R != &W_) {  // R at another position, where contacts may act on other velocities
       A_.row(k).noalias() = R.col(row).transpose() * MP_;
       continue;
     }
@@ -295,7 +295,8 @@ void FrozenPhase::solve(const Evaluation& e, const Eigen::MatrixXd& R,
       A_.row(k).noalias() +=
           R.col(row).segment(p.u0, p.nu).transpose() * MP_.middleRows(p.u0, p.nu);
   }
-  // Smallest in units of what each contact carries, so that one that is pressed hard holds more.
+  // Redundant forces are smallest in units of what each contact carries: a contact that presses
+  // hard takes more of them.
   scale_.resize(m);
   of = 0;
   for (Eigen::Index k = 0; k < m; ++k) {
@@ -329,8 +330,8 @@ bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::Ve
         held[i].lambda[r] = part * decided[i].lambda[r];
     }
   };
-  // Where slips differ, motion depends on the shares: the smallest forces, if all bounds permit
-  // them, are a choice that no rounding and no solver changes.
+  // Where slips differ, the motion depends on how redundant rows share. The smallest forces, if all
+  // bounds permit them, are a choice that depends neither on rounding nor on a solver.
   double best = 1.0, least = leastMargin();
   bool bestWeighted = true;
   take(0.0, false);

@@ -1,4 +1,4 @@
-// FrozenPhase: how far forces are from their bounds, and corrections of positions and velocities.
+// FrozenPhase: distances of forces from their bounds, and corrections of positions and velocities.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/law/most_rows.hpp>
@@ -7,8 +7,8 @@
 namespace dynamy {
 namespace {
 
-constexpr int kMostGauge = 50;    ///< Newton steps
-constexpr double kGauge = 1e-13;  ///< their last
+constexpr int kMostGauge = 50;    ///< most Newton steps
+constexpr double kGauge = 1e-13;  ///< relative size of the last Newton step
 
 }  // namespace
 
@@ -106,7 +106,7 @@ double FrozenPhase::gauge(std::size_t i, const double* x) const {
   return b.set->support(in, k, y.data());
 }
 
-/// M⁻¹W P, whose columns are few of those of M⁻¹W each.
+/// M⁻¹W P; each of its columns combines only few columns of M⁻¹W.
 void FrozenPhase::multiplyByP() {
   const auto m = static_cast<Eigen::Index>(kept_.size());
   MP_.setZero(MInvW_.rows(), m);

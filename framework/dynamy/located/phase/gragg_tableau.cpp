@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// A tableau with its own numbers.
+/// A tableau that owns its coefficients.
 struct Gragg {
   explicit Gragg(std::size_t columns) {
     const std::size_t stages = 1 + columns * columns;
@@ -16,7 +16,7 @@ struct Gragg {
       column(j, columns, first);
       first += 2 * j - 1;
     }
-    if (columns == 1) error[0] = -1.0;  // against Euler's rule
+    if (columns == 1) error[0] = -1.0;  // error estimate: difference to Euler's rule
     nodes[stages] = 1.0;
     table = {.order = static_cast<int>(2 * columns),
              .stages = static_cast<int>(stages),

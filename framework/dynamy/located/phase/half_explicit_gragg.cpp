@@ -28,7 +28,7 @@ bool HalfExplicitGragg::column(MechanicalSystem& s, FrozenPhase& phase, const St
     next_.memory = from.memory;
     if (!phase.advance(e, now_.u, s.look(next_), past_.u, tau, a_)) return false;
     next_.u = past_.u + tau * a_;
-    if (k % 2 == 1) {  // what leads from one even sub-step to the next
+    if (k % 2 == 1) {  // impulse and works from one even sub-step to the next
       T.segment(nq_ + nu_, rows_) += tau * phase.lambda();
       for (std::size_t w = 0; w < 5; ++w)
         T[nq_ + nu_ + rows_ + static_cast<Eigen::Index>(w)] += tau * phase.power()[w];
@@ -43,7 +43,7 @@ bool HalfExplicitGragg::take(MechanicalSystem& s, FrozenPhase& phase, const Stat
                              int columns, bool plain, State& to) {
   columns_ = columns, H_ = h, plain_ = plain;
   nq_ = from.q.size(), nu_ = from.u.size();
-  // A slip that starts has the direction of γ̇_T, and that needs the bias.
+  // A slip that starts has the direction of γ̇_T, which needs the bias.
   s.bias(std::any_of(phase.held.begin(), phase.held.end(), [](const Held& x) { return x.starts; }));
   s.evaluate(from, 0);
   rows_ = phase.countRows(s.slot(0));
@@ -60,7 +60,7 @@ bool HalfExplicitGragg::take(MechanicalSystem& s, FrozenPhase& phase, const Stat
       T_[at] += (T_[at] - T_[at - 1]) / (ratio * ratio - 1.0);
     }
   }
-  if (columns == 1) {  // against Euler's rule
+  if (columns == 1) {  // error estimate: difference to Euler's rule
     error_.setZero(best().size());
     rate(s, from);
     error_.head(nq_) = from.q + h * qdot_, error_.segment(nq_, nu_) = from.u;

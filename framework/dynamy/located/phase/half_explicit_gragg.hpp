@@ -5,10 +5,10 @@
 ///   q_{k+1} = q_{k−1} + 2h q̇_k            M_k (u_{k+1} − u_{k−1}) = 2h (h_k + W_k λ_k)
 ///   W(q_{k+1})ᵀ u_{k+1} + χ = 0  in the held rows,   T_{j,1} = (q_n, u_n),  n = 2j
 ///
-/// Its error has even powers of h alone, with friction too: k columns have order 2k. No bias
-/// γ̇ − Wᵀu̇ is asked for, and held rows do not move at the end of any column. Each sub-step
-/// evaluates M, h and contacts once and looks at contacts once more; k² of them, and one at the
-/// start. Rejected: constraints at q_k, which leave odd powers (Moreau's midpoint rule,
+/// Its error has even powers of h alone, with friction too: k columns have order 2k. The rule
+/// requires no bias γ̇ − Wᵀu̇, and held rows do not move at the end of any column. Each sub-step
+/// evaluates M, h and contacts once, and contacts alone once more; a step takes k² evaluations, and
+/// one at its start. Rejected: constraints at q_k, which leave odd powers (Moreau's midpoint rule,
 /// theory 51.4).
 #pragma once
 #include <array>
@@ -20,8 +20,8 @@ namespace dynamy {
 class HalfExplicitGragg {
  public:
   static constexpr int kMostColumns = 4;
-  /// From `from` over h; `to` gets q, u, quaternions as they come. `plain`: q̇ = u everywhere.
-  /// False: the phase has a fault. Slots 0 and 1 are used.
+  /// Takes a step of length h from `from`; `to` gets q and u, with quaternions not normalised.
+  /// `plain`: q̇ = u in all systems. False: the phase has a fault. Uses slots 0 and 1.
   bool take(MechanicalSystem& s, FrozenPhase& phase, const State& from, double h, int columns,
             bool plain, State& to);
   /// Difference of the last two columns in units of the tolerance.

@@ -9,9 +9,9 @@ namespace {
 
 constexpr int kStages = 3;
 constexpr int kMostNewtonSteps = 10;
-/// Newton's method may leave this part of the tolerance.
+/// Newton's method ends at an error of this part of the tolerance.
 constexpr double kNewton = 0.02;
-/// A Jacobian with which Newton's method contracts like this is good for the next step.
+/// A Jacobian with which Newton's method contracts at this rate is used for the next step, too.
 constexpr double kKeep = 1e-3;
 const double kRoot6 = std::sqrt(6.0);
 const double kNodes[kStages] = {(4.0 - kRoot6) / 10.0, (4.0 + kRoot6) / 10.0, 1.0};
@@ -61,7 +61,7 @@ bool RadauStep::jacobian(const Field& field, const Place& at) {
   J_.resize(n, n);
   work_ = at.y;
   for (Eigen::Index j = 0; j < n; ++j) {
-    // The root of the rounding of y_j balances truncation and rounding of the difference.
+    // A change by the square root of rounding balances truncation and rounding of the difference.
     work_[j] +=
         std::sqrt(std::numeric_limits<double>::epsilon()) * std::max(std::abs(at.y[j]), scale_[j]);
     const double d = work_[j] - at.y[j];
@@ -90,7 +90,7 @@ void RadauStep::factorise() {
 }
 
 void RadauStep::correct() {
-  // (Λ/h ⊗ I − I ⊗ J) Δw = T⁻¹ F − Λ w/h, the pair as one complex equation.
+  // (Λ/h ⊗ I − I ⊗ J) Δw = T⁻¹ F − Λ w/h; the complex pair is solved as one complex equation.
   work_ = TInverse_(0, 0) * F_[0] + TInverse_(0, 1) * F_[1] + TInverse_(0, 2) * F_[2] -
           gamma_ / h_ * w_[0];
   real_.solve(work_, change_);
@@ -105,7 +105,7 @@ void RadauStep::correct() {
 }
 
 bool RadauStep::newton(const Field& field, const Eigen::VectorXd& second) {
-  // Starts from Taylor's polynomial: along the slow motion, fast parts have died out.
+  // Starts from Taylor's polynomial, which follows the slow motion after fast parts have died out.
   for (int i = 0; i < kStages; ++i) {
     const double d = kNodes[i] * h_;
     z_[static_cast<std::size_t>(i)] = d * f_ + 0.5 * d * d * second;
@@ -179,8 +179,8 @@ double RadauStep::error(const Field& field) {
 }
 
 double RadauStep::fastest() const {
-  // Growth under J: over an even number of turns a pair ±iω shows its ω. All eigenvalues would cost
-  // some tens of factorisations.
+  // Power method: mean growth under J over an even number of iterations, so that a pair ±iω shows
+  // its ω. Computing all eigenvalues would cost some tens of factorisations.
   constexpr int kTurns = 16, kFirst = 8;
   if (J_.size() == 0) return 0.0;
   Eigen::VectorXd v = (f_.array().abs() + scale_.cwiseInverse().array()).matrix(), next;

@@ -4,10 +4,10 @@
 ///   z_i = h Σ_j a_ij f(t + c_j h, y + z_j),   i = 1, 2, 3,   y⁺ = y + z₃
 ///
 /// by Newton's method with one Jacobian ∂f/∂y at the start of the step. With A⁻¹ = T Λ T⁻¹ its
-/// equations fall into a real and a complex one, of as many unknowns as y has. The Jacobian is
-/// taken by differences along the motion that is constrained by the contacts that are held: it
-/// needs nothing of an element. It is kept while Newton's method contracts to a thousandth; where
-/// it was taken is told, so that a run that is resumed takes it there again.
+/// equations separate into a real and a complex system, each with as many unknowns as y. The
+/// Jacobian is taken by differences of the motion that held contacts constrain: elements need not
+/// provide derivatives. It is kept while each Newton iteration reduces the change to a thousandth.
+/// kept() reports where it was taken, so that a resumed run takes it there again.
 #pragma once
 #include <array>
 #include <dynamy/core/decompositions.hpp>
@@ -17,16 +17,16 @@ namespace dynamy {
 
 class RadauStep {
  public:
-  /// f(t, y) at stage number `stage` (−1: for the Jacobian); false where it cannot be evaluated.
+  /// Evaluates f(t, y) at stage number `stage` (−1: for the Jacobian); false: that is impossible.
   using Field =
       std::function<bool(double t, const Eigen::VectorXd& y, int stage, Eigen::VectorXd& f)>;
   RadauStep();
-  /// A change d of y_i counts |d|/(tolerance max(scale_i, |y_i|)).
+  /// Sets the norm of changes: a change d of y_i counts |d|/(tolerance max(scale_i, |y_i|)).
   void prepare(const Eigen::VectorXd& scale, double tolerance) {
     scale_ = scale, tolerance_ = tolerance;
   }
-  /// From (t, y) with y' = f and y'' (or a guess of it) given. `same`: y is where the last call
-  /// began. False: Newton's method does not converge, or a number is not finite.
+  /// Takes a step from (t, y), with y' = f and y'' (or a guess of it) given. `same`: the last call
+  /// began at this y, too. False: Newton's method does not converge, or a number is not finite.
   bool take(const Field& field, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& f,
             const Eigen::VectorXd& second, double h, bool same);
   /// Where a Jacobian was taken: t, y and y'.
@@ -34,23 +34,23 @@ class RadauStep {
     double t = 0.0;
     Eigen::VectorXd y, f;
   };
-  /// That of the Jacobian that the next step begins with; null: it takes a new one.
+  /// Place of the Jacobian that the next step begins with; null: the next step takes a new one.
   const Place* kept() const { return known_ && keeps_ ? &place_ : nullptr; }
-  /// Takes the Jacobian there, for the next step.
+  /// Takes the Jacobian at `place`, for the next step.
   bool keep(const Field& field, const Place& place);
-  /// The next step takes a new one.
+  /// Drops the Jacobian: the next step takes a new one.
   void forget() { known_ = false; }
-  /// Of Newton's method in the last step, and whether it took a Jacobian.
+  /// Iterations of Newton's method in the last step; tookJacobian(): whether it took a Jacobian.
   int iterations() const { return iterations_; }
   bool tookJacobian() const { return tookJacobian_; }
   const Eigen::VectorXd& end() const { return end_; }
-  /// Error of the last step in units of the tolerance; evaluates once more where it is above 1.
+  /// Error of the last step in units of the tolerance; evaluates f once more if it is above 1.
   double error(const Field& field);
   /// Largest |eigenvalue| of the Jacobian, by the power method: within some 20 % [1/s].
   double fastest() const;
   /// y on the path through the stages, 0 ≤ θ ≤ 1.
   void dense(double theta, Eigen::VectorXd& y) const;
-  /// Weight of stage i in ∫ … dt over the step, over h.
+  /// Weight of a stage in an integral over the step, divided by h.
   static double weight(int stage);
   static double node(int stage);
 
@@ -69,7 +69,7 @@ class RadauStep {
   Place place_;
   bool known_ = false, keeps_ = false, tookJacobian_ = false;
   int iterations_ = 0;
-  double contraction_ = 1.0;  // of the last iterations
+  double contraction_ = 1.0;  // ratio of the last two changes of Newton's method
   double gamma_ = 0.0, alpha_ = 0.0, beta_ = 0.0;
   std::array<Eigen::VectorXd, 3> z_, w_, F_;
   Eigen::VectorXd work_, change_;

@@ -16,7 +16,7 @@ void configurationRate(const Topology& topology, const State& x, Eigen::VectorXd
 
 namespace {
 
-/// True if the elements move their positions by q̇ = u; asked at velocities that tell.
+/// True if all systems have q̇ = u; tested with velocities that all differ.
 bool isPlain(const Topology& topology) {
   State x;
   x.q.setOnes(topology.nq()), x.u.resize(topology.nu());
@@ -106,7 +106,8 @@ void SmoothStep::combine(const PhasePoint& from, int row, State& out) const {
 }
 
 bool SmoothStep::stage(MechanicalSystem& s, FrozenPhase& phase, int i) {
-  // Elements report nothing at places that are no numbers: the step was too long, no contact went.
+  // At positions that are not finite elements report nothing. The step was too long: no contact has
+  // disappeared.
   if (!stage_.q.allFinite() || !stage_.u.allFinite()) return false;
   s.evaluate(stage_, 1);
   Eigen::VectorXd& a = denseU_[7];  // scratch until the dense output

@@ -1,4 +1,4 @@
-// SmoothStep: implicit steps, and when they take over.
+// SmoothStep: implicit steps, and the choice between them and explicit steps.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/phase/smooth_step.hpp>
@@ -6,26 +6,26 @@
 namespace dynamy {
 namespace {
 
-// Stiff is what keeps h |λ| above this bound of stability for so many steps, of which not too many
-// in turn were below it [hairer_wanner1996, IV.2].
+// A motion is stiff if h |λ| is above this bound of stability for kManySteps steps, without kOthers
+// steps below it in a row [hairer_wanner1996, IV.2].
 constexpr double kBound5 = 3.25, kBound8 = 6.1;
 constexpr int kManySteps = 15, kOthers = 6;
-/// At tight tolerances steps are shorter: the fast part is kept accurate, not only stable. What is
-/// damped there draws both states together, along its own direction. Such a step counts as a part
-/// of one at the bound, so that a trial that is in vain costs no more than a tenth.
+/// At tight tolerances steps are shorter: the fast part is accurate, not only stable. A damped fast
+/// part draws both states of a step together, along its own direction. Such a step counts as a part
+/// of a step at the bound, so that a trial in vain costs no more than a tenth.
 constexpr double kDamped = 0.8, kAlong = 0.9, kStiffPart = 0.1;
-/// An implicit step of less than this h |λ| could be taken explicitly, too;
+/// An implicit step with h |λ| below this could be taken explicitly, too.
 constexpr double kSmallStep = 2.0;
 constexpr double kMostGrowth = 6.0;
-constexpr int kSomeSteps = 10;  ///< after so many it is.
-/// Implicit steps after which their work is compared: they may have grown 1296 times by then. The
-/// explicit ones before are to have cost no less than such a trial, and four times as much after
-/// each that failed.
+constexpr int kSomeSteps = 10;  ///< such implicit steps before explicit ones take over
+/// Implicit steps after which their work is compared with that of explicit steps: they may have
+/// grown 1296 times by then. The explicit steps before must have cost at least as much as such a
+/// trial, and four times as much after each trial that failed.
 constexpr int kTrial = 4;
 constexpr double kCostlierThanExplicit = 4.0;
 /// Work of a real and a complex factorisation of n unknowns, 10/3 n³, in evaluations of some 400 n.
 constexpr double kFactorise = 1.0 / 120.0;
-/// Iterations of Newton's method in a step that goes well.
+/// Iterations of Newton's method in a step without difficulties.
 constexpr int kUsual = 4;
 
 /// −cos of the angle between a difference of states and that of their rates, in units of the
@@ -78,7 +78,7 @@ RadauStep::Field SmoothStep::field(MechanicalSystem& s, FrozenPhase& phase) {
 }
 
 Eigen::VectorXd SmoothStep::kept() const {
-  // What elements remember changes with every step, and the Jacobian with it.
+  // The memory of elements changes with every step, and the Jacobian with it: none is kept then.
   const RadauStep::Place* place = radau_.kept();
   if (!implicit_ || place == nullptr || stage_.memory.size() > 0) return {};
   Eigen::VectorXd out(1 + 2 * place->y.size());
@@ -103,7 +103,8 @@ bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const Pha
   yNew_.resize(nq + nu), fNew_.resize(nq + nu);
   yNew_ << from.x.q, from.x.u;
   fNew_ << from.qdot, from.a;
-  // The same forces at the same state: the same Jacobian. Directions of slips that start are not.
+  // The same forces at the same state have the same Jacobian, unless slips start: their directions
+  // change.
   const bool same = y_.size() > 0 && y_ == yNew_ && f_ == fNew_;
   const bool starts = std::any_of(phase.held.begin(), phase.held.end(),
                                   [](const Held& held) { return held.starts; });
@@ -127,7 +128,7 @@ bool SmoothStep::takeImplicit(MechanicalSystem& s, FrozenPhase& phase, const Pha
   return finish(s, to);
 }
 
-/// Of an implicit step, in evaluations: Jacobian, factorisations, iterations.
+/// Work of an implicit step, in evaluations: Jacobian, factorisations, iterations.
 double SmoothStep::implicitWork(Eigen::Index unknowns, int iterations, bool jacobian) const {
   const auto n = static_cast<double>(unknowns);
   return (jacobian ? n : 0.0) + kFactorise * n * n + 3.0 * iterations;
@@ -162,7 +163,7 @@ bool SmoothStep::outgrown(const ErrorNorm& norm, const PhasePoint& to) {
     }
     product = h_ * radau_.fastest();
   } else {
-    // Two states at the end of the step, the last stage and the result, differ by what is stiff.
+    // The last stage and the result, two states at the end of the step, differ by the stiff part.
     const int last = table_->stages - 1;
     if (table_->nodes[last] != 1.0) return false;
     const double states = stretch(norm, to.x.q - stage_.q, to.x.u - stage_.u);

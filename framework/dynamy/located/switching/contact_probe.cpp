@@ -7,7 +7,7 @@
 namespace dynamy {
 namespace {
 
-/// As g_tol, where contacts are asked for by name: elements may leave out all others.
+/// Used as g_tol where contacts are requested by key: elements may leave out all others.
 constexpr double kOnly = -1.0;
 
 }  // namespace
@@ -57,7 +57,7 @@ void ContactProbe::widen(const State& x, double ahead) {
   learn(x);
 }
 
-/// Which of those that were noted are reported by their names, and which are not.
+/// Finds which of the noted contacts are reported when requested by key, and which are not.
 void ContactProbe::learn(const State& x) {
   const auto has = [](const std::vector<ContactKey>& keys, ContactKey key) {
     return std::binary_search(keys.begin(), keys.end(), key);
@@ -87,7 +87,7 @@ ContactKey ContactProbe::lookAround(const State& x, double within, ContactKey ke
   ContactRequest request;
   request.gTol = within;
   evaluate(x, request);
-  ContactKey found = kNone;  // contacts of two bodies are numbered from the one that was noted on
+  ContactKey found = kNone;  // the noted key is the least of the contacts of its two bodies
   for (const ContactKey other : contacts_.key)
     if (other >= key && other < found) found = other;
   return found.value >> 40 == key.value >> 40 ? found : kNone;
@@ -162,7 +162,7 @@ ContactKey ContactProbe::unfollowed() const {
     if (!std::binary_search(all_.begin(), all_.end(), key)) return key;
   for (const ContactKey key : all_)
     if (std::find(now.begin(), now.end(), key) == now.end()) return key;
-  return now.empty() ? kNone : now.front();  // in another order than at the start
+  return now.empty() ? kNone : now.front();  // contacts came in another order than at the start
 }
 
 std::string ContactProbe::why(ContactKey key) const {

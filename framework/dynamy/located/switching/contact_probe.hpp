@@ -1,10 +1,10 @@
-/// ContactProbe: gaps and relative velocities of all contacts, open ones too, at any state, without
-/// masses and forces: what switches are searched with.
+/// ContactProbe: gaps and relative velocities of all contacts, also of open ones, at any state and
+/// without masses and forces. The search of switches uses it.
 ///
 /// Contacts that come and go with the features of bodies are gathered anew before every step and
-/// every event, and widened by those that the bodies may meet with along the path of a step. Those
-/// of bodies that no gap follows while they touch are noted as well, but not reported by their
-/// names: where they are met what is followed ends.
+/// every event. Contacts that the bodies may meet with along the path of a step are added to them.
+/// Where no gap describes the contact of two touching bodies, the contact is noted as well, but
+/// elements do not report it by its key: locating ends where two such bodies meet.
 #pragma once
 #include <dynamy/located/switching/announcements.hpp>
 
@@ -12,32 +12,33 @@ namespace dynamy {
 
 class ContactProbe {
  public:
-  /// The fault where look() failed: unfollowed() says why.
+  /// The fault where look() failed: unfollowed() names the contact.
   static constexpr std::string_view kUnfollowed = "contacts appear and disappear";
 
-  /// Notes all contacts that are reported at x. Those that appear later are a fault.
+  /// Notes all contacts that are reported at x. A contact that appears later is a fault.
   void prepare(const MechanicalSystem& s, const State& x);
-  /// Notes them anew: after something was switched, or bodies were taken away or brought.
+  /// Notes all contacts anew, after an element switched, or bodies were removed or added.
   void list(const State& x);
-  /// All contacts at x; false: they are not those noted before.
+  /// Evaluates all contacts at x; false: they are not those noted before.
   bool look(const State& x);
-  /// Gap, presence and γ of contact i of the last look() at x; those of all others stay.
+  /// Evaluates gap, presence and γ of contact i of the last look() at x; all others stay.
   bool lookAt(const State& x, int i);
   /// True: some contacts come and go.
   bool comesAndGoes() const { return contacts_.comesAndGoes; }
   /// True: contacts have to be gathered before each step.
   bool gathers() const { return comesAndGoes() || notes_; }
-  /// Of those that come and go from now on the ones that may touch at x and the `held`; all at x.
+  /// Of the contacts that come and go, follows those that may touch at x and those that are `held`;
+  /// evaluates all contacts at x.
   bool gather(const State& x, std::span<const ContactKey> held);
-  /// From the next settle() on also those that may touch within `ahead` [s] of x.
+  /// Adds, from the next settle() on, the contacts that may touch within `ahead` [s] of x.
   void widen(const State& x, double ahead);
   bool settle(const State& x);
-  /// True: where it was gathered or widened last, bodies may meet that cannot be followed.
+  /// True: at the last gather() or widen(), bodies may meet whose contact cannot be followed.
   bool meets() const { return meets_ != kNone; }
   ContactKey met() const { return meets_; }
-  /// True: widened last by some that are not among those looked at.
+  /// True: the last widen() noted contacts that look() does not evaluate yet.
   bool notesFresh() const { return notesFresh_; }
-  /// How deep bodies with such contacts overlap where it was gathered or widened last [m].
+  /// How deep bodies whose contacts come and go overlap at the last gather() or widen() [m].
   double overlap() const { return overlap_; }
   /// Positive while the features of contact i lie over one another [m].
   double presence(int i) const { return contacts_.presence[static_cast<std::size_t>(i)]; }
@@ -45,10 +46,11 @@ class ContactProbe {
   /// True: contacts i and j, which come and go, are at one place with one normal.
   bool coincide(int i, int j, double distance) const;
   static constexpr ContactKey kNone{~std::uint64_t{0}};
-  /// The contact that came or went where look() failed; kNone: they came in another order.
+  /// The contact that came or went where look() failed. If only their order changed: the first
+  /// contact, or kNone without any.
   ContactKey unfollowed() const;
-  /// All contacts at x nearer than `within` [m], followed or not. The one that `key` stands for,
-  /// kNone: there is none.
+  /// Evaluates all contacts at x nearer than `within` [m], followed or not. Returns the contact
+  /// that `key` stands for, kNone: there is none.
   ContactKey lookAround(const State& x, double within, ContactKey key);
   /// Why a contact that comes, or goes while it is held, cannot be followed.
   std::string why(ContactKey key) const;
@@ -72,10 +74,10 @@ class ContactProbe {
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;
   ContactSet contacts_, one_;
-  std::vector<ContactKey> fixed_;  // those that do not come and go
+  std::vector<ContactKey> fixed_;  // contacts that do not come and go
   void learn(const State& x);
   std::vector<ContactKey> all_, order_, wide_;
-  std::vector<ContactKey> noted_, fresh_;             // noted last; of these not known before
+  std::vector<ContactKey> noted_, fresh_;             // noted last; among them not known before
   std::vector<ContactKey> followed_, neverFollowed_;  // noted before, ascending
   ContactKey meets_ = kNone;
   bool notesFresh_ = false;

@@ -7,8 +7,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kDecided = 1e-8;  ///< of the velocities a decision asks for: zero
-constexpr double kClear = 1e3;     ///< a slip enters a decision with this multiple of them at least
+constexpr double kDecided = 1e-8;  ///< of the velocities a decision requires: this counts as zero
+constexpr double kClear = 1e3;     ///< least speed of slip in a decision over these velocities
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void SwitchEvent::chooseClosed(MechanicalSystem& s, const State& x) {
 }
 
 void SwitchEvent::accelerationLevel(InclusionProblem& p, double unit) {
-  // γ̇ = Wᵀu̇ + w̄ in units of time, and the slip that a bound has let go.
+  // Adds w̄ of γ̇ = Wᵀu̇ + w̄, times the unit of time, and sets the slip that a bound has released.
   const ContactSet& c = *p.contacts;
   for (std::size_t k = 0; k < p.gammaFree.size() && k < c.bias.size(); ++k)
     p.gammaFree[k] += unit * c.bias[k];
@@ -66,8 +66,8 @@ void SwitchEvent::findBlocks(const InclusionProblem& p) {
 }
 
 double SwitchEvent::pose(InclusionProblem& p, bool jumped, const std::vector<HeldKey>& stopped) {
-  // Resting rows lose their residual; slips keep their direction and are made clear. After a jump
-  // the turn of the rows is that of W over h_s, else h_s w̄ at its end.
+  // Resting rows lose their residual; slips keep their direction and get a clear speed. After a
+  // jump the turn of the rows is that of W over h_s, otherwise it is h_s w̄ at the end of h_s.
   const double slipSpeed = kSlip * norm_->speed();
   std::vector<double>& c = p.gammaFree;
   double asked = 0.0;
@@ -105,7 +105,7 @@ void SwitchEvent::decide(MechanicalSystem& s, InclusionSolver& solver, const Sta
   look_ = x;
   look_.impulses = {};
   if (!plain_) s.move(look_, x.u, lookAhead);
-  // Without a jump accelerations go on: forces may reach a bound by the velocities alone.
+  // Without a jump accelerations continue: forces may reach a bound by the change of velocities.
   const bool jumped = plain_ || !percussions_.empty() || !shut_.empty();
   if (!jumped) look_.u += lookAhead * aBefore_;
   s.hold(closing_);
@@ -139,8 +139,8 @@ void SwitchEvent::readStatus(const InclusionProblem& p, ConstVec Lambda, double 
   for (const Block& b : blocks_) {
     const int first = p.row0(b.contact);
     const double G = p.G->diagonalBlock(b.contact)[0];
-    // Closed: the percussion is worth more than what the contact leaves with.
-    FrozenPhase::Bounds set;  // which may pull
+    // Closed: the percussion, as a change of velocity, exceeds the speed of leaving.
+    FrozenPhase::Bounds set;  // of a contact that may pull
     const bool pulls = FrozenPhase::bounds(p.law(b.contact), p.input(b.contact), set) &&
                        set.form == FrozenPhase::Form::normal;
     const double reserve = Lambda[first] - (pulls ? set.lower : 0.0);
@@ -173,7 +173,7 @@ Held SwitchEvent::status(const InclusionProblem& p, ConstVec Lambda, const Block
   const double length = speedOf(p, b, slip);
   for (int k = 0; length > 0.0 && k < b.slipRows && k < kMostRows - 1; ++k)
     h.direction[static_cast<std::size_t>(k)] = slip[b.slip + k] / length;
-  // A slip that goes on starting keeps what it has turned; an impact is none's beginning.
+  // A slip that is still starting keeps its turn so far; after an impact no slip is still starting.
   const bool goesOn = before != nullptr && before->starts && percussions_.empty();
   h.starts = !b.slips || goesOn;
   if (b.slips && h.starts) h.turned = before->turned, h.direction = before->direction;

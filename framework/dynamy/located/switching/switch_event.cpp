@@ -9,11 +9,11 @@ namespace dynamy {
 namespace {
 
 constexpr double kTouch = 1e-10;  ///< gaps up to this part of L take part in an impact
-constexpr double kRest = 1e-10;   ///< speeds below this part of U rest
+constexpr double kRest = 1e-10;   ///< speeds below this part of U count as rest
 constexpr double kGone = 1e-12;   ///< features that lie over one another by less of L leave
-constexpr double kDeep = 10.0;    ///< overlaps of features up to this multiple of tol L
+constexpr double kDeep = 10.0;    ///< overlaps of features touch up to this multiple of tol L
 constexpr int kMostDecisions = 12;
-constexpr int kMostOffered = 16;  ///< rows of a contact, of laws that are refused too
+constexpr int kMostOffered = 16;  ///< most rows of a contact, also of laws that are refused
 
 bool has(const std::vector<ContactKey>& keys, ContactKey key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -49,13 +49,13 @@ bool SwitchEvent::touches(const ContactProbe& probe, int i) const {
   if (!probe.law(i).unilateral() || gap > kTouch * norm_->length() ||
       probe.gamma(i) > kRest * norm_->speed())
     return false;
-  // Deeper ones are features on the far side of a body.
+  // Features with a deeper overlap are on the far side of a body.
   return !probe.comesAndGoes(i) || (!leaves(probe, i) && gap >= -deep * norm_->length());
 }
 
 void SwitchEvent::leaveOneOfEach(const ContactProbe& probe, const FrozenPhase& phase) {
-  // Corners on corners and flush faces have many pairs of features at one place: one of them
-  // counts, one that is held before all others.
+  // Corners on corners and flush faces have many pairs of features at one place. Only one of them
+  // counts, preferably one that is held.
   alike_.clear();
   const auto held = [&](int i) { return phase.find(probe.key(i)) != nullptr; };
   std::stable_sort(taking_.begin(), taking_.end(),
@@ -71,13 +71,13 @@ void SwitchEvent::leaveOneOfEach(const ContactProbe& probe, const FrozenPhase& p
 }
 
 void SwitchEvent::projectPositions(MechanicalSystem& s, const FrozenPhase& phase, State& x) {
-  // What is held and what touches together: with the held alone, those that touch would be moved
-  // into their partners by what the held have drifted.
+  // Held and touching contacts are projected together. With held ones alone, the correction of
+  // their drift would move touching contacts into their partners.
   shutPhase_.held.clear();
   for (const ContactKey key : s.slot(0).contacts.key) {
     shutPhase_.held.push_back({});
     shutPhase_.held.back().key = key;
-    const Held* held = phase.find(key);  // of those on displacements alone what rests in the notch
+    const Held* held = phase.find(key);  // sets on displacements count only if they rest at x = 0
     shutPhase_.held.back().slips = held == nullptr || held->slips;
   }
   const double t = x.t;
@@ -93,8 +93,8 @@ void SwitchEvent::projectPositions(MechanicalSystem& s, const FrozenPhase& phase
 }
 
 void SwitchEvent::projectHeld(MechanicalSystem& s, const FrozenPhase& phase, State& x) {
-  // Faces that lie on each other touch where others of their features are held, but for what these
-  // have drifted.
+  // Faces that lie on each other touch with all their features, up to the drift of those features
+  // that are held: this drift is removed first.
   keys_.clear();
   phase.keys(keys_);
   if (keys_.empty()) return;
@@ -160,7 +160,7 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
   }
   p.lambda = next_.lambda(), p.power = next_.power();
   smooth.rates(s, p);
-  // Has any status changed?
+  // Note whether any status has changed.
   r.changed = next_.held.size() != phase.held.size();
   for (std::size_t i = 0; i < next_.held.size() && !r.changed; ++i) {
     const Held &a = next_.held[i], &b = phase.held[i];
@@ -171,8 +171,8 @@ SwitchEvent::Result SwitchEvent::process(MechanicalSystem& s, InclusionSolver& s
 }
 
 bool SwitchEvent::accelerateAlone(MechanicalSystem& s, PhasePoint& p) {
-  // Elements may place contacts by others that are closed with them, and those that have left are
-  // no more: the phase begins with the field that it goes on with.
+  // Elements may place a contact according to others that are closed, too. Those that have left no
+  // longer count, and the phase has to begin with the same accelerations with which it continues.
   closing_.clear();
   next_.keys(closing_);
   if (closing_.size() == keys_.size()) return true;
@@ -232,13 +232,14 @@ void SwitchEvent::notePercussions(const MechanicalSystem& s) {
 }
 
 void SwitchEvent::shut(MechanicalSystem& s, State& x) {
-  // In the metric of the mass, without a percussion of friction; what is closed stays so.
+  // Projects velocities in the metric of the mass, without a percussion of friction; closed
+  // contacts stay closed.
   const ContactSet& c = s.slot(0).contacts;
   shutPhase_.held.clear();
   for (std::size_t i = 0; i < c.key.size(); ++i) {
     const bool unilateral = c.law[i]->unilateral();
     if (unilateral && !has(shut_, c.key[i]) && gamma_[c.row0[i]] > leaves_) continue;
-    // What sticks goes on sticking.
+    // Parts that stick continue to stick.
     const int dim = c.dim(static_cast<int>(i));
     FrozenPhase::parts(*c.law[i], dim, parts_);
     for (const auto& [first, rows] : parts_) {
@@ -279,7 +280,7 @@ bool SwitchEvent::staysClosed(const MechanicalSystem& s, const FrozenPhase& phas
     if (!(v > leaves_)) continue;
     const double back = closing(c, i, p.a);
     if (!(back > 0.0 && v * v <= 2.0 * back * height)) continue;
-    // With a rebound of its own: the impact once more without it; else by projection.
+    // A contact that rebounds takes the impact once more without rebound; others are projected.
     const auto hit = std::find_if(percussions_.begin(), percussions_.end(),
                                   [&](const Percussion& q) { return q.key == c.key[i]; });
     const bool struck = hit != percussions_.end() && hit->gammaMinus[0] < -leaves_;
@@ -291,7 +292,7 @@ bool SwitchEvent::staysClosed(const MechanicalSystem& s, const FrozenPhase& phas
       shut_.push_back(c.key[i]);
     else
       continue;
-    // What is left of the sequence takes 2v/(a(1 − ε)).
+    // The rest of the sequence of impacts takes 2v/(a(1 − ε)).
     const double rebound = struck ? std::min(epsilon[0], 0.999999) : 0.0;
     r.accumulationEnd = p.x.t + 2.0 * v / (back * (1.0 - rebound));
     any = true, ++r.accumulations;

@@ -1,12 +1,12 @@
 /// SwitchEvent: what happens at the instant of a switch (theory 50.4).
 ///
 ///   1  project with the old status
-///   2  impact of all contacts that are closed or touch:   M(u⁺ − u⁻) = WΛ by the impact law
+///   2  impact of all contacts that are closed or touch:   M(u⁺ − u⁻) = WΛ with the impact law
 ///   3  decide the new status by one inclusion that looks ahead by h_s,
 ///          ξ = G(q + h_s u) Λ + W(q + h_s u)ᵀ(u + h_s M⁻¹h) + χ − residual of resting rows
 ///   4  project with the new status, accelerations
-///   5  contacts that leave and are back within the tolerance stay closed:  v²/(2a) ≤ z tol L;
-///      so does a preloaded spring that passes its middle
+///   5  contacts that leave and return within the tolerance stay closed:  v²/(2a) ≤ z tol L;
+///      likewise a preloaded spring that passes its middle comes to rest there
 ///
 /// Looking ahead is what makes a switch from stick to slip decidable: at the switch itself the
 /// force lies on the bound. It needs no enumeration and works for redundant contacts, since it is
@@ -20,7 +20,7 @@
 
 namespace dynamy {
 
-/// Another law without its restitution.
+/// Wraps another law and removes its restitution.
 class WithoutRebound final : public SetValuedForceLaw {
  public:
   explicit WithoutRebound(const SetValuedForceLaw* of = nullptr) : law_(of) {}
@@ -50,7 +50,8 @@ class WithoutRebound final : public SetValuedForceLaw {
   const SetValuedForceLaw* law_;
 };
 
-/// Percussions and velocities before them of one contact at the event, for the report of the step.
+/// Percussions of one contact at an event, and its relative velocities before them, for the report
+/// of the step.
 struct Percussion {
   ContactKey key;
   int dim = 0;
@@ -66,35 +67,35 @@ class SwitchEvent {
     double accumulationEnd = 0.0;  ///< [s]
     SolveReport solved;
     std::string_view fault;
-    ContactKey lost;  ///< of the fault FrozenPhase::kLost
+    ContactKey lost;  ///< contact of the faults FrozenPhase::kLost and kOtherSet
   };
   void prepare(const MechanicalSystem& s, const ErrorNorm& norm);
-  /// Plain: decisions by the inclusion on the level of accelerations at the instant itself,
-  /// contacts that leave are open however soon they are back.
+  /// Plain: decides by the inclusion on the level of accelerations at the instant itself; contacts
+  /// that leave are open however soon they return.
   void plain(bool wanted) { plain_ = wanted; }
-  /// In plain decisions from now on this contact, whose friction has reached its bound, slips in
-  /// its one tangent with the sign of `direction`; 0: none is let go.
+  /// In plain decisions from now on contact `key`, whose friction has reached its bound, slips in
+  /// its one tangent with the sign of `direction`; 0: no contact is released.
   void release(ContactKey key, double direction) { released_ = key, direction_ = direction; }
-  /// Of L: contacts of the same two bodies that are nearer than this are one.
+  /// Contacts of the same two bodies that are nearer than this part of L count as one.
   static constexpr double kSame = 4e-6;
-  /// In the next decision this contact is none any more, as its features leave one another.
+  /// Excludes contact `key` from the next decision, since its features leave one another.
   void leave(ContactKey key) { left_ = key; }
-  /// At x: changes x, `phase` and p (accelerations under the new status). `lookAhead`: h_s;
-  /// `stopped`: parts whose slip ends here whatever is left of it. Slot 0 is left evaluated at x
-  /// with all contacts that took part.
+  /// Processes the event at p.x: changes p.x, `phase` and p (accelerations under the new status).
+  /// `lookAhead`: h_s; `stopped`: parts whose slip ends here whatever speed is left. Slot 0 is left
+  /// evaluated at p.x with all contacts that took part.
   Result process(MechanicalSystem& s, InclusionSolver& solver, ContactProbe& probe,
                  FrozenPhase& phase, PhasePoint& p, const SmoothStep& smooth, double lookAhead,
                  const std::vector<HeldKey>& stopped);
-  /// Those of the last process().
+  /// Percussions of the last process(); works() are theirs.
   const std::vector<Percussion>& percussions() const { return percussions_; }
   const std::array<double, 5>& works() const { return works_; }
-  /// Velocities before its impact.
+  /// Velocities before the impact of the last process().
   const Eigen::VectorXd& uBefore() const { return uBefore_; }
 
  private:
-  static constexpr double kSlip = 1e-9;  // slips above this part of U go on
+  static constexpr double kSlip = 1e-9;  // slips above this part of U continue
   static constexpr ContactKey kNone{~std::uint64_t{0}};
-  /// z tol, of L: what rises no higher stays.
+  /// z tol, as a part of L: a contact that would rise no higher stays closed.
   double zenoHeight() const;
   bool takePart(ContactProbe& probe, const FrozenPhase& phase, const State& x);
   bool touches(const ContactProbe& probe, int i) const;
@@ -116,16 +117,16 @@ class SwitchEvent {
               Result& r);
   void readStatus(const InclusionProblem& p, ConstVec Lambda, double lookAhead,
                   const FrozenPhase& old, FrozenPhase& phase);
-  /// Rows of a contact of a decision that have a status of their own.
+  /// Rows of a contact that have a status of their own in a decision.
   struct Block {
-    int contact, first, rows;  // of the contact
-    int row, slip, slipRows;   // of the problem; those of slip
+    int contact, first, rows;  // the contact; first row within it, and number of rows
+    int row, slip, slipRows;   // rows of the problem: first one, first one of slip, number of slip
     bool slips = false;
   };
   Held status(const InclusionProblem& p, ConstVec Lambda, const Block& b, double lookAhead,
               const FrozenPhase& old) const;
   void findBlocks(const InclusionProblem& p);
-  /// Speed of slip of a block, `gamma` those of all rows.
+  /// Speed of slip of a block; `gamma`: relative velocities of all rows of the problem.
   static double speedOf(const InclusionProblem& p, const Block& b, const Eigen::VectorXd& gamma);
   bool staysClosed(const MechanicalSystem& s, const FrozenPhase& phase, const PhasePoint& p,
                    Result& r);

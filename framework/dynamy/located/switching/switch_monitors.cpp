@@ -1,4 +1,4 @@
-// SwitchSearch: which numbers are looked at, and what they are worth.             (theory 50.3)
+// SwitchSearch: the choice of monitors, and their values.                         (theory 50.3)
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/switching/switch_search.hpp>
@@ -6,7 +6,8 @@
 namespace dynamy {
 namespace {
 
-/// Of its change between two samples: features that are further from lying over one another do not.
+/// Features do not lie over one another between two samples if their presence is below zero by more
+/// than this multiple of its change.
 constexpr double kAway = 2.0;
 
 }  // namespace
@@ -55,7 +56,7 @@ void SwitchSearch::watchForces(const FrozenPhase& phase, const State& x) {
 }
 
 void SwitchSearch::watchOpen(const ContactProbe& probe, const FrozenPhase& phase) {
-  // What lies where a closed contact of the same bodies does is one with it.
+  // An open contact at the place of a closed contact of the same bodies is the same contact.
   std::vector<int> closed;
   for (int i = 0; i < probe.size(); ++i)
     if (probe.comesAndGoes(i) && phase.find(probe.key(i)) != nullptr) closed.push_back(i);

@@ -1,5 +1,5 @@
-// SwitchEvent: sets that live on a displacement x. Beside x = 0 the force is known; x = 0 with a
-// speed is passed, and the force jumps; x = 0 at rest is decided like stick.      (theory 50.4)
+// SwitchEvent: sets on a displacement x. Beside x = 0 the force is known. Where x passes 0 with a
+// speed the force jumps. Rest at x = 0 is decided like stick.                     (theory 50.4)
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/switching/switch_event.hpp>
@@ -7,8 +7,8 @@
 namespace dynamy {
 namespace {
 
-constexpr double kMiddle = 1e-12;  ///< displacements below this part of L are none
-constexpr double kZeno = 0.1;      ///< z: heights below z tol L are none
+constexpr double kMiddle = 1e-12;  ///< displacements below this part of L count as zero
+constexpr double kZeno = 0.1;      ///< z: heights below z tol L count as zero
 constexpr double kZenoFloor = 1e-12;
 
 bool notched(const ContactSet& c, std::size_t i) {
@@ -28,7 +28,7 @@ double SwitchEvent::side(const ContactSet& c, std::size_t i, const double* gamma
 }
 
 void SwitchEvent::holdNotches(ContactSet& c) {
-  // The decision sees x = 0 where it is zero, not what rounding has left over h_s.
+  // Where x is zero the decision gets exactly x = 0, not the rounding that is left after h_s.
   const double middle = kMiddle * norm_->length();
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < c.key.size(); row += c.dim(static_cast<int>(i)), ++i)
@@ -40,7 +40,7 @@ void SwitchEvent::holdNotches(ContactSet& c) {
 
 bool SwitchEvent::staysInNotch(const MechanicalSystem& s, const FrozenPhase& old,
                                const FrozenPhase& phase, const PhasePoint& p, Result& r) {
-  // Drawn back from both sides, and within the tolerance: it has come to rest.
+  // A displacement that forces drive back from both sides, within the tolerance, has come to rest.
   const ContactSet& c = s.slot(0).contacts;
   gamma_.resize(c.rows());
   c.gamma(view(p.x.u), view(gamma_));

@@ -10,19 +10,20 @@ constexpr int kStartHalvings = 46;  ///< for monitors that start at zero: θ dow
 constexpr int kForceHalvings = 20;
 constexpr int kMostRefinements = 160;
 constexpr double kJump = 0.1;         ///< of the fall of a force over the first bracket
-constexpr double kRootWidth = 1e-14;  ///< of roots of gaps and slips
-constexpr double kAside = 0.25;       ///< of the fall; half of it for a jump
-constexpr double kJumpWidth = 1e-13;  ///< a jump is not found more closely, as a part of the step
-/// Of the fall over a bracket: a larger value is no root, though the last slope, which may be that
-/// over a jump, says so.
+constexpr double kRootWidth = 1e-14;  ///< width of roots of gaps and slips
+constexpr double kAside = 0.25;       ///< of the fall: deviation of the middle; a jump has half
+constexpr double kJumpWidth = 1e-13;  ///< least width to which a jump is found, of the step
+/// Of the fall over a bracket: a larger value is no root, even if it seems close to one by the last
+/// slope, which may be that over a jump.
 constexpr double kSmallValue = 1e-2;
-/// A gap whose smallest value is below this share of its range in the step is looked at again.
+/// A gap whose smallest value is below this share of its range in the step is examined again.
 constexpr double kNearRoot = 0.02;
-// A force bends much: of the largest force, and, from kRoughNear on, of what is left to its bound.
+// Deviation from which a force bends much: kRough of the largest force; or kRoughMargin of the
+// distance to its bound, if that exceeds kRoughNear of the largest force.
 constexpr double kRough = 0.1, kRoughNear = 1e-3, kRoughMargin = 0.5;
-constexpr double kRoughSamples = 0.3;         ///< of the range of a slip
-constexpr double kBetweenSamples = 0.381966;  ///< of the way between two samples: no small fraction
-constexpr double kMinimum = 1e-5;  ///< how closely the minimum is found, as a part of the step
+constexpr double kRoughSamples = 0.3;         ///< the same for a slip, of its range
+constexpr double kBetweenSamples = 0.381966;  ///< place between two samples: no simple fraction
+constexpr double kMinimum = 1e-5;  ///< accuracy of the place of a minimum, as a part of the step
 
 }  // namespace
 
@@ -75,7 +76,7 @@ bool SwitchSearch::roughSamples() const {
 bool SwitchSearch::rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase,
                          const QuinticPath& path) {
   if (roughSamples()) return true;
-  // What swings as often as it is looked at seems to rest.
+  // An oscillation with the frequency of the samples seems to rest: samples between them show it.
   for (int j = 0; j < kSamples && !kinematic_.empty(); ++j) {
     path.at((j + kBetweenSamples) / kSamples, at_);
     if (!probe.look(at_)) return true;
@@ -98,7 +99,7 @@ bool SwitchSearch::rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& 
 }
 
 bool SwitchSearch::bends(Eigen::Index monitor, double by) const {
-  // By a part of the largest force, or of its own way to zero.
+  // The deviation is large as a part of the largest force, or of the force's own distance to zero.
   const double least =
       std::min({startForces_[monitor], middleForces_[monitor], endForces_[monitor]});
   return std::abs(by) > kRough * scale_ ||
@@ -108,9 +109,9 @@ bool SwitchSearch::bends(Eigen::Index monitor, double by) const {
 template <class Value>
 bool SwitchSearch::refine(Bracket& at, double width, double zero, Value&& value, double& root,
                           double& slope) {
-  // [alefeld_potra_shi1995]: both ends close in, with order 1.65 a look in the end.
+  // [alefeld_potra_shi1995]: both ends converge, with the final order 1.65 per evaluation.
   auto& [a, fa, b, fb] = at;
-  if (!(fa > 0.0 && fb < 0.0)) {  // an end that is zero but for rounding
+  if (!(fa > 0.0 && fb < 0.0)) {  // one end is zero up to rounding
     slope = (fb - fa) / (b - a);
     root = fa > 0.0 ? b : a;
     return true;
@@ -127,7 +128,7 @@ bool SwitchSearch::refine(Bracket& at, double width, double zero, Value&& value,
     const double near = std::max(zero, 0.5 * width * std::abs(slope));
     if (!known || std::abs(v) <= std::min(near, small)) {
       a = b = slope < 0.0 ? t - v / slope : t, fa = fb = 0.0;
-      return 0.0;  // near enough, though one end of the bracket may be far
+      return 0.0;  // close enough, though one end of the bracket may be far away
     }
     (v > 0.0 ? a : b) = t, (v > 0.0 ? fa : fb) = v;
     return v;
@@ -164,7 +165,7 @@ bool SwitchSearch::presentAt(ContactProbe& probe, const QuinticPath& path, int m
   if (!k.features) return true;
   double v = 0.0;
   if (!kinematicAt(probe, path, monitor, theta, v)) return false;
-  // The normal of two edges that turns round has the gap jump from one side to the other.
+  // Where the normal of two edges reverses, their gap jumps from one sign to the other.
   const double range = values_.row(monitor).maxCoeff() - values_.row(monitor).minCoeff();
   there = present(probe, k) && std::abs(v) <= kSmallValue * range + touch_;
   return true;
@@ -172,7 +173,7 @@ bool SwitchSearch::presentAt(ContactProbe& probe, const QuinticPath& path, int m
 
 bool SwitchSearch::endSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
                              Switch& first) {
-  // A gap that closes right at the end is a switch there, not one at the start of the next step.
+  // A gap that closes right at the end is a switch of this step, not of the start of the next one.
   const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
   const double end = values_(monitor, kSamples), rate = rates_(monitor, kSamples);
   if (!isGap(k) || k.zeroStart || end > kStart * noise(k) || end < -noise(k) || rate >= 0.0 ||
@@ -187,7 +188,7 @@ bool SwitchSearch::endSwitch(ContactProbe& probe, const QuinticPath& path, int m
 bool SwitchSearch::kinematicSwitch(ContactProbe& probe, const QuinticPath& path, int monitor,
                                    Switch& first) {
   const Monitor& k = kinematic_[static_cast<std::size_t>(monitor)];
-  // A gap that starts behind the plane of its feature has to come before it first.
+  // A gap that starts behind the plane of its feature has to become positive first.
   const auto falls = [&](int j) {
     const bool before = !k.features || values_(monitor, j - 1) > 0.0 || (j == 1 && k.zeroStart);
     return before && values_(monitor, j) < -noise(k) && mayBePresent(k, monitor, j);
@@ -268,13 +269,13 @@ bool SwitchSearch::forceSwitch(MechanicalSystem& s, FrozenPhase& phase, const Qu
   Bracket at{a, fa, b, fb};
   if (fa > 0.0 && !refine(at, width, 0.0, value, root, slope)) return false;
   if (wide && fa > 0.0 && at.fa - at.fb > kJump * fall) {
-    // The bracket has shrunk, the fall has not: a jump, unless the middle lies in the middle.
+    // The bracket has shrunk, the fall has not: a jump, unless the middle value is near the mean.
     double middle = 0.0;
     if (!value(0.5 * (at.a + at.b), middle)) return false;
     if (std::abs(middle - 0.5 * (at.fa + at.fb)) > kAside * (at.fa - at.fb)) {
       const double fine = std::max(kJumpWidth, width * width * width);  // no slope: 1e-5 tol
       if (!refine(at, fine, 0.0, value, root, slope)) return false;
-      root = at.b, slope = 0.0;  // behind the jump
+      root = at.b, slope = 0.0;  // right after the jump
     }
   }
   if (!(root < first.theta)) return true;
@@ -291,7 +292,7 @@ bool SwitchSearch::near(ContactProbe& probe, const QuinticPath& path, int monito
     if (!(rates_(monitor, j) < 0.0 && rates_(monitor, j + 1) > 0.0)) continue;
     if (!mayBePresent(kinematic_[static_cast<std::size_t>(monitor)], monitor, j + 1)) continue;
     if (j == 0 && kinematic_[static_cast<std::size_t>(monitor)].zeroStart) continue;
-    // The range of the gap so far; what lies behind may be a fall that no contact stops.
+    // The range of the gap so far: later values may belong to a fall that no contact stops.
     const double high = values_.row(monitor).head(j + 1).maxCoeff();
     double fa = rates_(monitor, j), fb = rates_(monitor, j + 1), c = b, v = 0.0;
     for (int i = 0; i < 40 && b - a > kMinimum; ++i) {

@@ -8,10 +8,10 @@
 namespace dynamy {
 namespace {
 
-/// Slip of less than so many times its rounding does not count as driven.
+/// Slip below this multiple of its rounding does not count as driven.
 constexpr double kDriving = 1e3;
-/// Of wᵀM⁻¹w, what joints that hold a contact leave: positions agree to 1e-10 lengths or so, and K
-/// has 1e-10 on the diagonal of the joints' rows.
+/// Joints hold a contact if they leave less than this part of wᵀM⁻¹w: positions agree to 1e-10
+/// lengths or so, and K has 1e-10 on the diagonal of the joints' rows.
 constexpr double kHeld = 1e-8;
 
 /// Column of contact i's row r, as nu numbers.
@@ -38,7 +38,7 @@ double freeG(const ContactSet& c, const MassMatrix& mass, int i) {
   return G;
 }
 
-/// Whether contacts move a common part; others do not feel each other.
+/// True: the two contacts move a common part of the mechanism; otherwise they are not coupled.
 bool meet(const ContactResponse& a, const ContactResponse& b) {
   return std::any_of(a.parts.begin(), a.parts.end(), [&](int p) { return b.moves(p); });
 }
@@ -152,9 +152,9 @@ double CondensedContacts::aim(int i, double gTol) const {
   return g / dt_ + (1.0 - epsilon[0]) * std::max(0.0, begin);
 }
 
-/// The aims of the contacts and the scales of the problem.
+/// Adds the aims of the contacts and sets the scales of the problem.
 void CondensedContacts::pose(const MechanicalSystem& s) {
-  // Where all contacts open or wait, nothing is asked of them but rounding: forces set the scale.
+  // Where all contacts open or wait, they require nothing above rounding: forces set the scale.
   double uRef = std::max(std::numeric_limits<double>::min(), s.largestChange(dt_));
   for (int i = 0; i < contacts_.size(); ++i) {
     const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
@@ -177,10 +177,10 @@ void CondensedContacts::pose(const MechanicalSystem& s) {
     noise = 16.0 * std::numeric_limits<double>::epsilon() * uE_.cwiseAbs().maxCoeff();
 }
 
-/// Contacts at places that joints hold, as a corner on a hinge: nothing that acts along the normal
-/// moves them, wᵀK⁻¹w vanishes against wᵀM⁻¹w. Their gap is that of the joint, which bears what
-/// they could: they stay without force. Asked to open by as much as rounding lets them overlap, they
-/// and the joint would have no solution.
+/// Finds contacts at places that joints hold, such as a corner on a hinge: no force along the
+/// normal moves them, wᵀK⁻¹w vanishes against wᵀM⁻¹w. Their gap is that of the joint, which carries
+/// the load in their place: they get no force. If they had to open by their overlap from rounding,
+/// there would be no solution with the joint.
 void CondensedContacts::findHeld(const MechanicalSystem& s, const JointNewton& newton) {
   held_.assign(static_cast<std::size_t>(contacts_.size()), 0.0);
   for (int i = 0; i < contacts_.size(); ++i) {
@@ -191,7 +191,8 @@ void CondensedContacts::findHeld(const MechanicalSystem& s, const JointNewton& n
   }
 }
 
-/// G from the responses to all rows; its part of what old_ has done already leaves γ_free.
+/// G from the responses to all rows; the effect G old_ of the old impulses is subtracted from
+/// γ_free.
 BlockRows CondensedContacts::condensed(const JointNewton& newton) {
   BlockRows G = delassus_.release();
   G.clear();
@@ -286,7 +287,7 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
 bool CondensedContacts::frictionDrives(const Eigen::VectorXd& v, const State& xA) {
   meanSlip_.clear();
   uE_ = 2.0 * v - xA.u;
-  std::vector<double>& gammaE = problem_.c;  // of no more use in this step
+  std::vector<double>& gammaE = problem_.c;  // c is no longer used in this step
   if (contacts_.size() > 0)
     contacts_.gamma(view(std::as_const(uE_)), {gammaE.data(), contacts_.rows()});
   for (int i = 0; i < contacts_.size(); ++i) {

@@ -5,7 +5,7 @@ namespace dynamy {
 bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
   dt_ = dt;
   const std::vector<const ExternalForce*>& forces = s.parts().forces;
-  s.withhold(withheld_);  // those of the last step, mostly the same
+  s.withhold(withheld_);  // the forces of the last step, mostly the same
   const Evaluation* e = &s.evaluateAhead(x, dt, 0);
   if (forces.empty()) return false;
   const bool some = forces_.find(forces, e->kinematics, e->mass, dt);

@@ -5,11 +5,11 @@
 namespace dynamy {
 namespace {
 
-/// Change of positions by which K is differenced [m, rad]: its error and that of rounding meet near
-/// the root of 2e-16.
+/// Change of positions for the differences of K [m, rad]: truncation and rounding balance near the
+/// square root of 2e-16.
 constexpr double kTangentDifference = 1e-7;
-/// Share of a joint's own stiffness on the diagonal of its rows: regular with redundant joints;
-/// Newton's residual does not contain it.
+/// Share of a joint's own stiffness on the diagonal of its rows. It makes K regular with redundant
+/// joints; Newton's residual does not contain it.
 constexpr double kRegular = 1e-10;
 
 bool massDependsOnPosition(const Topology& topology) {
@@ -66,7 +66,7 @@ void JointNewton::connect(const MechanicalSystem& s, const ContactSet& c) {
     blockU0_.push_back(mass.u0(b)), blockNu_.push_back(mass.nu(b));
     mostNu_ = std::max(mostNu_, mass.nu(b));
   }
-  // Nodes: blocks, then joints; joints make their blocks neighbours of each other.
+  // Nodes are blocks, then joints; a joint makes its blocks neighbours of each other.
   std::vector<int> jointRows;
   std::vector<std::vector<int>> near(static_cast<std::size_t>(blocks + joints));
   nearBlocks_.assign(static_cast<std::size_t>(blocks), {}),
@@ -192,7 +192,7 @@ void JointNewton::addColumn(int block, int j, const Eigen::VectorXd& R0, double 
   }
 }
 
-/// ∂R/∂Λ = −W̃ is linear: unit impulses, joint after joint.
+/// Adds ∂R/∂Λ = −W̃ by unit impulses, joint after joint, since R is linear in Λ.
 void JointNewton::addJointColumns(const Evaluation& e) {
   const ContactSet& c = e.contacts;
   e.mass.apply(view(std::as_const(v)), view(momentum_));
@@ -229,7 +229,7 @@ bool JointNewton::linearise(MechanicalSystem& s, const Eigen::VectorXd& contactI
   addJointColumns(s.slot(0));
   if (wanted == Tangent::closedForm && offered_) {
     offered_ = closedForm(s);
-    if (!offered_) {  // what it has begun goes
+    if (!offered_) {  // the incomplete matrix is dropped
       K_.reset(unknowns(), walk_.band(), walk_.ends());
       addJointColumns(s.slot(0));
     }
@@ -291,7 +291,7 @@ void JointNewton::differences(MechanicalSystem& s, const Eigen::VectorXd& contac
   Rv_ = force0_, Rg_ = g0_, gRate_ = gRate0_;
 }
 
-/// A row with velocities whose position nothing changes would hold nothing, in silence.
+/// Finds a row that has velocities but a constant position: it would hold nothing without notice.
 void JointNewton::checkPositions(const MechanicalSystem& s) {
   const ContactSet& c = s.slot(0).contacts;
   for (std::size_t k = 0; k < joints_.size(); ++k)

@@ -44,7 +44,8 @@ bool JointTangent::joint(const MechanicalSystem& s, int i, int iEnd, const doubl
   return true;
 }
 
-/// The sides that move, in the order of their segments; W, W_E, and what follows from them alone.
+/// Finds the sides that move, in the order of their segments; W, W_E, and the terms that depend on
+/// these alone.
 bool JointTangent::findSides(const Evaluation& e, const ContactSet& atEnd, int i, int iEnd,
                              const double* Lambda) {
   const ContactSet& c = e.contacts;
@@ -80,7 +81,7 @@ bool JointTangent::findSides(const Evaluation& e, const ContactSet& atEnd, int i
   return true;
 }
 
-/// ∂(WΛ)_a/∂v_b, and its share in ∂p/∂v_b.
+/// Computes ∂(WΛ)_a/∂v_b, and its share in ∂p/∂v_b.
 bool JointTangent::turn(const MechanicalSystem& s) {
   const Topology& topology = *s.parts().topology;
   const Kinematics& k = s.slot(0).kinematics;
@@ -107,7 +108,7 @@ bool JointTangent::turn(const MechanicalSystem& s) {
   return true;
 }
 
-/// − ∂(p/s Mv): of p, of Mv, of 1/s.
+/// Adds −∂(p/s Mv)/∂v: the derivatives of p, of Mv, and of 1/s.
 void JointTangent::addQuotient(const MechanicalSystem& s, double power) {
   double twiceT = 0.0;
   for (int a = 0; a < sides_; ++a)

@@ -1,6 +1,7 @@
 /// MechanismWalk: an order of the unknowns of bodies and joints in which the matrix of a mechanism
-/// is a narrow band: breadth first from a node with few neighbours (Cuthill–McKee), part after part.
-/// Nothing couples two parts: mechanisms that no joint connects, and free bodies.
+/// is a narrow band. Each part is walked breadth first from a node with few neighbours
+/// (Cuthill–McKee). Parts are mechanisms that no joint connects, and free bodies: nothing couples
+/// two parts.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -18,15 +19,15 @@ class MechanismWalk {
     int firstNode = 0, lastNode = 0;  ///< nodes() firstNode ≤ i < lastNode
     int first = 0, last = 0;          ///< unknowns first ≤ i < last
   };
-  /// near: the neighbours of each block and, behind them, of each joint; blockRows, jointRows: their
-  /// unknowns.
+  /// Finds the order. near: the neighbours of each block and, after the blocks, of each joint;
+  /// blockRows, jointRows: the number of unknowns of each block and joint.
   void order(const std::vector<std::vector<int>>& near, const std::vector<int>& blockRows,
              const std::vector<int>& jointRows);
   const std::vector<Node>& nodes() const { return nodes_; }
   const Part& part(int p) const { return parts_[static_cast<std::size_t>(p)]; }
   const std::vector<int>& ends() const { return ends_; }  ///< Part::last of each part
   int partOfBlock(std::size_t b) const { return blockPart_[b]; }
-  /// First unknown of a block, of a joint.
+  /// First unknown of block b; joint(): of joint k.
   int block(std::size_t b) const { return block_[b]; }
   int joint(std::size_t k) const { return joint_[k]; }
   int unknowns() const { return unknowns_; }

@@ -9,7 +9,7 @@ namespace {
 /// Joints with friction stick below this velocity [m/s, rad/s].
 constexpr double kSticks = 1e-9;
 
-/// A contact that opens, or never acts, is not held.
+/// Initial status of contact i in `out`; false: the contact opens, or never acts, and is not held.
 bool begins(const ContactSet& c, int i, const double* gamma, double still, Held& out) {
   const auto at = static_cast<std::size_t>(i);
   const SetValuedForceLaw& law = *c.law[at];
@@ -18,7 +18,7 @@ bool begins(const ContactSet& c, int i, const double* gamma, double still, Held&
   LawInput in = c.input(i, 1.0, nullptr);
   in.gammaA = gamma;
   if (in.dim > kMostRows || !FrozenPhase::bounds(law, in, bounds))
-    return true;  // accelerate() tells why not
+    return true;  // accelerate() reports the reason
   if (law.unilateral() && gamma[0] > still) return false;
   if (bounds.form == FrozenPhase::Form::notch) {
     const double x = in.position[0];

@@ -1,5 +1,5 @@
-/// HeldMotion: the motion of a model whose closed contacts keep what they do at one state, as a
-/// smooth function of the state that can be differentiated:
+/// HeldMotion: the motion of a model whose closed contacts keep the status they have at one state,
+/// as a smooth function of the state that can be differentiated:
 ///
 ///   (q, u)  ↦  u̇,  γ of the rows that are held,  g and position errors of the same rows
 ///
@@ -12,7 +12,7 @@
 
 namespace dynamy {
 
-/// What is known of a state.
+/// Accelerations, velocities and position errors at one state.
 struct MotionSample {
   Eigen::VectorXd a;         ///< u̇ [m/s², rad/s²]
   Eigen::VectorXd gamma;     ///< of the held rows [m/s]
@@ -25,19 +25,19 @@ class HeldMotion {
   /// [m/s].
   HeldMotion(Model& model, const State& x, double gap, double slip);
 
-  /// Throws ModelError if a law has no smooth phases, a contact that is held is gone, or M is
+  /// Throws ModelError if a law has no smooth phases, a held contact no longer exists, or M is
   /// singular.
   MotionSample at(const State& x);
-  /// q̇ without the part that does not come from u: F(q) v.
+  /// The part of q̇ that is linear in the velocities, for velocities v: F(q) v.
   Eigen::VectorXd rate(const State& x, const Eigen::VectorXd& v) const;
   /// q̇ = F u + β.
   Eigen::VectorXd qdot(const State& x, const Eigen::VectorXd& u) const;
-  /// x with q ← q + F(q) delta, brought back on its manifold.
+  /// x with q ← q + F(q) delta, where q is then brought back onto its manifold.
   State displaced(const State& x, const Eigen::VectorXd& delta) const;
-  /// x after the time τ of steady motion: u stays.
+  /// x after the time τ of steady motion, in which u is constant.
   State movedOn(const State& x, double tau) const;
 
-  /// The contacts that are held, in the state that was sampled last.
+  /// A held contact at the state that was sampled last.
   struct Contact {
     std::string name;
     const SetValuedForceLaw* law = nullptr;

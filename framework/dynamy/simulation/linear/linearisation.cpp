@@ -10,14 +10,15 @@
 namespace dynamy {
 namespace {
 
-/// Largest step of differences: of angles and velocities, and of lengths in lengths of the scene.
+/// Largest step of the differences, for angles and velocities, and for lengths in units of the
+/// scene's length.
 constexpr double kStep = 0.1;
-constexpr int kLevels = 7;  ///< halvings of it
-/// Below this part of the largest pivot a constraint is redundant.
+constexpr int kLevels = 7;  ///< number of steps, each half of the one before
+/// A constraint is redundant if its pivot is below this share of the largest one.
 constexpr double kRankOfStates = 1e-9;
-/// Accelerations of a steady motion, in parts of those by the forces alone.
+/// Largest accelerations of a steady motion, as a share of those by the forces alone.
 constexpr double kSteady = 1e-10;
-/// How much A may change along the motion, in parts of its largest entry.
+/// How much A may change along the motion, as a share of its largest entry.
 constexpr double kConstant = 1e-6;
 constexpr int kMostSteps = 40;    ///< of Newton's method
 constexpr double kLongest = 0.3;  ///< of its steps [m, rad]
@@ -25,8 +26,8 @@ constexpr double kLongest = 0.3;  ///< of its steps [m, rad]
 constexpr double kZero = 1e-11;
 
 /// f′(0) of f: double → VectorXd by central differences with the steps h, h/2, h/4 …, extrapolated
-/// to zero as a polynomial of h² [Neville]. Of each entry the member of the table is taken that
-/// differs least from its neighbours; `error` grows to the largest of these differences.
+/// to zero as a polynomial of h² [Neville]. For each entry the value in the table that differs
+/// least from its neighbours is taken; `error` grows to the largest of these differences.
 template <class F>
 Eigen::VectorXd derivative(const F& f, double h, double& error) {
   std::vector<Eigen::VectorXd> old, row;
@@ -91,7 +92,8 @@ class Linear {
     return d;
   }
 
-  /// Newton's method with the smallest correction; at rest of positions alone. Returns the way.
+  /// Newton's method with corrections of least norm; at rest it changes positions alone. Returns
+  /// the length of all corrections.
   double seek(State& x) {
     const bool rest = x.u.size() == 0 || x.u.lpNorm<Eigen::Infinity>() == 0.0;
     const Eigen::Index free = rest ? nu_ : 2 * nu_;
@@ -121,7 +123,7 @@ class Linear {
   }
 
  private:
-  /// Steps by unit: lengths scale with the scene.
+  /// Sets the steps of the differences by unit: lengths scale with the scene.
   void steps() {
     Eigen::VectorXd positions;
     unitScales(model_.topology(), std::min(1.0, model_.length()), positions, step_);
@@ -175,7 +177,8 @@ Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& C) {
   return Q.rightCols(n - qr.rank());
 }
 
-/// "bike.phi" where q̇ = u, else "∫bike.Omega_x"; then the velocities.
+/// Names of z: the displacements, "bike.phi" where q̇ = u and "∫bike.Omega_x" elsewhere; then the
+/// velocities.
 std::vector<std::string> namesOf(const Model& model) {
   const auto nu = static_cast<std::size_t>(model.topology().nu());
   std::vector<std::string> out(2 * nu);
@@ -214,7 +217,8 @@ void expectPermitted(const std::vector<HeldMotion::Contact>& contacts) {
           "the contact would have to pull, or to stick beyond its friction");
 }
 
-/// Further on the accelerations are still zero and the linear equations the same.
+/// Throws ModelError unless, later in the motion, the accelerations are still zero and the linear
+/// equations the same.
 void expectSteady(HeldMotion& motion, Linear& linear, const State& x, const Derivatives& d,
                   double allowed) {
   const double fastest = largest(x.u), size = d.A.size() > 0 ? d.A.cwiseAbs().maxCoeff() : 0.0;

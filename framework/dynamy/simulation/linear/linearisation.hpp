@@ -7,30 +7,31 @@
 ///
 ///   ẏ = Bᵀ A B y
 ///
-/// K is what turns of the frame do to δ (zero where q̇ = u). u̇ comes from the equations of motion
-/// with all constraints on acceleration level, so that C z stays zero by itself. Derivatives are
-/// differences extrapolated to step zero. Coordinates that the equations do not see (where it is,
-/// which way it heads, how far a wheel has turned) give eigenvalues that are exactly zero, often in
-/// Jordan blocks; they are split off before the others are computed, which would lose half of their
-/// digits otherwise. Eliminating constraints by hand, and eigenvalues of the pencil (A, E) with
-/// multipliers as unknowns, were rejected: the first needs independent coordinates, the second
-/// brings infinite ones.
+/// K is the effect that rotations of the frame have on δ (zero where q̇ = u). u̇ comes from the
+/// equations of motion with all constraints on acceleration level, so that C z stays zero by
+/// itself. Derivatives are difference quotients, extrapolated to step zero. Coordinates on which
+/// the equations do not depend (position, heading, angle of a wheel) give eigenvalues that are
+/// exactly zero, often in Jordan blocks. These are split off first, because the other eigenvalues
+/// would lose half of their digits otherwise. Rejected: eliminating constraints by hand, which
+/// needs independent coordinates; and eigenvalues of the pencil (A, E) with multipliers as
+/// unknowns, some of which are infinite.
 #pragma once
 #include <dynamy/simulation/linear/held_motion.hpp>
 
 namespace dynamy {
 
 struct LinearisationOptions {
-  /// Gaps up to this part of the scene's length count as closed, slips up to this part of the
-  /// fastest velocity, or of 1 m/s, as sticking: how near the state given is to the steady motion.
+  /// How near the given state is to the steady motion, as a share. Gaps up to this share of the
+  /// scene's length count as closed; slips up to this share of the fastest velocity, or of 1 m/s,
+  /// count as sticking.
   double near = 1e-6;
-  /// Looks for a steady motion near the state; false: the state must be one.
+  /// True: searches for a steady motion near the given state; false: that state must be one.
   bool seek = true;
 };
 
 struct Linearisation {
   State at;                        ///< the steady motion
-  double moved = 0.0;              ///< how far it was from the state given, |(δ, w)|
+  double moved = 0.0;              ///< its distance from the given state, |(δ, w)|
   double residual = 0.0;           ///< largest |u̇| left [m/s², rad/s²]
   std::vector<std::string> names;  ///< of z: first δ, then w
   Eigen::MatrixXd basis;           ///< B, 2 nu × n

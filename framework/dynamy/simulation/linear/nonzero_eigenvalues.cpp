@@ -22,7 +22,7 @@ int nonzeroEigenvalues(const Eigen::MatrixXd& A, double noise, Eigen::VectorXcd&
     zeros += found;
   }
 
-  // The rest, sorted.
+  // Eigenvalues of R, sorted.
   const Eigen::Index m = n - zeros;
   values.resize(m), vectors.resize(n, m);
   if (m == 0) return static_cast<int>(zeros);
@@ -31,14 +31,15 @@ int nonzeroEigenvalues(const Eigen::MatrixXd& A, double noise, Eigen::VectorXcd&
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   const Eigen::VectorXcd& found = pairs.values;
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    // Both of a pair have one real part, but for rounding: the positive frequency comes first.
+    // The real parts of a conjugate pair are equal up to rounding: the positive frequency comes
+    // first.
     const double scale = 1e-10 * (std::abs(found[a]) + std::abs(found[b]));
     if (std::abs(found[a].real() - found[b].real()) > scale)
       return found[a].real() < found[b].real();
     return found[a].imag() > found[b].imag();
   });
 
-  // Eigenvectors of the whole: (N − λ) x₁ = −T₁₂ x₂.
+  // Eigenvectors of QᵀAQ: (N − λ) x₁ = −T₁₂ x₂.
   const Eigen::MatrixXcd N = T.topLeftCorner(zeros, zeros).cast<std::complex<double>>();
   const Eigen::MatrixXd T12 = T.topRightCorner(zeros, m);
   for (Eigen::Index k = 0; k < m; ++k) {

@@ -14,20 +14,21 @@ namespace {
 
 template <class T>
 std::unique_ptr<T> as(std::unique_ptr<Element> element) {
-  return std::unique_ptr<T>(static_cast<T*>(element.release()));  // the kind says the base class
+  return std::unique_ptr<T>(static_cast<T*>(element.release()));  // the kind fixes the base class
 }
 
-/// With its declared defaults, and a type name that reports can show.
+/// Makes a T with its declared defaults, and with a type name that reports can show.
 template <class T>
 std::unique_ptr<T> makeDefault(const char* type) {
   return std::make_unique<T>(Parameters::of<T>(type, "", {}));
 }
 
-/// Not AugmentedMoreau, which locates switches within steps that the run gives.
+/// True if the scheme works to a tolerance. AugmentedMoreau does not: it locates switches within
+/// steps of given length.
 bool takesTolerance(const OneStep& scheme) { return scheme.choosesSteps() && !scheme.needsStep(); }
 
-/// Steps that the rounding of t swallows never reach the end. Six halvings of a step that is not
-/// solved are to move t, too.
+/// Throws ModelError if steps are so short that t + Δt rounds to t: such a run never ends. A step
+/// that is halved six times, because it is not solved, must still change t.
 void refuseStepsWithoutWay(const SimulationSettings& s) {
   const double least = 64.0 * kEpsilon * s.until;
   if (!(s.step > 0.0) || s.step >= least) return;
@@ -236,7 +237,7 @@ MechanicalSystem Model::mechanicalSystem() {
   for (const auto& f : forces_) parts.forces.push_back(f.get());
   for (const auto& c : contacts_) parts.contacts.push_back(c.get());
   parts.impactLaw = impactLaw_.get();
-  // One slot more than the scheme needs may be asked for by projections.
+  // Projections may need one slot more than the scheme.
   MechanicalSystem system(parts, std::max(2, scheme_->evaluations()));
   system.gTol(simulation.gTol >= 0.0 ? simulation.gTol : 1e-12 * length_);
   return system;

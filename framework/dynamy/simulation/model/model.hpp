@@ -8,8 +8,8 @@
 ///
 /// (a whole program: doc/cpp_models.md)
 ///
-/// build() composes (completions), asks every element to describe itself, lays out q and u,
-/// connects. After that it is immutable.
+/// build() runs the completions, lays out q and u, connects the elements and asks each of them to
+/// describe itself. After that the model is immutable.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/core/declared/parameters.hpp>
@@ -35,8 +35,8 @@ struct NamedSignal {
   int memory0 = 0, memory = 0;
 };
 
-/// A T that belongs to another element, from its declared attributes: a shape of a body, the law of
-/// a contact. Throws ModelError.
+/// Makes a T that belongs to another element, e.g. a shape of a body or the law of a contact, from
+/// its declared attributes. Throws ModelError.
 template <class T>
 std::unique_ptr<T> child(const std::vector<GivenValue>& given = {}) {
   return std::make_unique<T>(Parameters::of<T>({}, {}, given));
@@ -50,8 +50,8 @@ class Model {
   Model(Model&&) noexcept;
   Model& operator=(Model&&) noexcept;
 
-  /// Takes an element; its kind decides the list. Names must be unique among systems, contacts,
-  /// forces and observers.
+  /// Adds an element to the list of its kind. Names must be unique among systems, contacts, forces
+  /// and observers.
   void add(Kind kind, std::unique_ptr<Element> element);
   template <class T>
   T& add(std::unique_ptr<T> element) {
@@ -67,13 +67,15 @@ class Model {
     (x.children.push_back({Children::kKind, std::move(children)}), ...);
     return add(std::make_unique<T>(x));
   }
-  /// For completions: takes systems out, e.g. to put them into one; `indices` ascending.
+  /// For completions: removes systems from the model and returns them, e.g. to combine them into
+  /// one; `indices` are ascending.
   std::vector<std::unique_ptr<PartialMechanicalSystem>> takeSystems(
       const std::vector<int>& indices);
-  /// Called at the beginning of build(): adds what follows from other elements (contact geometry
-  /// from shapes).
+  /// Adds a function that build() calls first. It adds the elements that follow from others, e.g.
+  /// contact geometry from shapes.
   void addCompletion(Completion completion);
-  /// Composes, describes, lays out, connects. Throws ModelError with all faults found.
+  /// Runs the completions, lays out q and u, connects and describes the elements. Throws ModelError
+  /// with all faults found.
   void build();
 
   // Before build().
@@ -90,11 +92,12 @@ class Model {
   const std::vector<std::unique_ptr<PartialMechanicalSystem>>& systems() const { return systems_; }
   const std::vector<std::unique_ptr<NonSmoothElement>>& contacts() const { return contacts_; }
   const std::vector<std::unique_ptr<ExternalForce>>& forces() const { return forces_; }
-  /// Which law two materials get.
+  /// The rules that give each pair of materials its law.
   PairLaws& pairLaws() { return *pairLaws_; }
   const PairLaws& pairLaws() const { return *pairLaws_; }
   const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
-  /// Of systems, then contact elements, then forces; without their signals, which signals() has.
+  /// Descriptions of the systems, then of the contact elements, then of the forces. Their signals
+  /// are moved to signals().
   const std::vector<Description>& descriptions() const { return descriptions_; }
   const Description& description(int system) const {
     return descriptions_[static_cast<std::size_t>(system)];
@@ -106,13 +109,14 @@ class Model {
   const InclusionSolver& solver() const { return *solver_; }
   InclusionSolver& solver() { return *solver_; }
   void scheme(std::unique_ptr<OneStep> scheme);
-  /// Steps of length dt [s] in place of a tolerance. A scheme that was named for its tolerance
-  /// keeps it and takes dt as the longest.
+  /// Asks for steps of length dt [s] in place of a tolerance. An explicitly named scheme that
+  /// chooses its steps keeps its tolerance and takes dt as its longest step.
   void askStep(double dt);
-  /// An accuracy in place of a step: a scheme of fixed steps gives way to LocatedDormandPrince.
+  /// Asks for a tolerance in place of a step: LocatedDormandPrince replaces a scheme of fixed
+  /// steps.
   void askTolerance(double tolerance);
-  /// What a run does first: if no scheme was named, takes the one that follows from whether
-  /// `simulation` has a tolerance or a step; tells one that chooses its steps the accuracy.
+  /// Called at the start of a run. If no scheme was named, chooses one by whether `simulation` has
+  /// a tolerance or a step. Passes the accuracy to a scheme that works to a tolerance.
   void readyScheme();
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
@@ -134,7 +138,7 @@ class Model {
   std::vector<std::unique_ptr<Element>> others_;
   void chooseScheme();
   std::unique_ptr<OneStep> scheme_;
-  bool schemeIsDefault_ = false;  ///< none was named
+  bool schemeIsDefault_ = false;  ///< no scheme was named
   std::unique_ptr<InclusionSolver> solver_;
   std::unique_ptr<ImpactLaw> impactLaw_;
   std::unique_ptr<Topology> topology_;

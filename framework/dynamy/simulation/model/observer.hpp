@@ -1,5 +1,5 @@
-/// Observer: sees a run step after step (recorder, energy ledger, users' own). No element writes
-/// files; observers may.
+/// Observer: receives every step of a run (recorder, energy ledger, observers of users). Elements
+/// never write files; observers may.
 #pragma once
 #include <dynamy/core/archive.hpp>
 #include <dynamy/stages/one_step.hpp>
@@ -26,14 +26,16 @@ class Observer : public Element {
  public:
   static constexpr Kind kKind = Kind::observer;
   using Element::Element;
-  /// Before the first step: a step of length 0 at the initial state, with its contacts, Λ = 0.
+  /// Called before the first step: `initial` is a step of length 0 at the initial state, with its
+  /// contacts and Λ = 0.
   virtual void start(const StepView& /*initial*/) {}
   virtual void step(const StepView& view) = 0;
-  /// A step that is taken back because its inclusion was not solved: the state is that before it.
+  /// Called for a step that is rejected because its inclusion was not solved. The view holds the
+  /// state before that step.
   virtual void failed(const StepView& /*view*/) {}
-  /// After the last step, however the run ended; `last` is the last accepted step.
+  /// Called after the last step, however the run ended; `last` is the last accepted step.
   virtual void finish(const StepView& /*last*/) {}
-  /// What a resumed run needs to go on as if it had not been stopped; both directions.
+  /// Writes or reads what a resumed run needs to continue as if it had not been stopped.
   virtual void archive(Archive&) {}
 };
 

@@ -1,4 +1,4 @@
-/// Settings of a run as the sections `<simulation>`, `<record>` and `<check>` say them.
+/// Settings of a run, as given in the sections `<simulation>`, `<record>` and `<check>`.
 #pragma once
 #include <dynamy/core/error.hpp>
 #include <limits>

@@ -1,6 +1,7 @@
-/// TimeGrid: the instants i·Δ from a counter, never accumulated, so that nothing drifts.
+/// TimeGrid: the instants i·Δ, computed from a counter instead of a sum, so that rounding errors do
+/// not accumulate.
 ///
-/// Where 1/Δ is a whole number n, the instant is i/n: the double nearest to the decimal number a
+/// If 1/Δ is a whole number n, the instant is i/n: the double nearest to the decimal number a
 /// reader expects (300 steps of 1e-3 end at 0.3, not at 0.30000000000000004).
 #pragma once
 #include <cmath>

@@ -159,7 +159,7 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
   const CheckSettings& c = m.settings();
   const double tA = view.before.t, tE = view.after.t;
   const auto inside = [&](double t) { return sampler_.sampleOne(view, (t - tA) / (tE - tA), i); };
-  // A given instant of a hair after the end of the last step is that end.
+  // An instant within 1e-9 of the step's length from its end counts as the end of the step.
   const double hair = 1e-9 * (tE - tA);
   if (c.measure == Measure::value) {
     if (std::isnan(c.at)) return m.add(tE, end);
@@ -190,8 +190,8 @@ void Checks::feedWithin(const StepView& view, std::size_t i) {
     if (!(t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)) continue;
     s[0] = s[1], s[1] = s[2], s[2] = sampler_.sampleOne(view, (t - tA) / (tE - tA), i);
     m.add(t, s[2]);
-    // An extreme between samples: that of the parabola through the three, where the signal has
-    // s̈/2 times the square of what its place is off.
+    // An extreme between samples: the signal at the vertex of the parabola through the last three.
+    // An error of that place changes the value by s̈/2 times the square of the error.
     const double left = sign * (s[1] - s[0]), right = sign * (s[1] - s[2]);
     if (!extreme || !(left >= 0.0 && right >= 0.0 && left + right > 0.0)) continue;
     const double top = k - 1 + 0.5 * (left - right) / (left + right);
@@ -211,7 +211,7 @@ CheckResult Checks::measured(const Measurement& m) const {
     r.over = "over " + numberText(c.from) + " … " +
              (std::isfinite(c.to) ? numberText(c.to) : std::string("end")) + " s";
   r.got = m.result();
-  // A run that ended before the interval did has not measured what was asked for.
+  // A run that ended before the interval did has not measured what the check requests.
   const double needed = value ? c.at : c.to;
   if (std::isfinite(needed) && t_ < needed * (1.0 - 1e-9))
     r.note = "the run ended at " + numberText(t_) + " s", r.got = kNaN;

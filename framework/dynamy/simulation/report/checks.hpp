@@ -5,7 +5,7 @@
 ///   mean    (1/T) ∫ s dt over the interval, trapezoids between the ends of steps
 ///   min max over the ends of steps and the ends of the interval
 ///   period  mean distance of upward crossings of the mid level (min + max)/2; a crossing counts
-///           after the signal was 5 % of its range below, so that chatter is one crossing.
+///           only after the signal was 5 % of its range below it, so that chatter is one crossing.
 ///           Rejected: distances of maxima, which a flat top or an impact's spike displaces.
 ///   count   whole-number signals (status, latch): upward jumps; others: changes of sign
 ///
@@ -34,12 +34,13 @@ class Measurement {
  public:
   explicit Measurement(const CheckSettings& settings) : settings_(settings) {}
   const CheckSettings& settings() const { return settings_; }
-  /// Room for `samples` pairs if the measure has to keep them; no allocation up to there.
+  /// Reserves room for `samples` pairs (t, s) if the measure has to keep them; up to this number
+  /// add() does not allocate.
   void reserve(std::size_t samples);
   void add(double t, double s);
-  /// A value between two that were added, for the extremes.
+  /// Includes a value between two samples in the minimum and maximum.
   void between(double s) { min_ = std::min(min_, s), max_ = std::max(max_, s); }
-  /// NaN if there is not enough to measure.
+  /// The measured value; NaN if there are too few samples.
   double result() const;
   void archive(Archive& a);
 
@@ -59,7 +60,7 @@ class Checks final : public Observer {
  public:
   /// Throws ModelError for unknown signals.
   explicit Checks(const Model& model);
-  /// After the run, whose report is needed for the figures of checks such as run.penetration.
+  /// The results after the run; `report` provides figures such as run.penetration.
   std::vector<CheckResult> results(const RunReport& report) const;
 
   void start(const StepView& initial) override;
@@ -69,12 +70,13 @@ class Checks final : public Observer {
 
  private:
   void feed(const StepView& view, std::size_t i, double end);
-  /// Samples within a step that a scheme chose: it may hold a whole swing.
+  /// Adds samples within a step of a scheme that chooses its steps: such a step may hold a whole
+  /// oscillation.
   void feedWithin(const StepView& view, std::size_t i);
   CheckResult measured(const Measurement& m) const;
   std::vector<CheckSettings> all_;
   SignalSampler sampler_;
-  std::vector<Measurement> measurements_;  ///< of the checks that are no figure of the report
+  std::vector<Measurement> measurements_;  ///< of the checks on signals
   std::vector<double> values_;
   double t_ = 0.0;
 };

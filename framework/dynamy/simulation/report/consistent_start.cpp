@@ -11,21 +11,21 @@
 namespace dynamy {
 namespace {
 
-/// Added to G, whose rows are scaled to 1 on the diagonal, so that rows that depend on each other
-/// share; turns take away what it costs.
+/// Added to the diagonal of G, which is scaled to 1, so that redundant rows share the correction;
+/// the iteration removes the error that it causes.
 constexpr double kRedundantStart = 1e-11;
 constexpr int kMostStartTurns = 25;
 constexpr double kPosition = 1e-12;    ///< of the scene's length: g_tol, on the joints
-constexpr double kFileNumbers = 1e-6;  ///< numbers of a file are rounded: changes below say nothing
+constexpr double kFileNumbers = 1e-6;  ///< changes below it are rounding of numbers in a file
 constexpr double kStartNoise = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// The joints of one evaluation: which rows they have, and δ = M⁻¹WΛ with Wᵀδ = −r.
+/// The rows of the joints in one evaluation, and the solution δ = M⁻¹WΛ with Wᵀδ = −r.
 class JointRows {
  public:
-  /// Rows of the joints of `e`; positions: of those alone that are the rate of a position.
+  /// Rows of the joints of `e`; `positions`: only rows that are the rate of a position.
   JointRows(const Evaluation& e, bool positions);
   bool any() const { return !row_.empty(); }
-  /// Row k among those of the contacts, and the contact it belongs to.
+  /// Index of row k among the rows of all contacts, and the contact that it belongs to.
   int row(std::size_t k) const { return row_[k]; }
   int contact(std::size_t k) const { return contact_[k]; }
   std::size_t size() const { return row_.size(); }
@@ -82,7 +82,7 @@ void JointRows::factorise() {
   scale_.resize(m);
   for (Eigen::Index k = 0; k < m; ++k) {
     const double g = G.coeff(k, k);
-    scale_[k] = g > 0.0 ? 1.0 / std::sqrt(g) : 0.0;  // a row that moves nothing meets nothing
+    scale_[k] = g > 0.0 ? 1.0 / std::sqrt(g) : 0.0;  // a row without effect gets no impulse
   }
   G = scale_.asDiagonal() * G * scale_.asDiagonal();
   Sparse one(m, m);
@@ -98,11 +98,11 @@ Eigen::VectorXd JointRows::solve(const Eigen::VectorXd& r) {
   return MInvW_ * Lambda;
 }
 
-/// Errors of rows, and what rounding leaves of each.
+/// Errors of rows, and the rounding error of each.
 struct Errors {
   Eigen::VectorXd value, noise;
   double largest = 0.0;    // beyond rounding
-  std::ptrdiff_t at = -1;  // its row
+  std::ptrdiff_t at = -1;  // row of the largest
   void look() {
     largest = 0.0, at = -1;
     for (Eigen::Index k = 0; k < value.size(); ++k)
@@ -110,8 +110,8 @@ struct Errors {
   }
 };
 
-/// |w| |u| of row r of contact i, over its segments: what the rounding of Wᵀu is measured by.
-/// Single entries would not do: zeros of W are rounding of rotations.
+/// Scale for the rounding of Wᵀu in row r of contact i: the sum of |w| |u| over its segments.
+/// Single entries are no scale, because zeros of W may be rounding of rotations.
 double sizeOfRow(const ContactSet& c, int i, int r, const Eigen::VectorXd& u) {
   const auto at = static_cast<std::size_t>(i);
   double size = 0.0;
@@ -189,7 +189,7 @@ void fitPositions(const Model& model, MechanicalSystem& s, State& x, StartReport
       out.joints = countJoints(rows, errors, kFileNumbers * model.length());
     }
     out.left = errors.largest;
-    if (!(errors.largest > 0.0)) return;  // also where it is no number
+    if (!(errors.largest > 0.0)) return;  // also if it is not a number
     const bool worse = turn > 3 && errors.largest > 0.9 * before;
     if (turn == kMostStartTurns || worse || !std::isfinite(errors.largest)) {
       out.against = jointText(model, e, rows, errors);
@@ -202,7 +202,8 @@ void fitPositions(const Model& model, MechanicalSystem& s, State& x, StartReport
     s.move(x, delta, kDisplacementTime);
     x.t = t;
   }
-  // Met but for rounding that the tolerance does not know (long arms, steep formulas): taken.
+  // Accepted: the remaining error is rounding that the tolerance does not cover (long arms, steep
+  // formulas).
   if (out.left <= kFileNumbers * model.length()) {
     out.against.clear();
     return;

@@ -1,29 +1,32 @@
-/// ConsistentStart: brings the state that a model begins with onto its joints, in the metric of the
-/// mass, whatever the scheme (theory 34.3):
+/// ConsistentStart: projects the initial state of a model onto its joints in the metric of the
+/// mass, for every scheme (theory 34.3):
 ///
 ///   positions    min ½ δᵀMδ  with  g + Wᵀδ = 0,  q ← q ⊕ δ,  with W at the new place until g = 0
 ///   velocities   min ½ δᵀMδ  with  Wᵀ(u + δ) + χ = 0:   M δ = WΛ
 ///
-/// g, W of rows that hold γ = 0 whatever it takes (`holds`), those of moving joints and drives
-/// (χ ≠ 0) included. Rows that depend on each other share; what contradicts is left and reported,
-/// positions that cannot be met as the model gives them. The velocities are the ones that an impact
-/// of the joints alone would lead to; nothing else follows from a model that says both.
+/// g and W belong to the rows that hold γ = 0 with any force it takes (`holds`), including moving
+/// joints and drives (χ ≠ 0). Redundant rows share the correction. Rows that contradict each other
+/// keep an error, which is reported; positions that cannot be met stay as the model gives them. The
+/// velocities are those after an impact of the joints alone; a model that gives velocities and
+/// joints implies nothing else.
 ///
-/// Rejected: to leave it to the first step. A scheme on velocity level meets γ^E = 0 and books the
-/// loss as its own error, one that meets γ^A + γ^E = 0 swings for ever, one with a tolerance
-/// projects in silence. To refuse the model: numbers of a file are rounded.
+/// Rejected: to leave the correction to the first step. A scheme on velocity level meets γ^E = 0
+/// and books the loss as its own error; a scheme that meets γ^A + γ^E = 0 oscillates for ever; a
+/// scheme with a tolerance projects without a report. Also rejected: to refuse the model, because
+/// the numbers of a file are rounded.
 #pragma once
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
 
 namespace dynamy {
 
-/// Does it to `x`, at which slot 0 of `s` is evaluated, and is so again afterwards. Leaves `x` as
-/// it is where nothing is off by more than rounding, and where masses or gaps are no numbers, which
+/// Makes `x` consistent. Slot 0 of `s` is evaluated at `x` before the call and after it. Leaves `x`
+/// unchanged if no joint is off by more than rounding, or if masses or gaps are not numbers, which
 /// the run reports.
 StartReport makeConsistent(const Model& model, MechanicalSystem& s, State& x);
 
-/// What it says about the start: kinds "start velocities", "start positions", "contradiction".
+/// The warnings about the start, of the kinds "start velocities", "start positions",
+/// "contradiction".
 std::vector<Warning> startWarnings(const StartReport& start, double sceneLength);
 
 }  // namespace dynamy

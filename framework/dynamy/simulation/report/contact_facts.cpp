@@ -28,7 +28,7 @@ Status contactStatus(const StepView& view, int contact) {
   if (dim > kMostRows || gammaA.size() != static_cast<std::size_t>(c.rows()) ||
       view.Lambda.size() != c.rows())
     return Status::open;
-  // Schemes that aim at the gap look at contacts before they are reached.
+  // Schemes that aim at the gap include contacts that are not reached yet.
   const bool away = c.position[static_cast<std::size_t>(first)] > view.system.gTol();
   if (c.law[at]->unilateral() && away && !(view.Lambda[first] > 0.0)) return Status::open;
   std::array<double, kMostRows> epsilon{}, argument{};
@@ -43,7 +43,7 @@ Status contactStatus(const StepView& view, int contact) {
 
 namespace {
 
-/// |prox_C(Λ_N, 100 Λ_N, 0, …)| of the tangential rows [N s].
+/// Friction limit of a contact: |prox_C(Λ_N, 100 Λ_N, 0, …)| of the tangential rows [N s].
 double frictionLimit(const StepView& view, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;
   const auto at = static_cast<std::size_t>(contact);
@@ -59,7 +59,8 @@ double frictionLimit(const StepView& view, int contact) {
   return dim > 2 ? std::hypot(Lambda[1], Lambda[2]) : std::abs(Lambda[1]);
 }
 
-/// Drilling or rolling at more than a thousand times the speed of the point, on the scene's length.
+/// True if the contact drills or rolls more than a thousand times faster than its point slides; the
+/// scene's length converts the unit.
 bool spins(const StepView& view, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;
   const int first = c.row0[static_cast<std::size_t>(contact)];

@@ -7,18 +7,18 @@
 
 namespace dynamy {
 
-/// Status from the prox argument Λ − ξ (r = 1; at a solution any r > 0 tells the same),
+/// Status from the prox argument Λ − ξ (r = 1; at a solution any r > 0 gives the same status),
 /// ξ = γ^E + ε γ^A.
 Status contactStatus(const StepView& view, int contact);
 
 /// What a picture of one closed contact shows. Its friction limit is the projection of a tangential
-/// force far outside the law's set, so that any law tells it.
+/// force far outside the law's set, which works for every law.
 ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int contact);
 
 /// "floor", "Contact#2" for elements without a name, "floor/17" for one contact of many.
 std::string contactName(const Model& model, ContactKey key);
 
-/// The same with the place of its element: "floor (ball.xml:12)".
+/// Name of a contact with the place of its element: "floor (ball.xml:12)".
 std::string contactText(const Model& model, ContactKey key);
 
 /// `<RigidBody name="ball"> (ball.xml:12)`: how messages name a system.

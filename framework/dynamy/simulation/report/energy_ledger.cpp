@@ -61,7 +61,8 @@ void EnergyLedger::step(const StepView& v) {
   imbalance_.add(dT), imbalance_.add(-workH), imbalance_.add(-contactWork(v));
 }
 
-/// Systems that moved otherwise: their works are told, their velocities do not enter.
+/// Excludes the systems that did not move by the equations of the step: the step reports their
+/// works, and their velocities are set to zero.
 void EnergyLedger::leaveApart(const StepView& v) {
   apart_.assign(v.report.apart.empty() ? 0 : static_cast<std::size_t>(uA_.size()), 0);
   if (apart_.empty()) return;
@@ -107,7 +108,8 @@ void EnergyLedger::bring(const State& before, const State& after) {
   boundaries_.add(-meter_.kinetic(before) - meter_.potential(before));
 }
 
-/// Works of the step behind its jump, if it had one.
+/// Books the works of the contacts in the step, after its jump if it had one, and returns their sum
+/// [J].
 double EnergyLedger::contactWork(const StepView& v) {
   const ContactSet& c = v.system.slot(0).contacts;
   if (c.size() == 0 || v.Lambda.size() != c.rows()) return 0.0;

@@ -4,10 +4,11 @@
 ///
 ///   ½u^EᵀMu^E − ½u^AᵀMu^A = Δt h·ū + Σ_rows Λ (γ̄ − χ),     γ̄ = (γ^A + γ^E)/2
 ///
-/// so the works below are those of the discrete equations, not quadratures. What d(T + V) leaves is
-/// the entry `discretisation`: it falls with the order of the scheme. V that depends on time, and
-/// masses that do, count there as well. Since the differences of T and V telescope, they are needed
-/// at the two ends only. Compensated sums.
+/// so the works below are those of the discrete equations, not quadratures. The change of T + V
+/// that these works do not explain is the entry `discretisation`: it falls with the order of the
+/// scheme. Potentials and masses that depend on time contribute to it as well. Since the
+/// differences of T and V telescope, T and V are needed only at the start and the end. All sums are
+/// compensated.
 #pragma once
 #include <dynamy/core/compensated_sum.hpp>
 #include <dynamy/simulation/model/observer.hpp>
@@ -33,7 +34,7 @@ struct EnergyReport {
   void archive(Archive& a);
 };
 
-/// T and V of any state, with workspaces of its own.
+/// Computes T and V of any state, with workspaces of its own.
 class EnergyMeter {
  public:
   explicit EnergyMeter(const Model& model);
@@ -55,7 +56,8 @@ class EnergyLedger final : public Observer {
 
   void start(const StepView& initial) override;
   void step(const StepView& view) override;
-  /// Blocks were brought and taken away between two steps: their energy crosses the boundaries.
+  /// Books the energy of blocks that were added and removed between two steps as work of the
+  /// boundaries.
   void bring(const State& before, const State& after);
   void finish(const StepView& last) override;
   void archive(Archive& a) override;
@@ -71,8 +73,8 @@ class EnergyLedger final : public Observer {
   EnergyReport report_;
   CompensatedSum nonPotential_, friction_, normal_, joints_, boundaries_, imbalance_;
   Eigen::VectorXd uA_, uE_, uMean_, momentum_;
-  std::vector<char> apart_;     // per velocity; empty: none
-  std::vector<double> gammaA_;  // after a jump
+  std::vector<char> apart_;     // 1: velocity of a system apart; empty: none
+  std::vector<double> gammaA_;  // γ after a jump [m/s]
 };
 
 }  // namespace dynamy

@@ -6,7 +6,7 @@ namespace {
 
 constexpr double kRows = 400.0;
 
-/// Deepest of the unilateral contacts, [m].
+/// Largest penetration of the unilateral contacts [m].
 double penetration(const ContactSet& c) {
   double worst = 0.0;
   for (std::size_t i = 0; i < c.g.size(); ++i) {
@@ -35,7 +35,7 @@ void LedgerRows::step(const StepView& view) {
   iterations_ = std::max(iterations_, static_cast<double>(view.report.solved.iterations));
   contacts_ = std::max(contacts_, static_cast<double>(view.report.contacts));
   penetration_ = std::max(penetration_, penetration(view.system.slot(0).contacts));
-  // At the ends of steps: a ledger has no value inside of one.
+  // Rows are written at the ends of steps: the ledger has no values within a step.
   const double reached = view.after.t + 1e-9 * view.report.dt;
   if (grid_.at(next_) > reached) return;
   while (grid_.at(next_) <= reached) ++next_;

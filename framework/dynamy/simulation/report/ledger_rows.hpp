@@ -1,5 +1,6 @@
 /// LedgerRows: the energy ledger and the solver's figures along the run, a few hundred rows for the
-/// strips of the replay. T and V cost an evaluation of the masses each time, hence not every step.
+/// strips of the replay. T and V cost an evaluation of the masses each time, so that not every step
+/// has a row.
 #pragma once
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/simulation/report/energy_ledger.hpp>
@@ -23,7 +24,8 @@ class LedgerRows final : public Observer {
   TimeGrid grid_;
   long next_ = 0;
   double last_ = -1.0;  ///< time of the last row [s]
-  double residual_ = 0.0, iterations_ = 0.0, contacts_ = 0.0, penetration_ = 0.0;  ///< worst since
+  /// Worst values since the last row.
+  double residual_ = 0.0, iterations_ = 0.0, contacts_ = 0.0, penetration_ = 0.0;
 };
 
 }  // namespace dynamy

@@ -1,9 +1,10 @@
 /// MotionHash: one number for the motion of a run.
 ///
 /// It covers, bit for bit and in this order, t, q, u and the memory of the elements at the start,
-/// then t, q, u, memory and the percussions Λ at the end of each accepted step. What is recorded,
-/// drawn or checked, how many threads worked, and whether the run was stopped and resumed does not
-/// change it. Rejected: a hash of what is recorded, which differs by a signal that nobody moves by.
+/// then t, q, u, memory and the percussions Λ at the end of each accepted step. The hash does not
+/// depend on what is recorded, drawn or checked, on the number of threads, or on whether the run
+/// was stopped and resumed. Rejected: a hash of the recorded numbers, because one more signal
+/// changes it while the motion is the same.
 #pragma once
 #include <dynamy/core/hash.hpp>
 #include <dynamy/simulation/model/observer.hpp>

@@ -20,7 +20,7 @@ struct ContactRecord {
   Vec3 force = Vec3::Zero();  ///< Λ/Δt on the body the normal points to [N]
   double limit = 0.0;         ///< largest friction the law allows at this normal force [N]
   Status status = Status::open;
-  bool impact = false;  ///< approached faster than smooth forces alone can make in a step
+  bool impact = false;  ///< approached faster than smooth forces alone can cause in a step
   bool spin = false;    ///< slips by drilling or rolling while its point hardly slides
 };
 
@@ -34,7 +34,7 @@ struct ContactEvent {
   double impulse = 0.0;  ///< Λ_N of the step [N s]
 };
 
-/// The energy ledger up to t, and the worst the solver did since the row before.
+/// The energy ledger up to t, and the worst figures of the solver since the row before.
 struct LedgerRow {
   static constexpr std::size_t kNumbers = 12;
   static constexpr std::array<const char*, kNumbers> kNames{
@@ -46,7 +46,7 @@ struct LedgerRow {
   std::array<double, kNumbers> value{};  ///< energies and works [J], residual, counts, [m]
 };
 
-/// Takes what is recorded. No call may keep the spans.
+/// Receives the recorded numbers. The spans are valid during the call only.
 class RecordSink {
  public:
   virtual ~RecordSink() = default;
@@ -55,11 +55,13 @@ class RecordSink {
                      std::span<const ContactRecord> contacts) = 0;
   virtual void event(const ContactEvent&) {}
   virtual void ledger(const LedgerRow&) {}
-  /// False: nobody takes the ledger's rows, so none are computed.
+  /// False: the sink does not use the ledger's rows, so none are computed.
   virtual bool wantsLedger() const { return false; }
-  /// Why it can keep no more (a full disk); empty: it can. A run ends then as if it were stopped.
+  /// Why the sink can store no more, e.g. a full disk; empty: it can. A run then ends as if it were
+  /// stopped.
   virtual std::string_view fault() const { return {}; }
-  /// Brings what was taken so far in safety and archives the place; reading: goes back to it.
+  /// Writing: stores the numbers received so far safely and archives the position in the files.
+  /// Reading: goes back to that position.
   virtual void archive(Archive&) {}
 };
 

@@ -1,8 +1,8 @@
 /// Recorder: samples the requested signals every Δt_rec and the poses of all frames that carry
 /// shapes at the rate of the film, both through the scheme's own interpolation.
 ///
-/// Where the numbers go is a RecordSink: the files of the run folder (io), a table in memory
-/// (tests, comparisons). Writing files from here was rejected: simulation does not know io.
+/// The numbers go to a RecordSink: the files of the run folder (io), or a table in memory (tests,
+/// comparisons). Writing files from here was rejected: simulation does not know io.
 #pragma once
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/simulation/report/record_sink.hpp>
@@ -20,11 +20,11 @@ std::vector<DrawnFrame> drawnFrames(const Model& model);
 
 class Recorder final : public Observer {
  public:
-  /// `model` is built; `every` and `framesPerSecond` of its record settings count (0: until/1000).
+  /// `model` is built; its record settings give `every` (0: until/1000) and `framesPerSecond`.
   /// Throws ModelError for unknown signals.
   Recorder(const Model& model, RecordSink& sink);
   const std::vector<const NamedSignal*>& signals() const { return sampler_.signals(); }
-  /// Why the sink can keep no more; empty: it can.
+  /// Why the sink can store no more; empty: it can.
   std::string_view fault() const { return sink_.fault(); }
 
   void start(const StepView& initial) override;

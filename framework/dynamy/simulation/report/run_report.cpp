@@ -87,7 +87,7 @@ void StepStatistics::gaps(const StepView& v) {
 
 namespace {
 
-/// Of contact i from the end of the step on.
+/// Status of contact i from the end of the step on.
 Status statusAfter(const StepView& v, int i) {
   if (!v.report.ownStatuses) return contactStatus(v, i);
   const ContactKey key = v.system.slot(0).contacts.key[static_cast<std::size_t>(i)];
@@ -120,7 +120,7 @@ void StepStatistics::statuses(const StepView& v) {
   }
   const auto less = [](const Seen& a, const Seen& b) { return a.key < b.key; };
   if (!std::is_sorted(now_.begin(), now_.end(), less)) std::sort(now_.begin(), now_.end(), less);
-  // Merge of two sorted lists; a contact that is in one of them only was or is open.
+  // Merges two sorted lists; a contact in only one of them was or is open.
   const auto open = [](ContactKey key) { return Seen{key, Status::open, false}; };
   auto old = before_.cbegin();
   for (const Seen& s : now_) {
@@ -137,7 +137,8 @@ void StepStatistics::statuses(const StepView& v) {
 void StepStatistics::switched(double t, const Seen& from, const Seen& to) {
   if (from.status == to.status) return;
   ++report_.switches;
-  // An impact has told it, or tells that a contact opens right after; separating is open.
+  // The event of an impact covers this change already, also if the contact opens right after it;
+  // separating counts as open.
   const auto isOpen = [](const Seen& s) {
     return s.status == Status::open || s.status == Status::separating;
   };

@@ -9,7 +9,7 @@
 
 namespace dynamy {
 
-/// A worst value with where and when.
+/// The worst value of a figure, with its contact and its time.
 struct Worst {
   double value = 0.0;
   double t = 0.0;  ///< [s]
@@ -18,11 +18,11 @@ struct Worst {
   void archive(Archive& a) { a(value), a(t), a(contact), a(name); }
 };
 
-/// A step with a residual up to this, the default tolerance of solvers, that was not solved all the
-/// same missed something else: a projection, the scheme's own iteration.
+/// Default tolerance of solvers. An unsolved step with a residual up to this value missed something
+/// else: a projection, or the scheme's own iteration.
 inline constexpr double kSolvedResidual = 1e-10;
 
-/// The inclusion that was missed by most, and why as far as it can be told.
+/// The unsolved inclusion with the largest residual, and the cause as far as it is known.
 struct Unsolved {
   long step = 0;   ///< its number, from 1; 0: all were solved
   double t = 0.0;  ///< end of the step [s]
@@ -31,33 +31,36 @@ struct Unsolved {
   std::string status;    ///< "stalled", …
   std::string contact;   ///< name and place of the one with the largest residual
   std::string tried;     ///< the methods and what each left
-  std::string findings;  ///< of the diagnosis, a line each: what is the case, what to do
+  std::string findings;  ///< of the diagnosis, one line each: the cause, then the advice
   void archive(Archive& a) {
     a(step), a(t), a(residual), a(iterations), a(status), a(contact), a(tried), a(findings);
   }
 };
 
-/// What the figures of a run can be trusted for; RunWatch has the formulas.
+/// How far the figures of a run can be trusted; RunWatch has the formulas.
 struct RunTrust {
   double kineticMax = 0.0;                          ///< largest T seen [J]
-  double stepEnergy = 0.0;                          ///< what the forces alone give in a step [J]
+  double stepEnergy = 0.0;                          ///< most that forces alone give in a step [J]
   double energyError = 0.0, energyErrorTime = 0.0;  ///< [J], [s]
   double energyRise = 0.0, energyRiseTime = 0.0;    ///< above the start [J], [s]
-  /// Above the lowest level so far, as far as the scheme itself brought it in [J], [s].
+  /// Largest rise of T + V above its lowest level so far, as far as the scheme itself caused it
+  /// [J], and its time [s].
   double energyGain = 0.0, energyGainTime = 0.0;
-  double gainStep = 0.0;  ///< what forces gave in a step since that level [J]
+  double gainStep = 0.0;  ///< largest energy of the forces in a step since that level [J]
   double omegaDt = 0.0;   ///< resolution of smooth motion
   double turn = 0.0;      ///< [rad]
-  double way = 0.0;       ///< of the fastest frame in a step [m]
-  double fall = 0.0;      ///< by the forces alone in a step [m]
-  double leap = 0.0;      ///< way in a step over the sizes of shapes
-  /// What rounding leaves of energies [J]; nothing below it is reported (RunWatch).
+  double way = 0.0;       ///< distance of the fastest frame in a step [m]
+  double fall = 0.0;      ///< distance by the forces alone in a step [m]
+  double leap = 0.0;      ///< distance in a step over the sizes of shapes
+  /// Error of the energies by rounding [J]; changes below it are not reported (RunWatch).
   double rounding = 0.0;
-  /// What energies are compared with [J]; kWarned of it is never below `rounding`.
+  /// Scale that changes of energy are compared with [J]; kWarned times this scale is never below
+  /// `rounding`.
   double energyScale() const { return std::max({kineticMax, stepEnergy, rounding / kWarned}); }
-  /// The same for energyGain: forces that were gone when it began are no measure of it.
+  /// Scale that energyGain is compared with [J]: forces that had ended before the gain began do not
+  /// count.
   double gainScale() const { return std::max({kineticMax, gainStep, rounding / kWarned}); }
-  static constexpr double kWarned = 0.01;  ///< of the scale: changes of energy above are reported
+  static constexpr double kWarned = 0.01;  ///< share of the scale above which changes are reported
   void archive(Archive& a);
 };
 
@@ -70,17 +73,18 @@ struct Warning {
   std::string place = {};  ///< contact or joint by its name; empty: the scene as a whole
 };
 
-/// What had to be changed so that a run starts on its joints (ConsistentStart).
+/// Corrections that bring the initial state onto the joints (ConsistentStart).
 struct StartReport {
-  /// Of positions [m, rad] or velocities [m/s, rad/s].
+  /// Errors and corrections of positions [m, rad] or of velocities [m/s, rad/s].
   struct Part {
     double off = 0.0;   ///< largest error of a joint's row as the model gives it
     double left = 0.0;  ///< the same afterwards; positions that cannot be met stay as they were
-    /// Of velocities: size of the change over the larger of both, in the metric of the mass.
+    /// For velocities: size of the change over the larger of the sizes before and after it, in the
+    /// metric of the mass.
     double share = 0.0;
-    long joints = 0;      ///< that were off by more than rounding of a file's numbers
-    std::string joint;    ///< the one that was off by most, with its place
-    std::string against;  ///< the one that is left off by most, with its place; empty: none is
+    long joints = 0;      ///< joints that were off by more than rounding of a file's numbers
+    std::string joint;    ///< the joint that was off by most, with its place
+    std::string against;  ///< the joint with the largest error left, with its place; empty: none
     void archive(Archive& a) { a(off), a(left), a(share), a(joints), a(joint), a(against); }
   };
   Part positions, velocities;
@@ -89,10 +93,10 @@ struct StartReport {
   void archive(Archive& a) { a(positions), a(velocities), a(kineticBefore), a(kineticAfter); }
 };
 
-/// Where switches were too dense to be located, and steps in time took their place.
+/// Periods of time stepping, in which switches were too dense to be located.
 struct SteppingReport {
   long periods = 0, steps = 0;
-  int systems = 0;       ///< most that were stepped at once; switches of the others were located
+  int systems = 0;       ///< most systems stepped at once; switches of the others were located
   long stalls = 0;       ///< periods that began because no step was short enough
   double time = 0.0;     ///< all periods together [s]
   double longest = 0.0;  ///< step [s]
@@ -105,7 +109,7 @@ struct SteppingReport {
 
 struct RunReport {
   enum class Ended { finished, stopped, failed };
-  /// What a failure is one of; the last two would not have happened on a larger machine.
+  /// Kinds of failures; the last two would not have happened on a larger machine.
   enum class Cause { simulation, memory, files };
   Ended ended = Ended::finished;
   Cause cause = Cause::simulation;
@@ -114,13 +118,13 @@ struct RunReport {
   double t = 0.0;        ///< time reached [s]
 
   long steps = 0, rejected = 0;
-  long swept = 0;    ///< attempted steps whose path was looked along for fast bodies
-  long parted = 0;   ///< steps taken in parts, because a body would have passed a contact
-  long left = 0;     ///< steps of so many parts that the rest was taken without looking
-  Worst firstLeft;   ///< of these the first, and the contact that was passed; no value
-  int damped = 0;    ///< most forces at a time that steps do not resolve and take at their end
-  long simpler = 0;  ///< steps that a simpler scheme took, StepReport::simpler
-  double firstSimpler = 0.0;  ///< where the first of these ends [s]
+  long swept = 0;             ///< attempted steps whose path was looked along for fast bodies
+  long parted = 0;            ///< steps taken in parts, because a body would have passed a contact
+  long left = 0;              ///< steps with too many parts, whose rest was taken without looking
+  Worst firstLeft;            ///< first step counted by `left`, and the contact passed; no value
+  int damped = 0;             ///< most forces that one step does not resolve and takes at its end
+  long simpler = 0;           ///< steps that a simpler scheme took, StepReport::simpler
+  double firstSimpler = 0.0;  ///< end of the first step counted by `simpler` [s]
   long evaluations = 0;       ///< of M, h and contacts
   long solves = 0;            ///< inclusions with at least one contact
   long iterations = 0;
@@ -130,17 +134,17 @@ struct RunReport {
   long located = 0;              ///< switches whose instants were located
   long accumulations = 0;        ///< infinite sequences of impacts that were passed
   double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
-  StepEffort effort;             ///< what the evaluations of a scheme with own steps were for
+  StepEffort effort;             ///< evaluations of a scheme that chooses its steps, by purpose
   SteppingReport stepping;
   long undecided = 0;  ///< switches at which no status was consistent, or several were
-  Worst unseen;        ///< the longest step at rest while forces changed faster than it looks [s]
+  Worst unseen;        ///< longest step at rest while forces changed between its looks [s]
   int contactsMax = 0;
   long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
   Worst energyGain;          ///< the largest such gain, before the repair [J]
   Unsolved unsolved;
   Worst residual;                ///< largest of E_f, E_u
   Worst penetration;             ///< −g of unilateral contacts, at ends of steps as well [m]
-  Worst solvedOverlap;           ///< the same where steps solve for their forces alone [m]
+  Worst solvedOverlap;           ///< −g only where steps solve for their forces [m]
   Worst jointError;              ///< position error of joints at ends of steps [m]
   double cpu = 0.0, wall = 0.0;  ///< [s]
   EnergyReport energy;
@@ -157,11 +161,11 @@ struct RunReport {
   void archive(Archive& a);
 };
 
-/// Counts what the accepted steps tell.
+/// Sums up the reports of the accepted steps.
 class StepStatistics final : public Observer {
  public:
   explicit StepStatistics(RunReport& report) : report_(report) {}
-  /// Tells `sink` of impacts and switches from now on.
+  /// Reports impacts and switches to `sink` from now on.
   void tell(RecordSink& sink) { sink_ = &sink; }
   void step(const StepView& view) override;
   void archive(Archive& a) override;

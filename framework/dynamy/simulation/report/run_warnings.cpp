@@ -1,4 +1,5 @@
-/// What the figures of a finished run say against it, and the figures that checks may ask for.
+/// Warnings that follow from the figures of a finished run, and the figures that checks may
+/// request.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,15 +11,15 @@
 namespace dynamy {
 namespace {
 
-// Limits of what is reported; doc/run_folder.md has the table.
+// Limits above which figures are reported; doc/run_folder.md has the table.
 constexpr double kEnergy = RunTrust::kWarned;  ///< of the largest kinetic energy
 constexpr double kMuchOverlap = 0.01;          ///< of the scene's length
-constexpr double kOverlapWays = 2.0;           ///< of the way in a step
+constexpr double kOverlapWays = 2.0;           ///< of the distance in a step
 constexpr double kStart = 1e-6;                ///< of the scene's length
 constexpr double kJoint = 1e-3;                ///< of the scene's length
 constexpr double kOmegaDt = 1.0;               ///< [rad]
 constexpr double kTurn = 1.0;                  ///< [rad]
-constexpr double kLeastShare = 1e-9;           ///< shares below this are not told
+constexpr double kLeastShare = 1e-9;           ///< shares below this are not reported
 
 double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
 
@@ -46,7 +47,7 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
   const RunTrust& t = r.trust;
   const double fromStart = ratio(t.energyRise, t.energyScale());
   const double fromLeast = ratio(t.energyGain, t.gainScale());
-  const bool after = fromLeast > fromStart;  // losses
+  const bool after = fromLeast > fromStart;  // after losses
   const double risen = after ? t.energyGain : t.energyRise;
   const double rise = std::max(fromStart, fromLeast);
   const double error = ratio(t.energyError, t.energyScale());

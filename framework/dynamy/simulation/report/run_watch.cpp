@@ -11,19 +11,21 @@
 namespace dynamy {
 namespace {
 
-constexpr double kPositions = 1e-11;  ///< of energies: what positions that are known to g_tol leave
-constexpr double kFewSteps = 64.0;    ///< added to their number, for what one step rounds
-/// Gaps are taken at ends of steps that lie so much deeper than all before, at first, and once in
-/// so many steps on average: each look costs up to a step, so that a run of 1000 steps takes 1.6 %
-/// longer. Beyond that γ^E alone says how deep: off by (ω Δt/2)²/2 of a body's size.
+constexpr double kPositions = 1e-11;  ///< relative error of energies by positions known to g_tol
+constexpr double kFewSteps = 64.0;    ///< added to the number of steps, for the rounding of one
+/// Gaps at the end of a step are evaluated if the extrapolated depth exceeds all before by the
+/// factor kDeeper. This is done kFirstLooks times, then once in kStepsPerLook steps on average.
+/// Each evaluation costs up to a step, so that a run of 1000 steps takes 1.6 % longer. Beyond that
+/// the depth is extrapolated by γ^E alone, with an error of (ω Δt/2)²/2 of a body's size.
 constexpr double kDeeper = 1.01;
 constexpr long kFirstLooks = 8, kStepsPerLook = 128;
 constexpr double kOverlapNoise = 1e-12;  ///< of the scene's length
-constexpr double kSamples = 256.0;       ///< of the energy in a run
-/// After the first steps three in a row of so many are looked at, so that watching costs little.
+constexpr double kSamples = 256.0;       ///< samples of the energy in a run
+/// After the first kFirst steps only three in a row of every kEvery are examined, so that watching
+/// costs little.
 constexpr long kFirst = 256, kEvery = 16;
 
-/// Smallest extent along an axis [m]; infinite for what is flat: nothing passes the ground.
+/// Smallest extent along an axis [m]; infinite for flat shapes: nothing passes the ground.
 double extent(const std::vector<Vec3>& points) {
   Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
   for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -63,7 +65,7 @@ void RunWatch::collectShapes(const Model& model) {
     for (const PlacedShape& p : model.description(static_cast<int>(i)).shapes)
       if (!p.shape->material().empty())
         shapes.push_back({static_cast<int>(i), p.frame, smallestSize(p.shape->geometry())});
-  // Two points never touch; of the others the smallest of another system decides.
+  // Two points never touch. For all other shapes the smallest shape of another system decides.
   std::sort(shapes.begin(), shapes.end(),
             [](const Sized& a, const Sized& b) { return a.size < b.size; });
   const auto extended =
@@ -98,11 +100,11 @@ void RunWatch::start(const StepView& initial) {
   joints_ = std::any_of(laws.begin(), laws.end(),
                         [](const SetValuedForceLaw* law) { return holds(law->rowKind(0)); });
   sample(initial);
-  positions(initial.after);  // bodies may overlap as the model puts them
+  positions(initial.after);  // bodies may overlap in the initial state
 }
 
 void RunWatch::step(const StepView& view) {
-  // Steps that a scheme chooses resolve the motion by their own measure.
+  // Schemes that choose their steps control the resolution of the motion themselves.
   if (!view.scheme.choosesSteps() && (view.index <= kFirst || view.index % kEvery < 3)) {
     travel(view);
     resolution(view);
@@ -119,7 +121,8 @@ void RunWatch::sample(const StepView& view) {
   lastSample_ = view.after.t;
   nextSample_ = view.after.t + sampleEvery_;
   energy(view);
-  // Joints are held where the step does not see them; overlaps are seen by every step, and ends().
+  // Joints are held at ends of steps, where steps do not evaluate them; every step, and ends(),
+  // examines overlaps.
   const std::vector<const SetValuedForceLaw*>& laws = view.system.slot(0).contacts.law;
   if (std::any_of(laws.begin(), laws.end(), [](const auto* law) { return !law->unilateral(); }))
     positions(view.after);
@@ -130,7 +133,7 @@ void RunWatch::ends(const StepView& view) {
   const double rest = view.after.t - view.system.slot(0).t;
   const double known = kDeeper * report_.penetration.value + kOverlapNoise * model_.length();
   if (!(rest > 0.0) || view.gammaE.size() != c.rows()) return;
-  // With joints the mean velocity may lead there.
+  // With joints the positions may follow the mean velocity.
   const std::vector<double>& gammaA = view.system.problem().gammaA;
   const bool mean = joints_ && gammaA.size() == static_cast<std::size_t>(c.rows());
   for (int i = 0; i < c.size(); ++i) {
@@ -174,7 +177,7 @@ void RunWatch::positions(const State& x) {
     const int closed = c.closedIndex[i];
     const SetValuedForceLaw* law = closed >= 0 ? c.law[static_cast<std::size_t>(closed)] : nullptr;
     const bool joint = law != nullptr && !law->unilateral();
-    if (joint && law->rowKind(0) != RowKind::joint) continue;  // friction and springs have no error
+    if (joint && law->rowKind(0) != RowKind::joint) continue;  // others have no position error
     Worst& worst = joint ? report_.jointError : report_.penetration;
     const double value = joint ? c.g[i] : -c.g[i];
     if (value > worst.value) worst.value = value, worst.t = x.t, worst.contact = c.candidateKey[i];
@@ -198,8 +201,8 @@ void RunWatch::energy(const StepView& view) {
   rounding(e);
   const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
-  // What impacts have lost hides no gain after them. Laws that store energy give it back: only what
-  // rises together with the scheme's own part is a gain.
+  // Gains count from the lowest level, so that losses in impacts do not hide later gains. Laws that
+  // store energy give it back: only a rise that the scheme's own part shares is a gain.
   if (rise < least_ || e.discretisation < leastOwn_) sinceLeast_ = 0.0;
   least_ = std::min(least_, rise), leastOwn_ = std::min(leastOwn_, e.discretisation);
   RunTrust now = trust;
@@ -219,11 +222,11 @@ void RunWatch::rounding(const EnergyReport& e) {
 void RunWatch::resolution(const StepView& view) {
   const Evaluation& e = view.system.slot(0);
   const double dt = view.report.dt;
-  // Energy that the forces alone would give in one step: the floor of the energies at rest.
+  // Energy that the forces alone would give in one step: the smallest scale of energies at rest.
   before_ = view.after.u - view.before.u;
   e.mass.applyInverse(dynamy::view(e.h), dynamy::view(momentum_));
   const double force = dt * dt * e.h.dot(momentum_);
-  // Not of forces that the step does not resolve: what it takes of them is a part of h.
+  // Forces that the step does not resolve are excluded, because it takes only a part of them in h.
   if (view.system.damped() == 0) {
     report_.trust.stepEnergy = std::max(report_.trust.stepEnergy, 0.5 * force);
     sinceLeast_ = std::max(sinceLeast_, 0.5 * force);
@@ -254,7 +257,7 @@ void RunWatch::travel(const StepView& view) {
     trust.way = std::max(trust.way, f.v_S_I.norm() * dt);
     trust.turn = std::max(trust.turn, f.Omega_I.norm() * dt);
   }
-  // Systems without frames tell by their contacts how fast they come.
+  // The speed of systems without frames is that of their contacts.
   const ContactSet& c = view.system.slot(0).contacts;
   const std::vector<double>& gammaA = view.system.problem().gammaA;
   for (int i = 0; i < c.size() && gammaA.size() == static_cast<std::size_t>(c.rows()); ++i) {

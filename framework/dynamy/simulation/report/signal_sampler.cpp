@@ -8,7 +8,8 @@
 namespace dynamy {
 namespace {
 
-/// For schemes that locate switches, not for tables: nextInstant is infinite where nothing comes.
+/// True for signals that serve only schemes that locate switches. They are no use in tables:
+/// nextInstant is infinite if no instant follows.
 bool isAnnouncement(std::string_view name) {
   return name.ends_with("." + std::string(kNextInstant)) ||
          name.ends_with("." + std::string(kSwitching));

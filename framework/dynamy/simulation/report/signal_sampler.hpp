@@ -5,8 +5,9 @@
 
 namespace dynamy {
 
-/// The signals that `names` ask for, in this order, each once; "toy.*" are all of toy, "*" all.
-/// No names: all signals of systems. Throws ModelError with places and the nearest known names.
+/// The signals that `names` request, in this order and each once; "toy.*" means all signals of toy,
+/// "*" all signals. Without names: all signals of systems. Throws ModelError with places and the
+/// nearest known names.
 std::vector<const NamedSignal*> chooseSignals(const Model& model,
                                               const std::vector<std::string>& names,
                                               const std::vector<Place>& places);
@@ -17,12 +18,12 @@ class SignalSampler {
   const std::vector<const NamedSignal*>& signals() const { return signals_; }
 
   /// All signals at fraction θ ∈ [0,1] of the step; q and u from OneStep::interpolate, contact
-  /// quantities (λ, γ, status) from OneStep::contactsAt, else those of the whole step. No
-  /// allocation after the first call.
+  /// quantities (λ, γ, status) from OneStep::contactsAt if the scheme has them, else those of the
+  /// whole step. No allocation after the first call.
   void sample(const StepView& view, double theta, std::span<double> out);
   /// Signal number i alone.
   double sampleOne(const StepView& view, double theta, std::size_t i);
-  /// The same right before the switch or the impact at the end of the step.
+  /// Signals right before the switch or the impact at the end of the step.
   void sampleBeforeImpact(const StepView& view, std::span<double> out);
   double sampleBeforeImpact(const StepView& view, std::size_t i);
 
@@ -37,8 +38,8 @@ class SignalSampler {
   Kinematics kinematics_;
   State at_;
   ContactInstant instant_;
-  bool ofContacts_ = false;  // some signal may be one of contacts
-  bool known_ = false;       // instant_ is what contacts do at at_
+  bool ofContacts_ = false;  // some signal belongs to a contact
+  bool known_ = false;       // instant_ holds the contacts at at_
 };
 
 }  // namespace dynamy

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Smallest edge of the box around points, in axes of the shape; flat ones: of those that are none.
+/// Smallest edge above zero of the box around points, in the axes of the shape; 0 if there is none.
 double smallestEdge(const std::vector<Vec3>& points) {
   if (points.size() < 3) return 0.0;
   Vec3 low = points.front(), high = points.front();
@@ -16,13 +16,13 @@ double smallestEdge(const std::vector<Vec3>& points) {
   return least < kInfinity ? least : 0.0;
 }
 
-/// Size of the body that mass block `block` is of, 0 if it has no shape with a size.
+/// Size of the body that mass block `block` belongs to, 0 if it has no shape with a size.
 double bodySize(const Model& model, int block) {
   const Topology& t = model.topology();
   for (std::size_t i = 0; i < model.systems().size(); ++i) {
     const SystemHandle& s = t.system(static_cast<int>(i));
     if (block < s.block0 || block >= s.block0 + s.blocks) continue;
-    // Of a population each block is a body with a frame of its own.
+    // In a population each block is a body with a frame of its own.
     const int frame = s.blocks > 1 ? block - s.block0 : -1;
     double size = 0.0;
     for (const PlacedShape& p : model.descriptions()[i].shapes)

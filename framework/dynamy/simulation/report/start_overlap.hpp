@@ -3,8 +3,9 @@
 ///   share = max over closed unilateral contacts of −g / s,   s the smaller of the moving bodies
 ///
 /// The size of a shape is its smallest extent (a ball: diameter, a plate: thickness), that of a
-/// body the largest of its shapes in contact. What stands still counts not: half spaces have no
-/// size. Rejected: the length of the scene, which lets a marble sink into a hall without a word.
+/// body the largest of its shapes in contact. Fixed bodies do not count, and half spaces have no
+/// size. Rejected: the length of the scene as the measure, because a marble could sink into the
+/// floor of a hall without a report.
 #pragma once
 #include <dynamy/contact/contact_set.hpp>
 #include <dynamy/simulation/model/model.hpp>

@@ -20,7 +20,8 @@ bool StepImpacts::operator()(const StepView& view, int contact) {
   const double smooth = std::abs(p.gammaFree[row] - p.gammaA[row]);
   const double floor = 1e-9 * view.model.length();
   if (!(-p.gammaA[row] > std::max(smooth, floor) && view.Lambda[c.row0[at]] > 0.0)) return false;
-  // A contact that carried before and goes over something round closes by the turn of its normal.
+  // A contact that carried a force before and moves over a curved surface closes because its normal
+  // turns.
   const RememberedImpulses& old = view.before.impulses;
   if (change_ < 0.0) before_.build(old.key), change_ = view.system.largestChange(view.report.dt);
   const int found = before_.find(c.key[at]);

@@ -7,17 +7,20 @@ namespace dynamy {
 
 class StepImpacts {
  public:
-  /// Another step; what its contacts share is found once, when the first of them needs it.
+  /// Begins another step. Data that its contacts share are computed once, when the first contact
+  /// needs them.
   void look() { change_ = -1.0; }
   /// True if the contact closed with an approach speed −γ_N^A greater than what smooth forces alone
-  /// change in one step, |γ_free − γ^A|, and carried a normal percussion. The settling of a resting
-  /// contact is no impact then, and no threshold has to be chosen; speeds below 1e-9 of the scene's
-  /// length per second do not count. A scheme that finds impacts itself tells which there were.
+  /// change in one step, |γ_free − γ^A|, and carried a normal percussion. So the settling of a
+  /// resting contact is no impact, and no threshold has to be chosen; speeds below 1e-9 of the
+  /// scene's length per second do not count. A scheme that locates impacts itself reports which
+  /// contacts had one.
   bool operator()(const StepView& view, int contact);
 
  private:
   KeyIndex before_;
-  double change_ = -1.0;  // of velocities by the forces of the step [m/s]; < 0: not asked for yet
+  /// Largest change of a velocity by the forces of the step [m/s]; < 0: not computed yet.
+  double change_ = -1.0;
 };
 
 }  // namespace dynamy

@@ -1,4 +1,4 @@
-// Simulation: what a run keeps, so that it can go on from there.
+// Simulation: checkpoints, from which a run can continue.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -28,7 +28,7 @@ void Simulation::onCheckpoint(double every, double share,
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 8");  // counts changes of what follows
+  a.section("dynamy checkpoint 8");  // the number counts changes of the layout
   archiveState(a, x_);
   a(*loop_), a(report_), searches_.archive(a);
   forAll([&a](Observer& o) { o.archive(a); });
@@ -47,8 +47,8 @@ void Simulation::resume(const std::string& checkpoint) {
   resumed_ = true;
 }
 
-/// What no run can have left in x_; empty: nothing. Indices are looked at here, once, and nowhere
-/// in a step.
+/// Why x_ cannot be a state of a run; empty: it can. Indices are checked here, once, and never
+/// within a step.
 std::string Simulation::stateFault() const {
   if (!(x_.t >= 0.0) || !std::isfinite(x_.t)) return "its time is " + numberText(x_.t) + " s";
   if (!x_.q.allFinite() || !x_.u.allFinite()) return "a position or a velocity is not finite";
@@ -77,8 +77,8 @@ void Simulation::keep() {
   checkpoint_ = a.bytes();
 }
 
-/// Of a step in parts, those that observers have seen stay; a step that was only tried is taken back.
-/// Either way the recorded rows end before.
+/// Ends the run within a step. Parts of the step that observers have seen are kept; a step that was
+/// only tried is undone. In both cases the recorder adds no last row.
 void Simulation::stopWithin() {
   report_.ended = RunReport::Ended::stopped;
   report_.reason =
@@ -89,7 +89,8 @@ void Simulation::stopWithin() {
   end();
 }
 
-/// A step that needs more memory than there is is taken back, if nobody has seen it.
+/// Ends the run when memory runs out. The step that needed the memory is undone if no observer has
+/// seen it.
 void Simulation::outOfMemory() noexcept {
   report_.ended = RunReport::Ended::failed, report_.cause = RunReport::Cause::memory;
   spare_ = {};
@@ -100,7 +101,7 @@ void Simulation::outOfMemory() noexcept {
     report_.reason = "t = " + numberText(x_.t) + " s: out of memory";
     if (whole_) keep();
     end();
-  } catch (...) {  // checkpoint() is then that of an earlier moment
+  } catch (...) {  // checkpoint() then holds an earlier state
   }
 }
 

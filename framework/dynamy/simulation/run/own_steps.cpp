@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-/// A rest of so many roundings of the time is none.
+/// A remaining time up to this share of the end time counts as zero.
 constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
@@ -14,7 +14,7 @@ constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 Advance OwnSteps::next(Stepper& stepper, double until) {
   const double rest = until - stepper.t(), next = stepper.nextStep();
   const bool over = !(rest > kTimeNoise * std::abs(until));
-  // What is kept before the end bounds a step is where a longer run goes on.
+  // A longer run continues from the state stored here, before the end time shortens a step.
   if (!kept_ &&
       (over || !(next > 0.0 && std::min(next, largest_ > 0.0 ? largest_ : next) < rest))) {
     if (!stepper.pause(true)) return Advance::stopped;
@@ -35,7 +35,8 @@ bool OwnSteps::advance(Stepper& stepper, double until) {
     if (const Passing p = sound ? stepper.passing() : Passing{}) {
       if (i < tries) {
         stepper.reject();
-        // Up to the contact; if it is there already, across it in a moment.
+        // Next try: up to the contact or, if the body is there already, across it in a very short
+        // step.
         most = p.t > 2.0 * p.width ? p.t - p.width : 2.0 * p.t + p.width;
         continue;
       }

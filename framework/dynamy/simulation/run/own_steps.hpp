@@ -1,6 +1,6 @@
-/// OwnSteps: the loop of schemes that choose their steps (OneStep::choosesSteps). It bounds them by
-/// the end of the run, by the largest step the model allows, and by contacts that a fast body would
-/// pass; all else is the scheme's affair.
+/// OwnSteps: the loop of schemes that choose their steps (OneStep::choosesSteps). The loop bounds
+/// these steps by the end of the run, by the largest step the model allows, and by contacts that a
+/// fast body would pass; the scheme decides everything else.
 #pragma once
 #include <dynamy/simulation/run/time_loop.hpp>
 
@@ -8,8 +8,8 @@ namespace dynamy {
 
 class OwnSteps final : public TimeLoop {
  public:
-  /// `largest`: no step is longer [s]; 0: any length. `nu`: velocities of the model, which
-  /// bound the tries of a step for fast bodies, see mostParts().
+  /// `largest`: longest step [s]; 0: any length. `nu`: number of velocities of the model, which
+  /// limits the tries of a step for fast bodies, see mostParts().
   OwnSteps(double largest, NonConvergence policy, int nu)
       : largest_(largest), policy_(policy), nu_(nu) {}
   Advance next(Stepper& stepper, double until) override;
@@ -20,7 +20,7 @@ class OwnSteps final : public TimeLoop {
   double largest_;
   NonConvergence policy_;
   int nu_;
-  bool kept_ = false;  // what a longer run goes on from
+  bool kept_ = false;  // the state from which a longer run continues is stored
 };
 
 }  // namespace dynamy

@@ -1,4 +1,4 @@
-// Simulation: what it says of steps that were not solved or cannot be taken.
+// Simulation: reports on steps that were not solved or cannot be taken.
 #include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
@@ -11,7 +11,8 @@ namespace {
 constexpr int kMostDiagnoses = 3;    ///< of a run
 constexpr int kDiagnosisRows = 400;  ///< above, a diagnosis would take seconds
 
-/// Index of a gap that is not a number in the last evaluation, which would pass for open; −1: none.
+/// Index of a gap in the last evaluation that is not a number, because it would count as open; −1:
+/// none.
 int gapWithoutNumber(const MechanicalSystem& system) {
   const std::vector<double>& g = system.slot(0).contacts.g;
   const auto at = std::find_if(g.begin(), g.end(), [](double x) { return std::isnan(x); });
@@ -50,7 +51,7 @@ void Simulation::noteUnsolved() {
   const auto name = [&](int i) {
     return contactText(model_, p.contacts->key[static_cast<std::size_t>(i)]);
   };
-  // A scheme may solve other problems than the last one in a step.
+  // A scheme may solve several problems in a step; the last one need not be the unsolved one.
   const bool known = p.size() > 0 && stepReport_.contacts == p.size();
   u.contact = known && solved.residuals.worst >= 0 ? name(solved.residuals.worst) : "";
   u.findings.clear();

@@ -1,7 +1,8 @@
-/// SearchPauses: which steps of a run may search for long. What no search has found in a step is
-/// seldom found in the next one: after a search in vain 1, 3, 7, … 63 attempts do with what finds
-/// nearly all solutions (Effort::retried). Where three of ten steps, at random, have no solution, one
-/// attempt of twenty searches; where one of a hundred has none, 99 of a hundred do.
+/// SearchPauses: decides which attempts of a run may search for a solution for long. If a search
+/// fails in one step, it seldom succeeds in the next one. After a failed search the next 1, 3, 7, …
+/// 63 attempts therefore use the shorter search that finds nearly all solutions (Effort::retried).
+/// If three of ten steps, at random, have no solution, one attempt of twenty searches for long; if
+/// one of a hundred has none, 99 of a hundred do.
 #pragma once
 #include <algorithm>
 #include <dynamy/core/archive.hpp>
@@ -13,7 +14,7 @@ class SearchPauses {
  public:
   /// What the next attempt may spend.
   Effort next() const { return left_ > 0 ? Effort::retried : Effort::full; }
-  /// The attempt is over; `found`: what it has searched for long, it has found.
+  /// Ends the attempt; `found`: no long search of the attempt has failed.
   void done(bool found) {
     if (left_ > 0) {
       --left_;
@@ -23,7 +24,7 @@ class SearchPauses {
       left_ = pause_ = std::min(2 * pause_ + 1, kLongest);
     }
   }
-  /// Throws ModelError on numbers that no run can have left.
+  /// Throws ModelError on numbers that no run produces.
   void archive(Archive& a) {
     a(pause_), a(left_);
     if (pause_ < 0 || pause_ > kLongest || left_ < 0 || left_ > pause_)

@@ -19,10 +19,11 @@ double seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
-/// The run is asked to stop within a step.
+/// Thrown if the run is requested to stop within a step.
 struct Stopped {};
 
-/// Of the file, for what is missing in it; nowhere for a model that no file holds.
+/// Beginning of the model file, as the place of elements that are missing; no place for a model
+/// without a file.
 Place beginning(const Model& model) {
   return model.sourceFile.empty() ? Place() : Place(model.sourceFile, 1, 1);
 }
@@ -60,8 +61,8 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
   throw ModelError(d);
 }
 
-/// A solver that threw asked a law of the last problem: what the first one that throws says, or
-/// empty.
+/// Message of the first law of the last problem that throws, to explain an exception from a solver;
+/// empty: none throws.
 std::string lawThatThrows(const MechanicalSystem& system) {
   const InclusionProblem& p = system.problem();
   const auto rows = static_cast<std::size_t>(p.rows());
@@ -127,7 +128,7 @@ bool Simulation::step() {
   return taken;
 }
 
-/// Whatever `call` throws ends the run, and is told.
+/// Runs `call`; anything that it throws ends the run and is reported.
 template <class Call>
 void Simulation::guarded(Call&& call) {
   const auto wall = Clock::now();
@@ -153,9 +154,10 @@ void Simulation::guarded(Call&& call) {
   report_.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
 }
 
-/// Begins the run before its first step, and ends it after the last one: false.
+/// Takes one step; begins the run before the first step and ends it after the last one. False: it
+/// has ended.
 bool Simulation::next() {
-  over_ = true;  // what is thrown ends the run
+  over_ = true;  // an exception ends the run
   if (!begun_) {
     begun_ = true;
     begin();
@@ -230,11 +232,11 @@ StepReport Simulation::attempt(double tEnd, double dt) {
   const bool searches = !model_.scheme().choosesSteps();
   system_.effort(searches ? searches_.next() : Effort::full);
   stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
-  if (!last && stopped()) {  // solvers may have left off
+  if (!last && stopped()) {  // solvers may have stopped early
     x_ = before_;
     throw Stopped{};
   }
-  // Schemes search no longer in what is left of an attempt once a search was in vain.
+  // After a failed search a scheme lowers the effort for the rest of the attempt.
   if (searches) searches_.done(system_.effort() == Effort::full), x_.t = tEnd;
   project();
   system_.remember(x_);
@@ -278,7 +280,7 @@ bool Simulation::accept() {
   const long evaluations = system_.evaluations();
   const StepView step = view(true);
   forAll([&](Observer& o) { o.step(step); });
-  report_.evaluations += system_.evaluations() - evaluations;  // of dense output
+  report_.evaluations += system_.evaluations() - evaluations;  // evaluations for dense output
   renew();
   return true;
 }
@@ -313,7 +315,7 @@ bool Simulation::pause(bool asked) {
   if (stop || due || asked || full()) keep();
   if (due) save();
   if (stop) report_.ended = RunReport::Ended::stopped;
-  // Keeping has tried once more to write what was collected.
+  // keep() has tried once more to write the collected rows.
   if (!stop && full()) return endBecause(std::string(recorder_->fault()), RunReport::Cause::files);
   return !stop;
 }

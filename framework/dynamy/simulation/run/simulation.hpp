@@ -4,9 +4,9 @@
 ///   loop (fixed steps, …) → attempt: OneStep::step → sound? → accept: observers see the step
 ///
 /// A step neither throws nor prints nor allocates. A run ends at the first number that is not
-/// finite and at the first mass matrix that is not positive definite, naming the system and its
-/// place; what was recorded before stays. Rejected: one loop with switches for all ways to choose
-/// steps; each is a TimeLoop.
+/// finite and at the first mass matrix that is not positive definite. The error names the system
+/// and its place, and the numbers recorded before are kept. Rejected: one loop with flags for all
+/// ways to choose steps; each way is a TimeLoop.
 #pragma once
 #include <atomic>
 #include <chrono>
@@ -24,46 +24,49 @@ namespace dynamy {
 
 class Simulation final : private Stepper {
  public:
-  /// `model` is built and outlives the simulation. Throws ModelError if it does not say a step, or
-  /// if a check asks for an unknown signal.
+  /// `model` is built and outlives the simulation. Throws ModelError if the model lacks the step or
+  /// tolerance that its scheme needs, or if a check requests an unknown signal.
   explicit Simulation(Model& model);
 
   // Before the first step.
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
   void record(RecordSink& sink);
   void observe(Observer& observer) { observers_.push_back(&observer); }
-  /// Works on each step with up to `count` threads, fewer if the system gives no more; the same
-  /// bits with any number. Returns how many there are.
+  /// Uses up to `count` threads for each step, fewer if the operating system gives no more. The
+  /// results have the same bits with any number. Returns the number of threads in use.
   int threads(int count);
-  /// Called about ten times a second of wall time, for progress and files with rare rows.
+  /// Sets a function that is called about ten times a second of wall time, for progress and for
+  /// files with rare rows.
   void onIdle(std::function<void()> call) { idle_ = std::move(call); }
-  /// Called with the bytes of a checkpoint before the first step, then every `seconds` of wall
-  /// time, later if making them and the call take more than `share` of it.
+  /// Sets a function that receives the bytes of a checkpoint before the first step, then every
+  /// `seconds` of wall time. Checkpoints become rarer if they and the call take more than `share`
+  /// of the time.
   void onCheckpoint(double seconds, double share, std::function<void(const std::string&)> call);
   /// The run ends once `flag` is true (Ctrl-C): after the present step, or before the next try or
-  /// part of it. Nothing recorded is lost; checkpoint() of a run that ended within a step is of an
-  /// earlier moment, or empty if none was made.
+  /// part of it. No recorded numbers are lost. If the run ended within a step, checkpoint() holds
+  /// an earlier state, or is empty if none was stored.
   void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
-  /// Goes on from a checkpoint of the same model. Throws ModelError if it belongs to another one or
-  /// holds what no run can have left, FileError (of the sink) if the recorded files do not go with
-  /// it: nothing is to be called then but the destructor.
+  /// Continues from a checkpoint of the same model. Throws ModelError if the checkpoint belongs to
+  /// another model or holds values that no run produces, and FileError (of the sink) if the
+  /// recorded files do not match it. After an error only the destructor may be called.
   void resume(const std::string& checkpoint);
 
-  /// Runs to `until` of the model's simulation settings. Does not throw: the report tells. A lack
-  /// of memory, and a sink that can keep no more, end it as failed with their cause, and
-  /// checkpoint() is of the last moment that is known as a whole.
+  /// Runs to `until` of the model's simulation settings. Does not throw: errors are in the report.
+  /// If memory runs out, or the sink can store no more, the run ends as failed with that cause;
+  /// checkpoint() then holds the last state that is known completely.
   const RunReport& run();
-  /// The next step of the same run, with all that run() does: records, checks, ledger, hash,
-  /// checkpoints; `while (s.step()) {}` is run(). A step of given length is a full one, whatever
-  /// halves or parts it took. True: there is a new state(). False: the run has ended, and report()
-  /// tells how; until then its figures are those so far.
+  /// Takes the next step of the run with everything that run() does: records, checks, ledger, hash,
+  /// checkpoints; `while (s.step()) {}` does the same as run(). A step of given length is a full
+  /// step, even if it was taken in halves or parts. True: there is a new state(). False: the run
+  /// has ended for the reason in report(), which holds the figures so far until then.
   bool step();
   const RunReport& report() const { return report_; }
   const State& state() const { return x_; }
-  /// The step that was tried last; dt = 0: none yet.
+  /// Report of the step that was tried last; dt = 0: none yet.
   const StepReport& lastStep() const { return stepReport_; }
   std::vector<CheckResult> checks() const { return checks_.results(report_); }
-  /// What `resume` takes: the state at the end of the run, before a last shortened step.
+  /// The bytes that `resume` takes: the state at the end of the run, or before its last step if
+  /// that was shortened.
   const std::string& checkpoint() const { return checkpoint_; }
 
  private:
@@ -131,9 +134,9 @@ class Simulation final : private Stepper {
   std::function<void(const std::string&)> save_;
   double saveEvery_ = 0.0, saveShare_ = 1.0, saveCost_ = 0.0;
   Clock::time_point lastIdle_, lastSave_;
-  std::vector<char> spare_;  // given back when memory runs out, so that the end has some
-  /// What observers have seen, and the loop has counted, is the state of the last pause: `before_`
-  /// if a step has been attempted since.
+  std::vector<char> spare_;  // freed when memory runs out, so that the run can end in order
+  /// `whole_`: observers and loop are at the state of the last pause, which is `before_` if a step
+  /// has been `attempted_` since.
   bool whole_ = false, attempted_ = false;
   std::string checkpoint_;
   bool resumed_ = false, renews_ = false;

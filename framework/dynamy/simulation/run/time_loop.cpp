@@ -66,7 +66,7 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   }
   const bool retry = !good && policy_ == NonConvergence::retry;
   if (retry && depth == kMostHalvings) halves_.exhaust();
-  // A state that is not sound would end the run: it has all the halves there are.
+  // A state that is not sound would end the run, so all halvings are allowed for it.
   if (retry && (sound ? !halves_.exhausted() && halves_.take()
                       : depth < kMostHalvings)) {  // the same step in two halves
     stepper.reject();
@@ -82,10 +82,11 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
 }
 
 bool FixedStep::inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth) {
-  // Up to the contact, unless it is there already.
+  // Up to the contact, unless the body is there already.
   const double w = p.width, before = p.t > 2.0 * w ? p.t - w : 0.0;
   if (before > 0.0 && !advance(stepper, stepper.t() + before, before, depth)) return false;
-  // Across it, a little more behind than before, so that every scheme finds it closed.
+  // Across the contact, with a little more time after it than before, so that every scheme finds it
+  // closed.
   const double across = 2.0 * (p.t - before) + w, rest = dt - before - across;
   if (!(rest > 0.0)) return advance(stepper, tEnd, dt - before, depth);
   return advance(stepper, stepper.t() + across, across, depth) &&

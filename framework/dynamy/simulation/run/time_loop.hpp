@@ -1,6 +1,6 @@
-/// TimeLoop: how accepted steps follow each other. Simulation drives observers and reports; a loop
-/// only proposes steps, so that fixed steps, augmented stepping and event location are one file
-/// each.
+/// TimeLoop: determines the sequence of accepted steps. Simulation drives observers and reports; a
+/// loop only proposes steps, so that fixed steps, augmented stepping and event location are one
+/// file each.
 #pragma once
 #include <algorithm>
 #include <dynamy/core/archive.hpp>
@@ -10,15 +10,15 @@
 
 namespace dynamy {
 
-/// What a loop works with.
+/// The interface through which a loop takes steps.
 class Stepper {
  public:
   virtual ~Stepper() = default;
-  /// One step of the scheme from the current state, of length dt to the instant tEnd (= t + dt but
-  /// for rounding). Schemes that choose their steps may stop earlier. The state before stays at
-  /// hand until accept() or reject().
+  /// Takes one step of the scheme from the current state, of length dt to the instant tEnd (t + dt
+  /// up to rounding). Schemes that choose their steps may stop earlier. The state before the step
+  /// is kept until accept() or reject().
   virtual StepReport attempt(double tEnd, double dt) = 0;
-  /// Takes the attempted step; observers see it. False: the run is to end (failed or stopped).
+  /// Accepts the attempted step; observers see it. False: the run is to end (failed or stopped).
   virtual bool accept() = 0;
   /// Goes back to the state before the attempt.
   virtual void reject() = 0;
@@ -28,20 +28,22 @@ class Stepper {
   virtual bool sound() const = 0;
   /// The first contact that the attempted step went through, if any (theory 37).
   virtual Passing passing() = 0;
-  /// The rest of the present full step is taken without looking for passings: `p` is the last of
-  /// too many. The run goes on, and reports it.
+  /// The rest of the present full step is taken without a search for passed contacts, because there
+  /// were too many; `p` is the last one. The run continues and reports this.
   virtual void leave(const Passing& p) = 0;
   virtual double t() const = 0;
-  /// Length that the scheme would try next [s]; 0: it has no say, or does not know.
+  /// Length that the scheme would try next [s]; 0: it does not choose its steps, or does not know
+  /// yet.
   virtual double nextStep() const = 0;
-  /// Of M, h and contacts, in all attempts up to now.
+  /// Number of evaluations of M, h and contacts in all attempts so far.
   virtual long evaluations() const = 0;
-  /// Between two full steps of the loop: what is archived here can be resumed. `asked`: keep it in
-  /// any case, because the next step is shortened by the end time. False: the run is to end.
+  /// Called between two full steps of the loop: a run can be resumed from a state archived here.
+  /// `asked`: archive it in any case, because the next step is shortened by the end time. False:
+  /// the run is to end.
   virtual bool pause(bool asked) = 0;
 };
 
-/// What the next step of a loop came to.
+/// Result of TimeLoop::next().
 enum class Advance {
   taken,   ///< there is a new state
   atEnd,   ///< nothing was left to take: `until` is reached
@@ -51,24 +53,25 @@ enum class Advance {
 class TimeLoop {
  public:
   virtual ~TimeLoop() = default;
-  /// One step towards `until`, with all its tries, halves and parts.
+  /// Takes one step towards `until`, with all its tries, halves and parts.
   virtual Advance next(Stepper& stepper, double until) = 0;
   virtual void archive(Archive& a) = 0;
 };
 
-/// How many tries of one kind a step may take: all of them after steps that got along with what
-/// they had, else fewer. A run of steps that try in vain costs about one try a step.
+/// Limit on the tries of one kind that a step may take. Steps that stay within their limit raise it
+/// up to `most`, other steps lower it. Many steps in a row whose tries fail cost about one try
+/// each.
 class Allowance {
  public:
   explicit Allowance(int most) : most_(most), now_(most) {}
-  /// A step begins. It has a quarter of what the last one had, one at least, if that did not get
-  /// along; else twice as many.
+  /// Begins a step. If the last step exceeded its limit, the new limit is a quarter of it, one at
+  /// least; otherwise it is twice as large, up to `most`.
   void begin();
-  /// Takes one; false: there is none left.
+  /// Uses up one try; false: none is left.
   bool take();
-  /// The present step has n at most.
+  /// Limits the present step to n tries at most.
   void atMost(int n) { now_ = std::min(now_, n); }
-  /// The present step has none left, whatever it took.
+  /// Leaves the present step no further tries.
   void exhaust() { taken_ = now_ + 1; }
   bool exhausted() const { return taken_ > now_; }
   void archive(Archive& a);
@@ -77,32 +80,34 @@ class Allowance {
   int most_, now_, taken_ = 0;
 };
 
-/// Most parts that one step of a model of nu velocities is cut into for fast bodies, if each costs
-/// so many evaluations of all bodies: 14400 of evaluations times velocities, but 8 to 200 parts.
+/// Largest number of parts into which one step of a model with nu velocities is cut for fast
+/// bodies, if each part costs `evaluations` evaluations of all bodies. Parts times evaluations
+/// times velocities are at most 14400, but there may always be 8 parts and never more than 200.
 int mostParts(int nu, long evaluations);
 
-/// Steps of length Δt from a counter: t = iΔt, the last one shortened to end at `until`. A step
-/// that would pass a contact is taken in parts: up to it, across it in a moment, and the rest; one
-/// whose inclusion is not solved in halves. Both have an end, after which the rest of the step is
-/// taken as it is: a part of the smallest length that is not solved, or what the allowances say.
+/// Steps of length Δt from a counter: t = iΔt, the last one is shortened to end at `until`. A step
+/// that would pass a contact is taken in parts: up to the contact, across it in a very short part,
+/// and the rest. A step whose inclusion is not solved is taken in halves. The smallest length of a
+/// part and the allowances limit both; beyond them the rest of the step is taken as it is.
 class FixedStep final : public TimeLoop {
  public:
-  /// `nu`: velocities of the model, which bound the parts of a step, see mostParts().
+  /// `nu`: number of velocities of the model, which limits the parts of a step, see mostParts().
   FixedStep(double dt, NonConvergence policy, int nu) : grid_(dt), policy_(policy), nu_(nu) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive& a) override;
 
  private:
-  /// One step with the policy for missed tolerances; `depth` halvings so far.
+  /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.
   bool advance(Stepper& stepper, double tEnd, double dt, int depth);
-  /// The same in parts, with the closing of `p` in one that is too short to matter.
+  /// Takes a step in parts, such that the contact of `p` closes in a part that is too short to
+  /// matter.
   bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);
   TimeGrid grid_;
   NonConvergence policy_;
   long i_ = 0;  // full steps done
   int nu_;
   Allowance parts_{200}, halves_{24};
-  bool rest_ = false;  // the last, shortened step is taken
+  bool rest_ = false;  // the last, shortened step has been taken
 };
 
 }  // namespace dynamy

@@ -93,7 +93,7 @@ Diagnosis diagnose(const InclusionProblem& p, ConstVec Lambda, const SolveReport
 
   add(contradictingJoints(dense, names));
   add(jam(dense, names));
-  // Forces that grow without bound have rounding to match; it is not the cause then.
+  // Forces that grow without bound have large rounding errors, which are then not the cause.
   if (!d.find(FindingKind::contradiction)) add(rounding(dense, options.tolerance, names));
   add(pivoted(p, report, options.tolerance));
   for (Finding& f : painleve(dense, names)) d.findings.push_back(std::move(f));

@@ -9,7 +9,7 @@
 namespace dynamy::diagnosis {
 namespace {
 
-constexpr double kTakesPart = 1e-3;  ///< of the largest entry: below, a contact is not concerned
+constexpr double kTakesPart = 1e-3;  ///< fraction of the largest entry: below, not concerned
 
 /// The contacts whose part of x is not small, in their order.
 std::vector<int> concerned(const InclusionProblem& p, const Eigen::VectorXd& x) {
@@ -22,7 +22,7 @@ std::vector<int> concerned(const InclusionProblem& p, const Eigen::VectorXd& x) 
   return out;
 }
 
-/// Rows of G_JJ's kernel spread on all rows: how much of each row takes part.
+/// How much each row takes part in the kernel Z of G_JJ; zero for rows outside `rows`.
 Eigen::VectorXd participation(const InclusionProblem& p, const std::vector<int>& rows,
                               const Eigen::MatrixXd& Z) {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(p.rows());

@@ -1,4 +1,4 @@
-/// The questions of a Diagnosis, one by one; each answers with a finding or with nothing.
+/// The tests of a Diagnosis, one function each; each returns a finding or nothing.
 #pragma once
 #include <dynamy/solver/diagnosis/diagnosis.hpp>
 #include <dynamy/solver/problem/dense_problem.hpp>
@@ -10,24 +10,25 @@ namespace dynamy::diagnosis {
 struct Names {
   const std::function<std::string(int)>& given;
   std::string operator()(int contact) const;
-  /// "a", "a and b", "a, b and c", "a, b, c and 9 more".
+  /// List of names: "a", "a and b", "a, b and c", "a, b, c and 9 more".
   std::string operator()(const std::vector<int>& contacts) const;
 };
-/// Two significant digits.
+/// x as text with two significant digits.
 std::string number(double x);
 
 std::optional<Finding> unsolved(const SolveReport& report, const Names& names);
-/// Of an unsolved problem of up to 200 rows: a solution by pivoting, or the proof that none exists.
+/// Tries pivoting on an unsolved problem of up to 200 rows: it finds a solution, or proves that
+/// none exists.
 std::optional<Finding> pivoted(const InclusionProblem& problem, const SolveReport& report,
                                double tolerance);
 std::optional<Finding> tooLarge(int rows, int most);
-/// 4ε |G||Λ| / u_ref of the worst contact is above the tolerance.
+/// Finding if 4ε |G||Λ| / u_ref of the worst contact is above the tolerance.
 std::optional<Finding> rounding(const DenseProblem& dense, double tolerance, const Names& names);
-/// c of the joints has a part in ker G_JJ: no velocity fulfils all of them.
+/// Finding if c of the joints has a part in ker G_JJ: no velocity fulfils all joints.
 std::optional<Finding> contradictingJoints(const DenseProblem& dense, const Names& names);
 std::optional<Finding> redundantJoints(const DenseProblem& dense, const Names& names);
 std::optional<Finding> jam(const DenseProblem& dense, const Names& names);
-/// Single contacts with joints eliminated, then all sliding contacts together.
+/// Examines single contacts with joints eliminated, then all sliding contacts together.
 std::vector<Finding> painleve(const DenseProblem& dense, const Names& names);
 std::optional<Finding> severalSolutions(const DenseProblem& dense, const SolveReport& report,
                                         InclusionSolver& solver, double tolerance,

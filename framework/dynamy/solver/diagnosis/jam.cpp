@@ -7,7 +7,7 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostJamSteps = 20000;
-constexpr double kSame = 1e-11;  ///< the two projections agree, of the start's length
+constexpr double kSame = 1e-11;  ///< fraction of the start's length: the two projections agree
 constexpr double kEmpty = 1e-3;  ///< below this part of the start the limit counts as zero
 constexpr double kSecant = 1e9;  ///< t of prox(t z)/t, the projection on a recession cone
 
@@ -90,7 +90,7 @@ Eigen::VectorXd jammedForces(const DenseProblem& dense) {
     if (y.norm() <= 1e-6 * start) return Lambda;
     met = k > 10 && std::max((x - y).norm(), (y - before).norm()) <= kSame * start;
   }
-  // Half-way results count if they lie in both sets well enough to be told as forces.
+  // Unconverged results count if they lie in both sets well enough to be reported as forces.
   if (y.norm() <= kEmpty * start || (x - y).norm() > 1e-6 * y.norm()) return Lambda;
   double largest = 0.0;
   for (const auto& [contact, place] : closed) {

@@ -32,7 +32,7 @@ std::optional<Finding> single(const DenseProblem& dense, const std::vector<int>&
   const int dim = dense.problem().dim(i);
   const Eigen::MatrixXd G = dense.reduced(dense.rowsOf([i](int k) { return k == i; }), joints);
   const Eigen::VectorXd GNT = G.row(0).tail(dim - 1).transpose();
-  // Joints may leave it no normal motion at all.
+  // Joints may leave the contact no normal motion at all.
   if (!(G(0, 0) > 1e-9 * dense.problem().G->diagonalBlock(i)[0]) || GNT.isZero(0.0))
     return std::nullopt;
   const Eigen::VectorXd b = friction(dense, i, GNT);
@@ -74,7 +74,7 @@ std::vector<Finding> painleve(const DenseProblem& dense, const Names& names) {
             [](const Finding& a, const Finding& b) { return a.value > b.value; });
   if (out.size() > 3) out.resize(3);
   if (!out.empty() || sliding.size() < 2) return out;
-  // All that slide together, with the directions they have: H = G_NN + G_NT diag(Λ_T/Λ_N).
+  // All sliding contacts together, with their present directions: H = G_NN + G_NT diag(Λ_T/Λ_N).
   const auto rows = dense.rowsOf(
       [&](int i) { return std::find(sliding.begin(), sliding.end(), i) != sliding.end(); });
   const Eigen::MatrixXd G = dense.reduced(rows, still);

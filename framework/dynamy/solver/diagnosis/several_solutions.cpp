@@ -7,7 +7,7 @@
 namespace dynamy::diagnosis {
 namespace {
 
-constexpr double kOneSolution = 1e-6;  ///< of u_ref: solutions that differ less are one
+constexpr double kOneSolution = 1e-6;  ///< fraction of u_ref: solutions that differ by less are one
 
 /// Λ_i ← prox_C(Λ_i): a start the laws allow.
 void intoSets(const InclusionProblem& p, Eigen::VectorXd& Lambda) {
@@ -18,7 +18,7 @@ void intoSets(const InclusionProblem& p, Eigen::VectorXd& Lambda) {
                   Lambda.data() + p.row0(i));
 }
 
-/// No force; all contacts stick; hard presses.
+/// Three starts: no force; all contacts stick; large normal forces.
 std::vector<Eigen::VectorXd> starts(const DenseProblem& dense) {
   const InclusionProblem& p = dense.problem();
   std::vector<Eigen::VectorXd> out(3, Eigen::VectorXd::Zero(p.rows()));
@@ -34,7 +34,8 @@ std::vector<Eigen::VectorXd> starts(const DenseProblem& dense) {
   return out;
 }
 
-/// Forces so large that velocities of the problem's size are rounding of GΛ fulfil any law.
+/// True if the forces are so large that velocities of the problem's size are rounding of GΛ: such
+/// forces fulfil any law.
 bool onlyRounding(const DenseProblem& dense, const Eigen::VectorXd& Lambda) {
   const double largest = (dense.G().cwiseAbs() * Lambda.cwiseAbs()).maxCoeff();
   return std::numeric_limits<double>::epsilon() * largest > kOneSolution * dense.problem().uRef;
@@ -98,7 +99,7 @@ std::optional<Finding> severalSolutions(const DenseProblem& dense, const SolveRe
     Eigen::Index row = 0;
     for (const Solution& f : found)
       nearest = std::min(nearest, (xi - f.xi).cwiseAbs().maxCoeff(&row));
-    // What the tolerance leaves of a badly conditioned problem is no second solution.
+    // Errors that the tolerance leaves in a badly conditioned problem are no second solution.
     if (found.empty() || nearest > std::max(kOneSolution, 1e4 * tolerance) * p.uRef) {
       if (nearest > difference) {
         difference = nearest, where = 0;

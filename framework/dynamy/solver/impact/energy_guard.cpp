@@ -5,8 +5,8 @@
 namespace dynamy {
 namespace {
 
-/// Part of the energy turned over in a group that solvers at their default tolerance of 1e-10 may
-/// leave, with a reserve of 100.
+/// Fraction of the energy turned over in a group that counts as solver error: the default tolerance
+/// of 1e-10 with a reserve of 100.
 constexpr double kEnergyNoise = 1e-8;
 /// Trials per impact. The gain is nearly a parabola of the factor, so three to five suffice; the
 /// last one is the accepted end of the bracket.
@@ -47,7 +47,7 @@ void EnergyGuard::gains(InclusionProblem& problem, ConstVec Lambda) {
   for (int i = 0; i < problem.size(); ++i) {
     const auto g = static_cast<std::size_t>(groups_.of(i));
     for (int r = 0; r < problem.dim(i); ++r) {
-      // Joints do no work; what their rows show is the turning of W within the step.
+      // Joints do no work; their rows only show the rotation of W within the step.
       if (holds(problem.law(i).rowKind(r))) continue;
       const auto k = static_cast<std::size_t>(problem.row0(i) + r);
       const double L = Lambda[problem.row0(i) + r], free = problem.gammaFree[k];
@@ -78,7 +78,7 @@ bool EnergyGuard::next() {
   for (Search& s : search_) {
     if (!s.active) continue;
     if (trials_ == 0 || trials_ == kEnergyTrials)
-      s.trial = s.low;  // the safe end: first to know its gain, last to take it
+      s.trial = s.low;  // the safe end: tried first to know its gain, last to accept it
     else if (trials_ % 2 == 1 && s.gainHigh > s.gainLow)
       s.trial =
           s.low + (s.high - s.low) * std::clamp(-s.gainLow / (s.gainHigh - s.gainLow), 0.02, 0.98);

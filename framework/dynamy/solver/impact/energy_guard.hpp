@@ -4,18 +4,18 @@
 ///   ΔT^A = ½ Λᵀ(γ⁻ + γ⁺)             against the velocities at the beginning of the step
 ///   ΔT^f = ½ Λᵀ(γ_free + γ⁺)         against those that the forces of the step leave
 ///
-/// A group of contacts (linked through bodies) gains if both are positive beyond what the solver's
-/// tolerance leaves; one alone is what the step's forces did meanwhile. With ε = 0 ΔT^f ≤ 0 for
-/// every law whose set contains 0 (theory 32.3), so a factor f ∈ [0, 1] of ε without gain exists;
-/// it is bracketed. Rejected: one f for all contacts of the step, by which an impact here would
-/// take the rebound of another one there.
+/// A group of contacts (linked through bodies) gains energy if both ΔT^A and ΔT^f are positive
+/// beyond what the solver's tolerance leaves. If only one is positive, the step's forces did that
+/// work. With ε = 0, ΔT^f ≤ 0 for every law whose set contains 0 (theory 32.3). So a factor
+/// f ∈ [0, 1] of ε without gain exists; it is found by bracketing. Rejected: one f for all contacts
+/// of the step, with which one impact would reduce the rebound of another, unrelated one.
 #pragma once
 #include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <vector>
 
 namespace dynamy {
 
-/// Contacts that feel each other, numbered by groups.
+/// Groups of contacts that are coupled through bodies, and the group number of each contact.
 class ContactGroups {
  public:
   void find(InclusionProblem& problem);
@@ -31,14 +31,14 @@ class EnergyGuard {
  public:
   /// Factors of ε, all 1, for the contacts of this problem; next() changes them.
   std::vector<double>& factor(const InclusionProblem& problem);
-  /// Groups and their gains at the percussions of the law as it is stated.
+  /// Forms the groups and computes their gains for the percussions of the unchanged law.
   void begin(InclusionProblem& problem, ConstVec Lambda);
   /// Sum of the gains of all groups that gain [J], and their number.
   double gain() const { return gain_; }
   int gaining() const { return gaining_; }
-  /// Sets the factors of the next trial; false: the last one is accepted by all groups.
+  /// Sets the factors of the next trial; false: all groups accept the last trial.
   bool next();
-  /// Takes the gains of a trial.
+  /// Computes the gains of a trial and narrows the brackets of the factors.
   void judge(InclusionProblem& problem, ConstVec Lambda);
 
  private:

@@ -21,7 +21,7 @@ SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver,
   if (guard_.gain() <= 0.0) return report;
   const double gain = guard_.gain();
   const int repaired = guard_.gaining();
-  // The largest factors, one per group, at which no group gains.
+  // Find the largest factors, one per group, at which no group gains energy.
   while (guard_.next()) {
     addSolve(report, percussions(problem, solver, factor, Lambda));
     guard_.judge(problem, view(Lambda));
@@ -36,7 +36,7 @@ void poseRestitution(InclusionProblem& problem, const std::vector<double>& facto
   int rows = 0;
   for (int i = 0; i < problem.size(); ++i) {
     const int dim = problem.dim(i), first = problem.row0(i);
-    if (&problem.law(i) != last || dim != rows) {  // most neighbours share one
+    if (&problem.law(i) != last || dim != rows) {  // most neighbours share one law
       last = &problem.law(i), rows = dim;
       std::fill(epsilon, epsilon + kMostRows, 0.0);
       last->epsilon(dim, epsilon);

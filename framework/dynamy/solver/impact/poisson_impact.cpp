@@ -6,8 +6,8 @@
 namespace dynamy {
 namespace {
 
-/// Trials for κ; the energy returned is nearly a parabola of it, so that a secant finds it to
-/// kShare of the energy in four to six.
+/// Trials for κ. The energy returned is nearly a parabola of κ, so that a secant method finds it to
+/// kShare of the energy in four to six trials.
 constexpr int kPoissonTrials = 24;
 constexpr double kShare = 1e-12;
 
@@ -23,7 +23,8 @@ double epsilonN(const InclusionProblem& p, int i) {
 // ---- FloorLaw ----------------------------------------------------------------------------------
 
 void FloorLaw::prox(const LawInput& in, const double* r, const double* xi, double* Lambda) const {
-  // The law itself at Λ_N = max(floor, Λ_N − r_N ξ_N) and ξ_N = 0: its other rows see this Λ_N.
+  // Evaluate the law itself at Λ_N = max(floor, Λ_N − r_N ξ_N) and ξ_N = 0: its other rows see this
+  // Λ_N.
   double without[kMostRows];
   std::copy_n(xi, in.dim, without);
   Lambda[0] = std::max(floor_, Lambda[0] - r[0] * xi[0]);
@@ -56,7 +57,7 @@ bool TwoPhaseImpact::compress(InclusionProblem& problem, InclusionSolver& solver
   if (!rebounds(problem)) return false;
   impact_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   if (problem.gammaFree == problem.gammaA) return true;
-  // The velocities alone, without the forces of the step.
+  // Compression of the velocities alone, without the forces of the step.
   const double dt = problem.dt;
   problem.c = problem.gammaA, problem.dt = 0.0;
   addSolve(report, solver.solve(problem, {impact_.data(), Lambda.size()}));
@@ -131,7 +132,7 @@ void EnergeticImpact::aims(const InclusionProblem& problem, const std::vector<do
 }
 
 bool EnergeticImpact::search(InclusionProblem& problem) const {
-  // Excess of the work returned by the expansion of κ over what is asked for.
+  // Excess of the work returned by the expansion with κ over the required work.
   excess_ = aim_;
   for (double& e : excess_) e = -e;
   gammaE_.resize(static_cast<std::size_t>(problem.rows()));
@@ -158,7 +159,7 @@ bool EnergeticImpact::search(InclusionProblem& problem) const {
     if (!s.bracketed) {
       s.kappa = s.kappa > 0.0 ? 2.0 * s.kappa : 1.0;
     } else {
-      // The work grows like κ²: a secant in it.
+      // The work grows like κ²: a secant step in κ².
       const double l2 = s.low * s.low, h2 = s.high * s.high;
       const double t = std::clamp(-s.excessLow / (s.excessHigh - s.excessLow), 0.01, 0.99);
       s.kappa = std::sqrt(l2 + t * (h2 - l2));

@@ -3,16 +3,17 @@
 ///   compression  ξ = γ^C,   −ξ_i ∈ N_{C_i}(Λ_i^C)                      (ε = 0, forces of the step)
 ///   expansion    ξ = γ^E,   Λ_N^E ≥ κ Λ_N^I,  ξ_N ≥ 0 complementary,  Λ_T^E ∈ C_T(Λ_N^E)
 ///
-/// Λ^I: compression of the velocities γ^A alone, so that a contact at rest under weight does not
-/// rebound. PoissonImpact: κ = ε_N. EnergeticImpact: κ such that the normal percussions of a group
-/// of contacts return Σ ε_N² of the work they took up in compression. Tangential ε are not used.
+/// Λ^I: percussions of the compression of the velocities γ^A alone, without forces, so that a
+/// contact at rest under weight does not rebound. PoissonImpact: κ = ε_N. EnergeticImpact: κ is
+/// chosen such that the normal percussions of a group of contacts return the sum of ε_N² times the
+/// work that each of them absorbed in compression. Tangential ε are not used.
 #pragma once
 #include <dynamy/solver/impact/impact_law.hpp>
 #include <memory>
 
 namespace dynamy {
 
-/// A law with normal row whose percussion is at least `floor`, for the expansion.
+/// A law with a normal row, for the expansion: its normal percussion is at least `floor`.
 class FloorLaw final : public SetValuedForceLaw {
  public:
   void set(const SetValuedForceLaw& law, double floor) { law_ = &law, floor_ = floor; }
@@ -32,21 +33,22 @@ class FloorLaw final : public SetValuedForceLaw {
   double floor_ = 0.0;
 };
 
-/// The two phases; what floor the expansion has is the business of the laws below.
+/// The two phases of an impact; derived laws choose the floor of the expansion.
 class TwoPhaseImpact : public ImpactLaw {
  public:
   using ImpactLaw::ImpactLaw;
 
  protected:
-  /// Compression: Λ^C with forces into Lambda, Λ^I into impact(). False: nothing rebounds.
+  /// Solves the compression: Λ^C, with the step's forces, goes into Lambda, Λ^I into impact().
+  /// False: no contact rebounds.
   bool compress(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda,
                 SolveReport& report) const;
-  /// Expansion with Λ_N ≥ kappa[i] Λ_N^I; Λ^E into expansion().
+  /// Solves the expansion with Λ_N ≥ kappa[i] Λ_N^I; Λ^E goes into expansion().
   SolveReport expand(const InclusionProblem& problem, InclusionSolver& solver, ConstVec compression,
                      const std::vector<double>& kappa) const;
   ConstVec impact() const { return view(impact_); }
   ConstVec expansion() const { return view(expansion_); }
-  /// γ^C of the compression with forces.
+  /// γ^C after the compression with the step's forces.
   const std::vector<double>& gammaC() const { return expansionProblem_.c; }
 
  private:
@@ -85,7 +87,7 @@ class EnergeticImpact final : public TwoPhaseImpact {
 
  private:
   struct Search {
-    double low = 0.0, high = 0.0;  // too little and too much energy returned
+    double low = 0.0, high = 0.0;  // κ with too little and with too much energy returned
     double excessLow = 0.0, excessHigh = 0.0;
     double kappa = 0.0;
     bool bracketed = false, done = true;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kHitsPerContact = 10000;  ///< plastic hits of n bodies converge geometrically
 constexpr int kLocalIterations = 200;
-constexpr double kClosing = 1e-15;  ///< of the fastest approach at the start: rounding
+constexpr double kClosing = 1e-15;  ///< fraction of u_ref: slower approach is rounding
 
 }  // namespace
 
@@ -82,7 +82,7 @@ SolveReport SequentialImpact::percussions(InclusionProblem& problem, InclusionSo
        i = fastest(problem), ++hits)
     hit(problem, i, factor[static_cast<std::size_t>(i)]);
 
-  // The forces of the step, and groups that are hit together, on top of what the hits did.
+  // Solve for the forces of the step, and for groups that are hit together, after all hits.
   poseRestitution(problem, factor);
   std::vector<double>& pushed = gamma_;
   problem.G->apply(Lambda_.data(), pushed.data());

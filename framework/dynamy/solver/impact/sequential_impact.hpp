@@ -5,8 +5,8 @@
 ///
 /// then one inclusion with ε = 0 for the forces of the step. Equal balls in a row pass the velocity
 /// on one by one (Newton's cradle); simultaneous laws share it. Contacts linked to joints or
-/// clutches are hit together, by Newton's law: a hit on one of them would have to solve for all of
-/// them.
+/// clutches are solved together, by Newton's law, because a hit on one of them would have to solve
+/// for all of them.
 #pragma once
 #include <dynamy/solver/impact/impact_law.hpp>
 
@@ -27,7 +27,7 @@ class SequentialImpact final : public ImpactLaw {
   int fastest(const InclusionProblem& problem) const;
   void hit(InclusionProblem& problem, int i, double factor) const;
   mutable ContactGroups groups_;
-  mutable std::vector<char> together_;  // per group
+  mutable std::vector<char> together_;  // per group: its contacts are solved together
   mutable std::vector<double> gamma_, Lambda_, block_;
   mutable std::vector<int> near_;
 };

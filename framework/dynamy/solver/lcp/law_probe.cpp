@@ -38,7 +38,8 @@ bool LawProbe::extreme(int first, int k, const double* direction, double* point)
 }
 
 double LawProbe::discRadius(int first) const {
-  // Five directions without symmetry; the point must lie along each, at one distance.
+  // Five directions without symmetry: every extreme point must lie along its direction, all at one
+  // distance.
   double radius = -1.0;
   for (int j = 0; j < 5; ++j) {
     const double angle = 0.1 + 1.3 * j, d[2] = {std::cos(angle), std::sin(angle)};

@@ -61,7 +61,7 @@ void LcpForm::friction(const InclusionProblem& p, int i, int first, int end, int
   double v[kMostRows];
   if (normal < 0)
     for (int j = 0; j < corners; ++j) {
-      if (!vertex(j, v)) {  // no end: as joints
+      if (!vertex(j, v)) {  // unbounded: free rows, as joints
         for (int r = first; r < end; ++r) free_.push_back(p.row0(i) + r);
         return;
       }
@@ -120,7 +120,7 @@ void LcpForm::eliminate(const InclusionProblem& p) {
   c0_ = ConstVec(p.c.data(), p.rows()) + G_ * Lambda0_;
   free0_.resize(0);
   if (free_.empty()) return;
-  // ξ_F = 0: Λ_F = −G_FF⁺ (c_F + (GP)_F z), the least of all if joints are redundant.
+  // ξ_F = 0: Λ_F = −G_FF⁺ (c_F + (GP)_F z), the smallest solution if joints are redundant.
   joints_.compute(G_(free_, free_));
   joints_.solve(c0_(free_), free0_);
   free0_ = -free0_;

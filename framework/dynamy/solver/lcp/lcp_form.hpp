@@ -9,11 +9,11 @@
 ///   M = [ PᵀG̃P   E ]     E_kj = 1 if bound j holds variable k,  b_jᵀ: the normal force of bound j
 ///       [ B − Eᵀ  0 ]
 ///
-/// Exact for joints, contacts without friction, intervals and planar friction; a disc becomes the
-/// polygon of `facets` vertices on its circle. zᵀMz = ΛᵀG̃Λ + Σ s_j N_j ≥ 0 for z ≥ 0: copositive,
-/// and Lemke's method finds a solution whenever c is a motion of the bodies [anitescu_potra1997].
-/// The book's form with two unknowns a friction [glocker_studer2005] is smaller; it was rejected,
-/// because its matrix G_NN − G_NT μ … is copositive for small μ only.
+/// The form is exact for joints, contacts without friction, intervals and planar friction; a disc
+/// becomes the polygon of `facets` vertices on its circle. zᵀMz = ΛᵀG̃Λ + Σ s_j N_j ≥ 0 for z ≥ 0:
+/// copositive, and Lemke's method finds a solution whenever c is a motion of the bodies
+/// [anitescu_potra1997]. The book's form with two unknowns per friction [glocker_studer2005] is
+/// smaller; it was rejected, because its matrix G_NN − G_NT μ … is copositive for small μ only.
 #pragma once
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/law/most_rows.hpp>
@@ -31,7 +31,7 @@ class LcpForm {
   int size() const { return static_cast<int>(q_.size()); }
   /// False: a disc or another round set was replaced by a polytope.
   bool exact() const { return exact_; }
-  /// Λ of a solution z.
+  /// Computes Λ from a solution z.
   void forces(const double* z, Vec Lambda) const;
 
  private:
@@ -57,7 +57,7 @@ class LcpForm {
   std::vector<int> free_;
   Eigen::VectorXd Lambda0_, c0_, free0_, q_;
   RowMatrix G_, GP_, freeZ_, M_;
-  PseudoInverse joints_{1e-11};  // equations that agree to this part are redundant
+  PseudoInverse joints_{1e-11};  // equations that agree to this fraction are redundant
 };
 
 }  // namespace dynamy

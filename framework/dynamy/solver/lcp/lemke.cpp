@@ -8,14 +8,14 @@
 namespace dynamy {
 namespace {
 
-/// Numbers of a column below this part of its largest one are rounding, and no pivots.
+/// Numbers of a column below this fraction of its largest one are rounding and never pivots.
 constexpr double kPivot = 1e-11;
 /// Ratios that differ by less than this part are equal.
 constexpr double kTie = 1e-12;
 constexpr int kPaths = 3;
 constexpr double kGood = 1e-11;    ///< min(w, z) of a solution, with |M|, |q| of size 1
 constexpr double kCovered = 1e-9;  ///< z₀ that is rounding of 0 in degenerate problems
-constexpr int kMaxProof = 200;     ///< unknowns up to which a ray is followed by a proof of its own
+constexpr int kMaxProof = 200;     ///< unknowns up to which a proof of its own follows a ray
 constexpr int kFresh = 40;         ///< pivots after which the tableau is computed afresh
 /// A proof of infeasibility may miss Mᵀh ≤ 0 by this, with |M|, |h| of size 1.
 constexpr double kProof = 1e-12;
@@ -91,7 +91,7 @@ int Lemke::leavingRow(int column, bool first) const {
     const double tie = kTie * std::max(1.0, std::abs(bestRatio));
     if (best >= 0 && ratio > bestRatio + tie) continue;
     if (best >= 0 && ratio >= bestRatio - tie) {
-      // Equal: z₀ leaves if it can, the problem is solved then; else the lexicographic rule.
+      // Equal ratios: z₀ leaves if it can, which solves the problem; else the lexicographic rule.
       if (basis_[static_cast<std::size_t>(best)] == 2 * n_) continue;
       const bool covering = basis_[static_cast<std::size_t>(i)] == 2 * n_;
       if (!covering && (first ? i < best : !lexicographicallyLess(i, best, column))) continue;
@@ -124,7 +124,8 @@ double Lemke::violation(const Eigen::VectorXd& z) const {
 }
 
 void Lemke::result() {
-  // z of the tableau, and once more from M_aa z_a = −q_a of the basis a; the better one.
+  // z is read from the tableau and computed from M_aa z_a = −q_a of the basis a; the better one is
+  // kept.
   trial_.setZero(n_);
   std::vector<int> a;
   for (int i = 0; i < n_; ++i) {
@@ -162,8 +163,8 @@ LcpOutcome Lemke::ray(int entering) {
 }
 
 bool Lemke::provenInfeasible(const std::function<bool()>& enough) {
-  // Is there a z ≥ 0 with Mz + q ≥ 0 at all? The optimality conditions of a linear programme with
-  // nothing to minimise, whose skew matrix makes every ray a proof: y is its h.
+  // Is there any z ≥ 0 with Mz + q ≥ 0? These are the optimality conditions of a linear programme
+  // with nothing to minimise. Their skew matrix makes every ray a proof: its part y is h.
   if (n_ > kMaxProof) return false;
   RowMatrix K = RowMatrix::Zero(2 * n_, 2 * n_);
   K.topRightCorner(n_, n_) = -M_.transpose();
@@ -210,7 +211,7 @@ LcpOutcome Lemke::solve(ConstBlock M, ConstVec q, Vec z, int maxPivots,
     return LcpOutcome::solved;
   }
   scale(M, q);
-  // Another covering vector is another path, where rounding or a ray has spoilt the first one.
+  // Another covering vector gives another path if rounding or a ray has spoilt the first one.
   constexpr double kGolden = 0.6180339887498949;
   double best = std::numeric_limits<double>::infinity();
   LcpOutcome outcome = LcpOutcome::ray;

@@ -3,19 +3,19 @@
 ///   w = M z + q,   0 ≤ w ⊥ z ≥ 0                                             (theory 8.1)
 ///
 /// on the tableau of w − M z − d z₀ = q with the covering vector d > 0. z₀ enters first and makes
-/// the basis feasible; then always the complement of what has left enters, until z₀ leaves: solved,
-/// or until nothing leaves: a ray. The lexicographic rule decides between equal ratios, so that no
-/// basis comes twice. Rows and columns are scaled before; the tableau is computed afresh from the
-/// basis now and then, and z at the end from the equations of its basis. After a ray, or a z spoilt
-/// by rounding, two more covering vectors are tried.
+/// the basis feasible. Then the complement of the variable that left last enters, until z₀ leaves
+/// (solved) or no variable can leave (a ray). The lexicographic rule decides between equal ratios,
+/// so that no basis occurs twice. Rows and columns are scaled first. The tableau is recomputed from
+/// the basis at intervals, and z at the end from the equations of its basis. After a ray, or a z
+/// spoilt by rounding, two more covering vectors are tried.
 ///
-/// A ray alone says nothing for a general M. Its direction h proves that there is no solution if
-/// h ≥ 0, Mᵀh ≤ 0, qᵀh < 0, for then hᵀw < 0 for all z ≥ 0. For copositive-plus M (positive
-/// semidefinite ones are) every ray is such a proof [cottle_pang_stone2009, 4.4]. After any other
-/// ray the linear inequalities alone are asked for one, by pivoting on [0 −Mᵀ; M 0].
+/// For a general M a ray alone proves nothing. Its direction h proves that there is no solution if
+/// h ≥ 0, Mᵀh ≤ 0, qᵀh < 0, because then hᵀw < 0 for all z ≥ 0. For copositive-plus M (which
+/// includes positive semidefinite M) every ray is such a proof [cottle_pang_stone2009, 4.4]. After
+/// any other ray, pivoting on [0 −Mᵀ; M 0] looks for a proof from the linear inequalities alone.
 /// Rejected: least-index (Bland) pivoting, which cycles no more than the lexicographic rule but
-/// pivots on small numbers; and a revised method with LU updates, worth it above a few hundred rows
-/// only.
+/// pivots on small numbers; and a revised method with LU updates, which pays only above a few
+/// hundred rows.
 #pragma once
 #include <Eigen/LU>
 #include <dynamy/core/types.hpp>
@@ -35,11 +35,12 @@ enum class LcpOutcome : std::uint8_t {
 class Lemke {
  public:
   /// z of n numbers; M: n × n, any matrix. z is written only if the outcome is `solved`.
-  /// `enough`: asked before every pivot; true: the outcome is `pivotLimit`. May be empty.
+  /// `enough` is called at every pivot; if it returns true, the outcome is `pivotLimit`. It may be
+  /// empty.
   LcpOutcome solve(ConstBlock M, ConstVec q, Vec z, int maxPivots = 10000,
                    const std::function<bool()>& enough = {});
   int pivots() const { return pivots_; }
-  /// h of n numbers, if the outcome is `infeasible`.
+  /// Direction h (n numbers) that proves infeasibility, if the outcome is `infeasible`.
   const Eigen::VectorXd& direction() const { return direction_; }
 
  private:

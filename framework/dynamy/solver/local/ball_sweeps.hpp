@@ -2,15 +2,16 @@
 ///
 ///   Λ_N ← max(0, Λ_N − ξ_N/G_NN),   Λ_T ← disc of radius μΛ_N (Λ_T − ξ_T/G_TT)
 ///
-/// A ball in space has G_ii = diag(G_NN, G_TT, G_TT), so that this is the exact solution of one
-/// contact while the others rest (theory 4.12). The normal row turns nobody, linear rows of both
-/// bodies are opposite, and M⁻¹ is two numbers: 27 numbers a contact instead of 72, a third of the
-/// work. Contacts of other laws and other bodies are the rest, solved by others after a sweep.
+/// A contact of balls in space has G_ii = diag(G_NN, G_TT, G_TT), so that this step solves it
+/// exactly for fixed forces of the others (theory 4.12). The normal force turns no ball, the linear
+/// rows of both bodies are opposite, and M⁻¹ of a ball has two distinct numbers. So a contact takes
+/// 27 numbers instead of 72 and a third of the work. Contacts with other laws or bodies form
+/// rest(); the caller solves them after a sweep.
 ///
-/// Many contacts are cut into parts by the numbers of their bodies: contacts within a part come
-/// first, part after part or on as many threads, those between parts after them. The order depends
-/// on the problem alone, and so do the bits. Colours were rejected: ten barriers a sweep instead of
-/// one.
+/// Many contacts are divided into parts by the numbers of their bodies. Contacts within a part are
+/// swept first, the parts one after the other or on several threads; contacts between parts follow.
+/// The order depends on the problem alone, and so does every bit of the result. Colouring was
+/// rejected: it needs ten barriers per sweep instead of one.
 #pragma once
 #include <dynamy/solver/problem/inclusion_problem.hpp>
 
@@ -18,12 +19,14 @@ namespace dynamy {
 
 class BallSweeps {
  public:
-  /// False: too few such contacts, none is taken. No allocation once large enough.
+  /// Packs the contacts of balls. False: they are too few, and none is packed. Nothing is allocated
+  /// once the arrays are large enough.
   bool prepare(const InclusionProblem& problem);
   bool prepared() const { return !contacts_.empty(); }
-  /// Contacts that are left to others, ascending.  \pre prepared()
+  /// Contacts that sweep() leaves out, ascending. \pre prepared()
   const std::vector<int>& rest() const { return rest_; }
-  /// One sweep over all but the rest; the problem's G has begun one, and its velocities follow.
+  /// Makes one sweep over the packed contacts and updates the sweep velocities of the problem's G,
+  /// whose begin() must have been called.
   void sweep(const InclusionProblem& problem, double* Lambda);
 
  private:
@@ -38,8 +41,8 @@ class BallSweeps {
   static bool pack(const InclusionProblem& problem, int i, Contact& out);
   int partOf(const Contact& c, int velocities) const;
   void solve(const Contact& c, const double* free, double* Lambda, double* v) const;
-  std::vector<Contact> contacts_, given_;  ///< by part; as the problem has them
-  std::vector<int> first_;                 ///< per part; the last one is between parts
+  std::vector<Contact> contacts_, given_;  ///< sorted by part; in the problem's order
+  std::vector<int> first_;  ///< first contact of each part; the last part: contacts between parts
   std::vector<int> rest_;
 };
 

@@ -5,11 +5,11 @@
 namespace dynamy {
 namespace {
 
-/// Contacts of balls from which on packing pays and from which on they are cut into parts.
+/// Contacts of balls from which packing pays, and from which they are divided into parts.
 constexpr int kFew = 100, kUncut = 6000;
-/// Parts at most, and contacts of a part at least: those between parts are not shared.
+/// Most parts, and least contacts of a part: contacts between parts run on one thread.
 constexpr int kMostParts = 8, kLeastContacts = 3000;
-/// Of the numbers compared: the rounding of unit vectors and their products.
+/// Relative rounding of unit vectors and their products.
 constexpr double kSweepNoise = 1e-10;
 
 double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -18,7 +18,7 @@ bool opposite(const double* a, const double* b) {
   return a[0] == -b[0] && a[1] == -b[1] && a[2] == -b[2];
 }
 
-/// Two numbers of M⁻¹ of a ball; false: it is none.
+/// The two numbers of M⁻¹ of a ball; false: the body is no ball.
 bool isotropic(const MassMatrix& mass, const Segment& s, double& m, double& j) {
   const double* inverse = s.nu == 6 ? mass.inverseDiagonal(s.block) : nullptr;
   if (!inverse) return false;
@@ -41,7 +41,7 @@ bool BallSweeps::pack(const InclusionProblem& p, int i, Contact& out) {
   const auto at = static_cast<std::size_t>(i);
   const int first = c.segment0[at], count = c.segment0[at + 1] - first;
   if (count < 1 || count > 2) return false;
-  // One segment: B; its other side is the ground.
+  // A contact with one segment has only B; its other side is the ground.
   const Segment* segment = c.segment.data() + first;
   const Segment& B = segment[count - 1];
   const MassMatrix& mass = p.G->mass();
@@ -84,7 +84,7 @@ bool BallSweeps::prepare(const InclusionProblem& p) {
       rest_.push_back(i);
   const int size = static_cast<int>(given_.size());
   if (size < kFew) return false;
-  // Contacts by part, in each in their order.
+  // Sort contacts by part and keep their order within each part.
   const MassMatrix& mass = p.G->mass();
   const int velocities = mass.u0(mass.blocks() - 1) + mass.nu(mass.blocks() - 1);
   const int parts = size < kUncut ? 1 : std::min(kMostParts, size / kLeastContacts);
@@ -92,7 +92,7 @@ bool BallSweeps::prepare(const InclusionProblem& p) {
   for (const Contact& c : given_) ++first_[static_cast<std::size_t>(partOf(c, velocities)) + 1];
   for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
   contacts_.resize(given_.size());
-  // From behind: first_ comes from the end of each part to its begin.
+  // Filling backwards moves first_ from the end of each part to its begin.
   for (auto c = given_.rbegin(); c != given_.rend(); ++c)
     contacts_[static_cast<std::size_t>(
         --first_[static_cast<std::size_t>(partOf(*c, velocities)) + 1])] = *c;

@@ -14,8 +14,8 @@ enum class LocalCase : std::uint8_t {
   takeOff,     ///< Λ = 0
   stick,       ///< Λ inside C: ξ = 0
   slip,        ///< Λ on the contour
-  noSolution,  ///< there is none (Painlevé)
-  notSimple    ///< C or D is not for closed forms
+  noSolution,  ///< no solution exists (Painlevé)
+  notSimple    ///< C or D admits no closed form
 };
 
 struct LocalReport {
@@ -37,10 +37,10 @@ struct FrictionBlock {
 
   /// D: (k + 1) × (k + 1), row after row. False: D_NN is not positive.
   bool prepare(const double* D, double mu);
-  /// The first of the solutions; `noSolution`: Λ (k + 1 numbers) is left as it is.
+  /// Finds the first of the solutions; with `noSolution`, Λ (k + 1 numbers) is unchanged.
   LocalReport solve(const double* b, double* Lambda) const;
-  /// All isolated solutions, k + 1 numbers of Λ each: take-off before stick before slip by
-  /// ascending a; their number.
+  /// Finds all isolated solutions, k + 1 numbers of Λ each, and returns their number. Their order
+  /// is take-off, stick, slip by ascending a.
   int solutions(const double* b, LocalReport* reports, double* Lambda) const;
 };
 

@@ -37,7 +37,7 @@ double square(const double* x, int n) {
   return s;
 }
 
-/// Λ_T = −D̂⁻¹b̂; of a singular D̂ the shortest one; false: there is none.
+/// Λ_T = −D̂⁻¹b̂; the shortest solution if D̂ is singular; false: there is none.
 bool stickForce(const FrictionBlock<1>& R, const double* b, double* T) {
   T[0] = R.flat ? 0.0 : -b[0] / R.D[0];
   return !R.flat || b[0] == 0.0;
@@ -70,7 +70,7 @@ SlipEquation slipEquation(const FrictionBlock<2>& R, const Load<2>& load, double
   return e;
 }
 
-/// Λ of a root, put on the cone.
+/// Λ of a root a, placed on the cone.
 void slipForce(const SlipEquation& e, const FrictionBlock<2>& R, const Load<2>& load, double a,
                double* Lambda) {
   const double x = e.p0[0] + e.p1[0] * a, y = e.p0[1] + e.p1[1] * a;
@@ -90,7 +90,7 @@ void slideFreely(const Load<2>& load, double mu, double* Lambda) {
   Lambda[0] = N, Lambda[1] = part * load.b[0], Lambda[2] = part * load.b[1];
 }
 
-/// Both directions of planar slip, smaller a first; their number.
+/// Finds planar slip in both directions, smaller a first; returns the number of solutions.
 int planarSlips(const FrictionBlock<1>& R, const Load<1>& load, double mu, LocalReport* reports,
                 double* Lambda) {
   int found = 0;
@@ -147,7 +147,7 @@ bool stick(const FrictionBlock<k>& R, const Load<k>& load, double* Lambda) {
   return true;
 }
 
-/// The slip of a block with one solution that presses and does not stick.
+/// The slip of a contact with a unique solution that is pressed and does not stick.
 LocalReport onlySlip(const FrictionBlock<1>& R, const Load<1>& load, double* Lambda) {
   const double e = load.b[0] > 0.0 ? -R.mu : R.mu;  // Λ_T/Λ_N
   Lambda[0] = load.pressed / (1.0 + e * R.toN[0]);
@@ -166,7 +166,7 @@ LocalReport onlySlip(const FrictionBlock<2>& R, const Load<2>& load, double* Lam
   return {LocalCase::slip, 1, a};
 }
 
-/// Least cos ∠(y, D̂y): above it μ|D_NT|/D_NN leaves one solution at most.
+/// True if μ|D_NT|/D_NN is below the least cos ∠(y, D̂y): there is then one solution at most.
 bool uniqueSolution(const FrictionBlock<2>& R, double mu) {
   // D̂ = α + β J + γ (reflection): D̂y/y, as complex numbers, is a circle round α + iβ.
   const double alpha = 0.5 * R.d1, beta = 0.5 * std::abs(R.D[2] - R.D[1]);

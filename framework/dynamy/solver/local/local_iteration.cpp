@@ -22,7 +22,7 @@ struct Contact {
   Eigen::Map<const RowMatrix> D;
   Eigen::Map<const Eigen::VectorXd> b;
   SmallVec r;       ///< as given
-  SmallVec common;  ///< the smallest for all rows: what derivatives know
+  SmallVec common;  ///< the smallest r for all rows, as derivatives require
 
   SmallVec xi(const SmallVec& Lambda) const {
     SmallVec out = b;
@@ -73,7 +73,7 @@ bool iterateContact(const SetValuedForceLaw& law, const LawInput& in, const doub
     L = trial, size = reached;
   }
   if (!L.allFinite()) return false;
-  // Newton's Λ may lie a rounding outside of C.
+  // Newton's Λ may lie outside of C by rounding.
   out = x.stepped(L, x.common);
   return size <= kLocalNoise * L.norm();
 }

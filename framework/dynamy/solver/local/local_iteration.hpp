@@ -2,7 +2,8 @@
 ///
 ///   F(Λ) = Λ − prox_C(Λ − ρ(DΛ + b)) = 0:   (A + B D) ΔΛ = −F,   A = ∂F/∂Λ, B = ∂F/∂ξ
 ///
-/// Newton steps with halving where the law has a derivative and they pay, else prox steps.
+/// Newton steps with halving are made if the law has a derivative and they reduce |F|, otherwise
+/// prox steps.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>
 

@@ -1,4 +1,5 @@
-/// LocalSolutions: Λ of single contacts, −(DΛ + b) ∈ N_C(Λ), in closed form where C is simple (theory 4.12).
+/// LocalSolutions: solves single contacts, −(DΛ + b) ∈ N_C(Λ), in closed form if C is simple.
+/// (theory 4.12)
 ///
 ///   interval, ℝ^dim:  Λ = clamp(−b/D),  Λ = −D⁻¹b
 ///   friction:  take-off  Λ = 0                     if b_N ≥ 0
@@ -18,17 +19,19 @@ class LocalSolutions {
  public:
   static constexpr int kMaxSolutions = 6;  ///< take-off, stick, four of slip
   void clear();
-  /// D: dim × dim, row after row. No allocation once large enough.
+  /// Adds a contact; D: dim × dim, row after row. Nothing is allocated once the arrays are large
+  /// enough.
   void add(const double* D, int dim, const SimpleSet& set);
-  /// The diagonal blocks of G with the laws of a problem.
+  /// Replaces all contacts by the diagonal blocks of G with the laws of a problem.
   void prepare(const InclusionProblem& problem);
   int size() const { return static_cast<int>(contacts_.size()); }
-  /// False: solve() answers notSimple.
+  /// False: solve() returns notSimple for contact i.
   bool simple(int i) const { return contacts_[static_cast<std::size_t>(i)].simple; }
-  /// Λ of contact i. Of several solutions: take-off before stick before the smallest a.
+  /// Solves for Λ of contact i. Of several solutions take-off is preferred to stick, and stick to
+  /// slip; of several slips the one with the smallest a.
   LocalReport solve(int i, const double* b, double* Lambda) const;
-  /// All isolated solutions of a contact with friction, in that order: their number, one report
-  /// and dim rows of Λ each.
+  /// Finds all isolated solutions of a contact with friction, in the order of preference of
+  /// solve(), with one report and dim rows of Λ each. Returns their number.
   int all(int i, const double* b, LocalReport* reports, double* Lambda) const;
 
  private:
@@ -36,7 +39,7 @@ class LocalSolutions {
     SimpleSet::Shape shape;
     int dim;
     bool simple;
-    std::size_t at;  ///< its numbers
+    std::size_t at;  ///< where its data begin
   };
   std::vector<Contact> contacts_;
   std::vector<FrictionBlock<1>> planar_;

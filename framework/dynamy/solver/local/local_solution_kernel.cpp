@@ -27,7 +27,7 @@ bool invertLocal(const double* D, int n, double* out) {
   return true;
 }
 
-/// |Λ| ≤ radius, two rows.
+/// Solves a contact with two rows and |Λ| ≤ radius.
 LocalReport ballOfTwo(const double* D, double radius, const double* b, double* Lambda) {
   SlipEquation e;
   e.d0 = D[0] * D[3] - D[1] * D[2], e.d1 = D[0] + D[3];

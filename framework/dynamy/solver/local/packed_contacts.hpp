@@ -2,15 +2,15 @@
 ///
 ///   M_b⁻¹ = S_b S_bᵀ,   v' = Sᵀ W Λ,   W' = WS:      ξ = c + A v'_a + B v'_b,   v'_a += Aᵀ ΔΛ
 ///
-/// With v' in place of v = M⁻¹WΛ one matrix a body serves both products. Eight contacts that share
-/// no body make a batch, one number of each in a row of eight: a step over a batch is plain
-/// arithmetic on rows. A contact has a place in a batch if it touches one or two mass blocks of at
-/// most six velocities and its law is Λ_N ≥ 0 or Coulomb's cone; the others stay apart and are
-/// solved one by one, with the same velocities. A side without a body points at a block that
-/// nothing moves.
+/// With v' in place of v = M⁻¹WΛ one matrix per body serves both products. Eight contacts that
+/// share no body form a batch; the same number of all eight is stored in a row of eight, so that a
+/// step over a batch is plain arithmetic on rows. A contact goes into a batch if it touches one or
+/// two mass blocks of at most six velocities and its law is Λ_N ≥ 0 or Coulomb's cone. All other
+/// contacts stay apart and are solved one by one, with the same velocities. A contact side without
+/// a body refers to a block that never moves.
 ///
-/// Rejected: contacts one after the other with loops over their segments (twelve times the time a
-/// contact), single precision (nothing gained where the numbers are in the cache).
+/// Rejected: contacts one after the other with loops over their segments (twelve times the time per
+/// contact), single precision (no gain if the numbers are in the cache).
 #pragma once
 #include <cstdint>
 #include <dynamy/solver/local/local_solution.hpp>
@@ -19,7 +19,7 @@
 namespace dynamy {
 
 inline constexpr int kLanes = 8;  ///< contacts of a batch
-using Lanes = double[kLanes];     ///< one number of each of them
+using Lanes = double[kLanes];     ///< one number of each contact of a batch
 
 /// Eight contacts of at most three rows N, T, S. Unused lanes are zero.
 struct alignas(64) PackedBatch {
@@ -29,12 +29,12 @@ struct alignas(64) PackedBatch {
   Lanes rN, rT, mu;    ///< 1/G_NN, 1/λ_max(G_TT) [kg]
   Lanes rho;           ///< step of the natural map, 1/λ(G_ii) [kg]
   Lanes Lambda[3];     ///< [N s]
-  Lanes last[3];       ///< Λ of the sweep before
-  std::int32_t bodyA[kLanes], bodyB[kLanes];  ///< their velocities
-  std::int32_t row[kLanes], dim[kLanes];      ///< of the problem; dim 0: not used
+  Lanes last[3];       ///< Λ of the previous sweep
+  std::int32_t bodyA[kLanes], bodyB[kLanes];  ///< where v' of the bodies is
+  std::int32_t row[kLanes], dim[kLanes];      ///< in the problem; dim 0: unused lane
 };
 
-/// v' of a mass block, or of eight numbers of a larger one.
+/// v' of a mass block, or eight numbers of v' of a larger block.
 struct alignas(64) PackedVelocity {
   double v[kLanes] = {};
 };
@@ -48,15 +48,15 @@ class PackedContacts {
  public:
   /// False: the problem has no bodies, or a mass without inverse; nothing is prepared.
   bool prepare(const InclusionProblem& problem);
-  /// Takes Λ, and v' from it; the last change of both is forgotten.
+  /// Loads Λ and computes v' from it; the last change of both is forgotten.
   void load(const double* Lambda);
   void store(double* Lambda) const;
-  /// One sweep from Λ + β (Λ − Λ_last), with v' likewise. Returns Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ): positive
-  /// where the extrapolation leads uphill.
+  /// Makes one sweep from Λ + β (Λ − Λ_last), with v' extrapolated likewise. The result
+  /// Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ) is positive if the extrapolation leads uphill.
   double sweep(const InclusionProblem& problem, double beta);
-  /// v' anew from Λ, and the natural maps of all contacts.
+  /// Recomputes v' from Λ and evaluates the natural maps of all contacts.
   PackedMeasure measure(const InclusionProblem& problem);
-  /// max_i ρ_i [kg], by which E_f knows its floor.
+  /// max_i ρ_i [kg], from which the floor of E_f follows.
   double largestRho() const { return largestRho_; }
   int batches() const { return static_cast<int>(batches_.size()); }
   /// Contacts that are solved one by one.
@@ -72,7 +72,7 @@ class PackedContacts {
     double rho;
   };
   bool scaleBlocks(const InclusionProblem& problem);
-  /// W' of a segment's row.
+  /// Computes a row of W' of a segment from the row `w` of W.
   void scaleRow(const Segment& segment, const double* w, double* out) const;
   bool inBatch(const InclusionProblem& problem, int i, const SimpleSet& set) const;
   void batch(const InclusionProblem& problem, int i, const SimpleSet& set);
@@ -81,7 +81,7 @@ class PackedContacts {
   PackedBatch& openBatch(int slotA, int slotB, int& lane);
   void close(int open);
   void setApart(const InclusionProblem& problem, int i);
-  /// v' from Λ.
+  /// Recomputes v' from Λ.
   void renew();
   double sweepApart(const InclusionProblem& problem, double beta);
   void apartVelocity(const Apart& contact, double* gamma) const;
@@ -97,7 +97,7 @@ class PackedContacts {
   std::vector<Apart> apart_;
   std::vector<ApartSegment> apartSegment_;
   std::vector<double> apartW_, apartLambda_, apartLast_, apartR_, apartAll_;
-  LocalSolutions local_;  ///< of those apart
+  LocalSolutions local_;  ///< closed forms of the contacts apart
   const MassMatrix* mass_ = nullptr;
   double largestRho_ = 0.0;
 };

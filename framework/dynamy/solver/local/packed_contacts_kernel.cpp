@@ -11,12 +11,12 @@
 namespace dynamy {
 namespace {
 
-/// Batches that are being filled, the first that a contact fits into takes it. More of them fill
-/// the last lanes better; each is a bit of inOpen_.
+/// Batches that are filled at the same time; a contact goes into the first one that it fits. More
+/// of them fill the last lanes better; each is a bit of inOpen_.
 constexpr int kOpen = 24;
-/// Velocities of a body in a batch.
+/// Most velocities of a body in a batch.
 constexpr int kMostVelocities = 6;
-/// The block that nothing moves.
+/// The block that never moves.
 constexpr int kGround = 0;
 
 const PackedKernels& kernels() { return packedLevels().back(); }
@@ -114,7 +114,7 @@ PackedBatch& PackedContacts::openBatch(int slotA, int slotB, int& lane) {
   std::uint32_t taken = 0U;
   for (const int slot : {slotA, slotB})
     if (slot != kGround) taken |= of(slot);
-  if ((taken & kAll) == kAll)  // bodies are in all of them: the fullest one ends
+  if ((taken & kAll) == kAll)  // the bodies are in all open batches: the fullest is closed
     close(static_cast<int>(std::max_element(openLanes_.begin(), openLanes_.end()) -
                            openLanes_.begin())),
         taken = of(slotA) | of(slotB);

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-// Functions of registers are inlined everywhere: how they would be passed does not matter.
+// Functions of registers are always inlined: how registers would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 template <int n>
@@ -23,8 +23,8 @@ struct RegisterOf<8> {
   using Type = double __attribute__((vector_size(64)));
 };
 
-/// `n` lanes in one register, and the loops over them. A batch of eight takes 8/n turns, and each
-/// lane the same operations in the same order whatever n is.
+/// `n` lanes in one register, and the loops over them. A batch of eight takes 8/n passes; each lane
+/// has the same operations in the same order for every n.
 template <int n>
 struct Kernel {
   using Register = typename RegisterOf<n>::Type;
@@ -45,7 +45,7 @@ struct Kernel {
   }
   [[gnu::always_inline]] static Register larger(Register x, Register y) { return x > y ? x : y; }
 
-  /// n rows of n numbers: pairs, then pairs of pairs, then halves.
+  /// Transposes n rows of n numbers: pairs, then pairs of pairs, then halves.
   [[gnu::always_inline]] static void transpose(Register* x) {
     if constexpr (n == 2) {
       const Register a = __builtin_shufflevector(x[0], x[1], 0, 2);
@@ -93,7 +93,7 @@ struct Kernel {
     }
   }
 
-  /// row · v of both sides.
+  /// A row of ξ: c plus row · v of both sides.
   [[gnu::always_inline]] static Register product(const PackedBatch& c, int row, int lane,
                                                  const Sides& v) {
     Register sum = load(c.c[row] + lane);

@@ -1,19 +1,19 @@
 /// Loops over batches of packed contacts, for the widest vectors that the processor has.
 ///
-/// One source, compiled for SSE2, AVX2 and AVX-512, chosen when the library is first asked. No
-/// level contracts a product with a sum and none changes the order of a sum over lanes, so that all
-/// give the same bits.
+/// One source is compiled for SSE2, AVX2 and AVX-512; the level is chosen at the first use. No
+/// level fuses a product with a sum or changes the order of a sum over lanes, so that all give the
+/// same bits.
 #pragma once
 #include <dynamy/solver/local/packed_contacts.hpp>
 
 namespace dynamy {
 
 struct PackedKernels {
-  /// One sweep over all batches from Λ + β (Λ − last); Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ).
+  /// Makes one sweep over all batches from Λ + β (Λ − last); returns Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ).
   double (*sweep)(PackedBatch* batch, int batches, PackedVelocity* v, double beta);
   /// v' += Aᵀ Λ.
   void (*impulses)(const PackedBatch* batch, int batches, PackedVelocity* v);
-  /// The natural maps of Coulomb's exact law.
+  /// Evaluates the natural maps of Coulomb's exact law; `out`: the largest ones.
   void (*measure)(const PackedBatch* batch, int batches, const PackedVelocity* v,
                   PackedMeasure& out);
 };

@@ -3,10 +3,10 @@
 ///   Λ_T(a) = −(D̂ + aI)⁻¹ b̂ = p(a)/d(a),   size(a) = s q(a)/d(a)
 ///   d(a) = det(D̂ + aI),  p(a) = −(adj D̂ + aI) b̂,        |Λ_T(a)| = size(a) ≥ 0,  a > 0
 ///
-/// All of p, q, d are polynomials, so that |p|² = s² q² is a quartic. It is solved on
-/// F(a) = s q/|p| − 1, which is nearly linear (exactly so for isotropic, uncoupled D): two to four
-/// Newton steps. The closed form of a quartic was rejected: it loses half of the digits where
-/// roots are close together.
+/// p, q and d are polynomials, so that |p|² = s² q² is a quartic equation. It is solved in the form
+/// F(a) = s q/|p| − 1 = 0. F is nearly linear (exactly so for isotropic, uncoupled D), so that two
+/// to four Newton steps suffice. The closed form of a quartic was rejected: it loses half of the
+/// digits where roots are close together.
 #pragma once
 
 namespace dynamy {
@@ -18,7 +18,7 @@ struct SlipEquation {
   double d0, d1;        ///< d = d0 + d1 a + a²
   double s;             ///< μ, or the radius of a disc of given size (q = d)
 
-  /// The root where there is exactly one and F(0) < 0; by Newton's method in a bracket.
+  /// The root, if exactly one exists and F(0) < 0; by Newton's method in a bracket.
   double onlyRoot() const;
   /// All roots a > 0 with size(a) ≥ 0, ascending: isolated by sign changes of the quartic's
   /// Bernstein coefficients, refined on F. Roots that coincide may be found once or, by rounding,
@@ -29,7 +29,7 @@ struct SlipEquation {
   double F(double a, double sign, double& slope) const;
 
  private:
-  /// The root in [low, high] from the start a; negative: there is none.
+  /// The root in [low, high], iterated from a; negative: there is none.
   double refine(double low, double high, double a) const;
 };
 

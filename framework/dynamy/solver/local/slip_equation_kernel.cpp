@@ -94,8 +94,8 @@ int SlipEquation::roots(double* a) const {
                        2.0 * (p0[0] * p1[0] + p0[1] * p1[1] - s2 * q0 * q1),
                        p1[0] * p1[0] + p1[1] * p1[1] - s2 * (q1 * q1 + 2.0 * q0 * q2),
                        -2.0 * s2 * q1 * q2, -s2 * q2 * q2};
-  // With a = w t/(1 − t) all of (0, ∞) is (0, 1), and w^k c_k over the binomials are the control
-  // points. w: the largest scale of roots, of D̂ or of b̂ over the pressing force; smaller roots are
+  // a = w t/(1 − t) maps t ∈ (0, 1) to (0, ∞); the control points are w^k c_k over the binomials. w
+  // is the largest scale of roots, from D̂ or from b̂ over the pressing force; smaller roots are
   // resolved by halving.
   double w = std::abs(d1) + std::sqrt(std::abs(d0));
   const double far = std::hypot(p1[0], p1[1]) / std::abs(s * q2);

@@ -3,11 +3,11 @@
 ///   K = L U,   D_m = K_mm − Σ_k L_mk U_km,   L_jm = (K_jm − Σ_k L_jk U_km) D_m⁻¹,
 ///                                            U_mj =  K_mj − Σ_k L_mk U_kj
 ///
-/// column by column (left-looking), blocks in an order of approximate minimum degree of the
-/// symmetrised pattern. The pattern is analysed once and kept while it stays the same. L and Uᵀ
-/// have one pattern and the same updates, which are done side by side. Pivots are inverted with
-/// pivoting inside of a block. Eigen::SparseLU was rejected: its scalar pivoting destroys the block
-/// structure, and it allocates at every factorisation.
+/// The factors are computed column by column (left-looking); blocks are ordered by approximate
+/// minimum degree of the symmetrised pattern. The pattern is analysed once and kept while it stays
+/// the same. L and Uᵀ have the same pattern and the same updates, which are computed side by side.
+/// Pivot blocks are inverted with row pivoting inside the block. Eigen::SparseLU was rejected: its
+/// scalar pivoting destroys the block structure, and it allocates at every factorisation.
 #pragma once
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
@@ -26,7 +26,7 @@ template <int B>
 bool invert(Eigen::Matrix<double, B, B>& K) {
   int pivots[B];
   Eigen::Matrix<double, B, 1> scale = K.diagonal().cwiseAbs();
-  for (int k = 0; k < B; ++k)  // a diagonal that is zero or rounding says nothing
+  for (int k = 0; k < B; ++k)  // a diagonal that is zero or rounding gives no scale
     scale[k] = std::max(scale[k], kNoDiagonal * K.row(k).cwiseAbs().maxCoeff());
   for (int k = 0; k < B; ++k) {
     int pivot = k;
@@ -52,8 +52,8 @@ bool invert(Eigen::Matrix<double, B, B>& K) {
   return true;
 }
 
-/// X ← X − Y K for blocks of pairs of numbers, columns one after the other, unrolled: two products
-/// for the price of one on processors with registers of two numbers.
+/// X ← X − Y K for blocks of pairs of numbers, stored column by column, unrolled. Processors with
+/// registers of two numbers compute two products for the price of one.
 template <int B>
 void subtractProduct(Eigen::Array2d* X, const Eigen::Array2d* Y, const Eigen::Array2d* K) {
   const auto entry = [&]<int... k>(int r, int c, std::integer_sequence<int, k...>) {
@@ -71,9 +71,9 @@ class BlockLu {
   using Matrix = Eigen::Matrix<double, B, B>;
   using Vector = Eigen::Matrix<double, B, 1>;
 
-  /// Pattern by rows: columns of row i are column[first[i]] … column[first[i+1]−1]; keeps the last
-  /// analysis if the pattern is the same. False: L would have more than `limit` blocks (by default
-  /// 18 million numbers); nothing can be factored then.
+  /// Analyses a pattern given by rows: the columns of row i are column[first[i]] …
+  /// column[first[i+1]−1]. The last analysis is kept if the pattern is the same. False: L would
+  /// have more than `limit` blocks (by default 18 million numbers); nothing can be factored then.
   bool analyse(const std::vector<int>& first, const std::vector<int>& column,
                std::size_t limit = 18'000'000 / (B * B)) {
     if (first == first_ && column == column_) return true;
@@ -112,7 +112,8 @@ class BlockLu {
  private:
   using Lane = Eigen::Array2d;
   int size() const { return static_cast<int>(first_.size()) - 1; }
-  /// Block e of L beside that of Uᵀ, number by number: both are updated by one product of pairs.
+  /// Stores block e of L beside that of Uᵀ, number by number, so that one product of pairs updates
+  /// both.
   void pack(int e);
   void order();
   bool eliminate(std::size_t limit);

@@ -5,12 +5,12 @@
 ///   inner:  F = Λ − prox(Λ − Rξ) = 0,   (A + B (G + diag(a))) ΔΛ = −F
 ///
 /// G need not be symmetric and may have any rank. λ_i = λ_max(sym G_ii), so that a has no unit.
-/// Every inner step is taken whole. A line search on |F| was the rule before and was rejected:
-/// forces on their cones that slide by almost nothing must turn along a circle; a step along its
-/// tangent is good to first order but leaves the cone by the square of the angle, |F| rises, and
-/// the search cuts the steps down to nothing. The next whole step repairs it (the effect that
-/// Maratos found in constrained optimisation). An inner problem that is not solved in a few steps
-/// is discarded for a larger a; the parameter that failed is remembered.
+/// Every inner step has full length. A line search on |F| was rejected: forces of contacts that
+/// barely slide lie on the boundary of their cone and must turn along a circle. A step along its
+/// tangent is right to first order but leaves the cone by the square of the angle. Then |F| rises,
+/// and the search shortens the steps to nothing. The next full step repairs the error (the Maratos
+/// effect of constrained optimisation). An inner problem that is not solved in a few steps is
+/// discarded for a larger a; the parameter that failed is remembered.
 #pragma once
 #include <dynamy/solver/newton/newton_system.hpp>
 #include <dynamy/solver/problem/inclusion_solver.hpp>
@@ -20,37 +20,39 @@ namespace dynamy {
 /// How the proximal parameter moves.
 struct NewtonSchedule {
   double start = 3e-3;          ///< a of the first outer step
-  double least = 1e-12;         ///< below, the regularisation drowns in rounding
-  double inner = 0.8;           ///< an inner problem is solved at this part of its first |F|
+  double least = 1e-12;         ///< smallest a; below, the regularisation drowns in rounding
+  double inner = 0.8;           ///< an inner problem is solved at this fraction of its first |F|
   int fast = 3;                 ///< inner steps up to which a is multiplied by `shrink`
-  double shrink = 0.15;         ///< …
-  int slow = 6;                 ///< … by 0.5
-  int maxInner = 8;             ///< above, the inner problem is given up
-  double grow = 2.0;            ///< a after that
+  double shrink = 0.15;         ///< factor of a after such an inner problem
+  int slow = 6;                 ///< inner steps up to which a is multiplied by 0.5
+  int maxInner = 8;             ///< inner steps after which the inner problem is given up
+  double grow = 2.0;            ///< factor of a after an inner problem was given up
   int maxNewton = 500;          ///< Newton steps in all
-  double rho = 2.0;             ///< r_i = ρ/λ_i …
-  bool separateNormal = false;  ///< … or r_N = ρ/G_NN, r_T = ρ/λ_max(G_TT)
-  bool lineSearch = false;      ///< t = 1 … 2⁻⁹ against the largest of the last five |F|
-  /// |F| = √Σ (λ_i|F_i|)², in velocities, instead of √Σ λ_i|F_i|², whose square is an energy. In
-  /// energies the rounding of contacts of heavy bodies hides what those of light ones miss.
+  double rho = 2.0;             ///< ρ of the prox parameters r_i = ρ/λ_i
+  bool separateNormal = false;  ///< r_N = ρ/G_NN, r_T = ρ/λ_max(G_TT) in place of r_i
+  bool lineSearch = false;  ///< t = 1 … 2⁻⁹, until |F| is below the largest of the last five
+  /// True: |F| = √Σ (λ_i|F_i|)², a velocity, instead of √Σ λ_i|F_i|², whose square is an energy.
+  /// With energies, rounding at contacts of heavy bodies hides the errors at contacts of light
+  /// ones.
   bool velocities = false;
 
-  /// With line search and small changes of a, where whole steps stagnate.
+  /// Schedule with line search and small changes of a, for problems where full steps stagnate.
   static NewtonSchedule gentle();
 };
 
 class BlockNewton {
  public:
-  /// Takes G; false: a law has no derivative, a contact more than 6 rows, G_ii no positive
-  /// eigenvalue, or there are more than 20 000 contacts.
+  /// Takes G. False: a law has no derivative, a contact has more than 6 rows, some G_ii has no
+  /// positive eigenvalue, or there are more than 20 000 contacts.
   bool prepare(const InclusionProblem& problem);
-  /// Goes on from Λ; Λ is the best one found. Adds to the counts of `report` and sets its residuals
-  /// and status. \pre prepare() of the same problem; the residuals in `report` are those of Λ
+  /// Continues from Λ; Λ becomes the best one found. Adds to the counts of `report` and sets its
+  /// residuals and status. \pre prepare() of the same problem; the residuals in `report` are those
+  /// of Λ
   void solve(const InclusionProblem& problem, const NewtonSchedule& schedule, double tolerance,
              Vec Lambda, SolveReport& report);
-  /// Up to three steps from a Λ that is good enough; kept only if it is better.
+  /// Makes up to three steps from a Λ that is good enough; the result is kept only if it is better.
   void improve(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
-  /// The factors would not fit; no schedule helps.
+  /// True: the factors would exceed their size limit, so that no schedule helps.
   bool tooLarge() const { return system_ && system_->tooLarge(); }
   /// The prepared problem is solved in velocities.
   bool inVelocities() const { return systems_.inVelocities(); }
@@ -61,13 +63,13 @@ class BlockNewton {
  private:
   enum class Inner { converged, failed, solved, enough, tooLarge };
   void chooseSteps(const InclusionProblem& p, const NewtonSchedule& s);
-  /// F and, if asked for, A and B at (Λ, ξ); returns |F| of the schedule.
+  /// Computes F and, if `derivative`, A and B at (Λ, ξ); returns |F| as the schedule defines it.
   double map(const InclusionProblem& p, const double* Lambda, const double* xi, double* F,
              bool derivative);
   void relativeVelocity(const InclusionProblem& p, const double* Lambda, double* xi) const;
   Inner inner(const InclusionProblem& p, const NewtonSchedule& s, double tolerance,
               SolveReport& report, int& steps);
-  /// The t by which to go along ΔΛ.
+  /// Step length t along ΔΛ.
   double lineSearch(const InclusionProblem& p);
   /// Λ += t ΔΛ, and ξ with it.
   void go(double t);

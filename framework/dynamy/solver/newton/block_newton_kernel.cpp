@@ -12,7 +12,7 @@ constexpr int kNormsKept = 5;     ///< values of |F| a step is compared with
 constexpr int kStepHalvings = 9;  ///< t = 1 … 2⁻⁹
 constexpr int kMaxGrowth = 24;    ///< failed inner problems in a row until the schedule gives up
 constexpr double kLargest = 1e3;
-/// Above, sweeps are the better use of memory and time.
+/// Above this number of contacts, sweeps are the better use of memory and time.
 constexpr int kMaxContacts = 20'000;
 
 /// λ_max of the symmetric part of rows [a, b) of a dim × dim block.
@@ -51,7 +51,7 @@ bool BlockNewton::prepare(const InclusionProblem& p) {
   for (int i = 0; i < p.size(); ++i) {
     lambda_[i] = largestEigenvalue(p.G->diagonalBlock(i), p.dim(i), 0, p.dim(i));
     if (!(lambda_[i] > 0.0)) {
-      // Complementarity problems may have zeros there: the row sums of G are a scale as well.
+      // G_ii may be zero in complementarity problems: the row sums of G are a scale as well.
       if (row.empty()) row.resize(rows), p.G->rowSums(row.data());
       for (int k = p.row0(i); k < p.row0(i) + p.dim(i); ++k)
         lambda_[i] = std::max(lambda_[i], row[k]);
@@ -68,7 +68,7 @@ bool BlockNewton::prepare(const InclusionProblem& p) {
                                  &trialF_, &centre_, &best_})
     v->resize(rows);
   recent_.reserve(64);
-  // A law without derivative shows at once; most neighbours share one.
+  // A law without derivative is found at once; most neighbours share one law.
   const SetValuedForceLaw* last = nullptr;
   for (int i = 0; i < p.size(); ++i) {
     if (&p.law(i) == last) continue;
@@ -88,7 +88,8 @@ void BlockNewton::chooseSteps(const InclusionProblem& p, const NewtonSchedule& s
     const int dim = p.dim(i);
     double* r = r_.data() + p.row0(i);
     std::fill(r, r + dim, s.rho / lambda_[i]);
-    // Allowed where the normal force comes first and the other rows are projected with it given.
+    // A separate r_N is allowed if the normal force comes first and the other rows are projected
+    // for given Λ_N.
     if (!s.separateNormal || dim < 2 || p.law(i).rowKind(0) != RowKind::normal) continue;
     const double* block = p.G->diagonalBlock(i);
     const double tangential = largestEigenvalue(block, dim, 1, dim);
@@ -114,7 +115,7 @@ double BlockNewton::map(const InclusionProblem& p, const double* Lambda, const d
     }
     sum += weight_[i] * e2;
     if (!derivative) continue;
-    // The law knows one ρ: z = Λ − ρ ξ' with ξ' = R ξ/ρ, and B = P R = B' R/ρ.
+    // The derivative of a law takes one ρ: z = Λ − ρ ξ' with ξ' = R ξ/ρ, and B = P R = B' R/ρ.
     const double rho = r[dim - 1];
     double scaled[kMostRows];
     for (int k = 0; k < dim; ++k) scaled[k] = xi[first + k] * (r[k] / rho);
@@ -145,7 +146,7 @@ bool BlockNewton::judge(const InclusionProblem& p, double tolerance, SolveReport
 double BlockNewton::lineSearch(const InclusionProblem& p) {
   const auto from = recent_.size() > kNormsKept ? recent_.end() - kNormsKept : recent_.begin();
   const double reference = *std::max_element(from, recent_.end());
-  // ξ is linear in t: no product with G on the way.
+  // ξ is linear in t: the search needs no product with G.
   double least = std::numeric_limits<double>::infinity(), best = 1.0, t = 1.0;
   for (int h = 0; h <= kStepHalvings; ++h, t *= 0.5) {
     for (std::size_t k = 0; k < Lambda_.size(); ++k) {

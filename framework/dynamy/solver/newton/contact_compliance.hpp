@@ -1,18 +1,18 @@
-/// C = (A + aB)⁻¹ B and f = (A + aB)⁻¹ F of one contact: what a Newton step of the contact law
-/// leaves between percussion and relative velocity,  ΔΛ = −f − C Δγ.                 (theory 7.8)
+/// C = (A + aB)⁻¹ B and f = (A + aB)⁻¹ F of one contact. In a Newton step of the contact law they
+/// relate percussion and relative velocity by  ΔΛ = −f − C Δγ.                       (theory 7.8)
 ///
 ///   stick  C = I/a;   open  C = 0, f = F;   slip  C_NN = 1/a, C_TN = μ d/a, C_ee across the slip
 ///
-/// A + aB = I − (I − aR) P is regular for every law. Stick is the case that a resting scene is made
-/// of and looks the same for every law: it has its closed form. Those of slip were rejected:
-/// elimination of 3 × 3 serves every law that has a derivative.
+/// A + aB = I − (I − aR) P is regular for every law. Stick, the state of all contacts in a resting
+/// scene, is the same for every law and is computed in closed form. Closed forms for slip were
+/// rejected: a 3 × 3 elimination serves every law that has a derivative.
 #pragma once
 #include <algorithm>
 #include <dynamy/solver/newton/elimination.hpp>
 
 namespace dynamy {
 
-/// A = 0, B diagonal and regular: the projection does nothing, whatever the law.
+/// True if A = 0 and B is diagonal and regular: the projection changes nothing, whatever the law.
 inline bool sticks(const double* A, const double* B, int d) {
   for (int i = 0; i < d; ++i)
     for (int j = 0; j < d; ++j)
@@ -21,7 +21,7 @@ inline bool sticks(const double* A, const double* B, int d) {
 }
 
 /// C (n × n) and f (n) of one contact from its A, B (n × n, row after row), F and a; n ≤ 8. False:
-/// singular. `open` tells C = 0.
+/// singular. `open`: true if C = 0.
 template <int n>
 bool contactCompliance(const double* A, const double* B, const double* F, double a, int dim,
                        double* C, double* f, bool& open) {

@@ -1,5 +1,5 @@
-/// Dense elimination in place for systems of a few up to some hundred unknowns, without a request
-/// for memory. Eigen's LU was rejected: with sizes that are not known it allocates, and for a
+/// Dense elimination in place for systems of a few up to some hundred unknowns, without allocating
+/// memory. Eigen's LU was rejected: it allocates for sizes unknown at compile time, and for a
 /// handful of unknowns its bookkeeping takes longer than the arithmetic.
 #pragma once
 #include <cmath>

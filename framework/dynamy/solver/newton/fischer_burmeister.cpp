@@ -5,7 +5,8 @@
 namespace dynamy {
 namespace {
 
-/// Smallest part of the small eigenvalue of (x² + y²)^½ that derivatives divide by.
+/// Derivatives divide by the small eigenvalue of (x² + y²)^½, but at least by this fraction of the
+/// large one.
 constexpr double kKink = 1e-8;
 
 template <int n>

@@ -3,16 +3,16 @@
 ///   φ(x, y) = x + y − (x² + y²)^½ = 0   ⇔   x ∈ L, y ∈ L, x·y = 0,   L = { x₀ ≥ |x̄| }
 ///   x = (μΛ_N, Λ_T),   y = ρ (ξ_N + μ|ξ_T|, μ ξ_T)                 law of Coulomb, De Saxcé's form
 ///
-/// with squares and root of the Jordan algebra of the second-order cone L
-/// [fukushima_luo_tseng2001]. For one row (contact without friction) it is the scalar function; for
-/// two rows the algebra is two scalar ones. A law is asked by its projection alone whether it is of
-/// this kind: rejected was a function of its own in every law, which few would need.
+/// Squares and root are those of the Jordan algebra of the second-order cone L
+/// [fukushima_luo_tseng2001]. For one row (a contact without friction) φ is the scalar function;
+/// for two rows the algebra splits into two scalar ones. coneOf() finds out whether a law has such
+/// a cone. Rejected: a function of its own in every law, which few would need.
 #pragma once
 #include <dynamy/law/set_valued_force_law.hpp>
 
 namespace dynamy {
 
-/// The cone of a law, as far as it is one.
+/// The cone of a law, if its set is one.
 struct LawCone {
   enum class Kind { other, line, halfLine, cone };
   Kind kind = Kind::other;

@@ -10,7 +10,8 @@ namespace {
 /// a in units of λ_i. A substitution leaves about a/κ of the residual, with κ = λ_min/λ_max of G.
 constexpr double kShift = 1e-9;
 constexpr int kSubstitutions = 4;
-/// A substitution that leaves more than this of the residual: some contact changes its state.
+/// If a substitution leaves more than this fraction of the residual, some contact changes its
+/// state.
 constexpr double kGain = 0.1;
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-/// Contacts in the equations over contacts that are not open, at most.
+/// Largest ratio of contacts in the equations to contacts that are not open.
 constexpr double kIdle = 1.2;
 
 /// Contacts of fewer than n rows are filled up by rows of the identity.
@@ -14,7 +14,7 @@ class System final : public NewtonSystem {
  public:
   bool prepare(const InclusionProblem& p) override {
     G_ = &p.G->blockRows();
-    kept_.assign(static_cast<std::size_t>(p.size()), 0);  // nothing of the last problem: same bits
+    kept_.assign(static_cast<std::size_t>(p.size()), 0);  // forget the last problem: same bits
     return true;
   }
   void multiply(const InclusionProblem& p, const double* x, double* y) override {
@@ -79,8 +79,8 @@ class System final : public NewtonSystem {
   using Matrix = typename BlockLu<n>::Matrix;
   using Vector = typename BlockLu<n>::Vector;
 
-  /// Contacts that are not open, and some that were in the last analysis: open ones cost little, a
-  /// new analysis costs more than a factorisation and asks for memory.
+  /// Chooses contacts that are not open, and some of the last analysis: open contacts cost little,
+  /// a new analysis costs more than a factorisation and allocates memory.
   void chooseActive(const InclusionProblem& p, const NewtonBlocks& b, std::vector<double>& d) {
     const auto size = static_cast<std::size_t>(p.size());
     wanted_.assign(size, 0);

@@ -4,9 +4,9 @@
 namespace dynamy {
 namespace {
 
-/// Velocities of a mass block up to which the equations in velocities are sparse …
+/// Velocities of the largest mass block up to which the equations in velocities are sparse.
 constexpr int kMaxSparse = 6;
-/// … and of all of them, where they are dense.
+/// Velocities of all touched mass blocks up to which dense equations in velocities are used.
 constexpr int kMaxDense = 96;
 
 }  // namespace

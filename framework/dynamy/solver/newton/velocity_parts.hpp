@@ -1,5 +1,5 @@
-/// What both forms of Newton steps in velocities share: C and f of the contacts, and the mass
-/// blocks they touch (theory 7.8).
+/// Parts shared by the sparse and the dense form of Newton steps in velocities: C and f of the
+/// contacts, and the mass blocks they touch (theory 7.8).
 #pragma once
 #include <cmath>
 #include <dynamy/solver/newton/contact_compliance.hpp>
@@ -7,7 +7,7 @@
 
 namespace dynamy {
 
-/// C, f of all contacts, and ΔΛ from Δv.
+/// Computes C and f of all contacts, and ΔΛ from Δv.
 class Compliances {
  public:
   /// False: singular.
@@ -37,7 +37,8 @@ class Compliances {
     }
     return true;
   }
-  /// C = I/a and f = −r/a: the equations (G + diag(a)) x = r; x_i = 0 where a_i is infinite.
+  /// Sets C = I/a for the equations (G + diag(a)) x = r; right() sets f = −r/a. x_i = 0 if a_i is
+  /// infinite.
   void shifted(const InclusionProblem& p, const std::vector<double>& a) {
     open.resize(static_cast<std::size_t>(p.size())), block0.clear(), C.clear();
     shift = a;
@@ -71,10 +72,10 @@ class Compliances {
   std::vector<char> open;
 };
 
-/// Mass blocks that are touched, numbered in their order.
+/// Mass blocks that contacts touch, numbered in ascending order.
 class Touched {
  public:
-  /// False: the same blocks as last time in the same segments.
+  /// False: the segments and their mass blocks are the same as in the last call.
   bool changed(const InclusionProblem& p) {
     const ContactSet& c = *p.contacts;
     bool same = segment0_ == c.segment0 && block_.size() == c.segment.size();

@@ -70,7 +70,7 @@ class SparseVelocities final : public NewtonSystem {
     for (const auto& [i, j] : pairs_) ++first_[i + 1], column_.push_back(j);
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
     if (!lu_.analyse(first_, column_)) return false;
-    // Where the blocks of every contact go.
+    // Positions of the blocks of every contact.
     place_.clear();
     for (int i = 0; i < c.size(); ++i)
       for (int a = c.segment0[i]; a < c.segment0[i + 1]; ++a)
@@ -145,7 +145,7 @@ class SparseVelocities final : public NewtonSystem {
       for (int k = 0; k < s.nu; ++k) out(r, k) = c.W[s.w + r * s.nu + k];
     return out;
   }
-  /// The same with C = I/a, as in factorShifted(): symmetric, half of it is computed.
+  /// Adds W C Wᵀ with C = I/a, as in factorShifted(): it is symmetric, and half of it is computed.
   template <int d>
   void addShifted(const ContactSet& c, int i, Matrix* const* place) {
     const int m = c.segment0[i + 1] - c.segment0[i];
@@ -159,7 +159,7 @@ class SparseVelocities final : public NewtonSystem {
       }
     }
   }
-  /// W C Wᵀ of a contact with d rows.
+  /// Adds W C Wᵀ of a contact with d rows.
   template <int d>
   void add(const ContactSet& c, int i, Matrix* const* place) {
     using Square = Eigen::Matrix<double, d, d, d == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
@@ -233,7 +233,7 @@ class DenseVelocities final : public NewtonSystem {
              std::vector<double>& dLambda) override {
     return compliance_.evaluate(p, b) && assembleAndSolve(p, dLambda.data());
   }
-  /// Few velocities: the factors are made again for every right-hand side.
+  /// With few velocities, the matrix is factored again for every right-hand side.
   bool factorShifted(const InclusionProblem& p, const std::vector<double>& a) override {
     compliance_.shifted(p, a);
     return true;

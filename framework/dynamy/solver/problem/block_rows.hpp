@@ -1,4 +1,4 @@
-/// BlockRows: G by rows of blocks, one block per pair of contacts that feel each other.
+/// BlockRows: G by rows of blocks, one block per pair of coupled contacts.
 ///
 ///   y_i = Σ_j G_ij x_j,   G_ij: dim_i × dim_j, row after row, columns j ascending
 ///
@@ -11,7 +11,7 @@
 namespace dynamy {
 
 struct BlockRows {
-  std::vector<int> first;              ///< size() + 1: the blocks of row i
+  std::vector<int> first;              ///< row i has blocks first[i] … first[i + 1] − 1
   std::vector<int> column;             ///< contact j of a block
   std::vector<std::ptrdiff_t> value0;  ///< where the numbers of a block begin
   std::vector<double> value;
@@ -21,7 +21,7 @@ struct BlockRows {
   int find(int i, int j) const;
   /// y_i = Σ_j G_ij x_j with row0[i] = first row of contact i; `out` has dim_i entries.
   void multiplyRow(int i, const int* row0, const double* x, double* out) const;
-  /// The same with absolute values of all numbers.
+  /// The product of multiplyRow() with absolute values of all numbers.
   void multiplyRowAbsolute(int i, const int* row0, const double* x, double* out) const;
 };
 

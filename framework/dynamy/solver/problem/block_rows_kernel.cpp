@@ -15,7 +15,8 @@ void multiplyAdd(const double* G, const double* x, double* out) {
   }
 }
 
-/// A row whose blocks all have n × n numbers, one after the other; false: it has others.
+/// Multiplies a row whose blocks all have n × n numbers, one after the other; false: it has other
+/// blocks.
 template <int n>
 bool multiplyEqual(const BlockRows& G, int i, const int* row0, const double* x, double* out) {
   const int a = G.first[i], b = G.first[i + 1];

@@ -1,10 +1,11 @@
-/// Delassus: G = Wᵀ M⁻¹ W behind one operator, assembled (dense, small problems), matrix-free (in
-/// velocities v = M⁻¹WΛ), or given by block rows (problems without bodies, read from a file; G need
-/// not be symmetric).
+/// Delassus: the operator G = Wᵀ M⁻¹ W in three storages: assembled (dense, small problems),
+/// matrix-free (in velocities v = M⁻¹WΛ), or given by block rows (problems without bodies, read
+/// from a file; G need not be symmetric).
 ///
-/// All answer the same questions and must give the same numbers; a test demands it. Solvers see
-/// this, never W of an element. One class with three storages was preferred to virtual operators:
-/// the dense path of a problem with 1 to 20 contacts is a few hundred nanoseconds in all.
+/// All storages offer the same functions and must give the same numbers, which a test checks.
+/// Solvers see this class, never W of an element. One class with three storages was preferred to
+/// virtual operators: the dense path of a problem with 1 to 20 contacts takes a few hundred
+/// nanoseconds in all.
 #pragma once
 #include <dynamy/contact/contact_set.hpp>
 #include <dynamy/solver/problem/block_rows.hpp>
@@ -16,15 +17,15 @@ namespace dynamy {
 class Delassus {
  public:
   enum class Form { automatic, assembled, matrixFree };
-  /// Computes M⁻¹W and, in assembled form, G. `contacts` and `mass` must outlive the use. No
-  /// allocation once large enough.
+  /// Computes M⁻¹W and, in assembled form, G. `contacts` and `mass` must outlive the use. Nothing
+  /// is allocated once the arrays are large enough.
   void assemble(const ContactSet& contacts, const MassMatrix& mass, Form form = Form::automatic);
 
-  /// Takes G itself; `contacts` must outlive the use and needs no segments. Up to the size at which
-  /// dense storage pays, G is dense as well.
+  /// Takes a given G; `contacts` must outlive the use and needs no segments. A small G, for which
+  /// dense storage pays, is stored densely as well.
   void given(const ContactSet& contacts, BlockRows G);
 
-  /// The block rows' memory, to be filled and given again.
+  /// Hands out the memory of the block rows, to be filled and passed to given() again.
   BlockRows release() { return std::move(blockRows_); }
 
   int rows() const { return n_; }
@@ -33,7 +34,8 @@ class Delassus {
   const double* dense() const { return assembled_ ? G_.data() : nullptr; }
   /// y = G x.
   void apply(const double* x, double* y);
-  /// y ≥ |G| |x|, entry by entry: 4ε y bounds the rounding of apply(). A sweep is not disturbed.
+  /// y ≥ |G| |x|, entry by entry: 4ε y bounds the rounding of apply(). The velocities of a sweep
+  /// are not changed.
   void applyAbsolute(const double* x, double* y);
   /// dim × dim diagonal block of contact i, row after row.
   const double* diagonalBlock(int i) const {
@@ -48,13 +50,13 @@ class Delassus {
   /// G by block rows; computed at every call unless given. Valid until the next assembly.
   const BlockRows& blockRows();
 
-  // Sweeps: ξ_i = (GΛ + c)_i for the current Λ, changed block after block. A sweep object holds v
-  // (matrix-free) or nothing.
+  // Sweeps: ξ_i = (GΛ + c)_i for the current Λ, changed block after block. In matrix-free form a
+  // sweep holds v, in the other forms nothing.
   /// Starts a sweep from Λ: v = M⁻¹WΛ in matrix-free form.
   void begin(const double* Lambda);
   /// (GΛ)_i into `out` (dim_i entries).
   void row(int i, const double* Lambda, double* out) const;
-  /// Tells that block i of Λ changed by `delta`.
+  /// Updates the sweep after block i of Λ has changed by `delta`.
   void changed(int i, const double* delta);
 
   /// v of a sweep in matrix-free form, for sweeps with kernels of their own; null in other forms.
@@ -64,7 +66,7 @@ class Delassus {
   /// False: G was given, there are no bodies, mass() and addVelocity() must not be called.
   bool hasBodies() const { return !given_; }
   const MassMatrix& mass() const { return *mass_; }
-  /// v = M⁻¹ W Λ added to u.
+  /// Adds v = M⁻¹ W Λ to u.
   void addVelocity(const double* Lambda, Vec u) const;
 
  private:

@@ -9,8 +9,8 @@ namespace {
 
 /// Rows up to which the dense matrix pays: n² numbers stay in the first-level cache.
 constexpr int kDenseRows = 64;
-/// Rows from which it pays only where the bodies have more velocities than there are rows: else
-/// Newton's method works in velocities, and W is all it needs.
+/// Rows above which the dense matrix pays only if the bodies have at least as many velocities:
+/// otherwise Newton's method works in velocities and needs only W.
 constexpr int kFewRows = 16;
 
 /// Six velocities: unrolled and vectorised, where most of the work of a stack is.
@@ -33,7 +33,7 @@ void dots(const double* A, const double* x, int n, double* out) {
   for (int r = 0; r < rows; ++r) out[r] = s[r];
 }
 
-/// M⁻¹ w, row after row, beside W.
+/// minvW ← M⁻¹ w, row after row, in the layout of W.
 void inverseTimesW(const ContactSet& contacts, const MassMatrix& mass, std::vector<double>& minvW) {
   for (int i = 0; i < contacts.size(); ++i)
     for (int k = contacts.segment0[static_cast<std::size_t>(i)];
@@ -131,7 +131,7 @@ void Delassus::fillBlock(int i, double* out) const {
         s.nu == 6 && (k == first || s.block != c.segment[static_cast<std::size_t>(first)].block);
   }
   if (!spatial || end - first > 2) return block(i, i, out);
-  // One or two rigid bodies: six of nine numbers, G_ii is symmetric.
+  // One or two rigid bodies: G_ii is symmetric, six of nine numbers are computed.
   std::fill(out, out + 9, 0.0);
   for (int k = first; k < end; ++k) {
     const std::ptrdiff_t w = c.segment[static_cast<std::size_t>(k)].w;
@@ -161,7 +161,7 @@ const BlockRows& Delassus::blockRows() {
 }
 
 void Delassus::linkBlocks() {
-  // Mass block → its segments, by counting.
+  // List the segments of every mass block, by counting.
   const ContactSet& c = *contacts_;
   blockFirst_.assign(static_cast<std::size_t>(mass_->blocks()) + 1, 0);
   for (const Segment& s : c.segment) ++blockFirst_[static_cast<std::size_t>(s.block) + 1];

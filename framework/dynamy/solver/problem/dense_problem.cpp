@@ -7,8 +7,8 @@ namespace dynamy {
 namespace {
 
 constexpr double kRankOfDense = 1e-11;  ///< relative size of an eigenvalue that counts as zero
-constexpr double kTouching = 1e-8;      ///< of u_ref: a normal velocity below is zero
-constexpr double kForce = 1e-12;        ///< of the largest force: below is none
+constexpr double kTouching = 1e-8;      ///< fraction of u_ref: a smaller normal velocity is zero
+constexpr double kForce = 1e-12;        ///< fraction of the largest force: a smaller one is none
 
 }  // namespace
 
@@ -65,7 +65,7 @@ Eigen::MatrixXd DenseProblem::proxJacobian(int contact) const {
   double A[kMostRows * kMostRows], B[kMostRows * kMostRows];
   if (problem_->law(contact).proxDerivative(in, rho, xi, Lambda, A, B))
     return Eigen::MatrixXd::Identity(dim, dim) - ConstBlock(A, dim, dim);
-  // Central differences for a law that does not offer it.
+  // Central differences for a law without derivative.
   Eigen::MatrixXd P(dim, dim);
   double r[kMostRows];
   std::fill(r, r + kMostRows, rho);

@@ -1,10 +1,10 @@
-/// DenseProblem: a copy of an inclusion problem and a Λ as full matrices, for questions that are
-/// asked once: rank, kernel, what may change without being seen.
+/// DenseProblem: a copy of an inclusion problem and its Λ as full matrices, for single
+/// investigations: rank, kernel, and changes of forces that no velocity shows.
 ///
 ///   S = diag(λ_i^(-1/2)),   S G S = Z diag(σ) Zᵀ   (symmetric part),   rank: σ > 1e-11 σ_max
 ///
-/// One factor per contact keeps the cones and makes ranks independent of masses. Not for a step:
-/// it allocates, and an eigenvalue problem costs 10 n³.
+/// One scale factor per contact preserves the cones and makes ranks independent of masses. The
+/// class is not for use within a step: it allocates, and an eigenvalue problem costs 10 n³.
 #pragma once
 #include <dynamy/solver/problem/inclusion_solver.hpp>
 
@@ -19,20 +19,21 @@ class DenseProblem {
   const Eigen::MatrixXd& G() const { return G_; }
   const Eigen::VectorXd& Lambda() const { return Lambda_; }
   const Eigen::VectorXd& xi() const { return xi_; }
-  /// G in the scales of its contacts and ξ are numbers. Asked before anything below.
+  /// True: the scaled G and ξ are finite. To be checked before the functions below are used.
   bool finite() const { return finite_; }
   /// λ_i^(-1/2) of every row.
   const Eigen::VectorXd& scale() const { return scale_; }
-  /// Λ_i may be any vector: joints.
+  /// True if the law allows any Λ_i, as for joints.
   bool isFree(int contact) const { return free_[static_cast<std::size_t>(contact)]; }
-  /// Has a normal force.
+  /// True if the contact has a normal force.
   bool hasNormal(int contact) const;
-  /// Carries a force, or could at once: ξ_N is zero.
+  /// True if the contact carries a force, or could at once because ξ_N is zero.
   bool isClosed(int contact) const { return closed_[static_cast<std::size_t>(contact)]; }
-  /// ∂prox_C/∂z at z = Λ − ρξ, ρ = 1/λ_i, dim × dim: what of Λ the law lets change at given ξ.
+  /// ∂prox_C/∂z at z = Λ − ρξ, ρ = 1/λ_i, dim × dim: the changes of Λ that the law allows at given
+  /// ξ.
   Eigen::MatrixXd proxJacobian(int contact) const;
 
-  /// Rows of the contacts that `chosen` names.
+  /// Rows of all contacts i with chosen(i).
   template <class Chosen>
   std::vector<int> rowsOf(Chosen&& chosen) const {
     std::vector<int> rows;
@@ -43,7 +44,8 @@ class DenseProblem {
   }
   /// Orthonormal columns Z with S G S Z = 0 on `rows`; rank = rows − columns.
   Eigen::MatrixXd kernel(const std::vector<int>& rows) const;
-  /// G on `rows`, when the forces of `given` keep their own velocities: G_rr − G_rg G_gg⁺ G_gr.
+  /// G on `rows` if the forces on the rows `given` keep the velocities of these rows constant: G_rr
+  /// − G_rg G_gg⁺ G_gr.
   Eigen::MatrixXd reduced(const std::vector<int>& rows, const std::vector<int>& given) const;
 
  private:

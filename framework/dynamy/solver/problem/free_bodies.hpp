@@ -2,7 +2,7 @@
 ///
 ///   G_ii = Σ_b W_bᵀ (M_b⁻¹ W_b)   over the one or two bodies b of contact i
 ///
-/// The general loops ask for sizes at every block and read W twice; in a stack at rest they took a
+/// The general loops look up sizes at every block and read W twice; in a stack at rest they took a
 /// tenth of the step.
 #pragma once
 #include <dynamy/contact/contact_set.hpp>
@@ -11,7 +11,7 @@
 namespace dynamy {
 
 /// Fills `minvW` (sized like contacts.W) and the 3 × 3 blocks `diagonal`, which begin at
-/// `diagonal0`. False: there are other contacts or bodies, nothing of it counts.
+/// `diagonal0`. False: there are other contacts or bodies, and the results must not be used.
 bool freeBodies(const ContactSet& contacts, const MassMatrix& mass, std::vector<double>& minvW,
                 std::vector<std::ptrdiff_t>& diagonal0, std::vector<double>& diagonal);
 

@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-/// Non-zero blocks of G; the diagonal ones always.
+/// Blocks of G that are not zero, and all diagonal blocks.
 BlockRows blocks(const ContactSet& contacts, const Eigen::SparseMatrix<double, Eigen::RowMajor>& G,
                  const std::vector<int>& contactOfRow) {
   BlockRows out;
@@ -41,7 +41,7 @@ BlockRows blocks(const ContactSet& contacts, const Eigen::SparseMatrix<double, E
   return out;
 }
 
-/// The largest |c_i| of the closing contacts; of all if none closes.
+/// The largest |c_i| of the closing contacts, or of all contacts if none closes.
 double velocityScale(const InclusionProblem& p) {
   double closing = 0.0, all = 0.0;
   for (int i = 0; i < p.size(); ++i) {

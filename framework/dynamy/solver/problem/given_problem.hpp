@@ -1,4 +1,4 @@
-/// GivenProblem: an inclusion problem without bodies, from numbers.
+/// GivenProblem: an inclusion problem without bodies, given by numbers.
 ///
 ///   ξ = G Λ + c,   −ξ_i ∈ N_{C_i}(Λ_i)
 ///
@@ -18,8 +18,8 @@ struct GivenContact {
 
 class GivenProblem {
  public:
-  /// G: rows × rows, need not be symmetric; c: rows [m/s]. The rows of the contacts follow each
-  /// other.
+  /// G: rows × rows, need not be symmetric; c: rows [m/s]. The rows are in the order of the
+  /// contacts.
   GivenProblem(std::vector<GivenContact> contacts, const Eigen::SparseMatrix<double>& G,
                const Eigen::VectorXd& c);
   GivenProblem(const GivenProblem&) = delete;

@@ -9,20 +9,20 @@
 
 namespace dynamy {
 
-/// How long a search for a solution is worth it.
+/// How much work a search for a solution is worth.
 enum class Effort {
   full,     ///< as long as the solver's settings allow
-  retried,  ///< a shorter step follows if this is not solved, or long searches were in vain before:
-            ///< they find a solution of one problem in a thousand
-  little    ///< posed on a linear model, far from where that holds: any answer is only a direction
+  retried,  ///< a shorter step follows if this one is not solved, or long searches failed before:
+            ///< they solve one problem in a thousand
+  little    ///< the linear model is far outside its range: any answer is only a direction
 };
 
-/// Who corrects the velocities that an answer leaves wrong.
+/// Who corrects the errors in velocities that a solution leaves.
 enum class Corrected {
   never,         ///< nobody
-  inIteration,   ///< the scheme iterates, and halves the step where that leads nowhere
-  byGaps,        ///< the next step, by the gaps it finds, after one that was solved to rounding
-  byGapsLoosely  ///< the same after one that was not
+  inIteration,   ///< the scheme iterates, and halves the step if it does not converge
+  byGaps,        ///< the next step, by its gaps, after a step that was solved to rounding
+  byGapsLoosely  ///< the next step, by its gaps, after a step that was not solved to rounding
 };
 
 struct InclusionProblem {
@@ -32,19 +32,20 @@ struct InclusionProblem {
   std::vector<double> c;          ///< c = (1 + ε)… as the impact law poses it [m/s]
   std::vector<double> gammaFree;  ///< Wᵀ u_free + χ: relative velocity without any percussion
   std::vector<double> gammaA;     ///< Wᵀ u^A + χ
-  /// Velocity scale of E_u: the largest change of a relative velocity asked of a contact that is
-  /// not leaving; one that leaves at 100 m/s must not loosen a resting stack  [m/s].
+  /// Velocity scale of E_u [m/s]: the largest change of a relative velocity required at a contact
+  /// that is not separating. A contact that separates at 100 m/s must not loosen the tolerance of a
+  /// resting stack.
   double uRef = 1.0;
-  /// Per row: how much of c is rounding; empty: none  [m/s].
+  /// Rounding error of c per row [m/s]; empty: none.
   std::vector<double> cNoise;
   Corrected corrected = Corrected::never;
   Effort effort = Effort::full;
-  /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: these two.
+  /// Replaces E_f and E_u as the measure that is compared with the tolerance; null: they are used.
   const StoppingRule* rule = nullptr;
   Workers* workers = nullptr;  ///< null: the caller's thread alone
-  /// Set by another thread or a signal: the answer is of no use any more; null: it always is.
+  /// Set by another thread or a signal when the solution is no longer needed; null: never.
   const std::atomic<bool>* stop = nullptr;
-  /// No more work is wanted: the solver returns its best Λ so far. Asked now and then.
+  /// True if no more work is wanted. Solvers check it at intervals and return their best Λ so far.
   bool enough() const {
     return (stop != nullptr && stop->load(std::memory_order_relaxed)) || (rule && rule->enough());
   }

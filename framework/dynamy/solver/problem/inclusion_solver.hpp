@@ -1,5 +1,5 @@
-/// InclusionSolver: finds Λ of an inclusion problem. Never throws; says by residuals how well it
-/// did.
+/// InclusionSolver: finds Λ of an inclusion problem. It never throws; the residuals report how
+/// accurate Λ is.
 #pragma once
 #include <array>
 #include <dynamy/solver/problem/inclusion_problem.hpp>
@@ -15,20 +15,21 @@ std::string_view solveStatusText(SolveStatus status);
 ///   E_u = max_i |e_i|/ρ_i / u_ref,        E_f = max_i |e_i| / max(max|Λ|, max_i ρ_i u_ref),
 ///   E_energy = Σ |e_i|²/ρ_i / Σ ρ_i |c_i|²
 ///
-/// In E_u and E_f a contact counts only if |e_i|/ρ_i exceeds what rounding leaves of it,
-/// cNoise_i + 4ε(|G||Λ| + |c|)_i: no solver can do better, and none stalls there. The floor of E_f
-/// gives E_f ≤ E_u, so that a scene without forces terminates; a floor of 1e-12 of it was rejected,
-/// because E_f of a scene at rest is then rounding over rounding. Where Λ is so large that it
-/// cannot resolve 1 % of the problem's velocities, ε |Λ_i|/ρ_i counts as the error.
+/// In E_u and E_f a contact counts only if |e_i|/ρ_i exceeds its rounding error,
+/// cNoise_i + 4ε(|G||Λ| + |c|)_i: no solver can do better, and none stalls there. The floor of E_f,
+/// max_i ρ_i u_ref, gives E_f ≤ E_u, so that solvers terminate in a scene without forces. A floor
+/// of 1e-12 of it was rejected, because E_f of a scene at rest is then rounding over rounding.
+/// If Λ is so large that it cannot resolve 1 % of the problem's velocities, ε |Λ_i|/ρ_i counts as
+/// the error.
 struct Residuals {
   double Ef = 0.0, Eu = 0.0, energy = 0.0;
   int worst = -1;       ///< contact with the largest |e_i|/ρ_i
   double given = -1.0;  ///< the measure of the problem's own rule; negative: it has none
-  /// What is compared with the tolerance.
+  /// The value that is compared with the tolerance.
   double largest() const { return given == -1.0 ? (Ef > Eu ? Ef : Eu) : given; }
 };
 
-/// One method of a chain of solvers, and what it left.
+/// One method of a chain of solvers, and its result.
 struct Attempt {
   std::string_view method;
   int iterations = 0;
@@ -42,15 +43,15 @@ struct SolveReport {
   bool warmAccepted = false;       ///< the start was exact to rounding
   int newton = 0;                  ///< Newton steps among the iterations
   int rejected = 0;                ///< inner problems given up
-  std::string_view method;         ///< what found the solution, where a solver has a choice
-  std::array<Attempt, 8> attempt;  ///< the chain in the order of trying, where there is one
-  int attempts = 0;                ///< of them; more than fit are not told
-  /// Energy that impacts would have gained by the law as it is stated [J]; the energy guard
-  /// (theory 32.3) has repaired `repaired` groups of contacts.
+  std::string_view method;         ///< method that found the solution, if a solver has several
+  std::array<Attempt, 8> attempt;  ///< methods of a chain, in the order of trying
+  int attempts = 0;                ///< number of attempts; those that do not fit are not recorded
+  /// Energy [J] that impacts would have gained by the unchanged law; the energy guard (theory 32.3)
+  /// has repaired `repaired` groups of contacts.
   double energyGain = 0.0;
   int repaired = 0;
   bool ok() const { return status == SolveStatus::solved; }
-  /// Notes what `method` did since `iterationsBefore`; the residuals are those it left.
+  /// Records an attempt: method `name`, its iterations since `iterationsBefore`, its residual.
   void note(std::string_view name, int iterationsBefore) {
     if (attempts < static_cast<int>(attempt.size()))
       attempt[static_cast<std::size_t>(attempts++)] = {name, iterations - iterationsBefore,
@@ -58,14 +59,14 @@ struct SolveReport {
   }
 };
 
-/// A start with E_f, E_u below this is taken as it is; a worse one is improved at least once, even
-/// if it fulfils the tolerance. Rejected: to accept it at the tolerance. Then nobody corrects the
-/// velocities it leaves, a resting contact drifts off by tolerance · u_ref · Δt in every step until
-/// its gap exceeds g_tol and it opens.
+/// A start with E_f and E_u below this is accepted unchanged; a worse one is improved at least
+/// once, even if it fulfils the tolerance. Rejected: to accept a start at the tolerance. Its
+/// velocity errors would then never be corrected: a resting contact drifts by tolerance · u_ref ·
+/// Δt in every step until its gap exceeds g_tol and it opens.
 inline constexpr double kExactStart = 1e-14;
-/// Part of the tolerance up to which a start is taken where somebody corrects what it leaves. Creep is not
-/// corrected by gaps: there a start must be better than a solution. After a loose step it must be
-/// better still, or a step at rest would never be solved again.
+/// Fraction of the tolerance up to which a start is accepted if its errors are corrected later.
+/// Gaps do not correct creep: with them a start must be better than a solution. After a loosely
+/// solved step it must be better still, or a step at rest would never be solved again.
 inline double takenStart(Corrected corrected) {
   constexpr double kByGaps = 0.1, kByGapsLoosely = 0.01;
   switch (corrected) {
@@ -80,14 +81,14 @@ inline double takenStart(Corrected corrected) {
   }
   return 0.0;
 }
-/// Residual up to which the start of `problem` is taken as it is by a solver of this tolerance.
+/// Residual up to which a solver with this tolerance accepts the start of `problem` unchanged.
 inline double acceptedStart(const InclusionProblem& problem, double tolerance) {
   const double asked = takenStart(problem.corrected) * tolerance;
   return asked > kExactStart ? asked : (kExactStart < tolerance ? kExactStart : tolerance);
 }
 
 /// Residuals of Λ, recomputed from scratch; infinite, with its contact as `worst`, if a number in ξ
-/// or Λ is not finite. `scratch` keeps its memory; it begins with ξ.
+/// or Λ is not finite. `scratch` is workspace; afterwards its first rows() numbers are ξ.
 Residuals residuals(const InclusionProblem& problem, ConstVec Lambda, std::vector<double>& scratch);
 
 /// Bound of the largest eigenvalue of a contact's diagonal block: its largest row sum (exact for

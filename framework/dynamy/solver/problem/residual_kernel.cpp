@@ -9,7 +9,7 @@
 namespace dynamy {
 namespace {
 
-/// Smaller ones have no inverse among the numbers.
+/// Smaller λ have no finite inverse.
 constexpr double kLeastLambda = 4.0 * std::numeric_limits<double>::min();
 
 }  // namespace
@@ -50,12 +50,13 @@ std::string_view solveStatusText(SolveStatus status) {
 namespace {
 
 constexpr double kResidualNoise = 4.0 * std::numeric_limits<double>::epsilon();
-/// E_u between which rounding of GΛ may decide: below, every tolerance is met; above, it cannot.
+/// E_u between which rounding of GΛ may decide: below, every tolerance is met; above, rounding is
+/// too small.
 constexpr double kFine = 1e-13, kCoarse = 1e-5;
-/// Part of the velocities of a problem that Λ − ρ ξ must resolve.
+/// Fraction of the velocities of a problem that Λ − ρ ξ must resolve.
 constexpr double kSwallowed = 1e-2;
 
-/// What of |e_i|/ρ_i is rounding: of c, and (once |G||Λ| is known) of ξ = GΛ + c.
+/// Rounding error of |e_i|/ρ_i: that of c, and (once |G||Λ| is known) that of ξ = GΛ + c.
 double noise(const InclusionProblem& p, int i, const double* absolute) {
   double sum = 0.0;
   for (int k = p.row0(i); k < p.row0(i) + p.dim(i); ++k) {
@@ -80,12 +81,12 @@ Residuals measure(const InclusionProblem& p, const double* velocity, const doubl
   }
   out.Ef = worstE == 0.0 ? 0.0 : (largestLambda > 0.0 ? worstE / largestLambda : 1.0);
   out.Eu = worstU == 0.0 ? 0.0 : (p.uRef > 0.0 ? worstU / p.uRef : 1.0);
-  if (!std::isfinite(out.Ef)) out.Ef = out.Eu;  // forces beyond all numbers; E_f ≤ E_u
+  if (!std::isfinite(out.Ef)) out.Ef = out.Eu;  // the forces overflow; E_f ≤ E_u
   return out;
 }
 
 /// Stands in for λ of a contact with G_ii = 0: the largest Σ_j|G_kj| of its rows, of all rows if
-/// those are zero too, or 1. ρ = 0 would count as solved whatever such a contact asks for.
+/// those are zero too, or 1. With ρ = 0 such a contact would always count as solved.
 double substituteLambda(const InclusionProblem& p, int i, const double* rowSums) {
   const double own = *std::max_element(rowSums + p.row0(i), rowSums + p.row0(i) + p.dim(i));
   if (own >= kLeastLambda) return own;
@@ -93,7 +94,8 @@ double substituteLambda(const InclusionProblem& p, int i, const double* rowSums)
   return all >= kLeastLambda ? all : 1.0;
 }
 
-/// The largest velocity that c was made of: a last correction has a small c of large parts.
+/// The largest velocity from which c was computed: a last correction has a small c made of large
+/// terms.
 double largestVelocity(const InclusionProblem& p) {
   double largest = p.uRef;
   for (const auto* part : {&p.c, &p.gammaFree, &p.gammaA})
@@ -102,9 +104,9 @@ double largestVelocity(const InclusionProblem& p) {
   return largest;
 }
 
-/// Λ of contact i is so large that Λ − ρ ξ swallows ξ: its natural map may be zero whatever ξ is.
-/// The speed that it cannot tell from zero, ε |Λ_i|/ρ_i, counts as its error if it is coarse. A
-/// problem without solution ends there: Λ grows without bound.
+/// Called if Λ of contact i is so large that rounding of Λ − ρ ξ hides ξ: the natural map may then
+/// be zero whatever ξ is. The speed that cannot be distinguished from zero, ε |Λ_i|/ρ_i, counts as
+/// the error. Problems without solution end here, because Λ grows without bound.
 void swallowed(const InclusionProblem& p, double unknown, int i, Residuals& out) {
   const double E = p.uRef > 0.0 ? unknown / p.uRef : 1.0;
   out.Eu = std::max(out.Eu, E), out.Ef = std::max(out.Ef, std::min(E, 1.0)), out.worst = i;
@@ -116,7 +118,7 @@ struct Lengths {
   double c = 0.0, Lambda = 0.0;
   bool finite = true;
 };
-/// ξ += c.
+/// Adds c to ξ and returns the lengths of c and Λ.
 template <int n>
 Lengths addC(const double* c, const double* Lambda, int dim, double* xi) {
   const int rows = n > 0 ? n : dim;
@@ -144,7 +146,7 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     if (problem.rule) none.given = 0.0;
     return none;
   }
-  // ξ, |G||Λ|; e/ρ and ρ of the contacts.
+  // Layout of `scratch`: ξ, |G||Λ|; e/ρ and ρ of the contacts.
   scratch.resize(2 * static_cast<std::size_t>(n) + 2 * static_cast<std::size_t>(contacts));
   double *absolute = scratch.data() + n, *velocity = absolute + n, *scale = velocity + contacts;
   if (std::all_of(Lambda.data(), Lambda.data() + n, [](double x) { return x == 0.0; }))
@@ -160,14 +162,14 @@ Residuals residuals(const InclusionProblem& problem, ConstVec Lambda,
     double* xi = scratch.data() + first;
     double lambda = contactLambda(problem.G->diagonalBlock(i), dim);
     if (!(lambda > 0.0)) {
-      if (!summed) problem.G->rowSums(absolute);  // its place is free until the end
+      if (!summed) problem.G->rowSums(absolute);  // `absolute` is free until the end
       summed = true;
       lambda = substituteLambda(problem, i, absolute);
     }
     const double rho = 1.0 / lambda;
     const double *c = problem.c.data() + first, *L = Lambda.data() + first;
     const Lengths lengths = dim == 3 ? addC<3>(c, L, dim, xi) : addC<0>(c, L, dim, xi);
-    // A projection may swallow what is not a number: asked for here, reported as infinite.
+    // A projection may hide numbers that are not finite: they are reported here as infinite.
     if (!lengths.finite) return notFinite(i);
     double e[kMostRows] = {};
     const double length = lengths.Lambda;

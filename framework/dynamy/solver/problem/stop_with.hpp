@@ -1,5 +1,5 @@
-/// StopWith: another rule's wish to stop, without its measure, for problems beside the one it was
-/// made for.
+/// StopWith: passes on another rule's request to stop, without its measure, for problems other than
+/// the one that the rule was made for.
 #pragma once
 #include <dynamy/solver/problem/stopping_rule.hpp>
 

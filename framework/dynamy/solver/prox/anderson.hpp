@@ -2,10 +2,10 @@
 ///
 ///   f_k = g_k − x_k,   γ = argmin |f_k − ΔF γ|_w,   x_{k+1} = g_k − ΔG γ
 ///
-/// ΔF, ΔG: the last m differences of f and g; |·|_w weighs rows. Safeguard: where |f| has grown by
-/// more than kGrowth the memory is dropped and x_{k+1} = g of the better iterate. The normal
-/// equations (m ≤ 20) were preferred to a QR that is updated: the digits they lose would not be
-/// used by a projected iteration, whose pieces change.
+/// ΔF, ΔG: the last m differences of f and g; |·|_w weighs rows. Safeguard: if |f| has grown by
+/// more than kTolerableGrowth, the memory is dropped and x_{k+1} = g of the better iterate. The
+/// normal equations (m ≤ 20) were preferred to an updated QR factorisation: a projected iteration,
+/// whose pieces change, would not use the digits they lose.
 #pragma once
 #include <vector>
 
@@ -16,7 +16,7 @@ class Anderson {
   static constexpr int kMaxMemory = 20;
   /// Forgets all; weights: `rows` positive numbers.
   void begin(int memory, const double* weights, int rows);
-  /// x, g = g(x) in; the next x out into `next`, which may be x or g.
+  /// In: x and g = g(x). Out: the next x in `next`, which may be x or g.
   void next(const double* x, const double* g, double* next);
   int restarts() const { return restarts_; }
 

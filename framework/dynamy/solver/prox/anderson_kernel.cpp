@@ -5,7 +5,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kTolerableGrowth = 2.0;  ///< of |f| that is tolerated in one step
+constexpr double kTolerableGrowth = 2.0;  ///< growth of |f| that is tolerated in one step
 constexpr double kRidge = 1e-14;  ///< of the diagonal: keeps the Gram matrix positive definite
 
 }  // namespace
@@ -23,7 +23,7 @@ void Anderson::begin(int memory, const double* weights, int rows) {
 }
 
 double Anderson::dot(const double* a, const double* b) const {
-  // Four sums side by side: one alone waits for each addition.
+  // Four sums side by side: a single sum would wait for each addition.
   double s[4] = {};
   int k = 0;
   for (; k + 4 <= rows_; k += 4)
@@ -37,7 +37,7 @@ void Anderson::next(const double* x, const double* g, double* next) {
   for (std::size_t k = 0; k < n; ++k) fNew_[k] = root_[k] * (g[k] - x[k]);
   const double square = dot(fNew_.data(), fNew_.data());
   if (!first_ && !(square <= kTolerableGrowth * kTolerableGrowth * best_) && count_ > 0) {
-    // The step was not worth it: back to the plain iteration from the last good point.
+    // The step increased |f| too much: back to the plain iteration from the last good point.
     drop(), ++restarts_, first_ = true;
     std::copy(g_.begin(), g_.end(), next);
     return;

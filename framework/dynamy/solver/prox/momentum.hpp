@@ -1,11 +1,11 @@
-/// Momentum: sweeps that start where the last two point to.                        (theory 4.13)
+/// Momentum: each sweep starts from an extrapolation of the last two.              (theory 4.13)
 ///
 ///   Λ_{k+1} = g(Λ̃_k),   Λ̃_k = Λ_k + β_k (Λ_k − Λ_{k−1}),   β_k = min(β, (k − 1)/(k + 2))
 ///
-/// [nesterov1983], but for the bound β: friction is no gradient, and with β → 1 sweeps of heaps do
-/// not settle. v = M⁻¹WΛ is linear and goes the same way, so that a step costs five operations a
-/// number. Where a test finds nothing better than before, β is halved; sweeps that diverge or stall
-/// go on without from the best Λ.
+/// This is Nesterov's method [nesterov1983] except for the bound β: friction is no gradient, and
+/// with β → 1 the sweeps of heaps do not settle. v = M⁻¹WΛ is linear in Λ and is extrapolated
+/// likewise, so that a step costs five operations per number. If a test finds nothing better than
+/// before, β is halved. Sweeps that diverge or stall continue without momentum from the best Λ.
 #pragma once
 #include <dynamy/solver/problem/inclusion_problem.hpp>
 
@@ -13,13 +13,13 @@ namespace dynamy {
 
 class Momentum {
  public:
-  /// β of the sweeps to come; 0: none.
+  /// Sets β for the following sweeps; 0: no momentum.
   void begin(double beta) { beta_ = beta, sweeps_ = 0; }
-  /// Between two sweeps: Λ and the velocities of the sweep, out of the last one, in for the next.
+  /// Call between two sweeps: extrapolates Λ and the velocities of the sweep for the next one.
   void next(const InclusionProblem& problem, double* Lambda);
-  /// A test was not better than the best one before.
+  /// Halves β after a test that was not better than the best one before.
   void halve() { beta_ *= 0.5; }
-  /// Sweeps go on without; false: they did before.
+  /// Ends the momentum; false: it was off before.
   bool end() {
     const bool was = beta_ > 0.0;
     beta_ = 0.0;
@@ -29,7 +29,7 @@ class Momentum {
  private:
   double beta_ = 0.0;
   int sweeps_ = 0;
-  std::vector<double> Lambda_, v_;  ///< of the sweep before
+  std::vector<double> Lambda_, v_;  ///< values after the previous sweep
 };
 
 }  // namespace dynamy

@@ -24,7 +24,7 @@ double largestOfBlock(const double* block, int dim, int a, int b) {
   return largest;
 }
 
-/// 1/λ; 0 where that is no number.
+/// 1/λ; 0 if that is not finite.
 double inverse(double lambda) {
   const double value = 1.0 / lambda;
   return lambda > 0.0 && std::isfinite(value) ? value : 0.0;
@@ -81,7 +81,7 @@ double largestOf(const InclusionProblem& p, double shift, int iterations) {
   return lambda;
 }
 
-/// 2/(λ_min + λ_max). Where λ_min vanishes this would be the limit of convergence itself.
+/// 2/(λ_min + λ_max). For λ_min = 0 this would be the limit of convergence itself.
 double optimalStep(const InclusionProblem& p) {
   constexpr double kLimit = 1.9;  // of 2
   const double largest = largestOf(p, 0.0, 200);
