@@ -11,19 +11,20 @@ constexpr double kDead = 1e-10;
 /// 4 ε of the scene's length, of which g_tol is 1e-12.
 constexpr double kPositionShare = 1e-3;
 
-/// Of the noise of gaps, in the step after a correction: four corners of a face contradict each
-/// other by a quarter of the dead band.
+/// Factor on the noise of gaps in the step after a correction: four corners of a face contradict
+/// each other by a quarter of the dead band.
 constexpr double kStricter = 1.0 / 3.0;
-/// Newton steps up to which a solve corrects a stack at rest. Where it takes more, something lands,
-/// and rates may differ by all of that noise.
+/// Most Newton steps of a solve that corrects a stack at rest. A solve that takes more has a body
+/// that lands, and rates may differ by the whole noise of gaps.
 constexpr int kCorrection = 4;
 
-/// Residual above which positions are not those of a solved step.
+/// Residual above which positions are too inaccurate for those of a solved step.
 constexpr double kLooseResidual = 1e-4;
-/// Contacts from which an unsolved step is not repaired by exact solves either.
+/// Number of contacts from which an unsolved step is not repaired by exact solves either.
 constexpr int kUnrepairedFrom = 200;
 
-/// The last step ended with such a residual, or what bodies overlap since is not gone yet.
+/// True: the last step ended with a residual above kLooseResidual, or overlaps since such a step
+/// are still left.
 bool isRough(const State& x) { return x.scheme.size() > 0; }
 
 bool hasJoints(const ContactSet& contacts) {
@@ -32,8 +33,8 @@ bool hasJoints(const ContactSet& contacts) {
   return false;
 }
 
-/// M, h, contacts at q^M; gyroscopic terms at the mean velocity, where they do no work; what the
-/// step does not resolve is damped.
+/// Evaluates M, h, contacts at q^M, with gyroscopic terms at the mean velocity, where they do no
+/// work. Forces that the step does not resolve are damped.
 const Evaluation& ahead(MechanicalSystem& s, const State& x, double dt) {
   const Evaluation& e = s.evaluateDamped(x, dt, kImplicitMidpoint);
   s.gyroscopicAtMean(x, dt);
@@ -68,16 +69,16 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   return report;
 }
 
-/// Solves, and again with the contacts that the solution closes.
+/// Solves the inclusion, and solves it again as long as a solution closes contacts left out before.
 SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                    double dt) {
   SolveReport report;
-  for (;;) {  // contacts come in and never go: there is an end
+  for (;;) {  // the loop ends, since contacts are only added and never removed
     s.linearlyImplicit(x, kImplicitMidpoint);
     const int iterations = report.iterations, newton = report.newton;
     report = s.impactLaw().solve(*problem_, solver, s.Lambda());
     report.iterations += iterations, report.newton += newton;
-    if (!report.ok()) s.effort(Effort::retried);  // in what is left of this attempt at a step
+    if (!report.ok()) s.effort(Effort::retried);  // for the rest of this attempt at a step
     if (!s.bringIn()) return report;
     ask(s, x, dt);
   }
@@ -88,15 +89,15 @@ void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
   problem_ = &s.impactProblem(x, dt, 0, &aim_);
   problem_->corrected = Corrected::byGaps;
   if (!isRough(x)) return;
-  // A step at a bounded cost leaves overlaps and forces behind that the next one asks back.
+  // A step at a bounded cost leaves overlaps and forces, which the next step corrects.
   lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
                s.Lambda());
   problem_->corrected = Corrected::byGapsLoosely;
 }
 
-/// The inclusion at q^M. Contacts whose impact falls into this step are closed before; if they
-/// contradict each other they wait, and the next step finds an overlap. Among too many contacts that
-/// carry, their impacts are divided between this step and the next one.
+/// Poses the inclusion at q^M. Contacts whose impact falls into this step are closed before. If
+/// they contradict each other they wait, and the next step finds an overlap. If too many contacts
+/// carry, impacts are divided between this step and the next one.
 void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kPositionShare * s.gTol();
@@ -112,7 +113,7 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   if (isRough(x) || s.arriving().empty()) return;
   arriving_ = s.arriving();
   const Projection::Touch touched = projection_.touch(s, x, arriving_, 0.5 * s.gTol());
-  aim_.divide = touched == Projection::Touch::tooMany;
+  aim_.divide = touched != Projection::Touch::closed;
   if (aim_.divide) ask(s, x, dt);
   if (touched != Projection::Touch::closed) return;
   ahead(s, x, dt);
@@ -122,7 +123,7 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   ask(s, x, dt);
 }
 
-/// Evaluates at q^M; overlaps are repaired before. apart: false if they could not be.
+/// Evaluates at q^M after repairing overlaps. apart: false if they could not be repaired.
 const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                           double dt, bool& apart) {
   const Evaluation& e = ahead(s, x, dt);
@@ -140,7 +141,7 @@ const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& 
 
 void StaggeredMoreau::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                   double theta, State& out) const {
-  // The scheme's own trajectory: u^A up to the midpoint, back from the end with u^E behind it.
+  // The scheme's own trajectory: with u^A up to the midpoint, after it with u^E back from the end.
   const double dt = b.t - a.t;
   out.t = theta < 0.5 ? a.t : b.t;
   out.q = theta < 0.5 ? a.q : b.q, out.u = theta < 0.5 ? a.u : b.u;
