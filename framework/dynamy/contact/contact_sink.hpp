@@ -95,8 +95,8 @@ class ContactSink {
 
 /// Point contact between frames A (body 1) and B (body 2) at the points with lever arms rhoA_I,
 /// rhoB_I: rows n, t1, t2 (as many as rows.dim()) of the velocity of B's point relative to A's.
-/// Fills segments, χ and, if requested, the bias without the change of the directions
-/// (`directionRate` adds ṅ-terms where the element knows them). A frame without a block contributes
+/// Fills segments, χ and, if requested, the bias without the change of the directions, whose terms
+/// the element adds. A frame without a block contributes
 /// to χ only.
 void pointContact(ContactRows& rows, const Frame& A, const Vec3& rhoA_I, const Frame& B,
                   const Vec3& rhoB_I, const Vec3& n, const Vec3& t1, const Vec3& t2);

@@ -21,7 +21,7 @@ std::string Verdict::message() const {
 }
 
 void Verdict::fault(std::string text) {
-  // The same fault at several states is one fault.
+  // A fault at every state would fill pages.
   constexpr std::size_t kMost = 50;
   if (faults_.size() < kMost) faults_.push_back(std::move(text));
 }

@@ -11,9 +11,10 @@
 ///
 /// The form is exact for joints, contacts without friction, intervals and planar friction; a disc
 /// becomes the polygon of `facets` vertices on its circle. zᵀMz = ΛᵀG̃Λ + Σ s_j N_j ≥ 0 for z ≥ 0:
-/// copositive, and Lemke's method finds a solution whenever c is a motion of the bodies
-/// [anitescu_potra1997]. The book's form with two unknowns per friction [glocker_studer2005] is
-/// smaller; it was rejected, because its matrix G_NN − G_NT μ … is copositive for small μ only.
+/// copositive, and Lemke's method finds a solution whenever c = Wᵀu for a velocity u
+/// of the bodies [anitescu_potra1997]. The book's form with two unknowns per friction
+/// [glocker_studer2005] is smaller; it was rejected, because its matrix G_NN − G_NT μ … is copositive
+/// for small μ only.
 #pragma once
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/law/most_rows.hpp>

@@ -29,7 +29,7 @@ struct InclusionProblem {
   Delassus* G = nullptr;
   const ContactSet* contacts = nullptr;
   double dt = 0.0;                ///< [s]; 0: pure impact
-  std::vector<double> c;          ///< c = (1 + ε)… as the impact law poses it [m/s]
+  std::vector<double> c;          ///< γ_free + ε γ_A with Newton's impact law [m/s]
   std::vector<double> gammaFree;  ///< Wᵀ u_free + χ: relative velocity without any percussion
   std::vector<double> gammaA;     ///< Wᵀ u^A + χ
   /// Velocity scale of E_u [m/s]: the largest change of a relative velocity required at a contact
