@@ -125,21 +125,12 @@ bool Projection::overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x
   return repair(s, &solver, x, tolerance, slot, Level::overlap);
 }
 
-Projection::Touch Projection::touch(MechanicalSystem& s, State& x,
-                                    const std::vector<ContactKey>& keys, double tolerance,
-                                    int slot) {
+bool Projection::touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys,
+                       double tolerance, int slot) {
   touched_ = keys, start_ = x;
-  contacts_.clear();
-  if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return Touch::closed;
+  if (repair(s, nullptr, x, tolerance, slot, Level::touch)) return true;
   x = start_;
-  return rowsToClose() > kMostTouched ? Touch::tooMany : Touch::contradictory;
-}
-
-int Projection::rowsToClose() const {
-  int rows = 0;
-  for (int i = 0; i < contacts_.size(); ++i)
-    if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
-  return rows;
+  return false;
 }
 
 bool Projection::isTouched(ContactKey key) const {
@@ -156,7 +147,9 @@ double Projection::largestGap(const ContactSet& c) const {
 /// δ = M⁻¹W Λ with g + Wᵀδ = 0 for the rows that have to be closed or held; other contacts move
 /// along. In this linear system redundant rows share; contradictory rows leave gaps.
 bool Projection::close(const Evaluation& e) {
-  const int rows = rowsToClose();
+  int rows = 0;
+  for (int i = 0; i < contacts_.size(); ++i)
+    if (contacts_.law[static_cast<std::size_t>(i)] == &bilateral_) rows += contacts_.dim(i);
   if (rows == 0 || rows > kMostTouched) return false;
   const Eigen::Index nu = e.h.size();
   W_.setZero(nu, rows), MInvW_.resize(nu, rows);

@@ -30,10 +30,10 @@ class Projection {
   bool overlaps(MechanicalSystem& s, InclusionSolver& solver, State& x, double tolerance,
                 int slot = 1);
   /// Closes the contacts `keys` (sorted), which are about to be reached, without opening a contact
-  /// that carries. Rates of joints are held. If they cannot be closed, x stays unchanged.
-  enum class Touch { closed, contradictory, tooMany };
-  Touch touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys, double tolerance,
-              int slot = 1);
+  /// that carries. Rates of joints are held. False: the contacts contradict each other or are too many,
+  /// and x is unchanged.
+  bool touch(MechanicalSystem& s, State& x, const std::vector<ContactKey>& keys, double tolerance,
+             int slot = 1);
   /// Removes from x.u the velocities that violate the constraints at x.q; evaluates into `slot`.
   bool velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot = 1);
 
@@ -51,7 +51,6 @@ class Projection {
   bool repair(MechanicalSystem& s, InclusionSolver* solver, State& x, double tolerance, int slot,
               Level level);
   bool close(const Evaluation& e);
-  int rowsToClose() const;
   bool isTouched(ContactKey key) const;
   double largestGap(const ContactSet& c) const;
   void select(const MechanicalSystem& s, const ContactSet& all, const State& x, Level level);

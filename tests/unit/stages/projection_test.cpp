@@ -84,8 +84,7 @@ TEST(Projection, TouchesWhatIsAboutToCloseAndOpensNothingThatCarries) {
   carried(s);
   s.x.impulses.Lambda[0] = 0.0;
   s.system->evaluate(s.x, 0, 1e-2);
-  ASSERT_EQ(Projection().touch(*s.system, s.x, {contactKey(0, 0)}, 1e-12),
-            Projection::Touch::closed);
+  ASSERT_TRUE(Projection().touch(*s.system, s.x, {contactKey(0, 0)}, 1e-12));
   EXPECT_NEAR(s.x.q[0], 0.0, 1e-3 * kSolved);
   EXPECT_NEAR(s.x.q[1], 0.0, 1e-3 * kSolved);
 }
