@@ -126,7 +126,7 @@ Sizes measured(Model& model) {
   for (std::size_t i = 0; i < c.g.size(); ++i)
     if (std::isnan(c.g[i]))
       throw ModelError(Diagnostic{
-          .place = Place(model.sourceFile, 1, 1),
+          .place = Place(model.file.name, 1, 1),
           .text = "the gap of " + contactText(model, c.candidateKey[i]) +
                   " is not a number at the start",
           .hint = "dynamy check --elements compares all that it computes with differences"});
@@ -158,7 +158,7 @@ Sizes sizesOf(Model& model) {
   } catch (const ModelError& e) {
     std::vector<Diagnostic> faults = e.diagnostics();
     for (Diagnostic& d : faults)
-      if (d.place.line <= 0) d.place = Place(model.sourceFile, 1, 1);
+      if (d.place.line <= 0) d.place = Place(model.file.name, 1, 1);
     throw ModelError(std::move(faults));
   }
 }
@@ -244,7 +244,7 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
                  const std::optional<Alternative>& other) {
   const bool deep = s.overlap.share() > kDeepStart;
   std::string out =
-      fmt::format("{}: {}\n", model.sourceFile, deep ? "bodies start inside each other" : "ok");
+      fmt::format("{}: {}\n", model.file.name, deep ? "bodies start inside each other" : "ok");
   out += fmt::format(" systems {}   forces {}   contact elements {}   signals {}   checks {}\n",
                      s.systems, s.forces, s.contactElements, s.signals, s.checks);
   out += fmt::format(" q {}   u {}   mass blocks {}, of them constant {}\n", s.nq, s.nu, s.blocks,
@@ -302,7 +302,7 @@ std::string json(const Model& model, const Sizes& s, const RunSizes& run,
                  const std::optional<Alternative>& other) {
   std::string out;
   JsonWriter j(out, 2);
-  j.beginObject().member("model", model.sourceFile);
+  j.beginObject().member("model", model.file.name);
   j.member("ok", !(s.overlap.share() > kDeepStart));
   j.member("systems", s.systems).member("forces", s.forces);
   j.member("contactElements", s.contactElements).member("signals", s.signals);

@@ -5,26 +5,20 @@
 
 namespace dynamy::app {
 
+// One function for each sub-command, in the file of the command: declares it; its callback sets
+// program.exitCode.
+using AddCommand = void(CLI::App& app, Program& program);
+AddCommand addRun, addResume, addVerify, addCheck, addEigen, addList, addDescribe, addSchema,
+    addCompare, addView, addSolve, addSweep, addReport, addNewPlugin, addBench, addCompletion,
+    addManual;
+
 void addCommands(CLI::App& app, Program& program) {
   app.set_version_flag("--version", versionText());
   app.require_subcommand(1);
-  addRun(app, program);
-  addResume(app, program);
-  addVerify(app, program);
-  addCheck(app, program);
-  addEigen(app, program);
-  addList(app, program);
-  addDescribe(app, program);
-  addSchema(app, program);
-  addCompare(app, program);
-  addView(app, program);
-  addSolve(app, program);
-  addSweep(app, program);
-  addReport(app, program);
-  addNewPlugin(app, program);
-  addBench(app, program);
-  addCompletion(app, program);
-  addManual(app, program);
+  for (AddCommand* add : {addRun, addResume, addVerify, addCheck, addEigen, addList, addDescribe,
+                          addSchema, addCompare, addView, addSolve, addSweep, addReport,
+                          addNewPlugin, addBench, addCompletion, addManual})
+    add(app, program);
 }
 
 }  // namespace dynamy::app

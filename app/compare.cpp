@@ -96,7 +96,7 @@ void compare(Program& program, CompareTask& task) {
     throw std::runtime_error("the reference run failed: " + reference.report.reason);
 
   fmt::print("reference: {}, step {:g} s (own, tightest), {:.3g} s of CPU time\n",
-             reference.integrator, reference.step, reference.report.cpu);
+             reference.integrator, reference.step, reference.report.cost.cpu);
   fmt::print(
       "error: largest difference of a recorded signal at t = {:g} s, as a part of its range\n",
       reference.report.t);
@@ -109,14 +109,14 @@ void compare(Program& program, CompareTask& task) {
       measure(p, reference, signals);
       const RunReport& r = p.report;
       fmt::print(" {:<20} {:>10.4g} {:>11.3e} {:>10.3g} {:>12} {:>12}  {}\n", p.integrator, p.step,
-                 p.error, r.cpu, r.evaluations, r.unconverged, p.worst);
-      csv += fmt::format("{},{},{},{},{},{},{},{}\n", p.integrator, p.step, p.error, r.cpu,
-                         r.evaluations, r.iterations, r.unconverged, p.worst);
+                 p.error, r.cost.cpu, r.cost.evaluations, r.solver.unconverged, p.worst);
+      csv += fmt::format("{},{},{},{},{},{},{},{}\n", p.integrator, p.step, p.error, r.cost.cpu,
+                         r.cost.evaluations, r.solver.iterations, r.solver.unconverged, p.worst);
       if (r.ended == RunReport::Ended::failed) program.exitCode = kFailed;
     }
   std::filesystem::path file(task.csv);
   if (file.empty()) {
-    file = RunFolder::defaultPath(task.choice.model);
+    file = defaultRunFolder(task.choice.model);
     file += "-compare.csv";
   }
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());

@@ -54,7 +54,7 @@ void writeComplex(JsonWriter& j, const Eigen::VectorXcd& z) {
 
 std::string eigenText(const Model& model, const Linearisation& l) {
   std::string out =
-      fmt::format("{}: steady motion, u' = 0 up to {:.1e}\n", model.sourceFile, l.residual);
+      fmt::format("{}: steady motion, u' = 0 up to {:.1e}\n", model.file.name, l.residual);
   if (l.moved > 0.0) out += fmt::format(" found {:.3g} from the start of the model\n", l.moved);
   for (const HeldMotion::Contact& c : l.contacts) {
     out += fmt::format(" {} {}, force", c.name,
@@ -94,7 +94,7 @@ std::string criticalText(const std::vector<CriticalValue>& values) {
 }
 
 void writeEigen(JsonWriter& j, const Model& model, const Linearisation& l) {
-  j.member("model", model.sourceFile).member("residual", l.residual).member("moved", l.moved);
+  j.member("model", model.file.name).member("residual", l.residual).member("moved", l.moved);
   j.member("motions", l.basis.cols()).member("error", l.error).member("leak", l.leak);
   j.member("zeros", l.zeros).member("growing", l.growing());
   j.key("eigenvalues"), writeComplex(j, l.eigenvalues);

@@ -35,7 +35,8 @@ constexpr std::array kKinds{
     KindText{"scheme", "a time-stepping scheme, here velocities first, then positions."},
     KindText{"solver", "a solver of inclusions, here a fixed-point iteration."},
     KindText{"observer", "an observer of all steps, here a sum of percussions."},
-    KindText{"shape", "a smooth shape that touches all others, here a pebble."}};
+    KindText{"shape", "a shape with its pairs on half spaces and balls, here a hollow ball."},
+    KindText{"smooth_shape", "a smooth shape that touches all others, here a pebble."}};
 
 /// Names that are reserved by cmake or the headers of dynamY.
 constexpr std::array kTaken{"all",        "attributes",     "clean",      "element",  "frame",
@@ -129,7 +130,8 @@ void addNewPlugin(CLI::App& app, Program& program) {
   c->add_option("PLUGIN", t->name,
                 "of the library, e.g. sliding_door; the type is then SlidingDoor")
       ->required();
-  c->add_option("--kind", t->kind, "system, contact, force, law, scheme, solver, observer or shape")
+  c->add_option("--kind", t->kind,
+                "system, contact, force, law, scheme, solver, observer, shape or smooth_shape")
       ->required();
   c->add_option("--out", t->out, "folder to write; default: NAME")
       ->type_name("DIR")

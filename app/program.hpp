@@ -66,24 +66,7 @@ int withErrorsTold(const std::function<int()>& call);
 /// The version and what the program was built with, several lines.
 std::string versionText();
 
-// One function for each sub-command: declares it; its callback sets program.exitCode.
-void addRun(CLI::App& app, Program& program);
-void addResume(CLI::App& app, Program& program);
-void addVerify(CLI::App& app, Program& program);
-void addCheck(CLI::App& app, Program& program);
-void addEigen(CLI::App& app, Program& program);
-void addList(CLI::App& app, Program& program);
-void addDescribe(CLI::App& app, Program& program);
-void addSchema(CLI::App& app, Program& program);
-void addCompare(CLI::App& app, Program& program);
-void addView(CLI::App& app, Program& program);
-void addSolve(CLI::App& app, Program& program);
-void addCompletion(CLI::App& app, Program& program);
-void addManual(CLI::App& app, Program& program);
-void addSweep(CLI::App& app, Program& program);
-void addNewPlugin(CLI::App& app, Program& program);
-void addReport(CLI::App& app, Program& program);
-void addBench(CLI::App& app, Program& program);
-void addBenchPrecision(CLI::App& bench, Program& program);  ///< below `bench`
+/// Declares `dynamy bench precision`, below `bench`; its callback sets program.exitCode.
+void addBenchPrecision(CLI::App& bench, Program& program);
 
 }  // namespace dynamy::app

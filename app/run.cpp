@@ -75,7 +75,7 @@ int run(Program& program, Texts& t, const TellFiles& tell) {
   }
   tell(files);
   const auto folder =
-      t.out.empty() ? RunFolder::defaultPath(t.choice.model) : std::filesystem::path(t.out);
+      t.out.empty() ? defaultRunFolder(t.choice.model) : std::filesystem::path(t.out);
   std::vector<CheckResult> checks;
   if (t.errorBar)
     t.show.errorBars = [&](const std::vector<CheckResult>& whole,
@@ -121,7 +121,7 @@ int resume(Program& program, Texts& t, double until) {
     if (std::count(choice.libraries.begin(), choice.libraries.end(), nameOfLibrary(library)) == 0)
       choice.libraries.push_back(nameOfLibrary(library));
   Model model = chosenModel(program, choice);
-  if (model.sourceText != from.modelText)
+  if (model.file.text != from.modelText)
     throw ModelError(choice.model + " has changed since the run",
                      "the run's own model is " + folder.model().string());
   compare(from.choice.sources, choice.sources, "file", "bring it back as it was then");

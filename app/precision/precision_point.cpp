@@ -66,9 +66,10 @@ void printOwn(Program& program, const PrecisionScene& scene, const PrecisionPoin
     }
     fmt::print("values");
     for (const CheckResult& c : simulation.checks()) fmt::print(" {:.17g}", c.got);
-    fmt::print("\nevaluations {}\n", report.evaluations);
-    if (report.unconverged > 0)
-      fmt::print("note {} of {} steps not solved to tolerance\n", report.unconverged, report.steps);
+    fmt::print("\nevaluations {}\n", report.cost.evaluations);
+    if (report.solver.unconverged > 0)
+      fmt::print("note {} of {} steps not solved to tolerance\n", report.solver.unconverged,
+                 report.steps);
   }
   fmt::print("cpu {:.9g}\n", median(times));
 }

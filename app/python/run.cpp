@@ -83,10 +83,10 @@ py::dict figures(const Simulation& simulation) {
   const RunReport& r = simulation.report();
   py::dict out;
   out["state"] = endText(r.ended), out["reason"] = r.reason, out["t"] = r.t;
-  out["steps"] = r.steps, out["rejected"] = r.rejected, out["impacts"] = r.impacts;
-  out["switches"] = r.switches, out["unconverged"] = r.unconverged;
-  out["iterations"] = r.iterations, out["residual"] = r.residual.value;
-  out["penetration"] = r.penetration.value, out["wall_s"] = r.wall;
+  out["steps"] = r.steps, out["rejected"] = r.rejected, out["impacts"] = r.contacts.impacts;
+  out["switches"] = r.contacts.switches, out["unconverged"] = r.solver.unconverged;
+  out["iterations"] = r.solver.iterations, out["residual"] = r.solver.residual.value;
+  out["penetration"] = r.gaps.penetration.value, out["wall_s"] = r.cost.wall;
   bool passed = true;
   for (const CheckResult& c : simulation.checks()) passed = passed && c.pass;
   out["checks_passed"] = passed;
@@ -104,7 +104,7 @@ py::dict figures(const Simulation& simulation) {
 void writeFolderFacts(const RunFolder& folder, const Model& model, const RunReport& r) {
   folder.writeFacts([&](JsonWriter& j) {
     j.member("state", endText(r.ended)).member("title", model.title).member("t", r.t);
-    j.member("steps", r.steps).member("impacts", r.impacts).member("wall_s", r.wall);
+    j.member("steps", r.steps).member("impacts", r.contacts.impacts).member("wall_s", r.cost.wall);
     writeWarnings(j, r.warnings);
     j.key("signals").beginArray();
     for (const SignalName& s : recordedSignals(model))
@@ -130,7 +130,7 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
   const RunFolder folder(out);
   RunRecording recording(folder, model);
   simulation.record(recording);
-  writeWholeFile(folder.model(), model.sourceText);
+  writeWholeFile(folder.model(), model.file.text);
   simulation.run();
   recording.flush();
   callback.raise();
@@ -157,7 +157,7 @@ class Steps {
       throw ModelError("no step is given",
                        "say step(1e-3), model.step = 1e-3 or model.tolerance = 1e-6");
     const double t = x_.t;
-    system_.effort(Effort::full);
+    system_.limits = {};
     const StepReport report = model_.scheme().step(system_, model_.solver(), x_, dt);
     if (!model_.scheme().choosesSteps()) x_.t = t + dt;
     system_.remember(x_);
@@ -179,7 +179,8 @@ class Steps {
       py::dict one;
       one["name"] = contactName(model_, c.key[k]);
       std::vector<double> Lambda;
-      for (int row = c.row0[k]; row < c.row0[k + 1]; ++row) Lambda.push_back(system_.Lambda(row));
+      for (int row = c.row0[k]; row < c.row0[k + 1]; ++row)
+        Lambda.push_back(system_.problem().Lambda(row));
       one["Lambda"] = py::array_t<double>(static_cast<py::ssize_t>(Lambda.size()), Lambda.data());
       out.append(one);
     }

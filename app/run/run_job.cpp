@@ -157,7 +157,7 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
     recording.flushIfDue();
     const StepReport& last = simulation.lastStep();
     progress.show({simulation.state().t, simulation.report().steps, last.contacts,
-                   last.solved.residuals.largest(), simulation.report().unconverged});
+                   last.solved.residuals.largest(), simulation.report().solver.unconverged});
   });
   if (show.checkpoints)
     simulation.onCheckpoint(
@@ -192,7 +192,7 @@ int runInto(const fs::path& path, Model& model, const RunChoice& choice, const R
   RunRecording recording(folder, model);
   simulation.record(recording);
   startThreads(simulation, show);
-  writeWholeFile(folder.model(), model.sourceText);
+  writeWholeFile(folder.model(), model.file.text);
   return carryOut(folder, model, choice, show, simulation, recording, checks);
 }
 

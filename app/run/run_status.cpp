@@ -78,7 +78,7 @@ void refuseInconsistentStart(Model& model) {
   std::vector<Diagnostic> all;
   for (const Warning& w : startWarnings(start, model.length())) {
     Diagnostic d;
-    d.place = Place(model.sourceFile);
+    d.place = Place(model.file.name);
     d.text = w.kind + ": " + w.text;
     d.hint = "without --strict the run starts all the same and says so";
     all.push_back(std::move(d));

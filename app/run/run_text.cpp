@@ -129,8 +129,8 @@ std::string failedChecks(const std::vector<CheckResult>& checks) {
 }
 
 std::string unsolvedText(const RunReport& r) {
-  if (r.unsolved.step == 0) return "";
-  const Unsolved& u = r.unsolved;
+  if (r.solver.unsolved.step == 0) return "";
+  const Unsolved& u = r.solver.unsolved;
   std::string out = fmt::format(
       " NOT SOLVED  step {} (t = {:.6g} s) is the worst: {} after {} iterations, residual "
       "{:.2g}{}\n",
@@ -208,7 +208,7 @@ std::string headText(const Model& model, const RunChoice& choice) {
   const Topology& t = model.topology();
   std::string out =
       fmt::format("dynamY {}   {}   {}, {} positions, {} velocities, {}\n", versionString(),
-                  model.sourceFile.empty() ? choice.model : model.sourceFile,
+                  model.file.name.empty() ? choice.model : model.file.name,
                   counted(static_cast<long>(model.systems().size()), "system"), t.nq(), t.nu(),
                   counted(static_cast<long>(model.contacts().size()), "contact element"));
   out += fmt::format(" {}   {}   {}   to t = {:g} s\n", model.scheme().type(),
@@ -233,37 +233,37 @@ std::string discretisationText(const EnergyReport& e, double rounding) {
 
 /// Purposes of the evaluations in a run to a tolerance.
 std::string effortText(const RunReport& r) {
-  const StepEffort& e = r.effort;
+  const StepEffort& e = r.cost.effort;
   const long told = e.smooth + e.rejected + e.switches + e.events + e.stepping;
   if (told == 0) return {};
   return fmt::format(
       " {}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}{}\n",
-      counted(r.evaluations, "evaluation"), e.smooth, e.rejected, e.switches, e.events,
+      counted(r.cost.evaluations, "evaluation"), e.smooth, e.rejected, e.switches, e.events,
       e.stepping > 0 ? fmt::format(", steps in time {}", e.stepping) : "",
-      r.evaluations > told ? fmt::format(", output {}", r.evaluations - told) : "");
+      r.cost.evaluations > told ? fmt::format(", output {}", r.cost.evaluations - told) : "");
 }
 
 /// Counts of steps that were divided and of forces that were damped.
 std::string stepsText(const RunReport& r) {
   std::string out;
-  if (r.parted > 0)
+  if (r.passing.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
-                       counted(r.parted, "step"));
-  if (r.damped > 0)
+                       counted(r.passing.parted, "step"));
+  if (r.trust.damped > 0)
     out += fmt::format(
         " {} faster than steps follow: taken at the end of steps, which damps them (a smaller step "
         "resolves them, stiff=\"true\" keeps their energy)\n",
-        r.damped == 1 ? "1 spring or damper is"
-                      : fmt::format("{} springs and dampers are", r.damped));
+        r.trust.damped == 1 ? "1 spring or damper is"
+                            : fmt::format("{} springs and dampers are", r.trust.damped));
   return out;
 }
 
 std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
                        const std::filesystem::path& folder) {
-  std::string out =
-      fmt::format(" {} at t = {:g} s   {} ({} rejected)   {}   {:.3g} s wall", stateText(r), r.t,
-                  counted(r.steps, "step"), r.rejected, counted(r.impacts, "impact"), r.wall);
-  if (r.wall > 0.0) out += fmt::format(" (x{:.3g})", r.t / r.wall);
+  std::string out = fmt::format(" {} at t = {:g} s   {} ({} rejected)   {}   {:.3g} s wall",
+                                stateText(r), r.t, counted(r.steps, "step"), r.rejected,
+                                counted(r.contacts.impacts, "impact"), r.cost.wall);
+  if (r.cost.wall > 0.0) out += fmt::format(" (x{:.3g})", r.t / r.cost.wall);
   const EnergyReport& e = r.energy;
   out += fmt::format("\n energy  {:.6g} -> {:.6g} J   impacts {:.4g}   friction {:.4g}", e.start(),
                      e.end(), e.normal, e.friction);
@@ -272,10 +272,11 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
   if (e.boundaries != 0.0) out += fmt::format("   moving boundaries {:.4g}", e.boundaries);
   out += fmt::format("   discretisation {:.2g} J\n", e.discretisation);
   out += discretisationText(e, r.trust.rounding);
-  if (r.located > 0 || r.accumulations > 0)
-    out += fmt::format(" {} located, {} passed{}\n", counted(r.located, "switch", "switches"),
-                       counted(r.accumulations, "accumulation"),
-                       r.undecided > 0 ? fmt::format(", {} UNDECIDED", r.undecided) : "");
+  if (r.located.switches > 0 || r.located.accumulations > 0)
+    out += fmt::format(
+        " {} located, {} passed{}\n", counted(r.located.switches, "switch", "switches"),
+        counted(r.located.accumulations, "accumulation"),
+        r.located.undecided > 0 ? fmt::format(", {} UNDECIDED", r.located.undecided) : "");
   if (const SteppingReport& s = r.stepping; s.periods > 0)
     out += fmt::format(
         " {} in time over {:.4g} s in {} ({}): switches too dense to be located, or of what no gap "
@@ -283,26 +284,30 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
         counted(s.steps, "step"), s.time, counted(s.periods, "period"), counted(s.stalls, "stall"));
   out += effortText(r);
   out += stepsText(r);
-  if (r.repairedImpacts > 0)
+  if (r.contacts.repairedImpacts > 0)
     out += fmt::format(
         " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
         "rebound taken\n",
-        counted(r.repairedImpacts, "impact"), r.energyGain.value, r.energyGain.t);
-  if (r.penetration.value > 0.0)
-    out += fmt::format(" worst penetration {:.2g} m at {} (t = {:.6g} s)\n", r.penetration.value,
-                       r.penetration.name, r.penetration.t);
-  if (r.jointError.value > 0.0)
-    out += fmt::format(" worst joint error {:.2g} m at {} (t = {:.6g} s)\n", r.jointError.value,
-                       r.jointError.name, r.jointError.t);
-  if (r.solves > 0 || r.unconverged > 0) {
+        counted(r.contacts.repairedImpacts, "impact"), r.contacts.energyGain.value,
+        r.contacts.energyGain.t);
+  if (r.gaps.penetration.value > 0.0)
+    out += fmt::format(" worst penetration {:.2g} m at {} (t = {:.6g} s)\n",
+                       r.gaps.penetration.value, r.gaps.penetration.name, r.gaps.penetration.t);
+  if (r.gaps.jointError.value > 0.0)
+    out += fmt::format(" worst joint error {:.2g} m at {} (t = {:.6g} s)\n",
+                       r.gaps.jointError.value, r.gaps.jointError.name, r.gaps.jointError.t);
+  if (r.solver.solves > 0 || r.solver.unconverged > 0) {
     out += fmt::format(" solver  {}, {:.3g} iterations on average, at most {}, ",
-                       counted(r.solves, "solve"), r.iterationsMean(), r.iterationsMax);
-    out += r.unconverged == 0
-               ? (r.residual.value > kSolvedResidual
-                      ? fmt::format("all converged, to residual {:.2g} at most\n", r.residual.value)
+                       counted(r.solver.solves, "solve"), r.solver.iterationsMean(),
+                       r.solver.iterationsMax);
+    out += r.solver.unconverged == 0
+               ? (r.solver.residual.value > kSolvedResidual
+                      ? fmt::format("all converged, to residual {:.2g} at most\n",
+                                    r.solver.residual.value)
                       : "all converged\n")
                : fmt::format("{} NOT CONVERGED, worst residual {:.2g} at {} (t = {:.6g} s)\n",
-                             r.unconverged, r.residual.value, r.residual.name, r.residual.t);
+                             r.solver.unconverged, r.solver.residual.value, r.solver.residual.name,
+                             r.solver.residual.t);
   }
   out += unsolvedText(r) + warningsText(r);
   int width = 0;
@@ -334,43 +339,47 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("state", state.empty() ? stateText(r) : state);
   if (!r.reason.empty()) json.member("reason", r.reason);
   json.member("dynamy", versionString()).member("title", model.title);
-  json.member("model", model.sourceFile);
+  json.member("model", model.file.name);
   writeSettings(json, model, choice);
   const Topology& t = model.topology();
   json.key("sizes").beginObject().member("systems", model.systems().size());
   json.member("q", t.nq()).member("u", t.nu()).member("blocks", t.blocks());
   json.member("contactElements", model.contacts().size());
-  json.member("contactsMax", r.contactsMax).endObject();
+  json.member("contactsMax", r.contacts.most).endObject();
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
-  json.member("parted", r.parted).member("left", r.left).member("damped", r.damped);
-  json.member("simpler", r.simpler);
-  json.member("evaluations", r.evaluations).member("impacts", r.impacts);
-  json.member("switches", r.switches).member("switchesLocated", r.located);
-  json.member("accumulationEnd", r.accumulationEnd);
-  json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
+  json.member("parted", r.passing.parted)
+      .member("left", r.passing.left)
+      .member("damped", r.trust.damped);
+  json.member("simpler", r.simpler.steps);
+  json.member("evaluations", r.cost.evaluations).member("impacts", r.contacts.impacts);
+  json.member("switches", r.contacts.switches).member("switchesLocated", r.located.switches);
+  json.member("accumulationEnd", r.located.accumulationEnd);
+  json.member("accumulationsPassed", r.located.accumulations)
+      .member("undecided", r.located.undecided);
   json.key("effort").beginObject();
-  json.member("smooth", r.effort.smooth).member("rejected", r.effort.rejected);
-  json.member("switches", r.effort.switches).member("events", r.effort.events);
-  json.member("stepping", r.effort.stepping).endObject();
+  json.member("smooth", r.cost.effort.smooth).member("rejected", r.cost.effort.rejected);
+  json.member("switches", r.cost.effort.switches).member("events", r.cost.effort.events);
+  json.member("stepping", r.cost.effort.stepping).endObject();
   json.key("stepping").beginObject().member("periods", r.stepping.periods);
   json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
   json.member("systems", r.stepping.systems);
   json.member("time", r.stepping.time).member("longest", r.stepping.longest);
   json.member("error", r.stepping.error).member("firstTime", r.stepping.first.t);
   json.member("firstContact", r.stepping.first.name).endObject();
-  json.member("repairedImpacts", r.repairedImpacts);
-  write(json, "energyGain", r.energyGain);
-  json.key("solver").beginObject().member("solves", r.solves);
-  json.member("iterations", r.iterations).member("iterationsMean", r.iterationsMean());
-  json.member("iterationsMax", r.iterationsMax).member("unconverged", r.unconverged);
-  write(json, "worstResidual", r.residual);
-  if (r.unsolved.step > 0) write(json, r.unsolved);
+  json.member("repairedImpacts", r.contacts.repairedImpacts);
+  write(json, "energyGain", r.contacts.energyGain);
+  json.key("solver").beginObject().member("solves", r.solver.solves);
+  json.member("iterations", r.solver.iterations)
+      .member("iterationsMean", r.solver.iterationsMean());
+  json.member("iterationsMax", r.solver.iterationsMax).member("unconverged", r.solver.unconverged);
+  write(json, "worstResidual", r.solver.residual);
+  if (r.solver.unsolved.step > 0) write(json, r.solver.unsolved);
   json.endObject();
-  write(json, "penetration", r.penetration);
-  write(json, "solvedOverlap", r.solvedOverlap);
-  write(json, "jointError", r.jointError);
+  write(json, "penetration", r.gaps.penetration);
+  write(json, "solvedOverlap", r.gaps.solvedOverlap);
+  write(json, "jointError", r.gaps.jointError);
   write(json, r.start);
-  json.member("cpu_s", r.cpu).member("wall_s", r.wall);
+  json.member("cpu_s", r.cost.cpu).member("wall_s", r.cost.wall);
   write(json, r.energy);
   json.key("figures").beginObject();
   for (const RunFigure& f : runFigures()) json.member(f.name, f.value(r));

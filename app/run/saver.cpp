@@ -21,7 +21,7 @@ Saver::Saver(const RunFolder& folder, const RunChoice& choice, const Model& mode
              RunRecording& recording)
     : folder_(folder), recording_(recording) {
   next_.program = buildText();
-  next_.choice = choice, next_.modelText = model.sourceText;
+  next_.choice = choice, next_.modelText = model.file.text;
 }
 
 Saver::~Saver() { release(); }
@@ -49,7 +49,7 @@ void Saver::save(const std::string& simulation, double t, bool lasting) {
 }
 
 void Saver::saveLast(const Simulation& simulation) {
-  save(simulation.checkpoint(), simulation.state().t, simulation.report().wall > kShort);
+  save(simulation.checkpoint(), simulation.state().t, simulation.report().cost.wall > kShort);
   release();  // the last files of the run may need this room
 }
 

@@ -78,7 +78,7 @@ void judge(Program& program, const StabilityScene& scene, const StabilityTask& t
     if (worst == nullptr || strain(c) > strain(*worst)) worst = &c;
   }
   if (worst != nullptr) out.figure = worst->got, out.passMark = markText(*worst);
-  out.steps = run.report.steps, out.cpu = run.report.cpu;
+  out.steps = run.report.steps, out.cpu = run.report.cost.cpu;
   if (!run.report.reason.empty()) out.words += run.report.reason + '\n';
   for (const Warning& w : run.report.warnings) out.words += w.kind + ": " + w.text + '\n';
   if (pass) {

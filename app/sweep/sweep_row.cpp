@@ -121,9 +121,9 @@ std::string lineOf(const Sweep& sweep, std::size_t id, const Result& result) {
   out += !result.error.empty() ? ",error" : finished ? ",finished" : ",failed";
   for (const double x :
        {static_cast<double>(failed), r.t, static_cast<double>(r.steps),
-        static_cast<double>(r.iterations), static_cast<double>(r.impacts),
-        static_cast<double>(r.switches), static_cast<double>(r.unconverged), r.penetration.value,
-        r.jointError.value, r.energy.end(), r.energy.discretisation})
+        static_cast<double>(r.solver.iterations), static_cast<double>(r.contacts.impacts),
+        static_cast<double>(r.contacts.switches), static_cast<double>(r.solver.unconverged),
+        r.gaps.penetration.value, r.gaps.jointError.value, r.energy.end(), r.energy.discretisation})
     number(x);
   out += ',' + hashText(r.hash) + ',';
   appendCsvField(out, finished ? qualifyingKinds(r, {}, "; ") : ""), out += ',';

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <dynamy/io/plugin/registry.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <iostream>
 
 #include "support/contact_problems.hpp"

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/io/plugin/registry.hpp>
+#include <dynamy/solver/problem/inclusion_solver.hpp>
 #include <iostream>
 
 #include "measure.hpp"

@@ -7,6 +7,28 @@
 #include "picture.hpp"
 
 namespace dynamy::motorbike {
+namespace {
+
+const Part& part(const Geometry& data, int id) {
+  switch (id) {
+    case kRearWheelId:
+      return data.rear;
+    case kForkId:
+      return data.fork;
+    case kFrontWheelId:
+      return data.front;
+    default:
+      return data.frame;
+  }
+}
+
+/// Vector from the point of reference to the centre of mass, in axes of the body.
+Vec3 centre(const Geometry& data, int id) {
+  if (id == kFrameId) return data.frame.r_OS;
+  return id == kForkId ? Vec3(data.fork.r_OS - data.steerFoot()) : Vec3(Vec3::Zero());
+}
+
+}  // namespace
 
 void Moving::shift(const Vec3& rho_K) {
   const Vec3 rho = A * rho_K;
@@ -69,24 +91,6 @@ void Motorbike::initialState(Vec q, Vec u) const {
   u[kRear] = speed_ / data_.rear.radius, u[kFront] = speed_ / data_.front.radius;
 }
 
-const Part& Motorbike::part(int id) const {
-  switch (id) {
-    case kRearWheelId:
-      return data_.rear;
-    case kForkId:
-      return data_.fork;
-    case kFrontWheelId:
-      return data_.front;
-    default:
-      return data_.frame;
-  }
-}
-
-Vec3 Motorbike::centre(int id) const {
-  if (id == kFrameId) return data_.frame.r_OS;
-  return id == kForkId ? Vec3(data_.fork.r_OS - data_.steerFoot()) : Vec3(Vec3::Zero());
-}
-
 std::array<Moving, 4> Motorbike::motion(ConstVec q, const double* u) const {
   std::array<Moving, 4> out;
   Moving& frame = out[kFrameId];
@@ -122,10 +126,10 @@ void Motorbike::M(double, ConstVec q, MassBlocks M) const {
   out.setZero();
   for (int id = 0; id < 4; ++id) {
     Moving& b = bodies[static_cast<std::size_t>(id)];
-    b.shift(centre(id));
-    const Mat3 J = b.A * part(id).J_S * b.A.transpose();
+    b.shift(centre(data_, id));
+    const Mat3 J = b.A * part(data_, id).J_S * b.A.transpose();
     const auto JS = b.JS.leftCols(nu()), JR = b.JR.leftCols(nu());
-    out += part(id).m * JS.transpose() * JS + JR.transpose() * J * JR;
+    out += part(data_, id).m * JS.transpose() * JS + JR.transpose() * J * JR;
   }
 }
 
@@ -134,10 +138,10 @@ void Motorbike::h(double t, ConstVec q, ConstVec u, Vec h) const {
   std::array<Moving, 4> bodies = motion(q, u.data());
   for (int id = 0; id < 4; ++id) {
     Moving& b = bodies[static_cast<std::size_t>(id)];
-    b.shift(centre(id));
-    const Mat3 J = b.A * part(id).J_S * b.A.transpose();
+    b.shift(centre(data_, id));
+    const Mat3 J = b.A * part(data_, id).J_S * b.A.transpose();
     const Vec3 moment = J * b.betaR + b.Omega.cross(J * b.Omega);
-    h -= b.JS.leftCols(nu()).transpose() * (part(id).m * b.betaS) +
+    h -= b.JS.leftCols(nu()).transpose() * (part(data_, id).m * b.betaS) +
          b.JR.leftCols(nu()).transpose() * moment;
   }
   if (!data_.suspended) return;
@@ -167,8 +171,8 @@ Vec3 Motorbike::centreOfMass(ConstVec q) const {
   double m = 0.0;
   for (int id = 0; id < 4; ++id) {
     Moving& b = bodies[static_cast<std::size_t>(id)];
-    b.shift(centre(id));
-    sum += part(id).m * b.r, m += part(id).m;
+    b.shift(centre(data_, id));
+    sum += part(data_, id).m * b.r, m += part(data_, id).m;
   }
   return sum / m;
 }
@@ -180,9 +184,9 @@ double Motorbike::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   h.setZero();
   for (int id = 0; id < 4; ++id) {
     Moving& b = bodies[static_cast<std::size_t>(id)];
-    b.shift(centre(id));
-    h += part(id).m * b.JS.leftCols(nu()).transpose() * g_I;
-    V -= part(id).m * g_I.dot(b.r);
+    b.shift(centre(data_, id));
+    h += part(data_, id).m * b.JS.leftCols(nu()).transpose() * g_I;
+    V -= part(data_, id).m * g_I.dot(b.r);
   }
   return V;
 }

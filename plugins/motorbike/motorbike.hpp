@@ -80,9 +80,6 @@ class Motorbike final : public PartialMechanicalSystem {
   int nu() const { return data_.suspended ? 11 : 9; }
   /// Motion of the points of reference of all four bodies.
   std::array<Moving, 4> motion(ConstVec q, const double* u) const;
-  /// Vector from the point of reference to the centre of mass, in axes of the body.
-  Vec3 centre(int id) const;
-  const Part& part(int id) const;
   Vec3 centreOfMass(ConstVec q) const;
 
   Geometry data_;

@@ -164,8 +164,9 @@ class Ride final : public Observer {
     for (int i = 0; i < c.size(); ++i) {
       const auto at = static_cast<std::size_t>(i);
       const double* Lambda = v.Lambda.data() + c.row0[at];
-      const Vec3 F = Lambda[0] * c.normal[at] + Lambda[1] * c.t1[at] + Lambda[2] * c.t2[at];
-      sum += c.normal[at].z() > 0.0 ? F : Vec3(-F);  // on the upper body
+      const Vec3 F = Lambda[0] * c.places.normal[at] + Lambda[1] * c.places.t1[at] +
+                     Lambda[2] * c.places.t2[at];
+      sum += c.places.normal[at].z() > 0.0 ? F : Vec3(-F);  // on the upper body
     }
     const SignalView at{.q = ConstVec(v.after.q.data(), v.after.q.size())};
     impulse_.push_back(Eigen::Vector2d(sum.x(), sum.z()));

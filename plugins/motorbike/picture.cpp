@@ -14,13 +14,18 @@ class Picture::Body final : public Shape {
   static void declare(Attributes&) {}
   Body(const std::string& name, ShapeGeometry geometry, const std::string& colour,
        const std::string& material, const Vec3& at, const Eigen::Quaterniond& turn)
-      : Shape(Parameters::of<Body>(geometry.type, name, given(colour, material, at, turn))),
+      : Shape(
+            Parameters::of<Body>(shownAs(geometry.type), name, given(colour, material, at, turn))),
         geometry_(std::move(geometry)) {
     geometry_.colour = colour;
   }
   ShapeGeometry geometry() const override { return geometry_; }
 
  private:
+  /// What messages call the shape: tyres alone make contact.
+  static const char* shownAs(ShapeType type) {
+    return type == ShapeType::torus ? "Torus" : type == ShapeType::sphere ? "Sphere" : "Body";
+  }
   static std::vector<GivenValue> given(const std::string& colour, const std::string& material,
                                        const Vec3& at, const Eigen::Quaterniond& turn) {
     std::vector<GivenValue> out{{"colour", colour},
@@ -48,16 +53,18 @@ Picture::Body& Picture::add(int frame, std::unique_ptr<Body> shape) {
 
 void Picture::tube(int frame, const Vec3& a, const Vec3& b, double radius, const char* colour) {
   const Vec3 way = b - a;
-  add(frame, std::make_unique<Body>("", ShapeGeometry{"Capsule", {radius, way.norm()}, {}, ""},
-                                    colour, "", 0.5 * (a + b),
-                                    Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way)));
+  add(frame, std::make_unique<Body>(
+                 "", ShapeGeometry{ShapeType::capsule, {radius, way.norm()}, {}, ""}, colour, "",
+                 0.5 * (a + b), Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way)));
 }
 
 void Picture::ellipsoid(int frame, const Vec3& at, const Vec3& semiAxes, double pitch,
                         const char* colour) {
-  add(frame, std::make_unique<Body>(
-                 "", ShapeGeometry{"Ellipsoid", {semiAxes.x(), semiAxes.y(), semiAxes.z()}, {}, ""},
-                 colour, "", at, Eigen::Quaterniond(Eigen::AngleAxisd(pitch, Vec3::UnitY()))));
+  add(frame,
+      std::make_unique<Body>(
+          "",
+          ShapeGeometry{ShapeType::ellipsoid, {semiAxes.x(), semiAxes.y(), semiAxes.z()}, {}, ""},
+          colour, "", at, Eigen::Quaterniond(Eigen::AngleAxisd(pitch, Vec3::UnitY()))));
 }
 
 void Picture::wheel(int frame, const Wheel& wheel, const std::string& name,
@@ -65,16 +72,18 @@ void Picture::wheel(int frame, const Wheel& wheel, const std::string& name,
   // The tyre that makes contact.
   const double R = wheel.radius;
   const bool ball = wheel.tube == R, drawn = wheel.tube > 0.0 && !ball;
-  const ShapeGeometry tyre = ball ? ShapeGeometry{"Sphere", {R}, {}, ""}
-                                  : ShapeGeometry{"Torus", {R - wheel.tube, wheel.tube}, {}, ""};
+  const ShapeGeometry tyre =
+      ball ? ShapeGeometry{ShapeType::sphere, {R}, {}, ""}
+           : ShapeGeometry{ShapeType::torus, {R - wheel.tube, wheel.tube}, {}, ""};
   add(frame, std::make_unique<Body>(name, tyre, drawn ? kBlack : "transparent", material,
                                     Vec3::Zero(), kAboutY));
 
   // A tyre that is only drawn, if the real one is an edge or a ball; then the spokes.
   const double thick = bicycle ? 0.016 : 0.045, rim = R - 2.0 * thick;
   if (!drawn)
-    add(frame, std::make_unique<Body>("", ShapeGeometry{"Torus", {R - thick, thick}, {}, ""},
-                                      kBlack, "", Vec3::Zero(), kAboutY));
+    add(frame,
+        std::make_unique<Body>("", ShapeGeometry{ShapeType::torus, {R - thick, thick}, {}, ""},
+                               kBlack, "", Vec3::Zero(), kAboutY));
   const int spokes = bicycle ? 12 : 5;
   for (int i = 0; i < spokes; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / spokes;
@@ -84,8 +93,9 @@ void Picture::wheel(int frame, const Wheel& wheel, const std::string& name,
   const Vec3 axle(0.0, bicycle ? 0.03 : 0.06, 0.0);
   tube(frame, -axle, axle, bicycle ? 0.018 : 0.035, "#8a929c");
   if (!bicycle)  // brake disc
-    add(frame, std::make_unique<Body>("", ShapeGeometry{"Cylinder", {0.55 * rim, 0.006}, {}, ""},
-                                      "#9aa3ad", "", Vec3(0.0, 0.05, 0.0), kAboutY));
+    add(frame,
+        std::make_unique<Body>("", ShapeGeometry{ShapeType::cylinder, {0.55 * rim, 0.006}, {}, ""},
+                               "#9aa3ad", "", Vec3(0.0, 0.05, 0.0), kAboutY));
 }
 
 Picture::Picture(const Geometry& data, const std::string& material, bool isBicycle) {

@@ -25,9 +25,9 @@ class VelocityFirst final : public OneStep {
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override {
     s.evaluate(x);                           // M, h, and W, χ where g(q^A) ≤ g_tol
     auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-    const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());
-    s.velocityFromImpulses(x);   // u^E = u^A + M⁻¹(h Δt + W Λ)
-    s.moveConfiguration(x, dt);  // q^E = q^A + Δt (F u^E + β)
+    const auto solved = problem.solve(solver);
+    problem.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+    s.move(x, dt);                    // q^E = q^A + Δt (F u^E + β)
     return {dt, solved, problem.size()};
   }
 };

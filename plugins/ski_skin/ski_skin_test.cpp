@@ -18,7 +18,7 @@ TEST(SkiSkin, GlidesForwardsAndHoldsBackwards) {
   LoadedModel loaded("plugins/ski_skin/ski_skin.xml");
   Simulation simulation(loaded.model());
   const RunReport& report = simulation.run();
-  EXPECT_EQ(report.unconverged, 0);
+  EXPECT_EQ(report.solver.unconverged, 0);
   expectChecksHold(simulation);
 }
 

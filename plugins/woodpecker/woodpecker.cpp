@@ -44,7 +44,7 @@ class Outline final : public Shape {
       : Shape(Parameters::of<Outline>("Outline", name, {{"colour", colour}})),
         points_(std::move(points)) {}
   ShapeGeometry geometry() const override {
-    return {points_.size() > 2 ? "Polygon" : "Line", {}, points_, colour()};
+    return {points_.size() > 2 ? ShapeType::polygon : ShapeType::line, {}, points_, colour()};
   }
 
  private:

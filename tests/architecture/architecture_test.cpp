@@ -13,8 +13,6 @@
 namespace dynamy::architecture {
 namespace {
 
-const std::vector<std::string> kCode = {".cpp", ".hpp"};
-
 // The part before the first '/' of what follows `prefix`; empty for a file directly under it.
 std::string folderBelow(const std::string& prefix, const std::string& path) {
   const auto end = path.find('/', prefix.size());

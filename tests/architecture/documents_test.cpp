@@ -15,7 +15,7 @@
 namespace dynamy::architecture {
 namespace {
 
-std::string folderOf(const std::string& path) {
+std::string folderWithSlash(const std::string& path) {
   const auto slash = path.rfind('/');
   return slash == std::string::npos ? "" : path.substr(0, slash + 1);
 }
@@ -86,7 +86,7 @@ TEST(Documents, LinksLeadToFilesAndTheirParts) {
     for (const auto& [link, line] : found(*file, R"(\]\(([^):]+)\))")) {
       const std::size_t hash = link.find('#');
       const std::string target =
-          hash == 0 ? file->path : withoutDots(folderOf(file->path) + link.substr(0, hash));
+          hash == 0 ? file->path : withoutDots(folderWithSlash(file->path) + link.substr(0, hash));
       EXPECT_TRUE(exists(target)) << place(*file, line) << ": " << link;
       if (hash == std::string::npos || !exists(target)) continue;
       EXPECT_TRUE(parts(sourceFile(target)).contains(link.substr(hash + 1)))
@@ -98,7 +98,7 @@ TEST(Documents, EveryPageIsLinkedFromTheIndexInTwoClicks) {
   std::set<std::string> reached;
   const auto linked = [&](const SourceFile& from) {
     for (const auto& [link, line] : found(from, R"(\]\(([^):#]+)(?:#[^)]*)?\))"))
-      reached.insert(withoutDots(folderOf(from.path) + link));
+      reached.insert(withoutDots(folderWithSlash(from.path) + link));
   };
   linked(sourceFile("doc/index.md"));
   for (const std::string& page : std::set<std::string>(reached))

@@ -17,7 +17,6 @@
 namespace dynamy::architecture {
 namespace {
 
-const std::vector<std::string> kCode = {".cpp", ".hpp"};
 const std::string kFramework = "framework/dynamy", kElements = "elements/dynamy_elements";
 
 std::string folderOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
@@ -153,20 +152,52 @@ TEST(Rooms, NoTwoFoldersIncludeEachOther) {
         << arrow.where << ": part of a circle";
 }
 
-// The build finds kernels by their names (dynamy_mark_kernels); a file that loses its flags runs
-// slower and says nothing.
+/// Sources of a line of compile_commands.json: the one that it names, or those of its batch.
+std::vector<std::string> compiledBy(const std::string& line) {
+  const std::string before = " -c ";
+  const std::size_t at = line.rfind(before);
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + before.size();
+  const std::string source = line.substr(begin, line.find_first_of(" \"", begin) - begin);
+  if (source.find("/Unity/") == std::string::npos) return {source};
+  std::vector<std::string> out;
+  std::ifstream batch(source);
+  for (std::string text; std::getline(batch, text);)
+    if (text.starts_with("#include \"")) out.push_back(text.substr(10, text.rfind('"') - 10));
+  return out;
+}
+
+// Where there is no compiler cache, the tests of a folder are compiled as one source.
+TEST(Rooms, TestsOfAFolderGiveANameToOneThing) {
+  const std::regex named(
+      R"(^(?:inline )?(?:constexpr|const) [^=({]*?\b(k[A-Z]\w*)\b|^(?:struct|class) (\w+))");
+  std::map<std::string, std::string> first;
+  for (const SourceFile* file : filesUnder({"tests/"}, {"_test.cpp"}))
+    for (const std::string& line : file->lines) {
+      std::smatch match;
+      const bool declares = line.ends_with(';') && line.starts_with("struct");
+      if (declares || !std::regex_search(line, match, named)) continue;
+      const std::string name = match[1].matched ? match[1].str() : match[2].str();
+      const auto [at, added] = first.emplace(folderOf(file->path) + " " + name, file->path);
+      EXPECT_TRUE(added || at->second == file->path)
+          << file->path << " and " << at->second << " both define " << name
+          << ": if it is one thing, put it into a header, else rename one";
+    }
+}
+
+// The build finds kernels by their names (dynamy_kernels); a file that loses its flags runs slower
+// and says nothing.
 TEST(Rooms, KernelsAreCompiledAsKernels) {
   std::ifstream stream(std::filesystem::path(DYNAMY_BINARY_DIR) / "compile_commands.json");
   if (!stream) GTEST_SKIP() << "this generator writes no compile_commands.json";
-  std::ostringstream text;
-  text << stream.rdbuf();
-  std::istringstream commands(text.str());
   std::set<std::string> compiled;
-  for (std::string line; std::getline(commands, line);) {
-    const std::size_t at = line.find("\"command\"");
-    if (at == std::string::npos || line.find("_kernel.cpp") == std::string::npos) continue;
-    EXPECT_NE(line.find("-fno-semantic-interposition"), std::string::npos) << line;
-    compiled.insert(line);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.find("\"command\"") == std::string::npos) continue;
+    for (const std::string& source : compiledBy(line)) {
+      if (!source.ends_with("_kernel.cpp")) continue;
+      EXPECT_NE(line.find("-fno-semantic-interposition"), std::string::npos) << source;
+      compiled.insert(source);
+    }
   }
   std::size_t kernels = 0;
   for (const SourceFile* file : filesUnder({kFramework + "/", kElements + "/"}, {"_kernel.cpp"}))

@@ -27,6 +27,9 @@ const std::vector<SourceFile>& sourceTree();
 /// The file at `path`; throws std::runtime_error if there is none.
 const SourceFile& sourceFile(const std::string& path);
 
+/// The endings of files of code.
+inline const std::vector<std::string> kCode = {".cpp", ".hpp"};
+
 /// The files under one of the folders, e.g. {"framework/", "elements/"}, with one of the endings;
 /// an empty list of endings means all.
 std::vector<const SourceFile*> filesUnder(const std::vector<std::string>& folders,

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <build_paths.hpp>
 
-#include <defects/defect_run.hpp>
 #include <program/program_fixture.hpp>
+#include <support/bounded_run.hpp>
 #include <support/load_model.hpp>
 
 namespace dynamy::defects {
@@ -24,7 +24,7 @@ TEST_F(KnownDefectsOfUse, ARopeOverASheaveMayBeElastic) {
   // EA/L = 4e5 N/m over a sheave that turns freely: two masses on springs and a wheel.
   knownDefect("elastic_rope", [] {
     try {
-      DefectRun rope(R"(<dynamy version="1"><systems><Ground name="world"/>
+      BoundedRun rope(R"(<dynamy version="1"><systems><Ground name="world"/>
 <PlanarBody name="sheave" position="0 0 5" mass="80" inertia="2.5"/>
 <PlanarBody name="a" position="-0.25 0 2" mass="1000" inertia="100"/><PlanarBody name="b" position="0.25 0 2" mass="900" inertia="100"/>
 </systems><forces><Gravity/></forces><elements><Revolute between="world sheave"/>

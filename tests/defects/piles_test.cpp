@@ -3,8 +3,8 @@
 #include <build_paths.hpp>
 
 #include <cmath>
-#include <defects/defect_run.hpp>
 #include <dynamy/io/files/output_file.hpp>
+#include <support/bounded_run.hpp>
 
 namespace dynamy::defects {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 TEST(KnownDefects, AnArchAboveItsLimitThicknessStandsAtAMillisecond) {
   // Eleven stones stand from t/R = 0.10490992 on, by linear programming of their equilibrium.
   for (const double more : {1.001, 1.01}) {
-    DefectRun arch("models/masonry_arch.xml", {.set = {{"t", numberText(more * 0.10490992)}}});
+    BoundedRun arch("models/masonry_arch.xml", {.set = {{"t", numberText(more * 0.10490992)}}});
     arch.run();
     knownDefect("arch_above_its_limit", [&] {
       for (const CheckResult& r : arch.simulation().checks())
@@ -53,15 +53,15 @@ TEST(KnownDefects, HitsThatFollowEachOtherWithinAStepAreNotTakenAsOneInSilence) 
       // b1, b2: (0, -1) to (-3/4, -1/4); b0, b1: (1, -3/4) to (-5/16, 9/16);
       // b1, b2: (9/16, -1/4) to (-3/64, 23/64).
       {"sides", 0.5, {-0.2105, 0.0, 0.2101}, {1.0, 0.0, -1.0}, {-0.3125, -0.046875, 0.359375}}};
-  const auto error = [](const DefectRun& run, const BallsOnALine& scene) {
+  const auto error = [](const BoundedRun& run, const BallsOnALine& scene) {
     double worst = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
       worst = std::max(worst, std::abs(run.last(i) - scene.after[i]));
     return worst;
   };
   for (const BallsOnALine& scene : scenes) {
-    DefectRun located(ballsOnALine(scene, R"(<simulation until="0.05" tolerance="1e-8"/>)"));
-    DefectRun fixed(ballsOnALine(scene, R"(<simulation until="0.05" step="1ms"/>)"));
+    BoundedRun located(ballsOnALine(scene, R"(<simulation until="0.05" tolerance="1e-8"/>)"));
+    BoundedRun fixed(ballsOnALine(scene, R"(<simulation until="0.05" step="1ms"/>)"));
     located.run(), fixed.run();
     // Nothing acts between hits, so that velocities are those of the closed form up to the
     // residual of an impact, at most the tolerance.
@@ -76,15 +76,6 @@ TEST(KnownDefects, HitsThatFollowEachOtherWithinAStepAreNotTakenAsOneInSilence) 
 
 // ---- long steps, jams ---------------------------------------------------------------------------
 
-TEST(MendedDefects, ARandomSceneOfFiveBodiesTakesItsFirstStep) {
-  // Two pairs on cylindrical joints, springs of 44 to 6e6 N/m, velocities of 300 m/s, a step of
-  // 0.13 s. Whatever is reached in a bounded number of iterations is to be taken and reported.
-  DefectRun scene("tests/data/defects/scene_3_54.xml", {.steps = 1, .iterations = 500});
-  scene.run();
-  EXPECT_NE(scene.report().reason, kUsedUp);
-  EXPECT_GE(scene.report().steps, 1);
-}
-
 TEST(LongKnownDefects, AJammedHopperTakesNoMoreNewtonStepsThanOneThatRuns) {
   // 300 balls fall on an outlet that is jammed or wide, in 215 steps.
   const auto hopper = [](double outlet) {
@@ -93,8 +84,8 @@ TEST(LongKnownDefects, AJammedHopperTakesNoMoreNewtonStepsThanOneThatRuns) {
       text.replace(at, 4, numberText(outlet));
     return text.substr(text.find("<dynamy"));
   };
-  DefectRun wide(hopper(0.16), {.every = 0.1, .steps = 215});
-  DefectRun jammed(hopper(0.12), {.every = 0.1, .steps = 215});
+  BoundedRun wide(hopper(0.16), {.every = 0.1, .steps = 215});
+  BoundedRun jammed(hopper(0.12), {.every = 0.1, .steps = 215});
   wide.run(), jammed.run();
   std::printf("Newton steps: wide %ld, jammed %ld\n", wide.newtonSteps(), jammed.newtonSteps());
   // The same balls, in as many steps: three times leaves room for the contacts of a jam.

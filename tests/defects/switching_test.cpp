@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <defects/defect_run.hpp>
+#include <support/bounded_run.hpp>
 
 namespace dynamy::defects {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 
 TEST(KnownDefects, ALatchIsRecordedAsSwitchedFromItsInstantOn) {
   // A mass in free fall; a brake engages at 20 m/s, after 20/9.81 s = 2.0387 s.
-  DefectRun fall(R"(<dynamy version="1"><systems>
+  BoundedRun fall(R"(<dynamy version="1"><systems>
 <Coordinates name="m" q="z" units="m" q0="100" M="1" potential="9.81*z"/></systems><elements>
 <CoordinateContact name="brake" on="m" slipVelocity="z_dot" engage="-z_dot - 20"><GivenFriction force="5"/></CoordinateContact>
 </elements><simulation until="3" tolerance="1e-8"/><record signals="brake.engaged m.z_dot" every="10ms" frames="0"/></dynamy>)");
@@ -32,7 +32,7 @@ TEST(KnownDefects, AMaximumIsFoundBesideTheEndOfAStep) {
   double worst = 0.0;
   for (int i = 0; i < 60; ++i) {
     const double p = -1.0 + i / 60.0;
-    DefectRun swing(
+    BoundedRun swing(
         R"(<dynamy version="1"><parameter name="p" value="0"/><systems>
 <Coordinates name="m" q="x" units="m" q0="{sin(p)}" u0="{cos(p)}" M="1" potential="0.5*x^2"/></systems>
 <simulation until="4" tolerance="1e-10"/><record signals="m.x" frames="0"/>
@@ -51,7 +51,7 @@ TEST(KnownDefects, AMaximumIsFoundBesideTheEndOfAStep) {
 
 TEST(KnownDefects, ARollingDiscWithADrawnContourIsFollowed) {
   // A coin rolls round on a table with friction along its rim, `contour`.
-  DefectRun disc(R"(<dynamy version="1">
+  BoundedRun disc(R"(<dynamy version="1">
 <parameter name="R" value="0.05"/><parameter name="l" value="1e-3"/><parameter name="alpha" value="0.15"/>
 <parameter name="Jt" value="{(3*R^2 + l^2)/12}"/><parameter name="Ja" value="{R^2/2}"/>
 <parameter name="Omega" value="{sqrt(9.81*R*(R*cos(alpha) - l/2*sin(alpha))/(sin(alpha)*(Jt*R*cos(alpha) - Ja*l/2*sin(alpha))))}"/>
@@ -60,7 +60,7 @@ TEST(KnownDefects, ARollingDiscWithADrawnContourIsFollowed) {
 <Ground name="table"><HalfSpace material="glass"/></Ground></systems><forces><Gravity/></forces>
 <elements><Contact between="steel glass"><UnilateralRolling mu="2" contour="0.001"/></Contact></elements>
 <simulation until="1.2" tolerance="1e-9"/><record signals="disc.z" every="1ms" frames="0"/></dynamy>)",
-                 {.evaluations = 100'000});
+                  {.evaluations = 100'000});
   disc.run();
   EXPECT_TRUE(disc.finished()) << disc.report().reason;
 }
@@ -68,19 +68,19 @@ TEST(KnownDefects, ARollingDiscWithADrawnContourIsFollowed) {
 TEST(KnownDefects, ABoxRocksOnACylinder) {
   // A flat box lies across a drum of 0.5 m, turned by 0.3 rad: half its height of 0.02 m is less
   // than the radius, so that it rocks and does not fall off.
-  DefectRun box(R"(<dynamy version="1"><systems>
+  BoundedRun box(R"(<dynamy version="1"><systems>
 <RigidBody name="box" position="0 0 0.51" euler="0 0 0.3" angularVelocity="0 0.1 0"><Box size="0.4 0.3 0.02" mass="1" material="wood"/></RigidBody>
 <Ground name="world"><Cylinder euler="90deg 0 0" radius="0.5" length="1" material="drum"/></Ground></systems>
 <forces><Gravity/></forces><elements><Contact between="wood drum"><UnilateralCoulomb mu="0.8"/></Contact></elements>
 <simulation until="0.5" tolerance="1e-6"/><record signals="box.z" every="10ms" frames="0"/></dynamy>)",
-                {.evaluations = 100'000});
+                 {.evaluations = 100'000});
   box.run();
   EXPECT_TRUE(box.finished()) << box.report().reason;
 }
 
 TEST(KnownDefects, ThirtyRandomBodiesRunToATolerance) {
   // Bodies of eight shapes, half of them polyhedra, in a box: the features that touch change often.
-  DefectRun scene("tests/data/defects/scene_3_3.xml", {.every = 0.1, .evaluations = 3'000});
+  BoundedRun scene("tests/data/defects/scene_3_3.xml", {.every = 0.1, .evaluations = 3'000});
   scene.run();
   knownDefect("another_list_after_every_motion",
               [&] { EXPECT_TRUE(scene.finished()) << scene.report().reason; });
@@ -102,17 +102,17 @@ std::string blockOnTwoCorners(double until) {
 
 TEST(KnownDefects, ABlockStandsOnTwoCornersWhoseSharesOfFrictionAreNotDetermined) {
   // To 0.46 rad: below atan 0.5 = 0.46365 no corner slips, whatever its share.
-  DefectRun block(blockOnTwoCorners(4.6), {.evaluations = 20'000});
+  BoundedRun block(blockOnTwoCorners(4.6), {.evaluations = 20'000});
   block.run();
   ASSERT_TRUE(block.finished()) << block.report().reason;
   ASSERT_NEAR(block.last(), 0.0, 1e-6);  // the tolerance: it stands
-  knownDefect("two_corners_slip_at_rest", [&] { EXPECT_EQ(block.report().located, 0); });
+  knownDefect("two_corners_slip_at_rest", [&] { EXPECT_EQ(block.report().located.switches, 0); });
 }
 
 TEST(KnownDefects, ABlockThatSlidesOnTwoCornersCostsAsMuchAsOneSwitch) {
   // To 0.6 rad: from atan 0.5 on it slides, v' = g (sin 0.1 t − 0.5 cos 0.1 t). Both corners stay
   // closed, for gravity points between them; that both begin to slip is two switches.
-  DefectRun block(blockOnTwoCorners(6.0), {.evaluations = 20'000});
+  BoundedRun block(blockOnTwoCorners(6.0), {.evaluations = 20'000});
   block.run();
   const double t0 = 10.0 * std::atan(0.5), s0 = std::sin(0.1 * t0), c0 = std::cos(0.1 * t0);
   // v = 98.1 (c0 − cos − 0.5 (sin − s0)), its integral from t0 on:
@@ -120,7 +120,7 @@ TEST(KnownDefects, ABlockThatSlidesOnTwoCornersCostsAsMuchAsOneSwitch) {
                                            5.0 * (std::cos(0.6) - c0));
   knownDefect("two_corners_slide", [&] {
     ASSERT_TRUE(block.finished()) << block.report().reason;
-    EXPECT_LE(block.report().located, 2);
+    EXPECT_LE(block.report().located.switches, 2);
     // Ten tolerances in the speed (theory 50.6), for the time of the slide.
     EXPECT_NEAR(block.last(), way, 10.0 * 1e-6 * d);
     EXPECT_TRUE(block.report().warnings.empty());
@@ -143,13 +143,13 @@ TEST(KnownDefects, PainlevesShockIsAnImpact) {
     rate -= 0.5 * h * 0.75 * 9.81 * std::cos(theta), theta += h * rate;
     rate -= 0.5 * h * 0.75 * 9.81 * std::cos(theta);
   }
-  DefectRun rod(R"(<dynamy version="1"><parameter name="theta" value="60deg"/><systems>
+  BoundedRun rod(R"(<dynamy version="1"><parameter name="theta" value="60deg"/><systems>
 <PlanarBody name="rod" position="0 0 {sin(theta)}" angularVelocity="1" velocity="{2 - sin(theta)} 0 {-cos(theta)}" mass="1" inertia="{1/3}">
 <Point position="{cos(theta)} 0 {-sin(theta)}" material="tip"/></PlanarBody>
 <Ground name="world"><HalfSpace material="floor"/></Ground></systems><forces><Gravity/></forces>
 <elements><Contact between="tip floor"><UnilateralCoulomb mu="1.5"/></Contact></elements>
 <simulation until="0.01" tolerance="1e-8"/><record signals="rod.phi rod.omega" every="1ms" frames="0"/></dynamy>)",
-                {.evaluations = 100'000});
+                 {.evaluations = 100'000});
   rod.run();
   knownDefect("painleve_shock", [&] {
     ASSERT_TRUE(rod.finished()) << rod.report().reason;

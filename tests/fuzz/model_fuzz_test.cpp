@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <fuzz/chosen_seed.hpp>
 #include <random>
 #include <unit/io/model/load_text.hpp>
 
@@ -30,9 +30,9 @@ const std::string kModel = R"(<dynamy version="1">
 </dynamy>
 )";
 
-class Mutator {
+class ModelMutator {
  public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
+  explicit ModelMutator(unsigned seed) : random_(seed) {}
 
   std::string mutate(std::string text) {
     for (std::size_t i = below(3) + 1; i > 0; --i) mutateOnce(text);
@@ -115,12 +115,10 @@ class Mutator {
 };
 
 TEST(ModelFuzz, GivesAModelOrErrorsWithLines) {
-  const char* given = std::getenv("DYNAMY_SEED");
-  const unsigned seed = given != nullptr ? static_cast<unsigned>(std::strtoul(given, nullptr, 10))
-                                         : std::random_device{}();
+  const unsigned seed = fuzz::chosenSeed();
   SCOPED_TRACE("DYNAMY_SEED=" + std::to_string(seed));
   ASSERT_EQ(dummy::errors(kModel), "");
-  Mutator mutator(seed);
+  ModelMutator mutator(seed);
   for (int i = 0; i < 5000; ++i) {
     const std::string text = mutator.mutate(kModel);
     try {

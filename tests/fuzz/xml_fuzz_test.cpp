@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <fuzz/chosen_seed.hpp>
 #include <random>
 #include <string>
 
 namespace dynamy {
 namespace {
 
-constexpr const char* kModel = R"(<?xml version="1.0"?>
+constexpr const char* kXml = R"(<?xml version="1.0"?>
 <dynamy version="1">
   <doc>Ball &amp; floor: µ = 0.3, <!-- a comment --> h &lt; 2 <![CDATA[ a<b ]]></doc>
   <parameter name="e" value="0.8" min="0" max="0.999"/>
@@ -28,15 +28,9 @@ constexpr const char* kModel = R"(<?xml version="1.0"?>
 </dynamy>
 )";
 
-unsigned chosenSeed() {
-  const char* given = std::getenv("DYNAMY_SEED");
-  return given != nullptr ? static_cast<unsigned>(std::strtoul(given, nullptr, 10))
-                          : std::random_device{}();
-}
-
-class Mutator {
+class XmlMutator {
  public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
+  explicit XmlMutator(unsigned seed) : random_(seed) {}
 
   std::string mutate(std::string text) {
     const std::size_t count = below(2) + 1;
@@ -129,13 +123,13 @@ void checkNode(const XmlDocument& document, const XmlNode& node) {
 }
 
 TEST(XmlFuzz, GivesATreeWithTruePlacesOrAModelError) {
-  const unsigned seed = chosenSeed();
+  const unsigned seed = fuzz::chosenSeed();
   std::printf("seed %u\n", seed);
   RecordProperty("seed", std::to_string(seed));
-  Mutator mutator(seed);
+  XmlMutator mutator(seed);
   int trees = 0, errors = 0;
   for (int i = 0; i < 2000; ++i) {
-    const std::string text = i == 0 ? kModel : mutator.mutate(kModel);
+    const std::string text = i == 0 ? kXml : mutator.mutate(kXml);
     SCOPED_TRACE("DYNAMY_SEED=" + std::to_string(seed) + ", input " + std::to_string(i) + ":\n" +
                  text);
     try {
@@ -163,9 +157,9 @@ TEST(XmlFuzz, GivesATreeWithTruePlacesOrAModelError) {
 }
 
 TEST(XmlFuzz, SurvivesRandomBytes) {
-  const unsigned seed = chosenSeed();
+  const unsigned seed = fuzz::chosenSeed();
   std::printf("seed %u\n", seed);
-  Mutator random(seed);
+  XmlMutator random(seed);
   for (int i = 0; i < 500; ++i) {
     std::string text(random.below(200) + 1, ' ');
     for (char& c : text) c = static_cast<char>(random.below(256));

@@ -30,7 +30,7 @@ TEST(Showcase, SchemeSolverAndObserverOfAPluginRunTogether) {
   fs::remove_all(folder);
 
   EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
-  EXPECT_EQ(report.unconverged, 0);
+  EXPECT_EQ(report.solver.unconverged, 0);
   // Momentum: Σ Λ_N = m g T + m (u(T) − u(0)) for every scheme that steps velocities like this, but
   // for rounding of 20 000 sums.
   EXPECT_NEAR(impulse, 2.0 * 9.81 * 2.0 + 2.0 * simulation.state().u[0], 1e-9);

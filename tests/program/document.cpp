@@ -33,14 +33,15 @@ std::string saved(const std::string& name, const std::string& text) {
 }
 
 /// The blocks of a page are one program; it runs up to each of them, if Python can.
-std::string python(const Block& block, const std::string& kind) {
+std::string python(const MarkedBlock& block, const std::string& kind) {
   const std::string program = "page_" + kind + ".py";
   const std::string needed = kind == "module" ? "dynamy, numpy" : "numpy";
   return "cat >> " + program + " <<'END_OF_BLOCK'\n" + block.text + "END_OF_BLOCK\nif " + kPython +
          " -c 'import " + needed + "'; then\n  " + kPython + ' ' + program + "\nfi\n";
 }
 
-std::string commands(const Block& block, const std::string& kind, const std::string& argument) {
+std::string commands(const MarkedBlock& block, const std::string& kind,
+                     const std::string& argument) {
   if (kind == "shell" && argument.empty()) return block.text;
   if (kind == "shell") {
     const std::string code = argument.substr(argument.rfind(' ') + 1);
@@ -61,9 +62,9 @@ std::string commands(const Block& block, const std::string& kind, const std::str
 
 }  // namespace
 
-std::vector<Block> markedBlocks(const std::string& file) {
+std::vector<MarkedBlock> markedBlocks(const std::string& file) {
   std::ifstream in(std::string(DYNAMY_SOURCE_DIR) + "/" + file);
-  std::vector<Block> all;
+  std::vector<MarkedBlock> all;
   std::string line;
   bool inside = false, wanted = false;
   for (int number = 1; std::getline(in, line); ++number) {
@@ -80,9 +81,9 @@ std::vector<Block> markedBlocks(const std::string& file) {
   return all;
 }
 
-std::string scriptOf(const std::vector<Block>& blocks, const std::string& file) {
+std::string scriptOf(const std::vector<MarkedBlock>& blocks, const std::string& file) {
   std::string script = "set -eo pipefail\n";
-  for (const Block& block : blocks) {
+  for (const MarkedBlock& block : blocks) {
     const std::size_t space = block.mark.find(' ');
     const std::string kind = block.mark.substr(0, space);
     const std::string argument = space == std::string::npos ? "" : block.mark.substr(space + 1);

@@ -16,15 +16,15 @@
 
 namespace dynamy {
 
-struct Block {
+struct MarkedBlock {
   std::string mark, text;
   int line = 0;  ///< of the mark
 };
 
 /// Blocks of a document in the source tree, in order.
-std::vector<Block> markedBlocks(const std::string& file);
+std::vector<MarkedBlock> markedBlocks(const std::string& file);
 
 /// The script for bash; it needs `dynamy` in the path and prints what the commands print.
-std::string scriptOf(const std::vector<Block>& blocks, const std::string& file);
+std::string scriptOf(const std::vector<MarkedBlock>& blocks, const std::string& file);
 
 }  // namespace dynamy

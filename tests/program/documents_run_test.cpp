@@ -33,7 +33,7 @@ class DocumentTest : public ProgramTest {
   }
   /// Runs all marked blocks of the page; what they print must contain the blocks marked `output`.
   void follow(const std::string& file) const {
-    const std::vector<Block> blocks = markedBlocks(file);
+    const std::vector<MarkedBlock> blocks = markedBlocks(file);
     ASSERT_FALSE(blocks.empty()) << file << " has no marked block";
     write("page.sh", scriptOf(blocks, file));
     const std::string command =
@@ -44,11 +44,11 @@ class DocumentTest : public ProgramTest {
         "CXX=" DYNAMY_CXX " bash page.sh > out 2>&1";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << out();
     const std::string printed = out();
-    for (const Block& block : blocks)
+    for (const MarkedBlock& block : blocks)
       if (block.mark == "output") expectPrinted(block, printed, file);
   }
   /// Each line of the block is part of what was printed; … stands for what differs from run to run.
-  static void expectPrinted(const Block& block, const std::string& printed,
+  static void expectPrinted(const MarkedBlock& block, const std::string& printed,
                             const std::string& file) {
     std::istringstream lines(block.text);
     for (std::string line; std::getline(lines, line);) {

@@ -4,6 +4,7 @@
 #include <dynamy/solver/automatic.hpp>
 #include <dynamy/solver/problem/given_problem.hpp>
 #include <reference/scene.hpp>
+#include <support/bounded_run.hpp>
 
 #include "unit/solver/inclusion_fixture.hpp"
 
@@ -200,6 +201,15 @@ TEST(BoundedWork, GivesUpEarlyWhereAStepIsTriedAgain) {
   const SolveReport patient = Automatic().solve(p, view(Lambda));  // who gives a tolerance
   EXPECT_FALSE(patient.ok());
   EXPECT_LT(3 * early.iterations, patient.iterations);
+}
+
+TEST(BoundedWork, ARandomSceneOfFiveBodiesTakesItsFirstStep) {
+  // Two pairs on cylindrical joints, springs of 44 to 6e6 N/m, velocities of 300 m/s, a step of
+  // 0.13 s. Whatever is reached in a bounded number of iterations is to be taken and reported.
+  BoundedRun scene("tests/data/defects/scene_3_54.xml", {.steps = 1, .iterations = 500});
+  scene.run();
+  EXPECT_NE(scene.report().reason, kUsedUp);
+  EXPECT_GE(scene.report().steps, 1);
 }
 
 }  // namespace

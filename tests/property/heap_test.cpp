@@ -93,7 +93,7 @@ TEST(Heap, HasTheSameBitsWithAnyNumberOfThreads) {
     Simulation simulation(*model);
     simulation.threads(threads);
     const RunReport report = simulation.run();
-    EXPECT_GT(report.contactsMax, 6000);
+    EXPECT_GT(report.contacts.most, 6000);
     return report.hash;
   };
   const std::uint64_t alone = run(1);
@@ -125,8 +125,8 @@ TEST(Heap, MomentumSavesHalfOfTheSweeps) {
         poured("<BlockGaussSeidel tolerance=\"1e-2\" maxIterations=\"20000\"" + momentum + "/>"));
     Simulation simulation(*model);
     const RunReport report = simulation.run();
-    EXPECT_EQ(report.unsolved.step, 0);
-    return static_cast<double>(report.iterations);
+    EXPECT_EQ(report.solver.unsolved.step, 0);
+    return static_cast<double>(report.solver.iterations);
   };
   EXPECT_LT(sweeps(""), 0.6 * sweeps(" momentum=\"0\""));
 }
@@ -211,7 +211,7 @@ TEST(Silo, WallsTakeTheirShareAtHalfTheHeightToo) {
   ASSERT_EQ(simulation.run().ended, RunReport::Ended::finished) << simulation.report().reason;
   expectChecksHold(simulation);
   MechanicalSystem system = silo.model().mechanicalSystem();
-  system.evaluate(simulation.state(), 0);
+  system.evaluate(simulation.state());
   double weight = 0.0;
   for (int b = 0; b < system.slot(0).mass.blocks(); ++b)
     weight += 9.81 / system.slot(0).mass.inverseDiagonal(b)[0];

@@ -48,8 +48,8 @@ void expectSame(const RunOf& a, const RunOf& b) {
   EXPECT_EQ(a.end.u, b.end.u);
   EXPECT_EQ(a.mean, b.mean);
   EXPECT_EQ(a.report.hash, b.report.hash);
-  EXPECT_EQ(a.report.impacts, b.report.impacts);
-  EXPECT_EQ(a.report.switches, b.report.switches);
+  EXPECT_EQ(a.report.contacts.impacts, b.report.contacts.impacts);
+  EXPECT_EQ(a.report.contacts.switches, b.report.contacts.switches);
   EXPECT_EQ(a.report.energy.normal, b.report.energy.normal);
   EXPECT_EQ(a.report.energy.discretisation, b.report.energy.discretisation);
 }

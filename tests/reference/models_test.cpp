@@ -36,10 +36,10 @@ TEST_P(Models, PassTheirChecks) {
   Simulation simulation(loaded.model());
   const RunReport& report = simulation.run();
   EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
-  EXPECT_EQ(report.unconverged, 0);
+  EXPECT_EQ(report.solver.unconverged, 0);
   expectChecksHold(simulation);
   EXPECT_EQ(loaded.model().topology().nu(), documentedVelocities(GetParam()));
-  RecordProperty("cpu_ms", static_cast<int>(1000.0 * report.cpu));
+  RecordProperty("cpu_ms", static_cast<int>(1000.0 * report.cost.cpu));
 }
 
 TEST(LongHopper, OfAThousandBallsRunsOutAndRests) {
@@ -51,7 +51,7 @@ TEST(LongHopper, OfAThousandBallsRunsOutAndRests) {
   Simulation simulation(loaded.model());
   const RunReport& report = simulation.run();
   EXPECT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
-  EXPECT_EQ(report.unconverged, 0);
+  EXPECT_EQ(report.solver.unconverged, 0);
   expectChecksHold(simulation);
 }
 

@@ -34,7 +34,7 @@ class Scene {
       model_.scheme(std::make_unique<HalfExplicitEuler>());
     if (setup.solver) model_.solver(std::move(setup.solver));
     system_ = std::make_unique<MechanicalSystem>(model_.mechanicalSystem());
-    system_->delassusForm(setup.form);
+    system_->limits.form = setup.form;
     x_ = model_.initialState();
   }
   Scene(const Scene&) = delete;
@@ -82,7 +82,7 @@ class Scene {
   const State& state() const { return x_; }
   Model& model() { return model_; }
   MechanicalSystem& system() { return *system_; }
-  Vec Lambda() { return system_->Lambda(); }
+  ConstVec Lambda() const { return std::as_const(*system_).problem().Lambda(); }
   const StepReport& report() const { return report_; }
   /// All inclusions so far were solved to their tolerance.
   bool solved() const { return solved_; }

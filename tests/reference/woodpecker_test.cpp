@@ -3,17 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <reference/woodpecker_cycle.hpp>
 #include <support/load_model.hpp>
 
 namespace dynamy {
 namespace {
 
-constexpr double kPeriod = 0.145976065144;  // [s]
-constexpr double kFall = 0.0194453792847;   // per cycle [m]
+using reference::Cycle, reference::kPeriod;
 
-struct Cycle {
-  double period = 0.0, fall = 0.0;
-};
+constexpr double kFall = 0.0194453792847;  // per cycle [m]
 
 /// Means over `cycles` cycles from beak impact to beak impact, after `transient` cycles. The cycle
 /// attracts with the multiplier −0.84: 60 cycles leave 3e-5 of the start. Single cycles scatter, so

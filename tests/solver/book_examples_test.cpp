@@ -11,6 +11,7 @@
 #include <dynamy/solver/impact/impact_law.hpp>
 #include <dynamy/solver/problem/given_problem.hpp>
 #include <fstream>
+#include <support/gravity.hpp>
 
 #include "support/enumeration.hpp"
 #include "unit/solver/inclusion_fixture.hpp"
@@ -20,8 +21,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kGravity = 9.81;
 
 // ---- 1: iterations over r ----------------------------------------------------------------------
 
@@ -94,7 +93,7 @@ struct Block {
   }
   /// One step of 10 ms from rest under weight and a horizontal force in the base plane.
   InclusionProblem& pose(double pull) {
-    uFree = 0.01 * Eigen::Vector3d(pull / 2.0, -kGravity, pull * 0.2 / mass()(2, 2));
+    uFree = 0.01 * Eigen::Vector3d(pull / 2.0, -kG, pull * 0.2 / mass()(2, 2));
     const auto n = static_cast<int>(x.contacts.size());
     x.pose(VectorXd::Zero(2 * n));
     VectorXd c(2 * n);
@@ -112,11 +111,11 @@ struct Block {
 };
 
 TEST(BookExamples, CoplanarPointsCarryTheWeightAndSlipAtMuWhateverTheStart) {
-  const double weight = 0.01 * 2.0 * kGravity, mu = 0.4;
+  const double weight = 0.01 * 2.0 * kG, mu = 0.4;
   for (const int n : {2, 3, 5, 9, 17}) {
     Block block(n, mu);
     for (const double part : {0.5, 0.999, 1.001, 2.0}) {
-      const InclusionProblem& p = block.pose(part * mu * 2.0 * kGravity);
+      const InclusionProblem& p = block.pose(part * mu * 2.0 * kG);
       VectorXd first;
       std::mt19937 random(7);
       for (int start = 0; start < 4; ++start) {
@@ -129,7 +128,7 @@ TEST(BookExamples, CoplanarPointsCarryTheWeightAndSlipAtMuWhateverTheStart) {
         for (int k = 0; k < n; ++k) N += Lambda[2 * k];
         // 1e-12 of u_ref, 0.1 m/s, times masses of 2 kg and lever arms.
         EXPECT_NEAR(N, weight, 1e-10);
-        const double slip = std::max(0.0, part - 1.0) * mu * 0.01 * kGravity;
+        const double slip = std::max(0.0, part - 1.0) * mu * 0.01 * kG;
         EXPECT_NEAR(u[0], slip, 1e-10) << n << ", " << part;
         if (start == 0) first = u;
         EXPECT_LE((u - first).norm(), 1e-10);
@@ -155,7 +154,7 @@ int columnSweeps(int n, bool fromTop, VectorXd* out = nullptr) {
     if (sphere + 1 < n)
       Wt(0, sphere + 1) = -1.0;
     else
-      c[k] = -kGravity;
+      c[k] = -kG;
     x.contact(law, Wt);
   }
   VectorXd Lambda = VectorXd::Zero(n);
@@ -174,7 +173,7 @@ TEST(BookExamples, SweepsOfAColumnGrowWithTheSquareInEitherOrder) {
     const int count[2] = {columnSweeps(n, true, &Lambda), columnSweeps(n, false)};
     std::printf("| %d | %d | %d |\n", n, count[0], count[1]);
     // The k-th contact carries k weights; 1e-6 of g comes back times |G⁻¹| = n²/2.
-    for (int k = 0; k < n; ++k) EXPECT_NEAR(Lambda[k], (k + 1) * kGravity, 1e-5 * n * n);
+    for (int k = 0; k < n; ++k) EXPECT_NEAR(Lambda[k], (k + 1) * kG, 1e-5 * n * n);
     // ρ = cos²(π/(2n + 1)) in both orders: sweeps ~ n², an exponent of 2 between doubled n.
     for (int order = 0; order < 2; ++order) {
       if (n >= 20) {

@@ -13,7 +13,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 12;
+constexpr unsigned kRegularisationSeed = 12;
 
 /// Λ = prox_C(−r x): the law with a spring of stiffness r in series, deflected by x.
 VectorXd regularised(const InclusionProblem& p, double r, const VectorXd& x) {
@@ -28,7 +28,7 @@ VectorXd regularised(const InclusionProblem& p, double r, const VectorXd& x) {
 class ExactRegularisation : public ::testing::Test {
  protected:
   ExactRegularisation() {
-    std::mt19937 random(kSeed);
+    std::mt19937 random(kRegularisationSeed);
     x_.contact(coulomb_, fixture::randomMatrix(random, 3, 14));
     x_.contact(coulomb_, fixture::randomMatrix(random, 2, 14));
     x_.contact(smooth_, fixture::randomMatrix(random, 1, 14));
@@ -128,7 +128,7 @@ TEST(AugmentedLagrangian, HasItsSaddleWhereTheInclusionIsSolved) {
   VectorXd Lambda = VectorXd::Zero(2);
   ASSERT_TRUE(ProximalNewton().solve(x.pose(c), view(Lambda)).ok());
   const Eigen::Vector2d at = Lambda, u = L.uFree + L.M.inverse() * L.W * at;
-  std::mt19937 random(kSeed);
+  std::mt19937 random(kRegularisationSeed);
   for (int trial = 0; trial < 200; ++trial) {
     const Eigen::Vector2d d = 0.3 * fixture::randomMatrix(random, 2, 1);
     EXPECT_GE(L(u + d, at), L(u, at) - 1e-9);  // minimum in u

@@ -21,7 +21,7 @@ namespace {
 
 using Solvers = std::map<std::string, std::unique_ptr<InclusionSolver>>;
 
-Solvers solvers() {
+Solvers boundedSolvers() {
   Solvers out;
   const ProxOptions sweeps{.tolerance = 1e-8, .maxIterations = 300};
   out["Automatic"] = std::make_unique<Automatic>(
@@ -82,7 +82,7 @@ std::vector<FclibProblem> extremes() {
 
 TEST(ExtremeNumbers, NoSolverCrashesOrClaimsASolutionThatIsNone) {
   // One object of each for all problems, so that nothing of the last problem is used for the next.
-  const Solvers all = solvers();
+  const Solvers all = boundedSolvers();
   int at = 0;
   for (const FclibProblem& problem : extremes()) {
     Eigen::MatrixXd W = problem.W;
@@ -136,7 +136,7 @@ TEST(ExtremeNumbers, TheDiagnosisOfNoContactSaysNothing) {
   for (const int dim : {2, 3}) {
     const std::unique_ptr<GivenProblem> given =
         inclusionProblem(randomProblem(dim, 0, 1, 0.5, 0.0, 1));
-    for (const auto& [name, solver] : solvers()) {
+    for (const auto& [name, solver] : boundedSolvers()) {
       Eigen::VectorXd none(0);
       const SolveReport report = solver->solve(given->problem(), view(none));
       EXPECT_TRUE(report.ok()) << name;

@@ -17,7 +17,7 @@ namespace dynamy {
 namespace {
 namespace fs = std::filesystem;
 
-constexpr double kTolerance = 1e-8;
+constexpr double kFclibTolerance = 1e-8;
 
 /// Files of the collection in the order of their names.
 std::vector<fs::path> collection(const std::vector<std::string>& parts = {"", "scenes"}) {
@@ -33,7 +33,7 @@ std::vector<fs::path> collection(const std::vector<std::string>& parts = {"", "s
 }
 
 void solveAndCheck(const std::string& name, const FclibProblem& problem,
-                   double tolerance = kTolerance) {
+                   double tolerance = kFclibTolerance) {
   const auto given = inclusionProblem(condensed(problem));
   const FclibRule rule;
   given->problem().rule = &rule;
@@ -55,7 +55,7 @@ void solveAndCheck(const std::string& name, const FclibProblem& problem,
   EXPECT_LE(reached, 1.01 * tolerance + 5e-13) << name;
 }
 
-void solveCollection(int from, int to, double tolerance = kTolerance) {
+void solveCollection(int from, int to, double tolerance = kFclibTolerance) {
   const std::vector<fs::path> files = collection();
   if (files.empty()) GTEST_SKIP() << "no collection of problems beside the source tree";
   std::printf("| problem | contacts | sweeps | Newton | residual at 0 | residual | ms |\n");

@@ -11,7 +11,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kTolerance = 1e-8;
+constexpr double kKnownTolerance = 1e-8;
 // CPU time of one problem. Of one that may have no solution a false claim is looked for, which needs
 // no end; ten parts with 10 s for each of those would take days.
 constexpr double kSeconds = 10.0, kSecondsOfOthers = 0.1;
@@ -41,7 +41,8 @@ struct Count {
 /// contacts.
 Count solve(unsigned from, unsigned to, int most) {
   Count count;
-  Automatic solver({.tolerance = kTolerance});  // one for all: nothing may be left from the last
+  Automatic solver(
+      {.tolerance = kKnownTolerance});  // one for all: nothing may be left from the last
   for (unsigned seed = from; seed < to; ++seed) {
     const KnownProblem known = KnownProblems(seed).take();
     if (!known.known() && known.problem.contacts() > most) continue;
@@ -55,7 +56,7 @@ Count solve(unsigned from, unsigned to, int most) {
     const Missed missed = dynamy::missed(known.problem, Lambda);
     if (report.ok()) {
       // What the solver may take for rounding, 4ε(|G||Λ| + |c|), is no false claim.
-      EXPECT_LE(missed.error, kTolerance + missed.rounding) << "seed " << seed;
+      EXPECT_LE(missed.error, kKnownTolerance + missed.rounding) << "seed " << seed;
     }
     if (!known.known()) continue;
     ++count.known;

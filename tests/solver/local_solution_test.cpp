@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 2024;
+constexpr unsigned kLocalSeed = 2024;
 using SetShape = SimpleSet::Shape;
 
 struct Problem {
@@ -183,8 +183,8 @@ void compare(const Problem& p, int instance, int& several, int& none) {
 }
 
 TEST(LocalSolution, IsThatOfTheOracleForSymmetricBlocks) {
-  Randoms random{std::mt19937(kSeed)};
-  std::cout << "seed " << kSeed << '\n';
+  Randoms random{std::mt19937(kLocalSeed)};
+  std::cout << "seed " << kLocalSeed << '\n';
   int several = 0, none = 0;
   for (int i = 0; i < 4000; ++i) compare(random.problem(i % 4 == 0 ? 2 : 3, 0.0), i, several, none);
   EXPECT_EQ(none, 0) << "a positive definite block has a solution for every b";
@@ -192,8 +192,8 @@ TEST(LocalSolution, IsThatOfTheOracleForSymmetricBlocks) {
 }
 
 TEST(LocalSolution, IsThatOfTheOracleForUnsymmetricBlocks) {
-  Randoms random{std::mt19937(kSeed + 1)};
-  std::cout << "seed " << kSeed + 1 << '\n';
+  Randoms random{std::mt19937(kLocalSeed + 1)};
+  std::cout << "seed " << kLocalSeed + 1 << '\n';
   int several = 0, none = 0;
   for (int i = 0; i < 4000; ++i) {
     Problem p = random.problem(i % 4 == 0 ? 2 : 3, random.logUniform(0.1, 5.0));
@@ -204,8 +204,8 @@ TEST(LocalSolution, IsThatOfTheOracleForUnsymmetricBlocks) {
 
 TEST(LocalSolution, IsThatOfTheOracleNearAJam) {
   // μ|D_NT| from 0.9 to 1.1 of D_NN, with b both ways.
-  Randoms random{std::mt19937(kSeed + 2)};
-  std::cout << "seed " << kSeed + 2 << '\n';
+  Randoms random{std::mt19937(kLocalSeed + 2)};
+  std::cout << "seed " << kLocalSeed + 2 << '\n';
   int several = 0, none = 0;
   for (int i = 0; i < 4000; ++i) {
     Problem p = random.problem(i % 4 == 0 ? 2 : 3, i % 2 ? 0.5 : 0.0);
@@ -218,8 +218,8 @@ TEST(LocalSolution, IsThatOfTheOracleNearAJam) {
 
 TEST(LocalSolution, DoesNotDependOnUnits) {
   // Powers of two scale every operation without rounding: [D] = 1/kg, [b] = m/s.
-  Randoms random{std::mt19937(kSeed + 3)};
-  std::cout << "seed " << kSeed + 3 << '\n';
+  Randoms random{std::mt19937(kLocalSeed + 3)};
+  std::cout << "seed " << kLocalSeed + 3 << '\n';
   for (int i = 0; i < 4000; ++i) {
     const Problem p = random.problem(i % 4 == 0 ? 2 : 3, i % 3 == 0 ? 0.7 : 0.0);
     const Answer one = first(p);
@@ -233,8 +233,8 @@ TEST(LocalSolution, DoesNotDependOnUnits) {
 
 TEST(LocalSolution, HoldsAtExtremeRatios) {
   // Rows of D from 1e-6 to 1e6, b from 1e-12 to 1e12: the oracle would need as many angles.
-  Randoms random{std::mt19937(kSeed + 4)};
-  std::cout << "seed " << kSeed + 4 << '\n';
+  Randoms random{std::mt19937(kLocalSeed + 4)};
+  std::cout << "seed " << kLocalSeed + 4 << '\n';
   for (int i = 0; i < 20000; ++i) {
     Problem p = random.problem(3, 0.0);
     const double tangent = random.logUniform(1e-3, 1e3);
@@ -289,8 +289,8 @@ TEST(LocalSolution, SticksWithTheShortestForceWhereATangentHasNoInertia) {
 }
 
 TEST(LocalSolution, OfFixedSetsIsTheirProjection) {
-  Randoms random{std::mt19937(kSeed + 5)};
-  std::cout << "seed " << kSeed + 5 << '\n';
+  Randoms random{std::mt19937(kLocalSeed + 5)};
+  std::cout << "seed " << kLocalSeed + 5 << '\n';
   for (int i = 0; i < 4000; ++i) {
     Problem p = random.problem(2, 0.0);
     const double radius = random.logUniform(1e-3, 10.0);
@@ -320,8 +320,8 @@ TEST(LocalSolution, OfFixedSetsIsTheirProjection) {
 }
 
 TEST(LocalSolution, OfAJointIsItsInverse) {
-  Randoms random{std::mt19937(kSeed + 6)};
-  std::cout << "seed " << kSeed + 6 << '\n';
+  Randoms random{std::mt19937(kLocalSeed + 6)};
+  std::cout << "seed " << kLocalSeed + 6 << '\n';
   for (const int n : {1, 2, 3, 5, 6}) {
     const Problem p = random.problem(n, 0.3);
     VectorXd L(n);

@@ -1,5 +1,5 @@
 // Thousands of small problems against all solutions by enumeration: who claims a solution must have
-// one. Counts of the solvers are printed, not asserted, except where theory promises a solution.
+// one. Counts of the oracleSolvers are printed, not asserted, except where theory promises a solution.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -22,7 +22,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 20;
+constexpr unsigned kOracleSeed = 20;
 /// Residuals are 1e-10 of u_ref; conditions of 1e4 between ξ and the numbers of the laws are seen.
 constexpr double kRight = 1e-6;
 
@@ -72,11 +72,11 @@ VectorXd vectorOf(Family family, const MatrixXd& M, Numbers& number) {
   return number.matrix(n, 1);
 }
 
-struct Count {
+struct Verdicts {
   int right = 0, honest = 0, noSolution = 0, proven = 0, falseClaims = 0;
 };
 
-std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>> solvers() {
+std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>> oracleSolvers() {
   std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>> out;
   out.emplace_back("Lemke", std::make_unique<LemkeSolver>(LemkeOptions{.polish = false}));
   ProximalNewtonOptions newton;
@@ -99,7 +99,7 @@ std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>> solvers() 
   return out;
 }
 
-void print(const char* family, const char* solver, const Count& n) {
+void print(const char* family, const char* solver, const Verdicts& n) {
   std::printf("| %s | %s | %d | %d | %d | %d | %d |\n", family, solver, n.right, n.honest,
               n.noSolution, n.proven, n.falseClaims);
 }
@@ -107,17 +107,17 @@ void printHead(const char* what) {
   std::printf(
       "seed %u, %s\n| problems | solver | solved | said no | no solution | proven | false claims "
       "|\n",
-      kSeed, what);
+      kOracleSeed, what);
 }
 
 /// Solves with every solver; `error` judges Λ, `exists`: the oracle found a solution.
 void solveAll(std::vector<std::pair<const char*, std::unique_ptr<InclusionSolver>>>& all,
               InclusionProblem& p, bool exists, const std::function<double(const VectorXd&)>& error,
-              std::vector<Count>& counts) {
+              std::vector<Verdicts>& counts) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     VectorXd Lambda = VectorXd::Zero(p.rows());
     const SolveReport report = all[k].second->solve(p, view(Lambda));
-    Count& n = counts[k];
+    Verdicts& n = counts[k];
     n.noSolution += !exists;
     n.proven += !exists && report.method == "Lemke: there is no solution";
     if (exists) {
@@ -155,11 +155,11 @@ TEST(Oracle, EnumerationFindsTheSolutionsOfSmallExamples) {
 }
 
 TEST(Oracle, ComplementarityProblemsHaveNoFalseSolutions) {
-  auto all = solvers();
-  Numbers number(kSeed);
+  auto all = oracleSolvers();
+  Numbers number(kOracleSeed);
   printHead("complementarity problems of 1 to 6 unknowns");
   for (const auto& [family, name] : kNames) {
-    std::vector<Count> counts(all.size());
+    std::vector<Verdicts> counts(all.size());
     int solvable = 0;
     for (int trial = 0; trial < 400; ++trial) {
       const int n = 1 + number.below(6);
@@ -212,8 +212,8 @@ std::unique_ptr<GivenProblem> coulombProblem(const CoulombCase& x) {
 }
 
 TEST(Oracle, PlanarFrictionHasNoFalseSolutions) {
-  auto all = solvers();
-  Numbers number(kSeed + 1);
+  auto all = oracleSolvers();
+  Numbers number(kOracleSeed + 1);
   struct Setting {
     const char* name;
     int rankMore;  // rank − rows
@@ -225,7 +225,7 @@ TEST(Oracle, PlanarFrictionHasNoFalseSolutions) {
                               {"rank deficient, mu < 0.5", -1, 0.5, 0.0},
                               {"rank deficient, mu < 4", -1, 4.0, 0.0},
                               {"not symmetric, mu < 4", 2, 4.0, 0.5}}) {
-    std::vector<Count> counts(all.size());
+    std::vector<Verdicts> counts(all.size());
     int solvable = 0, several = 0, problems = 0;
     for (int trial = 0; trial < 300; ++trial) {
       const int n = 1 + number.below(4);
@@ -261,7 +261,7 @@ TEST(Oracle, PlanarFrictionHasNoFalseSolutions) {
 }
 
 TEST(Oracle, TheBooksComplementarityFormHasTheSolutionsOfTheStates) {
-  Numbers number(kSeed + 2);
+  Numbers number(kOracleSeed + 2);
   for (int trial = 0; trial < 200; ++trial) {
     const CoulombCase x = coulombCase(2, 6, 3.0, 0.0, number);
     const auto states = enumeration::coulomb(x.G, x.c, x.mu);

@@ -11,6 +11,7 @@
 #include "solver/fclib_checker.hpp"
 #include "support/contact_problems.hpp"
 #include "unit/solver/inclusion_fixture.hpp"
+#include "unit/solver/laws.hpp"
 
 namespace dynamy {
 namespace {
@@ -18,14 +19,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 11;
-const Unilateral kUnilateral;
-const Bilateral kBilateral;
+constexpr unsigned kPackedSeed = 11;
+using fixture::kBilateral;
+using fixture::kUnilateral;
 
 /// n cubes of side 1 on each other, mass and inertia of a cube, four corners each. ξ = γ^E with the
 /// weight of 1 ms; `pull` of it along x.
-struct Stack {
-  Stack(int n, double mu, double pull) : law(0.0, 0.0, mu), x(masses(n)), c(12 * n) {
+struct CubeStack {
+  CubeStack(int n, double mu, double pull) : law(0.0, 0.0, mu), x(masses(n)), c(12 * n) {
     VectorXd v = VectorXd::Zero(6 * n);
     for (int b = 0; b < n; ++b) v[6 * b + 2] = -kWeight, v[6 * b] = pull * kWeight;
     for (int b = 0; b < n; ++b)
@@ -57,7 +58,7 @@ SolveReport solve(fixture::Inclusion& x, const VectorXd& c, double tolerance, Ve
 
 TEST(PackedGaussSeidel, CarriesAStackByItsWeight) {
   // Normal forces on one level sum up to the weight above, friction to the pull above.
-  Stack stack(5, 0.6, 0.05);
+  CubeStack stack(5, 0.6, 0.05);
   VectorXd L;
   ASSERT_TRUE(solve(stack.x, stack.c, 1e-10, L).ok());
   for (int level = 0; level < 5; ++level) {
@@ -66,22 +67,22 @@ TEST(PackedGaussSeidel, CarriesAStackByItsWeight) {
       N += L[12 * level + 3 * corner], T += L[12 * level + 3 * corner + 1];
     // E_u ≤ 1e-10 of the weight's velocity per contact; the slowest mode of five cubes has a
     // stiffness of about 1/100 of a contact's.
-    EXPECT_NEAR(N, (5 - level) * Stack::kWeight, 1e-7 * Stack::kWeight) << level;
-    EXPECT_NEAR(T, -0.05 * (5 - level) * Stack::kWeight, 1e-7 * Stack::kWeight) << level;
+    EXPECT_NEAR(N, (5 - level) * CubeStack::kWeight, 1e-7 * CubeStack::kWeight) << level;
+    EXPECT_NEAR(T, -0.05 * (5 - level) * CubeStack::kWeight, 1e-7 * CubeStack::kWeight) << level;
   }
 }
 
 TEST(PackedGaussSeidel, LetsACubeSlide) {
   // Pulled by its weight with μ = ½: γ_x^E = (1 − μ) g Δt and no other motion; moments balance by
   // unequal N.
-  Stack stack(1, 0.5, 1.0);
+  CubeStack stack(1, 0.5, 1.0);
   VectorXd L;
   ASSERT_TRUE(solve(stack.x, stack.c, 1e-12, L).ok());
   const VectorXd xi = stack.x.dense() * L + stack.c;
   for (int corner = 0; corner < 4; ++corner) {
-    EXPECT_NEAR(xi[3 * corner], 0.0, 1e-10 * Stack::kWeight);
-    EXPECT_NEAR(xi[3 * corner + 1], 0.5 * Stack::kWeight, 1e-10 * Stack::kWeight);
-    EXPECT_NEAR(L[3 * corner + 1], -0.5 * L[3 * corner], 1e-10 * Stack::kWeight);
+    EXPECT_NEAR(xi[3 * corner], 0.0, 1e-10 * CubeStack::kWeight);
+    EXPECT_NEAR(xi[3 * corner + 1], 0.5 * CubeStack::kWeight, 1e-10 * CubeStack::kWeight);
+    EXPECT_NEAR(L[3 * corner + 1], -0.5 * L[3 * corner], 1e-10 * CubeStack::kWeight);
   }
 }
 
@@ -101,8 +102,8 @@ TEST(PackedGaussSeidel, SolvesContactsOfEveryKindBesideEachOther) {
   // Blocks of 6, 3, 1 and 9 velocities with full masses; rows on one to three of them: in batches
   // (one to three rows, one or two blocks of at most six) and apart (the large block, three blocks,
   // a joint, rolling, given friction). The laws themselves are the truth.
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << '\n';
+  std::mt19937 random(kPackedSeed);
+  std::cout << "seed " << kPackedSeed << '\n';
   const double mu = 0.2, brake = 0.3;
   const UnilateralCoulomb coulomb(0.0, 0.0, mu);
   const GivenFriction given(brake, brake);
@@ -156,7 +157,7 @@ TEST(PackedGaussSeidel, SolvesProblemsWithoutBodiesByTheBlock) {
 }
 
 TEST(PackedGaussSeidel, ReportsTheResidualOfTheBestSweepsWhenTheyAreSpent) {
-  Stack stack(20, 0.6, 0.0);
+  CubeStack stack(20, 0.6, 0.0);
   InclusionProblem& p = stack.x.pose(stack.c);
   std::vector<double> scratch;
   double before = std::numeric_limits<double>::infinity();
@@ -174,7 +175,7 @@ TEST(PackedGaussSeidel, ReportsTheResidualOfTheBestSweepsWhenTheyAreSpent) {
 
 TEST(PackedGaussSeidel, NeedsFewerSweepsWithMomentum) {
   // (4.25): slow modes shrink by 1/(1 − β) = 10 times as much; a third of that is asked.
-  Stack stack(8, 0.6, 0.3);
+  CubeStack stack(8, 0.6, 0.3);
   VectorXd L;
   const int plain = solve(stack.x, stack.c, 1e-2, L, 0.0).iterations;
   const int moved = solve(stack.x, stack.c, 1e-2, L, 0.9).iterations;
@@ -183,14 +184,14 @@ TEST(PackedGaussSeidel, NeedsFewerSweepsWithMomentum) {
 
 TEST(PackedGaussSeidel, GoesBackWhereMomentumDiverges) {
   // With all of the last change the corners of cubes diverge by 1.15 a sweep.
-  Stack stack(8, 0.6, 0.0);
+  CubeStack stack(8, 0.6, 0.0);
   VectorXd L;
   const SolveReport report = solve(stack.x, stack.c, 1e-6, L, 1.0);
   EXPECT_TRUE(report.ok()) << report.residuals.largest();
 }
 
 TEST(PackedGaussSeidel, StartsFromZeroWhereTheStartIsWorse) {
-  Stack stack(3, 0.6, 0.0);
+  CubeStack stack(3, 0.6, 0.0);
   InclusionProblem& p = stack.x.pose(stack.c);
   VectorXd L = VectorXd::Constant(36, 1e3);
   const SolveReport far = PackedGaussSeidel({.tolerance = 1e-2}).solve(p, view(L));
@@ -203,8 +204,8 @@ TEST(PackedGaussSeidel, StartsFromZeroWhereTheStartIsWorse) {
 
 TEST(PackedKernels, GiveTheSameBitsOnEveryLevel) {
   // Three sweeps over random batches, whose bodies overlap from batch to batch, and the measures.
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << ", " << packedLevels().size() << " levels\n";
+  std::mt19937 random(kPackedSeed);
+  std::cout << "seed " << kPackedSeed << ", " << packedLevels().size() << " levels\n";
   std::normal_distribution<double> normal;
   const auto fill = [&](Lanes& lanes) {
     for (double& x : lanes) x = normal(random);

@@ -7,6 +7,7 @@
 #include <dynamy/solver/prox_solvers.hpp>
 
 #include "unit/solver/inclusion_fixture.hpp"
+#include "unit/solver/laws.hpp"
 
 namespace dynamy {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const Bilateral kBilateral;  // sets inactive: the prox is the identity
-const Unilateral kUnilateral;
+using fixture::kBilateral;  // sets inactive: the prox is the identity
+using fixture::kUnilateral;
 
 /// Spectral radius of the iteration e ← B e, with B e_j from one sweep that starts at e_j (c = 0).
 template <class Solver>

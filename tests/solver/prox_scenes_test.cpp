@@ -5,6 +5,7 @@
 #include <dynamy/solver/prox_solvers.hpp>
 
 #include "unit/solver/inclusion_fixture.hpp"
+#include "unit/solver/laws.hpp"
 
 namespace dynamy {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const Unilateral kUnilateral;
+using fixture::kUnilateral;
 
 enum class Method { jacobi, gaussSeidel };
 struct Way {

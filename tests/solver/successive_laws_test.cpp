@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 5;
+constexpr unsigned kSuccessiveSeed = 5;
 
 /// One planar contact with G_NN = G_TT = 1, G_NT = 1/2.
 struct OneContact {
@@ -63,8 +63,8 @@ TEST(SuccessiveLaws, FailForLargeMuAlthoughTheSolutionIsUnique) {
 }
 
 TEST(SuccessiveLaws, AgreeWithTheOtherSolversForSmallMu) {
-  std::mt19937 random(kSeed);
-  std::printf("seed %u\n", kSeed);
+  std::mt19937 random(kSuccessiveSeed);
+  std::printf("seed %u\n", kSuccessiveSeed);
   const UnilateralCoulomb law(0.0, 0.0, 0.1);
   const Bilateral joint;
   const GivenFriction friction(0.2, 0.2);
@@ -138,8 +138,8 @@ TEST(ProxBlockMetric, SolvesFrictionOfGivenSizeExactly) {
 }
 
 TEST(ProxBlockMetric, GivesTheVelocitiesOfTheDiagonalOne) {
-  std::mt19937 random(kSeed + 1);
-  std::printf("seed %u\n", kSeed + 1);
+  std::mt19937 random(kSuccessiveSeed + 1);
+  std::printf("seed %u\n", kSuccessiveSeed + 1);
   const UnilateralCoulomb law(0.0, 0.0, 0.3);
   const Unilateral smooth;
   const Bilateral joint;

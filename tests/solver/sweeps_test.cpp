@@ -11,6 +11,7 @@
 #include "solver/fclib_checker.hpp"
 #include "support/contact_problems.hpp"
 #include "unit/solver/inclusion_fixture.hpp"
+#include "unit/solver/laws.hpp"
 
 namespace dynamy {
 namespace {
@@ -18,9 +19,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 5;
-const Unilateral kUnilateral;
-const Bilateral kBilateral;
+constexpr unsigned kSweepsSeed = 5;
+using fixture::kBilateral;
+using fixture::kUnilateral;
 
 struct Result {
   SolveReport report;
@@ -60,8 +61,8 @@ TEST(BlockGaussSeidel, SolvesOneContactInOneSweep) {
 
 TEST(BlockGaussSeidel, SolvesContactsThatHaveNoClosedForm) {
   // Rolling contacts, 5 rows, on bodies with 6 velocities each: one body alone, then coupled ones.
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << '\n';
+  std::mt19937 random(kSweepsSeed);
+  std::cout << "seed " << kSweepsSeed << '\n';
   const UnilateralRolling law(0.4, 0.1);
   for (const int n : {1, 4}) {
     fixture::Inclusion x(std::vector<MatrixXd>{MatrixXd::Identity(8 * n, 8 * n)});
@@ -79,8 +80,8 @@ TEST(BlockGaussSeidel, SolvesContactsThatHaveNoClosedForm) {
 }
 
 TEST(BlockGaussSeidel, GivesOneResultInBothFormsOfG) {
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << '\n';
+  std::mt19937 random(kSweepsSeed);
+  std::cout << "seed " << kSweepsSeed << '\n';
   const UnilateralCoulomb law(0.0, 0.0, 0.3);
   fixture::Inclusion x(std::vector<MatrixXd>{MatrixXd::Identity(20, 20), MatrixXd::Identity(4, 4)});
   for (int i = 0; i < 4; ++i) x.contact(law, fixture::randomMatrix(random, 3, 24));
@@ -97,8 +98,8 @@ TEST(BlockGaussSeidel, GivesOneResultInBothFormsOfG) {
 
 TEST(BlockGaussSeidel, SolvesJointsAndGivenFrictionAsBlocks) {
   // Two joints of 3 rows and a brake: fixed sets, so that the minimum of ½ΛᵀGΛ + cᵀΛ is the truth.
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << '\n';
+  std::mt19937 random(kSweepsSeed);
+  std::cout << "seed " << kSweepsSeed << '\n';
   const GivenFriction brake(0.2, 0.2);
   fixture::Inclusion x(std::vector<MatrixXd>{MatrixXd::Identity(12, 12)});
   x.contact(kBilateral, fixture::randomMatrix(random, 3, 12));
@@ -117,8 +118,8 @@ TEST(BlockGaussSeidel, SolvesJointsAndGivenFrictionAsBlocks) {
 
 TEST(Anderson, SolvesALinearIterationInAsManyStepsAsUnknowns) {
   // x ← Bx + b with five unknowns: the memory of five spans all directions.
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << '\n';
+  std::mt19937 random(kSweepsSeed);
+  std::cout << "seed " << kSweepsSeed << '\n';
   const int n = 5;
   const MatrixXd A = fixture::randomMatrix(random, n, n), B = 0.9 * A / A.norm();
   const VectorXd b = fixture::randomMatrix(random, n, 1),

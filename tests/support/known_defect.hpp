@@ -58,7 +58,7 @@ class WorkLimit final : public Observer {
   }
   void step(const StepView& view) override {
     newton_ += view.report.solved.newton;
-    if (--steps_ <= 0 || report_->evaluations >= evaluations_) stop_ = true;
+    if (--steps_ <= 0 || report_->cost.evaluations >= evaluations_) stop_ = true;
   }
   /// Newton steps of all inclusions that accepted steps report.
   long newtonSteps() const { return newton_; }

@@ -38,10 +38,7 @@ class HandStepper {
       : x(model.initialState()), model_(&model), system_(model.mechanicalSystem()) {}
   StepReport step(double dt) { return model_->scheme().step(system_, model_->solver(), x, dt); }
   /// Percussions of the last step.
-  ConstVec Lambda() {
-    const Vec all = system_.Lambda();
-    return {all.data(), all.size()};
-  }
+  ConstVec Lambda() const { return system_.problem().Lambda(); }
   const MechanicalSystem& system() const { return system_; }
   State x;
 

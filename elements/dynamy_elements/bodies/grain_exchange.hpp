@@ -10,11 +10,12 @@
 /// way in all of several tries, it is not fed.
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/system/renewable.hpp>
 #include <dynamy_elements/bodies/packing.hpp>
 
 namespace dynamy {
 
-class GrainExchange {
+class GrainExchange final : public Renewable {
  public:
   static void declare(Attributes& a);
   /// `grain`: radius of the ball around each grain [m].
@@ -31,7 +32,7 @@ class GrainExchange {
   double nextFeed(double t) const;
   /// Can grains still be fed? With a sink always. `q`: of all grains, or empty if unknown.
   bool mayFeed(ConstVec q) const;
-  bool renew(double tA, double tE, Vec q, Vec u) const;
+  bool renew(double tA, double tE, Vec q, Vec u) const override;
 
  private:
   void feed(std::uint64_t number, Vec q, Vec u, bool& changed) const;

@@ -29,9 +29,8 @@ class Grains final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return count(); }
-  bool renews() const override { return exchange_->any(); }
-  bool renew(double tA, double tE, Vec q, Vec u) const override {
-    return exchange_->renew(tA, tE, q, u);
+  const Renewable* renewable() const override {
+    return exchange_->any() ? exchange_.get() : nullptr;
   }
 
  private:

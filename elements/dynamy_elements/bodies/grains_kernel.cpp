@@ -47,12 +47,28 @@ double bound(const Shape& shape) {
   const ShapeGeometry g = shape.geometry();
   double out = 0.0;
   for (const Vec3& p : g.points) out = std::max(out, p.norm());
-  if (g.type == "Sphere") out = g.size[0];
-  if (g.type == "Cylinder") out = std::hypot(g.size[0], 0.5 * g.size[1]);
-  if (g.type == "Capsule") out = g.size[0] + 0.5 * g.size[1];
-  if (g.type == "Torus") out = g.size[0] + g.size[1];
-  if (g.type == "Cone") out = std::max(g.size[0], g.size[1]);
-  if (g.type == "Ellipsoid") out = std::max({g.size[0], g.size[1], g.size[2]});
+  switch (g.type) {
+    case ShapeType::sphere:
+      out = g.size[0];
+      break;
+    case ShapeType::cylinder:
+      out = std::hypot(g.size[0], 0.5 * g.size[1]);
+      break;
+    case ShapeType::capsule:
+      out = g.size[0] + 0.5 * g.size[1];
+      break;
+    case ShapeType::torus:
+      out = g.size[0] + g.size[1];
+      break;
+    case ShapeType::cone:
+      out = std::max(g.size[0], g.size[1]);
+      break;
+    case ShapeType::ellipsoid:
+      out = std::max({g.size[0], g.size[1], g.size[2]});
+      break;
+    default:
+      break;
+  }
   // Points are measured from the centre of mass.
   return out + (shape.massProperties().centre_B).norm();
 }
@@ -103,6 +119,10 @@ Grains::Grains(const Parameters& x)
       shape_(x.takeOne<Shape>()),
       grains_(static_cast<std::size_t>(x["count"].integer())),
       v_S_I_(x["velocity"].vec3()) {
+  if (shape_->ownContact().family)
+    throw ModelError("a " + shape_->type() + " has one size, and grains have many",
+                     "its plug-in computes its contacts; take a shape that dynamY knows, or single "
+                     "bodies");
   SeededNumbers numbers(static_cast<std::uint64_t>(x["seed"].integer()));
   takeSizes(x, numbers);
   const MassProperties mass = shape_->massProperties();

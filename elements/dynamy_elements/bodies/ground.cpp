@@ -42,11 +42,6 @@ void Ground::describe(Description& d) const {
   TimeFormulas::announce(d, {&motion_, &rotation_});
 }
 
-bool Ground::rigidPart(RigidPart& out) const {
-  out.fixed = motion_.empty() && rotation_.empty();
-  return out.fixed;
-}
-
 void Ground::frame(double t, ConstVec, ConstVec, int id, Frame& out) const {
   out.block = -1;
   Vec3 s = Vec3::Zero(), ds = Vec3::Zero(), dds = Vec3::Zero();

@@ -6,12 +6,13 @@
 /// The motion enters contacts through χ and the bias; both are exact.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/tree_part.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 #include <dynamy_elements/time_formulas.hpp>
 
 namespace dynamy {
 
-class Ground final : public PartialMechanicalSystem {
+class Ground final : public PartialMechanicalSystem, public RigidSystem {
  public:
   static void declare(Attributes& a);
   explicit Ground(const Parameters& x);
@@ -23,7 +24,12 @@ class Ground final : public PartialMechanicalSystem {
   void h(double, ConstVec, ConstVec, Vec) const override {}
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  bool rigidPart(RigidPart& out) const override;
+  /// Only a ground at rest can be part of a tree.
+  const RigidSystem* rigid() const override {
+    return motion_.empty() && rotation_.empty() ? this : nullptr;
+  }
+  RigidPart rigidPart() const override { return {.fixed = true}; }
+  void ownState(const RigidMotion&, Vec, Vec) const override {}
 
  private:
   BodyParts parts_;

@@ -81,24 +81,19 @@ double PlanarBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   return -m_ * (g_I[plane_.a] * q[0] + g_I[plane_.b] * q[1]);
 }
 
-bool PlanarBody::moveTangent(ConstVec, double, Block T) const {
-  T.setIdentity();
-  return true;
-}
+void PlanarBody::moveTangent(ConstVec, double, Block T) const { T.setIdentity(); }
 
-bool PlanarBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3&,
+void PlanarBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3&,
                                 Block K) const {
   // The lever arm turns: δ(n × ρ) = n × (n × ρ) δφ = (n n·ρ − ρ) δφ.
   const Vec3 rho_I = axes(q[2]) * (parts_.position(id) - r_BS_K_);
   K.setZero();
   K(2, 2) = (plane_.n.dot(rho_I) * plane_.n - rho_I).dot(F_I);
-  return true;
 }
 
-bool PlanarBody::rigidPart(RigidPart& out) const {
+RigidPart PlanarBody::rigidPart() const {
   // Normal to the plane, S counts as being at B: the body turns about no other axis than n.
-  out = {false, m_, r_BS_K_, J_ * Mat3::Identity()};
-  return true;
+  return {false, m_, r_BS_K_, J_ * Mat3::Identity()};
 }
 
 void PlanarBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {

@@ -7,11 +7,15 @@
 /// velocities instead of three, and as many constraints as the plane has fewer motions.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/position_tangents.hpp>
+#include <dynamy/system/tree_part.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 
 namespace dynamy {
 
-class PlanarBody final : public PartialMechanicalSystem {
+class PlanarBody final : public PartialMechanicalSystem,
+                         public PositionTangents,
+                         public RigidSystem {
  public:
   static void declare(Attributes& a);
   explicit PlanarBody(const Parameters& x);
@@ -24,10 +28,12 @@ class PlanarBody final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  bool rigidPart(RigidPart& out) const override;
+  const RigidSystem* rigid() const override { return this; }
+  RigidPart rigidPart() const override;
   void ownState(const RigidMotion& motion, Vec q, Vec u) const override;
-  bool moveTangent(ConstVec u, double dt, Block T) const override;
-  bool frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
+  const PositionTangents* positionTangents() const override { return this; }
+  void moveTangent(ConstVec u, double dt, Block T) const override;
+  void frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;
 
  private:

@@ -65,14 +65,10 @@ void PointMass::M(double, ConstVec, MassBlocks M) const {
 
 void PointMass::h(double, ConstVec, ConstVec, Vec h) const { h.setZero(); }
 
-bool PointMass::moveTangent(ConstVec, double, Block T) const {
-  T.setIdentity();
-  return true;
-}
+void PointMass::moveTangent(ConstVec, double, Block T) const { T.setIdentity(); }
 
-bool PointMass::frameStiffness(double, ConstVec, int, const Vec3&, const Vec3&, Block K) const {
+void PointMass::frameStiffness(double, ConstVec, int, const Vec3&, const Vec3&, Block K) const {
   K.setZero();
-  return true;
 }
 
 double PointMass::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {

@@ -1,11 +1,12 @@
 /// PointMass: a mass without rotation, in space or in a plane.   q = r_OS, u = v,  m v̇ = f
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/position_tangents.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 
 namespace dynamy {
 
-class PointMass final : public PartialMechanicalSystem {
+class PointMass final : public PartialMechanicalSystem, public PositionTangents {
  public:
   static void declare(Attributes& a);
   explicit PointMass(const Parameters& x);
@@ -18,8 +19,9 @@ class PointMass final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  bool moveTangent(ConstVec u, double dt, Block T) const override;
-  bool frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
+  const PositionTangents* positionTangents() const override { return this; }
+  void moveTangent(ConstVec u, double dt, Block T) const override;
+  void frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;
 
  private:

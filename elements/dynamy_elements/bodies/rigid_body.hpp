@@ -8,11 +8,12 @@
 /// body.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
-#include <dynamy_elements/bodies/body_parts.hpp>
+#include <dynamy/system/position_tangents.hpp>
+#include <dynamy_elements/bodies/carried_body.hpp>
 
 namespace dynamy {
 
-class RigidBody final : public PartialMechanicalSystem {
+class RigidBody final : public PartialMechanicalSystem, public PositionTangents {
  public:
   static void declare(Attributes& a);
   explicit RigidBody(const Parameters& x);
@@ -30,20 +31,21 @@ class RigidBody final : public PartialMechanicalSystem {
   void normalise(Vec q) const override;
   /// The gyroscopic term: D = (J Ω)~ − Ω~ J, K = 0.
   bool dh(double t, ConstVec q, ConstVec u, int block, Block K, Block D) const override;
-  bool moveTangent(ConstVec u, double dt, Block T) const override;
-  bool frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
+  const PositionTangents* positionTangents() const override { return this; }
+  void moveTangent(ConstVec u, double dt, Block T) const override;
+  void frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  bool rigidPart(RigidPart& out) const override;
-  void ownState(const RigidMotion& motion, Vec q, Vec u) const override;
+  const RigidSystem* rigid() const override { return &carried_; }
 
  private:
   BodyParts parts_;
   BodyMass mass_;
   Vec3 r_OB_I_, v_S_I_, Omega_K_;
   std::array<double, 4> p_;
+  CarriedBody carried_;
 };
 
 }  // namespace dynamy

@@ -77,7 +77,8 @@ RigidBody::RigidBody(const Parameters& x)
       r_OB_I_(x["position"].vec3()),
       v_S_I_(x["velocity"].vec3()),
       Omega_K_(x["angularVelocity"].vec3()),
-      p_(orientation(x)) {}
+      p_(orientation(x)),
+      carried_(mass_, p_) {}
 
 void RigidBody::describe(Description& d) const {
   const char* const axis[3] = {"x", "y", "z"};
@@ -140,20 +141,18 @@ bool RigidBody::dh(double, ConstVec, ConstVec u, int, Block K, Block D) const {
   return true;
 }
 
-bool RigidBody::moveTangent(ConstVec u, double dt, Block T) const {
+void RigidBody::moveTangent(ConstVec u, double dt, Block T) const {
   T.setIdentity();
   T.bottomRightCorner<3, 3>() = rotationTangent(dt * u.tail<3>());
-  return true;
 }
 
-bool RigidBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
+void RigidBody::frameStiffness(double, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                                Block K) const {
   // J_Sᵀ F + J_Rᵀ M = (F, Aᵀ M + ρ_K × Aᵀ F),  δ(Aᵀ x) = (Aᵀ x) × δθ_K.
   const Mat3 A = rotationMatrix(q.data() + 3);
   const Vec3 rho_K = parts_.position(id) - mass_.r_BS_K;
   K.setZero();
   K.bottomRightCorner<3, 3>() = skew(A.transpose() * M_I) + skew(rho_K) * skew(A.transpose() * F_I);
-  return true;
 }
 
 void RigidBody::normalise(Vec q) const { q.tail<4>().normalize(); }
@@ -162,18 +161,6 @@ double RigidBody::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
   h.head<3>() = mass_.m * g_I;
   h.tail<3>().setZero();
   return -mass_.m * g_I.dot(q.head<3>());
-}
-
-bool RigidBody::rigidPart(RigidPart& out) const {
-  out = {false, mass_.m, mass_.r_BS_K, mass_.J_S_K};
-  return true;
-}
-
-void RigidBody::ownState(const RigidMotion& motion, Vec q, Vec u) const {
-  q.head<3>() = motion.r_OS_I;
-  quaternionProduct(motion.p.data(), p_.data(), q.data() + 3);
-  u.head<3>() = motion.v_S_I;
-  u.tail<3>() = rotationMatrix(q.data() + 3).transpose() * motion.Omega_I;
 }
 
 void RigidBody::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {

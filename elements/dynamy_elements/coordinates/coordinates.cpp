@@ -2,7 +2,6 @@
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/coordinates/coordinates.hpp>
-#include <limits>
 
 namespace dynamy {
 namespace {
@@ -95,14 +94,14 @@ void Coordinates::readState(const Parameters& x) {
   u0_ = stateVector(x, "u0", n());
   q_ = names_.qSlots(), u_ = names_.uSlots();
   x_.assign(static_cast<std::size_t>(names_.inputs()), 0.0);
-  w_ = unit_ = x_;
+  w_ = x_;
   w_[FormulaNames::kTime] = 1.0;
 }
 
 void Coordinates::compile(const Parameters& x, Diagnostics& faults) {
   const SymbolTable symbols = names_.symbols();
   const std::size_t before = faults.size();
-  compileInertia(x, faults);
+  inertia_.compile(x, names_, q0_, u0_, faults);
 
   // Formulas for forces: one per coordinate, or none.
   const FormulaText force(x, "h");
@@ -126,79 +125,6 @@ void Coordinates::compile(const Parameters& x, Diagnostics& faults) {
     faults.add(energy.fault(0, "a potential depends on t and positions only"));
 }
 
-void Coordinates::compileInertia(const Parameters& x, Diagnostics& faults) {
-  const bool byEnergy = !x["kineticEnergy"].text.empty();
-  const bool byM = !x["M"].text.empty();
-  if (byEnergy == byM) {
-    faults.add({.place = x.place,
-                .element = x.name.empty() ? x.type : x.type + " name=\"" + x.name + '"',
-                .text = byM ? "M and kineticEnergy are both given" : "the inertia is missing",
-                .hint = "give either M or kineticEnergy"});
-    return;
-  }
-  const FormulaText text(x, byM ? "M" : "kineticEnergy");
-  const int full = n() * n(), upper = n() * (n() + 1) / 2;
-  inertia_ = byEnergy ? Inertia::energy : text.size() == full ? Inertia::full : Inertia::upper;
-  if (byEnergy ? text.size() != 1 : text.size() != full && text.size() != upper) {
-    faults.add(text.fault(-1, byEnergy
-                                  ? "expects one formula"
-                                  : "M has " + std::to_string(text.size()) + " entries, expects " +
-                                        std::to_string(full) + " (rows) or " +
-                                        std::to_string(upper) + " (rows of the upper triangle)"));
-    return;
-  }
-  const std::size_t before = faults.size();
-  ExpressionCompiler compiler(names_.symbols());
-  text.compileAll(compiler, faults);
-  if (faults.size() > before) return;
-  mass_ = std::make_unique<Tape>(compiler.finish(), names_);
-
-  std::vector<int> configuration = q_;
-  configuration.push_back(FormulaNames::kTime);
-  constantMass_ = !mass_->dependsOn(configuration);
-  if (byM)
-    for (int k = 0; k < text.size(); ++k)
-      for (const int s : u_)
-        if (mass_->set().dependsOn(k, s)) {
-          faults.add(text.fault(k, "M depends on t and positions only"));
-          return;
-        }
-  checkInertia(text);
-}
-
-/// Checks in two states that M is symmetric and T quadratic in u;
-/// formulas themselves do not show it.
-void Coordinates::checkInertia(const FormulaText& text) const {
-  constexpr double kRounding = 1e-9;  // relative; far above rounding, far below a wrong formula
-  for (const double shift : {0.0, 0.3}) {
-    const Eigen::VectorXd q = q0_.array() + shift;
-    const double* x = arguments(shift, view(q), u0_.data());
-    for (int i = 0; i < n(); ++i) {
-      for (int j = 0; j < i; ++j) {
-        if (inertia_ != Inertia::full) break;
-        const double* m = mass_->eval(x);
-        const double a = m[i * n() + j], b = m[j * n() + i];
-        const double size = std::abs(m[i * n() + i]) + std::abs(m[j * n() + j]);
-        if (std::abs(a - b) > kRounding * size)
-          throw ModelError(
-              text.fault(i * n() + j, "M is not symmetric: entry (" + std::to_string(i + 1) + ", " +
-                                          std::to_string(j + 1) + ") is " + numberText(a) +
-                                          ", its partner " + numberText(b)));
-      }
-      if (inertia_ != Inertia::energy) continue;
-      const double a = mass_->secondPartial(x, u_[static_cast<std::size_t>(i)],
-                                            u_[static_cast<std::size_t>(i)])[0];
-      for (const int s : u_) x_[static_cast<std::size_t>(s)] += 1.0;
-      const double b = mass_->secondPartial(x, u_[static_cast<std::size_t>(i)],
-                                            u_[static_cast<std::size_t>(i)])[0];
-      for (const int s : u_) x_[static_cast<std::size_t>(s)] -= 1.0;
-      if (std::abs(a - b) > kRounding * (std::abs(a) + std::abs(b)))
-        throw ModelError(text.fault(
-            0, "the kinetic energy is not quadratic in " + names_.u[static_cast<std::size_t>(i)]));
-    }
-  }
-}
-
 const double* Coordinates::arguments(double t, ConstVec q, const double* u) const {
   x_[FormulaNames::kTime] = t;
   std::copy_n(q.data(), n(), x_.begin() + 1);
@@ -207,31 +133,15 @@ const double* Coordinates::arguments(double t, ConstVec q, const double* u) cons
   return x_.data();
 }
 
-Blocks Coordinates::blocks() const { return {n(), n(), 1, constantMass_}; }
+Blocks Coordinates::blocks() const { return {n(), n(), 1, inertia_.constant()}; }
 
 void Coordinates::initialState(Vec q, Vec u) const { q = q0_, u = u0_; }
-
-double Coordinates::massEntry(const double* m, int i, int j) const {
-  if (inertia_ == Inertia::full) return m[i * n() + j];
-  if (i > j) std::swap(i, j);
-  return m[i * n() - i * (i - 1) / 2 + j - i];
-}
 
 void Coordinates::M(double t, ConstVec q, MassBlocks M) const {
   std::fill(x_.begin() + 1 + n(), x_.end(), 0.0);
   x_[FormulaNames::kTime] = t;
   std::copy_n(q.data(), n(), x_.begin() + 1);
-  Block out = M[0];
-  if (inertia_ != Inertia::energy) {
-    const double* m = mass_->eval(x_.data());
-    for (int i = 0; i < n(); ++i)
-      for (int j = 0; j < n(); ++j) out(i, j) = massEntry(m, std::min(i, j), std::max(i, j));
-    return;
-  }
-  for (int i = 0; i < n(); ++i)
-    for (int j = i; j < n(); ++j)
-      out(i, j) = out(j, i) = mass_->secondPartial(x_.data(), u_[static_cast<std::size_t>(i)],
-                                                   u_[static_cast<std::size_t>(j)])[0];
+  inertia_.mass(x_.data(), M[0]);
 }
 
 void Coordinates::h(double t, ConstVec q, ConstVec u, Vec h) const {
@@ -239,36 +149,7 @@ void Coordinates::h(double t, ConstVec q, ConstVec u, Vec h) const {
   h.setZero();
   if (force_) h = ConstVec(force_->eval(x), n());
   if (potential_) h -= ConstVec(potential_->gradient(x, q_), n());
-  if (inertia_ == Inertia::energy) addGyroscopic(1.0, h);
-}
-
-/// h += factor · (∂T/∂q − (∂t + u·∂q) ∂T/∂u) at x_.
-void Coordinates::addGyroscopic(double factor, Vec h) const {
-  const double* gradient = mass_->gradient(x_.data(), q_);
-  for (int i = 0; i < n(); ++i) h[i] += factor * gradient[i];
-  for (int i = 0; i < n(); ++i) {
-    const auto slot = static_cast<std::size_t>(u_[static_cast<std::size_t>(i)]);
-    unit_[slot] = 1.0;
-    h[i] -= factor * mass_->second(x_.data(), unit_.data(), w_.data())[0];
-    unit_[slot] = 0.0;
-  }
-}
-
-/// h += factor · (∂T/∂q − (∂t + u·∂q) ∂T/∂u) for given M, with T = ½ uᵀMu.
-void Coordinates::addGyroscopicOfM(double factor, Vec h) const {
-  const double* u = x_.data() + 1 + n();
-  const double* rate = mass_->derivative(x_.data(), w_.data());
-  for (int i = 0; i < n(); ++i)
-    for (int j = 0; j < n(); ++j)
-      h[i] -= factor * massEntry(rate, std::min(i, j), std::max(i, j)) * u[j];
-  for (int i = 0; i < n(); ++i) {
-    const double* slope = mass_->partial(x_.data(), q_[static_cast<std::size_t>(i)]);
-    double sum = 0.0;
-    for (int j = 0; j < n(); ++j)
-      for (int k = 0; k < n(); ++k)
-        sum += massEntry(slope, std::min(j, k), std::max(j, k)) * u[j] * u[k];
-    h[i] += 0.5 * factor * sum;
-  }
+  if (inertia_.byEnergy()) inertia_.addGyroscopic(1.0, x, w_.data(), h);
 }
 
 double Coordinates::potentialEnergy(double t, ConstVec q) const {
@@ -280,7 +161,7 @@ void Coordinates::nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) con
   h.setZero();
   if (force_) h = ConstVec(force_->eval(x), n());
   // If M is given, the user's h includes the gyroscopic terms.
-  if (inertia_ != Inertia::energy && !constantMass_) addGyroscopicOfM(-1.0, h);
+  if (!inertia_.byEnergy() && !inertia_.constant()) inertia_.addGyroscopic(-1.0, x, w_.data(), h);
 }
 
 void Coordinates::frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const {
@@ -316,8 +197,8 @@ void Coordinates::describe(Description& d) const {
     for (const auto& s : frames_[k]->shapes()) d.shape(*s, id);
   }
   announceInstants(d, [this](double t) {
-    double next = std::numeric_limits<double>::infinity();
-    for (const Tape* tape : {mass_.get(), force_.get(), potential_.get()})
+    double next = inertia_.nextInstant(t);
+    for (const Tape* tape : {force_.get(), potential_.get()})
       if (tape) next = std::min(next, tape->nextInstant(t));
     for (const auto& frame : frames_) next = std::min(next, frame->nextInstant(t));
     return next;

@@ -9,6 +9,7 @@
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/coordinates/coordinate_frame.hpp>
+#include <dynamy_elements/coordinates/formula_inertia.hpp>
 #include <optional>
 
 namespace dynamy {
@@ -36,27 +37,21 @@ class Coordinates final : public PartialMechanicalSystem {
   void describe(Description& d) const override;
 
  private:
-  enum class Inertia { full, upper, energy };
   void readNames(const Parameters& x, Diagnostics& faults);
   void readState(const Parameters& x);
   void compile(const Parameters& x, Diagnostics& faults);
-  void compileInertia(const Parameters& x, Diagnostics& faults);
-  void checkInertia(const FormulaText& text) const;
   const double* arguments(double t, ConstVec q, const double* u) const;
-  void addGyroscopic(double factor, Vec h) const;
-  void addGyroscopicOfM(double factor, Vec h) const;
-  double massEntry(const double* values, int i, int j) const;
   int n() const { return names_.n(); }
 
   FormulaNames names_;
   std::vector<Unit> units_;
   Eigen::VectorXd q0_, u0_;
-  Inertia inertia_ = Inertia::full;
-  bool constantMass_ = false, stiff_ = false;
+  FormulaInertia inertia_;
+  bool stiff_ = false;
   std::vector<int> q_, u_;  // slots
-  std::unique_ptr<Tape> mass_, force_, potential_;
+  std::unique_ptr<Tape> force_, potential_;
   std::vector<std::unique_ptr<CoordinateFrame>> frames_;
-  mutable std::vector<double> x_, w_, unit_;  // (t, q, u), the direction (1, u, 0), a unit vector
+  mutable std::vector<double> x_, w_;  // (t, q, u), the direction (1, u, 0)
 };
 
 }  // namespace dynamy

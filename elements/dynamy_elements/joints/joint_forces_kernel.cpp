@@ -42,7 +42,7 @@ bool Joint::jointForces(const Kinematics& k, std::uint64_t id, const double* Lam
   for (int side = 0; side < 2; ++side) out.F[side].setZero(), out.M[side].setZero();
   out.D.setZero();
   Vec3 fixedInA = Vec3::Zero();
-  for (const JointRow& row : id == 0 ? points_ : angles_) {
+  for (const JointRow& row : id == 0 ? rows_.points : rows_.angles) {
     const double L = *Lambda++;
     const Vec3 d = p.A.A_IK * row.d_A;
     if (row.kind == JointRow::Kind::point) {
@@ -64,7 +64,7 @@ bool Joint::jointForces(const Kinematics& k, std::uint64_t id, const double* Lam
       out.D.block<3, 3>(kTurnB, kTurnA) += byA, out.D.block<3, 3>(kTurnB, kTurnB) += byB;
     }
   }
-  if (id == 1 || points_[0].kind == JointRow::Kind::distance) return true;
+  if (id == 1 || rows_.points[0].kind == JointRow::Kind::distance) return true;
   Eigen::Matrix<double, 3, 12> turn = Eigen::Matrix<double, 3, 12>::Zero();
   turn.middleCols<3>(kTurnA) = -skew(fixedInA);
   addForce(fixedInA, p.rhoA_I + p.r_PQ, p.rhoB_I, turn, out);

@@ -37,31 +37,31 @@ Joint::Joint(const Parameters& x)
 
 void Joint::connect(Topology& topology) {
   // A joint that became a coordinate needs frames for friction and signals only.
-  if (ofTree_ && free_.empty() && coordinates_.empty()) return;
+  if (ofTree_ && rows_.free.empty() && rows_.signals.empty()) return;
   frames_.connect(topology, *this);
   const StartKinematics start(topology);
   const Frame &A = start.frame(frames_.A), &B = start.frame(frames_.B);
-  Start& s = start_;
+  JointStart s;
   s.at_I = atGiven_ ? at_ : B.r_OS_I;
   s.plane = frames_.planeNormal;
   s.axis_I = axis_.norm() > 0.0 ? Vec3(axis_.normalized()) : Vec3(Vec3::Zero());
   s.A_IA = A.A_IK, s.A_IB = B.A_IK;
-  pointA_ = A.A_IK.transpose() * (s.at_I - A.r_OS_I);
-  pointB_ = B.A_IK.transpose() * (s.at_I - B.r_OS_I);
-  points_.clear(), angles_.clear(), free_.clear(), coupled_.clear(), coordinates_.clear();
-  build(s);
-  if (ofTree_) points_.clear(), angles_.clear(), coupled_.clear();
-  if (points_.empty() || points_[0].kind != JointRow::Kind::distance) return;
-  if (points_[0].length > 0.0) return;
-  points_[0].length = (B.r_OS_I + B.A_IK * pointB_ - A.r_OS_I - A.A_IK * pointA_).norm();
-  if (!(points_[0].length > 0.0))
+  rows_.begin(s, friction_ != nullptr, A.A_IK.transpose() * (s.at_I - A.r_OS_I),
+              B.A_IK.transpose() * (s.at_I - B.r_OS_I));
+  build(rows_);
+  if (ofTree_) rows_.dropBilateral();
+  if (rows_.points.empty() || rows_.points[0].kind != JointRow::Kind::distance) return;
+  double& length = rows_.points[0].length;
+  if (length > 0.0) return;
+  length = (B.r_OS_I + B.A_IK * rows_.pointB - A.r_OS_I - A.A_IK * rows_.pointA).norm();
+  if (!(length > 0.0))
     throw ModelError("the two points coincide at the start",
                      "a distance of 0 is a Spherical joint");
 }
 
 void Joint::becomeCoordinate() {
   ofTree_ = true;
-  points_.clear(), angles_.clear(), coupled_.clear();
+  rows_.dropBilateral();
 }
 
 bool Joint::jointMotion(Topology& topology, JointMotion& out) {
@@ -70,49 +70,9 @@ bool Joint::jointMotion(Topology& topology, JointMotion& out) {
     return topology.requestedFrames()[static_cast<std::size_t>(f.index)].first;
   };
   out.systemA = systemOf(frames_.A), out.systemB = systemOf(frames_.B);
-  out.at_I = start_.at_I;
+  out.at_I = rows_.start.at_I;
   out.free.clear();
-  return freeMotions(start_, out.free);
-}
-
-void Joint::addPoint(const Start& s, const Vec3& direction_I) {
-  points_.push_back({JointRow::Kind::point, s.A_IA.transpose() * direction_I, Vec3::Zero(), 0.0});
-}
-
-void Joint::addAngle(const Start& s, const Vec3& d_I, const Vec3& b_I) {
-  angles_.push_back(
-      {JointRow::Kind::angle, s.A_IA.transpose() * d_I, s.A_IB.transpose() * b_I, 0.0});
-}
-
-void Joint::freeDirection(const Start& s, JointRow::Kind kind, const Vec3& axis_I) {
-  if (friction_) free_.push_back({kind, s.A_IA.transpose() * axis_I, Vec3::Zero(), 0.0});
-}
-
-void Joint::addDistance(double length) {
-  points_.push_back({JointRow::Kind::distance, Vec3::Zero(), Vec3::Zero(), length});
-}
-
-void Joint::addScrew(const Start& s, const Vec3& axis_I, double h) {
-  Vec3 e, unused;
-  tangents(axis_I, e, unused);
-  coupled_.push_back({JointRow::Kind::screw, s.A_IA.transpose() * axis_I, s.A_IB.transpose() * e, h,
-                      s.A_IA.transpose() * e});
-}
-
-void Joint::measureShift(const Start& s, const Vec3& d_I, const std::string& name,
-                         const std::string& rate) {
-  coordinates_.push_back(
-      {{JointRow::Kind::point, s.A_IA.transpose() * d_I, Vec3::Zero(), 0.0}, name, rate});
-}
-
-void Joint::measureTurn(const Start& s, const Vec3& d_I, const Vec3& e_I, const std::string& name,
-                        const std::string& rate, bool inB) {
-  const Mat3 &axes = inB ? s.A_IB : s.A_IA, &other = inB ? s.A_IA : s.A_IB;
-  coordinates_.push_back({{JointRow::Kind::turn, axes.transpose() * d_I, other.transpose() * e_I,
-                           0.0, axes.transpose() * e_I},
-                          name,
-                          rate,
-                          inB});
+  return freeMotions(rows_.start, out.free);
 }
 
 void Joint::refusePlane(const std::string& hint) {
@@ -152,28 +112,28 @@ void Joint::emit(const JointPose& p, std::uint64_t id, const std::vector<JointRo
 }
 
 void Joint::contacts(const Kinematics& k, ContactSink& sink) const {
-  if (points_.empty() && angles_.empty() && coupled_.empty() && free_.empty()) return;
+  if (rows_.empty()) return;
   const JointPose p = pose(k);
-  if (!points_.empty()) emit(p, 0, points_, bilateral_, sink);
-  if (!angles_.empty()) emit(p, 1, angles_, bilateral_, sink);
-  if (!coupled_.empty()) emit(p, 3, coupled_, bilateral_, sink);
-  if (!free_.empty()) emit(p, 2, free_, *friction_, sink);
+  if (!rows_.points.empty()) emit(p, 0, rows_.points, bilateral_, sink);
+  if (!rows_.angles.empty()) emit(p, 1, rows_.angles, bilateral_, sink);
+  if (!rows_.coupled.empty()) emit(p, 3, rows_.coupled, bilateral_, sink);
+  if (!rows_.free.empty()) emit(p, 2, rows_.free, *friction_, sink);
 }
 
 std::vector<double> Joint::errors(const Kinematics& k) const {
   if (ofTree_) return {};
   const JointPose p = pose(k);
   std::vector<double> out;
-  for (const auto* rows : {&points_, &angles_, &coupled_})
+  for (const auto* rows : {&rows_.points, &rows_.angles, &rows_.coupled})
     for (const JointRow& row : *rows) out.push_back(rowPosition(p, row));
   return out;
 }
 
-void Joint::describeCoordinate(const Coordinate& c, Description& d) const {
+void Joint::describeSignal(const JointSignal& c, Description& d) const {
   const bool turn = c.row.kind == JointRow::Kind::turn;
   const auto seen = [this, inB = c.inB](const SignalView& v) {
     const JointPose p = pose(*v.kinematics);
-    return inB ? JointPose(p.B, p.A, pointB_, pointA_) : p;
+    return inB ? JointPose(p.B, p.A, rows_.pointB, rows_.pointA) : p;
   };
   const double sign = c.inB ? -1.0 : 1.0;
   d.signal(c.name, turn ? Unit::angle : Unit::length,
@@ -187,16 +147,17 @@ void Joint::describeCoordinate(const Coordinate& c, Description& d) const {
 }
 
 void Joint::describe(Description& d) const {
-  if (!points_.empty() && points_.front().kind == JointRow::Kind::distance)
-    d.link({frames_.A.index, frames_.B.index, pointA_, pointB_});
-  if (!points_.empty()) describeContact(d, 0, static_cast<int>(points_.size()), bilateral_);
-  if (!angles_.empty())
-    describeContact(d, 1, static_cast<int>(angles_.size()), bilateral_, "angles.");
-  if (!free_.empty())
-    describeContact(d, 2, static_cast<int>(free_.size()), *friction_, "friction.");
-  if (!coupled_.empty())
-    describeContact(d, 3, static_cast<int>(coupled_.size()), bilateral_, "screw.");
-  for (const Coordinate& c : coordinates_) describeCoordinate(c, d);
+  if (!rows_.points.empty() && rows_.points.front().kind == JointRow::Kind::distance)
+    d.link({frames_.A.index, frames_.B.index, rows_.pointA, rows_.pointB});
+  if (!rows_.points.empty())
+    describeContact(d, 0, static_cast<int>(rows_.points.size()), bilateral_);
+  if (!rows_.angles.empty())
+    describeContact(d, 1, static_cast<int>(rows_.angles.size()), bilateral_, "angles.");
+  if (!rows_.free.empty())
+    describeContact(d, 2, static_cast<int>(rows_.free.size()), *friction_, "friction.");
+  if (!rows_.coupled.empty())
+    describeContact(d, 3, static_cast<int>(rows_.coupled.size()), bilateral_, "screw.");
+  for (const JointSignal& c : rows_.signals) describeSignal(c, d);
 }
 
 }  // namespace dynamy

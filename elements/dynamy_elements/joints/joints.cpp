@@ -28,27 +28,28 @@ void Revolute::declare(Attributes& a) {
   a.example("<Revolute between=\"world rod\" at=\"0 0 1\" axis=\"0 1 0\"/>");
 }
 
-void Revolute::build(const Start& s) {
+void Revolute::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   const Mat3 e = triad(s.plane);
-  addPoint(s, e.col(0));
-  addPoint(s, e.col(1));
+  rows.addPoint(e.col(0));
+  rows.addPoint(e.col(1));
   if (planar(s.plane)) {
-    freeDirection(s, JointRow::Kind::spin, s.plane);
-    measureTurn(s, s.plane, e.col(0), "angle", "rate");
+    rows.addFree(JointRow::Kind::spin, s.plane);
+    rows.measureTurn(s.plane, e.col(0), "angle", "rate");
     return;
   }
   if (s.axis_I.isZero(0.0))
     throw ModelError("a hinge in space needs an axis", "add axis=\"0 1 0\"");
-  addPoint(s, e.col(2));
+  rows.addPoint(e.col(2));
   Vec3 t1, t2;
   tangents(s.axis_I, t1, t2);
-  addAngle(s, t1, s.axis_I);
-  addAngle(s, t2, s.axis_I);
-  freeDirection(s, JointRow::Kind::spin, s.axis_I);
-  measureTurn(s, s.axis_I, t1, "angle", "rate");
+  rows.addAngle(t1, s.axis_I);
+  rows.addAngle(t2, s.axis_I);
+  rows.addFree(JointRow::Kind::spin, s.axis_I);
+  rows.measureTurn(s.axis_I, t1, "angle", "rate");
 }
 
-bool Revolute::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool Revolute::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   out.push_back({FreeMotion::Kind::turn, planar(s.plane) ? s.plane : s.axis_I});
   return true;
 }
@@ -59,12 +60,13 @@ void Spherical::declare(Attributes& a) {
   a.example("<Spherical between=\"world rod\" at=\"0 0 1\"/>");
 }
 
-void Spherical::build(const Start& s) {
+void Spherical::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   const Mat3 e = triad(s.plane);
-  for (int i = 0; i < (planar(s.plane) ? 2 : 3); ++i) addPoint(s, e.col(i));
+  for (int i = 0; i < (planar(s.plane) ? 2 : 3); ++i) rows.addPoint(e.col(i));
 }
 
-bool Spherical::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool Spherical::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   if (planar(s.plane))
     out.push_back({FreeMotion::Kind::turn, s.plane});
   else
@@ -82,10 +84,11 @@ void Prismatic::declare(Attributes& a) {
   a.example("<Prismatic between=\"world cart\" axis=\"1 0 0\"/>");
 }
 
-void Prismatic::build(const Start& s) {
+void Prismatic::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   if (s.axis_I.isZero(0.0)) throw ModelError("a slider needs an axis", "add axis=\"1 0 0\"");
-  freeDirection(s, JointRow::Kind::point, s.axis_I);
-  measureShift(s, s.axis_I, "displacement", "rate");
+  rows.addFree(JointRow::Kind::point, s.axis_I);
+  rows.measureShift(s.axis_I, "displacement", "rate");
   if (planar(s.plane)) {
     const Vec3 across = s.plane.cross(s.axis_I);
     // For an axis out of the plane there is nothing to slide along: |across| is the sine of its
@@ -93,20 +96,20 @@ void Prismatic::build(const Start& s) {
     if (across.norm() < 1.0 - 1e-12)
       throw ModelError("the axis points out of the plane of the bodies",
                        "the plane's normal is perpendicular to the axis of a slider");
-    addPoint(s, across);
-    addAngle(s, s.axis_I, across);
+    rows.addPoint(across);
+    rows.addAngle(s.axis_I, across);
     return;
   }
   Vec3 t1, t2;
   tangents(s.axis_I, t1, t2);
-  addPoint(s, t1);
-  addPoint(s, t2);
-  addAngle(s, t1, t2);
-  addAngle(s, t2, s.axis_I);
-  addAngle(s, s.axis_I, t1);
+  rows.addPoint(t1);
+  rows.addPoint(t2);
+  rows.addAngle(t1, t2);
+  rows.addAngle(t2, s.axis_I);
+  rows.addAngle(s.axis_I, t1);
 }
 
-bool Prismatic::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool Prismatic::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   out.push_back({FreeMotion::Kind::slide, s.axis_I});
   return true;
 }
@@ -117,18 +120,19 @@ void Fixed::declare(Attributes& a) {
   a.example("<Fixed between=\"world base\"/>");
 }
 
-void Fixed::build(const Start& s) {
+void Fixed::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   const Mat3 e = triad(s.plane);
-  addPoint(s, e.col(0));
-  addPoint(s, e.col(1));
-  addAngle(s, e.col(0), e.col(1));
+  rows.addPoint(e.col(0));
+  rows.addPoint(e.col(1));
+  rows.addAngle(e.col(0), e.col(1));
   if (planar(s.plane)) return;
-  addPoint(s, e.col(2));
-  addAngle(s, e.col(1), e.col(2));
-  addAngle(s, e.col(2), e.col(0));
+  rows.addPoint(e.col(2));
+  rows.addAngle(e.col(1), e.col(2));
+  rows.addAngle(e.col(2), e.col(0));
 }
 
-bool Fixed::freeMotions(const Start&, std::vector<FreeMotion>&) const { return true; }
+bool Fixed::freeMotions(const JointStart&, std::vector<FreeMotion>&) const { return true; }
 
 void Distance::declare(Attributes& a) {
   a.about(
@@ -151,9 +155,6 @@ Distance::Distance(const Parameters& x)
       pointOnB_(x["pointB"].vec3()),
       length_(x.has("length") ? double(x["length"]) : 0.0) {}
 
-void Distance::build(const Start&) {
-  place(pointOnA_, pointOnB_);
-  addDistance(length_);
-}
+void Distance::build(JointRows& rows) const { rows.addDistance(pointOnA_, pointOnB_, length_); }
 
 }  // namespace dynamy

@@ -17,8 +17,8 @@ class Revolute final : public Joint {
   static void declare(Attributes& a);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Spherical final : public Joint {
@@ -27,8 +27,8 @@ class Spherical final : public Joint {
   static void declare(Attributes& a);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Prismatic final : public Joint {
@@ -37,8 +37,8 @@ class Prismatic final : public Joint {
   static void declare(Attributes& a);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Fixed final : public Joint {
@@ -47,8 +47,8 @@ class Fixed final : public Joint {
   static void declare(Attributes& a);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Distance final : public Joint {
@@ -57,7 +57,7 @@ class Distance final : public Joint {
   explicit Distance(const Parameters& x);
 
  private:
-  void build(const Start& s) override;
+  void build(JointRows& rows) const override;
   Vec3 pointOnA_, pointOnB_;
   double length_;
 };

@@ -33,7 +33,8 @@ void Universal::declare(Attributes& a) {
 
 Universal::Universal(const Parameters& x) : Joint(x), axisB_(x["axisB"].vec3()) {}
 
-void Universal::build(const Start& s) {
+void Universal::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   if (!s.plane.isZero(0.0)) refusePlane("planar bodies have the Revolute");
   const Vec3 &a = neededAxis(s.axis_I, "a universal joint"), b = axisB_.normalized();
   // Axes written with four digits are off by 1e-4: the tolerance accepts
@@ -42,13 +43,13 @@ void Universal::build(const Start& s) {
     throw ModelError("the two axes are not perpendicular",
                      "axis is fixed in A, axisB in B; the cross joins them at a right angle");
   const Vec3 across = perpendicular(b, a);
-  for (int i = 0; i < 3; ++i) addPoint(s, Vec3::Unit(i));
-  addAngle(s, a, across);
-  measureTurn(s, a, across, "alpha", "alphaRate");
-  measureTurn(s, across, a, "beta", "betaRate", true);
+  for (int i = 0; i < 3; ++i) rows.addPoint(Vec3::Unit(i));
+  rows.addAngle(a, across);
+  rows.measureTurn(a, across, "alpha", "alphaRate");
+  rows.measureTurn(across, a, "beta", "betaRate", true);
 }
 
-bool Universal::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool Universal::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   out.push_back({FreeMotion::Kind::turn, s.axis_I});
   out.push_back({FreeMotion::Kind::turn, perpendicular(axisB_.normalized(), s.axis_I)});
   return true;
@@ -65,18 +66,19 @@ void Cylindrical::declare(Attributes& a) {
   a.example("<Cylindrical between=\"world rod\" axis=\"0 0 1\"/>");
 }
 
-void Cylindrical::build(const Start& s) {
+void Cylindrical::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   if (!s.plane.isZero(0.0)) refusePlane("planar bodies have the Revolute and the Prismatic");
   const Vec3& axis = neededAxis(s.axis_I, "a cylindrical joint");
   Vec3 t1, t2;
   tangents(axis, t1, t2);
-  for (const Vec3& t : {t1, t2}) addPoint(s, t);
-  for (const Vec3& t : {t1, t2}) addAngle(s, t, axis);
-  measureShift(s, axis, "displacement", "speed");
-  measureTurn(s, axis, t1, "angle", "rate");
+  for (const Vec3& t : {t1, t2}) rows.addPoint(t);
+  for (const Vec3& t : {t1, t2}) rows.addAngle(t, axis);
+  rows.measureShift(axis, "displacement", "speed");
+  rows.measureTurn(axis, t1, "angle", "rate");
 }
 
-bool Cylindrical::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool Cylindrical::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   out.push_back({FreeMotion::Kind::slide, s.axis_I});
   out.push_back({FreeMotion::Kind::turn, s.axis_I});
   return true;
@@ -96,20 +98,21 @@ void Screw::declare(Attributes& a) {
 
 Screw::Screw(const Parameters& x) : Joint(x), pitch_(x["pitch"]) {}
 
-void Screw::build(const Start& s) {
+void Screw::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   if (!s.plane.isZero(0.0)) refusePlane("in one plane a rack and a pinion do what a screw does");
   const Vec3& axis = neededAxis(s.axis_I, "a screw");
   Vec3 t1, t2;
   tangents(axis, t1, t2);
-  for (const Vec3& t : {t1, t2}) addPoint(s, t);
-  for (const Vec3& t : {t1, t2}) addAngle(s, t, axis);
-  addScrew(s, axis, pitch_ / (2.0 * std::numbers::pi));
-  freeDirection(s, JointRow::Kind::spin, axis);
-  measureShift(s, axis, "displacement", "speed");
-  measureTurn(s, axis, t1, "angle", "rate");
+  for (const Vec3& t : {t1, t2}) rows.addPoint(t);
+  for (const Vec3& t : {t1, t2}) rows.addAngle(t, axis);
+  rows.addScrew(axis, pitch_ / (2.0 * std::numbers::pi));
+  rows.addFree(JointRow::Kind::spin, axis);
+  rows.measureShift(axis, "displacement", "speed");
+  rows.measureTurn(axis, t1, "angle", "rate");
 }
 
-bool Screw::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool Screw::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   out.push_back({FreeMotion::Kind::screw, s.axis_I, pitch_ / (2.0 * std::numbers::pi)});
   return true;
 }
@@ -127,20 +130,21 @@ void PlanarJoint::declare(Attributes& a) {
   a.example("<PlanarJoint between=\"world rod\" axis=\"0 0 1\"/>");
 }
 
-void PlanarJoint::build(const Start& s) {
+void PlanarJoint::build(JointRows& rows) const {
+  const JointStart& s = rows.start;
   if (!s.plane.isZero(0.0)) refusePlane("bodies that move in this plane are PlanarBody");
   const Vec3& n = neededAxis(s.axis_I, "a plane");
   Vec3 t1, t2;
   tangents(n, t1, t2);
-  addPoint(s, n);
-  for (const Vec3& t : {t1, t2}) addAngle(s, t, n);
-  for (const Vec3& t : {t1, t2}) freeDirection(s, JointRow::Kind::point, t);
-  measureShift(s, t1, "x", "xRate");
-  measureShift(s, t2, "y", "yRate");
-  measureTurn(s, n, t1, "angle", "rate");
+  rows.addPoint(n);
+  for (const Vec3& t : {t1, t2}) rows.addAngle(t, n);
+  for (const Vec3& t : {t1, t2}) rows.addFree(JointRow::Kind::point, t);
+  rows.measureShift(t1, "x", "xRate");
+  rows.measureShift(t2, "y", "yRate");
+  rows.measureTurn(n, t1, "angle", "rate");
 }
 
-bool PlanarJoint::freeMotions(const Start& s, std::vector<FreeMotion>& out) const {
+bool PlanarJoint::freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const {
   Vec3 t1, t2;
   tangents(s.axis_I, t1, t2);
   out.push_back({FreeMotion::Kind::slide, t1});

@@ -16,8 +16,8 @@ class Universal final : public Joint {
   explicit Universal(const Parameters& x);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
   Vec3 axisB_;
 };
 
@@ -27,8 +27,8 @@ class Cylindrical final : public Joint {
   static void declare(Attributes& a);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
 };
 
 class Screw final : public Joint {
@@ -37,8 +37,8 @@ class Screw final : public Joint {
   explicit Screw(const Parameters& x);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
   double pitch_;
 };
 
@@ -48,8 +48,8 @@ class PlanarJoint final : public Joint {
   static void declare(Attributes& a);
 
  private:
-  void build(const Start& s) override;
-  bool freeMotions(const Start& s, std::vector<FreeMotion>& out) const override;
+  void build(JointRows& rows) const override;
+  bool freeMotions(const JointStart& s, std::vector<FreeMotion>& out) const override;
 };
 
 }  // namespace dynamy

@@ -34,13 +34,37 @@ std::vector<FreeMotion> reversed(std::vector<FreeMotion> free) {
   return free;
 }
 
+/// Adds a body without a joint to others: it moves freely in the plane with normal n, in space if
+/// n = 0. Returns its index.
+int carryLoose(TreeSystem& tree, TreeSystem::System system, const Vec3& n) {
+  using Free = FreeMotion::Kind;
+  Eigen::VectorXd q(system->blocks().nq), u(system->blocks().nu);
+  system->initialState(view(q), view(u));
+  const RigidPart part = system->rigid()->rigidPart();
+  Frame f;
+  std::vector<double> jacobians(static_cast<std::size_t>(6 * u.size()));
+  new (&f.J_S_I) Mat3X(jacobians.data(), 3, u.size());
+  new (&f.J_R_I) Mat3X(jacobians.data() + 3 * u.size(), 3, u.size());
+  system->frame(0.0, view(std::as_const(q)), view(std::as_const(u)), 0, f);
+  std::vector<FreeMotion> free;
+  if (n.isZero(0.0)) {
+    for (int i = 0; i < 3; ++i) free.push_back({Free::slide, Vec3::Unit(i)});
+    free.push_back({Free::ball});
+  } else {
+    Vec3 e1, e2;
+    tangents(n, e1, e2);
+    free = {{Free::slide, e1}, {Free::slide, e2}, {Free::turn, n}};
+  }
+  return tree.carry(std::move(system), -1, f.r_OS_I + f.A_IK * part.r_BS_K, free);
+}
+
 class Composer {
  public:
   explicit Composer(Model& model) : model_(model) {
     for (const auto& s : model.systems()) {
-      RigidPart part;
-      rigid_.push_back(s->rigidPart(part));
-      fixed_.push_back(rigid_.back() && part.fixed);
+      const RigidSystem* rigid = s->rigid();
+      rigid_.push_back(rigid != nullptr);
+      fixed_.push_back(rigid && rigid->rigidPart().fixed);
     }
   }
   void compose();
@@ -160,7 +184,8 @@ void Composer::grow(TreeSystem& tree, int from, int index) {
 void Composer::finish(std::unique_ptr<TreeSystem> tree, const std::string& on) {
   const double lost = tree->finish();
   note("tree of " + std::to_string(tree->bodies()) + (tree->bodies() == 1 ? " body" : " bodies") +
-       " on " + on + ": q " + std::to_string(tree->nq()) + ", u " + std::to_string(tree->nu()));
+       " on " + on + ": q " + std::to_string(tree->blocks().nq) + ", u " +
+       std::to_string(tree->blocks().nu));
   if (lost > kLost)
     note("its joints change velocities given at the start, by " + std::to_string(lost) +
          " m/s or rad/s at most");
@@ -194,7 +219,7 @@ void Composer::buildTrees() {
     if (!bodies_[at(first)]) continue;
     auto tree = begin(first);
     const Vec3 n = bodies_[at(first)]->blocks().planeNormal;
-    const int index = tree->carryLoose(std::move(bodies_[at(first)]), n);
+    const int index = carryLoose(*tree, std::move(bodies_[at(first)]), n);
     grow(*tree, first, index);
     finish(std::move(tree), "nothing");
   }

@@ -15,6 +15,7 @@
 /// Jacobians of frames are required in the world.
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/tree_part.hpp>
 #include <vector>
 
 namespace dynamy {

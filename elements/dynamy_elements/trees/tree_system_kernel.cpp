@@ -1,6 +1,5 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cstring>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/bodies/body_parts.hpp>
 #include <dynamy_elements/trees/tree_system.hpp>
@@ -9,11 +8,77 @@ namespace dynamy {
 
 using Free = FreeMotion::Kind;
 
+namespace {
+
+/// Motion of a body's centre of mass, with the quaternion of its turning since the start.
+RigidMotion motionOf(const Tree& tree, const TreeBody& body, const double* q,
+                     const Tree::Motions& x, const Vec3& planeNormal) {
+  RigidMotion out;
+  if (body.node < 0) {
+    out.r_OS_I = body.S;
+    return out;
+  }
+  const NodeMotion& node = x[static_cast<std::size_t>(body.node)];
+  const Vec3 rho = node.A * body.S;
+  out.r_OS_I = node.r + rho;
+  out.v_S_I = node.v + node.Omega.cross(rho), out.Omega_I = node.Omega;
+  for (int k = body.node; k >= 0; k = tree.node(k).parent) {
+    const TreeNode& n = tree.node(k);
+    const double* at = q + n.q0;
+    if (n.kind == Free::slide) continue;
+    double turn[4], product[4];
+    if (n.kind == Free::ball)
+      std::copy(at, at + 4, turn);
+    else
+      axisQuaternion(n.axis, *at, turn), out.angle += n.axis.dot(planeNormal) * *at;
+    quaternionProduct(turn, out.p.data(), product);
+    std::copy(product, product + 4, out.p.begin());
+  }
+  return out;
+}
+
+/// Signals of the coordinates of the body's joint: body.joint.angle and so
+/// on, numbered if there are several.
+void describeJoint(const Tree& tree, const TreeBody& body, Description& d) {
+  const std::string start =
+      (body.system->name().empty() ? "" : body.system->name() + ".") + "joint.";
+  int turns = 0, slides = 0;
+  const auto count = [&](auto kind) {
+    int n = 0;
+    for (int k = body.first; k <= body.node; ++k) n += kind(tree.node(k).kind) ? 1 : 0;
+    return n;
+  };
+  const auto isSlide = [](Free kind) { return kind == Free::slide; };
+  const auto isTurn = [](Free kind) { return kind == Free::turn || kind == Free::screw; };
+  const bool manyTurns = count(isTurn) > 1, manySlides = count(isSlide) > 1;
+  for (int k = body.first; k <= body.node; ++k) {
+    const TreeNode& n = tree.node(k);
+    if (n.kind == Free::ball) {
+      const char axes[] = "wxyz";
+      for (int i = 0; i < 4; ++i)
+        d.coordinate(start + "q" + axes[i], Unit::none, n.q0 + i, "quaternion since the start");
+      for (int i = 0; i < 3; ++i)
+        d.velocity(start + "Omega_" + axes[i + 1], Unit::angularVelocity, n.u0 + i,
+                   "relative angular velocity in axes of the body's side");
+    } else if (isSlide(n.kind)) {
+      const std::string number = manySlides ? std::to_string(++slides) : "";
+      d.coordinate(start + "way" + number, Unit::length, n.q0, "way since the start");
+      d.velocity(start + "speed" + number, Unit::velocity, n.u0, "its rate");
+    } else {
+      const std::string number = manyTurns ? std::to_string(++turns) : "";
+      d.coordinate(start + "angle" + number, Unit::angle, n.q0, "angle since the start");
+      d.velocity(start + "rate" + number, Unit::angularVelocity, n.u0, "its rate");
+    }
+  }
+}
+
+}  // namespace
+
 // ---- making ------------------------------------------------------------------------------------
 
 int TreeSystem::carry(System system, int parent, const Vec3& at_I,
                       const std::vector<FreeMotion>& free) {
-  Body body;
+  TreeBody body;
   body.node = parent < 0 ? -1 : bodies_[static_cast<std::size_t>(parent)].node;
   body.first = tree_.size();
   for (const FreeMotion& motion : free) {
@@ -26,37 +91,15 @@ int TreeSystem::carry(System system, int parent, const Vec3& at_I,
     body.node = tree_.add(node);
   }
   body.system = std::move(system);
-  body.system->rigidPart(body.part);
+  body.part = body.system->rigid()->rigidPart();
   body.blocks = body.system->blocks();
   placeFrames(body);
   bodies_.push_back(std::move(body));
   return bodies() - 1;
 }
 
-int TreeSystem::carryLoose(System system, const Vec3& n) {
-  Eigen::VectorXd q(system->blocks().nq), u(system->blocks().nu);
-  system->initialState(view(q), view(u));
-  RigidPart part;
-  system->rigidPart(part);
-  Frame f;
-  std::vector<double> jacobians(static_cast<std::size_t>(6 * u.size()));
-  new (&f.J_S_I) Mat3X(jacobians.data(), 3, u.size());
-  new (&f.J_R_I) Mat3X(jacobians.data() + 3 * u.size(), 3, u.size());
-  system->frame(0.0, view(std::as_const(q)), view(std::as_const(u)), 0, f);
-  std::vector<FreeMotion> free;
-  if (n.isZero(0.0)) {
-    for (int i = 0; i < 3; ++i) free.push_back({Free::slide, Vec3::Unit(i)});
-    free.push_back({Free::ball});
-  } else {
-    Vec3 e1, e2;
-    tangents(n, e1, e2);
-    free = {{Free::slide, e1}, {Free::slide, e2}, {Free::turn, n}};
-  }
-  return carry(std::move(system), -1, f.r_OS_I + f.A_IK * part.r_BS_K, free);
-}
-
 /// Computes the frames of the body from its node's origin, its mass, and its velocity at the start.
-void TreeSystem::placeFrames(Body& body) {
+void TreeSystem::placeFrames(TreeBody& body) {
   Vec3 origin = Vec3::Zero();
   for (int k = body.node; k >= 0; k = tree_.node(k).parent) origin += tree_.node(k).arm;
   Eigen::VectorXd q = Eigen::VectorXd::Zero(body.blocks.nq),
@@ -81,68 +124,38 @@ void TreeSystem::placeFrames(Body& body) {
 }
 
 double TreeSystem::finish() {
-  const auto n = static_cast<std::size_t>(tree_.size());
-  work_.x.resize(n), work_.inertia.resize(n), work_.wrench.resize(2 * n);
-  work_.factors.resize(n);
-  work_.q.assign(static_cast<std::size_t>(nq()), 0.0);
-  work_.u.assign(static_cast<std::size_t>(nu()), 0.0);
-  u0_.setZero(nu()), start_.setZero(nq());
+  results_.resize(tree_);
+  u0_.setZero(tree_.nu()), start_.setZero(tree_.nq());
   for (int k = 0; k < tree_.size(); ++k)
     if (tree_.node(k).kind == Free::ball) start_[tree_.node(k).q0] = 1.0;
-  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(nu());
-  const Tree::Motions& x = at(view(std::as_const(start_)));
+  Eigen::VectorXd momentum = Eigen::VectorXd::Zero(tree_.nu());
+  const Tree::Motions& x = results_.at(tree_, view(std::as_const(start_)));
 
   // M u = Σ Jᵀ (m v, J Ω): the impact after which the velocities fit the joints.
-  for (Vec3& w : work_.wrench) w.setZero();
+  std::vector<Vec3>& wrench = results_.wrench;
+  for (Vec3& w : wrench) w.setZero();
   bool any = false;
-  for (const Body& b : bodies_) {
+  for (const TreeBody& b : bodies_) {
     any = any || !b.v.isZero(0.0) || !b.Omega.isZero(0.0);
     if (b.node < 0) continue;
     const Mat3 A = frames_[static_cast<std::size_t>(b.frame0)].A;
     const Vec3 p = b.part.m * b.v, L = A * (b.part.J_S_K * (A.transpose() * b.Omega));
-    work_.wrench[2 * static_cast<std::size_t>(b.node)] += p;
-    work_.wrench[2 * static_cast<std::size_t>(b.node) + 1] += L + b.S.cross(p);
+    wrench[2 * static_cast<std::size_t>(b.node)] += p;
+    wrench[2 * static_cast<std::size_t>(b.node) + 1] += L + b.S.cross(p);
   }
-  if (!any || nu() == 0) return 0.0;
-  tree_.project(x, work_.wrench, view(momentum));
-  RowMatrix mass(nu(), nu());
-  tree_.mass(x, work_.inertia, {mass.data(), nu(), nu()});
+  if (!any || tree_.nu() == 0) return 0.0;
+  tree_.project(x, wrench, view(momentum));
+  const int nu = tree_.nu();
+  RowMatrix mass(nu, nu);
+  tree_.mass(x, results_.inertia, {mass.data(), nu, nu});
   u0_ = mass.ldlt().solve(momentum);
   double change = 0.0;
-  at(view(std::as_const(start_)), view(std::as_const(u0_)));
-  for (const Body& b : bodies_) {
-    const RigidMotion is = motionOf(b, start_.data(), work_.x);
+  results_.at(tree_, view(std::as_const(start_)), view(std::as_const(u0_)));
+  for (const TreeBody& b : bodies_) {
+    const RigidMotion is = motionOf(tree_, b, start_.data(), x, planeNormal_);
     change = std::max({change, (is.v_S_I - b.v).norm(), (is.Omega_I - b.Omega).norm()});
   }
   return change;
-}
-
-// ---- workspace ---------------------------------------------------------------------------------
-
-namespace {
-
-/// Bitwise comparison, so that results for NaN are not computed again.
-bool same(ConstVec a, const std::vector<double>& b) {
-  return b.empty() || std::memcmp(a.data(), b.data(), b.size() * sizeof(double)) == 0;
-}
-
-}  // namespace
-
-const Tree::Motions& TreeSystem::at(ConstVec q) const {
-  if (work_.posed && same(q, work_.q)) return work_.x;
-  std::copy(q.data(), q.data() + q.size(), work_.q.data());
-  work_.posed = true, work_.moves = work_.factored = false, work_.shown = nullptr;
-  tree_.pose(work_.q.data(), work_.x);
-  return work_.x;
-}
-
-const Tree::Motions& TreeSystem::at(ConstVec q, ConstVec u) const {
-  at(q);
-  if (work_.moves && same(u, work_.u)) return work_.x;
-  std::copy(u.data(), u.data() + u.size(), work_.u.data());
-  work_.moves = true, work_.shown = nullptr;
-  tree_.rates(work_.u.data(), work_.x);
-  return work_.x;
 }
 
 // ---- equations of motion -----------------------------------------------------------------------
@@ -150,24 +163,23 @@ const Tree::Motions& TreeSystem::at(ConstVec q, ConstVec u) const {
 void TreeSystem::initialState(Vec q, Vec u) const { q = start_, u = u0_; }
 
 void TreeSystem::M(double, ConstVec q, MassBlocks M) const {
-  if (nu() == 0) return;
+  if (tree_.nu() == 0) return;
   // If M does not depend on q, it is always computed at the start, and thus bitwise the same.
-  tree_.mass(tree_.constantMass() ? at(view(start_)) : at(q), work_.inertia, M[0]);
+  tree_.mass(results_.at(tree_, tree_.constantMass() ? ConstVec(view(start_)) : q),
+             results_.inertia, M[0]);
 }
 
 void TreeSystem::applyInverseMass(double, ConstVec q, ConstVec in, Vec out) const {
-  const Tree::Motions& x = at(q);
-  if (!work_.factored) tree_.factor(x, work_.factors);
-  work_.factored = true;
-  tree_.solve(x, work_.factors, in, work_.wrench, out);
+  const Tree::Motions& x = results_.at(tree_, q);
+  tree_.solve(x, results_.factors(tree_), in, results_.wrench, out);
 }
 
 void TreeSystem::h(double, ConstVec q, ConstVec u, Vec h) const {
-  tree_.gyroscopic(at(q, u), work_.wrench, h);
+  tree_.gyroscopic(results_.at(tree_, q, u), results_.wrench, h);
 }
 
 double TreeSystem::gravity(double, ConstVec q, const Vec3& g_I, Vec h) const {
-  return tree_.gravity(at(q), g_I, h);
+  return tree_.gravity(results_.at(tree_, q), g_I, h);
 }
 
 void TreeSystem::qdot(double, ConstVec q, ConstVec u, Vec qdot) const {
@@ -234,7 +246,7 @@ void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const
     return;
   }
   out.block = 0;
-  const Tree::Motions& x = at(q, u);
+  const Tree::Motions& x = results_.at(tree_, q, u);
   const NodeMotion& node = x[static_cast<std::size_t>(f.node)];
   const Vec3 rho = node.A * f.r, drag = node.Omega.cross(rho);
   out.r_OS_I = node.r + rho, out.A_IK = node.A * f.A;
@@ -247,39 +259,15 @@ void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const
 
 // ---- names -------------------------------------------------------------------------------------
 
-RigidMotion TreeSystem::motionOf(const Body& body, const double* q, const Tree::Motions& x) const {
-  RigidMotion out;
-  if (body.node < 0) {
-    out.r_OS_I = body.S;
-    return out;
-  }
-  const NodeMotion& node = x[static_cast<std::size_t>(body.node)];
-  const Vec3 rho = node.A * body.S;
-  out.r_OS_I = node.r + rho;
-  out.v_S_I = node.v + node.Omega.cross(rho), out.Omega_I = node.Omega;
-  for (int k = body.node; k >= 0; k = tree_.node(k).parent) {
-    const TreeNode& n = tree_.node(k);
-    const double* at = q + n.q0;
-    if (n.kind == Free::slide) continue;
-    double turn[4], product[4];
-    if (n.kind == Free::ball)
-      std::copy(at, at + 4, turn);
-    else
-      axisQuaternion(n.axis, *at, turn), out.angle += n.axis.dot(planeNormal_) * *at;
-    quaternionProduct(turn, out.p.data(), product);
-    std::copy(product, product + 4, out.p.begin());
-  }
-  return out;
-}
-
-double TreeSystem::ownSignal(const Body& body, const SignalFunction& f, const SignalView& v) const {
+double TreeSystem::ownSignal(const TreeBody& body, const SignalFunction& f,
+                             const SignalView& v) const {
   expects(body.blocks.nq <= kMostOwn && body.blocks.nu <= kMostOwn,
           "a rigid body has few coordinates");
-  const Tree::Motions& x = at(v.q, v.u);
-  const Vec q(work_.shownQ.data(), body.blocks.nq), u(work_.shownU.data(), body.blocks.nu);
-  if (work_.shown != &body) {
-    body.system->ownState(motionOf(body, v.q.data(), x), q, u);
-    work_.shown = &body;
+  const Tree::Motions& x = results_.at(tree_, v.q, v.u);
+  const Vec q(shown_.q.data(), body.blocks.nq), u(shown_.u.data(), body.blocks.nu);
+  if (shown_.body != &body || shown_.changes != results_.changes()) {
+    body.system->rigid()->ownState(motionOf(tree_, body, v.q.data(), x, planeNormal_), q, u);
+    shown_.body = &body, shown_.changes = results_.changes();
   }
   return f({.t = v.t,
             .q = {q.data(), q.size()},
@@ -296,56 +284,17 @@ double TreeSystem::ownSignal(const Body& body, const SignalFunction& f, const Si
 }
 
 void TreeSystem::describe(Description& d) const {
-  for (const Body& body : bodies_) {
-    describeBody(body, d);
-    describeJoint(body, d);
-  }
-}
-
-void TreeSystem::describeBody(const Body& body, Description& d) const {
-  const std::string& name = body.system->name();
-  Description own;
-  body.system->describe(own);
-  d.body({name, body.frame0, body.system->frames(), body.system->place()});
-  for (const PlacedShape& p : own.shapes) d.shape(*p.shape, body.frame0 + p.frame);
-  for (const auto& [label, id] : own.frames) d.frame(label, body.frame0 + id);
-  for (const Signal& s : own.signals)
-    d.signal(name.empty() ? s.name : name + "." + s.name, s.unit, std::string(s.text),
-             [this, &body, f = s.value](const SignalView& v) { return ownSignal(body, f, v); });
-}
-
-/// Signals of the coordinates of the body's joint: body.joint.angle and so
-/// on, numbered if there are several.
-void TreeSystem::describeJoint(const Body& body, Description& d) const {
-  const std::string start =
-      (body.system->name().empty() ? "" : body.system->name() + ".") + "joint.";
-  int turns = 0, slides = 0;
-  const auto count = [&](auto kind) {
-    int n = 0;
-    for (int k = body.first; k <= body.node; ++k) n += kind(tree_.node(k).kind) ? 1 : 0;
-    return n;
-  };
-  const auto isSlide = [](Free kind) { return kind == Free::slide; };
-  const auto isTurn = [](Free kind) { return kind == Free::turn || kind == Free::screw; };
-  const bool manyTurns = count(isTurn) > 1, manySlides = count(isSlide) > 1;
-  for (int k = body.first; k <= body.node; ++k) {
-    const TreeNode& n = tree_.node(k);
-    if (n.kind == Free::ball) {
-      const char axes[] = "wxyz";
-      for (int i = 0; i < 4; ++i)
-        d.coordinate(start + "q" + axes[i], Unit::none, n.q0 + i, "quaternion since the start");
-      for (int i = 0; i < 3; ++i)
-        d.velocity(start + "Omega_" + axes[i + 1], Unit::angularVelocity, n.u0 + i,
-                   "relative angular velocity in axes of the body's side");
-    } else if (isSlide(n.kind)) {
-      const std::string number = manySlides ? std::to_string(++slides) : "";
-      d.coordinate(start + "way" + number, Unit::length, n.q0, "way since the start");
-      d.velocity(start + "speed" + number, Unit::velocity, n.u0, "its rate");
-    } else {
-      const std::string number = manyTurns ? std::to_string(++turns) : "";
-      d.coordinate(start + "angle" + number, Unit::angle, n.q0, "angle since the start");
-      d.velocity(start + "rate" + number, Unit::angularVelocity, n.u0, "its rate");
-    }
+  for (const TreeBody& body : bodies_) {
+    const std::string& name = body.system->name();
+    Description own;
+    body.system->describe(own);
+    d.body({name, body.frame0, body.system->frames(), body.system->place()});
+    for (const PlacedShape& p : own.shapes) d.shape(*p.shape, body.frame0 + p.frame);
+    for (const auto& [label, id] : own.frames) d.frame(label, body.frame0 + id);
+    for (const Signal& s : own.signals)
+      d.signal(name.empty() ? s.name : name + "." + s.name, s.unit, std::string(s.text),
+               [this, &body, f = s.value](const SignalView& v) { return ownSignal(body, f, v); });
+    describeJoint(tree_, body, d);
   }
 }
 

@@ -5,6 +5,8 @@
 /// holds the dim × nu part of Wᵀ that belongs to one mass block, row after row, so that M⁻¹w is
 /// local. A contact is ONE block, never three rows tied by position.
 #pragma once
+#include <dynamy/contact/contact_places.hpp>
+#include <dynamy/contact/followed_features.hpp>
 #include <dynamy/law/set_valued_force_law.hpp>
 #include <span>
 #include <vector>
@@ -40,18 +42,8 @@ class ContactSet {
   /// It is the gap in a normal row, the signed position error in a joint row, 0 in other rows.
   std::vector<double> position;
   std::vector<double> scale;  ///< per contact: factor on the set of its law; empty: 1
-  // For the replay: the point of contact [m] and the directions of the rows N, T1, T2. A zero
-  // direction is not known; a contact with a zero normal has no place.
-  std::vector<Vec3> point, normal, t1, t2;
-
-  // Filled only if pairs of features are followed one by one (ContactRequest::follow).
-  /// Presence per contact [m]: positive while its two features lie over one another, zero where
-  /// they cease to do so; kAlways: the contact does not come and go.
-  std::vector<double> presence;
-  static constexpr double kAlways = 1e300;
-  std::vector<ContactKey> noted;  ///< pairs of features that may touch soon
-  bool comesAndGoes = false;      ///< some contacts here come and go with the features that touch
-  double overlap = 0.0;           ///< deepest overlap of bodies whose contacts come and go [m]
+  ContactPlaces places;       ///< per contact
+  FollowedFeatures features;  ///< pairs of features that are followed one by one
 
   int size() const { return static_cast<int>(law.size()); }
   int rows() const { return row0.empty() ? 0 : row0.back(); }

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <dynamy/contact/spatial_rows.hpp>
-#include <limits>
 
 namespace dynamy {
 namespace {
@@ -16,9 +15,7 @@ void ContactSet::clear() {
   key.clear(), law.clear(), element.clear(), candidate.clear();
   row0.assign(1, 0), segment0.assign(1, 0);
   segment.clear(), W.clear(), chi.clear(), bias.clear(), position.clear(), scale.clear();
-  point.clear(), normal.clear(), t1.clear(), t2.clear();
-  presence.clear(), noted.clear(), comesAndGoes = false;
-  overlap = -std::numeric_limits<double>::infinity();
+  places.clear(), features.clear();
 }
 
 void ContactSet::gamma(ConstVec u, Vec gamma) const {

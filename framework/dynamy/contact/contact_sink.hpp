@@ -55,6 +55,7 @@ struct ContactRequest {
   std::span<const ContactKey> frozen =
       {};                ///< refresh: exactly these contacts count as closed, for any gap
   bool refresh = false;  ///< use `frozen`
+  bool alone = false;    ///< with refresh: contacts that are not in `frozen` need not be reported
   /// With refresh: contacts that come and go with the touching features are reported as pairs of
   /// features, with their presence. Exactly the pairs in `frozen` are reported, wherever they are.
   bool follow = false;
@@ -76,11 +77,11 @@ class ContactSink {
   /// Keys of the element's contacts `first` … `end` − 1 that are requested by key.
   std::span<const ContactKey> asked(std::uint64_t first, std::uint64_t end) const;
   /// Sets the presence of the contact that was added last [m].
-  void presence(double value) { set_->presence.back() = value; }
-  void note(std::uint64_t id) { set_->noted.push_back(contactKey(element_, id)); }
+  void presence(double value) { set_->features.presence.back() = value; }
+  void note(std::uint64_t id) { set_->features.noted.push_back(contactKey(element_, id)); }
   /// Reports two bodies whose contacts come and go; overlap(): the depth of their overlap [m].
-  void comesAndGoes() { set_->comesAndGoes = true; }
-  void overlap(double depth) { set_->overlap = std::max(set_->overlap, depth); }
+  void comesAndGoes() { set_->features.comeAndGo = true; }
+  void overlap(double depth) { set_->features.overlap = std::max(set_->features.overlap, depth); }
   /// True: contacts are requested by key, and contact `id` of this element is not among them.
   bool leftOut(std::uint64_t id) const {
     return request_.refresh && !std::binary_search(request_.frozen.begin(), request_.frozen.end(),

@@ -44,10 +44,9 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   c.position.resize(rows), c.chi.resize(rows);
   if (unilateral || dim == 1) c.position[row] = g;
   c.scale.push_back(1.0);
-  if (request_.follow) c.presence.push_back(ContactSet::kAlways);
+  if (request_.follow) c.features.presence.push_back(FollowedFeatures::kAlways);
   if (request_.bias) c.bias.resize(rows);
-  c.point.push_back(Vec3::Zero());
-  for (auto* directions : {&c.normal, &c.t1, &c.t2}) directions->push_back(Vec3::Zero());
+  c.places.add();
   return {c, index, request_.bias};
 }
 
@@ -74,8 +73,9 @@ Block ContactRows::segment(int block, int u0, int nu) {
 
 void ContactRows::place(const Vec3& point, const Vec3& normal, const Vec3& t1, const Vec3& t2) {
   const auto at = static_cast<std::size_t>(index_);
-  set_->point[at] = point, set_->normal[at] = normal;
-  set_->t1[at] = t1, set_->t2[at] = t2;
+  ContactPlaces& places = set_->places;
+  places.point[at] = point, places.normal[at] = normal;
+  places.t1[at] = t1, places.t2[at] = t2;
 }
 
 void addPointRow(Block W, int row, const Frame& frame, const Vec3& rho_I, const Vec3& direction,

@@ -3,6 +3,7 @@
 #pragma once
 #include <dynamy/contact/contact_sink.hpp>
 #include <dynamy/contact/swept_path.hpp>
+#include <dynamy/system/tree_part.hpp>
 
 namespace dynamy {
 

@@ -5,10 +5,10 @@ namespace dynamy {
 StepReport AnitescuPotra::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
   s.evaluate(x);                           // M, h, and W, χ where g(q^A) ≤ g_tol
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitEnd);
-  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-  s.velocityFromImpulses(x);   // u^E = u^A + M⁻¹(h Δt + W Λ)
-  s.moveConfiguration(x, dt);  // q^E = q^A + Δt (F u^E + β)
+  problem.linearlyImplicit(x, kImplicitEnd);
+  const auto solved = problem.solve(solver);  // Λ = prox_C(Λ − r ξ)
+  problem.velocityFromImpulses(x);            // u^E = u^A + M⁻¹(h Δt + W Λ)
+  s.move(x, dt);                              // q^E = q^A + Δt (F u^E + β)
   return {dt, solved, problem.size()};
 }
 

@@ -10,7 +10,8 @@
 /// midpoint may leave a curved surface by O(Δt²), and every such step would then look like a
 /// switch.
 #pragma once
-#include <dynamy/stages/discrete_state.hpp>
+#include <dynamy/schemes/augmented/block_lengths.hpp>
+#include <dynamy/schemes/augmented/closed_contacts.hpp>
 #include <dynamy/stages/extrapolation.hpp>
 #include <dynamy/stages/work_meter.hpp>
 
@@ -41,48 +42,26 @@ class AugmentedMoreau final : public OneStep {
                    State& out) const override;
 
  private:
-  /// Data kept from step to step, in State::scheme.
-  struct Plan {
-    double dtMax = 0.0;      ///< the largest Δt required so far [s]
-    double next = 0.0;       ///< length to be tried next [s]
-    double failedEnd = 0.0;  ///< end of the shortest block that failed [s], while bisecting
-    bool bisecting = false;
-    double windowStart = 0.0;  ///< time since which switches are counted [s]
-    int switches = 0;          ///< number of switches since then
-    double plainUntil = 0.0;   ///< plain time-stepping up to here [s]
-  };
-  void restore(const State& x, double dt);
-  void store(State& x) const;
-  double dtMin() const;
   bool block(MechanicalSystem& s, InclusionSolver& solver, State& x, double H);
   bool subStep(MechanicalSystem& s, InclusionSolver& solver, State& x, double h);
   void plainStep(MechanicalSystem& s, InclusionSolver& solver, State& x, double h);
-  void countSwitch();
-  void restOfClosed(InclusionProblem& p, double h) const;
+  void switchStep(MechanicalSystem& s, InclusionSolver& solver, State& x, double h);
+  bool endIsFree(const MechanicalSystem& s, const State& x);
   void begin(State& x);
   void endOfRow(const State& x);
   void extrapolated(const MechanicalSystem& s, State& x);
   enum class Rebound : std::uint8_t { all, ofNew };
   void baseStep(MechanicalSystem& s, InclusionSolver& solver, State& x, double h, Rebound rebound);
-  const ContactSet& evaluatedContacts(const MechanicalSystem& s, const State& x,
-                                      const ContactRequest& request);
-  void closedAt(const MechanicalSystem& s, const State& x);
-  bool endIsFree(const MechanicalSystem& s, const State& x);
-  bool anyPassed(const ContactSet& c, double least) const;
-  void accepted(double t, double H);
 
   Options options_;
-  Plan plan_;
+  BlockLengths lengths_{options_.order, options_.dtMin};
+  ClosedContacts closed_;
   DiscreteState sigma_, sigmaBlock_, sigmaNow_;
   Extrapolation table_;
   State begin_;
   StepReport report_;
-  std::vector<ContactKey> closed_;   // contacts closed during the block, whatever their gaps
-  std::vector<ContactKey> pressed_;  // contacts that pressed in the step before
-  Kinematics kinematics_;
-  bool ready_ = false;
-  ContactSet contacts_;
-  std::vector<double> Lambda_;  // percussions of the last row, summed
+  ImpactProblem* problem_ = nullptr;  // of the last sub-step
+  std::vector<double> Lambda_;        // percussions of the last row, summed
   WorkMeter meter_;
   StepWorks works_;    // works of the present row of the table
   Eigen::VectorXd z_;  // extrapolated quantities: q, u and works

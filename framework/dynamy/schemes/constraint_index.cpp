@@ -14,11 +14,9 @@ bool anyUnilateral(const ContactSet& c) {
 
 StepReport ConstraintIndex::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                  double dt) {
-  s.bias(index_ == 1);
-  s.evaluate(x);  // M, h, W, χ at q^A
-  s.bias(false);
+  s.evaluate(x, {.bias = index_ == 1});    // M, h, W, χ at q^A
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitEnd);
+  problem.linearlyImplicit(x, kImplicitEnd);
   if (anyUnilateral(*problem.contacts)) return {dt, {}, problem.size(), lacks(Asked::contact)};
   SolveReport solved;
   if (index_ == 3) {  // g(q^E) = 0
@@ -27,9 +25,9 @@ StepReport ConstraintIndex::step(MechanicalSystem& s, InclusionSolver& solver, S
   }
   problem.c = problem.gammaFree;                    // γ^E = 0
   if (index_ == 1) poseAccelerations(problem, dt);  // γ̇ = 0
-  solved = solver.solve(problem, s.Lambda());
-  s.velocityFromImpulses(x);   // u^E = u^A + M⁻¹(h Δt + W Λ)
-  s.moveConfiguration(x, dt);  // q^E = q^A + Δt (F u^E + β)
+  solved = solver.solve(problem, problem.Lambda());
+  problem.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+  s.move(x, dt);                    // q^E = q^A + Δt (F u^E + β)
   return {dt, solved, problem.size()};
 }
 

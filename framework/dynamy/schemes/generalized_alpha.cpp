@@ -13,7 +13,7 @@ constexpr int kMostAlphaIterations = 60;
 void GeneralizedAlpha::start(MechanicalSystem& s, State& x) {
   const Eigen::Index n = x.u.size();
   if (x.scheme.size() != 2 * n) {  // v̇ = a = M⁻¹h
-    s.evaluate(x, 1);
+    s.evaluate(x, {.slot = 1});
     x.scheme.resize(2 * n);
     vdotA_.resize(n);
     s.slot(1).mass.applyInverse(view(s.slot(1).h), view(vdotA_));
@@ -27,7 +27,6 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
   start(s, x);
   begin_ = x;
   activeContacts(s, x, dt);
-  s.freeze(keys_);
   vdot_ = vdotA_;
   w_.setZero(x.u.size());
   SolveReport solved;
@@ -38,7 +37,6 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
     const double size = x.u.lpNorm<Eigen::Infinity>();
     last = iteration.done(s, change, size, dt, solved);
   }
-  s.thaw();
   x.scheme.head(x.u.size()) = a_, x.scheme.tail(x.u.size()) = vdot_;
   return {dt, solved, s.problem().size()};
 }
@@ -46,10 +44,10 @@ StepReport GeneralizedAlpha::step(MechanicalSystem& s, InclusionSolver& solver, 
 /// Finds the contacts that are closed at q^A or at the prediction, or pressed in the last step.
 void GeneralizedAlpha::activeContacts(MechanicalSystem& s, State& x, double dt) {
   keys_.clear();
-  addKeys(s.evaluate(x, 1).contacts, keys_);
+  addKeys(s.evaluate(x, {.slot = 1}).contacts, keys_);
   mean_ = begin_.u + 0.5 * dt * aA_;
   s.move(x, mean_, dt);
-  addKeys(s.evaluate(x, 0).contacts, keys_);
+  addKeys(s.evaluate(x).contacts, keys_);
   addPressed(begin_.impulses, keys_);
 }
 
@@ -60,7 +58,7 @@ void GeneralizedAlpha::place(MechanicalSystem& s, State& x, double dt) {
   x.t = begin_.t, x.q = begin_.q;
   s.move(x, mean_, dt);
   x.u = uTilde_ + w_;
-  s.evaluate(x, 0);
+  s.evaluate(x, {.held = HeldContacts{keys_}});
 }
 
 double GeneralizedAlpha::correct(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
@@ -74,27 +72,27 @@ double GeneralizedAlpha::correct(MechanicalSystem& s, InclusionSolver& solver, S
   s.slot(0).mass.apply(view(std::as_const(uFree_)), view(residual_));
   residual_ += perVdot * h_;
   auto& problem = s.impactProblem(begin_, dt);
-  s.implicitMass(x, dt, {0.0, beta_ * share, gamma_ * share}, 0);
-  s.applyInverseMass(residual_, uFree_);
+  problem.implicitMass(s.slot(0), x, dt, {0.0, beta_ * share, gamma_ * share});
+  problem.applyInverseMass(residual_, uFree_);
   uFree_ += x.u;
-  s.freeVelocity(uFree_);
-  const auto last = s.impactLaw().solve(problem, solver, s.Lambda());  // −ξ ∈ N_C(Λ)
+  problem.freeVelocity(uFree_);
+  const auto last = problem.solve(solver);  // −ξ ∈ N_C(Λ)
   addSolve(solved, last);
   solved.status = last.status;
-  s.velocityFromImpulses(x);
-  s.usedForce(h_, hNonPotential_);
+  problem.velocityFromImpulses(x);
+  s.change(0).h = h_, s.change(0).hNonPotential = hNonPotential_;
   begin_.impulses = x.impulses;
   // w = M⁻¹WΛ; v̇ gains M̂⁻¹(h − M v̇) and, per ∂ũ/∂v̇, the effect of springs on the change of w
   const MassMatrix& mass = s.slot(0).mass;
   mass.apply(view(std::as_const(vdot_)), view(residual_));
   residual_ = h_ - residual_;
-  s.applyInverseMass(residual_, change_);
+  problem.applyInverseMass(residual_, change_);
   vdot_ += change_;
   double change = dt * change_.lpNorm<Eigen::Infinity>();
   mass.apply(view(std::as_const(w_)), view(residual_));
   residual_ = -residual_;
-  addForce(s.slot(0).contacts, s.Lambda().data(), residual_);  // WΛ − M w
-  s.applyInverseMass(residual_, uFree_);
+  addForce(s.slot(0).contacts, problem.Lambda().data(), residual_);  // WΛ − M w
+  problem.applyInverseMass(residual_, uFree_);
   mass.applyInverse(view(std::as_const(residual_)), view(change_));
   w_ += change_;
   change = std::max(change, change_.lpNorm<Eigen::Infinity>());

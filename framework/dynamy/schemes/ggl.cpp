@@ -6,24 +6,24 @@ namespace dynamy {
 StepReport Ggl::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
   begin_ = x;
   // Position level: no forces, no friction; velocities (q^E − q^A)/Δt = u^A + M⁻¹Wτ/Δt.
-  s.evaluateAhead(x, dt, 1);
-  ContactSet& contacts = s.contactsOf(1);
+  s.evaluate(x, {.slot = 1, .ahead = dt});
+  ContactSet& contacts = s.change(1).contacts;
   while (laws_.size() < contacts.law.size()) laws_.push_back(std::make_unique<PositionLaw>());
   for (std::size_t i = 0; i < contacts.law.size(); ++i) {
     laws_[i]->of(*contacts.law[i]);
     contacts.law[i] = laws_[i].get();
   }
   auto& positions = s.impactProblem(x, dt, 1);
-  s.freeVelocity(begin_.u);
-  s.Lambda().setZero();
+  positions.freeVelocity(begin_.u);
+  positions.Lambda().setZero();
   const auto moved = level_.solve(s, positions, solver, x, dt, 2);
   // Velocity level at q^E.
   x.u = begin_.u, x.impulses = begin_.impulses;
-  s.evaluate(x, 0);
+  s.evaluate(x);
   auto& problem = s.impactProblem(x, dt);
-  s.linearlyImplicit(x, kImplicitEnd);
-  auto solved = s.impactLaw().solve(problem, solver, s.Lambda());
-  s.velocityFromImpulses(x);
+  problem.linearlyImplicit(x, kImplicitEnd);
+  auto solved = problem.solve(solver);
+  problem.velocityFromImpulses(x);
   solved.iterations += moved.iterations;
   if (!moved.ok()) solved.status = moved.status;
   return {dt, solved, problem.size()};

@@ -4,12 +4,12 @@ namespace dynamy {
 
 StepReport HalfExplicitEuler::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                    double dt) {
-  s.moveConfiguration(x, dt);              // q^E = q^A + Δt (F u^A + β)
+  s.move(x, dt);                           // q^E = q^A + Δt (F u^A + β)
   s.evaluate(x);                           // M, h, and W, χ where g(q^E) ≤ g_tol
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitEnd);
-  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-  s.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+  problem.linearlyImplicit(x, kImplicitEnd);
+  const auto solved = problem.solve(solver);  // Λ = prox_C(Λ − r ξ)
+  problem.velocityFromImpulses(x);            // u^E = u^A + M⁻¹(h Δt + W Λ)
   return {dt, solved, problem.size()};
 }
 

@@ -17,29 +17,27 @@ StepReport HalfExplicitHeun::step(MechanicalSystem& s, InclusionSolver& solver, 
                                   double dt) {
   begin_ = x;
   activeContacts(s, x, dt);
-  if (s.explicitIsUnstable(begin_, dt, kHeun, 1)) return {dt, {}, 0, lacks(Asked::stiffForces)};
-  s.freeze(keys_);
+  if (explicitIsUnstable(s, 1, begin_, dt, kHeun)) return {dt, {}, 0, lacks(Asked::stiffForces)};
   const auto first = predict(s, solver, dt);  // U, Λ₁ and h(Q, U)
 
   // q^E = q^A + Δt/2 F (u^A + U)
   uMean_ = 0.5 * (begin_.u + stage_.u);
   s.move(x, uMean_, dt);
-  s.evaluate(x, 0);
-  s.thaw();
+  s.evaluate(x, {.held = HeldContacts{keys_}});
   auto& problem = s.impactProblem(x, dt);  // γ^A = W^Eᵀ u^A
   // u_free = (u^A + U)/2 + M⁻¹ (Δt/2 h(Q, U) − WΛ₁/2)
   carry(first_, s.slot(0).contacts, carried_);
   momentum_.setZero(x.u.size());
   addForce(s.slot(0).contacts, carried_.data(), momentum_);
   momentum_ = 0.5 * dt * s.slot(2).h - 0.5 * momentum_;
-  s.applyInverseMass(momentum_, uFree_);
+  problem.applyInverseMass(momentum_, uFree_);
   uFree_ += uMean_;
-  s.freeVelocity(uFree_);
-  auto solved = s.impactLaw().solve(problem, solver, s.Lambda());
+  problem.freeVelocity(uFree_);
+  auto solved = problem.solve(solver);
   h_ = 0.5 * (s.slot(1).h + s.slot(2).h);
   hNonPotential_ = 0.5 * (s.slot(1).hNonPotential + s.slot(2).hNonPotential);
-  s.velocityFromImpulses(x);
-  s.usedForce(h_, hNonPotential_);
+  problem.velocityFromImpulses(x);
+  s.change(0).h = h_, s.change(0).hNonPotential = hNonPotential_;
   solved.iterations += first.iterations;
   if (!first.ok()) solved.status = first.status;
   return {dt, solved, problem.size()};
@@ -47,16 +45,16 @@ StepReport HalfExplicitHeun::step(MechanicalSystem& s, InclusionSolver& solver, 
 
 void HalfExplicitHeun::activeContacts(MechanicalSystem& s, const State& x, double dt) {
   keys_.clear();
-  addKeys(s.evaluate(x, 1).contacts, keys_);
+  addKeys(s.evaluate(x, {.slot = 1}).contacts, keys_);
   stage_ = x;
-  s.moveConfiguration(stage_, dt);  // Q = q^A + Δt F u^A
-  addKeys(s.evaluate(stage_, 2).contacts, keys_);
+  s.move(stage_, dt);  // Q = q^A + Δt F u^A
+  addKeys(s.evaluate(stage_, {.slot = 2}).contacts, keys_);
   addPressed(x.impulses, keys_);
 }
 
 SolveReport HalfExplicitHeun::predict(MechanicalSystem& s, InclusionSolver& solver, double dt) {
-  s.evaluate(begin_, 1);  // M, h, W at q^A
-  s.evaluate(stage_, 2);  // W at Q
+  s.evaluate(begin_, {.slot = 1, .held = HeldContacts{keys_}});  // M, h, W at q^A
+  s.evaluate(stage_, {.slot = 2, .held = HeldContacts{keys_}});  // W at Q
   auto& problem = s.impactProblem(begin_, dt, 1);
   const auto n = static_cast<Eigen::Index>(problem.rows());
   free_ = problem.gammaFree;
@@ -83,14 +81,14 @@ SolveReport HalfExplicitHeun::predict(MechanicalSystem& s, InclusionSolver& solv
       solved.status = SolveStatus::stalled;
       break;
     }
-    const auto last = s.impactLaw().solve(problem, solver, s.Lambda());
+    const auto last = problem.solve(solver);
     addSolve(solved, last);
     solved.status = last.status;
     stage_.impulses = begin_.impulses;
-    s.velocityFromImpulses(stage_);  // U = u^A + M⁻¹(Δt h + WΛ₁)
+    problem.velocityFromImpulses(stage_);  // U = u^A + M⁻¹(Δt h + WΛ₁)
   }
   first_ = stage_.impulses;
-  s.evaluate(stage_, 2);  // h(Q, U)
+  s.evaluate(stage_, {.slot = 2, .held = HeldContacts{keys_}});  // h(Q, U)
   return solved;
 }
 

@@ -3,13 +3,13 @@
 namespace dynamy {
 
 StepReport MoreauMidpoint::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
-  s.moveConfiguration(x, dt / 2);          // q^M = q^A + Δt/2 (F u^A + β)
+  s.move(x, dt / 2);                       // q^M = q^A + Δt/2 (F u^A + β)
   s.evaluate(x);                           // M, h, and W, χ where g(q^M) ≤ g_tol
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitMidpoint);
-  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // Λ = prox_C(Λ − r ξ)
-  s.velocityFromImpulses(x);       // u^E = u^A + M⁻¹(h Δt + W Λ)
-  s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
+  problem.linearlyImplicit(x, kImplicitMidpoint);
+  const auto solved = problem.solve(solver);  // Λ = prox_C(Λ − r ξ)
+  problem.velocityFromImpulses(x);            // u^E = u^A + M⁻¹(h Δt + W Λ)
+  s.move(x, dt / 2);                          // q^E = q^M + Δt/2 (F u^E + β)
   return {dt, solved, problem.size()};
 }
 

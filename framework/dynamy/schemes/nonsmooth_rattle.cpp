@@ -14,8 +14,9 @@ constexpr double kLeapfrog = 2.0;           ///< largest stable ωΔt
 StepReport NonsmoothRattle::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                  double dt) {
   begin_ = x;
-  s.evaluateAhead(begin_, dt, 1);  // M, h, W at q^A
-  if (s.explicitIsUnstable(begin_, dt, kLeapfrog, 1)) return {dt, {}, 0, lacks(Asked::stiffForces)};
+  s.evaluate(begin_, {.slot = 1, .ahead = dt});  // M, h, W at q^A
+  if (explicitIsUnstable(s, 1, begin_, dt, kLeapfrog))
+    return {dt, {}, 0, lacks(Asked::stiffForces)};
   const auto first = positions(s, solver, x, dt);
   auto solved = velocities(s, solver, x, dt);
   solved.iterations += first.iterations;
@@ -40,9 +41,7 @@ SolveReport NonsmoothRattle::positions(MechanicalSystem& s, InclusionSolver& sol
     solved.status = last.status;
     // h(q^A, u^½)
     half_.u = x.u, half_.impulses = x.impulses;
-    s.freeze(keys_);
-    s.evaluate(half_, 1);
-    s.thaw();
+    s.evaluate(half_, {.slot = 1, .held = HeldContacts{keys_}});
     const double size = s.slot(1).h.lpNorm<Eigen::Infinity>();
     const double change = (s.slot(1).h - h_).lpNorm<Eigen::Infinity>();
     const bool stalls = i > 4 && change > 0.5 * before;
@@ -70,9 +69,7 @@ SolveReport NonsmoothRattle::velocities(MechanicalSystem& s, InclusionSolver& so
                                         double dt) {
   uHalf_ = x.u;
   closedAtEnd(s);
-  s.freeze(keys_);
-  s.evaluate(x, 0);  // M, h, W at q^E, u^½
-  s.thaw();
+  s.evaluate(x, {.held = HeldContacts{keys_}});  // M, h, W at q^E, u^½
   // γ^A = W^Eᵀ u^A;  u_free = u^½ + M⁻¹(Δt/2 h − W Λ₁)
   x.u = begin_.u;
   auto& problem = s.impactProblem(x, dt, 0);
@@ -80,13 +77,13 @@ SolveReport NonsmoothRattle::velocities(MechanicalSystem& s, InclusionSolver& so
   momentum_.setZero(x.u.size());
   addForce(s.slot(0).contacts, carried_.data(), momentum_);
   momentum_ = 0.5 * dt * s.slot(0).h - momentum_;
-  s.applyInverseMass(momentum_, uFree_);
+  problem.applyInverseMass(momentum_, uFree_);
   uFree_ += uHalf_;
-  s.freeVelocity(uFree_);
-  const auto solved = s.impactLaw().solve(problem, solver, s.Lambda());  // −ξ ∈ N_C(Λ)
+  problem.freeVelocity(uFree_);
+  const auto solved = problem.solve(solver);  // −ξ ∈ N_C(Λ)
   h_ = 0.5 * (h_ + s.slot(0).h), hNonPotential_ = 0.5 * (hNonPotential_ + s.slot(0).hNonPotential);
-  s.velocityFromImpulses(x);  // u^E = u_free + M⁻¹ W Λ
-  s.usedForce(h_, hNonPotential_);
+  problem.velocityFromImpulses(x);  // u^E = u_free + M⁻¹ W Λ
+  s.change(0).h = h_, s.change(0).hNonPotential = hNonPotential_;
   return solved;
 }
 

@@ -11,14 +11,14 @@ constexpr double kEqual = 1e-4;
 }  // namespace
 
 StepReport PaoliSchatzman::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
-  s.evaluateAhead(x, dt);      // M, h, W, χ and g at q_k
-  if (x.impulses.dt == 0.0) {  // start: q_{−1} = q_0 − Δt u_0 + Δt²/2 a_0
+  s.evaluate(x, {.ahead = dt});  // M, h, W, χ and g at q_k
+  if (x.impulses.dt == 0.0) {    // start: q_{−1} = q_0 − Δt u_0 + Δt²/2 a_0
     a_.resize(x.u.size());
     s.slot(0).mass.applyInverse(view(s.slot(0).h), view(a_));
     x.u -= 0.5 * dt * a_;
   }
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitEnd);
+  problem.linearlyImplicit(x, kImplicitEnd);
   gapsBefore(s, problem, x, dt);
   const bool rebounds =
       std::any_of(offset_.begin(), offset_.end(), [](double o) { return o != 0.0; });
@@ -53,9 +53,7 @@ void PaoliSchatzman::gapsBefore(MechanicalSystem& s, const InclusionProblem& pro
   s.move(before_, x.u, -dt);
   keys_.clear();
   addKeys(c, keys_);
-  s.freeze(keys_);
-  const ContactSet& before = s.evaluate(before_, 1).contacts;
-  s.thaw();
+  const ContactSet& before = s.evaluate(before_, {.slot = 1, .held = HeldContacts{keys_}}).contacts;
   for (int i = 0; i < c.size(); ++i) {
     if (!problem.law(i).unilateral()) continue;
     double epsilon[kMostRows] = {};

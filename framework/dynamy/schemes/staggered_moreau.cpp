@@ -37,31 +37,29 @@ bool hasJoints(const ContactSet& contacts) {
 /// Evaluates M, h, contacts at q^M, with gyroscopic terms at the mean velocity, where they do no
 /// work. Forces that the step does not resolve are damped.
 const Evaluation& ahead(MechanicalSystem& s, const State& x, double dt) {
-  const Evaluation& e = s.evaluateDamped(x, dt, kImplicitMidpoint);
-  s.gyroscopicAtMean(x, dt);
-  return e;
+  return s.evaluate(x, {.ahead = dt, .damped = &kImplicitMidpoint, .gyroscopicAtMean = true});
 }
 
 }  // namespace
 
 StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                  double dt) {
-  s.moveConfiguration(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
+  s.move(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
   bool apart = true;
   const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
   pose(s, x, dt);                                         // ξ = G Λ + c
   const SolveReport solved = solve(s, solver, x, dt);     // Λ = prox_C(Λ − r ξ)
-  s.velocityFromImpulses(x);                              // u^E = u^A + M⁻¹(h Δt + W Λ)
+  problem_->velocityFromImpulses(x);                      // u^E = u^A + M⁻¹(h Δt + W Λ)
   x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
   const bool loose = solved.residuals.largest() > kLooseResidual &&
-                     (solved.ok() || isRough(x) || s.problem().size() >= kManyContacts);
+                     (solved.ok() || isRough(x) || problem_->size() >= kManyContacts);
   if (loose || (isRough(x) && largestOverlap(e.contacts) > s.gTol()))
-    LostImpulses::remember(e.contacts, view(s.Lambda()), x.scheme);
+    LostImpulses::remember(e.contacts, view(problem_->Lambda()), x.scheme);
   else
     x.scheme.resize(0);
-  s.moveConfiguration(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
-  StepReport report{dt, solved, s.problem().size()};
-  if (!apart) report.solved.status = SolveStatus::stalled, s.effort(Effort::retried);
+  s.move(x, dt / 2);  // q^E = q^M + Δt/2 (F u^E + β)
+  StepReport report{dt, solved, problem_->size()};
+  if (!apart) report.solved.status = SolveStatus::stalled, s.limits.effort = Effort::retried;
   if (options_.project == Project::none || !hasJoints(e.contacts)) return report;
   if (!projection_.positions(s, solver, x, 0.1 * s.gTol()))
     report.solved.status = SolveStatus::stalled;
@@ -75,12 +73,12 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
                                    double dt) {
   SolveReport report;
   for (;;) {  // the loop ends, since contacts are only added
-    s.linearlyImplicit(x, kImplicitMidpoint);
+    problem_->linearlyImplicit(x, kImplicitMidpoint);
     const int iterations = report.iterations, newton = report.newton;
-    report = s.impactLaw().solve(*problem_, solver, s.Lambda());
+    report = problem_->solve(solver);
     report.iterations += iterations, report.newton += newton;
-    if (!report.ok()) s.effort(Effort::retried);  // for the rest of this attempt at a step
-    if (!s.bringIn()) {
+    if (!report.ok()) s.limits.effort = Effort::retried;
+    if (!problem_->bringIn()) {
       if (report.ok() || !aim_.divide) return report;
       aim_.divide = false;  // the impact waits for an overlap: another problem, once
     }
@@ -95,7 +93,7 @@ void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
   if (!isRough(x)) return;
   // A step at a bounded cost leaves overlaps and forces, which the next step corrects.
   lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
-               s.Lambda());
+               problem_->Lambda());
   problem_->corrected = Corrected::byGapsLoosely;
 }
 
@@ -106,7 +104,7 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kPositionShare * s.gTol();
   aim_ = {isRough(x) ? -std::numeric_limits<double>::infinity()
-                     : kDead * dt * s.largestChange(dt) + rounding,
+                     : kDead * dt * largestChange(s, dt) + rounding,
           mean,
           mean ? 0.0 : options_.kappa,
           options_.cap,
@@ -114,8 +112,8 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
           arrived_,
           false};
   ask(s, x, dt);
-  if (isRough(x) || s.arriving().empty()) return;
-  arriving_ = s.arriving();
+  if (isRough(x) || problem_->arriving().empty()) return;
+  arriving_ = problem_->arriving();
   if (!projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
     aim_.divide = problem_->size() < kManyContacts;
     if (aim_.divide) ask(s, x, dt);

@@ -56,9 +56,9 @@ class StaggeredMoreau final : public OneStep {
   Options options_;
   Projection projection_;
   LostImpulses lost_;
-  PositionAim aim_;                      // of this step
-  InclusionProblem* problem_ = nullptr;  // of this step
-  std::vector<ContactKey> arrived_;      // contacts lifted out of an overlap or closed in this step
+  PositionAim aim_;                   // of this step
+  ImpactProblem* problem_ = nullptr;  // of this step
+  std::vector<ContactKey> arrived_;   // contacts lifted out of an overlap or closed in this step
   std::vector<ContactKey> arriving_;
 };
 

@@ -4,14 +4,14 @@
 namespace dynamy {
 
 StepReport StewartTrinkle::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
-  s.evaluateAhead(x, dt);                  // M, h, W, χ and g at q^A
+  s.evaluate(x, {.ahead = dt});            // M, h, W, χ and g at q^A
   auto& problem = s.impactProblem(x, dt);  // ξ = G Λ + c
-  s.linearlyImplicit(x, kImplicitEnd);
-  aimAtPositions(problem, dt);                            // ξ_N = γ_N^E + g/Δt
-  const auto solved = solver.solve(problem, s.Lambda());  // Λ = prox_C(Λ − r ξ)
+  problem.linearlyImplicit(x, kImplicitEnd);
+  aimAtPositions(problem, dt);                                  // ξ_N = γ_N^E + g/Δt
+  const auto solved = solver.solve(problem, problem.Lambda());  // Λ = prox_C(Λ − r ξ)
   const auto lacking = lackingAtImpact(s);
-  s.velocityFromImpulses(x);   // u^E = u^A + M⁻¹(h Δt + W Λ)
-  s.moveConfiguration(x, dt);  // q^E = q^A + Δt (F u^E + β)
+  problem.velocityFromImpulses(x);  // u^E = u^A + M⁻¹(h Δt + W Λ)
+  s.move(x, dt);                    // q^E = q^A + Δt (F u^E + β)
   return {dt, solved, problem.size(), lacking};
 }
 

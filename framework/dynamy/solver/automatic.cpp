@@ -170,15 +170,31 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   }
   // After exactly solved steps Newton's method is tried once: a scene at rest stays exact, and so
   // does one that begins to slide.
-  const NewtonLimits most =
-      limits(p, first ? options_.maxNewton : (loose ? kCorrecting : kAfterExact));
+  NewtonLimits most = limits(p, first ? options_.maxNewton : (loose ? kCorrecting : kAfterExact));
+  // With many contacts the later stages cost more than a second start.
+  const bool twice = !first && !many && !hurried && !condensed(p) && p.size() > kMostRestarted;
+  if (twice) most.maxPatient = most.maxIterations = 0;
   report = newton_.refine(p, Lambda, report, cold, scratch_.data(), &most);
   if (report.ok()) return report;
   keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
   if (many) return boundedSweeps(p, Lambda, report);
+  if (twice) return afresh(p, Lambda, report);
   if (hurried || most.maxNewton < options_.maxNewton) return report;
   if (!restarts(p, Lambda, report) && !pivot(p, Lambda, report)) others(p, Lambda, report);
   return report;
+}
+
+SolveReport Automatic::afresh(const InclusionProblem& p, Vec Lambda, SolveReport report) {
+  Lambda.setZero();
+  report.residuals = residuals(p, view(std::as_const(Lambda)), scratch_);
+  const int before = report.iterations;
+  const bool solved = easy_.sweeps(p, options_.tolerance, Lambda, report);
+  report.note("sweeps from zero", before);
+  if (solved) {
+    report.status = SolveStatus::solved;
+    return report;
+  }
+  return newton_.refine(p, Lambda, report, true, scratch_.data());
 }
 
 bool Automatic::bounds(const InclusionProblem& p) const {

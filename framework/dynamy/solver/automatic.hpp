@@ -39,6 +39,8 @@ class Automatic final : public InclusionSolver {
 
  private:
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
+  /// Forgets a start from which Newton's method has failed, and solves from Λ = 0, for many contacts.
+  SolveReport afresh(const InclusionProblem& problem, Vec Lambda, SolveReport report);
   /// Runs the stages one after the other from a start that is worth improving. In: `report` holds
   /// the residuals of the start.
   SolveReport rungs(const InclusionProblem& problem, Vec Lambda, SolveReport report);

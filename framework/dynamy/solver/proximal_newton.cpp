@@ -25,8 +25,10 @@ constexpr double kPatientRho = 10.0;
 constexpr double kInnerShare = 0.8;  ///< part of its first |F| at which an inner problem is solved
 /// Rows up to which the dense form is faster than the sparse one in velocities.
 constexpr int kMinVelocities = 16;
-constexpr int kMostDenseSteps = 200;  ///< Newton steps of the dense form, then block rows are tried
-constexpr double kSmallest = 1e-9;    ///< floor of a: below, the regularisation drowns in rounding
+/// Newton steps of the dense form, after which block rows are tried; fewer where a step is tried
+/// again, which often has forces that are not unique: block rows then need less.
+constexpr int kMostDenseSteps = 200, kMostDenseAgain = 60;
+constexpr double kSmallest = 1e-9;  ///< floor of a: below, the regularisation drowns in rounding
 
 }  // namespace
 
@@ -204,11 +206,13 @@ bool ProximalNewton::press(const InclusionProblem& p, Vec Lambda) {
   return any;
 }
 
-bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, SolveReport& report) {
+bool ProximalNewton::dense(const InclusionProblem& p, Vec Lambda, double a, int most,
+                           SolveReport& report) {
+  most = std::min(most, p.effort == Effort::full ? kMostDenseSteps : kMostDenseAgain);
   double bestE = report.residuals.largest();
   std::copy(Lambda.data(), Lambda.data() + Lambda.size(), best_.begin());
   Residuals best = report.residuals;
-  for (int steps = 0; steps < kMostDenseSteps && !p.enough();) {
+  for (int steps = 0; steps < most && !p.enough();) {
     std::copy(Lambda.data(), Lambda.data() + Lambda.size(), centre_.begin());
     const double outer = std::sqrt(std::max(0.0, evaluate(p, 0.0, Lambda.data(), false)));
     const int used = newton(p, a, kInnerShare * outer, Lambda), counted = used < 0 ? 40 : used;
@@ -250,7 +254,8 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
   if (!blocks && prepare(p)) {
     if (good) return improve(p, Lambda, report);
     const int before = report.iterations;
-    const bool solved = dense(p, Lambda, pressed ? kPressed : (cold ? kCold : kWarm), report);
+    const double start = pressed ? kPressed : (cold ? kCold : kWarm);
+    const bool solved = dense(p, Lambda, start, limits.maxNewton, report);
     report.note("proximal Newton, dense", before);
     if (solved) return report;
     if (p.enough()) {
@@ -267,32 +272,35 @@ SolveReport ProximalNewton::refine(const InclusionProblem& p, Vec Lambda, SolveR
     block_.improve(p, Lambda, report);
     return report;
   }
+  const double warm = block_.inVelocities() ? kWarmVelocities : kWarmBlock;
+  const double start = pressed ? kPressed : (cold ? kCold : warm);
+  byBlocks(p, limits, start, !cold, Lambda, report);
+  return report.ok() || p.enough() ? report : left();
+}
+
+void ProximalNewton::byBlocks(const InclusionProblem& p, const NewtonLimits& limits, double start,
+                              bool near, Vec Lambda, SolveReport& report) {
+  const auto done = [&](const NewtonSchedule& schedule, std::string_view note) {
+    const int before = report.iterations;
+    block_.solve(p, schedule, options_.tolerance, Lambda, report);
+    report.note(note.empty() ? report.method : note, before);
+    return report.ok();
+  };
   NewtonSchedule schedule;
   schedule.separateNormal = true;
   schedule.maxNewton = limits.maxNewton;
-  const double warm = block_.inVelocities() ? kWarmVelocities : kWarmBlock;
-  schedule.start = pressed ? kPressed : (cold ? kCold : warm);
-  int before = report.iterations;
-  if (!cold && block_.inVelocities()) {
+  schedule.start = start;
+  if (near && block_.inVelocities()) {
     NewtonSchedule once = schedule;
     once.start = kTried, once.maxNewton = kProximalTries;
-    block_.solve(p, once, options_.tolerance, Lambda, report);
-    report.note("proximal Newton, tried", before);
-    if (report.ok()) return report;
-    before = report.iterations;
+    if (done(once, "proximal Newton, tried")) return;
   }
-  block_.solve(p, schedule, options_.tolerance, Lambda, report);
-  report.note(report.method, before);
-  if (report.ok() || p.enough()) return report;
-  if (limits.maxPatient == 0 || block_.tooLarge()) return left();
+  if (done(schedule, {}) || p.enough()) return;
+  if (limits.maxPatient == 0 || block_.tooLarge()) return;
   schedule.start = kCold, schedule.rho = kPatientRho;
   schedule.maxNewton = limits.maxPatient;
   report.method = "proximal Newton, longer steps";
-  before = report.iterations;
-  block_.solve(p, schedule, options_.tolerance, Lambda, report);
-  report.note(report.method, before);
-  if (report.ok() || p.enough()) return report;
-  return finish(p, limits.maxIterations, Lambda, report);
+  done(schedule, {});
 }
 
 SolveReport ProximalNewton::finish(const InclusionProblem& p, int most, Vec Lambda,

@@ -44,8 +44,9 @@ class ProximalNewton final : public InclusionSolver {
                      const double* xi = nullptr, const NewtonLimits* limits = nullptr);
 
  private:
-  /// Solves in dense form with a proximal parameter that starts at `a`; true: solved.
-  bool dense(const InclusionProblem& problem, Vec Lambda, double a, SolveReport& report);
+  /// Solves in dense form with a proximal parameter that starts at `a`, in about `most` Newton
+  /// steps; true: solved.
+  bool dense(const InclusionProblem& problem, Vec Lambda, double a, int most, SolveReport& report);
   /// True if all unilateral contacts carry a force, as in a stack. Λ then becomes normal forces
   /// that each alone give their own contact the same normal velocity.
   static bool press(const InclusionProblem& problem, Vec Lambda);
@@ -59,6 +60,10 @@ class ProximalNewton final : public InclusionSolver {
   bool step(const InclusionProblem& problem, double a);
   /// Makes one outer step from a start that fulfils the tolerance, kept only if it is better.
   SolveReport improve(const InclusionProblem& problem, Vec Lambda, SolveReport report);
+  /// Solves in block rows with a proximal parameter that starts at `start`: one try with a small
+  /// one first if Λ is `near`, and longer steps at the end.
+  void byBlocks(const InclusionProblem& problem, const NewtonLimits& limits, double start,
+                bool near, Vec Lambda, SolveReport& report);
   SolveReport finish(const InclusionProblem& problem, int most, Vec Lambda, SolveReport report);
 
   ProximalNewtonOptions options_;

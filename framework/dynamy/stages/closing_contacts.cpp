@@ -60,15 +60,15 @@ void ClosingContacts::write(ContactSet& c) const {
   c.clear();
   c.candidateKey = all_.candidateKey, c.g = all_.g, c.candidateElement = all_.candidateElement;
   c.closedIndex.assign(all_.closedIndex.size(), -1);
-  c.noted = all_.noted, c.comesAndGoes = all_.comesAndGoes, c.overlap = all_.overlap;
+  c.features.noted = all_.features.noted, c.features.comeAndGo = all_.features.comeAndGo;
+  c.features.overlap = all_.features.overlap;
   for (int i = 0; i < all_.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (asks_[at] == 0) continue;
     c.closedIndex[static_cast<std::size_t>(all_.candidate[at])] = c.size();
     append(all_, i, all_.dim(i), *all_.law[at], c);
-    c.point.push_back(all_.point[at]), c.normal.push_back(all_.normal[at]);
-    c.t1.push_back(all_.t1[at]), c.t2.push_back(all_.t2[at]);
-    if (!all_.presence.empty()) c.presence.push_back(all_.presence[at]);
+    c.places.add(all_.places, at);
+    if (!all_.features.presence.empty()) c.features.presence.push_back(all_.features.presence[at]);
   }
 }
 

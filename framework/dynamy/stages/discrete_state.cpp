@@ -21,7 +21,7 @@ int slipSign(const SetValuedForceLaw& law, int dim, const double* Lambda) {
 }  // namespace
 
 void DiscreteState::read(const MechanicalSystem& s, const State& x) {
-  const InclusionProblem& p = s.problem();
+  const ImpactProblem& p = s.problem();
   const ContactSet& c = *p.contacts;
   known_ = true;
   work_.clear();
@@ -36,7 +36,7 @@ void DiscreteState::read(const MechanicalSystem& s, const State& x) {
     const double r = 1.0 / contactLambda(p.G->diagonalBlock(i), dim);
     for (int k = 0; k < dim; ++k) {
       const auto at = static_cast<std::size_t>(k), row = static_cast<std::size_t>(first + k);
-      Lambda[at] = s.Lambda(first + k);
+      Lambda[at] = p.Lambda(first + k);
       argument[at] = Lambda[at] - r * (gammaE_[row] + epsilon[at] * p.gammaA[row]);
     }
     const Status status = law.status(p.input(i), argument.data());

@@ -25,8 +25,8 @@ void DisplacementLevel::pose(InclusionProblem& p, double dt,
     p.c[k] += error_[k] + (offset.empty() ? 0.0 : offset[k]);
 }
 
-double DisplacementLevel::errors(const MechanicalSystem& s, const InclusionProblem& p,
-                                 const ContactSet& end, const Eigen::VectorXd& u, double dt) {
+double DisplacementLevel::errors(const ImpactProblem& p, const ContactSet& end,
+                                 const Eigen::VectorXd& u, double dt) {
   const ContactSet& c = *p.contacts;
   gamma_.resize(error_.size());
   c.gamma(view(u), {gamma_.data(), static_cast<Eigen::Index>(gamma_.size())});
@@ -37,7 +37,7 @@ double DisplacementLevel::errors(const MechanicalSystem& s, const InclusionProbl
     for (int m = 0; j < 0 && m < end.size(); ++m)
       if (end.key[static_cast<std::size_t>(m)] == key) j = m;
     if (j < 0) continue;
-    const bool open = p.law(i).unilateral() && s.Lambda(c.row0[static_cast<std::size_t>(i)]) <= 0.0;
+    const bool open = p.law(i).unilateral() && p.Lambda(c.row0[static_cast<std::size_t>(i)]) <= 0.0;
     for (int r = 0; r < c.dim(i); ++r) {
       if (!isPositionRow(p.law(i), r)) continue;
       const auto k = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r);
@@ -52,7 +52,7 @@ double DisplacementLevel::errors(const MechanicalSystem& s, const InclusionProbl
   return change;
 }
 
-SolveReport DisplacementLevel::solve(MechanicalSystem& s, InclusionProblem& problem,
+SolveReport DisplacementLevel::solve(MechanicalSystem& s, ImpactProblem& problem,
                                      InclusionSolver& solver, State& x, double dt, int end,
                                      const std::vector<double>& offset) {
   base_ = x;
@@ -61,17 +61,16 @@ SolveReport DisplacementLevel::solve(MechanicalSystem& s, InclusionProblem& prob
   error_.assign(static_cast<std::size_t>(problem.rows()), 0.0);
   SolveReport report;
   double before = 0.0;
-  s.freeze(keys_);
   for (int i = 0; i < kMostDisplacements; ++i) {
     pose(problem, dt, offset);
-    const SolveReport last = solver.solve(problem, s.Lambda());
+    const SolveReport last = solver.solve(problem, problem.Lambda());
     addSolve(report, last);
     report.status = last.status;
     x.t = base_.t, x.q = base_.q;
-    s.velocityFromImpulses(x);
-    s.moveConfiguration(x, dt);  // q^E = q^A ⊕ Δt F u^E
-    s.evaluate(x, end);
-    const double change = errors(s, problem, s.slot(end).contacts, x.u, dt);
+    problem.velocityFromImpulses(x);
+    s.move(x, dt);  // q^E = q^A ⊕ Δt F u^E
+    s.evaluate(x, {.slot = end, .held = HeldContacts{keys_}});
+    const double change = errors(problem, s.slot(end).contacts, x.u, dt);
     const double enough = 0.1 * s.gTol();
     if (change <= enough) break;
     // Rounding of the positions may be above the required accuracy: no better result is possible.
@@ -79,7 +78,6 @@ SolveReport DisplacementLevel::solve(MechanicalSystem& s, InclusionProblem& prob
     if (i + 1 == kMostDisplacements) report.status = SolveStatus::stalled;
     before = change;
   }
-  s.thaw();
   return report;
 }
 

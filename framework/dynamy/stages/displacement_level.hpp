@@ -16,13 +16,13 @@ class DisplacementLevel {
   /// Solves the problem that s.impactProblem has just posed from x (its q not moved yet). Leaves
   /// q^E, u^E in x and the evaluation there, with the contacts of the problem, in slot `end`.
   /// `offset`: one number per row, or empty. A failed iteration shows in the status.
-  SolveReport solve(MechanicalSystem& s, InclusionProblem& problem, InclusionSolver& solver,
-                    State& x, double dt, int end, const std::vector<double>& offset = {});
+  SolveReport solve(MechanicalSystem& s, ImpactProblem& problem, InclusionSolver& solver, State& x,
+                    double dt, int end, const std::vector<double>& offset = {});
 
  private:
   void pose(InclusionProblem& problem, double dt, const std::vector<double>& offset) const;
-  double errors(const MechanicalSystem& s, const InclusionProblem& problem, const ContactSet& end,
-                const Eigen::VectorXd& u, double dt);
+  double errors(const ImpactProblem& problem, const ContactSet& end, const Eigen::VectorXd& u,
+                double dt);
   State base_;
   std::vector<ContactKey> keys_;
   std::vector<double> error_, gamma_;  // of the linear prediction, per row [m/s]

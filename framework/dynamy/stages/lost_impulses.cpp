@@ -41,7 +41,7 @@ BodyPair bodiesOf(const ContactSet& c, int i) {
 
 const Vec3& rowDirection(const ContactSet& c, int i, int row) {
   const auto at = static_cast<std::size_t>(i);
-  return row == 0 ? c.normal[at] : (row == 1 ? c.t1[at] : c.t2[at]);
+  return row == 0 ? c.places.normal[at] : (row == 1 ? c.places.t1[at] : c.places.t2[at]);
 }
 
 /// Rows N, T1, T2 with known directions.
@@ -65,7 +65,7 @@ void LostImpulses::remember(const ContactSet& c, ConstVec Lambda, Eigen::VectorX
   for (int i = 0; i < c.size(); ++i) {
     auto of = out.segment<kNumbers>(kNumbers * i);
     const auto at = static_cast<std::size_t>(i);
-    of.head<3>() = c.point[at];
+    of.head<3>() = c.places.point[at];
     for (int r = 0; r < placedRows(c, i); ++r)
       of.segment<3>(3) += Lambda[c.row0[at] + r] * rowDirection(c, i, r);
     const BodyPair bodies = bodiesOf(c, i);
@@ -102,7 +102,7 @@ LostImpulses::Contact* LostImpulses::taker(const BodyPair& bodies, const Vec3& p
       std::lower_bound(contacts_.begin(), contacts_.end(), bodies,
                        [](const Contact& a, const BodyPair& b) { return a.bodies < b; });
   for (auto x = first; x != contacts_.end() && x->bodies == bodies; ++x) {
-    const double away = (c.point[static_cast<std::size_t>(x->number)] - point).squaredNorm();
+    const double away = (c.places.point[static_cast<std::size_t>(x->number)] - point).squaredNorm();
     const bool sooner = !best || x->fresh > best->fresh;
     if (!sooner && (x->fresh < best->fresh || !(away < nearest))) continue;
     best = &*x, nearest = away;

@@ -5,15 +5,16 @@
 namespace dynamy {
 
 std::string_view OneStep::lackingAtImpact(const MechanicalSystem& s) const {
-  if (!s.impactLaw().newtons() && !lacks(Asked::impactLaw).empty()) return lacks(Asked::impactLaw);
+  if (!s.parts().impactLaw->newtons() && !lacks(Asked::impactLaw).empty())
+    return lacks(Asked::impactLaw);
   // An impact is a contact that did not press before and closes faster than forces explain.
-  const InclusionProblem& p = s.problem();
+  const ImpactProblem& p = s.problem();
   for (int i = 0; i < p.size(); ++i) {
     const auto first = static_cast<std::size_t>(p.row0(i));
-    if (!p.law(i).unilateral() || s.Lambda(p.row0(i)) <= 0.0) continue;
+    if (!p.law(i).unilateral() || p.Lambda(p.row0(i)) <= 0.0) continue;
     const double closing = -p.gammaA[first];
     if (closing <= 2.0 * std::abs(p.gammaFree[first] + closing)) continue;
-    if (s.pressedBefore(i)) continue;
+    if (p.pressedBefore(i)) continue;
     double epsilon[kMostRows] = {};
     p.law(i).epsilon(p.dim(i), epsilon);
     if (epsilon[0] > 0.0 && !lacks(Asked::rebound).empty()) return lacks(Asked::rebound);

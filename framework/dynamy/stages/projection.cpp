@@ -98,7 +98,7 @@ void Projection::select(const MechanicalSystem& s, const ContactSet& all, const 
     }
   }
   const auto n = static_cast<std::size_t>(contacts_.rows());
-  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.problem().stop;
+  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.limits.stop;
   problem_.c.assign(contacts_.position.begin(), contacts_.position.end());
   problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0), Lambda_.assign(n, 0.0);
 }
@@ -181,16 +181,16 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
   if (level == Level::touch)
     for (const double g : s.slot(0).contacts.position) reach = std::max(reach, 2.0 * g);
   const auto violation = [&] {
-    const ContactSet& c = s.evaluate(x, slot, reach).contacts;
+    const ContactSet& c = s.evaluate(x, {.slot = slot, .reach = reach}).contacts;
     if (level == Level::touch) return std::max(largestOverlap(c), largestGap(c));
     return level == Level::overlap ? largestOverlap(c) : largestViolation(c);
   };
   double worst = violation();
-  Effort effort = s.effort();
+  Effort effort = s.limits.effort;
   for (int turn = 0; worst > tolerance; ++turn) {
     if (turn == kMostProjections || !std::isfinite(worst)) return false;
     // Gaps that the way of a few violations can close take part.
-    const Evaluation& e = s.evaluate(x, slot, std::max(reach, 8.0 * worst));
+    const Evaluation& e = s.evaluate(x, {.slot = slot, .reach = std::max(reach, 8.0 * worst)});
     select(s, e.contacts, x, level);
     problem_.effort = effort;
     const bool solved = level == Level::touch ? close(e) : solve(e, *solver);
@@ -240,7 +240,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   // Forces change velocities by δ = M⁻¹hΔt. They change γ_N of a contact by no more than the
   // largest number in δ, which may be the rate of a small part, and by no more than √(wᵀM⁻¹w)
   // √(δᵀMδ), which joints reduce.
-  const double largest = s.largestChange(dt);
+  const double largest = largestChange(s, dt);
   change_.resize(e.h.size());
   e.mass.applyInverse(view(e.h), view(change_));
   const double norm = dt * std::sqrt(std::max(0.0, e.h.dot(change_)));
@@ -265,7 +265,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   }
   if (!any) return std::nullopt;
   const auto n = static_cast<std::size_t>(contacts_.rows());
-  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.problem().stop;
+  problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.stop = s.limits.stop;
   problem_.effort = Effort::retried;  // the scheme tries again with half the step
   problem_.c.assign(n, 0.0), problem_.gammaA.assign(n, 0.0), problem_.cNoise.assign(n, 0.0);
   Lambda_.assign(n, 0.0);
@@ -281,7 +281,7 @@ std::optional<SolveReport> Projection::impact(const MechanicalSystem& s, Inclusi
   }
   delassus_.assemble(contacts_, e.mass);
   const SolveReport solved =
-      s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+      s.parts().impactLaw->solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
   delassus_.addVelocity(Lambda_.data(), view(x.u));
   works(x, jump);
   return solved;
@@ -308,10 +308,10 @@ const double* Projection::percussions(ContactKey key) const {
 }
 
 bool Projection::velocities(MechanicalSystem& s, InclusionSolver& solver, State& x, int slot) {
-  const Evaluation& e = s.evaluate(x, slot);
+  const Evaluation& e = s.evaluate(x, {.slot = slot});
   select(s, e.contacts, x, Level::velocity);
   if (contacts_.size() == 0 || !offVelocities(x)) return true;
-  problem_.effort = s.effort();
+  problem_.effort = s.limits.effort;
   const bool ok = solve(e, solver);
   x.u += delta_;
   return ok;

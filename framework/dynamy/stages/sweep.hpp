@@ -1,4 +1,4 @@
-/// Sweep: looks along an attempted step for contacts that it has passed (theory 37).
+/// Sweep: looks along a step for contacts that it has passed or would pass (theory 37).
 ///
 /// Nothing is evaluated unless an element reports that a body moves further in the step than it is
 /// thick. The path is the scheme's own interpolation, so that no second model of the motion is
@@ -14,11 +14,16 @@ class Sweep {
   /// Finds the contact that was passed first in the step of `scheme` from `a` to `b`, with slot 0
   /// of `s` as the step left it. A result that converts to false: none was passed.
   Passing look(const MechanicalSystem& s, const OneStep& scheme, const State& a, const State& b);
+  /// Finds the contact that bodies pass first if they go on from `a` for dt with their velocities.
+  /// look() would find it too, unless it finds another one: so a step need not be attempted.
+  Passing ahead(const MechanicalSystem& s, const State& a, double dt);
   /// Number of paths searched so far.
   long paths() const { return paths_; }
 
  private:
   int pieces(const MechanicalSystem& s, const State& a, const State& b);
+  Passing straight(const MechanicalSystem& s, const State& a, double dt, int pieces);
+  Passing search(const MechanicalSystem& s);
   void evaluate(const MechanicalSystem& s, const State& x);
   Kinematics kinematics_;
   bool ready_ = false;

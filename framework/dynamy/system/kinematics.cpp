@@ -21,22 +21,31 @@ void Kinematics::resize(const Topology& topology) {
 }
 
 void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
-                          ConstVec memory) {
+                          ConstVec memory, const SystemSubset* subset) {
   t_ = t, q_ = q.data(), u_ = u.data(), memory_ = memory.data();
   const auto& requested = topology.requestedFrames();
   if (frames_.size() != requested.size()) resize(topology);
-  for (std::size_t i = 0; i < requested.size(); ++i) {
-    const SystemHandle& s = topology.system(requested[i].first);
-    Frame& f = frames_[i];
-    f.block = 0, f.absent = false;
-    const PartialMechanicalSystem& system = *topology.systems()[static_cast<std::size_t>(s.index)];
-    named(system, [&] { system.frame(t, this->q(s), this->u(s), requested[i].second, f); });
-    // A frame without a block belongs to a system without velocities, or stands still.
-    const bool moves = s.blocks > 0 && f.block >= 0;
-    f.u0 = moves ? s.u0 + f.block * s.blockNu : s.u0;
-    f.block = moves ? s.block0 + f.block : -1;
-    f.absent = f.absent || topology.leftOut(requested[i].first);
-  }
+  const std::uint64_t stamp = subset ? subset->stamp() : 0;
+  if (subset_ != stamp)
+    for (Frame& f : frames_) f.absent = true;
+  subset_ = stamp;
+  if (subset)
+    for (const int i : subset->frames()) evaluateFrame(topology, static_cast<std::size_t>(i));
+  else
+    for (std::size_t i = 0; i < requested.size(); ++i) evaluateFrame(topology, i);
+}
+
+void Kinematics::evaluateFrame(const Topology& topology, std::size_t i) {
+  const auto& [index, id] = topology.requestedFrames()[i];
+  const SystemHandle& s = topology.system(index);
+  Frame& f = frames_[i];
+  f.block = 0, f.absent = false;
+  const PartialMechanicalSystem& system = *topology.systems()[static_cast<std::size_t>(s.index)];
+  named(system, [&, id = id] { system.frame(t_, q(s), u(s), id, f); });
+  // A frame without a block belongs to a system without velocities, or stands still.
+  const bool moves = s.blocks > 0 && f.block >= 0;
+  f.u0 = moves ? s.u0 + f.block * s.blockNu : s.u0;
+  f.block = moves ? s.block0 + f.block : -1;
 }
 
 }  // namespace dynamy

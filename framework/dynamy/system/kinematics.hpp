@@ -1,7 +1,7 @@
 /// Kinematics: t, q, u and the frames of one evaluation, which contacts and forces read. Each frame
 /// is evaluated once.
 #pragma once
-#include <dynamy/system/topology.hpp>
+#include <dynamy/system/system_subset.hpp>
 
 namespace dynamy {
 
@@ -9,10 +9,10 @@ class Kinematics {
  public:
   /// Reserves room for all frames requested in `topology`; no allocation later.
   void resize(const Topology& topology);
-  /// Keeps views of `q`, `u` and `memory`, which must outlive their use, and evaluates all frames.
-  /// Calls resize() if that was not done.
+  /// Keeps views of `q`, `u` and `memory`, which must outlive their use, and evaluates all frames,
+  /// or those of a subset: the others are absent. Calls resize() if that was not done.
   void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
-                ConstVec memory = {nullptr, 0});
+                ConstVec memory = {nullptr, 0}, const SystemSubset* subset = nullptr);
 
   double t() const { return t_; }
   ConstVec q(const SystemHandle& s) const { return {q_ + s.q0, s.nq}; }
@@ -22,12 +22,14 @@ class Kinematics {
   const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
 
  private:
+  void evaluateFrame(const Topology& topology, std::size_t i);
   double t_ = 0.0;
   const double* q_ = nullptr;
   const double* u_ = nullptr;
   const double* memory_ = nullptr;
   std::vector<Frame> frames_;
   std::vector<double> jacobians_;
+  std::uint64_t subset_ = 0;  // stamp of the subset whose frames are present; 0: all are
 };
 
 }  // namespace dynamy

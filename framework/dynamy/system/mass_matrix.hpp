@@ -4,19 +4,22 @@
 /// The inverse of each (small) block is stored: M⁻¹w is then one small product, which is what
 /// contacts need many times a step. Keeping Cholesky factors was rejected for small blocks: two
 /// triangular solves with divisions are slower, and equally accurate here. For systems that apply
-/// M⁻¹ themselves (Blocks::ownInverse), M and M⁻¹ are computed at the first request after an
+/// M⁻¹ themselves (OwnInverse), M and M⁻¹ are computed at the first request after an
 /// evaluation.
 #pragma once
-#include <dynamy/system/topology.hpp>
+#include <dynamy/system/own_inverse.hpp>
+#include <dynamy/system/system_subset.hpp>
 
 namespace dynamy {
 
 class MassMatrix {
  public:
   void resize(const Topology& topology);
-  /// Evaluates M of systems whose mass is not constant (all on the first call) and inverts. Returns
-  /// the index of the first system whose M is not positive definite, or −1.
-  int evaluate(const Topology& topology, double t, ConstVec q);
+  /// Evaluates M of systems whose mass is not constant (all on the first call) and inverts; with a
+  /// subset only those of its systems. Returns the index of the first system whose M is not positive
+  /// definite, or −1.
+  int evaluate(const Topology& topology, double t, ConstVec q,
+               const SystemSubset* subset = nullptr);
 
   ConstBlock M(int block) const {
     if (has_[static_cast<std::size_t>(block)] == Has::nothing) make(block);
@@ -45,9 +48,11 @@ class MassMatrix {
   /// A system that applies M⁻¹ itself, with the t and q at which M and M⁻¹ are computed on demand.
   struct Deferred {
     const PartialMechanicalSystem* system = nullptr;
+    const OwnInverse* inverse = nullptr;
     double t = 0.0;
     Eigen::VectorXd q;
   };
+  bool evaluateSystem(const Topology& topology, std::size_t s, double t, ConstVec q);
   bool invertBlock(int block) const;
   void make(int block) const;
   std::ptrdiff_t offset(int block) const { return offset_[static_cast<std::size_t>(block)]; }

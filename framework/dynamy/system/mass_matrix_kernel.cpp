@@ -88,8 +88,10 @@ void MassMatrix::resize(const Topology& topology) {
   for (std::size_t s = 0; s < topology.systems().size(); ++s) {
     const SystemHandle& h = topology.system(static_cast<int>(s));
     const Blocks blocks = topology.systems()[s]->blocks();
-    if (blocks.ownInverse && !blocks.constantMass && h.blocks == 1)
-      deferred_[static_cast<std::size_t>(h.block0)].system = topology.systems()[s];
+    const OwnInverse* inverse = topology.systems()[s]->ownInverse();
+    if (!inverse || blocks.constantMass || h.blocks != 1) continue;
+    Deferred& d = deferred_[static_cast<std::size_t>(h.block0)];
+    d.system = topology.systems()[s], d.inverse = inverse;
   }
   constant_.clear();
   for (const PartialMechanicalSystem* s : topology.systems())
@@ -97,27 +99,37 @@ void MassMatrix::resize(const Topology& topology) {
   first_ = true;
 }
 
-int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q) {
-  int failed = -1;
-  for (std::size_t s = 0; s < constant_.size(); ++s) {
-    const SystemHandle& h = topology.system(static_cast<int>(s));
-    if ((constant_[s] && !first_) || h.blocks == 0) continue;
-    Deferred& d = deferred_[static_cast<std::size_t>(h.block0)];
-    if (!d.system || first_) {
-      const PartialMechanicalSystem& system = *topology.systems()[s];
-      named(system, [&] {
-        system.M(t, {q.data() + h.q0, h.nq},
-                 {data_.data() + offset(h.block0), h.blockNu, h.blocks});
-      });
-      for (int b = h.block0; b < h.block0 + h.blocks; ++b)
-        if (!invertBlock(b) && failed < 0) failed = static_cast<int>(s);
-    }
-    if (!d.system) continue;
-    // M and M⁻¹ are discarded also the first time: a resumed run has to give the same bits.
-    d.t = t, d.q = q.segment(h.q0, h.nq);
-    has_[static_cast<std::size_t>(h.block0)] = Has::nothing;
-    diagonal_[static_cast<std::size_t>(h.block0)] = 0;
+/// False: M of this system is not positive definite.
+bool MassMatrix::evaluateSystem(const Topology& topology, std::size_t s, double t, ConstVec q) {
+  const SystemHandle& h = topology.system(static_cast<int>(s));
+  if ((constant_[s] && !first_) || h.blocks == 0) return true;
+  bool good = true;
+  Deferred& d = deferred_[static_cast<std::size_t>(h.block0)];
+  if (!d.system || first_) {
+    const PartialMechanicalSystem& system = *topology.systems()[s];
+    named(system, [&] {
+      system.M(t, {q.data() + h.q0, h.nq}, {data_.data() + offset(h.block0), h.blockNu, h.blocks});
+    });
+    for (int b = h.block0; b < h.block0 + h.blocks; ++b) good = invertBlock(b) && good;
   }
+  if (!d.system) return good;
+  // M and M⁻¹ are discarded also the first time: a resumed run has to give the same bits.
+  d.t = t, d.q = q.segment(h.q0, h.nq);
+  has_[static_cast<std::size_t>(h.block0)] = Has::nothing;
+  diagonal_[static_cast<std::size_t>(h.block0)] = 0;
+  return good;
+}
+
+int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q,
+                         const SystemSubset* subset) {
+  int failed = -1;
+  const auto evaluated = [&](int s) {
+    if (!evaluateSystem(topology, static_cast<std::size_t>(s), t, q) && failed < 0) failed = s;
+  };
+  if (subset && !first_)
+    for (const int s : subset->systems()) evaluated(s);
+  else
+    for (int s = 0; s < static_cast<int>(constant_.size()); ++s) evaluated(s);
   first_ = false;
   return failed;
 }
@@ -130,7 +142,7 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
     double* y = out.data() + u0(b);
     if (has_[static_cast<std::size_t>(b)] != Has::inverse) {
       const Deferred& d = deferred_[static_cast<std::size_t>(b)];
-      d.system->applyInverseMass(d.t, view(d.q), {x, n}, {y, n});
+      d.inverse->applyInverseMass(d.t, view(d.q), {x, n}, {y, n});
       continue;
     }
     if (const double* d = inverseDiagonal(b)) {

@@ -8,9 +8,13 @@
 #pragma once
 #include <dynamy/core/declared/element.hpp>
 #include <dynamy/system/frame.hpp>
-#include <dynamy/system/tree_part.hpp>
 
 namespace dynamy {
+
+class OwnInverse;
+class PositionTangents;
+class Renewable;
+class RigidSystem;
 
 /// Sizes: nq positions and nu velocities per block.
 struct Blocks {
@@ -20,9 +24,6 @@ struct Blocks {
   /// Unit normal of the plane that all frames of the system move in; zero: motion in space.
   /// Contacts and joints between such systems need fewer rows.
   Vec3 planeNormal = Vec3::Zero();
-  /// True: the system implements applyInverseMass(), and M is computed only on request. For systems
-  /// of one block with many velocities.
-  bool ownInverse = false;
 };
 
 /// Writable view of the mass matrices of all blocks of one system, nu × nu each, row after row.
@@ -48,8 +49,6 @@ class PartialMechanicalSystem : public Element {
   virtual void initialState(Vec q, Vec u) const = 0;
   /// Mass matrices, symmetric positive definite; all entries must be written.
   virtual void M(double t, ConstVec q, MassBlocks M) const = 0;
-  /// out = M⁻¹ in. Only called for systems with Blocks::ownInverse.
-  virtual void applyInverseMass(double /*t*/, ConstVec /*q*/, ConstVec /*in*/, Vec /*out*/) const {}
   /// All smooth forces of the system, gyroscopic terms included, those of ExternalForce elements
   /// not; all entries must be written.
   virtual void h(double t, ConstVec q, ConstVec u, Vec h) const = 0;
@@ -66,11 +65,6 @@ class PartialMechanicalSystem : public Element {
   /// Brings q back on its manifold after linear combinations (unit quaternions); default: nothing
   /// to do.
   virtual void normalise(Vec) const {}
-  /// Between two steps a population may remove blocks and add others. q alone shows which blocks
-  /// are present, so that a checkpoint contains them. tA, tE: begin and end of the accepted step
-  /// [s]. True: q or u changed.
-  virtual bool renews() const { return false; }  ///< true: renew() may change something
-  virtual bool renew(double /*tA*/, double /*tE*/, Vec /*q*/, Vec /*u*/) const { return false; }
   /// V(q,t) of the forces in h that have a potential [J].
   virtual double potentialEnergy(double, ConstVec) const { return 0.0; }
   /// Uniform field of gravity g_I [m/s²]: writes its generalised force Σ J_Sᵀ m g into h (all
@@ -98,23 +92,17 @@ class PartialMechanicalSystem : public Element {
                   Block /*D*/) const {
     return false;
   }
-  /// Derivatives for Newton's method on positions, for systems of one block with constant mass, all
-  /// entries; false (default): not offered, differences are taken.
-  ///
-  /// T of move():  q ⊕ Δt (u + δ) = (q ⊕ Δt u) ⊕ Δt T δ to first order. T is the unit matrix if
-  /// q̇ = u.
-  virtual bool moveTangent(ConstVec /*u*/, double /*dt*/, Block /*T*/) const { return false; }
-  /// K = ∂(J_Sᵀ F + J_Rᵀ M)/∂q F of frame `id`, with F_I [N] and M_I [N m] held in I.
-  virtual bool frameStiffness(double /*t*/, ConstVec /*q*/, int /*id*/, const Vec3& /*F_I*/,
-                              const Vec3& /*M_I*/, Block /*K*/) const {
-    return false;
-  }
-  /// For systems that are one rigid body, or stand still: the data that a tree of joints needs. All
-  /// frames of the system are fixed on the body. False (default): joints of a tree cannot carry the
-  /// system.
-  virtual bool rigidPart(RigidPart& /*out*/) const { return false; }
-  /// q and u of a system with rigidPart() from its motion since the start; for its signals.
-  virtual void ownState(const RigidMotion& /*motion*/, Vec /*q*/, Vec /*u*/) const {}
+
+  // What only some systems can do. Null (default): the system cannot. The answer must not change
+  // during a run; methods ask where they begin, never for every contact.
+  /// Removal and addition of blocks between two steps.
+  virtual const Renewable* renewable() const { return nullptr; }
+  /// M⁻¹ applied by the system itself; for one block whose mass is not constant.
+  virtual const OwnInverse* ownInverse() const { return nullptr; }
+  /// Derivatives for Newton's method on positions.
+  virtual const PositionTangents* positionTangents() const { return nullptr; }
+  /// The system as one rigid body, or as one at rest, that joints of a tree can carry.
+  virtual const RigidSystem* rigid() const { return nullptr; }
 };
 
 }  // namespace dynamy

@@ -2,6 +2,7 @@
 /// material, takes part in contact.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <dynamy/core/declared/element.hpp>
 #include <dynamy/core/types.hpp>
 #include <string>
@@ -9,16 +10,29 @@
 
 namespace dynamy {
 
-/// Geometry of a shape for contact and replay. `type` is the registered name. A shape of a user may
-/// give one of the following types, and is then treated as this type:
-///
-///   Sphere, Circle, Point   size[0] radius (of a Point: of its dot, may be 0); Circle about z
-///   Cylinder, Capsule       size[0] radius, size[1] length along z
-///   Box                     size[0…2] edge lengths, points: its eight corners
-///   HalfSpace               points[0]: outward unit normal; the origin lies in the plane
-///   Line, Polygon           points
+/// What contact and replay take a shape for.
+enum class ShapeType : std::uint8_t {
+  point,       ///< size[0]: radius of its dot [m], may be 0
+  sphere,      ///< size[0]: radius
+  circle,      ///< size[0]: radius, about z
+  line,        ///< points
+  polygon,     ///< points
+  contour,     ///< points on a closed curve about z
+  box,         ///< size[0…2]: edge lengths; points: its eight corners
+  cylinder,    ///< size[0]: radius, size[1]: length along z
+  capsule,     ///< as a cylinder
+  cone,        ///< size[0]: radius of its base at z = 0, size[1]: height of its tip
+  torus,       ///< size[0]: radius of its circle about z, size[1]: of the tube
+  ellipsoid,   ///< size[0…2]: semi-axes
+  polyhedron,  ///< points: triangles, three points each, counterclockwise from outside
+  mesh,        ///< the same, open: ground with one side
+  halfSpace    ///< points[0]: outward unit normal; the origin lies in the plane
+};
+
+/// Geometry of a shape for contact and replay. A shape of a user may give one of these types, and
+/// is then treated as this type.
 struct ShapeGeometry {
-  std::string type;
+  ShapeType type = ShapeType::point;
   std::array<double, 4> size{};  ///< [m], by type: Sphere radius; Box edge lengths x y z; …
   std::vector<Vec3> points;      ///< corners, vertices or curve points in shape axes [m]
   std::string colour;            ///< CSS colour or empty
@@ -39,6 +53,14 @@ void declarePose(Attributes& a, const std::string& of);
 std::array<double, 4> orientation(const Parameters& x);
 
 class SmoothShape;
+struct ShapeFamily;
+
+/// Contact of a shape that brings its own pairs (shape_pair.hpp).
+struct OwnContact {
+  const ShapeFamily* family = nullptr;  ///< null: contacts follow from geometry()
+  double bound = 0.0;                   ///< radius of a ball about the origin that holds it [m]
+  double thickness = 0.0;  ///< half of its least width [m]; infinite: nothing passes through it
+};
 
 class Shape : public Element {
  public:
@@ -52,6 +74,8 @@ class Shape : public Element {
   virtual MassProperties massProperties() const { return {}; }
   /// This shape, if it is a SmoothShape (smooth_shape.hpp); else null.
   virtual const SmoothShape* smooth() const { return nullptr; }
+  /// Family and size of a shape whose contacts its plug-in computes.
+  virtual OwnContact ownContact() const { return {}; }
 
   const std::string& material() const { return material_; }  ///< empty: drawn only, no contact
   const Vec3& r_SB_K() const { return r_SB_K_; }  ///< place of the shape in its frame [m]

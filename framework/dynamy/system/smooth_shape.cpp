@@ -82,7 +82,7 @@ Moments moments(const SmoothShape& s, int circles) {
 }  // namespace
 
 ShapeGeometry SmoothShape::geometry() const {
-  ShapeGeometry g{"Polyhedron", {}, {}, colour()};
+  ShapeGeometry g{ShapeType::polyhedron, {}, {}, colour()};
   const auto at = [&](int i, int j) {
     return point(direction(kPi * i / kRings, i % kRings == 0 ? 0.0 : kTwoPi * j / kAround));
   };

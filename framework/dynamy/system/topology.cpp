@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
-#include <dynamy/system/description.hpp>
 #include <dynamy/system/topology.hpp>
 
 namespace dynamy {
@@ -32,9 +30,8 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
     handles_.push_back(h);
     Description d;
     s->describe(d);
-    frameNames_.push_back(std::move(d.frames));
+    names_.add(*s, d);
     indexOf_.emplace_back();
-    bodies_.push_back(std::move(d.bodies));
     for (const PlacedShape& p : d.shapes)
       if (!p.shape->material().empty()) materials_.push_back({p.shape, p.frame, h.index});
   }
@@ -44,7 +41,7 @@ SystemHandle Topology::system(std::string_view name, const Element& asking) cons
   std::vector<std::string> known;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
     if (systems_[i]->name() == name) {
-      note(static_cast<int>(i));
+      connections_.note(static_cast<int>(i));
       return handles_[i];
     }
     known.push_back(systems_[i]->name());
@@ -53,37 +50,14 @@ SystemHandle Topology::system(std::string_view name, const Element& asking) cons
 }
 
 FrameHandle Topology::frame(std::string_view name, const Element& asking) {
-  // "body" is frame 0, "body.frame" a named frame. System names may contain dots, so whole names
-  // are compared.
   std::vector<std::string> known;
-  for (std::size_t i = 0; i < systems_.size(); ++i) {
-    const std::string& system = systems_[i]->name();
-    const bool several = !bodies_[i].empty();
-    if (!several && system == name && systems_[i]->frames() > 0) return frame(handles_[i], 0);
-    if (!several && systems_[i]->frames() > 0) known.push_back(system);
-    for (const NamedBody& b : bodies_[i]) {
-      if (b.name == name) return frame(handles_[i], b.frame);
-      known.push_back(b.name);
-    }
-    for (const auto& [label, id] : frameNames_[i]) {
-      const std::string whole =
-          (several ? body(static_cast<int>(i), id)->name : system) + "." + label;
-      if (name == whole) return frame(handles_[i], id);
-      known.push_back(whole);
-    }
-  }
+  const auto [system, id] = names_.find(name, known);
+  if (system >= 0) return frame(handles_[static_cast<std::size_t>(system)], id);
   unknown(asking, "frame", name, known);
 }
 
-const NamedBody* Topology::body(int system, int id) const {
-  const NamedBody* out = nullptr;
-  for (const NamedBody& b : bodies_[static_cast<std::size_t>(system)])
-    if (b.frame <= id) out = &b;
-  return out;
-}
-
 FrameHandle Topology::frame(const SystemHandle& system, int id) {
-  note(system.index);
+  connections_.note(system.index);
   return requested(system.index, id);
 }
 
@@ -98,52 +72,12 @@ FrameHandle Topology::requested(int system, int id) {
   return {known[at]};
 }
 
-void Topology::connecting(const Element* element) {
-  connecting_ = element != nullptr;
-  if (connecting_) connections_.push_back({element, {}, false});
-}
-
-void Topology::note(int system) const {
-  if (!connecting_) return;
-  std::vector<int>& known = connections_.back().systems;
-  const auto at = std::lower_bound(known.begin(), known.end(), system);
-  if (at == known.end() || *at != system) known.insert(at, system);
-}
-
-void Topology::leaveOut(std::vector<char> systems) {
-  expects(systems.empty() || systems.size() == systems_.size(), "one flag for each system");
-  leftOut_ = std::move(systems);
-  without_.clear();
-  const auto out = [&](int i) {
-    return leftOut(i) || handles_[static_cast<std::size_t>(i)].nu == 0;
-  };
-  for (const Connection& c : connections_)
-    if (leavesOut() && !c.systems.empty() && std::all_of(c.systems.begin(), c.systems.end(), out))
-      without_.push_back(c.element);
-  std::sort(without_.begin(), without_.end());
-}
-
-MemoryHandle Topology::memory(const Element& owner, const std::vector<double>& initial) {
-  expects(memoryOf(owner).size == 0, "an element reserves its memory once");
-  const MemoryHandle handle{static_cast<int>(memoryStart_.size()),
-                            static_cast<int>(initial.size())};
-  memories_.emplace_back(&owner, handle);
-  memoryStart_.insert(memoryStart_.end(), initial.begin(), initial.end());
-  return handle;
-}
-
-MemoryHandle Topology::memoryOf(const Element& owner) const {
-  for (const auto& [element, handle] : memories_)
-    if (element == &owner) return handle;
-  return {};
-}
-
 std::vector<ShapeInstance> Topology::shapesWithMaterial() {
   std::vector<ShapeInstance> out;
   out.reserve(materials_.size());
   for (const Placed& p : materials_)
     out.push_back({p.shape, requested(p.system, p.frame), p.system});
-  if (connecting_) connections_.back().shapes = true;
+  connections_.noteShapes();
   return out;
 }
 

@@ -1,10 +1,11 @@
-/// Topology: the places of all systems, frames and memory in the flat arrays. Elements turn names
-/// into handles with it, once, in connect().
+/// Topology: the places of all systems and frames in the flat arrays. Elements turn names into
+/// handles with it, once, in connect(). Names of frames, memory of elements, connections and systems
+/// left out are classes of their own, which it holds.
 #pragma once
-#include <algorithm>
 #include <dynamy/core/types.hpp>
-#include <dynamy/system/description.hpp>
-#include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy/system/connections.hpp>
+#include <dynamy/system/element_memory.hpp>
+#include <dynamy/system/frame_names.hpp>
 #include <dynamy/system/shape.hpp>
 #include <string>
 #include <string_view>
@@ -26,18 +27,6 @@ struct FrameHandle {
   int index = -1;
 };
 
-/// Numbers of one element in State::memory (a latch, a damage variable, the state of a controller).
-struct MemoryHandle {
-  int first = 0, size = 0;
-};
-
-/// What one force or contact element requested while it was connected.
-struct Connection {
-  const Element* element = nullptr;
-  std::vector<int> systems;  ///< systems whose frames or coordinates it requested, ascending
-  bool shapes = false;       ///< true: all shapes with a material, of all systems
-};
-
 /// A shape in the scene, and the frame that carries it.
 struct ShapeInstance {
   const Shape* shape = nullptr;
@@ -57,33 +46,20 @@ class Topology {
   /// evaluated in every step.
   FrameHandle frame(std::string_view name, const Element& asking);
   FrameHandle frame(const SystemHandle& system, int id);
-  /// The body that carries frame `id`, in a system of several bodies; null: the system is one body.
-  const NamedBody* body(int system, int id) const;
+  const FrameNames& names() const { return names_; }
   /// All shapes of all systems that have a material; requests their frames.
   std::vector<ShapeInstance> shapesWithMaterial();
 
   /// Reserves numbers of `owner` in State::memory, with their values at the start. Called once, in
   /// connect(). The element reads them from Kinematics and changes them only in remember().
-  MemoryHandle memory(const Element& owner, const std::vector<double>& initial);
-  /// The numbers that `owner` reserved in State::memory; size 0 if none.
-  MemoryHandle memoryOf(const Element& owner) const;
-  const std::vector<double>& memoryStart() const { return memoryStart_; }
+  MemoryHandle memory(const Element& owner, const std::vector<double>& initial) {
+    return memories_.reserve(owner, initial);
+  }
+  const ElementMemory& memories() const { return memories_; }
 
   /// Until the next call, what is requested is noted as a connection of `element`; null: not noted.
-  void connecting(const Element* element);
-  const std::vector<Connection>& connections() const { return connections_; }
-
-  /// Leaves out, until the next call, all systems whose entry in `systems` is not 0 (empty: none).
-  /// Their frames are absent, nothing acts on them, and elements between them report no contact.
-  void leaveOut(std::vector<char> systems);
-  bool leavesOut() const { return !leftOut_.empty(); }
-  bool leftOut(int system) const {
-    return leavesOut() && leftOut_[static_cast<std::size_t>(system)] != 0;
-  }
-  /// True: all systems that this element requested are left out.
-  bool leftOut(const Element& element) const {
-    return leavesOut() && std::binary_search(without_.begin(), without_.end(), &element);
-  }
+  void connecting(const Element* element) { connections_.begin(element); }
+  const std::vector<Connection>& connections() const { return connections_.list(); }
 
   int nq() const { return nq_; }
   int nu() const { return nu_; }
@@ -94,25 +70,19 @@ class Topology {
 
  private:
   FrameHandle requested(int system, int id);
-  void note(int system) const;
   std::vector<const PartialMechanicalSystem*> systems_;
   std::vector<SystemHandle> handles_;
   std::vector<std::pair<int, int>> requested_;
   std::vector<std::vector<int>>
       indexOf_;  // per system and frame id: index in requested_, −1: not requested
-  std::vector<std::pair<const Element*, MemoryHandle>> memories_;
-  std::vector<double> memoryStart_;
-  mutable std::vector<Connection> connections_;  // system() const notes the request
-  bool connecting_ = false;
-  std::vector<char> leftOut_;
-  std::vector<const Element*> without_;  // elements between the systems left out
+  FrameNames names_;
+  ElementMemory memories_;
+  mutable Connections connections_;  // system() const notes the request
   struct Placed {
     const Shape* shape;
     int frame, system;
   };
   std::vector<Placed> materials_;
-  std::vector<std::vector<std::pair<std::string, int>>> frameNames_;  // per system
-  std::vector<std::vector<NamedBody>> bodies_;                        // per system
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
 

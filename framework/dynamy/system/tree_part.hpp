@@ -25,6 +25,19 @@ struct RigidMotion {
   Vec3 Omega_I = Vec3::Zero();   ///< [rad/s]
 };
 
+/// A system that is one rigid body, or stands still, so that joints of a tree can carry it. All
+/// frames of the system are fixed on the body.
+class RigidSystem {
+ public:
+  /// The data that a tree of joints needs.
+  virtual RigidPart rigidPart() const = 0;
+  /// q and u of the system alone, all entries, from its motion since the start; for its signals.
+  virtual void ownState(const RigidMotion& motion, Vec q, Vec u) const = 0;
+
+ protected:
+  ~RigidSystem() = default;
+};
+
 /// One simple motion that a joint leaves free.
 struct FreeMotion {
   enum class Kind : std::uint8_t {

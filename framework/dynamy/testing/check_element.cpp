@@ -40,7 +40,7 @@ namespace {
 /// remember() at the same state must therefore leave it unchanged except for rounding.
 template <class E>
 void checkMemory(Model& model, const E& element, testing::RandomMotion& motion, Verdict& out) {
-  const MemoryHandle m = model.topology().memoryOf(element);
+  const MemoryHandle m = model.topology().memories().of(element);
   State x = motion.x();
   if (m.size == 0) return;
   const auto remember = [&] {

@@ -17,10 +17,77 @@ ConstVec in(const Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 
 constexpr double kUnwritten = std::numeric_limits<double>::quiet_NaN();
 
+template <class F>
+testing::Difference scalarDifference(const F& f, double noise = 0.0) {
+  return testing::differentiate([&](double s) { return Eigen::VectorXd::Constant(1, f(s)).eval(); },
+                                1.0, noise);
+}
+
+struct FrameStorage {
+  Eigen::VectorXd J;
+  Frame f;
+};
+
+/// A system in one state, and what it says in states around it.
+class SystemSample {
+ public:
+  explicit SystemSample(const PartialMechanicalSystem& system)
+      : system_(system), blocks_(system.blocks()) {}
+  double t = 0.0;
+  Eigen::VectorXd q, u;
+
+  /// q after the time s with velocity v, from (t, q).
+  Eigen::VectorXd moved(const Eigen::VectorXd& v, double s) const {
+    Eigen::VectorXd out = q;
+    system_.move(t, view(out), in(v), s);
+    return out;
+  }
+  Eigen::VectorXd mass(double at, const Eigen::VectorXd& of) const {
+    Eigen::VectorXd M = Eigen::VectorXd::Constant(
+        static_cast<Eigen::Index>(blocks_.nu) * blocks_.nu * blocks_.capacity, kUnwritten);
+    system_.M(at, in(of), MassBlocks(M.data(), blocks_.nu, blocks_.capacity));
+    return M;
+  }
+  double kineticEnergy(double at, const Eigen::VectorXd& of) const {
+    const Eigen::VectorXd M = mass(at, of);
+    double T = 0.0;
+    for (int b = 0; b < blocks_.capacity; ++b) {
+      const Eigen::Index n = blocks_.nu;
+      const ConstBlock block(M.data() + b * n * n, n, n);
+      T += 0.5 * u.segment(b * n, n).dot(block * u.segment(b * n, n));
+    }
+    return T;
+  }
+  Eigen::VectorXd qdot(const Eigen::VectorXd& v) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Constant(q.size(), kUnwritten);
+    system_.qdot(t, in(q), in(v), view(out));
+    return out;
+  }
+  /// Frame at (t + s, of) with velocities v; the Jacobians hold `fill` before the call.
+  FrameStorage frameAt(int id, double s, const Eigen::VectorXd& of, const Eigen::VectorXd& v,
+                       double fill = 0.0) const {
+    FrameStorage out;
+    out.J = Eigen::VectorXd::Constant(6 * static_cast<Eigen::Index>(blocks_.nu), fill);
+    new (&out.f.J_S_I) Mat3X(out.J.data(), 3, blocks_.nu);
+    new (&out.f.J_R_I) Mat3X(out.J.data() + 3 * blocks_.nu, 3, blocks_.nu);
+    out.f.block = 0;
+    system_.frame(t + s, in(of), in(v), id, out.f);
+    return out;
+  }
+
+ private:
+  const PartialMechanicalSystem& system_;
+  Blocks blocks_;
+};
+
 class SystemCheck {
  public:
   SystemCheck(const PartialMechanicalSystem& system, const CheckOptions& options)
-      : system_(system), options_(options), blocks_(system.blocks()), random_(options.seed) {
+      : system_(system),
+        options_(options),
+        blocks_(system.blocks()),
+        random_(options.seed),
+        now_(system) {
     name_ = system.name().empty() ? system.type() : system.name();
     if (name_.empty()) name_ = "system";
     nq_ = blocks_.nq * blocks_.capacity, nu_ = blocks_.nu * blocks_.capacity;
@@ -55,39 +122,6 @@ class SystemCheck {
     return v;
   }
 
-  /// q after the time s with velocity v, from (t, q).
-  Eigen::VectorXd moved(const Eigen::VectorXd& v, double s) const {
-    Eigen::VectorXd q = q_;
-    system_.move(t_, view(q), in(v), s);
-    return q;
-  }
-  Eigen::VectorXd mass(double t, const Eigen::VectorXd& q) const {
-    Eigen::VectorXd M = Eigen::VectorXd::Constant(
-        static_cast<Eigen::Index>(blocks_.nu) * blocks_.nu * blocks_.capacity, kUnwritten);
-    system_.M(t, in(q), MassBlocks(M.data(), blocks_.nu, blocks_.capacity));
-    return M;
-  }
-  double kineticEnergy(double t, const Eigen::VectorXd& q) const {
-    const Eigen::VectorXd M = mass(t, q);
-    double T = 0.0;
-    for (int b = 0; b < blocks_.capacity; ++b) {
-      const Eigen::Index n = blocks_.nu;
-      const ConstBlock block(M.data() + b * n * n, n, n);
-      T += 0.5 * u_.segment(b * n, n).dot(block * u_.segment(b * n, n));
-    }
-    return T;
-  }
-  Eigen::VectorXd qdot(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd out = Eigen::VectorXd::Constant(nq_, kUnwritten);
-    system_.qdot(t_, in(q_), in(u), view(out));
-    return out;
-  }
-  template <class F>
-  static testing::Difference scalarDifference(const F& f, double noise = 0.0) {
-    return testing::differentiate(
-        [&](double s) { return Eigen::VectorXd::Constant(1, f(s)).eval(); }, 1.0, noise);
-  }
-
   void start() {
     qStart_ = Eigen::VectorXd::Constant(nq_, kUnwritten);
     uStart_ = Eigen::VectorXd::Constant(nu_, kUnwritten);
@@ -98,18 +132,18 @@ class SystemCheck {
     for (int i = 0; i < nu_; ++i)
       if (!std::isfinite(uStart_[i]))
         fault(fmt::format("initialState leaves u[{}] = {}", i, uStart_[i]));
-    t_ = 0.0, q_ = qStart_, u_ = uStart_;
-    if (result_) startMass_ = mass(0.0, qStart_);
+    now_.t = 0.0, now_.q = qStart_, now_.u = uStart_;
+    if (result_) startMass_ = now_.mass(0.0, qStart_);
   }
 
   /// Takes sample i: the start itself for i = 0, then random states near it.
   void sample(int i) {
-    t_ = 0.0, q_ = qStart_, u_ = uStart_;
+    now_.t = 0.0, now_.q = qStart_, now_.u = uStart_;
     if (i == 0) return;
-    q_ = moved(randomVelocity(), options_.reach * std::abs(uniform()));
-    system_.normalise(view(q_));
-    u_ += randomVelocity();
-    t_ = options_.reach * std::abs(uniform());
+    now_.q = now_.moved(randomVelocity(), options_.reach * std::abs(uniform()));
+    system_.normalise(view(now_.q));
+    now_.u += randomVelocity();
+    now_.t = options_.reach * std::abs(uniform());
   }
 
   void checkMass();
@@ -123,35 +157,19 @@ class SystemCheck {
   void compare(const char* what, int frame, const Vec3& value, const Vec3& expected,
                double tolerance, const char* expectedText);
 
-  struct FrameStorage {
-    Eigen::VectorXd J;
-    Frame f;
-  };
-  /// Frame at (t + s, q) with velocities u; the Jacobians hold `fill` before the call.
-  FrameStorage frameAt(int id, double s, const Eigen::VectorXd& q, const Eigen::VectorXd& u,
-                       double fill = 0.0) const {
-    FrameStorage out;
-    out.J = Eigen::VectorXd::Constant(6 * static_cast<Eigen::Index>(blocks_.nu), fill);
-    new (&out.f.J_S_I) Mat3X(out.J.data(), 3, blocks_.nu);
-    new (&out.f.J_R_I) Mat3X(out.J.data() + 3 * blocks_.nu, 3, blocks_.nu);
-    out.f.block = 0;
-    system_.frame(t_ + s, in(q), in(u), id, out.f);
-    return out;
-  }
-
   const PartialMechanicalSystem& system_;
   CheckOptions options_;
   Blocks blocks_;
   std::mt19937 random_;
+  SystemSample now_;
   std::string name_;
   int nq_ = 0, nu_ = 0;
-  double t_ = 0.0;
-  Eigen::VectorXd qStart_, uStart_, startMass_, q_, u_;
+  Eigen::VectorXd qStart_, uStart_, startMass_;
   Verdict result_;
 };
 
 void SystemCheck::checkMass() {
-  const Eigen::VectorXd all = mass(t_, q_);
+  const Eigen::VectorXd all = now_.mass(now_.t, now_.q);
   const Eigen::Index n = blocks_.nu;
   for (int b = 0; b < blocks_.capacity && result_; ++b) {
     const ConstBlock M(all.data() + b * n * n, n, n);
@@ -186,8 +204,8 @@ void SystemCheck::checkMass() {
 
 void SystemCheck::checkForces() {
   Eigen::VectorXd h = Eigen::VectorXd::Constant(nu_, kUnwritten), nonPotential = h;
-  system_.h(t_, in(q_), in(u_), view(h));
-  system_.nonPotentialForce(t_, in(q_), in(u_), view(nonPotential));
+  system_.h(now_.t, in(now_.q), in(now_.u), view(h));
+  system_.nonPotentialForce(now_.t, in(now_.q), in(now_.u), view(nonPotential));
   for (int i = 0; i < nu_; ++i) {
     if (!std::isfinite(h[i])) fault(fmt::format("h[{}] = {}: not written or not finite", i, h[i]));
     if (!std::isfinite(nonPotential[i]))
@@ -199,8 +217,8 @@ void SystemCheck::checkForces() {
 void SystemCheck::checkVelocities() {
   // Affine: q̇(a u₁ + (1−a) u₂) = a q̇(u₁) + (1−a) q̇(u₂).
   constexpr double a = -1.5;
-  const Eigen::VectorXd u1 = u_, u2 = randomVelocity(), u3 = a * u1 + (1.0 - a) * u2;
-  const Eigen::VectorXd q1 = qdot(u1), q2 = qdot(u2), q3 = qdot(u3);
+  const Eigen::VectorXd u1 = now_.u, u2 = randomVelocity(), u3 = a * u1 + (1.0 - a) * u2;
+  const Eigen::VectorXd q1 = now_.qdot(u1), q2 = now_.qdot(u2), q3 = now_.qdot(u3);
   // Tolerance: some 10 roundings of numbers as large as the three rates and their velocities.
   double size = 0.0;
   for (const Eigen::VectorXd* x : {&q1, &q2, &q3, &u1, &u2})
@@ -215,14 +233,15 @@ void SystemCheck::checkVelocities() {
 }
 
 void SystemCheck::checkMove() {
-  const Eigen::VectorXd rate = qdot(u_);
-  const testing::Difference D = testing::differentiate([&](double s) { return moved(u_, s); });
+  const Eigen::VectorXd rate = now_.qdot(now_.u);
+  const testing::Difference D =
+      testing::differentiate([&](double s) { return now_.moved(now_.u, s); });
   for (int i = 0; i < nq_; ++i)
     if (!(std::abs(D.value[i] - rate[i]) <= D.error))
       fault(fmt::format("move changes q[{}] at the rate {:.9g}, qdot says {:.9g}", i, D.value[i],
                         rate[i]));
   // The result of move lies on the manifold already: normalise may change it by rounding only.
-  const Eigen::VectorXd q = moved(u_, options_.reach);
+  const Eigen::VectorXd q = now_.moved(now_.u, options_.reach);
   Eigen::VectorXd same = q;
   system_.normalise(view(same));
   for (int i = 0; i < nq_; ++i)
@@ -235,46 +254,51 @@ void SystemCheck::checkPower() {
   // A system that is driven through t (q̇ at u = 0, M or V at fixed q) exchanges power with its
   // drive. No function states this power, so that it cannot be checked.
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
-  if (nq_ > 0 && qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
-  const double V = system_.potentialEnergy(t_, in(q_)), later = t_ + 0.37;
-  if (system_.potentialEnergy(later, in(q_)) != V || mass(later, q_) != mass(t_, q_)) return;
-  const auto along = [&](double s) { return moved(u_, s); };
+  if (nq_ > 0 && now_.qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
+  const double V = system_.potentialEnergy(now_.t, in(now_.q)), later = now_.t + 0.37;
+  if (system_.potentialEnergy(later, in(now_.q)) != V ||
+      now_.mass(later, now_.q) != now_.mass(now_.t, now_.q))
+    return;
+  const auto along = [&](double s) { return now_.moved(now_.u, s); };
   const testing::Difference Vdot =
-      scalarDifference([&](double s) { return system_.potentialEnergy(t_ + s, in(along(s))); });
+      scalarDifference([&](double s) { return system_.potentialEnergy(now_.t + s, in(along(s))); });
   const testing::Difference Tdot =
-      scalarDifference([&](double s) { return kineticEnergy(t_ + s, along(s)); });
+      scalarDifference([&](double s) { return now_.kineticEnergy(now_.t + s, along(s)); });
   Eigen::VectorXd h(nu_), nonPotential(nu_);
-  system_.h(t_, in(q_), in(u_), view(h));
-  system_.nonPotentialForce(t_, in(q_), in(u_), view(nonPotential));
-  const double power = h.dot(u_) + Tdot.value[0] + Vdot.value[0], stated = nonPotential.dot(u_);
+  system_.h(now_.t, in(now_.q), in(now_.u), view(h));
+  system_.nonPotentialForce(now_.t, in(now_.q), in(now_.u), view(nonPotential));
+  const double power = h.dot(now_.u) + Tdot.value[0] + Vdot.value[0],
+               stated = nonPotential.dot(now_.u);
   const double rounding =
       64.0 * kEpsilon *
-      (h.cwiseAbs().dot(u_.cwiseAbs()) + nonPotential.cwiseAbs().dot(u_.cwiseAbs()));
+      (h.cwiseAbs().dot(now_.u.cwiseAbs()) + nonPotential.cwiseAbs().dot(now_.u.cwiseAbs()));
   if (!(std::abs(power - stated) <= Vdot.error + Tdot.error + rounding))
     fault(fmt::format(
         "h·u + ½uᵀṀu + dV/dt = {:.9g} W, but nonPotentialForce·u = {:.9g} W (h·u = {:.9g}, "
         "½uᵀṀu = {:.9g}, dV/dt = {:.9g}): h, M, potentialEnergy and nonPotentialForce do not fit",
-        power, stated, h.dot(u_), Tdot.value[0], Vdot.value[0]));
+        power, stated, h.dot(now_.u), Tdot.value[0], Vdot.value[0]));
 }
 
 void SystemCheck::checkGravity() {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(nu_);
-  if (nq_ > 0 && qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
+  if (nq_ > 0 && now_.qdot(zero).lpNorm<Eigen::Infinity>() > 0.0) return;
   const Vec3 g_I(uniform(), uniform(), uniform());
   Eigen::VectorXd h = Eigen::VectorXd::Constant(nu_, kUnwritten), scratch(nu_);
-  const double V = system_.gravity(t_, in(q_), g_I, view(h));
-  if (system_.gravity(t_ + 0.37, in(q_), g_I, view(scratch)) != V) return;
+  const double V = system_.gravity(now_.t, in(now_.q), g_I, view(h));
+  if (system_.gravity(now_.t + 0.37, in(now_.q), g_I, view(scratch)) != V) return;
   // The parts of V along the three axes may cancel, but the rounding of each part remains.
   double parts = 0.0;
   for (int i = 0; i < 3; ++i)
-    parts += std::abs(system_.gravity(t_, in(q_), g_I[i] * Vec3::Unit(i), view(scratch)));
+    parts += std::abs(system_.gravity(now_.t, in(now_.q), g_I[i] * Vec3::Unit(i), view(scratch)));
   const testing::Difference Vdot = scalarDifference(
-      [&](double s) { return system_.gravity(t_ + s, in(moved(u_, s)), g_I, view(scratch)); },
+      [&](double s) {
+        return system_.gravity(now_.t + s, in(now_.moved(now_.u, s)), g_I, view(scratch));
+      },
       kEpsilon * parts);
-  const double rounding = 64.0 * kEpsilon * h.cwiseAbs().dot(u_.cwiseAbs());
-  if (!(std::abs(h.dot(u_) + Vdot.value[0]) <= Vdot.error + rounding))
+  const double rounding = 64.0 * kEpsilon * h.cwiseAbs().dot(now_.u.cwiseAbs());
+  if (!(std::abs(h.dot(now_.u) + Vdot.value[0]) <= Vdot.error + rounding))
     fault(fmt::format("gravity writes a force of power {:.9g} W, its potential falls by {:.9g} W",
-                      h.dot(u_), -Vdot.value[0]));
+                      h.dot(now_.u), -Vdot.value[0]));
 }
 
 void SystemCheck::compare(const char* what, int frame, const Vec3& value, const Vec3& expected,
@@ -286,7 +310,7 @@ void SystemCheck::compare(const char* what, int frame, const Vec3& value, const 
 }
 
 void SystemCheck::checkFrame(int id) {
-  const FrameStorage here = frameAt(id, 0.0, q_, u_);
+  const FrameStorage here = now_.frameAt(id, 0.0, now_.q, now_.u);
   const Frame& f = here.f;
   const bool moving = blocks_.nu > 0 && f.block >= 0;
   if (moving && f.block >= blocks_.capacity)
@@ -294,7 +318,7 @@ void SystemCheck::checkFrame(int id) {
         fmt::format("frame {}: block = {}, the system has {}", id, f.block, blocks_.capacity));
   // v = J u + ν, Ω = J_R u + ν_R: sums of nu products.
   const Eigen::VectorXd u =
-      moving ? u_.segment(f.block * blocks_.nu, blocks_.nu).eval() : Eigen::VectorXd();
+      moving ? now_.u.segment(f.block * blocks_.nu, blocks_.nu).eval() : Eigen::VectorXd();
   const Mat3X &JS = f.J_S_I, &JR = f.J_R_I;
   Vec3 v = f.nu_S_I, Omega = f.nu_R_I;
   double sizeV = v.norm() + f.v_S_I.norm(), sizeR = Omega.norm() + f.Omega_I.norm();
@@ -308,8 +332,8 @@ void SystemCheck::checkFrame(int id) {
       !(f.A_IK.determinant() > 0.0))
     fault(fmt::format("frame {}: A_IK is not a rotation (det {:.9g})", id, f.A_IK.determinant()));
   // The workspace is not cleared between evaluations: a second call must give the same frame.
-  FrameStorage again = frameAt(id, 0.1, moved(u_, 0.1), u_);
-  system_.frame(t_, in(q_), in(u_), id, again.f);
+  FrameStorage again = now_.frameAt(id, 0.1, now_.moved(now_.u, 0.1), now_.u);
+  system_.frame(now_.t, in(now_.q), in(now_.u), id, again.f);
   if (again.J != here.J || again.f.r_OS_I != f.r_OS_I || again.f.v_S_I != f.v_S_I)
     fault(fmt::format(
         "frame {}: the second call gives other values than the first (adds instead of assigns?)",
@@ -320,7 +344,7 @@ void SystemCheck::checkFrame(int id) {
 void SystemCheck::checkFrameRates(int id, const Frame& f) {
   // r, A (column after column), v, Ω along the motion.
   const testing::Difference D = testing::differentiate([&](double s) {
-    const FrameStorage at = frameAt(id, s, moved(u_, s), u_);
+    const FrameStorage at = now_.frameAt(id, s, now_.moved(now_.u, s), now_.u);
     Eigen::VectorXd x(12);
     x << at.f.r_OS_I, at.f.A_IK.col(0), at.f.A_IK.col(1), at.f.A_IK.col(2);
     return x;
@@ -331,7 +355,7 @@ void SystemCheck::checkFrameRates(int id, const Frame& f) {
     compare("(Omega x A_IK)", id, f.Omega_I.cross(f.A_IK.col(k)), D.value.segment<3>(3 + 3 * k),
             D.error, column[k]);
   const testing::Difference a = testing::differentiate([&](double s) {
-    const FrameStorage at = frameAt(id, s, moved(u_, s), u_);
+    const FrameStorage at = now_.frameAt(id, s, now_.moved(now_.u, s), now_.u);
     Eigen::VectorXd x(6);
     x << at.f.v_S_I, at.f.Omega_I;
     return x;

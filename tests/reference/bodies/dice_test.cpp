@@ -1,12 +1,13 @@
 // Dice on a table: what they lose, from their motion and from their contacts.
 #include <gtest/gtest.h>
 
+#include <support/gravity.hpp>
 #include <support/load_model.hpp>
 
 namespace dynamy::reference {
 namespace {
 
-constexpr double kEdge = 0.016, kMass = 1200.0 * kEdge * kEdge * kEdge, kG = 9.81;
+constexpr double kEdge = 0.016, kMass = 1200.0 * kEdge * kEdge * kEdge;
 
 /// Of three cubes, whose inertia is m a²/6 about any axis.
 double energy(const State& x) {

@@ -43,7 +43,7 @@ TEST(EnergyRise, IsNotMeasuredByForcesThatAStepDoesNotResolve) {
                        "</dynamy>"});
   Simulation simulation(scene.model());
   const RunReport& r = simulation.run();
-  EXPECT_EQ(r.damped, 1);
+  EXPECT_EQ(r.trust.damped, 1);
   EXPECT_LE(r.trust.energyScale(), 5e6);  // 5e11 J by h Δt
 }
 

@@ -12,7 +12,7 @@
 namespace dynamy::reference {
 namespace {
 
-constexpr double kStep = 1e-3;
+constexpr double kFastStep = 1e-3;
 /// A hit is mistimed by at most 1e-7 of the thickness of 1 mm, times factors of a few
 /// (theory 37.2); behind it the body is off by as much.
 constexpr double kHit = 1e-9;
@@ -97,9 +97,9 @@ TEST_P(Bullet, HitsThePlateInTimeAndStaysOnItsSide) {
       EXPECT_EQ(r.report.ended, RunReport::Ended::finished) << r.report.reason;
       // t = gap/v within h
       const double truth = (0.098 + 0.5) / 300.0;
-      EXPECT_NEAR(hit, truth, kStep);
+      EXPECT_NEAR(hit, truth, kFastStep);
       EXPECT_LT(furthest, 0.098 + kHit);
-      EXPECT_LT(r.report.penetration.value, kHit);
+      EXPECT_LT(r.report.gaps.penetration.value, kHit);
       EXPECT_NEAR(r.x.u[0], -300.0 * e, 1e-9);
       // Schemes whose law looks ahead stop the ball gently, in the step before it would arrive.
       EXPECT_NEAR(r.x.q[0], 0.098 - 300.0 * e * (0.01 - truth), kHit);
@@ -155,7 +155,7 @@ TEST_P(FastBodies, ABallThatPassesByIsLeftAlone) {
     EXPECT_EQ(r.x.u[0], 300.0) << at;
     EXPECT_EQ(r.x.u[1], 0.0) << at;
     EXPECT_EQ(r.x.u[2], 0.0) << at;
-    EXPECT_EQ(r.report.parted, 0) << at;
+    EXPECT_EQ(r.report.passing.parted, 0) << at;
   }
 }
 
@@ -207,7 +207,7 @@ TEST_P(FastBodies, ACubeThatSpinsDoesNotPassThePlate) {
   EXPECT_EQ(r.report.ended, RunReport::Ended::finished) << r.report.reason;
   EXPECT_LT(furthest, 0.099 - 0.001 + 1e-6);  // the middle is a half edge away at least
   EXPECT_LT(r.x.u[0], 0.0);
-  EXPECT_LT(r.report.penetration.value, 1e-6);
+  EXPECT_LT(r.report.gaps.penetration.value, 1e-6);
   EXPECT_LE(r.report.energy.end(), r.report.energy.start() * (1.0 + 1e-12));
 }
 
@@ -263,7 +263,7 @@ TEST(FastBodiesLimits, AStepOfTooManyHitsHasAnEndAndIsReported) {
                     kLaw + scheme("MoreauMidpoint"));
   // The first step: 200 passings, of two parts more each, and the rest, which leads out.
   EXPECT_EQ(r.report.ended, RunReport::Ended::finished) << r.report.reason;
-  EXPECT_EQ(r.report.left, 1);
+  EXPECT_EQ(r.report.passing.left, 1);
   EXPECT_LE(r.report.steps, 2 * 200 + 1 + 9);
   EXPECT_TRUE(r.report.qualified());
   const auto told = std::find_if(r.report.warnings.begin(), r.report.warnings.end(),
@@ -289,9 +289,9 @@ TEST(FastBodiesCost, NothingIsEvaluatedWhereNothingIsFast) {
     scene.model().scheme(std::make_unique<MoreauMidpoint>());
     Simulation simulation(scene.model());
     const RunReport& r = simulation.run();
-    EXPECT_EQ(r.parted, 0) << file;
-    EXPECT_EQ(r.swept, 0) << file;
-    EXPECT_EQ(r.evaluations, r.steps) << file;
+    EXPECT_EQ(r.passing.parted, 0) << file;
+    EXPECT_EQ(r.passing.swept, 0) << file;
+    EXPECT_EQ(r.cost.evaluations, r.steps) << file;
   }
 }
 
@@ -299,7 +299,7 @@ TEST(FastBodiesCost, AFastBodyFarFromOthersCostsNoPath) {
   const Ran r = run(withE(0.0) + "<systems>" + ball("ball", "0 0 100", "300 0 0") +
                     "<Ground name=\"plate\">" + kPlate + "</Ground></systems>" + kLaw +
                     scheme("MoreauMidpoint", 0.1));
-  EXPECT_EQ(r.report.swept, 0);
+  EXPECT_EQ(r.report.passing.swept, 0);
 }
 
 }  // namespace

@@ -8,11 +8,10 @@
 #include <numbers>
 #include <reference/located/located_run.hpp>
 #include <reference/scene.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
-
-constexpr double kG = 9.81;
 
 std::string vector(const Vec3& v) { return fmt::format("{} {} {}", v.x(), v.y(), v.z()); }
 

@@ -101,7 +101,7 @@ TEST(RoundBodies, CanStandsOnATableSmallerThanItself) {
   double least = 1e300, most = 0.0;
   can.run(1.0, 1e-3, [&] {
     double sum = 0.0;
-    const Vec Lambda = can.Lambda();
+    const ConstVec Lambda = can.Lambda();
     for (Eigen::Index i = 0; i < Lambda.size(); i += 3) sum += Lambda[i];
     least = std::min(least, sum), most = std::max(most, sum);
   });

@@ -49,7 +49,7 @@ class Clock {
     for (int i = 0; i < c.size(); ++i) {
       const auto at = static_cast<std::size_t>(i);
       if (!(c.law[at]->unilateral() && scene_.Lambda()[c.row0[at]] > 0.0)) continue;
-      const Vec3 &n = c.normal[at], &P = c.point[at];
+      const Vec3 &n = c.places.normal[at], &P = c.places.point[at];
       const auto arm = [&](double z) { return n.z() * P.x() - n.x() * (P.z() - z); };
       const double lp = arm(kPivot), lw = arm(0.0);
       const double mass = 1.0 / (lp * lp / kJp + lw * lw / kJw);

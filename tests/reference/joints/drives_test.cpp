@@ -1,6 +1,7 @@
 /// Gears, racks, ropes, drives, motors and controllers in joints against closed forms.
 #include <gtest/gtest.h>
 
+#include <reference/joints/joint_scene.hpp>
 #include <reference/located/located_run.hpp>
 #include <reference/scene.hpp>
 
@@ -8,13 +9,6 @@ namespace dynamy::reference {
 namespace {
 
 const char* const kSchemes[] = {"<EnergyMomentum/>", "<StaggeredMoreau/>", "<MoreauMidpoint/>"};
-
-std::string scene(const std::string& systems, const std::string& forces,
-                  const std::string& elements, const std::string& scheme = {}) {
-  return "<dynamy version=\"1\"><systems><Ground name=\"world\"/>" + systems +
-         "</systems><forces>" + forces + "</forces><elements>" + elements +
-         "</elements><simulation until=\"1\" step=\"1e-2\">" + scheme + "</simulation></dynamy>";
-}
 
 /// Steps as the program does: elements remember what they need.
 void run(Scene& s, double t, double dt) {
@@ -40,11 +34,12 @@ TEST(Gear, TurnsBothWheelsByTheReducedInertia) {
   const double i = -2.5, a = 3.0 / (0.02 + 0.5 / (i * i));
   for (const char* scheme : kSchemes) {
     SCOPED_TRACE(scheme);
-    Scene s("gear", {.text = scene(wheel("a", 0.02) + wheel("b", 0.5, 1.0),
-                                   "<ForceInput on=\"a\" moment=\"0; 0; 3\"/>",
-                                   bearing("a") + bearing("b") +
-                                       "<Gear between=\"a b\" carrier=\"world\" ratio=\"-2.5\"/>",
-                                   scheme)});
+    Scene s("gear",
+            {.text = jointScene(wheel("a", 0.02) + wheel("b", 0.5, 1.0),
+                                "<ForceInput on=\"a\" moment=\"0; 0; 3\"/>",
+                                bearing("a") + bearing("b") +
+                                    "<Gear between=\"a b\" carrier=\"world\" ratio=\"-2.5\"/>",
+                                scheme)});
     run(s, 1.0, 1e-2);
     EXPECT_NEAR(s.u("a")[2], a, kExact * a);
     EXPECT_NEAR(s.q("a")[2], 0.5 * a, kExact * a);
@@ -54,14 +49,14 @@ TEST(Gear, TurnsBothWheelsByTheReducedInertia) {
 
 TEST(Gear, WithBevelWheelsTurnsAboutTwoAxes) {
   const double i = 0.5, a = 1.0 / (0.1 + 0.3 / (i * i));
-  Scene s("bevel",
-          {.text = scene("<RigidBody name=\"a\" mass=\"1\" inertia=\"0.1 0.2 0.2\"/>"
-                         "<RigidBody name=\"b\" mass=\"1\" inertia=\"0.2 0.2 0.3\" position=\"1 0 "
-                         "1\"/>",
-                         "<ForceInput on=\"a\" moment=\"1; 0; 0\"/>",
-                         "<Revolute between=\"world a\" axis=\"1 0 0\"/><Revolute between=\"world "
-                         "b\" axis=\"0 0 1\"/><Gear between=\"a b\" carrier=\"world\" "
-                         "ratio=\"0.5\" axisA=\"1 0 0\" axisB=\"0 0 1\"/>")});
+  Scene s("bevel", {.text = jointScene(
+                        "<RigidBody name=\"a\" mass=\"1\" inertia=\"0.1 0.2 0.2\"/>"
+                        "<RigidBody name=\"b\" mass=\"1\" inertia=\"0.2 0.2 0.3\" position=\"1 0 "
+                        "1\"/>",
+                        "<ForceInput on=\"a\" moment=\"1; 0; 0\"/>",
+                        "<Revolute between=\"world a\" axis=\"1 0 0\"/><Revolute between=\"world "
+                        "b\" axis=\"0 0 1\"/><Gear between=\"a b\" carrier=\"world\" "
+                        "ratio=\"0.5\" axisA=\"1 0 0\" axisB=\"0 0 1\"/>")});
   run(s, 1.0, 1e-2);
   EXPECT_NEAR(s.u("a")[3], a, kExact);
   EXPECT_NEAR(s.u("b")[5], a / i, kExact);
@@ -75,12 +70,12 @@ TEST(Gear, OnACarrierIsAPlanetaryGear) {
   for (const char* scheme : kSchemes) {
     SCOPED_TRACE(scheme);
     Scene s("willis",
-            {.text = scene(wheel("sun", J[0]) + wheel("ring", J[1]) + wheel("arm", J[2]),
-                           "<ForceInput on=\"sun\" moment=\"0; 0; 1\"/><ForceInput on=\"arm\" "
-                           "moment=\"0; 0; 0.5\"/>",
-                           bearing("sun") + bearing("ring") + bearing("arm") +
-                               "<Gear between=\"sun ring\" carrier=\"arm\" ratio=\"-3\"/>",
-                           scheme)});
+            {.text = jointScene(wheel("sun", J[0]) + wheel("ring", J[1]) + wheel("arm", J[2]),
+                                "<ForceInput on=\"sun\" moment=\"0; 0; 1\"/><ForceInput on=\"arm\" "
+                                "moment=\"0; 0; 0.5\"/>",
+                                bearing("sun") + bearing("ring") + bearing("arm") +
+                                    "<Gear between=\"sun ring\" carrier=\"arm\" ratio=\"-3\"/>",
+                                scheme)});
     run(s, 1.0, 1e-2);
     const double angles[] = {s.q("sun")[2], s.q("ring")[2], s.q("arm")[2]};
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(angles[k], 0.5 * a[k], kExact * a.norm()) << k;
@@ -93,15 +88,15 @@ TEST(RackAndPinion, MovesTheRackByTheReducedMass) {
   for (const char* scheme : kSchemes) {
     SCOPED_TRACE(scheme);
     Scene s("rack",
-            {.text = scene(wheel("pinion", 0.01) +
-                               "<PlanarBody name=\"rack\" plane=\"xy\" mass=\"2\" inertia=\"1\" "
-                               "position=\"0 -0.05 0\"/>",
-                           "<ForceInput on=\"rack\" force=\"4; 0; 0\"/>",
-                           bearing("pinion") +
-                               "<Prismatic between=\"world rack\" axis=\"1 0 0\"/>"
-                               "<RackAndPinion between=\"pinion rack\" carrier=\"world\" "
-                               "radius=\"-0.05\" direction=\"1 0 0\"/>",
-                           scheme)});
+            {.text = jointScene(
+                 wheel("pinion", 0.01) +
+                     "<PlanarBody name=\"rack\" plane=\"xy\" mass=\"2\" inertia=\"1\" "
+                     "position=\"0 -0.05 0\"/>",
+                 "<ForceInput on=\"rack\" force=\"4; 0; 0\"/>",
+                 bearing("pinion") + "<Prismatic between=\"world rack\" axis=\"1 0 0\"/>"
+                                     "<RackAndPinion between=\"pinion rack\" carrier=\"world\" "
+                                     "radius=\"-0.05\" direction=\"1 0 0\"/>",
+                 scheme)});
     run(s, 1.0, 1e-2);
     EXPECT_NEAR(s.q("rack")[0], 0.5 * a, kExact);
     EXPECT_NEAR(s.q("pinion")[2], 0.5 * a / r, kExact / std::abs(r));
@@ -112,12 +107,13 @@ TEST(Rope, OfAtwoodsMachineAcceleratesBothMasses) {
   const double g = 9.81, a = g * (3.0 - 2.0) / (3.0 + 2.0);
   for (const char* scheme : kSchemes) {
     SCOPED_TRACE(scheme);
-    Scene s("atwood", {.text = scene("<PointMass name=\"a\" mass=\"2\" position=\"-1 0 0\"/>"
-                                     "<PointMass name=\"b\" mass=\"3\" position=\"1 0 1\"/>",
-                                     "<Gravity/>",
-                                     "<Rope through=\"a world world b\" points=\"0 0 0  -1 0 9  1 "
-                                     "0 9  0 0 0\"/>",
-                                     scheme)});
+    Scene s("atwood",
+            {.text = jointScene("<PointMass name=\"a\" mass=\"2\" position=\"-1 0 0\"/>"
+                                "<PointMass name=\"b\" mass=\"3\" position=\"1 0 1\"/>",
+                                "<Gravity/>",
+                                "<Rope through=\"a world world b\" points=\"0 0 0  -1 0 9  1 "
+                                "0 9  0 0 0\"/>",
+                                scheme)});
     run(s, 1.0, 1e-2);
     EXPECT_NEAR(s.q("a")[2], 0.5 * a, kExact);
     EXPECT_NEAR(s.q("b")[2], 1.0 - 0.5 * a, kExact);
@@ -129,11 +125,12 @@ TEST(Rope, OfAtwoodsMachineAcceleratesBothMasses) {
 TEST(Rope, ThroughAMovingPulleyPullsTwice) {
   // l1 + 2 l2 = L:  T = 3 m1 m2 g/(4 m1 + m2) on m1, 2T on m2.
   const double g = 9.81, m1 = 2.0, m2 = 3.0, T = 3.0 * m1 * m2 * g / (4.0 * m1 + m2);
-  Scene s("tackle", {.text = scene("<PointMass name=\"a\" mass=\"2\" position=\"-1 0 5\"/>"
-                                   "<PointMass name=\"b\" mass=\"3\" position=\"0 0 1\"/>",
-                                   "<Gravity/>",
-                                   "<Rope through=\"a world world b world\" points=\"0 0 0  -1 0 9 "
-                                   " 0 0 9  0 0 0  0 0 9\"/>")});
+  Scene s("tackle",
+          {.text = jointScene("<PointMass name=\"a\" mass=\"2\" position=\"-1 0 5\"/>"
+                              "<PointMass name=\"b\" mass=\"3\" position=\"0 0 1\"/>",
+                              "<Gravity/>",
+                              "<Rope through=\"a world world b world\" points=\"0 0 0  -1 0 9 "
+                              " 0 0 9  0 0 0  0 0 9\"/>")});
   run(s, 1.0, 1e-2);
   EXPECT_NEAR(s.q("a")[2] - 5.0, 0.5 * (T / m1 - g), kExact);
   EXPECT_NEAR(s.q("b")[2] - 1.0, 0.5 * (2.0 * T / m2 - g), kExact);
@@ -142,9 +139,9 @@ TEST(Rope, ThroughAMovingPulleyPullsTwice) {
 TEST(Rope, GoesSlackAndTaut) {
   // Thrown up at 2 m/s from the taut rope: back at t = 2v/g, then held.
   Scene s("tether",
-          {.text = scene("<PointMass name=\"a\" mass=\"2\" position=\"0 0 -1\" "
-                         "velocity=\"0 0 2\"/>",
-                         "<Gravity/>", "<Rope through=\"world a\"><Unilateral/></Rope>")});
+          {.text = jointScene("<PointMass name=\"a\" mass=\"2\" position=\"0 0 -1\" "
+                              "velocity=\"0 0 2\"/>",
+                              "<Gravity/>", "<Rope through=\"world a\"><Unilateral/></Rope>")});
   run(s, 0.2, 1e-3);
   EXPECT_NEAR(s.q("a")[2], -1.0 + 0.4 - 0.5 * 9.81 * 0.04, 1e-9);
   run(s, 1.0, 1e-3);
@@ -158,12 +155,13 @@ TEST(JointDrive, NeedsTheMomentOfTheMotion) {
   for (const auto& [scheme, tolerance] :
        {std::pair{"<EnergyMomentum/>", 1e-4}, std::pair{"<StaggeredMoreau/>", 5e-3}}) {
     SCOPED_TRACE(scheme);
-    Scene s("arm", {.text = scene("<PlanarBody name=\"arm\" plane=\"xy\" mass=\"2\" "
-                                  "inertia=\"0.1\" position=\"0.4 0 0\"/>",
-                                  "<Gravity acceleration=\"0 -9.81 0\"/>",
-                                  "<JointDrive between=\"world arm\" motion=\"0.8*sin(2*t)^2\"/>"
-                                  "<Revolute between=\"world arm\" at=\"0 0 0\"/>",
-                                  scheme)});
+    Scene s("arm",
+            {.text = jointScene("<PlanarBody name=\"arm\" plane=\"xy\" mass=\"2\" "
+                                "inertia=\"0.1\" position=\"0.4 0 0\"/>",
+                                "<Gravity acceleration=\"0 -9.81 0\"/>",
+                                "<JointDrive between=\"world arm\" motion=\"0.8*sin(2*t)^2\"/>"
+                                "<Revolute between=\"world arm\" at=\"0 0 0\"/>",
+                                scheme)});
     constexpr double dt = 1e-3;
     run(s, 1.0, dt);
     const double t = 1.0 - 0.5 * dt, phi = 0.8 * std::sin(2.0 * t) * std::sin(2.0 * t),
@@ -177,10 +175,10 @@ TEST(JointDrive, NeedsTheMomentOfTheMotion) {
 }
 
 TEST(JointMotor, RunsUpAtItsLimitAndHoldsItsSpeed) {
-  Scene s(
-      "motor",
-      {.text = scene(wheel("a", 0.5), "",
-                     bearing("a") + "<JointMotor between=\"world a\" speed=\"6\" limit=\"2\"/>")});
+  Scene s("motor",
+          {.text = jointScene(
+               wheel("a", 0.5), "",
+               bearing("a") + "<JointMotor between=\"world a\" speed=\"6\" limit=\"2\"/>")});
   run(s, 1.0, 1e-2);
   EXPECT_NEAR(s.u("a")[2], 4.0, kExact);  // M t/J
   EXPECT_NEAR(s.q("a")[2], 2.0, kExact);
@@ -191,11 +189,11 @@ TEST(JointMotor, RunsUpAtItsLimitAndHoldsItsSpeed) {
 
 TEST(JointFriction, StopsTheWheelAndHoldsIt) {
   Scene s("brake",
-          {.text = scene("<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.5\" "
-                         "angularVelocity=\"2\"/>",
-                         "",
-                         bearing("a") + "<JointFriction between=\"world a\"><GivenFriction "
-                                        "force=\"2\"/></JointFriction>")});
+          {.text = jointScene("<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.5\" "
+                              "angularVelocity=\"2\"/>",
+                              "",
+                              bearing("a") + "<JointFriction between=\"world a\"><GivenFriction "
+                                             "force=\"2\"/></JointFriction>")});
   run(s, 1.0, 1e-2);  // stops at Jω/M = 0.5 s, after ω²J/2M = 0.5
   EXPECT_NEAR(s.q("a")[2], 0.5, kExact);
   EXPECT_NEAR(s.u("a")[2], 0.0, 1e-10);
@@ -204,7 +202,7 @@ TEST(JointFriction, StopsTheWheelAndHoldsIt) {
 /// Two wheels in bearings, the first at 10 rad/s, the second loaded with 0.1 N m; what couples
 /// them.
 std::string coupled(const std::string& law) {
-  return scene(
+  return jointScene(
       "<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.2\" angularVelocity=\"10\"/>" +
           wheel("b", 0.3),
       "<ForceInput on=\"b\" moment=\"0; 0; -0.1\"/>",
@@ -246,7 +244,7 @@ TEST(TorqueLimitedClutch, OfOneWayLetsTheOtherRunAhead) {
 }
 
 TEST(JointStop, ReflectsTheRate) {
-  const std::string text = scene(
+  const std::string text = jointScene(
       "<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.5\" "
       "angularVelocity=\"5\"/>",
       "",
@@ -276,12 +274,12 @@ TEST(PdController, IsADampedOscillator) {
         "<JointSpring between=\"world a\" rest=\"1\" stiffness=\"50\" damping=\"1\"/>",
         "<JointForce between=\"world a\" force=\"50*(1-x)-v\"/>"}) {
     SCOPED_TRACE(force);
-    Scene s("pd", {.text = scene(wheel("a", 0.5), force, elements, "<StaggeredMoreau/>")});
+    Scene s("pd", {.text = jointScene(wheel("a", 0.5), force, elements, "<StaggeredMoreau/>")});
     run(s, 1.0, 1e-3);
     // The damper at the beginning of a step acts as dΔt/2 less of inertia: ω dΔt/4J = 5e-3 rad of
     // phase in 1 s, times the amplitude e^-1.
     EXPECT_NEAR(s.q("a")[2], oscillation(1.0), 2e-3);
-    LocatedRun located(scene(wheel("a", 0.5), force, elements), 1e-10, 1.0);
+    LocatedRun located(jointScene(wheel("a", 0.5), force, elements), 1e-10, 1.0);
     located.run();
     EXPECT_NEAR(located.state().q[2], oscillation(1.0), 1e-8);
   }
@@ -294,17 +292,18 @@ TEST(PdController, WithHighGainsIsTakenImplicitly) {
                             "damping=\"1e3\" stiff=\"true\"/>",
                             "<JointForce between=\"world a\" force=\"1e5*(1-x)-1e3*v\" "
                             "stiff=\"true\"/>"}) {
-    Scene s("pd", {.text = scene(wheel("a", 0.5), force, bearing("a"), "<StaggeredMoreau/>")});
+    Scene s("pd", {.text = jointScene(wheel("a", 0.5), force, bearing("a"), "<StaggeredMoreau/>")});
     run(s, 3.0, 1e-2);
     EXPECT_NEAR(s.q("a")[2], 1.0, 1e-6);
   }
 }
 
 TEST(PdController, IsCutOffAtItsLimit) {
-  Scene s("pd", {.text = scene(wheel("a", 0.5),
-                               "<PdController between=\"world a\" target=\"100\" stiffness=\"50\" "
-                               "limit=\"2\"/>",
-                               bearing("a"))});
+  Scene s("pd",
+          {.text = jointScene(wheel("a", 0.5),
+                              "<PdController between=\"world a\" target=\"100\" stiffness=\"50\" "
+                              "limit=\"2\"/>",
+                              bearing("a"))});
   run(s, 1.0, 1e-2);
   EXPECT_NEAR(s.q("a")[2], 0.5 * 2.0 / 0.5, kExact);
 }
@@ -312,9 +311,9 @@ TEST(PdController, IsCutOffAtItsLimit) {
 TEST(JointForce, OfQuadraticDragSlowsByItsLaw) {
   // J ω̇ = −k ω²:  φ = (J/k) ln(1 + k ω0 t/J), located runs to their tolerance.
   LocatedRun located(
-      scene("<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.5\" "
-            "angularVelocity=\"20\"/>",
-            "<JointForce between=\"world a\" force=\"-0.1*v*abs(v)\"/>", bearing("a")),
+      jointScene("<PlanarBody name=\"a\" plane=\"xy\" mass=\"1\" inertia=\"0.5\" "
+                 "angularVelocity=\"20\"/>",
+                 "<JointForce between=\"world a\" force=\"-0.1*v*abs(v)\"/>", bearing("a")),
       1e-10, 2.0);
   located.run();
   EXPECT_NEAR(located.state().q[2], 5.0 * std::log(1.0 + 0.1 * 20.0 * 2.0 / 0.5), 1e-7);
@@ -324,18 +323,18 @@ TEST(Couplings, RunToATolerance) {
   // Gear and rope in smooth phases of high order.
   const double a = 3.0 / (0.02 + 0.5 / 6.25);
   LocatedRun gear(
-      scene(
+      jointScene(
           wheel("a", 0.02) + wheel("b", 0.5, 1.0), "<ForceInput on=\"a\" moment=\"0; 0; 3\"/>",
           bearing("a") + bearing("b") + "<Gear between=\"a b\" carrier=\"world\" ratio=\"-2.5\"/>"),
       1e-9, 1.0);
   gear.run();
   EXPECT_NEAR(gear.state().q[2], 0.5 * a, 1e-7 * a);
   EXPECT_NEAR(gear.state().q[5], -0.2 * a, 1e-7 * a);
-  LocatedRun rope(scene("<PointMass name=\"a\" mass=\"2\" position=\"-1 0 0\"/>"
-                        "<PointMass name=\"b\" mass=\"3\" position=\"1 0 1\"/>",
-                        "<Gravity/>",
-                        "<Rope through=\"a world world b\" points=\"0 0 0  -1 0 9  1 0 9  0 0 "
-                        "0\"/>"),
+  LocatedRun rope(jointScene("<PointMass name=\"a\" mass=\"2\" position=\"-1 0 0\"/>"
+                             "<PointMass name=\"b\" mass=\"3\" position=\"1 0 1\"/>",
+                             "<Gravity/>",
+                             "<Rope through=\"a world world b\" points=\"0 0 0  -1 0 9  1 0 9  0 0 "
+                             "0\"/>"),
                   1e-9, 1.0);
   rope.run();
   EXPECT_NEAR(rope.state().q[2], 0.5 * 9.81 / 5.0, 1e-8);

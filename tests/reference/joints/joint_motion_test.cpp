@@ -3,24 +3,18 @@
 
 #include <dynamy/core/rotation.hpp>
 #include <numbers>
+#include <reference/joints/joint_scene.hpp>
 #include <reference/scene.hpp>
 
 namespace dynamy::reference {
 namespace {
-
-std::string scene(const std::string& systems, const std::string& forces,
-                  const std::string& elements, const std::string& scheme = {}) {
-  return "<dynamy version=\"1\"><systems><Ground name=\"world\"/>" + systems +
-         "</systems><forces>" + forces + "</forces><elements>" + elements +
-         "</elements><simulation until=\"1\" step=\"1e-2\">" + scheme + "</simulation></dynamy>";
-}
 
 constexpr double kBend = 0.6;  // between the shafts [rad]
 
 /// Input shaft along x, turned as told; output shaft in the x-y plane, bent by kBend. The cross
 /// stands upright in the input's yoke at the start.
 std::string shafts(const std::string& scheme) {
-  return scene(
+  return jointScene(
       "<Ground name=\"input\" rotation=\"3*t\" axis=\"1 0 0\"/>"
       "<RigidBody name=\"output\" mass=\"1\" inertia=\"0.02 0.1 0.1\" euler=\"0 0 0.6\" "
       "angularVelocity=\"" +
@@ -67,9 +61,9 @@ TEST(Screw, FallsByItsOwnInertia) {
   for (const char* scheme : {"<EnergyMomentum/>", "<StaggeredMoreau/>", "<MoreauMidpoint/>"}) {
     SCOPED_TRACE(scheme);
     Scene s("nut",
-            {.text = scene("<RigidBody name=\"nut\" mass=\"2\" inertia=\"0.1 0.1 0.003\"/>",
-                           "<Gravity/>",
-                           "<Screw between=\"world nut\" axis=\"0 0 1\" pitch=\"0.2\"/>", scheme)});
+            {.text = jointScene(
+                 "<RigidBody name=\"nut\" mass=\"2\" inertia=\"0.1 0.1 0.003\"/>", "<Gravity/>",
+                 "<Screw between=\"world nut\" axis=\"0 0 1\" pitch=\"0.2\"/>", scheme)});
     s.run(1.0, 1e-2);
     EXPECT_TRUE(s.solved());
     // Constant acceleration and exact rotations: rounding of 100 steps, solver 1e-10.
@@ -84,12 +78,12 @@ TEST(Screw, IsHeldByFrictionAboutItsAxis) {
   const double limit = 2.0 * 9.81 * 0.2 / (2.0 * std::numbers::pi);
   const auto speed = [](double moment) {
     Scene s("nut",
-            {.text = scene("<RigidBody name=\"nut\" mass=\"2\" inertia=\"0.1 0.1 0.003\"/>",
-                           "<Gravity/>",
-                           "<Screw between=\"world nut\" axis=\"0 0 1\" pitch=\"0.2\"><ForceLimit "
-                           "lower=\"" +
-                               std::to_string(-moment) + "\" upper=\"" + std::to_string(moment) +
-                               "\"/></Screw>")});
+            {.text = jointScene(
+                 "<RigidBody name=\"nut\" mass=\"2\" inertia=\"0.1 0.1 0.003\"/>", "<Gravity/>",
+                 "<Screw between=\"world nut\" axis=\"0 0 1\" pitch=\"0.2\"><ForceLimit "
+                 "lower=\"" +
+                     std::to_string(-moment) + "\" upper=\"" + std::to_string(moment) +
+                     "\"/></Screw>")});
     s.run(0.1, 1e-2);
     EXPECT_TRUE(s.solved());
     return s.u("nut")[2];
@@ -104,13 +98,14 @@ TEST(PlanarJoint, MakesABodyInSpaceAPlanarOne) {
   const std::string spring =
       "<Gravity/><SpringDamper between=\"world rod\" pointA=\"0.3 0 1\" pointB=\"0.2 0 0.1\" "
       "stiffness=\"40\" length=\"0.3\"/>";
-  Scene space("space", {.text = scene("<RigidBody name=\"rod\" mass=\"1\" inertia=\"0.3 0.1 0.2\" "
-                                      "velocity=\"0.4 0 -0.2\" angularVelocity=\"0 2 0\"/>",
-                                      spring, "<PlanarJoint between=\"world rod\" axis=\"0 1 0\"/>",
-                                      "<StaggeredMoreau/>")});
-  Scene plane("plane", {.text = scene("<PlanarBody name=\"rod\" mass=\"1\" inertia=\"0.1\" "
-                                      "velocity=\"0.4 0 -0.2\" angularVelocity=\"-2\"/>",
-                                      spring, "", "<StaggeredMoreau/>")});
+  Scene space("space",
+              {.text = jointScene("<RigidBody name=\"rod\" mass=\"1\" inertia=\"0.3 0.1 0.2\" "
+                                  "velocity=\"0.4 0 -0.2\" angularVelocity=\"0 2 0\"/>",
+                                  spring, "<PlanarJoint between=\"world rod\" axis=\"0 1 0\"/>",
+                                  "<StaggeredMoreau/>")});
+  Scene plane("plane", {.text = jointScene("<PlanarBody name=\"rod\" mass=\"1\" inertia=\"0.1\" "
+                                           "velocity=\"0.4 0 -0.2\" angularVelocity=\"-2\"/>",
+                                           spring, "", "<StaggeredMoreau/>")});
   for (Scene* s : {&space, &plane}) s->run(1.0, 1e-3);
   EXPECT_TRUE(space.solved());
   const Eigen::VectorXd a = space.q("rod"), b = plane.q("rod");

@@ -146,9 +146,9 @@ TEST_P(ElasticImpacts, OfFastBallsKeepTheEnergyToo) {
   Simulation simulation(scene.model());
   const RunReport& r = simulation.run();
   EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
-  EXPECT_GT(r.impacts, 3000);
+  EXPECT_GT(r.contacts.impacts, 3000);
   EXPECT_LE(std::abs(r.energy.end() - r.energy.start()),
-            4.0 * kEps * r.energy.start() * static_cast<double>(r.impacts));
+            4.0 * kEps * r.energy.start() * static_cast<double>(r.contacts.impacts));
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, ElasticImpacts,

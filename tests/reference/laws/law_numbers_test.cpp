@@ -4,6 +4,7 @@
 
 #include <reference/order.hpp>
 #include <reference/scene.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
@@ -30,7 +31,7 @@ std::string block(const std::string& normal, const std::string& velocity, const 
 
 // mu(v) = m + d/(1 + x), x = v/s, v̇ = −g mu(v) from v₀:
 //   t = s/(g m) [x₀ − x − (d/m) ln((m (1 + x₀) + d)/(m (1 + x) + d))]
-constexpr double kM = 0.1, kD = 0.3, kS = 0.2, kG = 9.81;
+constexpr double kM = 0.1, kD = 0.3, kS = 0.2;
 
 double timeDownTo(double v) {
   const auto at = [](double x) { return kM * (1.0 + x) + kD; };

@@ -7,11 +7,10 @@
 #include <numbers>
 #include <reference/located/located_run.hpp>
 #include <reference/scene.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
-
-constexpr double kG = 9.81;
 
 std::string scene(const std::string& systems, const std::string& elements) {
   return "<dynamy version=\"1\"><systems><Ground name=\"world\"/>" + systems +

@@ -1,6 +1,7 @@
 /// Closed form of a ball that bounces on a floor, as truth for scenes of many of them.
 #pragma once
 #include <cmath>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 
@@ -8,7 +9,6 @@ namespace dynamy::reference {
 /// restitution e: parabolas between impacts at √(2z/g) (1 + 2e + 2e² + …), g = 9.81 m/s². Before
 /// its accumulation point.
 inline double bounceHeight(double z, double e, double t) {
-  constexpr double kG = 9.81;
   double v = std::sqrt(2.0 * kG * z), left = t - v / kG;
   if (left < 0.0) return z - 0.5 * kG * t * t;
   for (;; left -= 2.0 * v / kG) {

@@ -6,14 +6,13 @@
 #include <dynamy/located/event_driven.hpp>
 #include <reference/located/located_run.hpp>
 #include <reference/located/located_scenes.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
 
-constexpr double kG = 9.81;
-
 /// Block on a rough floor, 1 m/s at the start, μ = 0.5.
-const std::string kBlock = R"xml(<dynamy version="1">
+const std::string kSlidingBlock = R"xml(<dynamy version="1">
   <systems><Coordinates name="block" q="x y" units="m m" q0="0 0" u0="1 0" M="1 ; 0 ; 1"
     potential="9.81*y"/></systems>
   <elements><CoordinateContact name="floor" on="block" gap="y" slip="1 ; 0">
@@ -41,11 +40,11 @@ TEST(EventDriven, StallsAtTheAccumulationPointAndSaysSo) {
   EXPECT_EQ(r.ended, RunReport::Ended::failed);
   EXPECT_NE(r.reason.find("events follow each other without end"), std::string::npos) << r.reason;
   EXPECT_NEAR(r.t, 3.0 * std::sqrt(2.0 / kG), 1e-8);  // nine tolerances, as above
-  EXPECT_EQ(r.accumulations, 0);
+  EXPECT_EQ(r.located.accumulations, 0);
 }
 
 TEST(EventDriven, StopsASlidingBlockWhereTheClosedFormDoes) {
-  LocatedRun block = plain(kBlock, 1e-9, 1.0);
+  LocatedRun block = plain(kSlidingBlock, 1e-9, 1.0);
   ASSERT_EQ(block.run().ended, RunReport::Ended::finished) << block.report().reason;
   const double a = kG * 0.5;  // μ g; stop at u²/(2a) = 1/(2a)
   ASSERT_EQ(block.changes("floor", Status::stick).size(), 1u);

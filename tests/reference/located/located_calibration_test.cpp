@@ -10,8 +10,10 @@
 #include <cmath>
 #include <cstdio>
 #include <dynamy/io/files/output_file.hpp>
+#include <numbers>
 #include <reference/located/located_run.hpp>
 #include <reference/located/located_scenes.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
@@ -24,7 +26,7 @@ struct Known {
   double value, within;
 };
 
-struct Case {
+struct CalibrationCase {
   const char* name;
   const std::string scene;
   double until;
@@ -44,7 +46,7 @@ struct End {
 /// The scheme alone, from a start of which number `which` of (q, u) is moved by `by`; kParameter:
 /// its parameter is.
 constexpr int kNothing = -1, kParameter = -2;
-End run(const Case& c, double tolerance, int which = kNothing, double by = 0.0) {
+End run(const CalibrationCase& c, double tolerance, int which = kNothing, double by = 0.0) {
   Overrides set;
   if (which == kParameter) set.emplace_back(c.parameter, numberText(c.value + by));
   LocatedRun loaded(c.scene, tolerance, c.until, set);
@@ -71,7 +73,7 @@ End run(const Case& c, double tolerance, int which = kNothing, double by = 0.0) 
 }
 
 /// Largest difference in the norm of the scheme, without its tolerance.
-double difference(const Case& c, const End& a, const End& b) {
+double difference(const CalibrationCase& c, const End& a, const End& b) {
   LocatedRun loaded(c.scene, 1.0, c.until);
   Model& m = loaded.model();
   MechanicalSystem s = m.mechanicalSystem();
@@ -87,7 +89,7 @@ double difference(const Case& c, const End& a, const End& b) {
   return worst;
 }
 
-double amplification(const Case& c, const End& truth) {
+double amplification(const CalibrationCase& c, const End& truth) {
   constexpr double kBy = 1e-7;
   double K = 1.0;
   std::vector<int> all = c.disturbed;
@@ -112,8 +114,7 @@ std::string chartScene(const std::string& name) {
   return readWholeFile(DYNAMY_SOURCE_DIR "/bench/work_precision/scenes/" + name + ".xml");
 }
 
-std::vector<Case> cases() {
-  constexpr double kPi = 3.14159265358979323846, kG = 9.81;
+std::vector<CalibrationCase> calibrationCases() {
   const double slotA = kG * (0.5 - 0.1 * std::sqrt(0.75)), slopeA = std::atan(0.99 * 0.3);
   const double rolls = 2.0 * 3.0 / (7.0 * 0.3 * kG), puck = 4.0 / (2.0 * 0.3 * kG);
   const double th1 = -0.627186705067, th2 = -1.30131555021;  // S09 at 5 s, 12 digits
@@ -140,7 +141,7 @@ std::vector<Case> cases() {
        {1},
        nullptr,
        0.0,
-       orbit(10.0 - 6.0 * kPi / 2.2)},
+       orbit(10.0 - 6.0 * std::numbers::pi / 2.2)},
       {"belt, two levels",
        kBelt,
        20.0,
@@ -226,7 +227,9 @@ std::vector<Case> cases() {
        {},
        nullptr,
        0.0,
-       {{0, 3.0 * 0.16451883943857498, 1e-12}, {1, kPi / 6.0, 1e-12}, {4, 0.0, 1e-11}}},
+       {{0, 3.0 * 0.16451883943857498, 1e-12},
+        {1, std::numbers::pi / 6.0, 1e-12},
+        {4, 0.0, 1e-11}}},
       {"slope, to rest",
        "block_on_slope",
        1.0,
@@ -248,13 +251,13 @@ std::vector<Case> cases() {
        {},
        nullptr,
        0.0,
-       {{0, puck * std::cos(kPi / 6.0), 1e-12}, {1, puck * 0.5, 1e-12}}},
+       {{0, puck * std::cos(std::numbers::pi / 6.0), 1e-12}, {1, puck * 0.5, 1e-12}}},
       {"box, to rest", "falling_box", 1.0, {2}},
   };
 }
 
 /// The run at 1e-13 has what is known of its end.
-void expectTrue(const Case& c, const End& truth) {
+void expectTrue(const CalibrationCase& c, const End& truth) {
   for (const Known& k : c.known) {
     const auto nq = static_cast<int>(truth.x.q.size());
     const double got = k.number < nq ? truth.x.q[k.number] : truth.x.u[k.number - nq];
@@ -265,7 +268,7 @@ void expectTrue(const Case& c, const End& truth) {
 constexpr int kPerDecade = 8, kFirst = 3 * kPerDecade, kLast = 10 * kPerDecade;
 
 /// Errors at 57 tolerances from 1e-3 to 1e-10; prints those of whole decades.
-std::vector<double> errors(const Case& c, const End& truth, double K) {
+std::vector<double> errors(const CalibrationCase& c, const End& truth, double K) {
   std::vector<double> out;
   std::printf("| %s | %.1f |", c.name, K);
   for (int k = kFirst; k <= kLast; ++k) {
@@ -279,7 +282,7 @@ std::vector<double> errors(const Case& c, const End& truth, double K) {
 
 TEST(LongLocatedCalibration, ErrorsAreWithinTenTimesKTimesTheToleranceAndFallWithIt) {
   int all = 0, within = 0, pairs = 0, fell = 0;
-  for (const Case& c : cases()) {
+  for (const CalibrationCase& c : calibrationCases()) {
     const End truth = run(c, 1e-13);
     expectTrue(c, truth);
     const double K = amplification(c, truth);

@@ -13,7 +13,7 @@ using namespace scenes;
 
 // Woodpecker, event-driven with Taylor series of order 40 (truth N10): the limit cycle from the
 // instant at which the stuck sleeve begins to slip.
-constexpr double kPeriod = 0.14597606514375183, kFall = 0.019445379284716527;
+constexpr double kCyclePeriod = 0.14597606514375183, kCycleFall = 0.019445379284716527;
 constexpr double kPhiS = -0.20513534924352575, kOmegaS = 17.57466620557608;
 constexpr double kLift = 0.00582075723481;  // the sleeve leaves the pole, 11 digits
 const std::string kCycle = R"xml(<dynamy version="1"><plugin library="woodpecker"/>
@@ -29,21 +29,21 @@ const std::string kCycle = R"xml(<dynamy version="1"><plugin library="woodpecker
 
 TEST(LocatedCost, TenSwitchesTo1e10TakeAtMost2000Evaluations) {
   constexpr double kTolerance = 2e-11;
-  LocatedRun cycle(kCycle, kTolerance, kPeriod);
+  LocatedRun cycle(kCycle, kTolerance, kCyclePeriod);
   ASSERT_EQ(cycle.run().ended, RunReport::Ended::finished) << cycle.report().reason;
-  EXPECT_NEAR(cycle.state().q[0] / kFall, -1.0, 1e-10);
+  EXPECT_NEAR(cycle.state().q[0] / kCycleFall, -1.0, 1e-10);
   EXPECT_NEAR(cycle.state().q[2] / kPhiS, 1.0, 1e-10);
   EXPECT_NEAR(cycle.state().u[2] / kOmegaS, 1.0, 1e-10);
 
-  LocatedRun ten(kCycle, kTolerance, kPeriod + 1.02 * kLift);
+  LocatedRun ten(kCycle, kTolerance, kCyclePeriod + 1.02 * kLift);
   const RunReport& r = ten.run();
   ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
-  EXPECT_EQ(r.located, 10);
-  EXPECT_LE(r.evaluations, 2000);
+  EXPECT_EQ(r.located.switches, 10);
+  EXPECT_LE(r.cost.evaluations, 2000);
   const std::vector<double> lifts = ten.changes("sleeve2", Status::open);
   ASSERT_FALSE(lifts.empty());
-  EXPECT_NEAR(lifts.back(), kPeriod + kLift, 1e-10 * kPeriod);
-  RecordProperty("evaluations", static_cast<int>(r.evaluations));
+  EXPECT_NEAR(lifts.back(), kCyclePeriod + kLift, 1e-10 * kCyclePeriod);
+  RecordProperty("evaluations", static_cast<int>(r.cost.evaluations));
 }
 
 TEST(LocatedCost, ASwitchTakesAtMost35EvaluationsBesideTheSmoothSteps) {
@@ -62,11 +62,11 @@ TEST(LocatedCost, ASwitchTakesAtMost35EvaluationsBesideTheSmoothSteps) {
       LocatedRun run(row.scene, tolerance, row.until);
       const RunReport& r = run.run();
       ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
-      ASSERT_GE(r.located, 3);
+      ASSERT_GE(r.located.switches, 3);
       // The step that the switch spoils, the step to it, the search, the decision; the first
       // decision of a run is no switch.
-      const double each =
-          static_cast<double>(r.effort.switches + r.effort.events) / static_cast<double>(r.located);
+      const double each = static_cast<double>(r.cost.effort.switches + r.cost.effort.events) /
+                          static_cast<double>(r.located.switches);
       EXPECT_LE(each, kMost) << row.name << " at " << tolerance;
     }
 }
@@ -87,7 +87,7 @@ TEST(LocatedCost, AContactThatIsAloneLiftsOffForTheCostOfAnyOtherSwitch) {
   ASSERT_EQ(lifts.size(), 1u);
   // As near as the force's bound is found, 1e-8 of a step of at most 4 s.
   EXPECT_NEAR(lifts.front(), 3.27, 4e-8);
-  EXPECT_LE(r.effort.switches, 28);
+  EXPECT_LE(r.cost.effort.switches, 28);
 }
 
 /// Two rods of 1 m and 1 kg with hinges, let go from the horizontal, in the coordinates of the
@@ -159,7 +159,7 @@ TEST(LocatedCost, APendulumOfTwoRodsHas1e10OverTwoSecondsInFewEvaluations) {
   EXPECT_LT(tips.worst, 3.4e-10);
   // 0.7 µs each on the machine where MuJoCo's and Bullet's Runge–Kutta methods take 34 and 35 ms
   // for that error: a seventh of their time.
-  EXPECT_LE(run.report().evaluations, 7000);
+  EXPECT_LE(run.report().cost.evaluations, 7000);
 }
 
 }  // namespace

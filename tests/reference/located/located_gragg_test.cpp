@@ -6,11 +6,10 @@
 #include <dynamy/located/located_gragg.hpp>
 #include <reference/located/located_run.hpp>
 #include <reference/located/located_scenes.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
-
-constexpr double kG = 9.81;
 
 struct Method {
   const char *order, *constraint;
@@ -35,7 +34,7 @@ TEST_P(LocatedGraggScheme, FollowsABallIntoRest) {
   ASSERT_GE(impacts.size(), 5u);
   for (int n = 0; n < 5; ++n)
     EXPECT_NEAR(impacts[static_cast<std::size_t>(n)], t1 * (3.0 - 2.0 * std::pow(0.5, n)), 1e-9);
-  EXPECT_EQ(ball.report().accumulations, 1);
+  EXPECT_EQ(ball.report().located.accumulations, 1);
   EXPECT_NEAR(ball.state().q[0], 0.0, 1e-9);
 }
 

@@ -32,13 +32,13 @@ TEST(LocatedImpacts, OfAJointBetweenTwoStopsAreAllTold) {
       EXPECT_NEAR(told[n / 2], t, 1e-11 * t);
     }
     EXPECT_EQ(upper.size() + lower.size(), n);
-    EXPECT_EQ(run.report().impacts, static_cast<long>(n));
+    EXPECT_EQ(run.report().contacts.impacts, static_cast<long>(n));
     for (const ContactEvent& e : run.events) EXPECT_TRUE(!e.impact || e.impulse > 0.0);
   }
 }
 
 /// A ball on the floor that falls at once, or from a height.
-std::string ball(double height, double velocity) {
+std::string fallingBall(double height, double velocity) {
   return R"xml(<dynamy version="1"><systems>
     <RigidBody name="ball" position="0 0 )xml" +
          std::to_string(0.1 + height) + R"xml(" velocity="0 0 )xml" + std::to_string(velocity) +
@@ -50,7 +50,7 @@ std::string ball(double height, double velocity) {
 }
 
 TEST(LocatedImpacts, AtTheStartOfARunAreTold) {
-  LocatedRun run(ball(0.0, -2.0), 1e-8, 0.1);
+  LocatedRun run(fallingBall(0.0, -2.0), 1e-8, 0.1);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   ASSERT_EQ(run.events.size(), 1u);
   EXPECT_TRUE(run.events[0].impact);
@@ -63,7 +63,7 @@ TEST(LocatedImpacts, AtTheStartOfARunAreTold) {
 TEST(LocatedImpacts, OfABallThatComesToRestAreThoseOfTheSeries) {
   // Heights below z tol L = 1e-10 m (L: below 1 m) are none: v_k = ε^k v, v²/(2g) = ε^{2k} h.
   const double h = 0.5;
-  LocatedRun run(ball(h, 0.0), 1e-9, 2.0);
+  LocatedRun run(fallingBall(h, 0.0), 1e-9, 2.0);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   const double length = run.model().length();
   std::vector<double> told;
@@ -81,7 +81,7 @@ TEST(LocatedImpacts, OfABallThatComesToRestAreThoseOfTheSeries) {
     }
     t += 2.0 * v / 9.81;
   }
-  EXPECT_EQ(run.report().impacts, static_cast<long>(told.size()));
+  EXPECT_EQ(run.report().contacts.impacts, static_cast<long>(told.size()));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(LocatedTippeTop, TurnsOverAsTheIntegrationOfItsOwnEquationsSays) {
     LocatedRun top(tippeTop(), 1e-10, t);
     ASSERT_EQ(top.run().ended, RunReport::Ended::finished) << top.report().reason;
     EXPECT_NEAR(inclination(top.state()), theta, 2e-8) << t;  // two in the last digit given
-    EXPECT_EQ(top.report().undecided, 0);
+    EXPECT_EQ(top.report().located.undecided, 0);
   }
 }
 
@@ -160,7 +160,7 @@ TEST(LocatedRecording, HasARowOnEachSideOfAnImpact) {
     EXPECT_GE(table.t[i], table.t[i - 1]);
     if (table.t[i] == table.t[i - 1]) pairs.push_back(i);
   }
-  ASSERT_EQ(static_cast<long>(pairs.size()), ball.report().impacts);
+  ASSERT_EQ(static_cast<long>(pairs.size()), ball.report().contacts.impacts);
   const double speed = std::sqrt(2.0 * 9.81);  // of a fall of 1 m; e = 0.5
   EXPECT_NEAR(table.rows[pairs[0] - 1][1], -speed, 1e-9);
   EXPECT_NEAR(table.rows[pairs[0]][1], 0.5 * speed, 1e-9);

@@ -10,8 +10,8 @@ namespace {
 
 /// A body of 2 kg on a line with `force` [N], a formula, a spring of 50 N/m with the preload 3 N
 /// and Coulomb friction; its start.
-std::string body(const std::string& force, const std::string& start, const std::string& law,
-                 double friction = 0.0) {
+std::string notchBody(const std::string& force, const std::string& start, const std::string& law,
+                      double friction = 0.0) {
   return R"xml(<dynamy version="1"><systems><Coordinates name="body" q="x" q0=")xml" + start +
          R"xml(" M="2" h=")xml" + force + R"xml("/></systems><elements>
   <CoordinateContact name="spring" on="body" gap="x">)xml" +
@@ -35,15 +35,15 @@ TEST(LocatedNotch, IsPassedWithAJumpOfTheForceAndKeepsTheEnergy) {
   const double quarter = std::acos(kPreload / (kStiffness * A + kPreload)) / kOmega;
   const double rest = 0.5 * quarter, until = 80.0 * quarter + rest;
   for (const double tol : {1e-6, 1e-10}) {
-    LocatedRun run(body("0", "0.3", kBoth), tol, until);
+    LocatedRun run(notchBody("0", "0.3", kBoth), tol, until);
     ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
     const double x = (A + kPreload / kStiffness) * std::cos(kOmega * rest) - kPreload / kStiffness;
     EXPECT_NEAR(run.state().q[0], x, 10.0 * tol);  // calibration; nothing amplifies
     const double v = -(A + kPreload / kStiffness) * kOmega * std::sin(kOmega * rest);
     EXPECT_NEAR(run.state().u[0], v, 10.0 * kOmega * tol);
-    EXPECT_EQ(run.report().switches, 40);
-    EXPECT_EQ(run.report().impacts, 0);
-    EXPECT_EQ(run.report().undecided, 0);
+    EXPECT_EQ(run.report().contacts.switches, 40);
+    EXPECT_EQ(run.report().contacts.impacts, 0);
+    EXPECT_EQ(run.report().located.undecided, 0);
     // V = c x²/2 + a |x| comes back whole: the work of the law is that between the ends.
     const double stored = 0.5 * kStiffness * (0.09 - x * x) + kPreload * (0.3 - std::abs(x));
     EXPECT_NEAR(run.report().energy.friction, stored, 200.0 * tol) << tol;  // 18 N · 10 tol
@@ -54,7 +54,7 @@ TEST(LocatedNotch, IsPassedWithAJumpOfTheForceAndKeepsTheEnergy) {
 TEST(LocatedNotch, HoldsUpToThePreloadAndYieldsBeyond) {
   // A force that grows by 4 N/s passes the preload after 0.75 s: m ẍ + c x = k τ from rest,
   // x = k/c (τ − sin(w τ)/w).
-  LocatedRun run(body("4*t", "0", kBoth), 1e-10, 2.0);
+  LocatedRun run(notchBody("4*t", "0", kBoth), 1e-10, 2.0);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   const double tau = 2.0 - 0.75;
   EXPECT_NEAR(run.state().q[0], 4.0 / kStiffness * (tau - std::sin(kOmega * tau) / kOmega), 1e-9);
@@ -62,18 +62,19 @@ TEST(LocatedNotch, HoldsUpToThePreloadAndYieldsBeyond) {
   ASSERT_EQ(yields.size(), 1u);
   EXPECT_NEAR(yields[0], 0.75, 1e-9);  // the tolerance over the rate 4/3 of the force
 
-  LocatedRun held(body("2.9*sin(3*t)", "0", kBoth), 1e-8, 5.0);
+  LocatedRun held(notchBody("2.9*sin(3*t)", "0", kBoth), 1e-8, 5.0);
   ASSERT_EQ(held.run().ended, RunReport::Ended::finished) << held.report().reason;
   EXPECT_EQ(held.state().q[0], 0.0);
   EXPECT_EQ(held.state().u[0], 0.0);
-  EXPECT_EQ(held.report().switches, 0);
+  EXPECT_EQ(held.report().contacts.switches, 0);
 }
 
 TEST(LocatedNotch, IsTouchedAndLeftAgainUnderALoadBeyondThePreload) {
   // Loaded with 5 N at once from rest: about (5 − a)/c with the period 2π/w, back at the middle
   // without speed each time.
   for (const double periods : {0.5, 3.0, 3.5}) {
-    LocatedRun run(body("5", "0", kBoth), 1e-9, periods * 2.0 * 3.14159265358979323846 / kOmega);
+    LocatedRun run(notchBody("5", "0", kBoth), 1e-9,
+                   periods * 2.0 * 3.14159265358979323846 / kOmega);
     ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
     const double middle = (5.0 - kPreload) / kStiffness;
     const double x = periods == 3.0 ? 0.0 : 2.0 * middle;
@@ -87,7 +88,7 @@ TEST(LocatedNotch, CatchesWithFrictionAfterInfinitelyManyPasses) {
   const double f = 1.0, v = 1.5, rho = std::sqrt((kPreload - f) / (kPreload + f));
   const double T = v * kMass * (1.0 / (kPreload + f) + rho / (kPreload - f)) / (1.0 - rho);
   const std::string scene =
-      body("0", R"(0" u0="1.5)", R"(<PreloadedSpring stiffness="0" preload="3"/>)", f);
+      notchBody("0", R"(0" u0="1.5)", R"(<PreloadedSpring stiffness="0" preload="3"/>)", f);
   for (const double tol : {1e-4, 1e-6, 1e-8, 1e-10}) {
     LocatedRun run(scene, tol, 2.0 * T);
     ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
@@ -98,10 +99,10 @@ TEST(LocatedNotch, CatchesWithFrictionAfterInfinitelyManyPasses) {
     const double left = T / v * std::sqrt(2.0 * (kPreload + f) * 0.1 * tol / kMass);
     EXPECT_LE(T - caught[0], 1.01 * left) << tol;
     EXPECT_GE(T - caught[0], 0.99 * rho * left) << tol;
-    EXPECT_EQ(run.report().accumulations, 1);
+    EXPECT_EQ(run.report().located.accumulations, 1);
     EXPECT_NEAR(run.state().q[0], 0.0, 1e-12);
     EXPECT_EQ(run.state().u[0], 0.0);
-    EXPECT_EQ(run.report().undecided, 0);
+    EXPECT_EQ(run.report().located.undecided, 0);
   }
 }
 
@@ -111,19 +112,19 @@ TEST(LocatedNotch, ThrowsBackFromOneSideOrHoldsTheWeight) {
   // with 1 m/s, and as a throw behind.
   const double d = (kMass * 9.81 - kPreload) / kStiffness, R = std::hypot(d, 1.0 / kOmega);
   const double away = 2.0 * (3.14159265358979323846 - std::atan2(1.0 / kOmega, d)) / kOmega;
-  LocatedRun deepest(body("-19.62", R"(0" u0="-1)", kOne), 1e-10, 0.5 * away);
+  LocatedRun deepest(notchBody("-19.62", R"(0" u0="-1)", kOne), 1e-10, 0.5 * away);
   ASSERT_EQ(deepest.run().ended, RunReport::Ended::finished) << deepest.report().reason;
   EXPECT_NEAR(deepest.state().q[0], -d - R, 1e-9);
   EXPECT_NEAR(deepest.state().u[0], 0.0, 1e-8);
-  LocatedRun thrown(body("-19.62", R"(0" u0="-1)", kOne), 1e-10, away + 1.0 / 9.81);
+  LocatedRun thrown(notchBody("-19.62", R"(0" u0="-1)", kOne), 1e-10, away + 1.0 / 9.81);
   ASSERT_EQ(thrown.run().ended, RunReport::Ended::finished) << thrown.report().reason;
   EXPECT_NEAR(thrown.state().q[0], 0.5 / 9.81, 1e-9);
   EXPECT_NEAR(thrown.state().u[0], 0.0, 1e-8);
 
-  LocatedRun rests(body("-2.5", "0", kOne), 1e-8, 1.0);  // below the preload
+  LocatedRun rests(notchBody("-2.5", "0", kOne), 1e-8, 1.0);  // below the preload
   ASSERT_EQ(rests.run().ended, RunReport::Ended::finished) << rests.report().reason;
   EXPECT_EQ(rests.state().q[0], 0.0);
-  EXPECT_EQ(rests.report().switches, 0);
+  EXPECT_EQ(rests.report().contacts.switches, 0);
 }
 
 TEST(LocatedNotch, IsFollowedInRotations) {

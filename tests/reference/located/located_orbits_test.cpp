@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <reference/located/located_run.hpp>
 
 namespace dynamy::reference {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Started right behind an impact at t = 0.
 const std::string kOscillator = R"xml(<dynamy version="1">
@@ -41,7 +40,7 @@ const Orbit kOrbits[] = {
 
 TEST(LocatedOrbits, OfTheImpactOscillatorAreKeptTo1e10) {
   for (const Orbit& o : kOrbits) {
-    const double period = 2.0 * kPi * o.n / o.omega;
+    const double period = 2.0 * std::numbers::pi * o.n / o.omega;
     LocatedRun run(kOscillator, 1e-12, (o.impacts + 0.5) * period,
                    {{"d", numberText(o.d)},
                     {"omega", numberText(o.omega)},
@@ -66,7 +65,7 @@ TEST(LocatedOrbits, AnUnstableOrbitIsLeftAtItsMultiplier) {
   // other multiplier, −0.21636, has died out.
   const Orbit& o = kOrbits[3];
   constexpr double kBy = 1e-5;
-  const double period = 2.0 * kPi / o.omega;
+  const double period = 2.0 * std::numbers::pi / o.omega;
   const auto instants = [&](double by) {
     LocatedRun run(kOscillator, 1e-12, 5.5 * period,
                    {{"omega", numberText(o.omega)},

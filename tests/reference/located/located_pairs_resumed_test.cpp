@@ -8,7 +8,7 @@
 namespace dynamy::reference {
 namespace {
 
-std::string scene(const std::string& systems, const std::string& law) {
+std::string plainPairScene(const std::string& systems, const std::string& law) {
   return R"xml(<dynamy version="1"><systems>)xml" + systems +
          R"xml(</systems><forces><Gravity/></forces><elements><Contact between="stone stone">)xml" +
          law + R"xml(</Contact></elements><simulation until="1" step="1"/></dynamy>)xml";
@@ -16,25 +16,26 @@ std::string scene(const std::string& systems, const std::string& law) {
 
 /// A block slides over a table, with its corners on the face and its edges over the border, tips
 /// over the rim and falls.
-const std::string kTips = scene(R"xml(
+const std::string kTips = plainPairScene(R"xml(
     <RigidBody name="block" position="0.1 0 0.1" velocity="1.5 0.2 0" angularVelocity="0 0 0.5">
       <Box size="0.4 0.2 0.2" mass="2" material="stone"/></RigidBody>
     <Ground name="world"><Box size="1 1 0.1" position="0 0 -0.05" material="stone"/></Ground>)xml",
-                                R"xml(<UnilateralCoulomb mu="0.1" epsilonN="0.3"/>)xml");
+                                         R"xml(<UnilateralCoulomb mu="0.1" epsilonN="0.3"/>)xml");
 /// A crooked tower: one block slides on another, which slides on the floor.
-const std::string kCrooked = scene(R"xml(
+const std::string kCrooked = plainPairScene(R"xml(
     <RigidBody name="low" position="0 0 0.1" velocity="0.4 0 0">
       <Box size="0.6 0.4 0.2" mass="2" material="stone"/></RigidBody>
     <RigidBody name="high" position="0.1 0.05 0.3" velocity="-0.7 0.3 0" angularVelocity="0 0 2">
       <Box size="0.3 0.3 0.2" mass="1" material="stone"/></RigidBody>
     <Ground name="world"><Box size="4 4 0.2" position="0 0 -0.1" material="stone"/></Ground>)xml",
-                                   R"xml(<UnilateralCoulomb mu="0.3"/>)xml");
+                                            R"xml(<UnilateralCoulomb mu="0.3"/>)xml");
 /// A cube falls on its corner and tumbles, until it rests on a face.
-const std::string kTumbles = scene(R"xml(
+const std::string kTumbles =
+    plainPairScene(R"xml(
     <RigidBody name="die" position="0 0 0.4" euler="0.3 0.7 0.2" angularVelocity="2 3 1">
       <Box size="0.2 0.2 0.2" mass="1" material="stone"/></RigidBody>
     <Ground name="world"><Box size="4 4 0.2" position="0 0 -0.1" material="stone"/></Ground>)xml",
-                                   R"xml(<UnilateralCoulomb mu="0.5" epsilonN="0.3"/>)xml");
+                   R"xml(<UnilateralCoulomb mu="0.5" epsilonN="0.3"/>)xml");
 
 TEST(LocatedPairs, ARunResumedAtAnyTimeGoesOnBitForBit) {
   int located = 0;
@@ -48,12 +49,12 @@ TEST(LocatedPairs, ARunResumedAtAnyTimeGoesOnBitForBit) {
       SCOPED_TRACE(std::string(name) + ", " + std::to_string(k) + " tenths");
       LocatedRun first(model, kTolerance, 0.1 * k * until), second(model, kTolerance, until);
       ASSERT_EQ(first.run().ended, RunReport::Ended::finished) << first.report().reason;
-      located += first.report().located > 0;
+      located += first.report().located.switches > 0;
       second.simulation().resume(first.simulation().checkpoint());
       second.run();
       EXPECT_EQ(second.state().q, whole.state().q);
       EXPECT_EQ(second.state().u, whole.state().u);
-      EXPECT_EQ(second.report().located, whole.report().located);
+      EXPECT_EQ(second.report().located.switches, whole.report().located.switches);
       EXPECT_EQ(second.report().steps, whole.report().steps);
     }
   }
@@ -82,8 +83,8 @@ TEST(LocatedPairs, ABallOverAnEdgeOfAPolyhedronLeavesTheStepsAsTheyAre) {
     ASSERT_EQ(over.run().ended, RunReport::Ended::finished) << over.report().reason;
     // Another way of the first ball, a tenth more or less; half-explicit steps for both balls, as
     // for elements that tell no bias, take 1.7 times as many evaluations.
-    EXPECT_LT(static_cast<double>(over.report().effort.smooth),
-              1.2 * static_cast<double>(beside.report().effort.smooth))
+    EXPECT_LT(static_cast<double>(over.report().cost.effort.smooth),
+              1.2 * static_cast<double>(beside.report().cost.effort.smooth))
         << x;
   }
 }

@@ -21,17 +21,19 @@ const std::string kTail = R"xml(
   </elements><simulation until="1" step="1"/></dynamy>)xml";
 
 /// A block in a plane rattles on its corners.
-const std::string kBlock = kHead + R"xml(<PlanarBody name="block" position="0 0 {z}" angle="{a}"
+const std::string kThrownBlock = kHead +
+                                 R"xml(<PlanarBody name="block" position="0 0 {z}" angle="{a}"
   velocity="{v} 0 0" angularVelocity="{w}"><Box size="0.4 0.2 0.2" mass="1" material="stone"/>
   </PlanarBody>)xml" + kTail;
-const std::string kSphere = kHead + R"xml(<RigidBody name="ball" position="0 0 {z}"
+const std::string kThrownSphere = kHead + R"xml(<RigidBody name="ball" position="0 0 {z}"
   velocity="{v} 0.3 0" angularVelocity="{a} {w} {b}"><Sphere radius="0.1" mass="1"
   material="stone"/></RigidBody>)xml" +
-                            kTail;
-const std::string kBox = kHead + R"xml(<RigidBody name="box" position="0 0 {z}" euler="{a} {b} 0.3"
+                                  kTail;
+const std::string kThrownBox = kHead +
+                               R"xml(<RigidBody name="box" position="0 0 {z}" euler="{a} {b} 0.3"
   velocity="{v} 0.3 0" angularVelocity="{w} 1 0.5"><Box size="0.4 0.3 0.15" mass="2"
   material="stone"/></RigidBody>)xml" +
-                         kTail;
+                               kTail;
 
 /// The toy between its stops, phi_M = ±0.6/5.8 and phi_S < 0.12, with any speeds.
 const std::string kToy = R"xml(<dynamy version="1"><plugin library="woodpecker"/>
@@ -52,7 +54,7 @@ struct Range {
   double low, high;
 };
 
-struct Scene {
+struct RandomScene {
   const char* name;
   std::string model;
   std::vector<Range> ranges;
@@ -63,12 +65,12 @@ struct Scene {
 const std::vector<Range> kThrown = {{"z", 0.3, 0.8},  {"a", -1.5, 1.5}, {"b", -1.5, 1.5},
                                     {"v", -1.0, 1.0}, {"w", -4.0, 4.0}, {"mu", 0.05, 1.0},
                                     {"e", 0.0, 0.85}};
-const std::vector<Scene>& scenes() {
-  static const std::vector<Scene> all = {
+const std::vector<RandomScene>& randomScenes() {
+  static const std::vector<RandomScene> all = {
       {"woodpecker", "woodpecker", {{"mu", 0.15, 0.6}, {"eN1", 0.2, 0.8}}, 0.6, false},
-      {"block", kBlock, kThrown, 6.0, false},
-      {"sphere", kSphere, kThrown, 6.0, false},
-      {"box", kBox, kThrown, 6.0, false},
+      {"block", kThrownBlock, kThrown, 6.0, false},
+      {"sphere", kThrownSphere, kThrown, 6.0, false},
+      {"box", kThrownBox, kThrown, 6.0, false},
       {"woodpecker from any start",
        kToy,
        {{"mu", 0.15, 0.6},
@@ -91,9 +93,9 @@ struct Counts {
 };
 
 /// Gaps that are off by less than 1e-3 tol L are left as they are; rounding of gaps.
-constexpr double kLeft = 1e-3, kRounding = 1e-13;
+constexpr double kLeftGap = 1e-3, kGapRounding = 1e-13;
 
-Counts runs(const Scene& scene, unsigned seed, int first, int last) {
+Counts runs(const RandomScene& scene, unsigned seed, int first, int last) {
   std::mt19937 random(seed);
   const auto between = [&](double a, double b) {
     return a + (b - a) * static_cast<double>(random()) / 4294967296.0;
@@ -112,16 +114,16 @@ Counts runs(const Scene& scene, unsigned seed, int first, int last) {
     const RunReport& r = run.run();
     const double length = run.model().length();
     const double deep =
-        std::max(0.0, r.penetration.value - kRounding * length) / (tolerance * length);
-    ++n.runs, n.switches += r.located, n.evaluations += r.evaluations;
+        std::max(0.0, r.gaps.penetration.value - kGapRounding * length) / (tolerance * length);
+    ++n.runs, n.switches += r.located.switches, n.evaluations += r.cost.evaluations;
     n.deepest = std::max(n.deepest, deep);
-    const bool failed = r.ended != RunReport::Ended::finished, undecided = r.undecided > 0;
-    n.failed += failed ? 1 : 0, n.undecided += undecided ? 1 : 0, n.deep += deep > kLeft ? 1 : 0;
+    const bool failed = r.ended != RunReport::Ended::finished, undecided = r.located.undecided > 0;
+    n.failed += failed ? 1 : 0, n.undecided += undecided ? 1 : 0, n.deep += deep > kLeftGap ? 1 : 0;
     n.moving += run.state().u.lpNorm<Eigen::Infinity>() > 1e-9 ? 1 : 0;
-    if (failed || undecided || deep > kLeft)
+    if (failed || undecided || deep > kLeftGap)
       std::printf("%s, seed %u, run %d, --tolerance %.4g%s: %s%s penetration %.2g m = %.2g tol L\n",
                   scene.name, seed, i, tolerance, text.c_str(), r.reason.c_str(),
-                  undecided ? " UNDECIDED" : "", r.penetration.value, deep);
+                  undecided ? " UNDECIDED" : "", r.gaps.penetration.value, deep);
   }
   std::printf(
       "%s, seed %u: %d runs, %d failed, %d undecided, %d moving at the end, %ld switches, "
@@ -131,7 +133,7 @@ Counts runs(const Scene& scene, unsigned seed, int first, int last) {
   return n;
 }
 
-void expectSound(const Scene& scene, unsigned seed, int last) {
+void expectSoundRuns(const RandomScene& scene, unsigned seed, int last) {
   const Counts n = runs(scene, seed, 0, last);
   EXPECT_EQ(n.failed, 0) << scene.name << ", seed " << seed;
   EXPECT_EQ(n.undecided, 0) << scene.name << ", seed " << seed;
@@ -140,7 +142,7 @@ void expectSound(const Scene& scene, unsigned seed, int last) {
 }
 
 TEST(LocatedRandom, RunsNeitherStallNorPenetrate) {
-  for (const Scene& scene : scenes()) expectSound(scene, 7, 12);
+  for (const RandomScene& scene : randomScenes()) expectSoundRuns(scene, 7, 12);
 }
 
 TEST(LocatedRandom, RunsThatWereUnsoundOnceAreSound) {
@@ -154,14 +156,15 @@ TEST(LocatedRandom, RunsThatWereUnsoundOnceAreSound) {
   };
   for (const Once& o : {Once{3, 8, 255}, Once{0, 10, 76}, Once{3, 8, 260}, Once{1, 9, 20},
                         Once{3, 8, 232}, Once{3, 9, 191}, Once{3, 10, 97}, Once{3, 8, 97}}) {
-    const Counts n = runs(scenes()[static_cast<std::size_t>(o.scene)], o.seed, o.run, o.run + 1);
+    const Counts n =
+        runs(randomScenes()[static_cast<std::size_t>(o.scene)], o.seed, o.run, o.run + 1);
     EXPECT_EQ(n.failed + n.undecided + n.deep, 0) << o.seed << ", run " << o.run;
   }
 }
 
 TEST(LongLocatedRandom, ThousandsOfRunsNeitherStallNorPenetrate) {
   for (const unsigned seed : {8u, 9u, 10u})
-    for (const Scene& scene : scenes()) expectSound(scene, seed, 300);
+    for (const RandomScene& scene : randomScenes()) expectSoundRuns(scene, seed, 300);
 }
 
 }  // namespace

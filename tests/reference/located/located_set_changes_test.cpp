@@ -58,7 +58,7 @@ class Synchro final : public SetValuedForceLaw {
   double moment_, lockSpeed_;
 };
 
-void types(Registry& r) {
+void synchroTypes(Registry& r) {
   r.add<Rotors>("Rotors");
   r.add<Synchro>("Synchro");
 }
@@ -76,7 +76,7 @@ std::string synchro(const std::string& lockSpeed) {
 //   φ₁(4) = 10·3 − ½·2·3² + 10/3
 TEST(LocatedSetChanges, DogsThatEngageBelowASpeedLockBothRotors) {
   constexpr double kTolerance = 1e-4;
-  LocatedRun run(synchro("1"), kTolerance, 4.0, {}, types);
+  LocatedRun run(synchro("1"), kTolerance, 4.0, {}, synchroTypes);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   // The instant of the switch is met to a step in time, whose error the tolerance bounds: Δt²·3/2
   // of angle 1. Velocities are exact: one percussion on two rotors.
@@ -93,7 +93,7 @@ TEST(LocatedSetChanges, DogsThatEngageBelowASpeedLockBothRotors) {
 }
 
 TEST(LocatedSetChanges, DogsThatAreEngagedAtTheStartLockAtOnce) {
-  LocatedRun run(synchro("20"), 1e-4, 1.0, {}, types);
+  LocatedRun run(synchro("20"), 1e-4, 1.0, {}, synchroTypes);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   EXPECT_NEAR(run.state().u[0], 10.0 / 3.0, 1e-9);
   EXPECT_NEAR(run.state().u[1], 10.0 / 3.0, 1e-9);
@@ -101,7 +101,7 @@ TEST(LocatedSetChanges, DogsThatAreEngagedAtTheStartLockAtOnce) {
 
 // Without the dogs the slip ends at 10/3 s, which is located: no steps in time.
 TEST(LocatedSetChanges, WithoutDogsTheEndOfTheSlipIsLocated) {
-  LocatedRun run(synchro("1e-12"), 1e-8, 4.0, {}, types);
+  LocatedRun run(synchro("1e-12"), 1e-8, 4.0, {}, synchroTypes);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   EXPECT_NEAR(run.state().u[0], 10.0 / 3.0, 1e-7);
   EXPECT_EQ(run.report().stepping.periods, 0);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <reference/located/located_run.hpp>
 #include <reference/located/located_scenes.hpp>
 
@@ -10,8 +11,6 @@ namespace dynamy::reference {
 namespace {
 
 using namespace scenes;
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Event-driven, Taylor series of order 40 (models/woodpecker.xml).
 constexpr double kPeriod = 0.145976065144;  // 12 digits
@@ -35,7 +34,7 @@ Cycle woodpecker(double tolerance) {
   toy.simulation().observe(falls);
   const RunReport& r = toy.run();
   EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
-  EXPECT_EQ(r.undecided, 0);
+  EXPECT_EQ(r.located.undecided, 0);
   const std::vector<double> beak = toy.impacts("beak");
   EXPECT_GE(beak.size(), 160u);
   if (beak.size() < 160) return {};
@@ -47,7 +46,7 @@ Cycle woodpecker(double tolerance) {
   Cycle c;
   c.period = (beak[159] - beak[119]) / 40.0;
   c.fall = (height(beak[119]) - height(beak[159])) / 40.0;
-  c.evaluations = static_cast<double>(r.evaluations) * kPeriod / r.t;
+  c.evaluations = static_cast<double>(r.cost.evaluations) * kPeriod / r.t;
   return c;
 }
 
@@ -79,12 +78,12 @@ TEST(LocatedBall, RestsAtTheInstantOfTheClosedFormAndStays) {
   const RunReport& r = ball.run();
   EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
   // √(2h/g)(1 + e)/(1 − e).
-  EXPECT_NEAR(r.accumulationEnd, std::sqrt(2.0 / 9.81) * 3.0, 1e-10);
-  EXPECT_EQ(r.accumulations, 1);
-  EXPECT_LE(r.located, 20);
+  EXPECT_NEAR(r.located.accumulationEnd, std::sqrt(2.0 / 9.81) * 3.0, 1e-10);
+  EXPECT_EQ(r.located.accumulations, 1);
+  EXPECT_LE(r.located.switches, 20);
   // A flight is a parabola: the method of order 5 will do for the step to the floor, two of 6
   // evaluations an impact, and what finds and decides it; with order 8 there were 584.
-  EXPECT_LE(r.evaluations, 360);
+  EXPECT_LE(r.cost.evaluations, 360);
   EXPECT_EQ(ball.state().u[0], 0.0);
   EXPECT_NEAR(ball.state().q[0], 0.0, 1e-15);  // rounding of the projection
   EXPECT_NEAR(ball.impacts("floor").front(), std::sqrt(2.0 / 9.81), 1e-10);
@@ -96,10 +95,10 @@ TEST(LocatedBall, RestsAfterAThousandImpactsToo) {
   EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
   // 89.9 s. Parabolas are exact, so that rounding alone is passed on from rebound to rebound: 1e-14
   // of a second a thousand times.
-  EXPECT_NEAR(r.accumulationEnd, std::sqrt(2.0 / 9.81) * 199.0, 1e-10);
+  EXPECT_NEAR(r.located.accumulationEnd, std::sqrt(2.0 / 9.81) * 199.0, 1e-10);
   EXPECT_EQ(ball.state().u[0], 0.0);
   // e^2n h = 0.1 tol: 1030 impacts.
-  EXPECT_LE(r.located, 1100);
+  EXPECT_LE(r.located.switches, 1100);
 }
 
 TEST(LocatedSlot, ChattersToSlidingAndSlidesOn) {
@@ -107,7 +106,7 @@ TEST(LocatedSlot, ChattersToSlidingAndSlidesOn) {
   const RunReport& r = slot.run();
   EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
   // Truth N19, event-driven.
-  EXPECT_NEAR(r.accumulationEnd, 0.14555811843322627, 1e-10);
+  EXPECT_NEAR(r.located.accumulationEnd, 0.14555811843322627, 1e-10);
   EXPECT_NEAR(slot.state().q[0], 8.11185815777493, 1e-9);
   EXPECT_NEAR(slot.state().u[0], 8.110858157774931, 1e-10);
   EXPECT_EQ(slot.state().u[1], 0.0);
@@ -133,7 +132,7 @@ TEST(LocatedBlock, ComesToRestWithoutRestitution) {
   // What is off by less than 1e-3 tol L is left: 1e-9 m over the width of 0.2 m.
   EXPECT_LT(std::abs(block.state().q[2]), 5e-9);
   // η = 0.942 a turn in angular rate, until its rise of 1e-7 L: some 110 turns.
-  EXPECT_LT(block.report().located, 200);
+  EXPECT_LT(block.report().located.switches, 200);
 }
 
 TEST(LocatedBlock, ABoxInSpaceFallsTumblesAndRests) {
@@ -142,7 +141,7 @@ TEST(LocatedBlock, ABoxInSpaceFallsTumblesAndRests) {
     EXPECT_EQ(box.run().ended, RunReport::Ended::finished) << box.report().reason;
     EXPECT_LT(box.state().u.lpNorm<Eigen::Infinity>(), 1e-9) << tolerance;
     EXPECT_NEAR(box.state().q[2], 0.075, 1e-7) << tolerance;  // its half height
-    EXPECT_LT(box.report().located, 100) << tolerance;
+    EXPECT_LT(box.report().located.switches, 100) << tolerance;
   }
 }
 
@@ -179,11 +178,11 @@ TEST(LocatedOscillator, StopsWhereTheClosedFormSays) {
   LocatedRun block("coulomb_oscillator", 1e-10, 6.0);
   const RunReport& r = block.run();
   EXPECT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
-  EXPECT_EQ(r.located, 13);
+  EXPECT_EQ(r.located.switches, 13);
   // Truth N05c: 13 half cycles.
   const std::vector<double> stops = block.changes("sole-table", Status::stick);
   ASSERT_FALSE(stops.empty());
-  EXPECT_NEAR(stops.back(), 13.0 * kPi / 10.0, 1e-9);
+  EXPECT_NEAR(stops.back(), 13.0 * std::numbers::pi / 10.0, 1e-9);
   EXPECT_NEAR(block.state().q[0], 0.01012, 1e-9);
   EXPECT_EQ(block.state().u[0], 0.0);
 }
@@ -222,7 +221,7 @@ TEST(LocatedBelt, SlipsBackIntoStickWithoutAFloorOfTheError) {
     // of 1 m, rounding of its 1200 evaluations 1e-12.
     EXPECT_NEAR(belt.state().q[0], 0.00256236528282473, 10.0 * tolerance + 1e-12) << tolerance;
     // With a kink of the friction at the end of a slip every other step was rejected.
-    const StepEffort& effort = belt.report().effort;
+    const StepEffort& effort = belt.report().cost.effort;
     EXPECT_LT(effort.rejected, effort.smooth) << tolerance;
   }
 }
@@ -237,7 +236,7 @@ TEST(LocatedImpacts, KeepTheOrbitOfTheImpactOscillator) {
   for (const ContactEvent& e : mass.events)
     if (e.impact) speed = e.speed;
   EXPECT_NEAR(speed, 1.8987487383113029, 1e-10);  // truth N07
-  EXPECT_NEAR(t[4] - t[3], 2.0 * kPi / 2.2, 1e-10);
+  EXPECT_NEAR(t[4] - t[3], 2.0 * std::numbers::pi / 2.2, 1e-10);
 }
 
 TEST(LocatedLadder, LeavesTheWallWhereTheForceEnds) {
@@ -292,7 +291,7 @@ TEST(LocatedRest, ABoxOnFourCornersStaysForOneEvaluationAndAFew) {
   EXPECT_NEAR(box.state().q[2], 0.1, 1e-13);
   // Rounding of the accelerations, 1e-15 g, over 100 s: 5e-11.
   EXPECT_NEAR(box.state().q[0], 0.0, 1e-10);
-  EXPECT_LT(r.evaluations, 400);
+  EXPECT_LT(r.cost.evaluations, 400);
 }
 
 // ---- the run -----------------------------------------------------------------------------------
@@ -305,7 +304,7 @@ TEST(LocatedRunning, GoesOnFromACheckpointBitForBit) {
   resumed.run();
   EXPECT_EQ(resumed.state().q, longRun.state().q);
   EXPECT_EQ(resumed.state().u, longRun.state().u);
-  EXPECT_EQ(resumed.report().located, longRun.report().located);
+  EXPECT_EQ(resumed.report().located.switches, longRun.report().located.switches);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace dynamy::reference {
 namespace {
 
 /// A ball thrown on a table.
-std::string ball(const std::string& law) {
+std::string thrownBall(const std::string& law) {
   return R"xml(<dynamy version="1"><systems>
   <RigidBody name="ball" position="0 0 0.06" velocity="0.3 0.1 0" angularVelocity="0 0 5">
   <Sphere radius="0.05" mass="0.2" material="a"/></RigidBody>
@@ -42,25 +42,25 @@ std::string sheave(const std::string& law) {
          law + R"xml(</SheaveRope></elements><simulation until="1" step="1"/></dynamy>)xml";
 }
 
-struct Case {
+struct TableCase {
   const char* law;
   std::string scene;
   bool followed = true;
 };
 
-std::vector<Case> cases() {
+std::vector<TableCase> tableCases() {
   const std::string slip = R"(slipVelocity="x_dot")", gap = R"(gap="x")";
   return {
       {"Bilateral", slider(gap, "<Bilateral/>")},
-      {"Unilateral", ball("<Unilateral/>")},
-      {"UnilateralCoulomb", ball(R"(<UnilateralCoulomb mu="0.3"/>)")},
+      {"Unilateral", thrownBall("<Unilateral/>")},
+      {"UnilateralCoulomb", thrownBall(R"(<UnilateralCoulomb mu="0.3"/>)")},
       {"UnilateralStribeck",
-       ball(R"(<UnilateralStribeck mu="0.4" kineticMu="0.2" speed="0.05"/>)")},
-      {"UnilateralOrthotropic", ball(R"(<UnilateralOrthotropic mu1="0.1" mu2="0.3"/>)")},
-      {"UnilateralDrilling", ball(R"(<UnilateralDrilling mu="0.3" radius="2mm"/>)")},
-      {"UnilateralRolling", ball(R"(<UnilateralRolling mu="0.3" rolling="0.1mm"/>)")},
-      {"UnilateralAdhesion", ball(R"(<UnilateralAdhesion force="1"/>)")},
-      {"UnilateralAdhesion", ball(R"(<UnilateralAdhesion force="1" mu="0.3"/>)"), false},
+       thrownBall(R"(<UnilateralStribeck mu="0.4" kineticMu="0.2" speed="0.05"/>)")},
+      {"UnilateralOrthotropic", thrownBall(R"(<UnilateralOrthotropic mu1="0.1" mu2="0.3"/>)")},
+      {"UnilateralDrilling", thrownBall(R"(<UnilateralDrilling mu="0.3" radius="2mm"/>)")},
+      {"UnilateralRolling", thrownBall(R"(<UnilateralRolling mu="0.3" rolling="0.1mm"/>)")},
+      {"UnilateralAdhesion", thrownBall(R"(<UnilateralAdhesion force="1"/>)")},
+      {"UnilateralAdhesion", thrownBall(R"(<UnilateralAdhesion force="1" mu="0.3"/>)"), false},
       {"GivenFriction", slider(slip, R"(<GivenFriction force="5"/>)")},
       {"StribeckFriction",
        slider(slip, R"(<StribeckFriction force="5" kineticForce="3" speed="0.1"/>)")},
@@ -86,12 +86,12 @@ std::map<std::string, std::string> documented() {
 
 TEST(LocatedLaws, AreFollowedOrRefusedByNameAsTheTableSays) {
   std::map<std::string, int> followed, all;
-  for (const Case& c : cases()) {
+  for (const TableCase& c : tableCases()) {
     LocatedRun run(c.scene, 1e-6, 1.0);
     const RunReport& r = run.run();
     EXPECT_EQ(r.ended == RunReport::Ended::finished, c.followed) << c.law << ": " << r.reason;
     EXPECT_EQ(r.refused, !c.followed) << c.law;
-    EXPECT_EQ(r.undecided, 0) << c.law;
+    EXPECT_EQ(r.located.undecided, 0) << c.law;
     EXPECT_EQ(r.stepping.periods, 0) << c.law;
     if (!c.followed) {
       EXPECT_NE(r.reason.find(std::string("<") + c.law + ">"), std::string::npos) << r.reason;
@@ -138,7 +138,8 @@ class OwnSet final : public SetValuedForceLaw {
 };
 
 TEST(LocatedLaws, OfUsersAreRefusedByNameWithoutAShape) {
-  LocatedRun run(ball("<OwnSet/>"), 1e-6, 1.0, {}, [](Registry& r) { r.add<OwnSet>("OwnSet"); });
+  LocatedRun run(thrownBall("<OwnSet/>"), 1e-6, 1.0, {},
+                 [](Registry& r) { r.add<OwnSet>("OwnSet"); });
   EXPECT_EQ(run.run().ended, RunReport::Ended::failed);
   EXPECT_NE(run.report().reason.find("<OwnSet>"), std::string::npos) << run.report().reason;
 }
@@ -158,7 +159,7 @@ TEST(LocatedLaws, LetGoWhereTheirScaleJumps) {
                      tol, std::stod(w) + 1.0);
       ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
       EXPECT_NEAR(run.state().q[0], 0.75, tol) << w << " " << tol;
-      EXPECT_EQ(run.report().switches, 1) << w << " " << tol;
+      EXPECT_EQ(run.report().contacts.switches, 1) << w << " " << tol;
     }
 }
 
@@ -172,7 +173,7 @@ TEST(LocatedLaws, PullUpToTheirForceAndNoLonger) {
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   const double tau = 1.0 - 2.962 / 4.0;
   EXPECT_NEAR(run.state().q[0], tau * tau / 0.4 + 4.0 * tau * tau * tau / 1.2, 1e-9);
-  EXPECT_EQ(run.report().switches, 1);
+  EXPECT_EQ(run.report().contacts.switches, 1);
 }
 
 }  // namespace

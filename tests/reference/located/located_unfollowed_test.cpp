@@ -12,15 +12,16 @@ namespace dynamy::reference {
 namespace {
 
 /// A scene of bodies in space with gravity, plastic contacts and friction between all of them.
-std::string scene(const std::string& bodies, const std::string& ground,
-                  const std::string& law = R"(mu="0.5")") {
+std::string plasticScene(const std::string& bodies, const std::string& ground,
+                         const std::string& law = R"(mu="0.5")") {
   return R"(<dynamy version="1"><systems>)" + bodies + R"(<Ground name="world">)" + ground +
          R"(</Ground></systems><forces><Gravity/></forces><elements><Contact between="a a">)" +
          "<UnilateralCoulomb " + law +
          R"(/></Contact></elements><simulation until="1" step="1"/>)" + "</dynamy>";
 }
 
-std::string body(const std::string& name, const std::string& attributes, const std::string& shape) {
+std::string plasticBody(const std::string& name, const std::string& attributes,
+                        const std::string& shape) {
   return "<RigidBody name=\"" + name + "\" " + attributes + "><" + shape +
          R"( mass="1" material="a"/></RigidBody>)";
 }
@@ -34,13 +35,13 @@ bool warnsOfStepping(const RunReport& r) {
 TEST(LocatedUnfollowed, BodiesThatTumbleApartFromEachOtherAreLocated) {
   // A capsule, a cylinder and a box fall side by side: nearer features follow each other at any
   // distance, and nothing touches. Free flight in closed form.
-  const std::string bodies =
-      body("rod", R"(position="0 0 5" angularVelocity="3 2 1")",
-           R"(Capsule radius="0.1" length="0.4")") +
-      body("can", R"(position="0.6 0 5" angularVelocity="5 -2 4")",
-           R"(Cylinder radius="0.1" length="0.3")") +
-      body("box", R"(position="0 0.6 5" angularVelocity="1 7 2")", R"(Box size="0.2 0.3 0.1")");
-  LocatedRun run(scene(bodies, R"(<HalfSpace normal="0 0 1" material="a"/>)"), 1e-9, 0.9);
+  const std::string bodies = plasticBody("rod", R"(position="0 0 5" angularVelocity="3 2 1")",
+                                         R"(Capsule radius="0.1" length="0.4")") +
+                             plasticBody("can", R"(position="0.6 0 5" angularVelocity="5 -2 4")",
+                                         R"(Cylinder radius="0.1" length="0.3")") +
+                             plasticBody("box", R"(position="0 0.6 5" angularVelocity="1 7 2")",
+                                         R"(Box size="0.2 0.3 0.1")");
+  LocatedRun run(plasticScene(bodies, R"(<HalfSpace normal="0 0 1" material="a"/>)"), 1e-9, 0.9);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   EXPECT_EQ(run.report().stepping.periods, 0);
   EXPECT_FALSE(warnsOfStepping(run.report()));
@@ -52,10 +53,10 @@ TEST(LocatedUnfollowed, ARodThatFallsFlatOnABoxIsLocated) {
   // Its two ends touch at once, and stay the contacts of the pair: by 0.5 m in √(2·0.5/g), where it
   // comes to rest without rebound. Instants of impacts are as far off as positions over the speed
   // there: 1e-6 L/v, L < 10 m.
-  const std::string rod = body("rod", R"(position="0 0 0.6")",
-                               R"(Capsule radius="0.1" length="0.4" euler="90deg 0 0")");
-  LocatedRun run(scene(rod, R"(<Box size="2 2 0.2" position="0 0 -0.1" material="a"/>)"), 1e-6,
-                 0.6);
+  const std::string rod = plasticBody("rod", R"(position="0 0 0.6")",
+                                      R"(Capsule radius="0.1" length="0.4" euler="90deg 0 0")");
+  LocatedRun run(plasticScene(rod, R"(<Box size="2 2 0.2" position="0 0 -0.1" material="a"/>)"),
+                 1e-6, 0.6);
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   EXPECT_EQ(run.report().stepping.periods, 0);
   const double touch = std::sqrt(2.0 * 0.5 / 9.81), v = 9.81 * touch;

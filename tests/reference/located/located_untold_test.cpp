@@ -5,6 +5,7 @@
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <reference/located/located_run.hpp>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
@@ -68,7 +69,7 @@ class Round final : public NonSmoothElement {
   double side_;
 };
 
-void types(Registry& r) { r.add<Round<true>>("ToldRound"), r.add<Round<false>>("BareRound"); }
+void roundTypes(Registry& r) { r.add<Round<true>>("ToldRound"), r.add<Round<false>>("BareRound"); }
 
 std::string number(double x) { return numberText(x); }
 
@@ -88,7 +89,6 @@ double angle(const State& x) { return std::atan2(x.q[0], -x.q[1]); }
 /// Half the square of the speed at `phi`, let go at `from` inside with friction:
 /// dw/dφ = −g (sin φ + μ cos φ) − 2μ w.
 double halfSquare(double mu, double from, double phi) {
-  constexpr double kG = 9.81;
   const double c = kG / (1.0 + 4.0 * mu * mu), a = -3.0 * mu * c, b = (1.0 - 2.0 * mu * mu) * c;
   const auto forced = [&](double x) { return a * std::sin(x) + b * std::cos(x); };
   return forced(phi) - forced(from) * std::exp(-2.0 * mu * (phi - from));
@@ -104,21 +104,22 @@ TEST(LocatedUntold, ABeadComesToRestWhereTheClosedFormSays) {
   ASSERT_LT(std::tan(low), kMu);  // and stays there
   for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
     LocatedRun bead(onCircle("BareRound", kFrom, 0.0, "<UnilateralCoulomb mu=\"0.4\"/>"), tolerance,
-                    3.0, {}, types);
+                    3.0, {}, roundTypes);
     ASSERT_EQ(bead.run().ended, RunReport::Ended::finished) << bead.report().reason;
     // A slip of 1 m in a second: the errors of its steps are within ten tolerances (theory 50.6).
     EXPECT_NEAR(angle(bead.state()), low, 10.0 * tolerance) << tolerance;
     EXPECT_NEAR(bead.state().q.norm(), 1.0, tolerance);
     EXPECT_LT(bead.state().u.norm(), 1e-15);  // rounding
-    EXPECT_EQ(bead.report().undecided, 0);
-    RecordProperty("evaluations " + number(tolerance), std::to_string(bead.report().evaluations));
+    EXPECT_EQ(bead.report().located.undecided, 0);
+    RecordProperty("evaluations " + number(tolerance),
+                   std::to_string(bead.report().cost.evaluations));
   }
 }
 
 TEST(LocatedUntold, ABeadStaysInALoopThatItsWeightAloneWouldLeave) {
   // At the top, with v² = 1.5 g: decided with forces that the turn of the row has a part in.
   LocatedRun bead(onCircle("BareRound", M_PI, std::sqrt(1.5 * 9.81), "<Unilateral/>"), 1e-9, 2.0,
-                  {}, types);
+                  {}, roundTypes);
   ASSERT_EQ(bead.run().ended, RunReport::Ended::finished) << bead.report().reason;
   EXPECT_TRUE(bead.changes("round", Status::open).empty());
   const State& x = bead.state();
@@ -128,7 +129,7 @@ TEST(LocatedUntold, ABeadStaysInALoopThatItsWeightAloneWouldLeave) {
 }
 
 TEST(LocatedUntold, ABeadLeavesASphereAtTwoThirdsOfItsHeight) {
-  constexpr double kSpeed = 0.5, kG = 9.81, kTolerance = 1e-9;
+  constexpr double kSpeed = 0.5, kTolerance = 1e-9;
   // At z = 2/3 + v²/(3g), with the speed √(gz), after ∫ dφ/√(v² + 2g(1 − cos φ)).
   const double z = 2.0 / 3.0 + kSpeed * kSpeed / (3.0 * kG), v = std::sqrt(kG * z);
   constexpr int kPieces = 200000;  // the midpoint rule: 1e-12
@@ -138,7 +139,7 @@ TEST(LocatedUntold, ABeadLeavesASphereAtTwoThirdsOfItsHeight) {
     leaves += d / std::sqrt(kSpeed * kSpeed + 2.0 * kG * (1.0 - std::cos(phi)));
   }
   LocatedRun bead(onCircle("BareRound", M_PI, kSpeed, "<Unilateral/>", -1.0), kTolerance, 1.0, {},
-                  types);
+                  roundTypes);
   ASSERT_EQ(bead.run().ended, RunReport::Ended::finished) << bead.report().reason;
   const auto left = bead.changes("round", Status::open);
   ASSERT_EQ(left.size(), 1U);
@@ -162,22 +163,23 @@ std::string inSphere(const std::string& type) {
 }
 
 TEST(LocatedUntold, SpatialSlipEndsWhereItDoesForAnElementThatTellsItsBias) {
-  LocatedRun told(inSphere("ToldRound"), 1e-12, 3.0, {}, types);
+  LocatedRun told(inSphere("ToldRound"), 1e-12, 3.0, {}, roundTypes);
   ASSERT_EQ(told.run().ended, RunReport::Ended::finished) << told.report().reason;
   for (const double tolerance : {1e-5, 1e-8, 1e-10}) {
-    LocatedRun bare(inSphere("BareRound"), tolerance, 3.0, {}, types);
+    LocatedRun bare(inSphere("BareRound"), tolerance, 3.0, {}, roundTypes);
     ASSERT_EQ(bare.run().ended, RunReport::Ended::finished) << bare.report().reason;
     // Ten tolerances, as for methods with a bias (theory 50.6).
     EXPECT_NEAR((bare.state().q - told.state().q).norm(), 0.0, 10.0 * tolerance) << tolerance;
     EXPECT_NEAR((bare.state().u - told.state().u).norm(), 0.0, 10.0 * tolerance) << tolerance;
-    RecordProperty("evaluations " + number(tolerance), std::to_string(bare.report().evaluations));
+    RecordProperty("evaluations " + number(tolerance),
+                   std::to_string(bare.report().cost.evaluations));
   }
 }
 
 TEST(LocatedUntold, AResumedRunGoesOnBitForBit) {
   const std::string model = inSphere("BareRound");
-  LocatedRun whole(model, 1e-7, 0.5, {}, types), first(model, 1e-7, 0.2, {}, types),
-      second(model, 1e-7, 0.5, {}, types);
+  LocatedRun whole(model, 1e-7, 0.5, {}, roundTypes), first(model, 1e-7, 0.2, {}, roundTypes),
+      second(model, 1e-7, 0.5, {}, roundTypes);
   whole.run(), first.run();
   second.simulation().resume(first.simulation().checkpoint());
   second.run();

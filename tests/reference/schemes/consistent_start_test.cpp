@@ -128,7 +128,7 @@ TEST(ConsistentStart, BodiesAreMovedOntoJointsThatDoNotFit) {
   EXPECT_NEAR(r.start.positions.off, 0.2, 1e-12);
   EXPECT_LT(r.start.positions.left, 1e-11);
   EXPECT_NE(find(r.warnings, "start positions"), nullptr);
-  EXPECT_LT(r.jointError.value, 1e-9);
+  EXPECT_LT(r.gaps.jointError.value, 1e-9);
   EXPECT_FALSE(r.qualified());
 }
 

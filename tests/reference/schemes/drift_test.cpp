@@ -7,13 +7,13 @@
 namespace dynamy::reference {
 namespace {
 
-struct Kept {
+struct KeptSwing {
   double length = 0.0, energy = 0.0;  ///< largest | |r| − l | [m] and |T + V − E0| [J]
 };
-Kept swing(const std::string& scheme, double t, double dt) {
+KeptSwing swing(const std::string& scheme, double t, double dt) {
   Scene scene("pendulum", {.text = modelWith(scheme, kRodPendulum)});
   const double start = scene.energy();
-  Kept out;
+  KeptSwing out;
   scene.run(t, dt, [&] {
     out.length = std::max(out.length, std::abs(scene.q("bob").norm() - 1.0));
     out.energy = std::max(out.energy, std::abs(scene.energy() - start));
@@ -27,7 +27,7 @@ const char* const kStabilised[] = {"EnergyMomentum", "StaggeredMoreau", "Nonsmoo
 TEST(Drift, IsNoneInTheStabilisedSchemes) {
   // Mark: 1e-8 m and 1e-3 J. Joints are projected to a tenth of g_tol = 1e-12 m.
   for (const char* scheme : kStabilised) {
-    const Kept kept = swing(scheme, 10.0, 1e-3);
+    const KeptSwing kept = swing(scheme, 10.0, 1e-3);
     EXPECT_LT(kept.length, 1e-12) << scheme;
     EXPECT_LT(kept.energy, 1e-3) << scheme;
   }
@@ -35,7 +35,7 @@ TEST(Drift, IsNoneInTheStabilisedSchemes) {
 
 TEST(LongDrift, IsNoneInTheStabilisedSchemesOver1000Seconds) {
   for (const char* scheme : kStabilised) {
-    const Kept kept = swing(scheme, 1000.0, 1e-3);
+    const KeptSwing kept = swing(scheme, 1000.0, 1e-3);
     EXPECT_LT(kept.length, 1e-12) << scheme;
     EXPECT_LT(kept.energy, 1e-3) << scheme;
     RecordProperty(scheme, numberText(kept.energy));

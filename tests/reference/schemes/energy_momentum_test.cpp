@@ -19,7 +19,7 @@ std::string model(const std::string& body) {
 /// Largest position error of the joints at the present state [m, –].
 double jointError(Scene& scene) {
   double worst = 0.0;
-  const ContactSet& c = scene.system().evaluate(scene.state(), 1).contacts;
+  const ContactSet& c = scene.system().evaluate(scene.state(), {.slot = 1}).contacts;
   for (int i = 0; i < c.size(); ++i)
     if (c.law[static_cast<std::size_t>(i)]->rowKind(0) == RowKind::joint)
       for (int r = c.row0[static_cast<std::size_t>(i)]; r < c.row0[static_cast<std::size_t>(i) + 1];
@@ -204,8 +204,9 @@ TEST(EnergyMomentum, TakesRedundantJoints) {
 
 TEST(EnergyMomentum, AStepThatNoHalvesHelpHasAnEnd) {
   // Two rods of fixed length hold one ball; their ends move apart beyond the sum of the lengths, so
-  // that no position fits. Five tries of 25 turns at most: the whole, three first halves, and the
-  // next part; the rest goes the simpler way at once, whose few sweeps count as well.
+  // that no position fits. Five tries: the whole, three first halves, and the next part. In the
+  // second or third turn of each the iteration is seen to diverge; the rest goes the simpler way at
+  // once, whose few sweeps count as well.
   const std::string torn =
       "<systems><RigidBody name=\"a\" position=\"0 0 0.1\" mass=\"1\" inertia=\"1 1 1\"/>"
       "<Ground name=\"world\"/></systems><elements>"
@@ -218,8 +219,8 @@ TEST(EnergyMomentum, AStepThatNoHalvesHelpHasAnEnd) {
     EXPECT_TRUE(scene.report().simpler);
   });
   EXPECT_FALSE(scene.solved());
-  EXPECT_GT(turns, 25);
-  EXPECT_LE(newton, 5 * 25);
+  EXPECT_GE(turns, 5 * 2);
+  EXPECT_LE(newton, 5 * 3);
   // Where failure follows failure 1, 3, 7, 15, 15, … parts in a row are not tried. A step that is has
   // four of them at least, so that one in 12 is tried: of 62 more 6 at most, with the first ones.
   int tried = 0;

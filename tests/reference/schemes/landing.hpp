@@ -65,7 +65,8 @@ inline Landing land(const std::string& file, double k, double dt, double until, 
     const bool failed = count.unsolved > unsolved;
     out.unsolvedSteps += failed, out.silent += failed && scene.report().solved.ok();
     newton = count.newton, sweeps = count.sweeps, unsolved = count.unsolved;
-    out.overlap = std::max(out.overlap, largestOverlap(scene.system().evaluate(x, 1).contacts));
+    out.overlap =
+        std::max(out.overlap, largestOverlap(scene.system().evaluate(x, {.slot = 1}).contacts));
     evaluations = scene.system().evaluations();
   });
   out.worst = count.worst;

@@ -47,7 +47,7 @@ MatrixXd implicitMass(const MechanicalSystem& system, Eigen::Index nu) {
   MatrixXd inverse(nu, nu);
   Eigen::VectorXd column(nu);
   for (Eigen::Index j = 0; j < nu; ++j) {
-    system.applyInverseMass(Eigen::VectorXd::Unit(nu, j), column);
+    system.problem().applyInverseMass(Eigen::VectorXd::Unit(nu, j), column);
     inverse.col(j) = column;
   }
   return inverse.inverse();
@@ -92,9 +92,9 @@ TEST(Preconditioning, HoldsForTheTangentOfTheImplicitMidpoint) {
   for (const double dt : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     Scene scene("double", {.text = modelWith("EnergyMomentum", kDouble)});
     JointNewton newton;
-    ASSERT_TRUE(newton.begin(scene.system(), scene.state(), dt));
+    ASSERT_TRUE(newton.equations.begin(scene.system(), scene.state(), dt));
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(4);
-    newton.residual(scene.system(), none);
+    newton.equations.evaluate(scene.system(), none);
     ASSERT_TRUE(newton.linearise(scene.system(), none));
     MatrixXd inverse = MatrixXd::Identity(newton.unknowns(), newton.unknowns());
     for (int j = 0; j < newton.unknowns(); ++j) newton.solve(inverse.col(j).data());

@@ -100,11 +100,11 @@ TEST_P(SchemeImpacts, KanesRodGainsNoEnergyAndTheGainIsReported) {
     // rules add there is rounding, the impact itself is judged to 1e-8 of what it turns over.
     EXPECT_LE(report.energy.end(), report.energy.start() * (1.0 + 1e-6));
     if (*law) {
-      EXPECT_EQ(report.repairedImpacts, 0);
+      EXPECT_EQ(report.contacts.repairedImpacts, 0);
     } else {
-      EXPECT_GE(report.repairedImpacts, 1);
+      EXPECT_GE(report.contacts.repairedImpacts, 1);
       // The step finds the tip turned by some 1e-3 rad: 1 % of F05's figure.
-      EXPECT_NEAR(report.energyGain.value, 0.124967413624, 2e-3);
+      EXPECT_NEAR(report.contacts.energyGain.value, 0.124967413624, 2e-3);
     }
   }
 }

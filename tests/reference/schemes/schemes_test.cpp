@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <build_paths.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iomanip>
 #include <reference/schemes/scheme_table.hpp>
@@ -19,6 +20,23 @@ std::string_view lacking(const std::string& scheme, Situation situation) {
   if (situation == Situation::freeFlight || situation == Situation::joint) return {};
   Scene scene("scene", {.text = modelWith(scheme, droppedBall(0.5))});
   return scene.model().scheme().lacks(asked(situation));
+}
+
+TEST(SchemeTable, NamesEverySchemeThatTakesGivenSteps) {
+  Registry registry;
+  registerFramework(registry);
+  int schemes = 0;
+  for (const RegisteredType* type : registry.types()) {
+    if (type->kind != Kind::scheme) continue;
+    Scene scene("scene", {.text = modelWith(type->name, droppedBall(0.5))});
+    if (scene.model().scheme().choosesSteps()) continue;
+    ++schemes;
+    EXPECT_TRUE(std::any_of(
+        std::begin(kAllSchemes), std::end(kAllSchemes),
+        [&](const SchemeOrders& s) { return std::string_view(s.xml).starts_with(type->name); }))
+        << type->name << " has no row in scheme_table.hpp";
+  }
+  EXPECT_GE(schemes, 12);
 }
 
 using Cell = std::tuple<SchemeOrders, Situation>;

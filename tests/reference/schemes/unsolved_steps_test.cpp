@@ -28,7 +28,7 @@ class GivesUp final : public InclusionSolver {
 
 /// A ball that hits the floor while a pendulum swings: joint, impact, and, with `project`, a
 /// projection after the step.
-std::string model(const std::string& scheme, const std::string& project) {
+std::string ballAndPendulum(const std::string& scheme, const std::string& project) {
   return R"(<dynamy version="1"><systems>
 <PointMass name="bob" plane="xz" position="-1 0 2" mass="1" velocity="0 0 -1"/>
 <RigidBody name="ball" position="3 0 0.1001" velocity="0.5 0 -1"><Sphere radius="0.1" mass="1" material="rubber"/></RigidBody>
@@ -50,7 +50,7 @@ TEST_P(EveryScheme, ReportsEachInclusionThatWasNotSolved) {
   for (int k = 0; k < 40; ++k) {
     auto owned = std::make_unique<GivesUp>();
     GivesUp& solver = *owned;
-    Scene scene("unsolved", {.solver = std::move(owned), .text = model(scheme, project)});
+    Scene scene("unsolved", {.solver = std::move(owned), .text = ballAndPendulum(scheme, project)});
     scene.step(1e-3);
     ASSERT_TRUE(scene.report().solved.ok()) << scheme << ": not with a solver that works either";
     solver.calls = 0, solver.last = k;

@@ -3,6 +3,7 @@
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/law/standard_laws.hpp>
+#include <dynamy/located/phase/phase_request.hpp>
 #include <dynamy/solver/prox_solvers.hpp>
 #include <dynamy/stages/mechanical_system.hpp>
 #include <functional>
@@ -63,8 +64,14 @@ struct SledgeScene {
     parts.topology = &topology, parts.contacts = {&floor}, parts.impactLaw = &impact;
     system = std::make_unique<MechanicalSystem>(parts, 2);
     system->gTol(1e-12);
-    system->bias(true);
     x.q = q, x.u = u;
+  }
+  /// With the bias of the rows, as located runs request it; of the contacts `held` alone, ascending.
+  const Evaluation& evaluate(const State& at, int slot = 0) {
+    return system->evaluate(at, {.slot = slot, .bias = true});
+  }
+  const Evaluation& evaluate(const State& at, std::span<const ContactKey> held, int slot = 0) {
+    return system->evaluate(at, PhaseRequest{}.holding(held, slot));
   }
   ContactKey key(int i = 0) const { return contactKey(0, static_cast<std::uint64_t>(i)); }
   Sledge sledge;
@@ -76,5 +83,11 @@ struct SledgeScene {
   ProxGaussSeidel solver;
   State x;
 };
+
+/// Gravity and friction of scenes with it, and the rounding of its forces and accelerations:
+/// numbers of size 10 through a solve of up to four unknowns.
+inline constexpr double kSledgeG = SledgeScene::kG, kSledgeMu = 0.5, kSledgeRounding = 1e-13;
+/// The solver's default tolerance of 1e-10, relative to numbers of size 1 to 10.
+inline constexpr double kSolved = 1e-8;
 
 }  // namespace dynamy::fixture

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <dynamy/stages/bias_differences.hpp>
+#include <limits>
+#include <support/gravity.hpp>
 
 #include "unit/stages/stage_fixture.hpp"
 
@@ -11,8 +14,6 @@ namespace {
 using Eigen::VectorXd;
 using fixture::Pair;
 using fixture::Scene;
-
-constexpr double kG = 9.81;
 
 const InclusionProblem& pose(Scene& s, double dt) {
   s.system->evaluate(s.x);
@@ -85,7 +86,7 @@ double scaleAhead(const SetValuedForceLaw& law) {
   system.gTol(1e-12);
   State x;
   x.q = q, x.u = u;
-  const ContactSet& c = system.evaluateAhead(x, 0.1).contacts;
+  const ContactSet& c = system.evaluate(x, {.ahead = 0.1}).contacts;
   return c.size() == 1 ? c.scale[0] : -1.0;
 }
 
@@ -126,13 +127,14 @@ TEST(MechanicalSystem, DifferencesOfTheBiasAreShorterWhereAContactComes) {
     SystemParts parts;
     parts.topology = &topology, parts.contacts = {&bead}, parts.impactLaw = &impact;
     MechanicalSystem system(parts);
-    system.gTol(1e-12), system.bias(true);
+    system.gTol(1e-12);
     const std::vector<int> untold = {0};
     const VectorXd scales = VectorXd::Constant(2, 100.0);
-    system.differences(untold, scales, 1.0);
+    BiasDifferences differences;
+    differences.of(untold, scales, 1.0);
     State x;
     x.q = q, x.u = u;
-    const ContactSet& c = system.evaluate(x).contacts;
+    const ContactSet& c = system.evaluate(x, {.bias = true, .differences = &differences}).contacts;
     ASSERT_EQ(c.size(), 1);
     // γ = n·u = 9 s/√(1 + 9 s²); truncation d⁴ γ⁽⁵⁾/30 = 1.1e-9 with d = 1e-3 s.
     EXPECT_NEAR(c.bias[0], 9.0, 1e-8) << edge;
@@ -216,7 +218,7 @@ TEST(MechanicalSystem, StartsFromRememberedPercussionsByKeyInAnyOrder) {
   std::reverse(s.stack.pairs.begin(), s.stack.pairs.end());
   pose(s, 1e-3);
   for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(s.system->Lambda()[i], before[static_cast<std::size_t>(2 - i)]);
+    EXPECT_EQ(s.system->problem().Lambda()[i], before[static_cast<std::size_t>(2 - i)]);
 }
 
 TEST(MechanicalSystem, ScalesTheStartWithTheStep) {
@@ -224,7 +226,7 @@ TEST(MechanicalSystem, ScalesTheStartWithTheStep) {
   s.step(1e-3);
   const double before = s.x.impulses.Lambda[0];
   pose(s, 5e-4);
-  EXPECT_EQ(s.system->Lambda()[0], 0.5 * before);
+  EXPECT_EQ(s.system->problem().Lambda()[0], 0.5 * before);
 }
 
 TEST(MechanicalSystem, StartsNewContactsFromZero) {
@@ -233,14 +235,27 @@ TEST(MechanicalSystem, StartsNewContactsFromZero) {
   const double before = s.x.impulses.Lambda[1];
   s.stack.pairs = {{7, 0, -1}, {1, 1, 0}};
   pose(s, 1e-3);
-  EXPECT_EQ(s.system->Lambda()[0], 0.0);
-  EXPECT_EQ(s.system->Lambda()[1], before);
+  EXPECT_EQ(s.system->problem().Lambda()[0], 0.0);
+  EXPECT_EQ(s.system->problem().Lambda()[1], before);
 }
 
 TEST(MechanicalSystem, NamesASystemWhoseMassIsNotPositiveDefinite) {
   Scene s(VectorXd{{1.0, -2.0}}, VectorXd{{0.0, 0.0}}, VectorXd{{0.0, 0.0}});
   s.system->evaluate(s.x);
   EXPECT_EQ(s.system->indefiniteMass(), 0);
+}
+
+TEST(MechanicalSystem, PushesOverlapsOutInTheTimeOfAWholeStep) {
+  // A rough step, 0.1 m in the ground: γ_free = g/Δt, whatever the length of a part.
+  Scene s(VectorXd::Ones(1), VectorXd::Constant(1, -0.1), VectorXd::Zero(1), {{0, 0, -1}});
+  PositionAim aim;
+  aim.dead = -std::numeric_limits<double>::infinity();
+  for (const double dt : {1e-9, 0.01, 0.1}) {
+    s.system->limits.pushOut = 0.01;
+    s.system->evaluate(s.x);
+    const double gammaFree = s.system->impactProblem(s.x, dt, 0, &aim).gammaFree[0];
+    EXPECT_NEAR(gammaFree, -0.1 / std::max(dt, 0.01) - kG * dt, 1e-12) << dt;
+  }
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST(Projection, TouchesWhatIsAboutToCloseAndOpensNothingThatCarries) {
   LinkedMasses s(kMasses, Vector2d(1e-3, 0.0), Vector2d::Zero(), {}, {{0, 0, 1}, {1, 1, -1}});
   carried(s);
   s.x.impulses.Lambda[0] = 0.0;
-  s.system->evaluate(s.x, 0, 1e-2);
+  s.system->evaluate(s.x, {.reach = 1e-2});
   ASSERT_TRUE(Projection().touch(*s.system, s.x, {contactKey(0, 0)}, 1e-12));
   EXPECT_NEAR(s.x.q[0], 0.0, 1e-3 * kSolved);
   EXPECT_NEAR(s.x.q[1], 0.0, 1e-3 * kSolved);

@@ -54,8 +54,8 @@ TEST(StiffPart, KnowsTheLimitOfExplicitRules) {
   Springs springs;
   MechanicalSystem& s = *springs.scene.system;
   s.evaluate(springs.scene.x);
-  EXPECT_FALSE(s.explicitIsUnstable(springs.scene.x, 1.999e-3, 2.0, 0));
-  EXPECT_TRUE(s.explicitIsUnstable(springs.scene.x, 2.001e-3, 2.0, 0));
+  EXPECT_FALSE(explicitIsUnstable(s, 0, springs.scene.x, 1.999e-3, 2.0));
+  EXPECT_TRUE(explicitIsUnstable(s, 0, springs.scene.x, 2.001e-3, 2.0));
 }
 
 }  // namespace

@@ -1,25 +1,10 @@
-// Shapes along the path of a step: which shapes are fast, and which
-// contact is passed first (theory 37).
-//
-//   fast       way of both together > thickness (half the least width) of the thinner shape
-//   passed     gap below −d somewhere on the path, d = 1e-6 of the thickness
-//
-// In axes of one of two shapes, a point of the other moves almost straight during a piece. The
-// distance from a convex set is convex along a straight line: a minimum is found by sections.
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
-#include <dynamy_elements/contacts/pairs/between_discs.hpp>
-#include <dynamy_elements/contacts/pairs/box_contact.hpp>
-#include <dynamy_elements/contacts/pairs/cone_side.hpp>
-#include <dynamy_elements/contacts/pairs/disc_on_mesh.hpp>
-#include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
-#include <dynamy_elements/contacts/pairs/round_contact.hpp>
-#include <dynamy_elements/contacts/pairs/smooth_contact.hpp>
-#include <dynamy_elements/contacts/pairs/surface_contact.hpp>
 #include <dynamy_elements/contacts/search/first_below.hpp>
 #include <dynamy_elements/contacts/search/moving_frame.hpp>
-#include <dynamy_elements/contacts/search/shape_contacts.hpp>
+#include <dynamy_elements/contacts/search/near_pairs.hpp>
+#include <dynamy_elements/contacts/search/shape_sweep.hpp>
 
 namespace dynamy {
 namespace {
@@ -35,8 +20,6 @@ constexpr double kLeastDepth = 16.0;
 constexpr double kTiming = 0.1;
 /// Largest turn of one piece [rad].
 constexpr double kLargestTurn = 0.5;
-/// Distance, in radii of a ball, from which on it searches for a surface that it may pass.
-constexpr double kSeen = 1000.0;
 /// Most parts of a piece; within a part bodies are taken to move straight.
 constexpr int kMostSweptParts = 64;
 /// Most pieces of half a step: bodies that turn by more than a thousand
@@ -110,10 +93,6 @@ double crossing(Gap& gap, double a, double b, double level, double width) {
   return a;
 }
 
-}  // namespace
-
-namespace {
-
 double thickness(const TouchingShape& A, const TouchingShape& B) {
   return std::min(A.thickness, B.thickness);
 }
@@ -121,19 +100,19 @@ double thickness(const TouchingShape& A, const TouchingShape& B) {
 }  // namespace
 
 template <class F>
-void ShapeContacts::forNearPairs(F&& f) const {
+void ShapeSweep::forNearPairs(F&& f) {
   const int n = static_cast<int>(balls_.size());
-  for (const int h : flats_)
+  for (const int h : shapes_->halfSpaces())
     for (int i = 0; i < n; ++i)
       if (i != h && balls_[static_cast<std::size_t>(i)].radius >= 0.0)
-        if (const Pair pair = pairOf(h, i)) f(pair);
-  for (const auto& [i, j] : nearPairs(BroadPhase::kPassed))
-    if (const Pair pair = pairOf(i, j)) f(pair);
+        if (const TouchingPair pair = rules_->pair(h, i)) f(pair);
+  for (const auto& [i, j] : nearPairs(broad_, balls_, BroadPhase::kPassed, *shapes_))
+    if (const TouchingPair pair = rules_->pair(i, j)) f(pair);
 }
 
-int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
+int ShapeSweep::pieces(const Kinematics& k, double dt) {
   // Nothing to do if no two shapes together move further than the thickness of the thinnest.
-  const std::vector<TouchingShape>& shapes = shapes_[0];
+  const std::vector<TouchingShape>& shapes = shapes_->inSpace();
   const auto way = [&](const TouchingShape& s) {
     const Frame& f = k.frame(s.frame);
     const double turn = f.Omega_I.norm();
@@ -146,7 +125,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
     const double w = way(s);
     second = std::max(second, std::min(most, w)), most = std::max(most, w);
   }
-  if (most + second <= thinnest_) return 0;
+  if (most + second <= shapes_->thinnest()) return 0;
   // Only pairs that are no further apart than twice their motion are tested below.
   balls_.clear();
   for (const TouchingShape& s : shapes) {
@@ -155,7 +134,7 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
     balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, out ? -1.0 : s.bound + 2.0 * way(s)});
   }
   double turn = -1.0;
-  forNearPairs([&](const Pair& pair) {
+  forNearPairs([&](const TouchingPair& pair) {
     const double thick = thickness(*pair.A, *pair.B);
     const Frame &A = k.frame(pair.A->frame), &B = k.frame(pair.B->frame);
     const double both =
@@ -170,119 +149,10 @@ int ShapeContacts::piecesToSweep(const Kinematics& k, double dt) const {
   return turn < 0.0 ? 0 : 2 * (half < kMostHalf ? std::max(1, static_cast<int>(half)) : kMostHalf);
 }
 
-namespace {
-
-template <class Contacts>
-double leastGap(const Contacts& found, int n) {
-  double least = kInfinity;
-  for (int c = 0; c < n; ++c) least = std::min(least, found[static_cast<std::size_t>(c)].at.g);
-  return least;
-}
-
-/// Largest gap at which b is found on a surface [m]; other gaps are known wherever b is.
-double gapsSeen(Meeting meets, const TouchingShape& b) {
-  switch (meets) {
-    case Meeting::ballOnSurface:
-    case Meeting::capsuleOnSurface:
-      return kSeen * b.bound;
-    case Meeting::smoothOnMesh:
-    case Meeting::discOnMesh:
-    case Meeting::polyhedronOnMesh:
-      return b.bound;
-    default:
-      return kInfinity;
-  }
-}
-
-/// Gap of b on the surface of a, limited to the largest gap at which b is found there.
-double gapOnSurface(Meeting meets, const Frame& A, const TouchingShape& a, const Frame& B,
-                    const TouchingShape& b) {
-  const double reach = gapsSeen(meets, b);
-  if (meets == Meeting::ballOnSurface) {
-    SurfaceContacts found;
-    const int n = a.surface->contacts(A, B, b.features[0], reach, found);
-    return std::min(reach, leastGap(found, n));
-  }
-  OnSurfaceContacts found;
-  const auto count = [&] {
-    if (meets == Meeting::smoothOnMesh)
-      return smoothOnMesh(A, *a.surface, B, b.features[0], reach, found);
-    if (meets == Meeting::discOnMesh)
-      return discOnMesh(A, *a.surface, discBody(B, b), reach, found);
-    if (meets == Meeting::capsuleOnSurface)
-      return capsuleOnSurface(A, *a.surface, B, b, reach, found);
-    return polyhedronOnMesh(A, *a.surface, placedPolyhedron(B, b), reach, false, found);
-  };
-  return std::min(reach, leastGap(found, count()));
-}
-
-}  // namespace
-
-/// Gap of feature f of B; if both shapes are boxes, their separation.
-double ShapeContacts::gap(const Pair& pair, std::size_t f, const Frame& A, const Frame& B) const {
-  const Vec3& plane = planes_[pair.rule->plane];
-  const TouchingShape &a = *pair.A, &b = *pair.B;
-  switch (pair.rule->meets) {
-    case Meeting::overHalfSpace:
-      return OverHalfSpace(A, a, B).gap(b.features[f]);
-    case Meeting::balls:
-      return betweenBalls(A, a.features[0], B, b.features[0], plane).g;
-    case Meeting::ballOnBox:
-      return ballOnBox(A, a, B, b.features[0], plane).g;
-    case Meeting::ballOnCapsule:
-      return ballOnCapsule(A, a, B, b.features[0], plane).g;
-    case Meeting::ballOnCylinder:
-      return ballOnCylinder(A, a, B, b.features[0]).g;
-    case Meeting::ballOnCone:
-      return ballOnCone(discBody(A, a), B, b.features[0]).g;
-    case Meeting::ballOnSurface:
-    case Meeting::capsuleOnSurface:
-    case Meeting::polyhedronOnMesh:
-    case Meeting::discOnMesh:
-    case Meeting::smoothOnMesh:
-      return gapOnSurface(pair.rule->meets, A, a, B, b);
-    case Meeting::capsules:
-    case Meeting::capsuleOnBox: {
-      RoundContacts found;
-      const bool capsules = pair.rule->meets == Meeting::capsules;
-      const int n =
-          capsules ? betweenCapsules(A, a, B, b, plane, found) : capsuleOnBox(A, a, B, b, found);
-      return leastGap(found, n);
-    }
-    case Meeting::polyhedra:
-      return separation(placedPolyhedron(A, a), placedPolyhedron(B, b));
-    case Meeting::smooth:
-      return betweenSmooth(A, a.features[0], B, b.features[0]).g;
-    case Meeting::smoothOnPolyhedron:
-      return smoothOnPolyhedron(placedPolyhedron(A, a), B, b.features[0]).g;
-    case Meeting::smoothOnDisc:
-      return smoothOnDisc(discBody(B, b), A, a.features[0]).g;
-    case Meeting::discs:
-      return separation(discBody(A, a), discBody(B, b));
-    case Meeting::discOnPolyhedron:
-      return separation(placedPolyhedron(A, a), discBody(B, b));
-    case Meeting::polygons:
-      return separation(PlacedPolygon{&A, &a.polygon_K, plane},
-                        PlacedPolygon{&B, &b.polygon_K, plane});
-    case Meeting::capsuleOnPolygon: {
-      CapsuleOnPolygon found;
-      return leastGap(found, capsuleOnPolygon({&A, &a.polygon_K, plane}, B, b, found));
-    }
-    case Meeting::ballOnPolygon:
-    case Meeting::ballOnContour:
-    case Meeting::smoothInPlane:
-    case Meeting::smoothOnPolygon:
-    case Meeting::capsuleOnSmooth:
-      return singleInPlane(pair, A, B, plane).g;
-    default:
-      return separation(placedBox(A, a), placedBox(B, b));
-  }
-}
-
-Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
+Passing ShapeSweep::firstPassing(const SweptPath& path, int element) {
   // Balls that enclose the shapes along the whole path.
   balls_.clear();
-  for (const TouchingShape& s : shapes_[0]) {
+  for (const TouchingShape& s : shapes_->inSpace()) {
     double way = 0.0;
     const auto first = static_cast<std::size_t>(s.frame.index * path.pieces());
     turns_.resize(std::max(turns_.size(), first + static_cast<std::size_t>(path.pieces())));
@@ -297,17 +167,17 @@ Passing ShapeContacts::firstPassing(const SweptPath& path, int element) const {
     balls_.push_back({f.r_OS_I + f.A_IK * s.p_K, flat ? -1.0 : s.bound + way});
   }
   Passing first;
-  forNearPairs([&](const Pair& pair) {
+  forNearPairs([&](const TouchingPair& pair) {
     const double thick = thickness(*pair.A, *pair.B);
     if (thick == kInfinity) return;
     double both = 0.0;
     for (int k = 0; k < path.pieces(); ++k) both += PairPiece(*pair.A, *pair.B, path, turns_, k).L;
     const SweptPose &A = path.pose(pair.A->frame, 0), &B = path.pose(pair.B->frame, 0);
     if (both <= thick || apart(*pair.A, *pair.B, A, B) > both) return;
-    const bool single = pair.rule->meets != Meeting::overHalfSpace;
-    const std::size_t features = single ? 1 : pair.B->features.size();
+    const std::size_t features = pair.rule->kernel->swept(*pair.B);
     for (std::size_t f = 0; f < features; ++f) {
-      if (pair.B->features[f].flatOnly) continue;  // its rim is tested instead
+      if (f < pair.B->features.size() && pair.B->features[f].flatOnly)
+        continue;  // its rim is tested instead
       Passing p = passing(pair, f, path, first.t);
       p.contact = contactKey(element, pair.id + f);
       if (p.t < first.t) first = p;
@@ -320,25 +190,27 @@ namespace {
 
 /// Number of parts, a power of 2, of a piece. The parts are so short that paths of points deviate
 /// from straight lines by a quarter of `depth`, and that nothing moves further than the largest gap
-/// at which it is found.
-int partsOf(Meeting meets, const TouchingShape& B, const PairPiece& piece, double depth) {
+/// at which it is found, `seen` [m].
+int partsOf(double seen, const PairPiece& piece, double depth) {
   const auto powerAbove = [](double wanted, int most) {
     int n = 1;
     while (n < wanted && n < most) n *= 2;
     return n;
   };
   return std::max(powerAbove(std::sqrt(piece.bend / (2.0 * depth)), kMostSweptParts),
-                  powerAbove(2.0 * piece.L / gapsSeen(meets, B), kMostReaches));
+                  powerAbove(2.0 * piece.L / seen, kMostReaches));
 }
 
 }  // namespace
 
-Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath& path,
-                               double latest) const {
+Passing ShapeSweep::passing(const TouchingPair& pair, std::size_t f, const SweptPath& path,
+                            double latest) const {
   const TouchingShape &a = *pair.A, &b = *pair.B;
   const double depth = std::max(kDepth * thickness(a, b), kLeastDepth * path.resolution());
   const double dt = path.dt() / path.pieces();
+  const PairKernel& kernel = *pair.rule->kernel;
   Frame A, B;
+  const PosedPair posed{a, b, A, B, shapes_->plane(pair.rule->plane)};
   double start = kInfinity, end = 0.0;
   int after = -1;  // the piece at the begin of which the gap is `end`
   for (int k = 0; k < path.pieces() && dt * k < latest; ++k) {
@@ -347,14 +219,14 @@ Passing ShapeContacts::passing(const Pair& pair, std::size_t f, const SweptPath&
     const MovingFrame moveA(piece.a), moveB(piece.b);
     auto gapAt = [&](double s) {
       moveA.at(s, A), moveB.at(s, B);
-      return gap(pair, f, A, B);
+      return kernel.gap(posed, f);
     };
     const double left = k == after ? end : gapAt(0.0), right = gapAt(1.0);
     if (k == 0) start = left;
     after = k + 1, end = right;
     // A contact that is closed at the start must not overlap more.
     const double limit = (start <= depth ? start : 0.0) - depth;
-    const FirstBelow search{limit, piece.L, 1.0 / partsOf(pair.rule->meets, b, piece, depth),
+    const FirstBelow search{limit, piece.L, 1.0 / partsOf(kernel.seen(b), piece, depth),
                             0.25 * depth / piece.L};
     if (const FirstBelow::Place below = search.in(gapAt, 0.0, left, 1.0, right)) {
       const double level = start <= depth ? limit : 0.0, width = 0.1 * kTiming * depth / piece.L;

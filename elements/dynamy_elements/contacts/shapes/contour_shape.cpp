@@ -68,7 +68,7 @@ ContourShape::ContourShape(const Parameters& x) : Shape(x) {
 }
 
 ShapeGeometry ContourShape::geometry() const {
-  ShapeGeometry g{"Contour", {}, {}, colour()};
+  ShapeGeometry g{ShapeType::contour, {}, {}, colour()};
   for (std::size_t i = 0; i < radii_.size(); ++i) {
     const double phi = kTwoPi * static_cast<double>(i) / static_cast<double>(radii_.size());
     g.points.emplace_back(radii_[i] * std::cos(phi), radii_[i] * std::sin(phi), 0.0);

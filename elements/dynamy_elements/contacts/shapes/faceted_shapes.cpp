@@ -18,7 +18,7 @@ std::vector<Vec3> triples(const ParameterValue& value, const char* what, std::si
   return out;
 }
 
-ShapeGeometry faceted(const char* type, const std::vector<Vec3>& points,
+ShapeGeometry faceted(ShapeType type, const std::vector<Vec3>& points,
                       const std::vector<Triangle>& triangles, const std::string& colour) {
   ShapeGeometry g{type, {}, {}, colour};
   for (const Triangle& t : triangles)
@@ -56,7 +56,7 @@ PolyhedronShape::PolyhedronShape(const Parameters& x) : Shape(x) {
 }
 
 ShapeGeometry PolyhedronShape::geometry() const {
-  return faceted("Polyhedron", points_, triangles_, colour());
+  return faceted(ShapeType::polyhedron, points_, triangles_, colour());
 }
 
 void MeshShape::declare(Attributes& a) {
@@ -89,7 +89,9 @@ MeshShape::MeshShape(const Parameters& x) : Shape(x), points_(triples(x["points"
   }
 }
 
-ShapeGeometry MeshShape::geometry() const { return faceted("Mesh", points_, triangles_, colour()); }
+ShapeGeometry MeshShape::geometry() const {
+  return faceted(ShapeType::mesh, points_, triangles_, colour());
+}
 
 void HeightFieldShape::declare(Attributes& a) {
   a.about(
@@ -124,7 +126,7 @@ HeightFieldShape::HeightFieldShape(const Parameters& x) : Shape(x) {
 }
 
 ShapeGeometry HeightFieldShape::geometry() const {
-  return faceted("Mesh", points_, triangles_, colour());
+  return faceted(ShapeType::mesh, points_, triangles_, colour());
 }
 
 }  // namespace dynamy

@@ -18,7 +18,7 @@ void CircleShape::declare(Attributes& a) {
   a.example("<Circle radius=\"0.1\"/>");
 }
 CircleShape::CircleShape(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
-ShapeGeometry CircleShape::geometry() const { return {"Circle", {radius_}, {}, colour()}; }
+ShapeGeometry CircleShape::geometry() const { return {ShapeType::circle, {radius_}, {}, colour()}; }
 
 void CylinderShape::declare(Attributes& a) {
   a.about(
@@ -32,7 +32,7 @@ void CylinderShape::declare(Attributes& a) {
 CylinderShape::CylinderShape(const Parameters& x)
     : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
 ShapeGeometry CylinderShape::geometry() const {
-  return {"Cylinder", {radius_, length_}, {}, colour()};
+  return {ShapeType::cylinder, {radius_, length_}, {}, colour()};
 }
 MassProperties CylinderShape::massProperties() const {
   const double r2 = radius_ * radius_, V = kPi * r2 * length_;
@@ -51,7 +51,7 @@ void CapsuleShape::declare(Attributes& a) {
 CapsuleShape::CapsuleShape(const Parameters& x)
     : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
 ShapeGeometry CapsuleShape::geometry() const {
-  return {"Capsule", {radius_, length_}, {}, colour()};
+  return {ShapeType::capsule, {radius_, length_}, {}, colour()};
 }
 MassProperties CapsuleShape::massProperties() const {
   // Cylinder and two half balls; each half ball has its centre of mass 3/8 r beyond its plane.
@@ -73,7 +73,9 @@ void ConeShape::declare(Attributes& a) {
   a.example("<Cone radius=\"0.1\" length=\"0.3\" mass=\"1\" material=\"wood\"/>");
 }
 ConeShape::ConeShape(const Parameters& x) : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
-ShapeGeometry ConeShape::geometry() const { return {"Cone", {radius_, length_}, {}, colour()}; }
+ShapeGeometry ConeShape::geometry() const {
+  return {ShapeType::cone, {radius_, length_}, {}, colour()};
+}
 MassProperties ConeShape::massProperties() const {
   const double r2 = radius_ * radius_, V = kPi * r2 * length_ / 3.0;
   const double Jx = 3.0 / 80.0 * V * (4.0 * r2 + length_ * length_);
@@ -94,7 +96,9 @@ TorusShape::TorusShape(const Parameters& x) : Shape(x), radius_(x["radius"]), tu
     throw x["tube"].fault("a tube of this radius overlaps itself",
                           "at most the radius of the circle", 0, x["tube"].text.size());
 }
-ShapeGeometry TorusShape::geometry() const { return {"Torus", {radius_, tube_}, {}, colour()}; }
+ShapeGeometry TorusShape::geometry() const {
+  return {ShapeType::torus, {radius_, tube_}, {}, colour()};
+}
 MassProperties TorusShape::massProperties() const {
   const double R2 = radius_ * radius_, r2 = tube_ * tube_, V = 2.0 * kPi * kPi * radius_ * r2;
   const double Jx = V * (0.5 * R2 + 0.625 * r2);
@@ -110,7 +114,7 @@ void EllipsoidShape::declare(Attributes& a) {
 }
 EllipsoidShape::EllipsoidShape(const Parameters& x) : Shape(x), semiAxes_(x["semiAxes"].vec3()) {}
 ShapeGeometry EllipsoidShape::geometry() const {
-  return {"Ellipsoid", {semiAxes_.x(), semiAxes_.y(), semiAxes_.z()}, {}, colour()};
+  return {ShapeType::ellipsoid, {semiAxes_.x(), semiAxes_.y(), semiAxes_.z()}, {}, colour()};
 }
 MassProperties EllipsoidShape::massProperties() const {
   const Vec3 s = semiAxes_.cwiseAbs2();

@@ -34,7 +34,7 @@ void Sphere::declare(Attributes& a) {
   a.example("<Sphere radius=\"0.1\" mass=\"1\" material=\"rubber\"/>");
 }
 Sphere::Sphere(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
-ShapeGeometry Sphere::geometry() const { return {"Sphere", {radius_}, {}, colour()}; }
+ShapeGeometry Sphere::geometry() const { return {ShapeType::sphere, {radius_}, {}, colour()}; }
 MassProperties Sphere::massProperties() const {
   const double V = 4.0 / 3.0 * kPi * radius_ * radius_ * radius_, J = 0.4 * V * radius_ * radius_;
   return {V, Vec3::Zero(), diagonal(J, J, J)};
@@ -52,7 +52,7 @@ void Box::declare(Attributes& a) {
 }
 Box::Box(const Parameters& x) : Shape(x), size_(x["size"].vec3()) {}
 ShapeGeometry Box::geometry() const {
-  ShapeGeometry g{"Box", {size_.x(), size_.y(), size_.z()}, {}, colour()};
+  ShapeGeometry g{ShapeType::box, {size_.x(), size_.y(), size_.z()}, {}, colour()};
   for (int corner = 0; corner < 8; ++corner)
     g.points.emplace_back((corner & 1 ? 0.5 : -0.5) * size_.x(),
                           (corner & 2 ? 0.5 : -0.5) * size_.y(),
@@ -82,7 +82,9 @@ HalfSpace::HalfSpace(const Parameters& x) : Shape(x), normal_(x["normal"].vec3()
                             x["normal"].text.size());
   normal_.normalize();
 }
-ShapeGeometry HalfSpace::geometry() const { return {"HalfSpace", {}, {normal_}, colour()}; }
+ShapeGeometry HalfSpace::geometry() const {
+  return {ShapeType::halfSpace, {}, {normal_}, colour()};
+}
 
 // ---- shapes of points --------------------------------------------------------------------------
 
@@ -96,7 +98,7 @@ void PointShape::declare(Attributes& a) {
 }
 PointShape::PointShape(const Parameters& x) : Shape(x), radius_(x["radius"]) {}
 ShapeGeometry PointShape::geometry() const {
-  return {"Point", {radius_}, {Vec3::Zero()}, colour()};
+  return {ShapeType::point, {radius_}, {Vec3::Zero()}, colour()};
 }
 
 void LineShape::declare(Attributes& a) {
@@ -107,7 +109,7 @@ void LineShape::declare(Attributes& a) {
   a.example("<Line points=\"0 0 0  0 0 -1\"/>");
 }
 LineShape::LineShape(const Parameters& x) : Shape(x), points_(readPoints(x, 2)) {}
-ShapeGeometry LineShape::geometry() const { return {"Line", {}, points_, colour()}; }
+ShapeGeometry LineShape::geometry() const { return {ShapeType::line, {}, points_, colour()}; }
 
 void PolygonShape::declare(Attributes& a) {
   a.about(
@@ -118,6 +120,6 @@ void PolygonShape::declare(Attributes& a) {
   a.example("<Polygon points=\"0 0 0  1 0 0  0 0 1\"/>");
 }
 PolygonShape::PolygonShape(const Parameters& x) : Shape(x), points_(readPoints(x, 3)) {}
-ShapeGeometry PolygonShape::geometry() const { return {"Polygon", {}, points_, colour()}; }
+ShapeGeometry PolygonShape::geometry() const { return {ShapeType::polygon, {}, points_, colour()}; }
 
 }  // namespace dynamy

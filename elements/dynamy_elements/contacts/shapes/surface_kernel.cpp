@@ -12,7 +12,7 @@ namespace {
 constexpr double kSamePlane = 1e-9;
 /// Part of the extent by which a point beside a face still counts as over it, so that no point
 /// falls between two faces.
-constexpr double kBeside = 1e-12;
+constexpr double kBesideFace = 1e-12;
 /// Most faces of a leaf.
 constexpr int kLeaf = 4;
 
@@ -215,7 +215,7 @@ void Surface::lookAt(int number, Query& q) const {
   const Face& f = faces_[static_cast<std::size_t>(number)];
   const double height = f.n.dot(q.c - at(f.v[0]));
   if (closed_ && height > q.height) q.height = height, q.deepest = number;
-  const double beside = kBeside * (at(f.v[1]) - at(f.v[0])).norm();
+  const double beside = kBesideFace * (at(f.v[1]) - at(f.v[0])).norm();
   bool over = true;
   for (std::size_t k = 0; k < 3; ++k) over = over && f.out[k].dot(q.c - at(f.v[k])) <= beside;
   // A mesh has one side: a ball deeper than its own size counts as on the other side.

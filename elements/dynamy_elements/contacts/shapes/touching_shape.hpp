@@ -36,6 +36,7 @@ class Surface;
 class Polyhedron;
 class Contour;
 class SmoothShape;
+struct ShapeFamily;
 
 /// A ball of radius R ≥ 0 about a point of the body: a ball, a corner, a point.
 struct RoundFeature {
@@ -82,9 +83,11 @@ struct TouchingShape {
     box,
     polyhedron,
     surface,
+    own,  ///< of a plug-in that computes its contacts (shape_pair.hpp)
     halfSpace
   } kind = Kind::none;
   const Shape* shape = nullptr;
+  const ShapeFamily* family = nullptr;  ///< Kind::own: its family; borrowed
   FrameHandle frame;
   int system = -1;
   std::vector<SupportFeature> features;

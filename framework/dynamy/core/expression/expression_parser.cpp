@@ -18,20 +18,100 @@ constexpr std::size_t kMostNamesListed = 12;
 
 std::string quotedWord(std::string_view word) { return "\"" + std::string(word) + "\""; }
 
+[[noreturn]] void refuse(const std::string& message, const Token& token,
+                         const std::string& suggestion = "") {
+  throw ExpressionError(message, token.offset, token.length, suggestion);
+}
+
+bool isRelation(TokenKind kind) { return kind >= TokenKind::less && kind <= TokenKind::notEqual; }
+
+/// The tokens of a text, read one after the other.
+class TokenReader {
+ public:
+  explicit TokenReader(std::string_view text) : text_(text), tokens_(tokenize(text)) {}
+  std::size_t at() const { return at_; }
+  const Token& operator[](std::size_t i) const { return tokens_[i]; }
+  const Token& current() const { return tokens_[at_]; }
+  const Token& following() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
+  const Token& last() const { return tokens_[at_ - 1]; }  ///< the one before the current one
+  void advance() { ++at_; }
+  bool accept(TokenKind kind) {
+    if (current().kind != kind) return false;
+    ++at_;
+    return true;
+  }
+  std::string_view word(const Token& token) const {
+    return text_.substr(token.offset, token.length);
+  }
+  /// Length of the text from token `first` to the last one.
+  std::size_t lengthFrom(const Token& first) const {
+    return last().offset + last().length - first.offset;
+  }
+  std::string found(const Token& token) const { return ", found " + describe(token, text_); }
+
+ private:
+  std::string_view text_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+};
+
+/// The first part of finite constants whose value is not finite.
+class EndlessPart {
+ public:
+  using Node = ExpressionGraph::Node;
+
+  explicit EndlessPart(const ExpressionGraph& graph) : graph_(graph) {}
+  /// From now on no part is noted. A symbol that is not finite is reported where it is defined, not
+  /// again where it is used.
+  void ignore() { ignored_ = true; }
+  /// Notes `result`, the value of the part from token `first` to the last one.
+  void note(Node result, const Token& first, const TokenReader& tokens) {
+    if (!part_ && !ignored_ && isEndless(result))
+      part_ = Part{first.offset, tokens.lengthFrom(first)};
+  }
+  /// Throws if `result` needs a part that is not finite. A branch that is never taken does not
+  /// count.
+  void refuseIn(Node result) const {
+    if (!part_) return;
+    std::vector<bool> needed(result + 1, false);
+    needed[result] = true;
+    for (std::size_t i = result + 1; i-- > 0;) {
+      if (!needed[i]) continue;
+      if (isEndless(static_cast<Node>(i)))
+        throw ExpressionError("this part has no finite value", part_->offset, part_->length);
+      const Instruction& node = graph_.nodes()[i];
+      const int n = operandCount(node.op);
+      if (n > 0) needed[node.a] = true;
+      if (n > 1) needed[node.b] = true;
+      if (n > 2) needed[node.c] = true;
+    }
+  }
+
+ private:
+  struct Part {
+    std::size_t offset, length;
+  };
+  bool isEndless(Node n) const { return graph_.isConstant(n) && !std::isfinite(graph_.value(n)); }
+
+  const ExpressionGraph& graph_;
+  std::optional<Part> part_;
+  bool ignored_ = false;
+};
+
 /// Recursive descent, one function for each rule of the grammar.
 class Parser {
  public:
   using Node = ExpressionGraph::Node;
 
   Parser(std::string_view text, const SymbolTable& symbols, ExpressionGraph& graph)
-      : text_(text), tokens_(tokenize(text)), symbols_(symbols), graph_(graph) {}
+      : tokens_(text), symbols_(symbols), graph_(graph), endless_(graph) {}
 
   Node run(ConstantParts parts) {
     const Node result = expression();
-    if (current().kind == TokenKind::close) fail("\")\" closes nothing", current());
-    if (current().kind != TokenKind::end) expectedOperator();
-    if (parts == ConstantParts::finite && endless_ && needsEndless(result))
-      throw ExpressionError("this part has no finite value", endless_->offset, endless_->length);
+    if (tokens_.current().kind == TokenKind::close)
+      refuse("\")\" closes nothing", tokens_.current());
+    if (tokens_.current().kind != TokenKind::end) expectedOperator();
+    if (parts == ConstantParts::finite) endless_.refuseIn(result);
     return result;
   }
 
@@ -41,7 +121,7 @@ class Parser {
    public:
     explicit Level(Parser& parser) : parser_(parser) {
       if (++parser_.depth_ > kDeepestNesting) {
-        parser_.fail("the expression is nested too deeply", parser_.current());
+        refuse("the expression is nested too deeply", parser_.tokens_.current());
       }
     }
     ~Level() { --parser_.depth_; }
@@ -52,97 +132,58 @@ class Parser {
     Parser& parser_;
   };
 
-  const Token& current() const { return tokens_[at_]; }
-  const Token& following() const { return tokens_[std::min(at_ + 1, tokens_.size() - 1)]; }
-  std::string_view word(const Token& token) const {
-    return text_.substr(token.offset, token.length);
-  }
-  bool accept(TokenKind kind) {
-    if (current().kind != kind) return false;
-    ++at_;
-    return true;
-  }
-
-  [[noreturn]] void fail(const std::string& message, const Token& token,
-                         const std::string& suggestion = "") const {
-    throw ExpressionError(message, token.offset, token.length, suggestion);
-  }
-
   [[noreturn]] void expectedOperator() const {
-    const bool afterNumber = at_ > 0 && tokens_[at_ - 1].kind == TokenKind::number;
-    if (afterNumber && current().kind == TokenKind::name && parseUnitSuffix(word(current())))
-      fail("a blank stands before the unit " + quotedWord(word(current())), current(),
-           std::string(word(tokens_[at_ - 1])) + std::string(word(current())));
-    const bool isFactor = current().kind == TokenKind::name || current().kind == TokenKind::open ||
-                          current().kind == TokenKind::number;
-    fail("expected an operator, found " + describe(current(), text_), current(),
-         isFactor ? "*" : "");
+    const Token& here = tokens_.current();
+    const std::string word(tokens_.word(here));
+    const bool afterNumber = tokens_.at() > 0 && tokens_.last().kind == TokenKind::number;
+    if (afterNumber && here.kind == TokenKind::name && parseUnitSuffix(word))
+      refuse("a blank stands before the unit " + quotedWord(word), here,
+             std::string(tokens_.word(tokens_.last())) + word);
+    const bool isFactor = here.kind == TokenKind::name || here.kind == TokenKind::open ||
+                          here.kind == TokenKind::number;
+    refuse("expected an operator" + tokens_.found(here), here, isFactor ? "*" : "");
   }
 
   Node expression() {
     const Level level(*this);
     const Node condition = either();
-    const Token question = current();
-    if (!accept(TokenKind::question)) return condition;
+    const Token question = tokens_.current();
+    if (!tokens_.accept(TokenKind::question)) return condition;
     const Node a = expression();
-    if (!accept(TokenKind::colon)) fail("\"?\" without \":\"", question);
+    if (!tokens_.accept(TokenKind::colon)) refuse("\"?\" without \":\"", question);
     const Node b = expression();
     return graph_.select(condition, a, b);
   }
 
-  /// Remembers the first part of finite constants whose value is not finite.
-  Node noted(Node result, std::size_t firstToken) {
-    if (endless_ || brokenSymbol_ || !isEndless(result)) return result;
-    const std::size_t begin = tokens_[firstToken].offset;
-    const Token& last = tokens_[at_ - 1];
-    endless_ = Part{begin, last.offset + last.length - begin};
+  /// Notes `result` if it is not finite; its part begins at token `first`.
+  Node noted(Node result, std::size_t first) {
+    endless_.note(result, tokens_[first], tokens_);
     return result;
-  }
-
-  bool isEndless(Node n) const { return graph_.isConstant(n) && !std::isfinite(graph_.value(n)); }
-
-  /// True: the result needs a part that is not finite. A branch that is never taken does not count.
-  bool needsEndless(Node result) const {
-    std::vector<bool> needed(result + 1, false);
-    needed[result] = true;
-    for (std::size_t i = result + 1; i-- > 0;) {
-      if (!needed[i]) continue;
-      if (isEndless(static_cast<Node>(i))) return true;
-      const Instruction& node = graph_.nodes()[i];
-      const int n = operandCount(node.op);
-      if (n > 0) needed[node.a] = true;
-      if (n > 1) needed[node.b] = true;
-      if (n > 2) needed[node.c] = true;
-    }
-    return false;
   }
 
   Node either() {
     Node result = both();
-    while (accept(TokenKind::logicalOr)) result = graph_.binary(Op::logicalOr, result, both());
+    while (tokens_.accept(TokenKind::logicalOr))
+      result = graph_.binary(Op::logicalOr, result, both());
     return result;
   }
 
   Node both() {
     Node result = relation();
-    while (accept(TokenKind::logicalAnd)) {
+    while (tokens_.accept(TokenKind::logicalAnd)) {
       result = graph_.binary(Op::logicalAnd, result, relation());
     }
     return result;
   }
 
-  static bool isRelation(TokenKind kind) {
-    return kind >= TokenKind::less && kind <= TokenKind::notEqual;
-  }
-
   Node relation() {
     const Node a = sum();
-    const TokenKind kind = current().kind;
+    const TokenKind kind = tokens_.current().kind;
     if (!isRelation(kind)) return a;
-    ++at_;
+    tokens_.advance();
     const Node b = sum();
-    if (isRelation(current().kind)) {
-      fail("comparisons cannot be chained, join two with \"and\"", current());
+    if (isRelation(tokens_.current().kind)) {
+      refuse("comparisons cannot be chained, join two with \"and\"", tokens_.current());
     }
     switch (kind) {
       case TokenKind::less:
@@ -161,12 +202,12 @@ class Parser {
   }
 
   Node sum() {
-    const std::size_t first = at_;
+    const std::size_t first = tokens_.at();
     Node result = product();
     while (true) {
-      if (accept(TokenKind::plus)) {
+      if (tokens_.accept(TokenKind::plus)) {
         result = noted(graph_.binary(Op::add, result, product()), first);
-      } else if (accept(TokenKind::minus)) {
+      } else if (tokens_.accept(TokenKind::minus)) {
         result = noted(graph_.binary(Op::subtract, result, product()), first);
       } else {
         return result;
@@ -175,12 +216,12 @@ class Parser {
   }
 
   Node product() {
-    const std::size_t first = at_;
+    const std::size_t first = tokens_.at();
     Node result = unary();
     while (true) {
-      if (accept(TokenKind::times)) {
+      if (tokens_.accept(TokenKind::times)) {
         result = noted(graph_.binary(Op::multiply, result, unary()), first);
-      } else if (accept(TokenKind::over)) {
+      } else if (tokens_.accept(TokenKind::over)) {
         result = noted(graph_.binary(Op::divide, result, unary()), first);
       } else {
         return result;
@@ -190,54 +231,54 @@ class Parser {
 
   Node unary() {
     const Level level(*this);
-    const std::size_t first = at_;
-    if (accept(TokenKind::minus)) return graph_.unary(Op::negate, unary());
-    if (accept(TokenKind::plus)) return unary();
-    if (accept(TokenKind::logicalNot)) return graph_.unary(Op::logicalNot, unary());
+    const std::size_t first = tokens_.at();
+    if (tokens_.accept(TokenKind::minus)) return graph_.unary(Op::negate, unary());
+    if (tokens_.accept(TokenKind::plus)) return unary();
+    if (tokens_.accept(TokenKind::logicalNot)) return graph_.unary(Op::logicalNot, unary());
     const Node base = primary();
-    return accept(TokenKind::power) ? noted(graph_.power(base, unary()), first) : base;
+    return tokens_.accept(TokenKind::power) ? noted(graph_.power(base, unary()), first) : base;
   }
 
   Node primary() {
-    const Token token = current();
-    if (accept(TokenKind::number)) return graph_.constant(token.value);
+    const Token token = tokens_.current();
+    if (tokens_.accept(TokenKind::number)) return graph_.constant(token.value);
     if (token.kind == TokenKind::name) {
-      return following().kind == TokenKind::open ? call() : symbol();
+      return tokens_.following().kind == TokenKind::open ? call() : symbol();
     }
-    if (accept(TokenKind::open)) {
+    if (tokens_.accept(TokenKind::open)) {
       const Node inside = expression();
       closeParenthesis(token);
       return inside;
     }
-    fail("expected a number, a name or \"(\", found " + describe(token, text_), token);
+    refuse("expected a number, a name or \"(\"" + tokens_.found(token), token);
   }
 
   void closeParenthesis(const Token& open) {
-    if (accept(TokenKind::close)) return;
-    if (current().kind == TokenKind::end) fail("\"(\" is never closed", open);
+    if (tokens_.accept(TokenKind::close)) return;
+    if (tokens_.current().kind == TokenKind::end) refuse("\"(\" is never closed", open);
     expectedOperator();
   }
 
   Node call() {
-    const std::size_t first = at_;
-    const Token nameToken = current();
-    const std::string_view name = word(nameToken);
+    const std::size_t first = tokens_.at();
+    const Token nameToken = tokens_.current();
+    const std::string_view name = tokens_.word(nameToken);
     const ExpressionFunction* function = findFunction(name);
     if (function == nullptr && isSymbol(name)) {
-      fail(quotedWord(name) + " is not a function, a product needs \"*\"", nameToken);
+      refuse(quotedWord(name) + " is not a function, a product needs \"*\"", nameToken);
     }
     if (function == nullptr) {
-      fail("unknown function " + quotedWord(name), nameToken, nearest(name, functionNames()));
+      refuse("unknown function " + quotedWord(name), nameToken, nearest(name, functionNames()));
     }
-    ++at_;
-    const Token open = current();
-    ++at_;
+    tokens_.advance();
+    const Token open = tokens_.current();
+    tokens_.advance();
 
     std::vector<Node> arguments;
-    if (current().kind != TokenKind::close) {
+    if (tokens_.current().kind != TokenKind::close) {
       do {
         arguments.push_back(expression());
-      } while (accept(TokenKind::comma));
+      } while (tokens_.accept(TokenKind::comma));
     }
     closeParenthesis(open);
     checkCount(*function, static_cast<int>(arguments.size()), nameToken);
@@ -256,8 +297,7 @@ class Parser {
     }
     const std::string message = std::string(function.name) + " takes " + expected + " argument" +
                                 (high == 1 ? "" : "s") + ", not " + std::to_string(count);
-    const Token& last = tokens_[at_ - 1];
-    throw ExpressionError(message, nameToken.offset, last.offset + last.length - nameToken.offset);
+    throw ExpressionError(message, nameToken.offset, tokens_.lengthFrom(nameToken));
   }
 
   bool isSymbol(std::string_view name) const {
@@ -265,13 +305,12 @@ class Parser {
   }
 
   Node symbol() {
-    const Token token = current();
-    const std::string_view name = word(token);
-    ++at_;
+    const Token token = tokens_.current();
+    const std::string_view name = tokens_.word(token);
+    tokens_.advance();
     if (const SymbolTable::Symbol* found = symbols_.find(name)) {
       if (found->isVariable) return graph_.variable(found->slot);
-      // A symbol that is not finite is reported where it is defined, not again where it is used.
-      brokenSymbol_ = brokenSymbol_ || !std::isfinite(found->value);
+      if (!std::isfinite(found->value)) endless_.ignore();
       return graph_.constant(found->value);
     }
     if (name == "pi") return graph_.constant(std::numbers::pi);
@@ -280,9 +319,9 @@ class Parser {
   }
 
   [[noreturn]] void unknownSymbol(const Token& token) const {
-    const std::string_view name = word(token);
+    const std::string_view name = tokens_.word(token);
     if (findFunction(name) != nullptr) {
-      fail(quotedWord(name) + " is a function and needs arguments in \"( )\"", token);
+      refuse(quotedWord(name) + " is a function and needs arguments in \"( )\"", token);
     }
     std::vector<std::string> known = symbols_.names();
     std::string message = "unknown symbol " + quotedWord(name);
@@ -291,20 +330,14 @@ class Parser {
       message += " " + known[i];
     if (known.size() > kMostNamesListed) message += " …";
     known.emplace_back("pi");
-    fail(message, token, name == "π" ? "pi" : nearest(name, known));
+    refuse(message, token, name == "π" ? "pi" : nearest(name, known));
   }
 
-  std::string_view text_;
-  std::vector<Token> tokens_;
+  TokenReader tokens_;
   const SymbolTable& symbols_;
   ExpressionGraph& graph_;
-  struct Part {
-    std::size_t offset, length;
-  };
-  std::size_t at_ = 0;
+  EndlessPart endless_;
   int depth_ = 0;
-  std::optional<Part> endless_;
-  bool brokenSymbol_ = false;
 };
 
 }  // namespace

@@ -153,7 +153,7 @@ void ProblemDump::consider(const StepView& v) {
     return;
   }
   FclibProblem& f = kept.copy.problem;
-  f.title = (v.model.title.empty() ? v.model.sourceFile : v.model.title) + ", step " +
+  f.title = (v.model.title.empty() ? v.model.file.name : v.model.title) + ", step " +
             std::to_string(v.index);
   f.description = "contacts:";
   for (const int i : kept.copy.contact)

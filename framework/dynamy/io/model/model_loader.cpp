@@ -136,7 +136,7 @@ void findUncoveredPairs(Parts& parts, const Registry& registry, const XmlDocumen
   Model partial;
   for (auto& [kind, element] : parts)
     if (kind == Kind::system || kind == Kind::rule) partial.add(kind, std::move(element));
-  for (const Model::Completion& completion : registry.completions())
+  for (const Registry::Completion& completion : registry.completions())
     partial.addCompletion(completion);
   try {
     partial.build();
@@ -179,11 +179,11 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   if (options.coordinates) model.simulation.coordinates = *options.coordinates;
 
   // The model stores its title, text and file.
-  model.sourceFile = source.document().name();
+  model.file.name = source.document().name();
   model.doc = documentation(source.document().root());
-  model.title = source.title().empty() ? std::filesystem::path(model.sourceFile).stem().string()
+  model.title = source.title().empty() ? std::filesystem::path(model.file.name).stem().string()
                                        : source.title();
-  for (const Model::Completion& completion : registry.completions())
+  for (const Registry::Completion& completion : registry.completions())
     model.addCompletion(completion);
   if (faults.size() > 0 && whole && addStandIns(source, registry, good, parts) && !isHuge(parts))
     findUncoveredPairs(parts, registry, source.document(), faults);
@@ -209,7 +209,7 @@ Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoa
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
-  model.sourceText = text.str();
+  model.file.text = text.str();
   return model;
 }
 
@@ -219,7 +219,7 @@ Model loadModelText(std::string text, const std::string& name, Registry& registr
   std::string copy = text;
   Model model = load(registry, plugins, options,
                      [&](ModelSource& s) { s.parse(std::move(copy), name, folder); });
-  model.sourceText = std::move(text);
+  model.file.text = std::move(text);
   return model;
 }
 

@@ -98,4 +98,10 @@ std::string elementName(const XmlNode& node, const Scope& scope, const std::stri
   return prefix + name + scope.suffix;
 }
 
+void refuseText(const XmlNode& node, const Scope& scope, Faults& faults) {
+  if (node.text.empty()) return;
+  faults.add(scope, node.textPlace, node, "text has no meaning here",
+             "text for people stands in <doc>");
+}
+
 }  // namespace dynamy

@@ -88,4 +88,7 @@ class Faults {
 std::string elementName(const XmlNode& node, const Scope& scope, const std::string& prefix,
                         Faults& faults);
 
+/// Reports the text of a node that holds none.
+void refuseText(const XmlNode& node, const Scope& scope, Faults& faults);
+
 }  // namespace dynamy

@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/declared/unknown_name.hpp>
-#include <dynamy/core/expression/expression.hpp>
-#include <dynamy/core/expression/expression_error.hpp>
 #include <dynamy/core/suggestion.hpp>
+#include <dynamy/io/model/model_defaults.hpp>
 #include <dynamy/io/model/model_source.hpp>
-#include <dynamy/io/model/parameter_evaluator.hpp>
 #include <dynamy/io/model/unknown_element.hpp>
 
 namespace dynamy {
@@ -14,8 +11,6 @@ namespace dynamy {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::array<std::string_view, 2> kNamedClass{"name", "class"};
 
 /// True for attributes of the root that only XML itself and editors need.
 bool isSchemaAttribute(const std::string& name) {
@@ -34,6 +29,14 @@ std::size_t elementsIn(const XmlNode& node) {
   return n;
 }
 
+/// Reads the attributes of a word of the format.
+bool readWord(const XmlNode& node, const Scope& scope, const Vocabulary& vocabulary, Faults& faults,
+              Parameters& x) {
+  x.type = node.tag;
+  return AttributeReader(faults, nullptr)
+      .read(node, scope, vocabulary.find(node.tag)->attributes, {}, x);
+}
+
 fs::path resolved(const fs::path& path) {
   std::error_code error;
   const fs::path result = fs::weakly_canonical(path, error);
@@ -44,11 +47,7 @@ fs::path resolved(const fs::path& path) {
 
 ModelSource::ModelSource(Registry& registry, PluginLoader& plugins, const Overrides& overrides,
                          Faults& faults)
-    : registry_(&registry),
-      plugins_(&plugins),
-      overrides_(overrides),
-      overrideUsed_(overrides.size(), false),
-      faults_(&faults) {}
+    : registry_(&registry), plugins_(&plugins), overrides_(overrides), faults_(&faults) {}
 
 void ModelSource::read(const fs::path& file) {
   note(file);
@@ -77,7 +76,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
     scope.prefix = from.scope->prefix;
     scope.suffix = from.scope->suffix;
     Parameters x;
-    if (readWord(*from.node, *from.scope, x) && !x["prefix"].text.empty()) {
+    if (readWord(*from.node, *from.scope, vocabulary_, *faults_, x) && !x["prefix"].text.empty()) {
       scope.prefix += x["prefix"].text;
       if (!scope.prefix.ends_with('/')) scope.prefix += '/';
     }
@@ -92,16 +91,9 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
   if (!checkRoot(root, scope)) return;
   loadPlugins(root, scope);
   readParameters(root, scope, from);
-  readDefaults(root, scope);
+  readDefaults(root, scope, *registry_, vocabulary_, *faults_);
   walk(root, scope, from, true);
-
-  // Overrides of parameters that no file has.
-  if (from.node != nullptr) return;
-  for (std::size_t i = 0; i < overrides_.size(); ++i)
-    if (!overrideUsed_[i])
-      faults_->add({.text = "--set " + overrides_[i].first + '=' + overrides_[i].second +
-                            ": no parameter \"" + overrides_[i].first + '"',
-                    .hint = unknownNameHint(overrides_[i].first, parameterNames_)});
+  if (from.node == nullptr) overrides_.reportUnused(*faults_);
 }
 
 bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
@@ -126,28 +118,15 @@ bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
     return false;
   }
   if (documents_.size() == 1) title_ = x["title"].text;
-  noText(root, scope);
+  refuseText(root, scope, *faults_);
   return true;
-}
-
-void ModelSource::noText(const XmlNode& node, const Scope& scope) {
-  if (node.text.empty()) return;
-  faults_->add(scope, node.textPlace, node, "text has no meaning here",
-               "text for people stands in <doc>");
-}
-
-/// Reads the attributes of a word of the format.
-bool ModelSource::readWord(const XmlNode& node, const Scope& scope, Parameters& x) {
-  x.type = node.tag;
-  return AttributeReader(*faults_, nullptr)
-      .read(node, scope, vocabulary_.find(node.tag)->attributes, {}, x);
 }
 
 void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
   for (const XmlNode& node : root.children) {
     if (node.tag != "plugin") continue;
     Parameters x;
-    if (!readWord(node, scope, x)) {
+    if (!readWord(node, scope, vocabulary_, *faults_, x)) {
       typesAreMissing_ = true;
       continue;
     }
@@ -165,37 +144,6 @@ void ModelSource::loadPlugins(const XmlNode& root, const Scope& scope) {
   }
 }
 
-namespace {
-
-/// The value of an override: a number with or without unit, or an expression of numbers in braces.
-/// Nothing: an error was reported.
-std::optional<double> overrideValue(const std::string& text,
-                                    const std::function<void(std::string)>& report) {
-  if (text.starts_with('{') && text.ends_with('}')) {
-    try {
-      return evaluateConstant(std::string_view(text).substr(1, text.size() - 2), SymbolTable());
-    } catch (const ExpressionError& e) {
-      report(e.message());
-      return std::nullopt;
-    }
-  }
-  Attribute number;
-  number.unit = Unit::any;
-  ParameterValue value;
-  value.declaration = &number;
-  value.text = text;
-  value.given = true;
-  if (const auto fault = readValue(number, value)) {
-    const bool computes = text.find_first_of("+*/^()") != std::string::npos;
-    report(fault->text +
-           (computes ? " — an expression stands in braces: '{" + text + "}'" : std::string()));
-    return std::nullopt;
-  }
-  return value.numbers[0];
-}
-
-}  // namespace
-
 void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Including& from) {
   ParameterEvaluator evaluator(scope, *vocabulary_.find("parameter"), *faults_);
   for (const XmlNode& node : root.children)
@@ -204,14 +152,13 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
   for (const XmlNode& node : root.children)
     if (const XmlAttribute* name = node.attribute("name"); name && !vocabulary_.find(node.tag))
       if (!evaluator.has(name->value)) scope.broken.insert(name->value);
-  const std::vector<std::string> known = evaluator.names();  // for prefixes and hints
-  for (const std::string& name : known) parameterNames_.push_back(scope.prefix + name);
+  const std::vector<std::string> known = evaluator.names();  // for hints
 
   // Values of <set> in the including file.
   for (std::size_t i = 0; from.node != nullptr && i < from.node->children.size(); ++i) {
     const XmlNode& set = from.node->children[i];
     Parameters x;
-    if (set.tag != "set" || !readWord(set, *from.scope, x)) continue;
+    if (set.tag != "set" || !readWord(set, *from.scope, vocabulary_, *faults_, x)) continue;
     const std::string& name = x["name"].text;
     if (!evaluator.has(name)) {
       faults_->add(*from.scope, x["name"].place, set,
@@ -225,62 +172,8 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
          }});
   }
 
-  // Values of --set on the command line.
-  for (std::size_t i = 0; i < overrides_.size(); ++i) {
-    const auto& [name, text] = overrides_[i];
-    if (!name.starts_with(scope.prefix)) continue;
-    const std::string local = name.substr(scope.prefix.size());
-    if (!evaluator.has(local)) continue;
-    const bool first = !overrideUsed_[i];
-    overrideUsed_[i] = true;
-    const auto report = [this, name = name, text = text, first](const std::string& fault) {
-      if (first) faults_->add({.text = "--set " + name + '=' + text + ": " + fault});
-    };
-    if (const auto value = overrideValue(text, report))
-      evaluator.replace({local, *value, report});
-    else
-      scope.broken.insert(local);
-  }
+  overrides_.apply(scope, evaluator, *faults_);  // --set on the command line
   evaluator.evaluate();
-}
-
-void ModelSource::readDefaults(const XmlNode& root, Scope& scope) {
-  const std::size_t before = faults_->size();
-  const std::vector<std::string> defaults{"defaults"};
-  for (const XmlNode& section : root.children) {
-    if (vocabulary_.find(section.tag) == nullptr && !nearest(section.tag, defaults).empty())
-      scope.defaultsAreBroken = true;  // reported by walk()
-    if (section.tag != "defaults") continue;
-    noText(section, scope);
-    for (const XmlNode& node : section.children)
-      if (node.tag != "doc") readDefault(node, section, scope);
-  }
-  if (faults_->size() > before) scope.defaultsAreBroken = true;
-}
-
-void ModelSource::readDefault(const XmlNode& node, const XmlNode& section, Scope& scope) {
-  const RegisteredType* type = registry_->find(node.tag);
-  if (type == nullptr) {
-    std::vector<std::string> known;
-    for (const RegisteredType* t : registry_->types()) known.push_back(t->name);
-    faults_->add(scope, node.place, section, "unknown element <" + node.tag + '>',
-                 meantElement(node.tag, known, *registry_, vocabulary_));
-    return;
-  }
-  AttributeReader(*faults_, nullptr).allDeclared(node, scope, type->attributes, kNamedClass);
-  if (const XmlAttribute* name = node.attribute("name"))
-    faults_->add(scope, name->namePlace, node, "a default has no name");
-  if (!node.children.empty())
-    faults_->add(scope, node.children[0].place, node, "a default holds attributes only");
-  const XmlAttribute* wanted = node.attribute("class");
-  DefaultEntry& entry = scope.defaults[node.tag][wanted == nullptr ? "" : wanted->value];
-  if (entry.node != nullptr && entry.scope == &scope) {
-    Diagnostic d = scope.document->diagnostic(node.place, node, "this default is given twice");
-    d.notes.push_back({.place = entry.node->place, .text = "first given here"});
-    faults_->add(std::move(d));
-    return;
-  }
-  entry = {&node, &scope};
 }
 
 /// Reads the children of the root, or of a replicate of whole sections.
@@ -295,7 +188,7 @@ void ModelSource::walk(const XmlNode& parent, const Scope& scope, const Includin
     if (section) {
       walkSection(node, scope);
     } else if (tag == "replicate") {
-      noText(node, scope);
+      refuseText(node, scope, *faults_);
       for (const Scope* turn : turns(node, scope)) walk(node, *turn, from, false);
     } else if (tag == "include") {
       include(node, scope, from);
@@ -327,13 +220,13 @@ void ModelSource::walkSection(const XmlNode& section, const Scope& scope) {
 }
 
 void ModelSource::include(const XmlNode& node, const Scope& scope, const Including& from) {
-  noText(node, scope);
+  refuseText(node, scope, *faults_);
   for (const XmlNode& child : node.children)
     if (child.tag != "set" && child.tag != "doc")
       faults_->add(scope, child.place, node, "unknown element <" + child.tag + '>',
                    "known here: \"set\", \"doc\"");
   Parameters x;
-  if (!readWord(node, scope, x)) return;
+  if (!readWord(node, scope, vocabulary_, *faults_, x)) return;
   const fs::path file = scope.file().folder / x["file"].text;
   note(file);
   Including inner{from.chain, &node, &scope};
@@ -375,7 +268,7 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
 /// Makes one scope for each turn of a replicate, with the index as its number.
 std::vector<const Scope*> ModelSource::turns(const XmlNode& replicate, const Scope& scope) {
   Parameters x;
-  if (!readWord(replicate, scope, x)) return {};
+  if (!readWord(replicate, scope, vocabulary_, *faults_, x)) return {};
   const auto count = static_cast<std::size_t>(x["count"].integer());
   const auto tooMany = [&](const std::string& what) {
     faults_->add(scope, x["count"].place, replicate,

@@ -3,13 +3,11 @@
 #pragma once
 #include <deque>
 #include <dynamy/io/model/attribute_reader.hpp>
+#include <dynamy/io/model/parameter_overrides.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/io/xml/vocabulary.hpp>
 
 namespace dynamy {
-
-/// Parameters set from outside: (name, value as text). In an included file the name has its prefix.
-using Overrides = std::vector<std::pair<std::string, std::string>>;
 
 /// An element or a word of the format, with its scope.
 struct ModelItem {
@@ -53,23 +51,17 @@ class ModelSource {
   bool checkRoot(const XmlNode& root, const Scope& scope);
   void loadPlugins(const XmlNode& root, const Scope& scope);
   void readParameters(const XmlNode& root, Scope& scope, const Including& from);
-  void readDefaults(const XmlNode& root, Scope& scope);
-  void readDefault(const XmlNode& node, const XmlNode& section, Scope& scope);
   void walk(const XmlNode& parent, const Scope& scope, const Including& from, bool isRoot);
   void walkSection(const XmlNode& section, const Scope& scope);
   void include(const XmlNode& node, const Scope& scope, const Including& from);
   std::vector<const Scope*> turns(const XmlNode& replicate, const Scope& scope);
-  bool readWord(const XmlNode& node, const Scope& scope, Parameters& x);
-  void noText(const XmlNode& node, const Scope& scope);
   void note(const std::filesystem::path& file) {
     if (noted_ != nullptr) noted_->push_back(file);
   }
 
   Registry* registry_;
   PluginLoader* plugins_;
-  Overrides overrides_;
-  std::vector<bool> overrideUsed_;
-  std::vector<std::string> parameterNames_;
+  ParameterOverrides overrides_;
   Faults* faults_;
   std::vector<std::filesystem::path>* noted_ = nullptr;
   Vocabulary vocabulary_;
@@ -84,7 +76,7 @@ class ModelSource {
 
 template <class Use>
 void ModelSource::forEachChild(const XmlNode& node, const Scope& scope, const Use& use) {
-  noText(node, scope);
+  refuseText(node, scope, *faults_);
   for (const XmlNode& child : node.children) {
     if (child.tag == "doc") continue;
     if (child.tag != "replicate") {

@@ -1,5 +1,6 @@
 /// Evaluates the `<parameter>`s of one file; each may use the others, in any order.
 #pragma once
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/model/model_scope.hpp>
 #include <dynamy/io/xml/vocabulary.hpp>
 #include <functional>

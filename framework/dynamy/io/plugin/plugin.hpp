@@ -6,7 +6,7 @@
 namespace dynamy {
 
 /// Number of the binary interface; raised with every incompatible change of a public header.
-inline constexpr int kPluginAbi = 2;
+inline constexpr int kPluginAbi = 4;
 
 struct PluginInfo {
   int abi;

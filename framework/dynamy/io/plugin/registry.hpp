@@ -3,7 +3,6 @@
 #pragma once
 #include <concepts>
 #include <dynamy/core/declared/parameters.hpp>
-#include <dynamy/simulation/model/model.hpp>
 #include <functional>
 #include <map>
 #include <memory>
@@ -12,6 +11,8 @@
 #include <vector>
 
 namespace dynamy {
+
+class Model;
 
 /// One registered type.
 struct RegisteredType {
@@ -37,21 +38,21 @@ class Registry {
   }
   /// Throws ModelError naming both libraries if the name is taken.
   void add(RegisteredType type);
+  /// Model::Completion, without the header of models, which few plug-ins need.
+  using Completion = std::function<void(Model&)>;
   /// Adds a completion that every Model::build() calls at its beginning.
-  void addCompletion(Model::Completion completion) {
-    completions_.push_back(std::move(completion));
-  }
+  void addCompletion(Completion completion) { completions_.push_back(std::move(completion)); }
 
   const RegisteredType* find(std::string_view name) const;
   /// All types, ordered by kind and name.
   std::vector<const RegisteredType*> types() const;
-  const std::vector<Model::Completion>& completions() const { return completions_; }
+  const std::vector<Completion>& completions() const { return completions_; }
   /// Sets the name of the library whose registration follows.
   void library(std::string name) { library_ = std::move(name); }
 
  private:
   std::map<std::string, RegisteredType, std::less<>> types_;
-  std::vector<Model::Completion> completions_;
+  std::vector<Completion> completions_;
   std::string library_ = "dynamy";
 };
 

@@ -10,7 +10,7 @@ std::array<double, 3> array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
   const PartialMechanicalSystem& system = *model.systems()[static_cast<std::size_t>(f.system)];
-  const NamedBody* body = model.topology().body(f.system, f.id);
+  const NamedBody* body = model.topology().names().body(f.system, f.id);
   std::string name = system.name().empty() ? system.type() : system.name();
   if (body) name = body->name;
   if (body ? body->frames > 1 : system.frames() > 1) {
@@ -23,26 +23,43 @@ SceneFrame frameOf(const Model& model, const DrawnFrame& f) {
   return {name, place.line > 0 ? place.file + ":" + std::to_string(place.line) : ""};
 }
 
+ShapeKind drawnAs(ShapeType type) {
+  switch (type) {
+    case ShapeType::point:
+    case ShapeType::sphere:
+      return ShapeKind::sphere;
+    case ShapeType::circle:
+      return ShapeKind::circle;
+    case ShapeType::line:
+      return ShapeKind::segment;
+    case ShapeType::polygon:
+    case ShapeType::contour:
+      return ShapeKind::polygon;
+    case ShapeType::box:
+      return ShapeKind::box;
+    case ShapeType::cylinder:
+      return ShapeKind::cylinder;
+    case ShapeType::capsule:
+      return ShapeKind::capsule;
+    case ShapeType::cone:
+      return ShapeKind::cone;
+    case ShapeType::torus:
+      return ShapeKind::torus;
+    case ShapeType::ellipsoid:
+      return ShapeKind::ellipsoid;
+    case ShapeType::polyhedron:
+    case ShapeType::mesh:
+      return ShapeKind::mesh;
+    case ShapeType::halfSpace:
+      return ShapeKind::halfspace;
+  }
+  return ShapeKind::segment;
+}
+
 /// Kind and sizes of a shape; for a half-space `turn` rotates its z axis onto the normal.
 SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
-  static const std::map<std::string, ShapeKind> kinds = {{"Sphere", ShapeKind::sphere},
-                                                         {"Point", ShapeKind::sphere},
-                                                         {"Box", ShapeKind::box},
-                                                         {"HalfSpace", ShapeKind::halfspace},
-                                                         {"Circle", ShapeKind::circle},
-                                                         {"Cylinder", ShapeKind::cylinder},
-                                                         {"Capsule", ShapeKind::capsule},
-                                                         {"Polygon", ShapeKind::polygon},
-                                                         {"Contour", ShapeKind::polygon},
-                                                         {"Line", ShapeKind::segment},
-                                                         {"Ellipsoid", ShapeKind::ellipsoid},
-                                                         {"Torus", ShapeKind::torus},
-                                                         {"Cone", ShapeKind::cone},
-                                                         {"Polyhedron", ShapeKind::mesh},
-                                                         {"Mesh", ShapeKind::mesh}};
   SceneShape s;
-  const auto kind = kinds.find(g.type);
-  s.kind = kind == kinds.end() ? ShapeKind::segment : kind->second;
+  s.kind = drawnAs(g.type);
   s.colour = g.colour;
   switch (s.kind) {
     case ShapeKind::sphere:

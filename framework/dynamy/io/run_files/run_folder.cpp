@@ -46,7 +46,7 @@ bool holdsRun(const fs::path& folder) {
   return text.find("\"format\":\"" + std::string(kMarker) + '"') != std::string::npos;
 }
 
-fs::path RunFolder::defaultPath(const fs::path& model) { return fs::path("runs") / model.stem(); }
+fs::path defaultRunFolder(const fs::path& model) { return fs::path("runs") / model.stem(); }
 
 RunFolder::RunFolder(const fs::path& path) : path_(path) {
   prepare(path);

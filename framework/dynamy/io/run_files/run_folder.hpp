@@ -36,10 +36,6 @@ class FolderLock {
 
 class RunFolder {
  public:
-  /// Folder of a run of `model` without --out: runs/MODEL, where MODEL is the file name without its
-  /// extension.
-  static std::filesystem::path defaultPath(const std::filesystem::path& model);
-
   /// Creates the folder with its parents, or uses an empty one, or removes the files of an older
   /// run of dynamY from it. Then writes a run.json with "state": "running". Other processes are
   /// kept out during the lifetime of the object.
@@ -96,5 +92,9 @@ class RunFolder {
 
 /// Whether `folder` holds a run.json that a RunFolder wrote.
 bool holdsRun(const std::filesystem::path& folder);
+
+/// Folder of a run of `model` without --out: runs/MODEL, where MODEL is the file name without its
+/// extension.
+std::filesystem::path defaultRunFolder(const std::filesystem::path& model);
 
 }  // namespace dynamy

@@ -35,7 +35,7 @@ void requireRoom(const Model& model, const std::filesystem::path& folder) {
   if (error || s.bytes <= static_cast<double>(space.available)) return;
   Diagnostic d;
   const Place& written = model.record.place;
-  d.place = written.line > 0 ? written : Place(model.sourceFile);
+  d.place = written.line > 0 ? written : Place(model.file.name);
   d.element = "record";
   d.text = fmt::format(
       "the run would write about {}: {:.6g} rows of {:g} numbers and {:.6g} pictures of {:g} "

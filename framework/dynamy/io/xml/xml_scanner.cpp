@@ -1,17 +1,14 @@
 /// One pass over the text with a stack of open elements. Errors after which the rest can still be
 /// read (doubled attribute, unknown entity) are collected; all other errors end the scan, because
 /// after them a scanner can only guess.
-
+#include <array>
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/io/xml/fault_list.hpp>
 #include <dynamy/io/xml/xml_scanner.hpp>
-
-#include <array>
 #include <string>
 #include <utility>
 
 namespace dynamy {
-
 namespace {
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -37,12 +34,70 @@ std::string hexadecimal(char c) {
   return {'0', 'x', digits[byte >> 4], digits[byte & 15]};
 }
 
+/// Errors of one text, with their places and lines.
+class ScanErrors {
+ public:
+  explicit ScanErrors(const SourceText& source) : source_(source) {}
+
+  Diagnostic at(std::size_t offset, std::size_t size, std::string element, std::string text,
+                std::string hint) const {
+    Place place = source_.place(offset, size);
+    std::string line = source_.shownLine(place);
+    return {std::move(place), std::move(element), std::move(text), std::move(hint),
+            std::move(line)};
+  }
+  /// Adds to an error what stands at another place.
+  void note(Diagnostic& error, std::size_t offset, std::size_t size, std::string text) const {
+    const Diagnostic there = at(offset, size, {}, std::move(text), {});
+    error.notes.push_back({there.place, there.text, there.sourceLine});
+  }
+  void add(Diagnostic error) { all_.add(std::move(error)); }
+  void throwIfAny() const { all_.throwIfAny(); }
+
+  // Errors that end the scan.
+  [[noreturn]] void fail(Diagnostic error) {
+    add(std::move(error));
+    all_.throwAll();
+  }
+  [[noreturn]] void fail(std::size_t offset, std::size_t size, std::string element,
+                         std::string text, std::string hint) {
+    fail(at(offset, size, std::move(element), std::move(text), std::move(hint)));
+  }
+  /// An error of the file as a whole.
+  [[noreturn]] void failFile(std::string text, std::string hint = {}) const {
+    throw ModelError(
+        Diagnostic{.place = {source_.name()}, .text = std::move(text), .hint = std::move(hint)});
+  }
+
+ private:
+  const SourceText& source_;
+  FaultList all_;
+};
+
+/// Checks that the whole text is UTF-8 without characters that XML forbids.
+void checkCharacters(std::string_view text, ScanErrors& errors) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    errors.failFile("the text is UTF-16", "store the file as UTF-8");
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    errors.failFile("the file is empty");
+  for (std::size_t i = 0; i < text.size();) {
+    const Utf8Character c = nextCharacter(text, i);
+    if (!c.valid)
+      errors.fail(i, 1, {}, "the byte " + hexadecimal(text[i]) + " is no UTF-8",
+                  "store the file as UTF-8");
+    if (!isXmlCharacter(c.code))
+      errors.fail(i, 1, {}, "the byte " + hexadecimal(text[i]) + " is no text",
+                  "is this an XML file?");
+    i += c.bytes.size();
+  }
+}
+
 class Scanner {
  public:
-  explicit Scanner(const SourceText& source) : source_(source), text_(source.text()) {}
+  explicit Scanner(const SourceText& source) : text_(source.text()), errors_(source) {}
 
   XmlScan scan() {
-    checkCharacters();
+    checkCharacters(text_, errors_);
     at_ = text_.starts_with("\xEF\xBB\xBF") ? 3 : 0;
     while (at_ < text_.size()) {
       text();
@@ -50,61 +105,16 @@ class Scanner {
     }
     if (!open_.empty()) {
       const XmlScan::Element& element = scan_.elements[open_.back()];
-      fail(element.begin, element.size, tag(element), "the element is not closed",
-           "expected </" + tag(element) + "> before the end of the file");
+      errors_.fail(element.begin, element.size, tag(element), "the element is not closed",
+                   "expected </" + tag(element) + "> before the end of the file");
     }
-    if (scan_.elements.empty())
-      throw ModelError(Diagnostic{.place = {source_.name()}, .text = "there is no element in it"});
+    if (scan_.elements.empty()) errors_.failFile("there is no element in it");
     errors_.throwIfAny();
     return std::move(scan_);
   }
 
  private:
-  // Errors.
-
-  Diagnostic diagnostic(std::size_t offset, std::size_t size, std::string element, std::string text,
-                        std::string hint) const {
-    Place place = source_.place(offset, size);
-    std::string line = source_.shownLine(place);
-    return {std::move(place), std::move(element), std::move(text), std::move(hint),
-            std::move(line)};
-  }
-
-  [[noreturn]] void fail(Diagnostic error) {
-    report(std::move(error));
-    errors_.throwAll();
-  }
-
-  void report(Diagnostic error) { errors_.add(std::move(error)); }
-
-  [[noreturn]] void fail(std::size_t offset, std::size_t size, std::string element,
-                         std::string text, std::string hint) {
-    fail(diagnostic(offset, size, std::move(element), std::move(text), std::move(hint)));
-  }
-
-  // Characters.
-
-  /// Checks that the whole text is UTF-8 without characters that XML forbids.
-  void checkCharacters() {
-    const Place file{source_.name()};
-    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
-      throw ModelError(Diagnostic{
-          .place = file, .text = "the text is UTF-16", .hint = "store the file as UTF-8"});
-    if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
-      throw ModelError(Diagnostic{.place = file, .text = "the file is empty"});
-    for (std::size_t i = 0; i < text_.size();) {
-      const Utf8Character c = nextCharacter(text_, i);
-      if (!c.valid)
-        fail(i, 1, {}, "the byte " + hexadecimal(text_[i]) + " is no UTF-8",
-             "store the file as UTF-8");
-      if (!isXmlCharacter(c.code))
-        fail(i, 1, {}, "the byte " + hexadecimal(text_[i]) + " is no text", "is this an XML file?");
-      i += c.bytes.size();
-    }
-  }
-
   bool startsWith(std::string_view word) const { return text_.substr(at_).starts_with(word); }
-
   void skipSpace() {
     while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
   }
@@ -120,7 +130,6 @@ class Scanner {
   std::string tag(const XmlScan::Element& element) const {
     return std::string(text_.substr(element.begin + 1, element.size - 1));
   }
-
   std::string openTag() const { return open_.empty() ? "" : tag(scan_.elements[open_.back()]); }
 
   void checkEntities(std::size_t begin, std::size_t end, const std::string& element) {
@@ -131,7 +140,7 @@ class Scanner {
           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789#", i + 1);
       const bool closed = stop < end && text_[stop] == ';' && stop > i + 1;
       const std::size_t size = closed ? stop + 1 - i : 1;
-      report(diagnostic(
+      errors_.add(errors_.at(
           i, size, element,
           (closed ? "unknown entity " : "no entity begins at this ") +
               quotedName(text_.substr(i, size)),
@@ -147,10 +156,10 @@ class Scanner {
     const std::size_t visible = text_.find_first_not_of(" \t\r\n", begin);
     if (visible >= at_) return;
     if (open_.empty())
-      fail(visible, at_ - visible, {},
-           scan_.elements.empty() ? "text before the first element"
-                                  : "text after the end of the root element",
-           {});
+      errors_.fail(visible, at_ - visible, {},
+                   scan_.elements.empty() ? "text before the first element"
+                                          : "text after the end of the root element",
+                   {});
     checkEntities(begin, at_, openTag());
     scan_.texts.push_back({begin, false});
   }
@@ -159,8 +168,8 @@ class Scanner {
     if (startsWith("<!--")) return skipTo("-->", 4, "the comment is not closed by -->");
     if (startsWith("<![CDATA[")) return cdata();
     if (startsWith("<!"))
-      fail(at_, 2, openTag(), "document types and their entities are not read",
-           "remove the declaration");
+      errors_.fail(at_, 2, openTag(), "document types and their entities are not read",
+                   "remove the declaration");
     if (startsWith("<?")) return instruction();
     if (startsWith("</")) return closing();
     opening();
@@ -168,19 +177,19 @@ class Scanner {
 
   void skipTo(std::string_view end, std::size_t head, std::string error) {
     const std::size_t stop = text_.find(end, at_ + head);
-    if (stop == std::string_view::npos) fail(at_, head, openTag(), std::move(error), {});
+    if (stop == std::string_view::npos) errors_.fail(at_, head, openTag(), std::move(error), {});
     at_ = stop + end.size();
   }
 
   void cdata() {
-    if (open_.empty()) fail(at_, 9, {}, "text outside of the root element", {});
+    if (open_.empty()) errors_.fail(at_, 9, {}, "text outside of the root element", {});
     scan_.texts.push_back({at_ + 9, true});
     skipTo("]]>", 9, "the CDATA section is not closed by ]]>");
   }
 
   void instruction() {
     if (!scan_.elements.empty())
-      fail(at_, 2, openTag(), "<? ?> is allowed only before the first element", {});
+      errors_.fail(at_, 2, openTag(), "<? ?> is allowed only before the first element", {});
     skipTo("?>", 2, "<? is not closed by ?>");
   }
 
@@ -188,17 +197,18 @@ class Scanner {
     const std::size_t begin = at_++;
     const std::string_view tagName = name();
     if (tagName.empty())
-      fail(begin, 1, openTag(), "no name follows \"<\"", "in a text \"<\" is written &lt;");
+      errors_.fail(begin, 1, openTag(), "no name follows \"<\"", "in a text \"<\" is written &lt;");
     XmlScan::Element element{begin, tagName.size() + 1, 0};
     if (open_.empty() && !scan_.elements.empty()) {
-      Diagnostic error = diagnostic(begin, element.size, std::string(tagName),
+      Diagnostic error = errors_.at(begin, element.size, std::string(tagName),
                                     "second root element", "a file has one root element");
-      addNote(error, scan_.elements[0], " is the first");
-      fail(std::move(error));
+      const XmlScan::Element& first = scan_.elements[0];
+      errors_.note(error, first.begin, first.size, '<' + tag(first) + "> is the first");
+      errors_.fail(std::move(error));
     }
     if (open_.size() >= kDeepestXml)
-      fail(begin, element.size, std::string(tagName),
-           "elements are nested deeper than " + std::to_string(kDeepestXml), {});
+      errors_.fail(begin, element.size, std::string(tagName),
+                   "elements are nested deeper than " + std::to_string(kDeepestXml), {});
     const bool empty = attributes(element);
     scan_.elements.push_back(element);
     if (!empty) open_.push_back(scan_.elements.size() - 1);
@@ -210,23 +220,17 @@ class Scanner {
     const std::string found(name());
     skipSpace();
     const std::size_t size = at_ - begin;
-    if (open_.empty()) fail(begin, size, found, "</" + found + "> closes nothing", {});
+    if (open_.empty()) errors_.fail(begin, size, found, "</" + found + "> closes nothing", {});
     const XmlScan::Element& element = scan_.elements[open_.back()];
     if (found != tag(element)) {
-      Diagnostic error = diagnostic(begin, size, tag(element),
+      Diagnostic error = errors_.at(begin, size, tag(element),
                                     "expected </" + tag(element) + ">, found </" + found + '>', {});
-      addNote(error, element, " is opened here");
-      fail(std::move(error));
+      errors_.note(error, element.begin, element.size, '<' + tag(element) + "> is opened here");
+      errors_.fail(std::move(error));
     }
-    if (!startsWith(">")) fail(begin, size, found, "the closing tag has no \">\"", {});
+    if (!startsWith(">")) errors_.fail(begin, size, found, "the closing tag has no \">\"", {});
     ++at_;
     open_.pop_back();
-  }
-
-  void addNote(Diagnostic& error, const XmlScan::Element& element, const std::string& text) const {
-    Place place = source_.place(element.begin, element.size);
-    std::string line = source_.shownLine(place);
-    error.notes.push_back({std::move(place), '<' + tag(element) + '>' + text, std::move(line)});
   }
 
   // Attributes.
@@ -238,7 +242,7 @@ class Scanner {
       if (startsWith("/>")) return at_ += 2, true;
       if (startsWith(">")) return ++at_, false;
       if (at_ >= text_.size() || text_[at_] == '<')
-        fail(element.begin, element.size, tag(element), "the tag has no \">\"", {});
+        errors_.fail(element.begin, element.size, tag(element), "the tag has no \">\"", {});
       attribute(element);
     }
   }
@@ -249,21 +253,22 @@ class Scanner {
     const std::string attributeName(name());
     attribute.nameSize = attributeName.size();
     if (attributeName.empty())
-      fail(at_, 1, tag(element),
-           "unexpected character " + quotedName(nextCharacter(text_, at_).bytes),
-           "an attribute is written name=\"value\"");
+      errors_.fail(at_, 1, tag(element),
+                   "unexpected character " + quotedName(nextCharacter(text_, at_).bytes),
+                   "an attribute is written name=\"value\"");
     skipSpace();
     if (!startsWith("="))
-      fail(attribute.name, attribute.nameSize, tag(element),
-           "the attribute " + quotedName(attributeName) + " has no value",
-           "write " + attributeName + "=\"…\"");
+      errors_.fail(attribute.name, attribute.nameSize, tag(element),
+                   "the attribute " + quotedName(attributeName) + " has no value",
+                   "write " + attributeName + "=\"…\"");
     ++at_;
     skipSpace();
     value(element, attribute, attributeName);
     checkDouble(element, attribute, attributeName);
     if (element.attributes == kMostXmlAttributes)
-      fail(attribute.name, attribute.nameSize, tag(element),
-           "the element has more than " + std::to_string(kMostXmlAttributes) + " attributes", {});
+      errors_.fail(
+          attribute.name, attribute.nameSize, tag(element),
+          "the element has more than " + std::to_string(kMostXmlAttributes) + " attributes", {});
     scan_.attributes.push_back(attribute);
     ++element.attributes;
   }
@@ -275,9 +280,9 @@ class Scanner {
     if (quote != '"' && quote != '\'') {
       const std::size_t end = std::min(text_.find_first_of(" \t\r\n<>/\"'", begin), text_.size());
       const std::string word(text_.substr(begin, end - begin));
-      fail(begin, end - begin, tag(element),
-           "the value of " + quotedName(attributeName) + " is not in quotes",
-           "write " + attributeName + "=\"" + (word.empty() ? "…" : word) + '"');
+      errors_.fail(begin, end - begin, tag(element),
+                   "the value of " + quotedName(attributeName) + " is not in quotes",
+                   "write " + attributeName + "=\"" + (word.empty() ? "…" : word) + '"');
     }
 
     // An unclosed quote takes in the text up to the next quote.
@@ -287,12 +292,12 @@ class Scanner {
     const bool glued = end < text_.size() && !isSpace(next) && next != '>' && next != '/';
     const bool less = content.find('<') != std::string_view::npos;
     if (end == std::string_view::npos || less || (glued && content.find('=') < content.size()))
-      fail(begin, content.substr(0, content.find_first_of("=<\n")).size() + 1, tag(element),
-           "the value of " + quotedName(attributeName) + " has no closing quote",
-           less ? "in a value \"<\" is written &lt;" : "");
+      errors_.fail(begin, content.substr(0, content.find_first_of("=<\n")).size() + 1, tag(element),
+                   "the value of " + quotedName(attributeName) + " has no closing quote",
+                   less ? "in a value \"<\" is written &lt;" : "");
     if (glued)
-      fail(end + 1, 1, tag(element),
-           "expected a space after the value of " + quotedName(attributeName), {});
+      errors_.fail(end + 1, 1, tag(element),
+                   "expected a space after the value of " + quotedName(attributeName), {});
     checkEntities(begin + 1, end, tag(element));
     attribute.value = begin + 1;
     attribute.valueSize = content.size();
@@ -305,22 +310,19 @@ class Scanner {
       const XmlScan::Attribute& other = scan_.attributes[scan_.attributes.size() - 1 - i];
       if (text_.substr(other.name, other.nameSize) != attributeName) continue;
       Diagnostic error =
-          diagnostic(attribute.name, attribute.nameSize, tag(element),
+          errors_.at(attribute.name, attribute.nameSize, tag(element),
                      "the attribute " + quotedName(attributeName) + " is given twice", {});
-      Place first = source_.place(other.name, other.nameSize);
-      std::string line = source_.shownLine(first);
-      error.notes.push_back({std::move(first), "the first is here", std::move(line)});
-      report(std::move(error));
+      errors_.note(error, other.name, other.nameSize, "the first is here");
+      errors_.add(std::move(error));
       return;
     }
   }
 
-  const SourceText& source_;
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<std::size_t> open_;  // indices of open elements
   XmlScan scan_;
-  FaultList errors_;
+  ScanErrors errors_;
 };
 
 }  // namespace

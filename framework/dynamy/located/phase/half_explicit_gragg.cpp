@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/phase/half_explicit_gragg.hpp>
-#include <dynamy/located/phase/smooth_step.hpp>
 
 namespace dynamy {
 
@@ -13,20 +12,21 @@ void HalfExplicitGragg::rate(const MechanicalSystem& s, const State& x) {
 }
 
 bool HalfExplicitGragg::column(MechanicalSystem& s, FrozenPhase& phase, const State& from, int n) {
-  const double h = H_ / n;
+  const double h = h_ / n;
   Eigen::VectorXd& T = T_[static_cast<std::size_t>(n / 2 - 1)];
   T.setZero(nq_ + nu_ + rows_ + 5);
   past_ = from, now_ = from;
   for (int k = 0; k < n; ++k) {
     const double tau = k == 0 ? h : 2.0 * h;
-    if (k > 0) s.evaluate(now_, 1);
+    if (k > 0) s.evaluate(now_, stages_);
     const Evaluation& e = s.slot(k == 0 ? 0 : 1);
     rate(s, now_);
     next_.t = from.t + (k + 1) * h;
     next_.q = past_.q + tau * qdot_;
     next_.u = now_.u;
     next_.memory = from.memory;
-    if (!phase.advance(e, now_.u, s.look(next_), past_.u, tau, a_)) return false;
+    if (!phase.advance(e, now_.u, look_.at(s, next_, phase.request.in(0).held), past_.u, tau, a_))
+      return false;
     next_.u = past_.u + tau * a_;
     if (k % 2 == 1) {  // impulse and works from one even sub-step to the next
       T.segment(nq_ + nu_, rows_) += tau * phase.lambda();
@@ -39,17 +39,20 @@ bool HalfExplicitGragg::column(MechanicalSystem& s, FrozenPhase& phase, const St
   return true;
 }
 
-bool HalfExplicitGragg::take(MechanicalSystem& s, FrozenPhase& phase, const State& from, double h,
-                             int columns, bool plain, State& to) {
-  columns_ = columns, H_ = h, plain_ = plain;
-  nq_ = from.q.size(), nu_ = from.u.size();
+bool HalfExplicitGragg::take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& start,
+                             double h, State& to) {
+  const State& from = start.x;
+  const int columns = columns_;
+  h_ = h, t0_ = from.t, nq_ = from.q.size(), nu_ = from.u.size();
   // A slip that starts has the direction of γ̇_T, which needs the bias.
-  s.bias(std::any_of(phase.held.begin(), phase.held.end(), [](const Held& x) { return x.starts; }));
-  s.evaluate(from, 0);
-  rows_ = phase.countRows(s.slot(0));
+  EvaluationRequest first = phase.request.in(0);
+  stages_ = phase.request.ofStage();
+  first.bias = stages_.bias =
+      std::any_of(phase.held.begin(), phase.held.end(), [](const Held& x) { return x.starts; });
+  s.evaluate(from, first);
+  rows_ = countRows(phase.held, s.slot(0));
   bool good = true;
   for (int j = 1; good && j <= columns; ++j) good = column(s, phase, from, 2 * j);
-  s.bias(true);
   if (!good) return false;
   // Aitken's and Neville's scheme; T_[j] holds T_{j,l} after l passes over the columns below it.
   for (int l = 1; l < columns; ++l) {
@@ -67,10 +70,12 @@ bool HalfExplicitGragg::take(MechanicalSystem& s, FrozenPhase& phase, const Stat
   }
   error_ = best() - error_;
   to.t = from.t + h, to.q = best().head(nq_), to.u = best().segment(nq_, nu_);
+  impulse_ = best().segment(nq_ + nu_, rows_);
+  std::copy_n(best().data() + nq_ + nu_ + rows_, works_.size(), works_.begin());
   return true;
 }
 
-double HalfExplicitGragg::error(const ErrorNorm& norm, const State& from, const State& to) const {
+double HalfExplicitGragg::error(const ErrorNorm& norm, const State& from, const State& to) {
   double worst = 0.0;
   for (Eigen::Index i = 0; i < nq_; ++i)
     worst = std::max(worst,
@@ -81,10 +86,10 @@ double HalfExplicitGragg::error(const ErrorNorm& norm, const State& from, const 
   return worst;
 }
 
-std::array<double, 5> HalfExplicitGragg::works() const {
-  std::array<double, 5> out{};
-  std::copy_n(best().data() + nq_ + nu_ + rows_, out.size(), out.begin());
-  return out;
+bool HalfExplicitGragg::prepareDense(MechanicalSystem& s, FrozenPhase&, const PhasePoint& from,
+                                     const PhasePoint& to) {
+  through_.through(s, from, to);
+  return true;
 }
 
 }  // namespace dynamy

@@ -11,24 +11,30 @@
 /// one at its start. Rejected: constraints at q_k, which leave odd powers (Moreau's midpoint rule,
 /// theory 51.4).
 #pragma once
-#include <array>
-#include <dynamy/located/phase/frozen_phase.hpp>
-#include <dynamy/stages/error_norm.hpp>
+#include <algorithm>
+#include <dynamy/located/phase/smooth_method.hpp>
+#include <dynamy/stages/bias_differences.hpp>
 
 namespace dynamy {
 
-class HalfExplicitGragg {
+class HalfExplicitGragg final : public SmoothMethod {
  public:
   static constexpr int kMostColumns = 4;
-  /// Takes a step of length h from `from`; `to` gets q and u, with quaternions not normalised.
-  /// `plain`: q̇ = u in all systems. False: the phase has a fault. Uses slots 0 and 1.
-  bool take(MechanicalSystem& s, FrozenPhase& phase, const State& from, double h, int columns,
-            bool plain, State& to);
+  /// `plain`: q̇ = u in all systems.
+  void prepare(bool plain) { plain_ = plain; }
+  /// Number of columns of the extrapolation from now on; 0: the method is not used.
+  void columns(int n) { columns_ = n; }
+  int columns() const { return columns_; }
+  /// Uses slots 0 and 1.
+  bool take(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from, double h,
+            State& to) override;
+  int errorOrder() const override { return std::max(1, 2 * columns_ - 1); }
   /// Difference of the last two columns in units of the tolerance.
-  double error(const ErrorNorm& norm, const State& from, const State& to) const;
-  /// ∫λ dt, rows of the phase.
-  auto impulse() const { return best().segment(nq_ + nu_, rows_); }
-  std::array<double, 5> works() const;
+  double error(const ErrorNorm& norm, const State& from, const State& to) override;
+  /// The dense output is the quintic through both ends.
+  bool prepareDense(MechanicalSystem& s, FrozenPhase& phase, const PhasePoint& from,
+                    const PhasePoint& to) override;
+  void dense(double theta, State& out) const override { through_.at(theta, out); }
 
  private:
   bool column(MechanicalSystem& s, FrozenPhase& phase, const State& from, int n);
@@ -37,9 +43,11 @@ class HalfExplicitGragg {
   std::array<Eigen::VectorXd, kMostColumns> T_;  // q, u, ∫λ dt, works; extrapolated in place
   Eigen::VectorXd error_, qdot_, a_;
   State past_, now_, next_;
+  EvaluationRequest stages_;  // of the present step
+  ContactLook look_;
   Eigen::Index nq_ = 0, nu_ = 0, rows_ = 0;
   int columns_ = 0;
-  double H_ = 0.0;
+  QuinticPath through_;
   bool plain_ = false;
 };
 

@@ -5,22 +5,18 @@
 ///
 /// by Newton's method with one Jacobian ∂f/∂y at the start of the step. With A⁻¹ = T Λ T⁻¹ its
 /// equations separate into a real and a complex system, each with as many unknowns as y. The
-/// Jacobian is taken by differences of the motion that held contacts constrain: elements need not
-/// provide derivatives. It is kept while each Newton iteration reduces the change to a thousandth.
-/// kept() reports where it was taken, so that a resumed run takes it there again.
+/// Jacobian is kept while each Newton iteration reduces the change to a thousandth. kept() reports
+/// where it was taken, so that a resumed run takes it there again.
 #pragma once
 #include <array>
-#include <dynamy/core/decompositions.hpp>
-#include <functional>
+#include <dynamy/located/phase/stiff_jacobian.hpp>
 
 namespace dynamy {
 
 class RadauStep {
  public:
-  /// Evaluates f(t, y) at stage number `stage` (−1: for the Jacobian); false: that is impossible.
-  using Field =
-      std::function<bool(double t, const Eigen::VectorXd& y, int stage, Eigen::VectorXd& f)>;
-  RadauStep();
+  using Field = StiffJacobian::Field;
+  using Place = StiffJacobian::Place;
   /// Sets the norm of changes: a change d of y_i counts |d|/(tolerance max(scale_i, |y_i|)).
   void prepare(const Eigen::VectorXd& scale, double tolerance) {
     scale_ = scale, tolerance_ = tolerance;
@@ -29,48 +25,37 @@ class RadauStep {
   /// began at this y, too. False: Newton's method does not converge, or a number is not finite.
   bool take(const Field& field, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& f,
             const Eigen::VectorXd& second, double h, bool same);
-  /// Where a Jacobian was taken: t, y and y'.
-  struct Place {
-    double t = 0.0;
-    Eigen::VectorXd y, f;
-  };
   /// Place of the Jacobian that the next step begins with; null: the next step takes a new one.
-  const Place* kept() const { return known_ && keeps_ ? &place_ : nullptr; }
+  const Place* kept() const { return jacobian_.known() && keeps_ ? &jacobian_.place() : nullptr; }
   /// Takes the Jacobian at `place`, for the next step.
   bool keep(const Field& field, const Place& place);
   /// Drops the Jacobian: the next step takes a new one.
-  void forget() { known_ = false; }
+  void forget() { jacobian_.forget(); }
   /// Iterations of Newton's method in the last step; tookJacobian(): whether it took a Jacobian.
   int iterations() const { return iterations_; }
   bool tookJacobian() const { return tookJacobian_; }
   const Eigen::VectorXd& end() const { return end_; }
   /// Error of the last step in units of the tolerance; evaluates f once more if it is above 1.
   double error(const Field& field);
-  /// Largest |eigenvalue| of the Jacobian, by the power method: within some 20 % [1/s].
+  /// Largest |eigenvalue| of the Jacobian: within some 20 % [1/s].
   double fastest() const;
   /// y on the path through the stages, 0 ≤ θ ≤ 1.
   void dense(double theta, Eigen::VectorXd& y) const;
-  /// Weight of a stage in an integral over the step, divided by h.
-  static double weight(int stage);
-  static double node(int stage);
 
  private:
-  bool jacobian(const Field& field, const Place& at);
-  void factorise();
-  bool newton(const Field& field, const Eigen::VectorXd& second);
+  bool takeJacobian(const Field& field, const Place& at);
+  /// `contraction`: ratio of the last two changes.
+  bool newton(const Field& field, const Eigen::VectorXd& second, double& contraction);
   void correct();
   double measure(const Eigen::VectorXd& change) const;
-  double tolerance_ = 1e-6, t_ = 0.0, h_ = 0.0, factorised_ = 0.0;
-  Eigen::VectorXd scale_, y_, f_, end_;
-  Eigen::MatrixXd J_;
-  Lu real_;
-  ComplexLu complex_;
-  Eigen::Matrix3d A_, T_, TInverse_;
-  Place place_;
-  bool known_ = false, keeps_ = false, tookJacobian_ = false;
+  Eigen::VectorXd scale_;
+  double tolerance_ = 1e-6;
+  Place from_;  // where the step begins
+  double h_ = 0.0;
+  Eigen::VectorXd end_;
+  StiffJacobian jacobian_;
+  bool keeps_ = false, tookJacobian_ = false;
   int iterations_ = 0;
-  double contraction_ = 1.0;  // ratio of the last two changes of Newton's method
-  double gamma_ = 0.0, alpha_ = 0.0, beta_ = 0.0;
   std::array<Eigen::VectorXd, 3> z_, w_, F_;
   Eigen::VectorXd work_, change_;
   Eigen::VectorXcd pair_;

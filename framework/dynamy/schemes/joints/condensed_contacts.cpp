@@ -133,7 +133,7 @@ void CondensedContacts::select(const MechanicalSystem& s, const State& xA, const
       impulse_ += Lambda_[row] * w_;
     }
   problem_.contacts = &contacts_, problem_.G = &delassus_, problem_.dt = dt;
-  problem_.stop = s.problem().stop;
+  problem_.stop = s.limits.stop;
   problem_.gammaA.assign(n, 0.0), problem_.gammaFree.assign(n, 0.0), problem_.c.assign(n, 0.0);
   problem_.cNoise.assign(n, 0.0);
   if (n > 0) contacts_.gamma(view(xA.u), {problem_.gammaA.data(), contacts_.rows()});
@@ -155,7 +155,7 @@ double CondensedContacts::aim(int i, double gTol) const {
 /// Adds the aims of the contacts and sets the scales of the problem.
 void CondensedContacts::pose(const MechanicalSystem& s) {
   // Where all contacts open or wait, they require nothing above rounding: forces set the scale.
-  double uRef = std::max(std::numeric_limits<double>::min(), s.largestChange(dt_));
+  double uRef = std::max(std::numeric_limits<double>::min(), largestChange(s, dt_));
   for (int i = 0; i < contacts_.size(); ++i) {
     const auto first = static_cast<std::size_t>(contacts_.row0[static_cast<std::size_t>(i)]);
     if (problem_.law(i).unilateral()) problem_.gammaFree[first] += aim(i, s.gTol());
@@ -254,7 +254,7 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
                                      const State& xA, JointNewton& newton, Effort effort) {
   const int n = contacts_.rows();
   if (n == 0) return {};
-  uE_ = 2.0 * (newton.v + newton.dv) - xA.u;
+  uE_ = 2.0 * (newton.equations.v + newton.dv) - xA.u;
   contacts_.gamma(view(std::as_const(uE_)), {problem_.gammaFree.data(), n});
   // G, row by row of blocks.
   const auto size = static_cast<std::size_t>(contacts_.size());
@@ -268,7 +268,7 @@ SolveReport CondensedContacts::solve(const MechanicalSystem& s, InclusionSolver&
   pose(s);
   problem_.effort = effort;
   const SolveReport report =
-      s.impactLaw().solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
+      s.parts().impactLaw->solve(problem_, solver, {Lambda_.data(), static_cast<Eigen::Index>(n)});
   for (std::size_t i = 0; i < size; ++i)
     for (int r = 0; r < contacts_.dim(static_cast<int>(i)); ++r) {
       const auto row = static_cast<std::size_t>(contacts_.row0[i] + r);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/schemes/joints/damped_forces.hpp>
 
 namespace dynamy {
@@ -5,8 +6,8 @@ namespace dynamy {
 bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
   dt_ = dt;
   const std::vector<const ExternalForce*>& forces = s.parts().forces;
-  s.withhold(withheld_);  // the forces of the last step, mostly the same
-  const Evaluation* e = &s.evaluateAhead(x, dt, 0);
+  // The forces of the last step, mostly the same.
+  const Evaluation* e = &without(s, x);
   if (forces.empty()) return false;
   const bool some = forces_.find(forces, e->kinematics, e->mass, dt);
   if (!some && withheld_.empty()) return false;
@@ -14,8 +15,7 @@ bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
                   forces_.taken().end())) {
     withheld_.assign(forces_.taken().begin(), forces_.taken().end());
     if (!some) withheld_.clear();
-    s.withhold(withheld_);
-    e = &s.evaluateAhead(x, dt, 0);
+    e = &without(s, x);
   }
   uBegin_ = x.u;
   h_.setZero(x.u.size()), nonPotential_.setZero(x.u.size());
@@ -29,6 +29,11 @@ bool DampedForces::begin(MechanicalSystem& s, const State& x, double dt) {
   const bool same = found_ == pairs_;
   pairs_.swap(found_);
   return !same;
+}
+
+const Evaluation& DampedForces::without(MechanicalSystem& s, const State& x) const {
+  s.implicitForces().damped(static_cast<int>(std::count(withheld_.begin(), withheld_.end(), 1)));
+  return s.evaluate(x, {.ahead = dt_, .withheld = withheld_});
 }
 
 void DampedForces::couple() {

@@ -1,4 +1,4 @@
-/// DampedForces: forces that a step of JointNewton does not resolve (UnresolvedForces). They are
+/// DampedForces: forces that a step with JointEquations does not resolve (UnresolvedForces). They are
 /// extrapolated from the beginning of the step to its end, as in StaggeredMoreau, which keeps R
 /// linear:
 ///
@@ -21,6 +21,8 @@ class DampedForces {
   /// couple other mass blocks than in the step before.
   bool begin(MechanicalSystem& s, const State& x, double dt);
   bool any() const { return !forces_.entries().empty(); }
+  /// By index: 1 for a force that evaluations leave out of h meanwhile. Empty: there is none.
+  std::span<const char> withheld() const { return withheld_; }
   /// Pairs of mass blocks that these forces couple, in both orders, sorted.
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
   /// Adds h of these forces as this step uses them, with v and u^A, which an impact may have
@@ -37,6 +39,7 @@ class DampedForces {
   }
 
  private:
+  const Evaluation& without(MechanicalSystem& s, const State& x) const;
   void couple();
   double dt_ = 0.0;
   UnresolvedForces forces_;

@@ -36,6 +36,7 @@ class JointTangent {
 
  private:
   struct BlockTangent {
+    const PositionTangents* system = nullptr;
     Matrix6 half = Matrix6::Zero(), whole = Matrix6::Zero(), K = Matrix6::Zero();
   };
   struct Side {
@@ -47,7 +48,7 @@ class JointTangent {
   };
   bool findSides(const Evaluation& e, const ContactSet& atEnd, int i, int iEnd,
                  const double* Lambda);
-  bool turn(const MechanicalSystem& s);
+  void turn(const MechanicalSystem& s);
   void addQuotient(const MechanicalSystem& s, double power);
 
   double dt_ = 0.0;

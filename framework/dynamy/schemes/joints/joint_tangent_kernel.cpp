@@ -1,7 +1,7 @@
 #include <dynamy/schemes/joints/joint_tangent.hpp>
+#include <dynamy/system/position_tangents.hpp>
 
 namespace dynamy {
-namespace {}  // namespace
 
 bool JointTangent::begin(const MechanicalSystem& s, const State& midpoint, const Eigen::VectorXd& v,
                          double dt) {
@@ -19,9 +19,11 @@ bool JointTangent::begin(const MechanicalSystem& s, const State& midpoint, const
     BlockTangent& b = blocks_[h.block0];
     const ConstVec q = slice(midpoint.q, h.q0, h.nq), u = slice(v, h.u0, h.nu);
     const Block Tb(T, h.nu, h.nu), Kb(K, h.nu, h.nu), Db(D, h.nu, h.nu);
-    if (!system.moveTangent(u, 0.5 * dt, Tb)) return false;
+    b.system = system.positionTangents();
+    if (!b.system) return false;
+    b.system->moveTangent(u, 0.5 * dt, Tb);
     b.half.topLeftCorner(h.nu, h.nu) = Tb;
-    if (!system.moveTangent(u, dt, Tb)) return false;
+    b.system->moveTangent(u, dt, Tb);
     b.whole.topLeftCorner(h.nu, h.nu) = Tb;
     auto own = b.K.topLeftCorner(h.nu, h.nu);
     own = 2.0 * s.slot(0).mass.M(h.block0);
@@ -37,7 +39,8 @@ bool JointTangent::joint(const MechanicalSystem& s, int i, int iEnd, const doubl
   const ContactSet& c = e.contacts;
   const NonSmoothElement& element = *s.parts().contacts[c.element[i]];
   if (!element.jointForces(e.kinematics, contactNumber(c.key[i]), Lambda, forces_)) return false;
-  if (!findSides(e, s.slot(1).contacts, i, iEnd, Lambda) || !turn(s)) return false;
+  if (!findSides(e, s.slot(1).contacts, i, iEnd, Lambda)) return false;
+  turn(s);
   double power = 0.0;
   for (int r = 0; r < c.dim(i); ++r) power += Lambda[r] * (c.chi[c.row0[i] + r] - gRate[r]);
   addQuotient(s, power);
@@ -82,7 +85,7 @@ bool JointTangent::findSides(const Evaluation& e, const ContactSet& atEnd, int i
 }
 
 /// Computes ∂(WΛ)_a/∂v_b, and its share in ∂p/∂v_b.
-bool JointTangent::turn(const MechanicalSystem& s) {
+void JointTangent::turn(const MechanicalSystem& s) {
   const Topology& topology = *s.parts().topology;
   const Kinematics& k = s.slot(0).kinematics;
   for (int b = 0; b < sides_; ++b) {
@@ -95,17 +98,15 @@ bool JointTangent::turn(const MechanicalSystem& s) {
         const auto& [system, id] = topology.requestedFrames()[forces_.frame[x.number].index];
         double S[36];
         const Block stiffness(S, x.nu, x.nu);
-        if (!topology.systems()[system]->frameStiffness(k.t(), k.q(topology.system(system)), id,
-                                                        forces_.F[x.number], forces_.M[x.number],
-                                                        stiffness))
-          return false;
+        blocks_[x.block].system->frameStiffness(k.t(), k.q(topology.system(system)), id,
+                                                forces_.F[x.number], forces_.M[x.number],
+                                                stiffness);
         G.topLeftCorner(x.nu, x.nu) += stiffness;
       }
       force_[a][b] = 0.5 * dt_ * G.lazyProduct(blocks_[y.block].half);
       y.powerByV += force_[a][b].transpose().lazyProduct(x.v);
     }
   }
-  return true;
 }
 
 /// Adds −∂(p/s Mv)/∂v: the derivatives of p, of Mv, and of 1/s.

@@ -14,20 +14,20 @@ bool begins(const ContactSet& c, int i, const double* gamma, double still, Held&
   const auto at = static_cast<std::size_t>(i);
   const SetValuedForceLaw& law = *c.law[at];
   out.key = c.key[at];
-  FrozenPhase::Bounds bounds;
+  ForceSet set;
   LawInput in = c.input(i, 1.0, nullptr);
   in.gammaA = gamma;
-  if (in.dim > kMostRows || !FrozenPhase::bounds(law, in, bounds))
+  if (in.dim > kMostRows || !forceSet(law, in, set))
     return true;  // accelerate() reports the reason
   if (law.unilateral() && gamma[0] > still) return false;
-  if (bounds.form == FrozenPhase::Form::notch) {
+  if (set.form == ForceSet::Form::notch) {
     const double x = in.position[0];
     out.slips = std::abs(x) > kSticks || std::abs(gamma[0]) > kSticks;
     out.sign = (std::abs(x) > kSticks ? x : gamma[0]) > 0.0 ? 1.0 : -1.0;
     return true;
   }
-  const bool cone = bounds.form == FrozenPhase::Form::cone;
-  if (!cone && bounds.form != FrozenPhase::Form::given) return true;
+  const bool cone = set.form == ForceSet::Form::cone;
+  if (!cone && set.form != ForceSet::Form::given) return true;
   const int first = cone ? 1 : 0, k = c.dim(i) - first;
   double slip = 0.0;
   for (int r = first; r < c.dim(i); ++r) slip = std::hypot(slip, gamma[r]);
@@ -43,8 +43,7 @@ bool begins(const ContactSet& c, int i, const double* gamma, double still, Held&
 HeldMotion::HeldMotion(Model& model, const State& x, double gap, double slip)
     : model_(model), system_(model.mechanicalSystem()) {
   system_.gTol(gap);
-  system_.bias(true);
-  const ContactSet& c = system_.evaluate(x).contacts;
+  const ContactSet& c = system_.evaluate(x, {.bias = true}).contacts;
   Eigen::VectorXd gamma(c.rows());
   c.gamma(view(x.u), view(gamma));
   for (int i = 0; i < c.size(); ++i) {
@@ -52,12 +51,11 @@ HeldMotion::HeldMotion(Model& model, const State& x, double gap, double slip)
     if (begins(c, i, gamma.data() + c.row0[static_cast<std::size_t>(i)], slip, held))
       phase_.held.push_back(held);
   }
-  phase_.keys(keys_);
-  system_.freeze(keys_);
+  heldKeys(phase_.held, keys_);
 }
 
 MotionSample HeldMotion::at(const State& x) {
-  const Evaluation& e = system_.evaluate(x);
+  const Evaluation& e = system_.evaluate(x, {.held = HeldContacts{keys_}, .bias = true});
   if (const int wrong = system_.indefiniteMass(); wrong >= 0)
     throw ModelError(systemName(model_, wrong) + ": the mass matrix is not positive definite",
                      "the motion cannot be linearised here");
@@ -69,15 +67,16 @@ MotionSample HeldMotion::at(const State& x) {
   e.mass.applyInverse(view(e.h), view(free));
   freeAcceleration_ = free.size() > 0 ? free.lpNorm<Eigen::Infinity>() : 0.0;
   std::vector<double> gamma, position;
+  const HeldRows& rows = phase_.rows();
   for (std::size_t i = 0; i < phase_.held.size(); ++i) {
-    const FrozenPhase::Form form = phase_.form(i);
     const bool slips = phase_.held[i].slips;
-    const int kept = !slips ? phase_.dim(i) : form == FrozenPhase::Form::cone ? 1 : 0;
+    const bool cone = rows.set(i).form == ForceSet::Form::cone;
+    const int kept = !slips ? rows.dim(i) : cone ? 1 : 0;
     const auto at = static_cast<std::size_t>(
         std::find(e.contacts.key.begin(), e.contacts.key.end(), phase_.held[i].key) -
         e.contacts.key.begin());
     for (int r = 0; r < kept; ++r) {
-      gamma.push_back(phase_.gamma()[phase_.row0(i) + r]);
+      gamma.push_back(rows.gamma()[rows.row0(i) + r]);
       position.push_back(e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at] + r)]);
     }
   }
@@ -128,8 +127,9 @@ std::vector<HeldMotion::Contact> HeldMotion::contacts() const {
     const auto at = std::find(c.key.begin(), c.key.end(), held.key) - c.key.begin();
     contact.law = c.law[static_cast<std::size_t>(at)];
     contact.slips = held.slips;
-    for (int r = 0; r < phase_.dim(i); ++r)
-      contact.lambda.push_back(phase_.lambda()[phase_.row0(i) + r]);
+    const HeldRows& rows = phase_.rows();
+    for (int r = 0; r < rows.dim(i); ++r)
+      contact.lambda.push_back(phase_.lambda()[rows.row0(i) + r]);
     phase_.margin(i, contact.margin);
     out.push_back(std::move(contact));
   }

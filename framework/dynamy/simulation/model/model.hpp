@@ -14,9 +14,8 @@
 #include <dynamy/contact/non_smooth_element.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/simulation/model/observer.hpp>
-#include <dynamy/simulation/model/settings.hpp>
-#include <dynamy/stages/one_step.hpp>
-#include <dynamy/system/description.hpp>
+#include <dynamy/simulation/model/scene_description.hpp>
+#include <dynamy/simulation/model/scheme_choice.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <functional>
 #include <map>
@@ -26,13 +25,10 @@ namespace dynamy {
 
 class PairLaws;
 
-/// A signal with its full name and the element it belongs to.
-struct NamedSignal {
-  std::string name;  ///< "ball.z"
-  Signal signal;
-  int system = -1;   ///< index of the system, −1: none
-  int contact = -1;  ///< index of the contact element, −1: none
-  int memory0 = 0, memory = 0;
+/// The file that a model was made from.
+struct ModelFile {
+  std::string name;  ///< empty: none
+  std::string text;  ///< as in the file
 };
 
 /// Makes a T that belongs to another element, e.g. a shape of a body or the law of a contact, from
@@ -82,7 +78,8 @@ class Model {
   SimulationSettings simulation;
   RecordSettings record;
   std::vector<CheckSettings> checks;
-  std::string title, sourceFile, sourceText, doc;
+  ModelFile file;
+  std::string title, doc;
   std::vector<std::string> composed;  ///< what completions made of joints, for reports
   std::string view;                   ///< of the replay: "xy" "xz" "yz" "iso" or empty (chosen)
 
@@ -98,54 +95,48 @@ class Model {
   const std::vector<std::unique_ptr<Observer>>& observers() const { return observers_; }
   /// Descriptions of the systems, then of the contact elements, then of the forces. Their signals
   /// are moved to signals().
-  const std::vector<Description>& descriptions() const { return descriptions_; }
+  const std::vector<Description>& descriptions() const { return description_.elements(); }
   const Description& description(int system) const {
-    return descriptions_[static_cast<std::size_t>(system)];
+    return description_.elements()[static_cast<std::size_t>(system)];
   }
-  const std::vector<NamedSignal>& signals() const { return signals_; }
-  const NamedSignal* signal(std::string_view name) const;
-  OneStep& scheme() { return *scheme_; }
-  const OneStep& scheme() const { return *scheme_; }
+  const std::vector<NamedSignal>& signals() const { return description_.signals(); }
+  const NamedSignal* signal(std::string_view name) const { return description_.signal(name); }
+  OneStep& scheme() { return choice_.scheme(); }
+  const OneStep& scheme() const { return choice_.scheme(); }
   const InclusionSolver& solver() const { return *solver_; }
   InclusionSolver& solver() { return *solver_; }
-  void scheme(std::unique_ptr<OneStep> scheme);
+  void scheme(std::unique_ptr<OneStep> scheme) { choice_.name(std::move(scheme)); }
   /// Asks for steps of length dt [s] in place of a tolerance. An explicitly named scheme that
   /// chooses its steps keeps its tolerance and takes dt as its longest step.
-  void askStep(double dt);
+  void askStep(double dt) { choice_.askStep(dt, simulation); }
   /// Asks for a tolerance in place of a step: LocatedDormandPrince replaces a scheme of fixed
   /// steps.
-  void askTolerance(double tolerance);
+  void askTolerance(double tolerance) { choice_.askTolerance(tolerance, simulation); }
   /// Called at the start of a run. If no scheme was named, chooses one by whether `simulation` has
   /// a tolerance or a step. Passes the accuracy to a scheme that works to a tolerance.
-  void readyScheme();
+  void readyScheme() { choice_.ready(length(), simulation); }
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
   State initialState() const;
   /// Length of the scene [m]: extent of initial frame positions and shapes, at least 1e-6; 1 if
   /// there is nothing to measure.
-  double length() const { return length_; }
+  double length() const { return description_.length(); }
   MechanicalSystem mechanicalSystem();
 
  private:
-  void describeAll();
   void connectAll();
-  void measure();
   std::vector<std::unique_ptr<PartialMechanicalSystem>> systems_;
   std::vector<std::unique_ptr<NonSmoothElement>> contacts_;
   std::vector<std::unique_ptr<ExternalForce>> forces_;
   std::unique_ptr<PairLaws> pairLaws_;
   std::vector<std::unique_ptr<Observer>> observers_;
   std::vector<std::unique_ptr<Element>> others_;
-  void chooseScheme();
-  std::unique_ptr<OneStep> scheme_;
-  bool schemeIsDefault_ = false;  ///< no scheme was named
+  SchemeChoice choice_;
   std::unique_ptr<InclusionSolver> solver_;
   std::unique_ptr<ImpactLaw> impactLaw_;
   std::unique_ptr<Topology> topology_;
-  std::vector<Description> descriptions_;  // systems, then contacts, then forces
-  std::vector<NamedSignal> signals_;
+  SceneDescription description_;
   std::vector<Completion> completions_;
-  double length_ = 1.0;
 };
 
 }  // namespace dynamy

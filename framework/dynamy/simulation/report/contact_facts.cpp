@@ -78,11 +78,11 @@ ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int cont
   const auto at = static_cast<std::size_t>(contact);
   const int first = c.row0[at], dim = c.dim(contact);
   ContactRecord out;
-  out.point = c.point[at], out.normal = c.normal[at];
+  out.point = c.places.point[at], out.normal = c.places.normal[at];
   out.status = contactStatus(view, contact);
   out.impact = impacts(view, contact);
   out.spin = out.status == Status::slip && dim > 3 && spins(view, contact);
-  const Vec3* const direction[] = {&c.normal[at], &c.t1[at], &c.t2[at]};
+  const Vec3* const direction[] = {&c.places.normal[at], &c.places.t1[at], &c.places.t2[at]};
   for (int r = 0; r < dim && r < 3; ++r)
     out.force += view.Lambda[first + r] / view.report.dt * *direction[r];
   out.limit = frictionLimit(view, contact) / view.report.dt;

@@ -121,7 +121,7 @@ void Recorder::contacts(const StepView& view) {
   impacts_.look();
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    if (c.normal[at].isZero(0.0)) continue;  // has no place in the scene
+    if (c.places.normal[at].isZero(0.0)) continue;  // has no place in the scene
     contacts_.push_back(contactRecord(view, impacts_, i));
   }
 }

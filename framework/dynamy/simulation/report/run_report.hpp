@@ -1,10 +1,8 @@
-/// RunReport: the figures of a run, and the observer that counts them.
+/// RunReport: the figures of a run, by what they are about.
 #pragma once
 #include <algorithm>
 #include <cstdint>
 #include <dynamy/simulation/report/energy_ledger.hpp>
-#include <dynamy/simulation/report/record_sink.hpp>
-#include <dynamy/simulation/report/step_impacts.hpp>
 #include <string>
 
 namespace dynamy {
@@ -52,6 +50,7 @@ struct RunTrust {
   double way = 0.0;       ///< distance of the fastest frame in a step [m]
   double fall = 0.0;      ///< distance by the forces alone in a step [m]
   double leap = 0.0;      ///< distance in a step over the sizes of shapes
+  int damped = 0;         ///< most forces that one step does not resolve and takes at its end
   /// Error of the energies by rounding [J]; changes below it are not reported (RunWatch).
   double rounding = 0.0;
   /// Scale that changes of energy are compared with [J]; kWarned times this scale is never below
@@ -107,6 +106,77 @@ struct SteppingReport {
   }
 };
 
+/// How the inclusions of accepted steps were solved.
+struct SolverReport {
+  long solves = 0;  ///< inclusions with at least one contact
+  long iterations = 0;
+  int iterationsMax = 0;
+  long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance
+  Unsolved unsolved;
+  Worst residual;  ///< largest of E_f, E_u
+  double iterationsMean() const {
+    return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0.0;
+  }
+  void archive(Archive& a) {
+    a(solves), a(iterations), a(iterationsMax), a(unconverged), a(unsolved), a(residual);
+  }
+};
+
+/// What happened at the contacts.
+struct ContactReport {
+  int most = 0;  ///< largest number of closed contacts in a step
+  long impacts = 0;
+  long switches = 0;         ///< changes of a contact's status
+  long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
+  Worst energyGain;          ///< the largest such gain, before the repair [J]
+  void archive(Archive& a) { a(most), a(impacts), a(switches), a(repairedImpacts), a(energyGain); }
+};
+
+/// Gaps at positions that contacts and joints should not reach.
+struct GapReport {
+  Worst penetration;    ///< −g of unilateral contacts, at ends of steps as well [m]
+  Worst solvedOverlap;  ///< −g only where steps solve for their forces [m]
+  Worst jointError;     ///< position error of joints at ends of steps [m]
+  void archive(Archive& a) { a(penetration), a(solvedOverlap), a(jointError); }
+};
+
+/// Fast bodies, which would pass a contact within a step (theory 37).
+struct PassingReport {
+  long swept = 0;   ///< attempted steps whose path was searched for fast bodies
+  long parted = 0;  ///< steps taken in parts, because a body would have passed a contact
+  long left = 0;    ///< steps with too many parts, whose rest was taken without a search
+  Worst firstLeft;  ///< first step counted by `left`, and the contact passed; no value
+  /// Without `swept`: a resumed run counts its own.
+  void archive(Archive& a) { a(parted), a(left), a(firstLeft); }
+};
+
+/// Steps that a simpler scheme took, StepReport::simpler.
+struct SimplerReport {
+  long steps = 0;
+  double firstEnd = 0.0;  ///< end of the first of these steps [s]
+  void archive(Archive& a) { a(steps), a(firstEnd); }
+};
+
+/// Switches of a scheme that locates their instants.
+struct LocatedReport {
+  long switches = 0;             ///< switches whose instants were located
+  long accumulations = 0;        ///< infinite sequences of impacts that were passed
+  double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
+  long undecided = 0;            ///< switches at which no status was consistent, or several were
+  Worst unseen;  ///< longest step at rest while forces changed between its looks [s]
+  void archive(Archive& a) {
+    a(switches), a(accumulations), a(accumulationEnd), a(undecided), a(unseen);
+  }
+};
+
+/// What a run has cost.
+struct CostReport {
+  long evaluations = 0;          ///< of M, h and contacts
+  StepEffort effort;             ///< evaluations of a scheme that chooses its steps, by purpose
+  double cpu = 0.0, wall = 0.0;  ///< [s]
+  void archive(Archive& a);
+};
+
 struct RunReport {
   enum class Ended { finished, stopped, failed };
   /// Kinds of failures; the last two would not have happened on a larger machine.
@@ -117,74 +187,26 @@ struct RunReport {
   bool refused = false;  ///< it failed because the scheme does not admit the scene
   double t = 0.0;        ///< time reached [s]
 
-  long steps = 0, rejected = 0;
-  long swept = 0;             ///< attempted steps whose path was looked along for fast bodies
-  long parted = 0;            ///< steps taken in parts, because a body would have passed a contact
-  long left = 0;              ///< steps with too many parts, whose rest was taken without looking
-  Worst firstLeft;            ///< first step counted by `left`, and the contact passed; no value
-  int damped = 0;             ///< most forces that one step does not resolve and takes at its end
-  long simpler = 0;           ///< steps that a simpler scheme took, StepReport::simpler
-  double firstSimpler = 0.0;  ///< end of the first step counted by `simpler` [s]
-  long evaluations = 0;       ///< of M, h and contacts
-  long solves = 0;            ///< inclusions with at least one contact
-  long iterations = 0;
-  int iterationsMax = 0;
-  long unconverged = 0;  ///< accepted steps whose inclusion missed its tolerance
-  long impacts = 0, switches = 0;
-  long located = 0;              ///< switches whose instants were located
-  long accumulations = 0;        ///< infinite sequences of impacts that were passed
-  double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
-  StepEffort effort;             ///< evaluations of a scheme that chooses its steps, by purpose
+  long steps = 0;     ///< accepted
+  long rejected = 0;  ///< tries that were not accepted
+  SimplerReport simpler;
+  PassingReport passing;
+  LocatedReport located;
   SteppingReport stepping;
-  long undecided = 0;  ///< switches at which no status was consistent, or several were
-  Worst unseen;        ///< longest step at rest while forces changed between its looks [s]
-  int contactsMax = 0;
-  long repairedImpacts = 0;  ///< groups of contacts whose impact would have gained energy
-  Worst energyGain;          ///< the largest such gain, before the repair [J]
-  Unsolved unsolved;
-  Worst residual;                ///< largest of E_f, E_u
-  Worst penetration;             ///< −g of unilateral contacts, at ends of steps as well [m]
-  Worst solvedOverlap;           ///< −g only where steps solve for their forces [m]
-  Worst jointError;              ///< position error of joints at ends of steps [m]
-  double cpu = 0.0, wall = 0.0;  ///< [s]
+  SolverReport solver;
+  ContactReport contacts;
+  GapReport gaps;
   EnergyReport energy;
   RunTrust trust;
   StartReport start;
+  CostReport cost;
   std::vector<Warning> warnings;  ///< at the end of the run
   std::uint64_t hash = 0;         ///< of the motion: MotionHash
 
   /// True: a warning says that the run is not what the model asks for (WarningKind::qualifies).
   bool qualified() const;
-  double iterationsMean() const {
-    return solves > 0 ? static_cast<double>(iterations) / static_cast<double>(solves) : 0.0;
-  }
+  /// Without what is known at the end only: `energy`, `warnings`, `hash` and how it ended.
   void archive(Archive& a);
-};
-
-/// Sums up the reports of the accepted steps.
-class StepStatistics final : public Observer {
- public:
-  explicit StepStatistics(RunReport& report) : report_(report) {}
-  /// Reports impacts and switches to `sink` from now on.
-  void tell(RecordSink& sink) { sink_ = &sink; }
-  void step(const StepView& view) override;
-  void archive(Archive& a) override;
-
- private:
-  struct Seen {
-    ContactKey key;
-    Status status;
-    bool impact;
-    void archive(Archive& a) { a(key), a(status), a(impact); }
-  };
-  void stepped(const StepView& view);
-  void gaps(const StepView& view);
-  void statuses(const StepView& view);
-  void switched(double t, const Seen& from, const Seen& to);
-  RunReport& report_;
-  RecordSink* sink_ = nullptr;
-  StepImpacts impacts_;
-  std::vector<Seen> before_, now_;
 };
 
 }  // namespace dynamy

@@ -26,21 +26,21 @@ double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 
 using Warnings = std::vector<Warning>;
 
 void aboutSolver(const RunReport& r, Warnings& out) {
-  if (r.unconverged == 0) return;
-  if (r.residual.value <= kSolvedResidual) {
+  if (r.solver.unconverged == 0) return;
+  if (r.solver.residual.value <= kSolvedResidual) {
     out.push_back({"unsolved",
                    fmt::format("in {} steps positions or velocities were not brought to what they "
                                "hold, or the scheme's own iteration did not end; their inclusions "
                                "are solved, residual {:.2g} at most",
-                               r.unconverged, r.residual.value),
-                   r.unconverged, r.unsolved.t, r.unsolved.contact});
+                               r.solver.unconverged, r.solver.residual.value),
+                   r.solver.unconverged, r.solver.unsolved.t, r.solver.unsolved.contact});
     return;
   }
   out.push_back({"unsolved",
                  fmt::format("{} of {} inclusions missed their tolerance, residual {:.2g} at most"
                              "; their forces and velocities are not to be trusted",
-                             r.unconverged, r.solves, r.residual.value),
-                 r.unconverged, r.unsolved.t, r.unsolved.contact});
+                             r.solver.unconverged, r.solver.solves, r.solver.residual.value),
+                 r.solver.unconverged, r.solver.unsolved.t, r.solver.unsolved.contact});
 }
 
 void aboutEnergy(const RunReport& r, Warnings& out) {
@@ -67,65 +67,68 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
 }
 
 void aboutImpacts(const RunReport& r, Warnings& out) {
-  if (ratio(r.energyGain.value, r.trust.energyScale()) < kLeastShare) return;
+  if (ratio(r.contacts.energyGain.value, r.trust.energyScale()) < kLeastShare) return;
   out.push_back({"impact law",
                  fmt::format("{} impacts would have gained energy, {:.2g} J at most "
                              "(t = {:.6g} s): less rebound was taken",
-                             r.repairedImpacts, r.energyGain.value, r.energyGain.t),
-                 r.repairedImpacts, r.energyGain.t});
+                             r.contacts.repairedImpacts, r.contacts.energyGain.value,
+                             r.contacts.energyGain.t),
+                 r.contacts.repairedImpacts, r.contacts.energyGain.t});
 }
 
 void aboutPositions(const RunReport& r, double length, Warnings& out) {
-  const double overlap = r.penetration.value;
-  if (r.penetration.t == 0.0 && overlap > kStart * length)
+  const double overlap = r.gaps.penetration.value;
+  if (r.gaps.penetration.t == 0.0 && overlap > kStart * length)
     out.push_back({"start",
                    fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
                                "them apart changes the energy",
-                               overlap, r.penetration.name),
-                   1, 0.0, r.penetration.name});
+                               overlap, r.gaps.penetration.name),
+                   1, 0.0, r.gaps.penetration.name});
   else if (overlap > kMuchOverlap * length)
-    out.push_back({"overlap",
-                   fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
-                               "of the scene's length",
-                               overlap, r.penetration.name, r.penetration.t, overlap / length),
-                   1, r.penetration.t, r.penetration.name});
-  else if (r.trust.way > 0.0 &&
-           overlap > std::max(kOverlapWays * r.trust.way, kLeastShare * length))
     out.push_back(
         {"overlap",
          fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
-                     "times the way of the fastest in a step",
-                     overlap, r.penetration.name, r.penetration.t, ratio(overlap, r.trust.way)),
-         1, r.penetration.t, r.penetration.name});
-  if (r.jointError.value > kJoint * length)
+                     "of the scene's length",
+                     overlap, r.gaps.penetration.name, r.gaps.penetration.t, overlap / length),
+         1, r.gaps.penetration.t, r.gaps.penetration.name});
+  else if (r.trust.way > 0.0 &&
+           overlap > std::max(kOverlapWays * r.trust.way, kLeastShare * length))
+    out.push_back({"overlap",
+                   fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
+                               "times the way of the fastest in a step",
+                               overlap, r.gaps.penetration.name, r.gaps.penetration.t,
+                               ratio(overlap, r.trust.way)),
+                   1, r.gaps.penetration.t, r.gaps.penetration.name});
+  if (r.gaps.jointError.value > kJoint * length)
     out.push_back({"joints",
                    fmt::format("joint {} is off by {:.2g} m (t = {:.6g} s), {:.2g} of "
                                "the scene's length: project=\"both\" in <simulation>, or "
                                "a scheme that holds positions, keeps it",
-                               r.jointError.name, r.jointError.value, r.jointError.t,
-                               r.jointError.value / length),
-                   1, r.jointError.t, r.jointError.name});
+                               r.gaps.jointError.name, r.gaps.jointError.value, r.gaps.jointError.t,
+                               r.gaps.jointError.value / length),
+                   1, r.gaps.jointError.t, r.gaps.jointError.name});
 }
 
 void aboutParts(const RunReport& r, Warnings& out) {
-  if (r.left == 0) return;
+  if (r.passing.left == 0) return;
   out.push_back(
       {"passed",
        fmt::format("fast bodies hit so often in {} step{} (first at t = {:.6g} s, {}) that "
                    "the rest of it was taken without looking what they pass; take a "
                    "smaller step",
-                   r.left, r.left == 1 ? "" : "s", r.firstLeft.t, r.firstLeft.name),
-       r.left, r.firstLeft.t, r.firstLeft.name});
+                   r.passing.left, r.passing.left == 1 ? "" : "s", r.passing.firstLeft.t,
+                   r.passing.firstLeft.name),
+       r.passing.left, r.passing.firstLeft.t, r.passing.firstLeft.name});
 }
 
 void aboutSimpler(const RunReport& r, Warnings& out) {
-  if (r.simpler == 0) return;
+  if (r.simpler.steps == 0) return;
   out.push_back({"simpler",
                  fmt::format("<EnergyMomentum> found no solution with joints at their positions in "
                              "{} step{} (the first ends at t = {:.6g} s): StaggeredMoreau took "
                              "them, with joints in the mean; take a smaller step",
-                             r.simpler, r.simpler == 1 ? "" : "s", r.firstSimpler),
-                 r.simpler, r.firstSimpler, ""});
+                             r.simpler.steps, r.simpler.steps == 1 ? "" : "s", r.simpler.firstEnd),
+                 r.simpler.steps, r.simpler.firstEnd, ""});
 }
 
 void aboutStepping(const RunReport& r, Warnings& out) {
@@ -144,14 +147,15 @@ void aboutStepping(const RunReport& r, Warnings& out) {
 }
 
 void aboutRest(const RunReport& r, Warnings& out) {
-  if (r.unseen.value <= 0.0) return;
-  out.push_back({"rest",
-                 fmt::format("nothing moved for {:.3g} s from t = {:.6g} s while forces changed "
-                             "faster than a run to a tolerance looks at them: what switches in "
-                             "between may be missed; --step {:.1g} beside the tolerance bounds "
-                             "its steps",
-                             r.unseen.value, r.unseen.t, 0.02 * r.unseen.value),
-                 1, r.unseen.t});
+  if (r.located.unseen.value <= 0.0) return;
+  out.push_back(
+      {"rest",
+       fmt::format("nothing moved for {:.3g} s from t = {:.6g} s while forces changed "
+                   "faster than a run to a tolerance looks at them: what switches in "
+                   "between may be missed; --step {:.1g} beside the tolerance bounds "
+                   "its steps",
+                   r.located.unseen.value, r.located.unseen.t, 0.02 * r.located.unseen.value),
+       1, r.located.unseen.t});
 }
 
 void aboutStep(const RunReport& r, double length, Warnings& out) {
@@ -194,20 +198,21 @@ constexpr std::array<RunFigure, 11> kFigures = {{
     {"energyRise", "rise of T + V that nothing brought in, over the largest T",
      [](const RunReport& r) { return ratio(r.trust.energyRise, r.trust.energyScale()); }},
     {"impactGain", "energy that impacts would have gained by their law [J]",
-     [](const RunReport& r) { return r.energyGain.value; }},
+     [](const RunReport& r) { return r.contacts.energyGain.value; }},
     {"penetration", "worst overlap of a unilateral contact, at ends of steps as well [m]",
-     [](const RunReport& r) { return r.penetration.value; }},
+     [](const RunReport& r) { return r.gaps.penetration.value; }},
     {"solvedOverlap", "worst overlap where steps solve for their forces [m]",
-     [](const RunReport& r) { return r.solvedOverlap.value; }},
+     [](const RunReport& r) { return r.gaps.solvedOverlap.value; }},
     {"jointError", "worst position error of a joint [m]",
-     [](const RunReport& r) { return r.jointError.value; }},
+     [](const RunReport& r) { return r.gaps.jointError.value; }},
     {"unsolved", "inclusions that missed their tolerance",
-     [](const RunReport& r) { return static_cast<double>(r.unconverged); }},
+     [](const RunReport& r) { return static_cast<double>(r.solver.unconverged); }},
     {"residual", "largest residual of an inclusion",
-     [](const RunReport& r) { return r.residual.value; }},
-    {"impacts", "impacts", [](const RunReport& r) { return static_cast<double>(r.impacts); }},
+     [](const RunReport& r) { return r.solver.residual.value; }},
+    {"impacts", "impacts",
+     [](const RunReport& r) { return static_cast<double>(r.contacts.impacts); }},
     {"switches", "changes of a contact's status",
-     [](const RunReport& r) { return static_cast<double>(r.switches); }},
+     [](const RunReport& r) { return static_cast<double>(r.contacts.switches); }},
     {"steps", "steps", [](const RunReport& r) { return static_cast<double>(r.steps); }},
 }};
 

@@ -2,36 +2,23 @@
 /// of them cannot and why. All limits are ratios, so that none depends on the units or the size of
 /// a scene:
 ///
-///   energy      e(t) = |ΔT + ΔV − works + joints|, summed over intervals without an impact,
-///               because some schemes book the loss of an impact in this term alone; and
-///               rise(t) = (T + V) − start − the work of drives and boundaries.
-///               Both are sampled at some hundred instants and divided by the largest T
-///   rounding    r = max((64 + N) ε, 1e-11) (max T + max|V| + Σ|works|) + ε ½ sᵀM s/t²: the error
-///               of the energies by rounding in N steps and by positions known to g_tol, and
-///               the energy of a motion by √ε of the scene's length s (1 rad for angles) until
-///               the end t. Only what e and rise exceed r by counts
-///   resolution  (ωΔt)² = √(Σ|Δ²u|²_M / Σ(|u|²_M + |Δt M⁻¹h|²_M)) over steps without a change of
-///               contacts: an oscillation of ω has Δ²u = −(ωΔt)² u
-///   turn        the largest |Ω| Δt of a frame
-///   fall        ½ Δt² |M⁻¹h|, the distance that the forces alone cause in a step, over the scene's
-///               length
-///   leap        the distance a shape moves in a step, over the sum of its smallest size and that
-///               of the smallest shape it could meet: above 1 they may pass through each other
-///               unnoticed; half spaces are never passed
+///   energy      error, rise and gain over the largest T, sampled at some hundred instants:
+///               EnergyWatch
 ///   overlap     penetration over the scene's length, and over the distance that the fastest frame
-///               or contact moves in a step, which bounds it for a scheme on velocity level.
-///               Penetration is measured where steps evaluate the contacts, and at the ends of
-///               steps, which are recorded: γ^E extrapolates from the former to the latter. If the
-///               extrapolated depth exceeds all before, gaps are evaluated there, as long as that
-///               costs little
+///               or contact moves in a step, which bounds it for a scheme on velocity level: GapWatch
 ///   joints      the worst position error over the scene's length, at the same instants as the
-///               energy: schemes hold joints at the ends of steps, not where they evaluate them
+///               energy: GapWatch
+///   resolution  ωΔt of smooth motion, and the fall in a step over the scene's length:
+///               ResolutionWatch
+///   turn, leap  what bodies turn and move in a step: TravelWatch
 ///
 /// Rejected: a second run with half the step for every run. It measures the error itself, but costs
 /// three times as much; it is available on request (dynamy run --error-bar).
 #pragma once
-#include <dynamy/simulation/report/run_report.hpp>
-#include <memory>
+#include <dynamy/simulation/report/energy_watch.hpp>
+#include <dynamy/simulation/report/gap_watch.hpp>
+#include <dynamy/simulation/report/resolution_watch.hpp>
+#include <dynamy/simulation/report/travel_watch.hpp>
 
 namespace dynamy {
 
@@ -46,40 +33,13 @@ class RunWatch final : public Observer {
 
  private:
   void sample(const StepView& view);
-  void energy(const StepView& view);
-  void positions(const State& x);
-  void ends(const StepView& view);
-  void overlapsAt(const State& x);
-  void rounding(const EnergyReport& e);
-  void resolution(const StepView& view);
-  void travel(const StepView& view);
-  void collectShapes(const Model& model);
-  MechanicalSystem& ends();
-  Model& model_;
-  EnergyLedger& ledger_;
+  double length_;  // of the scene [m]
   RunReport& report_;
-  /// System evaluated at the ends of steps, where schemes hold positions; created at its first use.
-  std::unique_ptr<MechanicalSystem> ends_;
-  double sampleEvery_ = 0.0, nextSample_ = 0.0, lastSample_ = -1.0;
-  struct Mover {
-    FrameHandle frame;
-    double size;  ///< sum of its smallest size and that of the smallest it could meet [m]
-  };
-  std::vector<Mover> movers_;
-  double sampled_ = 0.0, unexplained_ = 0.0;
-  // Lowest values so far of rise(t), see above, and of the energy that the scheme itself brought in
-  // [J].
-  double least_ = 0.0, leastOwn_ = 0.0;
-  double sinceLeast_ = 0.0;  // largest energy that forces gave in a step since then [J]
-  long sampledImpacts_ = 0;
-  double inertia_ = 0.0;  // ½ sᵀM s/t² [J]
-  double moves_ = 0.0;    // largest T + |V| + Σ|works| [J]
-  long looks_ = 0;        // evaluations of gaps at ends of steps
-  bool joints_ = false;   // something is held by joints
-  long switches_ = 0, impacts_ = 0;
-  int smooth_ = 0;  // steps without a change of contacts, in a row
-  double curvature_ = 0.0, speed_ = 0.0;
-  Eigen::VectorXd increment_, before_, momentum_;
+  EnergyWatch energy_;
+  GapWatch gaps_;
+  ResolutionWatch resolution_;
+  TravelWatch travel_;
+  double sampleEvery_, nextSample_ = 0.0, lastSample_ = -1.0;  // [s]
 };
 
 /// A kind of warning.

@@ -36,15 +36,28 @@ double bodySize(const Model& model, int block) {
 }  // namespace
 
 double thickness(const ShapeGeometry& shape) {
-  const std::string& type = shape.type;
   const auto& size = shape.size;
-  if (type == "Point" || type == "Line" || type == "HalfSpace") return 0.0;
-  if (type == "Sphere" || type == "Circle" || type == "Capsule") return 2.0 * size[0];
-  if (type == "Cylinder" || type == "Cone") return std::min(2.0 * size[0], size[1]);
-  if (type == "Torus") return 2.0 * size[1];
-  if (type == "Box") return std::min({size[0], size[1], size[2]});
-  if (type == "Ellipsoid") return 2.0 * std::min({size[0], size[1], size[2]});
-  return smallestEdge(shape.points);
+  switch (shape.type) {
+    case ShapeType::point:
+    case ShapeType::line:
+    case ShapeType::halfSpace:
+      return 0.0;
+    case ShapeType::sphere:
+    case ShapeType::circle:
+    case ShapeType::capsule:
+      return 2.0 * size[0];
+    case ShapeType::cylinder:
+    case ShapeType::cone:
+      return std::min(2.0 * size[0], size[1]);
+    case ShapeType::torus:
+      return 2.0 * size[1];
+    case ShapeType::box:
+      return std::min({size[0], size[1], size[2]});
+    case ShapeType::ellipsoid:
+      return 2.0 * std::min({size[0], size[1], size[2]});
+    default:
+      return smallestEdge(shape.points);
+  }
 }
 
 StartOverlap startOverlap(const Model& model, const ContactSet& start) {

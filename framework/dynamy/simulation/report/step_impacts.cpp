@@ -23,7 +23,7 @@ bool StepImpacts::operator()(const StepView& view, int contact) {
   // A contact that carried a force before and moves over a curved surface closes because its normal
   // turns.
   const RememberedImpulses& old = view.before.impulses;
-  if (change_ < 0.0) before_.build(old.key), change_ = view.system.largestChange(view.report.dt);
+  if (change_ < 0.0) before_.build(old.key), change_ = largestChange(view.system, view.report.dt);
   const int found = before_.find(c.key[at]);
   if (found < 0) return true;
   const int first = old.first[static_cast<std::size_t>(found)];

@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <ctime>
+#include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/core/declared/element_fault.hpp>
-#include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/run/own_steps.hpp>
+#include <dynamy/simulation/run/run_faults.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <exception>
@@ -12,12 +13,11 @@
 namespace dynamy {
 namespace {
 
-constexpr double kIdleSeconds = 0.1;
 constexpr std::size_t kSpare = std::size_t{1} << 20;  ///< [byte]
 
-double seconds(std::chrono::steady_clock::duration d) {
-  return std::chrono::duration<double>(d).count();
-}
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 /// Thrown if the run is requested to stop within a step.
 struct Stopped {};
@@ -25,7 +25,7 @@ struct Stopped {};
 /// Beginning of the model file, as the place of elements that are missing; no place for a model
 /// without a file.
 Place beginning(const Model& model) {
-  return model.sourceFile.empty() ? Place() : Place(model.sourceFile, 1, 1);
+  return model.file.name.empty() ? Place() : Place(model.file.name, 1, 1);
 }
 
 std::unique_ptr<TimeLoop> loopOf(Model& model) {
@@ -61,55 +61,24 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
   throw ModelError(d);
 }
 
-/// Message of the first law of the last problem that throws, to explain an exception from a solver;
-/// empty: none throws.
-std::string lawThatThrows(const MechanicalSystem& system) {
-  const InclusionProblem& p = system.problem();
-  const auto rows = static_cast<std::size_t>(p.rows());
-  if (p.gammaFree.size() != rows || p.gammaA.size() != rows) return {};  // none was set up
-  std::vector<double> r, xi, Lambda;
-  for (int i = 0; i < p.size(); ++i) {
-    const auto n = static_cast<std::size_t>(p.dim(i));
-    const auto first = p.gammaFree.begin() + p.row0(i);
-    r.assign(n, 1.0), xi.assign(first, first + p.dim(i)), Lambda.assign(n, 0.0);
-    try {
-      named(p.law(i), [&] { p.law(i).prox(p.input(i), r.data(), xi.data(), Lambda.data()); });
-    } catch (const ElementFault& e) {
-      return e.what();
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 Simulation::Simulation(Model& model)
     : model_(model),
       system_(model.mechanicalSystem()),
-      x_(model.initialState()),
-      before_(x_),
+      step_(model, system_),
       loop_(loopOf(model)),
-      statistics_(report_),
-      ledger_(model),
-      watch_(model, ledger_, report_),
-      checks_(model) {
-  for (const auto& o : model.observers()) observers_.push_back(o.get());
-  renews_ = std::any_of(model.systems().begin(), model.systems().end(),
-                        [](const auto& s) { return s->renews(); });
-}
+      observers_(model, report_),
+      unsolved_(model, system_, report_.solver.unsolved) {}
 
-void Simulation::record(RecordSink& sink) {
-  recorder_ = std::make_unique<Recorder>(model_, sink);
-  ledgerRows_ = std::make_unique<LedgerRows>(ledger_, sink, model_.simulation.until);
-  statistics_.tell(sink);
-}
+void Simulation::record(RecordSink& sink) { observers_.record(sink); }
 
 int Simulation::threads(int count) {
-  system_.workers(nullptr);
+  system_.limits.workers = nullptr;
   workers_.reset();
   if (count < 2) return 1;
   workers_ = std::make_unique<Workers>(count);
-  system_.workers(workers_.get());
+  system_.limits.workers = workers_.get();
   return workers_->threads();
 }
 
@@ -133,7 +102,7 @@ template <class Call>
 void Simulation::guarded(Call&& call) {
   const auto wall = Clock::now();
   const std::clock_t cpu = std::clock();
-  const double wallBefore = report_.wall, cpuBefore = report_.cpu;
+  const double wallBefore = report_.cost.wall, cpuBefore = report_.cost.cpu;
   try {
     call();
   } catch (const Stopped&) {
@@ -141,17 +110,17 @@ void Simulation::guarded(Call&& call) {
   } catch (const std::bad_alloc&) {
     outOfMemory();
   } catch (const ElementFault& e) {
-    endBecause("t = " + numberText(x_.t) + " s: " + e.what());
+    endBecause("t = " + numberText(t()) + " s: " + e.what());
   } catch (const std::exception& e) {  // of observers and files: a full disk, a user's observer
     const std::string law = lawThatThrows(system_);
-    endBecause(law.empty() ? e.what() : "t = " + numberText(x_.t) + " s: " + law);
+    endBecause(law.empty() ? e.what() : "t = " + numberText(t()) + " s: " + law);
   } catch (...) {
     const std::string law = lawThatThrows(system_);
-    endBecause("t = " + numberText(x_.t) +
+    endBecause("t = " + numberText(t()) +
                " s: " + (law.empty() ? "something was thrown that is no std::exception" : law));
   }
-  report_.wall = wallBefore + seconds(Clock::now() - wall);
-  report_.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
+  report_.cost.wall = wallBefore + seconds(Clock::now() - wall);
+  report_.cost.cpu = cpuBefore + static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
 }
 
 /// Takes one step; begins the run before the first step and ends it after the last one. False: it
@@ -172,151 +141,102 @@ bool Simulation::next() {
 }
 
 void Simulation::begin() {
-  lastIdle_ = lastSave_ = Clock::now();
+  const Clock::time_point now = Clock::now();
+  idle_.begin(now), checkpoints_.begin(now);
   report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
   spare_.resize(kSpare);
-  if (!resumed_) start();
-  whole_ = true, attempted_ = false;
-  if (save_ && !resumed_) save();
-  if (const std::string reason = fault(); !reason.empty()) endBecause(reason);
-}
-
-void Simulation::start() {
-  system_.evaluate(x_);
-  report_.start = makeConsistent(model_, system_, x_);
-  before_ = x_;
-  stepReport_ = {};
-  zero_.assign(static_cast<std::size_t>(system_.slot(0).contacts.rows()), 0.0);
-  const StepView initial = view(true);
-  forAll([&](Observer& o) { o.start(initial); });
+  if (!resumed_) {
+    report_.start = step_.start();
+    observers_.start(view(true));
+  }
+  whole_ = true, step_.settle();
+  if (checkpoints_.hasReceiver() && !resumed_) save();
+  if (const std::string reason = step_.fault(); !reason.empty()) endBecause(reason);
 }
 
 void Simulation::end() {
   // A run resumed at its end takes no step, which would have evaluated the system.
-  const bool resumedHere = resumed_ && stepReport_.dt <= 0.0;
-  if (report_.ended == RunReport::Ended::failed || resumedHere) system_.evaluate(x_);
-  const bool whole = report_.ended != RunReport::Ended::failed && stepReport_.dt > 0.0;
-  const StepView last = view(whole);
-  forAll([&](Observer& o) { o.finish(last); });
-  report_.t = x_.t;
-  report_.energy = ledger_.report();
-  report_.hash = motion_.value();
-}
-
-StepView Simulation::view(bool whole) {
-  const ContactSet& c = system_.slot(0).contacts;
-  const auto n = static_cast<Eigen::Index>(c.rows());
-  gammaE_.resize(static_cast<std::size_t>(n));
-  c.gamma(dynamy::view(std::as_const(x_.u)), {gammaE_.data(), n});
-  const bool start = stepReport_.dt <= 0.0 || !whole;
-  if (start) zero_.assign(static_cast<std::size_t>(n), 0.0);
-  const double* Lambda = start ? zero_.data() : system_.Lambda().data();
-  return {model_,
-          system_,
-          model_.scheme(),
-          before_,
-          x_,
-          ConstVec(Lambda, n),
-          ConstVec(gammaE_.data(), n),
-          stepReport_,
-          report_.steps + 1,
-          whole};
+  const bool stepped = step_.report().dt > 0.0, failed = report_.ended == RunReport::Ended::failed;
+  if (failed || (resumed_ && !stepped)) system_.evaluate(step_.x());
+  observers_.finish(view(!failed && stepped));
+  report_.t = t();
+  observers_.sumUp();
 }
 
 StepReport Simulation::attempt(double tEnd, double dt) {
-  if ((attempted_ || !whole_) && stopped()) throw Stopped{};  // else seen at the step's end
-  before_ = x_, attempted_ = true;
+  // Else seen at the step's end.
+  if ((step_.attempted() || !whole_) && stopped()) throw Stopped{};
   const long evaluations = system_.evaluations();
-  const bool last = stopped();  // the run ends after this step, which is to be solved
-  system_.stopWhen(last ? nullptr : stop_);
-  const bool searches = !model_.scheme().choosesSteps();
-  system_.effort(searches ? searches_.next() : Effort::full);
-  stepReport_ = model_.scheme().step(system_, model_.solver(), x_, dt);
-  if (!last && stopped()) {  // solvers may have stopped early
-    x_ = before_;
-    throw Stopped{};
-  }
-  // After a failed search a scheme lowers the effort for the rest of the attempt.
-  if (searches) searches_.done(system_.effort() == Effort::full), x_.t = tEnd;
-  project();
-  system_.remember(x_);
-  report_.evaluations += system_.evaluations() - evaluations;
-  return stepReport_;
+  if (!step_.take(tEnd, dt, stop_)) throw Stopped{};
+  report_.cost.evaluations += system_.evaluations() - evaluations;
+  return step_.report();
 }
 
-void Simulation::project() {
-  const Project what = model_.simulation.project;
-  if (what == Project::none || !x_.q.allFinite()) return;
-  if (!projection_.positions(system_, model_.solver(), x_, system_.gTol()))
-    stepReport_.solved.status = SolveStatus::stalled;
-  if (what == Project::both && !projection_.velocities(system_, model_.solver(), x_))
-    stepReport_.solved.status = SolveStatus::stalled;
-}
-
-Passing Simulation::passing() {
+Passing Simulation::passing(double ahead) {
   if (model_.scheme().findsContacts()) return {};
-  const Passing p = sweep_.look(system_, model_.scheme(), before_, x_);
-  report_.swept = sweep_.paths();
-  if (p) ++report_.parted;
+  const Passing p = ahead > 0.0 ? sweep_.ahead(system_, step_.x(), ahead)
+                                : sweep_.look(system_, model_.scheme(), step_.before(), step_.x());
+  report_.passing.swept = sweep_.paths();
+  if (p) ++report_.passing.parted;
   return p;
 }
 
 void Simulation::leave(const Passing& p) {
-  if (++report_.left > 1) return;
-  report_.firstLeft.t = before_.t, report_.firstLeft.contact = p.contact;
-  report_.firstLeft.name = contactText(model_, p.contact);
+  PassingReport& passing = report_.passing;
+  if (++passing.left > 1) return;
+  passing.firstLeft.t = step_.before().t, passing.firstLeft.contact = p.contact;
+  passing.firstLeft.name = contactText(model_, p.contact);
 }
 
 bool Simulation::accept() {
   if (!sound()) {
-    std::string reason = fault();
-    report_.refused = !stepReport_.refused.empty();
-    x_ = before_;
-    stepReport_ = {};
+    std::string reason = step_.fault();
+    report_.refused = !step_.report().refused.empty();
+    step_.undo();
+    step_.clear();
     return endBecause(std::move(reason));
   }
   whole_ = false;
-  if (!stepReport_.solved.ok()) noteUnsolved();
+  if (!step_.report().solved.ok()) noteUnsolved();
   const long evaluations = system_.evaluations();
-  const StepView step = view(true);
-  forAll([&](Observer& o) { o.step(step); });
-  report_.evaluations += system_.evaluations() - evaluations;  // evaluations for dense output
-  renew();
+  observers_.step(view(true));
+  report_.cost.evaluations += system_.evaluations() - evaluations;  // for dense output
+  if (State old; step_.renew(old)) observers_.bring(old, step_.x());
   return true;
 }
 
-void Simulation::renew() {
-  if (!renews_) return;
-  const double tA = before_.t;
-  const State old = x_;
-  if (system_.renew(tA, x_)) ledger_.bring(old, x_);
-}
-
 void Simulation::reject() {
-  if (!stepReport_.solved.ok() && sound()) {
+  if (!step_.report().solved.ok() && sound()) {
     noteUnsolved();
-    x_ = before_;
-    const StepView step = view(true);
-    forAll([&](Observer& o) { o.failed(step); });
+    step_.undo();
+    observers_.failed(view(true));
   }
-  x_ = before_;
+  step_.undo();
   ++report_.rejected;
 }
 
+bool Simulation::fail(const StepReport& report) {
+  std::string reason = missedTolerance(model_, system_, t(), report.solved);
+  step_.clear();
+  return endBecause(std::move(reason));
+}
+
+void Simulation::noteUnsolved() {
+  unsolved_.note(report_.steps + 1, t(), step_.report(), !stopped());
+}
+
 bool Simulation::pause(bool asked) {
-  whole_ = true, attempted_ = false;
-  const auto now = Clock::now();
-  if (idle_ && seconds(now - lastIdle_) >= kIdleSeconds) lastIdle_ = now, idle_();
-  const bool stop = stopped();
-  const double since = seconds(now - lastSave_);
-  const bool due =
-      save_ && saveEvery_ > 0.0 && since >= saveEvery_ && saveCost_ <= saveShare_ * since;
-  const auto full = [this] { return recorder_ && !recorder_->fault().empty(); };
+  whole_ = true, step_.settle();
+  const Clock::time_point now = Clock::now();
+  idle_.at(now);
+  const bool stop = stopped(), due = checkpoints_.due(now);
+  const auto full = [this] { return !observers_.sinkFault().empty(); };
   if (stop || due || asked || full()) keep();
   if (due) save();
   if (stop) report_.ended = RunReport::Ended::stopped;
   // keep() has tried once more to write the collected rows.
-  if (!stop && full()) return endBecause(std::string(recorder_->fault()), RunReport::Cause::files);
+  if (!stop && full())
+    return endBecause(std::string(observers_.sinkFault()), RunReport::Cause::files);
   return !stop;
 }
 
@@ -324,6 +244,63 @@ bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
   report_.ended = RunReport::Ended::failed, report_.cause = cause;
   report_.reason = std::move(reason);
   return false;
+}
+
+void Simulation::archive(Archive& a) {
+  a.section("dynamy checkpoint 9");  // the number counts changes of the layout
+  a(step_), a(*loop_), a(report_), a(observers_);
+}
+
+void Simulation::resume(const std::string& checkpoint) {
+  const State& x = step_.x();
+  const Eigen::Index nq = x.q.size(), nu = x.u.size(), memory = x.memory.size();
+  Archive a(checkpoint);
+  archive(a);
+  if (x.q.size() != nq || x.u.size() != nu || x.memory.size() != memory || !a.atEnd())
+    throw ModelError("the checkpoint belongs to another model");
+  if (const std::string fault = stateFault(x, model_.contacts().size()); !fault.empty())
+    throw ModelError("the checkpoint cannot be of this run: " + fault);
+  step_.resumed();
+  checkpoints_.keep(checkpoint);
+  resumed_ = true;
+}
+
+void Simulation::save() {
+  checkpoints_.handOn([this] { keep(); });
+}
+
+void Simulation::keep() {
+  Archive a;
+  archive(a);
+  checkpoints_.keep(a.bytes());
+}
+
+/// Ends the run within a step. Parts of the step that observers have seen are kept; a step that was
+/// only tried is undone. In both cases the recorder adds no last row.
+void Simulation::stopWithin() {
+  report_.ended = RunReport::Ended::stopped;
+  report_.reason =
+      "t = " + numberText(t()) + " s: stopped within a step" +
+      (whole_ ? ", which was taken back" : " of many parts; a checkpoint is of an earlier moment");
+  if (whole_) keep();
+  step_.clear();
+  end();
+}
+
+/// Ends the run when memory runs out. The step that needed the memory is undone if no observer has
+/// seen it.
+void Simulation::outOfMemory() noexcept {
+  report_.ended = RunReport::Ended::failed, report_.cause = RunReport::Cause::memory;
+  spare_ = {};
+  try {
+    if (whole_ && step_.attempted()) step_.undoInPlace();
+    step_.settle();
+    report_.t = t();
+    report_.reason = "t = " + numberText(t()) + " s: out of memory";
+    if (whole_) keep();
+    end();
+  } catch (...) {  // checkpoint() then holds an earlier state
+  }
 }
 
 }  // namespace dynamy

@@ -9,15 +9,12 @@
 /// ways to choose steps; each way is a TimeLoop.
 #pragma once
 #include <atomic>
-#include <chrono>
-#include <dynamy/simulation/report/checks.hpp>
-#include <dynamy/simulation/report/ledger_rows.hpp>
-#include <dynamy/simulation/report/motion_hash.hpp>
-#include <dynamy/simulation/report/recorder.hpp>
-#include <dynamy/simulation/report/run_watch.hpp>
-#include <dynamy/simulation/run/search_pauses.hpp>
+#include <dynamy/simulation/run/checkpoints.hpp>
+#include <dynamy/simulation/run/idle_calls.hpp>
+#include <dynamy/simulation/run/run_observers.hpp>
+#include <dynamy/simulation/run/step_attempt.hpp>
 #include <dynamy/simulation/run/time_loop.hpp>
-#include <dynamy/stages/projection.hpp>
+#include <dynamy/simulation/run/unsolved_steps.hpp>
 #include <functional>
 
 namespace dynamy {
@@ -31,17 +28,19 @@ class Simulation final : private Stepper {
   // Before the first step.
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
   void record(RecordSink& sink);
-  void observe(Observer& observer) { observers_.push_back(&observer); }
+  void observe(Observer& observer) { observers_.add(observer); }
   /// Uses up to `count` threads for each step, fewer if the operating system gives no more. The
   /// results have the same bits with any number. Returns the number of threads in use.
   int threads(int count);
   /// Sets a function that is called about ten times a second of wall time, for progress and for
   /// files with rare rows.
-  void onIdle(std::function<void()> call) { idle_ = std::move(call); }
+  void onIdle(std::function<void()> call) { idle_.call(std::move(call)); }
   /// Sets a function that receives the bytes of a checkpoint before the first step, then every
   /// `seconds` of wall time. Checkpoints become rarer if they and the call take more than `share`
   /// of the time.
-  void onCheckpoint(double seconds, double share, std::function<void(const std::string&)> call);
+  void onCheckpoint(double seconds, double share, std::function<void(const std::string&)> call) {
+    checkpoints_.receiver(seconds, share, std::move(call));
+  }
   /// The run ends once `flag` is true (Ctrl-C): after the present step, or before the next try or
   /// part of it. No recorded numbers are lost. If the run ended within a step, checkpoint() holds
   /// an earlier state, or is empty if none was stored.
@@ -61,87 +60,61 @@ class Simulation final : private Stepper {
   /// has ended for the reason in report(), which holds the figures so far until then.
   bool step();
   const RunReport& report() const { return report_; }
-  const State& state() const { return x_; }
+  const State& state() const { return step_.x(); }
   /// Report of the step that was tried last; dt = 0: none yet.
-  const StepReport& lastStep() const { return stepReport_; }
-  std::vector<CheckResult> checks() const { return checks_.results(report_); }
+  const StepReport& lastStep() const { return step_.report(); }
+  std::vector<CheckResult> checks() const { return observers_.checks(); }
   /// The bytes that `resume` takes: the state at the end of the run, or before its last step if
   /// that was shortened.
-  const std::string& checkpoint() const { return checkpoint_; }
+  const std::string& checkpoint() const { return checkpoints_.bytes(); }
 
  private:
   StepReport attempt(double tEnd, double dt) override;
   bool accept() override;
   void reject() override;
   bool fail(const StepReport& report) override;
-  bool sound() const override;
-  Passing passing() override;
+  bool sound() const override { return step_.sound(); }
+  Passing passing(double ahead) override;
   void leave(const Passing& p) override;
-  double t() const override { return x_.t; }
-  double nextStep() const override { return model_.scheme().nextStep(x_); }
-  long evaluations() const override { return report_.evaluations; }
+  double t() const override { return step_.x().t; }
+  double nextStep() const override { return model_.scheme().nextStep(step_.x()); }
+  long evaluations() const override { return report_.cost.evaluations; }
   bool pause(bool asked) override;
 
   template <class Call>
   void guarded(Call&& call);
   bool next();
   void begin();
-  void start();
   void end();
-  StepView view(bool whole);
+  /// The attempted step as observers see it.
+  StepView view(bool whole) { return step_.view(report_.steps + 1, whole); }
+  void noteUnsolved();
   bool endBecause(std::string reason, RunReport::Cause cause = RunReport::Cause::simulation);
   void outOfMemory() noexcept;
   bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
   void stopWithin();
   void save();
-  std::string stateFault() const;
-  void noteUnsolved();
-  std::string fault() const;
-  template <class Call>
-  void forAll(Call&& call) {
-    call(motion_), call(statistics_), call(ledger_), call(watch_), call(checks_);
-    if (ledgerRows_) call(*ledgerRows_);
-    if (recorder_) call(*recorder_);
-    for (Observer* o : observers_) call(*o);
-  }
-  void archive(Archive& a);
   void keep();
-  void project();
-  void renew();
+  void archive(Archive& a);
 
-  using Clock = std::chrono::steady_clock;
   Model& model_;
   std::unique_ptr<Workers> workers_;
   MechanicalSystem system_;
-  State x_, before_;
-  StepReport stepReport_;
-  Projection projection_;
+  StepAttempt step_;
   Sweep sweep_;
-  std::vector<double> zero_, gammaE_;
   std::unique_ptr<TimeLoop> loop_;
-  SearchPauses searches_;
   RunReport report_;
-  MotionHash motion_;
-  StepStatistics statistics_;
-  EnergyLedger ledger_;
-  RunWatch watch_;
-  Checks checks_;
-  std::unique_ptr<Recorder> recorder_;
-  std::unique_ptr<LedgerRows> ledgerRows_;
-  std::vector<Observer*> observers_;
+  RunObservers observers_;
+  UnsolvedSteps unsolved_;
+  Checkpoints checkpoints_;
+  IdleCalls idle_;
   const std::atomic<bool>* stop_ = nullptr;
-  std::function<void()> idle_;
-  std::function<void(const std::string&)> save_;
-  double saveEvery_ = 0.0, saveShare_ = 1.0, saveCost_ = 0.0;
-  Clock::time_point lastIdle_, lastSave_;
   std::vector<char> spare_;  // freed when memory runs out, so that the run can end in order
-  /// `whole_`: observers and loop are at the state of the last pause, which is `before_` if a step
-  /// has been `attempted_` since.
-  bool whole_ = false, attempted_ = false;
-  std::string checkpoint_;
-  bool resumed_ = false, renews_ = false;
+  /// Observers and loop are at the state of the last pause, which is the state before the step if
+  /// one was attempted since.
+  bool whole_ = false;
+  bool resumed_ = false;
   bool begun_ = false, over_ = false;
-  int diagnoses_ = 0;
 };
 
 }  // namespace dynamy

@@ -6,6 +6,8 @@ namespace {
 constexpr int kMostHalvings = 6;
 /// See Allowance::begin.
 constexpr int kFewer = 4, kMore = 2;
+/// Full steps after one in parts in which fast bodies are expected.
+constexpr int kExpected = 10;
 constexpr long kMostParts = 200, kFewestParts = 8, kWork = 14400;  ///< see mostParts()
 }  // namespace
 
@@ -34,6 +36,7 @@ Advance FixedStep::next(Stepper& stepper, double until) {
   if (rest_) return Advance::atEnd;
   const double dt = grid_.spacing();
   parts_.begin(), halves_.begin();
+  if (quiet_ <= kExpected) ++quiet_;
   // Full steps as long as they do not pass the end by more than rounding.
   if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
     if (!advance(stepper, grid_.at(i_ + 1), dt, 0)) return Advance::stopped;
@@ -48,11 +51,21 @@ Advance FixedStep::next(Stepper& stepper, double until) {
 }
 
 void FixedStep::archive(Archive& a) {
-  a(i_), parts_.archive(a), halves_.archive(a);
+  a(i_), a(quiet_), parts_.archive(a), halves_.archive(a);
+  if (quiet_ < 0) throw ModelError("the checkpoint counts quiet steps from below zero");
   if (i_ < 0) throw ModelError("the checkpoint counts its steps from below zero");
 }
 
+Passing FixedStep::ahead(Stepper& stepper, double dt) {
+  return quiet_ <= kExpected && !parts_.exhausted() ? stepper.passing(dt) : Passing{};
+}
+
 bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
+  // An attempt would end among bodies that it has passed, which takes long to solve.
+  if (const Passing p = ahead(stepper, dt)) {
+    if (parts_.take()) return inParts(stepper, p, tEnd, dt, depth);
+    stepper.leave(p);
+  }
   const long before = stepper.evaluations();
   const StepReport report = stepper.attempt(tEnd, dt);
   parts_.atMost(mostParts(nu_, stepper.evaluations() - before));
@@ -82,6 +95,7 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
 }
 
 bool FixedStep::inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth) {
+  quiet_ = 0;
   // Up to the contact, unless the body is there already.
   const double w = p.width, before = p.t > 2.0 * w ? p.t - w : 0.0;
   if (before > 0.0 && !advance(stepper, stepper.t() + before, before, depth)) return false;

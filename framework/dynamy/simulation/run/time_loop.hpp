@@ -26,8 +26,9 @@ class Stepper {
   virtual bool fail(const StepReport& report) = 0;
   /// True if the attempted state holds no NaN and no infinity, and no mass was indefinite.
   virtual bool sound() const = 0;
-  /// The first contact that the attempted step went through, if any (theory 37).
-  virtual Passing passing() = 0;
+  /// The first contact that the attempted step went through, if any (theory 37). With `ahead` > 0
+  /// [s]: that a step of this length would go through, if velocities remained.
+  virtual Passing passing(double ahead = 0.0) = 0;
   /// The rest of the present full step is taken without a search for passed contacts, because there
   /// were too many; `p` is the last one. The run continues and reports this.
   virtual void leave(const Passing& p) = 0;
@@ -97,6 +98,9 @@ class FixedStep final : public TimeLoop {
   void archive(Archive& a) override;
 
  private:
+  /// Finds a contact that a step would pass. Without fast bodies in the last steps, nothing is
+  /// looked for: the step itself shows it.
+  Passing ahead(Stepper& stepper, double dt);
   /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.
   bool advance(Stepper& stepper, double tEnd, double dt, int depth);
   /// Takes a step in parts, such that the contact of `p` closes in a part that is too short to
@@ -106,6 +110,7 @@ class FixedStep final : public TimeLoop {
   NonConvergence policy_;
   long i_ = 0;  // full steps done
   int nu_;
+  int quiet_ = 1 << 20;  // full steps since one was taken in parts
   Allowance parts_{200}, halves_{24};
   bool rest_ = false;  // the last, shortened step has been taken
 };

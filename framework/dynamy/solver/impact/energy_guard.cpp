@@ -11,6 +11,8 @@ constexpr double kEnergyNoise = 1e-8;
 /// Trials per impact. The gain is nearly a parabola of the factor, so three to five suffice; the
 /// last one is the accepted end of the bracket.
 constexpr int kEnergyTrials = 8;
+/// Percussions that solve nothing are reduced if ½ ΛᵀGΛ exceeds |Λᵀγ_free| by this factor.
+constexpr double kAddsEnergy = 2.0;
 
 }  // namespace
 
@@ -71,6 +73,32 @@ void EnergyGuard::begin(InclusionProblem& problem, ConstVec Lambda) {
     gain_ += gainA_[g];
     ++gaining_;
   }
+}
+
+bool EnergyGuard::bound(InclusionProblem& problem, Vec Lambda) {
+  if (!Lambda.allFinite()) {
+    Lambda.setZero();
+    return true;
+  }
+  groups_.find(problem);
+  const auto groups = static_cast<std::size_t>(groups_.size());
+  std::vector<double>&free = gainFree_, &own = gainA_;
+  free.assign(groups, 0.0), own.assign(groups, 0.0);
+  gammaE_.resize(static_cast<std::size_t>(problem.rows()));
+  problem.G->apply(Lambda.data(), gammaE_.data());
+  for (int i = 0; i < problem.size(); ++i)
+    for (int k = problem.row0(i); k < problem.row0(i) + problem.dim(i); ++k) {
+      const auto g = static_cast<std::size_t>(groups_.of(i)), row = static_cast<std::size_t>(k);
+      free[g] += Lambda[k] * problem.gammaFree[row], own[g] += 0.5 * Lambda[k] * gammaE_[row];
+    }
+  bool reduced = false;
+  for (int i = 0; i < problem.size(); ++i) {
+    const auto g = static_cast<std::size_t>(groups_.of(i));
+    if (own[g] <= kAddsEnergy * std::abs(free[g])) continue;
+    Lambda.segment(problem.row0(i), problem.dim(i)) *= std::max(0.0, -free[g] / own[g]);
+    reduced = true;
+  }
+  return reduced;
 }
 
 bool EnergyGuard::next() {

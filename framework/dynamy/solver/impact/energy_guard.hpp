@@ -40,6 +40,13 @@ class EnergyGuard {
   bool next();
   /// Computes the gains of a trial and narrows the brackets of the factors.
   void judge(InclusionProblem& problem, ConstVec Lambda);
+  /// For percussions that solve nothing, and may therefore add any energy. In each group with
+  ///
+  ///   ΔT(s) = s Λᵀγ_free + ½ s² ΛᵀGΛ,   ½ ΛᵀGΛ > 2 |Λᵀγ_free|
+  ///
+  /// Λ ← s Λ with the largest s at which ΔT = 0 (elastic impacts have s = 1); true: some were
+  /// reduced.
+  bool bound(InclusionProblem& problem, Vec Lambda);
 
  private:
   struct Search {

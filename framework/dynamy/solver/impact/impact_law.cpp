@@ -14,16 +14,29 @@ bool beyondNoise(const InclusionProblem& problem, std::size_t k) {
 }  // namespace
 
 SolveReport ImpactLaw::solve(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const {
+  SolveReport report = guarded(problem, solver, Lambda);
+  if (!report.ok() && guard_.bound(problem, Lambda))
+    report.residuals = residuals(problem, view(Lambda), scratch_);
+  return report;
+}
+
+SolveReport ImpactLaw::guarded(InclusionProblem& problem, InclusionSolver& solver,
+                               Vec Lambda) const {
   std::vector<double>& factor = guard_.factor(problem);
   SolveReport report = percussions(problem, solver, factor, Lambda);
   if (!rebounds(problem)) return report;  // ε = 0 only dissipates (theory 32.3)
+  if (!report.ok() && problem.effort != Effort::full) return report;  // the step is tried again
   guard_.begin(problem, view(Lambda));
   if (guard_.gain() <= 0.0) return report;
   const double gain = guard_.gain();
   const int repaired = guard_.gaining();
   // Find the largest factors, one per group, at which no group gains energy.
   while (guard_.next()) {
-    addSolve(report, percussions(problem, solver, factor, Lambda));
+    const SolveReport again = percussions(problem, solver, factor, Lambda);
+    const bool neither = !report.ok() && !again.ok();
+    addSolve(report, again);
+    report.status = again.status;  // the last percussions are the result
+    if (neither) break;            // gains of percussions that solve nothing say nothing of the law
     guard_.judge(problem, view(Lambda));
   }
   report.energyGain = gain, report.repaired = repaired;

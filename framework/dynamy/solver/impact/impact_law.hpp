@@ -16,6 +16,7 @@ class ImpactLaw : public Element {
   using Element::Element;
   /// Forms c from γ_free, γ^A and the laws' ε, and solves; Λ: start in, percussions out. A group of
   /// contacts whose impact gains energy is solved again with smaller ε; the report says so.
+  /// Percussions that solve nothing are reduced until they add no energy.
   SolveReport solve(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const;
   /// True if ξ = γ⁺ + ε γ⁻ is the whole law, so that a scheme may form it by itself.
   virtual bool newtons() const { return false; }
@@ -26,8 +27,10 @@ class ImpactLaw : public Element {
                                   const std::vector<double>& factor, Vec Lambda) const = 0;
 
  private:
+  SolveReport guarded(InclusionProblem& problem, InclusionSolver& solver, Vec Lambda) const;
   // Workspace, so that a step allocates no memory; a law therefore serves one run at a time.
   mutable EnergyGuard guard_;
+  mutable std::vector<double> scratch_;
 };
 
 /// c = γ_free + factor ε γ^A.

@@ -9,7 +9,7 @@ namespace {
 
 RowMatrix denseG(const InclusionProblem& p) {
   const int n = p.rows();
-  if (p.G->assembled()) return ConstBlock(p.G->dense(), n, n);
+  if (p.G->dense()) return ConstBlock(p.G->dense(), n, n);
   RowMatrix G = RowMatrix::Zero(n, n);
   const BlockRows& rows = p.G->blockRows();
   for (int i = 0; i < p.size(); ++i)

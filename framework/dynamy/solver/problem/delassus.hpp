@@ -1,15 +1,14 @@
 /// Delassus: the operator G = Wᵀ M⁻¹ W in three storages: assembled (dense, small problems),
-/// matrix-free (in velocities v = M⁻¹WΛ), or given by block rows (problems without bodies, read
-/// from a file; G need not be symmetric).
+/// matrix-free (FactoredDelassus, in velocities v = M⁻¹WΛ), or given by block rows (BlockRows,
+/// problems without bodies, read from a file; G need not be symmetric).
 ///
 /// All storages offer the same functions and must give the same numbers, which a test checks.
 /// Solvers see this class, never W of an element. One class with three storages was preferred to
 /// virtual operators: the dense path of a problem with 1 to 20 contacts takes a few hundred
 /// nanoseconds in all.
 #pragma once
-#include <dynamy/contact/contact_set.hpp>
 #include <dynamy/solver/problem/block_rows.hpp>
-#include <dynamy/system/mass_matrix.hpp>
+#include <dynamy/solver/problem/factored_delassus.hpp>
 #include <utility>
 
 namespace dynamy {
@@ -29,8 +28,7 @@ class Delassus {
   BlockRows release() { return std::move(blockRows_); }
 
   int rows() const { return n_; }
-  bool assembled() const { return assembled_; }
-  /// G as rows() × rows() numbers, row after row; null in matrix-free form.
+  /// G as rows() × rows() numbers, row after row; null unless it is stored densely.
   const double* dense() const { return assembled_ ? G_.data() : nullptr; }
   /// y = G x.
   void apply(const double* x, double* y);
@@ -38,9 +36,7 @@ class Delassus {
   /// are not changed.
   void applyAbsolute(const double* x, double* y);
   /// dim × dim diagonal block of contact i, row after row.
-  const double* diagonalBlock(int i) const {
-    return diagonal_.data() + diagonal0_[static_cast<std::size_t>(i)];
-  }
+  const double* diagonalBlock(int i) const { return diagonal_.block(i); }
   /// Σ_j |G_kj| of every row.
   void rowSums(double* sums);
   /// Block of contacts (i, j), dim_i × dim_j, row after row.
@@ -60,36 +56,24 @@ class Delassus {
   void changed(int i, const double* delta);
 
   /// v of a sweep in matrix-free form, for sweeps with kernels of their own; null in other forms.
-  double* sweepVelocities() { return assembled_ || given_ ? nullptr : v_.data(); }
+  double* sweepVelocities() { return assembled_ || given_ ? nullptr : bodies_.velocities(); }
 
   const ContactSet& contacts() const { return *contacts_; }
   /// False: G was given, there are no bodies, mass() and addVelocity() must not be called.
   bool hasBodies() const { return !given_; }
-  const MassMatrix& mass() const { return *mass_; }
+  const MassMatrix& mass() const { return bodies_.mass(); }
   /// Adds v = M⁻¹ W Λ to u.
-  void addVelocity(const double* Lambda, Vec u) const;
+  void addVelocity(const double* Lambda, Vec u) const { bodies_.addVelocity(Lambda, u); }
 
  private:
-  void linkBlocks();
-  void fillDiagonal();
-  bool densePays() const;
-  void fillBlock(int i, double* out) const;
-  void fillDense();
-  void addTo(int i, const double* delta, double* u) const;
   const ContactSet* contacts_ = nullptr;
-  const MassMatrix* mass_ = nullptr;
   int n_ = 0;
   bool assembled_ = true, given_ = false;
-  bool sparse_ = false;  // block rows of a given G are the cheaper form
+  bool sparse_ = false;    // block rows of a given G are the cheaper form
+  std::vector<double> G_;  // n × n, assembled form
+  FactoredDelassus bodies_;
   BlockRows blockRows_;
-  std::vector<double> G_;      // n × n, assembled form
-  std::vector<double> minvW_;  // parallel to ContactSet::W
-  std::vector<double> diagonal_;
-  std::vector<std::ptrdiff_t> diagonal0_;
-  std::vector<double> v_;  // velocities of a matrix-free sweep
-  std::vector<double> absolute_;
-  std::vector<int> blockFirst_, blockSegments_, segmentContact_,
-      fill_;  // mass block → segments → contact
+  DiagonalBlocks diagonal_;
   std::vector<int> near_;
   std::vector<double> scratch_;
 };

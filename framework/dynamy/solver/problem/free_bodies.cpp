@@ -4,15 +4,14 @@
 namespace dynamy {
 
 bool freeBodies(const ContactSet& c, const MassMatrix& mass, std::vector<double>& minvW,
-                std::vector<std::ptrdiff_t>& diagonal0, std::vector<double>& diagonal) {
+                DiagonalBlocks& diagonal) {
   using Pair = Eigen::Array2d;
   using Load = Eigen::Map<const Pair>;
   if (!spatial::all(c)) return false;
   for (const Segment& s : c.segment)
     if (!mass.inverseDiagonal(s.block)) return false;
   const auto size = static_cast<std::size_t>(c.size());
-  diagonal0.resize(size + 1), diagonal.resize(9 * size);
-  for (std::size_t i = 0; i <= size; ++i) diagonal0[i] = 9 * static_cast<std::ptrdiff_t>(i);
+  diagonal.resize(c);
   for (std::size_t i = 0; i < size; ++i) {
     const int first = c.segment0[i], end = c.segment0[i + 1];
     const Segment* segment = c.segment.data() + first;
@@ -32,7 +31,7 @@ bool freeBodies(const ContactSet& c, const MassMatrix& mass, std::vector<double>
         nn += n * Mn, nt += n * Mt, ns += n * Ms, tt += t * Mt, ts += t * Ms, ss += s * Ms;
       }
     }
-    double* G = diagonal.data() + 9 * i;
+    double* G = diagonal.value.data() + 9 * i;
     G[0] = nn.sum(), G[1] = G[3] = nt.sum(), G[2] = G[6] = ns.sum();
     G[4] = tt.sum(), G[5] = G[7] = ts.sum(), G[8] = ss.sum();
   }

@@ -5,14 +5,13 @@
 /// The general loops look up sizes at every block and read W twice; in a stack at rest they took a
 /// tenth of the step.
 #pragma once
-#include <dynamy/contact/contact_set.hpp>
+#include <dynamy/solver/problem/diagonal_blocks.hpp>
 #include <dynamy/system/mass_matrix.hpp>
 
 namespace dynamy {
 
-/// Fills `minvW` (sized like contacts.W) and the 3 × 3 blocks `diagonal`, which begin at
-/// `diagonal0`. False: there are other contacts or bodies, and the results must not be used.
+/// Fills `minvW` (sized like contacts.W) and the 3 × 3 blocks `diagonal`. False: there are other contacts or bodies, and the results must not be used.
 bool freeBodies(const ContactSet& contacts, const MassMatrix& mass, std::vector<double>& minvW,
-                std::vector<std::ptrdiff_t>& diagonal0, std::vector<double>& diagonal);
+                DiagonalBlocks& diagonal);
 
 }  // namespace dynamy

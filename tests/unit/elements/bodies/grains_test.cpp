@@ -147,7 +147,7 @@ struct FallingBlock {
   }
   int contacts(const State& x) {
     MechanicalSystem s = m.mechanicalSystem();
-    return s.evaluateAhead(x, kStep).contacts.size();
+    return s.evaluate(x, {.ahead = kStep}).contacts.size();
   }
 };
 
@@ -175,7 +175,7 @@ TEST(Grains, ThatPassSideBySideDoNotMeet) {
 /// Bodies that touch within the step, by the blocks of the contacts; −1: the ground.
 std::set<std::pair<int, int>> seen(Model& m, const State& x, double dt) {
   MechanicalSystem s = m.mechanicalSystem();
-  const ContactSet& c = s.evaluateAhead(x, dt).contacts;
+  const ContactSet& c = s.evaluate(x, {.ahead = dt}).contacts;
   std::set<std::pair<int, int>> out;
   for (int i = 0; i < c.size(); ++i) {
     const auto first = static_cast<std::size_t>(c.segment0[static_cast<std::size_t>(i)]);

@@ -45,7 +45,7 @@ struct Evaluated {
 };
 
 const Given kTwo{{"q", "x phi"}, {"M", "1;0;1"}};
-const Eigen::VectorXd kQ = Eigen::Vector2d(0.3, 0.8), kU = Eigen::Vector2d(-1.1, 2.4);
+const Eigen::VectorXd kTwoQ = Eigen::Vector2d(0.3, 0.8), kTwoU = Eigen::Vector2d(-1.1, 2.4);
 
 std::unique_ptr<SetValuedForceLaw> coulomb() {
   return std::make_unique<UnilateralCoulomb>(0.5, 0.0, 0.3);
@@ -56,7 +56,7 @@ TEST(CoordinateContact, NormalRowIsTheGradientOfTheGap) {
   Evaluated e(kTwo, {{"gap", "d + 0.1*sin(5*t) - x - l*sin(phi)"}}, nullptr,
               {{"d", 2.0}, {"l", 0.7}});
   const double t = 0.2, s = std::sin(0.8), c = std::cos(0.8);
-  e.at(t, kQ, kU);
+  e.at(t, kTwoQ, kTwoU);
   ASSERT_EQ(e.set.size(), 1);
   ASSERT_EQ(e.set.rows(), 1);
   EXPECT_NEAR(e.set.g[0], 2.0 + 0.1 * std::sin(1.0) - 0.3 - 0.7 * s, 1e-14);
@@ -68,7 +68,7 @@ TEST(CoordinateContact, NormalRowIsTheGradientOfTheGap) {
 
 TEST(CoordinateContact, SlipDirectionsAreTheTangentialRows) {
   Evaluated e(kTwo, {{"gap", "x"}, {"slip", "1 ; cos(phi) | 0 ; x"}}, coulomb());
-  e.at(0.0, kQ, kU);
+  e.at(0.0, kTwoQ, kTwoU);
   ASSERT_EQ(e.set.rows(), 3);
   const std::vector<double> expected{1, 0, 1, std::cos(0.8), 0, 0.3};
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(e.set.W[i], expected[i], 1e-15) << i;
@@ -78,7 +78,7 @@ TEST(CoordinateContact, SlipDirectionsAreTheTangentialRows) {
 
 TEST(CoordinateContact, SlipVelocityGivesTheSameRowAndTheBeltSpeed) {
   Evaluated e(kTwo, {{"gap", "x"}, {"slipVelocity", "x_dot + cos(phi)*phi_dot - 3*t"}}, coulomb());
-  e.at(0.5, kQ, kU);
+  e.at(0.5, kTwoQ, kTwoU);
   ASSERT_EQ(e.set.rows(), 2);
   EXPECT_NEAR(e.set.W[2], 1.0, 1e-15);
   EXPECT_NEAR(e.set.W[3], std::cos(0.8), 1e-15);
@@ -88,14 +88,14 @@ TEST(CoordinateContact, SlipVelocityGivesTheSameRowAndTheBeltSpeed) {
 
 TEST(CoordinateContact, OpenContactLeavesOnlyItsGap) {
   Evaluated e(kTwo, {{"gap", "x + 1e10"}}, nullptr);
-  e.at(0.0, kQ, kU);
+  e.at(0.0, kTwoQ, kTwoU);
   EXPECT_EQ(e.set.size(), 0);
   ASSERT_EQ(e.set.g.size(), 1u);
 }
 
 TEST(CoordinateContact, WorksWithoutGapForLawsThatAlwaysAct) {
   Evaluated e(kTwo, {{"slipVelocity", "x_dot - 2"}}, std::make_unique<GivenFriction>(1.0, 1.0));
-  e.at(0.0, kQ, kU);
+  e.at(0.0, kTwoQ, kTwoU);
   ASSERT_EQ(e.set.rows(), 1);
   EXPECT_NEAR(e.set.W[0], 1.0, 0.0);
   EXPECT_NEAR(e.set.chi[0], -2.0, 1e-15);
@@ -114,12 +114,12 @@ TEST(CoordinateContact, WoodpeckerHasThePublishedGapsAndDirections) {
 
 // ---- messages ----------------------------------------------------------------------------------
 
-void expectMessage(const Given& given, const std::string& part,
-                   std::unique_ptr<SetValuedForceLaw> law = nullptr) {
+void expectContactMessage(const Given& given, const std::string& part,
+                          std::unique_ptr<SetValuedForceLaw> law = nullptr) {
   std::string message = "no error";
   try {
     Evaluated e(kTwo, given, std::move(law));
-    e.at(0.0, kQ, kU);
+    e.at(0.0, kTwoQ, kTwoU);
   } catch (const ModelError& error) {
     message = error.what();
   }
@@ -127,15 +127,17 @@ void expectMessage(const Given& given, const std::string& part,
 }
 
 TEST(CoordinateContactMessages, NameWhatIsWrong) {
-  expectMessage({{"gap", "x - phy"}}, "did you mean \"phi\"");
-  expectMessage({{"gap", "x_dot"}}, "a gap depends on t and positions only");
-  expectMessage({{"gap", "x"}, {"slip", "1"}}, "expects 2 components for each slip direction");
-  expectMessage({{"gap", "x"}, {"slip", "1 ; 2 | 3"}}, "directions are separated by |");
-  expectMessage({{"gap", "x"}, {"slip", "1 ; x_dot"}}, "slipVelocity takes a formula");
-  expectMessage({{"gap", "x"}, {"slipVelocity", "x_dot^2"}}, "must be affine in the velocities");
-  expectMessage({{"gap", "x"}, {"slip", "1;0"}, {"slipVelocity", "x_dot"}}, "both given");
-  expectMessage({{"slip", "1;0"}}, "the gap is missing");
-  expectMessage({{"gap", "x"}}, "no direction in which the friction could act", coulomb());
+  expectContactMessage({{"gap", "x - phy"}}, "did you mean \"phi\"");
+  expectContactMessage({{"gap", "x_dot"}}, "a gap depends on t and positions only");
+  expectContactMessage({{"gap", "x"}, {"slip", "1"}},
+                       "expects 2 components for each slip direction");
+  expectContactMessage({{"gap", "x"}, {"slip", "1 ; 2 | 3"}}, "directions are separated by |");
+  expectContactMessage({{"gap", "x"}, {"slip", "1 ; x_dot"}}, "slipVelocity takes a formula");
+  expectContactMessage({{"gap", "x"}, {"slipVelocity", "x_dot^2"}},
+                       "must be affine in the velocities");
+  expectContactMessage({{"gap", "x"}, {"slip", "1;0"}, {"slipVelocity", "x_dot"}}, "both given");
+  expectContactMessage({{"slip", "1;0"}}, "the gap is missing");
+  expectContactMessage({{"gap", "x"}}, "no direction in which the friction could act", coulomb());
 }
 
 }  // namespace

@@ -19,9 +19,9 @@ JointNewton::Tangent responses(reference::Scene& scene, double dt, JointNewton::
                                std::vector<std::vector<double>>& out) {
   const State& x = scene.state();
   JointNewton newton;
-  EXPECT_TRUE(newton.begin(scene.system(), x, dt));
+  EXPECT_TRUE(newton.equations.begin(scene.system(), x, dt));
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(x.u.size());
-  newton.residual(scene.system(), none);
+  newton.equations.evaluate(scene.system(), none);
   EXPECT_TRUE(newton.linearise(scene.system(), none, wanted));
   const auto unknowns = static_cast<std::size_t>(newton.unknowns());
   out.assign(unknowns, std::vector<double>(unknowns, 0.0));
@@ -55,7 +55,7 @@ const std::string kBody =
     "angularVelocity=\"2 -3 1\"><Box size=\"0.2 0.3 0.4\" position=\"0.1 0.05 0.02\" "
     "euler=\"20deg 30deg 0\" mass=\"1.2\"/></RigidBody>";
 
-class JointTangent : public testing::TestWithParam<const char*> {};
+class JointTangent : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(JointTangent, OfABodyOnTheGroundIsThatOfDifferences) {
   expectSame(model(kBody, GetParam()));
@@ -72,11 +72,11 @@ TEST_P(JointTangent, OfTwoBodiesIsThatOfDifferences) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, JointTangent,
-    testing::Values("<Spherical between=\"world body\" at=\"0 0 0\"/>",
-                    "<Revolute between=\"world body\" at=\"0 0 0\" axis=\"0 1 0.5\"/>",
-                    "<Prismatic between=\"world body\" axis=\"1 2 0\"/>",
-                    "<Fixed between=\"world body\"/>",
-                    "<Distance between=\"world body\" pointA=\"0 0 0.5\" pointB=\"0.1 0 0.1\"/>"),
+    ::testing::Values("<Spherical between=\"world body\" at=\"0 0 0\"/>",
+                      "<Revolute between=\"world body\" at=\"0 0 0\" axis=\"0 1 0.5\"/>",
+                      "<Prismatic between=\"world body\" axis=\"1 2 0\"/>",
+                      "<Fixed between=\"world body\"/>",
+                      "<Distance between=\"world body\" pointA=\"0 0 0.5\" pointB=\"0.1 0 0.1\"/>"),
     [](const auto& one) { return "Joint" + std::to_string(one.index); });
 
 TEST(JointTangentInAPlane, OfRodsAndAPointMassIsThatOfDifferences) {

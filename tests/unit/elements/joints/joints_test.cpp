@@ -4,7 +4,8 @@
 
 #include "joint_models.hpp"
 
-namespace dynamy {
+// Its test suite has the name of a class of the library.
+namespace dynamy::joints {
 namespace {
 
 using testing::add;
@@ -98,4 +99,4 @@ TEST(Joints, AskForAnAxisInSpace) {
 }
 
 }  // namespace
-}  // namespace dynamy
+}  // namespace dynamy::joints

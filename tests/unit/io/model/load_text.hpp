@@ -27,6 +27,12 @@ inline std::string errors(const std::string& text, const Overrides& set = {},
   return {};
 }
 
+/// The first line of the first message: place, element, text and hint.
+inline std::string firstError(const std::string& text, const Overrides& set = {}) {
+  const std::string all = errors(text, set);
+  return all.substr(0, all.find('\n'));
+}
+
 /// The model around one section; the section stands in line 2.
 inline std::string around(const std::string& inside) {
   return "<dynamy version=\"1\">\n" + inside + "\n</dynamy>";

@@ -24,7 +24,7 @@ TEST(ModelLoader, MakesElementsWithValuesAndPlaces) {
   EXPECT_EQ(stop(m).law->mu, 0.3);
   EXPECT_EQ(m.doc, "A ball.");
   EXPECT_EQ(m.title, "m");
-  EXPECT_EQ(m.sourceFile, "m.xml");
+  EXPECT_EQ(m.file.name, "m.xml");
 }
 
 TEST(ModelLoader, TakesSectionsInAnyOrderAndRepeated) {

@@ -55,7 +55,9 @@ class Disc final : public Shape {
     a.required("radius", Unit::length, "radius of the disc").positive();
   }
   explicit Disc(const Parameters& x) : Shape(x) {}
-  ShapeGeometry geometry() const override { return {.type = "Disc", .points = {}, .colour = {}}; }
+  ShapeGeometry geometry() const override {
+    return {.type = ShapeType::circle, .points = {}, .colour = {}};
+  }
 };
 
 class Weight final : public ExternalForce {

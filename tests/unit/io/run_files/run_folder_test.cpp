@@ -15,7 +15,7 @@ using testing::messageOf;
 using testing::ScratchFolder;
 
 TEST(RunFolder, IsNamedAfterTheModelByDefault) {
-  EXPECT_EQ(RunFolder::defaultPath("models/ball.v2.xml"), fs::path("runs/ball.v2"));
+  EXPECT_EQ(defaultRunFolder("models/ball.v2.xml"), fs::path("runs/ball.v2"));
 }
 
 TEST(RunFolder, IsCreatedWithItsParentsAndSaysThatTheRunGoesOn) {

@@ -41,25 +41,25 @@ ContactSet unitDirections(int n) {
 TEST(JointNewton, SolvesALinearProblemInTwoSteps) {
   LinkedMasses s = pulled();
   JointNewton newton;
-  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
-  EXPECT_EQ(newton.rows(), 1);
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
+  EXPECT_EQ(newton.equations.rows(), 1);
   EXPECT_EQ(newton.unknowns(), 3);
   const VectorXd none = VectorXd::Zero(2);
   for (int turn = 0; turn < 2; ++turn) {  // the second takes the rounding of the differences away
-    newton.residual(*s.system, none);
+    newton.equations.evaluate(*s.system, none);
     ASSERT_TRUE(newton.linearise(*s.system, none));
     EXPECT_EQ(newton.tangent(), JointNewton::Tangent::differences);
     newton.newtonStep(), newton.take();
   }
   // Both masses get a = F/(m₁ + m₂); the rod gives mass 1 what it needs: Λ = −m₂ a Δt.
   const double a = kForce / (kM1 + kM2);
-  EXPECT_NEAR(newton.v[0], 0.5 * a * kDt, kDifferences * kDt);
-  EXPECT_NEAR(newton.v[1], 0.5 * a * kDt, kDifferences * kDt);
-  EXPECT_NEAR(newton.Lambda[0], -kM2 * a * kDt, kDifferences);
-  newton.residual(*s.system, none);
-  EXPECT_NEAR(newton.end.q[0] - newton.end.q[1], 1.0, 1e-14);
-  EXPECT_NEAR(newton.end.u[0], a * kDt, kDifferences * kDt);
-  EXPECT_NEAR(newton.midpoint.t, 0.5 * kDt, 1e-17);
+  EXPECT_NEAR(newton.equations.v[0], 0.5 * a * kDt, kDifferences * kDt);
+  EXPECT_NEAR(newton.equations.v[1], 0.5 * a * kDt, kDifferences * kDt);
+  EXPECT_NEAR(newton.equations.Lambda[0], -kM2 * a * kDt, kDifferences);
+  newton.equations.evaluate(*s.system, none);
+  EXPECT_NEAR(newton.equations.end.q[0] - newton.equations.end.q[1], 1.0, 1e-14);
+  EXPECT_NEAR(newton.equations.end.u[0], a * kDt, kDifferences * kDt);
+  EXPECT_NEAR(newton.equations.midpoint.t, 0.5 * kDt, 1e-17);
 }
 
 TEST(JointNewton, StartsFromThePercussionsOfTheLastStep) {
@@ -69,33 +69,33 @@ TEST(JointNewton, StartsFromThePercussionsOfTheLastStep) {
   s.x.impulses.Lambda = {-0.5};
   s.x.impulses.dt = 2.0 * kDt;
   JointNewton newton;
-  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
-  EXPECT_EQ(newton.Lambda[0], -0.25);  // in proportion to the step
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
+  EXPECT_EQ(newton.equations.Lambda[0], -0.25);  // in proportion to the step
 }
 
 TEST(JointNewton, BringsBackARodThatIsOff) {
   LinkedMasses s(Vector2d(kM1, kM2), Vector2d(1.001, 0.0), Vector2d::Zero(), {{0, 1, 1.0}}, {}, 0.0,
                  [](double, ConstVec, ConstVec, Vec h) { h.setZero(); });
   JointNewton newton;
-  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
   const VectorXd none = VectorXd::Zero(2);
   for (int turn = 0; turn < 2; ++turn) {
-    newton.residual(*s.system, none);
+    newton.equations.evaluate(*s.system, none);
     ASSERT_TRUE(newton.linearise(*s.system, none));
     newton.newtonStep(), newton.take();
   }
-  newton.residual(*s.system, none);
-  EXPECT_NEAR(newton.end.q[0] - newton.end.q[1], 1.0, 1e-13);
+  newton.equations.evaluate(*s.system, none);
+  EXPECT_NEAR(newton.equations.end.q[0] - newton.equations.end.q[1], 1.0, 1e-13);
   // No force from outside: the centre of mass stays.
-  EXPECT_NEAR(kM1 * newton.v[0] + kM2 * newton.v[1], 0.0, 1e-12);
+  EXPECT_NEAR(kM1 * newton.equations.v[0] + kM2 * newton.equations.v[1], 0.0, 1e-12);
 }
 
 TEST(JointNewton, AnswersWithTheMassesThatARodCouples) {
   LinkedMasses s = pulled();
   JointNewton newton;
-  ASSERT_TRUE(newton.begin(*s.system, s.x, kDt));
+  ASSERT_TRUE(newton.equations.begin(*s.system, s.x, kDt));
   const VectorXd none = VectorXd::Zero(2);
-  newton.residual(*s.system, none);
+  newton.equations.evaluate(*s.system, none);
   ASSERT_TRUE(newton.linearise(*s.system, none));
   // An impulse on mass 0 moves both: 2 (m₁ + m₂) δv = 1.
   const ContactSet ends = unitDirections(2);
@@ -108,7 +108,7 @@ TEST(JointNewton, AnswersWithTheMassesThatARodCouples) {
 TEST(JointNewton, HasNothingToDoWithoutJointsAndWithConstantMasses) {
   LinkedMasses s(Vector2d(kM1, kM2), Vector2d(1.0, 0.0), Vector2d::Zero(), {}, {{0, 1, -1}});
   JointNewton newton;
-  EXPECT_FALSE(newton.begin(*s.system, s.x, kDt));
+  EXPECT_FALSE(newton.equations.begin(*s.system, s.x, kDt));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace dynamy {
 namespace {
 
 /// Blocks 0 … 3; joint 0 connects blocks 0 and 2, joint 1 blocks 2 and 3; block 1 is free.
-MechanismWalk chain() {
+MechanismWalk walkedChain() {
   const std::vector<std::vector<int>> near{{4, 2}, {}, {4, 5, 0, 3}, {5, 2}, {0, 2}, {2, 3}};
   MechanismWalk walk;
   walk.order(near, {6, 6, 3, 6}, {3, 5});
@@ -15,7 +15,7 @@ MechanismWalk chain() {
 }
 
 TEST(MechanismWalk, PutsWhatIsCoupledSideBySide) {
-  const MechanismWalk walk = chain();
+  const MechanismWalk walk = walkedChain();
   EXPECT_EQ(walk.unknowns(), 6 + 6 + 3 + 6 + 3 + 5);
   ASSERT_EQ(walk.ends().size(), 2u);
   EXPECT_EQ(walk.ends().back(), walk.unknowns());
@@ -33,7 +33,7 @@ TEST(MechanismWalk, PutsWhatIsCoupledSideBySide) {
 }
 
 TEST(MechanismWalk, BandReachesFromEachNodeToItsNeighbours) {
-  const MechanismWalk walk = chain();
+  const MechanismWalk walk = walkedChain();
   EXPECT_GE(walk.band(), 6 - 1);  // within a body
   EXPECT_LT(walk.band(),
             walk.part(walk.partOfBlock(0)).last - walk.part(walk.partOfBlock(0)).first);

@@ -99,7 +99,7 @@ TEST(RecordedEvents, TellEachImpactOnceWithItsSpeedAndImpulse) {
   ASSERT_GE(diary.events.size(), 2u);
   long impacts = 0;
   for (const ContactEvent& e : diary.events) impacts += e.impact ? 1 : 0;
-  EXPECT_EQ(impacts, report.impacts);
+  EXPECT_EQ(impacts, report.contacts.impacts);
   const ContactEvent &first = diary.events[0], &second = diary.events[1];
   ASSERT_TRUE(first.impact && second.impact);  // lifting off after an impact is no event of its own
   // √(2 g h) with g = 10, h = 1; a step of 1e-4 s is late by at most g Δt, twice for its rounding

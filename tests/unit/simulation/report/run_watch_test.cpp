@@ -17,7 +17,7 @@ bool warns(const std::vector<Warning>& all, const std::string& kind) {
 }
 
 /// A pendulum of small amplitude and omega = 1 for 20 s.
-RunReport pendulum(double dt) {
+RunReport pendulumRun(double dt) {
   Model m;
   m.add<scenes::Pendulum>("pendulum", {});
   m.simulation.until = 20.0, m.simulation.step = dt;
@@ -26,7 +26,7 @@ RunReport pendulum(double dt) {
 }
 
 TEST(RunWatch, HasNothingAgainstAResolvedMotion) {
-  const RunReport r = pendulum(1e-2);
+  const RunReport r = pendulumRun(1e-2);
   EXPECT_TRUE(r.warnings.empty()) << r.warnings.front().text;
   // The amplitude of 1 rad lowers omega to 0.938 (quarter period K(sin 1/2)); higher harmonics
   // and the falling speed at the turns change the mean by a few per cent.
@@ -36,7 +36,7 @@ TEST(RunWatch, HasNothingAgainstAResolvedMotion) {
 }
 
 TEST(RunWatch, TellsThatAStepDoesNotResolveTheMotion) {
-  EXPECT_TRUE(warns(pendulum(1.6).warnings, "resolution"));
+  EXPECT_TRUE(warns(pendulumRun(1.6).warnings, "resolution"));
 }
 
 TEST(RunWatch, TellsARiseOfEnergyThatNothingBroughtIn) {
@@ -58,26 +58,26 @@ TEST(RunWatch, TellsEnergyThatNoForceAccountsFor) {
 
 TEST(RunWatch, TellsOverlapsByTheSizeOfTheSceneAndByTheStep) {
   RunReport r;
-  r.penetration.value = 0.02, r.penetration.t = 1.0, r.trust.way = 1.0;
+  r.gaps.penetration.value = 0.02, r.gaps.penetration.t = 1.0, r.trust.way = 1.0;
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "overlap"));
   EXPECT_FALSE(warns(warningsOf(r, 10.0), "overlap"));
-  r.penetration.value = 1e-4, r.trust.way = 1e-5;  // ten times what a step can overlap
+  r.gaps.penetration.value = 1e-4, r.trust.way = 1e-5;  // ten times what a step can overlap
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "overlap"));
-  r.penetration.value = 1e-12, r.trust.way = 0.0;  // rounding
+  r.gaps.penetration.value = 1e-12, r.trust.way = 0.0;  // rounding
   EXPECT_TRUE(warningsOf(r, 1.0).empty());
 }
 
 TEST(RunWatch, TellsThatTheModelPutsBodiesIntoEachOther) {
   RunReport r;
-  r.penetration.value = 1e-3, r.trust.way = 1.0;  // at t = 0
+  r.gaps.penetration.value = 1e-3, r.trust.way = 1.0;  // at t = 0
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "start"));
-  r.penetration.value = 1e-7;  // numbers of a file are rounded
+  r.gaps.penetration.value = 1e-7;  // numbers of a file are rounded
   EXPECT_TRUE(warningsOf(r, 1.0).empty());
 }
 
 TEST(RunWatch, TellsJointsThatDriftAndUnsolvedSteps) {
   RunReport r;
-  r.jointError.value = 0.01, r.unconverged = 2, r.solves = 5;
+  r.gaps.jointError.value = 0.01, r.solver.unconverged = 2, r.solver.solves = 5;
   const std::vector<Warning> all = warningsOf(r, 1.0);
   for (const char* kind : {"joints", "unsolved"}) EXPECT_TRUE(warns(all, kind)) << kind;
 }
@@ -97,13 +97,13 @@ TEST(RunWatch, SpeaksOfNoAmountBelowRounding) {
   RunReport r;
   // A scene at rest: T is rounding over rounding, and so would every ratio to it be.
   r.trust.kineticMax = 1e-50, r.trust.rounding = 1e-16;
-  r.trust.energyRise = 1e-27, r.trust.energyError = 3e-29, r.energyGain.value = 1e-30;
-  r.repairedImpacts = 1;
+  r.trust.energyRise = 1e-27, r.trust.energyError = 3e-29, r.contacts.energyGain.value = 1e-30;
+  r.contacts.repairedImpacts = 1;
   EXPECT_TRUE(warningsOf(r, 1.0).empty()) << warningsOf(r, 1.0).front().text;
   EXPECT_LE(runFigure("run.energyRise")->value(r), RunTrust::kWarned);
   EXPECT_LE(runFigure("run.energyError")->value(r), RunTrust::kWarned);
   // A step that missed something else does not blame the forces of its inclusion.
-  r.unconverged = 1, r.solves = 10, r.residual.value = 1.3e-15;
+  r.solver.unconverged = 1, r.solver.solves = 10, r.solver.residual.value = 1.3e-15;
   EXPECT_EQ(warningsOf(r, 1.0).front().text.find("not to be trusted"), std::string::npos);
 }
 
@@ -119,9 +119,10 @@ TEST(RunWatch, KnowsWhatRoundingLeavesOfEnergies) {
 
 TEST(RunWatch, AWarningSaysHowOftenWhenAndWhere) {
   RunReport r;
-  r.unconverged = 3, r.solves = 5, r.residual.value = 0.1, r.unsolved.t = 0.7;
-  r.unsolved.contact = "floor (a.xml:3)";
-  r.penetration.value = 0.5, r.penetration.t = 0.2, r.penetration.name = "wall";
+  r.solver.unconverged = 3, r.solver.solves = 5, r.solver.residual.value = 0.1,
+  r.solver.unsolved.t = 0.7;
+  r.solver.unsolved.contact = "floor (a.xml:3)";
+  r.gaps.penetration.value = 0.5, r.gaps.penetration.t = 0.2, r.gaps.penetration.name = "wall";
   const std::vector<Warning> all = warningsOf(r, 1.0);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].count, 3);
@@ -164,7 +165,8 @@ TEST(RunWatch, PenetrationCoversTheEndsOfSteps) {
       Deepest deepest;
       simulation.observe(deepest);
       const RunReport& r = simulation.run();
-      EXPECT_GE(r.penetration.value, deepest.value / 1.01) << e << ' ' << staggered;  // kDeeper
+      EXPECT_GE(r.gaps.penetration.value, deepest.value / 1.01)
+          << e << ' ' << staggered;  // kDeeper
     }
 }
 

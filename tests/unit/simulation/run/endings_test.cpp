@@ -55,7 +55,7 @@ class SmallDisk final : public RecordSink {
   std::string fault_;
 };
 
-Model bouncing() {
+Model recordedBouncing() {
   Model m = ballOnFloor(1.0, 0.5, 0.5, 0.3, 1.0, 1e-3);
   m.record.every = 1e-2;
   return m;
@@ -63,7 +63,7 @@ Model bouncing() {
 
 TEST(Endings, ALackOfMemoryWithinAStepLeavesTheCheckpointBeforeIt) {
   Table straight;
-  Model whole = bouncing();
+  Model whole = recordedBouncing();
   double never = 1e9;
   whole.add(std::make_unique<GreedyForce>(&never));
   whole.build();
@@ -72,7 +72,7 @@ TEST(Endings, ALackOfMemoryWithinAStepLeavesTheCheckpointBeforeIt) {
   s.run();
 
   Table table;
-  Model m = bouncing();
+  Model m = recordedBouncing();
   double at = 0.4;
   m.add(std::make_unique<GreedyForce>(&at));
   m.build();
@@ -99,7 +99,7 @@ TEST(Endings, ALackOfMemoryWithinAStepLeavesTheCheckpointBeforeIt) {
 }
 
 TEST(Endings, ALackOfMemoryAfterAStepGoesBackToAnEarlierCheckpoint) {
-  Model m = bouncing();
+  Model m = recordedBouncing();
   m.build();
   Greedy greedy(300);
   Simulation s(m);
@@ -111,7 +111,7 @@ TEST(Endings, ALackOfMemoryAfterAStepGoesBackToAnEarlierCheckpoint) {
   const RunReport& r = s.run();
   EXPECT_EQ(r.cause, RunReport::Cause::memory);
   EXPECT_EQ(saved, 1);  // before the first step
-  Model again = bouncing();
+  Model again = recordedBouncing();
   again.build();
   Simulation second(again);
   Table all;
@@ -125,13 +125,13 @@ TEST(Endings, ALackOfMemoryAfterAStepGoesBackToAnEarlierCheckpoint) {
 
 TEST(Endings, AFullDiskEndsARunAtTheEndOfItsStepAndNothingIsLost) {
   Table straight;
-  Model whole = bouncing();
+  Model whole = recordedBouncing();
   whole.build();
   Simulation s(whole);
   s.record(straight);
   s.run();
 
-  Model m = bouncing();
+  Model m = recordedBouncing();
   m.build();
   SmallDisk disk(30);
   Simulation first(m);
@@ -154,7 +154,7 @@ TEST(Endings, CheckpointsWaitUntilTheyTakeNoMoreThanTheirShareOfTheTime) {
   // Making one takes some time: with no share there is the first one only, with any after each
   // step.
   for (const auto& [share, expected] : {std::pair{0.0, 1}, std::pair{1e300, 1001}}) {
-    Model m = bouncing();
+    Model m = recordedBouncing();
     m.build();
     Simulation s(m);
     int saved = 0;
@@ -174,7 +174,7 @@ std::string with(std::string bytes, std::size_t at, std::uint64_t word) {
 }
 
 TEST(Endings, ACheckpointWithAnyWordReplacedNeverHangsOrCrashes) {
-  Model m = bouncing();
+  Model m = recordedBouncing();
   m.simulation.until = 0.2;
   m.build();
   Simulation s(m);

@@ -33,13 +33,13 @@ TEST(Simulation, CountsImpactsOfABallThatBouncesTwiceBeforeTheEnd) {
   m.build();
   Simulation s(m);
   const RunReport& r = s.run();
-  EXPECT_EQ(r.impacts, 2);
-  EXPECT_GE(r.solves, 2);    // the midpoint may still lie below the floor in the step after
-  EXPECT_GE(r.switches, 4);  // closed and opened, twice
-  EXPECT_EQ(r.penetration.name, "floor");
+  EXPECT_EQ(r.contacts.impacts, 2);
+  EXPECT_GE(r.solver.solves, 2);  // the midpoint may still lie below the floor in the step after
+  EXPECT_GE(r.contacts.switches, 4);  // closed and opened, twice
+  EXPECT_EQ(r.gaps.penetration.name, "floor");
   // At most half a step of the impact speed sqrt(2 g) and the midpoint's own half step.
-  EXPECT_LE(r.penetration.value, std::sqrt(20.0) * 1e-3);
-  EXPECT_GT(r.penetration.value, 0.0);
+  EXPECT_LE(r.gaps.penetration.value, std::sqrt(20.0) * 1e-3);
+  EXPECT_GT(r.gaps.penetration.value, 0.0);
 }
 
 TEST(Simulation, ARestingContactIsNoImpact) {
@@ -47,8 +47,8 @@ TEST(Simulation, ARestingContactIsNoImpact) {
   m.build();
   Simulation s(m);
   const RunReport& r = s.run();
-  EXPECT_EQ(r.impacts, 0);
-  EXPECT_EQ(r.solves, 1000);
+  EXPECT_EQ(r.contacts.impacts, 0);
+  EXPECT_EQ(r.solver.solves, 1000);
   EXPECT_LE(s.state().q[1], 1e-12);
 }
 
@@ -183,9 +183,9 @@ TEST(Simulation, WarnCountsAndGoesOn) {
   Simulation s(m);
   const RunReport& r = s.run();
   EXPECT_EQ(r.ended, RunReport::Ended::finished);
-  EXPECT_EQ(r.unconverged, 10);
-  EXPECT_EQ(r.residual.value, 0.5);
-  EXPECT_EQ(r.residual.name, "floor");
+  EXPECT_EQ(r.solver.unconverged, 10);
+  EXPECT_EQ(r.solver.residual.value, 0.5);
+  EXPECT_EQ(r.solver.residual.name, "floor");
 }
 
 TEST(Simulation, StopNamesTheWorstContact) {
@@ -204,7 +204,7 @@ TEST(Simulation, RetryHalvesUntilTheStepIsSolved) {
   const RunReport& r = s.run();
   EXPECT_EQ(r.steps, 40);
   EXPECT_EQ(r.rejected, 30);
-  EXPECT_EQ(r.unconverged, 0);
+  EXPECT_EQ(r.solver.unconverged, 0);
   EXPECT_EQ(s.state().t, 1.0);
 }
 

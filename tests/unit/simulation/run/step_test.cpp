@@ -41,7 +41,7 @@ void expectEqual(const Outcome& a, const Outcome& b) {
   EXPECT_EQ(a.report.hash, b.report.hash);
   EXPECT_EQ(a.report.ended, b.report.ended);
   EXPECT_EQ(a.report.steps, b.report.steps);
-  EXPECT_EQ(a.report.impacts, b.report.impacts);
+  EXPECT_EQ(a.report.contacts.impacts, b.report.contacts.impacts);
   EXPECT_EQ(a.report.energy.end(), b.report.energy.end());
   EXPECT_EQ(a.end.t, b.end.t);
   EXPECT_EQ(a.end.q, b.end.q);
@@ -57,8 +57,8 @@ TEST(Steps, AreThoseOfARun) {
     }
   });
   EXPECT_EQ(taken, 19);
-  EXPECT_EQ(straight.report.evaluations, stepped.report.evaluations);
-  EXPECT_GT(straight.report.impacts, 0);
+  EXPECT_EQ(straight.report.cost.evaluations, stepped.report.cost.evaluations);
+  EXPECT_GT(straight.report.contacts.impacts, 0);
   expectEqual(straight, stepped);
 }
 

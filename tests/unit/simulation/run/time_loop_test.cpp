@@ -84,12 +84,13 @@ class Counted final : public Stepper {
     return report;
   }
   bool accept() override { return true; }
-  void reject() override { t_ = begin_; }
+  void reject() override { t_ = begin_, ++rejected; }
   bool fail(const StepReport&) override { return false; }
   bool sound() const override { return true; }
-  Passing passing() override {
+  Passing passing(double ahead) override {
+    const double dt = ahead > 0.0 ? ahead : t_ - begin_;
     Passing p;
-    if (passes) p.t = 0.5 * (t_ - begin_), p.width = 1e-3 * (t_ - begin_);
+    if (passes || dt > passesAbove) p.t = 0.5 * dt, p.width = 1e-3 * dt;
     return p;
   }
   void leave(const Passing&) override { ++left; }
@@ -100,7 +101,8 @@ class Counted final : public Stepper {
 
   std::function<bool(double)> solves = [](double) { return true; };
   bool passes = false;
-  long attempts = 0, left = 0;
+  double passesAbove = 1e9;  // length from which a step passes a contact in its middle [s]
+  long attempts = 0, rejected = 0, left = 0;
 
  private:
   double t_ = 0.0, begin_ = 0.0;
@@ -135,6 +137,23 @@ TEST(FixedSteps, ThatArePassedAgainAndAgainTakeFewPartsInTheEnd) {
   const long before = s.attempts;
   for (int i = 0; i < 100; ++i) loop.next(s, 1000.0);
   EXPECT_LE(s.attempts - before, 100 * 6);
+}
+
+TEST(FixedSteps, AmongFastBodiesAreCutBeforeTheyAreTried) {
+  Counted s;
+  s.passesAbove = 0.9;
+  FixedStep loop(1.0, NonConvergence::warn, 6);
+  loop.next(s, 1000.0);
+  EXPECT_EQ(s.rejected, 1);  // the first passing shows after the attempt
+  for (int i = 0; i < 9; ++i) loop.next(s, 1000.0);
+  EXPECT_EQ(s.rejected, 1);
+  EXPECT_EQ(s.attempts, 1 + 10 * 3);  // up to the contact, across it, the rest
+  // Ten quiet steps later bodies count as slow: an attempt shows the next passing.
+  s.passesAbove = 2.0;
+  for (int i = 0; i < 11; ++i) loop.next(s, 1000.0);
+  s.passesAbove = 0.9;
+  loop.next(s, 1000.0);
+  EXPECT_EQ(s.rejected, 2);
 }
 
 TEST(FixedSteps, OfManyBodiesHaveFewerParts) {

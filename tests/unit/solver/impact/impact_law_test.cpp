@@ -216,5 +216,55 @@ TEST(EnergeticImpact, ReturnsTheWorkOfCompressionAndNoMore) {
   }
 }
 
+/// Solves nothing: returns 1000 N s at each contact.
+class Absurd final : public InclusionSolver {
+ public:
+  SolveReport solve(const InclusionProblem&, Vec Lambda) override {
+    ++calls;
+    Lambda.setConstant(1000.0);
+    SolveReport report;
+    report.status = SolveStatus::stalled;
+    return report;
+  }
+  int calls = 0;
+};
+
+/// A mass of 1 kg that hits the ground at 1 m/s.
+struct Hit {
+  explicit Hit(double e) : law(e), inclusion(Eigen::MatrixXd::Ones(1, 1), law) {}
+  double percussion(const ImpactLaw& impact, InclusionSolver& solver, Effort effort) {
+    InclusionProblem& p = inclusion.pose(-Eigen::VectorXd::Ones(1));
+    p.gammaA = p.gammaFree;
+    p.effort = effort;
+    double Lambda = 0.0;
+    report = impact.solve(p, solver, {&Lambda, 1});
+    return Lambda;
+  }
+  Unilateral law;
+  fixture::Inclusion inclusion;
+  SolveReport report;
+};
+
+TEST(ImpactLaw, PercussionsThatSolveNothingAddNoEnergy) {
+  for (const double e : {0.0, 1.0}) {
+    Hit hit(e);
+    Absurd solver;
+    // ΔT(s) = −1000 s + ½ 10⁶ s² = 0 at s = 1/500, as in an elastic impact.
+    EXPECT_NEAR(hit.percussion(NewtonImpact(), solver, Effort::full), 2.0, 1e-12);
+    EXPECT_FALSE(hit.report.ok());
+    // The last try poses the impact without rebound, whose percussion is 1 N s.
+    EXPECT_NEAR(hit.report.residuals.largest(), 1.0, 1e-12);
+  }
+}
+
+TEST(ImpactLaw, IsNotSolvedAgainWhereTheFirstSolveFails) {
+  Hit hit(1.0);
+  Absurd full, retried;
+  hit.percussion(NewtonImpact(), full, Effort::full);
+  hit.percussion(NewtonImpact(), retried, Effort::retried);
+  EXPECT_EQ(full.calls, 2);
+  EXPECT_EQ(retried.calls, 1);
+}
+
 }  // namespace
 }  // namespace dynamy

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "unit/solver/inclusion_fixture.hpp"
+#include "unit/solver/laws.hpp"
 
 namespace dynamy {
 namespace {
@@ -13,9 +14,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr unsigned kSeed = 3;
-const Unilateral kUnilateral;
-const UnilateralCoulomb kCoulomb(0.0, 0.0, 0.5);
+constexpr unsigned kResidualSeed = 3;
+using fixture::kCoulomb;
+using fixture::kUnilateral;
 
 Residuals residualsOf(const InclusionProblem& p, const VectorXd& Lambda) {
   std::vector<double> scratch;
@@ -41,8 +42,8 @@ TEST(Residuals, MeasureTheErrorOfOneContactExactly) {
 }
 
 TEST(Residuals, DoNotDependOnUnits) {
-  std::mt19937 random(kSeed);
-  std::cout << "seed " << kSeed << '\n';
+  std::mt19937 random(kResidualSeed);
+  std::cout << "seed " << kResidualSeed << '\n';
   const MatrixXd Wt = fixture::randomMatrix(random, 6, 8), mass = fixture::randomMass(random, 8);
   const VectorXd c = fixture::randomMatrix(random, 6, 1),
                  Lambda = fixture::randomMatrix(random, 6, 1);

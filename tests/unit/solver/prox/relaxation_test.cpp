@@ -4,6 +4,7 @@
 #include <dynamy/solver/prox/relaxation.hpp>
 
 #include "unit/solver/inclusion_fixture.hpp"
+#include "unit/solver/laws.hpp"
 
 namespace dynamy {
 namespace {
@@ -11,8 +12,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const Unilateral kUnilateral;
-const UnilateralCoulomb kCoulomb(0.0, 0.0, 0.5);
+using fixture::kCoulomb;
+using fixture::kUnilateral;
 
 std::vector<double> rule(const MatrixXd& G, Relaxation which, double factor = 1.0) {
   fixture::Inclusion x(fixture::symmetricRoot(G), kUnilateral);

@@ -18,16 +18,16 @@ using Contacts = std::array<BoxContact, kMostBoxContacts>;
 using testing::turned;
 
 /// Box with its frame in the middle.
-struct Body {
+struct FramedBox {
   Frame frame;
   PlacedBox box;
-  Body(const Vec3& c, const Mat3& R, const Vec3& half, const Vec3& v = Vec3::Zero(),
-       const Vec3& Omega = Vec3::Zero()) {
+  FramedBox(const Vec3& c, const Mat3& R, const Vec3& half, const Vec3& v = Vec3::Zero(),
+            const Vec3& Omega = Vec3::Zero()) {
     frame.r_OS_I = c, frame.A_IK = R, frame.v_S_I = v, frame.Omega_I = Omega;
     box = {&frame, c, R, half};
   }
-  Body(const Body&) = delete;
-  Body& operator=(const Body&) = delete;
+  FramedBox(const FramedBox&) = delete;
+  FramedBox& operator=(const FramedBox&) = delete;
 };
 
 Vec3 nearest(const PlacedBox& box, const Vec3& p) {
@@ -54,8 +54,8 @@ TEST(BoxContact, SmallestGapIsTheDistanceWhereFeaturesMeet) {
   int met = 0, edges = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const Vec3 hA = Vec3::Constant(0.6) + 0.3 * vec(), hB = Vec3::Constant(0.6) + 0.3 * vec();
-    const Body A(Vec3::Zero(), turned(2.0 * vec()), hA);
-    const Body B(vec().normalized() * (1.6 + 0.4 * uniform(random)), turned(2.0 * vec()), hB);
+    const FramedBox A(Vec3::Zero(), turned(2.0 * vec()), hA);
+    const FramedBox B(vec().normalized() * (1.6 + 0.4 * uniform(random)), turned(2.0 * vec()), hB);
     const auto [a, b] = closest(A.box, B.box);
     const double distance = (b - a).norm();
     if (distance < 1e-2 || distance > 0.5) continue;
@@ -99,9 +99,9 @@ TEST(BoxContact, OfTwoFacesIsThePolygonTheyShare) {
   for (int trial = 0; trial < 200; ++trial) {
     const double turn = 0.2 + 0.3 * (1.0 + uniform(random)), gap = 1e-3 * uniform(random);
     const Vec3 hA(0.5, 0.7, 0.3), hB(0.6, 0.4, 0.2);
-    const Body A(Vec3::Zero(), Mat3::Identity(), hA);
-    const Body B(Vec3(0.4 * uniform(random), 0.4 * uniform(random), 0.5 + gap),
-                 turned({0.0, 0.0, turn}), hB);
+    const FramedBox A(Vec3::Zero(), Mat3::Identity(), hA);
+    const FramedBox B(Vec3(0.4 * uniform(random), 0.4 * uniform(random), 0.5 + gap),
+                      turned({0.0, 0.0, turn}), hB);
     Contacts out;
     const int n = betweenBoxes(A.box, B.box, true, out);
     Polygon expected;
@@ -127,8 +127,8 @@ TEST(BoxContact, OfAlignedCubesIsTheirFourCorners) {
   // Every corner is a vertex of both and a crossing of edges at once: one contact each, and the
   // same ones after a shift by rounding.
   for (const double shift : {0.0, 1e-16, -1e-12, 1e-9}) {
-    const Body A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
-    const Body B(Vec3(shift, -shift, 1.0), Mat3::Identity(), Vec3::Constant(0.5));
+    const FramedBox A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
+    const FramedBox B(Vec3(shift, -shift, 1.0), Mat3::Identity(), Vec3::Constant(0.5));
     Contacts out;
     ASSERT_EQ(betweenBoxes(A.box, B.box, true, out), 4) << shift;
     for (int i = 0; i < 4; ++i) EXPECT_EQ(out[static_cast<std::size_t>(i)].id, i) << shift;
@@ -136,8 +136,8 @@ TEST(BoxContact, OfAlignedCubesIsTheirFourCorners) {
 }
 
 TEST(BoxContact, OfAWideBoxOnANarrowOneStandsOnTheNarrowOne) {
-  const Body A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
-  const Body B(Vec3(0, 0, 0.6), Mat3::Identity(), Vec3(2.0, 0.5, 0.1));
+  const FramedBox A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
+  const FramedBox B(Vec3(0, 0, 0.6), Mat3::Identity(), Vec3(2.0, 0.5, 0.1));
   Contacts out;
   ASSERT_EQ(betweenBoxes(A.box, B.box, true, out), 4);
   for (int i = 0; i < 4; ++i) {
@@ -147,14 +147,14 @@ TEST(BoxContact, OfAWideBoxOnANarrowOneStandsOnTheNarrowOne) {
 }
 
 /// The contacts of two boxes moved on by s with their velocities.
-void movedOn(const Body& A, const Body& B, double s, Contacts& out, int& n) {
-  const auto moved = [s](const Body& x) {
+void movedOn(const FramedBox& A, const FramedBox& B, double s, Contacts& out, int& n) {
+  const auto moved = [s](const FramedBox& x) {
     return std::pair<Vec3, Mat3>(x.frame.r_OS_I + s * x.frame.v_S_I,
                                  turned(s * x.frame.Omega_I) * x.frame.A_IK);
   };
   const auto [cA, RA] = moved(A);
   const auto [cB, RB] = moved(B);
-  const Body a(cA, RA, A.box.half, A.frame.v_S_I, A.frame.Omega_I),
+  const FramedBox a(cA, RA, A.box.half, A.frame.v_S_I, A.frame.Omega_I),
       b(cB, RB, B.box.half, B.frame.v_S_I, B.frame.Omega_I);
   n = betweenBoxes(a.box, b.box, true, out);
 }
@@ -169,8 +169,9 @@ TEST(BoxContact, RatesAreThoseOfTheMotion) {
   constexpr double kTolerance = 1e-7;
   int compared = 0, edges = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    const Body A(Vec3::Zero(), turned(2.0 * vec()), Vec3(0.5, 0.7, 0.3), vec(), vec());
-    const Body B(1.3 * vec().normalized(), turned(2.0 * vec()), Vec3(0.6, 0.4, 0.5), vec(), vec());
+    const FramedBox A(Vec3::Zero(), turned(2.0 * vec()), Vec3(0.5, 0.7, 0.3), vec(), vec());
+    const FramedBox B(1.3 * vec().normalized(), turned(2.0 * vec()), Vec3(0.6, 0.4, 0.5), vec(),
+                      vec());
     Contacts here, before, after;
     int n = betweenBoxes(A.box, B.box, true, here), nBefore = 0, nAfter = 0;
     movedOn(A, B, -s, before, nBefore);
@@ -197,7 +198,7 @@ TEST(BoxContact, RatesAreThoseOfTheMotion) {
 
 /// Two boxes that lie on each other, B displaced and tilted by about k.
 struct Lying {
-  Body A, B;
+  FramedBox A, B;
   template <class Random>
   Lying(double k, Random&& vec, const Vec3& turn = Vec3::Zero())
       : A(Vec3::Zero(), turned(vec()), Vec3(0.5, 0.7, 0.3), vec(), vec()),
@@ -206,7 +207,7 @@ struct Lying {
 };
 
 /// Rows of the velocity of B's point at P relative to A's along d, for [v; Ω] of B at B's centre.
-Eigen::Matrix<double, 1, 6> row(const Body& B, const Vec3& P, const Vec3& d) {
+Eigen::Matrix<double, 1, 6> row(const FramedBox& B, const Vec3& P, const Vec3& d) {
   Eigen::Matrix<double, 1, 6> out;
   out << d.transpose(), (P - B.frame.r_OS_I).cross(d).transpose();
   return out;
@@ -254,8 +255,8 @@ TEST(BoxContact, ThatClosesTogetherCanStickTogether) {
 TEST(BoxContact, TwoThatCloseTogetherSlideOnTheirOwnFaces) {
   // Tilted about an edge of B: nothing tells the tilt but the two contacts, so they stay as they
   // are.
-  const Body A(Vec3::Zero(), Mat3::Identity(), Vec3(2, 2, 0.5));
-  const Body B(Vec3(0, 0, 1.05), turned(Vec3(0, 0.1, 0)), Vec3::Constant(0.5));
+  const FramedBox A(Vec3::Zero(), Mat3::Identity(), Vec3(2, 2, 0.5));
+  const FramedBox B(Vec3(0, 0, 1.05), turned(Vec3(0, 0.1, 0)), Vec3::Constant(0.5));
   Contacts found;
   const int n = betweenBoxes(A.box, B.box, true, found);
   const Contacts before = found;
@@ -270,8 +271,8 @@ TEST(BoxContact, TwoThatCloseTogetherSlideOnTheirOwnFaces) {
 TEST(BoxContact, OneAcrossTheFaceStaysAsItIs) {
   // Four corners on a face of A, and one whose normal lies in that face: no plane along the face
   // holds its gap.
-  const Body A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
-  const Body B(Vec3(0.1, 0.2, 1.0 - 1e-4), Mat3::Identity(), Vec3::Constant(0.5));
+  const FramedBox A(Vec3::Zero(), Mat3::Identity(), Vec3::Constant(0.5));
+  const FramedBox B(Vec3(0.1, 0.2, 1.0 - 1e-4), Mat3::Identity(), Vec3::Constant(0.5));
   Contacts found;
   const int n = betweenBoxes(A.box, B.box, true, found);
   ASSERT_EQ(n, 4);
@@ -302,13 +303,13 @@ TEST(BoxContact, RatesStayThoseOfTheMotionWhereContactsCloseTogether) {
     closeTogether(on.A.box, reach, true, {c[0].data(), static_cast<std::size_t>(n[0])});
     for (const int side : {1, 2}) {
       const double way = side == 1 ? -s : s;
-      const auto moved = [way](const Body& x) {
+      const auto moved = [way](const FramedBox& x) {
         return std::pair<Vec3, Mat3>(x.frame.r_OS_I + way * x.frame.v_S_I,
                                      turned(way * x.frame.Omega_I) * x.frame.A_IK);
       };
       const auto [cA, RA] = moved(on.A);
       const auto [cB, RB] = moved(on.B);
-      const Body a(cA, RA, on.A.box.half), b(cB, RB, on.B.box.half);
+      const FramedBox a(cA, RA, on.A.box.half), b(cB, RB, on.B.box.half);
       n[side] = betweenBoxes(a.box, b.box, false, c[side]);
       closeTogether(a.box, reach, false, {c[side].data(), static_cast<std::size_t>(n[side])});
     }

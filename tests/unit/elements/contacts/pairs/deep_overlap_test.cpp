@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 
 namespace dynamy {
 namespace {
@@ -12,44 +12,39 @@ namespace {
 using namespace testing;
 
 /// A body with its frame in the middle: round, an ellipsoid or a box.
-struct Body {
+struct HeldBody {
   enum class Kind : std::uint8_t { round, ellipsoid, box } kind;
   double half = 0.0, rho = 0.0, r = 0.0;  ///< of a round one
   bool tip = false;
   Vec3 axes = Vec3::Ones();  ///< semi-axes, half edges
 };
-constexpr auto kRound = Body::Kind::round;
+constexpr auto kRoundKind = HeldBody::Kind::round;
 
-std::vector<Body> bodies() {
-  return {{kRound, 0.25, 0.25},
-          {kRound, 0.25, 0.25, 0.0, true},
-          {kRound, 0.25, 0.0, 0.25},
-          {kRound, 0.0, 0.4, 0.1},
-          {kRound, 0.05, 0.4},
-          {kRound, 0.1, 0.5, 0.0, true},
-          {kRound, 0.6, 0.1, 0.0, true},
-          {kRound, 0.7, 0.1},
-          {Body::Kind::ellipsoid, 0, 0, 0, false, {0.3, 0.2, 0.15}},
-          {Body::Kind::box, 0, 0, 0, false, {0.25, 0.35, 0.15}}};
+std::vector<HeldBody> bodies() {
+  return {{kRoundKind, 0.25, 0.25},
+          {kRoundKind, 0.25, 0.25, 0.0, true},
+          {kRoundKind, 0.25, 0.0, 0.25},
+          {kRoundKind, 0.0, 0.4, 0.1},
+          {kRoundKind, 0.05, 0.4},
+          {kRoundKind, 0.1, 0.5, 0.0, true},
+          {kRoundKind, 0.6, 0.1, 0.0, true},
+          {kRoundKind, 0.7, 0.1},
+          {HeldBody::Kind::ellipsoid, 0, 0, 0, false, {0.3, 0.2, 0.15}},
+          {HeldBody::Kind::box, 0, 0, 0, false, {0.25, 0.35, 0.15}}};
 }
 
-DiscBody disc(const Frame& f, const Body& b) {
-  return {&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), b.half, b.rho, b.r, b.tip};
-}
-SupportFeature ellipsoid(const Body& b) {
-  SupportFeature f;
-  f.kind = SupportFeature::Kind::ellipsoid;
-  f.square_K = b.axes.cwiseAbs2().asDiagonal();
-  return f;
+DiscBody disc(const Frame& f, const HeldBody& b) {
+  return placedDisc(f, b.half, b.rho, b.r, b.tip);
 }
 
 /// Is a ball of the radius δ about p, in axes of the body, inside of it?
-bool holds(const Body& b, const Vec3& p, double delta) {
+bool holds(const HeldBody& b, const Vec3& p, double delta) {
   const double out = p.head<2>().norm(), z = p.z();
   switch (b.kind) {
-    case Body::Kind::ellipsoid:  // that shrunk about its centre, and a ball, add up to less than it
+    case HeldBody::Kind::
+        ellipsoid:  // that shrunk about its centre, and a ball, add up to less than it
       return p.cwiseQuotient(b.axes).norm() <= 1.0 - delta / b.axes.minCoeff();
-    case Body::Kind::box:
+    case HeldBody::Kind::box:
       return (p.cwiseAbs() - b.axes).maxCoeff() <= -delta;
     default:
       break;
@@ -64,7 +59,7 @@ bool holds(const Body& b, const Vec3& p, double delta) {
 }
 
 /// The largest δ in steps of 0.02 of which a ball is in both, −1: none.
-double heldBall(const Body& a, const Body& b, const Mover& A, const Mover& B) {
+double heldBall(const HeldBody& a, const HeldBody& b, const Mover& A, const Mover& B) {
   double most = -1.0;
   constexpr int kPoints = 12;
   for (int i = -kPoints; i <= kPoints; ++i)
@@ -79,44 +74,44 @@ double heldBall(const Body& a, const Body& b, const Mover& A, const Mover& B) {
   return most;
 }
 
-double support(const Body& b, const Frame& f, const Vec3& n) {
+double support(const HeldBody& b, const Frame& f, const Vec3& n) {
   const Vec3 d = f.A_IK.transpose() * n;
-  if (b.kind == Body::Kind::ellipsoid) return n.dot(f.r_OS_I) + b.axes.cwiseProduct(d).norm();
-  if (b.kind == Body::Kind::box) return n.dot(f.r_OS_I) + b.axes.dot(d.cwiseAbs());
+  if (b.kind == HeldBody::Kind::ellipsoid) return n.dot(f.r_OS_I) + b.axes.cwiseProduct(d).norm();
+  if (b.kind == HeldBody::Kind::box) return n.dot(f.r_OS_I) + b.axes.dot(d.cwiseAbs());
   const double out = b.rho * d.head<2>().norm();
   if (b.tip) return n.dot(f.r_OS_I) + std::max(b.half * d.z(), out - b.half * d.z());
   return n.dot(f.r_OS_I) + b.half * std::abs(d.z()) + out + b.r;
 }
 
 /// Their contacts, normals from A to B.
-std::vector<NumberedContact> contacts(const Body& a, const Body& b, const Frame& A,
+std::vector<NumberedContact> contacts(const HeldBody& a, const HeldBody& b, const Frame& A,
                                       const Frame& B) {
   DiscContacts out;
   const auto some = [&](int n) {
     return std::vector<NumberedContact>(out.begin(), out.begin() + n);
   };
-  if (a.kind == kRound && b.kind == kRound)
+  if (a.kind == kRoundKind && b.kind == kRoundKind)
     return some(betweenDiscs(disc(A, a), disc(B, b), kInfinity, -1.0, true, out));
-  if (a.kind == kRound) return {{0, smoothOnDisc(disc(A, a), B, ellipsoid(b))}};
+  if (a.kind == kRoundKind) return {{0, smoothOnDisc(disc(A, a), B, ellipsoid(b.axes))}};
   const Polyhedron box(boxTriangles(a.axes));
-  if (b.kind == kRound)
+  if (b.kind == kRoundKind)
     return some(discOnPolyhedron(placed(A, box), disc(B, b), kInfinity, -1.0, true, out));
-  return {{0, smoothOnPolyhedron(placed(A, box), B, ellipsoid(b))}};
+  return {{0, smoothOnPolyhedron(placed(A, box), B, ellipsoid(b.axes))}};
 }
 
 /// Round ones on all, boxes on round ones and ellipsoids.
-bool meet(const Body& a, const Body& b) {
-  return (a.kind == kRound && b.kind != Body::Kind::box) ||
-         (a.kind == Body::Kind::box && b.kind != Body::Kind::box);
+bool meet(const HeldBody& a, const HeldBody& b) {
+  return (a.kind == kRoundKind && b.kind != HeldBody::Kind::box) ||
+         (a.kind == HeldBody::Kind::box && b.kind != HeldBody::Kind::box);
 }
 
 TEST(DeepOverlap, IsNeverToldAsLessThanABallThatBothHold) {
   constexpr unsigned kSeed = 61;
   Random r(kSeed);
-  const std::vector<Body> all = bodies();
+  const std::vector<HeldBody> all = bodies();
   int met = 0;
-  for (const Body& a : all)
-    for (const Body& b : all)
+  for (const HeldBody& a : all)
+    for (const HeldBody& b : all)
       for (int trial = 0; trial < (meet(a, b) ? 12 : 0); ++trial) {
         const Mover A(Vec3::Zero(), turned(2.0 * r.vec()), r.vec(), r.vec());
         const Mover B(0.4 * (1.0 + r.number()) * r.vec().normalized(), turned(2.0 * r.vec()),

@@ -5,22 +5,16 @@
 
 #include <cmath>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 
 namespace dynamy {
 namespace {
 
 using namespace testing;
 
-/// A body in axes of its frame: the axis is z.
-DiscBody placedDisc(const Frame& f, double half, double rho, double r, bool tip = false) {
-  return {&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), half, rho, r, tip};
-}
-Mover random(Random& r, const Vec3& at) { return {at, turned(2.0 * r.vec()), r.vec(), r.vec()}; }
-
 /// The largest of f over directions on a grid, finer around the best: no f is larger than its true
 /// maximum, so that a value which f takes, and which is not below this one, is the maximum.
-double separated(const std::function<double(const Vec3&)>& f) {
+double separatedInSpace(const std::function<double(const Vec3&)>& f) {
   Vec3 best = Vec3::UnitZ();
   double most = -kInfinity;
   const auto take = [&](const Vec3& n) {
@@ -70,21 +64,15 @@ const ContactPoint& deepest(const DiscContacts& found, int n) {
       ->at;
 }
 
-struct Sizes {
-  double half, rho, r;
-  bool tip = false;
-};
-constexpr Sizes kBodies[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},
-                             {0.7, 0.1, 0.0}, {0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}};
 constexpr int kKinds = 6;
 constexpr int kTrials = 420;
 
-constexpr Sizes kRound[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1},
-                            {0.7, 0.1, 0.0}, {0.4, 0.0, 0.2},  {0.0, 0.0, 0.3}};
+constexpr DiscSizes kRound[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0}, {0.0, 0.4, 0.1},
+                                {0.7, 0.1, 0.0}, {0.4, 0.0, 0.2},  {0.0, 0.0, 0.3}};
 /// With cones: slender and blunt ones first.
-constexpr Sizes kWithCones[] = {{0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}, {0.6, 0.1, 0.0, true},
-                                {0.5, 0.3, 0.0},       {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},
-                                {0.4, 0.0, 0.2}};
+constexpr DiscSizes kWithCones[] = {
+    {0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}, {0.6, 0.1, 0.0, true}, {0.5, 0.3, 0.0},
+    {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},       {0.4, 0.0, 0.2}};
 
 TEST(DiscContact, SeparationFromAPolyhedronIsTheLargestOfAllDirections) {
   Random r(51);
@@ -92,12 +80,12 @@ TEST(DiscContact, SeparationFromAPolyhedronIsTheLargestOfAllDirections) {
   for (int trial = 0; trial < 240; ++trial) {
     const Polyhedron body =
         trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
-    const Sizes& s = kBodies[trial / 2 % kKinds];
-    const Mover A = random(r, Vec3::Zero());
-    const Mover B = random(r, (0.7 + 0.5 * (1.0 + r.number())) * r.vec().normalized());
+    const DiscSizes& s = kDiscs[trial / 2 % kKinds];
+    const Mover A = inSpace(r, Vec3::Zero());
+    const Mover B = inSpace(r, (0.7 + 0.5 * (1.0 + r.number())) * r.vec().normalized());
     const DiscBody b = placedDisc(B.frame, s.half, s.rho, s.r, s.tip);
     const auto f = [&](const Vec3& n) { return -b.support(-n) - support(A.frame, body, n); };
-    const double truth = separated(f);
+    const double truth = separatedInSpace(f);
     if (truth < -0.05) continue;
     (truth > 0.0 ? apart : overlapping)++;
     // f is one of its values, and none of the others is larger. Lengths of 1 are rounded.
@@ -131,9 +119,9 @@ TEST(DiscContact, RatesOnAPolyhedronAreThoseOfTheMotion) {
   for (int trial = 0; trial < 700; ++trial) {
     const Polyhedron body =
         trial % 2 ? Polyhedron(r.hull(10)) : Polyhedron(boxTriangles({0.6, 0.4, 0.3}));
-    const Sizes& s = kBodies[trial / 2 % kKinds];
-    const Mover A = random(r, Vec3::Zero()),
-                B = random(r, (0.9 + 0.3 * r.number()) * r.vec().normalized());
+    const DiscSizes& s = kDiscs[trial / 2 % kKinds];
+    const Mover A = inSpace(r, Vec3::Zero()),
+                B = inSpace(r, (0.9 + 0.3 * r.number()) * r.vec().normalized());
     // Deeper inside no two features may look at each other.
     if (separation(placed(A.frame, body), placedDisc(B.frame, s.half, s.rho, s.r, s.tip)) < -0.05)
       continue;
@@ -175,8 +163,8 @@ TEST(ConeContact, OfABallIsItsDistanceAndHasTheRatesOfTheMotion) {
   Random r(55);
   int seen[2] = {};
   for (int trial = 0; trial < 400; ++trial) {
-    const Sizes& s = kBodies[4 + trial % 2];
-    const Mover A = random(r, Vec3::Zero()), B = random(r, (trial % 4 < 2 ? 0.8 : 0.3) * r.vec());
+    const DiscSizes& s = kDiscs[4 + trial % 2];
+    const Mover A = inSpace(r, Vec3::Zero()), B = inSpace(r, (trial % 4 < 2 ? 0.8 : 0.3) * r.vec());
     SupportFeature ball;
     ball.c_K = 0.1 * r.vec(), ball.radius = 0.05 * (1.0 + r.number());
     const Vec3 c = B.frame.r_OS_I + B.frame.A_IK * ball.c_K;
@@ -198,11 +186,11 @@ TEST(DiscContact, SeparationOfRoundBodiesIsTheLargestOfAllDirections) {
   Random r(53);
   int apart = 0, overlapping = 0, exact = 0;
   for (int trial = 0; trial < 240; ++trial) {
-    const Sizes &sA = kRound[trial % 4], &sB = kRound[trial / 4 % 6];
+    const DiscSizes &sA = kRound[trial % 4], &sB = kRound[trial / 4 % 6];
     // Anywhere, with parallel axes, and on each other with a small tilt.
-    const Mover A = random(r, Vec3::Zero());
+    const Mover A = inSpace(r, Vec3::Zero());
     const Vec3 way = (0.4 + 0.6 * (1.0 + r.number())) * r.vec().normalized();
-    Mover B = random(r, way);
+    Mover B = inSpace(r, way);
     if (trial % 5 == 0) B.frame.A_IK = A.frame.A_IK;
     if (trial % 5 == 1) {
       B.frame.A_IK = A.frame.A_IK * turned(0.01 * r.vec());
@@ -212,7 +200,7 @@ TEST(DiscContact, SeparationOfRoundBodiesIsTheLargestOfAllDirections) {
     const DiscBody a = placedDisc(A.frame, sA.half, sA.rho, sA.r),
                    b = placedDisc(B.frame, sB.half, sB.rho, sB.r);
     const auto f = [&](const Vec3& n) { return -b.support(-n) - a.support(n); };
-    const double truth = separated(f);
+    const double truth = separatedInSpace(f);
     if (truth < -0.05) continue;
     (truth > 0.0 ? apart : overlapping)++;
     const double g = separation(a, b);
@@ -239,13 +227,13 @@ TEST(DiscContact, SeparationOfRoundBodiesIsTheLargestOfAllDirections) {
 /// Two bodies of which one at least is a cone: anywhere; with parallel axes, either way up; nearly
 /// upright on the other; and side on side.
 struct WithCone {
-  Sizes sA, sB;
+  DiscSizes sA, sB;
   Mover A, B;
   WithCone(Random& r, int trial)
       : sA(kWithCones[trial % 3]),
         sB(kWithCones[trial / 3 % 7]),
-        A(random(r, Vec3::Zero())),
-        B(random(r, (0.4 + 0.6 * (1.0 + r.number())) * r.vec().normalized())) {
+        A(inSpace(r, Vec3::Zero())),
+        B(inSpace(r, (0.4 + 0.6 * (1.0 + r.number())) * r.vec().normalized())) {
     const Mat3& axes = A.frame.A_IK;
     const Mat3 upside = Vec3(1.0, -1.0, -1.0).asDiagonal();
     if (trial % 5 == 0) B.frame.A_IK = trial % 2 == 0 ? axes : Mat3(axes * upside);
@@ -275,7 +263,7 @@ TEST(ConeContact, SeparationFromRoundBodiesIsTheLargestOfAllDirections) {
     const WithCone pair(r, trial);
     const DiscBody a = pair.a(pair.A.frame), b = pair.b(pair.B.frame);
     const auto f = [&](const Vec3& n) { return -b.support(-n) - a.support(n); };
-    const double truth = separated(f);
+    const double truth = separatedInSpace(f);
     if (truth < -0.05) continue;
     (truth > 0.0 ? apart : overlapping)++;
     const double g = separation(a, b);
@@ -338,9 +326,9 @@ TEST(DiscContact, RatesOfRoundBodiesAreThoseOfTheMotion) {
   Random r(54);
   int compared = 0;
   for (int trial = 0; trial < 600; ++trial) {
-    const Sizes &sA = kRound[trial % 4], &sB = kRound[trial / 4 % 6];
-    const Mover A = random(r, Vec3::Zero());
-    Mover B = random(r, 1.2 * r.vec().normalized());
+    const DiscSizes &sA = kRound[trial % 4], &sB = kRound[trial / 4 % 6];
+    const Mover A = inSpace(r, Vec3::Zero());
+    Mover B = inSpace(r, 1.2 * r.vec().normalized());
     if (trial % 3 == 1) {
       B.frame.A_IK = A.frame.A_IK * turned(0.01 * r.vec());
       B.frame.r_OS_I = A.frame.A_IK * Vec3(0.3 * r.number(), 0.3 * r.number(),

@@ -2,24 +2,12 @@
 #include <dynamy_elements/contacts/pairs/disc_on_mesh.hpp>
 #include <dynamy_elements/contacts/pairs/disc_on_polyhedron.hpp>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 
 namespace dynamy {
 namespace {
 
 using namespace testing;
-
-struct Sizes {
-  double half, rho, r;
-  bool tip = false;
-};
-constexpr Sizes kBodies[] = {{0.5, 0.3, 0.0}, {0.05, 0.4, 0.0},      {0.0, 0.4, 0.1},
-                             {0.7, 0.1, 0.0}, {0.4, 0.3, 0.0, true}, {0.1, 0.5, 0.0, true}};
-
-DiscBody placedDisc(const Frame& f, const Sizes& s) {
-  return {&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), s.half, s.rho, s.r, s.tip};
-}
-Mover random(Random& r, const Vec3& at) { return {at, turned(2.0 * r.vec()), r.vec(), r.vec()}; }
 
 TEST(DiscOnMesh, HasTheSmallestGapOfAPolyhedronWithTheseTriangles) {
   Random r(61);
@@ -28,9 +16,9 @@ TEST(DiscOnMesh, HasTheSmallestGapOfAPolyhedronWithTheseTriangles) {
     const std::vector<Vec3> triangles = r.hull(10);
     const Polyhedron body(triangles);
     const Surface mesh(triangles, false);
-    const Mover A = random(r, 0.1 * r.vec()),
-                B = random(r, (1.2 + 0.4 * r.number()) * r.vec().normalized());
-    const DiscBody b = placedDisc(B.frame, kBodies[trial % 6]);
+    const Mover A = inSpace(r, 0.1 * r.vec()),
+                B = inSpace(r, (1.2 + 0.4 * r.number()) * r.vec().normalized());
+    const DiscBody b = placedDisc(B.frame, kDiscs[trial % 6]);
     const double truth = separation(placed(A.frame, body), b);
     // A body that is not apart meets faces that it is far below as well.
     if (truth < 1e-3 || truth > 0.3) continue;
@@ -57,10 +45,10 @@ TEST(DiscOnMesh, RatesAreThoseOfTheMotion) {
   int compared = 0;
   for (int trial = 0; trial < 750; ++trial) {
     const Surface mesh(r.hull(10), false);
-    const Mover A = random(r, 0.1 * r.vec()), B = random(r, 1.1 * r.vec().normalized());
+    const Mover A = inSpace(r, 0.1 * r.vec()), B = inSpace(r, 1.1 * r.vec().normalized());
     compared += expectRatesFit(A, B, [&](const Frame& fA, const Frame& fB) {
       OnSurfaceContacts out;
-      const int n = discOnMesh(fA, mesh, placedDisc(fB, kBodies[trial % 6]), 0.3, out);
+      const int n = discOnMesh(fA, mesh, placedDisc(fB, kDiscs[trial % 6]), 0.3, out);
       return std::vector<NumberedContact>(out.begin(), out.begin() + n);
     });
   }

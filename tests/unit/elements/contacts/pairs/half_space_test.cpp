@@ -9,17 +9,16 @@ namespace dynamy {
 namespace {
 
 using namespace testing;
-constexpr double kPi = std::numbers::pi;
 
 /// A surface r(a, b), 0 ≤ a, b ≤ 2π, in axes of the shape.
-using Surface = std::function<Vec3(double, double)>;
+using SurfaceFormula = std::function<Vec3(double, double)>;
 
 /// Least height n·r over the surface: a grid, then finer and finer ones about its lowest point.
 /// Each of the 12 zooms by 10 makes the grid spacing 2π/60 so much smaller; heights are flat at a
 /// minimum, so 1e-14 is reached long before.
-double lowest(const Surface& surface, const Vec3& n) {
+double lowest(const SurfaceFormula& surface, const Vec3& n) {
   constexpr int kGrid = 60;
-  double a0 = 0.0, b0 = 0.0, width = 2.0 * kPi, best = 1e300;
+  double a0 = 0.0, b0 = 0.0, width = 2.0 * std::numbers::pi, best = 1e300;
   for (int zoom = 0; zoom < 12; ++zoom, width *= 0.1) {
     double a1 = a0, b1 = b0;
     for (int i = 0; i <= kGrid; ++i)
@@ -35,7 +34,8 @@ double lowest(const Surface& surface, const Vec3& n) {
 
 /// Smallest gap of a body with the shape at random attitudes over z = 0.
 template <class S>
-void expectGapIsTheLowestPoint(const char* type, const Given& shape, const Surface& surface) {
+void expectGapIsTheLowestPoint(const char* type, const Given& shape,
+                               const SurfaceFormula& surface) {
   SCOPED_TRACE(type);
   Model m;
   Given given = shape;
@@ -57,7 +57,7 @@ void expectGapIsTheLowestPoint(const char* type, const Given& shape, const Surfa
   }
 }
 
-Surface round(double R, double z) {
+SurfaceFormula round(double R, double z) {
   return [=](double a, double) { return Vec3(R * std::cos(a), R * std::sin(a), z); };
 }
 
@@ -118,7 +118,7 @@ TEST(HalfSpaceContacts, OfSectionsInAPlaneFit) {
     addRule(m, "steel steel");
     expectRowsFit(m, contacts, 2);
   };
-  const GivenValue steel{"material", "steel"}, across{"euler", {0.5 * kPi, 0.0, 0.0}};
+  const GivenValue steel{"material", "steel"}, across{"euler", {0.5 * std::numbers::pi, 0.0, 0.0}};
   const Given round{{"radius", 0.3}, {"length", 0.4}, steel};
   Given wheel = round, circle{{"radius", 0.3}, steel, across};
   wheel.push_back(across);
@@ -159,8 +159,8 @@ TEST(HalfSpaceContacts, OfAFlatDiscAreFourPointsOfItsRim) {
   Vec3 middle = Vec3::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(set.g[i], 0.0, 1e-16);
-    EXPECT_NEAR(set.point[i].head<2>().norm(), 0.4, 1e-15);
-    middle += set.point[i];
+    EXPECT_NEAR(set.places.point[i].head<2>().norm(), 0.4, 1e-15);
+    middle += set.places.point[i];
   }
   EXPECT_LT(middle.norm(), 1e-15);
   EXPECT_EQ(element.contactName(contactNumber(set.key[0])), "disc-world.rim0.point0");

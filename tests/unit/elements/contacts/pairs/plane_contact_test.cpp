@@ -7,21 +7,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 #include "unit/elements/contacts/shape_models.hpp"
 
 namespace dynamy {
 namespace {
 
 using namespace testing;
-
-const Vec3 kPlane = Vec3(0.0, -1.0, 0.0);  // x to z, as bodies in a plane move
-
-/// A frame that moves in the plane.
-Mover inPlane(Random& random, const Vec3& at) {
-  return {at, turned(3.0 * random.number() * kPlane), Vec3(random.number(), 0.0, random.number()),
-          random.number() * kPlane};
-}
 
 /// Corners on a circle at random angles, counterclockwise about the plane's normal.
 std::vector<Vec3> randomPolygon(Random& random, int n) {

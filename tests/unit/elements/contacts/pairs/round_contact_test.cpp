@@ -9,23 +9,14 @@
 #include <dynamy/core/rotation.hpp>
 #include <functional>
 #include <random>
-#include <unit/elements/contacts/faceted_bodies.hpp>
+#include <unit/elements/contacts/pairs/pair_shapes.hpp>
 
 namespace dynamy {
 namespace {
 
+using testing::capsule;
+using testing::Mover;
 using testing::turned;
-
-TouchingShape capsule(double R, double half) {
-  TouchingShape s;
-  s.kind = TouchingShape::Kind::capsule;
-  s.half = {R, R, half}, s.thickness = R, s.bound = R + half;
-  s.features.resize(2);
-  for (const int i : {0, 1})
-    s.features[static_cast<std::size_t>(i)].c_K = (2 * i - 1) * half * Vec3::UnitZ(),
-    s.features[static_cast<std::size_t>(i)].radius = R;
-  return s;
-}
 
 TouchingShape solid(TouchingShape::Kind kind, const Vec3& half) {
   TouchingShape s;
@@ -33,19 +24,8 @@ TouchingShape solid(TouchingShape::Kind kind, const Vec3& half) {
   return s;
 }
 
-struct Mover {
-  Frame frame;
-  Mover(const Vec3& r, const Mat3& A, const Vec3& v, const Vec3& Omega) {
-    frame.r_OS_I = r, frame.A_IK = A, frame.v_S_I = v, frame.Omega_I = Omega;
-  }
-  Mover after(double s) const {
-    return {frame.r_OS_I + s * frame.v_S_I, turned(s * frame.Omega_I) * frame.A_IK, frame.v_S_I,
-            frame.Omega_I};
-  }
-};
-
 /// Contacts of B on A at given frames.
-using Pair = std::function<std::vector<BoxContact>(const Frame& A, const Frame& B)>;
+using BoxPair = std::function<std::vector<BoxContact>(const Frame& A, const Frame& B)>;
 /// Nearest point of a convex core of a body to p.
 using Nearest = std::function<Vec3(const Frame& f, const Vec3& p)>;
 
@@ -79,7 +59,7 @@ Nearest onPoint() {
 }
 
 /// Smallest gap = distance of the cores − radii; no gap is smaller; rates are those of the motion.
-void expectExact(const Pair& pair, const Nearest& coreA, const Nearest& coreB, double radii) {
+void expectExact(const BoxPair& pair, const Nearest& coreA, const Nearest& coreB, double radii) {
   constexpr unsigned kSeed = 11;
   std::mt19937 random(kSeed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);

@@ -4,28 +4,15 @@
 
 #include <cmath>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 
 namespace dynamy {
 namespace {
 
 using namespace testing;
 
-SupportFeature ellipsoid(const Vec3& semi, const Vec3& at = Vec3::Zero()) {
-  SupportFeature f;
-  f.kind = SupportFeature::Kind::ellipsoid, f.c_K = at;
-  f.square_K = semi.cwiseAbs2().asDiagonal();
-  return f;
-}
-SupportFeature ball(double R, const Vec3& at) {
-  SupportFeature f;
-  f.radius = R, f.c_K = at;
-  return f;
-}
-Mover random(Random& r, const Vec3& at) { return {at, turned(2.0 * r.vec()), r.vec(), r.vec()}; }
-
 /// The largest separation over all directions: a grid, refined around the best three times.
-double separated(const std::function<double(const Vec3&)>& f, const Vec3& start) {
+double separatedNear(const std::function<double(const Vec3&)>& f, const Vec3& start) {
   Vec3 best = start.normalized();
   double most = f(best), width = 1.6;
   for (int level = 0; level < 12; ++level, width *= 0.3) {
@@ -41,20 +28,16 @@ double separated(const std::function<double(const Vec3&)>& f, const Vec3& start)
   return most;
 }
 
-double support(const Frame& f, const SupportFeature& s, const Vec3& n) {
-  return n.dot(f.r_OS_I) + s.support(f.A_IK.transpose() * n);
-}
-
 TEST(SmoothContact, OfEllipsoidsIsTheLargestSeparationOfAllDirections) {
   Random r(31);
   const SupportFeature a = ellipsoid({0.5, 0.3, 0.8}, {0.1, 0.0, 0.0}),
                        b = ellipsoid({0.2, 0.6, 0.4});
   int apart = 0, overlapping = 0;
   for (int trial = 0; trial < 100; ++trial) {
-    const Mover A = random(r, Vec3::Zero());
-    const Mover B = random(r, (trial % 2 ? 1.5 : 1.0) * r.vec().normalized());
-    const auto f = [&](const Vec3& n) { return -support(B.frame, b, -n) - support(A.frame, a, n); };
-    const double truth = separated(f, B.frame.r_OS_I);
+    const Mover A = inSpace(r, Vec3::Zero());
+    const Mover B = inSpace(r, (trial % 2 ? 1.5 : 1.0) * r.vec().normalized());
+    const auto f = [&](const Vec3& n) { return -reach(B.frame, b, -n) - reach(A.frame, a, n); };
+    const double truth = separatedNear(f, B.frame.r_OS_I);
     if (truth < -0.1) continue;
     (truth > 0.0 ? apart : overlapping)++;
     const ContactPoint c = betweenSmooth(A.frame, a, B.frame, b);
@@ -73,7 +56,7 @@ TEST(SmoothContact, OfBallsIsThatOfBalls) {
   const SupportFeature a = ellipsoid(Vec3::Constant(0.5), {0.1, 0.2, 0.0}),
                        b = ball(0.3, {0, 0, 0.1});
   for (int trial = 0; trial < 50; ++trial) {
-    const Mover A = random(r, Vec3::Zero()), B = random(r, r.vec().normalized());
+    const Mover A = inSpace(r, Vec3::Zero()), B = inSpace(r, r.vec().normalized());
     const ContactPoint c = betweenSmooth(A.frame, a, B.frame, b),
                        t = betweenBalls(A.frame, {a.c_K, 0.5}, B.frame, {b.c_K, 0.3}, Vec3::Zero());
     // P is B's point, that of balls A's: compared where n and its rate are.
@@ -90,7 +73,7 @@ TEST(SmoothContact, OfEllipsoidsHasTheRatesOfTheMotion) {
   int compared = 0;
   for (int trial = 0; trial < 100; ++trial)
     compared +=
-        expectRatesFit(random(r, Vec3::Zero()), random(r, 1.4 * r.vec().normalized()),
+        expectRatesFit(inSpace(r, Vec3::Zero()), inSpace(r, 1.4 * r.vec().normalized()),
                        [&](const Frame& fA, const Frame& fB) {
                          return std::vector<NumberedContact>{{0, betweenSmooth(fA, a, fB, b)}};
                        });
@@ -105,7 +88,7 @@ TEST(SmoothContact, OfABallOnABoxIsThatOfBoxes) {
   box.kind = TouchingShape::Kind::box, box.half = half;
   const SupportFeature b = ellipsoid(Vec3::Constant(0.2), {0.1, 0.0, 0.05});
   for (int trial = 0; trial < 300; ++trial) {
-    const Mover A = random(r, 0.1 * r.vec()), B = random(r, 1.2 * r.vec());
+    const Mover A = inSpace(r, 0.1 * r.vec()), B = inSpace(r, 1.2 * r.vec());
     const ContactPoint t = ballOnBox(A.frame, box, B.frame, {b.c_K, 0.2}, Vec3::Zero());
     if (t.g < -0.15) continue;  // the centre is inside, or on an edge
     const ContactPoint c = smoothOnPolyhedron(placed(A.frame, body), B.frame, b);
@@ -124,14 +107,14 @@ TEST(SmoothContact, OfEllipsoidsOnPolyhedraIsTheLargestSeparation) {
   int met = 0, compared = 0;
   for (int trial = 0; trial < 60; ++trial) {
     const Polyhedron body(r.hull(12));
-    const Mover A = random(r, Vec3::Zero()), B = random(r, 1.6 * r.vec().normalized());
+    const Mover A = inSpace(r, Vec3::Zero()), B = inSpace(r, 1.6 * r.vec().normalized());
     const auto f = [&](const Vec3& n) {
       double most = -kInfinity;
       for (const Vec3& p : body.corners())
         most = std::max(most, n.dot(A.frame.r_OS_I + A.frame.A_IK * p));
-      return -support(B.frame, b, -n) - most;
+      return -reach(B.frame, b, -n) - most;
     };
-    const double truth = separated(f, B.frame.r_OS_I);
+    const double truth = separatedNear(f, B.frame.r_OS_I);
     if (truth < 1e-3) continue;
     ++met;
     const ContactPoint c = smoothOnPolyhedron(placed(A.frame, body), B.frame, b);
@@ -159,11 +142,11 @@ TEST(SmoothContact, OfEllipsoidsOnRoundBodiesIsTheLargestSeparation) {
     const auto disc = [&](const Frame& f) {
       return DiscBody{&f, f.r_OS_I, f.A_IK.col(2), f.A_IK.col(0), s[0], s[1], s[2], tip};
     };
-    const Mover A = random(r, Vec3::Zero()),
-                B = random(r, (0.9 + 0.4 * r.number()) * r.vec().normalized());
+    const Mover A = inSpace(r, Vec3::Zero()),
+                B = inSpace(r, (0.9 + 0.4 * r.number()) * r.vec().normalized());
     const DiscBody a = disc(A.frame);
-    const auto f = [&](const Vec3& n) { return -support(B.frame, b, -n) - a.support(n); };
-    const double truth = separated(f, B.frame.r_OS_I);
+    const auto f = [&](const Vec3& n) { return -reach(B.frame, b, -n) - a.support(n); };
+    const double truth = separatedNear(f, B.frame.r_OS_I);
     if (truth < -0.05) continue;
     ++met, overlapping += truth < 0.0;
     const ContactPoint c = smoothOnDisc(a, B.frame, b);
@@ -187,7 +170,7 @@ TEST(SmoothContact, OfEllipsoidsIsProvenWhereBodiesAreApart) {
   for (int trial = 0; trial < 4000; ++trial) {
     // Also far from the origin, where coordinates round to 1e-13 m.
     const double far = trial % 4 == 0 ? 1e3 : 1.0;
-    const Mover A = random(r, far * r.vec()), B = random(r, A.frame.r_OS_I + 2.0 * r.vec());
+    const Mover A = inSpace(r, far * r.vec()), B = inSpace(r, A.frame.r_OS_I + 2.0 * r.vec());
     const SupportFeature b =
         ellipsoid(Vec3::Constant(0.1) + 0.4 * r.vec().cwiseAbs(), 0.1 * r.vec());
     const double rounding = 1e-12 * far;  // some thousand operations on coordinates of this size
@@ -211,7 +194,7 @@ TEST(SmoothContact, OfEllipsoidsIsProvenWhereBodiesAreApart) {
       for (const Polyhedron::Face& face : body.faces())
         outside = std::max(outside, face.n.dot(of.R.transpose() * (q - of.c)) - face.height);
     }
-    EXPECT_NEAR(-support(B.frame, b, -n) - most, c.g, rounding) << "trial " << trial;
+    EXPECT_NEAR(-reach(B.frame, b, -n) - most, c.g, rounding) << "trial " << trial;
     EXPECT_LT(outside, rounding) << "trial " << trial;
   }
   EXPECT_GT(proven, 2000);

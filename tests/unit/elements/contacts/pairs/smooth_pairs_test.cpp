@@ -5,27 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 
 namespace dynamy {
 namespace {
 
 using namespace testing;
+using testing::reach;
 
-const Vec3 kPlane = Vec3(0.0, -1.0, 0.0);  // x to z, as bodies in a plane move
-
-SupportFeature ellipsoid(const Vec3& semi, const Vec3& at = Vec3::Zero()) {
-  SupportFeature f;
-  f.kind = SupportFeature::Kind::ellipsoid, f.c_K = at;
-  f.square_K = semi.cwiseAbs2().asDiagonal();
-  return f;
-}
-
-/// A frame that moves in the plane.
-Mover inPlane(Random& random, const Vec3& at) {
-  return {at, turned(3.0 * random.number() * kPlane), Vec3(random.number(), 0.0, random.number()),
-          random.number() * kPlane};
-}
 Vec3 away(Random& random, double distance) {
   const double angle = std::numbers::pi * random.number();
   return {distance * std::cos(angle), 0.0, distance * std::sin(angle)};
@@ -43,7 +30,7 @@ std::vector<Vec3> corners(Random& random, int n) {
 }
 
 /// The largest of f over the directions in the plane.
-double separated(const std::function<double(const Vec3&)>& f) {
+double separatedInPlane(const std::function<double(const Vec3&)>& f) {
   const auto at = [&](double a) { return f(Vec3(std::cos(a), 0.0, std::sin(a))); };
   constexpr int kGrid = 2000;
   double best = 0.0, most = -kInfinity, width = std::numbers::pi / kGrid;
@@ -55,17 +42,14 @@ double separated(const std::function<double(const Vec3&)>& f) {
   return most;
 }
 
-double support(const Frame& f, const SupportFeature& s, const Vec3& n) {
-  return n.dot(f.r_OS_I) + s.support(f.A_IK.transpose() * n);
-}
-double support(const Frame& f, const std::vector<Vec3>& points, const Vec3& n) {
+double reach(const Frame& f, const std::vector<Vec3>& points, const Vec3& n) {
   double most = -kInfinity;
   for (const Vec3& p : points) most = std::max(most, n.dot(f.r_OS_I + f.A_IK * p));
   return most;
 }
 
 /// Capsule about a way of 0.8 along z.
-TouchingShape capsule(double radius = 0.15) {
+TouchingShape uprightCapsule(double radius = 0.15) {
   TouchingShape s;
   s.kind = TouchingShape::Kind::capsule, s.half = {radius, radius, 0.4}, s.thickness = radius;
   for (const double side : {-0.4, 0.4}) {
@@ -75,8 +59,8 @@ TouchingShape capsule(double radius = 0.15) {
   }
   return s;
 }
-double support(const Frame& f, const TouchingShape& s, const Vec3& n) {
-  return std::max(support(f, s.features[0], n), support(f, s.features[1], n));
+double reach(const Frame& f, const TouchingShape& s, const Vec3& n) {
+  return std::max(reach(f, s.features[0], n), reach(f, s.features[1], n));
 }
 
 TEST(SmoothInPlane, EllipsesOnAllSeparateMostOfAllDirections) {
@@ -84,7 +68,7 @@ TEST(SmoothInPlane, EllipsesOnAllSeparateMostOfAllDirections) {
   const SupportFeature b = ellipsoid({0.2, 0.7, 0.5}, {0.05, 0.0, 0.1});
   SupportFeature disc;
   disc.radius = 0.3;
-  const TouchingShape pill = capsule();
+  const TouchingShape pill = uprightCapsule();
   int met[4] = {}, overlapping = 0, compared = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const int kind = trial % 4;
@@ -97,11 +81,11 @@ TEST(SmoothInPlane, EllipsesOnAllSeparateMostOfAllDirections) {
                        : smoothInPlane(fA, a, fB, b, kPlane);
     };
     const auto ofA = [&](const Vec3& n) {
-      if (kind == 2) return support(A.frame, polygon, n);
-      return kind == 3 ? support(A.frame, pill, n) : support(A.frame, a, n);
+      if (kind == 2) return reach(A.frame, polygon, n);
+      return kind == 3 ? reach(A.frame, pill, n) : reach(A.frame, a, n);
     };
-    const auto f = [&](const Vec3& n) { return -support(B.frame, b, -n) - ofA(n); };
-    const double truth = separated(f);
+    const auto f = [&](const Vec3& n) { return -reach(B.frame, b, -n) - ofA(n); };
+    const double truth = separatedInPlane(f);
     if (truth < -0.05) continue;
     ++met[kind], overlapping += truth < 0.0;
     const ContactPoint c = contact(A.frame, B.frame);
@@ -128,11 +112,11 @@ TEST(CapsuleOnPolygon, IsTheirDistanceAndHasTheRatesOfTheMotion) {
   int ends = 0, beside = 0, compared = 0, overlapping = 0;
   for (int trial = 0; trial < 600; ++trial) {
     // Every second one is a line.
-    const TouchingShape pill = capsule(trial % 2 == 0 ? 0.15 : 0.0);
+    const TouchingShape pill = uprightCapsule(trial % 2 == 0 ? 0.15 : 0.0);
     const std::vector<Vec3> polygon = corners(r, 5);
     const Mover A = inPlane(r, Vec3::Zero()), B = inPlane(r, away(r, 0.9 + 0.4 * r.number()));
-    const double truth = separated(
-        [&](const Vec3& n) { return -support(B.frame, pill, -n) - support(A.frame, polygon, n); });
+    const double truth = separatedInPlane(
+        [&](const Vec3& n) { return -reach(B.frame, pill, -n) - reach(A.frame, polygon, n); });
     if (truth < -0.02) continue;
     CapsuleOnPolygon found;
     const int n = capsuleOnPolygon({&A.frame, &polygon, kPlane}, B.frame, pill, found);
@@ -172,7 +156,8 @@ TEST(CapsuleOnPolygon, KeepsBothCornersOfAnEdgeThatIsParallel) {
     const Mat3 flat = turn * turned(0.5 * std::numbers::pi * kPlane);
     const Mover B(A.frame.r_OS_I + turn * above, flat, Vec3::Zero(), Vec3::Zero());
     CapsuleOnPolygon found;
-    const int n = capsuleOnPolygon({&A.frame, &square, kPlane}, B.frame, capsule(radius), found);
+    const int n =
+        capsuleOnPolygon({&A.frame, &square, kPlane}, B.frame, uprightCapsule(radius), found);
     int touching = 0;
     for (int i = 0; i < n; ++i) {
       const NumberedContact& c = found[static_cast<std::size_t>(i)];

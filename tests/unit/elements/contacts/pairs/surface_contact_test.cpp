@@ -3,23 +3,12 @@
 #include <dynamy_elements/contacts/pairs/round_contact.hpp>
 #include <dynamy_elements/contacts/pairs/surface_contact.hpp>
 
-#include "unit/elements/contacts/faceted_bodies.hpp"
+#include "unit/elements/contacts/pairs/pair_shapes.hpp"
 
 namespace dynamy {
 namespace {
 
 using namespace testing;
-
-TouchingShape capsule(double R, double half) {
-  TouchingShape s;
-  s.kind = TouchingShape::Kind::capsule;
-  s.half = {R, R, half}, s.thickness = R, s.bound = R + half;
-  s.features.resize(2);
-  for (const int i : {0, 1})
-    s.features[static_cast<std::size_t>(i)].c_K = (2 * i - 1) * half * Vec3::UnitZ(),
-    s.features[static_cast<std::size_t>(i)].radius = R;
-  return s;
-}
 
 TEST(SurfaceContact, OfACapsuleOnABoxIsThatOfBoxes) {
   Random random(9);

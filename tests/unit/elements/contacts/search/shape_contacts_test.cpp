@@ -182,6 +182,15 @@ TEST(ShapeContacts, DemandALawForMaterialsThatCanTouch) {
   }
 }
 
+TEST(ShapeContacts, RefuseBoxesThatAPlaneOfMotionCutsAtAnAngle) {
+  Model m;
+  const Given turned{{"size", {0.3, 0.4, 0.5}}, {"euler", {0.3, 0.0, 0.3}}, {"material", "steel"}};
+  addBody<PlanarBody, Box>(m, "a", kPlanar, "Box", turned);
+  addBody<PlanarBody, Box>(m, "b", kPlanar, "Box", turned);
+  addRule(m, "steel steel");
+  EXPECT_THROW(built(m), ModelError);
+}
+
 TEST(ShapeContacts, LeaveOutPairsThatAreSwitchedOff) {
   Model m;
   addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
@@ -222,6 +231,37 @@ TEST(ShapeContacts, NameTheirSignalsAfterBodyAndFloor) {
   built(m);
   EXPECT_NE(m.signal("ball-floor.lambda_N"), nullptr);
   EXPECT_NE(m.signal("contacts.count"), nullptr);
+}
+
+TEST(ShapeContacts, ThatAreNamedAloneComeInTheOrderOfAll) {
+  Model m;
+  addBody<Ground, HalfSpace>(m, "world", {}, "HalfSpace", {{"material", "steel"}});
+  for (const double x : {0.0, 0.5, 1.0, 1.5})
+    addBody<RigidBody, Sphere>(
+        m, "ball" + std::to_string(x),
+        {{"mass", 1.0}, {"inertia", {0.1, 0.1, 0.1}}, {"position", {x, 0.1 * x, 0.3}}}, "Sphere",
+        {{"radius", 0.25}, {"material", "steel"}});
+  addRule(m, "steel steel");
+  const ShapeContacts& element = built(m);
+  Motion motion(m);
+  const auto report = [&](std::span<const ContactKey> keys, bool alone) {
+    ContactSet set;
+    set.clear();
+    ContactRequest request;
+    request.refresh = request.follow = true, request.frozen = keys, request.alone = alone;
+    ContactSink sink(set, request);
+    element.contacts(motion.at(0.0), sink);
+    return set;
+  };
+  const std::vector<ContactKey> all = report({}, false).candidateKey;
+  ASSERT_EQ(all.size(), 4u + 6u);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      std::vector<ContactKey> wanted{std::min(all[i], all[j]), std::max(all[i], all[j])};
+      const ContactSet set = report(wanted, true);
+      EXPECT_EQ(set.candidateKey, (std::vector<ContactKey>{all[i], all[j]}));
+      EXPECT_EQ(set.key, set.candidateKey);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+// Cylinders, cones and tori with each other, with capsules and balls, and on boxes and polyhedra.
+#include <dynamy_elements/contacts/kernels/one_contact.hpp>
+#include <dynamy_elements/contacts/kernels/standard_pairs.hpp>
+#include <dynamy_elements/contacts/pairs/between_discs.hpp>
+
+namespace dynamy {
+namespace {
+
+using Touch = TouchingShape::Kind;
+
+class Discs final : public PairKernel {
+ public:
+  void contacts(PairReport& report) const override {
+    const PosedPair& p = report.pair();
+    const ContactRequest& asked = report.request();
+    DiscContacts found;
+    report.addAll(found, betweenDiscs(discBody(p.A, p.a), discBody(p.B, p.b), report.reach(),
+                                      asked.gTol, asked.bias, found));
+  }
+  double gap(const PosedPair& p, std::size_t) const override {
+    return separation(discBody(p.A, p.a), discBody(p.B, p.b));
+  }
+  std::uint64_t features(const TouchingShape&, const TouchingShape&) const override {
+    return kDiscPair;
+  }
+  std::string featureName(const TouchingShape&, const TouchingShape&,
+                          std::uint64_t f) const override;
+  Following following(const TouchingShape&, const TouchingShape& b) const override {
+    return b.kind == Touch::ball ? Following::gaps : Following::jumping;
+  }
+};
+
+class DiscOnPolyhedron final : public PairKernel {
+ public:
+  void contacts(PairReport& report) const override {
+    const PosedPair& p = report.pair();
+    const ContactRequest& asked = report.request();
+    DiscContacts found;
+    report.addAll(found, discOnPolyhedron(placedPolyhedron(p.A, p.a), discBody(p.B, p.b),
+                                          report.reach(), asked.gTol, asked.bias, found));
+  }
+  double gap(const PosedPair& p, std::size_t) const override {
+    return separation(placedPolyhedron(p.A, p.a), discBody(p.B, p.b));
+  }
+  std::uint64_t features(const TouchingShape& a, const TouchingShape&) const override {
+    return static_cast<std::uint64_t>(discFeatures(*a.polyhedron));
+  }
+  std::string featureName(const TouchingShape& a, const TouchingShape&,
+                          std::uint64_t f) const override;
+  Following following(const TouchingShape&, const TouchingShape&) const override {
+    return Following::jumping;
+  }
+};
+
+std::string ofRim(std::uint64_t rim, std::uint64_t k) {
+  return "rim" + std::to_string(rim) + "." + std::to_string(k);
+}
+
+std::string DiscOnPolyhedron::featureName(const TouchingShape& a, const TouchingShape&,
+                                          std::uint64_t f) const {
+  const Polyhedron& A = *a.polyhedron;
+  const std::size_t corners = A.corners().size(), edges = A.edges().size();
+  if (f < 2) return "B.rim" + std::to_string(f);
+  if (f < 10) return "B.rim" + std::to_string((f - 2) / 4) + ".point" + std::to_string((f - 2) % 4);
+  f -= 10;
+  if (f < corners) return "A.corner" + std::to_string(f);
+  f -= corners;
+  if (f < edges) return "edge" + std::to_string(f) + "-side";
+  f -= edges;
+  return "edge" + std::to_string(f / 4) + "-" + ofRim(f / 2 % 2, f % 2);
+}
+
+std::string Discs::featureName(const TouchingShape&, const TouchingShape&, std::uint64_t f) const {
+  if (f >= kRimPairs) {
+    f -= kRimPairs;
+    return "A.rim" + std::to_string(f / 4) + "-B." + ofRim(f / 2 % 2, f % 2);
+  }
+  if (f >= kBOnSide) return "side-B." + ofRim((f - kBOnSide) / 2, f % 2 == kBOnSide % 2 ? 0 : 1);
+  if (f >= kAOnSide) return "side-A." + ofRim((f - kAOnSide) / 2, f % 2 == kAOnSide % 2 ? 0 : 1);
+  if (f == kSides) return "sides";
+  const std::string of = f < 10 ? "B.rim" : "A.rim";
+  f %= 10;
+  if (f < 2) return of + std::to_string(f);
+  return of + std::to_string((f - 2) / 4) + ".point" + std::to_string((f - 2) % 4);
+}
+
+}  // namespace
+
+void addDiscPairs(PairTable& table) {
+  using enum PairTable::Room;
+  table.add(std::make_unique<Discs>(), {space},
+            {{Touch::torus, Touch::ball},
+             {Touch::cylinder, Touch::capsule},
+             {Touch::torus, Touch::capsule},
+             {Touch::cone, Touch::capsule},
+             {Touch::cylinder, Touch::cylinder},
+             {Touch::cylinder, Touch::torus},
+             {Touch::cylinder, Touch::cone},
+             {Touch::torus, Touch::torus},
+             {Touch::torus, Touch::cone},
+             {Touch::cone, Touch::cone}});
+  table.add(std::make_unique<DiscOnPolyhedron>(), {space},
+            {{Touch::box, Touch::cylinder},
+             {Touch::box, Touch::torus},
+             {Touch::box, Touch::cone},
+             {Touch::polyhedron, Touch::cylinder},
+             {Touch::polyhedron, Touch::torus},
+             {Touch::polyhedron, Touch::cone}});
+}
+
+}  // namespace dynamy

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
+#include <dynamy_elements/contacts/pairs/disc_body.hpp>
+#include <dynamy_elements/contacts/pairs/feature_pairs.hpp>
+#include <dynamy_elements/contacts/pairs/seen_apart.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Part of the thickness of the thinner shape; features nearer than this are always noted.
+constexpr double kNear = 1e-3;
+/// Factor on the motion that the speeds predict, so that it bounds the motion between two checks.
+constexpr double kFaster = 1.5;
+
+/// Motion of B relative to A in the time τ near the smaller of the two.
+Nearness movesWithin(const PosedPair& pair, double tau) {
+  const auto& [a, b, A, B, plane] = pair;
+  const bool small = b.bound < a.bound;
+  const Frame& f = small ? B : A;
+  const TouchingShape& shape = small ? b : a;
+  const Vec3 c = f.r_OS_I + f.A_IK * shape.p_K;
+  const double speed = (B.velocity(c - B.r_OS_I) - A.velocity(c - A.r_OS_I)).norm(),
+               turn = (B.Omega_I - A.Omega_I).norm();
+  return {kNear * std::min(a.thickness, b.thickness) + kFaster * tau * (speed + turn * shape.bound),
+          kFaster * tau * turn};
+}
+
+/// Are the balls around the two shapes further than `reach` apart?
+bool farApart(const PosedPair& pair, double reach) {
+  const auto& [a, b, A, B, plane] = pair;
+  const Vec3 way = B.r_OS_I + B.A_IK * b.p_K - A.r_OS_I - A.A_IK * a.p_K;
+  return way.norm() > a.bound + b.bound + reach;
+}
+
+/// Can the gap of the pair close within the time that is looked ahead? In a listing, where nothing
+/// is requested by key, always true.
+bool mayClose(const PairReport& report) {
+  const ContactRequest& request = report.request();
+  if (request.ahead < 0.0) return request.frozen.empty();
+  const PosedPair& pair = report.pair();
+  const double reach = movesWithin(pair, request.ahead).reach;
+  if (farApart(pair, reach)) return false;
+  // If `reach` is beyond the bodies' bounds, surfaces count as near whatever their gap is.
+  const double bound = std::min(pair.a.bound, pair.b.bound);
+  const bool small = reach < bound && report.rule().plane == 0;
+  if (small && seenApart(pair.a, pair.b, pair.A, pair.B, reach)) return false;
+  // Contacts on surfaces are found up to the smaller of the two bounds only.
+  return std::min(report.rule().kernel->gap(pair, 0), bound) <= reach;
+}
+
+template <class Body>
+void followBodies(PairReport& report, const Body& a, const Body& b) {
+  ContactSink& sink = report.sink();
+  sink.comesAndGoes();
+  const std::uint64_t first = report.id() + report.rule().followed,
+                      end = report.id() + report.rule().features;
+  for (const ContactKey key : sink.asked(first, end)) {
+    const auto feature = static_cast<int>(contactNumber(key) - first);
+    double presence = 0.0;
+    const ContactPoint at = featurePair(a, b, feature, sink.request().bias, presence);
+    report.add(contactNumber(key) - report.id(), at);
+    sink.presence(presence);
+  }
+  const double tau = sink.request().ahead;
+  if (tau < 0.0) return;
+  Nearness within = movesWithin(report.pair(), tau);
+  if (farApart(report.pair(), within.reach)) return;
+  const double gap = separation(a, b);
+  if (gap > within.reach) return;
+  sink.overlap(-gap);
+  within.reach += std::max(0.0, -2.0 * gap);  // for bodies that overlap already
+  std::vector<int>& near = report.near();
+  near.clear();
+  nearFeatures(a, b, within, near);
+  for (const int f : near) sink.note(first + static_cast<std::uint64_t>(f));
+}
+
+}  // namespace
+
+void followFeatures(PairReport& report, const PlacedPolyhedron& a, const PlacedPolyhedron& b) {
+  followBodies(report, a, b);
+}
+
+void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPolygon& b) {
+  followBodies(report, a, b);
+}
+
+void watch(PairReport& report) {
+  const std::uint64_t id = report.id();
+  const PairKernel& kernel = *report.rule().kernel;
+  ContactSink& sink = report.sink();
+  if (!sink.asked(id, id + report.rule().features).empty()) kernel.contacts(report);
+  if (!mayClose(report)) return;
+  if (sink.request().ahead < 0.0) return sink.note(id);
+  ContactRequest all;
+  all.refresh = true;
+  ContactSet found;
+  ContactSink into(found, all);
+  PairReport listing(report, std::numeric_limits<double>::infinity(), into);
+  kernel.contacts(listing);
+  for (const ContactKey key : found.candidateKey) sink.note(contactNumber(key));
+  // The key of the pair itself has no contact: the pair is near, but nothing of it can be followed.
+  if (found.candidateKey.empty()) sink.note(id);
+}
+
+/// A spin about the rim's own axis brings it no nearer to lying flat.
+void watchFlat(PairReport& report, const OverHalfSpace& over) {
+  const auto& [a, b, A, B, plane] = report.pair();
+  const std::vector<SupportFeature>& features = b.features;
+  const auto point = std::find_if(features.begin(), features.end(),
+                                  [](const SupportFeature& f) { return f.flatOnly; });
+  const ContactRequest& request = report.request();
+  if (point == features.end() || (request.ahead < 0.0 && !request.frozen.empty())) return;
+  const std::uint64_t number = report.id() + static_cast<std::uint64_t>(point - features.begin());
+  if (request.ahead < 0.0) return report.sink().note(number);
+  const Vec3 axis = B.A_IK * point->axis_K, Omega = B.Omega_I - A.Omega_I;
+  const Vec3 level = axis.cross(A.A_IK * a.n_K);  // the rim tilts about this axis
+  const double turn = axis.cross(Omega).norm(), sine = level.norm(), tau = request.ahead,
+               tilt = sine > 0.0 ? std::abs(Omega.dot(level)) / sine : turn;
+  const double rate = std::min(turn, tilt + kFaster * tau * Omega.norm() * turn);
+  const double margin = kNear * b.thickness;
+  const Vec3 c = B.A_IK * b.p_K;
+  const double speed = (B.velocity(c) - A.velocity(B.r_OS_I + c - A.r_OS_I)).norm();
+  double lowest = std::numeric_limits<double>::infinity(), rho = 0.0;
+  for (const SupportFeature& f : features)
+    if (f.kind == SupportFeature::Kind::rim)
+      lowest = std::min(lowest, over.gap(f)), rho = std::max(rho, f.rho);
+  if (rho * (sine - DiscBody::kFlat - kFaster * tau * rate) > margin) return;
+  if (lowest <= margin + kFaster * tau * (speed + turn * b.bound)) report.sink().note(number);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,23 @@
+/// Contacts for simulations that follow gaps (theory 50.9, 50.11): pairs of features of boxes,
+/// polyhedra and polygons one by one, and pairs of shapes that are noted before they touch.
+#pragma once
+#include <dynamy_elements/contacts/kernels/pair_report.hpp>
+#include <dynamy_elements/contacts/pairs/polygon_contact.hpp>
+#include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
+
+namespace dynamy {
+
+/// Reports the pairs of features of two bodies that are requested by key, and notes those that may
+/// touch within the time that is looked ahead.
+void followFeatures(PairReport& report, const PlacedPolyhedron& a, const PlacedPolyhedron& b);
+void followFeatures(PairReport& report, const PlacedPolygon& a, const PlacedPolygon& b);
+
+/// Reports the contacts of the pair if some of them are requested by key, and notes its contacts if
+/// they may close.
+void watch(PairReport& report);
+
+/// Rims over a half space are followed unless one lies flat, where four of its points touch: notes
+/// the first of these points if that may happen.
+void watchFlat(PairReport& report, const OverHalfSpace& over);
+
+}  // namespace dynamy

@@ -1,0 +1,168 @@
+// Distance at which each shape finds others, and near pairs that cannot
+// touch within the step (theory 38.3).
+#include <algorithm>
+#include <cmath>
+#include <dynamy_elements/contacts/search/near_pairs.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Least distance at which a shape among many is found, as a part of its thickness.
+constexpr double kAtRest = 0.05;
+/// Most passes in which deflections are handed on from shape to shape.
+constexpr int kMostSearches = 8;
+/// Part of a deflection that is handed on.
+constexpr double kShared = 0.5;
+
+double restReach(const TouchingShape& s) {
+  return std::isfinite(s.thickness) ? kAtRest * s.thickness : 0.0;
+}
+
+}  // namespace
+
+/// If shapes are few, they are found early, so that their gaps can be followed. Among many, each is
+/// found within the distance that it moves while the fastest one moves by the requested reach. A
+/// reach τ max |u| is thus τ (|v| + l |Ω|) for a single shape.
+void NearPairs::lookAhead(const Kinematics& k, const ContactRequest& request) {
+  const std::vector<TouchingShape>& shapes = shapes_->inSpace();
+  const double all = std::max(request.gTol, 0.0);
+  tau_ = 0.0;
+  if (!rules_->few().empty() || request.refresh) {
+    // Contacts that are to count as closed are searched at any distance.
+    const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.5 * all;
+    for (std::size_t i = 0; i < shapes.size(); ++i) reach_[i] = shapes_->early(i) + further;
+    return;
+  }
+  double fastest = 0.0;
+  for (const TouchingShape& s : shapes) {
+    const Frame& f = k.frame(s.frame);
+    fastest = std::max(fastest, f.v_S_I.norm() + f.Omega_I.norm());
+  }
+  const double tau = fastest > 0.0 ? all / fastest : 0.0;
+  if (all > kAtRest * shapes_->thinnest()) tau_ = tau;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const TouchingShape& s = shapes[i];
+    const Frame& f = k.frame(s.frame);
+    const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
+    const double w = f.v_S_I.norm() + (std::isfinite(arm) ? arm : 0.0) * f.Omega_I.norm();
+    reach_[i] = std::min(tau * w, all) + restReach(s);
+  }
+}
+
+/// Balls that move side by side or past each other do not touch, however fast they are: the
+/// distance of convex shapes is a convex function of their shift. Hence g ≥ g_A + t ġ_A as long as
+/// they move straight on without turning. In the time τ two of them close by τ max(0, −ġ_ij). The
+/// deflection w_i, stored in turned_, is how far a shape may be thrown off its course:
+///
+///   w_i = max_j (τ max(0, −ġ_ij) − g_ij),   then   w_i ← max(w_i, (w_j − g_ij)/2)
+///
+/// A shape that is off its course by w_j moves the next one by w_j less their gap, and two equal
+/// shapes that collide share this. Walls are not deflected. Pairs are left out if their
+/// g_ij > τ max(0, −ġ_ij) + w_i + w_j. The factor 1/2 is a forecast, no bound: a body that is
+/// pushed from behind hands on more. For this reason τ is twice the step. Other shapes than balls
+/// and boxes count with all of their reach.
+void NearPairs::followTurns(const Kinematics& k, const std::vector<BroadPhase::Pair>& near) {
+  const std::vector<TouchingShape>& shapes = shapes_->inSpace();
+  gap_.resize(near.size()), way_.resize(near.size());
+  const auto moves = [&](std::size_t m) { return k.frame(shapes[m].frame).block >= 0; };
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    const auto i = static_cast<std::size_t>(near[n].first),
+               j = static_cast<std::size_t>(near[n].second);
+    const Approach at = approach(k, i, j);
+    gap_[n] = at.gap, way_[n] = std::min(reach_[i] + reach_[j], tau_ * std::max(0.0, -at.rate));
+    for (const std::size_t m : {i, j})
+      if (moves(m)) turned_[m] = std::max(turned_[m], way_[n] - gap_[n]);
+  }
+  bool again = true;
+  for (int pass = 0; pass < kMostSearches && again; ++pass) {
+    again = false;
+    for (std::size_t n = 0; n < near.size(); ++n) {
+      const auto i = static_cast<std::size_t>(near[n].first),
+                 j = static_cast<std::size_t>(near[n].second);
+      double &a = turned_[i], &b = turned_[j];
+      const double gap = std::max(gap_[n], 0.0), toB = kShared * (a - gap);
+      if (b < toB && moves(j)) b = toB, again = true;
+      const double toA = kShared * (b - gap);
+      if (a < toA && moves(i)) a = toA, again = true;
+    }
+  }
+  for (std::size_t n = 0; n < near.size(); ++n)
+    for (const int m : {near[n].first, near[n].second})
+      way_[n] +=
+          turned_[static_cast<std::size_t>(m)] + restReach(shapes[static_cast<std::size_t>(m)]);
+}
+
+/// Gap of two near shapes and its rate, or lower bounds of both.
+NearPairs::Approach NearPairs::approach(const Kinematics& k, std::size_t i, std::size_t j) const {
+  const TouchingShape &a = shapes_->inSpace()[i], &b = shapes_->inSpace()[j];
+  const Frame &A = k.frame(a.frame), &B = k.frame(b.frame);
+  if (a.isBall() && b.isBall()) {
+    const Vec3 d = balls_[j].c - balls_[i].c;
+    const double distance = d.norm();
+    // Balls about the same point may approach in any direction.
+    const Vec3 v = B.v_S_I - A.v_S_I;
+    const double rate = distance > 0.0 ? d.dot(v) / distance : -v.norm();
+    return {distance - a.bound - b.bound, rate};
+  }
+  const bool ballIsA = a.isBall();
+  const TouchingShape &box = ballIsA ? b : a, &ball = ballIsA ? a : b;
+  const Frame &F = ballIsA ? B : A, &ofBall = ballIsA ? A : B;
+  if (ball.isBall() && box.kind == TouchingShape::Kind::box && rules_->touchInSpace(i, j) &&
+      F.Omega_I.isZero(0.0)) {
+    const Mat3 axes = F.A_IK * box.A_KB;
+    const Vec3 c = axes.transpose() * (balls_[ballIsA ? i : j].c - balls_[ballIsA ? j : i].c);
+    const Vec3 d = c - c.cwiseMax(-box.half).cwiseMin(box.half);
+    if (const double distance = d.norm(); distance > 0.0)
+      return {distance - ball.bound, (axes * d).dot(ofBall.v_S_I - F.v_S_I) / distance};
+  }
+  // Bounding balls may overlap by far: no shape is deflected further than it moves itself.
+  const double apart = (balls_[j].c - balls_[i].c).norm() - a.bound - b.bound;
+  return {std::max(apart, 0.0), -std::numeric_limits<double>::infinity()};
+}
+
+void NearPairs::place(const Kinematics& k, const ContactRequest& request) {
+  lookAhead(k, request);
+  const std::vector<TouchingShape>& shapes = shapes_->inSpace();
+  balls_.clear();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const TouchingShape& s = shapes[i];
+    const Frame& f = k.frame(s.frame);
+    const bool bounded = std::isfinite(s.bound) && !f.absent;
+    // A shape without a finite place, in a trial step that was too long, is near all others: pairs
+    // of features that are requested by key are still reported.
+    const Vec3 c = f.r_OS_I + f.A_IK * s.p_K;
+    balls_.push_back(
+        {c.allFinite() ? c : Vec3(Vec3::Zero()), bounded ? s.bound + reach_[i] : -1.0});
+  }
+}
+
+/// Can shape i touch the half space h? Then turned_ learns how far the half space throws it off.
+bool NearPairs::meets(const Flat& flat, std::size_t h, std::size_t i, const Kinematics& k,
+                      bool all) {
+  const BroadPhase::Ball& ball = balls_[i];
+  const double beyond = ball.radius + reach_[h] - flat.n.dot(ball.c - flat.p);
+  if (ball.radius < 0.0 || (!all && beyond < 0.0)) return false;
+  // A body that falls along a wall is not deflected by it.
+  const TouchingShape& shape = shapes_->inSpace()[i];
+  const double toIt = std::max(
+      0.0, flat.n.dot(flat.A.velocity(ball.c - flat.A.r_OS_I) - k.frame(shape.frame).v_S_I));
+  const double way = shape.isBall() ? std::min(reach_[i], tau_ * toIt) : reach_[i];
+  turned_[i] = std::max(turned_[i], beyond - reach_[i] - reach_[h] + way);
+  return true;
+}
+
+const std::vector<BroadPhase::Pair>& nearPairs(BroadPhase& broad,
+                                               const std::vector<BroadPhase::Ball>& balls,
+                                               std::size_t each, const ShapeSet& shapes) {
+  const std::vector<BroadPhase::Pair>& near = broad.near(balls, each);
+  if (!broad.overfull()) return near;
+  const auto name = [&](int i) { return shapes.name(static_cast<std::size_t>(i)); };
+  throw ModelError("more than " + std::to_string(near.size() - 1) + " pairs of " +
+                       std::to_string(balls.size()) + " shapes are near each other, \"" +
+                       name(near.back().first) + "\" and \"" + name(near.back().second) +
+                       "\" are one: no step could take them all",
+                   "do bodies start inside each other, or did one copy too many?");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,27 @@
+/// FollowedFeatures: pairs of features (corners, edges, faces) of bodies whose contacts come and go
+/// with the features that touch. Filled only if such pairs are followed one by one
+/// (ContactRequest::follow).
+#pragma once
+#include <dynamy/core/types.hpp>
+#include <limits>
+#include <vector>
+
+namespace dynamy {
+
+struct FollowedFeatures {
+  static constexpr double kAlways = 1e300;
+  /// Presence per closed contact [m]: positive while its two features lie over one another, zero
+  /// where they cease to do so; kAlways: the contact does not come and go.
+  std::vector<double> presence;
+  std::vector<ContactKey> noted;  ///< pairs that may touch soon
+  bool comeAndGo = false;         ///< some contacts here come and go with the features that touch
+  /// Deepest overlap of bodies whose contacts come and go [m]; −∞: there are none.
+  double overlap = 0.0;
+
+  void clear() {
+    presence.clear(), noted.clear(), comeAndGo = false;
+    overlap = -std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace dynamy

@@ -1,0 +1,50 @@
+/// GovernedState: what a governed run carries from step to step, in State::scheme: whether switches
+/// are located or steps taken in time, and the state of what is done.
+#pragma once
+#include <dynamy/located/governed/switch_governor.hpp>
+#include <dynamy/located/step/held_state.hpp>
+
+namespace dynamy {
+
+/// Start of the present step of located islands beside time-stepped ones.
+struct BesideState {
+  bool known = false;
+  double t = 0.0;    ///< its start [s]
+  double end = 0.0;  ///< time up to which it may go [s]
+  Eigen::VectorXd q, u, scheme;
+  void archive(NumberArchive& a) { a(known), a(t), a(end), a(q), a(u), a(scheme); }
+  bool operator==(const BesideState& other) const;
+};
+
+/// While steps are taken in time.
+struct SteppedState {
+  std::vector<char> systems;  ///< not 0: the system is stepped in time
+  Eigen::VectorXd rate;       ///< Δu/h of the last step; empty: there was none
+  double overlap = 0.0;       ///< at the end of that step [m]
+  bool projected = false;     ///< joints are projected
+  BesideState beside;
+  Eigen::VectorXd scheme;  ///< of the time-stepping scheme
+  void archive(NumberArchive& a) {
+    a(systems), a(rate), a(overlap), a(projected), a(beside), a(scheme);
+  }
+};
+
+struct GovernedState {
+  using Mode = SwitchGovernor::Mode;
+  double next = 0.0;  ///< length of the next step [s]
+  SwitchGovernor governor;
+  double time = 0.0;        ///< T of the scene [s]
+  Eigen::VectorXd times;    ///< T of each system [s]
+  Eigen::VectorXd charged;  ///< works charged to each system (ChargedWork)
+  HeldState held;           ///< in mode locate
+  SteppedState stepped;     ///< in mode step
+
+  void archive(NumberArchive& a);
+  /// Reads the numbers of a state. False: they are not those of such a run in this model.
+  bool read(const Eigen::VectorXd& numbers, const SystemParts& parts);
+
+ private:
+  bool fits(const SystemParts& parts) const;
+};
+
+}  // namespace dynamy

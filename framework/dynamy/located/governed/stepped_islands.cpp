@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/governed/stepped_islands.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kGrown = 0.1;  ///< of an allowed overlap: less growth counts as none
+
+/// The largest overlap of unilateral contacts of time-stepped systems, also of contacts that
+/// rebound [m].
+double deepestOverlap(const ContactSet& c, const Islands& islands,
+                      const std::vector<char>& stepped) {
+  double overlap = 0.0;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const int system = c.law[at]->unilateral() ? islands.systemOf(c, i) : -1;
+    if (system >= 0 && stepped[static_cast<std::size_t>(system)] != 0)
+      overlap = std::max(overlap, -c.position[static_cast<std::size_t>(c.row0[at])]);
+  }
+  return overlap;
+}
+
+}  // namespace
+
+SteppedIslands::Trial SteppedIslands::attempt(MechanicalSystem& s, InclusionSolver& solver,
+                                              const ErrorNorm& norm, const Islands& islands,
+                                              const std::vector<char>& stepped, const State& from,
+                                              State& x, double h) {
+  Trial out;
+  out.report = step(s, solver, from, x, h);
+  s.limits.effort = Effort::full;  // a search in vain lowers the effort for this step alone
+  out.newton = 1 + out.report.solved.newton;
+  out.error = error(s, norm, islands, stepped, from, x, h);
+  return out;
+}
+
+StepReport SteppedIslands::step(MechanicalSystem& s, InclusionSolver& solver, const State& from,
+                                State& x, double h) {
+  x = from;
+  if (!projected_) {
+    midpoint_.whole();
+    const StepReport report = midpoint_.step(s, solver, x, h);
+    if (report.solved.ok() || !midpoint_.hasJoints()) return report;
+    projected_ = true, rate_.resize(0);
+    x = from;
+    s.limits.effort = Effort::full;
+  }
+  x.scheme.resize(0);
+  return projecting_.step(s, solver, x, h);
+}
+
+double SteppedIslands::error(MechanicalSystem& s, const ErrorNorm& norm, const Islands& islands,
+                             const std::vector<char>& stepped, const State& a, const State& b,
+                             double h) {
+  // Error of positions by the trapezoidal rule: h/2 |Δu − Δu of the step before|, an impact or
+  // h³ü/2; the first step gives the rate. Overlaps at the end, which the step itself does not
+  // check, count as well if they grew. An overlap that stays would not be corrected by shorter
+  // steps.
+  double worst = 0.0;
+  const bool known = rate_.size() == a.u.size();
+  for (std::size_t k = 0; known && k < stepped.size(); ++k) {
+    const SystemHandle& part = s.parts().topology->system(static_cast<int>(k));
+    for (int i = part.u0; stepped[k] != 0 && i < part.u0 + part.nu; ++i)
+      worst = std::max(worst, norm.velocity(i, b.u[i] - a.u[i] - h * rate_[i], 0.0));
+  }
+  worst *= 0.5 * h / norm.time();
+  reached_ = deepestOverlap(s.evaluate(b, {.slot = 1}).contacts, islands, stepped);
+  const double allowed = norm.tolerance() * norm.length(), gained = reached_ - overlap_;
+  worst = std::max(worst, (gained > kGrown * allowed ? reached_ : gained) / allowed);
+  return std::isfinite(worst) && s.indefiniteMass() < 0 ? worst : 1e300;
+}
+
+void SteppedIslands::take(const State& from, const Eigen::VectorXd& u, double h) {
+  rate_ = (u - from.u) / h, overlap_ = reached_;
+}
+
+void SteppedIslands::between(const MechanicalSystem& s, const State& a, const State& b,
+                             double theta, State& out) {
+  // Positions of these steps advance by the mean velocity.
+  const bool first = theta < 0.5;
+  const State& from = first ? a : b;
+  const double part = first ? theta : theta - 1.0;
+  const Eigen::VectorXd change = b.u - a.u, mean = from.u + 0.5 * part * change;
+  out.t = from.t, out.q = from.q;
+  s.move(out, mean, part * (b.t - a.t));
+  out.u = from.u + part * change;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/governed/switch_governor.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kWindow = 3000;     ///< evaluations in a window, about a hundred switches,
+constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make these expensive
+constexpr double kDearer = 2.0;      ///< factor by which locating switches may cost more
+constexpr double kBearable = 0.5;    ///< of this: work of islands that continue to be located
+constexpr double kFast = 100.0;      ///< the same factor for motion that is fast without switches
+constexpr double kLeast = 1e-5;      ///< of T: shortest step in time
+constexpr double kMost = 0.1;        ///< of T: longest step in time
+constexpr double kFirstStay = 0.05;  ///< of T: first duration of stepping in time
+constexpr double kStepPatience = 1500;  ///< evaluations of steps in time between two checks
+constexpr double kLeastCovered = 0.1;   ///< of T: the time that these steps have to cover
+constexpr double kLonger = 4.0;         ///< factor on the least step where they do not,
+constexpr double kLongestLeast = 1e-2;  ///< up to this part of T
+constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
+
+}  // namespace
+
+void SwitchGovernor::archive(NumberArchive& a) {
+  a.choice(mode_, 3), a.choice(turnedBy_, 3), a(turnedAt_);
+  a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
+  a(windowStepWork_), a(switchWork_), a(switches_), a(stepWork_), a(longer_), a(spent_),
+      a(covered_);
+}
+
+double SwitchGovernor::least() const {
+  const double least = std::max(tolerance_, kLeast);
+  return std::max(least, std::min(longer_ * least, kLongestLeast)) * T_;
+}
+
+void SwitchGovernor::watchProgress(double h, long evaluations) {
+  spent_ += static_cast<double>(evaluations), covered_ += h;
+  if (spent_ < kStepPatience) return;
+  if (covered_ < kLeastCovered * T_)
+    longer_ = std::min(kLonger * longer_, kLongestLeast / kLeast);
+  else if (covered_ > T_)
+    longer_ = std::max(longer_ / kLonger, 1.0);
+  spent_ = covered_ = 0.0;
+}
+
+bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
+                             bool switched, ContactKey at) {
+  turnedAt_ = at;
+  window_ += dt, windowWork_ += work, windowEvaluations_ += static_cast<double>(evaluations);
+  windowStepWork_ = std::max(windowStepWork_, stepWork), switchWork_ += switched ? work : 0.0;
+  if (windowEvaluations_ < kWindow && windowWork_ < kWindowWork) return false;
+  const double instead = window_ / (tolerance_ * T_) * windowStepWork_;
+  const bool dear = switchWork_ > kDearer * instead, fast = windowWork_ > kFast * instead;
+  window_ = windowWork_ = windowEvaluations_ = windowStepWork_ = switchWork_ = 0.0;
+  if (dear || fast) turn(t, TurnedBy::density, at);
+  tooFast_ = !dear, bearable_ = kBearable * (dear ? kDearer : kFast) * instead;
+  return true;
+}
+
+void SwitchGovernor::turn(double t, TurnedBy why, ContactKey at) {
+  const bool soon = stay_ > 0.0 && t - began_ < stay_;
+  stay_ = soon ? 2.0 * stay_ : kFirstStay * T_;
+  mode_ = Mode::step, turnedBy_ = why, turnedAt_ = at;
+  began_ = t, h_ = least(), switches_ = stepWork_ = 0.0;
+}
+
+double SwitchGovernor::factor(double error) const {
+  // The error of an impact grows with h, that of smooth motion with h³: the square root of the
+  // error is a compromise.
+  const double f = kGovernorSafety / std::sqrt(std::max(error, 1e-10));
+  return std::isfinite(f) ? f : kGovernorShrink;
+}
+
+void SwitchGovernor::shorten(double h, double error) {
+  h_ = std::max(least(), h * std::clamp(factor(error), kGovernorShrink, 0.5));
+}
+
+void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
+                             double switchWork, long evaluations) {
+  watchProgress(h, evaluations);
+  const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
+  // The next step does not become shorter because an outer bound shortened this one.
+  h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), kMost * T_);
+  switches_ += again || error > 1.0 ? 1.0 : 0.0, stepWork_ += work;
+  if (t - began_ < stay_) return;
+  const bool rare = switches_ * switchWork <= stepWork_;
+  if (rare) mode_ = Mode::decideAnew;
+  began_ = t, switches_ = stepWork_ = 0.0;
+}
+
+}  // namespace dynamy

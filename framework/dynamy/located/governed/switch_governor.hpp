@@ -1,0 +1,82 @@
+/// SwitchGovernor: decides when to locate switches, and when to take steps in time without locating
+/// them because locating costs more than it brings (theory 50.7).
+///
+///   work of steps with a switch over a window  >    2 Δt/h₁ · work of a step in time,  h₁ = tol T
+///   work of all steps                          >  100 Δt/h₁ · work of a step in time
+///   or: steps have become too short to continue                         ⇒  steps in time
+///   after a while in which switches were rare                           ⇒  switches are located
+///
+/// Work is estimated in floating-point operations of evaluations and solves, never in seconds: a
+/// run repeats bit by bit. A run that returns to locating and soon has to leave it again takes
+/// steps in time for twice as long, so that such attempts cost only a share of the work. Islands
+/// that do not make locating expensive continue to be located: one governor decides for the others.
+#pragma once
+#include <dynamy/core/number_archive.hpp>
+#include <dynamy/stages/one_step.hpp>
+
+namespace dynamy {
+
+class SwitchGovernor {
+ public:
+  enum class Mode : std::uint8_t { locate, step, decideAnew };
+  /// What is kept from step to step.
+  void archive(NumberArchive& a);
+
+  /// T: the motion's time [s].
+  void scales(double tolerance, double T) { tolerance_ = tolerance, T_ = T; }
+
+  Mode mode() const { return mode_; }
+  TurnedBy turnedBy() const { return turnedBy_; }
+  /// The contact that switched last before the governor turned to steps in time; kNowhere: none.
+  ContactKey turnedAt() const { return turnedAt_; }
+  static constexpr ContactKey kNowhere{~std::uint64_t{0}};
+  void told() { turnedBy_ = TurnedBy::none; }
+
+  // While switches are located.
+  /// Notes a located step that ended at t, and turns to steps in time where these are cheaper.
+  /// `stepWork`: work of one step in time; `switched`: the located step ended at a switch; `at`:
+  /// the contact that switched last. True: a window is over.
+  bool located(double t, double dt, long evaluations, double work, double stepWork, bool switched,
+               ContactKey at);
+  /// Right after a turn by density: work in a window that located islands may still cost. It counts
+  /// all steps if the motion was too fast even without switches, else those with a switch.
+  double bearable() const { return bearable_; }
+  bool tooFast() const { return tooFast_; }
+  /// Turns to steps in time from t on.
+  void turn(double t, TurnedBy why, ContactKey at);
+  /// Returns to locating switches.
+  void locate() { mode_ = Mode::locate; }
+  /// Everything is to be decided anew at the next step.
+  void decideAnew() { mode_ = Mode::decideAnew; }
+
+  // While steps are taken in time.
+  double h() const { return h_; }
+  double least() const;
+  /// Notes that a step of length h was too long; `error`: its error in units of the tolerance.
+  void shorten(double h, double error);
+  /// Notes that a step of length h was taken; `again`: after having been shortened. Where many
+  /// evaluations have covered hardly any time, the least step becomes longer, since the tolerance
+  /// cannot be met.
+  void stepped(double t, double h, double error, double work, bool again, double switchWork,
+               long evaluations);
+
+ private:
+  double factor(double error) const;
+  double tolerance_ = 1e-6, T_ = 1.0;
+  Mode mode_ = Mode::locate;
+  TurnedBy turnedBy_ = TurnedBy::none;
+  ContactKey turnedAt_ = kNowhere;
+  double h_ = 0.0;                   // length of steps in time [s]
+  double began_ = 0.0, stay_ = 0.0;  // begin of the present mode; least duration of stepping [s]
+  double window_ = 0.0, windowWork_ = 0.0;  // duration and work of the window of located steps
+  double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
+  double switchWork_ = 0.0;  // work in the window of steps with a switch
+  double bearable_ = 0.0;    // not stored with a state: of use right after a turn alone
+  bool tooFast_ = false;
+  double switches_ = 0.0, stepWork_ = 0.0;  // shortened steps, and work, of stepping since began_
+  void watchProgress(double h, long evaluations);
+  double longer_ = 1.0;                 // factor on the least step of the tolerance
+  double spent_ = 0.0, covered_ = 0.0;  // since its last check: evaluations, time covered [s]
+};
+
+}  // namespace dynamy

@@ -1,0 +1,56 @@
+/// HeldForces: forces of the held contacts, and the accelerations with them (theory 50.1):
+///
+///   u̇ = M⁻¹(h + W λ),   λ = P π + p₀,   Sᵀ(Rᵀ u̇ + r) = 0
+///     ⇒  (Sᵀ Rᵀ M⁻¹W P) d = −Sᵀ(Rᵀ M⁻¹(h + W(p₀ + P π₀)) + r),   π = π₀ + d
+///
+/// R = W for constraints at the present position, π₀: forces of the last decision. Where rows are
+/// redundant d is the smallest solution, in units of what each contact carries, so that forces
+/// differ little from those of the decision. The accelerations do not depend on that choice.
+#pragma once
+#include <dynamy/core/decompositions.hpp>
+#include <dynamy/located/phase/held_rows.hpp>
+
+namespace dynamy {
+
+/// Forces that the statuses of contacts leave open, λ = P π + p₀, and the rows S that they hold.
+struct ForceDirections {
+  Eigen::MatrixXd P;        ///< rows × unknowns; further columns are zero
+  Eigen::VectorXd p0;       ///< rows [N]
+  std::vector<int> kept;    ///< S: the row of each unknown
+  Eigen::Index normal = 0;  ///< unknown λ_N of the contact whose parts come next
+
+  Eigen::Index unknowns() const { return static_cast<Eigen::Index>(kept.size()); }
+  /// The directions of all contacts `held`.
+  void find(const std::vector<Held>& held, const HeldRows& rows);
+
+ private:
+  void hold(int row);
+  void add(const Held& h, const HeldRows& rows, std::size_t i);
+};
+
+class HeldForces {
+ public:
+  /// Solves for forces with which the kept rows of `constraint` have Rᵀu̇ + r = 0.
+  void solve(const std::vector<Held>& held, const HeldRows& rows, const Evaluation& e,
+             const AccelerationRows& constraint);
+  /// λ of all rows [N].
+  const Eigen::VectorXd& lambda() const { return lambda_; }
+  /// u̇ [m/s²].
+  const Eigen::VectorXd& a() const { return a_; }
+  /// True: rows are redundant, so that λ is one of many solutions.
+  bool redundant() const { return redundant_; }
+
+ private:
+  void begin(const std::vector<Held>& held, const HeldRows& rows, const Evaluation& e);
+  void multiplyByP(const Eigen::MatrixXd& MInvW);
+  void assemble(const std::vector<Held>& held, const HeldRows& rows,
+                const AccelerationRows& constraint);
+  ForceDirections directions_;
+  Eigen::VectorXd lambda_, a_;
+  Eigen::MatrixXd A_, MInvWP_;  // Sᵀ Rᵀ M⁻¹W P, its columns by scale_; M⁻¹W P
+  Eigen::VectorXd rhs_, pi_, scale_;
+  PseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
+  bool redundant_ = false;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,76 @@
+/// HeldRows: the rows of all held contacts at one state, in the order of the held contacts:
+///
+///   γ = Wᵀu + χ,   γ̇ = Wᵀu̇ + w̄,   the set of forces of each contact
+///
+/// A row acts on the velocities of few mass blocks: moved() names them, so that products with W are
+/// short.
+#pragma once
+#include <dynamy/located/phase/force_set.hpp>
+#include <dynamy/located/phase/phase_fault.hpp>
+#include <dynamy/stages/mechanical_system.hpp>
+
+namespace dynamy {
+
+/// Rows that a motion with constant accelerations keeps at zero:  Rᵀu̇ + r = 0.
+struct AccelerationRows {
+  Eigen::MatrixXd R;  ///< nu × rows
+  Eigen::VectorXd r;  ///< [m/s²]
+};
+
+class HeldRows {
+ public:
+  /// Reads the rows of `held` in the evaluation `e`, with the velocities u. False: `fault` says
+  /// why.
+  bool read(const std::vector<Held>& held, const Evaluation& e, const Eigen::VectorXd& u,
+            PhaseFault& fault);
+  /// Finds the sets of forces at the relative velocities read last. False: `fault` says why.
+  bool readSets(const std::vector<Held>& held, const Evaluation& e, PhaseFault& fault);
+  /// Rows for which the velocities `before` + τ u̇ keep the constraints of `next`, the contacts at
+  /// another position:  Wᵀ(before + τ u̇) + χ = 0. False: `fault` says why.
+  bool readNext(const std::vector<Held>& held, const ContactSet& next,
+                const Eigen::VectorXd& before, double tau, AccelerationRows& out,
+                PhaseFault& fault) const;
+
+  /// Rows of held[i]: from row0(i) on, dim(i) of them.
+  int row0(std::size_t i) const { return row0_[i]; }
+  int dim(std::size_t i) const { return row0_[i + 1] - row0_[i]; }
+  int size() const { return row0_.empty() ? 0 : row0_.back(); }
+  /// Index of held[i] among the contacts of the evaluation.
+  int contact(std::size_t i) const { return index_[i]; }
+  /// First row of the slip of held[i]; slipRows(): the number of its rows.
+  int slip0(std::size_t i) const { return row0_[i] + sets_[i].normalRows(); }
+  int slipRows(std::size_t i) const { return row0_[i + 1] - slip0(i); }
+  /// Set of forces of held[i], as of the last readSets().
+  const ForceSet& set(std::size_t i) const { return sets_[i]; }
+
+  /// W and w̄ of all rows; M⁻¹W.
+  const AccelerationRows& present() const { return present_; }
+  const Eigen::MatrixXd& W() const { return present_.R; }
+  const Eigen::MatrixXd& MInvW() const { return MInvW_; }
+  const Eigen::VectorXd& gamma() const { return gamma_; }
+  const Eigen::VectorXd& chi() const { return chi_; }
+  /// Positions whose rates are the rows' γ.
+  const Eigen::VectorXd& position() const { return position_; }
+  /// Velocities u0 … u0 + nu − 1 on which a row acts: elsewhere its column of W is zero.
+  struct Moved {
+    int u0, nu;
+  };
+  std::span<const Moved> moved(int row) const {
+    const auto first = moved0_.begin() + row;
+    return {moved_.data() + first[0], moved_.data() + first[1]};
+  }
+
+ private:
+  std::vector<int> index_, row0_;
+  std::vector<ForceSet> sets_;
+  AccelerationRows present_;
+  Eigen::MatrixXd MInvW_;  // nu × rows
+  Eigen::VectorXd gamma_, chi_, position_;
+  std::vector<Moved> moved_;
+  std::vector<int> moved0_;  // index in moved_ of the first entry of each row, and the end
+};
+
+/// Number of rows of the contacts `held`, by their dimensions in the evaluation `e`.
+int countRows(const std::vector<Held>& held, const Evaluation& e);
+
+}  // namespace dynamy

@@ -1,0 +1,27 @@
+#include <dynamy/located/phase/phase_motion.hpp>
+
+namespace dynamy {
+
+void PhaseMotion::prepare(const MechanicalSystem& s, const ButcherTableau& table,
+                          const ButcherTableau* light) {
+  step.prepare(s, table, light), shortStep.prepare(s, table, light);
+}
+
+void PhaseMotion::implicit(bool wanted, const MechanicalSystem& s, const ErrorNorm& norm) {
+  step.implicit(wanted, s, norm), shortStep.implicit(wanted, s, norm);
+}
+
+void PhaseMotion::rekey() {
+  phase.request.keys.clear();
+  heldKeys(phase.held, phase.request.keys);
+}
+
+bool PhaseMotion::evaluate(MechanicalSystem& s, PhasePoint& p) {
+  s.evaluate(p.x, phase.request.in(0));
+  if (!phase.accelerate(s.slot(0), p.x.u, p.a)) return false;
+  p.lambda = phase.lambda(), p.power = phase.power();
+  step.rates(s, p);
+  return true;
+}
+
+}  // namespace dynamy

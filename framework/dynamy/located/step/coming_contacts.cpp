@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/minima.hpp>
+#include <dynamy/located/step/coming_contacts.hpp>
+#include <dynamy/located/step/located_constants.hpp>
+#include <dynamy/located/switching/borne_by_joints.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Part of a path before a contact that is noted first at sample j of the path.
+double clearBefore(int j) {
+  return std::max((static_cast<double>(j) - MeetingConstants::halfWay) / SwitchSearch::kSamples,
+                  MeetingConstants::notAtAll);
+}
+
+}  // namespace
+
+bool ComingContacts::begin(LocatedStep& step) {
+  ContactProbe& probe = parts_.probe;
+  const PhaseMotion& motion = parts_.motion;
+  if (probe.gathers() && !probe.gather(step.from.x, motion.keys())) return false;
+  startOverlap_ = std::max(0.0, probe.noted().overlap());
+  return parts_.search.begin(probe, motion.phase, step.from.x) && leaveToJoints(step);
+}
+
+bool ComingContacts::hasJoint() const {
+  const std::vector<Held>& held = parts_.motion.phase.held;
+  const ContactGaps& gaps = parts_.probe.gaps();
+  return std::any_of(held.begin(), held.end(), [&](const Held& h) {
+    const int i = gaps.find(h.key);
+    return i >= 0 && !gaps.law(i).unilateral() && gaps.law(i).rowKind(0) == RowKind::joint;
+  });
+}
+
+bool ComingContacts::leaveToJoints(LocatedStep& step) {
+  ContactProbe& probe = parts_.probe;
+  const ContactGaps& gaps = probe.gaps();
+  const PhaseMotion& motion = parts_.motion;
+  borne_.clear();
+  if (!hasJoint()) return true;
+  const double drifted =
+      std::max(MeetingConstants::drifted * parts_.norm.length(), parts_.leftOverlap());
+  asked_ = motion.keys();
+  for (int i = 0; i < gaps.size(); ++i)
+    if (gaps.law(i).unilateral() && std::abs(gaps.gap(i)) <= drifted &&
+        findHeld(motion.phase.held, gaps.key(i)) == nullptr)
+      asked_.push_back(gaps.key(i));
+  if (asked_.size() == motion.keys().size()) return true;
+  std::sort(asked_.begin(), asked_.end());
+  step.s.evaluate(step.from.x, motion.phase.request.holding(asked_, 1));
+  borneByJoints(step.s.slot(1), borne_);
+  if (borne_.empty()) return true;
+  parts_.search.borne(borne_, parts_.passingOverlap());
+  return parts_.search.watch(probe, motion.phase, step.from.x);
+}
+
+bool ComingContacts::widen(const State& from, const QuinticPath& path) {
+  clear_ = 1.0;
+  ContactProbe& probe = parts_.probe;
+  if (!probe.gathers()) return true;
+  const double deep = startOverlap_ + parts_.passingOverlap();
+  at_.memory = from.memory;
+  // Each sample looks ahead half of the way to the next one.
+  const double ahead = MeetingConstants::halfWay * path.length() / SwitchSearch::kSamples;
+  constexpr int n = SwitchSearch::kSamples;
+  const auto depth = [&](double theta) {
+    path.at(theta, at_);
+    probe.widen(at_, ahead);
+    if (theta > 0.0 && probe.noted().overlap() > deep) passing_ = std::min(passing_, theta);
+    return probe.noted().overlap();
+  };
+  std::array<double, n + 1> depths{};
+  int fresh = -1;
+  for (int j = 0; j <= n; ++j) {
+    depths[static_cast<std::size_t>(j)] = depth(static_cast<double>(j) / n);
+    if (fresh < 0 && probe.noted().fresh()) fresh = j;
+    if (probe.noted().unreported() == kNoContact) continue;
+    clear_ = clearBefore(j);
+    return false;
+  }
+  // Bodies may come near between two samples and part again: find the nearest place.
+  for (std::size_t j = 1; j < n; ++j) {
+    const double here = depths[j], fall = std::max(here - depths[j - 1], here - depths[j + 1]);
+    if (here < depths[j - 1] || here <= depths[j + 1] || here > deep || here + fall < 0.0) continue;
+    std::uintmax_t looks = MeetingConstants::looks;
+    boost::math::tools::brent_find_minima(
+        [&](double theta) { return -depth(theta); }, static_cast<double>(j - 1) / n,
+        static_cast<double>(j + 1) / n, MeetingConstants::nearestBits, looks);
+  }
+  if (probe.settle(from) && parts_.search.watch(probe, parts_.motion.phase, from)) return true;
+  clear_ = clearBefore(std::max(fresh, 0));  // a contact on the path is not reported at its start
+  return false;
+}
+
+bool ComingContacts::sinks(const State& x) {
+  ContactProbe& probe = parts_.probe;
+  if (!probe.comesAndGoes()) return false;
+  probe.widen(x, 0.0);
+  return probe.noted().overlap() > startOverlap_ + parts_.leftOverlap();
+}
+
+bool ComingContacts::closesOpen(const State& x) {
+  ContactProbe& probe = parts_.probe;
+  if (!probe.look(x)) return true;
+  const ContactGaps& gaps = probe.gaps();
+  // A contact that has just opened, or that grazes, has a gap of rounding, as in the search.
+  const double touching = -TrialConstants::gapNoise * parts_.norm.length();
+  for (int i = 0; i < gaps.size(); ++i)
+    if (gaps.law(i).unilateral() && gaps.gap(i) < touching && !gaps.comesAndGoes(i) &&
+        findHeld(parts_.motion.phase.held, gaps.key(i)) == nullptr &&
+        std::find(borne_.begin(), borne_.end(), gaps.key(i)) == borne_.end())
+      return true;
+  return sinks(x);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,55 @@
+#include <dynamy/located/step/located_constants.hpp>
+#include <dynamy/located/step/located_parts.hpp>
+
+namespace dynamy {
+
+double LocatedParts::leftOverlap() const {
+  return MeetingConstants::left * norm.tolerance() * norm.length();
+}
+
+double LocatedParts::passingOverlap() const {
+  return MeetingConstants::passing * norm.tolerance() * norm.length();
+}
+
+void LocatedStep::book(long StepEffort::*what) {
+  report.counts.effort.*what += s.evaluations() - booked;
+  booked = s.evaluations();
+}
+
+Refusal LocatedStep::evaluate(PhasePoint& p) {
+  parts.search.forget(p.x.t);
+  if (parts.motion.evaluate(s, p)) return {};
+  return fault();
+}
+
+Refusal LocatedStep::fault() {
+  const FrozenPhase& phase = parts.motion.phase;
+  return fault(phase.fault(), phase.lost());
+}
+
+Refusal LocatedStep::fault(std::string_view why, ContactKey at) {
+  if (why == PhaseFault::kLost) return lose(at);
+  if (why == ContactProbe::kUnfollowed) return unfollowed();
+  if (why != PhaseFault::kOtherSet) return {Refusal::Kind::fault, std::string(why)};
+  lastSwitched = at, otherSet = true;
+  return {Refusal::Kind::stalled, std::string(why)};
+}
+
+Refusal LocatedStep::lose(ContactKey at) {
+  // The features that touch are known only after a search of contacts as in steps in time.
+  const double around = MeetingConstants::around * parts.norm.length();
+  if (const ContactKey found = parts.probe.lookAround(from.x, around, at); found != kNoContact)
+    at = found;
+  lastSwitched = at;
+  return {Refusal::Kind::stalled, parts.probe.why(at), true};
+}
+
+Refusal LocatedStep::stall() const {
+  return {Refusal::Kind::stalled,
+          parts.settings.events.passesAccumulations
+              ? "the steps have become too short: no status of the contacts lasts"
+              : "events follow each other without end (an accumulation of impacts, or slip in "
+                "space that ends): this scheme has no way past"};
+}
+
+}  // namespace dynamy

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <dynamy/simulation/model/model.hpp>
+#include <dynamy/simulation/report/gap_watch.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Gaps at the end of a step are evaluated if the extrapolated depth exceeds all before by the
+/// factor kDeeper. This is done kFirstLooks times, then once in kStepsPerLook steps on average.
+/// Each evaluation costs up to a step, so that a run of 1000 steps takes 1.6 % longer. Beyond that
+/// the depth is extrapolated by γ^E alone, with an error of (ω Δt/2)²/2 of a body's size.
+constexpr double kDeeper = 1.01;
+constexpr long kFirstLooks = 8, kStepsPerLook = 128;
+constexpr double kOverlapNoise = 1e-12;  ///< of the scene's length
+
+}  // namespace
+
+void GapWatch::start(const StepView& initial) {
+  const std::vector<const SetValuedForceLaw*>& laws = initial.system.slot(0).contacts.law;
+  joints_ = std::any_of(laws.begin(), laws.end(),
+                        [](const SetValuedForceLaw* law) { return holds(law->rowKind(0)); });
+  positions(initial.after);
+}
+
+void GapWatch::step(const StepView& view) {
+  // Bodies that pass others unseen end in overlaps that the step itself has not evaluated.
+  if (report_.passing.left > 0) return overlaps(view.after);
+  const ContactSet& c = view.system.slot(0).contacts;
+  const double rest = view.after.t - view.system.slot(0).t;
+  const double known = kDeeper * report_.gaps.penetration.value + kOverlapNoise * model_.length();
+  if (!(rest > 0.0) || view.gammaE.size() != c.rows()) return;
+  // With joints the positions may follow the mean velocity.
+  const std::vector<double>& gammaA = view.system.problem().gammaA;
+  const bool mean = joints_ && gammaA.size() == static_cast<std::size_t>(c.rows());
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!c.law[at]->unilateral()) continue;
+    const int row = c.row0[at];
+    double rate = view.gammaE[row];
+    if (mean) rate = std::min(rate, 0.5 * (rate + gammaA[static_cast<std::size_t>(row)]));
+    const double deep = -c.position[static_cast<std::size_t>(row)] - rest * rate;
+    if (!(deep > known)) continue;
+    if (looks_ <= kFirstLooks + view.index / kStepsPerLook) {
+      ++looks_;
+      overlaps(view.after);
+      return;
+    }
+    Worst& worst = report_.gaps.penetration;
+    if (!mean && deep > worst.value)
+      worst.value = deep, worst.t = view.after.t, worst.contact = c.key[at];
+  }
+}
+
+void GapWatch::sample(const StepView& view) {
+  // Joints are held at ends of steps, where steps do not evaluate them; every step, and step(),
+  // examines overlaps.
+  const std::vector<const SetValuedForceLaw*>& laws = view.system.slot(0).contacts.law;
+  if (std::any_of(laws.begin(), laws.end(), [](const auto* law) { return !law->unilateral(); }))
+    positions(view.after);
+}
+
+MechanicalSystem& GapWatch::ends() {
+  if (!ends_) ends_ = std::make_unique<MechanicalSystem>(model_.mechanicalSystem());
+  return *ends_;
+}
+
+void GapWatch::overlaps(const State& x) {
+  const ContactSet& c = look_.at(ends(), x);
+  Worst& worst = report_.gaps.penetration;
+  for (std::size_t i = 0; i < c.g.size(); ++i) {
+    const int closed = c.closedIndex[i];
+    if (closed >= 0 && !c.law[static_cast<std::size_t>(closed)]->unilateral()) continue;
+    if (-c.g[i] > worst.value)
+      worst.value = -c.g[i], worst.t = x.t, worst.contact = c.candidateKey[i];
+  }
+}
+
+void GapWatch::positions(const State& x) {
+  const ContactSet& c = ends().evaluate(x).contacts;
+  for (std::size_t i = 0; i < c.g.size(); ++i) {
+    const int closed = c.closedIndex[i];
+    const SetValuedForceLaw* law = closed >= 0 ? c.law[static_cast<std::size_t>(closed)] : nullptr;
+    const bool joint = law != nullptr && !law->unilateral();
+    if (joint && law->rowKind(0) != RowKind::joint) continue;  // others have no position error
+    Worst& worst = joint ? report_.gaps.jointError : report_.gaps.penetration;
+    const double value = joint ? c.g[i] : -c.g[i];
+    if (value > worst.value) worst.value = value, worst.t = x.t, worst.contact = c.candidateKey[i];
+  }
+}
+
+}  // namespace dynamy

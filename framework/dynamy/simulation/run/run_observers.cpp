@@ -1,0 +1,54 @@
+#include <dynamy/simulation/run/run_observers.hpp>
+
+namespace dynamy {
+
+RunObservers::RunObservers(Model& model, RunReport& report)
+    : model_(model),
+      report_(report),
+      statistics_(report),
+      ledger_(model),
+      watch_(model, ledger_, report),
+      checks_(model) {
+  for (const auto& o : model.observers()) others_.push_back(o.get());
+}
+
+void RunObservers::record(RecordSink& sink) {
+  recorder_ = std::make_unique<Recorder>(model_, sink);
+  ledgerRows_ = std::make_unique<LedgerRows>(ledger_, sink, model_.simulation.until);
+  statistics_.tell(sink);
+}
+
+template <class Call>
+void RunObservers::forAll(Call&& call) {
+  call(motion_), call(statistics_), call(ledger_), call(watch_), call(checks_);
+  if (ledgerRows_) call(*ledgerRows_);
+  if (recorder_) call(*recorder_);
+  for (Observer* o : others_) call(*o);
+}
+
+void RunObservers::start(const StepView& initial) {
+  forAll([&](Observer& o) { o.start(initial); });
+}
+
+void RunObservers::step(const StepView& view) {
+  forAll([&](Observer& o) { o.step(view); });
+}
+
+void RunObservers::failed(const StepView& view) {
+  forAll([&](Observer& o) { o.failed(view); });
+}
+
+void RunObservers::finish(const StepView& last) {
+  forAll([&](Observer& o) { o.finish(last); });
+}
+
+void RunObservers::archive(Archive& a) {
+  forAll([&](Observer& o) { o.archive(a); });
+}
+
+void RunObservers::sumUp() {
+  report_.energy = ledger_.report();
+  report_.hash = motion_.value();
+}
+
+}  // namespace dynamy

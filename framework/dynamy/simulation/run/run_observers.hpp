@@ -1,0 +1,56 @@
+/// RunObservers: all that see the steps of a run, in this order: the hash of the motion, statistics,
+/// the energy ledger, the watch over the figures, checks, rows of the ledger, the recorder, and the
+/// observers of the model and of users. Later ones read what earlier ones have found.
+#pragma once
+#include <dynamy/simulation/report/checks.hpp>
+#include <dynamy/simulation/report/ledger_rows.hpp>
+#include <dynamy/simulation/report/motion_hash.hpp>
+#include <dynamy/simulation/report/recorder.hpp>
+#include <dynamy/simulation/report/run_watch.hpp>
+#include <dynamy/simulation/report/step_statistics.hpp>
+
+namespace dynamy {
+
+class RunObservers {
+ public:
+  /// Figures go to `report`; both arguments outlive the observers. Throws ModelError if a check
+  /// requests an unknown signal.
+  RunObservers(Model& model, RunReport& report);
+  RunObservers(const RunObservers&) = delete;
+  RunObservers& operator=(const RunObservers&) = delete;
+  /// Adds an observer, which outlives the run.
+  void add(Observer& observer) { others_.push_back(&observer); }
+  /// Records into `sink`, which outlives the run. Throws ModelError for unknown signals.
+  void record(RecordSink& sink);
+
+  // The calls of Observer, to all of them.
+  void start(const StepView& initial);
+  void step(const StepView& view);
+  void failed(const StepView& view);
+  void finish(const StepView& last);
+  void archive(Archive& a);
+
+  /// Books a change of state between two steps, which is no motion: systems were renewed.
+  void bring(const State& before, const State& after) { ledger_.bring(before, after); }
+  /// Puts the figures into the report that are known at the end only.
+  void sumUp();
+  /// Why the sink can store no more; empty: it can, or there is none.
+  std::string_view sinkFault() const { return recorder_ ? recorder_->fault() : ""; }
+  std::vector<CheckResult> checks() const { return checks_.results(report_); }
+
+ private:
+  template <class Call>
+  void forAll(Call&& call);
+  Model& model_;
+  RunReport& report_;
+  MotionHash motion_;
+  StepStatistics statistics_;
+  EnergyLedger ledger_;
+  RunWatch watch_;
+  Checks checks_;
+  std::unique_ptr<LedgerRows> ledgerRows_;
+  std::unique_ptr<Recorder> recorder_;
+  std::vector<Observer*> others_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <dynamy/simulation/report/consistent_start.hpp>
+#include <dynamy/simulation/run/checkpoints.hpp>
+#include <dynamy/simulation/run/run_faults.hpp>
+#include <dynamy/simulation/run/step_attempt.hpp>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+bool isSet(const std::atomic<bool>* flag) {
+  return flag != nullptr && flag->load(std::memory_order_relaxed);
+}
+
+}  // namespace
+
+StepAttempt::StepAttempt(Model& model, MechanicalSystem& system)
+    : model_(model),
+      system_(system),
+      x_(model.initialState()),
+      before_(x_),
+      renews_(std::any_of(model.systems().begin(), model.systems().end(),
+                          [](const auto& s) { return s->renewable() != nullptr; })) {}
+
+StartReport StepAttempt::start() {
+  system_.evaluate(x_);
+  StartReport report = makeConsistent(model_, system_, x_);
+  before_ = x_;
+  report_ = {};
+  return report;
+}
+
+bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop) {
+  before_ = x_, attempted_ = true;
+  const bool last = isSet(stop);  // the run ends after this step, which is to be solved
+  const bool searches = !model_.scheme().choosesSteps();
+  system_.limits.stop = last ? nullptr : stop;
+  system_.limits.effort = searches ? searches_.next() : Effort::full;
+  system_.limits.pushOut = searches ? model_.simulation.step : 0.0;
+  report_ = model_.scheme().step(system_, model_.solver(), x_, dt);
+  if (!last && isSet(stop)) {  // solvers may have stopped early
+    x_ = before_;
+    return false;
+  }
+  // After a failed search a scheme lowers the effort for the rest of the attempt.
+  if (searches) searches_.done(system_.limits.effort == Effort::full), x_.t = tEnd;
+  project();
+  system_.remember(x_);
+  return true;
+}
+
+void StepAttempt::project() {
+  const Project what = model_.simulation.project;
+  if (what == Project::none || !x_.q.allFinite()) return;
+  if (!projection_.positions(system_, model_.solver(), x_, system_.gTol()))
+    report_.solved.status = SolveStatus::stalled;
+  if (what == Project::both && !projection_.velocities(system_, model_.solver(), x_))
+    report_.solved.status = SolveStatus::stalled;
+}
+
+bool StepAttempt::sound() const { return isSound(system_, x_, report_); }
+
+std::string StepAttempt::fault() const { return faultOf(model_, system_, x_, report_); }
+
+StepView StepAttempt::view(long index, bool whole) {
+  const ContactSet& c = system_.slot(0).contacts;
+  const auto n = static_cast<Eigen::Index>(c.rows());
+  gammaE_.resize(static_cast<std::size_t>(n));
+  c.gamma(dynamy::view(std::as_const(x_.u)), {gammaE_.data(), n});
+  const bool start = report_.dt <= 0.0 || !whole;
+  if (start) zero_.assign(static_cast<std::size_t>(n), 0.0);
+  const double* Lambda = start ? zero_.data() : system_.problem().Lambda().data();
+  return {model_,
+          system_,
+          model_.scheme(),
+          before_,
+          x_,
+          ConstVec(Lambda, n),
+          ConstVec(gammaE_.data(), n),
+          report_,
+          index,
+          whole};
+}
+
+bool StepAttempt::renew(State& old) {
+  if (!renews_) return false;
+  old = x_;
+  return renewSystems(model_.topology(), before_.t, x_);
+}
+
+void StepAttempt::archive(Archive& a) {
+  archiveState(a, x_);
+  searches_.archive(a);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,52 @@
+/// ImplicitForces: the forces that a step takes at its end, those of stiff elements and those that
+/// the step does not resolve (StiffPart, UnresolvedForces).
+///
+///   M̂ (u_free − u^A) = Δt (h + Δt s K u^A),   M̂ = M − b Δt D − a Δt² K
+#pragma once
+#include <dynamy/stages/evaluation.hpp>
+
+namespace dynamy {
+
+class ImplicitForces {
+ public:
+  explicit ImplicitForces(const SystemParts& parts);
+  /// True: the model has stiff elements.
+  bool any() const { return stiff_.any(); }
+  StiffPart& stiff() { return stiff_; }
+
+  /// At `e`, evaluated at x: finds the forces that a step Δt does not resolve, and factorises M̂ with
+  /// them, with weights `declared` of stiff elements. unresolved() says whether there are any.
+  void resolve(const SystemParts& parts, const Evaluation& e, const State& x, double dt,
+               const ImplicitWeights& declared);
+  /// M̂ contains forces that the step does not resolve.
+  bool unresolved() const { return unresolved_; }
+  void forget() { unresolved_ = false; }
+  /// Number of forces that the present step takes at its end, or that are withheld.
+  int damped() const { return damped_; }
+  void damped(int forces) { damped_ = forces; }
+
+  /// u_free − u^A with the factorised M̂, nu numbers.
+  const Eigen::VectorXd& change(const Evaluation& e, const Eigen::VectorXd& uA, double dt);
+  /// Accelerations by the forces at `e` [m/s²]: M⁻¹h, or where some are unresolved (u_free − u^A)/Δt
+  /// of the last resolve().
+  const Eigen::VectorXd& acceleration(const Evaluation& e) const;
+  /// K and D at `e`, evaluated at x, and M̂ with `mass`. Only with stiff elements.
+  void factor(const SystemParts& parts, const Evaluation& e, const State& x, const MassMatrix& mass,
+              double dt, const ImplicitWeights& weights);
+  /// True: a rule that is explicit in h and stable up to ωΔt = `limit` is not so for the stiff
+  /// elements at `e`, evaluated at x.
+  bool explicitIsUnstable(const SystemParts& parts, const Evaluation& e, const State& x, double dt,
+                          double limit);
+  /// Takes gyroscopic terms in h of `e` at the mean velocity of a step Δt from x. Where forces are
+  /// unresolved, after resolve().
+  void gyroscopicAtMean(const Topology& topology, Evaluation& e, const State& x, double dt);
+
+ private:
+  StiffPart stiff_;
+  bool unresolved_ = false;
+  int damped_ = 0;
+  Eigen::VectorXd change_, work_;
+  mutable Eigen::VectorXd acceleration_;
+};
+
+}  // namespace dynamy
