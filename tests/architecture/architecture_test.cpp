@@ -68,13 +68,13 @@ TEST(Architecture, ElementsAndPluginsIncludeNothingThatAUserCannot) {
   }
 }
 
-TEST(Architecture, FilesHaveAtMost400Lines) {
+TEST(Architecture, FilesHaveAtMost500Lines) {
   for (const SourceFile& file : sourceTree()) {
     const bool counted = std::regex_search(file.path, std::regex(R"(\.(cpp|hpp|ts|js|py)$)"));
     // The built viewer script is made by a tool from app/viewer/*.ts.
     const bool built = std::regex_search(file.path, std::regex("^app/viewer/(dist|built)/"));
     if (counted && !built) {
-      EXPECT_LE(file.lines.size(), 400u) << file.path;
+      EXPECT_LE(file.lines.size(), 500u) << file.path;
     }
   }
 }

@@ -71,6 +71,18 @@ TEST_F(NewPlugin, MistakesAreNamed) {
 }
 
 #ifndef DYNAMY_SANITIZED
+/// The long test below builds and runs them; this one sees within seconds that an interface has moved on.
+TEST_F(NewPlugin, HasSourcesOfEveryKindThatCompile) {
+  std::string script = "for f in */try_it.cpp; do '" DYNAMY_CXX
+                       "' -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I'" DYNAMY_SOURCE_DIR
+                       "/framework' -isystem '" DYNAMY_EIGEN_DIR "' $f || exit; done";
+  for (const std::string& kind : kKinds)
+    ASSERT_EQ(call("new-plugin try-it --kind " + kind + " --out " + kind), 0) << err();
+  write("try.sh", script);
+  const std::string command = "cd '" + folder_.string() + "' && bash try.sh > out 2> err";
+  EXPECT_EQ(std::system(command.c_str()), 0) << err();
+}
+
 TEST_F(NewPlugin, OfALawBuildsRunsAndPassesItsTest) { expectWorks("law"); }
 
 using LongNewPlugin = NewPlugin;
