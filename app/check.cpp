@@ -264,7 +264,8 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
   if (!s.weightless.empty())
     out += fmt::format(" note: <Gravity> does not act on {}; their own formulas say their weight\n",
                        s.weightless);
-  for (const Warning& w : s.start) out += fmt::format(" warning: {}: {}\n", w.kind, w.text);
+  for (const Warning& w : s.start)
+    out += fmt::format(" {}: {}: {}\n", says(w) == Says::note ? "note" : "warning", w.kind, w.text);
   // Contacts that are closed at the start may have a gap of the size of rounding.
   if (deep)
     out += fmt::format(

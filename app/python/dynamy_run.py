@@ -55,6 +55,11 @@ class Run:
         return self.facts.get("warnings", [])
 
     @property
+    def notes(self):
+        """What the run resolved in a model that contradicts itself: dicts as in warnings."""
+        return self.facts.get("notes", [])
+
+    @property
     def qualified(self):
         """True if a warning says that the run is not what its model asks for: exit status 3."""
         return any(w.get("qualifies") for w in self.warnings)
@@ -216,6 +221,8 @@ if __name__ == "__main__":
               f"{len(run.frames.t)} pictures, {len(run.events)} events")
         for warning in run.warnings:
             print(f"  WARNING {warning['kind']}: {warning['text']}")
+        for note in run.notes:
+            print(f"  note {note['kind']}: {note['text']}")
         for name, values in run.signals.items():
             if len(values):
                 print(f"  {name} [{run.units.get(name, 's')}]: {values.min():g} … {values.max():g}")

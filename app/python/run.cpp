@@ -90,14 +90,14 @@ py::dict figures(const Simulation& simulation) {
   bool passed = true;
   for (const CheckResult& c : simulation.checks()) passed = passed && c.pass;
   out["checks_passed"] = passed;
-  py::list warnings;
+  py::list warnings, notes;
   for (const Warning& w : r.warnings) {
     py::dict one;
     one["kind"] = w.kind, one["text"] = w.text, one["count"] = w.count, one["t"] = w.t;
     one["place"] = w.place;
-    warnings.append(one);
+    (says(w) == Says::note ? notes : warnings).append(one);
   }
-  out["warnings"] = warnings, out["qualified"] = r.qualified();
+  out["warnings"] = warnings, out["notes"] = notes, out["qualified"] = r.qualified();
   return out;
 }
 

@@ -13,7 +13,7 @@ namespace {
 std::vector<std::string> qualifying() {
   std::vector<std::string> out;
   for (const WarningKind& k : warningKinds())
-    if (k.qualifies) out.emplace_back(k.name);
+    if (k.says == Says::qualifies) out.emplace_back(k.name);
   return out;
 }
 
@@ -62,8 +62,7 @@ std::string qualifyingKinds(const RunReport& report, const Accepted& accepted,
   std::string out;
   std::vector<std::string> seen;
   for (const Warning& w : report.warnings) {
-    const WarningKind* kind = warningKind(w.kind);
-    if (kind == nullptr || !kind->qualifies || accepted.takes(w.kind)) continue;
+    if (says(w) != Says::qualifies || accepted.takes(w.kind)) continue;
     if (std::find(seen.begin(), seen.end(), w.kind) != seen.end()) continue;
     out += (seen.empty() ? "" : separator) + w.kind, seen.push_back(w.kind);
   }

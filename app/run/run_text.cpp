@@ -178,10 +178,10 @@ void writeProblems(JsonWriter& json, const ProblemDump& d) {
 std::string warningsText(const RunReport& r, const Accepted* accepted) {
   std::string out;
   for (const Warning& w : r.warnings) {
-    const WarningKind* kind = warningKind(w.kind);
-    if (accepted != nullptr && (kind == nullptr || !kind->qualifies || accepted->takes(w.kind)))
-      continue;
-    if (w.kind != "unsolved") out += fmt::format(" WARNING  {}: {}\n", w.kind, w.text);
+    if (accepted != nullptr && (says(w) != Says::qualifies || accepted->takes(w.kind))) continue;
+    if (w.kind != "unsolved")
+      out += fmt::format(" {}  {}: {}\n", says(w) == Says::note ? "note   " : "WARNING", w.kind,
+                         w.text);
   }
   return out;
 }
@@ -246,6 +246,12 @@ std::string effortText(const RunReport& r) {
 /// Counts of steps that were divided and of forces that were damped.
 std::string stepsText(const RunReport& r) {
   std::string out;
+  if (r.passing.divided > 0)
+    out += fmt::format(
+        " {} taken in up to {} equal parts: bodies or forces were too fast for them (a named "
+        "scheme "
+        "takes steps as they are)\n",
+        counted(r.passing.divided, "step"), r.passing.finest);
   if (r.passing.parted > 0)
     out += fmt::format(" {} taken in parts: a fast body would have passed a contact\n",
                        counted(r.passing.parted, "step"));
@@ -347,6 +353,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("contactElements", model.contacts().size());
   json.member("contactsMax", r.contacts.most).endObject();
   json.member("t", r.t).member("steps", r.steps).member("rejected", r.rejected);
+  json.member("divided", r.passing.divided).member("finest", r.passing.finest);
   json.member("parted", r.passing.parted)
       .member("left", r.passing.left)
       .member("damped", r.trust.damped);

@@ -90,7 +90,7 @@ std::string rod(const std::string& more = "", const std::string& scheme = "") {
 TEST_F(ExitStatus, AStartThatJointsDoNotAllowIsReportedAndRefusedByStrictAlone) {
   write("rod.xml", rod());
   EXPECT_EQ(call("check rod.xml"), 0);
-  EXPECT_NE(out().find("warning: start velocities: joint pin (rod.xml:4:"), std::string::npos)
+  EXPECT_NE(out().find("note: start velocities: joint pin (rod.xml:4:"), std::string::npos)
       << out();
   EXPECT_EQ(call("check rod.xml --strict"), 2);
   EXPECT_EQ(call("run rod.xml --quiet --out r"), 0) << err();

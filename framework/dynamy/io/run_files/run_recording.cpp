@@ -36,14 +36,17 @@ std::vector<SignalName> recordedSignals(const Model& model) {
 }
 
 void writeWarnings(JsonWriter& json, const std::vector<Warning>& warnings) {
-  json.key("warnings").beginArray();
-  for (const Warning& w : warnings) {
-    const WarningKind* kind = warningKind(w.kind);
-    json.beginObject().member("kind", w.kind).member("text", w.text).member("count", w.count);
-    json.member("t", w.t).member("place", w.place);
-    json.member("qualifies", kind != nullptr && kind->qualifies).endObject();
+  for (const bool notes : {false, true}) {
+    json.key(notes ? "notes" : "warnings").beginArray();
+    for (const Warning& w : warnings) {
+      if ((says(w) == Says::note) != notes) continue;
+      json.beginObject().member("kind", w.kind).member("text", w.text).member("count", w.count);
+      json.member("t", w.t).member("place", w.place);
+      if (!notes) json.member("qualifies", says(w) == Says::qualifies);
+      json.endObject();
+    }
+    json.endArray();
   }
-  json.endArray();
 }
 
 RunRecording::RunRecording(const RunFolder& folder, const Model& model, Resume)

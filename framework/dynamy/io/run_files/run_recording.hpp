@@ -24,7 +24,7 @@ struct RecordedFile {
   FilePlace place;
   void archive(Archive& a) { a(name), a(place.bytes), a(place.crc); }
 };
-/// Writes the member `warnings` of run.json.
+/// Writes the members `warnings` and `notes` of run.json.
 void writeWarnings(JsonWriter& json, const std::vector<Warning>& warnings);
 
 class RunRecording final : public RecordSink {

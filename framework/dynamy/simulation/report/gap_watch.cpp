@@ -20,6 +20,7 @@ void GapWatch::start(const StepView& initial) {
   joints_ = std::any_of(laws.begin(), laws.end(),
                         [](const SetValuedForceLaw* law) { return holds(law->rowKind(0)); });
   positions(initial.after);
+  report_.gaps.atStart = report_.gaps.penetration.value;
 }
 
 void GapWatch::step(const StepView& view) {

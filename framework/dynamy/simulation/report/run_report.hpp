@@ -134,20 +134,24 @@ struct ContactReport {
 
 /// Gaps at positions that contacts and joints should not reach.
 struct GapReport {
-  Worst penetration;    ///< −g of unilateral contacts, at ends of steps as well [m]
-  Worst solvedOverlap;  ///< −g only where steps solve for their forces [m]
-  Worst jointError;     ///< position error of joints at ends of steps [m]
-  void archive(Archive& a) { a(penetration), a(solvedOverlap), a(jointError); }
+  Worst penetration;     ///< −g of unilateral contacts, at ends of steps as well [m]
+  double atStart = 0.0;  ///< the same of the initial state [m]
+  Worst solvedOverlap;   ///< −g only where steps solve for their forces [m]
+  Worst jointError;      ///< position error of joints at ends of steps [m]
+  void archive(Archive& a) { a(penetration), a(atStart), a(solvedOverlap), a(jointError); }
 };
 
-/// Fast bodies, which would pass a contact within a step (theory 37).
+/// Steps taken in parts: they were too long for the motion, or fast bodies would have passed a
+/// contact (theory 37).
 struct PassingReport {
-  long swept = 0;   ///< attempted steps whose path was searched for fast bodies
-  long parted = 0;  ///< steps taken in parts, because a body would have passed a contact
-  long left = 0;    ///< steps with too many parts, whose rest was taken without a search
-  Worst firstLeft;  ///< first step counted by `left`, and the contact passed; no value
+  long swept = 0;    ///< attempted steps whose path was searched for fast bodies
+  long divided = 0;  ///< full steps taken in equal parts, because they were too long
+  int finest = 1;    ///< most of these parts
+  long parted = 0;   ///< steps taken in parts, because a body would have passed a contact
+  long left = 0;     ///< steps with too many parts, whose rest was taken without a search
+  Worst firstLeft;   ///< first step counted by `left`, and the contact passed; no value
   /// Without `swept`: a resumed run counts its own.
-  void archive(Archive& a) { a(parted), a(left), a(firstLeft); }
+  void archive(Archive& a) { a(divided), a(finest), a(parted), a(left), a(firstLeft); }
 };
 
 /// Steps that a simpler scheme took, StepReport::simpler.

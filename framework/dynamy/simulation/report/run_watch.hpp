@@ -42,13 +42,22 @@ class RunWatch final : public Observer {
   double sampleEvery_, nextSample_ = 0.0, lastSample_ = -1.0;  // [s]
 };
 
+/// What a warning says of a run.
+enum class Says : std::uint8_t {
+  note,      ///< something in the model contradicts itself, and the run resolved it as documented
+  warning,   ///< figures of the run may be off
+  qualifies  ///< the run is not what the model asks for: exit status 3
+};
+
 /// A kind of warning.
 struct WarningKind {
   const char* name;
-  bool qualifies;    ///< the run is not what the model asks for: exit status 3
+  Says says;
   const char* text;  ///< when it is reported
 };
 std::span<const WarningKind> warningKinds();
+/// What warnings of this kind say; `warning` for an unknown kind.
+Says says(const Warning& w);
 /// The kind of this name; null: there is none.
 const WarningKind* warningKind(std::string_view name);
 

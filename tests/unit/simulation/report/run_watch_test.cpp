@@ -69,9 +69,9 @@ TEST(RunWatch, TellsOverlapsByTheSizeOfTheSceneAndByTheStep) {
 
 TEST(RunWatch, TellsThatTheModelPutsBodiesIntoEachOther) {
   RunReport r;
-  r.gaps.penetration.value = 1e-3, r.trust.way = 1.0;  // at t = 0
+  r.gaps.penetration.value = r.gaps.atStart = 1e-3, r.trust.way = 1.0;
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "start"));
-  r.gaps.penetration.value = 1e-7;  // numbers of a file are rounded
+  r.gaps.penetration.value = r.gaps.atStart = 1e-7;  // numbers of a file are rounded
   EXPECT_TRUE(warningsOf(r, 1.0).empty());
 }
 
@@ -134,10 +134,11 @@ TEST(RunWatch, AWarningSaysHowOftenWhenAndWhere) {
 
 TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
   for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
-    EXPECT_TRUE(warningKind(kind)->qualifies) << kind;
-  for (const char* kind : {"energy", "impact law", "start", "resolution", "rest",
-                           "start velocities", "start positions"})
-    EXPECT_FALSE(warningKind(kind)->qualifies) << kind;
+    EXPECT_EQ(warningKind(kind)->says, Says::qualifies) << kind;
+  for (const char* kind : {"energy", "start", "resolution", "rest"})
+    EXPECT_EQ(warningKind(kind)->says, Says::warning) << kind;
+  for (const char* kind : {"impact law", "start velocities", "start positions"})
+    EXPECT_EQ(warningKind(kind)->says, Says::note) << kind;
   RunReport r;
   r.warnings.push_back({"resolution", "", 1, 0.0, ""});
   EXPECT_FALSE(r.qualified());
