@@ -24,6 +24,10 @@ class ImplicitForces {
   /// Number of forces that the present step takes at its end, or that are withheld.
   int damped() const { return damped_; }
   void damped(int forces) { damped_ = forces; }
+  /// Share of the stability limit of explicit rules that the forces of the present step use up
+  /// (UnresolvedForces).
+  double share() const { return share_; }
+  void share(double share) { share_ = share; }
 
   /// u_free − u^A with the factorised M̂, nu numbers.
   const Eigen::VectorXd& change(const Evaluation& e, const Eigen::VectorXd& uA, double dt);
@@ -45,6 +49,7 @@ class ImplicitForces {
   StiffPart stiff_;
   bool unresolved_ = false;
   int damped_ = 0;
+  double share_ = 0.0;
   Eigen::VectorXd change_, work_;
   mutable Eigen::VectorXd acceleration_;
 };

@@ -25,6 +25,8 @@ class StiffPart {
   int unresolved() const {
     return static_cast<int>(std::count(found_.taken().begin(), found_.taken().end(), 1));
   }
+  /// UnresolvedForces::share of the last step that looked for them.
+  double share() const { return found_.share(); }
   /// Factorises M̂ with these weights; unresolved forces have weights of their own.
   void factor(const MassMatrix& mass, double dt, const ImplicitWeights& weights,
               const ImplicitWeights& unresolved = kImplicitEnd) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/stages/unresolved_forces.hpp>
 
 namespace dynamy {
@@ -27,11 +28,12 @@ bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, con
     if (!f->stiff()) f->addStiffness(k, sink);
     ends_.push_back(all_.size());
   }
-  taken_.assign(forces.size(), 0);
+  taken_.assign(forces.size(), 0), share_ = 0.0;
   if (all_.empty()) return false;
   shares_.assign(static_cast<std::size_t>(mass.blocks()), 0.0);
   for (const StiffEntry& e : all_)
     shares_[static_cast<std::size_t>(block(e.i))] += shareOf(e, mass, dt);
+  share_ = *std::max_element(shares_.begin(), shares_.end());
   std::size_t first = 0;
   for (std::size_t f = 0; f < forces.size(); ++f) {
     if (isUnresolved(first, ends_[f], mass, dt)) {

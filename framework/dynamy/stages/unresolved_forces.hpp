@@ -27,6 +27,8 @@ class UnresolvedForces {
   const std::vector<StiffEntry>& entries() const { return entries_; }
   /// Per force: 1 if it is unresolved.
   std::span<const char> taken() const { return taken_; }
+  /// Largest share of a block, of all its forces; after find(). It grows with Δt² for undamped forces.
+  double share() const { return share_; }
   /// Mass block of a velocity; after find().
   int block(int u) const { return blockOf_[static_cast<std::size_t>(u)]; }
 
@@ -38,6 +40,7 @@ class UnresolvedForces {
   std::vector<char> taken_;
   std::vector<double> shares_;  // per mass block
   std::vector<int> blockOf_;
+  double share_ = 0.0;
 };
 
 }  // namespace dynamy

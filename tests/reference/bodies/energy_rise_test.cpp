@@ -39,8 +39,8 @@ TEST(EnergyRise, IsNotMeasuredByForcesThatAStepDoesNotResolve) {
               {.text = "<dynamy version=\"1\"><systems><RigidBody name=\"b\" position=\"1.1 0 0\">"
                        "<Sphere radius=\"0.1\" mass=\"1\"/></RigidBody><Ground name=\"g\"/>"
                        "</systems><forces><SpringDamper between=\"g b\" stiffness=\"1e9\" "
-                       "length=\"1\"/></forces><simulation until=\"0.1\" step=\"0.01\"/>"
-                       "</dynamy>"});
+                       "length=\"1\"/></forces><simulation until=\"0.1\" step=\"0.01\">"
+                       "<StaggeredMoreau/></simulation></dynamy>"});
   Simulation simulation(scene.model());
   const RunReport& r = simulation.run();
   EXPECT_EQ(r.trust.damped, 1);

@@ -261,10 +261,10 @@ TEST(FastBodiesLimits, AStepOfTooManyHitsHasAnEndAndIsReported) {
                     "material=\"steel\"/><Box position=\"-2.0005mm 0 0\" size=\"2mm 1 1\" "
                     "material=\"steel\"/></Ground></systems>" +
                     kLaw + scheme("MoreauMidpoint"));
-  // The first step: 200 passings, of two parts more each, and the rest, which leads out.
+  // The first step: 2000 passings, of two parts more each, and the rest, which leads out.
   EXPECT_EQ(r.report.ended, RunReport::Ended::finished) << r.report.reason;
   EXPECT_EQ(r.report.passing.left, 1);
-  EXPECT_LE(r.report.steps, 2 * 200 + 1 + 9);
+  EXPECT_LE(r.report.steps, 2 * 2000 + 1 + 9);
   EXPECT_TRUE(r.report.qualified());
   const auto told = std::find_if(r.report.warnings.begin(), r.report.warnings.end(),
                                  [](const Warning& w) { return w.kind == "passed"; });

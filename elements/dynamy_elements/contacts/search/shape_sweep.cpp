@@ -14,6 +14,10 @@ using SweptTouch = TouchingShape::Kind;
 /// Overlap, as a part of the thickness, that does not matter. A ball whose overlap with another
 /// stays below it would have been turned by less than sqrt(2e-6) = 0.08° of its velocity.
 constexpr double kDepth = 1e-6;
+/// The same of a contact that is closed at the start and does not open before it overlaps more: every
+/// scheme sees it. A corner that slides on a turning body sinks in by ½ (ωΔt)² r on the straight
+/// path: with kDepth it would be passed again and again, 300 times in a step.
+constexpr double kLastingDepth = 1e-2;
 /// Least depth at which a passing is detected, in units of g_tol.
 constexpr double kLeastDepth = 16.0;
 /// Error of the instant of an impact, as a part of the depth at which a passing is detected.
@@ -211,7 +215,7 @@ Passing ShapeSweep::passing(const TouchingPair& pair, std::size_t f, const Swept
   const PairKernel& kernel = *pair.rule->kernel;
   Frame A, B;
   const PosedPair posed{a, b, A, B, shapes_->plane(pair.rule->plane)};
-  double start = kInfinity, end = 0.0;
+  double start = kInfinity, end = 0.0, highest = -kInfinity;  // gaps, the last one of pieces so far
   int after = -1;  // the piece at the begin of which the gap is `end`
   for (int k = 0; k < path.pieces() && dt * k < latest; ++k) {
     const PairPiece piece(a, b, path, turns_, k);
@@ -225,11 +229,18 @@ Passing ShapeSweep::passing(const TouchingPair& pair, std::size_t f, const Swept
     if (k == 0) start = left;
     after = k + 1, end = right;
     // A contact that is closed at the start must not overlap more.
-    const double limit = (start <= depth ? start : 0.0) - depth;
-    const FirstBelow search{limit, piece.L, 1.0 / partsOf(kernel.seen(b), piece, depth),
-                            0.25 * depth / piece.L};
-    if (const FirstBelow::Place below = search.in(gapAt, 0.0, left, 1.0, right)) {
-      const double level = start <= depth ? limit : 0.0, width = 0.1 * kTiming * depth / piece.L;
+    const bool closed = start <= depth;
+    double limit = (closed ? start : 0.0) - depth;
+    highest = std::max(highest, left);
+    FirstBelow search{limit, piece.L, 1.0 / partsOf(kernel.seen(b), piece, depth),
+                      0.25 * depth / piece.L};
+    FirstBelow::Place below = search.in(gapAt, 0.0, left, 1.0, right);
+    if (below && closed && std::max(highest, gapAt(0.5 * below.at)) <= start + depth) {
+      search.limit = limit = start - std::max(kLastingDepth * thickness(a, b), depth);
+      below = search.in(gapAt, 0.0, left, 1.0, right);
+    }
+    if (below) {
+      const double level = closed ? limit : 0.0, width = 0.1 * kTiming * depth / piece.L;
       const double s =
           below.value <= level ? below.from : crossing(gapAt, below.from, below.at, level, width);
       return {dt * (k + s), kTiming * depth / piece.L * dt, {}};

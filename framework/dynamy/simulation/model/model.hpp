@@ -112,6 +112,8 @@ class Model {
   /// Asks for a tolerance in place of a step: LocatedDormandPrince replaces a scheme of fixed
   /// steps.
   void askTolerance(double tolerance) { choice_.askTolerance(tolerance, simulation); }
+  /// True: the model names no scheme, so that the program chose it.
+  bool schemeIsDefault() const { return choice_.isDefault(); }
   /// Called at the start of a run. If no scheme was named, chooses one by whether `simulation` has
   /// a tolerance or a step. Passes the accuracy to a scheme that works to a tolerance.
   void readyScheme() { choice_.ready(length(), simulation); }

@@ -20,6 +20,8 @@ class SchemeChoice {
   void ready(double length, SimulationSettings& s);
   /// There is one as soon as one was named or begin() was called.
   OneStep& scheme() const { return *scheme_; }
+  /// True: no scheme was named.
+  bool isDefault() const { return isDefault_; }
 
  private:
   void choose(const SimulationSettings& s);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/travel_watch.hpp>
+#include <dynamy/simulation/report/turning_frames.hpp>
 #include <limits>
 #include <map>
 
@@ -43,7 +44,7 @@ double smallestSize(const ShapeGeometry& g) {
 }  // namespace
 
 TravelWatch::TravelWatch(const Model& model, RunReport& report)
-    : model_(model), trust_(report.trust) {
+    : model_(model), trust_(report.trust), turning_(turningFrames(model)) {
   collectShapes();
 }
 
@@ -85,8 +86,9 @@ void TravelWatch::step(const StepView& view) {
   for (std::size_t i = 0; i < frames; ++i) {
     const Frame& f = k.frame({static_cast<int>(i)});
     trust_.way = std::max(trust_.way, f.v_S_I.norm() * dt);
-    trust_.turn = std::max(trust_.turn, f.Omega_I.norm() * dt);
   }
+  for (const FrameHandle f : turning_)
+    trust_.turn = std::max(trust_.turn, k.frame(f).Omega_I.norm() * dt);
   // The speed of systems without frames is that of their contacts.
   const ContactSet& c = view.system.slot(0).contacts;
   const std::vector<double>& gammaA = view.system.problem().gammaA;

@@ -1,6 +1,6 @@
 /// TravelWatch: how far bodies move and turn in a step:
 ///
-///   turn        the largest |Ω| Δt of a frame
+///   turn        the largest |Ω| Δt of a frame that is not a ball's (turning_frames.hpp)
 ///   way         the distance of the fastest frame or contact in a step, which bounds overlaps of a
 ///               scheme on velocity level
 ///   leap        the distance a shape moves in a step, over the sum of its smallest size and that
@@ -26,6 +26,7 @@ class TravelWatch {
   };
   const Model& model_;
   RunTrust& trust_;
+  std::vector<FrameHandle> turning_;
   std::vector<Mover> movers_;
 };
 

@@ -45,7 +45,8 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
   const int nu = model.topology().nu();
   if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
     return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, nu);
-  if (s.step > 0.0) return std::make_unique<FixedStep>(s.step, s.onNonConvergence, nu);
+  if (s.step > 0.0)
+    return std::make_unique<FixedStep>(s.step, s.onNonConvergence, nu, model.schemeIsDefault());
   d.place = s.place, d.element = "simulation";
   if (s.place.line == 0) {
     d.place = beginning(model), d.element.clear();
@@ -181,6 +182,11 @@ Passing Simulation::passing(double ahead) {
   return p;
 }
 
+void Simulation::divided(int parts) {
+  ++report_.passing.divided;
+  report_.passing.finest = std::max(report_.passing.finest, parts);
+}
+
 void Simulation::leave(const Passing& p) {
   PassingReport& passing = report_.passing;
   if (++passing.left > 1) return;
@@ -197,7 +203,8 @@ bool Simulation::accept() {
     return endBecause(std::move(reason));
   }
   whole_ = false;
-  if (!step_.report().solved.ok()) noteUnsolved();
+  if (!step_.report().solved.ok())
+    unsolved_.note(report_.steps + 1, t(), step_.report(), !stopped());
   const long evaluations = system_.evaluations();
   observers_.step(view(true));
   report_.cost.evaluations += system_.evaluations() - evaluations;  // for dense output
@@ -207,7 +214,7 @@ bool Simulation::accept() {
 
 void Simulation::reject() {
   if (!step_.report().solved.ok() && sound()) {
-    noteUnsolved();
+    unsolved_.note(report_.steps + 1, t(), step_.report(), !stopped());
     step_.undo();
     observers_.failed(view(true));
   }
@@ -219,10 +226,6 @@ bool Simulation::fail(const StepReport& report) {
   std::string reason = missedTolerance(model_, system_, t(), report.solved);
   step_.clear();
   return endBecause(std::move(reason));
-}
-
-void Simulation::noteUnsolved() {
-  unsolved_.note(report_.steps + 1, t(), step_.report(), !stopped());
 }
 
 bool Simulation::pause(bool asked) {

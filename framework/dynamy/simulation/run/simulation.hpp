@@ -74,6 +74,8 @@ class Simulation final : private Stepper {
   void reject() override;
   bool fail(const StepReport& report) override;
   bool sound() const override { return step_.sound(); }
+  Coarseness coarseness() const override { return step_.coarseness(); }
+  void divided(int parts) override;
   Passing passing(double ahead) override;
   void leave(const Passing& p) override;
   double t() const override { return step_.x().t; }
@@ -88,7 +90,6 @@ class Simulation final : private Stepper {
   void end();
   /// The attempted step as observers see it.
   StepView view(bool whole) { return step_.view(report_.steps + 1, whole); }
-  void noteUnsolved();
   bool endBecause(std::string reason, RunReport::Cause cause = RunReport::Cause::simulation);
   void outOfMemory() noexcept;
   bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }

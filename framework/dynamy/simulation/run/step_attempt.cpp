@@ -19,6 +19,7 @@ StepAttempt::StepAttempt(Model& model, MechanicalSystem& system)
       system_(system),
       x_(model.initialState()),
       before_(x_),
+      coarseness_(model),
       renews_(std::any_of(model.systems().begin(), model.systems().end(),
                           [](const auto& s) { return s->renewable() != nullptr; })) {}
 

@@ -5,6 +5,7 @@
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
 #include <dynamy/simulation/run/search_pauses.hpp>
+#include <dynamy/simulation/run/step_coarseness.hpp>
 #include <dynamy/stages/projection.hpp>
 
 namespace dynamy {
@@ -36,6 +37,8 @@ class StepAttempt {
   const State& before() const { return before_; }
   /// Of the step tried last; dt = 0: none.
   const StepReport& report() const { return report_; }
+  /// How coarse the step is for the motion.
+  Coarseness coarseness() const { return coarseness_.of(system_, report_.dt); }
   bool sound() const;
   /// Why the attempted state is not sound; empty: it is.
   std::string fault() const;
@@ -53,6 +56,7 @@ class StepAttempt {
   MechanicalSystem& system_;
   State x_, before_;
   StepReport report_;
+  StepCoarseness coarseness_;
   Projection projection_;
   SearchPauses searches_;
   std::vector<double> zero_, gammaE_;  // percussions of no step [N s], γ^E [m/s]

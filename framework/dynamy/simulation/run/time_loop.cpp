@@ -8,12 +8,15 @@ constexpr int kMostHalvings = 6;
 constexpr int kFewer = 4, kMore = 2;
 /// Full steps after one in parts in which fast bodies are expected.
 constexpr int kExpected = 10;
-constexpr long kMostParts = 200, kFewestParts = 8, kWork = 14400;  ///< see mostParts()
+constexpr long kMostParts = 2000, kFewestParts = 8, kWork = 60000;  ///< see mostParts()
 }  // namespace
 
+long partsWithinWork(int nu, long evaluations) {
+  return kWork / (std::max(nu, 1) * std::max(evaluations, 1l));
+}
+
 int mostParts(int nu, long evaluations) {
-  const long cost = std::max(nu, 1) * std::max(evaluations, 1l);
-  return static_cast<int>(std::clamp(kWork / cost, kFewestParts, kMostParts));
+  return static_cast<int>(std::clamp(partsWithinWork(nu, evaluations), kFewestParts, kMostParts));
 }
 
 void Allowance::begin() {
@@ -39,7 +42,7 @@ Advance FixedStep::next(Stepper& stepper, double until) {
   if (quiet_ <= kExpected) ++quiet_;
   // Full steps as long as they do not pass the end by more than rounding.
   if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
-    if (!advance(stepper, grid_.at(i_ + 1), dt, 0)) return Advance::stopped;
+    if (!full(stepper, grid_.at(i_ + 1), dt)) return Advance::stopped;
     ++i_;
     return stepper.pause(false) ? Advance::taken : Advance::stopped;
   }
@@ -47,17 +50,40 @@ Advance FixedStep::next(Stepper& stepper, double until) {
   if (!stepper.pause(true)) return Advance::stopped;  // a longer run takes a full step here
   if (rest <= 1e-9 * dt) return Advance::atEnd;
   rest_ = true;
-  return advance(stepper, until, rest, 0) ? Advance::taken : Advance::stopped;
+  return full(stepper, until, rest) ? Advance::taken : Advance::stopped;
 }
 
 void FixedStep::archive(Archive& a) {
-  a(i_), a(quiet_), parts_.archive(a), halves_.archive(a);
+  a(i_), a(quiet_), parts_.archive(a), halves_.archive(a), division_.archive(a);
   if (quiet_ < 0) throw ModelError("the checkpoint counts quiet steps from below zero");
   if (i_ < 0) throw ModelError("the checkpoint counts its steps from below zero");
 }
 
 Passing FixedStep::ahead(Stepper& stepper, double dt) {
   return quiet_ <= kExpected && !parts_.exhausted() ? stepper.passing(dt) : Passing{};
+}
+
+bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {
+  whole_ = dt;
+  const int n = division_.begin();
+  const bool taken = n > 1 ? divide(stepper, tEnd, dt, n) : advance(stepper, tEnd, dt, 0);
+  if (division_.finest() > 1) stepper.divided(division_.finest());
+  return taken;
+}
+
+int FixedStep::partsOf(const Stepper& stepper, double dt, long evaluations) {
+  if (!division_.divides()) return 1;
+  const long most = std::max(partsWithinWork(nu_, evaluations), 1l);
+  return division_.parts(stepper.coarseness(), dt / whole_, most);
+}
+
+bool FixedStep::divide(Stepper& stepper, double tEnd, double dt, int n) {
+  const double begin = stepper.t();
+  for (int k = 1; k <= n; ++k) {
+    const double to = k < n ? begin + k * (dt / n) : tEnd;
+    if (!advance(stepper, to, dt / n, 0)) return false;
+  }
+  return true;
 }
 
 bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
@@ -68,8 +94,14 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   }
   const long before = stepper.evaluations();
   const StepReport report = stepper.attempt(tEnd, dt);
-  parts_.atMost(mostParts(nu_, stepper.evaluations() - before));
+  const long evaluations = stepper.evaluations() - before;
+  parts_.atMost(mostParts(nu_, evaluations));
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
+  // Too coarse for the motion: all else is looked at in its parts.
+  if (const int n = sound ? partsOf(stepper, dt, evaluations) : 1; n > 1) {
+    stepper.reject();
+    return divide(stepper, tEnd, dt, n);
+  }
   if (const Passing p = sound && !parts_.exhausted() ? stepper.passing() : Passing{}) {
     if (parts_.take()) {
       stepper.reject();

@@ -6,6 +6,7 @@
 #include <dynamy/core/archive.hpp>
 #include <dynamy/simulation/model/settings.hpp>
 #include <dynamy/simulation/model/time_grid.hpp>
+#include <dynamy/simulation/run/step_division.hpp>
 #include <dynamy/stages/sweep.hpp>
 
 namespace dynamy {
@@ -26,6 +27,10 @@ class Stepper {
   virtual bool fail(const StepReport& report) = 0;
   /// True if the attempted state holds no NaN and no infinity, and no mass was indefinite.
   virtual bool sound() const = 0;
+  /// How coarse the attempted step is for the motion.
+  virtual Coarseness coarseness() const = 0;
+  /// The last full step was taken in up to `parts` equal parts, because it was too coarse.
+  virtual void divided(int parts) = 0;
   /// The first contact that the attempted step went through, if any (theory 37). With `ahead` > 0
   /// [s]: that a step of this length would go through, if velocities remained.
   virtual Passing passing(double ahead = 0.0) = 0;
@@ -81,9 +86,11 @@ class Allowance {
   int most_, now_, taken_ = 0;
 };
 
-/// Largest number of parts into which one step of a model with nu velocities is cut for fast
-/// bodies, if each part costs `evaluations` evaluations of all bodies. Parts times evaluations
-/// times velocities are at most 14400, but there may always be 8 parts and never more than 200.
+/// Number of parts of a step of a model with nu velocities, each of which costs `evaluations`
+/// evaluations of all bodies, such that parts times evaluations times velocities are at most 60 000.
+long partsWithinWork(int nu, long evaluations);
+/// The same for the parts into which a step is cut for fast bodies: there may always be 8 of them,
+/// and never more than 2000.
 int mostParts(int nu, long evaluations);
 
 /// Steps of length Δt from a counter: t = iΔt, the last one is shortened to end at `until`. A step
@@ -93,7 +100,9 @@ int mostParts(int nu, long evaluations);
 class FixedStep final : public TimeLoop {
  public:
   /// `nu`: number of velocities of the model, which limits the parts of a step, see mostParts().
-  FixedStep(double dt, NonConvergence policy, int nu) : grid_(dt), policy_(policy), nu_(nu) {}
+  /// `divides`: steps that are too coarse are divided into equal parts.
+  FixedStep(double dt, NonConvergence policy, int nu, bool divides = false)
+      : grid_(dt), policy_(policy), nu_(nu), division_(divides) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive& a) override;
 
@@ -101,6 +110,12 @@ class FixedStep final : public TimeLoop {
   /// Finds a contact that a step would pass. Without fast bodies in the last steps, nothing is
   /// looked for: the step itself shows it.
   Passing ahead(Stepper& stepper, double dt);
+  /// Takes a full step, in as many equal parts as the last one needed.
+  bool full(Stepper& stepper, double tEnd, double dt);
+  /// Number of equal parts into which the attempted step of length dt is to be divided; 1: none.
+  int partsOf(const Stepper& stepper, double dt, long evaluations);
+  /// Takes a step in n equal parts.
+  bool divide(Stepper& stepper, double tEnd, double dt, int n);
   /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.
   bool advance(Stepper& stepper, double tEnd, double dt, int depth);
   /// Takes a step in parts, such that the contact of `p` closes in a part that is too short to
@@ -110,8 +125,10 @@ class FixedStep final : public TimeLoop {
   NonConvergence policy_;
   long i_ = 0;  // full steps done
   int nu_;
+  StepDivision division_;
+  double whole_ = 0.0;   // length of the present full step [s]
   int quiet_ = 1 << 20;  // full steps since one was taken in parts
-  Allowance parts_{200}, halves_{24};
+  Allowance parts_{2000}, halves_{24};
   bool rest_ = false;  // the last, shortened step has been taken
 };
 

@@ -87,6 +87,8 @@ class Counted final : public Stepper {
   void reject() override { t_ = begin_, ++rejected; }
   bool fail(const StepReport&) override { return false; }
   bool sound() const override { return true; }
+  Coarseness coarseness() const override { return Coarseness::of(turnRate * (t_ - begin_), 0.0); }
+  void divided(int parts) override { ++divisions, finest = parts; }
   Passing passing(double ahead) override {
     const double dt = ahead > 0.0 ? ahead : t_ - begin_;
     Passing p;
@@ -102,7 +104,9 @@ class Counted final : public Stepper {
   std::function<bool(double)> solves = [](double) { return true; };
   bool passes = false;
   double passesAbove = 1e9;  // length from which a step passes a contact in its middle [s]
-  long attempts = 0, rejected = 0, left = 0;
+  double turnRate = 0.0;     // [rad/s]
+  long attempts = 0, rejected = 0, left = 0, divisions = 0;
+  int finest = 0;
 
  private:
   double t_ = 0.0, begin_ = 0.0;
@@ -156,11 +160,28 @@ TEST(FixedSteps, AmongFastBodiesAreCutBeforeTheyAreTried) {
   EXPECT_EQ(s.rejected, 2);
 }
 
+TEST(FixedSteps, ThatAreTooLongForTheMotionHaveEqualParts) {
+  Counted s;
+  s.turnRate = 3.0;  // rad/s: four parts of 0.75 rad
+  FixedStep divides(1.0, NonConvergence::warn, 6, true), asItIs(1.0, NonConvergence::warn, 6);
+  for (int i = 0; i < 10; ++i) divides.next(s, 1000.0);
+  EXPECT_EQ(s.rejected, 1);  // the first step shows it
+  EXPECT_EQ(s.attempts, 1 + 10 * 4);
+  EXPECT_EQ(s.divisions, 10);
+  EXPECT_EQ(s.finest, 4);
+  EXPECT_DOUBLE_EQ(s.t(), 10.0);
+  for (int i = 0; i < 10; ++i) asItIs.next(s, 1000.0);
+  EXPECT_EQ(s.attempts, 1 + 10 * 4 + 10);
+}
+
 TEST(FixedSteps, OfManyBodiesHaveFewerParts) {
-  EXPECT_EQ(mostParts(0, 0), 200);
-  EXPECT_EQ(mostParts(12, 2), 200);
-  EXPECT_EQ(mostParts(180, 2), 40);
-  EXPECT_EQ(mostParts(60, 20), 12);
+  EXPECT_EQ(partsWithinWork(180, 2), 166);
+  EXPECT_EQ(partsWithinWork(100000, 1), 0);
+
+  EXPECT_EQ(mostParts(0, 0), 2000);
+  EXPECT_EQ(mostParts(12, 2), 2000);
+  EXPECT_EQ(mostParts(180, 2), 166);
+  EXPECT_EQ(mostParts(60, 20), 50);
   EXPECT_EQ(mostParts(100000, 1), 8);
 }
 

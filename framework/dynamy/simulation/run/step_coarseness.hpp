@@ -1,0 +1,21 @@
+/// StepCoarseness: measures how coarse an attempted step is for the motion.
+#pragma once
+#include <dynamy/simulation/model/model.hpp>
+#include <dynamy/simulation/run/step_division.hpp>
+
+namespace dynamy {
+
+class StepCoarseness {
+ public:
+  /// `model` is built.
+  explicit StepCoarseness(const Model& model);
+  /// Of the step of length dt [s] that `system` took last.
+  Coarseness of(const MechanicalSystem& system, double dt) const;
+
+ private:
+  double newOverlap(const MechanicalSystem& system, double dt) const;
+  std::vector<FrameHandle> turning_;
+  double length_;  // of the scene [m]
+};
+
+}  // namespace dynamy

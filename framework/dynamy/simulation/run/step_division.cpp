@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/error.hpp>
+#include <dynamy/simulation/run/step_division.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Above this share of the stability limit forces are taken at the end of the step.
+constexpr double kStable = 0.5;
+constexpr double kMostEqual = 4096.0;
+/// Parts are divided again if they are kTwice times too long, and doubled in length if kSlack times fewer
+/// were enough.
+constexpr double kTwice = 2.0, kSlack = 4.0;
+
+/// Least power of two that is at least x.
+double powerOfTwo(double x) { return std::exp2(std::ceil(std::log2(std::max(x, 1.0)))); }
+
+}  // namespace
+
+Coarseness Coarseness::of(double turn, double share, double overlap) {
+  // share ≥ (ωΔt)²/8 for two equal bodies, (ωΔt)²/4 for one to the ground: ωΔt ≤ 2 √(2 share).
+  return {turn / kMostTurn, 2.0 * std::sqrt(2.0 * share) / kMostSwing, share > kStable,
+          overlap / kMostOverlap};
+}
+
+int StepDivision::begin() {
+  if (!divides_) return 1;
+  if (need_ > parts_) parts_ = powerOfTwo(need_);
+  if (kSlack * need_ <= parts_) parts_ = std::max(1.0, 0.5 * parts_);
+  swings_ = swings_ && parts_ > 1.0;
+  need_ = 1.0, finest_ = parts_;
+  return static_cast<int>(parts_);
+}
+
+int StepDivision::parts(const Coarseness& c, double share, long most) {
+  if (!divides_ || !(share > 0.0)) return 1;
+  const double bound = std::min(static_cast<double>(most), kMostEqual);
+  // What cannot be resolved is damped instead, and costs no parts.
+  const bool resolvable = c.swing <= share * bound;
+  if (!resolvable) swings_ = false;
+  if (c.unstable && resolvable) swings_ = true;
+  // Parts that were equal so far stay so until they are twice too long.
+  const bool rough = swings_ && (c.unstable || c.swing > kTwice);
+  const double motion = std::max(c.turn, rough ? c.swing : 0.0);
+  const double wanted = std::min(std::max(motion, c.overlap), bound * share);
+  const double needed = std::max(c.turn, swings_ ? c.swing : 0.0);
+  // The next step moves alike; its bodies need not meet.
+  need_ = std::max(need_, std::min(needed / share, bound));
+  const double n = powerOfTwo(wanted);
+  if (n > 1.0) finest_ = std::max(finest_, std::ceil(n / share));
+  return static_cast<int>(n);
+}
+
+void StepDivision::archive(Archive& a) {
+  a(swings_), a(parts_), a(need_);
+  if (!(need_ >= 1.0) || !(parts_ >= 1.0) || !(parts_ <= 2.0 * kMostEqual))
+    throw ModelError("the checkpoint divides steps into parts that no run has");
+}
+
+}  // namespace dynamy

@@ -1,0 +1,53 @@
+/// StepDivision: into how many equal parts a step of given length is divided because it is too long
+/// for the motion: bodies turn too far in it, or forces swing too fast. Only steps of the scheme
+/// that the program chose are divided; whoever names a scheme gets its steps (theory 37.6).
+#pragma once
+#include <dynamy/core/archive.hpp>
+
+namespace dynamy {
+
+/// How coarse an attempted step is, as numbers of equal parts that would not be; up to 1: fine.
+struct Coarseness {
+  double turn = 0.0;      ///< parts in which no body turns by more than kMostTurn
+  double swing = 0.0;     ///< parts that resolve the forces, ωΔt ≤ kMostSwing in each
+  bool unstable = false;  ///< the step does not resolve its forces and takes them at its end
+  double overlap = 0.0;   ///< parts after which bodies that meet in the step do not overlap much
+  /// Turn of a body in a part [rad]; the run warns of more.
+  static constexpr double kMostTurn = 1.0;
+  /// ωΔt in a part of forces that the step does not resolve; an explicit step changes the
+  /// energy of an oscillation by (ωΔt)²/8 and back.
+  static constexpr double kMostSwing = 0.2;
+  /// Overlap that a part brings about where it solves for its contacts, over the length of the
+  /// scene; the run warns of 1 % at ends of steps.
+  static constexpr double kMostOverlap = 0.008;
+  /// Coarseness of a step: largest turn of a body in it [rad], share of the stability limit that
+  /// its forces use up (UnresolvedForces; up to one half explicit rules are stable), and overlap
+  /// that it brought about, over the scene's length.
+  static Coarseness of(double turn, double share, double overlap = 0.0);
+};
+
+/// The number of parts is a power of two and changes seldom, because explicit rules keep the energy
+/// of an oscillation only while their steps are equal.
+class StepDivision {
+ public:
+  explicit StepDivision(bool divides) : divides_(divides) {}
+  bool divides() const { return divides_; }
+  /// Begins a full step; returns the number of its parts, as the last step needed them.
+  int begin();
+  /// Number of parts, a power of two, into which the attempted part of `share` of the full step is
+  /// to be divided; 1: it is fine, or so many parts would be more than `most` in the full step.
+  int parts(const Coarseness& c, double share, long most);
+  /// Number of parts that the present step has, if all were as short as its shortest; 1: it was not
+  /// divided.
+  int finest() const { return static_cast<int>(finest_); }
+  /// Throws ModelError on numbers that no run produces.
+  void archive(Archive& a);
+
+ private:
+  bool divides_;
+  bool swings_ = false;              // steps are divided for the sake of forces
+  double parts_ = 1.0, need_ = 1.0;  // equal parts of a full step; parts that it needed
+  double finest_ = 1.0;
+};
+
+}  // namespace dynamy
