@@ -12,7 +12,8 @@ void ImplicitForces::resolve(const SystemParts& parts, const Evaluation& e, cons
                              double dt, const ImplicitWeights& declared) {
   unresolved_ =
       stiff_.evaluateUnresolved(*parts.topology, parts.forces, e.kinematics, x, e.mass, dt);
-  share_ = stiff_.share();
+  const double share = stiff_.share();
+  resolution_ = {share, share > ForceResolution::kExplicit};
   damped_ = unresolved_ ? stiff_.unresolved() : 0;
   if (!unresolved_) return;
   stiff_.factor(e.mass, dt, declared);

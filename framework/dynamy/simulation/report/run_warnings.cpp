@@ -184,7 +184,7 @@ constexpr std::array<WarningKind, 15> kKinds = {{
     {"unsolved", Says::qualifies, "an inclusion missed its tolerance"},
     {"energy gain", Says::qualifies, "T + V rose and nothing brought it in"},
     {"energy", Says::warning, "energy went where no force did work: the scheme's own error"},
-    {"impact law", Says::note, "impacts would have gained energy by their law"},
+    {"impact law", Says::warning, "impacts would have gained energy by their law"},
     {"start", Says::warning, "the model puts bodies into each other"},
     {"overlap", Says::qualifies, "bodies overlap by more than a step explains"},
     {"joints", Says::qualifies, "a joint is off at the end of a step"},

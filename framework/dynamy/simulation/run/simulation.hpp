@@ -74,7 +74,7 @@ class Simulation final : private Stepper {
   void reject() override;
   bool fail(const StepReport& report) override;
   bool sound() const override { return step_.sound(); }
-  Coarseness coarseness() const override { return step_.coarseness(); }
+  Coarseness coarseness() override { return step_.coarseness(); }
   void divided(int parts) override;
   Passing passing(double ahead) override;
   void leave(const Passing& p) override;

@@ -38,7 +38,7 @@ class StepAttempt {
   /// Of the step tried last; dt = 0: none.
   const StepReport& report() const { return report_; }
   /// How coarse the step is for the motion.
-  Coarseness coarseness() const { return coarseness_.of(system_, report_.dt); }
+  Coarseness coarseness() { return coarseness_.of(system_, x_, report_.dt); }
   bool sound() const;
   /// Why the attempted state is not sound; empty: it is.
   std::string fault() const;

@@ -8,24 +8,30 @@ namespace dynamy {
 StepCoarseness::StepCoarseness(const Model& model)
     : turning_(turningFrames(model)), length_(model.length()) {}
 
-Coarseness StepCoarseness::of(const MechanicalSystem& system, double dt) const {
+Coarseness StepCoarseness::of(const MechanicalSystem& system, const State& after, double dt) {
   const Kinematics& k = system.slot(0).kinematics;
   double square = 0.0;  // of the fastest body's rate [rad²/s²]
   for (const FrameHandle f : turning_) square = std::max(square, k.frame(f).Omega_I.squaredNorm());
-  return Coarseness::of(std::sqrt(square) * dt, system.implicitForces().share(),
-                        newOverlap(system, dt) / length_);
+  return Coarseness::of(std::sqrt(square) * dt, system.implicitForces().resolution(),
+                        newOverlap(system, after, dt) / length_);
 }
 
-/// Largest overlap that the step brought about where it solved for its contacts [m].
-double StepCoarseness::newOverlap(const MechanicalSystem& system, double dt) const {
+/// Largest overlap that the step brought about, where it solved for its contacts or at its end [m].
+double StepCoarseness::newOverlap(const MechanicalSystem& system, const State& after, double dt) {
   const ContactSet& c = system.slot(0).contacts;
+  const auto rows = static_cast<std::size_t>(c.rows());
   const std::vector<double>& gammaA = system.problem().gammaA;
-  if (gammaA.size() != static_cast<std::size_t>(c.rows())) return 0.0;
+  if (rows == 0 || gammaA.size() != rows) return 0.0;
+  gammaE_.resize(rows);
+  c.gamma(view(after.u), {gammaE_.data(), static_cast<Eigen::Index>(rows)});
+  const double rest = after.t - system.slot(0).t;
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
+    if (!c.law[static_cast<std::size_t>(i)]->unilateral()) continue;
     const auto row = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)]);
-    if (c.law[static_cast<std::size_t>(i)]->unilateral())
-      worst = std::max(worst, std::min(-c.position[row], -gammaA[row] * dt));
+    const double solved = -c.position[row], atEnd = solved - rest * gammaE_[row];
+    const double way = dt * std::max(-gammaA[row], -gammaE_[row]);
+    worst = std::max(worst, std::min(std::max(solved, atEnd), way));
   }
   return worst;
 }

@@ -9,12 +9,13 @@ class StepCoarseness {
  public:
   /// `model` is built.
   explicit StepCoarseness(const Model& model);
-  /// Of the step of length dt [s] that `system` took last.
-  Coarseness of(const MechanicalSystem& system, double dt) const;
+  /// Of the step of length dt [s] that `system` took last, to the state `after`.
+  Coarseness of(const MechanicalSystem& system, const State& after, double dt);
 
  private:
-  double newOverlap(const MechanicalSystem& system, double dt) const;
+  double newOverlap(const MechanicalSystem& system, const State& after, double dt);
   std::vector<FrameHandle> turning_;
+  std::vector<double> gammaE_;
   double length_;  // of the scene [m]
 };
 

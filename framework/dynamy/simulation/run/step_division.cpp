@@ -6,21 +6,19 @@
 namespace dynamy {
 namespace {
 
-/// Above this share of the stability limit forces are taken at the end of the step.
-constexpr double kStable = 0.5;
 constexpr double kMostEqual = 4096.0;
-/// Parts are divided again if they are kTwice times too long, and doubled in length if kSlack times fewer
+/// Parts are divided again if they are kTolerated times too long, and doubled in length if kSlack times fewer
 /// were enough.
-constexpr double kTwice = 2.0, kSlack = 4.0;
+constexpr double kTolerated = 1.5, kSlack = 4.0;
 
 /// Least power of two that is at least x.
 double powerOfTwo(double x) { return std::exp2(std::ceil(std::log2(std::max(x, 1.0)))); }
 
 }  // namespace
 
-Coarseness Coarseness::of(double turn, double share, double overlap) {
+Coarseness Coarseness::of(double turn, const ForceResolution& forces, double overlap) {
   // share ≥ (ωΔt)²/8 for two equal bodies, (ωΔt)²/4 for one to the ground: ωΔt ≤ 2 √(2 share).
-  return {turn / kMostTurn, 2.0 * std::sqrt(2.0 * share) / kMostSwing, share > kStable,
+  return {turn / kMostTurn, 2.0 * std::sqrt(2.0 * forces.share) / kMostSwing, forces.coarse,
           overlap / kMostOverlap};
 }
 
@@ -39,9 +37,9 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
   // What cannot be resolved is damped instead, and costs no parts.
   const bool resolvable = c.swing <= share * bound;
   if (!resolvable) swings_ = false;
-  if (c.unstable && resolvable) swings_ = true;
-  // Parts that were equal so far stay so until they are twice too long.
-  const bool rough = swings_ && (c.unstable || c.swing > kTwice);
+  if (c.coarse && resolvable) swings_ = true;
+  // Parts that were equal so far stay so until they are kTolerated times too long.
+  const bool rough = swings_ && (c.coarse || c.swing > kTolerated);
   const double motion = std::max(c.turn, rough ? c.swing : 0.0);
   const double wanted = std::min(std::max(motion, c.overlap), bound * share);
   const double needed = std::max(c.turn, swings_ ? c.swing : 0.0);

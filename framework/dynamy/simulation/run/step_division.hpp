@@ -3,27 +3,26 @@
 /// that the program chose are divided; whoever names a scheme gets its steps (theory 37.6).
 #pragma once
 #include <dynamy/core/archive.hpp>
+#include <dynamy/stages/implicit_forces.hpp>
 
 namespace dynamy {
 
 /// How coarse an attempted step is, as numbers of equal parts that would not be; up to 1: fine.
 struct Coarseness {
-  double turn = 0.0;      ///< parts in which no body turns by more than kMostTurn
-  double swing = 0.0;     ///< parts that resolve the forces, ωΔt ≤ kMostSwing in each
-  bool unstable = false;  ///< the step does not resolve its forces and takes them at its end
-  double overlap = 0.0;   ///< parts after which bodies that meet in the step do not overlap much
+  double turn = 0.0;     ///< parts in which no body turns by more than kMostTurn
+  double swing = 0.0;    ///< parts that resolve the forces, ωΔt ≤ kMostSwing in each
+  bool coarse = false;   ///< the step does not resolve its forces well
+  double overlap = 0.0;  ///< parts after which bodies that meet in the step do not overlap much
   /// Turn of a body in a part [rad]; the run warns of more.
   static constexpr double kMostTurn = 1.0;
   /// ωΔt in a part of forces that the step does not resolve; an explicit step changes the
   /// energy of an oscillation by (ωΔt)²/8 and back.
-  static constexpr double kMostSwing = 0.2;
-  /// Overlap that a part brings about where it solves for its contacts, over the length of the
-  /// scene; the run warns of 1 % at ends of steps.
+  static constexpr double kMostSwing = 0.18;
+  /// Overlap that a part brings about, over the length of the scene; the run warns of 1 %.
   static constexpr double kMostOverlap = 0.008;
-  /// Coarseness of a step: largest turn of a body in it [rad], share of the stability limit that
-  /// its forces use up (UnresolvedForces; up to one half explicit rules are stable), and overlap
-  /// that it brought about, over the scene's length.
-  static Coarseness of(double turn, double share, double overlap = 0.0);
+  /// Coarseness of a step: largest turn of a body in it [rad], how well it resolves the forces, and
+  /// overlap that it brought about, over the scene's length.
+  static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0);
 };
 
 /// The number of parts is a power of two and changes seldom, because explicit rules keep the energy

@@ -8,7 +8,7 @@ constexpr int kMostHalvings = 6;
 constexpr int kFewer = 4, kMore = 2;
 /// Full steps after one in parts in which fast bodies are expected.
 constexpr int kExpected = 10;
-constexpr long kMostParts = 2000, kFewestParts = 8, kWork = 60000;  ///< see mostParts()
+constexpr long kMostParts = 2000, kFewestParts = 8, kWork = 48000;  ///< see mostParts()
 }  // namespace
 
 long partsWithinWork(int nu, long evaluations) {
@@ -71,7 +71,7 @@ bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {
   return taken;
 }
 
-int FixedStep::partsOf(const Stepper& stepper, double dt, long evaluations) {
+int FixedStep::partsOf(Stepper& stepper, double dt, long evaluations) {
   if (!division_.divides()) return 1;
   const long most = std::max(partsWithinWork(nu_, evaluations), 1l);
   return division_.parts(stepper.coarseness(), dt / whole_, most);

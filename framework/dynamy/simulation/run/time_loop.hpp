@@ -28,7 +28,7 @@ class Stepper {
   /// True if the attempted state holds no NaN and no infinity, and no mass was indefinite.
   virtual bool sound() const = 0;
   /// How coarse the attempted step is for the motion.
-  virtual Coarseness coarseness() const = 0;
+  virtual Coarseness coarseness() = 0;
   /// The last full step was taken in up to `parts` equal parts, because it was too coarse.
   virtual void divided(int parts) = 0;
   /// The first contact that the attempted step went through, if any (theory 37). With `ahead` > 0
@@ -87,7 +87,7 @@ class Allowance {
 };
 
 /// Number of parts of a step of a model with nu velocities, each of which costs `evaluations`
-/// evaluations of all bodies, such that parts times evaluations times velocities are at most 60 000.
+/// evaluations of all bodies, such that parts times evaluations times velocities are at most 48 000.
 long partsWithinWork(int nu, long evaluations);
 /// The same for the parts into which a step is cut for fast bodies: there may always be 8 of them,
 /// and never more than 2000.
@@ -113,7 +113,7 @@ class FixedStep final : public TimeLoop {
   /// Takes a full step, in as many equal parts as the last one needed.
   bool full(Stepper& stepper, double tEnd, double dt);
   /// Number of equal parts into which the attempted step of length dt is to be divided; 1: none.
-  int partsOf(const Stepper& stepper, double dt, long evaluations);
+  int partsOf(Stepper& stepper, double dt, long evaluations);
   /// Takes a step in n equal parts.
   bool divide(Stepper& stepper, double tEnd, double dt, int n);
   /// Takes one step with the policy for missed tolerances; it has been halved `depth` times so far.

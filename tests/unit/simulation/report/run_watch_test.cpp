@@ -135,9 +135,9 @@ TEST(RunWatch, AWarningSaysHowOftenWhenAndWhere) {
 TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
   for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
     EXPECT_EQ(warningKind(kind)->says, Says::qualifies) << kind;
-  for (const char* kind : {"energy", "start", "resolution", "rest"})
+  for (const char* kind : {"energy", "impact law", "start", "resolution", "rest"})
     EXPECT_EQ(warningKind(kind)->says, Says::warning) << kind;
-  for (const char* kind : {"impact law", "start velocities", "start positions"})
+  for (const char* kind : {"start velocities", "start positions"})
     EXPECT_EQ(warningKind(kind)->says, Says::note) << kind;
   RunReport r;
   r.warnings.push_back({"resolution", "", 1, 0.0, ""});

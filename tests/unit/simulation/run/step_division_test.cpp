@@ -9,27 +9,31 @@ namespace {
 
 constexpr long kPlenty = 1000;
 
+/// Of an explicit step.
+Coarseness coarseness(double turn, double share, double overlap = 0.0) {
+  return Coarseness::of(turn, {share, share > ForceResolution::kExplicit}, overlap);
+}
+
 TEST(StepDivision, FollowsTheFastestTurn) {
   StepDivision d(true);
   EXPECT_EQ(d.begin(), 1);
-  EXPECT_EQ(d.parts(Coarseness::of(0.9, 0.0), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(coarseness(0.9, 0.0), 1.0, kPlenty), 1);
   EXPECT_EQ(d.finest(), 1);
-  EXPECT_EQ(d.parts(Coarseness::of(2.5, 0.0), 1.0, kPlenty), 4);  // at most 1 rad in each
+  EXPECT_EQ(d.parts(coarseness(2.5, 0.0), 1.0, kPlenty), 4);  // at most 1 rad in each
   EXPECT_EQ(d.finest(), 4);
-  for (int k = 0; k < 4; ++k) EXPECT_EQ(d.parts(Coarseness::of(0.625, 0.0), 0.25, kPlenty), 1);
+  for (int k = 0; k < 4; ++k) EXPECT_EQ(d.parts(coarseness(0.625, 0.0), 0.25, kPlenty), 1);
   EXPECT_EQ(d.begin(), 4);  // the next step needs as many
 }
 
 TEST(StepDivision, ResolvesForcesThatAStepDoesNot) {
   StepDivision d(true);
   d.begin();
-  // Up to one half of the limit explicit steps are stable: nothing is divided.
-  EXPECT_EQ(d.parts(Coarseness::of(0.0, 0.5), 1.0, kPlenty), 1);
-  // A share of 2 is ωΔt ≤ 2 √4 = 4: twenty parts of 0.2, so 32.
-  EXPECT_EQ(d.parts(Coarseness::of(0.0, 2.0), 1.0, kPlenty), 32);
+  // ωΔt ≤ 2 √(2/32) = 0.5: nothing is divided.
+  EXPECT_EQ(d.parts(coarseness(0.0, 1.0 / 32.0), 1.0, kPlenty), 1);
+  // A share of 2 is ωΔt ≤ 2 √4 = 4: 22.2 parts of 0.18, so 32.
+  EXPECT_EQ(d.parts(coarseness(0.0, 2.0), 1.0, kPlenty), 32);
   const double share = 2.0 / (32.0 * 32.0);
-  for (int k = 0; k < 32; ++k)
-    EXPECT_EQ(d.parts(Coarseness::of(0.0, share), 1.0 / 32.0, kPlenty), 1);
+  for (int k = 0; k < 32; ++k) EXPECT_EQ(d.parts(coarseness(0.0, share), 1.0 / 32.0, kPlenty), 1);
   EXPECT_EQ(d.begin(), 32);
 }
 
@@ -37,16 +41,17 @@ TEST(StepDivision, ChangesTheNumberOfPartsSeldom) {
   StepDivision d(true);
   const auto step = [&d](double share) {  // of a full step
     const int n = d.begin();
-    const int again = d.parts(Coarseness::of(0.0, share / (n * n)), 1.0 / n, kPlenty);
+    const int again = d.parts(coarseness(0.0, share / (n * n)), 1.0 / n, kPlenty);
     if (again > 1)
-      d.parts(Coarseness::of(0.0, share / (n * n * again * again)), 1.0 / (n * again), kPlenty);
+      d.parts(coarseness(0.0, share / (n * n * again * again)), 1.0 / (n * again), kPlenty);
     return n;
   };
   step(2.0);
   EXPECT_EQ(step(2.0), 32);
-  EXPECT_EQ(step(4.0), 32);  // needs 28.3
-  EXPECT_EQ(step(1.0), 32);  // needs 14.1
-  EXPECT_EQ(step(0.1), 32);  // needs 4.5: fewer parts from now on
+  EXPECT_EQ(step(8.0), 32);  // would need 44.4: more parts from now on
+  EXPECT_EQ(step(1.2), 64);  // needs 17.2
+  EXPECT_EQ(step(0.1), 64);  // needs 5: fewer parts from now on
+  EXPECT_EQ(step(0.1), 32);
   EXPECT_EQ(step(0.1), 16);
   EXPECT_EQ(step(0.1), 16);  // a quarter of 16 would not do
 }
@@ -54,14 +59,14 @@ TEST(StepDivision, ChangesTheNumberOfPartsSeldom) {
 TEST(StepDivision, LeavesForcesDampedThatWouldCostTooMuch) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(Coarseness::of(0.0, 1e4), 1.0, kPlenty), 1);  // 1414 parts
-  EXPECT_EQ(d.parts(Coarseness::of(3.0, 1e4), 1.0, kPlenty), 4);  // bodies turn all the same
+  EXPECT_EQ(d.parts(coarseness(0.0, 1e4), 1.0, kPlenty), 1);  // 1571 parts
+  EXPECT_EQ(d.parts(coarseness(3.0, 1e4), 1.0, kPlenty), 4);  // bodies turn all the same
 }
 
 TEST(StepDivision, OfAMeetingLastsOneStep) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(Coarseness::of(0.0, 0.0, 0.02), 1.0, kPlenty), 4);  // 0.8 % of the length each
+  EXPECT_EQ(d.parts(coarseness(0.0, 0.0, 0.02), 1.0, kPlenty), 4);  // 0.8 % of the length each
   EXPECT_EQ(d.finest(), 4);
   EXPECT_EQ(d.begin(), 1);
 }
@@ -70,19 +75,19 @@ TEST(StepDivision, IsOffForANamedScheme) {
   StepDivision d(false);
   EXPECT_FALSE(d.divides());
   EXPECT_EQ(d.begin(), 1);
-  EXPECT_EQ(d.parts(Coarseness::of(10.0, 10.0, 1.0), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(coarseness(10.0, 10.0, 1.0), 1.0, kPlenty), 1);
 }
 
 TEST(StepDivision, StopsAtItsBound) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(Coarseness::of(100.0, 0.0), 1.0, 8), 8);
-  EXPECT_EQ(d.parts(Coarseness::of(12.5, 0.0), 0.125, 8), 1);
+  EXPECT_EQ(d.parts(coarseness(100.0, 0.0), 1.0, 8), 8);
+  EXPECT_EQ(d.parts(coarseness(12.5, 0.0), 0.125, 8), 1);
 }
 
 TEST(StepDivision, IsKeptAndExamined) {
   StepDivision d(true), same(true);
-  d.begin(), d.parts(Coarseness::of(2.5, 0.0), 1.0, kPlenty);
+  d.begin(), d.parts(coarseness(2.5, 0.0), 1.0, kPlenty);
   Archive out;
   d.archive(out);
   Archive in(out.bytes());
