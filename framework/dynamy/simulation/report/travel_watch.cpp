@@ -89,7 +89,13 @@ void TravelWatch::step(const StepView& view) {
   }
   for (const FrameHandle f : turning_)
     trust_.turn = std::max(trust_.turn, k.frame(f).Omega_I.norm() * dt);
+  for (const Mover& m : movers_)
+    trust_.leap = std::max(trust_.leap, k.frame(m.frame).v_S_I.norm() * dt / m.size);
+}
+
+void TravelWatch::contacts(const StepView& view) {
   // The speed of systems without frames is that of their contacts.
+  const double dt = view.report.dt;
   const ContactSet& c = view.system.slot(0).contacts;
   const std::vector<double>& gammaA = view.system.problem().gammaA;
   for (int i = 0; i < c.size() && gammaA.size() == static_cast<std::size_t>(c.rows()); ++i) {
@@ -97,8 +103,6 @@ void TravelWatch::step(const StepView& view) {
     if (c.law[static_cast<std::size_t>(i)]->unilateral())
       trust_.way = std::max(trust_.way, -gammaA[row] * dt);
   }
-  for (const Mover& m : movers_)
-    trust_.leap = std::max(trust_.leap, k.frame(m.frame).v_S_I.norm() * dt / m.size);
 }
 
 }  // namespace dynamy

@@ -16,7 +16,10 @@ class TravelWatch {
  public:
   /// Results go to report.trust. Both arguments outlive the watch; `model` is built.
   TravelWatch(const Model& model, RunReport& report);
+  /// Examines the frames.
   void step(const StepView& view);
+  /// Examines the contacts, which are those of an impact for one step only.
+  void contacts(const StepView& view);
 
  private:
   void collectShapes();

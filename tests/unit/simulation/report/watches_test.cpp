@@ -24,7 +24,7 @@ class Parts final : public Observer {
   }
   void step(const StepView& view) override {
     ledger.step(view), ++report.steps;
-    travel.step(view);
+    travel.step(view), travel.contacts(view);
     given = resolution.step(view);
     energy.forcesGive(given);
     gaps.step(view);
