@@ -95,6 +95,11 @@ TEST_F(ExitStatus, AStartThatJointsDoNotAllowIsReportedAndRefusedByStrictAlone) 
   EXPECT_EQ(call("check rod.xml --strict"), 2);
   EXPECT_EQ(call("run rod.xml --quiet --out r"), 0) << err();
   const std::string facts = readWholeFile(path("r/run.json"));
+  // A note is no warning.
+  const std::size_t warnings = facts.find("\"warnings\""), notes = facts.find("\"notes\"");
+  ASSERT_NE(notes, std::string::npos);
+  EXPECT_LT(warnings, notes);
+  EXPECT_GT(facts.find("\"kind\": \"start velocities\""), notes);
   EXPECT_NE(facts.find("\"kind\": \"start velocities\""), std::string::npos);
   EXPECT_EQ(call("run rod.xml --quiet --out strict --strict"), 2);
   EXPECT_NE(err().find("start velocities: joint pin (rod.xml:4:"), std::string::npos) << err();

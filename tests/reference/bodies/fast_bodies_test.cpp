@@ -254,6 +254,23 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FastBodies,
 
 // ---- limits and costs --------------------------------------------------------------------------
 
+TEST(FastBodiesLimits, AContactThatLastsIsNotPassedAgainAndAgain) {
+  // A box at 300 rad/s pushes a cube along its face, at 0.15 m from its axis at most: the face gains on
+  // the cube's straight path by ½ ω² r t² ≤ 6750 m/s² t². It takes 1.7e-4 s to 1e-2 of the cube's
+  // half edge of 2 cm, so that a step has up to six cuts; 1e-6 of it would make 580.
+  const Ran r =
+      run("<systems><RigidBody name=\"box\" euler=\"0 -0.3 0\" angularVelocity=\"0 -300 0\"><Box "
+          "size=\"0.3 0.3 0.04\" mass=\"300\" material=\"a\"/></RigidBody><RigidBody name=\"cube\" "
+          "position=\"0.1 0 0.08\"><Box size=\"0.04 0.04 0.04\" mass=\"0.1\" "
+          "material=\"a\"/></RigidBody></systems><elements><Contact between=\"a "
+          "a\"><Unilateral/></Contact></elements>" +
+          scheme("MoreauMidpoint", 0.02));
+  EXPECT_GT(r.report.passing.parted, 0);
+  EXPECT_LE(r.report.passing.parted, 20 * 6);
+  EXPECT_EQ(r.report.passing.left, 0);
+  EXPECT_LT(r.report.gaps.penetration.value, 0.02);  // it does not get through
+}
+
 TEST(FastBodiesLimits, AStepOfTooManyHitsHasAnEndAndIsReported) {
   // 1 µm of play at 300 m/s: 3e5 hits per step.
   const Ran r = run(withE(1.0) + "<systems>" + ball("ball", "0 0 0", "300 0 0") +

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <reference/scene.hpp>
+#include <tuple>
 
 namespace dynamy::reference {
 namespace {
@@ -43,6 +44,21 @@ TEST(DividedSteps, FollowASpringThatTheStepDoesNot) {
   EXPECT_EQ(s.report().passing.finest, 32);  // 2 √(2 · 4)/0.18 = 31.4
   EXPECT_EQ(s.report().trust.damped, 0);
   EXPECT_TRUE(s.report().warnings.empty());
+}
+
+TEST(DividedSteps, GoOnAfterAStopAsIfThereWereNone) {
+  const auto run = [](double until, const std::string& checkpoint) {
+    Scene scene("oscillator", {.text = oscillator("")});
+    scene.model().simulation.until = until;
+    Simulation s(scene.model());
+    if (!checkpoint.empty()) s.resume(checkpoint);
+    s.run();
+    return std::tuple(s.checkpoint(), s.state().q, s.state().u, s.report().passing.divided);
+  };
+  const auto straight = run(2.0, ""), stopped = run(2.0, std::get<0>(run(1.0, "")));
+  EXPECT_EQ(std::get<1>(straight), std::get<1>(stopped));
+  EXPECT_EQ(std::get<2>(straight), std::get<2>(stopped));
+  EXPECT_EQ(std::get<3>(straight), std::get<3>(stopped));
 }
 
 TEST(DividedSteps, AreNotThoseOfANamedScheme) {

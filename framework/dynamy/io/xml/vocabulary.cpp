@@ -29,7 +29,11 @@ Word simulation() {
                 {"doc"}, {Kind::scheme, Kind::solver, Kind::impact});
   Attributes& a = w.attributes;
   a.optional("until", Unit::time, 1.0, "end time").positive();
-  a.required("step", Unit::time, "length of a step").positive().mayBeAbsent();
+  a.required(
+       "step", Unit::time,
+       "length of a step; one that is too long for the motion is divided, if no scheme is named")
+      .positive()
+      .mayBeAbsent();
   a.required("tolerance", Unit::none, "wanted accuracy; the program chooses the steps")
       .positive()
       .mayBeAbsent();

@@ -98,10 +98,11 @@ void TravelWatch::contacts(const StepView& view) {
   const double dt = view.report.dt;
   const ContactSet& c = view.system.slot(0).contacts;
   const std::vector<double>& gammaA = view.system.problem().gammaA;
-  for (int i = 0; i < c.size() && gammaA.size() == static_cast<std::size_t>(c.rows()); ++i) {
+  if (gammaA.size() != static_cast<std::size_t>(c.rows())) return;
+  for (int i = 0; i < c.size(); ++i) {
     const auto row = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)]);
-    if (c.law[static_cast<std::size_t>(i)]->unilateral())
-      trust_.way = std::max(trust_.way, -gammaA[row] * dt);
+    if (-gammaA[row] * dt > trust_.way && c.law[static_cast<std::size_t>(i)]->unilateral())
+      trust_.way = -gammaA[row] * dt;
   }
 }
 

@@ -27,11 +27,11 @@ double StepCoarseness::newOverlap(const MechanicalSystem& system, const State& a
   const double rest = after.t - system.slot(0).t;
   double worst = 0.0;
   for (int i = 0; i < c.size(); ++i) {
-    if (!c.law[static_cast<std::size_t>(i)]->unilateral()) continue;
     const auto row = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)]);
     const double solved = -c.position[row], atEnd = solved - rest * gammaE_[row];
     const double way = dt * std::max(-gammaA[row], -gammaE_[row]);
-    worst = std::max(worst, std::min(std::max(solved, atEnd), way));
+    const double overlap = std::min(std::max(solved, atEnd), way);
+    if (overlap > worst && c.law[static_cast<std::size_t>(i)]->unilateral()) worst = overlap;
   }
   return worst;
 }

@@ -6,7 +6,7 @@
 namespace dynamy {
 namespace {
 
-constexpr double kMostEqual = 4096.0;
+constexpr double kMostEqual = 4096.0;  ///< parts of a full step
 /// Parts are divided again if they are kTolerated times too long, and doubled in length if kSlack times fewer
 /// were enough.
 constexpr double kTolerated = 1.5, kSlack = 4.0;

@@ -15,8 +15,8 @@ struct Coarseness {
   double overlap = 0.0;  ///< parts after which bodies that meet in the step do not overlap much
   /// Turn of a body in a part [rad]; the run warns of more.
   static constexpr double kMostTurn = 1.0;
-  /// ωΔt in a part of forces that the step does not resolve; an explicit step changes the
-  /// energy of an oscillation by (ωΔt)²/8 and back.
+  /// ωΔt in a part of forces that the step does not resolve; in explicit steps the energy of an
+  /// oscillation swings by up to (ωΔt)²/4 of itself, here 0.8 %.
   static constexpr double kMostSwing = 0.18;
   /// Overlap that a part brings about, over the length of the scene; the run warns of 1 %.
   static constexpr double kMostOverlap = 0.008;
@@ -29,6 +29,7 @@ struct Coarseness {
 /// of an oscillation only while their steps are equal.
 class StepDivision {
  public:
+  /// `divides`: false: every step has one part.
   explicit StepDivision(bool divides) : divides_(divides) {}
   bool divides() const { return divides_; }
   /// Begins a full step; returns the number of its parts, as the last step needed them.
