@@ -129,6 +129,7 @@ class FixedStep final : public TimeLoop {
   double whole_ = 0.0;   // length of the present full step [s]
   int quiet_ = 1 << 20;  // full steps since one was taken in parts
   Allowance parts_{2000}, halves_{24};
+  bool first_ = true;  // no attempt yet
   bool rest_ = false;  // the last, shortened step has been taken
 };
 
