@@ -371,7 +371,8 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
   json.member("systems", r.stepping.systems);
   json.member("time", r.stepping.time).member("longest", r.stepping.longest);
-  json.member("error", r.stepping.error).member("firstTime", r.stepping.first.t);
+  json.member("error", r.stepping.error).member("total", r.stepping.total);
+  json.member("firstTime", r.stepping.first.t);
   json.member("firstContact", r.stepping.first.name).endObject();
   json.member("repairedImpacts", r.contacts.repairedImpacts);
   write(json, "energyGain", r.contacts.energyGain);

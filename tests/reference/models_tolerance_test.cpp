@@ -51,7 +51,9 @@ TEST(ModelsToATolerance, RunAsTheirPageSays) {
     const RunReport& r = run.run();
     EXPECT_EQ(r.ended, RunReport::Ended::finished) << name << ": " << r.reason;
     EXPECT_EQ(r.stepping.periods > 0, late) << name;
-    const auto warned = [](const Warning& w) { return w.kind == "time stepping"; };
+    const auto warned = [](const Warning& w) {
+      return w.kind == "time stepping" || w.kind == "stepped";
+    };
     EXPECT_EQ(std::any_of(r.warnings.begin(), r.warnings.end(), warned), late) << name;
   }
   for (const char* word : {"expensive", "stepped"})

@@ -28,7 +28,7 @@ std::string plasticBody(const std::string& name, const std::string& attributes,
 
 bool warnsOfStepping(const RunReport& r) {
   for (const Warning& w : r.warnings)
-    if (w.kind == "time stepping") return true;
+    if (w.kind == "time stepping" || w.kind == "stepped") return true;
   return false;
 }
 

@@ -45,6 +45,7 @@ void EnergyWatch::sample(const StepView& view) {
   // store energy give it back: only a rise that the scheme's own part shares is a gain.
   if (rise < least_ || e.discretisation < leastOwn_) sinceLeast_ = 0.0;
   least_ = std::min(least_, rise), leastOwn_ = std::min(leastOwn_, e.discretisation);
+  trust.regain = std::max(trust.regain, rise - least_);
   RunTrust now = trust;
   now.energyGain = std::min(rise - least_, e.discretisation - leastOwn_);
   now.energyGainTime = view.after.t, now.gainStep = sinceLeast_;

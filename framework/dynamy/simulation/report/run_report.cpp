@@ -3,9 +3,9 @@
 namespace dynamy {
 
 void RunTrust::archive(Archive& a) {
-  for (double* x :
-       {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise, &energyRiseTime,
-        &energyGain, &energyGainTime, &gainStep, &omegaDt, &turn, &way, &fall, &leap, &rounding})
+  for (double* x : {&kineticMax, &stepEnergy, &energyError, &energyErrorTime, &energyRise,
+                    &energyRiseTime, &energyGain, &energyGainTime, &regain, &gainStep, &omegaDt,
+                    &turn, &way, &fall, &leap, &rounding})
     a(*x);
   a(damped);
 }

@@ -44,6 +44,7 @@ struct RunTrust {
   /// Largest rise of T + V above its lowest level so far, as far as the scheme itself caused it
   /// [J], and its time [s].
   double energyGain = 0.0, energyGainTime = 0.0;
+  double regain = 0.0;    ///< largest rise of T + V above its lowest level so far, of any cause [J]
   double gainStep = 0.0;  ///< largest energy of the forces in a step since that level [J]
   double omegaDt = 0.0;   ///< resolution of smooth motion
   double turn = 0.0;      ///< [rad]
@@ -100,9 +101,10 @@ struct SteppingReport {
   double time = 0.0;     ///< all periods together [s]
   double longest = 0.0;  ///< step [s]
   double error = 0.0;    ///< largest estimated error of a step, in units of the tolerance
+  double total = 0.0;    ///< sum of these errors
   Worst first;           ///< when the first period began and the contact that switched there
   void archive(Archive& a) {
-    a(periods), a(steps), a(systems), a(stalls), a(time), a(longest), a(error), a(first);
+    a(periods), a(steps), a(systems), a(stalls), a(time), a(longest), a(error), a(total), a(first);
   }
 };
 

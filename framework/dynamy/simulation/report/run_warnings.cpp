@@ -20,11 +20,17 @@ constexpr double kStart = 1e-6;                ///< of the scene's length
 constexpr double kJoint = 1e-3;                ///< of the scene's length
 constexpr double kOmegaDt = 1.0;               ///< [rad]
 constexpr double kTurn = 1.0;                  ///< [rad]
+constexpr double kSteppedErrors = 10.0;        ///< sum over steps in time, in tolerances
 constexpr double kLeastShare = 1e-9;           ///< shares below this are not reported
 
 double ratio(double value, double scale) { return scale > 0.0 ? value / scale : 0.0; }
 
 using Warnings = std::vector<Warning>;
+
+/// What makes the figures of the run better.
+const char* remedy(const RunReport& r) {
+  return r.cost.effort.smooth > 0 ? "take a smaller tolerance" : "take a smaller step";
+}
 
 void aboutSolver(const RunReport& r, Warnings& out) {
   if (r.solver.unconverged == 0) return;
@@ -55,21 +61,23 @@ void aboutEnergy(const RunReport& r, Warnings& out) {
   if (rise > kEnergy)
     out.push_back({"energy gain",
                    fmt::format("T + V rose by {:.3g} J (t = {:.6g} s), {:.3g} of the largest T, "
-                               "and nothing brought it in; take a smaller step",
-                               risen, after ? t.energyGainTime : t.energyRiseTime, rise),
+                               "and nothing brought it in; {}",
+                               risen, after ? t.energyGainTime : t.energyRiseTime, rise, remedy(r)),
                    1, after ? t.energyGainTime : t.energyRiseTime});
   else if (error > kEnergy)
     out.push_back({"energy",
                    fmt::format("{:.3g} J (t = {:.6g} s), {:.3g} of the largest T, went "
-                               "where no force did work: the scheme's own error; take a "
-                               "smaller step",
-                               t.energyError, t.energyErrorTime, error),
+                               "where no force did work: the scheme's own error; {}",
+                               t.energyError, t.energyErrorTime, error, remedy(r)),
                    1, t.energyErrorTime});
 }
 
 void aboutImpacts(const RunReport& r, Warnings& out) {
   if (ratio(r.contacts.energyGain.value, r.trust.energyScale()) < kLeastShare) return;
-  out.push_back({"impact law",
+  // The smaller rebounds bring in no energy, so that the run is one of a law that can exist, unless
+  // forces of the same step did.
+  const bool risen = ratio(r.trust.regain, r.trust.energyScale()) > kEnergy;
+  out.push_back({risen ? "impact law" : "restitution",
                  fmt::format("{} impacts would have gained energy, {:.2g} J at most "
                              "(t = {:.6g} s): less rebound was taken",
                              r.contacts.repairedImpacts, r.contacts.energyGain.value,
@@ -137,14 +145,28 @@ void aboutStepping(const RunReport& r, Warnings& out) {
   const SteppingReport& s = r.stepping;
   if (s.periods == 0) return;
   const std::string at = s.first.name.empty() ? "" : " at " + s.first.name;
+  if (s.total <= kSteppedErrors) {
+    out.push_back(
+        {"stepped",
+         fmt::format("switches{} came too fast to be located, or no gap follows what "
+                     "touches there (t = {:.6g} s): {:.4g} s in {} period{} were stepped "
+                     "in time for {} system{}; the errors of these steps add up to {:.2g} "
+                     "times the tolerance",
+                     at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
+                     s.systems == 1 ? "" : "s", s.total),
+         s.periods, s.first.t, s.first.name});
+    return;
+  }
   out.push_back(
       {"time stepping",
-       fmt::format("switches{} came too fast to be located, or no gap follows what touches there "
-                   "(t = {:.6g} s): {:.4g} s in {} period{} were stepped in time for {} system{} "
-                   "with steps up to {:.2g} s, whose errors reach {:.2g} times the tolerance each; "
-                   "it is not promised for them, nor for what they touch, from there on",
-                   at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
-                   s.systems == 1 ? "" : "s", s.longest, s.error),
+       fmt::format(
+           "switches{} came too fast to be located, or no gap follows what touches there "
+           "(t = {:.6g} s): {:.4g} s in {} period{} were stepped in time for {} system{} "
+           "with steps up to {:.2g} s, whose errors reach {:.2g} times the tolerance each and "
+           "add up to {:.2g} times; it is not promised for them, nor for what they touch, "
+           "from there on",
+           at, s.first.t, s.time, s.periods, s.periods == 1 ? "" : "s", s.systems,
+           s.systems == 1 ? "" : "s", s.longest, s.error, s.total),
        s.periods, s.first.t, s.first.name});
 }
 
@@ -176,7 +198,7 @@ void aboutStep(const RunReport& r, double length, Warnings& out) {
                                              t.fall, t.fall / length)});
 }
 
-constexpr std::array<WarningKind, 15> kKinds = {{
+constexpr std::array<WarningKind, 17> kKinds = {{
     {"contradiction", Says::qualifies, "joints or drives contradict each other at the start"},
     {"start positions", Says::note, "joints did not fit at the start, bodies were moved onto them"},
     {"start velocities", Says::note,
@@ -185,6 +207,7 @@ constexpr std::array<WarningKind, 15> kKinds = {{
     {"energy gain", Says::qualifies, "T + V rose and nothing brought it in"},
     {"energy", Says::warning, "energy went where no force did work: the scheme's own error"},
     {"impact law", Says::warning, "impacts would have gained energy by their law"},
+    {"restitution", Says::note, "impacts would have gained energy by their law, and rebound less"},
     {"start", Says::warning, "the model puts bodies into each other"},
     {"overlap", Says::qualifies, "bodies overlap by more than a step explains"},
     {"joints", Says::qualifies, "a joint is off at the end of a step"},
@@ -192,6 +215,7 @@ constexpr std::array<WarningKind, 15> kKinds = {{
     {"simpler", Says::qualifies, "a simpler scheme took steps that the chosen one did not solve"},
     {"resolution", Says::warning, "steps are long for the motion"},
     {"rest", Says::warning, "forces changed unseen while nothing moved"},
+    {"stepped", Says::note, "switches were stepped in time, with errors near the tolerance"},
     {"time stepping", Says::qualifies,
      "switches were stepped in time: the tolerance is not promised"},
 }};

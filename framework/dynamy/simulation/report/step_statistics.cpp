@@ -52,6 +52,7 @@ void StepStatistics::stepped(const StepView& v) {
   ++r.steps, r.time += v.report.dt;
   r.systems = std::max(r.systems, counts.steppedSystems);
   r.longest = std::max(r.longest, v.report.dt), r.error = std::max(r.error, counts.stepError);
+  r.total += counts.stepError;
 }
 
 void StepStatistics::gaps(const StepView& v) {

@@ -132,12 +132,30 @@ TEST(RunWatch, AWarningSaysHowOftenWhenAndWhere) {
   EXPECT_EQ(all[1].t, 0.2);
 }
 
+TEST(RunWatch, RepairedImpactsAreANoteUnlessTheEnergyRose) {
+  RunReport r;
+  r.contacts.repairedImpacts = 2, r.contacts.energyGain.value = 0.1, r.trust.kineticMax = 1.0;
+  ASSERT_EQ(warningsOf(r, 1.0).size(), 1u);
+  EXPECT_EQ(warningsOf(r, 1.0)[0].kind, "restitution");
+  r.trust.regain = 2.0 * RunTrust::kWarned;
+  EXPECT_EQ(warningsOf(r, 1.0)[0].kind, "impact law");
+}
+
+TEST(RunWatch, StepsInTimeAreANoteIfTheirErrorsAddUpToTenTolerances) {
+  RunReport r;
+  r.stepping.periods = 1, r.stepping.systems = 3, r.stepping.error = 0.5, r.stepping.total = 9.0;
+  ASSERT_EQ(warningsOf(r, 1.0).size(), 1u);
+  EXPECT_EQ(warningsOf(r, 1.0)[0].kind, "stepped");
+  r.stepping.total = 11.0;
+  EXPECT_EQ(warningsOf(r, 1.0)[0].kind, "time stepping");
+}
+
 TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
   for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
     EXPECT_EQ(warningKind(kind)->says, Says::qualifies) << kind;
   for (const char* kind : {"energy", "impact law", "start", "resolution", "rest"})
     EXPECT_EQ(warningKind(kind)->says, Says::warning) << kind;
-  for (const char* kind : {"start velocities", "start positions"})
+  for (const char* kind : {"start velocities", "start positions", "restitution", "stepped"})
     EXPECT_EQ(warningKind(kind)->says, Says::note) << kind;
   RunReport r;
   r.warnings.push_back({"resolution", "", 1, 0.0, ""});
