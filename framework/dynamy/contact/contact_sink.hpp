@@ -5,8 +5,7 @@
 ///   }
 #pragma once
 #include <algorithm>
-#include <dynamy/contact/contact_set.hpp>
-#include <dynamy/system/kinematics.hpp>
+#include <dynamy/contact/near_contacts.hpp>
 
 namespace dynamy {
 
@@ -61,6 +60,8 @@ struct ContactRequest {
   bool follow = false;
   /// With follow: pairs of features that may touch within this time are noted [s]; below 0: none.
   double ahead = -1.0;
+  /// With follow: contacts outside of these need not be reported; null: all are.
+  const NearContacts* near = nullptr;
 };
 
 class ContactSink {
@@ -74,6 +75,11 @@ class ContactSink {
   void element(int index) { element_ = index; }
   const ContactRequest& request() const { return request_; }
   // For pairs of features that are followed one by one:
+  /// Calls f(id) for the first contact of each range of the element's near contacts.
+  template <class F>
+  void forNear(F&& f) const {
+    request_.near->forEach(element_, f);
+  }
   /// Keys of the element's contacts `first` … `end` − 1 that are requested by key.
   std::span<const ContactKey> asked(std::uint64_t first, std::uint64_t end) const;
   /// Sets the presence of the contact that was added last [m].

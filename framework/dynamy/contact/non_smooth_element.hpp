@@ -24,6 +24,13 @@ class NonSmoothElement : public Element {
   virtual void connect(Topology& topology) = 0;
   /// Reports every gap that can close, and the rows of W and χ of closed contacts.
   virtual void contacts(const Kinematics& k, ContactSink& sink) const = 0;
+  /// Adds to `out` the contacts of this element, number `element`, that can close on a path from `start`
+  /// of bodies that move no further than `reach`. False (default): the element cannot tell, and all
+  /// its contacts are followed.
+  virtual bool nearOnPath(const Kinematics& /*start*/, const PathReach& /*reach*/, int /*element*/,
+                          NearContacts& /*out*/) const {
+    return false;
+  }
   /// Number of pieces into which a step of Δt at these velocities is cut to find contacts that it
   /// passes through. 0: no bodies near each other move further than their thickness.
   virtual int piecesToSweep(const Kinematics&, double /*dt*/) const { return 0; }

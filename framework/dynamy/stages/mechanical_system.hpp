@@ -45,6 +45,8 @@ class MechanicalSystem {
   void remember(State& x);
   /// V(q,t) of all systems and forces [J].
   double potentialEnergy(const State& x);
+  /// The same with the kinematics at x, which are known.
+  double potentialEnergy(const Kinematics& k, const State& x) const;
 
   /// Index of a system whose M is not positive definite in the last evaluation, or −1.
   int indefiniteMass() const { return indefinite_; }

@@ -19,6 +19,7 @@ class Kinematics {
   ConstVec u(const SystemHandle& s) const { return {u_ + s.u0, s.nu}; }
   /// Numbers that an element reserved in State::memory.
   ConstVec memory(MemoryHandle m) const { return {memory_ + m.first, m.size}; }
+  int frames() const { return static_cast<int>(frames_.size()); }
   const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
 
  private:

@@ -27,6 +27,18 @@ class NearPairs {
 
   /// Places the balls. Shapes see further if they are few, or requested by key.
   void place(const Kinematics& k, const ContactRequest& request);
+  /// Calls f(i, j) for the pairs of shapes whose balls can touch on a path from `start`, where bodies move
+  /// no further than `reach`. Balls contain their shapes, so that no other pair touches on it.
+  template <class F>
+  void onPath(const Kinematics& start, const PathReach& reach, F&& f) {
+    placeOnPath(start, reach);
+    for (const int h : shapes_->halfSpaces()) {
+      const Flat flat(shapes_->inSpace()[static_cast<std::size_t>(h)], start);
+      for (std::size_t i = 0; i < balls_.size(); ++i)
+        if (meetsOnPath(flat, static_cast<std::size_t>(h), i, reach)) f(h, static_cast<int>(i));
+    }
+    for (const auto& [i, j] : nearPairs(broad_, balls_, BroadPhase::kPassed, *shapes_)) f(i, j);
+  }
   /// Largest gap at which the shapes i and j are found [m].
   double reach(std::size_t i, std::size_t j) const { return reach_[i] + reach_[j]; }
   /// Calls f(h, i) for each half space h and each shape i it can meet. Half spaces meet all of few
@@ -66,6 +78,9 @@ class NearPairs {
   };
   void lookAhead(const Kinematics& k, const ContactRequest& request);
   bool meets(const Flat& flat, std::size_t h, std::size_t i, const Kinematics& k, bool all);
+  void placeOnPath(const Kinematics& start, const PathReach& reach);
+  bool meetsOnPath(const Flat& flat, std::size_t h, std::size_t i, const PathReach& reach) const;
+  Vec3 centre(const TouchingShape& s, const Frame& f) const;
   void followTurns(const Kinematics& k, const std::vector<BroadPhase::Pair>& near);
   Approach approach(const Kinematics& k, std::size_t i, std::size_t j) const;
 

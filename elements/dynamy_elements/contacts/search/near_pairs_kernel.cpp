@@ -129,12 +129,34 @@ void NearPairs::place(const Kinematics& k, const ContactRequest& request) {
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
     const bool bounded = std::isfinite(s.bound) && !f.absent;
-    // A shape without a finite place, in a trial step that was too long, is near all others: pairs
-    // of features that are requested by key are still reported.
-    const Vec3 c = f.r_OS_I + f.A_IK * s.p_K;
-    balls_.push_back(
-        {c.allFinite() ? c : Vec3(Vec3::Zero()), bounded ? s.bound + reach_[i] : -1.0});
+    balls_.push_back({centre(s, f), bounded ? s.bound + reach_[i] : -1.0});
   }
+}
+
+/// Centre of a shape's ball [m]. A shape without a finite place, in a trial step that was too long,
+/// is near all others: pairs of features that are requested by key are still reported.
+Vec3 NearPairs::centre(const TouchingShape& s, const Frame& f) const {
+  const Vec3 c = f.r_OS_I + f.A_IK * s.p_K;
+  return c.allFinite() ? c : Vec3(Vec3::Zero());
+}
+
+void NearPairs::placeOnPath(const Kinematics& start, const PathReach& reach) {
+  balls_.clear();
+  for (const TouchingShape& s : shapes_->inSpace()) {
+    const Frame& f = start.frame(s.frame);
+    const bool bounded = std::isfinite(s.bound) && !f.absent;
+    const double way = bounded ? reach.way(s.frame, s.p_K.norm()) : 0.0;
+    balls_.push_back({centre(s, f), bounded ? s.bound + way : -1.0});
+  }
+}
+
+bool NearPairs::meetsOnPath(const Flat& flat, std::size_t h, std::size_t i,
+                            const PathReach& reach) const {
+  const BroadPhase::Ball& ball = balls_[i];
+  if (ball.radius < 0.0) return false;
+  const TouchingShape& half = shapes_->inSpace()[h];
+  const double arm = (ball.c - flat.A.r_OS_I).norm() + ball.radius;
+  return flat.n.dot(ball.c - flat.p) <= ball.radius + reach.way(half.frame, arm);
 }
 
 /// Can shape i touch the half space h? Then turned_ learns how far the half space throws it off.

@@ -28,6 +28,8 @@ class ShapeContacts final : public NonSmoothElement {
   /// without a rule or with two, and every pair of shapes whose contact is not implemented.
   void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
+  bool nearOnPath(const Kinematics& start, const PathReach& reach, int element,
+                  NearContacts& out) const override;
   void describe(Description& d) const override;
   std::string contactName(std::uint64_t id) const override { return rules_.contactName(id); }
   int piecesToSweep(const Kinematics& k, double dt) const override { return sweep_.pieces(k, dt); }
@@ -42,6 +44,7 @@ class ShapeContacts final : public NonSmoothElement {
   enum class Look : std::uint8_t { here, ahead };
   void report(const TouchingPair& pair, Look look, const Kinematics& k, ContactSink& sink) const;
   void namedAlone(const Kinematics& k, ContactSink& sink) const;
+  TouchingPair pairOf(std::uint64_t id) const;
 
   PairLaws* laws_;
   PairTable kernels_;  ///< of the standard shapes and of those of plug-ins in the model
@@ -49,7 +52,8 @@ class ShapeContacts final : public NonSmoothElement {
   PairRules rules_;
   mutable NearPairs near_;
   mutable ShapeSweep sweep_;
-  mutable std::vector<int> features_;  ///< room for numbers of features
+  mutable std::vector<int> features_;        ///< room for numbers of features
+  mutable std::vector<TouchingPair> named_;  ///< room for pairs that are requested by key
 };
 
 /// Completion of a model: adds ShapeContacts if any shape has a material.

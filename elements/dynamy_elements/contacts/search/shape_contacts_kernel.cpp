@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/kernels/given_pair.hpp>
@@ -36,31 +38,54 @@ void ShapeContacts::describe(Description& d) const { describeContacts(d, shapes_
 
 void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   const ContactRequest& request = sink.request();
-  const bool named = request.refresh && request.alone;
-  if (named && request.frozen.size() <= 1) return namedAlone(k, sink);
+  if (request.refresh && request.alone) return namedAlone(k, sink);
+  if (request.near != nullptr) {
+    sink.forNear([&](std::uint64_t id) {
+      if (const TouchingPair pair = pairOf(id)) report(pair, Look::ahead, k, sink);
+    });
+    return;
+  }
   near_.place(k, request);
   const auto each = [&](int i, int j) {
-    const TouchingPair pair = rules_.pair(i, j);
-    // Contacts that are named alone come in the same order as with all others.
-    if (!pair || (named && sink.asked(pair.id, pair.id + rules_.features()).empty())) return;
-    report(pair, named ? Look::here : Look::ahead, k, sink);
+    if (const TouchingPair pair = rules_.pair(i, j)) report(pair, Look::ahead, k, sink);
   };
   near_.overHalfSpaces(k, request, each);
   near_.others(k, each);
 }
 
-/// Reports the contacts of those pairs only that are requested by key.
+/// Reports the contacts of those pairs only that are requested by key, in the same order as with all
+/// others: those with a half space come first.
 void ShapeContacts::namedAlone(const Kinematics& k, ContactSink& sink) const {
   const std::uint64_t n = shapes_.size(), features = rules_.features();
-  std::uint64_t last = n * n;
+  const auto flat = [&](std::size_t i) { return !std::isfinite(shapes_.inSpace()[i].bound); };
+  named_.clear();
   for (const ContactKey key : sink.asked(0, n * n * features)) {
-    const std::uint64_t number = contactNumber(key) / features;
-    if (number == last) continue;
-    last = number;
-    if (const TouchingPair pair =
-            rules_.pair(static_cast<int>(number / n), static_cast<int>(number % n)))
-      report(pair, Look::here, k, sink);
+    const TouchingPair pair = pairOf(contactNumber(key));
+    if (pair && (named_.empty() || named_.back().id != pair.id)) named_.push_back(pair);
   }
+  const auto others =
+      std::stable_partition(named_.begin(), named_.end(),
+                            [&](const TouchingPair& pair) { return flat(pair.i) || flat(pair.j); });
+  // Half spaces are called in turn, each with the shapes that it meets.
+  std::stable_sort(named_.begin(), others, [&](const TouchingPair& a, const TouchingPair& b) {
+    return (flat(a.i) ? a.i : a.j) < (flat(b.i) ? b.i : b.j);
+  });
+  for (const TouchingPair& pair : named_) report(pair, Look::here, k, sink);
+}
+
+/// The pair of the contact number `id`.
+TouchingPair ShapeContacts::pairOf(std::uint64_t id) const {
+  const std::uint64_t n = shapes_.size(), number = id / rules_.features();
+  return rules_.pair(static_cast<int>(number / n), static_cast<int>(number % n));
+}
+
+bool ShapeContacts::nearOnPath(const Kinematics& start, const PathReach& reach, int element,
+                               NearContacts& out) const {
+  near_.onPath(start, reach, [&](int i, int j) {
+    if (const TouchingPair pair = rules_.pair(i, j))
+      out.add(element, pair.id, pair.id + rules_.features());
+  });
+  return true;
 }
 
 void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics& k,

@@ -1,4 +1,5 @@
 #include <dynamy/located/phase/phase_motion.hpp>
+#include <utility>
 
 namespace dynamy {
 
@@ -20,8 +21,15 @@ bool PhaseMotion::evaluate(MechanicalSystem& s, PhasePoint& p) {
   s.evaluate(p.x, phase.request.in(0));
   if (!phase.accelerate(s.slot(0), p.x.u, p.a)) return false;
   p.lambda = phase.lambda(), p.power = phase.power();
+  energies(s, 0, p);
   step.rates(s, p);
   return true;
+}
+
+void PhaseMotion::energies(const MechanicalSystem& s, int slot, PhasePoint& p) {
+  if (s.parts().subset) return;
+  p.T = s.slot(slot).mass.kineticEnergy(view(std::as_const(p.x.u)));
+  p.V = s.potentialEnergy(s.slot(slot).kinematics, p.x);
 }
 
 }  // namespace dynamy

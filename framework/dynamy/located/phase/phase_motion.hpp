@@ -31,6 +31,8 @@ class PhaseMotion {
   /// Evaluates the forces at p.x in slot 0: p gets its derivatives, forces and powers. False: the
   /// phase has a fault.
   bool evaluate(MechanicalSystem& s, PhasePoint& p);
+  /// Sets the energies of p, where the slot is evaluated; of whole systems only.
+  static void energies(const MechanicalSystem& s, int slot, PhasePoint& p);
 };
 
 }  // namespace dynamy

@@ -16,11 +16,12 @@ double clearBefore(int j) {
 
 }  // namespace
 
-bool ComingContacts::begin(LocatedStep& step) {
+bool ComingContacts::begin(LocatedStep& step, double time) {
   ContactProbe& probe = parts_.probe;
   const PhaseMotion& motion = parts_.motion;
-  if (probe.gathers() && !probe.gather(step.from.x, motion.keys())) return false;
-  startOverlap_ = std::max(0.0, probe.noted().overlap());
+  narrow(near_.ahead(step.from, time, MeetingConstants::touching * parts_.norm.length()));
+  if (!probe.gather(step.from.x, motion.keys())) return false;
+  startOverlap_ = probe.gathers() ? std::max(0.0, probe.noted().overlap()) : 0.0;
   return parts_.search.begin(probe, motion.phase, step.from.x) && leaveToJoints(step);
 }
 
@@ -48,17 +49,37 @@ bool ComingContacts::leaveToJoints(LocatedStep& step) {
       asked_.push_back(gaps.key(i));
   if (asked_.size() == motion.keys().size()) return true;
   std::sort(asked_.begin(), asked_.end());
-  step.s.evaluate(step.from.x, motion.phase.request.holding(asked_, 1));
+  step.s.evaluate(step.from.x, motion.phase.request.holding(asked_, 1, true));
   borneByJoints(step.s.slot(1), borne_);
   if (borne_.empty()) return true;
   parts_.search.borne(borne_, parts_.passingOverlap());
   return parts_.search.watch(probe, motion.phase, step.from.x);
 }
 
+/// Closed contacts remain, whatever their gaps.
+void ComingContacts::narrow(const NearContacts* near) {
+  const std::vector<ContactKey>& held = parts_.motion.keys();
+  const bool all = near == nullptr || !std::all_of(held.begin(), held.end(),
+                                                   [&](ContactKey key) { return near->has(key); });
+  parts_.probe.narrow(all ? nullptr : near);
+}
+
 bool ComingContacts::widen(const State& from, const QuinticPath& path) {
-  clear_ = 1.0;
   ContactProbe& probe = parts_.probe;
-  if (!probe.gathers()) return true;
+  clear_ = 1.0;
+  if (!near_.cover(path)) {
+    narrow(near_.along(from, path));
+    if (!probe.gather(from, parts_.motion.keys()) ||
+        !parts_.search.watch(probe, parts_.motion.phase, from)) {
+      clear_ = MeetingConstants::notAtAll;
+      return false;
+    }
+  }
+  return !probe.gathers() || widenAlong(from, path);
+}
+
+bool ComingContacts::widenAlong(const State& from, const QuinticPath& path) {
+  ContactProbe& probe = parts_.probe;
   const double deep = startOverlap_ + parts_.passingOverlap();
   at_.memory = from.memory;
   // Each sample looks ahead half of the way to the next one.

@@ -6,6 +6,7 @@
 /// ends before that place.
 #pragma once
 #include <dynamy/located/step/located_parts.hpp>
+#include <dynamy/located/switching/path_contacts.hpp>
 
 namespace dynamy {
 
@@ -14,11 +15,15 @@ class ComingContacts {
   explicit ComingContacts(LocatedParts& parts) : parts_(parts) {}
 
   /// Gathers the contacts at the start of a trial, and sets up search for them. Contacts that
-  /// joints bear are watched as such. False: contacts change in a way that cannot be followed.
-  bool begin(LocatedStep& step);
+  /// joints bear are watched as such. `time`: longest trial [s]. False: contacts change in a way
+  /// that cannot be followed.
+  bool begin(LocatedStep& step, double time);
   /// Adds the contacts that bodies may meet with along the path. False: some cannot be followed,
   /// and clear() is the part of the path before them.
   bool widen(const State& from, const QuinticPath& path);
+  /// True: contacts that the trial was not expected to reach are not followed.
+  bool narrowed() const { return near_.narrowed(); }
+  void prepare(const SystemParts& parts) { near_.prepare(parts); }
   double clear() const { return clear_; }
   /// Part of the path before too deep an overlap inside it; 1: there is none.
   double passing() const { return passing_; }
@@ -32,7 +37,10 @@ class ComingContacts {
  private:
   bool leaveToJoints(LocatedStep& step);
   bool hasJoint() const;
+  void narrow(const NearContacts* near);
+  bool widenAlong(const State& from, const QuinticPath& path);
   LocatedParts& parts_;
+  PathContacts near_;
   std::vector<ContactKey> borne_, asked_;
   double clear_ = 1.0, passing_ = 1.0, startOverlap_ = 0.0;
   State at_;

@@ -32,6 +32,7 @@ Refusal EventStage::event(LocatedStep& step, PhasePoint& p, const std::vector<He
   motion.forgetJacobian(), parts_.search.forget();
   const bool anew = parts_.bias.find(step.s, p.x, parts_.norm, motion.phase.request, false);
   motion.rekey();
+  PhaseMotion::energies(step.s, 0, p);
   return anew ? event(step, p) : Refusal{};
 }
 
@@ -124,6 +125,7 @@ Refusal EventStage::throwLatch(LocatedStep& step, PhasePoint& p) {
 bool EventStage::relist(const State& x) {
   ContactProbe& probe = parts_.probe;
   PhaseMotion& motion = parts_.motion;
+  probe.narrow(nullptr);  // bodies may be elsewhere than a moment ago
   if (!probe.gather(x, motion.keys())) {
     probe.list(x);
     probe.gather(x, {});

@@ -6,11 +6,12 @@ namespace dynamy {
 
 /// How the next step begins.
 struct Pace {
-  double next = 0.0;          ///< length of the next trial [s]
-  double lookAhead = 1e-5;    ///< part of the step that decisions look ahead
-  double lastEvent = -1e300;  ///< time of the last event [s]
-  int empty = 0;              ///< events at that time that changed nothing
-  void archive(NumberArchive& a) { a(next), a(lookAhead), a(lastEvent), a(empty); }
+  double next = 0.0;           ///< length of the next trial [s]
+  double lookAhead = 1e-5;     ///< part of the step that decisions look ahead
+  double lastEvent = -1e300;   ///< time of the last event [s]
+  int empty = 0;               ///< events at that time that changed nothing
+  double energyFrom = -1e300;  ///< from this time on energies bound steps [s]
+  void archive(NumberArchive& a) { a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom); }
 };
 
 struct HeldState {

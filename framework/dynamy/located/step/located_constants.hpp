@@ -43,8 +43,9 @@ struct RootConstants {
 
 /// Slip in space (theory 20.6).
 struct SlipConstants {
-  static constexpr double mostTurned = 10.0;   ///< k of theory 20.6, in units of the tolerance
-  static constexpr double stop = 0.1;          ///< of the tolerance: a slip end taken as straight
+  static constexpr double mostTurned = 10.0;  ///< k of theory 20.6, in units of the tolerance
+  static constexpr double stop = 0.1;         ///< of the tolerance: a slip end taken as straight
+  static constexpr double energy = 1e-3;  ///< of T and |ΔV|: error of the energy until a slip ends
   static constexpr double shareOfStop = 0.75;  ///< steps end before slip does
 };
 
@@ -73,6 +74,7 @@ struct MeetingConstants {
   static constexpr double notAtAll = 0.25;  ///< part of the path to retry if bodies meet at once
   static constexpr double atMeeting = 1e-3;  ///< of T: shorter steps to a meeting are not taken
   static constexpr double shorter = 0.5;     ///< factor on a step in which bodies sink in
+  static constexpr double touching = 1e-5;   ///< of L: gaps up to this may close in any step
   static constexpr double drifted = 1e-10;   ///< of L: drift of joints between two projections
 };
 

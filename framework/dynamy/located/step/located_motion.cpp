@@ -34,9 +34,8 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
     refusal =
         tries < TrialConstants::most ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
   lastSwitched_ = step.lastSwitched;
-  refusal.passable =
-      refusal.kind == Refusal::Kind::stalled &&
-      (parts_.search.any() || parts_.probe.gathers() || step.otherSet || refusal.lost);
+  refusal.passable = refusal.kind == Refusal::Kind::stalled &&
+                     (parts_.search.any() || parts_.probe.any() || step.otherSet || refusal.lost);
   return refusal;
 }
 
@@ -49,6 +48,7 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
     const ButcherTableau& table = parts_.settings.table();
     parts_.motion.prepare(s, table, &table == &dormandPrince8() ? &dormandPrince5() : nullptr);
     parts_.probe.prepare(s, x);
+    coming_.prepare(s.parts());
     parts_.event.prepare(parts_.norm);
     parts_.event.plain(!parts_.settings.events.looksAhead);
     system_ = &s;
@@ -95,6 +95,7 @@ Refusal LocatedMotion::restore(LocatedStep& step, const State& x, const HeldStat
   MechanicalSystem& s = step.s;
   PhaseMotion& motion = parts_.motion;
   parts_.pace = held.pace;
+  parts_.probe.narrow(nullptr);  // what was near belongs to another motion
   motion.implicit(held.implicit, s, parts_.norm);
   motion.step.counted(held.counted);
   motion.phase.held = held.held;
@@ -115,7 +116,7 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   PhaseMotion& motion = parts_.motion;
   const double least = std::max(std::abs(from_.x.t), parts_.norm.time());
   if (parts_.pace.next < TrialConstants::leastStep * least) return step.stall();
-  if (!coming_.begin(step)) return step.unfollowed();
+  if (!coming_.begin(step, std::min(parts_.pace.next, most))) return step.unfollowed();
   const double until = events_.untilInstant(step), end = from_.x.t + most;
   const bool announced = until < most && events_.instant() <= end;
   if (until <= 0.0 && announced) {

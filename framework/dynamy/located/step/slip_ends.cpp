@@ -56,13 +56,19 @@ SlipEnds::Result SlipEnds::take(LocatedStep& step, double most) {
   Result out;
   out.refusal = find(step, most, out.most);
   if (out.refusal || stopping_.empty()) return out;
+  // The slip may last longer than the trial whose contacts are followed.
+  if (last_ > parts_.pace.next && !coming_.begin(step, last_)) {
+    out.refusal = step.unfollowed();
+    return out;
+  }
   FrozenPhase& phase = parts_.motion.phase;
   PhasePoint& p = step.from;
   start_ = p, slipping_ = phase;
   const Eigen::VectorXd mean = p.x.u + 0.5 * last_ * p.a;
   step.s.move(p.x, mean, last_);
   p.x.u += last_ * p.a;
-  if (coming_.closesOpen(p.x)) {  // an impact comes first: shorter steps locate it
+  // Where an impact comes first shorter steps locate it; they follow fast forces, too.
+  if (coming_.closesOpen(p.x) || !keepsEnergy(step)) {
     p = start_;
     out.most = std::min(out.most, SlipConstants::shareOfStop * last_);
     return out;
@@ -86,6 +92,26 @@ SlipEnds::Result SlipEnds::take(LocatedStep& step, double most) {
   parts_.motion.rekey();
   out.most = most, out.refusal = step.evaluate(p);
   return out;
+}
+
+/// False: forces change so much until the slip ends that the energy does not remain. Friction that
+/// turns until then makes an error of less than its work.
+bool SlipEnds::keepsEnergy(LocatedStep& step) {
+  if (step.s.parts().subset) return true;
+  FrozenPhase& phase = parts_.motion.phase;
+  const PhasePoint& a = start_;
+  PhasePoint& b = step.from;
+  step.s.evaluate(b.x, phase.request.ofStage());
+  PhaseMotion::energies(step.s, 1, b);
+  const bool known = phase.accelerate(step.s.slot(1), b.x.u, b.a);
+  double error = (b.T - a.T) + (b.V - a.V), works = 0.0;
+  for (std::size_t k = 0; k < a.power.size(); ++k) {
+    const double work = 0.5 * last_ * (a.power[k] + (known ? phase.power()[k] : 0.0));
+    error -= work, works += std::abs(work);
+  }
+  phase = slipping_, b.a = a.a;
+  const double scale = a.T + b.T + std::abs(b.V - a.V);
+  return !(std::abs(error) > SlipConstants::energy * scale + works);
 }
 
 /// Forces are constant until the slip ends, and powers of slips fall linearly to zero.

@@ -31,6 +31,7 @@ class SlipEnds {
   Slip slipOf(std::size_t i) const;
   void keepImpulses(LocatedStep& step);
   LocatedParts& parts_;
+  bool keepsEnergy(LocatedStep& step);
   ComingContacts& coming_;
   EventStage& events_;
   std::vector<HeldKey> stopping_;

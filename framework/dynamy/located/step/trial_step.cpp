@@ -3,6 +3,7 @@
 #include <dynamy/located/step/located_constants.hpp>
 #include <dynamy/located/step/slip_starts.hpp>
 #include <dynamy/located/step/trial_step.hpp>
+#include <limits>
 
 namespace dynamy {
 
@@ -82,7 +83,18 @@ TrialStep::Tried TrialStep::takeSmooth(LocatedStep& step, Trial& trial, double& 
   if (error > 1.0) return reject(step, h * std::clamp(factor, TrialConstants::shrink, 1.0));
   if (!method.errorNeedsEnd() && !evaluated()) return faultOfPhase(step, trial);
   if (!step.to.a.allFinite()) return reject(step, h * TrialConstants::shrink);
-  return Tried::accepted;
+  return boundEnergy(step, h, factor);
+}
+
+TrialStep::Tried TrialStep::boundEnergy(LocatedStep& step, double h, double& factor) {
+  SmoothStep& smooth = parts_.motion.step;
+  const SmoothMethod& method = smooth.last();
+  const double keeps =
+      energy_.factor(step, step.from, step.to, method.works(), method.errorOrder());
+  factor = std::min(factor, keeps);
+  if (keeps >= EnergyBound::kKept) return Tried::accepted;
+  if (smooth.tooLight(std::numeric_limits<double>::infinity())) return reject(step, h);
+  return reject(step, h * keeps);
 }
 
 TrialStep::Tried TrialStep::attempt(LocatedStep& step, bool looked, Trial& trial) {
@@ -114,7 +126,7 @@ TrialStep::Tried TrialStep::attempt(LocatedStep& step, bool looked, Trial& trial
 TrialStep::Tried TrialStep::findSwitch(LocatedStep& step, bool looked, Trial& trial) {
   SwitchSearch& search = parts_.search;
   FrozenPhase& phase = parts_.motion.phase;
-  if (!search.any() && !parts_.probe.gathers()) return Tried::accepted;
+  if (!search.any() && !parts_.probe.gathers() && !coming_.narrowed()) return Tried::accepted;
   path_.through(step.s, step.from, step.to);
   search.atEnd(phase, step.to.x.t);
   if (!coming_.widen(step.from.x, path_)) return shortOfMeeting(step, trial, coming_.clear());

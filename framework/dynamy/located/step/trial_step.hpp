@@ -5,6 +5,7 @@
 /// and a shorter length is proposed.
 #pragma once
 #include <dynamy/located/step/coming_contacts.hpp>
+#include <dynamy/located/step/energy_bound.hpp>
 
 namespace dynamy {
 
@@ -34,6 +35,7 @@ class TrialStep {
   Tried takeSmooth(LocatedStep& step, Trial& trial, double& factor);
   /// Searches the path for a switch.
   Tried findSwitch(LocatedStep& step, bool looked, Trial& trial);
+  Tried boundEnergy(LocatedStep& step, double h, double& factor);
   Tried reject(LocatedStep& step, double next);
   Tried fail(Refusal why, Trial& trial);
   Tried faultOfPhase(LocatedStep& step, Trial& trial);
@@ -43,6 +45,7 @@ class TrialStep {
   bool slipsInSpace() const;
   LocatedParts& parts_;
   ComingContacts& coming_;
+  EnergyBound energy_;
   QuinticPath path_;
 };
 

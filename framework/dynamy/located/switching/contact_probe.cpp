@@ -7,10 +7,10 @@
 namespace dynamy {
 namespace {
 
-/// Requests exactly these contacts, wherever they are.
-ContactRequest following(std::span<const ContactKey> keys) {
+/// Requests exactly these contacts, wherever they are; `near`: others need not be reported.
+ContactRequest following(std::span<const ContactKey> keys, const NearContacts* near) {
   ContactRequest request;
-  request.refresh = request.follow = true, request.frozen = keys;
+  request.refresh = request.follow = true, request.frozen = keys, request.near = near;
   return request;
 }
 
@@ -32,29 +32,41 @@ void ContactProbe::prepare(const MechanicalSystem& s, const State& x) {
 }
 
 void ContactProbe::list(const State& x) {
-  evaluate(x, following({}), gaps_);
-  order_ = gaps_.contacts.candidateKey, all_ = order_;
+  const auto comeOrNoted = [](const ContactGaps& gaps) {
+    return gaps.contacts.features.comeAndGo || !gaps.contacts.features.noted.empty();
+  };
+  const NearContacts none;
+  near_ = &none;
+  evaluate(x, following({}, near_), gaps_);
+  othersGather_ = comeOrNoted(gaps_);
+  narrow(nullptr);
+  evaluate(x, following({}, near_), gaps_);
+  gathers_ = comeOrNoted(gaps_);
+  order_ = gaps_.contacts.candidateKey, all_ = order_, ordered_ = true;
   std::sort(all_.begin(), all_.end());
   fixed_ = all_;
-  notes_ = !gaps_.contacts.features.noted.empty();
 }
 
+void ContactProbe::narrow(const NearContacts* near) { near_ = near, ordered_ = false; }
+
 bool ContactProbe::gather(const State& x, std::span<const ContactKey> held) {
-  if (!gathers()) return look(x);
-  wide_ = fixed_;
+  if (near_ != nullptr)
+    near_->select(fixed_, wide_);
+  else
+    wide_ = fixed_;
   wide_.insert(wide_.end(), held.begin(), held.end());
-  widen(x, 0.0);
+  if (gathers()) widen(x, 0.0);
   return settle(x);
 }
 
 void ContactProbe::widen(const State& x, double ahead) {
-  ContactRequest request = following({});
+  ContactRequest request = following({}, near_);
   request.ahead = ahead;
   const ContactSet& c = gaps_.contacts;
   evaluate(x, request, gaps_);
   wide_.insert(wide_.end(), c.features.noted.begin(), c.features.noted.end());
   if (const std::span<const ContactKey> unknown = noted_.read(c, all_); !unknown.empty()) {
-    evaluate(x, following(unknown), gaps_);
+    evaluate(x, following(unknown, near_), gaps_);
     noted_.learn(c);
   }
 }
@@ -72,27 +84,33 @@ ContactKey ContactProbe::lookAround(const State& x, double within, ContactKey ke
 bool ContactProbe::settle(const State& x) {
   std::sort(wide_.begin(), wide_.end());
   wide_.erase(std::unique(wide_.begin(), wide_.end()), wide_.end());
-  if (wide_ == all_) return look(x);
+  if (ordered_ && wide_ == all_) return look(x);
   all_ = wide_;
-  evaluate(x, following(all_), gaps_);
-  order_ = gaps_.contacts.candidateKey;
+  evaluate(x, following(all_, near_), gaps_);
+  order_ = gaps_.contacts.candidateKey, ordered_ = true;
   std::vector<ContactKey>& found = wide_;
   found = order_;
   std::sort(found.begin(), found.end());
-  return found == all_ && look(x);
+  if (found != all_) return false;
+  finish(x);
+  return true;
+}
+
+void ContactProbe::finish(const State& x) {
+  gaps_.evaluateGammas(x.u);
+  announcements_.switching(kinematics_, switching_);
 }
 
 bool ContactProbe::look(const State& x) {
-  evaluate(x, following(all_), gaps_);
+  evaluate(x, following(all_, near_), gaps_);
   if (gaps_.contacts.candidateKey != order_) return false;
-  gaps_.evaluateGammas(x.u);
-  announcements_.switching(kinematics_, switching_);
+  finish(x);
   return true;
 }
 
 bool ContactProbe::lookAt(const State& x, int i) {
   const ContactKey wanted = gaps_.key(i);
-  ContactRequest request = following({&wanted, 1});
+  ContactRequest request = following({&wanted, 1}, near_);
   request.alone = true;
   evaluate(x, request, one_);
   const int found = one_.find(wanted);

@@ -27,7 +27,11 @@ class ContactProbe {
   /// True: some contacts come and go.
   bool comesAndGoes() const { return gaps_.contacts.features.comeAndGo; }
   /// True: contacts have to be gathered before each step.
-  bool gathers() const { return comesAndGoes() || notes_; }
+  bool gathers() const { return gathers_ && (near_ == nullptr || near_->some() || othersGather_); }
+  /// True: there are contacts, near or not.
+  bool any() const { return gathers_ || !fixed_.empty(); }
+  /// From the next gather() on, only the contacts `near` are followed (borrowed); null: all.
+  void narrow(const NearContacts* near);
   /// Of the contacts that come and go, follows those that may touch at x and those that are `held`;
   /// evaluates all contacts at x.
   bool gather(const State& x, std::span<const ContactKey> held);
@@ -50,13 +54,17 @@ class ContactProbe {
 
  private:
   void evaluate(const State& x, const ContactRequest& request, ContactGaps& out);
+  void finish(const State& x);
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;
   ContactGaps gaps_, one_;
   std::vector<ContactKey> fixed_;  // contacts that do not come and go
+  const NearContacts* near_ = nullptr;
   std::vector<ContactKey> all_, order_, wide_;
   NotedContacts noted_;
-  bool notes_ = false;  // some pairs of bodies are noted before they touch
+  bool ordered_ = false;       // order_ is that of contacts as they are followed now
+  bool gathers_ = false;       // some contacts come and go, or are noted before they touch
+  bool othersGather_ = false;  // so do some of elements that cannot tell which contacts are near
   Announcements announcements_;
   std::vector<double> switching_;
 };

@@ -70,7 +70,7 @@ void ForceSearch::value(const FrozenPhase& phase, int monitor, double& out) cons
 bool ForceSearch::valueAt(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path,
                           int monitor, double theta, double& v) {
   path.at(theta, at_);
-  s.evaluate(at_, phase.request.in(1));
+  s.evaluate(at_, phase.request.ofStage());
   Eigen::VectorXd& a = work_;
   if (!phase.accelerate(s.slot(1), at_.u, a)) return false;
   value(phase, monitor, v);

@@ -1,0 +1,41 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/step/energy_bound.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kShare = 5e-4;       ///< κ
+constexpr double kSafety = 0.9;       ///< on the factor of the next step
+constexpr double kLeast = 0.2;        ///< least factor from trial to trial,
+constexpr double kMost = 0.8;         ///< and largest
+constexpr double kNoBound = 1e3;      ///< a factor that bounds nothing
+constexpr double kPositions = 1e-11;  ///< of energies and works, by positions known to g_tol
+/// Trials of one step that may exceed the bound, and how long it pauses then, in first trials. A
+/// spring that swings through zero length needs steps of 1e-4 of those before.
+constexpr int kMostTries = 6;
+constexpr double kPause = 1e3;
+
+}  // namespace
+
+double EnergyBound::factor(const LocatedStep& step, const PhasePoint& a, const PhasePoint& b,
+                           const std::array<double, 5>& works, int order) {
+  const double h = b.x.t - a.x.t;
+  double& pause = step.parts.pace.energyFrom;
+  if (step.s.parts().subset || a.x.t < pause) return kNoBound;
+  double error = (b.T - a.T) + (b.V - a.V), turned = a.T + b.T + std::abs(a.V) + std::abs(b.V);
+  for (const double W : works) error -= W, turned += std::abs(W);
+  error = std::abs(error);
+  const double scale = a.T + b.T + std::abs(b.V - a.V);
+  const double bound =
+      kShare * scale * h / (std::abs(a.x.t) + step.parts.norm.time()) + kPositions * turned;
+  if (!std::isfinite(error) || !(bound > 0.0)) return kNoBound;
+  const double factor = kSafety * std::pow(bound / std::max(error, 1e-10 * bound), 1.0 / order);
+  if (error <= bound) return std::max(factor, kSafety);
+  if (from_ != a.x.t) from_ = a.x.t, first_ = h, tries_ = 0;
+  if (++tries_ <= kMostTries) return std::clamp(factor, kLeast, kMost);
+  pause = a.x.t + kPause * first_;
+  return kNoBound;
+}
+
+}  // namespace dynamy
