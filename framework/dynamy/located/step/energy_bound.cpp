@@ -18,17 +18,23 @@ constexpr double kPause = 1e3;
 
 }  // namespace
 
+EnergyBalance::EnergyBalance(const PhasePoint& a, const PhasePoint& b,
+                             const std::array<double, 5>& work)
+    : error((b.T - a.T) + (b.V - a.V)), scale(a.T + b.T + std::abs(b.V - a.V)) {
+  for (const double W : work) error -= W, works += std::abs(W);
+  error = std::abs(error);
+}
+
 double EnergyBound::factor(const LocatedStep& step, const PhasePoint& a, const PhasePoint& b,
                            const std::array<double, 5>& works, int order) {
   const double h = b.x.t - a.x.t;
   double& pause = step.parts.pace.energyFrom;
   if (step.s.parts().subset || a.x.t < pause) return kNoBound;
-  double error = (b.T - a.T) + (b.V - a.V), turned = a.T + b.T + std::abs(a.V) + std::abs(b.V);
-  for (const double W : works) error -= W, turned += std::abs(W);
-  error = std::abs(error);
-  const double scale = a.T + b.T + std::abs(b.V - a.V);
+  const EnergyBalance balance(a, b, works);
+  const double error = balance.error;
+  const double turned = a.T + b.T + std::abs(a.V) + std::abs(b.V) + balance.works;
   const double bound =
-      kShare * scale * h / (std::abs(a.x.t) + step.parts.norm.time()) + kPositions * turned;
+      kShare * balance.scale * h / (std::abs(a.x.t) + step.parts.norm.time()) + kPositions * turned;
   if (!std::isfinite(error) || !(bound > 0.0)) return kNoBound;
   const double factor = kSafety * std::pow(bound / std::max(error, 1e-10 * bound), 1.0 / order);
   if (error <= bound) return std::max(factor, kSafety);

@@ -13,6 +13,15 @@
 
 namespace dynamy {
 
+/// The energy balance of a smooth motion from a to b, with the work of contacts, dampers and drives
+/// in the order of StepRecord::works [J].
+struct EnergyBalance {
+  EnergyBalance(const PhasePoint& a, const PhasePoint& b, const std::array<double, 5>& work);
+  double error = 0.0;  ///< |Δ(T + V) − W|
+  double scale = 0.0;  ///< T_A + T_E + |ΔV|
+  double works = 0.0;  ///< Σ|W|
+};
+
 class EnergyBound {
  public:
   /// Factor on the length of the smooth motion from a to b by which the next one keeps the bound;

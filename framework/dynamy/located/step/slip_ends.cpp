@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/located/step/energy_bound.hpp>
 #include <dynamy/located/step/located_constants.hpp>
 #include <dynamy/located/step/slip_ends.hpp>
 
@@ -104,14 +105,12 @@ bool SlipEnds::keepsEnergy(LocatedStep& step) {
   step.s.evaluate(b.x, phase.request.ofStage());
   PhaseMotion::energies(step.s, 1, b);
   const bool known = phase.accelerate(step.s.slot(1), b.x.u, b.a);
-  double error = (b.T - a.T) + (b.V - a.V), works = 0.0;
-  for (std::size_t k = 0; k < a.power.size(); ++k) {
-    const double work = 0.5 * last_ * (a.power[k] + (known ? phase.power()[k] : 0.0));
-    error -= work, works += std::abs(work);
-  }
+  std::array<double, 5> work{};
+  for (std::size_t k = 0; k < work.size(); ++k)
+    work[k] = 0.5 * last_ * (a.power[k] + (known ? phase.power()[k] : 0.0));
   phase = slipping_, b.a = a.a;
-  const double scale = a.T + b.T + std::abs(b.V - a.V);
-  return !(std::abs(error) > SlipConstants::energy * scale + works);
+  const EnergyBalance balance(a, b, work);
+  return !(balance.error > SlipConstants::energy * balance.scale + balance.works);
 }
 
 /// Forces are constant until the slip ends, and powers of slips fall linearly to zero.
