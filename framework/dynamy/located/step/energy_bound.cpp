@@ -5,12 +5,12 @@
 namespace dynamy {
 namespace {
 
-constexpr double kShare = 5e-4;       ///< κ
-constexpr double kSafety = 0.9;       ///< on the factor of the next step
-constexpr double kLeast = 0.2;        ///< least factor from trial to trial,
-constexpr double kMost = 0.8;         ///< and largest
-constexpr double kNoBound = 1e3;      ///< a factor that bounds nothing
-constexpr double kPositions = 1e-11;  ///< of energies and works, by positions known to g_tol
+constexpr double kShare = 5e-4;         ///< κ
+constexpr double kSafety = 0.9;         ///< on the factor of the next step
+constexpr double kLeastFactor = 0.2;    ///< least factor from trial to trial,
+constexpr double kLargestFactor = 0.8;  ///< and largest
+constexpr double kNoBound = 1e3;        ///< a factor that bounds nothing
+constexpr double kPositions = 1e-11;    ///< of energies and works, by positions known to g_tol
 /// Trials of one step that may exceed the bound, and how long it pauses then, in first trials. A
 /// spring that swings through zero length needs steps of 1e-4 of those before.
 constexpr int kMostTries = 6;
@@ -39,7 +39,7 @@ double EnergyBound::factor(const LocatedStep& step, const PhasePoint& a, const P
   const double factor = kSafety * std::pow(bound / std::max(error, 1e-10 * bound), 1.0 / order);
   if (error <= bound) return std::max(factor, kSafety);
   if (from_ != a.x.t) from_ = a.x.t, first_ = h, tries_ = 0;
-  if (++tries_ <= kMostTries) return std::clamp(factor, kLeast, kMost);
+  if (++tries_ <= kMostTries) return std::clamp(factor, kLeastFactor, kLargestFactor);
   pause = a.x.t + kPause * first_;
   return kNoBound;
 }

@@ -14,11 +14,11 @@ int ContactGaps::find(ContactKey key) const {
 }
 
 bool ContactGaps::coincide(int i, int j, double distance) const {
-  constexpr double kTurned = 1e-5;
+  constexpr double kTurnedGap = 1e-5;
   const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
   const ContactSet& c = contacts;
   if ((c.places.point[a] - c.places.point[b]).squaredNorm() > distance * distance ||
-      (c.places.normal[a] - c.places.normal[b]).squaredNorm() > kTurned * kTurned)
+      (c.places.normal[a] - c.places.normal[b]).squaredNorm() > kTurnedGap * kTurnedGap)
     return false;
   const int segments = c.segment0[a + 1] - c.segment0[a];
   if (c.segment0[b + 1] - c.segment0[b] != segments) return false;

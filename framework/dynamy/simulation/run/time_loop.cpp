@@ -8,7 +8,7 @@ constexpr int kMostHalvings = 6;
 constexpr int kFewer = 4, kMore = 2;
 /// Full steps after one in parts in which fast bodies are expected.
 constexpr int kExpected = 10;
-constexpr long kFirst = 2;  ///< evaluations of the first attempt beside those of others
+constexpr long kFirstMore = 2;  ///< evaluations of the first attempt beside those of others
 constexpr long kMostParts = 2000, kFewestParts = 8, kWork = 48000;  ///< see mostParts()
 }  // namespace
 
@@ -97,7 +97,7 @@ bool FixedStep::advance(Stepper& stepper, double tEnd, double dt, int depth) {
   const StepReport report = stepper.attempt(tEnd, dt);
   // The first attempt of a run, also of a resumed one, looks for joints besides.
   const long counted = stepper.evaluations() - before;
-  const long evaluations = first_ ? std::max(counted - kFirst, 1l) : counted;
+  const long evaluations = first_ ? std::max(counted - kFirstMore, 1l) : counted;
   first_ = false;
   parts_.atMost(mostParts(nu_, evaluations));
   const bool sound = stepper.sound(), good = sound && report.solved.ok();
