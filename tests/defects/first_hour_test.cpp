@@ -1,24 +1,14 @@
-/// Known defects that users meet early: steady motions, elastic ropes, writing the state.
+/// Known defects that users meet early: elastic ropes.
 #include <gtest/gtest.h>
 #include <build_paths.hpp>
 
 #include <program/program_fixture.hpp>
 #include <support/bounded_run.hpp>
-#include <support/load_model.hpp>
 
 namespace dynamy::defects {
 namespace {
 
 class KnownDefectsOfUse : public ProgramTest {};
-
-TEST_F(KnownDefectsOfUse, AMotorbikeWhoseSpringsAreNotPreloadedHasASteadyMotion) {
-  // Bodies, joints and two springs in minimal coordinates; at the start the springs do not carry
-  // the weight. Upright straight riding with the springs compressed is steady, by symmetry.
-  knownDefect("eigen_unpreloaded", [&] {
-    EXPECT_EQ(call("eigen '" DYNAMY_SOURCE_DIR "/tests/data/defects/eigen_unpreloaded.xml'"), 0)
-        << err();
-  });
-}
 
 TEST_F(KnownDefectsOfUse, ARopeOverASheaveMayBeElastic) {
   // EA/L = 4e5 N/m over a sheave that turns freely: two masses on springs and a wheel.
@@ -34,29 +24,6 @@ TEST_F(KnownDefectsOfUse, ARopeOverASheaveMayBeElastic) {
     } catch (const ModelError& e) {
       ADD_FAILURE() << e.what();
     }
-  });
-}
-
-TEST_F(KnownDefectsOfUse, AVelocityThatIsWrittenBetweenStepsLasts) {
-  // A cart on a rail is pushed by hand between steps: it keeps its velocity, no force acts along
-  // it.
-  Registry registry;
-  PluginLoader plugins({DYNAMY_BINARY_DIR "/lib/dynamy"});
-  registerFramework(registry);
-  plugins.load(kStandardElements, ".", registry);
-  Model model = loadModelText(
-      R"(<dynamy version="1"><systems><Ground name="rail"/><PlanarBody name="cart" mass="1" inertia="1"/></systems>
-<forces><Gravity/></forces><elements><Prismatic between="rail cart" axis="1 0 0"/></elements>
-<simulation until="1" step="1e-3"/></dynamy>)",
-      "cart.xml", registry, plugins);
-  model.readyScheme();
-  HandStepper cart(model);
-  for (int i = 0; i < 10; ++i) cart.step(1e-3);
-  cart.x.u[0] = 1.0;
-  for (int i = 0; i < 100; ++i) cart.step(1e-3);
-  knownDefect("written_velocity_is_lost", [&] {
-    EXPECT_NEAR(cart.x.u[0], 1.0, 1e-12);  // a hundred roundings
-    EXPECT_NEAR(cart.x.q[0], 0.1, 1e-12);
   });
 }
 

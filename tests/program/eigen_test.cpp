@@ -1,4 +1,5 @@
 // dynamy eigen: table, files, critical values, messages.
+#include <build_paths.hpp>
 #include <cmath>
 #include <dynamy/io/files/csv.hpp>
 #include <program/program_fixture.hpp>
@@ -52,6 +53,22 @@ TEST_F(EigenCommand, TellsWhatIsWrong) {
   EXPECT_EQ(call("eigen m.xml --as-it-is --start m.x=0"), 0) << err();
   EXPECT_EQ(call("eigen m.xml --root-of c=3:4"), 0) << err();
   EXPECT_NE(err().find("no real part changes its sign in c=3:4"), std::string::npos) << err();
+}
+
+TEST_F(EigenCommand, FindsTheSteadyMotionOfAVehicleWhoseSpringsAreNotPreloaded) {
+  // Bodies, joints and two springs in minimal coordinates; at the start the springs do not carry the
+  // weight, and a moving damper could for an instant. Steady is upright straight riding with the springs
+  // compressed, by symmetry: the road carries 292 kg, and each wheel what the levers of the bodies'
+  // centres give it, without any damper's force.
+  ASSERT_EQ(call("eigen '" DYNAMY_SOURCE_DIR "/tests/data/defects/eigen_unpreloaded.xml'"), 0)
+      << err();
+  double carried = 0.0;
+  for (const char* wheel : {"rear-road.rim sticks, force ", "front-road.rim sticks, force "}) {
+    const std::size_t at = out().find(wheel);
+    ASSERT_NE(at, std::string::npos) << out();
+    carried += std::stod(out().substr(at + std::string(wheel).size()));
+  }
+  EXPECT_NEAR(carried, 292.0 * 9.81, 2e-6);  // accelerations of 1e-8 m/s² at most, digits printed
 }
 
 }  // namespace

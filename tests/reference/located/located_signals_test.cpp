@@ -5,6 +5,7 @@
 #include <cmath>
 #include <reference/located/located_run.hpp>
 #include <reference/located/located_scenes.hpp>
+#include <support/bounded_run.hpp>
 #include <support/table.hpp>
 
 namespace dynamy::reference {
@@ -120,6 +121,41 @@ TEST(LocatedSignals, CapstansForcesAtTheEndAreThoseOfItsFormula) {
   const Table r = record(run, {"rope.forceA", "rope.forceB"}, 0.1);
   EXPECT_NEAR(r.rows.back()[0], 720.5888187993172, 1e-9);
   EXPECT_NEAR(r.rows.back()[1], 109.41118120068282, 1e-9);
+}
+
+TEST(LocatedSignals, ALatchIsRecordedAsSwitchedFromItsInstantOn) {
+  // A mass in free fall; a brake engages at 20 m/s, after 20/9.81 s = 2.0387 s.
+  BoundedRun fall(R"(<dynamy version="1"><systems>
+<Coordinates name="m" q="z" units="m" q0="100" M="1" potential="9.81*z"/></systems><elements>
+<CoordinateContact name="brake" on="m" slipVelocity="z_dot" engage="-z_dot - 20"><GivenFriction force="5"/></CoordinateContact>
+</elements><simulation until="3" tolerance="1e-8"/><record signals="brake.engaged m.z_dot" every="10ms" frames="0"/></dynamy>)");
+  fall.run();
+  ASSERT_TRUE(fall.finished()) << fall.report().reason;
+  constexpr double kInstant = 20.0 / 9.81;
+  int wrong = 0;
+  for (std::size_t i = 0; i < fall.times().size(); ++i)
+    wrong += fall.value(i) != (fall.times()[i] < kInstant ? 0.0 : 1.0);
+  EXPECT_EQ(wrong, 0) << "rows of " << fall.times().size();
+}
+
+TEST(LocatedSignals, AMaximumIsFoundBesideTheEndOfAStep) {
+  // q'' = −q with q = sin(t + p): its maximum is 1, at another place of a step for every phase p.
+  double worst = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const double p = -1.0 + i / 60.0;
+    BoundedRun swing(
+        R"(<dynamy version="1"><parameter name="p" value="0"/><systems>
+<Coordinates name="m" q="x" units="m" q0="{sin(p)}" u0="{cos(p)}" M="1" potential="0.5*x^2"/></systems>
+<simulation until="4" tolerance="1e-10"/><record signals="m.x" frames="0"/>
+<check signal="m.x" measure="max" value="1" tolerance="1e-9"/></dynamy>)",
+        {.set = {{"p", numberText(p)}}});
+    swing.run();
+    ASSERT_TRUE(swing.finished()) << swing.report().reason;
+    const double got = swing.simulation().checks().at(0).got;
+    if (std::abs(got - 1.0) > std::abs(worst)) worst = got - 1.0;
+  }
+  // Ten tolerances of a motion of some steps (theory 50.6).
+  EXPECT_NEAR(worst, 0.0, 1e-9);
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 namespace dynamy {
 namespace {
 
+/// Velocities below this share of what a joint's impulse changes in a step count as rest, see the header.
+constexpr double kAtRest = 1e-4;
+
 bool massDependsOnPosition(const Topology& topology) {
   return std::any_of(topology.systems().begin(), topology.systems().end(), [](const auto* system) {
     const Blocks blocks = system->blocks();
@@ -37,7 +40,31 @@ bool JointEquations::begin(MechanicalSystem& s, const State& x, double dt) {
       gA_[graph_.row0(static_cast<int>(k)) + r] = c.position[c.row0[joints_[k]] + r];
   v = x.u;
   startFrom(x.impulses, c);
+  boundQuotients(s.slot(0));
   return true;
+}
+
+/// Sets least_ to (kAtRest)² ΛᵀWᵀM⁻¹WΛ per joint.
+void JointEquations::boundQuotients(const Evaluation& e) {
+  const ContactSet& c = e.contacts;
+  least_.assign(joints_.size(), 0.0);
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    const int i = joints_[k];
+    const double* lambda = Lambda.data() + graph_.row0(static_cast<int>(k));
+    for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
+      const Segment& seg = c.segment[m];
+      const ConstBlock inverse = e.mass.inverse(seg.block);
+      const double* W = c.W.data() + seg.w;
+      const auto impulse = [&](int j) {
+        double sum = 0.0;
+        for (int r = 0; r < c.dim(i); ++r) sum += lambda[r] * W[r * seg.nu + j];
+        return sum;
+      };
+      for (int a = 0; a < seg.nu; ++a)
+        for (int b = 0; b < seg.nu; ++b)
+          least_[k] += kAtRest * kAtRest * impulse(a) * inverse(a, b) * impulse(b);
+    }
+  }
 }
 
 /// Λ of the last step in proportion to Δt; zero for joints that were not there.
@@ -74,6 +101,7 @@ void JointEquations::setJointForces(const Evaluation& e) {
           force_[seg.u0 + j] += f, power += f * v[seg.u0 + j];
         }
     }
+    twiceT = std::max(twiceT, least_[k]);
     if (!(twiceT > 0.0)) continue;
     for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
       const Segment& seg = c.segment[m];

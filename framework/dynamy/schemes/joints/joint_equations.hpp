@@ -8,6 +8,9 @@
 /// W̃ is the discrete gradient of [gonzalez1996] in the metric of the mass, Δt(W̃ᵀv + χ) = g(q^E) −
 /// g(q^A): joints that hold do no work, whatever Δt. ω is of third order in v, so that W̃ is smooth
 /// where the motion turns back; without the difference of g it would not be. W, M, h at (t^M, q^M).
+/// At rest v and ω are rounding, and so would be their quotient: vᵀMv is at least (10⁻⁴ Δv)² there, Δv in
+/// the metric of the mass what the joint's impulse of the last step changes. Since ω grows as v³, the
+/// bound leaves out work of (10⁻⁴ Δv Δt/L)² of the joint's power, which is below rounding.
 #pragma once
 #include <dynamy/schemes/joints/damped_forces.hpp>
 #include <dynamy/schemes/joints/mechanism_graph.hpp>
@@ -46,9 +49,12 @@ class JointEquations {
   const std::vector<int>& joints() const { return joints_; }          ///< contacts of slot 0
   const std::vector<int>& jointsAtEnd() const { return endJoints_; }  ///< contacts of slot 1
   int rows() const { return static_cast<int>(Lambda.size()); }
+  /// Least vᵀMv [J] by which ω of joint k is divided.
+  double leastTwiceT(int k) const { return least_[k]; }
 
  private:
   void startFrom(const RememberedImpulses& last, const ContactSet& c);
+  void boundQuotients(const Evaluation& e);
   void setJointForces(const Evaluation& e);
 
   const State* xA_ = nullptr;
@@ -56,7 +62,8 @@ class JointEquations {
   std::vector<int> joints_, endJoints_;
   std::vector<char> elements_;  // per element: 1 if it has joints
   MechanismGraph graph_;
-  std::vector<double> gA_;  // g(q^A)
+  std::vector<double> gA_;     // g(q^A)
+  std::vector<double> least_;  // per joint, see leastTwiceT
   Eigen::VectorXd force_, momentum_, change_, h_, hNonPotential_;
   DampedForces damped_;
 };

@@ -56,6 +56,7 @@ void JointNewton::addJointColumns(const Evaluation& e) {
           stiffness += w[j] * w[j] * inverse(j, j);
         }
       }
+      twiceT = std::max(twiceT, equations.leastTwiceT(static_cast<int>(k)));
       const double share = twiceT > 0.0 ? power / twiceT : 0.0;
       for (int m = c.segment0[i]; m < c.segment0[i + 1]; ++m) {
         const Segment& seg = c.segment[m];
@@ -86,7 +87,8 @@ bool JointNewton::closedForm(const MechanicalSystem& s) {
     const int row0 = graph.row0(static_cast<int>(k)),
               rows = graph.row0(static_cast<int>(k) + 1) - row0;
     if (!parts_.joint(s, joints[k], atEnd[k], equations.Lambda.data() + row0,
-                      equations.R.meanRate.data() + row0))
+                      equations.R.meanRate.data() + row0,
+                      equations.leastTwiceT(static_cast<int>(k))))
       return false;
     const int firstRow = walk().joint(k);
     for (int b = 0; b < parts_.sides(); ++b) {

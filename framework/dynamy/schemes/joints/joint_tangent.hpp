@@ -24,8 +24,9 @@ class JointTangent {
   bool begin(const MechanicalSystem& s, const State& midpoint, const Eigen::VectorXd& v, double dt);
   const Matrix6& ofBlock(int block) const { return blocks_[static_cast<std::size_t>(block)].K; }
   /// Computes the parts of the joint that is contact `i` of slot 0 and `iEnd` of slot 1; gRate:
-  /// Δg/Δt. False: the joint does not offer its part.
-  bool joint(const MechanicalSystem& s, int i, int iEnd, const double* Lambda, const double* gRate);
+  /// Δg/Δt; leastTwiceT: JointEquations::leastTwiceT. False: the joint does not offer its part.
+  bool joint(const MechanicalSystem& s, int i, int iEnd, const double* Lambda, const double* gRate,
+             double leastTwiceT);
   /// Number of blocks that the joint of the last call of joint() moves, 1 or 2.
   int sides() const { return sides_; }
   int block(int side) const { return side_[side].block; }
@@ -49,7 +50,7 @@ class JointTangent {
   bool findSides(const Evaluation& e, const ContactSet& atEnd, int i, int iEnd,
                  const double* Lambda);
   void turn(const MechanicalSystem& s);
-  void addQuotient(const MechanicalSystem& s, double power);
+  void addQuotient(const MechanicalSystem& s, double power, double leastTwiceT);
 
   double dt_ = 0.0;
   const Eigen::VectorXd* v_ = nullptr;

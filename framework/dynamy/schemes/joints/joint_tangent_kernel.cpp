@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/schemes/joints/joint_tangent.hpp>
 #include <dynamy/system/position_tangents.hpp>
 
@@ -34,7 +35,7 @@ bool JointTangent::begin(const MechanicalSystem& s, const State& midpoint, const
 }
 
 bool JointTangent::joint(const MechanicalSystem& s, int i, int iEnd, const double* Lambda,
-                         const double* gRate) {
+                         const double* gRate, double leastTwiceT) {
   const Evaluation& e = s.slot(0);
   const ContactSet& c = e.contacts;
   const NonSmoothElement& element = *s.parts().contacts[c.element[i]];
@@ -43,7 +44,7 @@ bool JointTangent::joint(const MechanicalSystem& s, int i, int iEnd, const doubl
   turn(s);
   double power = 0.0;
   for (int r = 0; r < c.dim(i); ++r) power += Lambda[r] * (c.chi[c.row0[i] + r] - gRate[r]);
-  addQuotient(s, power);
+  addQuotient(s, power, leastTwiceT);
   return true;
 }
 
@@ -110,17 +111,20 @@ void JointTangent::turn(const MechanicalSystem& s) {
 }
 
 /// Adds −∂(p/s Mv)/∂v: the derivatives of p, of Mv, and of 1/s.
-void JointTangent::addQuotient(const MechanicalSystem& s, double power) {
+void JointTangent::addQuotient(const MechanicalSystem& s, double power, double leastTwiceT) {
   double twiceT = 0.0;
   for (int a = 0; a < sides_; ++a)
     power += side_[a].v.dot(side_[a].W), twiceT += side_[a].v.dot(side_[a].momentum);
+  // At rest the denominator is a constant.
+  const double ofT = twiceT > leastTwiceT ? 2.0 : 0.0;
+  twiceT = std::max(twiceT, leastTwiceT);
   if (!(twiceT > 0.0)) return;
   const double share = power / twiceT;
   for (int a = 0; a < sides_; ++a) {
     const Side& x = side_[a];
     for (int b = 0; b < sides_; ++b) {
       const Side& y = side_[b];
-      force_[a][b] -= x.momentum * (y.powerByV - 2.0 * share * y.momentum).transpose() / twiceT;
+      force_[a][b] -= x.momentum * (y.powerByV - ofT * share * y.momentum).transpose() / twiceT;
     }
     force_[a][a].topLeftCorner(x.nu, x.nu) -= share * s.slot(0).mass.M(x.block);
   }

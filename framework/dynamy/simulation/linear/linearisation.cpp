@@ -18,6 +18,7 @@ constexpr int kLevels = 7;  ///< number of steps, each half of the one before
 constexpr double kRankOfStates = 1e-9;
 /// Largest accelerations of a steady motion, as a share of those by the forces alone.
 constexpr double kSteady = 1e-10;
+constexpr double kDrift = 1e3;  ///< the same later in the motion, in units of kSteady
 /// How much A may change along the motion, as a share of its largest entry.
 constexpr double kConstant = 1e-6;
 constexpr int kMostSteps = 40;    ///< of Newton's method
@@ -92,23 +93,19 @@ class Linear {
     return d;
   }
 
-  /// Newton's method with corrections of least norm; at rest it changes positions alone. Returns
-  /// the length of all corrections.
-  double seek(State& x) {
+  /// Newton's method with corrections of least norm for zero accelerations and held constraints, now
+  /// and, in the steady motion from here, after each of the `later` times [s]; at rest it changes
+  /// positions alone. Returns the length of all corrections.
+  double seek(State& x, const std::vector<double>& later) {
     const bool rest = x.u.size() == 0 || x.u.lpNorm<Eigen::Infinity>() == 0.0;
     const Eigen::Index free = rest ? nu_ : 2 * nu_;
     double way = 0.0;
     for (int i = 0; i < kMostSteps; ++i) {
-      const MotionSample m = motion_.at(x);
-      Eigen::VectorXd y(nu_ + 2 * m.gamma.size());
-      y << m.a, m.gamma, m.position;
+      const Eigen::VectorXd y = residual(x, later);
       const double size = y.size() > 0 ? y.lpNorm<Eigen::Infinity>() : 0.0;
       if (size <= 1e-3 * kSteady * std::max(1.0, motion_.freeAcceleration())) return way;
-      const Derivatives d = derivatives(x);
-      Eigen::MatrixXd J(y.size(), free);
-      J << d.A.bottomLeftCorner(nu_, free), d.C.leftCols(free);
       PseudoInverse inverse(kRankOfStates);
-      inverse.compute(J);
+      inverse.compute(tangent(x, later, free));
       Eigen::VectorXd change;
       inverse.solve(y, change);
       Eigen::VectorXd z = Eigen::VectorXd::Zero(2 * nu_);
@@ -123,6 +120,39 @@ class Linear {
   }
 
  private:
+  /// Accelerations, velocities and positions of the held rows at x and after the `later` times.
+  Eigen::VectorXd residual(const State& x, const std::vector<double>& later) {
+    Eigen::VectorXd y;
+    const auto append = [&](const MotionSample& m) {
+      const Eigen::Index first = y.size(), rows = m.gamma.size();
+      y.conservativeResize(first + nu_ + 2 * rows);
+      y.tail(nu_ + 2 * rows) << m.a, m.gamma, m.position;
+    };
+    for (const double tau : later) append(motion_.at(motion_.movedOn(x, tau)));
+    append(motion_.at(x));  // last, so that the forces of the motion are those at x
+    return y;
+  }
+
+  /// ∂residual/∂z for the first `free` ones of z: displacements, velocities.
+  Eigen::MatrixXd tangent(const State& x, const std::vector<double>& later, Eigen::Index free) {
+    Eigen::MatrixXd J;
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(nu_);
+    double error = 0.0;
+    for (Eigen::Index i = 0; i < free; ++i) {
+      const Eigen::Index k = i % nu_;
+      direction.setZero(), direction[k] = 1.0;
+      const auto f = [&](double s) {
+        State moved = i < nu_ ? motion_.displaced(x, s * direction) : x;
+        if (i >= nu_) moved.u[k] += s;
+        return residual(moved, later);
+      };
+      const Eigen::VectorXd D = derivative(f, i < nu_ ? step_[k] : kStep, error);
+      if (J.size() == 0) J.resize(D.size(), free);
+      J.col(i) = D;
+    }
+    return J;
+  }
+
   /// Sets the steps of the differences by unit: lengths scale with the scene.
   void steps() {
     Eigen::VectorXd positions;
@@ -217,21 +247,37 @@ void expectPermitted(const std::vector<HeldMotion::Contact>& contacts) {
           "the contact would have to pull, or to stick beyond its friction");
 }
 
+/// Instants [s] at which a motion from x has to be steady: after some turn or way. Empty at rest.
+std::vector<double> laterTimes(const State& x) {
+  const double fastest = largest(x.u);
+  if (fastest == 0.0) return {};
+  return {0.7 / fastest, 1.9 / fastest};
+}
+
+double allowedAcceleration(const HeldMotion& motion) {
+  return kSteady * std::max(1.0, motion.freeAcceleration());
+}
+
+bool staysSteady(HeldMotion& motion, const State& x, const std::vector<double>& later) {
+  return std::all_of(later.begin(), later.end(), [&](double tau) {
+    return largest(motion.at(motion.movedOn(x, tau)).a) <= kDrift * allowedAcceleration(motion);
+  });
+}
+
 /// Throws ModelError unless, later in the motion, the accelerations are still zero and the linear
 /// equations the same.
 void expectSteady(HeldMotion& motion, Linear& linear, const State& x, const Derivatives& d,
                   double allowed) {
-  const double fastest = largest(x.u), size = d.A.size() > 0 ? d.A.cwiseAbs().maxCoeff() : 0.0;
-  if (fastest == 0.0) return;
-  for (const double turn : {0.7, 1.9}) {
-    const State later = motion.movedOn(x, turn / fastest);
+  const double size = d.A.size() > 0 ? d.A.cwiseAbs().maxCoeff() : 0.0;
+  for (const double tau : laterTimes(x)) {
+    const State later = motion.movedOn(x, tau);
     const double a = largest(motion.at(later).a);
     const double change = (linear.derivatives(later).A - d.A).cwiseAbs().maxCoeff();
-    if (a <= 1e3 * allowed && change <= kConstant * size) continue;
+    if (a <= kDrift * allowed && change <= kConstant * size) continue;
     throw ModelError(
         fmt::format("the motion is not steady: {:.3g} s later its accelerations are {:.3g} and the "
                     "linear equations have changed by {:.3g}",
-                    turn / fastest, a, change),
+                    tau, a, change),
         "eigenvalues need equations that stay the same along the motion: take coordinates that do "
         "not turn with a wheel");
   }
@@ -251,11 +297,16 @@ Linearisation linearise(Model& model, const State& from, const LinearisationOpti
   Linear linear(model, motion);
   Linearisation out;
   out.at = from;
-  if (options.seek) out.moved = linear.seek(out.at);
+  if (options.seek) {
+    out.moved = linear.seek(out.at, {});
+    // A moving damper may carry a force now and none later: then the motion is to be steady later, too.
+    const std::vector<double> later = laterTimes(out.at);
+    if (!staysSteady(motion, out.at, later)) out.moved += linear.seek(out.at, later);
+  }
 
   const MotionSample here = motion.at(out.at);
   out.contacts = motion.contacts();
-  const double allowed = kSteady * std::max(1.0, motion.freeAcceleration());
+  const double allowed = allowedAcceleration(motion);
   out.residual = largest(here.a);
   if (!(out.residual <= allowed))
     throw ModelError(

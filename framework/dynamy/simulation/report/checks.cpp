@@ -168,34 +168,42 @@ void Checks::feed(const StepView& view, std::size_t i, double end) {
   }
   if (c.from > tE + hair || c.to < tA + hair) return;
   if (c.from > tA + hair && c.from < tE - hair) m.add(c.from, inside(c.from));
-  if (view.scheme.choosesSteps()) feedWithin(view, i);
+  const bool changes = view.report.uBeforeImpact != nullptr || view.report.counts.switches > 0;
+  const double before = changes ? sampler_.sampleBeforeImpact(view, i) : end;
+  if (view.scheme.choosesSteps()) feedWithin(view, i, before);
   if (c.to >= tE - hair) {
-    if (view.report.uBeforeImpact != nullptr || view.report.counts.switches > 0)
-      m.add(tE, sampler_.sampleBeforeImpact(view, i));
+    if (changes) m.add(tE, before);
     m.add(tE, end);
   } else {
     m.add(c.to, inside(c.to));
   }
 }
 
-void Checks::feedWithin(const StepView& view, std::size_t i) {
+/// Feeds samples within the step. `end`: the signal at its end, before what happens there.
+void Checks::feedWithin(const StepView& view, std::size_t i, double end) {
   Measurement& m = measurements_[i];
   const CheckSettings& c = m.settings();
   const double tA = view.before.t, tE = view.after.t, hair = 1e-9 * (tE - tA);
   const bool extreme = c.measure == Measure::min || c.measure == Measure::max;
   const double sign = c.measure == Measure::min ? -1.0 : 1.0;
+  const double from = std::max(c.from, tA), to = std::min(c.to, tE);
   double s[3] = {kNaN, kNaN, kNaN};  // the last three
-  for (int k = 1; k < kWithin; ++k) {
+  for (int k = 0; k <= kWithin; ++k) {
     const double t = tA + (tE - tA) * k / kWithin;
-    if (!(t > std::max(c.from, tA) + hair && t < std::min(c.to, tE) - hair)) continue;
-    s[0] = s[1], s[1] = s[2], s[2] = sampler_.sampleOne(view, (t - tA) / (tE - tA), i);
-    m.add(t, s[2]);
+    const bool inner = t > from + hair && t < to - hair;
+    // The ends of a step close a parabola, so that an extreme beside them is found as well.
+    const bool atEnd = extreme && (k == 0 || k == kWithin) && t >= from - hair && t <= to + hair;
+    if (!inner && !atEnd) continue;
+    s[0] = s[1], s[1] = s[2];
+    s[2] = k == kWithin ? end : sampler_.sampleOne(view, (t - tA) / (tE - tA), i);
+    if (inner) m.add(t, s[2]);
     // An extreme between samples: the signal at the vertex of the parabola through the last three.
     // An error of that place changes the value by s̈/2 times the square of the error.
     const double left = sign * (s[1] - s[0]), right = sign * (s[1] - s[2]);
-    if (!extreme || !(left >= 0.0 && right >= 0.0 && left + right > 0.0)) continue;
-    const double top = k - 1 + 0.5 * (left - right) / (left + right);
-    m.between(sampler_.sampleOne(view, top / kWithin, i));
+    if (!extreme || !(left + right > 0.0)) continue;
+    const double top = 0.5 * (left - right) / (left + right);
+    if (top >= -1.0 && top <= 1.0)
+      m.between(sampler_.sampleOne(view, std::clamp((k - 1 + top) / kWithin, 0.0, 1.0), i));
   }
 }
 

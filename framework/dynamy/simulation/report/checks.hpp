@@ -72,7 +72,7 @@ class Checks final : public Observer {
   void feed(const StepView& view, std::size_t i, double end);
   /// Adds samples within a step of a scheme that chooses its steps: such a step may hold a whole
   /// oscillation.
-  void feedWithin(const StepView& view, std::size_t i);
+  void feedWithin(const StepView& view, std::size_t i, double end);
   CheckResult measured(const Measurement& m) const;
   std::vector<CheckSettings> all_;
   SignalSampler sampler_;

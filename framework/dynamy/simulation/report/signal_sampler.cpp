@@ -90,17 +90,18 @@ void SignalSampler::place(const StepView& view, double theta, bool ofContacts) {
     at_.memory = view.after.memory;
   } else {
     view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
+    at_.memory = view.before.memory;  // elements change their memory at the ends of steps alone
   }
   kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
-                       dynamy::view(std::as_const(at_.u)), dynamy::view(view.after.memory));
+                       dynamy::view(std::as_const(at_.u)), dynamy::view(std::as_const(at_.memory)));
   look(view, after, ofContacts);
 }
 
 void SignalSampler::placeBeforeImpact(const StepView& view, bool ofContacts) {
-  at_.t = view.after.t, at_.q = view.after.q, at_.memory = view.after.memory;
+  at_.t = view.after.t, at_.q = view.after.q, at_.memory = view.before.memory;
   at_.u = view.report.uBeforeImpact != nullptr ? *view.report.uBeforeImpact : view.after.u;
   kinematics_.evaluate(model_.topology(), at_.t, dynamy::view(std::as_const(at_.q)),
-                       dynamy::view(std::as_const(at_.u)), dynamy::view(view.after.memory));
+                       dynamy::view(std::as_const(at_.u)), dynamy::view(std::as_const(at_.memory)));
   look(view, false, ofContacts);
 }
 
@@ -125,7 +126,7 @@ double SignalSampler::value(const StepView& view, const NamedSignal& s) const {
     new (&seen.Lambda) ConstVec(instant_.lambda.data(), instant_.lambda.size());
     new (&seen.gammaE) ConstVec(instant_.gamma.data(), instant_.gamma.size());
   }
-  new (&seen.memory) ConstVec(part(view.after.memory, s.memory0, s.memory));
+  new (&seen.memory) ConstVec(part(at_.memory, s.memory0, s.memory));
   seen.dt = view.report.dt;
   seen.element = s.contact;
   return s.signal.value(seen);

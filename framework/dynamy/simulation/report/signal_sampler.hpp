@@ -19,7 +19,8 @@ class SignalSampler {
 
   /// All signals at fraction θ ∈ [0,1] of the step; q and u from OneStep::interpolate, contact
   /// quantities (λ, γ, status) from OneStep::contactsAt if the scheme has them, else those of the
-  /// whole step. No allocation after the first call.
+  /// whole step; within a step elements remember what they did at its beginning. No allocation after the
+  /// first call.
   void sample(const StepView& view, double theta, std::span<double> out);
   /// Signal number i alone.
   double sampleOne(const StepView& view, double theta, std::size_t i);
