@@ -55,4 +55,5 @@ PYBIND11_MODULE(dynamy, m) {
   python::bindLaws(m);
   python::bindModel(m);
   python::bindRun(m);
+  python::bindGradient(m);
 }

@@ -158,6 +158,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   Faults faults;
   ModelSource source(registry, plugins, options.set, faults);
   source.noteFiles(options.files);
+  source.noteParameters(options.parameters);
   read(source);
   const bool whole = allElementsAreKnown(faults);
 

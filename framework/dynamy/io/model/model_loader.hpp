@@ -18,6 +18,8 @@ struct LoadOptions {
   /// were not found, and even if the model is faulty. A program that waits for changes watches
   /// these files.
   std::vector<std::filesystem::path>* files = nullptr;
+  /// Receives the values of all parameters by the names that `set` takes.
+  std::map<std::string, double>* parameters = nullptr;
 };
 
 /// Reads the model in `file` and builds it. The types it uses must be registered already, except

@@ -174,6 +174,9 @@ void ModelSource::readParameters(const XmlNode& root, Scope& scope, const Includ
 
   overrides_.apply(scope, evaluator, *faults_);  // --set on the command line
   evaluator.evaluate();
+  if (notedParameters_ == nullptr) return;
+  for (const std::string& name : known)
+    if (const double* value = scope.number(name)) (*notedParameters_)[scope.prefix + name] = *value;
 }
 
 /// Reads the children of the root, or of a replicate of whole sections.

@@ -23,6 +23,8 @@ class ModelSource {
   /// Appends to `files` every file that is read from now on, and every file that is searched but
   /// missing.
   void noteFiles(std::vector<std::filesystem::path>* files) { noted_ = files; }
+  /// Adds to `parameters` the values of the parameters of every file that is read from now on.
+  void noteParameters(std::map<std::string, double>* parameters) { notedParameters_ = parameters; }
 
   /// Reads the model and all it includes. Throws ModelError if the first file cannot be read.
   void read(const std::filesystem::path& file);
@@ -64,6 +66,7 @@ class ModelSource {
   ParameterOverrides overrides_;
   Faults* faults_;
   std::vector<std::filesystem::path>* noted_ = nullptr;
+  std::map<std::string, double>* notedParameters_ = nullptr;
   Vocabulary vocabulary_;
   std::deque<XmlDocument> documents_;
   std::size_t textSize_ = 0;    ///< bytes of all files

@@ -30,6 +30,7 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
   LocatedStep step{s, solver, report, parts_, from_, to_, record_, startHeld_, start.lastSwitched};
   bool done = false;
   Refusal refusal = enter(step, x, start);
+  if (parts_.settings.givenSteps) parts_.pace.next = dt;
   for (int tries = 0; !refusal && !done; ++tries)
     refusal =
         tries < TrialConstants::most ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
@@ -46,7 +47,8 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
   parts_.motion.phase.request.differences = &parts_.bias.differences();
   if (!same) {
     const ButcherTableau& table = parts_.settings.table();
-    parts_.motion.prepare(s, table, &table == &dormandPrince8() ? &dormandPrince5() : nullptr);
+    const bool light = &table == &dormandPrince8() && !parts_.settings.givenSteps;
+    parts_.motion.prepare(s, table, light ? &dormandPrince5() : nullptr);
     parts_.probe.prepare(s, x);
     coming_.prepare(s.parts());
     parts_.event.prepare(parts_.norm);
@@ -120,7 +122,7 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   const double until = events_.untilInstant(step), end = from_.x.t + most;
   const bool announced = until < most && events_.instant() <= end;
   if (until <= 0.0 && announced) {
-    to_ = from_, done = true;
+    to_ = from_, done = endedByMotion_ = true;
     return events_.passInstant(step, to_, end);
   }
   if (until > 0.0) most = std::min(most, until);
@@ -129,15 +131,15 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   step.book(&StepEffort::events);
   if (slips.stopped) {
     ++step.report.counts.switches;
-    to_ = from_, done = true;
+    to_ = from_, done = endedByMotion_ = true;
     return {};
   }
   startHeld_ = motion.phase.held;
   const int columns = parts_.settings.columns;
   motion.halfExplicit(columns > 0 ? columns
                                   : parts_.bias.columns(motion.phase, parts_.norm.tolerance()));
-  Trial trial =
-      trials_.take(step, trials_.shortened(from_, std::min(parts_.pace.next, slips.most)));
+  const double longest = trials_.shortened(from_, slips.most);
+  Trial trial = trials_.take(step, std::min(parts_.pace.next, longest));
   if (trial.refusal || !trial.accepted) return trial.refusal;
   if (trial.found) {
     ++step.report.counts.switches;
@@ -156,7 +158,7 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
     trials_.drop(step, trial.h);
     return {};
   }
-  return finish(step, trial, {most, announced, end}, done);
+  return finish(step, trial, {most, announced, end, longest < most && trial.h == longest}, done);
 }
 
 Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound& bound,
@@ -170,7 +172,7 @@ Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound
     if (full) to_.x.t = from_.x.t + bound.most;
     last_.end() = to_;
   }
-  done = true;
+  done = true, endedByMotion_ = trial.found || bound.own || (full && bound.announced);
   const std::array<double, 5> before = record_.works;
   record_.impulsesOf(motion.phase);
   record_.addWorks(motion.step.last().works());

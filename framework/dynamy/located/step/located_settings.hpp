@@ -29,6 +29,9 @@ struct LocatedSettings {
   Accuracy accuracy{};
   int columns = 0;  ///< of the half-explicit rule where it is used throughout, else 0
   EventPolicy events{};
+  /// Steps have the lengths that the caller gives, whatever their errors are (theory 53): as a
+  /// function of the state at its start, such a step is smooth.
+  bool givenSteps = false;
   /// The method of smooth phases at this accuracy.
   const ButcherTableau& table() const;
 };

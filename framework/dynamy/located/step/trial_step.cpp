@@ -78,12 +78,16 @@ TrialStep::Tried TrialStep::takeSmooth(LocatedStep& step, Trial& trial, double& 
   }
   const double error = method.error(parts_.norm, step.from.x, step.to.x);
   if (!std::isfinite(error)) return reject(step, h * TrialConstants::shrink);
-  if (smooth.tooLight(error)) return reject(step, h);
-  factor = TrialConstants::safety * std::pow(std::max(error, 1e-10), -1.0 / method.errorOrder());
-  if (error > 1.0) return reject(step, h * std::clamp(factor, TrialConstants::shrink, 1.0));
+  const bool given = parts_.settings.givenSteps;
+  if (!given && smooth.tooLight(error)) return reject(step, h);
+  factor =
+      given ? method.mostGrowth()
+            : TrialConstants::safety * std::pow(std::max(error, 1e-10), -1.0 / method.errorOrder());
+  if (!given && error > 1.0)
+    return reject(step, h * std::clamp(factor, TrialConstants::shrink, 1.0));
   if (!method.errorNeedsEnd() && !evaluated()) return faultOfPhase(step, trial);
   if (!step.to.a.allFinite()) return reject(step, h * TrialConstants::shrink);
-  return boundEnergy(step, h, factor);
+  return given ? Tried::accepted : boundEnergy(step, h, factor);
 }
 
 TrialStep::Tried TrialStep::boundEnergy(LocatedStep& step, double h, double& factor) {

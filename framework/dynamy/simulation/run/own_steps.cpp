@@ -1,19 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <dynamy/simulation/run/own_steps.hpp>
-#include <limits>
 
 namespace dynamy {
-namespace {
-
-/// A remaining time up to this share of the end time counts as zero.
-constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
-
-}  // namespace
-
 Advance OwnSteps::next(Stepper& stepper, double until) {
   const double rest = until - stepper.t(), next = stepper.nextStep();
-  const bool over = !(rest > kTimeNoise * std::abs(until));
+  const bool over = isPassed(until, stepper.t());
   // A longer run continues from the state stored here, before the end time shortens a step.
   if (!kept_ &&
       (over || !(next > 0.0 && std::min(next, largest_ > 0.0 ? largest_ : next) < rest))) {

@@ -74,6 +74,8 @@ Simulation::Simulation(Model& model)
 
 void Simulation::record(RecordSink& sink) { observers_.record(sink); }
 
+void Simulation::plan(StepPlan plan) { loop_ = std::make_unique<PlannedSteps>(std::move(plan)); }
+
 int Simulation::threads(int count) {
   system_.limits.workers = nullptr;
   workers_.reset();

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <dynamy/simulation/run/checkpoints.hpp>
 #include <dynamy/simulation/run/idle_calls.hpp>
+#include <dynamy/simulation/run/planned_steps.hpp>
 #include <dynamy/simulation/run/run_observers.hpp>
 #include <dynamy/simulation/run/step_attempt.hpp>
 #include <dynamy/simulation/run/time_loop.hpp>
@@ -45,6 +46,8 @@ class Simulation final : private Stepper {
   /// part of it. No recorded numbers are lost. If the run ended within a step, checkpoint() holds
   /// an earlier state, or is empty if none was stored.
   void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
+  /// Takes the steps of `plan`, for a scheme that chooses its steps.
+  void plan(StepPlan plan);
   /// Continues from a checkpoint of the same model. Throws ModelError if the checkpoint belongs to
   /// another model or holds values that no run produces, and FileError (of the sink) if the
   /// recorded files do not match it. After an error only the destructor may be called.

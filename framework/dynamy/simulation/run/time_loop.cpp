@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/simulation/run/time_loop.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -10,7 +12,11 @@ constexpr int kFewer = 4, kMore = 2;
 constexpr int kExpected = 10;
 constexpr long kFirstMore = 2;  ///< evaluations of the first attempt beside those of others
 constexpr long kMostParts = 2000, kFewestParts = 8, kWork = 48000;  ///< see mostParts()
+/// A remaining time up to this share of the instant counts as zero.
+constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
 }  // namespace
+
+bool isPassed(double instant, double t) { return !(instant - t > kTimeNoise * std::abs(instant)); }
 
 long partsWithinWork(int nu, long evaluations) {
   return kWork / (std::max(nu, 1) * std::max(evaluations, 1l));

@@ -49,6 +49,9 @@ class Stepper {
   virtual bool pause(bool asked) = 0;
 };
 
+/// True: a run at time t has reached this instant, up to rounding.
+bool isPassed(double instant, double t);
+
 /// Result of TimeLoop::next().
 enum class Advance {
   taken,   ///< there is a new state

@@ -1,0 +1,98 @@
+/// dynamy gradient MODEL: derivatives of signals and checks with respect to parameters.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/model/file_gradient.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "numbers.hpp"
+#include "paths.hpp"
+#include "program.hpp"
+
+namespace dynamy::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradientTask {
+  std::string model, out;
+  std::vector<std::string> of, by, set;
+  double tolerance = 0.0;
+  bool checks = false, json = false;
+};
+
+std::string gradientText(const std::string& model, const Gradient& g) {
+  std::string out = fmt::format("{}: tolerance {:g}, {} switches, {} with impacts\n", model,
+                                g.tolerance, g.switches, g.impacts);
+  std::size_t width = 0;
+  for (const std::string& name : g.by) width = std::max(width, name.size());
+  for (const GradientValue& v : g.values) {
+    const std::string where = v.measure.empty() ? fmt::format("at {:g} s", v.at) : v.measure;
+    out += fmt::format(" {} {} = {:.12g} ± {:.1g}\n", v.of, where, v.value, v.error);
+    for (std::size_t i = 0; i < g.by.size(); ++i)
+      if (g.refused[i].empty())
+        out +=
+            fmt::format("   by {:<{}} {:>20.12g} ± {:.1g}\n", g.by[i], width, v.d[i], v.dError[i]);
+  }
+  return out;
+}
+
+void tellGradient(Program& program, const GradientTask& task) {
+  FileGradient wanted{.file = task.model,
+                      .of = task.of,
+                      .by = task.by,
+                      .checks = task.checks,
+                      .tolerance = task.tolerance};
+  for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
+  const Gradient g = gradient(wanted, program.registry, program.plugins);
+  const fs::path folder =
+      task.out.empty() ? fs::path("runs") / (fs::path(task.model).stem().string() + ".gradient")
+                       : fs::path(task.out);
+  fs::create_directories(folder);
+  std::string text;
+  JsonWriter j(text, 2);
+  j.beginObject();
+  writeGradient(j, g);
+  j.endObject();
+  writeWholeFile(folder / "gradient.json", text + "\n");
+  fmt::print("{}", task.json ? text + "\n" : gradientText(task.model, g));
+  for (std::size_t i = 0; i < g.by.size(); ++i) {
+    if (g.refused[i].empty()) continue;
+    fmt::print(stderr, "dynamy: by {}: {}\n", g.by[i], g.refused[i]);
+    program.exitCode = kQualified;
+  }
+}
+
+}  // namespace
+
+void addGradient(CLI::App& app, Program& program) {
+  auto t = std::make_shared<GradientTask>();
+  CLI::App* c = app.add_subcommand("gradient",
+                                   "derivatives of signals with respect to parameters, exact "
+                                   "through impacts, stick and slip");
+  c->add_option("MODEL", t->model, "XML file")->required();
+  c->add_option("--of", t->of,
+                "signals, each at a time or at the end; default: all of systems at the end")
+      ->type_name("SIGNAL[@TIME]");
+  c->add_option("--by", t->by, "parameters")->type_name("NAME")->required();
+  c->add_flag("--checks", t->checks, "also the values that the checks of the model measure");
+  c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  c->add_option("--tolerance", t->tolerance,
+                "of the run; default: that of the model, or 1e-9 if it has none")
+      ->type_name("NUMBER")
+      ->check(positiveNumber());
+  c->add_option("--out", t->out, "folder of gradient.json; default: runs/MODEL.gradient")
+      ->type_name("DIR")
+      ->check(someName());
+  addPlugins(*c, program);
+  c->add_flag("--json", t->json, "print JSON");
+  c->callback([t, &program] {
+    program.load();
+    tellGradient(program, *t);
+  });
+}
+
+}  // namespace dynamy::app

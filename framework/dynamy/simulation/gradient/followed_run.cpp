@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <dynamy/located/located_dormand_prince.hpp>
+#include <dynamy/simulation/gradient/followed_run.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
+#include <memory>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+const NamedSignal* signalNamed(const Model& model, const std::string& name) {
+  if (const NamedSignal* s = model.signal(name)) return s;
+  std::vector<std::string> known;
+  for (const NamedSignal& s : model.signals()) known.push_back(s.name);
+  throw ModelError("no signal named \"" + name + '"', unknownNameHint(name, known));
+}
+
+std::vector<const NamedSignal*> signalsOf(const Model& model, const std::vector<SignalAt>& of) {
+  std::vector<const NamedSignal*> out;
+  for (const SignalAt& s : of) out.push_back(signalNamed(model, s.signal));
+  return out;
+}
+
+/// Sees every step: notes what happened, and takes the signals at their instants.
+class Watch final : public Observer {
+ public:
+  Watch(const Model& model, const std::vector<SignalAt>& of, const std::vector<double>& stops,
+        const LocatedDormandPrince& scheme)
+      : of_(of), stops_(stops), scheme_(scheme), sampler_(model, signalsOf(model, of)) {
+    run.values.resize(of.size());
+  }
+  void start(const StepView& initial) override { sample(initial, -1.0); }
+  void step(const StepView& view) override {
+    const double t = view.after.t;
+    const bool stop = std::any_of(stops_.begin(), stops_.end(), [&](double at) {
+      return isPassed(at, t) && !isPassed(at, view.before.t);
+    });
+    run.sequence.add(view, scheme_.endedByMotion() ? PlannedStep::End::ofMotion
+                           : stop                  ? PlannedStep::End::atStop
+                                                   : PlannedStep::End::bounded);
+    if (stop) sample(view, view.before.t);
+  }
+  FollowedRun run;
+
+ private:
+  /// The signals whose instants are after `before`, up to the end of the step.
+  void sample(const StepView& view, double before) {
+    for (std::size_t i = 0; i < of_.size(); ++i)
+      if (isPassed(of_[i].t, view.after.t) && !isPassed(of_[i].t, before))
+        run.values[i] = sampler_.sampleOne(view, 1.0, i);
+  }
+  const std::vector<SignalAt>& of_;
+  const std::vector<double>& stops_;
+  const LocatedDormandPrince& scheme_;
+  SignalSampler sampler_;
+};
+
+}  // namespace
+
+FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
+                        const MotionSequence* like) {
+  auto scheme =
+      std::make_unique<LocatedDormandPrince>(Parameters::of<LocatedDormandPrince>("", "", {}));
+  LocatedDormandPrince& located = *scheme;
+  model.askTolerance(tolerance);
+  model.scheme(std::move(scheme));
+  StepPlan plan;
+  for (const SignalAt& s : of) plan.stops.push_back(s.t);
+  plan.stops.push_back(model.simulation.until);
+  std::sort(plan.stops.begin(), plan.stops.end());
+  plan.stops.erase(std::unique(plan.stops.begin(), plan.stops.end()), plan.stops.end());
+  const std::vector<double> stops = plan.stops;
+  if (like != nullptr) plan.steps = like->plan();
+  Watch watch(model, of, stops, located);
+  Simulation simulation(model);
+  if (like != nullptr) located.giveSteps();
+  simulation.plan(std::move(plan));
+  simulation.observe(watch);
+  const RunReport& report = simulation.run();
+  if (report.ended != RunReport::Ended::finished)
+    throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
+  for (const CheckResult& c : simulation.checks()) watch.run.values.push_back(c.got);
+  return std::move(watch.run);
+}
+
+}  // namespace dynamy

@@ -1,0 +1,52 @@
+/// gradient: derivatives of a run with respect to parameters, exact through its impacts, stick and
+/// slip (theory 53):
+///
+///   d = (v(p + δ) − v(p − δ)) / 2δ
+///
+/// where v(p ± δ) are runs with the steps of the run at p, each with its own instants of the same
+/// switches. So v is smooth in p, and differences are good to about ten digits. The error is the
+/// change when tolerance and δ grow, with the rounding. Where a run at p ± δ has other switches, however small δ is,
+/// there is no derivative: the result says where and at which contact.
+///
+/// Rejected: differences of runs that choose their own steps. They are as good with the best δ, which
+/// is between 1e-3 and 1e-6 of p from run to run; nothing tells which it is, or the error.
+#pragma once
+#include <dynamy/simulation/gradient/followed_run.hpp>
+#include <functional>
+#include <utility>
+
+namespace dynamy {
+
+/// A parameter and its value, in SI units.
+using Varied = std::pair<std::string, double>;
+/// Makes the model with some parameters changed.
+using ModelMaker = std::function<Model(const std::vector<Varied>& changed)>;
+
+struct GradientRequest {
+  std::vector<SignalAt> of;  ///< t: NaN for the end; empty: all signals of systems at the end
+  std::vector<Varied> by;    ///< parameters and the values at which derivatives are taken
+  bool checks = false;       ///< also the values of the model's checks
+  double tolerance = 0.0;    ///< of the run; 0: the model's, or 1e-9 if it has none
+};
+
+struct GradientValue {
+  std::string of;            ///< signal
+  double at = 0.0;           ///< instant [s]; of a check over an interval its end
+  std::string measure = {};  ///< of a check: "max over 0 … 1 s"; else empty
+  double value = 0.0, error = 0.0;
+  std::vector<double> d = {}, dError = {};  ///< by each parameter; NaN: no derivative
+};
+
+struct Gradient {
+  double tolerance = 0.0;
+  std::vector<std::string> by;
+  std::vector<std::string> refused;  ///< per parameter: why it has no derivatives; empty: it has
+  std::vector<GradientValue> values;
+  long switches = 0, impacts = 0;  ///< of the run: their instants
+};
+
+/// Throws ModelError for unknown signals and instants after the end, and if the run ends early or
+/// does not locate its switches.
+Gradient gradient(const ModelMaker& make, GradientRequest request);
+
+}  // namespace dynamy
