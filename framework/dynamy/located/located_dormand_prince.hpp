@@ -38,10 +38,8 @@ class LocatedDormandPrince : public OneStep {
   bool contactsAt(const MechanicalSystem& s, const State& at, bool after,
                   ContactInstant& out) const override;
 
-  /// From now on steps have the lengths they are given, as LocatedSettings::givenSteps says.
-  void giveSteps() { governed_.motion().giveSteps(); }
-  /// As LocatedMotion::endedByMotion.
-  bool endedByMotion() const { return !stepped_ && governed_.motion().endedByMotion(); }
+  /// As LocatedParts::endedByMotion.
+  bool endedByMotion() const { return !stepped_ && governed_.motion().parts().endedByMotion; }
 
   /// The attribute `stiff`, and what it says.
   static void declareStiff(Attributes& a);

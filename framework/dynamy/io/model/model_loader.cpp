@@ -157,8 +157,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
            const Read& read) {
   Faults faults;
   ModelSource source(registry, plugins, options.set, faults);
-  source.noteFiles(options.files);
-  source.noteParameters(options.parameters);
+  source.noteInto(options.files, options.parameters);
   read(source);
   const bool whole = allElementsAreKnown(faults);
 

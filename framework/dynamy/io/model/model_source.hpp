@@ -21,10 +21,11 @@ class ModelSource {
   ModelSource(Registry& registry, PluginLoader& plugins, const Overrides& overrides,
               Faults& faults);
   /// Appends to `files` every file that is read from now on, and every file that is searched but
-  /// missing.
-  void noteFiles(std::vector<std::filesystem::path>* files) { noted_ = files; }
-  /// Adds to `parameters` the values of the parameters of every file that is read from now on.
-  void noteParameters(std::map<std::string, double>* parameters) { notedParameters_ = parameters; }
+  /// missing, and adds to `parameters` the values of their parameters; null: neither.
+  void noteInto(std::vector<std::filesystem::path>* files,
+                std::map<std::string, double>* parameters) {
+    noted_ = files, notedParameters_ = parameters;
+  }
 
   /// Reads the model and all it includes. Throws ModelError if the first file cannot be read.
   void read(const std::filesystem::path& file);

@@ -122,7 +122,7 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   const double until = events_.untilInstant(step), end = from_.x.t + most;
   const bool announced = until < most && events_.instant() <= end;
   if (until <= 0.0 && announced) {
-    to_ = from_, done = endedByMotion_ = true;
+    to_ = from_, done = parts_.endedByMotion = true;
     return events_.passInstant(step, to_, end);
   }
   if (until > 0.0) most = std::min(most, until);
@@ -131,7 +131,7 @@ Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
   step.book(&StepEffort::events);
   if (slips.stopped) {
     ++step.report.counts.switches;
-    to_ = from_, done = endedByMotion_ = true;
+    to_ = from_, done = parts_.endedByMotion = true;
     return {};
   }
   startHeld_ = motion.phase.held;
@@ -172,7 +172,7 @@ Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound
     if (full) to_.x.t = from_.x.t + bound.most;
     last_.end() = to_;
   }
-  done = true, endedByMotion_ = trial.found || bound.own || (full && bound.announced);
+  done = true, parts_.endedByMotion = trial.found || bound.own || (full && bound.announced);
   const std::array<double, 5> before = record_.works;
   record_.impulsesOf(motion.phase);
   record_.addWorks(motion.step.last().works());

@@ -25,8 +25,6 @@ class LocatedMotion {
   const LocatedSettings& settings() const { return parts_.settings; }
   /// Sets the accuracy of the run.
   void aim(const Accuracy& accuracy) { parts_.settings.accuracy = accuracy, system_ = nullptr; }
-  /// From now on steps have the lengths they are given.
-  void giveSteps() { parts_.settings.givenSteps = true, system_ = nullptr; }
   /// Continues with the scales T of the scene and of each system [s] of a run that was stored.
   void scales(const MechanicalSystem& s, double time, const Eigen::VectorXd& times);
 
@@ -58,9 +56,6 @@ class LocatedMotion {
   const LocatedParts& parts() const { return parts_; }
   /// The contact of the last switch, or at which the last step was refused.
   ContactKey lastSwitched() const { return lastSwitched_; }
-  /// True: the motion decided where the last step ended: at a switch, at an announced instant, or at
-  /// a part of the time that a slip lasts; else a bound on the length or on the error did.
-  bool endedByMotion() const { return endedByMotion_; }
 
  private:
   Refusal enter(LocatedStep& step, const State& x, const Start& start);
@@ -90,7 +85,6 @@ class LocatedMotion {
   std::vector<Held> startHeld_;
   MechanicalSystem* system_ = nullptr;  // of the last step; null: nothing is prepared
   ContactKey lastSwitched_ = kNoContact;
-  bool endedByMotion_ = false;
 };
 
 }  // namespace dynamy

@@ -20,6 +20,9 @@ struct LocatedParts {
   SwitchEvent event;
   MissingBias bias;
   Pace pace;
+  /// True: the motion decided where the last step ended: at a switch, at an announced instant, or at
+  /// a part of the time that a slip lasts; else a bound on the length or on the error did.
+  bool endedByMotion = false;
 
   /// Time that instants are compared with [s]: the next trial, at most T, since steps at rest grow
   /// beyond T.

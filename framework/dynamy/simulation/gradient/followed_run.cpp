@@ -25,6 +25,13 @@ std::vector<const NamedSignal*> signalsOf(const Model& model, const std::vector<
   return out;
 }
 
+class Located final : public LocatedDormandPrince {
+ public:
+  explicit Located(bool givenSteps)
+      : LocatedDormandPrince(Parameters::of<LocatedDormandPrince>("", "", {}),
+                             {.givenSteps = givenSteps}) {}
+};
+
 /// Sees every step: notes what happened, and takes the signals at their instants.
 class Watch final : public Observer {
  public:
@@ -63,8 +70,7 @@ class Watch final : public Observer {
 
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
                         const MotionSequence* like) {
-  auto scheme =
-      std::make_unique<LocatedDormandPrince>(Parameters::of<LocatedDormandPrince>("", "", {}));
+  auto scheme = std::make_unique<Located>(like != nullptr);
   LocatedDormandPrince& located = *scheme;
   model.askTolerance(tolerance);
   model.scheme(std::move(scheme));
@@ -76,9 +82,7 @@ FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double to
   const std::vector<double> stops = plan.stops;
   if (like != nullptr) plan.steps = like->plan();
   Watch watch(model, of, stops, located);
-  Simulation simulation(model);
-  if (like != nullptr) located.giveSteps();
-  simulation.plan(std::move(plan));
+  Simulation simulation(model, &plan);
   simulation.observe(watch);
   const RunReport& report = simulation.run();
   if (report.ended != RunReport::Ended::finished)

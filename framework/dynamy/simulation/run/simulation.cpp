@@ -28,7 +28,7 @@ Place beginning(const Model& model) {
   return model.file.name.empty() ? Place() : Place(model.file.name, 1, 1);
 }
 
-std::unique_ptr<TimeLoop> loopOf(Model& model) {
+std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
   model.readyScheme();
   if (model.scheme().findsContacts()) {
     for (const auto& e : model.systems()) refuseSwitching(*e, model.scheme().type());
@@ -42,6 +42,7 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
   }
+  if (plan != nullptr) return std::make_unique<PlannedSteps>(*plan);
   const int nu = model.topology().nu();
   if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
     return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, nu);
@@ -64,17 +65,15 @@ std::unique_ptr<TimeLoop> loopOf(Model& model) {
 
 }  // namespace
 
-Simulation::Simulation(Model& model)
+Simulation::Simulation(Model& model, const StepPlan* plan)
     : model_(model),
       system_(model.mechanicalSystem()),
       step_(model, system_),
-      loop_(loopOf(model)),
+      loop_(loopOf(model, plan)),
       observers_(model, report_),
       unsolved_(model, system_, report_.solver.unsolved) {}
 
 void Simulation::record(RecordSink& sink) { observers_.record(sink); }
-
-void Simulation::plan(StepPlan plan) { loop_ = std::make_unique<PlannedSteps>(std::move(plan)); }
 
 int Simulation::threads(int count) {
   system_.limits.workers = nullptr;

@@ -23,8 +23,9 @@ namespace dynamy {
 class Simulation final : private Stepper {
  public:
   /// `model` is built and outlives the simulation. Throws ModelError if the model lacks the step or
-  /// tolerance that its scheme needs, or if a check requests an unknown signal.
-  explicit Simulation(Model& model);
+  /// tolerance that its scheme needs, or if a check requests an unknown signal. `plan`: of the steps,
+  /// for a scheme that chooses its steps; null: none.
+  explicit Simulation(Model& model, const StepPlan* plan = nullptr);
 
   // Before the first step.
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
@@ -46,8 +47,6 @@ class Simulation final : private Stepper {
   /// part of it. No recorded numbers are lost. If the run ended within a step, checkpoint() holds
   /// an earlier state, or is empty if none was stored.
   void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
-  /// Takes the steps of `plan`, for a scheme that chooses its steps.
-  void plan(StepPlan plan);
   /// Continues from a checkpoint of the same model. Throws ModelError if the checkpoint belongs to
   /// another model or holds values that no run produces, and FileError (of the sink) if the
   /// recorded files do not match it. After an error only the destructor may be called.
