@@ -2,11 +2,15 @@
 #include <cmath>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/resolution_watch.hpp>
+#include <dynamy/stages/error_norm.hpp>
 
 namespace dynamy {
 
-ResolutionWatch::ResolutionWatch(int nu, RunReport& report) : report_(report) {
-  for (Eigen::VectorXd* v : {&increment_, &before_, &momentum_}) v->setZero(nu);
+ResolutionWatch::ResolutionWatch(const Model& model, RunReport& report) : report_(report) {
+  for (Eigen::VectorXd* v : {&increment_, &before_, &momentum_}) v->setZero(model.topology().nu());
+  Eigen::VectorXd positions;
+  unitScales(model.topology(), model.length(), positions, perUnit_);
+  perUnit_ = model.length() * perUnit_.cwiseInverse();
 }
 
 double ResolutionWatch::step(const StepView& view) {
@@ -23,7 +27,8 @@ double ResolutionWatch::step(const StepView& view) {
     report_.trust.stepEnergy = std::max(report_.trust.stepEnergy, given);
     if (momentum_.size() > 0)
       report_.trust.fall =
-          std::max(report_.trust.fall, 0.5 * dt * dt * momentum_.cwiseAbs().maxCoeff());
+          std::max(report_.trust.fall,
+                   0.5 * dt * dt * momentum_.cwiseProduct(perUnit_).cwiseAbs().maxCoeff());
   }
   const bool changed =
       report_.contacts.switches != switches_ || report_.contacts.impacts != impacts_;
@@ -41,7 +46,9 @@ double ResolutionWatch::step(const StepView& view) {
 }
 
 void ResolutionWatch::finish() {
-  report_.trust.omegaDt = speed_ > 0.0 ? std::sqrt(std::sqrt(curvature_ / speed_)) : 0.0;
+  const RunTrust& t = report_.trust;
+  const bool moves = t.kineticMax * RunTrust::kWarned > t.rounding;
+  report_.trust.omegaDt = moves && speed_ > 0.0 ? std::sqrt(std::sqrt(curvature_ / speed_)) : 0.0;
 }
 
 void ResolutionWatch::archive(Archive& a) {

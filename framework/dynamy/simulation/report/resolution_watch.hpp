@@ -2,7 +2,9 @@
 ///
 ///   resolution  (ωΔt)² = √(Σ|Δ²u|²_M / Σ(|u|²_M + |Δt M⁻¹h|²_M)) over steps without a change of
 ///               contacts: an oscillation of ω has Δ²u = −(ωΔt)² u
-///   fall        ½ Δt² |M⁻¹h|, the distance that the forces alone cause in a step
+///   fall        ½ Δt² |M⁻¹h|, the distance that the forces alone cause in a step; a turn by 1 rad
+///               counts as the scene's length
+/// A motion that is no more than rounding has no ωΔt.
 #pragma once
 #include <dynamy/simulation/model/observer.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
@@ -11,8 +13,8 @@ namespace dynamy {
 
 class ResolutionWatch {
  public:
-  /// `nu`: number of velocities of the model. Results go to report.trust, which outlives the watch.
-  ResolutionWatch(int nu, RunReport& report);
+  /// `model` is built. Results go to report.trust, which outlives the watch.
+  ResolutionWatch(const Model& model, RunReport& report);
   /// Examines a step. Returns the energy that forces alone give in it [J]; 0 if the step takes only
   /// a part of the forces.
   double step(const StepView& view);
@@ -29,6 +31,7 @@ class ResolutionWatch {
   int smooth_ = 0;                   // steps without a change of contacts, in a row
   double curvature_ = 0.0, speed_ = 0.0;
   Eigen::VectorXd increment_, before_, momentum_;
+  Eigen::VectorXd perUnit_;  // of velocities: distance per unit [m]
 };
 
 }  // namespace dynamy

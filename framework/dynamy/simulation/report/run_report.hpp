@@ -136,10 +136,10 @@ struct ContactReport {
 
 /// Gaps at positions that contacts and joints should not reach.
 struct GapReport {
-  Worst penetration;     ///< −g of unilateral contacts, at ends of steps as well [m]
-  double atStart = 0.0;  ///< the same of the initial state [m]
-  Worst solvedOverlap;   ///< −g only where steps solve for their forces [m]
-  Worst jointError;      ///< position error of joints at ends of steps [m]
+  Worst penetration;    ///< −g of unilateral contacts, at ends of steps as well [m]
+  Worst atStart;        ///< the same of the initial state [m]
+  Worst solvedOverlap;  ///< −g only where steps solve for their forces [m]
+  Worst jointError;     ///< position error of joints at ends of steps [m]
   void archive(Archive& a) { a(penetration), a(atStart), a(solvedOverlap), a(jointError); }
 };
 

@@ -87,14 +87,16 @@ void aboutImpacts(const RunReport& r, Warnings& out) {
 
 void aboutPositions(const RunReport& r, double length, Warnings& out) {
   const double overlap = r.gaps.penetration.value;
-  // What the model gives may grow by what no step pushes out.
-  if (overlap <= kSameOverlap * r.gaps.atStart && overlap > kStart * length)
+  // What the model gives may grow by what no step pushes out, and by what any step may add.
+  const double given =
+      r.gaps.atStart.value > kStart * length ? kSameOverlap * r.gaps.atStart.value : 0.0;
+  if (given > 0.0)
     out.push_back({"start",
                    fmt::format("the model puts bodies into each other: {:.2g} m at {}; pushing "
                                "them apart changes the energy",
-                               overlap, r.gaps.penetration.name),
-                   1, 0.0, r.gaps.penetration.name});
-  else if (overlap > kMuchOverlap * length)
+                               r.gaps.atStart.value, r.gaps.atStart.name),
+                   1, 0.0, r.gaps.atStart.name});
+  if (overlap > kMuchOverlap * length + given)
     out.push_back(
         {"overlap",
          fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
@@ -102,7 +104,7 @@ void aboutPositions(const RunReport& r, double length, Warnings& out) {
                      overlap, r.gaps.penetration.name, r.gaps.penetration.t, overlap / length),
          1, r.gaps.penetration.t, r.gaps.penetration.name});
   else if (r.trust.way > 0.0 &&
-           overlap > std::max(kOverlapWays * r.trust.way, kLeastShare * length))
+           overlap > std::max(kOverlapWays * r.trust.way, kLeastShare * length) + given)
     out.push_back({"overlap",
                    fmt::format("bodies overlap by {:.2g} m at {} (t = {:.6g} s), {:.2g} "
                                "times the way of the fastest in a step",
@@ -208,7 +210,7 @@ constexpr std::array<WarningKind, 17> kKinds = {{
     {"energy", Says::warning, "energy went where no force did work: the scheme's own error"},
     {"impact law", Says::warning, "impacts would have gained energy by their law"},
     {"restitution", Says::note, "impacts would have gained energy by their law, and rebound less"},
-    {"start", Says::warning, "the model puts bodies into each other"},
+    {"start", Says::note, "the model puts bodies into each other"},
     {"overlap", Says::qualifies, "bodies overlap by more than a step explains"},
     {"joints", Says::qualifies, "a joint is off at the end of a step"},
     {"passed", Says::qualifies, "fast bodies may have passed others in a step of very many hits"},

@@ -18,7 +18,7 @@ RunWatch::RunWatch(Model& model, EnergyLedger& ledger, RunReport& report)
       report_(report),
       energy_(ledger, report),
       gaps_(model, report),
-      resolution_(model.topology().nu(), report),
+      resolution_(model, report),
       travel_(model, report),
       sampleEvery_(std::max(model.simulation.until, 0.0) / kSamples) {}
 
@@ -53,8 +53,8 @@ void RunWatch::sample(const StepView& view) {
 void RunWatch::finish(const StepView& last) {
   sample(last);
   GapReport& gaps = report_.gaps;
-  for (Worst* w :
-       {&report_.solver.residual, &gaps.penetration, &gaps.solvedOverlap, &gaps.jointError})
+  for (Worst* w : {&report_.solver.residual, &gaps.penetration, &gaps.atStart, &gaps.solvedOverlap,
+                   &gaps.jointError})
     if (w->value > 0.0) w->name = contactName(last.model, w->contact);
   if (Worst& first = report_.stepping.first;
       report_.stepping.periods > 0 && first.contact != SwitchGovernor::kNowhere)

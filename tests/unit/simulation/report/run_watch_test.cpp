@@ -69,9 +69,14 @@ TEST(RunWatch, TellsOverlapsByTheSizeOfTheSceneAndByTheStep) {
 
 TEST(RunWatch, TellsThatTheModelPutsBodiesIntoEachOther) {
   RunReport r;
-  r.gaps.penetration.value = r.gaps.atStart = 1e-3, r.trust.way = 1.0;
+  r.gaps.penetration.value = r.gaps.atStart.value = 1e-3, r.trust.way = 1.0;
   EXPECT_TRUE(warns(warningsOf(r, 1.0), "start"));
-  r.gaps.penetration.value = r.gaps.atStart = 1e-7;  // numbers of a file are rounded
+  EXPECT_FALSE(warns(warningsOf(r, 1.0), "overlap"));
+  r.gaps.penetration.value = 0.05;  // far more than the model gives
+  EXPECT_TRUE(warns(warningsOf(r, 1.0), "overlap"));
+  r.gaps.atStart.value = 0.045;  // 0.5 % of the length more than the model gives
+  EXPECT_FALSE(warns(warningsOf(r, 1.0), "overlap"));
+  r.gaps.penetration.value = r.gaps.atStart.value = 1e-7;  // numbers of a file are rounded
   EXPECT_TRUE(warningsOf(r, 1.0).empty());
 }
 
@@ -153,9 +158,10 @@ TEST(RunWatch, StepsInTimeAreANoteIfTheirErrorsAddUpToTenTolerances) {
 TEST(RunWatch, KindsThatQualifyARunAreThoseOfWhatTheModelAsks) {
   for (const char* kind : {"unsolved", "energy gain", "overlap", "joints", "time stepping"})
     EXPECT_EQ(warningKind(kind)->says, Says::qualifies) << kind;
-  for (const char* kind : {"energy", "impact law", "start", "resolution", "rest"})
+  for (const char* kind : {"energy", "impact law", "resolution", "rest"})
     EXPECT_EQ(warningKind(kind)->says, Says::warning) << kind;
-  for (const char* kind : {"start velocities", "start positions", "restitution", "stepped"})
+  for (const char* kind :
+       {"start", "start velocities", "start positions", "restitution", "stepped"})
     EXPECT_EQ(warningKind(kind)->says, Says::note) << kind;
   RunReport r;
   r.warnings.push_back({"resolution", "", 1, 0.0, ""});

@@ -15,7 +15,7 @@ class Parts final : public Observer {
       : ledger(model),
         energy(ledger, report),
         gaps(model, report),
-        resolution(model.topology().nu(), report),
+        resolution(model, report),
         travel(model, report) {}
   void start(const StepView& initial) override {
     ledger.start(initial);
