@@ -9,14 +9,14 @@ ImplicitForces::ImplicitForces(const SystemParts& parts) {
 }
 
 void ImplicitForces::resolve(const SystemParts& parts, const Evaluation& e, const State& x,
-                             double dt, const ImplicitWeights& declared) {
-  unresolved_ =
-      stiff_.evaluateUnresolved(*parts.topology, parts.forces, e.kinematics, x, e.mass, dt);
+                             double dt, const ImplicitWeights& declared, bool neutral) {
+  unresolved_ = stiff_.evaluateUnresolved(*parts.topology, parts.forces, e.kinematics, x, e.mass,
+                                          dt, neutral);
   const double share = stiff_.share();
   resolution_ = {share, share > ForceResolution::kExplicit};
-  damped_ = unresolved_ ? stiff_.unresolved() : 0;
+  damped_ = unresolved_ && !stiff_.neutral() ? stiff_.unresolved() : 0;
   if (!unresolved_) return;
-  stiff_.factor(e.mass, dt, declared);
+  stiff_.factor(e.mass, dt, declared, stiff_.neutral() ? kImplicitMidpoint : kImplicitEnd);
   acceleration_ = change(e, x.u, dt) / dt;
 }
 

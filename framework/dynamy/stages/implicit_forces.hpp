@@ -25,9 +25,10 @@ class ImplicitForces {
 
   /// At `e`, evaluated at x: finds the forces that a step Δt does not resolve, and factorises M̂ with
   /// them, with weights `declared` of stiff elements. unresolved() says whether there are any.
+  /// neutral: steps are not equal; forces that they resolve are taken by the implicit midpoint rule.
   void resolve(const SystemParts& parts, const Evaluation& e, const State& x, double dt,
-               const ImplicitWeights& declared);
-  /// M̂ contains forces that the step does not resolve.
+               const ImplicitWeights& declared, bool neutral);
+  /// M̂ contains forces of elements that are not declared stiff.
   bool unresolved() const { return unresolved_; }
   void forget() { unresolved_ = false; }
   /// Number of forces that the present step takes at its end, or that are withheld.

@@ -37,8 +37,8 @@ void StiffPart::evaluate(const Topology& topology, const std::vector<const Exter
 bool StiffPart::evaluateUnresolved(const Topology& topology,
                                    const std::vector<const ExternalForce*>& forces,
                                    const Kinematics& k, const State& x, const MassMatrix& mass,
-                                   double dt) {
-  if (!found_.find(forces, k, mass, dt)) return false;
+                                   double dt, bool neutral) {
+  if (!found_.find(forces, k, mass, dt, neutral)) return false;
   evaluate(topology, forces, k, x);
   stiffness_.entries.insert(stiffness_.entries.end(), found_.entries().begin(),
                             found_.entries().end());

@@ -19,8 +19,12 @@ class StiffPart {
                 const Kinematics& k, const State& x);
   /// Finds the forces that a step Δt does not resolve, and evaluates their K and D at x together
   /// with those of stiff elements. False: there are no such forces, and nothing is evaluated.
+  /// neutral: see UnresolvedForces::find.
   bool evaluateUnresolved(const Topology& topology, const std::vector<const ExternalForce*>& forces,
-                          const Kinematics& k, const State& x, const MassMatrix& mass, double dt);
+                          const Kinematics& k, const State& x, const MassMatrix& mass, double dt,
+                          bool neutral);
+  /// The forces found last are resolved, and a neutral rule is to take them.
+  bool neutral() const { return found_.neutral(); }
   /// Number of the forces found last.
   int unresolved() const {
     return static_cast<int>(std::count(found_.taken().begin(), found_.taken().end(), 1));

@@ -4,9 +4,12 @@
 namespace dynamy {
 namespace {
 
-/// Shares of the stability limit of explicit rules above which a force is unresolved: of all forces
-/// of a block (why one half: see the header), and of the force itself, which else is a soft one.
-constexpr double kUnresolved = 0.5, kOwnShare = 0.05;
+/// Share of the stability limit of explicit rules above which the forces of a block are unresolved
+/// (why one half: see the header), and above which a neutral rule takes resolved ones, ωΔt = 0.13
+/// between two equal bodies.
+constexpr double kUnresolved = 0.5, kNeutral = 0.002;
+/// Share of the limit that a force needs itself, over that of its block: else it is a soft one.
+constexpr double kOwnShare = 0.1;
 
 }  // namespace
 
@@ -18,7 +21,7 @@ double UnresolvedForces::shareOf(const StiffEntry& e, const MassMatrix& mass, do
 }
 
 bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, const Kinematics& k,
-                            const MassMatrix& mass, double dt) {
+                            const MassMatrix& mass, double dt, bool neutral) {
   if (blockOf_.empty())
     for (int b = 0; b < mass.blocks(); ++b)
       blockOf_.insert(blockOf_.end(), static_cast<std::size_t>(mass.nu(b)), b);
@@ -28,12 +31,13 @@ bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, con
     if (!f->stiff()) f->addStiffness(k, sink);
     ends_.push_back(all_.size());
   }
-  taken_.assign(forces.size(), 0), share_ = 0.0;
+  taken_.assign(forces.size(), 0), share_ = 0.0, neutral_ = false;
   if (all_.empty()) return false;
   shares_.assign(static_cast<std::size_t>(mass.blocks()), 0.0);
   for (const StiffEntry& e : all_)
     shares_[static_cast<std::size_t>(block(e.i))] += shareOf(e, mass, dt);
   share_ = *std::max_element(shares_.begin(), shares_.end());
+  neutral_ = neutral && share_ <= kUnresolved;
   std::size_t first = 0;
   for (std::size_t f = 0; f < forces.size(); ++f) {
     if (isUnresolved(first, ends_[f], mass, dt)) {
@@ -49,11 +53,12 @@ bool UnresolvedForces::find(const std::vector<const ExternalForce*>& forces, con
 /// True: the force with these entries is unresolved. Entries of one mass block follow each other.
 bool UnresolvedForces::isUnresolved(std::size_t first, std::size_t end, const MassMatrix& mass,
                                     double dt) const {
+  const double most = neutral_ ? kNeutral : kUnresolved;
   while (first < end) {
     const int b = block(all_[first].i);
     double own = 0.0;
     for (; first < end && block(all_[first].i) == b; ++first) own += shareOf(all_[first], mass, dt);
-    if (shares_[static_cast<std::size_t>(b)] > kUnresolved && own > kOwnShare) return true;
+    if (shares_[static_cast<std::size_t>(b)] > most && own > kOwnShare * most) return true;
   }
   return false;
 }

@@ -15,11 +15,13 @@ struct Coarseness {
   double overlap = 0.0;  ///< parts after which bodies that meet in the step do not overlap much
   /// Turn of a body in a part [rad]; the run warns of more.
   static constexpr double kMostTurn = 1.0;
-  /// ωΔt in a part of forces that the step does not resolve; in explicit steps the energy of an
-  /// oscillation swings by up to (ωΔt)²/4 of itself, here 0.8 %.
-  static constexpr double kMostSwing = 0.18;
-  /// Overlap that a part brings about, over the length of the scene; the run warns of 1 %.
-  static constexpr double kMostOverlap = 0.008;
+  /// ωΔt in a part of forces that the step does not resolve. Parts take them by the implicit
+  /// midpoint rule, which keeps the energy of an oscillation and delays it by (ωΔt)²/12, here 1 %.
+  static constexpr double kMostSwing = 0.35;
+  /// Overlap that a part brings about, over the length of the scene; the run warns of 1 %. Where
+  /// contacts rebound, two parts in a row add to one overlap: before the bodies meet and before
+  /// they separate.
+  static constexpr double kMostOverlap = 0.004;
   /// Coarseness of a step: largest turn of a body in it [rad], how well it resolves the forces, and
   /// overlap that it brought about, over the scene's length.
   static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0);

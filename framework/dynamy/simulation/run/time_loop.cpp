@@ -11,19 +11,24 @@ constexpr int kFewer = 4, kMore = 2;
 /// Full steps after one in parts in which fast bodies are expected.
 constexpr int kExpected = 10;
 constexpr long kFirstMore = 2;  ///< evaluations of the first attempt beside those of others
-constexpr long kMostParts = 2000, kFewestParts = 8, kWork = 48000;  ///< see mostParts()
+constexpr long kMostParts = 2000, kFewestParts = 8;
+/// Parts times evaluations times velocities, of equal parts and of those for fast bodies.
+constexpr long kWork = 48000, kFastWork = 144000;
 /// A remaining time up to this share of the instant counts as zero.
 constexpr double kTimeNoise = 8.0 * std::numeric_limits<double>::epsilon();
+
+long partsWithin(long work, int nu, long evaluations) {
+  return work / (std::max(nu, 1) * std::max(evaluations, 1l));
+}
 }  // namespace
 
 bool isPassed(double instant, double t) { return !(instant - t > kTimeNoise * std::abs(instant)); }
 
-long partsWithinWork(int nu, long evaluations) {
-  return kWork / (std::max(nu, 1) * std::max(evaluations, 1l));
-}
+long partsWithinWork(int nu, long evaluations) { return partsWithin(kWork, nu, evaluations); }
 
 int mostParts(int nu, long evaluations) {
-  return static_cast<int>(std::clamp(partsWithinWork(nu, evaluations), kFewestParts, kMostParts));
+  return static_cast<int>(
+      std::clamp(partsWithin(kFastWork, nu, evaluations), kFewestParts, kMostParts));
 }
 
 void Allowance::begin() {

@@ -92,8 +92,8 @@ class Allowance {
 /// Number of parts of a step of a model with nu velocities, each of which costs `evaluations`
 /// evaluations of all bodies, such that parts times evaluations times velocities are at most 48 000.
 long partsWithinWork(int nu, long evaluations);
-/// The same for the parts into which a step is cut for fast bodies: there may always be 8 of them,
-/// and never more than 2000.
+/// The same with 144 000 for the parts into which a step is cut for fast bodies, which few steps
+/// need: there may always be 8 of them, and never more than 2000.
 int mostParts(int nu, long evaluations);
 
 /// Steps of length Δt from a counter: t = iΔt, the last one is shortened to end at `until`. A step

@@ -30,9 +30,9 @@ TEST(StepDivision, ResolvesForcesThatAStepDoesNot) {
   d.begin();
   // ωΔt ≤ 2 √(2/32) = 0.5: nothing is divided.
   EXPECT_EQ(d.parts(coarseness(0.0, 1.0 / 32.0), 1.0, kPlenty), 1);
-  // A share of 2 is ωΔt ≤ 2 √4 = 4: 22.2 parts of 0.18, so 32.
-  EXPECT_EQ(d.parts(coarseness(0.0, 2.0), 1.0, kPlenty), 32);
-  const double share = 2.0 / (32.0 * 32.0);
+  // A share of 8 is ωΔt ≤ 2 √16 = 8: 22.9 parts of 0.35, so 32.
+  EXPECT_EQ(d.parts(coarseness(0.0, 8.0), 1.0, kPlenty), 32);
+  const double share = 8.0 / (32.0 * 32.0);
   for (int k = 0; k < 32; ++k) EXPECT_EQ(d.parts(coarseness(0.0, share), 1.0 / 32.0, kPlenty), 1);
   EXPECT_EQ(d.begin(), 32);
 }
@@ -46,28 +46,28 @@ TEST(StepDivision, ChangesTheNumberOfPartsSeldom) {
       d.parts(coarseness(0.0, share / (n * n * again * again)), 1.0 / (n * again), kPlenty);
     return n;
   };
-  step(2.0);
-  EXPECT_EQ(step(2.0), 32);
-  EXPECT_EQ(step(8.0), 32);  // would need 44.4: more parts from now on
-  EXPECT_EQ(step(1.2), 64);  // needs 17.2
-  EXPECT_EQ(step(0.1), 64);  // needs 5: fewer parts from now on
-  EXPECT_EQ(step(0.1), 32);
-  EXPECT_EQ(step(0.1), 16);
-  EXPECT_EQ(step(0.1), 16);  // a quarter of 16 would not do
+  step(8.0);
+  EXPECT_EQ(step(8.0), 32);
+  EXPECT_EQ(step(30.0), 32);  // would need 44.3: more parts from now on
+  EXPECT_EQ(step(4.5), 64);   // needs 17.1
+  EXPECT_EQ(step(0.4), 64);   // needs 5.1: fewer parts from now on
+  EXPECT_EQ(step(0.4), 32);
+  EXPECT_EQ(step(0.4), 16);
+  EXPECT_EQ(step(0.4), 16);  // a quarter of 16 would not do
 }
 
 TEST(StepDivision, LeavesForcesDampedThatWouldCostTooMuch) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(coarseness(0.0, 1e4), 1.0, kPlenty), 1);  // 1571 parts
-  EXPECT_EQ(d.parts(coarseness(3.0, 1e4), 1.0, kPlenty), 4);  // bodies turn all the same
+  EXPECT_EQ(d.parts(coarseness(0.0, 4e4), 1.0, kPlenty), 1);  // 1616 parts
+  EXPECT_EQ(d.parts(coarseness(3.0, 4e4), 1.0, kPlenty), 4);  // bodies turn all the same
 }
 
 TEST(StepDivision, OfAMeetingLastsOneStep) {
   StepDivision d(true);
   d.begin();
-  EXPECT_EQ(d.parts(coarseness(0.0, 0.0, 0.02), 1.0, kPlenty), 4);  // 0.8 % of the length each
-  EXPECT_EQ(d.finest(), 4);
+  EXPECT_EQ(d.parts(coarseness(0.0, 0.0, 0.02), 1.0, kPlenty), 8);  // 0.4 % of the length each
+  EXPECT_EQ(d.finest(), 8);
   EXPECT_EQ(d.begin(), 1);
 }
 

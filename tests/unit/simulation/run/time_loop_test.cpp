@@ -180,8 +180,8 @@ TEST(FixedSteps, OfManyBodiesHaveFewerParts) {
 
   EXPECT_EQ(mostParts(0, 0), 2000);
   EXPECT_EQ(mostParts(12, 2), 2000);
-  EXPECT_EQ(mostParts(180, 2), 133);
-  EXPECT_EQ(mostParts(60, 20), 40);
+  EXPECT_EQ(mostParts(180, 2), 400);
+  EXPECT_EQ(mostParts(60, 20), 120);
   EXPECT_EQ(mostParts(100000, 1), 8);
 }
 
