@@ -55,5 +55,20 @@ TEST_F(Scripts, ACloneThatStayedIsNot) {
   EXPECT_EQ(err().find("anew"), std::string::npos) << err();
 }
 
+TEST_F(Scripts, SayOnATerminalHowFarABuildIs) {
+  write("bin/cmake", "#!/bin/sh\n[ \"$1\" = --build ] || exit 0\necho '[1/8] a'; echo '[2/8] b'\n");
+  fs::permissions(path("bin/cmake"), fs::perms::owner_all);
+  EXPECT_EQ(build(), 0);
+  EXPECT_EQ(readWholeFile(path("err")).find("/8]"), std::string::npos);  // a file is no terminal
+  const std::string call = "cd / && PATH='" + path("bin") + "':\"$PATH\" script -qec \"'" +
+                           (clone() / "scripts" / "build-release").string() + "' dynamy\" '" +
+                           path("seen") + "' > /dev/null < /dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 0);
+  const std::string seen = readWholeFile(path("seen"));
+  EXPECT_NE(seen.find("[1/8]"), std::string::npos) << seen;
+  EXPECT_NE(seen.find("[2/8]"), std::string::npos) << seen;
+  EXPECT_EQ(readWholeFile((clone() / "build/release/build.log").string()), "[1/8] a\n[2/8] b\n");
+}
+
 }  // namespace
 }  // namespace dynamy
