@@ -210,13 +210,17 @@ class BoxFacePair {
     const double normal = k == u ? eB[v] : eB[u];
     if (square < kCross * kCross || normal * normal < kLikeFace * kLikeFace * square) return;
     const double c = eB[a.axis], da = d[a.axis], db = d.dot(eB);
-    const double s = (da - c * db) / square, t = (c * da - db) / square;
-    if (std::abs(s) > A_.half[a.axis] + same_ || std::abs(t) > B_.half[b.axis] + same_) return;
+    const double mostA = A_.half[a.axis] + same_, mostB = B_.half[b.axis] + same_;
+    const double overA = da - c * db, overB = c * da - db;
+    // Most lines cross beyond the ends of the edges, which is seen before they are divided.
+    if (isBeyond(overA, mostA * square) || isBeyond(overB, mostB * square)) return;
+    const double s = overA / square, t = overB / square;
+    if (std::abs(s) > mostA || std::abs(t) > mostB) return;
     if (!takes(b.middle + t * eB)) return;
     const PlacedEdge edgeA = placedEdge(A_, a.number), edgeB = placedEdge(B_, b.number);
     const EdgeCrossing at(edgeA, edgeB);
     last().id = 16 + 12 * a.number + b.number;
-    last().at = edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, at, normalOf(A_, faceA_));
+    last().at = edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, at, normalOf(A_, faceA_), rates_);
   }
 
   const PlacedBox &A_, &B_;
@@ -255,7 +259,7 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
     const PlacedEdge a = placedEdge(A, i), b = placedEdge(B, j);
     const EdgeCrossing at(a, b);
     if (!at.parallel && std::abs(at.s) <= a.half && std::abs(at.t) <= b.half) {
-      out[0] = {16 + 12 * i + j, edgeOnEdge(*A.frame, a, *B.frame, b, at, n)};
+      out[0] = {16 + 12 * i + j, edgeOnEdge(*A.frame, a, *B.frame, b, at, n, rates)};
       return 1;
     }
   }

@@ -55,6 +55,8 @@ struct DiscBody {
   /// The point of the hull of the two discs that is nearest to p.
   Vec3 nearest(const Vec3& p) const;
   double support(const Vec3& d) const;
+  /// A point of the body with the largest d·x.
+  Vec3 furthest(const Vec3& d) const;
   Part part(const Vec3& d) const;
   /// Has the rim a unique outermost point along d? A tip always has.
   bool touches(const Vec3& d, int rim = 0) const;

@@ -44,8 +44,21 @@ Vec3 DiscBody::nearest(const Vec3& p) const {
 }
 
 double DiscBody::support(const Vec3& d) const {
-  if (tip) return d.dot(middle(rimAlong(d))) + radius(rimAlong(d)) * acrossAxis(d).norm() + r;
+  if (tip) {
+    const int rim = rimAlong(d);
+    return d.dot(middle(rim)) + radius(rim) * acrossAxis(d).norm() + r;
+  }
   return d.dot(c) + half * std::abs(d.dot(a)) + rho * acrossAxis(d).norm() + r;
+}
+
+Vec3 DiscBody::furthest(const Vec3& d) const {
+  const int rim = rimAlong(d);
+  const Vec3 beside = acrossAxis(d);
+  const double s = beside.norm(), length = d.norm();
+  Vec3 out = middle(rim);
+  if (s > 0.0) out += radius(rim) / s * beside;
+  if (length > 0.0) out += r / length * d;
+  return out;
 }
 
 DiscBody::Part DiscBody::part(const Vec3& d) const {

@@ -5,7 +5,9 @@
 #include <dynamy_elements/contacts/pairs/disc_arc.hpp>
 #include <dynamy_elements/contacts/pairs/disc_on_polyhedron.hpp>
 #include <dynamy_elements/contacts/pairs/segments.hpp>
+#include <dynamy_elements/contacts/pairs/support_witnesses.hpp>
 #include <limits>
+#include <numbers>
 
 namespace dynamy {
 namespace {
@@ -21,40 +23,92 @@ struct Apart {
 };
 
 /// Search of the direction of largest separation among candidates, with both bodies in the world.
+/// Faces, edges and corners that a pair of points excludes are passed over (support_witnesses.hpp).
 class Search {
  public:
   Search(const PlacedPolyhedron& A, const DiscBody& B) : A_(A), B_(B), body_(*A.of) {}
 
   /// Faces and caps come first: another direction has to separate by more than `more`.
   Apart best(double reach, double more) {
-    for (int i = 0; i < count(body_.faces()); ++i) {
-      const Polyhedron::Face& f = body_.face(i);
-      const Vec3 n = A_.R * f.n;
-      take({-B_.support(-n) - n.dot(A_.c) - f.height, n, i});
-      if (best_.f > reach) return best_;
-    }
+    faces(reach);
+    if (best_.f > reach) return best_;
     if (B_.rho > 0.0)
       for (const double side : {1.0, -1.0}) {
         const Vec3 n = side * B_.a;
         take({value(n), n});
       }
     const double least = best_.f + more;
-    for (int i = 0; i < count(body_.edges()); ++i) edge(i, least);
+    Excluded out(body_, least - rounding());
+    out.by(inA(B_.c - A_.c) - body_.middle());
+    around(kNear, out);
+    if (!std::all_of(body_.edges().begin(), body_.edges().end(),
+                     [&](const Polyhedron::Edge& e) { return out.edge(e); }))
+      around(kFar, out);
+    for (int i = 0; i < count(body_.edges()); ++i)
+      if (!out.edge(body_.edge(i))) edge(i, least);
     // A corner can be nearest to a smooth part only if the bodies are
     // apart, or if the part is the side.
-    for (int i = 0; i < count(body_.corners()); ++i) corner(i, least);
+    for (int i = 0; i < count(body_.corners()); ++i)
+      if (!out.corner(i)) corner(i, least);
     return best_;
   }
 
  private:
+  /// Tilts of a normal [rad]: the points that are outermost along tilted normals lie around each other.
+  /// With the first they are almost as near as along the normal itself.
+  static constexpr double kNear = 1e-3, kFar = 0.5;
+
   template <class Parts>
   static int count(const Parts& parts) {
     return static_cast<int>(parts.size());
   }
+  Vec3 inA(const Vec3& v) const { return A_.R.transpose() * v; }
+  /// Error of a separation, with a margin of a hundred [m].
+  double rounding() const { return 1e-13 * (A_.c.norm() + B_.c.norm() + body_.radius() + B_.rho); }
   double value(const Vec3& n) const {
     double along = 0.0;
     outermost(body_, A_.R.transpose() * n, along);
     return -B_.support(-n) - n.dot(A_.c) - along;
+  }
+  Apart ofFace(int i) const {
+    const Polyhedron::Face& f = body_.face(i);
+    const Vec3 n = A_.R * f.n;
+    return {-B_.support(-n) - n.dot(A_.c) - f.height, n, i};
+  }
+  /// The search ends once the separation exceeds `reach`. Of equal ones the first counts.
+  void faces(double reach) {
+    // It begins at the face that B's middle is furthest from.
+    const Vec3 c = inA(B_.c - A_.c), middle = c - body_.middle();
+    int first = 0;
+    double furthest = -kInfinity;
+    for (int i = 0; i < count(body_.faces()); ++i)
+      if (const double s = body_.face(i).n.dot(c) - body_.face(i).height; s > furthest)
+        furthest = s, first = i;
+    const Apart start = ofFace(first);
+    const Vec3 w = inA(B_.furthest(-start.n) - A_.c) -
+                   body_.corner(body_.border(body_.face(first).first).corner);
+    double most = start.f;
+    const double rounded = rounding();
+    if (most > reach) best_ = start;
+    for (int i = 0; i < count(body_.faces()) && !(best_.f > reach); ++i) {
+      const Vec3& n = body_.face(i).n;
+      if (i == first) {
+        take(start);
+      } else if (std::min(n.dot(middle), n.dot(w)) >= most - rounded) {
+        take(ofFace(i)), most = std::max(most, best_.f);
+      }
+    }
+  }
+  /// Excludes by the outermost points along the best normal, tilted by `tilt` in six directions.
+  void around(double tilt, Excluded& out) const {
+    const Vec3 x = tilt * best_.n.unitOrthogonal(), y = best_.n.cross(x);
+    for (int k = 0; k < 6; ++k) {
+      const double angle = std::numbers::pi / 3.0 * k;
+      const Vec3 n = best_.n + std::cos(angle) * x + std::sin(angle) * y;
+      double along = 0.0;
+      const int v = outermost(body_, inA(n), along);
+      out.by(inA(B_.furthest(-n) - A_.c) - body_.corner(v));
+    }
   }
   void take(const Apart& with, double least = -kInfinity) {
     if (with.f > std::max(best_.f, least)) best_ = with;

@@ -37,6 +37,9 @@ inline double besideFace(double separation, double same) {
   return same + std::min(kBeside * std::max(separation, 0.0), kMostBeside * same);
 }
 
+/// Is |x| larger than `most`, by more than their roundings?
+inline bool isBeyond(double x, double most) { return std::abs(x) > (1.0 + 1e-9) * most; }
+
 /// Least gap of contacts; infinite if there are none.
 inline double leastGap(std::span<const NumberedContact> contacts) {
   double least = std::numeric_limits<double>::infinity();
@@ -97,22 +100,28 @@ struct EdgeCrossing {
   }
 };
 
+/// Contact of two edges at the closest points of their lines. `rates`: of the directions and of the
+/// point are computed, too.
 inline ContactPoint edgeOnEdge(const Frame& fA, const PlacedEdge& a, const Frame& fB,
-                               const PlacedEdge& b, const EdgeCrossing& at, const Vec3& towardsB) {
+                               const PlacedEdge& b, const EdgeCrossing& at, const Vec3& towardsB,
+                               bool rates = true) {
   ContactPoint out;
   const double sign = at.n.dot(towardsB) < 0.0 ? -1.0 : 1.0;
   const Vec3 n = sign * at.n, d = at.PB - at.PA;
+  out.g = n.dot(d), out.P = at.PB;
+  out.d[0] = n, out.d[1] = a.e, out.d[2] = n.cross(a.e);
+  if (!rates) {
+    for (Vec3& ddot : out.ddot) ddot.setZero();
+    return out;
+  }
   const Vec3 eAdot = fA.Omega_I.cross(a.e), eBdot = fB.Omega_I.cross(b.e);
   const Vec3 cross = a.e.cross(b.e), crossdot = eAdot.cross(b.e) + a.e.cross(eBdot);
   const Vec3 ndot = sign * (crossdot - at.n * at.n.dot(crossdot)) / cross.norm();
-  out.g = n.dot(d);
-  out.d[0] = n, out.d[1] = a.e, out.d[2] = n.cross(a.e);
   out.ddot[0] = ndot, out.ddot[1] = eAdot, out.ddot[2] = ndot.cross(a.e) + n.cross(eAdot);
   // d ⟂ e_A, e_B for all times: ḋ·e + d·ė = 0 with ḋ = v_B − v_A + ṫ e_B − ṡ e_A gives ṫ.
   const Vec3 vB = fB.velocity(at.PB - fB.r_OS_I), v = vB - fA.velocity(at.PA - fA.r_OS_I);
   const double c = a.e.dot(b.e), ra = v.dot(a.e) + d.dot(eAdot), rb = v.dot(b.e) + d.dot(eBdot);
   const double tdot = (c * ra - rb) / (1.0 - c * c);
-  out.P = at.PB;
   out.Pdot = vB + tdot * b.e;
   return out;
 }

@@ -1,17 +1,28 @@
 #include <dynamy/core/constants.hpp>
+#include <dynamy_elements/contacts/pairs/polyhedra_separation.hpp>
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
 #include <limits>
 
 namespace dynamy {
-namespace {}  // namespace
 
 int outermost(const Polyhedron& body, const Vec3& d, double& along) {
-  int best = 0;
+  const Polyhedron::Columns& p = body.cornerColumns();
+  const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
+  const double dx = d.x(), dy = d.y(), dz = d.z();
+  const std::size_t n = p.size();
+  // Side by side: products of a few corners, then the largest of them.
+  constexpr std::size_t kTogether = 32;
+  double at[kTogether];
+  std::size_t best = 0;
   along = -kInfinity;
-  const int n = static_cast<int>(body.corners().size());
-  for (int i = 0; i < n; ++i)
-    if (const double a = d.dot(body.corner(i)); a > along) along = a, best = i;
-  return best;
+  for (std::size_t from = 0; from < n; from += kTogether) {
+    const std::size_t some = std::min(kTogether, n - from);
+    for (std::size_t i = 0; i < some; ++i)
+      at[i] = dx * x[from + i] + dy * y[from + i] + dz * z[from + i];
+    for (std::size_t i = 0; i < some; ++i)
+      if (at[i] > along) along = at[i], best = from + i;
+  }
+  return static_cast<int>(best);
 }
 
 int faceAlong(const Polyhedron& body, const Vec3& n) {
@@ -27,79 +38,14 @@ namespace {
 /// Most corners of a face for which corners and crossings of edges fit into kMostPolyhedraContacts.
 constexpr int kMostCorners = 12;
 
-/// Largest separation among axes of one kind, and the axis; n from A to B in axes of A.
-struct Axis {
-  double separation = -kInfinity;
-  int i = -1, j = -1;
-  Vec3 n = Vec3::UnitZ();
-};
-
-/// Separations of both polyhedra in axes of A: C = R_Aᵀ R_B, t = R_Aᵀ (c_B − c_A).
-struct Separation {
-  const Polyhedron &A, &B;
-  Mat3 C;
-  Vec3 t;
-  Separation(const PlacedPolyhedron& a, const PlacedPolyhedron& b)
-      : A(*a.of), B(*b.of), C(a.R.transpose() * b.R), t(a.R.transpose() * (b.c - a.c)) {}
-
-  /// Separation along face normals; the search ends once it exceeds `reach`.
-  Axis faces(double reach) const {
-    Axis best;
-    const int nA = static_cast<int>(A.faces().size()), nB = static_cast<int>(B.faces().size());
-    double along = 0.0;
-    for (int i = 0; i < nA && best.separation <= reach; ++i) {
-      const Polyhedron::Face& f = A.face(i);
-      outermost(B, -(C.transpose() * f.n), along);
-      const double s = f.n.dot(t) - along - f.height;
-      if (s > best.separation) best = {s, i, -1, f.n};
-    }
-    for (int i = 0; i < nB && best.separation <= reach; ++i) {
-      const Polyhedron::Face& f = B.face(i);
-      const Vec3 n = -(C * f.n);
-      outermost(A, n, along);
-      const double s = n.dot(t) - along - f.height;
-      if (s > best.separation) best = {s, -1, i, n};
-    }
-    return best;
-  }
-
-  /// Pairs of edges whose cross product is a face normal of A − B and
-  /// separates by more than `least`.
-  Axis edges(double least) const {
-    Axis best;
-    best.separation = least;
-    const int nA = static_cast<int>(A.edges().size()), nB = static_cast<int>(B.edges().size());
-    for (int j = 0; j < nB; ++j) {
-      const Polyhedron::Edge& b = B.edge(j);
-      const Vec3 eB = C * b.e, oB = t + C * b.middle;
-      const Vec3 c = -(C * B.face(b.f).n), d = -(C * B.face(b.g).n);
-      for (int i = 0; i < nA; ++i) {
-        const Polyhedron::Edge& a = A.edge(i);
-        // The arcs of the normals cross: the ends of each are on both sides of the other, and they
-        // lie on one half of the sphere.
-        const double ca = c.dot(a.e), da = d.dot(a.e);
-        if (ca * da >= 0.0) continue;
-        const double ab = A.face(a.f).n.dot(eB), bb = A.face(a.g).n.dot(eB);
-        if (ab * bb >= 0.0 || ca * bb <= 0.0) continue;
-        const Vec3 cross = a.e.cross(eB);
-        const double square = cross.squaredNorm();
-        if (square < kCross * kCross) continue;
-        const double sign = cross.dot(A.face(a.f).n + A.face(a.g).n) < 0.0 ? -1.0 : 1.0;
-        const double s = sign * cross.dot(oB - a.middle) / std::sqrt(square);
-        if (s > best.separation) best = {s, i, j, sign / std::sqrt(square) * cross};
-      }
-    }
-    return best;
-  }
-};
-
 /// The intersection of two faces seen along the normal of A's. All places are tested
 /// in axes of A, where a place without a contact costs a few products. A contact is
 /// then computed from the bodies' frames.
 class FacePair {
  public:
   FacePair(const PlacedPolyhedron& A, int faceA, const PlacedPolyhedron& B, int faceB,
-           const Separation& in, double separation, double same, bool rates, PolyhedraContacts& out)
+           const PolyhedraSeparation& in, double separation, double same, bool rates,
+           PolyhedraContacts& out)
       : A_(A),
         B_(B),
         a_(A.of->face(faceA)),
@@ -146,7 +92,7 @@ class FacePair {
     bool all = true;
     for (int i = 0; i < b_.count; ++i) {
       const int v = B_.of->border(b_.first + i).corner;
-      const Vec3 p_A = in_.t + in_.C * B_.of->corner(v);
+      const Vec3 p_A = in_.t() + in_.C() * B_.of->corner(v);
       const bool inside = over(*A_.of, a_, p_A);
       all = all && inside;
       if (!inside || i % stride(b_.count) != 0 || !takes(p_A)) continue;
@@ -162,7 +108,7 @@ class FacePair {
     for (int i = 0; i < a_.count; ++i) {
       const int v = A_.of->border(a_.first + i).corner;
       const Vec3 p_A = A_.of->corner(v);
-      const bool inside = over(*B_.of, b_, in_.C.transpose() * (p_A - in_.t));
+      const bool inside = over(*B_.of, b_, in_.C().transpose() * (p_A - in_.t()));
       all = all && inside;
       if (!inside || i % stride(a_.count) != 0 || !takes(p_A)) continue;
       last().id = corners + v;
@@ -175,12 +121,19 @@ class FacePair {
     for (int j = b_.first; j < b_.first + b_.count; ++j) {
       const int edgeB = B_.of->border(j).edge;
       const Polyhedron::Edge& b = B_.of->edge(edgeB);
-      const PlacedEdge in{in_.t + in_.C * b.middle, in_.C * b.e, b.half};
+      const PlacedEdge in{in_.t() + in_.C() * b.middle, in_.C() * b.e, b.half};
       for (int i = a_.first; i < a_.first + a_.count; ++i) edge(A_.of->border(i).edge, edgeB, in);
     }
   }
   void edge(int i, int j, const PlacedEdge& b) {
     const Polyhedron::Edge& e = A_.of->edge(i);
+    // Most lines cross beyond the ends of the edges, which is seen before they are divided.
+    const Vec3 way = b.o - e.middle;
+    const double c = e.e.dot(b.e), da = way.dot(e.e), db = way.dot(b.e),
+                 square = e.e.cross(b.e).squaredNorm();
+    if (isBeyond(da - c * db, (e.half + same_) * square) ||
+        isBeyond(c * da - db, (b.half + same_) * square))
+      return;
     const EdgeCrossing seen({e.middle, e.e, e.half}, b);
     // Only edges count that cross at an angle, with a normal like that of the face.
     if (seen.parallel || std::abs(seen.n.dot(a_.n)) < kLikeFace) return;
@@ -189,14 +142,14 @@ class FacePair {
     const PlacedEdge edgeA = A_.edge(i), edgeB = B_.edge(j);
     const int corners = static_cast<int>(A_.of->corners().size() + B_.of->corners().size());
     last().id = corners + i * static_cast<int>(B_.of->edges().size()) + j;
-    last().at =
-        edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, EdgeCrossing(edgeA, edgeB), A_.R * a_.n);
+    last().at = edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, EdgeCrossing(edgeA, edgeB),
+                           A_.R * a_.n, rates_);
   }
 
   const PlacedPolyhedron &A_, &B_;
   const Polyhedron::Face &a_, &b_;
   int faceA_, faceB_;
-  const Separation& in_;
+  const PolyhedraSeparation& in_;
   double same_, beside_, margin_, separation_;
   bool isBeside_ = false;  ///< a vertex is beside a face, but not over it
   bool rates_;
@@ -224,10 +177,10 @@ int polyhedraFeatures(const Polyhedron& A, const Polyhedron& B) {
 int betweenPolyhedra(const PlacedPolyhedron& A, const PlacedPolyhedron& B, double reach, bool rates,
                      PolyhedraContacts& out) {
   const double same = kSameFeature * std::min(A.of->halfWidth(), B.of->halfWidth());
-  const Separation separation(A, B);
-  const Axis face = separation.faces(reach);
+  PolyhedraSeparation separation(A, B);
+  const PolyhedraAxis face = separation.faces(reach);
   if (face.separation > reach) return 0;
-  const Axis edge = separation.edges(face.separation + 4.0 * same);
+  const PolyhedraAxis edge = separation.edges(face, face.separation + 4.0 * same, same);
   if (edge.separation > reach) return 0;
   if (edge.i >= 0) {
     const PlacedEdge a = A.edge(edge.i), b = B.edge(edge.j);
@@ -235,12 +188,12 @@ int betweenPolyhedra(const PlacedPolyhedron& A, const PlacedPolyhedron& B, doubl
     if (std::abs(at.s) <= a.half && std::abs(at.t) <= b.half) {
       const int corners = static_cast<int>(A.of->corners().size() + B.of->corners().size());
       out[0] = {corners + edge.i * static_cast<int>(B.of->edges().size()) + edge.j,
-                edgeOnEdge(*A.frame, a, *B.frame, b, at, A.R * edge.n)};
+                edgeOnEdge(*A.frame, a, *B.frame, b, at, A.R * edge.n, rates)};
       return 1;
     }
   }
   const int faceA = face.i >= 0 ? face.i : faceAlong(*A.of, face.n);
-  const int faceB = face.j >= 0 ? face.j : faceAlong(*B.of, -(separation.C.transpose() * face.n));
+  const int faceB = face.j >= 0 ? face.j : faceAlong(*B.of, -(separation.C().transpose() * face.n));
   return FacePair(A, faceA, B, faceB, separation, face.separation, same, rates, out).contacts();
 }
 
@@ -253,8 +206,9 @@ void closeTogether(const PlacedPolyhedron& A, double reach, bool rates,
 }
 
 double separation(const PlacedPolyhedron& A, const PlacedPolyhedron& B) {
-  const Separation all(A, B);
-  return all.edges(all.faces(kInfinity).separation).separation;
+  PolyhedraSeparation all(A, B);
+  const PolyhedraAxis face = all.faces(kInfinity);
+  return all.edges(face, face.separation, 0.0).separation;
 }
 
 }  // namespace dynamy

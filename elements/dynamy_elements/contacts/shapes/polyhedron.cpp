@@ -52,6 +52,7 @@ Polyhedron::Polyhedron(const std::vector<Vec3>& triangles) {
     addFace(n.normalized(), {sides.begin(), sides.end()});
   }
   findEdges();
+  measure();
 }
 
 /// Adds a face. `sides`: its directed sides, in any order.
@@ -105,6 +106,23 @@ void Polyhedron::findEdges() {
     borders_[b].edge = borders_[static_cast<std::size_t>(other->second)].edge =
         static_cast<int>(edges_.size());
     edges_.push_back(e);
+  }
+}
+
+void Polyhedron::measure() {
+  for (const Vec3& p : corners_) cornerColumns_.add(p), radius_ = std::max(radius_, p.norm());
+  for (const Face& f : faces_) normalColumns_.add(f.n);
+  for (const Vec3& p : corners_) middle_ += p / static_cast<double>(corners_.size());
+  const auto along = [this](const Vec3& m, int f) {
+    const double length = m.norm();
+    together_ = std::min(together_, length > 0.0 ? std::max(m.dot(face(f).n) / length, 0.0) : 0.0);
+  };
+  for (const Edge& e : edges_)
+    for (const int f : {e.f, e.g}) along(face(e.f).n + face(e.g).n, f);
+  for (const std::vector<int>& around : facesAt_) {
+    Vec3 sum = Vec3::Zero();
+    for (const int f : around) sum += face(f).n;
+    for (const int f : around) along(sum, f);
   }
 }
 

@@ -27,6 +27,14 @@ class Polyhedron {
     double half = 0.0;
   };
 
+  /// The same vectors with an array for each coordinate: their products with one vector are
+  /// computed side by side.
+  struct Columns {
+    std::vector<double> x, y, z;
+    void add(const Vec3& v) { x.push_back(v.x()), y.push_back(v.y()), z.push_back(v.z()); }
+    std::size_t size() const { return x.size(); }
+  };
+
   /// Builds it from the triangles of a convex hull, three points per triangle, counterclockwise
   /// seen from outside. Triangles in one plane are merged into one face.
   explicit Polyhedron(const std::vector<Vec3>& triangles);
@@ -51,17 +59,28 @@ class Polyhedron {
   bool over(const Face& f, const Vec3& p, double beside) const;
   /// Half of the least width across a face [m].
   double halfWidth() const { return halfWidth_; }
+  const Vec3& middle() const { return middle_; }  ///< mean of the corners, inside the body
+  const Columns& cornerColumns() const { return cornerColumns_; }
+  const Columns& normalColumns() const { return normalColumns_; }
+  /// Largest distance of a corner from the origin [m].
+  double radius() const { return radius_; }
+  /// Where faces meet in an edge or corner, every direction between their normals is a sum of parts
+  /// α_i n_i, α_i ≥ 0, of a length of at least this times Σ α_i; 0: no such bound.
+  double together() const { return together_; }
 
  private:
   void addFace(const Vec3& n, const std::vector<std::array<int, 2>>& sides);
   void findEdges();
+  void measure();
 
   std::vector<Vec3> corners_;
   std::vector<Face> faces_;
   std::vector<Border> borders_;
   std::vector<Edge> edges_;
   std::vector<std::vector<int>> facesAt_, neighbours_;
-  double halfWidth_ = 0.0;
+  Columns cornerColumns_, normalColumns_;
+  Vec3 middle_ = Vec3::Zero();
+  double halfWidth_ = 0.0, radius_ = 0.0, together_ = 1.0;
 };
 
 /// Twelve triangles of the box with these half edge lengths about the origin, three points each.
