@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/declared/two_names.hpp>
 #include <dynamy_elements/frame_pair.hpp>
 
 namespace dynamy {
@@ -38,12 +39,9 @@ void FramePair::declare(Attributes& a) {
 }
 
 FramePair::FramePair(const Parameters& x) {
-  const ParameterValue& between = x["between"];
-  const std::vector<std::string> words = between.words();
-  if (words.size() != 2)
-    throw between.fault("two frames are needed, here are " + std::to_string(words.size()),
-                        "a system's name stands for its first frame", 0, between.text.size());
-  a_ = words[0], b_ = words[1];
+  const auto [a, b] =
+      twoNames(x["between"], "two frames", "a system's name stands for its first frame");
+  a_ = a, b_ = b;
 }
 
 void FramePair::connect(Topology& topology, const Element& asking) {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
+#include <dynamy/core/declared/two_names.hpp>
 #include <dynamy_elements/joints/transmissions.hpp>
 #include <dynamy_elements/laws/friction_of_law.hpp>
 #include <tuple>
@@ -7,13 +8,8 @@
 namespace dynamy {
 namespace {
 
-/// Reads two names like FramePair.
-std::pair<std::string, std::string> twoNames(const ParameterValue& value) {
-  const std::vector<std::string> words = value.words();
-  if (words.size() != 2)
-    throw value.fault("two frames are needed, here are " + std::to_string(words.size()),
-                      "a system's name stands for its first frame", 0, value.text.size());
-  return {words[0], words[1]};
+std::pair<std::string, std::string> twoFrames(const ParameterValue& value) {
+  return twoNames(value, "two frames", "a system's name stands for its first frame");
 }
 
 Attribute& betweenTwo(Attributes& a, const char* text) {
@@ -128,7 +124,7 @@ Gear::Gear(const Parameters& x)
       axisA_(x["axisA"].vec3()),
       axisB_(x["axisB"].vec3()),
       ratio_(x["ratio"]) {
-  std::tie(a_, b_) = twoNames(x["between"]);
+  std::tie(a_, b_) = twoFrames(x["between"]);
 }
 
 void Gear::build(Topology& topology) {
@@ -168,7 +164,7 @@ RackAndPinion::RackAndPinion(const Parameters& x)
       axis_(x["axis"].vec3()),
       direction_(x["direction"].vec3()),
       radius_(x["radius"]) {
-  std::tie(pinion_, rack_) = twoNames(x["between"]);
+  std::tie(pinion_, rack_) = twoFrames(x["between"]);
 }
 
 void RackAndPinion::build(Topology& topology) {

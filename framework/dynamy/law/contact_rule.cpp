@@ -1,7 +1,6 @@
 // Laws between materials: <Contact between="rubber steel"><Law/></Contact>, and pairs that are
 // switched off: <NoContact between="rubber rubber"/>.
-#include <array>
-#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/declared/two_names.hpp>
 #include <dynamy/law/contact_rule.hpp>
 #include <dynamy/law/pair_laws.hpp>
 
@@ -12,14 +11,9 @@ void declareBetween(Attributes& a) {
   a.add(AttributeType::names, "between", std::nullopt, "the two materials");
 }
 
-std::array<std::string, 2> materials(const Parameters& x) {
-  const ParameterValue& between = x["between"];
-  const std::vector<std::string> words = between.words();
-  if (words.size() != 2)
-    throw between.fault("two materials are needed, here are " + std::to_string(words.size()),
-                        "a material in contact with itself is written twice", 0,
-                        between.text.size());
-  return {words[0], words[1]};
+std::pair<std::string, std::string> materials(const Parameters& x) {
+  return twoNames(x["between"], "two materials",
+                  "a material in contact with itself is written twice");
 }
 
 }  // namespace

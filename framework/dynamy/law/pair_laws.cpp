@@ -17,6 +17,29 @@ std::string quotedPair(const std::string& a, const std::string& b) {
   return "\"" + a + "\" and \"" + b + "\"";
 }
 
+/// Notes the names of a rule that no shape has as its material, if the rule may have been meant for
+/// the materials `asked`: another of its names, or a similar one, is among them.
+void addUncarried(Diagnostic& d, const MaterialRule& rule, const std::set<std::string>& names,
+                  const std::set<std::string>& carried, const std::vector<std::string>& asked) {
+  constexpr std::size_t kMostNotes = 4;
+  std::string text;
+  bool meant = false;
+  for (const std::string& name : names) {
+    if (carried.contains(name)) {
+      if (std::find(asked.begin(), asked.end(), name) == asked.end()) return;
+      meant = true;
+      continue;
+    }
+    text += (text.empty() ? std::string(kNoShapeHas) : " or ") + '"' + name + '"';
+    const std::string near = nearest(name, asked);
+    if (near.empty()) continue;
+    meant = true;
+    if (typingDistance(name, near) == 0) text += ", but \"" + near + '"';
+  }
+  if (meant && !text.empty() && d.notes.size() < kMostNotes)
+    d.notes.push_back({.place = rule.place(), .text = std::move(text)});
+}
+
 /// A known material with a name similar to the first unknown one of `asked`; "" if there is none.
 std::string nearMaterial(const std::vector<std::string>& asked,
                          const std::vector<std::string>& known) {
@@ -105,7 +128,8 @@ const PairLaw& PairLaws::find(const std::string& a, const std::string& b) {
   return out;
 }
 
-Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
+Diagnostic PairLaws::missing(const std::string& a, const std::string& b,
+                             const std::set<std::string>& carried) const {
   const std::string between = "between=\"" + a + " " + b + "\"";
   Diagnostic d;
   d.text = "no law for contact of the materials " + quotedPair(a, b);
@@ -120,6 +144,8 @@ Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
       d.hint = "add <Material name=\"" + without + "\" mu=\"…\"/>, or <Contact " + between +
                ">…</Contact>";
     d.notes.push_back({.place = mixing_->place(), .text = "values mix by this rule"});
+    if (const Material* named = material(nearMaterial({without}, known)))
+      addUncarried(d, *named, {named->name()}, carried, {a, b});
     return d;
   }
   std::vector<std::string> known;
@@ -130,6 +156,8 @@ Diagnostic PairLaws::missing(const std::string& a, const std::string& b) const {
            (" <Contact " + between + ">…</Contact>, or <NoContact " + between + "/>");
   if (material(a) && material(b))
     d.hint += ", or say by <Contacts mixing=\"…\"/> how the values of two materials mix";
+  for (const auto& [names, rule] : pairs_)
+    addUncarried(d, *rule, {names.first, names.second}, carried, {a, b});
   return d;
 }
 

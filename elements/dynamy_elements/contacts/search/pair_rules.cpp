@@ -113,6 +113,12 @@ class RuleSearch {
   const Blocks& blocksOf(std::size_t shape) const {
     return blocks_[static_cast<std::size_t>(shapes_.instance(shape).system)];
   }
+  /// The materials of all shapes.
+  std::set<std::string> materials() const {
+    std::set<std::string> out;
+    for (const Members& m : groups_) out.insert(shapes_.instance(m.first).shape->material());
+    return out;
+  }
   bool representatives(std::size_t a, std::size_t b, std::size_t& i, std::size_t& j) const;
   void checkRows(const PairRule& rule, const TouchingShape& A, const TouchingShape& B,
                  std::size_t i, std::size_t j);
@@ -201,7 +207,8 @@ void RuleSearch::addRule(std::size_t a, std::size_t b, PairLaws& laws, const Pai
   const Shape &shapeA = *shapes_.instance(i).shape, &shapeB = *shapes_.instance(j).shape;
   const std::string &ma = shapeA.material(), &mb = shapeB.material();
   const PairLaw& found = laws.find(ma, mb);
-  if (!found.from) return fault(i, j, ma, mb, missingLaw(shapeA, shapeB, laws.missing(ma, mb)));
+  if (!found.from)
+    return fault(i, j, ma, mb, missingLaw(shapeA, shapeB, laws.missing(ma, mb, materials())));
   if (!found.law) return;
   if (!made.kernel)
     return fault(i, j, shapeA.type() + ma, shapeB.type() + mb,

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::string_view kOddSeparators = ",;|";
 constexpr std::string_view kOddBrackets = "[]()";
+constexpr std::string_view kBlanks = " \t\r\n";
 
 bool isFigure(char c) { return c >= '0' && c <= '9'; }
 bool isUnitLetter(char c) {
@@ -85,6 +86,68 @@ std::string withUnits(const std::string& text) {
   return out;
 }
 
+/// A sign between two numbers, "1m x 1m", "1×1", "2 * 3": its place and its bytes.
+struct TimesSign {
+  std::size_t offset = std::string_view::npos, length = 0;
+};
+
+/// The first "x", "×" or "*" from byte `from` on that follows a number, with its unit or without, and
+/// stands before another. It has blanks on both sides or on neither ("1 x2" may name a parameter).
+TimesSign timesSign(std::string_view text, std::size_t from) {
+  for (std::size_t at = from; at < text.size(); ++at) {
+    std::size_t length = 0;
+    for (const std::string_view sign : {"x", "X", "*", "×"})
+      if (text.substr(at).starts_with(sign)) length = sign.size();
+    if (length == 0) continue;
+    const std::string_view before = text.substr(0, at), after = text.substr(at + length);
+    const std::size_t last = before.find_last_not_of(kBlanks),
+                      next = after.find_first_not_of(kBlanks);
+    if (last == std::string_view::npos || next == std::string_view::npos) continue;
+    if ((last + 1 < at) != (next > 0)) continue;
+    const std::size_t blank = before.substr(0, last + 1).find_last_of(kBlanks);
+    const std::string word(before.substr(blank + 1, last - blank));
+    const std::string following(after.substr(next, after.find_first_of(kBlanks, next) - next));
+    if (!numberAndRest(word).number.empty() && !numberAndRest(following).number.empty())
+      return {at, length};
+  }
+  return {};
+}
+
+std::string withoutTimesSigns(std::string_view text) {
+  std::string out(text);
+  for (TimesSign sign = timesSign(out, 0); sign.length > 0; sign = timesSign(out, sign.offset))
+    out.replace(sign.offset, sign.length, " ");
+  return out;
+}
+
+/// The sign before a fraction of an exponent, "2e3,5"; npos if there is none.
+std::size_t fractionOfExponent(std::string_view text) {
+  for (std::size_t at = text.find_first_of(",."); at != std::string_view::npos;
+       at = text.find_first_of(",.", at + 1)) {
+    std::size_t begin = at;
+    while (begin > 0 && isFigure(text[begin - 1])) --begin;
+    if (begin == at || at + 1 == text.size() || !isFigure(text[at + 1])) continue;
+    if (begin > 1 && (text[begin - 1] == '-' || text[begin - 1] == '+')) --begin;
+    if (begin > 1 && (text[begin - 1] | 0x20) == 'e' && isFigure(text[begin - 2])) return at;
+  }
+  return std::string_view::npos;
+}
+
+/// "2e3,5" → "2.5e3": the fraction behind the figures before the exponent. The text as it is if these
+/// have a fraction already.
+std::string withWholeExponent(std::string_view text) {
+  std::string out(text);
+  const std::size_t at = fractionOfExponent(text);
+  if (at == std::string_view::npos) return out;
+  const std::size_t e = text.substr(0, at).find_last_of("eE");
+  std::size_t begin = e, end = at + 1;
+  while (begin > 0 && isFigure(text[begin - 1])) --begin;
+  while (end < text.size() && isFigure(text[end])) ++end;
+  if (begin > 0 && (text[begin - 1] == '.' || text[begin - 1] == ',')) return out;
+  out.erase(at, end - at);
+  return out.insert(e, "." + std::string(text.substr(at + 1, end - at - 1)));
+}
+
 /// The unit vector of an axis "x", "-y", "Z"; "" if the text is no axis.
 std::string axisVector(std::string_view text) {
   const bool negative = text.starts_with("-");
@@ -109,15 +172,19 @@ OddWriting oddWriting(std::string_view text) {
     const std::string decimals = sign == "," ? ", decimals have a point" : "";
     return {"has \"" + sign + "\"; numbers stand between blanks" + decimals, at, 1};
   }
+  if (const TimesSign sign = timesSign(text, 0); sign.length > 0)
+    return {"has \"" + std::string(text.substr(sign.offset, sign.length)) +
+                "\"; numbers stand between blanks",
+            sign.offset, sign.length, true};
   // A unit that stands alone, after a number.
   bool number = false;
-  for (std::size_t at = text.find_first_not_of(" \t\r\n"); at < text.size();) {
-    const std::size_t end = std::min(text.find_first_of(" \t\r\n", at), text.size());
+  for (std::size_t at = text.find_first_not_of(kBlanks); at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
     const std::string word(text.substr(at, end - at));
     if (number && !unitMeant(word).empty())
       return {"has a blank before the unit \"" + word + '"', at, word.size(), true};
     number = !numberAndRest(word).number.empty();
-    at = std::min(text.find_first_not_of(" \t\r\n", end), text.size());
+    at = std::min(text.find_first_not_of(kBlanks, end), text.size());
   }
   return {};
 }
@@ -126,7 +193,7 @@ std::vector<std::string> probableNumbers(std::string_view text) {
   std::vector<std::string> out;
   if (std::string unit = axisVector(text); !unit.empty()) out.push_back(std::move(unit));
   const auto add = [&](bool decimalComma) {
-    std::string blanks(text);
+    std::string blanks = withoutTimesSigns(text);
     for (char& c : blanks) {
       if (decimalComma && c == ',')
         c = '.';
@@ -138,6 +205,7 @@ std::vector<std::string> probableNumbers(std::string_view text) {
   };
   add(false);
   if (text.find(',') != std::string_view::npos) add(true);
+  if (std::string whole = withWholeExponent(text); whole != text) out.push_back(std::move(whole));
   return out;
 }
 

@@ -11,13 +11,14 @@ namespace dynamy {
 struct OddWriting {
   std::string text;
   std::size_t offset = 0, length = 0;
-  bool guess = false;  ///< true: the word, e.g. "h", is a unit or the name of a parameter
+  bool guess = false;  ///< true: "h" may be a unit or a parameter, "*" a separator or a product
 };
 OddWriting oddWriting(std::string_view text);
 
-/// Texts that may have been meant, the likeliest first: blanks for other separators and for
-/// brackets, decimal points for commas, units right after their numbers and in the spelling of
-/// dynamY, "0 1 0" for an axis "y". The reader takes the first text that the declaration accepts.
+/// Texts that may have been meant, the likeliest first: blanks for other separators, for "x" between
+/// numbers and for brackets, decimal points for commas, whole exponents, units right after their
+/// numbers and in the spelling of dynamY, "0 1 0" for an axis "y". The reader takes the first text
+/// that the declaration accepts.
 std::vector<std::string> probableNumbers(std::string_view text);
 
 }  // namespace dynamy

@@ -141,7 +141,10 @@ void findUncoveredPairs(Parts& parts, const Registry& registry, const XmlDocumen
   try {
     partial.build();
   } catch (const ModelError& e) {
-    addOfModel(faults, e, document);
+    std::vector<Diagnostic> found = e.diagnostics();
+    for (Diagnostic& d : found)
+      std::erase_if(d.notes, [](const auto& note) { return note.text.starts_with(kNoShapeHas); });
+    addOfModel(faults, ModelError(std::move(found)), document);
   }
 }
 
