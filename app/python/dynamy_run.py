@@ -9,12 +9,15 @@
     run.ledger["friction"]                 # energies and works
     run.frames.r("ball")                   # positions of a frame, n x 3
     run.plot("toy.phiM", "toy.phiS")       # needs matplotlib
+    run.frame()                            # the signals in a DataFrame of pandas
 
 doc/run_folder.md says every byte. What was written before a run was killed is read; what a cut file
 lost is left out. A wrong file raises RunError with its path.
 """
 
 import csv
+import html
+import importlib
 import io
 import json
 import struct
@@ -24,6 +27,7 @@ from pathlib import Path
 
 import numpy as np
 
+_EVENT = ("t", "event", "contact", "from", "to", "speed", "impulse")
 STATES = ("open", "stick", "slip", "impact", "spin")
 
 
@@ -38,15 +42,24 @@ class Run:
         self.folder = Path(folder)
         if not (self.folder / "run.json").is_file():
             raise RunError(f"{self.folder}: no run.json, not the folder of a run")
-        self.facts = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
+        self._read = {}
+        self._open()
+
+    def _open(self):
+        self.facts = json.loads(self._data("run.json").decode("utf-8"))
         if self.facts.get("format") != "dynamy-run" or self.facts.get("version") != 1:
             raise RunError(f"{self.folder}/run.json: not a dynamy-run of version 1")
         self.units = {s["name"]: s.get("unit", "") for s in self.facts.get("signals", [])}
-        self._read = {}
+
+    def _data(self, name):
+        """The bytes of one file of the run."""
+        if not (self.folder / name).is_file():
+            raise RunError(f"{self.folder / name}: no such file")
+        return (self.folder / name).read_bytes()
 
     def _once(self, name, read):
         if name not in self._read:
-            self._read[name] = read(self.folder / name)
+            self._read[name] = read(self._data(name), f"{self.folder}/{name}")
         return self._read[name]
 
     @property
@@ -71,12 +84,16 @@ class Run:
 
     @property
     def t(self):
+        """Times of the signals [s]."""
         return self.signals["t"]
 
     def __getitem__(self, name):
         if name not in self.signals:
             raise KeyError(f'no signal "{name}" was recorded; there are {", ".join(self.signals)}')
         return self.signals[name]
+
+    def __contains__(self, name):
+        return name in self.signals
 
     @property
     def events(self):
@@ -90,19 +107,46 @@ class Run:
 
     @property
     def frames(self):
+        """Poses of all frames and the drawn contacts: Frames."""
         return self._once("frames.bin", Frames)
 
+    def frame(self, of="signals"):
+        """`signals`, `ledger` or `events` as a DataFrame of pandas; the index is the time [s]."""
+        if of not in ("signals", "ledger", "events"):
+            raise ValueError(f'there is no table "{of}", but signals, ledger, events')
+        pandas = _package("pandas", "tables")
+        table = pandas.DataFrame(getattr(self, of), columns=_EVENT if of == "events" else None)
+        if of == "signals":
+            table.attrs["units"] = dict(self.units)
+        return table.set_index("t")
+
     def plot(self, *names, axes=None):
-        """Signals over time, one curve each; returns the axes."""
+        """Signals over time, one curve each; returns the axes. Needs matplotlib."""
         if axes is None:
-            from matplotlib import pyplot
-            axes = pyplot.subplots()[1]
+            axes = _package("matplotlib.pyplot", "plots").subplots()[1]
         for name in names or [n for n in self.signals if n != "t"]:
             unit = self.units.get(name, "")
             axes.plot(self.t, self[name], label=f"{name} [{unit}]" if unit else name)
         axes.set_xlabel("t [s]")
         axes.legend()
         return axes
+
+    def page(self):
+        """The replay as one page of HTML."""
+        return self._data("replay.html").decode("utf-8")
+
+    def _repr_html_(self):
+        """What a notebook shows: the replay, in a frame of its own that reaches nothing outside."""
+        try:
+            page = self.page()
+        except RunError as error:
+            return f"<p>{html.escape(str(error))}</p>"
+        return (f'<iframe srcdoc="{html.escape(page)}" sandbox="allow-scripts allow-downloads" '
+                'style="width: 100%; height: 640px; border: 0"></iframe>')
+
+    def __repr__(self):
+        title, state = self.facts.get("title") or "run", self.facts.get("state", "?")
+        return f"<dynamY run: {title}, {state} at t = {self.facts.get('t', 0.0):g} s>"
 
 
 class Frames:
@@ -115,8 +159,7 @@ class Frames:
     scene     shapes and frames, a dict
     """
 
-    def __init__(self, path):
-        data = _bytes(path)
+    def __init__(self, data, path):
         if len(data) < 24 or data[:8] != b"DYNFRAME":
             raise RunError(f"{path}: not a frames file")
         version, order, poses, size = struct.unpack_from("<4I", data, 8)
@@ -161,10 +204,13 @@ class Frames:
         ]).transpose(2, 0, 1)
 
 
-def _bytes(path):
-    if not path.is_file():
-        raise RunError(f"{path}: no such file")
-    return path.read_bytes()
+def _package(name, what):
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        package = name.partition(".")[0]
+        raise ImportError(f"{what} need the package {package}, which is not installed: "
+                          f"apt install python3-{package}, or pip install {package}") from error
 
 
 def _u32(data, at):
@@ -184,15 +230,14 @@ def _chunks(data, at):
         at = end
 
 
-def _lines(path):
+def _lines(data):
     """Whole lines: a last one without its end was cut off."""
-    data = _bytes(path)
     return data[:data.rfind(b"\n") + 1].decode("utf-8")
 
 
-def _table(path):
+def _table(data, path):
     """Columns of numbers under their names."""
-    head, _, rows = _lines(path).partition("\n")
+    head, _, rows = _lines(data).partition("\n")
     names = next(csv.reader([head]), [])
     if not names or names[0] != "t":
         raise RunError(f'{path}: the first column is not "t"')
@@ -204,8 +249,8 @@ def _table(path):
     return dict(zip(names, values.T))
 
 
-def _events(path):
-    rows = list(csv.DictReader(io.StringIO(_lines(path))))
+def _events(data, _):
+    rows = list(csv.DictReader(io.StringIO(_lines(data))))
     for row in rows:
         for name in ("t", "speed", "impulse"):
             row[name] = float(row[name]) if row[name] else 0.0

@@ -1,6 +1,7 @@
 /// Python classes Model and State. A model is made from a file, from text, or element by element.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <dynamy/simulation/run/simulation.hpp>
 
@@ -48,10 +49,10 @@ Overrides overrides(const py::kwargs& set) {
   return out;
 }
 
-Model load(const std::string& file, const py::kwargs& set) {
+Model load(const std::filesystem::path& file, const py::kwargs& set) {
   LoadOptions options;
   options.set = overrides(set);
-  return loadModel(file, library().registry, library().plugins, options);
+  return loadModel(file.string(), library().registry, library().plugins, options);
 }
 
 Model fromText(const std::string& text, const py::kwargs& set) {

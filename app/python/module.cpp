@@ -1,5 +1,6 @@
-/// The Python module `dynamy`: models, simulations, states and laws for notebooks and prototypes.
+/// The compiled part of the Python package `dynamy`: models, simulations, states and laws for notebooks and prototypes.
 #include <dynamy/core/version.hpp>
+#include <dynamy/io/reference/describe.hpp>
 
 #include "library.hpp"
 
@@ -38,7 +39,7 @@ std::vector<GivenValue> givenValues(const py::kwargs& values) {
 
 }  // namespace dynamy::python
 
-PYBIND11_MODULE(dynamy, m) {
+PYBIND11_MODULE(_core, m) {
   using namespace dynamy;
   m.doc() = "dynamY: simulation of multibody systems with impacts and friction";
   m.attr("__version__") = versionString();
@@ -52,6 +53,15 @@ PYBIND11_MODULE(dynamy, m) {
         }
       });
   python::library();
+  m.def(
+      "describe",
+      [](const std::string& name) {
+        const Registry& registry = python::library().registry;
+        return name.empty() ? listTypes(registry.types()) : describe(registry, name);
+      },
+      py::arg("name") = "",
+      "What an element or a word of the format is: its attributes with units and defaults, what\n"
+      "stands inside, an example. Without a name: all types by kind.");
   python::bindLaws(m);
   python::bindModel(m);
   python::bindRun(m);

@@ -1,6 +1,5 @@
-/// Runs and steps from Python: whole runs with their signals as arrays, and single steps.
+/// Runs and steps from Python: whole runs into folders, which dynamy/runs.py reads, and single steps.
 #include <pybind11/eigen.h>
-#include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -16,31 +15,6 @@ namespace py = pybind11;
 
 namespace dynamy::python {
 namespace {
-
-/// Keeps the signals of a run in memory, row after row.
-class Table final : public RecordSink {
- public:
-  void row(double t, std::span<const double> values) override {
-    t_.push_back(t);
-    values_.insert(values_.end(), values.begin(), values.end());
-  }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
-
-  py::dict columns(const std::vector<SignalName>& names) const {
-    py::dict out;
-    out["t"] = py::array_t<double>(static_cast<py::ssize_t>(t_.size()), t_.data());
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      py::array_t<double> column(static_cast<py::ssize_t>(t_.size()));
-      for (std::size_t i = 0; i < t_.size(); ++i)
-        column.mutable_data()[i] = values_[i * names.size() + k];
-      out[py::str(names[k].name)] = column;
-    }
-    return out;
-  }
-
- private:
-  std::vector<double> t_, values_;
-};
 
 /// Calls a Python function after each step. The function ends the run by returning False.
 class Callback final : public Observer {
@@ -113,20 +87,13 @@ void writeFolderFacts(const RunFolder& folder, const Model& model, const RunRepo
   });
 }
 
-/// Runs a model from its initial state and keeps the signals in memory or writes a run folder.
-py::tuple run(Model& model, const py::object& each, const std::string& out) {
+/// Runs a model from its initial state into a run folder.
+py::dict runInto(Model& model, const py::object& each, const std::string& out, bool replay) {
   std::atomic<bool> stop{false};
   Simulation simulation(model);
   Callback callback(each, stop);
   simulation.observe(callback);
   simulation.stopWhen(stop);
-  Table table;
-  if (out.empty()) {
-    simulation.record(table);
-    simulation.run();
-    callback.raise();
-    return py::make_tuple(table.columns(recordedSignals(model)), figures(simulation));
-  }
   const RunFolder folder(out);
   RunRecording recording(folder, model);
   simulation.record(recording);
@@ -136,8 +103,8 @@ py::tuple run(Model& model, const py::object& each, const std::string& out) {
   callback.raise();
   if (!recording.fault().empty()) throw std::runtime_error(std::string(recording.fault()));
   writeFolderFacts(folder, model, simulation.report());
-  writeReplay(folder.path());
-  return py::make_tuple(py::none(), figures(simulation));
+  if (replay) writeReplay(folder.path());
+  return figures(simulation);
 }
 
 /// Takes single steps of the model's scheme; the state may be changed between the steps.
@@ -201,12 +168,10 @@ class Steps {
 }  // namespace
 
 void bindRun(py::module_& m) {
+  m.def("_run_into", &runInto, py::arg("model"), py::arg("each"), py::arg("out"), py::arg("replay"),
+        "Runs a model into a folder; dynamy.run reads it. Returns the figures.");
   m.def(
-      "run", &run, py::arg("model"), py::arg("each") = py::none(), py::arg("out") = "",
-      "Runs a built model from its initial state. Returns (signals, figures): name -> array, and\n"
-      "how the run ended. each(state) is called after every step; False ends the run. With "
-      "out=DIR\n"
-      "the run is written there with its replay, for dynamy_run.Run(DIR), and signals is None.");
+      "_write_replay", [](const std::string& folder) { writeReplay(folder); }, py::arg("folder"));
   py::class_<Steps>(m, "Simulation", "Single steps of a built model.")
       .def(py::init<Model&>(), py::arg("model"), py::keep_alive<1, 2>())
       .def_property_readonly("state", &Steps::state, py::return_value_policy::reference_internal)

@@ -1,9 +1,14 @@
 """The module of Python: module_test.py FOLDER_OF_THE_MODULE SOURCE_DIR"""
 
+import html
+import importlib.util
+import pickle
+import re
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 try:
     import numpy as np
@@ -13,7 +18,7 @@ except ImportError:
 
 SOURCE = Path(sys.argv[2])
 sys.dont_write_bytecode = True
-sys.path[:0] = [sys.argv[1], str(SOURCE / "app" / "python")]
+sys.path.insert(0, sys.argv[1])
 import dynamy  # noqa: E402
 import dynamy_run  # noqa: E402
 
@@ -151,12 +156,104 @@ class Module(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             model = dynamy.model(SLIDE.replace("LAW", '<UnilateralCoulomb mu="{mu}"/>'))
             signals, figures = dynamy.run(model, out=folder + "/run")
-            self.assertIsNone(signals)
             run = dynamy_run.Run(folder + "/run")
             self.assertEqual(run.facts["steps"], figures["steps"])
             self.assertEqual(run.units["block.x"], "m")
             self.assertEqual(len(run.t), 21)
+            self.assertEqual(signals["block.x"].tolist(), run["block.x"].tolist())
             self.assertTrue((Path(folder) / "run" / "replay.html").is_file())
+
+    def test_a_run_holds_what_its_folder_would(self):
+        model = dynamy.load(SOURCE / "models" / "bouncing_ball.xml", e=0.5)
+        run = model.run()
+        with tempfile.TemporaryDirectory() as folder:
+            own = f"{folder}/{model.title}"  # the page has the name of its folder
+            model.run(out=own)
+            written = dynamy_run.Run(own)
+            run.save(folder + "/saved")
+            for other in (written, dynamy_run.Run(folder + "/saved"), dynamy.Run(own)):
+                for name in run.signals:  # texts read back to the same doubles
+                    self.assertEqual(run[name].tolist(), other[name].tolist())
+                self.assertEqual(run.events, other.events)
+                self.assertEqual(run.ledger["normal"].tolist(), other.ledger["normal"].tolist())
+                self.assertEqual(run.frames.pose.tolist(), other.frames.pose.tolist())
+                self.assertFalse(other.qualified)
+            wall = re.compile(r"wall_s[^,}]*")  # the one figure of a run that is another each time
+            self.assertEqual(wall.sub("", written.page()), wall.sub("", run.page()))
+        self.assertEqual(run.figures["state"], run.facts["state"])
+        self.assertIn("ball.z", run)
+        self.assertNotIn("ball.zz", run)
+
+    def test_a_run_is_kept_after_its_files_are_gone(self):
+        run = dynamy.load(SOURCE / "models" / "bouncing_ball.xml").run()
+        self.assertFalse(run.folder.exists())
+        again = pickle.loads(pickle.dumps(run))
+        self.assertEqual(run["ball.z"].tolist(), again["ball.z"].tolist())
+        self.assertEqual(run.events, again.events)
+
+    def test_a_notebook_shows_the_replay(self):
+        run = dynamy.load(SOURCE / "models" / "bouncing_ball.xml").run()
+        shown = run._repr_html_()
+        page = html.unescape(shown[shown.index('srcdoc="') + 8:shown.index('" sandbox')])
+        self.assertEqual(page, run.page())
+        self.assertTrue(page.lstrip().lower().startswith("<!doctype html>"))
+
+    @unittest.skipUnless(importlib.util.find_spec("pandas"), "no pandas")
+    def test_tables_are_frames_of_pandas(self):
+        run = dynamy.load(SOURCE / "models" / "bouncing_ball.xml").run()
+        table = run.frame()
+        self.assertEqual(table.index.tolist(), run.t.tolist())
+        self.assertEqual(table["ball.z"].tolist(), run["ball.z"].tolist())
+        self.assertEqual(table.attrs["units"]["ball.z"], "m")
+        self.assertEqual(len(run.frame("events")), len(run.events))
+        self.assertEqual(run.frame("ledger").index.name, "t")
+        with self.assertRaisesRegex(ValueError, "no table"):
+            run.frame("event")
+
+    def test_a_package_that_is_missing_is_named(self):
+        run = dynamy.load(SOURCE / "models" / "bouncing_ball.xml").run()
+        with mock.patch.dict(sys.modules, {"pandas": None, "matplotlib.pyplot": None}):
+            with self.assertRaisesRegex(ImportError, "tables need the package pandas"):
+                run.frame()
+            with self.assertRaisesRegex(ImportError, "plots need the package matplotlib"):
+                run.plot()
+
+    @unittest.skipUnless(importlib.util.find_spec("matplotlib"), "no matplotlib")
+    def test_signals_are_drawn(self):
+        import matplotlib
+        matplotlib.use("svg")
+        run = dynamy.load(SOURCE / "models" / "bouncing_ball.xml").run()
+        (curve,) = run.plot("ball.z").lines
+        self.assertEqual(curve.get_ydata().tolist(), run["ball.z"].tolist())
+        self.assertEqual(curve.get_label(), "ball.z [m]")
+
+    def test_sweeps_over_processes_give_what_one_process_gives(self):
+        model = SOURCE / "models" / "bouncing_ball.xml"
+        points = {"e": [0.2, 0.5], "h0": (1.0, 2.0)}
+        runs = dynamy.sweep(model, points, processes=2)
+        self.assertEqual([r.parameters for r in runs], [
+            {"e": 0.2, "h0": 1.0}, {"e": 0.2, "h0": 2.0}, {"e": 0.5, "h0": 1.0}, {"e": 0.5, "h0": 2.0}])
+        alone = dynamy.sweep(model, points, processes=1)
+        for a, b in zip(runs, alone):
+            self.assertEqual(a["ball.z"].tolist(), b["ball.z"].tolist())
+        least = dynamy.sweep(model, points, processes=2, values=lambda r: r["ball.z"].max())
+        self.assertEqual(least, [r["ball.z"].max() for r in runs])
+
+    def test_sweeps_tell_mistakes(self):
+        model = SOURCE / "models" / "bouncing_ball.xml"
+        for processes in (1, 2):
+            with self.assertRaisesRegex(dynamy.ModelError, 'did you mean "h0"'):
+                dynamy.sweep(model, {"h00": [1, 2]}, processes=processes)
+        with self.assertRaisesRegex(ValueError, "1 or more"):
+            dynamy.sweep(model, {"e": [0.2]}, processes=0)
+
+    def test_elements_are_described(self):
+        text = dynamy.describe("RigidBody")
+        for attribute in ("position", "velocity", "mass"):
+            self.assertIn(attribute, text)
+        self.assertIn("RigidBody", dynamy.describe())
+        with self.assertRaisesRegex(dynamy.ModelError, 'did you mean "RigidBody"'):
+            dynamy.describe("RigidBdy")
 
     def test_mistakes_are_told(self):
         with self.assertRaisesRegex(dynamy.ModelError, 'did you mean "RigidBody"'):
