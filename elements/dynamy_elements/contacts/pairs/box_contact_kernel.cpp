@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy_elements/contacts/pairs/box_contact.hpp>
 
@@ -118,7 +119,7 @@ bool onFace(int vertex, int face) { return ((vertex >> axisOf(face)) & 1) == (fa
 class BoxFacePair {
  public:
   BoxFacePair(const PlacedBox& A, int faceA, const PlacedBox& B, int faceB, const BoxSeparation& in,
-              double separation, double same, bool rates,
+              double separation, double ofBodies, double same, bool rates,
               std::array<BoxContact, kMostBoxContacts>& out)
       : A_(A),
         B_(B),
@@ -129,6 +130,7 @@ class BoxFacePair {
         beside_(besideFace(separation, same)),
         margin_(same),
         separation_(separation),
+        least_(leastOfFaces(ofBodies, same)),
         rates_(rates),
         x_((axisOf(faceA) + 1) % 3),
         y_((axisOf(faceA) + 2) % 3),
@@ -136,8 +138,9 @@ class BoxFacePair {
         out_(out) {}
 
   int contacts() {
-    // If one face lies inside of the other, its vertices are all of the intersection.
-    if (!verticesOfB() && !verticesOfA()) edges();
+    features();
+    // Without any contact an overlap would remain unseen.
+    if (found_.size() == 0) least_ = -kInfinity, features();
     if (beside_ > same_ && isBeside_ && leastGap(taken()) > separation_ + same_) {
       margin_ = beside_;
       verticesOfB(), verticesOfA();
@@ -146,11 +149,19 @@ class BoxFacePair {
   }
 
  private:
+  void features() {
+    // If one face lies inside of the other, its vertices are all of the intersection.
+    if (!verticesOfB() && !verticesOfA()) edges();
+  }
   std::span<const BoxContact> taken() const {
     return {out_.data(), static_cast<std::size_t>(found_.size())};
   }
   BoxContact& last() { return out_[static_cast<std::size_t>(found_.size() - 1)]; }
   bool takes(const Vec3& p_A) { return found_.takes(p_A[x_], p_A[y_]); }
+  /// Drops the last contact if it is deeper than the bodies.
+  void check() {
+    if (last().at.g < least_) found_.drop();
+  }
   /// Is p, given from the centre of a box in its axes, over the face along axis k?
   bool over(const Vec3& half, int k, const Vec3& p) {
     const int u = (k + 1) % 3, v = (k + 2) % 3;
@@ -174,6 +185,7 @@ class BoxFacePair {
       if (!takes(p_A)) continue;
       last().id = i;
       onA.contact(*B_.frame, B_.vertex(i), last().at);
+      check();
     }
     return inside == 4;
   }
@@ -188,6 +200,7 @@ class BoxFacePair {
       if (!takes(p_A)) continue;
       last().id = 8 + i;
       onB.contact(*A_.frame, A_.vertex(i), last().at);
+      check();
     }
     return inside == 4;
   }
@@ -221,12 +234,14 @@ class BoxFacePair {
     const EdgeCrossing at(edgeA, edgeB);
     last().id = 16 + 12 * a.number + b.number;
     last().at = edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, at, normalOf(A_, faceA_), rates_);
+    check();
   }
 
   const PlacedBox &A_, &B_;
   int faceA_, faceB_;
   const BoxSeparation& in_;
   double same_, beside_, margin_, separation_;
+  double least_;           ///< least gap of a contact
   bool isBeside_ = false;  ///< a vertex is beside a face, but not over it
   bool rates_;
   int x_, y_;  ///< axes of A in its face
@@ -264,8 +279,8 @@ int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
     }
   }
   const Vec3 n = face.sign * (face.i < 3 ? A.R.col(face.i) : B.R.col(face.i - 3));
-  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, face.separation, same,
-                     rates, out)
+  return BoxFacePair(A, faceAlong(A, n), B, faceAlong(B, -n), separation, face.separation,
+                     std::max(face.separation, edge.separation), same, rates, out)
       .contacts();
 }
 

@@ -37,6 +37,13 @@ inline double besideFace(double separation, double same) {
   return same + std::min(kBeside * std::max(separation, 0.0), kMostBeside * same);
 }
 
+/// Least gap of a contact of two faces [m]. `separation`: of the bodies. No two features are nearer
+/// than that. Edges whose lines cross far from the place where the bodies meet, with a normal across
+/// their separation, can have a gap far below it, which is not one of the bodies.
+inline double leastOfFaces(double separation, double same) {
+  return separation - 4.0 * besideFace(separation, same);
+}
+
 /// Is |x| larger than `most`, by more than their roundings?
 inline bool isBeyond(double x, double most) { return std::abs(x) > (1.0 + 1e-9) * most; }
 
@@ -143,6 +150,8 @@ class Manifold {
     x_[size_] = x, y_[size_++] = y;
     return true;
   }
+  /// Removes the contact added last.
+  void drop() { --size_; }
   int size() const { return size_; }
 
  private:

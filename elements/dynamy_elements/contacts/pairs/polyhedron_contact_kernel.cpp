@@ -44,8 +44,8 @@ constexpr int kMostCorners = 12;
 class FacePair {
  public:
   FacePair(const PlacedPolyhedron& A, int faceA, const PlacedPolyhedron& B, int faceB,
-           const PolyhedraSeparation& in, double separation, double same, bool rates,
-           PolyhedraContacts& out)
+           const PolyhedraSeparation& in, double separation, double ofBodies, double same,
+           bool rates, PolyhedraContacts& out)
       : A_(A),
         B_(B),
         a_(A.of->face(faceA)),
@@ -57,6 +57,7 @@ class FacePair {
         beside_(besideFace(separation, same)),
         margin_(same),
         separation_(separation),
+        least_(leastOfFaces(ofBodies, same)),
         rates_(rates),
         found_(4.0 * same),
         out_(out) {
@@ -64,8 +65,9 @@ class FacePair {
   }
 
   int contacts() {
-    // If one face lies inside of the other, its vertices are all of the intersection.
-    if (!verticesOfB() && !verticesOfA()) edges();
+    features();
+    // Without any contact an overlap would remain unseen.
+    if (found_.size() == 0) least_ = -kInfinity, features();
     const std::span<const NumberedContact> taken(out_.data(),
                                                  static_cast<std::size_t>(found_.size()));
     if (beside_ > same_ && isBeside_ && leastGap(taken) > separation_ + same_) {
@@ -76,8 +78,16 @@ class FacePair {
   }
 
  private:
+  void features() {
+    // If one face lies inside of the other, its vertices are all of the intersection.
+    if (!verticesOfB() && !verticesOfA()) edges();
+  }
   NumberedContact& last() { return out_[static_cast<std::size_t>(found_.size() - 1)]; }
   bool takes(const Vec3& p_A) { return found_.takes(x_.dot(p_A), y_.dot(p_A)); }
+  /// Drops the last contact if it is deeper than the bodies.
+  void check() {
+    if (last().at.g < least_) found_.drop();
+  }
   /// Is p, in axes of `body`, over its face f?
   bool over(const Polyhedron& body, const Polyhedron::Face& f, const Vec3& p) {
     if (body.over(f, p, margin_)) return true;
@@ -98,6 +108,7 @@ class FacePair {
       if (!inside || i % stride(b_.count) != 0 || !takes(p_A)) continue;
       last().id = v;
       onA.contact(*B_.frame, B_.vertex(v), last().at);
+      check();
     }
     return all;
   }
@@ -113,6 +124,7 @@ class FacePair {
       if (!inside || i % stride(a_.count) != 0 || !takes(p_A)) continue;
       last().id = corners + v;
       onB.contact(*A_.frame, A_.vertex(v), last().at);
+      check();
     }
     return all;
   }
@@ -144,6 +156,7 @@ class FacePair {
     last().id = corners + i * static_cast<int>(B_.of->edges().size()) + j;
     last().at = edgeOnEdge(*A_.frame, edgeA, *B_.frame, edgeB, EdgeCrossing(edgeA, edgeB),
                            A_.R * a_.n, rates_);
+    check();
   }
 
   const PlacedPolyhedron &A_, &B_;
@@ -151,6 +164,7 @@ class FacePair {
   int faceA_, faceB_;
   const PolyhedraSeparation& in_;
   double same_, beside_, margin_, separation_;
+  double least_;           ///< least gap of a contact
   bool isBeside_ = false;  ///< a vertex is beside a face, but not over it
   bool rates_;
   Vec3 x_, y_;  ///< in A's face
@@ -194,7 +208,10 @@ int betweenPolyhedra(const PlacedPolyhedron& A, const PlacedPolyhedron& B, doubl
   }
   const int faceA = face.i >= 0 ? face.i : faceAlong(*A.of, face.n);
   const int faceB = face.j >= 0 ? face.j : faceAlong(*B.of, -(separation.C().transpose() * face.n));
-  return FacePair(A, faceA, B, faceB, separation, face.separation, same, rates, out).contacts();
+  // Without a pair of edges the separation is that of faces.
+  const double ofBodies = edge.i >= 0 ? edge.separation : face.separation;
+  return FacePair(A, faceA, B, faceB, separation, face.separation, ofBodies, same, rates, out)
+      .contacts();
 }
 
 void closeTogether(const PlacedPolyhedron& A, double reach, bool rates,
