@@ -32,18 +32,24 @@ int mostParts(int nu, long evaluations) {
 }
 
 void Allowance::begin() {
+  if (!exhausted()) saved_ = std::min(saved_ + 1.0 - static_cast<double>(taken_) / now_, saves_);
   now_ = exhausted() ? std::max(1, now_ / kFewer) : std::min(kMore * now_, most_);
-  taken_ = 0;
+  taken_ = drawn_ = 0;
 }
 
 bool Allowance::take() {
+  const double one = 1.0 / now_;
+  if (taken_ == now_ && saved_ >= one && taken_ + drawn_ < most_) {
+    saved_ -= one, ++drawn_;
+    return true;
+  }
   ++taken_;
   return !exhausted();
 }
 
 void Allowance::archive(Archive& a) {
-  a(now_), a(taken_);
-  if (now_ < 1 || now_ > most_ || taken_ < 0)
+  a(now_), a(taken_), a(saved_);
+  if (now_ < 1 || now_ > most_ || taken_ < 0 || !(saved_ >= 0.0 && saved_ <= saves_))
     throw ModelError("the checkpoint leaves no step its tries");
 }
 

@@ -69,24 +69,33 @@ class TimeLoop {
 
 /// Limit on the tries of one kind that a step may take. Steps that stay within their limit raise it
 /// up to `most`, other steps lower it. Many steps in a row whose tries fail cost about one try
-/// each.
+/// each. What steps leave unused may be saved for a step that needs more: the mean stays bounded.
 class Allowance {
  public:
-  explicit Allowance(int most) : most_(most), now_(most) {}
+  /// `saves`: number of steps whose tries can be saved at most; a run begins with a share of them. No
+  /// step takes more than `most` tries, saved ones included.
+  explicit Allowance(int most, double saves = 0.0)
+      : most_(most), now_(most), saves_(saves), saved_(kSavedAtFirst * saves) {}
   /// Begins a step. If the last step exceeded its limit, the new limit is a quarter of it, one at
-  /// least; otherwise it is twice as large, up to `most`.
+  /// least; otherwise it is twice as large, up to `most`, and its unused tries are saved.
   void begin();
-  /// Uses up one try; false: none is left.
+  /// Uses up one try, a saved one beyond the limit; false: none is left.
   bool take();
   /// Limits the present step to n tries at most.
-  void atMost(int n) { now_ = std::min(now_, n); }
+  void atMost(int n) {
+    if (!exhausted()) taken_ = std::min(taken_, n);
+    now_ = std::min(now_, n);
+  }
   /// Leaves the present step no further tries.
   void exhaust() { taken_ = now_ + 1; }
   bool exhausted() const { return taken_ > now_; }
   void archive(Archive& a);
 
  private:
+  static constexpr double kSavedAtFirst = 0.4;
   int most_, now_, taken_ = 0;
+  int drawn_ = 0;         // saved tries that the present step has taken
+  double saves_, saved_;  // in steps of the present limit
 };
 
 /// Number of parts of a step of a model with nu velocities, each of which costs `evaluations`
@@ -131,7 +140,7 @@ class FixedStep final : public TimeLoop {
   StepDivision division_;
   double whole_ = 0.0;   // length of the present full step [s]
   int quiet_ = 1 << 20;  // full steps since one was taken in parts
-  Allowance parts_{2000}, halves_{24};
+  Allowance parts_{2000, 50.0}, halves_{24};
   bool first_ = true;  // no attempt yet
   bool rest_ = false;  // the last, shortened step has been taken
 };

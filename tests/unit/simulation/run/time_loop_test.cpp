@@ -26,6 +26,21 @@ TEST(Allowance, IsLessAfterAStepThatDidNotGetAlong) {
   EXPECT_EQ(step(20), 4);
 }
 
+TEST(Allowance, TriesThatStepsLeaveUnusedServeOneThatNeedsMore) {
+  Allowance a(40, 5.0);
+  const auto step = [&](int tries) {
+    a.begin(), a.atMost(8);
+    int taken = 0;
+    while (taken < tries && a.take()) ++taken;
+    return taken;
+  };
+  EXPECT_EQ(step(100), 8 + 3 * 8);  // its own, 1 of begin() and 0.4 · 5 steps: all that there are
+  EXPECT_EQ(step(0), 0);            // a quarter after a step that did not get along
+  for (int i = 0; i < 20; ++i) step(0);
+  EXPECT_EQ(step(100), 40);         // no step takes more, though 5 · 8 are saved
+  EXPECT_EQ(step(100), 2 + 1 * 2);  // the one step that is left, of the present limit
+}
+
 /// Attempts that search for long, of 1000 of which one in `every` has no solution.
 long searchesOf(int every) {
   SearchPauses pauses;
