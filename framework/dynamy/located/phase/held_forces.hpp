@@ -7,7 +7,7 @@
 /// redundant d is the smallest solution, in units of what each contact carries, so that forces
 /// differ little from those of the decision. The accelerations do not depend on that choice.
 #pragma once
-#include <dynamy/core/decompositions.hpp>
+#include <dynamy/located/phase/block_pseudo_inverse.hpp>
 #include <dynamy/located/phase/held_rows.hpp>
 
 namespace dynamy {
@@ -49,7 +49,7 @@ class HeldForces {
   Eigen::VectorXd lambda_, a_;
   Eigen::MatrixXd A_, MInvWP_;  // Sᵀ Rᵀ M⁻¹W P, its columns by scale_; M⁻¹W P
   Eigen::VectorXd rhs_, pi_, scale_;
-  PseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
+  BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
   bool redundant_ = false;
 };
 

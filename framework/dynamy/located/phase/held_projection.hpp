@@ -4,7 +4,7 @@
 ///
 /// for e = g, the positions, or e = γ, the velocities. Redundant rows share Λ.
 #pragma once
-#include <dynamy/core/decompositions.hpp>
+#include <dynamy/located/phase/block_pseudo_inverse.hpp>
 #include <dynamy/located/phase/held_rows.hpp>
 
 namespace dynamy {
@@ -25,7 +25,7 @@ class HeldProjection {
   std::vector<int> kept_;  // S
   Eigen::MatrixXd G_;
   Eigen::VectorXd rhs_, Lambda_;
-  PseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
+  BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
 };
 
 }  // namespace dynamy
