@@ -200,6 +200,20 @@ bool AttributeReader::readOne(const Source& source, const XmlAttribute& written,
   return true;
 }
 
+namespace {
+
+/// "world ball" for the word "world,ball"; "" for a word without such signs.
+std::string parted(std::string_view word) {
+  constexpr std::string_view kSeparators = ",;|";
+  if (word.find_first_of(kSeparators) == std::string_view::npos) return {};
+  std::string out(word);
+  for (char& c : out)
+    if (kSeparators.find(c) != std::string_view::npos) c = ' ';
+  return out;
+}
+
+}  // namespace
+
 /// Each word of a reference becomes a full name; "body.frame" is looked up by its body.
 bool AttributeReader::resolveReferences(const Source& source, const XmlAttribute& written,
                                         const Scope& scope, const ResolvedText& text,
@@ -215,10 +229,13 @@ bool AttributeReader::resolveReferences(const Source& source, const XmlAttribute
     const std::string found = kind == "material" ? head : names_->resolve(head, scope, kind);
     if (found.empty() && mustExist) {
       const std::string what = kind == "frame" ? "system" : kind;
+      const std::string withBlanks =
+          value.declaration->type == AttributeType::names ? parted(word.text) : std::string();
       faults_->add(*source.scope,
                    sourcePlace(*source.scope->document, written, text, word.offset, dot),
                    *source.node, "unknown " + what + " \"" + head + '"',
-                   unknownNameHint(head, names_->known(scope, kind)));
+                   withBlanks.empty() ? unknownNameHint(head, names_->known(scope, kind))
+                                      : "names stand between blanks: \"" + withBlanks + '"');
       good = false;
     }
     full += (full.empty() ? "" : " ") + (found.empty() ? head : found) +
