@@ -20,8 +20,9 @@ constexpr int kCorrection = 4;
 
 /// Residual above which positions are too inaccurate for those of a solved step.
 constexpr double kLooseResidual = 1e-4;
-/// Number of contacts from which an unsolved step is not repaired by exact solves either, and
-/// impacts are not divided: of walls that were hit at seven speeds two had a step unsolved to 1e-8.
+/// Number of contacts from which an unsolved step is not repaired by exact solves either, and an exact
+/// solver's impacts are not divided: of walls that were hit at seven speeds two had a step unsolved
+/// to 1e-8.
 constexpr int kManyContacts = 200;
 
 /// True: the last step ended with a residual above kLooseResidual, or overlaps since such a step
@@ -47,13 +48,13 @@ StepReport StaggeredMoreau::step(MechanicalSystem& s, InclusionSolver& solver, S
   s.move(x, dt / 2);  // q^M = q^A + Δt/2 (F u^A + β)
   bool apart = true;
   const Evaluation& e = detect(s, solver, x, dt, apart);  // M, h, and W, χ where a gap can close
-  pose(s, x, dt);                                         // ξ = G Λ + c
+  pose(s, solver, x, dt);                                 // ξ = G Λ + c
   const SolveReport solved = solve(s, solver, x, dt);     // Λ = prox_C(Λ − r ξ)
   problem_->velocityFromImpulses(x);                      // u^E = u^A + M⁻¹(h Δt + W Λ)
   x.impulses.corrected = !solved.warmAccepted && solved.newton <= kCorrection;
   const bool loose = solved.residuals.largest() > kLooseResidual &&
-                     (solved.ok() || isRough(x) || problem_->size() >= kManyContacts);
-  if (loose || (isRough(x) && largestOverlap(e.contacts) > s.gTol()))
+                     (solved.ok() || rough_ || problem_->size() >= kManyContacts);
+  if (loose || (rough_ && largestOverlap(e.contacts) > s.gTol()))
     LostImpulses::remember(e.contacts, view(problem_->Lambda()), x.scheme);
   else
     x.scheme.resize(0);
@@ -90,7 +91,7 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
 void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
   problem_ = &s.impactProblem(x, dt, 0, &aim_);
   problem_->corrected = Corrected::byGaps;
-  if (!isRough(x)) return;
+  if (!rough_) return;
   // A step at a bounded cost leaves overlaps and forces, which the next step corrects.
   lost_.handOn(x.impulses, view(std::as_const(x.scheme)), s.slot(0).contacts, dt / x.impulses.dt,
                problem_->Lambda());
@@ -99,12 +100,13 @@ void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
 
 /// Poses the inclusion at q^M. Contacts whose impact falls into this step are closed before. If they
 /// cannot be closed, their impacts are divided between this step and the next one. Among many
-/// contacts they wait for an overlap.
-void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
+/// contacts they wait for an overlap, or the step becomes a rough one if the solver bounds its work.
+void StaggeredMoreau::pose(MechanicalSystem& s, const InclusionSolver& solver, State& x,
+                           double dt) {
   const bool mean = options_.joints == Joints::mean;
   const double rounding = kPositionShare * s.gTol();
-  aim_ = {isRough(x) ? -std::numeric_limits<double>::infinity()
-                     : kDead * dt * largestChange(s, dt) + rounding,
+  aim_ = {rough_ ? -std::numeric_limits<double>::infinity()
+                 : kDead * dt * largestChange(s, dt) + rounding,
           mean,
           mean ? 0.0 : options_.kappa,
           options_.cap,
@@ -112,7 +114,11 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
           arrived_,
           false};
   ask(s, x, dt);
-  if (isRough(x) || problem_->arriving().empty()) return;
+  if (rough_ || problem_->arriving().empty()) return;
+  if (solver.boundsWork(problem_->size())) {
+    rough_ = true, aim_.dead = -std::numeric_limits<double>::infinity();
+    return ask(s, x, dt);
+  }
   arriving_ = problem_->arriving();
   if (!projection_.touch(s, x, arriving_, 0.5 * s.gTol())) {
     aim_.divide = problem_->size() < kManyContacts;
@@ -126,12 +132,15 @@ void StaggeredMoreau::pose(MechanicalSystem& s, State& x, double dt) {
   ask(s, x, dt);
 }
 
-/// Evaluates at q^M after repairing overlaps. apart: false if they could not be repaired.
+/// Evaluates at q^M after repairing overlaps, unless the step is a rough one. apart: false if they could not be
+/// repaired.
 const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                           double dt, bool& apart) {
   const Evaluation& e = ahead(s, x, dt);
   arrived_.clear();
-  if (isRough(x) || largestOverlap(e.contacts) <= s.gTol()) return e;
+  rough_ =
+      isRough(x) || (largestOverlap(e.contacts) > s.gTol() && solver.boundsWork(e.contacts.size()));
+  if (rough_ || largestOverlap(e.contacts) <= s.gTol()) return e;
   for (int i = 0; i < e.contacts.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double g = e.contacts.position[static_cast<std::size_t>(e.contacts.row0[at])];

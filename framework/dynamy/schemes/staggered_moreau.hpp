@@ -12,8 +12,9 @@
 /// (UnresolvedForces) are taken at its end: M̂ = M − Δt D − Δt² K replaces M, and they are damped.
 ///
 /// Where the solver stops at a residual above 1e-4 (many contacts at a bounded cost), x.scheme holds
-/// the places of the contacts, and the next step is rough. A rough step lifts and closes no contact
-/// before its impacts, but uses s_N = g^M/Δt for gaps of either sign, until no overlap is left.
+/// the places of the contacts, and the next step is rough; so is a step with an impact or an overlap
+/// among so many contacts. A rough step lifts and closes no contact before its impacts, but uses
+/// s_N = g^M/Δt for gaps of either sign, until no overlap is left.
 ///
 /// Rounding cannot move a resting contact away, since the next step closes its gap again. Therefore
 /// a start that fulfils the solver's tolerance is good enough. The dead band keeps rounding of gaps
@@ -50,13 +51,14 @@ class StaggeredMoreau final : public OneStep {
  private:
   const Evaluation& detect(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt,
                            bool& apart);
-  void pose(MechanicalSystem& s, State& x, double dt);
+  void pose(MechanicalSystem& s, const InclusionSolver& solver, State& x, double dt);
   void ask(MechanicalSystem& s, const State& x, double dt);
   SolveReport solve(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   Options options_;
   Projection projection_;
   LostImpulses lost_;
   PositionAim aim_;                   // of this step
+  bool rough_ = false;                // is this step rough?
   ImpactProblem* problem_ = nullptr;  // of this step
   std::vector<ContactKey> arrived_;   // contacts lifted out of an overlap or closed in this step
   std::vector<ContactKey> arriving_;

@@ -18,8 +18,11 @@ constexpr int kMostOthers = 200, kOtherStarts = 9, kOtherSteps = 400;
 /// Limits of bounded solves: kBoundedFrom contacts or more; kCorrecting Newton steps from a start
 /// with a residual up to kCorrectable; kMostSweeps sweeps to reach kEnough, kLastSweeps more to
 /// reach kAccepted; kFewSweeps sweeps to a third of the residual of a start that is good enough.
-constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 300, kLastSweeps = 1000,
+constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 100, kLastSweeps = 1000,
               kFewSweeps = 40;
+/// Newton steps to kEnough where sweeps do not reach kAccepted; 17 of 17 such steps of walls took 88 to
+/// 159 of them.
+constexpr int kLastNewton = 300;
 constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
 /// Newton steps of bounded solves after a step that was exact.
 constexpr int kAfterExact = 100;
@@ -30,6 +33,8 @@ constexpr int kQuick = 100;
 /// step (some tenths of a second), and the least number of Newton steps.
 constexpr double kMostProducts = 1e9;
 constexpr int kFewestSteps = 25;
+/// Sweeps after Newton steps in vain at such a problem.
+constexpr int kSweepsInVain = 300;
 /// Products and least Newton steps if the time step is tried again. Of 7952 such problems of
 /// jointed scenes 7873 are solved by sweeps and at most 453 Newton steps in 15 s, and 5 by longer
 /// searches in 2 s; 74 are not solved by any, in 37 s.
@@ -87,6 +92,8 @@ Automatic::Automatic(const Parameters& x)
           x["work"].text == "bounded" || (x["work"].text == "automatic" && !x["tolerance"].given)},
       newton_({options_.tolerance, options_.maxNewton, options_.maxIterations, 64,
                options_.maxPatient}),
+      coarse_({std::max(kEnough, options_.tolerance), options_.maxNewton, options_.maxIterations,
+               64, options_.maxPatient}),
       lemke_({.tolerance = options_.tolerance, .polish = false}),
       admm_({.tolerance = options_.tolerance, .maxIterations = kAlternations}) {}
 
@@ -197,13 +204,17 @@ SolveReport Automatic::afresh(const InclusionProblem& p, Vec Lambda, SolveReport
   return newton_.refine(p, Lambda, report, true, scratch_.data());
 }
 
+bool Automatic::boundsWork(int contacts) const {
+  return options_.bounded && contacts >= kBoundedFrom;
+}
+
 bool Automatic::bounds(const InclusionProblem& p) const {
   // Problems without bodies are bounded only if the gaps of the next step correct their errors,
   // which excludes joints, which hold velocities.
   const bool askedBack = p.corrected == Corrected::byGaps ||
                          p.corrected == Corrected::byGapsLoosely ||
                          (p.corrected == Corrected::inIteration && p.G->hasBodies());
-  return options_.bounded && askedBack && p.size() >= kBoundedFrom && !p.rule;
+  return askedBack && boundsWork(p.size()) && !p.rule;
 }
 
 bool Automatic::condensed(const InclusionProblem& p) const {
@@ -223,7 +234,7 @@ NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
   if (p.effort == Effort::little) return {kFewestTried, 0, 0};
   if (p.effort == Effort::retried) return {std::max(kFewestTried, affordable(kMostTried)), 0, 0};
   const int most = std::max(kFewestSteps, affordable(kMostProducts));
-  return most < all.maxNewton ? NewtonLimits{most, most, kMostSweeps} : all;
+  return most < all.maxNewton ? NewtonLimits{most, most, kSweepsInVain} : all;
 }
 
 SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, SolveReport report) {
@@ -236,7 +247,12 @@ SolveReport Automatic::boundedSweeps(const InclusionProblem& p, Vec Lambda, Solv
   if (report.residuals.largest() > kAccepted)
     packed_.sweeps(p, kAccepted, kLastSweeps, Lambda, report);
   report.note(report.method, before);
-  return report;
+  // Without bodies a Newton step eliminates all rows.
+  if (report.residuals.largest() <= kAccepted || !p.G->hasBodies()) return report;
+  // Sweeps may end in a cycle of single contacts.
+  keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
+  const NewtonLimits most{kLastNewton, 0, 0};
+  return coarse_.refine(p, Lambda, report, false, nullptr, &most);
 }
 
 bool Automatic::pivot(const InclusionProblem& p, Vec Lambda, SolveReport& report) {

@@ -36,6 +36,7 @@ class Automatic final : public InclusionSolver {
   explicit Automatic(const Parameters& x);
   static void declare(Attributes& a);
   SolveReport solve(const InclusionProblem& problem, Vec Lambda) override;
+  bool boundsWork(int contacts) const override;
 
  private:
   SolveReport chain(const InclusionProblem& problem, Vec Lambda);
@@ -81,7 +82,8 @@ class Automatic final : public InclusionSolver {
   AutomaticOptions options_;
   EasyProblems easy_;
   ProximalNewton newton_;
-  LemkeSolver lemke_;  // for contacts with G_ii = 0, and after restarts
+  ProximalNewton coarse_;  // stops at the accuracy of sweeps
+  LemkeSolver lemke_;      // for contacts with G_ii = 0, and after restarts
   BlockNewton rescue_;
   MinimalNorm minimalNorm_;
   Admm admm_;

@@ -42,7 +42,9 @@ void addAim(const AimedStep& step, const Eigen::VectorXd& uA, const Eigen::Vecto
       law.epsilon(c.dim(i), epsilon);
       const bool fast = -p.gammaA[first] > kImpactSteps * changeByForces(c, i, uA, uFree);
       if (rough && (epsilon[0] == 0.0 || (g <= step.gTol && !fast))) {
-        p.gammaFree[first] += g / (g < 0.0 ? std::max(dt, step.pushOut) : dt);
+        // An overlap that bodies did not make in a step takes several to be pushed out.
+        const double most = std::max(aim.cap, -p.gammaA[first]);
+        p.gammaFree[first] += g < 0.0 ? std::max(g / std::max(dt, step.pushOut), -most) : g / dt;
         continue;
       }
       if (rough && g <= step.gTol) continue;  // its rebound removes the overlap

@@ -13,7 +13,7 @@ struct PositionAim {
   double dead = 0.0;        ///< gaps up to this count as closed [m]
   bool meanJoints = false;  ///< γ^E + γ^A = 0 in the rows of joints
   double kappa = 0.0;       ///< without meanJoints: γ^E = −κ g/Δt in the rows of joints,
-  double cap = 0.0;         ///< limited to this speed [m/s]
+  double cap = 0.0;    ///< limited to this speed [m/s], as in overlaps of bodies that met slower
   double noise = 0.0;  ///< rounding of gaps [m]: solvers need not resolve rates below noise/Δt
   std::span<const ContactKey> arrived{};  ///< sorted; these contacts are closed, whatever their gap
   /// Impacts without restitution do not wait: this step closes the gap, the next one does the rest.

@@ -41,6 +41,13 @@ class BothForms {
   std::unique_ptr<fixture::Inclusion> bodies_;
 };
 
+TEST(Automatic, BoundsTheWorkOnManyContactsAlone) {
+  const Automatic bounded({.bounded = true}), exact({.bounded = false});
+  EXPECT_FALSE(bounded.boundsWork(199));
+  EXPECT_TRUE(bounded.boundsWork(200));
+  EXPECT_FALSE(exact.boundsWork(100000));
+}
+
 TEST(GivenProblem, AnswersAsTheSameProblemWithBodiesDoes) {
   for (const int n : {5, 40}) {  // dense and block rows
     BothForms both(n, 30, 11);

@@ -249,7 +249,7 @@ TEST(MechanicalSystem, PushesOverlapsOutInTheTimeOfAWholeStep) {
   // A rough step, 0.1 m in the ground: γ_free = g/Δt, whatever the length of a part.
   Scene s(VectorXd::Ones(1), VectorXd::Constant(1, -0.1), VectorXd::Zero(1), {{0, 0, -1}});
   PositionAim aim;
-  aim.dead = -std::numeric_limits<double>::infinity();
+  aim.dead = -std::numeric_limits<double>::infinity(), aim.cap = 100.0;  // of 10 m/s
   for (const double dt : {1e-9, 0.01, 0.1}) {
     s.system->limits.pushOut = 0.01;
     s.system->evaluate(s.x);

@@ -16,6 +16,16 @@ double smallestEdge(const std::vector<Vec3>& points) {
   return least < kInfinity ? least : 0.0;
 }
 
+/// Size of the body with the shapes of system i, 0 if none has a size; frame ≥ 0: with those of this
+/// frame alone.
+double sizeOf(const Model& model, std::size_t i, int frame) {
+  double size = 0.0;
+  for (const PlacedShape& p : model.descriptions()[i].shapes)
+    if (!p.shape->material().empty() && (frame < 0 || p.frame == frame))
+      size = std::max(size, thickness(p.shape->geometry()));
+  return size;
+}
+
 /// Size of the body that mass block `block` belongs to, 0 if it has no shape with a size.
 double bodySize(const Model& model, int block) {
   const Topology& t = model.topology();
@@ -23,12 +33,7 @@ double bodySize(const Model& model, int block) {
     const SystemHandle& s = t.system(static_cast<int>(i));
     if (block < s.block0 || block >= s.block0 + s.blocks) continue;
     // In a population each block is a body with a frame of its own.
-    const int frame = s.blocks > 1 ? block - s.block0 : -1;
-    double size = 0.0;
-    for (const PlacedShape& p : model.descriptions()[i].shapes)
-      if (!p.shape->material().empty() && (frame < 0 || p.frame == frame))
-        size = std::max(size, thickness(p.shape->geometry()));
-    return size;
+    return sizeOf(model, i, s.blocks > 1 ? block - s.block0 : -1);
   }
   return 0.0;
 }
@@ -58,6 +63,23 @@ double thickness(const ShapeGeometry& shape) {
     default:
       return smallestEdge(shape.points);
   }
+}
+
+double smallestBody(const Model& model) {
+  double smallest = kInfinity;
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    const SystemHandle& s = model.topology().system(static_cast<int>(i));
+    if (s.nu == 0) continue;
+    if (s.blocks <= 1) {
+      if (const double size = sizeOf(model, i, -1); size > 0.0) smallest = std::min(smallest, size);
+      continue;
+    }
+    for (const PlacedShape& p : model.descriptions()[i].shapes)  // a population: one shape a body
+      if (const double size = thickness(p.shape->geometry());
+          size > 0.0 && !p.shape->material().empty())
+        smallest = std::min(smallest, size);
+  }
+  return smallest;
 }
 
 StartOverlap startOverlap(const Model& model, const ContactSet& start) {

@@ -22,6 +22,9 @@ struct StartOverlap {
 /// The contact with the largest share; `start`: the contacts of the initial state.
 StartOverlap startOverlap(const Model& model, const ContactSet& start);
 
+/// Size of the smallest moving body that can touch others [m]; infinite: no such body has a size.
+double smallestBody(const Model& model);
+
 /// Smallest extent of a shape [m], 0 for points, lines, half spaces and other shapes without
 /// volume.
 double thickness(const ShapeGeometry& shape);

@@ -2,6 +2,7 @@
 #pragma once
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/run/step_division.hpp>
+#include <dynamy/stages/contact_look.hpp>
 
 namespace dynamy {
 
@@ -14,9 +15,12 @@ class StepCoarseness {
 
  private:
   double newOverlap(const MechanicalSystem& system, const State& after, double dt);
+  double foreseenOverlap(const MechanicalSystem& system, const State& after, double dt);
+  ContactLook look_;  // at the place of the next step
+  State next_;
   std::vector<FrameHandle> turning_;
   std::vector<double> gammaE_;
-  double length_;  // of the scene [m]
+  double length_, smallest_;  // of the scene, and size of its smallest body [m]
 };
 
 }  // namespace dynamy

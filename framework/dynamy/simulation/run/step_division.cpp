@@ -16,10 +16,11 @@ double powerOfTwo(double x) { return std::exp2(std::ceil(std::log2(std::max(x, 1
 
 }  // namespace
 
-Coarseness Coarseness::of(double turn, const ForceResolution& forces, double overlap) {
+Coarseness Coarseness::of(double turn, const ForceResolution& forces, double overlap,
+                          double foreseen) {
   // share ≥ (ωΔt)²/8 for two equal bodies, (ωΔt)²/4 for one to the ground: ωΔt ≤ 2 √(2 share).
   return {turn / kMostTurn, 2.0 * std::sqrt(2.0 * forces.share) / kMostSwing, forces.coarse,
-          overlap / kMostOverlap};
+          overlap / kMostOverlap, foreseen / kMostForeseen};
 }
 
 int StepDivision::begin() {
@@ -27,8 +28,9 @@ int StepDivision::begin() {
   if (need_ > parts_) parts_ = powerOfTwo(need_);
   if (kSlack * need_ <= parts_) parts_ = std::max(1.0, 0.5 * parts_);
   swings_ = swings_ && parts_ > 1.0;
-  need_ = 1.0, finest_ = parts_;
-  return static_cast<int>(parts_);
+  finest_ = std::max(parts_, ahead_);
+  need_ = 1.0, ahead_ = 1.0;
+  return static_cast<int>(finest_);
 }
 
 int StepDivision::parts(const Coarseness& c, double share, long most) {
@@ -41,8 +43,11 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
   // Parts that were equal so far stay so until they are kTolerated times too long.
   const bool rough = swings_ && (c.coarse || c.swing > kTolerated);
   const double motion = std::max(c.turn, rough ? c.swing : 0.0);
-  const double wanted = std::min(std::max(motion, c.overlap), bound * share);
+  const double ahead = std::min(c.ahead, Coarseness::kMostAhead * share);
+  const double wanted = std::min(std::max({motion, c.overlap, ahead}), bound * share);
   const double needed = std::max(c.turn, swings_ ? c.swing : 0.0);
+  // What is ahead is in the next step, too: the last part looks no further than the next part.
+  ahead_ = std::max(ahead_, powerOfTwo(std::min(ahead / share, bound)));
   // The next step moves alike; its bodies need not meet.
   need_ = std::max(need_, std::min(needed / share, bound));
   const double n = powerOfTwo(wanted);
@@ -51,8 +56,9 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
 }
 
 void StepDivision::archive(Archive& a) {
-  a(swings_), a(parts_), a(need_);
-  if (!(need_ >= 1.0) || !(parts_ >= 1.0) || !(parts_ <= 2.0 * kMostEqual))
+  a(swings_), a(parts_), a(need_), a(ahead_);
+  if (!(need_ >= 1.0) || !(ahead_ >= 1.0) || !(ahead_ <= 2.0 * kMostEqual) || !(parts_ >= 1.0) ||
+      !(parts_ <= 2.0 * kMostEqual))
     throw ModelError("the checkpoint divides steps into parts that no run has");
 }
 

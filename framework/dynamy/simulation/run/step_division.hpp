@@ -13,6 +13,7 @@ struct Coarseness {
   double swing = 0.0;    ///< parts that resolve the forces, ωΔt ≤ kMostSwing in each
   bool coarse = false;   ///< the step does not resolve its forces well
   double overlap = 0.0;  ///< parts after which bodies that meet in the step do not overlap much
+  double ahead = 0.0;    ///< the same of the overlap at the place of the next step
   /// Turn of a body in a part [rad]; the run warns of more.
   static constexpr double kMostTurn = 1.0;
   /// ωΔt in a part of forces that the step does not resolve. Parts take them by the implicit
@@ -22,9 +23,14 @@ struct Coarseness {
   /// contacts rebound, two parts in a row add to one overlap: before the bodies meet and before
   /// they separate.
   static constexpr double kMostOverlap = 0.004;
+  /// Overlap to which a part leads, over the size of the smallest body. Its parts are no shorter than
+  /// 1/kMostAhead of a full step: thin bodies among many are not to multiply the cost.
+  static constexpr double kMostForeseen = 0.005, kMostAhead = 8.0;
   /// Coarseness of a step: largest turn of a body in it [rad], how well it resolves the forces, and
-  /// overlap that it brought about, over the scene's length.
-  static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0);
+  /// overlap that it brought about, over the scene's length, and to which it leads, over the size of
+  /// the smallest body.
+  static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0,
+                       double foreseen = 0.0);
 };
 
 /// The number of parts is a power of two and changes seldom, because explicit rules keep the energy
@@ -34,7 +40,7 @@ class StepDivision {
   /// `divides`: false: every step has one part.
   explicit StepDivision(bool divides) : divides_(divides) {}
   bool divides() const { return divides_; }
-  /// Begins a full step; returns the number of its parts, as the last step needed them.
+  /// Begins a full step; returns the number of its parts, as the last step needed them or saw ahead.
   int begin();
   /// Number of parts, a power of two, into which the attempted part of `share` of the full step is
   /// to be divided; 1: it is fine, or so many parts would be more than `most` in the full step.
@@ -49,6 +55,7 @@ class StepDivision {
   bool divides_;
   bool swings_ = false;              // steps are divided for the sake of forces
   double parts_ = 1.0, need_ = 1.0;  // equal parts of a full step; parts that it needed
+  double ahead_ = 1.0;               // parts of the next step alone, which leads to an overlap
   double finest_ = 1.0;
 };
 

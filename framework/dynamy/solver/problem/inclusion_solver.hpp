@@ -103,6 +103,9 @@ class InclusionSolver : public Element {
   /// the measure of the problem's own rule), after at least one iteration unless the start is exact
   /// (kExactStart).
   virtual SolveReport solve(const InclusionProblem& problem, Vec Lambda) = 0;
+  /// True: the work on a time step with so many contacts is bounded. The solver then stops at an
+  /// engineering accuracy, and the scheme does without exact solves in such a step.
+  virtual bool boundsWork(int /*contacts*/) const { return false; }
 };
 
 }  // namespace dynamy

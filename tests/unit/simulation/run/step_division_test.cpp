@@ -71,6 +71,22 @@ TEST(StepDivision, OfAMeetingLastsOneStep) {
   EXPECT_EQ(d.begin(), 1);
 }
 
+TEST(StepDivision, StopsAtAnEighthOfAStepThatLeadsToAnOverlap) {
+  const auto leading = [](double mosts) {
+    return Coarseness::of(0.0, {}, 0.0, mosts * Coarseness::kMostForeseen);
+  };
+  StepDivision d(true);
+  d.begin();
+  EXPECT_EQ(d.parts(leading(1.0), 1.0, kPlenty), 1);
+  EXPECT_EQ(d.parts(leading(3.0), 1.0, kPlenty), 4);
+  EXPECT_EQ(d.parts(leading(1.5), 0.25, kPlenty), 2);
+  EXPECT_EQ(d.parts(leading(1e6), 1.0, kPlenty), 8);
+  EXPECT_EQ(d.parts(leading(1e6), 0.125, kPlenty), 1);
+  EXPECT_EQ(d.begin(), 8);  // the overlap would be in the middle of the next step
+  EXPECT_EQ(d.parts(leading(0.1), 0.125, kPlenty), 1);
+  EXPECT_EQ(d.begin(), 1);  // the step after it need not lead to one
+}
+
 TEST(StepDivision, IsOffForANamedScheme) {
   StepDivision d(false);
   EXPECT_FALSE(d.divides());
