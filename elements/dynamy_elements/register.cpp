@@ -3,6 +3,10 @@
 #include <dynamy/law/material.hpp>
 #include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/law/standard_laws.hpp>
+#include <dynamy_elements/blocks/input.hpp>
+#include <dynamy_elements/blocks/sampled_blocks.hpp>
+#include <dynamy_elements/blocks/state_blocks.hpp>
+#include <dynamy_elements/blocks/table.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
@@ -66,6 +70,14 @@ void registerElements(Registry& r) {
   r.add<ForceInput>("ForceInput");
   r.add<Bushing>("Bushing");
   r.add<Drag>("Drag");
+
+  r.add<Input>("Input");
+  r.add<Sample>("Sample");
+  r.add<Delay>("Delay");
+  r.add<Pid>("Pid");
+  r.add<Integrator>("Integrator");
+  r.add<Filter>("Filter");
+  r.add<Table>("Table");
 
   registerJoints(r);
   r.add<SheaveRope>("SheaveRope");

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy/core/error.hpp>
+#include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy_elements/time_formulas.hpp>
 #include <limits>
 
@@ -19,6 +20,11 @@ TimeFormulas::TimeFormulas(const Parameters& x, std::string_view attribute, int 
     try {
       formulas_.push_back(Expression::compile(part.text, symbols));
     } catch (const ExpressionError& error) {
+      for (const NameInFormula& signal : signalNames(part.text))
+        if (signal.offset == error.offset())
+          throw value.fault("the signal \"" + signal.name + "\" cannot be read here",
+                            "this formula is of the time alone, since its rates are needed",
+                            part.offset + error.offset(), error.length());
       throw value.fault(error.message(), didYouMean(error.suggestion()),
                         part.offset + error.offset(), error.length());
     }

@@ -74,6 +74,7 @@ TEST_F(DocumentTest, Python) { follow("doc/python.md"); }
 TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
 TEST_F(DocumentTest, Sweep) { follow("doc/sweep.md"); }
 TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
+TEST_F(DocumentTest, Control) { follow("doc/control.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }
 TEST_F(DocumentTest, Report) { follow("doc/report.md"); }
 TEST_F(DocumentTest, Security) { follow("doc/security.md"); }

@@ -17,7 +17,7 @@ void CoordinateContact::declare(Attributes& a) {
         "slip directions of t and q: one component per coordinate, directions separated by |");
   a.add(AttributeType::expressions, "slipVelocity", "",
         "slip velocities instead of directions: formulas affine in the velocities [m/s]");
-  ReservoirSwitch::declare(a, "t, positions and velocities");
+  ReservoirSwitch::declare(a, "t, positions, velocities and signals");
   a.child(Kind::law, 0, 1, "law of the contact; default: Unilateral with epsilonN = 0");
   a.example(
       "<CoordinateContact on=\"pendulum\" gap=\"0.2 - 0.5*sin(phi)\">"
@@ -141,7 +141,7 @@ void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
   const double g = gap_ ? gap_->eval(x_.data())[0] : 0.0;
   auto out = sink.add(0, law_->unilateral() ? g : std::abs(g), *law_, rows());
   if (!out) return;
-  out.scale(switch_.scale(x_.data()));
+  out.scale(switch_.scale(k, x_.data()));
   Block W = out.segment(system_.block0, system_.u0, n);
   const int first = gap_ ? 1 : 0;
   if (gap_ && out.dim() > 0) gapRow(x_.data(), out, W);
@@ -181,7 +181,7 @@ void CoordinateContact::slipRows(const double* x, int first, ContactRows& out, B
 
 void CoordinateContact::remember(const Kinematics& k, Vec memory) const {
   inputs(k);
-  switch_.remember(x_.data(), memory);
+  switch_.remember(k, x_.data(), memory);
 }
 
 double CoordinateContact::nextInstant(double t) const {

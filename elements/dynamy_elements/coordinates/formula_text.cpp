@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy_elements/coordinates/formula_text.hpp>
 #include <numeric>
 
@@ -71,6 +72,15 @@ void FormulaText::compileAll(ExpressionCompiler& compiler, Diagnostics& faults) 
   for (int i = 0; i < size(); ++i) compile(i, compiler, faults);
 }
 
+std::vector<std::pair<std::string, Place>> FormulaText::signals(int i) const {
+  const ValuePart& part = parts_[static_cast<std::size_t>(i)];
+  std::vector<std::pair<std::string, Place>> out;
+  for (NameInFormula& signal : signalNames(part.text))
+    out.emplace_back(std::move(signal.name),
+                     faultAt(part.offset + signal.offset, signal.length, "", "").place);
+  return out;
+}
+
 Diagnostic FormulaText::fault(int i, std::string text, std::string hint) const {
   if (i < 0) return faultAt(0, text_.size(), std::move(text), std::move(hint));
   const ValuePart& part = parts_[static_cast<std::size_t>(i)];
@@ -111,6 +121,8 @@ SymbolTable FormulaNames::symbols() const {
   table.variable("t", kTime);
   for (int i = 0; i < n(); ++i) table.variable(q[static_cast<std::size_t>(i)], qSlot(i));
   for (int i = 0; i < n(); ++i) table.variable(u[static_cast<std::size_t>(i)], uSlot(i));
+  for (std::size_t i = 0; i < signals.size(); ++i)
+    table.variable(signals[i], 1 + 2 * n() + static_cast<int>(i));
   return table;
 }
 

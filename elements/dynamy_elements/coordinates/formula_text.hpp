@@ -29,6 +29,8 @@ class FormulaText {
   int compile(int i, ExpressionCompiler& compiler, Diagnostics& faults) const;
   /// Adds all formulas in their order.
   void compileAll(ExpressionCompiler& compiler, Diagnostics& faults) const;
+  /// Names of signals in formula i, with their places in the file.
+  std::vector<std::pair<std::string, Place>> signals(int i) const;
   /// Fault that concerns formula i as a whole; i < 0: the whole attribute.
   Diagnostic fault(int i, std::string text, std::string hint = {}) const;
 
@@ -45,14 +47,16 @@ class FormulaText {
   std::vector<Spot> spots_;  // place of every byte in the file; empty: made in C++
 };
 
-/// Names that formulas of one system may use, and their slots in the input array x = (t, q, u).
+/// Names that formulas of one system may use, and their slots in the input array
+/// x = (t, q, u, signals).
 class FormulaNames {
  public:
   std::vector<std::string> q, u;  ///< names of positions and velocities, in their order
   std::vector<std::pair<std::string, double>> parameters;  ///< of the model
+  std::vector<std::string> signals;                        ///< of other elements
 
   int n() const { return static_cast<int>(q.size()); }
-  int inputs() const { return 1 + 2 * n(); }
+  int inputs() const { return 1 + 2 * n() + static_cast<int>(signals.size()); }
   static constexpr int kTime = 0;
   int qSlot(int i) const { return 1 + i; }
   int uSlot(int i) const { return 1 + n() + i; }

@@ -24,8 +24,17 @@ ReservoirSwitch::ReservoirSwitch(const Parameters& x)
 }
 
 void ReservoirSwitch::connect(Topology& topology, const Element& owner,
-                              const SetValuedForceLaw& law, const FormulaNames& names) {
+                              const SetValuedForceLaw& law, const FormulaNames& own) {
   if (!given()) return;
+  FormulaNames names = own;
+  for (const FormulaText* text : {&scaleText_, &engageText_, &releaseText_})
+    for (int i = 0; i < text->size(); ++i)
+      for (const auto& [name, place] : text->signals(i)) {
+        if (names.symbols().find(name) != nullptr) continue;
+        names.signals.push_back(name);
+        signals_.push_back(topology.signal(name, place, owner));
+      }
+  inputs_.assign(static_cast<std::size_t>(names.inputs()), 0.0);
   Diagnostics faults;
   ExpressionCompiler scale(names.symbols()), engage(names.symbols());
   scaleText_.compileAll(scale, faults);
@@ -46,15 +55,22 @@ bool ReservoirSwitch::engaged(const Kinematics& k) const {
   return !engage_ || k.memory(memory_)[0] > 0.0;
 }
 
-double ReservoirSwitch::scale(const double* x) const {
+const double* ReservoirSwitch::withSignals(const Kinematics& k, const double* x) const {
+  if (signals_.empty()) return x;
+  auto next = std::copy_n(x, inputs_.size() - signals_.size(), inputs_.begin());
+  for (const SignalHandle h : signals_) *next++ = k.signal(h);
+  return inputs_.data();
+}
+
+double ReservoirSwitch::scale(const Kinematics& k, const double* x) const {
   if (!scale_) return 1.0;
-  const double s = scale_->eval(x)[0];
+  const double s = scale_->eval(withSignals(k, x))[0];
   return s < 0.0 ? 0.0 : s;  // NaN is returned as NaN
 }
 
-void ReservoirSwitch::remember(const double* x, Vec memory) const {
+void ReservoirSwitch::remember(const Kinematics& k, const double* x, Vec memory) const {
   if (!engage_) return;
-  const double* value = engage_->eval(x);
+  const double* value = engage_->eval(withSignals(k, x));
   const bool let = !releaseText_.empty() && value[1] > 0.0;
   if (let)
     memory[0] = 0.0;
@@ -63,7 +79,7 @@ void ReservoirSwitch::remember(const double* x, Vec memory) const {
 }
 
 double ReservoirSwitch::switching(const Kinematics& k, const double* x) const {
-  const double* value = engage_->eval(x);
+  const double* value = engage_->eval(withSignals(k, x));
   const bool lets = !releaseText_.empty();
   if (engaged(k)) return lets ? value[1] : -1.0;
   return lets ? std::min(value[0], -value[1]) : value[0];
@@ -77,9 +93,10 @@ double ReservoirSwitch::nextInstant(double t) const {
 }
 
 void ReservoirSwitch::describe(Description& d) const {
-  if (engage_)
-    d.signal("engaged", Unit::none, "1 while the law acts, else 0",
-             [](const SignalView& v) { return v.memory[0]; });
+  if (!engage_) return;
+  d.signal("engaged", Unit::none, "1 while the law acts, else 0",
+           [](const SignalView& v) { return v.memory[0]; });
+  d.signals.back().ofState = true;
 }
 
 }  // namespace dynamy

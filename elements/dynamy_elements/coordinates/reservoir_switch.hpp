@@ -1,4 +1,5 @@
-/// ReservoirSwitch: a force reservoir that is scaled and switched:  C(t) = s(t, q, u) C.
+/// ReservoirSwitch: a force reservoir that is scaled and switched:  C(t) = s(t, q, u) C. Formulas may
+/// read signals of other elements.
 ///
 ///   scale    s ≥ 0, a formula: the set is s times that of the law
 ///   engage   the law acts from the end of the step in which this formula is positive …
@@ -30,9 +31,9 @@ class ReservoirSwitch {
   /// Does the law act?
   bool engaged(const Kinematics& k) const;
   /// s ≥ 0 at inputs x = (t, q, u); 1 if not given.
-  double scale(const double* x) const;
+  double scale(const Kinematics& k, const double* x) const;
   /// Switches at the end of a step.
-  void remember(const double* x, Vec memory) const;
+  void remember(const Kinematics& k, const double* x, Vec memory) const;
   /// Is there a formula `engage`?
   bool engages() const { return engage_ != nullptr; }
   /// Positive where remember() would switch; only if it engages().
@@ -43,9 +44,13 @@ class ReservoirSwitch {
   void describe(Description& d) const;
 
  private:
+  /// Reads the signals; returns (t, q, u, signals).
+  const double* withSignals(const Kinematics& k, const double* x) const;
   FormulaText scaleText_, engageText_, releaseText_;
   std::unique_ptr<Tape> scale_, engage_;  // registers: scratch, not state
   MemoryHandle memory_;
+  std::vector<SignalHandle> signals_;
+  mutable std::vector<double> inputs_;  // scratch
 };
 
 }  // namespace dynamy

@@ -3,13 +3,17 @@
 namespace dynamy {
 
 void ForceInput::declare(Attributes& a) {
-  a.about("Force and moment on a point of a frame, as formulas of the time t.");
+  a.about(
+      "Force and moment on a point of a frame, as formulas of the time t and of signals of the "
+      "model.");
   a.reference("on", "frame", "frame the force acts on: a system, or system.frame");
   a.vector("point", Unit::length, 3, "0 0 0", "point of attack, in axes of the frame");
   a.choice("axes", {"world", "frame"}, "world", "axes of the components");
-  a.add(AttributeType::expressions, "force", std::nullopt, "Fx; Fy; Fz as formulas of t [N]")
+  a.add(AttributeType::expressions, "force", std::nullopt,
+        "Fx; Fy; Fz as formulas of t and signals [N]")
       .mayBeAbsent();
-  a.add(AttributeType::expressions, "moment", std::nullopt, "Mx; My; Mz as formulas of t [N m]")
+  a.add(AttributeType::expressions, "moment", std::nullopt,
+        "Mx; My; Mz as formulas of t and signals [N m]")
       .mayBeAbsent();
   a.example("<ForceInput on=\"cart\" force=\"10*sin(3*t); 0; 0\"/>");
 }
@@ -25,11 +29,16 @@ ForceInput::ForceInput(const Parameters& x)
     throw ModelError("neither a force nor a moment is given", "add force=\"Fx; Fy; Fz\"");
 }
 
+void ForceInput::connect(Topology& topology) {
+  frame_ = topology.frame(on_, *this);
+  force_.connect(topology, *this), moment_.connect(topology, *this);
+}
+
 void ForceInput::addTo(const Kinematics& k, ForceSink& sink) const {
   const Frame& frame = k.frame(frame_);
   Vec3 F = Vec3::Zero(), M = Vec3::Zero();
-  if (!force_.empty()) force_.eval(k.t(), F.data());
-  if (!moment_.empty()) moment_.eval(k.t(), M.data());
+  force_.eval(k, F.data());
+  moment_.eval(k, M.data());
   if (bodyAxes_) F = frame.A_IK * F, M = frame.A_IK * M;
   sink.force(frame, frame.A_IK * point_, F);
   sink.moment(frame, M);

@@ -17,14 +17,19 @@ void CoordinateForce::declareForce(Attributes& a) {
         "beyond its period; else it is found, and damped");
 }
 
+void CoordinateForce::connect(Topology& topology) {
+  coordinate_.connect(topology, *this);
+  for (SignalFormulas* f : formulas()) f->connect(topology, *this);
+}
+
 void CoordinateForce::addTo(const Kinematics& k, ForceSink& sink) const {
-  const double F = force(k.t(), coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
+  const double F = force(k, coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
   coordinate_.row().addForce(k, F, sink);
 }
 
 void CoordinateForce::addStiffness(const Kinematics& k, StiffnessSink& sink) const {
   double c = 0.0, d = 0.0;
-  force(k.t(), coordinate_.value(k), coordinate_.rate(k), &c, &d);
+  force(k, coordinate_.value(k), coordinate_.rate(k), &c, &d);
   coordinate_.row().addStiffness(k, c, d, sink);
 }
 
@@ -34,7 +39,7 @@ void CoordinateForce::describe(Description& d) const {
   d.signal("force", angle ? Unit::torque : Unit::force, angle ? "moment on B" : "force on B",
            [this](const SignalView& v) {
              const Kinematics& k = *v.kinematics;
-             return force(k.t(), coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
+             return force(k, coordinate_.value(k), coordinate_.rate(k), nullptr, nullptr);
            });
   announceInstants(d, [this](double t) { return nextInstant(t); });
 }
@@ -55,7 +60,7 @@ void JointSpring::declare(Attributes& a) {
 JointSpring::JointSpring(const Parameters& x)
     : CoordinateForce(x), stiffness_(x["stiffness"]), damping_(x["damping"]), rest_(x["rest"]) {}
 
-double JointSpring::force(double, double x, double rate, double* c, double* d) const {
+double JointSpring::force(const Kinematics&, double x, double rate, double* c, double* d) const {
   if (c) *c = stiffness_;
   if (d) *d = damping_;
   return -stiffness_ * (x - rest_) - damping_ * rate;
@@ -79,44 +84,40 @@ double JointSpring::potentialEnergy(const Kinematics& k) const {
 
 void JointForce::declare(Attributes& a) {
   a.about(
-      "Force or moment in a joint coordinate as a formula of the time t, the coordinate x and its "
-      "rate v; derivatives are exact. Signals: position, rate, force.");
+      "Force or moment in a joint coordinate as a formula of the time t, the coordinate x, its "
+      "rate "
+      "v and signals of the model; derivatives by x and v are exact. Signals: position, rate, "
+      "force.");
   declareForce(a);
   a.add(AttributeType::expression, "force", std::nullopt,
-        "force or moment on B as a formula of t, x, v [N or N m]");
+        "force or moment on B as a formula of t, x, v and signals [N or N m]");
   a.example("<JointForce between=\"world rod\" axis=\"0 1 0\" force=\"2*sin(t)-0.1*v*abs(v)\"/>");
 }
 
-JointForce::JointForce(const Parameters& x) : CoordinateForce(x) {
-  const ParameterValue& text = x["force"];
-  SymbolTable symbols;
-  for (const auto& [name, number] : x.symbols) symbols.constant(name, number);
-  for (const char* name : {"t", "x", "v"}) symbols.variable(name);
-  try {
-    formula_ = std::make_unique<Expression>(Expression::compile(text.text, symbols));
-  } catch (const ExpressionError& error) {
-    throw text.fault(error.message(), didYouMean(error.suggestion()), error.offset(),
-                     error.length());
-  }
-}
+JointForce::JointForce(const Parameters& x)
+    : CoordinateForce(x), formula_(x, "force", 1, {"x", "v"}) {}
 
-double JointForce::force(double t, double x, double rate, double* c, double* d) const {
-  const double in[3] = {t, x, rate}, byX[3] = {0.0, 1.0, 0.0}, byRate[3] = {0.0, 0.0, 1.0};
-  if (c) *c = -formula_->derivative(in, byX);
-  if (d) *d = -formula_->derivative(in, byRate);
-  return formula_->value(in);
+double JointForce::force(const Kinematics& k, double x, double rate, double* c, double* d) const {
+  const double own[2] = {x, rate};
+  const double F = formula_.value(k, own);
+  if (c) *c = -formula_.partial(0);
+  if (d) *d = -formula_.partial(1);
+  return F;
 }
-
-double JointForce::nextInstant(double t) const { return formula_->set().nextInstant(t, 0); }
 
 // ---- PdController ------------------------------------------------------------------------------
 
 void PdController::declare(Attributes& a) {
   a.about(
       "Controller that pulls a joint coordinate to a target: F = k (s - x) + d (s' - x') + f, cut "
-      "off at ±limit, with k, d, s, f as formulas of t. Signals: position, rate, force.");
+      "off at ±limit, with k, d, s, f as formulas of t and signals. Signals: position, rate, "
+      "force.");
   declareForce(a);
-  a.add(AttributeType::expression, "target", "0", "target s as a formula of t [rad or m]");
+  a.add(AttributeType::expression, "target", "0",
+        "target s as a formula of t [rad or m], or of t and signals with targetRate");
+  a.add(AttributeType::expression, "targetRate", std::nullopt,
+        "rate s' of a target that reads signals [rad/s or m/s]; default: derivative of target")
+      .mayBeAbsent();
   a.add(AttributeType::expression, "stiffness", std::nullopt,
         "gain k of the position as a formula of t [N m/rad or N/m]");
   a.add(AttributeType::expression, "damping", "0",
@@ -133,19 +134,29 @@ void PdController::declare(Attributes& a) {
 
 PdController::PdController(const Parameters& x)
     : CoordinateForce(x),
-      target_(x, "target", 1),
+      targetRate_(x, "targetRate", 1),
       stiffness_(x, "stiffness", 1),
       damping_(x, "damping", 1),
       feedforward_(x, "feedforward", 1),
-      limit_(x.has("limit") ? double(x["limit"]) : std::numeric_limits<double>::infinity()) {}
+      limit_(x.has("limit") ? double(x["limit"]) : std::numeric_limits<double>::infinity()) {
+  if (targetRate_.empty())
+    target_ = TimeFormulas(x, "target", 1);
+  else
+    targetOfSignals_ = SignalFormulas(x, "target", 1);
+}
 
-double PdController::force(double t, double x, double rate, double* c, double* d) const {
-  double s = 0.0, sdot = 0.0, k = 0.0, gain = 0.0, f = 0.0;
-  target_.eval(t, &s, &sdot);
-  stiffness_.eval(t, &k);
-  damping_.eval(t, &gain);
-  feedforward_.eval(t, &f);
-  const double F = k * (s - x) + gain * (sdot - rate) + f;
+std::vector<SignalFormulas*> PdController::formulas() {
+  return {&targetOfSignals_, &targetRate_, &stiffness_, &damping_, &feedforward_};
+}
+
+double PdController::force(const Kinematics& kinematics, double x, double rate, double* c,
+                           double* d) const {
+  double s = 0.0, sdot = 0.0;
+  target_.eval(kinematics.t(), &s, &sdot);
+  targetOfSignals_.eval(kinematics, &s);
+  targetRate_.eval(kinematics, &sdot);
+  const double k = stiffness_.value(kinematics), gain = damping_.value(kinematics);
+  const double F = k * (s - x) + gain * (sdot - rate) + feedforward_.value(kinematics);
   const bool cut = std::abs(F) > limit_;
   if (c) *c = cut ? 0.0 : k;
   if (d) *d = cut ? 0.0 : gain;
@@ -154,7 +165,8 @@ double PdController::force(double t, double x, double rate, double* c, double* d
 
 double PdController::nextInstant(double t) const {
   double next = target_.nextInstant(t);
-  for (const TimeFormulas* formulas : {&stiffness_, &damping_, &feedforward_})
+  for (const SignalFormulas* formulas :
+       {&targetOfSignals_, &targetRate_, &stiffness_, &damping_, &feedforward_})
     next = std::min(next, formulas->nextInstant(t));
   return next;
 }

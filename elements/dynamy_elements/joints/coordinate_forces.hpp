@@ -1,7 +1,7 @@
 /// Forces in one joint coordinate x:                                               (theory 40.5)
 ///
 ///   JointSpring    F = −c (x − x0) − d ẋ                          V = ½ c (x − x0)²
-///   JointForce     F(t, x, ẋ) by a formula
+///   JointForce     F(t, x, ẋ, signals) by a formula
 ///   PdController   F = k(t) (s(t) − x) + d(t) (ṡ(t) − ẋ) + f(t), cut off at ±limit
 ///
 /// F is the force or moment on B in the direction of x. Stiff forces are integrated implicitly with
@@ -10,9 +10,9 @@
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
+#include <dynamy_elements/signal_formulas.hpp>
 #include <dynamy_elements/time_formulas.hpp>
 #include <limits>
-#include <memory>
 
 namespace dynamy {
 
@@ -20,7 +20,7 @@ namespace dynamy {
 class CoordinateForce : public ExternalForce {
  public:
   explicit CoordinateForce(const Parameters& x);
-  void connect(Topology& topology) final { coordinate_.connect(topology, *this); }
+  void connect(Topology& topology) final;
   void remember(const Kinematics& k, Vec memory) const final { coordinate_.remember(k, memory); }
   void addTo(const Kinematics& k, ForceSink& sink) const override;
   bool stiff() const final { return stiff_; }
@@ -29,8 +29,10 @@ class CoordinateForce : public ExternalForce {
 
  protected:
   static void declareForce(Attributes& a);
-  /// F [N or N m] at (t, x, ẋ); c = −∂F/∂x, d = −∂F/∂ẋ if not null.
-  virtual double force(double t, double x, double rate, double* c, double* d) const = 0;
+  /// F [N or N m] at (k, x, ẋ); c = −∂F/∂x, d = −∂F/∂ẋ if not null.
+  virtual double force(const Kinematics& k, double x, double rate, double* c, double* d) const = 0;
+  /// The formulas that may read signals.
+  virtual std::vector<SignalFormulas*> formulas() { return {}; }
   /// First instant after t at which a formula jumps or has a kink [s].
   virtual double nextInstant(double) const { return std::numeric_limits<double>::infinity(); }
   const JointCoordinate& coordinate() const { return coordinate_; }
@@ -49,7 +51,7 @@ class JointSpring final : public CoordinateForce {
   double potentialEnergy(const Kinematics& k) const override;
 
  private:
-  double force(double t, double x, double rate, double* c, double* d) const override;
+  double force(const Kinematics& k, double x, double rate, double* c, double* d) const override;
   double stiffness_, damping_, rest_;
 };
 
@@ -59,10 +61,10 @@ class JointForce final : public CoordinateForce {
   explicit JointForce(const Parameters& x);
 
  private:
-  double force(double t, double x, double rate, double* c, double* d) const override;
-  double nextInstant(double t) const override;
-  /// Registers of the tape: scratch, not state.
-  mutable std::unique_ptr<Expression> formula_;
+  double force(const Kinematics& k, double x, double rate, double* c, double* d) const override;
+  double nextInstant(double t) const override { return formula_.nextInstant(t); }
+  std::vector<SignalFormulas*> formulas() override { return {&formula_}; }
+  SignalFormulas formula_;
 };
 
 class PdController final : public CoordinateForce {
@@ -71,9 +73,11 @@ class PdController final : public CoordinateForce {
   explicit PdController(const Parameters& x);
 
  private:
-  double force(double t, double x, double rate, double* c, double* d) const override;
+  double force(const Kinematics& k, double x, double rate, double* c, double* d) const override;
   double nextInstant(double t) const override;
-  TimeFormulas target_, stiffness_, damping_, feedforward_;
+  std::vector<SignalFormulas*> formulas() override;
+  TimeFormulas target_;  // without signals
+  SignalFormulas targetOfSignals_, targetRate_, stiffness_, damping_, feedforward_;
   double limit_;
 };
 

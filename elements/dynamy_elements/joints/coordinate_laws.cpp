@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/contact/contact_signals.hpp>
 #include <dynamy/core/constants.hpp>
@@ -12,6 +13,20 @@ void limit(Attributes& a, const char* name, const char* text) {
   Attribute& x = a.add(AttributeType::number, name, std::nullopt, text);
   x.unit = Unit::any;
   x.mayBeAbsent();
+}
+
+void declareScale(Attributes& a) {
+  a.add(
+       AttributeType::expression, "scale", std::nullopt,
+       "factor >= 0 on the force of the law as a formula of t and signals: what presses a brake or "
+       "a clutch; default: 1")
+      .mayBeAbsent();
+}
+
+void scale(const Kinematics& k, const SignalFormulas& factor, ContactRows& out) {
+  if (factor.empty()) return;
+  const double s = factor.value(k);
+  out.scale(s < 0.0 ? 0.0 : s);  // NaN stays NaN
 }
 
 /// The one row of a law that prescribes a position or a speed.
@@ -129,25 +144,53 @@ void JointMotor::declare(Attributes& a) {
       "a limit: speed as told while |F| < limit, F = ±limit while it is slower or faster. Speed 0: "
       "a brake.");
   JointCoordinate::declare(a);
-  a.add(AttributeType::expression, "speed", "0", "speed as a formula of t [rad/s or m/s]");
+  a.add(AttributeType::expression, "speed", "0",
+        "speed as a formula of t [rad/s or m/s], or of t and signals with speedRate");
+  a.add(AttributeType::expression, "speedRate", std::nullopt,
+        "rate of a speed that reads signals, 0 for signals that are held from sample to sample "
+        "[rad/s^2 or m/s^2]; default: derivative of speed")
+      .mayBeAbsent();
   a.required("limit", Unit::any, "largest force or moment [N or N m]").nonNegative();
+  declareScale(a);
   a.example("<JointMotor between=\"world rod\" axis=\"0 1 0\" speed=\"10\" limit=\"2\"/>");
 }
 
 JointMotor::JointMotor(const Parameters& x)
-    : CoordinateLaw(x), speed_(x, "speed", 1), law_(-double(x["limit"]), double(x["limit"])) {}
+    : CoordinateLaw(x),
+      speedRate_(x, "speedRate", 1),
+      scale_(x, "scale", 1),
+      law_(-double(x["limit"]), double(x["limit"])) {
+  if (speedRate_.empty())
+    speed_ = TimeFormulas(x, "speed", 1);
+  else
+    speedOfSignals_ = SignalFormulas(x, "speed", 1);
+}
+
+void JointMotor::connect(Topology& topology) {
+  CoordinateLaw::connect(topology);
+  for (SignalFormulas* f : {&speedOfSignals_, &speedRate_, &scale_}) f->connect(topology, *this);
+}
 
 void JointMotor::contacts(const Kinematics& k, ContactSink& sink) const {
   double speed = 0.0, acceleration = 0.0;
   speed_.eval(k.t(), &speed, &acceleration);
-  if (ContactRows out = oneRow(sink, 0.0, law_))
+  speedOfSignals_.eval(k, &speed);
+  speedRate_.eval(k, &acceleration);
+  if (ContactRows out = oneRow(sink, 0.0, law_)) {
+    scale(k, scale_, out);
     coordinate().emit(k, out, 1.0, -speed, -acceleration);
+  }
 }
 
 void JointMotor::describe(Description& d) const {
   coordinate().describe(d);
   describeContact(d, 0, 1, law_);
-  TimeFormulas::announce(d, {&speed_});
+  announceInstants(d, [this](double t) {
+    double next = speed_.nextInstant(t);
+    for (const SignalFormulas* f : {&speedOfSignals_, &speedRate_, &scale_})
+      next = std::min(next, f->nextInstant(t));
+    return next;
+  });
 }
 
 // ---- JointFriction -----------------------------------------------------------------------------
@@ -158,28 +201,42 @@ void JointFriction::declare(Attributes& a) {
       "kind.");
   JointCoordinate::declare(a);
   a.child(Kind::law, 1, 1, "the law, e.g. GivenFriction or ForceLimit");
+  declareScale(a);
   a.example(
       "<JointFriction between=\"world rod\" coordinate=\"displacement\" axis=\"0 0 1\">"
       "<GivenFriction force=\"3\"/></JointFriction>");
 }
 
 JointFriction::JointFriction(const Parameters& x)
-    : CoordinateLaw(x), law_(x.takeOne<SetValuedForceLaw>()) {
+    : CoordinateLaw(x), law_(x.takeOne<SetValuedForceLaw>()), scale_(x, "scale", 1) {
   if (!law_) throw ModelError("the law is missing", "add <GivenFriction force=\"1\"/>");
   if (law_->unilateral())
     throw ModelError("a unilateral law needs a gap", "stops of a joint are a JointStop");
   if (law_->rowKind(0) == RowKind::joint)
     throw ModelError("a bilateral law would lock the joint without a position",
                      "a JointDrive holds or moves a coordinate");
+  if (!scale_.empty() && !law_->scales())
+    throw x["scale"].fault("the law has no size of its own that could be scaled",
+                           "GivenFriction, ForceLimit, StribeckFriction, PreloadedSpring have", 0,
+                           x["scale"].text.size());
+}
+
+void JointFriction::connect(Topology& topology) {
+  CoordinateLaw::connect(topology);
+  scale_.connect(topology, *this);
 }
 
 void JointFriction::contacts(const Kinematics& k, ContactSink& sink) const {
-  if (ContactRows out = oneRow(sink, 0.0, *law_)) coordinate().emit(k, out, 1.0, 0.0, 0.0);
+  if (ContactRows out = oneRow(sink, 0.0, *law_)) {
+    scale(k, scale_, out);
+    coordinate().emit(k, out, 1.0, 0.0, 0.0);
+  }
 }
 
 void JointFriction::describe(Description& d) const {
   coordinate().describe(d);
   describeContact(d, 0, 1, *law_);
+  SignalFormulas::announce(d, {&scale_});
 }
 
 }  // namespace dynamy

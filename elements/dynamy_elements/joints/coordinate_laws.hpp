@@ -9,6 +9,7 @@
 #include <dynamy/law/standard_laws.hpp>
 #include <dynamy_elements/joints/joint_coordinate.hpp>
 #include <dynamy_elements/laws/force_limit.hpp>
+#include <dynamy_elements/signal_formulas.hpp>
 #include <dynamy_elements/time_formulas.hpp>
 #include <memory>
 
@@ -66,11 +67,13 @@ class JointMotor final : public CoordinateLaw {
  public:
   static void declare(Attributes& a);
   explicit JointMotor(const Parameters& x);
+  void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
 
  private:
-  TimeFormulas speed_;
+  TimeFormulas speed_;  // without signals
+  SignalFormulas speedOfSignals_, speedRate_, scale_;
   DriveForce law_;
 };
 
@@ -78,11 +81,13 @@ class JointFriction final : public CoordinateLaw {
  public:
   static void declare(Attributes& a);
   explicit JointFriction(const Parameters& x);
+  void connect(Topology& topology) override;
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   void describe(Description& d) const override;
 
  private:
   std::unique_ptr<SetValuedForceLaw> law_;
+  SignalFormulas scale_;
 };
 
 }  // namespace dynamy

@@ -147,6 +147,7 @@ void JointCoordinate::describe(Description& d) const {
            [this](const SignalView& v) { return value(*v.kinematics); });
   d.signal("rate", angle_ ? Unit::angularVelocity : Unit::velocity, "its rate",
            [this](const SignalView& v) { return rate(*v.kinematics); });
+  for (std::size_t i = d.signals.size() - 2; i < d.signals.size(); ++i) d.signals[i].ofState = true;
 }
 
 void JointCoordinate::emit(const Kinematics& k, ContactRows& out, double sign, double chi,

@@ -67,7 +67,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"bodies links parts objects", "", "bodies stand in <systems>"},
   {"joints constraints interactions materials sensors collisions", "", "joints, contacts and materials stand in <elements>"},
   {"actuators springs loads", "", "springs, drives and loads stand in <forces>"},
-  {"option options physics simulator solveroptions settings integrator solver experiment time", "", "time, step, scheme and solver stand in <simulation>"},
+  {"option options physics simulator solveroptions settings solver experiment time", "", "time, step, scheme and solver stand in <simulation>"},
   {"output outputs log logging sensor recorder", "", "what is kept of a run stands in <record>"},
   {"variable var define property constant xacro", "", "a number with a name is <parameter>"},
   {"import", "", "another file is taken in by <include>"},

@@ -11,6 +11,12 @@ void announceInstants(Description& d, std::function<double(double)> next) {
            [next = std::move(next)](const SignalView& v) { return next(v.t); });
 }
 
+void announceSamples(Description& d, const std::function<double(double)>& next) {
+  announceInstants(d, next);
+  d.signal(kNextSample, Unit::time, "when the block next takes a sample",
+           [next](const SignalView& v) { return next(v.t); });
+}
+
 void refuseSwitching(const Element& e, const std::string& scheme) {
   Description d;
   e.describe(d);

@@ -22,6 +22,8 @@ class Connections {
   void note(int system);
   /// All shapes with a material are requested.
   void noteShapes();
+  /// `element` acts by what these systems do, too.
+  void add(const Element& element, const std::vector<int>& systems);
   /// One entry per element, in the order in which they were connected.
   const std::vector<Connection>& list() const { return list_; }
 

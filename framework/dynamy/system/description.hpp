@@ -42,6 +42,9 @@ struct Signal {
   Unit unit = Unit::none;
   std::string_view text;  ///< lives as long as the program
   SignalFunction value;
+  /// Of a contact element: the value follows from t, q, u and memory alone, so that formulas may
+  /// read it. Signals of other elements always do.
+  bool ofState = false;
 };
 
 struct PlacedShape {

@@ -1,7 +1,9 @@
 /// ExternalForce: an element that adds to h (spring, drive, gravity).   h ← h + J_Sᵀ F + J_Rᵀ M
 #pragma once
 #include <dynamy/system/kinematics.hpp>
+#include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy/system/stiffness_sink.hpp>
+#include <memory>
 
 namespace dynamy {
 
@@ -34,6 +36,9 @@ class ExternalForce : public Element {
  public:
   static constexpr Kind kKind = Kind::force;
   using Element::Element;
+  /// A system of the same name with states of the element's own, which Model::build() adds to the
+  /// model: the state of an integrator. Default: none.
+  virtual std::unique_ptr<PartialMechanicalSystem> ownSystem() const { return nullptr; }
   virtual void connect(Topology& topology) = 0;
   virtual void addTo(const Kinematics& k, ForceSink& sink) const = 0;
   /// Updates the numbers reserved by Topology::memory. Called at the end of an accepted step and

@@ -23,6 +23,7 @@ void Kinematics::resize(const Topology& topology) {
 void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
                           ConstVec memory, const SystemSubset* subset) {
   t_ = t, q_ = q.data(), u_ = u.data(), memory_ = memory.data();
+  signals_ = &topology.signals();
   const auto& requested = topology.requestedFrames();
   if (frames_.size() != requested.size()) resize(topology);
   const std::uint64_t stamp = subset ? subset->stamp() : 0;

@@ -17,8 +17,12 @@ class Kinematics {
   double t() const { return t_; }
   ConstVec q(const SystemHandle& s) const { return {q_ + s.q0, s.nq}; }
   ConstVec u(const SystemHandle& s) const { return {u_ + s.u0, s.nu}; }
+  ConstVec q(int first, int n) const { return {q_ + first, n}; }
+  ConstVec u(int first, int n) const { return {u_ + first, n}; }
   /// Numbers that an element reserved in State::memory.
   ConstVec memory(MemoryHandle m) const { return {memory_ + m.first, m.size}; }
+  /// A signal that an element requested by Topology::signal(), at this t, q, u and memory.
+  double signal(SignalHandle h) const { return signals_->value(h, *this); }
   int frames() const { return static_cast<int>(frames_.size()); }
   const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
 
@@ -28,6 +32,7 @@ class Kinematics {
   const double* q_ = nullptr;
   const double* u_ = nullptr;
   const double* memory_ = nullptr;
+  const ReadSignals* signals_ = nullptr;
   std::vector<Frame> frames_;
   std::vector<double> jacobians_;
   std::uint64_t subset_ = 0;  // stamp of the subset whose frames are present; 0: all are

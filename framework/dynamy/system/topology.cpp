@@ -72,6 +72,12 @@ FrameHandle Topology::requested(int system, int id) {
   return {known[at]};
 }
 
+void Topology::bindSignals(std::vector<ReadSignals::Source> sources) {
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    connections_.add(*signals_.requests()[i].element, sources[i].systems);
+  signals_.bind(std::move(sources));
+}
+
 std::vector<ShapeInstance> Topology::shapesWithMaterial() {
   std::vector<ShapeInstance> out;
   out.reserve(materials_.size());

@@ -6,6 +6,7 @@
 #include <dynamy/system/connections.hpp>
 #include <dynamy/system/element_memory.hpp>
 #include <dynamy/system/frame_names.hpp>
+#include <dynamy/system/read_signals.hpp>
 #include <dynamy/system/shape.hpp>
 #include <string>
 #include <string_view>
@@ -57,6 +58,17 @@ class Topology {
   }
   const ElementMemory& memories() const { return memories_; }
 
+  /// Requests the signal of this full name for an element, e.g. of a formula: its value is then
+  /// Kinematics::signal(). Called in connect(); Model::build() reports a name that no signal has at
+  /// `place`.
+  SignalHandle signal(std::string_view name, const Place& place, const Element& asking) {
+    return signals_.request(name, place, asking);
+  }
+  const ReadSignals& signals() const { return signals_; }
+  /// Binds all requested signals, in the order of the requests; called by Model::build(). An element
+  /// is connected with the systems behind the signals that it reads.
+  void bindSignals(std::vector<ReadSignals::Source> sources);
+
   /// Until the next call, what is requested is noted as a connection of `element`; null: not noted.
   void connecting(const Element* element) { connections_.begin(element); }
   const std::vector<Connection>& connections() const { return connections_.list(); }
@@ -77,6 +89,7 @@ class Topology {
       indexOf_;  // per system and frame id: index in requested_, −1: not requested
   FrameNames names_;
   ElementMemory memories_;
+  ReadSignals signals_;
   mutable Connections connections_;  // system() const notes the request
   struct Placed {
     const Shape* shape;

@@ -88,6 +88,7 @@ class Lexer {
   std::string_view rest() const { return text_.substr(at_); }
 
   Token next() {
+    if (peek() == '{') return bracedName();
     if (isDigit(peek()) || (peek() == '.' && isDigit(peek(1)))) return number();
     for (const Replacement& r : kReplacements) {
       // π is a good name if the model defines it, so the parser decides on letters that can stand
@@ -118,6 +119,16 @@ class Lexer {
     for (const Symbol& s : kSymbols) {
       if (s.text.front() == word.front() && s.text == word) token.kind = s.kind;
     }
+    return token;
+  }
+
+  /// { name }: a name with / or [ ], which would be operators elsewhere.
+  Token bracedName() {
+    const std::size_t end = text_.find('}', at_);
+    if (end == std::string_view::npos)
+      throw ExpressionError("unexpected character " + quoted("{"), at_, 1);
+    const Token token{TokenKind::name, at_, end + 1 - at_};
+    at_ = end + 1;
     return token;
   }
 
@@ -212,6 +223,63 @@ class Lexer {
 }  // namespace
 
 std::vector<Token> tokenize(std::string_view text) { return Lexer(text).run(); }
+
+std::string_view bareName(std::string_view word) {
+  if (word.size() < 2 || word.front() != '{') return word;
+  word = word.substr(1, word.size() - 2);
+  while (!word.empty() && isBlank(word.front())) word.remove_prefix(1);
+  while (!word.empty() && isBlank(word.back())) word.remove_suffix(1);
+  return word;
+}
+
+namespace {
+
+/// Of one formula, which begins at `begin` of the text.
+void addSignalNames(std::string_view text, std::size_t begin, std::vector<NameInFormula>& out) {
+  std::vector<Token> tokens;
+  try {
+    tokens = tokenize(text);
+  } catch (const ExpressionError&) {
+    return;
+  }
+  for (const Token& token : tokens) {
+    if (token.kind != TokenKind::name) continue;
+    const std::string_view word = text.substr(token.offset, token.length);
+    if (word.front() != '{' && word.find('.') == std::string_view::npos) continue;
+    out.push_back({std::string(bareName(word)), begin + token.offset, token.length});
+  }
+}
+
+}  // namespace
+
+std::vector<NameInFormula> signalNames(std::string_view text) {
+  std::vector<NameInFormula> out;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (text.substr(i, 2) == "||") {
+      ++i;
+      continue;
+    }
+    if (i < text.size() && text[i] != ';' && text[i] != '|') continue;
+    addSignalNames(text.substr(begin, i - begin), begin, out);
+    begin = i + 1;
+  }
+  return out;
+}
+
+bool isSignalName(std::string_view text) {
+  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
+  bool dotted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool starts = i + 1 < text.size() && isLetter(text[i + 1]);
+    if (i == 0 ? !isLetter(c) : !isLetter(c) && !isDigit(c) && c != '[' && c != ']' && c != '/')
+      if (i == 0 || c != '.' || !starts) return false;
+    dotted = dotted || c == '.';
+  }
+  return dotted;
+}
 
 std::string describe(const Token& token, std::string_view text) {
   if (token.kind == TokenKind::end) return "the end";

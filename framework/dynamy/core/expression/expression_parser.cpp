@@ -306,7 +306,7 @@ class Parser {
 
   Node symbol() {
     const Token token = tokens_.current();
-    const std::string_view name = tokens_.word(token);
+    const std::string_view name = bareName(tokens_.word(token));
     tokens_.advance();
     if (const SymbolTable::Symbol* found = symbols_.find(name)) {
       if (found->isVariable) return graph_.variable(found->slot);
@@ -319,7 +319,7 @@ class Parser {
   }
 
   [[noreturn]] void unknownSymbol(const Token& token) const {
-    const std::string_view name = tokens_.word(token);
+    const std::string_view name = bareName(tokens_.word(token));
     if (findFunction(name) != nullptr) {
       refuse(quotedWord(name) + " is a function and needs arguments in \"( )\"", token);
     }

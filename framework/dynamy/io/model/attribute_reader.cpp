@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy/core/declared/unknown_name.hpp>
+#include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/io/model/attribute_reader.hpp>
 #include <dynamy/io/model/braces.hpp>
 #include <stdexcept>
@@ -179,8 +180,9 @@ bool AttributeReader::readOne(const Source& source, const XmlAttribute& written,
                               ParameterValue& value) const {
   const Attribute& a = *value.declaration;
   const bool formula = a.type == AttributeType::expression || a.type == AttributeType::expressions;
-  const auto text = resolveBraces(written, *source.node, *source.scope, formula, *faults_);
+  auto text = resolveBraces(written, *source.node, *source.scope, formula, *faults_);
   if (!text) return false;
+  if (formula && names_ != nullptr) nameSignals(scope, *text);
   value.text = text->text;
   value.given = true;
   value.place = written.valuePlace;
@@ -213,6 +215,20 @@ std::string parted(std::string_view word) {
 }
 
 }  // namespace
+
+/// Each signal of an element of this scope gets its full name, in braces: arm.phi → {left/arm.phi}.
+void AttributeReader::nameSignals(const Scope& scope, ResolvedText& text) const {
+  std::vector<NameInFormula> found = signalNames(text.text);
+  for (auto signal = found.rbegin(); signal != found.rend(); ++signal) {
+    const std::size_t dot = signal->name.find('.', signal->name.find_last_of("/]") + 1);
+    if (dot == std::string::npos) continue;
+    const std::string head = signal->name.substr(0, dot);
+    const std::string full = names_->resolve(head, scope, "element");
+    if (full.empty() || full == head) continue;
+    text.replace(signal->offset, signal->offset + signal->length,
+                 '{' + full + signal->name.substr(dot) + '}');
+  }
+}
 
 /// Each word of a reference becomes a full name; "body.frame" is looked up by its body.
 bool AttributeReader::resolveReferences(const Source& source, const XmlAttribute& written,

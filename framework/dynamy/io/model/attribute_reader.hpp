@@ -56,6 +56,7 @@ class AttributeReader {
   bool sources(const XmlNode& node, const Scope& scope, std::vector<Source>& out) const;
   bool readOne(const Source& source, const XmlAttribute& written, const XmlNode& node,
                const Scope& scope, ParameterValue& value) const;
+  void nameSignals(const Scope& scope, ResolvedText& text) const;
   bool resolveReferences(const Source& source, const XmlAttribute& written, const Scope& scope,
                          const ResolvedText& text, ParameterValue& value) const;
   Faults* faults_;

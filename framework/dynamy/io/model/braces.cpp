@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/attributes.hpp>
+#include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/io/model/braces.hpp>
 
 namespace dynamy {
@@ -36,6 +37,15 @@ std::pair<std::size_t, std::size_t> ResolvedText::source(std::size_t offset,
   const std::size_t begin = map(offset, false);
   const std::size_t end = length == 0 ? begin : map(offset + length, true);
   return {begin, end - begin};
+}
+
+void ResolvedText::replace(std::size_t begin, std::size_t end, const std::string& word) {
+  const auto [first, size] = source(begin, end - begin);
+  text.replace(begin, end - begin, word);
+  const auto at = std::find_if(pieces.begin(), pieces.end(),
+                               [begin](const Piece& p) { return p.begin >= begin; });
+  for (auto p = at; p != pieces.end(); ++p) p->begin += word.size() - (end - begin);
+  pieces.insert(at, {begin, word.size(), first, size});
 }
 
 void namesIn(std::string_view formula, std::vector<std::string>& names) {
@@ -186,8 +196,13 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       fault(at, 1, "\"{\" without \"}\"");
       return std::nullopt;
     }
-    // The expression between the braces becomes a number.
     const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);
+    if (formula && isSignalName(inner)) {  // read in each evaluation, not now
+      out.text.append(value, at, end - at);
+      at = end;
+      continue;
+    }
+    // The expression between the braces becomes a number.
     try {
       const double x = evaluateConstant(inner, symbols);
       if (!std::isfinite(x))

@@ -19,6 +19,8 @@ struct ResolvedText {
   /// Appends the number that replaces bytes [begin, end) of the value; in a formula it gets
   /// parentheses.
   void add(double x, bool formula, std::size_t begin, std::size_t end);
+  /// Replaces bytes [begin, end) of `text` by a word.
+  void replace(std::size_t begin, std::size_t end, const std::string& word);
   /// The bytes of the original value, as offset and length, that the given bytes of `text` come
   /// from.
   std::pair<std::size_t, std::size_t> source(std::size_t offset, std::size_t length) const;
@@ -48,7 +50,8 @@ class CompiledBraces {
   std::vector<double> x_, numbers_;
 };
 
-/// Replaces every {expression}; in a formula the number gets parentheses. Returns nothing if an
+/// Replaces every {expression}; in a formula the number gets parentheses, and the name of a signal
+/// stays as it is. Returns nothing if an
 /// error was reported, or if the value uses a name whose own value is wrong.
 std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const XmlNode& node,
                                           const Scope& scope, bool formula, Faults& faults);

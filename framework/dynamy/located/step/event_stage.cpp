@@ -96,6 +96,7 @@ Refusal EventStage::passInstant(LocatedStep& step, PhasePoint& p, double end) {
   const double behind = std::min(instant_ + InstantConstants::beside * std::abs(instant_), end);
   velocity_ = p.x.u;
   if (p.x.t < behind) step.s.move(p.x, velocity_, behind - p.x.t);
+  step.s.remember(p.x);  // what is sampled there counts from there on
   ++step.report.counts.switches;
   release({});
   relist(p.x);

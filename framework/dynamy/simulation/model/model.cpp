@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <dynamy/law/pair_laws.hpp>
 #include <dynamy/simulation/model/model.hpp>
+#include <dynamy/simulation/model/signal_binding.hpp>
 #include <dynamy/solver/automatic.hpp>
 
 namespace dynamy {
@@ -72,6 +73,8 @@ void Model::addCompletion(Completion completion) { completions_.push_back(std::m
 void Model::build() {
   expects(topology_ == nullptr, "build() is called once");
   for (const Completion& complete : completions_) complete(*this);
+  for (const auto& f : forces_)
+    if (auto states = f->ownSystem()) systems_.push_back(std::move(states));
   choice_.begin(simulation);
   if (!solver_) solver_ = makeDefault<Automatic>("Automatic");
   if (!impactLaw_) impactLaw_ = makeDefault<NewtonImpact>("NewtonImpact");
@@ -80,6 +83,7 @@ void Model::build() {
   topology_ = std::make_unique<Topology>(systems);
   connectAll();
   description_.describe(*this);
+  bindSignals(*this);
 }
 
 void Model::connectAll() {

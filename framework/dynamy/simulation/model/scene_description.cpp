@@ -23,6 +23,7 @@ void SceneDescription::take(const Model& model, const Element& e, int system, in
     named.signal = std::move(s);
     named.system = system, named.contact = contact;
     const MemoryHandle memory = model.topology().memories().of(e);
+    named.element = &e;
     named.memory0 = memory.first, named.memory = memory.size;
     signals_.push_back(std::move(named));
   }

@@ -7,6 +7,7 @@
 
 namespace dynamy {
 
+class Element;
 class Model;
 
 /// A signal with its full name and the element it belongs to.
@@ -16,6 +17,7 @@ struct NamedSignal {
   int system = -1;   ///< index of the system, −1: none
   int contact = -1;  ///< index of the contact element, −1: none
   int memory0 = 0, memory = 0;
+  const Element* element = nullptr;
 };
 
 class SceneDescription {

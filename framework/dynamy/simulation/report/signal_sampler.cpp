@@ -11,8 +11,9 @@ namespace {
 /// True for signals that serve only schemes that locate switches. They are no use in tables:
 /// nextInstant is infinite if no instant follows.
 bool isAnnouncement(std::string_view name) {
-  return name.ends_with("." + std::string(kNextInstant)) ||
-         name.ends_with("." + std::string(kSwitching));
+  for (const char* announced : {kNextInstant, kNextSample, kSwitching})
+    if (name.ends_with("." + std::string(announced))) return true;
+  return false;
 }
 
 bool matches(std::string_view name, std::string_view pattern) {

@@ -16,7 +16,9 @@ Advance OwnSteps::next(Stepper& stepper, double until) {
 }
 
 bool OwnSteps::advance(Stepper& stepper, double until) {
-  double most = until - stepper.t();
+  double end = until;
+  if (const double at = samples_.after(stepper.t()); SampleInstants::isWithin(at, until)) end = at;
+  double most = end - stepper.t();
   if (largest_ > 0.0) most = std::min(most, largest_);
   for (int i = 0;; ++i) {
     const long before = stepper.evaluations();

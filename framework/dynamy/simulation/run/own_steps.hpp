@@ -9,9 +9,9 @@ namespace dynamy {
 class OwnSteps final : public TimeLoop {
  public:
   /// `largest`: longest step [s]; 0: any length. `nu`: number of velocities of the model, which
-  /// limits the tries of a step for fast bodies, see mostParts().
-  OwnSteps(double largest, NonConvergence policy, int nu)
-      : largest_(largest), policy_(policy), nu_(nu) {}
+  /// limits the tries of a step for fast bodies, see mostParts(). Steps end at `samples`.
+  OwnSteps(double largest, NonConvergence policy, int nu, SampleInstants samples = {})
+      : largest_(largest), policy_(policy), nu_(nu), samples_(std::move(samples)) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive&) override {}
 
@@ -20,6 +20,7 @@ class OwnSteps final : public TimeLoop {
   double largest_;
   NonConvergence policy_;
   int nu_;
+  SampleInstants samples_;
   bool kept_ = false;  // the state from which a longer run continues is stored
 };
 

@@ -45,9 +45,10 @@ std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
   if (plan != nullptr) return std::make_unique<PlannedSteps>(*plan);
   const int nu = model.topology().nu();
   if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
-    return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, nu);
+    return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, nu, SampleInstants(model));
   if (s.step > 0.0)
-    return std::make_unique<FixedStep>(s.step, s.onNonConvergence, nu, model.schemeIsDefault());
+    return std::make_unique<FixedStep>(s.step, s.onNonConvergence, nu, model.schemeIsDefault(),
+                                       SampleInstants(model));
   d.place = s.place, d.element = "simulation";
   if (s.place.line == 0) {
     d.place = beginning(model), d.element.clear();
@@ -152,7 +153,7 @@ void Simulation::begin() {
     observers_.start(view(true));
   }
   whole_ = true, step_.settle();
-  if (checkpoints_.hasReceiver() && !resumed_) save();
+  if (checkpoints_.hasReceiver() && !resumed_) checkpoints_.handOn([this] { keep(); });
   if (const std::string reason = step_.fault(); !reason.empty()) endBecause(reason);
 }
 
@@ -236,7 +237,7 @@ bool Simulation::pause(bool asked) {
   const bool stop = stopped(), due = checkpoints_.due(now);
   const auto full = [this] { return !observers_.sinkFault().empty(); };
   if (stop || due || asked || full()) keep();
-  if (due) save();
+  if (due) checkpoints_.handOn([this] { keep(); });
   if (stop) report_.ended = RunReport::Ended::stopped;
   // keep() has tried once more to write the collected rows.
   if (!stop && full())
@@ -267,10 +268,6 @@ void Simulation::resume(const std::string& checkpoint) {
   step_.resumed();
   checkpoints_.keep(checkpoint);
   resumed_ = true;
-}
-
-void Simulation::save() {
-  checkpoints_.handOn([this] { keep(); });
 }
 
 void Simulation::keep() {

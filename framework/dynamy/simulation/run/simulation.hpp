@@ -61,6 +61,9 @@ class Simulation final : private Stepper {
   /// step, even if it was taken in halves or parts. True: there is a new state(). False: the run
   /// has ended for the reason in report(), which holds the figures so far until then.
   bool step();
+  /// From now on a number that an element reserved has this value: what a controller outside of the
+  /// model sets between two steps, also while observers see a step.
+  void input(MemoryHandle m, double value) { step_.change().memory[m.first] = value; }
   const RunReport& report() const { return report_; }
   const State& state() const { return step_.x(); }
   /// Report of the step that was tried last; dt = 0: none yet.
@@ -96,7 +99,6 @@ class Simulation final : private Stepper {
   void outOfMemory() noexcept;
   bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
   void stopWithin();
-  void save();
   void keep();
   void archive(Archive& a);
 

@@ -28,6 +28,7 @@ StepAttempt::StepAttempt(Model& model, MechanicalSystem& system)
 StartReport StepAttempt::start() {
   system_.evaluate(x_);
   StartReport report = makeConsistent(model_, system_, x_);
+  system_.remember(x_);  // blocks sample at the start, too
   before_ = x_;
   report_ = {};
   return report;

@@ -34,6 +34,9 @@ class StepAttempt {
   void resumed() { before_ = x_; }
 
   const State& x() const { return x_; }
+  /// The state, which may be written between two steps: memory as it is, the rest if x().scheme is
+  /// emptied.
+  State& change() { return x_; }
   const State& before() const { return before_; }
   /// Of the step tried last; dt = 0: none.
   const StepReport& report() const { return report_; }

@@ -60,7 +60,7 @@ Advance FixedStep::next(Stepper& stepper, double until) {
   if (quiet_ <= kExpected) ++quiet_;
   // Full steps as long as they do not pass the end by more than rounding.
   if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
-    if (!full(stepper, grid_.at(i_ + 1), dt)) return Advance::stopped;
+    if (!sampled(stepper, grid_.at(i_ + 1), dt)) return Advance::stopped;
     ++i_;
     return stepper.pause(false) ? Advance::taken : Advance::stopped;
   }
@@ -68,7 +68,7 @@ Advance FixedStep::next(Stepper& stepper, double until) {
   if (!stepper.pause(true)) return Advance::stopped;  // a longer run takes a full step here
   if (rest <= 1e-9 * dt) return Advance::atEnd;
   rest_ = true;
-  return full(stepper, until, rest) ? Advance::taken : Advance::stopped;
+  return sampled(stepper, until, rest) ? Advance::taken : Advance::stopped;
 }
 
 void FixedStep::archive(Archive& a) {
@@ -79,6 +79,14 @@ void FixedStep::archive(Archive& a) {
 
 Passing FixedStep::ahead(Stepper& stepper, double dt) {
   return quiet_ <= kExpected && !parts_.exhausted() ? stepper.passing(dt) : Passing{};
+}
+
+bool FixedStep::sampled(Stepper& stepper, double tEnd, double dt) {
+  double at = samples_.after(stepper.t());
+  if (!SampleInstants::isWithin(at, tEnd)) return full(stepper, tEnd, dt);
+  for (; SampleInstants::isWithin(at, tEnd); at = samples_.after(stepper.t()))
+    if (!full(stepper, at, at - stepper.t())) return false;
+  return full(stepper, tEnd, tEnd - stepper.t());
 }
 
 bool FixedStep::full(Stepper& stepper, double tEnd, double dt) {

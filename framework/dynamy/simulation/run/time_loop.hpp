@@ -6,8 +6,10 @@
 #include <dynamy/core/archive.hpp>
 #include <dynamy/simulation/model/settings.hpp>
 #include <dynamy/simulation/model/time_grid.hpp>
+#include <dynamy/simulation/run/sample_instants.hpp>
 #include <dynamy/simulation/run/step_division.hpp>
 #include <dynamy/stages/sweep.hpp>
+#include <utility>
 
 namespace dynamy {
 
@@ -112,9 +114,10 @@ int mostParts(int nu, long evaluations);
 class FixedStep final : public TimeLoop {
  public:
   /// `nu`: number of velocities of the model, which limits the parts of a step, see mostParts().
-  /// `divides`: steps that are too coarse are divided into equal parts.
-  FixedStep(double dt, NonConvergence policy, int nu, bool divides = false)
-      : grid_(dt), policy_(policy), nu_(nu), division_(divides) {}
+  /// `divides`: steps that are too coarse are divided into equal parts. Steps end at `samples`.
+  FixedStep(double dt, NonConvergence policy, int nu, bool divides = false,
+            SampleInstants samples = {})
+      : grid_(dt), samples_(std::move(samples)), policy_(policy), nu_(nu), division_(divides) {}
   Advance next(Stepper& stepper, double until) override;
   void archive(Archive& a) override;
 
@@ -122,6 +125,8 @@ class FixedStep final : public TimeLoop {
   /// Finds a contact that a step would pass. Without fast bodies in the last steps, nothing is
   /// looked for: the step itself shows it.
   Passing ahead(Stepper& stepper, double dt);
+  /// Takes a full step up to each instant at which an element samples the motion, and to tEnd.
+  bool sampled(Stepper& stepper, double tEnd, double dt);
   /// Takes a full step, in as many equal parts as the last one needed.
   bool full(Stepper& stepper, double tEnd, double dt);
   /// Number of equal parts into which the attempted step of length dt is to be divided; 1: none.
@@ -134,6 +139,7 @@ class FixedStep final : public TimeLoop {
   /// matter.
   bool inParts(Stepper& stepper, const Passing& p, double tEnd, double dt, int depth);
   TimeGrid grid_;
+  SampleInstants samples_;
   NonConvergence policy_;
   long i_ = 0;  // full steps done
   int nu_;

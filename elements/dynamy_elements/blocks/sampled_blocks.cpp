@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <dynamy/core/constants.hpp>
+#include <dynamy/system/announced_signals.hpp>
+#include <dynamy_elements/blocks/sampled_blocks.hpp>
+
+namespace dynamy {
+namespace {
+
+/// An instant counts as reached this part of it before: larger than the rounding of times and than
+/// the distance at which located steps end beside an instant.
+constexpr double kSame = 1e-12;
+
+void limit(Attributes& a, const char* name, const char* text) {
+  Attribute& x = a.add(AttributeType::number, name, std::nullopt, text);
+  x.unit = Unit::any;
+  x.mayBeAbsent();
+}
+
+}  // namespace
+
+// ---- SampleClock -------------------------------------------------------------------------------
+
+void SampleClock::declare(Attributes& a) {
+  a.required("period", Unit::time, "time T from sample to sample [s]").positive();
+  a.optional("offset", Unit::time, 0.0, "instant of the first sample [s]").nonNegative();
+}
+
+SampleClock::SampleClock(const Parameters& x) : grid_(double(x["period"])), offset_(x["offset"]) {}
+
+bool SampleClock::due(double t, double count) const {
+  const double instant = at(count);
+  return t >= instant - kSame * std::abs(instant);
+}
+
+double SampleClock::after(double t) const {
+  double count = std::max(0.0, std::floor((t - offset_) / period()));
+  while (due(t, count)) ++count;
+  return count;
+}
+
+double SampleClock::next(double t) const {
+  double count = std::max(0.0, std::floor((t - offset_) / period()));
+  while (at(count) <= t) ++count;
+  return at(count);
+}
+
+// ---- SampledBlock ------------------------------------------------------------------------------
+
+void SampledBlock::declareSampled(Attributes& a) {
+  SampleClock::declare(a);
+  a.optional("initial", Unit::any, 0.0, "out before the first sample");
+}
+
+SampledBlock::SampledBlock(const Parameters& x)
+    : ExternalForce(x), clock_(x), initial_(x["initial"]) {}
+
+void SampledBlock::connect(Topology& topology) {
+  for (SignalFormulas* f : formulas()) f->connect(topology, *this);
+  std::vector<double> memory = held();
+  memory.insert(memory.begin(), 0.0);
+  topology.memory(*this, memory);
+}
+
+void SampledBlock::remember(const Kinematics& k, Vec memory) const {
+  if (!clock_.due(k.t(), memory[0])) return;
+  sample(k, memory.data() + 1);
+  memory[0] = clock_.after(k.t());
+}
+
+void SampledBlock::describe(Description& d) const {
+  d.signal("out", Unit::any, "output, held from sample to sample",
+           [](const SignalView& v) { return v.memory[1]; });
+  announceSamples(d, [this](double t) { return clock_.next(t); });
+}
+
+// ---- Sample ------------------------------------------------------------------------------------
+
+void Sample::declare(Attributes& a) {
+  a.about(
+      "Sample and hold: out is the value of a formula at the last of the instants "
+      "offset + k period. Every scheme ends a step at each of them. Signal: out.");
+  a.add(AttributeType::expression, "of", std::nullopt, "formula of t and signals");
+  declareSampled(a);
+  a.example("<Sample name=\"speed\" of=\"cart.vx\" period=\"10ms\"/>");
+}
+
+// ---- Delay -------------------------------------------------------------------------------------
+
+void Delay::declare(Attributes& a) {
+  a.about(
+      "Delay line: out is the value of a formula some samples ago, held from sample to sample. "
+      "Signal: out.");
+  a.add(AttributeType::expression, "of", std::nullopt, "formula of t and signals");
+  a.add(AttributeType::integer, "samples", "1", "number of periods by which out is late")
+      .between(1, 100000);
+  declareSampled(a);
+  a.example("<Delay name=\"late\" of=\"cart.x\" samples=\"5\" period=\"1ms\"/>");
+}
+
+Delay::Delay(const Parameters& x)
+    : SampledBlock(x), of_(x, "of", 1), samples_(x["samples"].integer()) {}
+
+std::vector<double> Delay::held() const {
+  return std::vector<double>(static_cast<std::size_t>(samples_) + 1, initial());
+}
+
+void Delay::sample(const Kinematics& k, double* held) const {
+  held[0] = held[1];
+  std::copy(held + 2, held + 1 + samples_, held + 1);
+  held[samples_] = of_.value(k);
+}
+
+// ---- Pid ---------------------------------------------------------------------------------------
+
+void Pid::declare(Attributes& a) {
+  a.about(
+      "Sampled PID controller: at t_k = offset + k T, out = clamp(kp e + I + D + f), held until "
+      "the "
+      "next sample; I += ki T e, D = (Tf D + kd (e - e_before))/(Tf + T). Signals: out, error, "
+      "integral, derivative.");
+  a.add(AttributeType::expression, "error", std::nullopt,
+        "error e as a formula of t and signals, e.g. 1 - cart.x");
+  a.optional("kp", Unit::any, 0.0, "gain of the error");
+  a.optional("ki", Unit::any, 0.0, "gain of its integral [1/s]");
+  a.optional("kd", Unit::any, 0.0, "gain of its rate [s]");
+  a.optional("filter", Unit::time, 0.0, "time constant Tf of the rate [s]").nonNegative();
+  a.add(
+       AttributeType::expression, "rate", std::nullopt,
+       "rate of the error as a formula of t and signals: D = kd rate; default: from differences of "
+       "the error")
+      .mayBeAbsent();
+  a.add(AttributeType::expression, "feedforward", "0", "f as a formula of t and signals");
+  limit(a, "lower", "least output; default: none");
+  limit(a, "upper", "largest output; default: none");
+  a.choice("antiWindup", {"clamp", "back", "none"}, "clamp",
+           "what keeps I from growing at a limit: clamp: I stays while it would drive the output "
+           "further out; back: I also follows (out - output without limits)/tracking");
+  a.optional("tracking", Unit::time, 1.0, "time constant of antiWindup=\"back\" [s]").positive();
+  declareSampled(a);
+  a.example(
+      "<Pid name=\"pid\" error=\"0.5 - cart.x\" kp=\"40\" ki=\"10\" kd=\"8\" period=\"10ms\" "
+      "lower=\"-20\" upper=\"20\"/>");
+}
+
+Pid::Pid(const Parameters& x)
+    : SampledBlock(x),
+      error_(x, "error", 1),
+      rate_(x, "rate", 1),
+      feedforward_(x, "feedforward", 1),
+      kp_(x["kp"]),
+      ki_(x["ki"]),
+      kd_(x["kd"]),
+      filter_(x["filter"]),
+      lower_(x.has("lower") ? double(x["lower"]) : -kInfinity),
+      upper_(x.has("upper") ? double(x["upper"]) : kInfinity),
+      tracking_(x["tracking"]),
+      antiWindup_(x["antiWindup"].text == "clamp"  ? AntiWindup::clamp
+                  : x["antiWindup"].text == "back" ? AntiWindup::back
+                                                   : AntiWindup::none) {
+  if (!(lower_ <= upper_))
+    throw ModelError("the lower limit lies above the upper one", "exchange lower and upper");
+}
+
+std::vector<double> Pid::held() const {
+  std::vector<double> out(kCount, 0.0);
+  out[kOut] = initial();
+  return out;
+}
+
+void Pid::sample(const Kinematics& k, double* held) const {
+  const double T = clock().period(), e = error_.value(k);
+  // The first sample has no difference.
+  const double change = held[kSamples] > 0.0 ? e - held[kError] : 0.0;
+  held[kDerivative] = rate_.empty() ? (filter_ * held[kDerivative] + kd_ * change) / (filter_ + T)
+                                    : kd_ * rate_.value(k);
+  const double rest = kp_ * e + held[kDerivative] + feedforward_.value(k), step = ki_ * T * e;
+  double I = held[kIntegral] + step;
+  const double wanted = rest + I;
+  const bool further = (wanted > upper_ && step > 0.0) || (wanted < lower_ && step < 0.0);
+  if (antiWindup_ == AntiWindup::clamp && further) I = held[kIntegral];
+  held[kOut] = std::clamp(rest + I, lower_, upper_);
+  if (antiWindup_ == AntiWindup::back) I += T / tracking_ * (held[kOut] - (rest + I));
+  held[kIntegral] = I, held[kError] = e, held[kSamples] += 1.0;
+}
+
+void Pid::describe(Description& d) const {
+  SampledBlock::describe(d);
+  const auto held = [&d](const char* name, const char* text, int i) {
+    d.signal(name, Unit::any, text, [i](const SignalView& v) { return v.memory[1 + i]; });
+  };
+  held("error", "error at the last sample", kError);
+  held("integral", "integral part I of the output", kIntegral);
+  held("derivative", "derivative part D of the output", kDerivative);
+}
+
+}  // namespace dynamy

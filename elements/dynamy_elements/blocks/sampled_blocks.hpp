@@ -1,0 +1,106 @@
+/// Blocks: elements that exert no force and give a signal `out`, which formulas read (theory 55).
+/// Those here change at the instants t_k = offset + k T alone, and hold `out` between them:
+///
+///   Sample   out = f(t_k)
+///   Delay    out = f(t_{k−n})
+///   Pid      out = clamp(kp e + I + D + f):   I_k = I_{k−1} + ki T e_k,
+///                                             D_k = (Tf D_{k−1} + kd (e_k − e_{k−1}))/(Tf + T)
+///
+/// What a block holds is part of State::memory: a rejected step restores it, a checkpoint stores it.
+/// A block changes it in remember() at t_k and announces these instants, at which every scheme ends
+/// a step. Blocks of one instant sample in the order of the model. Rejected: to sample at the end of
+/// the step that contains t_k; results would depend on the step.
+#pragma once
+#include <dynamy/simulation/model/time_grid.hpp>
+#include <dynamy/system/external_force.hpp>
+#include <dynamy_elements/signal_formulas.hpp>
+
+namespace dynamy {
+
+/// The instants t_k = offset + k T.
+class SampleClock {
+ public:
+  static void declare(Attributes& a);
+  explicit SampleClock(const Parameters& x);
+  double period() const { return grid_.spacing(); }
+  /// Is instant number `count` reached at t, up to rounding?
+  bool due(double t, double count) const;
+  /// Number of the first instant after t; one that t reaches up to rounding is not after it.
+  double after(double t) const;
+  /// The first instant after t [s].
+  double next(double t) const;
+
+ private:
+  double at(double count) const { return offset_ + grid_.at(static_cast<long>(count)); }
+  TimeGrid grid_;
+  double offset_;
+};
+
+/// Base of the sampled blocks. Memory: number of the next instant, then what the block holds, out
+/// first.
+class SampledBlock : public ExternalForce {
+ public:
+  explicit SampledBlock(const Parameters& x);
+  void connect(Topology& topology) final;
+  void addTo(const Kinematics&, ForceSink&) const final {}
+  void remember(const Kinematics& k, Vec memory) const final;
+  void describe(Description& d) const override;
+
+ protected:
+  static void declareSampled(Attributes& a);
+  const SampleClock& clock() const { return clock_; }
+  /// What the block holds before the first instant.
+  virtual std::vector<double> held() const = 0;
+  virtual std::vector<SignalFormulas*> formulas() = 0;
+  /// Takes a sample: changes what the block holds.
+  virtual void sample(const Kinematics& k, double* held) const = 0;
+  double initial() const { return initial_; }
+
+ private:
+  SampleClock clock_;
+  double initial_;
+};
+
+class Sample final : public SampledBlock {
+ public:
+  static void declare(Attributes& a);
+  explicit Sample(const Parameters& x) : SampledBlock(x), of_(x, "of", 1) {}
+
+ private:
+  std::vector<double> held() const override { return {initial()}; }
+  std::vector<SignalFormulas*> formulas() override { return {&of_}; }
+  void sample(const Kinematics& k, double* held) const override { held[0] = of_.value(k); }
+  SignalFormulas of_;
+};
+
+class Delay final : public SampledBlock {
+ public:
+  static void declare(Attributes& a);
+  explicit Delay(const Parameters& x);
+
+ private:
+  /// out, then the last `samples` values, the oldest first.
+  std::vector<double> held() const override;
+  std::vector<SignalFormulas*> formulas() override { return {&of_}; }
+  void sample(const Kinematics& k, double* held) const override;
+  SignalFormulas of_;
+  int samples_;
+};
+
+class Pid final : public SampledBlock {
+ public:
+  static void declare(Attributes& a);
+  explicit Pid(const Parameters& x);
+  void describe(Description& d) const override;
+
+ private:
+  enum Held { kOut, kIntegral, kDerivative, kError, kSamples, kCount };
+  std::vector<double> held() const override;
+  std::vector<SignalFormulas*> formulas() override { return {&error_, &rate_, &feedforward_}; }
+  void sample(const Kinematics& k, double* held) const override;
+  SignalFormulas error_, rate_, feedforward_;
+  double kp_, ki_, kd_, filter_, lower_, upper_, tracking_;
+  enum class AntiWindup { clamp, back, none } antiWindup_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,24 @@
+/// SampleInstants: the instants at which elements of a model sample the motion, and at which steps
+/// therefore end (system/announced_signals.hpp).
+#pragma once
+#include <dynamy/system/description.hpp>
+#include <vector>
+
+namespace dynamy {
+
+class Model;
+
+class SampleInstants {
+ public:
+  SampleInstants() = default;  ///< none
+  explicit SampleInstants(const Model& model);
+  /// The first instant after t; one that t reaches up to rounding is not after it. Infinity: none.
+  double after(double t) const;
+  /// True: a step to tE passes instant `at` by more than rounding.
+  static bool isWithin(double at, double tE);
+
+ private:
+  std::vector<SignalFunction> next_;
+};
+
+}  // namespace dynamy
