@@ -7,26 +7,52 @@
 #include <dynamy/io/run_files/run_recording.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/run/sample_instants.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 
+#include <cmath>
+
 #include "library.hpp"
+#include "signals.hpp"
 
 namespace py = pybind11;
 
 namespace dynamy::python {
 namespace {
 
-/// Calls a Python function after each step. The function ends the run by returning False.
+/// The end of a step of a run, as a Python function sees it while it is called.
+class Moment {
+ public:
+  Moment(const StepView& view, Simulation& simulation, NamedSignals& signals)
+      : view_(view), simulation_(simulation), signals_(signals) {}
+  const State& state() const { return view_.after; }
+  double signal(const std::string& name) { return signals_.value(view_, name); }
+  void input(const std::string& name, double value) {
+    simulation_.input(signals_.input(name), value);
+  }
+
+ private:
+  const StepView& view_;
+  Simulation& simulation_;
+  NamedSignals& signals_;
+};
+
+/// Calls a Python function after each step. The function ends the run by returning
+/// False.
 class Callback final : public Observer {
  public:
-  Callback(py::object call, std::atomic<bool>& stop) : call_(std::move(call)), stop_(stop) {}
+  Callback(py::object call, Simulation& simulation, const Model& model, std::atomic<bool>& stop)
+      : call_(std::move(call)), simulation_(simulation), signals_(model), stop_(stop) {}
   void step(const StepView& view) override {
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
       if (call_.is_none()) return;
-      const py::object answer = call_(view.after);
+      Moment moment(view, simulation_, signals_);
+      const py::object answer = call_(py::cast(&moment, py::return_value_policy::reference));
       if (py::isinstance<py::bool_>(answer) && !answer.cast<bool>()) stop_ = true;
     } catch (const py::error_already_set&) {
+      fault_ = std::current_exception(), stop_ = true;
+    } catch (const ModelError&) {
       fault_ = std::current_exception(), stop_ = true;
     }
   }
@@ -37,6 +63,8 @@ class Callback final : public Observer {
 
  private:
   py::object call_;
+  Simulation& simulation_;
+  NamedSignals signals_;
   std::atomic<bool>& stop_;
   std::exception_ptr fault_;
 };
@@ -91,7 +119,7 @@ void writeFolderFacts(const RunFolder& folder, const Model& model, const RunRepo
 py::dict runInto(Model& model, const py::object& each, const std::string& out, bool replay) {
   std::atomic<bool> stop{false};
   Simulation simulation(model);
-  Callback callback(each, stop);
+  Callback callback(each, simulation, model, stop);
   simulation.observe(callback);
   simulation.stopWhen(stop);
   const RunFolder folder(out);
@@ -107,34 +135,46 @@ py::dict runInto(Model& model, const py::object& each, const std::string& out, b
   return figures(simulation);
 }
 
-/// Takes single steps of the model's scheme; the state may be changed between the steps.
+/// Takes single steps of the model's scheme; state and inputs may be changed between the steps.
 class Steps {
  public:
   explicit Steps(Model& model)
-      : model_(model), system_(model.mechanicalSystem()), x_(model.initialState()) {
+      : model_(model),
+        system_(model.mechanicalSystem()),
+        attempt_(model, system_),
+        samples_(model),
+        signals_(model) {
     model.readyScheme();
-    system_.evaluate(x_);
-    makeConsistent(model, system_, x_);
+    attempt_.start();
+    left_ = attempt_.x();
   }
 
   py::dict step(double dt) {
     if (!(dt > 0.0)) dt = model_.simulation.step;
-    if (!(dt > 0.0) && model_.scheme().choosesSteps()) dt = model_.simulation.until - x_.t;
+    if (!(dt > 0.0) && model_.scheme().choosesSteps()) dt = model_.simulation.until - state().t;
     if (!(dt > 0.0))
       throw ModelError("no step is given",
                        "say step(1e-3), model.step = 1e-3 or model.tolerance = 1e-6");
-    const double t = x_.t;
-    system_.limits = {};
-    const StepReport report = model_.scheme().step(system_, model_.solver(), x_, dt);
-    if (!model_.scheme().choosesSteps()) x_.t = t + dt;
-    system_.remember(x_);
+    take(state().t + dt, dt);
+    const StepReport& report = attempt_.report();
     py::dict out;
     out["contacts"] = report.contacts, out["solved"] = report.solved.ok();
     out["status"] = std::string(solveStatusText(report.solved.status));
     out["iterations"] = report.solved.iterations;
     out["residual"] = report.solved.residuals.largest();
-    if (!report.refused.empty()) throw std::runtime_error(std::string(report.refused));
     return out;
+  }
+  /// Takes the steps that end dt later.
+  void advance(double dt) {
+    if (!(dt > 0.0) || !std::isfinite(dt)) throw py::value_error("advance takes a time above 0");
+    const double end = state().t + dt, largest = model_.simulation.step;
+    while (!isPassed(end, state().t)) {
+      const double rest = end - state().t;
+      // A last step shorter than rounding of times is joined to the one before it.
+      const bool last = !(largest > 0.0) || rest < largest * (1.0 + 1e-9);
+      take(last ? end : state().t + largest, last ? rest : largest);
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    }
   }
   /// Name and percussions of each closed contact of the last step.
   py::list contacts() {
@@ -155,14 +195,39 @@ class Steps {
   }
   double energy() {
     EnergyMeter meter(model_);
-    return meter.kinetic(x_) + meter.potential(x_);
+    return meter.kinetic(state()) + meter.potential(state());
   }
-  State& state() { return x_; }
+  State& state() { return attempt_.change(); }
+  double signal(const std::string& name) {
+    return signals_.value(attempt_.view(steps_, steps_ > 0), name);
+  }
+  void input(const std::string& name, double value) {
+    state().memory[signals_.input(name).first] = value;
+  }
 
  private:
+  void take(double end, double dt) {
+    State& x = state();
+    // What a scheme carries from step to step belongs to the motion that it left.
+    if (x.t != left_.t || x.q != left_.q || x.u != left_.u) x.scheme.resize(0);
+    if (const double at = samples_.after(x.t); SampleInstants::isWithin(at, end))
+      end = at, dt = at - x.t;
+    attempt_.take(end, dt, nullptr);
+    ++steps_;
+    if (!attempt_.sound()) {
+      const std::string fault = attempt_.fault();
+      attempt_.undo();
+      throw std::runtime_error(fault);
+    }
+    left_ = x;
+  }
   Model& model_;
   MechanicalSystem system_;
-  State x_;
+  StepAttempt attempt_;
+  SampleInstants samples_;
+  NamedSignals signals_;
+  State left_;  // as the last step left it
+  long steps_ = 0;
 };
 
 }  // namespace
@@ -172,13 +237,28 @@ void bindRun(py::module_& m) {
         "Runs a model into a folder; dynamy.run reads it. Returns the figures.");
   m.def(
       "_write_replay", [](const std::string& folder) { writeReplay(folder); }, py::arg("folder"));
+  py::class_<Moment>(m, "Moment", "The end of a step, while each(now) is called.")
+      .def_property_readonly("t", [](const Moment& x) { return x.state().t; })
+      .def_property_readonly("q", [](const Moment& x) { return Eigen::VectorXd(x.state().q); })
+      .def_property_readonly("u", [](const Moment& x) { return Eigen::VectorXd(x.state().u); })
+      .def_property_readonly(
+          "state", [](const Moment& x) { return State(x.state()); }, "A copy.")
+      .def("__getitem__", &Moment::signal, py::arg("signal"), "Value of a signal.")
+      .def("__setitem__", &Moment::input, py::arg("input"), py::arg("value"),
+           "Sets an <Input> from here on.");
   py::class_<Steps>(m, "Simulation", "Single steps of a built model.")
       .def(py::init<Model&>(), py::arg("model"), py::keep_alive<1, 2>())
       .def_property_readonly("state", &Steps::state, py::return_value_policy::reference_internal)
       .def("step", &Steps::step, py::arg("dt") = 0.0,
            "One step of length dt [s]; default: the model's. With a tolerance, the next step of "
            "the\n"
-           "scheme, dt at most. Returns contacts, status, iterations, residual of the inclusion.")
+           "scheme, dt at most. A step ends where a block samples. Returns contacts, status,\n"
+           "iterations, residual of the inclusion.")
+      .def("advance", &Steps::advance, py::arg("dt"),
+           "Takes the steps that end exactly dt [s] later, with every scheme.")
+      .def("__getitem__", &Steps::signal, py::arg("signal"), "Value of a signal now.")
+      .def("__setitem__", &Steps::input, py::arg("input"), py::arg("value"),
+           "Sets an <Input> from now on.")
       .def_property_readonly("contacts", &Steps::contacts,
                              "Contacts of the last step: name, Lambda [N s].")
       .def_property_readonly("energy", &Steps::energy, "T + V [J].");

@@ -138,6 +138,64 @@ class Module(unittest.TestCase):
         with self.assertRaises(ValueError):
             simulation.state.q = [1.0]
 
+    CART = """<dynamy version="1">
+      <systems><PointMass name="cart" position="0.3 0 0" velocity="1 0 0" mass="2"/></systems>
+      <forces>FORCES<ForceInput on="cart" force="IN.out; 0; 0"/></forces>
+      <simulation until="3" SIMULATION</simulation></dynamy>"""
+    SIMULATIONS = ('tolerance="1e-6">', 'tolerance="1e-3">', 'step="3ms">', 'step="20ms">',
+                   'step="3ms"><MoreauMidpoint/>', 'step="1ms"><GeneralizedAlpha/>')
+
+    def test_a_controller_in_python_is_one_of_blocks(self):
+        pid = """<Pid name="pid" error="1 - cart.x" kp="40" ki="20" kd="15" period="10ms" lower="-20"
+                 upper="20"/>"""
+        for how in self.SIMULATIONS:
+            text = self.CART.replace("SIMULATION", how)
+            blocks = dynamy.Simulation(
+                dynamy.model(text.replace("FORCES", pid).replace("IN", "pid")))
+            blocks.advance(3.0)
+            simulation = dynamy.Simulation(
+                dynamy.model(text.replace("FORCES", '<Input name="in"/>').replace("IN", "in")))
+            T, integral, before = 0.01, 0.0, 1 - 0.3
+            for _ in range(300):
+                e = 1 - simulation["cart.x"]
+                rest, step = 40 * e + 15 * (e - before) / T, 20 * T * e
+                if not (rest + integral + step > 20 and step > 0) and not (
+                        rest + integral + step < -20 and step < 0):
+                    integral += step
+                simulation["in"] = max(-20.0, min(20.0, rest + integral))
+                before = e
+                simulation.advance(T)
+            # Both are exact under held forces; 300 times the rounding of t, times gains of 15/T.
+            self.assertAlmostEqual(simulation["cart.x"], blocks["cart.x"], delta=1e-9)
+            self.assertAlmostEqual(simulation["cart.vx"], blocks["cart.vx"], delta=1e-9)
+            self.assertEqual(simulation["in"], simulation["in.out"])
+
+    def test_a_run_reads_signals_and_sets_inputs(self):
+        model = dynamy.model(self.CART.replace("SIMULATION", 'step="10ms"><MoreauMidpoint/>')
+                             .replace("FORCES", '<Input name="in" value="2"/>').replace("IN", "in"))
+
+        def each(now):
+            if now.t > 0.495:
+                now["in"] = -2.0
+            return now["cart.vx"] > 0
+
+        signals, figures = dynamy.run(model, each=each)
+        # 1 m/s + 0.5 s · 1 m/s², then −1 m/s² until 0: 1.5 s later, up to a step and rounding.
+        self.assertAlmostEqual(figures["t"], 2.0, delta=0.011)
+        with self.assertRaisesRegex(dynamy.ModelError, "no input named"):
+            dynamy.run(model, each=lambda now: now.__setitem__("motor", 1.0))
+
+    def test_a_written_velocity_counts_with_every_scheme(self):
+        for how in self.SIMULATIONS:
+            simulation = dynamy.Simulation(dynamy.model(
+                self.CART.replace("SIMULATION", how)
+                .replace("FORCES", '<Input name="in"/>').replace("IN", "in")))
+            simulation.advance(0.1)
+            simulation.state.u[0] = 5.0
+            simulation.advance(0.1)
+            # Free flight with 1 m/s, then 5 m/s.
+            self.assertAlmostEqual(simulation["cart.x"], 0.3 + 0.1 + 0.5, delta=1e-12)
+
     def test_laws_in_python_agree_with_coulombs(self):
         dynamy.register_law("PythonDisc", Disc, {"mu": None})
         dynamy.register_law("PythonProxDisc", ProxDisc, {"mu": 0.3})

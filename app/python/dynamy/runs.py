@@ -81,11 +81,12 @@ class Run(dynamy_run.Run):
             return (own / "replay.html").read_text(encoding="utf-8")
 
 
-def run(model: _core.Model, each: Optional[Callable[[_core.State], Optional[bool]]] = None,
+def run(model: _core.Model, each: Optional[Callable[[_core.Moment], Optional[bool]]] = None,
         out: Union[str, "os.PathLike[str]"] = "") -> Run:
     """Runs a built model from its initial state.
 
-    each(state) is called after every step; False ends the run. With out=DIR the run is written
+    each(now) is called after every step with now.t, now.q, now.u, now["cart.x"],
+    and now["motor"] = 3.0 for an <Input>; False ends the run. With out=DIR the run is written
     there with its replay, else it is kept in memory.
     """
     if os.fspath(out):
