@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/model/start_values.hpp>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -33,29 +33,6 @@ struct EigenTask {
 constexpr int kIntervals = 20;
 constexpr int kHalvings = 6;  ///< halvings of such an interval
 
-/// Sets "SYSTEM.COORDINATE=VALUE" in the state. Throws ModelError with the nearest name.
-void place(const Model& model, const std::string& text, State& x) {
-  const auto [name, value] = assignment(text);
-  std::vector<std::string> known;
-  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
-    const SystemHandle& s = model.topology().system(i);
-    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
-    const Description& d = model.description(i);
-    for (const auto& [all, into, from] :
-         {std::tuple{&d.coordinates, &x.q, s.q0}, std::tuple{&d.velocities, &x.u, s.u0}})
-      for (const auto& [own, index] : *all) {
-        known.push_back(of + own);
-        if (known.back() != name) continue;
-        char* end = nullptr;
-        (*into)[from + index] = std::strtod(value.c_str(), &end);
-        if (value.empty() || *end != '\0' || !std::isfinite((*into)[from + index]))
-          throw CLI::ValidationError("--start", '"' + value + "\" is no finite number");
-        return;
-      }
-  }
-  throw ModelError("no coordinate or velocity named \"" + name + '"', unknownNameHint(name, known));
-}
-
 class Eigenvalues {
  public:
   Eigenvalues(Program& program, const EigenTask& task) : program_(program), task_(task) {
@@ -71,7 +48,10 @@ class Eigenvalues {
   }
   Linearisation solve(Model& model) const {
     State x = model.initialState();
-    for (const std::string& s : task_.start) place(model, s, x);
+    for (const std::string& s : task_.start) {
+      const auto [name, value] = assignment(s);
+      placeInState(model, name, value, x);
+    }
     LinearisationOptions options;
     options.seek = !task_.asItIs, options.near = task_.near;
     return linearise(model, x, options);

@@ -29,6 +29,7 @@ std::vector<GivenValue> givenValues(const pybind11::kwargs& values);
 void bindModel(pybind11::module_& m);
 void bindRun(pybind11::module_& m);
 void bindGradient(pybind11::module_& m);
+void bindOrbit(pybind11::module_& m);
 void bindLaws(pybind11::module_& m);
 
 }  // namespace dynamy::python

@@ -66,4 +66,5 @@ PYBIND11_MODULE(_core, m) {
   python::bindModel(m);
   python::bindRun(m);
   python::bindGradient(m);
+  python::bindOrbit(m);
 }

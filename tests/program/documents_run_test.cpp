@@ -76,6 +76,7 @@ TEST_F(DocumentTest, Sweep) { follow("doc/sweep.md"); }
 TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
 TEST_F(DocumentTest, Control) { follow("doc/control.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }
+TEST_F(DocumentTest, Orbit) { follow("doc/orbit.md"); }
 TEST_F(DocumentTest, Report) { follow("doc/report.md"); }
 TEST_F(DocumentTest, Security) { follow("doc/security.md"); }
 #ifndef DYNAMY_SANITIZED

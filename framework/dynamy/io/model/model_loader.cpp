@@ -176,7 +176,7 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
     parts.emplace_back(p.type->kind, std::move(element));
     good.insert(p.item);
   }
-  SettingsReader settings(model, source, reader, faults);
+  SettingsReader settings(model, source, reader, faults, options.orbit);
   for (const ModelItem& item : source.settings()) settings.read(item);
 
   if (options.coordinates) model.simulation.coordinates = *options.coordinates;

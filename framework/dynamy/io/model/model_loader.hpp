@@ -10,6 +10,8 @@
 
 namespace dynamy {
 
+struct OrbitSection;
+
 struct LoadOptions {
   Overrides set;      ///< parameters: (name, value)
   bool build = true;  ///< false: the caller changes the model and calls build() itself
@@ -20,6 +22,8 @@ struct LoadOptions {
   std::vector<std::filesystem::path>* files = nullptr;
   /// Receives the values of all parameters by the names that `set` takes.
   std::map<std::string, double>* parameters = nullptr;
+  /// Receives the section of `<orbit>`; unchanged if the file has none.
+  OrbitSection* orbit = nullptr;
 };
 
 /// Reads the model in `file` and builds it. The types it uses must be registered already, except

@@ -209,7 +209,7 @@ void ModelSource::walk(const XmlNode& parent, const Scope& scope, const Includin
       }
     } else if (!isRoot && tag != "doc") {
       faults_->add(scope, node.place, parent, "<" + tag + "> cannot be replicated");
-    } else if (tag == "simulation" || tag == "record" || tag == "check") {
+    } else if (tag == "simulation" || tag == "record" || tag == "check" || tag == "orbit") {
       if (from.node == nullptr) settings_.push_back({&node, &scope, {}});
     }
   }

@@ -23,6 +23,7 @@ void SettingsReader::read(const ModelItem& item) {
   if (node.tag == "simulation") readSimulation(node, scope, x);
   if (node.tag == "record") readRecord(node, scope, x);
   if (node.tag == "check") readCheck(node, scope, x);
+  if (node.tag == "orbit") readOrbit(node, scope, x);
 }
 
 void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x) {
@@ -162,6 +163,24 @@ void SettingsReader::readCheck(const XmlNode& node, const Scope& scope, const Pa
   checkTimes_.push_back(x[x["at"].given ? "at" : "over"].place);
 }
 
+void SettingsReader::readOrbit(const XmlNode& node, const Scope& scope, const Parameters& x) {
+  OrbitSection s;
+  s.signal = x["signal"].text, s.value = x["value"];
+  s.falling = x["direction"].text == "falling",
+  s.returns = static_cast<int>(x["returns"].integer());
+  if (x["period"].given) s.period = x["period"];
+  if (orbitSignal_.place.line != 0) {
+    faults_->add(scope, node.place, node, "a model has one section for its orbits");
+    return;
+  }
+  orbitSignal_ = {s.signal, s.signal.empty() ? node.place : x["signal"].place};
+  if (s.given() == (!s.signal.empty() && s.period > 0.0))
+    faults_->add(scope, node.place, node, "takes either a signal or a period",
+                 "a period is that of a forcing; motions without forcing are cut where a signal "
+                 "passes a value");
+  if (orbit_ != nullptr) *orbit_ = s;
+}
+
 /// Reports a check at a time after the end of the run, because it could not pass.
 void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) const {
   const double until = model_->simulation.until;
@@ -230,6 +249,7 @@ void SettingsReader::verifySignals() const {
   for (const NamedSignal& s : model_->signals()) signals.insert(s.name);
   for (std::size_t i = 0; i < r.signals.size(); ++i)
     verify(signals, r.signals[i], r.places[i], "record");
+  if (!orbitSignal_.name.empty()) verify(signals, orbitSignal_.name, orbitSignal_.place, "orbit");
   for (std::size_t i = 0; i < model_->checks.size(); ++i) {
     verify(signals, model_->checks[i].signal, checkSignals_[i], "check");
     verifyTime(model_->checks[i], checkTimes_[i]);

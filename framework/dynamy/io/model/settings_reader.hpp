@@ -1,20 +1,29 @@
-/// SettingsReader: the sections `<simulation>`, `<record>` and `<check>` of a model file.
+/// SettingsReader: the sections `<simulation>`, `<record>`, `<check>` and `<orbit>` of a model file.
 #pragma once
 #include <dynamy/io/model/element_reader.hpp>
 #include <dynamy/simulation/model/model.hpp>
+#include <dynamy/simulation/orbit/orbit_section.hpp>
 #include <string_view>
 #include <unordered_set>
 
 namespace dynamy {
 
 class SettingsReader {
+  struct OrbitSignal {
+    std::string name;
+    Place place;
+  };
+
  public:
-  SettingsReader(Model& model, const ModelSource& source, ElementReader& elements, Faults& faults)
+  /// `orbit` receives the section of `<orbit>`; null: nobody wants it.
+  SettingsReader(Model& model, const ModelSource& source, ElementReader& elements, Faults& faults,
+                 OrbitSection* orbit)
       : model_(&model),
         source_(&source),
         elements_(&elements),
         faults_(&faults),
-        attributes_(faults, nullptr) {}
+        attributes_(faults, nullptr),
+        orbit_(orbit) {}
 
   void read(const ModelItem& item);
   /// Call after build(): reports signals that no element has, and checks at times after the end.
@@ -24,6 +33,7 @@ class SettingsReader {
   void readSimulation(const XmlNode& node, const Scope& scope, const Parameters& x);
   void readMethods(const XmlNode& node, const Scope& scope);
   void readRecord(const XmlNode& node, const Scope& scope, const Parameters& x);
+  void readOrbit(const XmlNode& node, const Scope& scope, const Parameters& x);
   void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
   bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
   void verifyTime(const CheckSettings& check, const Place& place) const;
@@ -36,6 +46,8 @@ class SettingsReader {
   ElementReader* elements_;
   Faults* faults_;
   AttributeReader attributes_;
+  OrbitSection* orbit_;
+  OrbitSignal orbitSignal_;
   std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
   std::map<Kind, Place> methods_;
   std::vector<Place> checkSignals_, checkTimes_;

@@ -87,11 +87,25 @@ Word check() {
   return w;
 }
 
+Word orbit() {
+  Word w = word("orbit", "Where dynamy orbit cuts the periodic motion of the model.", {"doc"});
+  Attributes& a = w.attributes;
+  a.add(AttributeType::text, "signal", "",
+        "name such as toy.phiM; it passes a value once a period");
+  a.optional("value", Unit::any, 0.0, "this value");
+  a.choice("direction", {"rising", "falling"}, "rising", "in which it passes the value");
+  a.required("period", Unit::time, "of a forcing, in place of a signal").positive().mayBeAbsent();
+  a.add(AttributeType::integer, "returns", "1", "passes, or periods of the forcing, in one orbit")
+      .between(1, 1000);
+  a.example("<orbit signal=\"ball.vz\" value=\"0\" direction=\"falling\"/>");
+  return w;
+}
+
 Word include() {
   Word w =
       word("include",
            "Takes over parameters, defaults, plug-ins, systems, forces and elements of another "
-           "model; its simulation, record and check are its own.",
+           "model; its simulation, record, check and orbit are its own.",
            {"doc", "set"});
   w.attributes.add(AttributeType::text, "file", std::nullopt, "path, counted from this file");
   w.attributes.add(AttributeType::name, "prefix", "", "its names become prefix/name");
@@ -122,7 +136,7 @@ Word replicate() {
 Vocabulary::Vocabulary() {
   Word root = word("dynamy", "A model.",
                    {"doc", "plugin", "parameter", "defaults", "systems", "forces", "elements",
-                    "simulation", "record", "check", "include", "replicate"});
+                    "simulation", "record", "check", "orbit", "include", "replicate"});
   root.attributes.add(AttributeType::integer, "version", "1", "version of the file format");
   root.attributes.add(AttributeType::text, "title", "", "title of the replay; default: file name");
   root.attributes.example(
@@ -158,6 +172,7 @@ Vocabulary::Vocabulary() {
   words_.push_back(simulation());
   words_.push_back(record());
   words_.push_back(check());
+  words_.push_back(orbit());
   words_.push_back(include());
   words_.push_back(word("set", "Replaces a parameter of the included model."));
   words_.back().attributes.add(AttributeType::name, "name", std::nullopt, "parameter there");

@@ -68,13 +68,18 @@ class Watch final : public Observer {
 
 }  // namespace
 
+std::unique_ptr<LocatedDormandPrince> locatedScheme(bool givenSteps) {
+  return std::make_unique<Located>(givenSteps);
+}
+
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
-                        const MotionSequence* like) {
-  auto scheme = std::make_unique<Located>(like != nullptr);
+                        const MotionSequence* like, const State* from) {
+  auto scheme = locatedScheme(like != nullptr);
   LocatedDormandPrince& located = *scheme;
   model.askTolerance(tolerance);
   model.scheme(std::move(scheme));
   StepPlan plan;
+  plan.from = from;
   for (const SignalAt& s : of) plan.stops.push_back(s.t);
   plan.stops.push_back(model.simulation.until);
   std::sort(plan.stops.begin(), plan.stops.end());
@@ -88,6 +93,7 @@ FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double to
   if (report.ended != RunReport::Ended::finished)
     throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
   for (const CheckResult& c : simulation.checks()) watch.run.values.push_back(c.got);
+  watch.run.end = simulation.state();
   return std::move(watch.run);
 }
 

@@ -3,8 +3,11 @@
 #pragma once
 #include <dynamy/simulation/gradient/motion_sequence.hpp>
 #include <dynamy/simulation/model/model.hpp>
+#include <memory>
 
 namespace dynamy {
+
+class LocatedDormandPrince;
 
 /// A signal at an instant [s].
 struct SignalAt {
@@ -12,14 +15,19 @@ struct SignalAt {
   double t = 0.0;
 };
 
+/// The scheme of such runs; `givenSteps`: it takes steps of given lengths.
+std::unique_ptr<LocatedDormandPrince> locatedScheme(bool givenSteps);
+
 struct FollowedRun {
   std::vector<double> values;  ///< of the signals, then of the model's checks
   MotionSequence sequence;
+  State end;
 };
 
-/// Runs `model` to `tolerance`; `of`: instants up to its end; `like`: takes the steps of that run.
-/// Throws ModelError if the run ends early, or cannot locate its switches.
+/// Runs `model` to `tolerance`; `of`: instants up to its end; `like`: takes the steps of that run;
+/// `from`: its start, the model's initial state if null. Throws ModelError if the run ends early, or
+/// cannot locate its switches.
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
-                        const MotionSequence* like = nullptr);
+                        const MotionSequence* like = nullptr, const State* from = nullptr);
 
 }  // namespace dynamy

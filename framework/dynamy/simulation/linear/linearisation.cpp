@@ -4,6 +4,7 @@
 #include <cmath>
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/simulation/linear/linearisation.hpp>
+#include <dynamy/simulation/linear/state_variation.hpp>
 #include <dynamy/stages/error_norm.hpp>
 #include <limits>
 
@@ -207,30 +208,6 @@ Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& C) {
   return Q.rightCols(n - qr.rank());
 }
 
-/// Names of z: the displacements, "bike.phi" where q̇ = u and "∫bike.Omega_x" elsewhere; then the
-/// velocities.
-std::vector<std::string> namesOf(const Model& model) {
-  const auto nu = static_cast<std::size_t>(model.topology().nu());
-  std::vector<std::string> out(2 * nu);
-  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
-    const SystemHandle& s = model.topology().system(i);
-    const Description& d = model.description(i);
-    const PartialMechanicalSystem& system = *model.systems()[static_cast<std::size_t>(i)];
-    const std::string of = (system.name().empty() ? system.type() : system.name()) + ".";
-    for (int k = 0; k < s.nu; ++k) {
-      const auto at = static_cast<std::size_t>(s.u0 + k);
-      out[nu + at] = of + fmt::format("u{}", k);
-      for (const auto& [name, index] : d.velocities)
-        if (index == k) out[nu + at] = of + name;
-      out[at] = "∫" + out[nu + at];
-      if (s.nq == s.nu)
-        for (const auto& [name, index] : d.coordinates)
-          if (index == k) out[at] = of + name;
-    }
-  }
-  return out;
-}
-
 double largest(const Eigen::VectorXd& a) {
   return a.size() > 0 ? a.lpNorm<Eigen::Infinity>() : 0.0;
 }
@@ -316,7 +293,7 @@ Linearisation linearise(Model& model, const State& from, const LinearisationOpti
   const Derivatives d = linear.derivatives(out.at);
   expectSteady(motion, linear, out.at, d, allowed);
 
-  out.names = namesOf(model);
+  out.names = StateVariation(model).names();
   out.basis = nullSpace(d.C);
   out.A = out.basis.transpose() * d.A * out.basis;
   out.error = d.error;

@@ -3,6 +3,7 @@
 /// switches, and the last steps before the instants, end where this motion needs it (theory 53).
 #pragma once
 #include <dynamy/simulation/run/time_loop.hpp>
+#include <dynamy/system/state.hpp>
 #include <vector>
 
 namespace dynamy {
@@ -20,6 +21,7 @@ struct PlannedStep {
 struct StepPlan {
   std::vector<double> stops;       ///< instants at which a step ends, ascending [s]
   std::vector<PlannedStep> steps;  ///< empty: the scheme chooses the lengths
+  const State* from = nullptr;     ///< state at the start; null: the initial state of the model
 };
 
 class PlannedSteps final : public TimeLoop {

@@ -31,7 +31,8 @@ Place beginning(const Model& model) {
 std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
   model.readyScheme();
   if (model.scheme().findsContacts()) {
-    for (const auto& e : model.systems()) refuseSwitching(*e, model.scheme().type());
+    for (const auto& e : model.systems())
+      if (e->renewable() == nullptr) refuseSwitching(*e, model.scheme().type());
     for (const auto& e : model.forces()) refuseSwitching(*e, model.scheme().type());
   }
   const SimulationSettings& s = model.simulation;
@@ -69,7 +70,7 @@ std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
 Simulation::Simulation(Model& model, const StepPlan* plan)
     : model_(model),
       system_(model.mechanicalSystem()),
-      step_(model, system_),
+      step_(model, system_, plan != nullptr ? plan->from : nullptr),
       loop_(loopOf(model, plan)),
       observers_(model, report_),
       unsolved_(model, system_, report_.solver.unsolved) {}

@@ -16,10 +16,10 @@ bool isSet(const std::atomic<bool>* flag) {
 
 }  // namespace
 
-StepAttempt::StepAttempt(Model& model, MechanicalSystem& system)
+StepAttempt::StepAttempt(Model& model, MechanicalSystem& system, const State* from)
     : model_(model),
       system_(system),
-      x_(model.initialState()),
+      x_(from != nullptr ? *from : model.initialState()),
       before_(x_),
       coarseness_(model),
       renews_(std::any_of(model.systems().begin(), model.systems().end(),

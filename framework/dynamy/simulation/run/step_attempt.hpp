@@ -12,8 +12,9 @@ namespace dynamy {
 
 class StepAttempt {
  public:
-  /// Begins at the initial state of the model. Both arguments outlive the attempt.
-  StepAttempt(Model& model, MechanicalSystem& system);
+  /// Begins at `from`, or if that is null at the initial state of the model. The first two arguments
+  /// outlive the attempt.
+  StepAttempt(Model& model, MechanicalSystem& system, const State* from = nullptr);
   /// Evaluates the initial state and moves it onto the joints; reports the corrections.
   StartReport start();
   /// Takes one step of length dt [s] to the instant tEnd [s]. Schemes that choose their steps may

@@ -1,0 +1,131 @@
+/// dynamy orbit MODEL: a periodic orbit, its shift and its multipliers.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/model/file_orbit.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "numbers.hpp"
+#include "paths.hpp"
+#include "program.hpp"
+
+namespace dynamy::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct OrbitTask {
+  std::string model, out, section;
+  std::vector<std::string> set, start;
+  double tolerance = 0.0, period = 0.0;
+  int returns = 0;
+  bool json = false;
+};
+
+constexpr double kReal = 1e-12;  ///< smaller imaginary parts are rounding
+
+std::string multiplierText(std::complex<double> m) {
+  if (std::abs(m.imag()) <= kReal) return fmt::format("{:.12g}", m.real());
+  return fmt::format("{:.12g} {} {:.12g} i", m.real(), m.imag() < 0.0 ? '-' : '+',
+                     std::abs(m.imag()));
+}
+
+std::string stabilityText(const Orbit& o) {
+  const double most = o.largest();
+  if (o.multipliers.size() == 0) return "stable: every small disturbance is gone after a period";
+  if (most > 1.0 + o.multiplierError)
+    return fmt::format("unstable: small disturbances grow by a factor of {:.6g} a period", most);
+  if (most > 1.0 - std::max(o.multiplierError, 1e-9))
+    return "neither stable nor unstable to first order: some small disturbance lasts";
+  return fmt::format("stable: small disturbances shrink to {:.6g} of their size a period", most);
+}
+
+std::string orbitText(const std::string& model, const Orbit& o) {
+  std::string out = fmt::format(
+      "{}: a periodic orbit, {} switches, {} with impacts\n"
+      " period {:.13g} s ± {:.1g}\n"
+      " found in {} steps of Newton's method from {:.2g} away, residual {:.1g}; tolerance {:g}\n"
+      " at the section ({}):\n",
+      model, o.switches, o.impacts, o.period, o.periodError, o.newton, o.away, o.residual,
+      o.tolerance, o.section.text());
+  std::size_t width = 0;
+  for (const auto& [name, value] : o.state) width = std::max(width, name.size());
+  for (const auto& [name, value] : o.state)
+    out += fmt::format("   {:<{}} {:>20.13g}\n", name, width, value);
+  if (!o.shift.empty()) out += " changes a period, on which nothing depends:\n";
+  for (const auto& [name, value] : o.shift)
+    out += fmt::format("   {:<{}} {:>20.13g}\n", name, width, value);
+  out += fmt::format(" {}\n", stabilityText(o));
+  if (o.multipliers.size() > 0) out += fmt::format(" multipliers, ± {:.1g}:\n", o.multiplierError);
+  for (const std::complex<double>& m : o.multipliers)
+    out += fmt::format("   {}   modulus {:.6g}\n", multiplierText(m), std::abs(m));
+  if (o.zeros > 0)
+    out += fmt::format(" {} of the multipliers {} exactly zero: impacts or sticking end {}\n",
+                       o.zeros, o.zeros == 1 ? "is" : "are",
+                       o.zeros == 1 ? "this disturbance" : "these disturbances");
+  return out;
+}
+
+void tellOrbit(Program& program, const OrbitTask& task) {
+  FileOrbit wanted{.file = task.model,
+                   .section = task.section,
+                   .period = task.period,
+                   .returns = task.returns,
+                   .tolerance = task.tolerance};
+  for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
+  for (const std::string& s : task.start) wanted.start.push_back(assignment(s));
+  const Orbit o = orbit(wanted, program.registry, program.plugins);
+  const fs::path folder = task.out.empty()
+                              ? fs::path("runs") / (fs::path(task.model).stem().string() + ".orbit")
+                              : fs::path(task.out);
+  fs::create_directories(folder);
+  std::string text;
+  JsonWriter j(text, 2);
+  j.beginObject();
+  writeOrbit(j, o);
+  j.endObject();
+  writeWholeFile(folder / "orbit.json", text + "\n");
+  fmt::print("{}", task.json ? text + "\n" : orbitText(task.model, o));
+}
+
+}  // namespace
+
+void addOrbit(CLI::App& app, Program& program) {
+  auto t = std::make_shared<OrbitTask>();
+  CLI::App* c = app.add_subcommand(
+      "orbit", "a periodic orbit of a run to a tolerance, stable or not, and its multipliers");
+  c->add_option("MODEL", t->model, "XML file")->required();
+  c->add_option(
+       "--section", t->section,
+       "where the orbit is cut: a signal passes a value, rising (+) or falling (-); default: "
+       "<orbit> of the model")
+      ->type_name("SIGNAL=VALUE[+|-]");
+  c->add_option("--period", t->period, "of a forcing [s], in place of a section")
+      ->type_name("NUMBER")
+      ->check(positiveNumber())
+      ->excludes("--section");
+  c->add_option("--returns", t->returns, "passes, or periods of the forcing, in one orbit")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 1000));
+  c->add_option("--start", t->start,
+                "coordinate or velocity from which the search begins; default: the model's")
+      ->type_name("SIGNAL=VALUE");
+  c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  c->add_option("--tolerance", t->tolerance, "of the runs; default: 1e-12")
+      ->type_name("NUMBER")
+      ->check(positiveNumber());
+  c->add_option("--out", t->out, "folder of orbit.json; default: runs/MODEL.orbit")
+      ->type_name("DIR")
+      ->check(someName());
+  addPlugins(*c, program);
+  c->add_flag("--json", t->json, "print JSON");
+  c->callback([t, &program] {
+    program.load();
+    tellOrbit(program, *t);
+  });
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,272 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <dynamy/located/located_dormand_prince.hpp>
+#include <dynamy/simulation/orbit/return_map.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
+#include <dynamy/simulation/report/signal_sampler.hpp>
+#include <dynamy/simulation/run/simulation.hpp>
+#include <limits>
+#include <utility>
+
+namespace dynamy {
+namespace {
+
+/// Steps of the differences, as parts of the range of each coordinate: of second order for Newton's
+/// method, of fourth for results. Their errors are about δ² and δ⁴; rounding adds 1e-15/δ.
+constexpr double kCoarseDelta = 5e-6, kFineDelta = 3e-5;
+constexpr double kLess = 0.1;  ///< factor on δ where the switches differ
+constexpr int kAttempts = 4;
+constexpr int kBisections = 60;  ///< to find a pass on the path of a step
+constexpr int kPeriodCorrections = 6;
+constexpr double kTellsSlope = 1e-7;  ///< shorter corrections of the period drown in rounding
+constexpr double kNoRange = 1e-9;     ///< a coordinate with a smaller range does not change
+
+const NamedSignal* sectionSignal(const Model& model, const std::string& name) {
+  return name.empty() ? nullptr : chooseSignals(model, {name}, {}).front();
+}
+
+/// Finds the pass of the section in the steps of a run, and the ranges of its state.
+class SectionWatch final : public Observer {
+ public:
+  SectionWatch(const Model& model, const OrbitSection& section, double least, int count)
+      : section_(section),
+        least_(least),
+        left_(count),
+        sampler_(model, section.signal.empty() ? std::vector<const NamedSignal*>()
+                                               : std::vector<const NamedSignal*>{
+                                                     sectionSignal(model, section.signal)}) {}
+  void start(const StepView& initial) override { low = high = all(initial.after); }
+  void step(const StepView& view) override {
+    const Eigen::VectorXd x = all(view.after);
+    low = low.cwiseMin(x), high = high.cwiseMax(x);
+    if (section_.signal.empty()) return;
+    const double before = side(view, 0.0);
+    const bool jumps = view.report.uBeforeImpact != nullptr;
+    const double reached =
+        jumps ? sign() * (sampler_.sampleBeforeImpact(view, 0) - section_.value) : side(view, 1.0);
+    if (view.before.t < least_ || !(before < 0.0 && reached >= 0.0) || --left_ > 0) return;
+    double a = 0.0, b = 1.0;
+    for (int i = 0; i < kBisections; ++i) (side(view, 0.5 * (a + b)) < 0.0 ? a : b) = 0.5 * (a + b);
+    found = true;
+    t = view.before.t + b * view.report.dt;
+    const double part = std::min(1e-3, b);
+    slope = -side(view, b - part) / (part * view.report.dt);
+  }
+  bool found = false;
+  double t = 0.0, slope = 0.0;
+  Eigen::VectorXd low, high;  ///< of q and u
+
+ private:
+  double sign() const { return section_.falling ? -1.0 : 1.0; }
+  double side(const StepView& view, double theta) {
+    return section_.signal.empty() ? 0.0
+                                   : sign() * (sampler_.sampleOne(view, theta, 0) - section_.value);
+  }
+  static Eigen::VectorXd all(const State& x) {
+    Eigen::VectorXd out(x.q.size() + x.u.size());
+    out << x.q, x.u;
+    return out;
+  }
+  const OrbitSection& section_;
+  double least_;
+  int left_;
+  SignalSampler sampler_;
+};
+
+/// A state as the start of a run.
+State asStart(State x) {
+  x.t = 0.0, x.scheme.resize(0), x.impulses = {};
+  return x;
+}
+
+}  // namespace
+
+std::string OrbitSection::text() const {
+  const std::string times = returns > 1 ? fmt::format(", {} times", returns) : "";
+  if (signal.empty()) return fmt::format("every {:.12g} s{}", period, times);
+  return fmt::format("{} {} through {:g}{}", signal, falling ? "falls" : "rises", value, times);
+}
+
+struct ReturnMap::Pass {
+  double t = 0.0, slope = 0.0;
+  Eigen::VectorXd range;
+};
+
+ReturnMap::ReturnMap(Model& model, OrbitSection section, double tolerance)
+    : model_(model),
+      section_(std::move(section)),
+      tolerance_(tolerance),
+      until_(model.simulation.until),
+      variation_(model) {
+  sectionSignal(model_, section_.signal);
+  model_.checks.clear();
+}
+
+/// The pass number `count` from a state on, by a run that chooses its steps.
+ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
+  const double forced = section_.period * section_.returns;
+  model_.simulation.until = section_.signal.empty() ? forced : until_;
+  model_.askTolerance(tolerance_);
+  model_.scheme(locatedScheme(false));
+  StepPlan plan;
+  plan.from = &from;
+  SectionWatch watch(model_, section_, least, count);
+  Simulation simulation(model_, &plan);
+  simulation.observe(watch);
+  while (!watch.found && simulation.step()) {
+  }
+  model_.simulation.until = until_;
+  const RunReport& report = simulation.report();
+  if (report.ended != RunReport::Ended::finished)
+    throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
+  if (!watch.found && !section_.signal.empty())
+    throw ModelError(fmt::format("the motion does not pass the section ({}) within {:g} s",
+                                 section_.text(), until_),
+                     "choose a value that the signal passes, or let the model run longer");
+  Pass out;
+  out.t = section_.signal.empty() ? forced : watch.t,
+  out.slope = (section_.falling ? -1.0 : 1.0) * watch.slope;
+  const Eigen::VectorXd range = watch.high - watch.low;
+  out.range = Eigen::VectorXd::Ones(variation_.size());
+  const Eigen::Index nu = variation_.size() / 2;
+  for (int i = 0; i < static_cast<int>(model_.systems().size()); ++i) {
+    const SystemHandle& s = model_.topology().system(i);
+    for (int k = 0; k < s.nu; ++k) {
+      const double v = range[from.q.size() + s.u0 + k];
+      if (v > kNoRange) out.range[nu + s.u0 + k] = v;
+      if (s.nq == s.nu && range[s.q0 + k] > kNoRange) out.range[s.u0 + k] = range[s.q0 + k];
+    }
+  }
+  return out;
+}
+
+FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* steps) {
+  model_.simulation.until = T;
+  std::vector<SignalAt> of;
+  if (!section_.signal.empty()) of.push_back({section_.signal, T});
+  FollowedRun out = followedRun(model_, of, tolerance_, steps, &from);
+  model_.simulation.until = until_;
+  return out;
+}
+
+/// Corrects the period of r until its end is on the section.
+bool ReturnMap::locate(const MotionSequence* steps, Return& r) {
+  const auto take = [&](const MotionSequence* plan) {
+    FollowedRun f = run(r.start, r.period, plan);
+    difference_ = plan != nullptr ? f.sequence.from(*plan) : MotionSequence::Difference();
+    r.end = std::move(f.end);
+    r.sequence = std::move(f.sequence);
+    return f.values.empty() ? 0.0 : f.values[0] - section_.value;
+  };
+  double off = take(steps);
+  for (int i = 0; i < kPeriodCorrections && !difference_.any && !section_.signal.empty(); ++i) {
+    const double dT = -off / r.slope;
+    if (!(std::abs(dT) > 4.0 * std::numeric_limits<double>::epsilon() * r.period)) break;
+    r.period += dT;
+    const double now = take(&r.sequence);
+    if (std::abs(dT) > kTellsSlope * r.period) r.slope = (now - off) / dT;
+    off = now;
+  }
+  return !difference_.any;
+}
+
+State ReturnMap::start() {
+  const State x = asStart(model_.initialState());
+  if (section_.signal.empty()) return x;
+  Return r;
+  const Pass p = pass(x, -1.0, 1);
+  r.start = x, r.period = p.t, r.slope = p.slope;
+  locate(nullptr, r);
+  return asStart(r.end);
+}
+
+Return ReturnMap::from(const State& x, double least) {
+  const Pass p = pass(x, least, section_.returns);
+  Return r;
+  r.start = asStart(x), r.period = p.t, r.slope = p.slope, r.range = p.range;
+  for (int i = 0; i < 2 && !locate(nullptr, r); ++i) {
+  }
+  for (const MotionSequence::Step& s : r.sequence.steps)
+    if (s.inTime)
+      throw ModelError(fmt::format("from t = {:.6g} s switches are so dense that the run steps in "
+                                   "time: its return has no derivatives",
+                                   s.t - s.step.dt),
+                       "give a tolerance at which switches are located");
+  return r;
+}
+
+bool ReturnMap::like(const Return& other, const State& x, Return& out) {
+  out.start = asStart(x), out.period = other.period, out.slope = other.slope;
+  out.range = other.range;
+  return locate(&other.sequence, out);
+}
+
+/// Change of the end and of the signal, if the start changes by z and the end time by dT.
+Eigen::VectorXd ReturnMap::change(const Return& r, const Eigen::VectorXd& z, double dT,
+                                  bool& same) {
+  const FollowedRun f = run(variation_.added(r.start, z), r.period + dT, &r.sequence);
+  difference_ = f.sequence.from(r.sequence);
+  same = !difference_.any;
+  Eigen::VectorXd out(variation_.size() + 1);
+  out << variation_.between(f.end, r.end), f.values.empty() ? 0.0 : f.values[0] - section_.value;
+  return out;
+}
+
+Eigen::VectorXd ReturnMap::difference(const Return& r, const Eigen::VectorXd& z, double dT,
+                                      double fine, const std::string& of) {
+  double delta = fine > 0.0 ? fine * kFineDelta : kCoarseDelta;
+  for (int tries = 0; tries < kAttempts; ++tries, delta *= kLess) {
+    bool same = true;
+    const auto at = [&](double part) -> Eigen::VectorXd {
+      bool one = true;
+      Eigen::VectorXd out = change(r, part * delta * z, part * delta * dT, one);
+      same = same && one;
+      return out;
+    };
+    Eigen::VectorXd out = at(1.0);
+    if (same) out -= at(-1.0);
+    if (!same) continue;
+    if (fine <= 0.0) return out / (2.0 * delta);
+    const Eigen::VectorXd wide = at(2.0);
+    if (same) out = (8.0 * out - (wide - at(-2.0))) / (12.0 * delta);
+    if (same) return out;
+  }
+  const MotionSequence::Difference& d = difference_;
+  throw ModelError(
+      fmt::format(
+          "{:.6g} s after the section {} otherwise as soon as {} changes: the return has no "
+          "derivative",
+          d.t,
+          d.contact == kNoContact ? "the motion goes on"
+                                  : contactText(model_, d.contact) + " switches",
+          of),
+      "choose a section at which no contact is closed, and a start further from grazing");
+}
+
+ReturnDerivative ReturnMap::derivative(const Return& r, double fine) {
+  const Eigen::Index n = variation_.size();
+  const std::vector<std::string> names = variation_.names();
+  Eigen::MatrixXd D(n + 1, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
+    z[i] = r.range[i];
+    D.col(i) = difference(r, z, 0.0, fine, names[static_cast<std::size_t>(i)]) / r.range[i];
+  }
+  ReturnDerivative out{D.topRows(n), Eigen::VectorXd::Zero(n)};
+  if (section_.signal.empty()) return out;
+  const double dT = r.sequence.steps.back().step.dt;
+  const Eigen::VectorXd rate = difference(r, Eigen::VectorXd::Zero(n), dT, fine, "the time") / dT;
+  out.period = -D.row(n).transpose() / rate[n];
+  out.P += rate.head(n) * out.period.transpose();
+  return out;
+}
+
+State ReturnMap::after(const Return& r) {
+  State x = asStart(r.end);
+  x.t = r.period;
+  return run(x, 2.0 * r.period, nullptr).end;
+}
+
+}  // namespace dynamy
