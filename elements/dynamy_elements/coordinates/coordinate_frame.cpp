@@ -20,7 +20,7 @@ void CoordinateFrame::declare(Attributes& a) {
 }
 
 CoordinateFrame::CoordinateFrame(const Parameters& x)
-    : Element(x), position_(x, "position"), angle_(x, "angle"), shapes_(x.take<Shape>()) {
+    : CoordinatePart(x), position_(x, "position"), angle_(x, "angle"), shapes_(x.take<Shape>()) {
   refuseMass(shapes_, "M of the <Coordinates> says all of it");
   const Eigen::VectorXd axis = x["axis"].vector();
   if (position_.size() != 3)

@@ -7,17 +7,18 @@
 #pragma once
 #include <dynamy/system/frame.hpp>
 #include <dynamy/system/shape.hpp>
+#include <dynamy_elements/coordinates/coordinate_part.hpp>
 #include <dynamy_elements/coordinates/formula_text.hpp>
 #include <memory>
 
 namespace dynamy {
 
-class CoordinateFrame final : public Element {
+class CoordinateFrame final : public CoordinatePart {
  public:
-  static constexpr Kind kKind = Kind::part;
   static void declare(Attributes& a);
   explicit CoordinateFrame(const Parameters& x);
   ~CoordinateFrame() override;
+  CoordinateFrame* frame() override { return this; }
 
   /// Compiles the formulas for a system with these names; faults go to `faults`.
   void compile(const FormulaNames& names, Diagnostics& faults);

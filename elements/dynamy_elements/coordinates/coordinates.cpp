@@ -32,9 +32,13 @@ Eigen::VectorXd stateVector(const Parameters& x, const char* attribute, int n) {
 
 }  // namespace
 
-Coordinates::Coordinates(const Parameters& x)
-    : PartialMechanicalSystem(x), frames_(x.take<CoordinateFrame>()) {
+Coordinates::Coordinates(const Parameters& x) : PartialMechanicalSystem(x) {
   Diagnostics faults;
+  for (auto& part : x.take<CoordinatePart>())
+    if (CoordinatePart* own = part.release(); own->frame() != nullptr)
+      frames_.emplace_back(own->frame());
+    else
+      jumps_.add(std::unique_ptr<CoordinateJump>(own->jump()));
   names_.parameters = x.symbols;
   stiff_ = x["stiff"].flag();
   readNames(x, faults);
@@ -118,6 +122,7 @@ void Coordinates::compile(const Parameters& x, Diagnostics& faults) {
   energy.compileAll(energies, faults);
 
   for (auto& f : frames_) f->compile(names_, faults);
+  jumps_.compile(names_, faults);
   if (faults.size() > before) return;
   if (!force.empty()) force_ = std::make_unique<Tape>(forces.finish(), names_);
   if (!energy.empty()) potential_ = std::make_unique<Tape>(energies.finish(), names_);
@@ -201,8 +206,11 @@ void Coordinates::describe(Description& d) const {
     for (const Tape* tape : {force_.get(), potential_.get()})
       if (tape) next = std::min(next, tape->nextInstant(t));
     for (const auto& frame : frames_) next = std::min(next, frame->nextInstant(t));
-    return next;
+    return std::min(next, jumps_.nextInstant(t));
   });
+  if (jumps_.empty()) return;
+  d.signal(kSwitching, Unit::none, "positive where a jump takes place",
+           [this](const SignalView& v) { return jumps_.monitor(arguments(v.t, v.q, v.u.data())); });
 }
 
 void Coordinates::declare(Attributes& a) {
@@ -223,6 +231,7 @@ void Coordinates::declare(Attributes& a) {
   a.add(AttributeType::expression, "potential", "",
         "potential energy V(t, q) [J]; its forces are -dV/dq");
   a.child(Kind::part, 0, 1000, "frames that carry shapes, joints and contacts", "CoordinateFrame");
+  a.child(Kind::part, 0, 100, "jumps of a hybrid system", "Jump");
   a.add(AttributeType::flag, "stiff", "false",
         "true: h and the potential are taken linearly implicitly by the schemes, with exact "
         "derivatives");

@@ -9,6 +9,7 @@
 #pragma once
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <dynamy_elements/coordinates/coordinate_frame.hpp>
+#include <dynamy_elements/coordinates/coordinate_jump.hpp>
 #include <dynamy_elements/coordinates/formula_inertia.hpp>
 #include <optional>
 
@@ -32,6 +33,7 @@ class Coordinates final : public PartialMechanicalSystem {
   void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return static_cast<int>(frames_.size()); }
+  const Renewable* renewable() const override { return jumps_.empty() ? nullptr : &jumps_; }
   bool stiff() const override { return stiff_; }
   bool dh(double t, ConstVec q, ConstVec u, int block, Block K, Block D) const override;
   void describe(Description& d) const override;
@@ -51,6 +53,7 @@ class Coordinates final : public PartialMechanicalSystem {
   std::vector<int> q_, u_;  // slots
   std::unique_ptr<Tape> force_, potential_;
   std::vector<std::unique_ptr<CoordinateFrame>> frames_;
+  CoordinateJumps jumps_;
   mutable std::vector<double> x_, w_;  // (t, q, u), the direction (1, u, 0)
 };
 

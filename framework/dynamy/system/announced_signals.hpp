@@ -6,10 +6,11 @@
 ///   nextSample    first instant after t at which remember() takes a sample of the motion [s]; with
 ///                 every scheme, also one of fixed steps, a step ends there
 ///   switching     positive where remember() would switch the element, smooth along a motion; a
-///                 step ends where it passes zero, and remember() is called there
+///                 step ends where it passes zero, and remember() is called there; of systems,
+///                 positive where renew() would change them
 ///
-/// Any element may have the signals nextInstant and nextSample, contact elements also switching; elements of users
-/// may, too. Both are recorded only if the model names them. Rejected: virtual functions in their
+/// Any element may have the signals nextInstant and nextSample, contact elements and systems that renew
+/// themselves also switching; elements of users may, too. Both are recorded only if the model names them. Rejected: virtual functions in their
 /// place, because few elements announce anything, and signals can be plotted like any other.
 #pragma once
 #include <dynamy/core/declared/element.hpp>
@@ -27,9 +28,8 @@ void announceInstants(Description& d, std::function<double(double)> next);
 /// Adds the signals nextSample and nextInstant. next(t): the first sample after t [s].
 void announceSamples(Description& d, const std::function<double(double)>& next);
 
-/// Throws a ModelError if `e`, which is not a contact element, has the signal `switching`.
-/// `scheme`: type of the scheme that locates switches; it reads this signal of contact elements
-/// only.
+/// Throws a ModelError if `e`, which is neither a contact element nor renews itself, has the signal
+/// `switching`. `scheme`: type of the scheme that locates switches; it does not read this signal.
 void refuseSwitching(const Element& e, const std::string& scheme);
 
 }  // namespace dynamy

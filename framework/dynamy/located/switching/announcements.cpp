@@ -12,8 +12,8 @@ void Announcements::read(const SystemParts& parts) {
     for (const Signal& s : d.signals)
       if (s.name == kNextInstant)
         instants_.push_back({s.value, system});
-      else if (s.name == kSwitching && contact >= 0)
-        switchers_.push_back({s.value, contact});
+      else if (s.name == kSwitching && (contact >= 0 || system.nq > 0))
+        switchers_.push_back({s.value, contact, system});
   };
   const Topology& topology = *parts.topology;
   for (std::size_t i = 0; i < topology.systems().size(); ++i)
@@ -38,9 +38,13 @@ double Announcements::nextInstant(double t) const {
 void Announcements::switching(const Kinematics& k, std::vector<double>& out) {
   seen_ = &k;
   out.clear();
-  SignalView view;
-  view.t = k.t(), view.kinematics = &k;
-  for (const Switcher& s : switchers_) out.push_back(s.value(view));
+  for (const Switcher& s : switchers_) {
+    const bool system = s.element < 0;
+    out.push_back(s.value({.t = k.t(),
+                           .q = system ? k.q(s.system) : ConstVec(nullptr, 0),
+                           .u = system ? k.u(s.system) : ConstVec(nullptr, 0),
+                           .kinematics = &k}));
+  }
 }
 
 }  // namespace dynamy
