@@ -10,7 +10,6 @@
 #include <utility>
 
 namespace dynamy {
-namespace {
 
 const NamedSignal* signalNamed(const Model& model, const std::string& name) {
   if (const NamedSignal* s = model.signal(name)) return s;
@@ -18,6 +17,8 @@ const NamedSignal* signalNamed(const Model& model, const std::string& name) {
   for (const NamedSignal& s : model.signals()) known.push_back(s.name);
   throw ModelError("no signal named \"" + name + '"', unknownNameHint(name, known));
 }
+
+namespace {
 
 std::vector<const NamedSignal*> signalsOf(const Model& model, const std::vector<SignalAt>& of) {
   std::vector<const NamedSignal*> out;

@@ -18,6 +18,9 @@ struct SignalAt {
 /// The scheme of such runs; `givenSteps`: it takes steps of given lengths.
 std::unique_ptr<LocatedDormandPrince> locatedScheme(bool givenSteps);
 
+/// Throws ModelError with the nearest known name.
+const NamedSignal* signalNamed(const Model& model, const std::string& name);
+
 struct FollowedRun {
   std::vector<double> values;  ///< of the signals, then of the model's checks
   MotionSequence sequence;

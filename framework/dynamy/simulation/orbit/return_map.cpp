@@ -14,17 +14,18 @@ namespace dynamy {
 namespace {
 
 /// Steps of the differences, as parts of the range of each coordinate: of second order for Newton's
-/// method, of fourth for results. Their errors are about δ² and δ⁴; rounding adds 1e-15/δ.
-constexpr double kCoarseDelta = 5e-6, kFineDelta = 3e-5;
-constexpr double kLess = 0.1;  ///< factor on δ where the switches differ
-constexpr int kAttempts = 4;
+/// method, of fourth for results, the widest of several. Their errors are about δ² and δ⁴, in
+/// unknown units; rounding adds 1e-15/δ.
+constexpr double kCoarseDelta = 5e-6, kFineDelta = 3e-4;
+constexpr double kLess = 0.2;  ///< factor on δ where the switches differ
+constexpr int kAttempts = 6;
 constexpr int kBisections = 60;  ///< to find a pass on the path of a step
 constexpr int kPeriodCorrections = 6;
 constexpr double kTellsSlope = 1e-7;  ///< shorter corrections of the period drown in rounding
 constexpr double kNoRange = 1e-9;     ///< a coordinate with a smaller range does not change
 
 const NamedSignal* sectionSignal(const Model& model, const std::string& name) {
-  return name.empty() ? nullptr : chooseSignals(model, {name}, {}).front();
+  return name.empty() ? nullptr : signalNamed(model, name);
 }
 
 /// Finds the pass of the section in the steps of a run, and the ranges of its state.
@@ -214,25 +215,46 @@ Eigen::VectorXd ReturnMap::change(const Return& r, const Eigen::VectorXd& z, dou
   return out;
 }
 
+/// Central difference with the step δ; empty: runs have other switches.
+Eigen::VectorXd ReturnMap::central(const Return& r, const Eigen::VectorXd& z, double dT,
+                                   double delta, bool fine) {
+  bool same = true;
+  const auto at = [&](double part) -> Eigen::VectorXd {
+    bool one = true;
+    Eigen::VectorXd out = change(r, part * delta * z, part * delta * dT, one);
+    same = same && one;
+    return out;
+  };
+  Eigen::VectorXd out = at(1.0);
+  if (same) out -= at(-1.0);
+  if (same && !fine) return out / (2.0 * delta);
+  if (!same) return {};
+  const Eigen::VectorXd wide = at(2.0);
+  if (same) out = (8.0 * out - (wide - at(-2.0))) / (12.0 * delta);
+  return same ? out : Eigen::VectorXd();
+}
+
 Eigen::VectorXd ReturnMap::difference(const Return& r, const Eigen::VectorXd& z, double dT,
                                       double fine, const std::string& of) {
-  double delta = fine > 0.0 ? fine * kFineDelta : kCoarseDelta;
-  for (int tries = 0; tries < kAttempts; ++tries, delta *= kLess) {
-    bool same = true;
-    const auto at = [&](double part) -> Eigen::VectorXd {
-      bool one = true;
-      Eigen::VectorXd out = change(r, part * delta * z, part * delta * dT, one);
-      same = same && one;
-      return out;
-    };
-    Eigen::VectorXd out = at(1.0);
-    if (same) out -= at(-1.0);
-    if (!same) continue;
-    if (fine <= 0.0) return out / (2.0 * delta);
-    const Eigen::VectorXd wide = at(2.0);
-    if (same) out = (8.0 * out - (wide - at(-2.0))) / (12.0 * delta);
-    if (same) return out;
+  const double first = fine > 0.0 ? fine * kFineDelta : kCoarseDelta;
+  // Of three fine ones in a row, the wider of the two that agree best.
+  std::vector<Eigen::VectorXd> found;
+  double delta = first;
+  for (int tries = 0; tries < kAttempts && found.size() < 3; ++tries, delta *= kLess) {
+    Eigen::VectorXd d = central(r, z, dT, delta, fine > 0.0);
+    if (d.size() == 0 && found.empty()) continue;
+    if (d.size() == 0 || fine <= 0.0) {
+      if (d.size() > 0) return d;
+      break;
+    }
+    found.push_back(std::move(d));
   }
+  const auto apart = [&](int i, int k) {
+    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
+    return (found[a] - found[b]).head(r.range.size()).cwiseQuotient(r.range).norm();
+  };
+  if (found.size() == 3) return apart(0, 1) < apart(1, 2) ? found[0] : found[1];
+  if (!found.empty()) return found.back();
   const MotionSequence::Difference& d = difference_;
   throw ModelError(
       fmt::format(

@@ -53,6 +53,8 @@ class ReturnMap {
   FollowedRun run(const State& from, double T, const MotionSequence* steps);
   bool locate(const MotionSequence* steps, Return& r);
   Eigen::VectorXd change(const Return& r, const Eigen::VectorXd& z, double dT, bool& same);
+  Eigen::VectorXd central(const Return& r, const Eigen::VectorXd& z, double dT, double delta,
+                          bool fine);
   Eigen::VectorXd difference(const Return& r, const Eigen::VectorXd& z, double dT, double fine,
                              const std::string& of);
   Model& model_;
