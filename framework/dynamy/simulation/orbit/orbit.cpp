@@ -5,7 +5,6 @@
 #include <dynamy/core/decompositions.hpp>
 #include <dynamy/simulation/linear/linearisation.hpp>
 #include <dynamy/simulation/orbit/orbit.hpp>
-#include <optional>
 
 namespace dynamy {
 namespace {
@@ -102,13 +101,12 @@ class Search {
     }
     Eigen::MatrixXd J = scaled(d.P);
     J.diagonal().array() -= 1.0;
-    inverse_.emplace(kRankOfMap);
-    inverse_->compute(J);
+    inverse_.compute(J);
   }
 
   /// One damped step: the next step, by the same derivative, has to be shorter.
   bool step() {
-    const Eigen::VectorXd whole = -inverse_->solve(miss(now_));
+    const Eigen::VectorXd whole = -inverse_.solve(miss(now_));
     double part = 1.0;
     for (int i = 0; i < kDampings; ++i, part *= 0.5) {
       Eigen::VectorXd z = Eigen::VectorXd::Zero(map_.variation().size());
@@ -125,7 +123,7 @@ class Search {
         if (i + 1 == kDampings) throw;
         continue;
       }
-      const Eigen::VectorXd after = inverse_->solve(miss(next));
+      const Eigen::VectorXd after = inverse_.solve(miss(next));
       if (!(after.norm() <= (1.0 - 0.25 * part) * whole.norm()) && size(miss(next)) > wanted_)
         continue;
       now_ = std::move(next);
@@ -139,7 +137,7 @@ class Search {
   double wanted_;
   Return now_;
   std::vector<Eigen::Index> active_;
-  std::optional<PseudoInverse> inverse_;
+  PseudoInverse inverse_{kRankOfMap};
   int newton_ = 0;
   double away_ = 0.0;
 };

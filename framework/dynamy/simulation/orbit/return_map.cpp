@@ -174,7 +174,7 @@ bool ReturnMap::locate(const MotionSequence* steps, Return& r) {
 }
 
 State ReturnMap::start() {
-  const State x = asStart(model_.initialState());
+  State x = asStart(model_.initialState());
   if (section_.signal.empty()) return x;
   Return r;
   const Pass p = pass(x, -1.0, 1);
