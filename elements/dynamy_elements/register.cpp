@@ -4,9 +4,9 @@
 #include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/law/standard_laws.hpp>
 #include <dynamy_elements/blocks/input.hpp>
+#include <dynamy_elements/blocks/lookup_table.hpp>
 #include <dynamy_elements/blocks/sampled_blocks.hpp>
 #include <dynamy_elements/blocks/state_blocks.hpp>
-#include <dynamy_elements/blocks/table.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
@@ -77,7 +77,7 @@ void registerElements(Registry& r) {
   r.add<Pid>("Pid");
   r.add<Integrator>("Integrator");
   r.add<Filter>("Filter");
-  r.add<Table>("Table");
+  r.add<LookupTable>("Table");
 
   registerJoints(r);
   r.add<SheaveRope>("SheaveRope");

@@ -2,7 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <dynamy/system/announced_signals.hpp>
-#include <dynamy_elements/blocks/table.hpp>
+#include <dynamy_elements/blocks/lookup_table.hpp>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -33,7 +33,7 @@ std::vector<double> numbersOf(const std::string& line) {
 
 }  // namespace
 
-void Table::declare(Attributes& a) {
+void LookupTable::declare(Attributes& a) {
   a.about(
       "Function given by points (x, y): linear between them, held beyond them. The points stand in "
       "the model, or in two columns of a CSV file. Signal: out.");
@@ -51,7 +51,7 @@ void Table::declare(Attributes& a) {
   a.example("<Table name=\"map\" of=\"cart.vx\" points=\"0 0  1 2  3 2.5\"/>");
 }
 
-Table::Table(const Parameters& x) : ExternalForce(x), of_(x, "of", 1) {
+LookupTable::LookupTable(const Parameters& x) : ExternalForce(x), of_(x, "of", 1) {
   if (x.has("points") == x.has("file"))
     throw ModelError("either points or a file has to be given", "points=\"0 0  1 2\"");
   if (x.has("file")) {
@@ -72,7 +72,7 @@ Table::Table(const Parameters& x) : ExternalForce(x), of_(x, "of", 1) {
           "x " + numberText(x_[i]) + " after " + numberText(x_[i - 1]), 0, given.text.size());
 }
 
-void Table::read(const Parameters& x) {
+void LookupTable::read(const Parameters& x) {
   const ParameterValue& file = x["file"];
   const std::filesystem::path path =
       std::filesystem::path(file.place.file).parent_path() / file.text;
@@ -95,7 +95,7 @@ void Table::read(const Parameters& x) {
   }
 }
 
-double Table::at(double x) const {
+double LookupTable::at(double x) const {
   if (std::isnan(x)) return x;
   const auto next = std::upper_bound(x_.begin(), x_.end(), x);
   if (next == x_.begin()) return y_.front();
@@ -105,7 +105,7 @@ double Table::at(double x) const {
   return y_[i - 1] + part * (y_[i] - y_[i - 1]);
 }
 
-double Table::nextInstant(double t) const {
+double LookupTable::nextInstant(double t) const {
   double next = of_.nextInstant(t);
   const std::optional<std::pair<double, double>> line = of_.lineInTime();
   if (!line || line->second == 0.0) return next;
@@ -114,7 +114,7 @@ double Table::nextInstant(double t) const {
   return next;
 }
 
-void Table::describe(Description& d) const {
+void LookupTable::describe(Description& d) const {
   d.signal("out", Unit::any, "value of the function",
            [this](const SignalView& v) { return at(of_.value(*v.kinematics)); });
   announceInstants(d, [this](double t) { return nextInstant(t); });

@@ -1,4 +1,4 @@
-/// Table: out = y(f), piecewise linear between points (x_i, y_i) and held beyond them.
+/// LookupTable: out = y(f), piecewise linear between points (x_i, y_i) and held beyond them.
 ///
 /// A table of the time announces its kinks. Rejected: splines, which overshoot measured values.
 #pragma once
@@ -8,10 +8,10 @@
 
 namespace dynamy {
 
-class Table final : public ExternalForce {
+class LookupTable final : public ExternalForce {
  public:
   static void declare(Attributes& a);
-  explicit Table(const Parameters& x);
+  explicit LookupTable(const Parameters& x);
   void connect(Topology& topology) override { of_.connect(topology, *this); }
   void addTo(const Kinematics&, ForceSink&) const override {}
   void describe(Description& d) const override;
