@@ -49,7 +49,7 @@ class Eigenvalues {
   Linearisation solve(Model& model) const {
     State x = model.initialState();
     for (const std::string& s : task_.start) {
-      const auto [name, value] = assignment(s);
+      const auto [name, value] = numberAssignment("--start", s);
       placeInState(model, name, value, x);
     }
     LinearisationOptions options;

@@ -76,7 +76,7 @@ void tellOrbit(Program& program, const OrbitTask& task) {
                    .returns = task.returns,
                    .tolerance = task.tolerance};
   for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
-  for (const std::string& s : task.start) wanted.start.push_back(assignment(s));
+  for (const std::string& s : task.start) wanted.start.push_back(numberAssignment("--start", s));
   const Orbit o = orbit(wanted, program.registry, program.plugins);
   const fs::path folder = task.out.empty()
                               ? fs::path("runs") / (fs::path(task.model).stem().string() + ".orbit")

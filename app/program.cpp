@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/files/file_error.hpp>
@@ -126,6 +128,16 @@ std::pair<std::string, std::string> assignment(const std::string& text) {
   if (at == std::string::npos || at == 0)
     throw CLI::ValidationError('"' + text + '"', "expected name=value");
   return {text.substr(0, at), text.substr(at + 1)};
+}
+
+std::pair<std::string, std::string> numberAssignment(const std::string& option,
+                                                     const std::string& text) {
+  auto out = assignment(text);
+  char* end = nullptr;
+  const double value = std::strtod(out.second.c_str(), &end);
+  if (out.second.empty() || *end != '\0' || !std::isfinite(value))
+    throw CLI::ValidationError(option, '"' + out.second + "\" is no finite number");
+  return out;
 }
 
 std::unique_ptr<Element> methodElement(const Registry& registry, const std::string& words,

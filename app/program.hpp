@@ -45,6 +45,9 @@ double seconds(const std::string& text, const std::string& option);
 
 /// "name=value" → both. Throws CLI::ValidationError.
 std::pair<std::string, std::string> assignment(const std::string& text);
+/// The same of `option`, whose value is a finite number.
+std::pair<std::string, std::string> numberAssignment(const std::string& option,
+                                                     const std::string& text);
 
 /// Makes a scheme, solver or impact law by its registered name. Attributes may follow the name, as
 /// in "ConstraintIndex index=3"; all others have their defaults. Throws ModelError with the nearest
