@@ -1,4 +1,5 @@
-/// The compiled part of the Python package `dynamy`: models, simulations, states and laws for notebooks and prototypes.
+/// The compiled part of the Python package `dynamy`: models, simulations, states and laws for
+/// notebooks and prototypes.
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/reference/describe.hpp>
 

@@ -1,4 +1,5 @@
-/// Runs and steps from Python: whole runs into folders, which dynamy/runs.py reads, and single steps.
+/// Runs and steps from Python: whole runs into folders, which dynamy/runs.py reads, and single
+/// steps.
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -3,8 +3,8 @@
 ///   bench_gaps [N [TEXT]]     mean over N calls a line [µs], default 20000; lines with TEXT only
 ///
 /// "on a face": flat on each other, at rest. "touching": turned at random, moved together until
-/// they touch. "near" and "deep": the same, 0.02 m apart, or overlapping by 0.1 m. Bodies measure 1 m.
-/// Smooth bodies are placed at random, and their gap alone is computed.
+/// they touch. "near" and "deep": the same, 0.02 m apart, or overlapping by 0.1 m. Bodies measure 1
+/// m. Smooth bodies are placed at random, and their gap alone is computed.
 #include <chrono>
 #include <cstdlib>
 #include <dynamy/core/rotation.hpp>

@@ -17,8 +17,8 @@ using reference::Scene;
 
 constexpr int kSide = 6;
 constexpr double kStep = 2e-3, kMass = 100.0, kSpeed = 10.0;
-/// Newton steps of a cold start, or 300 where sweeps do not suffice; sweeps: 100, and 1000 more where
-/// these leave too much.
+/// Newton steps of a cold start, or 300 where sweeps do not suffice; sweeps: 100, and 1000 more
+/// where these leave too much.
 constexpr int kMostNewton = 500, kMostSweeps = 1100;
 /// Residual up to which many contacts count as solved (theory 4.15).
 constexpr double kAccepted = 3e-2;

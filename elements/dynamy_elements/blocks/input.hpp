@@ -1,5 +1,5 @@
-/// Input: a number that the program which runs the model sets between two steps; formulas read it as
-/// the signal `out`. It is part of State::memory.
+/// Input: a number that the program which runs the model sets between two steps; formulas read it
+/// as the signal `out`. It is part of State::memory.
 #pragma once
 #include <dynamy/system/external_force.hpp>
 

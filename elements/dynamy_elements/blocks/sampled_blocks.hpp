@@ -6,10 +6,10 @@
 ///   Pid      out = clamp(kp e + I + D + f):   I_k = I_{k−1} + ki T e_k,
 ///                                             D_k = (Tf D_{k−1} + kd (e_k − e_{k−1}))/(Tf + T)
 ///
-/// What a block holds is part of State::memory: a rejected step restores it, a checkpoint stores it.
-/// A block changes it in remember() at t_k and announces these instants, at which every scheme ends
-/// a step. Blocks of one instant sample in the order of the model. Rejected: to sample at the end of
-/// the step that contains t_k; results would depend on the step.
+/// What a block holds is part of State::memory: a rejected step restores it, a checkpoint stores
+/// it. A block changes it in remember() at t_k and announces these instants, at which every scheme
+/// ends a step. Blocks of one instant sample in the order of the model. Rejected: to sample at the
+/// end of the step that contains t_k; results would depend on the step.
 #pragma once
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/system/external_force.hpp>

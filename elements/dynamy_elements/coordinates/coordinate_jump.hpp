@@ -2,9 +2,9 @@
 ///
 ///   where  s(t, q) passes zero upwards and c(t, q, u) > 0:    q⁺ = Q(t, q, u),  u⁺ = U(t, q, u)
 ///
-/// Its monitor is min(s, c). Runs to a tolerance locate its root; schemes of fixed steps jump at the
-/// end of the step in which it became positive. No memory is needed: a jump that ends on s = 0 again
-/// has to leave there downwards, or with c ≤ 0.
+/// Its monitor is min(s, c). Runs to a tolerance locate its root; schemes of fixed steps jump at
+/// the end of the step in which it became positive. No memory is needed: a jump that ends on s = 0
+/// again has to leave there downwards, or with c ≤ 0.
 #pragma once
 #include <dynamy/system/renewable.hpp>
 #include <dynamy_elements/coordinates/coordinate_part.hpp>
@@ -48,6 +48,7 @@ class CoordinateJumps final : public Renewable {
   double nextInstant(double t) const;
   /// Applies the first jump that is due; another one then takes place at the end of the next step.
   bool renew(double tA, double tE, Vec q, Vec u) const override;
+  bool jumps() const override { return true; }
 
  private:
   std::vector<std::unique_ptr<CoordinateJump>> jumps_;

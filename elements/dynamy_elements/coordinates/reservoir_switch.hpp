@@ -1,5 +1,5 @@
-/// ReservoirSwitch: a force reservoir that is scaled and switched:  C(t) = s(t, q, u) C. Formulas may
-/// read signals of other elements.
+/// ReservoirSwitch: a force reservoir that is scaled and switched:  C(t) = s(t, q, u) C. Formulas
+/// may read signals of other elements.
 ///
 ///   scale    s ≥ 0, a formula: the set is s times that of the law
 ///   engage   the law acts from the end of the step in which this formula is positive …

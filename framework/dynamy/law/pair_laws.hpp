@@ -15,7 +15,8 @@
 
 namespace dynamy {
 
-/// Begins the note that a rule names a material of no shape. It is wrong of a model that lacks shapes.
+/// Begins the note that a rule names a material of no shape. It is wrong of a model that lacks
+/// shapes.
 inline constexpr std::string_view kNoShapeHas = "no shape has the material ";
 
 /// The law of two materials.
@@ -40,7 +41,8 @@ class PairLaws {
   /// Law of the materials a and b, in any order. The answer is kept for found() and idle().
   const PairLaw& find(const std::string& a, const std::string& b);
   /// The error for shapes of materials a and b that can touch without a law: text, hint, notes.
-  /// `carried`: the materials of all shapes; a rule with other names may have been meant for a and b.
+  /// `carried`: the materials of all shapes; a rule with other names may have been meant for a and
+  /// b.
   Diagnostic missing(const std::string& a, const std::string& b,
                      const std::set<std::string>& carried) const;
   /// All answers given so far.

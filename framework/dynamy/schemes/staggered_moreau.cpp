@@ -20,9 +20,9 @@ constexpr int kCorrection = 4;
 
 /// Residual above which positions are too inaccurate for those of a solved step.
 constexpr double kLooseResidual = 1e-4;
-/// Number of contacts from which an unsolved step is not repaired by exact solves either, and an exact
-/// solver's impacts are not divided: of walls that were hit at seven speeds two had a step unsolved
-/// to 1e-8.
+/// Number of contacts from which an unsolved step is not repaired by exact solves either, and an
+/// exact solver's impacts are not divided: of walls that were hit at seven speeds two had a step
+/// unsolved to 1e-8.
 constexpr int kManyContacts = 200;
 
 /// True: the last step ended with a residual above kLooseResidual, or overlaps since such a step
@@ -100,7 +100,8 @@ void StaggeredMoreau::ask(MechanicalSystem& s, const State& x, double dt) {
 
 /// Poses the inclusion at q^M. Contacts whose impact falls into this step are closed before. If they
 /// cannot be closed, their impacts are divided between this step and the next one. Among many
-/// contacts they wait for an overlap, or the step becomes a rough one if the solver bounds its work.
+/// contacts they wait for an overlap, or the step becomes a rough one if the solver bounds its
+/// work.
 void StaggeredMoreau::pose(MechanicalSystem& s, const InclusionSolver& solver, State& x,
                            double dt) {
   const bool mean = options_.joints == Joints::mean;
@@ -132,8 +133,8 @@ void StaggeredMoreau::pose(MechanicalSystem& s, const InclusionSolver& solver, S
   ask(s, x, dt);
 }
 
-/// Evaluates at q^M after repairing overlaps, unless the step is a rough one. apart: false if they could not be
-/// repaired.
+/// Evaluates at q^M after repairing overlaps, unless the step is a rough one. apart: false if they
+/// could not be repaired.
 const Evaluation& StaggeredMoreau::detect(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                           double dt, bool& apart) {
   const Evaluation& e = ahead(s, x, dt);

@@ -12,9 +12,9 @@
 /// (UnresolvedForces) are taken at its end: M̂ = M − Δt D − Δt² K replaces M, and they are damped.
 ///
 /// Where the solver stops at a residual above 1e-4 (many contacts at a bounded cost), x.scheme holds
-/// the places of the contacts, and the next step is rough; so is a step with an impact or an overlap
-/// among so many contacts. A rough step lifts and closes no contact before its impacts, but uses
-/// s_N = g^M/Δt for gaps of either sign, until no overlap is left.
+/// the places of the contacts, and the next step is rough; so is a step with an impact or an
+/// overlap among so many contacts. A rough step lifts and closes no contact before its impacts, but
+/// uses s_N = g^M/Δt for gaps of either sign, until no overlap is left.
 ///
 /// Rounding cannot move a resting contact away, since the next step closes its gap again. Therefore
 /// a start that fulfils the solver's tolerance is good enough. The dead band keeps rounding of gaps

@@ -20,8 +20,8 @@ constexpr int kMostOthers = 200, kOtherStarts = 9, kOtherSteps = 400;
 /// reach kAccepted; kFewSweeps sweeps to a third of the residual of a start that is good enough.
 constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 100, kLastSweeps = 1000,
               kFewSweeps = 40;
-/// Newton steps to kEnough where sweeps do not reach kAccepted; 17 of 17 such steps of walls took 88 to
-/// 159 of them.
+/// Newton steps to kEnough where sweeps do not reach kAccepted; 17 of 17 such steps of walls took
+/// 88 to 159 of them.
 constexpr int kLastNewton = 300;
 constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
 /// Newton steps of bounded solves after a step that was exact.

@@ -8,8 +8,8 @@ namespace dynamy {
 namespace {
 
 constexpr int kSweepsBetweenTests = 10;  ///< a test costs about as much as two sweeps
-/// A start with a larger residual is compared with Λ = 0: its contacts may have turned since. From 1 on,
-/// walls that were hit took 80 to 110 sweeps a step instead of 65 to 79.
+/// A start with a larger residual is compared with Λ = 0: its contacts may have turned since. From
+/// 1 on, walls that were hit took 80 to 110 sweeps a step instead of 65 to 79.
 constexpr double kFarStart = 10.0;
 /// Fraction of the tolerance for the packed measure, which differs from the full one by rounding.
 constexpr double kSafe = 0.999;

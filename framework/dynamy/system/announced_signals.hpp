@@ -9,9 +9,10 @@
 ///                 step ends where it passes zero, and remember() is called there; of systems,
 ///                 positive where renew() would change them
 ///
-/// Any element may have the signals nextInstant and nextSample, contact elements and systems that renew
-/// themselves also switching; elements of users may, too. Both are recorded only if the model names them. Rejected: virtual functions in their
-/// place, because few elements announce anything, and signals can be plotted like any other.
+/// Any element may have the signals nextInstant and nextSample, contact elements and systems that
+/// renew themselves also switching; elements of users may, too. All are recorded only if the model
+/// names them. Rejected: virtual functions in their place, because few elements announce anything,
+/// and signals can be plotted like any other.
 #pragma once
 #include <dynamy/core/declared/element.hpp>
 #include <dynamy/system/description.hpp>

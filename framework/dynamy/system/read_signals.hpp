@@ -1,9 +1,9 @@
 /// ReadSignals: the signals that formulas of elements read while forces are evaluated.
 ///
 /// An element requests a signal by its name in connect(), when not all elements are known yet;
-/// Model::build() binds all requests once every element has described itself. A signal is a function
-/// of t, q, u and the memory of elements, so that a force that reads it is one, too: schemes,
-/// searches for switches and derivatives need to know nothing of signals.
+/// Model::build() binds all requests once every element has described itself. A signal is a
+/// function of t, q, u and the memory of elements, so that a force that reads it is one, too:
+/// schemes, searches for switches and derivatives need to know nothing of signals.
 ///
 /// Rejected: values kept for the next evaluation in a fixed order, which needs an order of blocks
 /// and would read a signal of the last evaluation where a loop is closed.
@@ -46,8 +46,8 @@ class ReadSignals {
   const std::vector<Request>& requests() const { return requests_; }
   void bind(std::vector<Source> sources) { sources_ = std::move(sources); }
   double value(SignalHandle h, const Kinematics& k) const;
-  /// Numbers of the signals of a loop: a signal that follows from itself at the same instant. Empty:
-  /// there is none. Evaluates all signals at k.
+  /// Numbers of the signals of a loop: a signal that follows from itself at the same instant.
+  /// Empty: there is none. Evaluates all signals at k.
   std::vector<int> loop(const Kinematics& k) const;
 
  private:

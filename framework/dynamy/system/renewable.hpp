@@ -1,5 +1,5 @@
-/// Renewable: a population that removes blocks and adds others between two steps, such as grains
-/// that a feeder adds and a sink takes.
+/// Renewable: a system that changes its state between two steps: a population whose grains a feeder
+/// adds and a sink takes, or a hybrid system that jumps.
 #pragma once
 #include <dynamy/core/types.hpp>
 
@@ -10,6 +10,8 @@ class Renewable {
   /// Called at the end of an accepted step from tA to tE [s]; q, u: those of the system. q alone
   /// shows which blocks are present, so that a checkpoint contains them. True: q or u changed.
   virtual bool renew(double tA, double tE, Vec q, Vec u) const = 0;
+  /// True: a change is a jump of the motion, which stands among the events of a run.
+  virtual bool jumps() const { return false; }
 
  protected:
   ~Renewable() = default;

@@ -65,8 +65,8 @@ class Topology {
     return signals_.request(name, place, asking);
   }
   const ReadSignals& signals() const { return signals_; }
-  /// Binds all requested signals, in the order of the requests; called by Model::build(). An element
-  /// is connected with the systems behind the signals that it reads.
+  /// Binds all requested signals, in the order of the requests; called by Model::build(). An
+  /// element is connected with the systems behind the signals that it reads.
   void bindSignals(std::vector<ReadSignals::Source> sources);
 
   /// Until the next call, what is requested is noted as a connection of `element`; null: not noted.

@@ -103,6 +103,35 @@ void walk(double gamma, double T, long double* x) {
   }
 }
 
+/// Keeps the instants at which system 0 jumps.
+class JumpInstants final : public RecordSink {
+ public:
+  void row(double, std::span<const double>) override {}
+  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void event(const ContactEvent& e) override {
+    if (e.jumped == 0) t.push_back(e.t);
+  }
+  std::vector<double> t;
+};
+
+TEST(Jump, IsAnEventOfTheRun) {
+  Jumps jumps;
+  const double first =
+      std::sqrt(2.0 / 9.81);  // of a fall of 1 m; with half the speed again as long
+  // The error of the place, 1e-10 m, over the speed; and the end of a fixed step.
+  for (const auto& [accuracy, error] :
+       {std::pair{"tolerance=\"1e-10\"", 1e-9}, std::pair{"step=\"1e-3\"", 2e-3}}) {
+    Model model = jumps.load(kRebound, accuracy, 1.0);
+    Simulation run(model);
+    JumpInstants found;
+    run.record(found);
+    run.run();
+    ASSERT_EQ(found.t.size(), 2U) << accuracy;
+    EXPECT_NEAR(found.t[0], first, error) << accuracy;
+    EXPECT_NEAR(found.t[1], 2.0 * first, error) << accuracy;
+  }
+}
+
 TEST(Jump, OfTheSimplestWalkerGivesItsGait) {
   Jumps jumps;
   const Orbit o = orbit({.file = DYNAMY_SOURCE_DIR "/models/simplest_walker.xml"}, jumps.registry,

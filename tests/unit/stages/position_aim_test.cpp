@@ -11,8 +11,8 @@ namespace {
 const UnilateralCoulomb kDryFriction(0.0, 0.0, 0.5);
 constexpr double kAimedStep = 2e-3, kAimedCap = 1.0;
 
-/// Velocity [m/s] with which a rough step separates two bodies without forces that overlap by `depth`
-/// and have the normal velocity gammaA.
+/// Velocity [m/s] with which a rough step separates two bodies without forces that overlap by
+/// `depth` and have the normal velocity gammaA.
 double separating(double depth, double gammaA, double pushOutIn = 0.0) {
   ContactSet set;
   set.clear();

@@ -54,8 +54,8 @@ class Search {
   }
 
  private:
-  /// Tilts of a normal [rad]: the points that are outermost along tilted normals lie around each other.
-  /// With the first they are almost as near as along the normal itself.
+  /// Tilts of a normal [rad]: the points that are outermost along tilted normals lie around each
+  /// other. With the first they are almost as near as along the normal itself.
   static constexpr double kNear = 1e-3, kFar = 0.5;
 
   template <class Parts>

@@ -38,8 +38,8 @@ inline double besideFace(double separation, double same) {
 }
 
 /// Least gap of a contact of two faces [m]. `separation`: of the bodies. No two features are nearer
-/// than that. Edges whose lines cross far from the place where the bodies meet, with a normal across
-/// their separation, can have a gap far below it, which is not one of the bodies.
+/// than that. Edges whose lines cross far from the place where the bodies meet, with a normal
+/// across their separation, can have a gap far below it, which is not one of the bodies.
 inline double leastOfFaces(double separation, double same) {
   return separation - 4.0 * besideFace(separation, same);
 }

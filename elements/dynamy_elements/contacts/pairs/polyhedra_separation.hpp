@@ -1,9 +1,11 @@
-/// The axis of largest separation of two polyhedra: the normal of a face, or e_A × e_B of two edges.
+/// The axis of largest separation of two polyhedra: the normal of a face, or e_A × e_B of two
+/// edges.
 ///
-/// Faces and edges that a pair of points excludes are passed over (support_witnesses.hpp). The search begins
-/// at the face that the middle of the other body is furthest from, and each axis that is tried gives
-/// a pair of points: the outermost ones along it. Around the best face the corners that are
-/// outermost along its normal exclude the edges; where bodies lie on each other, all of them.
+/// Faces and edges that a pair of points excludes are passed over (support_witnesses.hpp). The
+/// search begins at the face that the middle of the other body is furthest from, and each axis that
+/// is tried gives a pair of points: the outermost ones along it. Around the best face the corners
+/// that are outermost along its normal exclude the edges; where bodies lie on each other, all of
+/// them.
 #pragma once
 #include <array>
 #include <dynamy/core/constants.hpp>
@@ -13,7 +15,8 @@
 
 namespace dynamy {
 
-/// Largest separation among axes of one kind [m], and the axis: face i of A, face j of B, or edges i and j.
+/// Largest separation among axes of one kind [m], and the axis: face i of A, face j of B, or edges
+/// i and j.
 struct PolyhedraAxis {
   double separation = -kInfinity;
   int i = -1, j = -1;

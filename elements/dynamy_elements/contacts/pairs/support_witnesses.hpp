@@ -2,11 +2,11 @@
 ///
 ///   f(n) = min n·(x_B − x_A) ≤ n·w,   w = x_B − x_A of any point of A and any point of B
 ///
-/// The search for the largest f looks at the normals of faces, edges and corners. If one w shows that
-/// f ≤ b for all faces that meet in an edge or corner, then for every direction between their normals, too:
-/// n = Σ α_i n_i with α_i ≥ 0 and c Σ α_i ≤ |n| = 1 ≤ Σ α_i gives n·w ≤ Σ α_i min(b, c b) ≤ b. What such a w
-/// excludes cannot be the largest, hence the result is that of a search over everything, to the
-/// last bit, and depends on no step before.
+/// The search for the largest f looks at the normals of faces, edges and corners. If one w shows
+/// that f ≤ b for all faces that meet in an edge or corner, then for every direction between their
+/// normals, too: n = Σ α_i n_i with α_i ≥ 0 and c Σ α_i ≤ |n| = 1 ≤ Σ α_i gives n·w ≤ Σ α_i min(b,
+/// c b) ≤ b. What such a w excludes cannot be the largest, hence the result is that of a search
+/// over everything, to the last bit, and depends on no step before.
 #pragma once
 #include <array>
 #include <cstdint>

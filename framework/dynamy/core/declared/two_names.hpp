@@ -4,8 +4,8 @@
 
 namespace dynamy {
 
-/// Reads two names that stand between blanks. `what` they are, e.g. "two frames", and `hint` are for
-/// the error of a text with another number of names.
+/// Reads two names that stand between blanks. `what` they are, e.g. "two frames", and `hint` are
+/// for the error of a text with another number of names.
 /// \throws ModelError
 std::pair<std::string, std::string> twoNames(const ParameterValue& value, const std::string& what,
                                              const std::string& hint);

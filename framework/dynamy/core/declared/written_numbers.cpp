@@ -91,8 +91,9 @@ struct TimesSign {
   std::size_t offset = std::string_view::npos, length = 0;
 };
 
-/// The first "x", "×" or "*" from byte `from` on that follows a number, with its unit or without, and
-/// stands before another. It has blanks on both sides or on neither ("1 x2" may name a parameter).
+/// The first "x", "×" or "*" from byte `from` on that follows a number, with its unit or without,
+/// and stands before another. It has blanks on both sides or on neither ("1 x2" may name a
+/// parameter).
 TimesSign timesSign(std::string_view text, std::size_t from) {
   for (std::size_t at = from; at < text.size(); ++at) {
     std::size_t length = 0;
@@ -133,8 +134,8 @@ std::size_t fractionOfExponent(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// "2e3,5" → "2.5e3": the fraction behind the figures before the exponent. The text as it is if these
-/// have a fraction already.
+/// "2e3,5" → "2.5e3": the fraction behind the figures before the exponent. The text as it is if
+/// these have a fraction already.
 std::string withWholeExponent(std::string_view text) {
   std::string out(text);
   const std::size_t at = fractionOfExponent(text);

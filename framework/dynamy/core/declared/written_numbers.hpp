@@ -15,10 +15,10 @@ struct OddWriting {
 };
 OddWriting oddWriting(std::string_view text);
 
-/// Texts that may have been meant, the likeliest first: blanks for other separators, for "x" between
-/// numbers and for brackets, decimal points for commas, whole exponents, units right after their
-/// numbers and in the spelling of dynamY, "0 1 0" for an axis "y". The reader takes the first text
-/// that the declaration accepts.
+/// Texts that may have been meant, the likeliest first: blanks for other separators, for "x"
+/// between numbers and for brackets, decimal points for commas, whole exponents, units right after
+/// their numbers and in the spelling of dynamY, "0 1 0" for an axis "y". The reader takes the first
+/// text that the declaration accepts.
 std::vector<std::string> probableNumbers(std::string_view text);
 
 }  // namespace dynamy

@@ -1,4 +1,5 @@
-/// SettingsReader: the sections `<simulation>`, `<record>`, `<check>` and `<orbit>` of a model file.
+/// SettingsReader: the sections `<simulation>`, `<record>`, `<check>` and `<orbit>` of a model
+/// file.
 #pragma once
 #include <dynamy/io/model/element_reader.hpp>
 #include <dynamy/simulation/model/model.hpp>

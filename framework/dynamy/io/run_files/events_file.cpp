@@ -29,16 +29,17 @@ EventsFile::~EventsFile() {
   }
 }
 
-void EventsFile::event(const ContactEvent& e, std::string_view contact) {
+void EventsFile::event(const ContactEvent& e, std::string_view name) {
   if (full()) return;
   ++events_;
   appendNumber(buffer_, e.t);
-  buffer_ += e.impact ? ",impact," : ",switch,";
-  appendCsvField(buffer_, contact);
+  const bool jump = e.jumped >= 0;
+  buffer_ += jump ? ",jump," : e.impact ? ",impact," : ",switch,";
+  appendCsvField(buffer_, name);
   buffer_ += ',';
-  buffer_ += statusText(e.from);
+  if (!jump) buffer_ += statusText(e.from);
   buffer_ += ',';
-  buffer_ += statusText(e.to);
+  if (!jump) buffer_ += statusText(e.to);
   buffer_ += ',';
   if (e.impact) appendNumber(buffer_, e.speed);
   buffer_ += ',';

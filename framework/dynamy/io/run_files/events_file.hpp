@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// events.csv: one line for each impact and each contact that changed its status, at the end of the
-/// step in which it happened (doc/run_folder.md). The file has at most kMostEvents lines: a heap of
-/// grains has millions of events, and nobody steps through those one by one.
+/// events.csv: one line for each impact, each contact that changed its status and each jump of a
+/// system, at the end of the step in which it happened (doc/run_folder.md). The file has at most
+/// kMostEvents lines: a heap of grains has millions of events, and nobody steps through those one
+/// by one.
 
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/simulation/report/record_sink.hpp>
@@ -23,8 +24,8 @@ class EventsFile {
   EventsFile(const EventsFile&) = delete;
   EventsFile& operator=(const EventsFile&) = delete;
 
-  /// Adds a line; `contact` is the name of the contact. \throws FileError
-  void event(const ContactEvent& event, std::string_view contact);
+  /// Adds a line; `name` is that of the contact, or of the system that jumped. \throws FileError
+  void event(const ContactEvent& event, std::string_view name);
   bool full() const { return events_ >= kMostEvents; }
   /// \throws WriteError; the text left is kept for the next try
   void flush();

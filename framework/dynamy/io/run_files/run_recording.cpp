@@ -97,7 +97,11 @@ void RunRecording::frame(double t, std::span<const FramePose> poses,
 void RunRecording::event(const ContactEvent& event) {
   if (!events_) tooEarly();
   if (events_->full()) return;
-  guarded([&] { events_->event(event, contactName(model_, event.key)); });
+  guarded([&] {
+    events_->event(event, event.jumped < 0
+                              ? contactName(model_, event.key)
+                              : model_.systems()[static_cast<std::size_t>(event.jumped)]->name());
+  });
 }
 
 void RunRecording::ledger(const LedgerRow& row) {

@@ -14,8 +14,8 @@ class Announcements {
   /// First instant after t at which an element jumps as a function of time; infinity: none. Signals
   /// of systems are evaluated with the state of the last call of switching().
   double nextInstant(double t) const;
-  /// Numbers that are positive where contact elements would switch, or systems renew themselves. `k` must outlive the next call
-  /// of nextInstant().
+  /// Numbers that are positive where contact elements would switch, or systems renew themselves.
+  /// `k` must outlive the next call of nextInstant().
   void switching(const Kinematics& k, std::vector<double>& out);
   /// A contact of the element that reports number i of switching(); none if it is a system.
   ContactKey switcher(std::size_t i) const {

@@ -18,7 +18,8 @@ constexpr double kIgnorable = 1e-7;    ///< rounding of a column of DP
 /// Steps of Newton's method this small, in units of the ranges, keep the switches of the motion.
 constexpr double kSameSwitches = 1e-3;
 constexpr double kRankOfMap = 1e-8;  ///< of DP − 1
-/// Singular values of the scaled DP below are zero: central differences of fourth order leave 1e-10.
+/// Singular values of the scaled DP below are zero: central differences of fourth order leave
+/// 1e-10.
 constexpr double kMapNoise = 1e-8, kMostNoise = 1e-6;
 /// A residual that no longer shrinks is accepted below this.
 constexpr double kSettled = 1e-9;

@@ -3,12 +3,12 @@
 ///
 ///   P(x) ⊖ x = shift of the coordinates on which nothing depends,   (DP − 1) z = −(P(x) ⊖ x)
 ///
-/// Stable and unstable orbits are found alike. The multipliers are the eigenvalues of DP without those
-/// of the section and of the ignorable coordinates; null spaces are split off first and counted,
-/// since impacts without rebound and sticking kill directions exactly.
+/// Stable and unstable orbits are found alike. The multipliers are the eigenvalues of DP without
+/// those of the section and of the ignorable coordinates; null spaces are split off first and
+/// counted, since impacts without rebound and sticking kill directions exactly.
 ///
-/// Rejected: shooting with state and period as unknowns. Where a trial ends before an impact in place
-/// of after it, its equation jumps; a return always ends at the section.
+/// Rejected: shooting with state and period as unknowns. Where a trial ends before an impact in
+/// place of after it, its equation jumps; a return always ends at the section.
 #pragma once
 #include <dynamy/simulation/orbit/return_map.hpp>
 

@@ -3,8 +3,8 @@
 ///   x₁ = P(x₀) = φ(T(x₀), x₀),  s(x₁) = c        DP = ∂φ/∂x₀ − ẋ₁ (∂s/∂x₀)/ṡ        (theory 54.1)
 ///
 /// All derivatives at fixed T are differences of runs that take the steps of the run from x₀, each
-/// with its own instants of the same switches (theory 53.2). P does not change if x₀ moves along the motion,
-/// so that x₀ need not be on the section: a fixed point is.
+/// with its own instants of the same switches (theory 53.2). P does not change if x₀ moves along
+/// the motion, so that x₀ need not be on the section: a fixed point is.
 #pragma once
 #include <dynamy/simulation/gradient/followed_run.hpp>
 #include <dynamy/simulation/linear/state_variation.hpp>
@@ -37,9 +37,9 @@ class ReturnMap {
   Return from(const State& x, double least);
   /// The same with steps and switches of another return. False: they differ.
   bool like(const Return& other, const State& x, Return& out);
-  /// `fine`: 0, or the factor on the differences of fourth order, which take four runs a direction in
-  /// place of two. Throws ModelError where runs close by have other switches, however small their
-  /// difference is.
+  /// `fine`: 0, or the factor on the differences of fourth order, which take four runs a direction
+  /// in place of two. Throws ModelError where runs close by have other switches, however small
+  /// their difference is.
   ReturnDerivative derivative(const Return& r, double fine = 0.0);
   /// The state one period after the end of r, without a new start.
   State after(const Return& r);

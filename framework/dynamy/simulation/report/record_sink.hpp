@@ -24,7 +24,7 @@ struct ContactRecord {
   bool spin = false;    ///< slips by drilling or rolling while its point hardly slides
 };
 
-/// An impact, or a contact that changed its status.
+/// An impact, a contact that changed its status, or a jump of a system (Renewable).
 struct ContactEvent {
   double t = 0.0;  ///< end of the step [s]
   ContactKey key;
@@ -32,6 +32,7 @@ struct ContactEvent {
   bool impact = false;
   double speed = 0.0;    ///< of an impact: −γ_N^A [m/s]
   double impulse = 0.0;  ///< Λ_N of the step [N s]
+  int jumped = -1;       ///< the system that jumped; then there is no contact
 };
 
 /// The energy ledger up to t, and the worst figures of the solver since the row before.

@@ -16,8 +16,8 @@ double smallestEdge(const std::vector<Vec3>& points) {
   return least < kInfinity ? least : 0.0;
 }
 
-/// Size of the body with the shapes of system i, 0 if none has a size; frame ≥ 0: with those of this
-/// frame alone.
+/// Size of the body with the shapes of system i, 0 if none has a size; frame ≥ 0: with those of
+/// this frame alone.
 double sizeOf(const Model& model, std::size_t i, int frame) {
   double size = 0.0;
   for (const PlacedShape& p : model.descriptions()[i].shapes)

@@ -12,6 +12,12 @@ class StepStatistics final : public Observer {
   explicit StepStatistics(RunReport& report) : report_(report) {}
   /// Reports impacts and switches to `sink` from now on.
   void tell(RecordSink& sink) { sink_ = &sink; }
+  /// A system jumped at t [s].
+  void jump(double t, int system) {
+    ContactEvent e;
+    e.t = t, e.jumped = system;
+    if (sink_ != nullptr) sink_->event(e);
+  }
   void step(const StepView& view) override;
   void archive(Archive& a) override;
 

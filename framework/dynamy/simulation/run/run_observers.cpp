@@ -1,4 +1,5 @@
 #include <dynamy/simulation/run/run_observers.hpp>
+#include <dynamy/system/renewable.hpp>
 
 namespace dynamy {
 
@@ -44,6 +45,18 @@ void RunObservers::finish(const StepView& last) {
 
 void RunObservers::archive(Archive& a) {
   forAll([&](Observer& o) { o.archive(a); });
+}
+
+void RunObservers::bring(const State& before, const State& after) {
+  ledger_.bring(before, after);
+  for (int i = 0; i < static_cast<int>(model_.systems().size()); ++i) {
+    const Renewable* r = model_.systems()[static_cast<std::size_t>(i)]->renewable();
+    const SystemHandle& s = model_.topology().system(i);
+    if (r != nullptr && r->jumps() &&
+        (before.q.segment(s.q0, s.nq) != after.q.segment(s.q0, s.nq) ||
+         before.u.segment(s.u0, s.nu) != after.u.segment(s.u0, s.nu)))
+      statistics_.jump(after.t, i);
+  }
 }
 
 void RunObservers::sumUp() {

@@ -31,7 +31,7 @@ class RunObservers {
   void archive(Archive& a);
 
   /// Books a change of state between two steps, which is no motion: systems were renewed.
-  void bring(const State& before, const State& after) { ledger_.bring(before, after); }
+  void bring(const State& before, const State& after);
   /// Puts the figures into the report that are known at the end only.
   void sumUp();
   /// Why the sink can store no more; empty: it can, or there is none.

@@ -8,8 +8,8 @@
 namespace dynamy {
 namespace {
 
-/// Instants of different grids that differ by this part of them are one: larger than the rounding of
-/// times and than the distance at which located steps end beside an instant.
+/// Instants of different grids that differ by this part of them are one: larger than the rounding
+/// of times and than the distance at which located steps end beside an instant.
 constexpr double kSame = 1e-12;
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace dynamy {
 
 class StepAttempt {
  public:
-  /// Begins at `from`, or if that is null at the initial state of the model. The first two arguments
-  /// outlive the attempt.
+  /// Begins at `from`, or if that is null at the initial state of the model. The first two
+  /// arguments outlive the attempt.
   StepAttempt(Model& model, MechanicalSystem& system, const State* from = nullptr);
   /// Evaluates the initial state and moves it onto the joints; reports the corrections.
   StartReport start();

@@ -18,8 +18,8 @@ Coarseness StepCoarseness::of(const MechanicalSystem& system, const State& after
                         foreseenOverlap(system, after, dt) / smallest_);
 }
 
-/// Largest overlap to which a rough step leads, at the place where the next one of its length solves
-/// for its contacts [m].
+/// Largest overlap to which a rough step leads, at the place where the next one of its length
+/// solves for its contacts [m].
 double StepCoarseness::foreseenOverlap(const MechanicalSystem& system, const State& after,
                                        double dt) {
   if (system.problem().corrected != Corrected::byGapsLoosely || !after.u.allFinite()) return 0.0;

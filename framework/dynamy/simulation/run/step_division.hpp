@@ -23,12 +23,12 @@ struct Coarseness {
   /// contacts rebound, two parts in a row add to one overlap: before the bodies meet and before
   /// they separate.
   static constexpr double kMostOverlap = 0.004;
-  /// Overlap to which a part leads, over the size of the smallest body. Its parts are no shorter than
-  /// 1/kMostAhead of a full step: thin bodies among many are not to multiply the cost.
+  /// Overlap to which a part leads, over the size of the smallest body. Its parts are no shorter
+  /// than 1/kMostAhead of a full step: thin bodies among many are not to multiply the cost.
   static constexpr double kMostForeseen = 0.005, kMostAhead = 8.0;
   /// Coarseness of a step: largest turn of a body in it [rad], how well it resolves the forces, and
-  /// overlap that it brought about, over the scene's length, and to which it leads, over the size of
-  /// the smallest body.
+  /// overlap that it brought about, over the scene's length, and to which it leads, over the size
+  /// of the smallest body.
   static Coarseness of(double turn, const ForceResolution& forces, double overlap = 0.0,
                        double foreseen = 0.0);
 };
@@ -40,7 +40,8 @@ class StepDivision {
   /// `divides`: false: every step has one part.
   explicit StepDivision(bool divides) : divides_(divides) {}
   bool divides() const { return divides_; }
-  /// Begins a full step; returns the number of its parts, as the last step needed them or saw ahead.
+  /// Begins a full step; returns the number of its parts, as the last step needed them or saw
+  /// ahead.
   int begin();
   /// Number of parts, a power of two, into which the attempted part of `share` of the full step is
   /// to be divided; 1: it is fine, or so many parts would be more than `most` in the full step.

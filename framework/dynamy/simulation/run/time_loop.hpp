@@ -74,8 +74,8 @@ class TimeLoop {
 /// each. What steps leave unused may be saved for a step that needs more: the mean stays bounded.
 class Allowance {
  public:
-  /// `saves`: number of steps whose tries can be saved at most; a run begins with a share of them. No
-  /// step takes more than `most` tries, saved ones included.
+  /// `saves`: number of steps whose tries can be saved at most; a run begins with a share of them.
+  /// No step takes more than `most` tries, saved ones included.
   explicit Allowance(int most, double saves = 0.0)
       : most_(most), now_(most), saves_(saves), saved_(kSavedAtFirst * saves) {}
   /// Begins a step. If the last step exceeded its limit, the new limit is a quarter of it, one at

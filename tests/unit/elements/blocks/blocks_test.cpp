@@ -315,6 +315,16 @@ TEST(StateBlocks, IntegrateAndFilterUnderTheErrorControl) {
   EXPECT_NEAR(scene.signal(x, "decay.out"), std::exp(-3.0), 1e-9);
 }
 
+TEST(StateBlocks, ThatAreStiffFollowTheirInputInStepsTenTimesTooLong) {
+  Scene scene(
+      cart(R"(<Filter name="f" of="cart.x" time="0.1ms" stiff="true"/>)", "step=\"1e-3\">"));
+  Simulation simulation(scene.model());
+  EXPECT_EQ(simulation.run().ended, RunReport::Ended::finished) << simulation.report().reason;
+  EXPECT_EQ(simulation.report().steps, 1000);  // none is divided
+  // x = 0.3 + t lags by T = 1e-4 m; a step takes its input at most a step of the ramp beside.
+  EXPECT_NEAR(scene.signal(simulation.state(), "f.out"), 1.3 - 1e-4, 1e-3);
+}
+
 TEST(StateBlocks, CloseAContinuousPidLoop) {
   // m ẍ = k (1 − x) + 5 ∫(1 − x) − 6 ẋ with m = 2, k = 8: the same as one system of formulas.
   Scene blocks(cart(R"(<Integrator name="i" rate="1 - cart.x"/>

@@ -1,5 +1,5 @@
-// Contacts of two faces are never nearer than the bodies: separations of the bodies from projections
-// of all corners on all axes that can separate them.
+// Contacts of two faces are never nearer than the bodies: separations of the bodies from
+// projections of all corners on all axes that can separate them.
 #include <dynamy_elements/contacts/pairs/box_contact.hpp>
 
 #include "unit/elements/contacts/faceted_bodies.hpp"
@@ -60,13 +60,13 @@ double distanceOf(double wanted, Apart&& apart) {
   return far;
 }
 
-/// Features nearer than kSameFeature of the smaller body's half width are one. Bodies apart may have
-/// corners a hundred of these beside a face.
+/// Features nearer than kSameFeature of the smaller body's half width are one. Bodies apart may
+/// have corners a hundred of these beside a face.
 constexpr double kTolerance = 5.0 * kSameFeature;
 
 TEST(FacePairDepth, OfBoxesApartHasNoCrossingOfEdgesBesideTheCorner) {
-  // Two bricks of a wall that was hit, 2.7 µm apart at a corner of one. Lines of edges 7 and 0 cross
-  // 0.11 m from each other, with a normal across the face on which the corner is.
+  // Two bricks of a wall that was hit, 2.7 µm apart at a corner of one. Lines of edges 7 and 0
+  // cross 0.11 m from each other, with a normal across the face on which the corner is.
   const auto rotation = [](double w, double x, double y, double z) {
     const double length = std::sqrt(w * w + x * x + y * y + z * z);
     const double p[4] = {w / length, x / length, y / length, z / length};

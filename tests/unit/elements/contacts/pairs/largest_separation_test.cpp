@@ -1,5 +1,5 @@
-// The largest separation of two bodies against its definition: over all normals of faces and products
-// of edges, each with all corners: nothing is passed over.
+// The largest separation of two bodies against its definition: over all normals of faces and
+// products of edges, each with all corners: nothing is passed over.
 #include <dynamy_elements/contacts/pairs/polyhedron_contact.hpp>
 
 #include <numbers>
@@ -30,12 +30,12 @@ struct Corners {
   }
 };
 
-/// Edges count as outermost along n if no corner is further by this [m]; strictly, if all others are
-/// nearer by it.
+/// Edges count as outermost along n if no corner is further by this [m]; strictly, if all others
+/// are nearer by it.
 constexpr double kOutermost = 1e-9;
 
-/// The largest separation over normals of faces and of those pairs of edges that are outermost along
-/// their normal; at least over strictly outermost ones, at most over the others, too.
+/// The largest separation over normals of faces and of those pairs of edges that are outermost
+/// along their normal; at least over strictly outermost ones, at most over the others, too.
 struct ByDefinition {
   double least = -kInfinity, most = -kInfinity;
   ByDefinition(const PlacedPolyhedron& A, const PlacedPolyhedron& B) {

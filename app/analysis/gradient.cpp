@@ -3,25 +3,22 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/model/file_gradient.hpp>
-#include <filesystem>
 #include <memory>
 
+#include "analysis/analysis_result.hpp"
 #include "numbers.hpp"
-#include "paths.hpp"
 #include "program.hpp"
 
 namespace dynamy::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct GradientTask {
-  std::string model, out;
+  std::string model;
   std::vector<std::string> of, by, set;
   double tolerance = 0.0;
-  bool checks = false, json = false;
+  bool checks = false;
+  AnalysisResult result{"gradient"};
 };
 
 std::string gradientText(const std::string& model, const Gradient& g) {
@@ -48,17 +45,8 @@ void tellGradient(Program& program, const GradientTask& task) {
                       .tolerance = task.tolerance};
   for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
   const Gradient g = gradient(wanted, program.registry, program.plugins);
-  const fs::path folder =
-      task.out.empty() ? fs::path("runs") / (fs::path(task.model).stem().string() + ".gradient")
-                       : fs::path(task.out);
-  fs::create_directories(folder);
-  std::string text;
-  JsonWriter j(text, 2);
-  j.beginObject();
-  writeGradient(j, g);
-  j.endObject();
-  writeWholeFile(folder / "gradient.json", text + "\n");
-  fmt::print("{}", task.json ? text + "\n" : gradientText(task.model, g));
+  task.result.tell(
+      task.model, [&](JsonWriter& j) { writeGradient(j, g); }, gradientText(task.model, g));
   for (std::size_t i = 0; i < g.by.size(); ++i) {
     if (g.refused[i].empty()) continue;
     fmt::print(stderr, "dynamy: by {}: {}\n", g.by[i], g.refused[i]);
@@ -84,11 +72,7 @@ void addGradient(CLI::App& app, Program& program) {
                 "of the run; default: that of the model, or 1e-9 if it has none")
       ->type_name("NUMBER")
       ->check(positiveNumber());
-  c->add_option("--out", t->out, "folder of gradient.json; default: runs/MODEL.gradient")
-      ->type_name("DIR")
-      ->check(someName());
-  addPlugins(*c, program);
-  c->add_flag("--json", t->json, "print JSON");
+  t->result.declare(*c, program, "gradient.json");
   c->callback([t, &program] {
     program.load();
     tellGradient(program, *t);

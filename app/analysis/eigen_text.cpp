@@ -1,4 +1,4 @@
-#include "eigen_text.hpp"
+#include "analysis/eigen_text.hpp"
 
 #include <fmt/format.h>
 

@@ -11,9 +11,9 @@
 #include <limits>
 #include <memory>
 
-#include "eigen_text.hpp"
+#include "analysis/analysis_result.hpp"
+#include "analysis/eigen_text.hpp"
 #include "numbers.hpp"
-#include "paths.hpp"
 #include "program.hpp"
 #include "sweep/sweep_plan.hpp"
 
@@ -23,10 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct EigenTask {
-  std::string model, over, rootOf, out;
+  std::string model, over, rootOf;
   std::vector<std::string> set, start;
   double near = LinearisationOptions{}.near;
-  bool json = false, asItIs = false;
+  bool asItIs = false;
+  AnalysisResult result{"eigen"};
 };
 
 /// Number of intervals of a parameter that are searched for a change of sign.
@@ -139,23 +140,16 @@ void eigen(Program& program, const EigenTask& task) {
   const Linearisation l = all.solve(model);
   std::vector<CriticalValue> critical;
   if (!task.rootOf.empty()) critical = all.critical();
-  const fs::path folder = task.out.empty()
-                              ? fs::path("runs") / (fs::path(task.model).stem().string() + ".eigen")
-                              : fs::path(task.out);
-  fs::create_directories(folder);
+  const fs::path folder = task.result.folder(task.model);
   writeWholeFile(folder / "eigen.csv", eigenCsv(l.eigenvalues));
   if (!task.over.empty()) writeWholeFile(folder / "locus.csv", locusCsv(all.locus()));
-  std::string text;
-  JsonWriter j(text, 2);
-  j.beginObject();
-  writeEigen(j, model, l);
-  writeCritical(j, critical);
-  j.endObject();
-  writeWholeFile(folder / "eigen.json", text + "\n");
-  if (task.json)
-    fmt::print("{}\n", text);
-  else
-    fmt::print("{}{}", eigenText(model, l), criticalText(critical));
+  task.result.tell(
+      task.model,
+      [&](JsonWriter& j) {
+        writeEigen(j, model, l);
+        writeCritical(j, critical);
+      },
+      eigenText(model, l) + criticalText(critical));
   if (!task.rootOf.empty() && critical.empty())
     fmt::print(stderr, "dynamy: no real part changes its sign in {}\n", task.rootOf);
 }
@@ -183,11 +177,7 @@ void addEigen(CLI::App& app, Program& program) {
       ->type_name("NAME=A:B");
   c->add_option("--over", t->over, "also the eigenvalues over a parameter, into locus.csv")
       ->type_name("NAME=A:B:COUNT");
-  c->add_option("--out", t->out, "folder of eigen.csv and eigen.json; default: runs/MODEL.eigen")
-      ->type_name("DIR")
-      ->check(someName());
-  addPlugins(*c, program);
-  c->add_flag("--json", t->json, "print JSON");
+  t->result.declare(*c, program, "eigen.csv and eigen.json");
   c->callback([t, &program] {
     program.load();
     eigen(program, *t);

@@ -3,26 +3,22 @@
 #include <CLI/CLI.hpp>
 
 #include <cmath>
-#include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/model/file_orbit.hpp>
-#include <filesystem>
 #include <memory>
 
+#include "analysis/analysis_result.hpp"
 #include "numbers.hpp"
-#include "paths.hpp"
 #include "program.hpp"
 
 namespace dynamy::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct OrbitTask {
-  std::string model, out, section;
+  std::string model, section;
   std::vector<std::string> set, start;
   double tolerance = 0.0, period = 0.0;
   int returns = 0;
-  bool json = false;
+  AnalysisResult result{"orbit"};
 };
 
 constexpr double kReal = 1e-12;  ///< smaller imaginary parts are rounding
@@ -78,17 +74,8 @@ void tellOrbit(Program& program, const OrbitTask& task) {
   for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
   for (const std::string& s : task.start) wanted.start.push_back(numberAssignment("--start", s));
   const Orbit o = orbit(wanted, program.registry, program.plugins);
-  const fs::path folder = task.out.empty()
-                              ? fs::path("runs") / (fs::path(task.model).stem().string() + ".orbit")
-                              : fs::path(task.out);
-  fs::create_directories(folder);
-  std::string text;
-  JsonWriter j(text, 2);
-  j.beginObject();
-  writeOrbit(j, o);
-  j.endObject();
-  writeWholeFile(folder / "orbit.json", text + "\n");
-  fmt::print("{}", task.json ? text + "\n" : orbitText(task.model, o));
+  task.result.tell(
+      task.model, [&](JsonWriter& j) { writeOrbit(j, o); }, orbitText(task.model, o));
 }
 
 }  // namespace
@@ -117,11 +104,7 @@ void addOrbit(CLI::App& app, Program& program) {
   c->add_option("--tolerance", t->tolerance, "of the runs; default: 1e-12")
       ->type_name("NUMBER")
       ->check(positiveNumber());
-  c->add_option("--out", t->out, "folder of orbit.json; default: runs/MODEL.orbit")
-      ->type_name("DIR")
-      ->check(someName());
-  addPlugins(*c, program);
-  c->add_flag("--json", t->json, "print JSON");
+  t->result.declare(*c, program, "orbit.json");
   c->callback([t, &program] {
     program.load();
     tellOrbit(program, *t);
