@@ -39,14 +39,7 @@
 namespace dynamy {
 namespace {
 
-void registerElements(Registry& r) {
-  r.add<Ground>("Ground");
-  r.add<PointMass>("PointMass");
-  r.add<PlanarBody>("PlanarBody");
-  r.add<RigidBody>("RigidBody");
-  r.add<Grains>("Grains");
-  r.add<NamedFrame>("Frame");
-
+void registerShapes(Registry& r) {
   r.add<Sphere>("Sphere");
   r.add<Box>("Box");
   r.add<HalfSpace>("HalfSpace");
@@ -63,14 +56,9 @@ void registerElements(Registry& r) {
   r.add<PolyhedronShape>("Polyhedron");
   r.add<MeshShape>("Mesh");
   r.add<HeightFieldShape>("HeightField");
+}
 
-  r.add<Gravity>("Gravity");
-  r.add<SpringDamper>("SpringDamper");
-  r.add<TorsionSpring>("TorsionSpring");
-  r.add<ForceInput>("ForceInput");
-  r.add<Bushing>("Bushing");
-  r.add<Drag>("Drag");
-
+void registerBlocks(Registry& r) {
   r.add<Input>("Input");
   r.add<Sample>("Sample");
   r.add<Delay>("Delay");
@@ -78,10 +66,9 @@ void registerElements(Registry& r) {
   r.add<Integrator>("Integrator");
   r.add<Filter>("Filter");
   r.add<LookupTable>("Table");
+}
 
-  registerJoints(r);
-  r.add<SheaveRope>("SheaveRope");
-
+void registerLaws(Registry& r) {
   r.add<Unilateral>("Unilateral");
   r.add<UnilateralCoulomb>("UnilateralCoulomb");
   r.add<Bilateral>("Bilateral");
@@ -96,6 +83,31 @@ void registerElements(Registry& r) {
   r.add<UnilateralOrthotropic>("UnilateralOrthotropic");
   r.add<UnilateralDrilling>("UnilateralDrilling");
   r.add<UnilateralRolling>("UnilateralRolling");
+}
+
+void registerElements(Registry& r) {
+  r.add<Ground>("Ground");
+  r.add<PointMass>("PointMass");
+  r.add<PlanarBody>("PlanarBody");
+  r.add<RigidBody>("RigidBody");
+  r.add<Grains>("Grains");
+  r.add<NamedFrame>("Frame");
+
+  registerShapes(r);
+
+  r.add<Gravity>("Gravity");
+  r.add<SpringDamper>("SpringDamper");
+  r.add<TorsionSpring>("TorsionSpring");
+  r.add<ForceInput>("ForceInput");
+  r.add<Bushing>("Bushing");
+  r.add<Drag>("Drag");
+
+  registerBlocks(r);
+
+  registerJoints(r);
+  r.add<SheaveRope>("SheaveRope");
+
+  registerLaws(r);
   r.add<ContactRule>("Contact");
   r.add<NoContactRule>("NoContact");
   r.add<Material>("Material");
