@@ -73,6 +73,7 @@ TEST_F(DocumentTest, RunFolder) { follow("doc/run_folder.md"); }
 TEST_F(DocumentTest, Python) { follow("doc/python.md"); }
 TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
 TEST_F(DocumentTest, Sweep) { follow("doc/sweep.md"); }
+TEST_F(DocumentTest, Import) { follow("doc/import.md"); }
 TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
 TEST_F(DocumentTest, Control) { follow("doc/control.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }

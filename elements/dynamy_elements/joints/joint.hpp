@@ -30,6 +30,8 @@ class Joint : public NonSmoothElement {
   static void declareJoint(Attributes& a);
   static void declareAxis(Attributes& a, const std::string& text);
   static void declareFriction(Attributes& a, const std::string& text);
+  /// Attribute `rotor`, for joints whose one free motion it belongs to.
+  static void declareRotor(Attributes& a, Unit unit);
   /// Adds the rows of the concrete joint.
   virtual void build(JointRows& rows) const = 0;
   /// The motions that the joint leaves free, one after the other; false (default): it has none that
@@ -44,12 +46,15 @@ class Joint : public NonSmoothElement {
   JointPose pose(const Kinematics& k) const {
     return {k.frame(frames_.A), k.frame(frames_.B), rows_.pointA, rows_.pointB};
   }
+  /// Requests the frames and builds the rows.
+  void bind(Topology& topology);
   void emit(const JointPose& p, std::uint64_t id, const std::vector<JointRow>& rows,
             const SetValuedForceLaw& law, ContactSink& sink) const;
   void describeSignal(const JointSignal& c, Description& d) const;
   FramePair frames_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::Zero();
   bool atGiven_ = false;
+  double rotor_ = 0.0;   // inertia of the coordinate alone [kg m² or kg]
   bool ofTree_ = false;  // the joint belongs to a tree: without bilateral rows
   JointRows rows_;
   Bilateral bilateral_;

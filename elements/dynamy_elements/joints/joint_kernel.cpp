@@ -25,17 +25,35 @@ void Joint::declareFriction(Attributes& a, const std::string& text) {
   a.child(Kind::law, 0, 1, text);
 }
 
+void Joint::declareRotor(Attributes& a, Unit unit) {
+  a.optional(
+       "rotor", unit, 0.0,
+       "inertia that the rate of the joint alone moves (armature): that of a motor's rotor times "
+       "the square of its gear's ratio; only with coordinates=\"minimal\"")
+      .nonNegative();
+}
+
 Joint::Joint(const Parameters& x)
     : NonSmoothElement(x), frames_(x), friction_(x.takeOne<SetValuedForceLaw>()) {
   const bool hasAt = x.declaration->find("at") != nullptr;
   atGiven_ = hasAt && x.has("at");
   if (atGiven_) at_ = x["at"].vec3();
   if (x.declaration->find("axis") != nullptr) axis_ = x["axis"].vec3();
+  if (x.declaration->find("rotor") != nullptr) rotor_ = x["rotor"];
 }
 
 // ---- connect -----------------------------------------------------------------------------------
 
 void Joint::connect(Topology& topology) {
+  if (rotor_ > 0.0 && !ofTree_)
+    throw ModelError(
+        "its rotor needs the coordinate of the joint, which is no coordinate here",
+        "say <simulation coordinates=\"minimal\">; a joint that closes a loop, or is at "
+        "a body that moves as told, has no rotor");
+  bind(topology);
+}
+
+void Joint::bind(Topology& topology) {
   // A joint that became a coordinate needs frames for friction and signals only.
   if (ofTree_ && rows_.free.empty() && rows_.signals.empty()) return;
   frames_.connect(topology, *this);
@@ -65,14 +83,16 @@ void Joint::becomeCoordinate() {
 }
 
 bool Joint::jointMotion(Topology& topology, JointMotion& out) {
-  connect(topology);
+  bind(topology);
   const auto systemOf = [&](FrameHandle f) {
     return topology.requestedFrames()[static_cast<std::size_t>(f.index)].first;
   };
   out.systemA = systemOf(frames_.A), out.systemB = systemOf(frames_.B);
   out.at_I = rows_.start.at_I;
   out.free.clear();
-  return freeMotions(rows_.start, out.free);
+  if (!freeMotions(rows_.start, out.free)) return false;
+  if (rotor_ > 0.0) out.free.front().rotor = rotor_;
+  return true;
 }
 
 void Joint::refusePlane(const std::string& hint) {

@@ -25,6 +25,7 @@ void Revolute::declare(Attributes& a) {
   declareJoint(a);
   declareAxis(a, "axis at the start, in the world; needed in space, planar bodies have their own");
   declareFriction(a, "friction about the axis, e.g. GivenFriction");
+  declareRotor(a, Unit::inertia);
   a.example("<Revolute between=\"world rod\" at=\"0 0 1\" axis=\"0 1 0\"/>");
 }
 
@@ -81,6 +82,7 @@ void Prismatic::declare(Attributes& a) {
   declareJoint(a);
   declareAxis(a, "direction at the start, in the world");
   declareFriction(a, "friction along the axis, e.g. GivenFriction");
+  declareRotor(a, Unit::mass);
   a.example("<Prismatic between=\"world cart\" axis=\"1 0 0\"/>");
 }
 

@@ -25,6 +25,10 @@ struct Edge {
     for (const FreeMotion& m : motion.free) n += m.kind == FreeMotion::Kind::ball ? 3 : 1;
     return n;
   }
+  bool rotor() const {
+    return std::any_of(motion.free.begin(), motion.free.end(),
+                       [](const FreeMotion& m) { return m.rotor > 0.0; });
+  }
 };
 
 /// The motions of a joint for A moving relative to B: in reversed order, with opposite axes.
@@ -125,7 +129,8 @@ void Composer::findEdges() {
   }
 }
 
-/// Keeps the edges of a spanning tree. All systems at rest are one node.
+/// Keeps the edges of a spanning tree, first those with a rotor, which can be coordinates only. All
+/// systems at rest are one node.
 void Composer::span() {
   parent_.resize(rigid_.size());
   std::iota(parent_.begin(), parent_.end(), 0);
@@ -135,7 +140,8 @@ void Composer::span() {
   std::vector<std::size_t> order(edges_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return edges_[a].freedom() < edges_[b].freedom();
+    const bool rotorA = edges_[a].rotor(), rotorB = edges_[b].rotor();
+    return rotorA != rotorB ? rotorA : edges_[a].freedom() < edges_[b].freedom();
   });
   std::vector<bool> kept(edges_.size());
   for (const std::size_t e : order) {

@@ -8,6 +8,7 @@
 ///   turn   w = a, v = 0          slide  w = 0, v = a          a = A_K axis
 ///   screw  w = a, v = p a        ball   w_i = A_K e_i, v = 0
 ///   Ω_K = Ω_P + Σ w u,   v_K = v_P + Ω_P × d + Σ v u                                  (39.1)
+///   M_jj also has the rotor inertia of motion j                                        (39.3)
 ///   β_R = β_RP + Ω_P × Σ w u,  β_S = β_SP + β_RP × d + Ω_P × (Ω_P × d) + 2 Ω_P × Σ v u (39.2)
 ///
 /// All vectors are in components of the world, with moments about each node's own origin, so that
@@ -26,6 +27,7 @@ struct TreeNode {
   int q0 = 0, u0 = 0;          ///< index of its first coordinate and velocity
   Vec3 axis = Vec3::UnitZ();   ///< unit, in axes K
   double pitch = 0.0;          ///< of a screw [m/rad]
+  double rotor = 0.0;          ///< of a turn or slide: what its rate alone moves [kg m² or kg]
   Vec3 arm = Vec3::Zero();     ///< joint point from the parent's origin, in axes P [m]
   double m = 0.0;              ///< mass of all bodies fixed to it [kg]
   Vec3 centre = Vec3::Zero();  ///< their centre of mass from O, in axes K [m]

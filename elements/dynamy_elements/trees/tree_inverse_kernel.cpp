@@ -45,7 +45,7 @@ void follow(const TreeNode& node, const Vec3& axis, Tree::Articulated& a) {
   switch (node.kind) {
     case FreeBlock::slide:
       a.Uf = a.m * axis, a.Un = a.C.transpose() * axis;
-      a.inverse = 1.0 / axis.dot(a.Uf);
+      a.inverse = 1.0 / (axis.dot(a.Uf) + node.rotor);
       break;
     case FreeBlock::screw: {
       const Vec3 v = node.pitch * axis;
@@ -55,7 +55,7 @@ void follow(const TreeNode& node, const Vec3& axis, Tree::Articulated& a) {
     }
     default:
       a.Uf = a.C * axis, a.Un = a.I * axis;
-      a.inverse = 1.0 / axis.dot(a.Un);
+      a.inverse = 1.0 / (axis.dot(a.Un) + node.rotor);
   }
 }
 

@@ -179,6 +179,7 @@ void Tree::mass(const Motions& x, std::vector<Mat3>& work, Block M) const {
         L += of.d.cross(p);
       }
     }
+    if (own.n == 1) M(node(k).u0, node(k).u0) += node(k).rotor;
   }
 }
 

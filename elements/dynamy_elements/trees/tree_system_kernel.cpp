@@ -84,7 +84,7 @@ int TreeSystem::carry(System system, int parent, const Vec3& at_I,
   for (const FreeMotion& motion : free) {
     TreeNode node;
     node.kind = motion.kind, node.parent = body.node;
-    node.axis = motion.axis_I, node.pitch = motion.pitch;
+    node.axis = motion.axis_I, node.pitch = motion.pitch, node.rotor = motion.rotor;
     // All axes are those of the world at the start.
     node.arm = at_I;
     for (int k = body.node; k >= 0; k = tree_.node(k).parent) node.arm -= tree_.node(k).arm;

@@ -48,6 +48,7 @@ struct FreeMotion {
   } kind = Kind::turn;
   Vec3 axis_I = Vec3::UnitZ();  ///< unit vector at the start; of no meaning for a ball
   double pitch = 0.0;           ///< screw: displacement per radian [m]
+  double rotor = 0.0;           ///< turn, slide: inertia of the coordinate alone [kg m² or kg]
 };
 
 /// Motion of B relative to A that a joint leaves free: simple motions one after the other, all at

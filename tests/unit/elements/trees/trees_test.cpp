@@ -82,6 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(std::vector<FreeMotion>{{Free::turn, kAxis}},
                       std::vector<FreeMotion>{{Free::slide, kAxis}},
                       std::vector<FreeMotion>{{Free::screw, kAxis, 0.3}},
+                      std::vector<FreeMotion>{{Free::turn, kAxis, 0.0, 0.4}},
+                      std::vector<FreeMotion>{{Free::slide, kAxis, 0.0, 2.5}},
                       std::vector<FreeMotion>{{Free::ball}},
                       std::vector<FreeMotion>{{Free::turn, kAxis}, {Free::turn, kOther}},
                       std::vector<FreeMotion>{{Free::slide, kAxis}, {Free::turn, kAxis}},
@@ -90,6 +92,21 @@ INSTANTIATE_TEST_SUITE_P(
                                               {Free::slide, Vec3::UnitZ()},
                                               {Free::ball}},
                       std::vector<FreeMotion>{}));
+
+TEST(TreeRotors, AddTheirInertiaToTheDiagonalAlone) {
+  const auto massOf = [](double rotor) {
+    const auto tree = treeOf({{{Free::turn, kAxis}}, {{Free::turn, kOther, 0.0, rotor}}});
+    Eigen::VectorXd q = Eigen::VectorXd::Constant(2, 0.3);
+    const Eigen::VectorXd& cq = q;
+    RowMatrix M(2, 2);
+    tree->M(0.0, view(cq), {M.data(), 2, 1});
+    return M;
+  };
+  const RowMatrix difference = massOf(0.7) - massOf(0.0);
+  RowMatrix expected = RowMatrix::Zero(2, 2);
+  expected(1, 1) = 0.7;
+  EXPECT_LT((difference - expected).norm(), 1e-15);  // one addition to an entry below 1
+}
 
 // ---- composing ---------------------------------------------------------------------------------
 
@@ -223,6 +240,29 @@ TEST(Trees, SayThatNoJointMakesOne) {
     FAIL() << "minimal coordinates without joints";
   } catch (const ModelError& e) {
     EXPECT_NE(std::string(e.what()).find("no joint of the model makes a tree"), std::string::npos);
+  }
+}
+
+TEST(Trees, TakeAJointWithARotorBeforeOthers) {
+  // Of two joints between the same bodies the clamp, with fewer motions, would be the coordinate.
+  Model m = scene();
+  planarRod(m, "bar", 0.5);
+  joint<Fixed>(m, "clamp", {{"between", "world bar"}, {"at", {0.0, 0.0, 0.0}}});
+  joint<Revolute>(m, "hinge", {{"between", "world bar"}, {"at", {0.0, 0.0, 0.0}}, {"rotor", 0.5}});
+  m.build();
+  EXPECT_EQ(m.topology().nu(), 1);
+}
+
+TEST(Trees, RefuseARotorWhereTheJointIsAConstraint) {
+  Model m = scene();
+  m.simulation.coordinates = JointCoordinates::absolute;
+  planarRod(m, "bar", 0.5);
+  joint<Revolute>(m, "hinge", {{"between", "world bar"}, {"at", {0.0, 0.0, 0.0}}, {"rotor", 0.5}});
+  try {
+    m.build();
+    FAIL() << "a rotor without a coordinate was accepted";
+  } catch (const ModelError& e) {
+    EXPECT_NE(std::string(e.what()).find("its rotor needs the coordinate"), std::string::npos);
   }
 }
 

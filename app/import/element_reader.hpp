@@ -1,0 +1,77 @@
+/// Reading of elements of a machine's file: numbers and words with errors at their place, and notes
+/// about all that has no equivalent in a model.
+#pragma once
+#include <dynamy/io/xml/fault_list.hpp>
+#include <dynamy/io/xml/xml.hpp>
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "import/machine.hpp"
+
+namespace dynamy::app {
+
+/// A reason why an element or attribute has no equivalent.
+struct Unsupported {
+  std::string_view name, why;
+};
+
+/// The first child of this tag, nullptr if there is none; all children of this tag.
+const XmlNode* childOf(const XmlNode& node, std::string_view tag);
+std::vector<const XmlNode*> childrenOf(const XmlNode& node, std::string_view tag);
+/// Value of an attribute that may be missing.
+std::string valueOf(const XmlNode& node, const char* name, const std::string& otherwise);
+
+class ElementReader {
+ public:
+  /// Both are borrowed.
+  ElementReader(const XmlDocument& document, Machine& machine)
+      : document_(document), machine_(machine) {}
+
+  /// Adds an error; reading goes on.
+  void fault(const XmlNode& node, const Place& place, const std::string& text,
+             const std::string& hint = {});
+  void fault(const XmlNode& node, const std::string& text, const std::string& hint = {}) {
+    fault(node, node.place, text, hint);
+  }
+  void note(const XmlNode& node, const std::string& text);
+  void note(const XmlNode& node, const Place& place, const std::string& text);
+  void throwIfAny() const { faults_.throwIfAny(); }
+
+  /// Value of a required attribute; "" with an error that names the nearest attribute given.
+  std::string required(const XmlNode& node, const char* name);
+  double number(const XmlNode& node, const char* name, double otherwise);
+  double requiredNumber(const XmlNode& node, const char* name);
+  /// Numbers of an attribute; empty if it is missing, or with an error if there are not `count` of
+  /// them (0: any count).
+  std::vector<double> numbers(const XmlNode& node, const char* name, std::size_t count = 0);
+  Vec3 vector(const XmlNode& node, const char* name, const Vec3& otherwise);
+  /// The same of the element's text.
+  std::vector<double> numbersOf(const XmlNode& node, std::size_t count = 0);
+  double numberOf(const XmlNode& node);
+
+  /// One of `words`; the first of them, with an error, if the value is another one.
+  std::string word(const XmlNode& node, const char* name, const std::string& value,
+                   const std::vector<std::string>& words);
+
+  /// Notes all children and attributes that are not among those read here, with the reason if
+  /// there is one in `why`.
+  void readOnly(const XmlNode& node, std::initializer_list<std::string_view> attributes,
+                std::initializer_list<std::string_view> children,
+                std::initializer_list<Unsupported> why = {});
+
+  Machine& machine() { return machine_; }
+  const XmlDocument& document() const { return document_; }
+
+ private:
+  std::vector<double> parsed(const XmlNode& node, const std::string& what, std::string_view text,
+                             std::size_t count, const std::function<Place(std::size_t)>& place);
+  const XmlDocument& document_;
+  Machine& machine_;
+  FaultList faults_;
+};
+
+}  // namespace dynamy::app

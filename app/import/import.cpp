@@ -1,0 +1,87 @@
+/// dynamy import FILE: a model of the machine that a file of another program describes.
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <dynamy/io/files/output_file.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "import/model_text.hpp"
+#include "import/simplify.hpp"
+#include "import/urdf_reader.hpp"
+#include "paths.hpp"
+#include "program.hpp"
+
+namespace dynamy::app {
+namespace {
+
+struct ImportChoice {
+  std::string file, out;
+  std::vector<std::string> at;
+  ImportOptions options;
+  bool quiet = false;
+};
+
+Machine readMachine(const XmlDocument& document, const ImportOptions& options) {
+  const XmlNode& root = document.root();
+  if (root.tag == "robot") return readUrdf(document, options);
+  throw ModelError(document.diagnostic(root.place, root, "is no machine that can be imported",
+                                       "<robot> begins a file of URDF"));
+}
+
+/// Joints start at other values than those of the file's pose.
+void startAt(Machine& machine, const std::vector<std::string>& values) {
+  for (const std::string& text : values) {
+    const auto [name, value] = numberAssignment("--at", text);
+    bool found = false;
+    for (Link& link : machine.links)
+      for (MachineJoint& joint : link.joints)
+        if (joint.name == name) joint.start = std::stod(value), found = true;
+    if (!found) throw CLI::ValidationError("--at: there is no joint \"" + name + '"');
+  }
+}
+
+int import(const ImportChoice& choice) {
+  const XmlDocument document = XmlDocument::read(choice.file);
+  Machine machine = readMachine(document, choice.options);
+  simplify(machine);
+  startAt(machine, choice.at);
+  const std::string source = std::filesystem::path(choice.file).filename().string();
+  const std::string text = modelText(machine, source);
+  if (choice.out.empty()) {
+    fmt::print("{}", text);
+  } else {
+    writeWholeFile(choice.out, text);
+  }
+  if (choice.quiet) return kOk;
+  for (const ImportNote& note : machine.notes) fmt::print(stderr, "{}\n", noteText(note));
+  if (choice.out.empty()) return kOk;
+  std::size_t joints = 0;
+  for (const Link& link : machine.links) joints += link.joints.size();
+  fmt::print("wrote {}: {} links, {} joints, {} notes\n", choice.out, machine.links.size(), joints,
+             machine.notes.size());
+  return kOk;
+}
+
+}  // namespace
+
+void addImport(CLI::App& app, Program& program) {
+  auto choice = std::make_shared<ImportChoice>();
+  CLI::App* c = app.add_subcommand("import", "a model of the machine in a file of URDF");
+  c->add_option("FILE", choice->file, "file of URDF")->required()->check(someName());
+  c->add_option("-o,--out", choice->out, "model file to write; default: print it")
+      ->check(someName());
+  c->add_option("--at", choice->at, "value of a joint at the start [rad or m]")
+      ->type_name("JOINT=VALUE");
+  c->add_flag("--free-base", choice->options.freeBase,
+              "URDF: the root link moves freely; else it stands still");
+  c->add_flag("--self-contact", choice->options.selfContact,
+              "URDF: links that are no neighbours can touch each other");
+  c->add_option("--package", choice->options.packages,
+                "folder that holds packages, for package:// paths")
+      ->type_name("FOLDER");
+  c->add_flag("--quiet", choice->quiet, "do not list what has no equivalent");
+  c->callback([choice, &program] { program.exitCode = import(*choice); });
+}
+
+}  // namespace dynamy::app

@@ -1,0 +1,15 @@
+/// What a file of a machine does not say, and the command line does.
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dynamy::app {
+
+struct ImportOptions {
+  bool freeBase = false;     ///< URDF: the root link moves freely instead of standing still
+  bool selfContact = false;  ///< URDF: links that are no neighbours may touch
+  std::vector<std::string> packages;  ///< folders in which package:// paths are looked for
+};
+
+}  // namespace dynamy::app

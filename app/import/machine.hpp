@@ -1,0 +1,111 @@
+/// Machine: what a file of another program describes, before it becomes a model. Readers of all
+/// formats fill it, and the writer of the model reads it alone.
+///
+/// A link is carried by another link, or by the world, and moves relative to it by the joints that
+/// it lists, one after the other. All numbers are in SI units. Where all joints have their value
+/// `reference`, the link's frame has the pose `pose` in the frame of its parent.
+#pragma once
+#include <dynamy/core/error.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "import/pose.hpp"
+
+namespace dynamy::app {
+
+/// Mass properties in axes of a link: J about the centre of mass.
+struct Inertia {
+  double mass = 0.0;           ///< [kg]
+  Vec3 centre = Vec3::Zero();  ///< centre of mass from the link's origin [m]
+  Mat3 J = Mat3::Zero();       ///< about the centre of mass [kg m²]
+  bool none() const { return mass <= 0.0; }
+  /// Both together, `other` given in axes of a frame with this pose.
+  void add(const Inertia& other, const Pose& pose);
+};
+
+/// A shape on a link.
+struct Skin {
+  enum class Kind : std::uint8_t { box, sphere, capsule, cylinder, ellipsoid, plane, hull };
+  Kind kind = Kind::sphere;
+  /// box: edges; sphere: radius; capsule, cylinder: radius and length of the straight part;
+  /// ellipsoid: half axes [m]
+  Vec3 size = Vec3::Zero();
+  std::vector<Vec3> points;  ///< of a hull, in axes of the shape [m]
+  Pose pose;                 ///< in the link
+  bool touches = true;       ///< takes part in contact; false: is drawn only
+  double mu = 1.0;           ///< coefficient of friction
+  unsigned category = 1,
+           collidesWith = 1;  ///< bits: A and B touch if (A.category & B.collidesWith)
+                              ///< or the other way round is not zero
+  std::string colour;         ///< "" by body
+};
+
+struct MachineJoint {
+  enum class Kind : std::uint8_t { turn, slide, ball };
+  std::string name;
+  Kind kind = Kind::turn;
+  Vec3 axis = Vec3::UnitX();           ///< unit, in axes of the link
+  Vec3 at = Vec3::Zero();              ///< a point of the axis, in the link [m]
+  std::optional<double> lower, upper;  ///< [rad or m]
+  double reference = 0.0;              ///< value where the link has the pose of the file [rad or m]
+  double start = 0.0;                  ///< value at the start of the model
+  double damping = 0.0;                ///< [N m s/rad or N s/m]
+  double friction = 0.0;               ///< dry friction [N m or N]
+  double inertia = 0.0;                ///< of a rotor, in the coordinate [kg m² or kg]
+  double stiffness = 0.0;              ///< of a spring [N m/rad or N/m]
+  double rest = 0.0;                   ///< value at which the spring is free of force
+  Place place;
+};
+
+struct Link {
+  std::string name;
+  int parent = -1;                   ///< index of a link, lower than its own; −1: the world
+  bool free = false;                 ///< moves freely in space; then it has no joints
+  Pose pose;                         ///< in the parent
+  std::vector<MachineJoint> joints;  ///< empty: rigidly connected with its parent, unless free
+  Inertia inertia;
+  std::vector<Skin> skins;
+  std::vector<std::pair<std::string, Pose>> frames;  ///< points with axes that have names
+  Place place;
+  bool rigid() const { return joints.empty() && !free; }
+};
+
+/// A joint that closes a loop between two links of the tree.
+struct LoopJoint {
+  enum class Kind : std::uint8_t { turn, slide, ball, fixed };
+  std::string name;
+  Kind kind = Kind::ball;
+  int A = -1, B = -1;         ///< links; −1: the world
+  Vec3 at = Vec3::Zero();     ///< in B [m]
+  Vec3 axis = Vec3::UnitZ();  ///< in axes of B
+  Place place;
+};
+
+/// Rate of joint B = ratio times rate of joint A.
+struct Coupling {
+  std::string name, jointA, jointB;
+  double ratio = 1.0;
+  Place place;
+};
+
+/// Something of the file that the model has not, or has in another way.
+struct ImportNote {
+  Place place;
+  std::string element, text;
+};
+
+struct Machine {
+  std::string name;
+  Vec3 gravity = Vec3(0.0, 0.0, -9.81);
+  std::vector<Link> links;   ///< parents before children
+  std::vector<Skin> ground;  ///< shapes of the world
+  std::vector<LoopJoint> loops;
+  std::vector<Coupling> couplings;
+  std::vector<std::pair<int, int>> apart;  ///< links that never touch
+  bool selfContact = true;                 ///< false: links of the machine never touch each other
+  bool parentContact = true;               ///< false: a link and its parent never touch
+  std::vector<ImportNote> notes;
+};
+
+}  // namespace dynamy::app
