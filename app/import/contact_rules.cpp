@@ -58,7 +58,7 @@ std::vector<int> RuleMaker::groupsOf(const std::vector<Skin>& skins, int link) {
 
 int RuleMaker::mover(int link) const {
   while (link >= 0) {
-    const Link& l = m_.links[static_cast<std::size_t>(link)];
+    const Link& l = m_.links[at(link)];
     if (l.free || !l.joints.empty()) return link;
     link = l.parent;
   }
@@ -70,9 +70,13 @@ bool RuleMaker::related(int a, int b) const {
   const int A = mover(a), B = mover(b);
   if (A == B) return true;
   const auto carrier = [this](int i) {
-    return i < 0 ? -2 : mover(m_.links[static_cast<std::size_t>(i)].parent);
+    while (i >= 0) {
+      i = mover(m_.links[at(i)].parent);
+      if (i < 0 || !m_.links[at(i)].between) return i;
+    }
+    return -2;
   };
-  // The world touches what it carries.
+  if (m_.staticContact && (A < 0 || B < 0)) return false;
   return (B >= 0 && carrier(A) == B) || (A >= 0 && carrier(B) == A);
 }
 
@@ -127,7 +131,7 @@ ContactRules RuleMaker::make() {
     const Group& first = groups_[members.front()];
     std::string name = first.link < 0       ? "ground"
                        : members.size() > 1 ? "machine"
-                                            : m_.links[static_cast<std::size_t>(first.link)].name;
+                                            : m_.links[at(first.link)].name;
     const std::string plain = name;
     for (int k = 2; !names.insert(name).second; ++k) name = plain + std::to_string(k);
     out.materials.push_back({name, first.mu});

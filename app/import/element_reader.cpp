@@ -11,7 +11,13 @@ namespace dynamy::app {
 
 void ElementReader::fault(const XmlNode& node, const Place& place, const std::string& text,
                           const std::string& hint) {
-  faults_.add(document_.diagnostic(place, node, text, hint));
+  faults_.add(documentOf(place).diagnostic(place, node, text, hint));
+}
+
+const XmlDocument& ElementReader::documentOf(const Place& place) const {
+  for (const XmlDocument* document : documents_)
+    if (document->name() == place.file) return *document;
+  return *documents_.front();
 }
 
 void ElementReader::note(const XmlNode& node, const Place& place, const std::string& text) {
@@ -72,12 +78,12 @@ std::vector<double> ElementReader::numbers(const XmlNode& node, const char* name
   const XmlAttribute* found = node.attribute(name);
   if (!found) return {};
   return parsed(node, name, found->value, count,
-                [&](std::size_t offset) { return document_.at(*found, offset); });
+                [&](std::size_t offset) { return documentOf(node.place).at(*found, offset); });
 }
 
 std::vector<double> ElementReader::numbersOf(const XmlNode& node, std::size_t count) {
   return parsed(node, "its text", node.text, count, [&](std::size_t offset) {
-    return node.text.empty() ? node.place : document_.at(node, offset);
+    return node.text.empty() ? node.place : documentOf(node.place).at(node, offset);
   });
 }
 
@@ -135,11 +141,22 @@ void ElementReader::readOnly(const XmlNode& node,
   const auto among = [](const auto& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
   };
+  // What an element lacks its likes lack, too: one note for all of them.
+  const auto once = [&](const XmlNode& of, const Place& place, const std::string& text) {
+    const auto [found, first] =
+        repeated_.try_emplace(of.tag + ' ' + text, machine_.notes.size(), 0);
+    if (first) {
+      machine_.notes.push_back({place, "<" + of.label() + ">", text});
+      return;
+    }
+    auto& [index, more] = found->second;
+    machine_.notes[index].text = text + fmt::format(" (and {} more)", ++more);
+  };
   for (const XmlAttribute& a : node.attributes)
     if (!among(attributes, a.name))
-      note(node, a.namePlace, "attribute " + a.name + ": " + reason(a.name));
+      once(node, a.namePlace, "attribute " + a.name + ": " + reason(a.name));
   for (const XmlNode& c : node.children)
-    if (!among(children, c.tag)) note(c, reason(c.tag));
+    if (!among(children, c.tag)) once(c, c.place, reason(c.tag));
 }
 
 }  // namespace dynamy::app

@@ -5,6 +5,7 @@
 #include <dynamy/io/xml/xml.hpp>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,7 +30,9 @@ class ElementReader {
  public:
   /// Both are borrowed.
   ElementReader(const XmlDocument& document, Machine& machine)
-      : document_(document), machine_(machine) {}
+      : documents_{&document}, machine_(machine) {}
+  /// A further file, borrowed, whose elements are read, too.
+  void alsoOf(const XmlDocument& document) { documents_.push_back(&document); }
 
   /// Adds an error; reading goes on.
   void fault(const XmlNode& node, const Place& place, const std::string& text,
@@ -63,15 +66,18 @@ class ElementReader {
                 std::initializer_list<std::string_view> children,
                 std::initializer_list<Unsupported> why = {});
 
-  Machine& machine() { return machine_; }
-  const XmlDocument& document() const { return document_; }
+  /// The file itself; that of a place.
+  const XmlDocument& document() const { return *documents_.front(); }
+  const XmlDocument& documentOf(const Place& place) const;
 
  private:
   std::vector<double> parsed(const XmlNode& node, const std::string& what, std::string_view text,
                              std::size_t count, const std::function<Place(std::size_t)>& place);
-  const XmlDocument& document_;
+  std::vector<const XmlDocument*> documents_;
   Machine& machine_;
   FaultList faults_;
+  /// Notes of readOnly() that may be repeated: index in the machine's, and how often.
+  std::map<std::string, std::pair<std::size_t, int>> repeated_;
 };
 
 }  // namespace dynamy::app

@@ -14,6 +14,9 @@
 
 namespace dynamy::app {
 
+/// An index of links as an index of arrays.
+inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 /// Mass properties in axes of a link: J about the centre of mass.
 struct Inertia {
   double mass = 0.0;           ///< [kg]
@@ -61,6 +64,7 @@ struct MachineJoint {
 struct Link {
   std::string name;
   int parent = -1;                   ///< index of a link, lower than its own; −1: the world
+  bool between = false;              ///< stands between two joints of one link of the file
   bool free = false;                 ///< moves freely in space; then it has no joints
   Pose pose;                         ///< in the parent
   std::vector<MachineJoint> joints;  ///< empty: rigidly connected with its parent, unless free
@@ -104,6 +108,7 @@ struct Machine {
   std::vector<Coupling> couplings;
   std::vector<std::pair<int, int>> apart;  ///< links that never touch
   bool selfContact = true;                 ///< false: links of the machine never touch each other
+  bool staticContact = false;              ///< a link touches what stands still and carries it
   bool parentContact = true;               ///< false: a link and its parent never touch
   std::vector<ImportNote> notes;
 };

@@ -13,8 +13,6 @@
 namespace dynamy::app {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// 15 digits, so that 0.1 + 0.2 reads 0.3; less than 1e-15 is rounding of a turn.
 std::string number(double x) { return std::abs(x) < 1e-15 ? "0" : fmt::format("{:.15g}", x); }
 

@@ -9,8 +9,6 @@
 namespace dynamy::app {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 void say(Machine& m, const Link& link, const std::string& text) {
   m.notes.push_back({link.place, "link " + link.name, text});
 }
@@ -111,7 +109,7 @@ void oneJointEach(Machine& m, double all) {
       Link& link = m.links[at(i)];
       between.name = link.name + "_" + link.joints.front().name;
       between.parent = link.parent, between.pose = link.pose, between.place = link.place;
-      between.joints = {link.joints.front()};
+      between.joints = {link.joints.front()}, between.between = true;
       link.joints.erase(link.joints.begin());
       link.pose = Pose();
     }

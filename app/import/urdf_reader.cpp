@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 
+#include "import/colour.hpp"
 #include "import/element_reader.hpp"
 #include "import/mesh_skin.hpp"
 
@@ -57,14 +58,6 @@ Pose UrdfReader::origin(const XmlNode& node) {
   if (const auto p = read_.numbers(*at, "quat_xyzw", 4); !p.empty())
     return {r, fromQuaternion(p[3], p[0], p[1], p[2])};
   return {r, rollPitchYaw(read_.vector(*at, "rpy", Vec3::Zero()))};
-}
-
-/// "#rrggbb" of `<color rgba="r g b a"/>`.
-std::string hexColour(const std::vector<double>& rgba) {
-  std::string out = "#";
-  for (std::size_t i = 0; i < 3; ++i)
-    out += fmt::format("{:02x}", std::lround(255.0 * std::clamp(rgba[i], 0.0, 1.0)));
-  return out;
 }
 
 std::string UrdfReader::colour(const XmlNode& node) {
