@@ -61,7 +61,7 @@ Mat3 MjcfCompiler::euler(const XmlNode&, const std::vector<double>& angles, Elem
 }
 
 Mat3 MjcfCompiler::axes(const XmlNode& node, ElementReader& read) const {
-  const auto direction = [&](Vec3 v) {
+  const auto direction = [&](const Vec3& v) {
     if (v.norm() > 1e-9) return Vec3(v.normalized());
     read.fault(node, "an axis is zero");
     return Vec3(Vec3::UnitZ());
