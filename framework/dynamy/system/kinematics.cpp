@@ -6,7 +6,7 @@ namespace dynamy {
 
 void Kinematics::resize(const Topology& topology) {
   const auto& requested = topology.requestedFrames();
-  frames_.assign(requested.size(), Frame{});
+  frames_ = std::vector<Frame>(requested.size());  // a Frame that is assigned copies into its maps
   std::size_t size = 0;
   for (const auto& [system, id] : requested)
     size += 6 * static_cast<std::size_t>(topology.system(system).blockNu);

@@ -116,6 +116,18 @@ TEST(Kinematics, EvaluatesEachRequestedFrameOnce) {
   EXPECT_EQ(k.t(), 0.5);
 }
 
+TEST(Kinematics, IsMadeReadyForASecondTopology) {
+  Scene s, another;
+  s.topology.frame("ball", s.asking);
+  const FrameHandle ball = another.topology.frame("ball", another.asking);
+  Kinematics k;
+  k.resize(s.topology);  // frames with Jacobians, which no longer exist after the next line
+  k.resize(another.topology);
+  const Eigen::VectorXd q = Eigen::VectorXd::Constant(8, 0.5);
+  k.evaluate(another.topology, 0.0, {q.data(), 8}, {q.data(), 8});
+  EXPECT_EQ(k.frame(ball).r_OS_I, Vec3(0.5, 0.5, 0.0));
+}
+
 TEST(Kinematics, PutsFramesOfAPopulationOnTheirBlocks) {
   Scene s;
   const SystemHandle sand = s.topology.system("sand", s.asking);
