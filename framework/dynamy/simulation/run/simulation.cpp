@@ -130,11 +130,8 @@ void Simulation::guarded(Call&& call) {
 /// Takes one step; begins the run before the first step and ends it after the last one. False: it
 /// has ended.
 bool Simulation::next() {
+  if (!start()) return false;
   over_ = true;  // an exception ends the run
-  if (!begun_) {
-    begun_ = true;
-    begin();
-  }
   const bool good = report_.ended == RunReport::Ended::finished;
   if (good && loop_->next(*this, model_.simulation.until) == Advance::taken) {
     over_ = false;
@@ -144,18 +141,25 @@ bool Simulation::next() {
   return false;
 }
 
-void Simulation::begin() {
-  const Clock::time_point now = Clock::now();
-  idle_.begin(now), checkpoints_.begin(now);
-  report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
-  spare_.resize(kSpare);
-  if (!resumed_) {
-    report_.start = step_.start();
-    observers_.start(view(true));
-  }
-  whole_ = true, step_.settle();
-  if (checkpoints_.hasReceiver() && !resumed_) checkpoints_.handOn([this] { keep(); });
-  if (const std::string reason = step_.fault(); !reason.empty()) endBecause(reason);
+bool Simulation::start() {
+  if (begun_) return !over_;
+  begun_ = over_ = true;  // an exception ends the run
+  guarded([this] {
+    const Clock::time_point now = Clock::now();
+    idle_.begin(now), checkpoints_.begin(now);
+    report_.ended = RunReport::Ended::finished, report_.cause = RunReport::Cause::simulation;
+    spare_.resize(kSpare);
+    if (!resumed_) {
+      report_.start = step_.start();
+      observers_.start(view(true));
+    }
+    whole_ = true, step_.settle();
+    if (checkpoints_.hasReceiver() && !resumed_)
+      checkpoints_.handOn([this] { checkpoints_.keep(archived()); });
+    if (const std::string reason = step_.fault(); !reason.empty()) endBecause(reason);
+    over_ = false;
+  });
+  return !over_;
 }
 
 void Simulation::end() {
@@ -237,8 +241,8 @@ bool Simulation::pause(bool asked) {
   idle_.at(now);
   const bool stop = stopped(), due = checkpoints_.due(now);
   const auto full = [this] { return !observers_.sinkFault().empty(); };
-  if (stop || due || asked || full()) keep();
-  if (due) checkpoints_.handOn([this] { keep(); });
+  if (stop || due || asked || full()) checkpoints_.keep(archived());
+  if (due) checkpoints_.handOn([this] { checkpoints_.keep(archived()); });
   if (stop) report_.ended = RunReport::Ended::stopped;
   // keep() has tried once more to write the collected rows.
   if (!stop && full())
@@ -271,10 +275,10 @@ void Simulation::resume(const std::string& checkpoint) {
   resumed_ = true;
 }
 
-void Simulation::keep() {
+std::string Simulation::archived() {
   Archive a;
   archive(a);
-  checkpoints_.keep(a.bytes());
+  return a.bytes();
 }
 
 /// Ends the run within a step. Parts of the step that observers have seen are kept; a step that was
@@ -284,7 +288,7 @@ void Simulation::stopWithin() {
   report_.reason =
       "t = " + numberText(t()) + " s: stopped within a step" +
       (whole_ ? ", which was taken back" : " of many parts; a checkpoint is of an earlier moment");
-  if (whole_) keep();
+  if (whole_) checkpoints_.keep(archived());
   step_.clear();
   end();
 }
@@ -299,7 +303,7 @@ void Simulation::outOfMemory() noexcept {
     step_.settle();
     report_.t = t();
     report_.reason = "t = " + numberText(t()) + " s: out of memory";
-    if (whole_) keep();
+    if (whole_) checkpoints_.keep(archived());
     end();
   } catch (...) {  // checkpoint() then holds an earlier state
   }

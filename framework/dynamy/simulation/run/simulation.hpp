@@ -52,6 +52,9 @@ class Simulation final : private Stepper {
   /// recorded files do not match it. After an error only the destructor may be called.
   void resume(const std::string& checkpoint);
 
+  /// Evaluates the state at the start, and observers see it; run() and step() do so themselves.
+  /// False: an exception has ended the run, see report().
+  bool start();
   /// Runs to `until` of the model's simulation settings. Does not throw: errors are in the report.
   /// If memory runs out, or the sink can store no more, the run ends as failed with that cause;
   /// checkpoint() then holds the last state that is known completely.
@@ -59,7 +62,9 @@ class Simulation final : private Stepper {
   /// Takes the next step of the run with everything that run() does: records, checks, ledger, hash,
   /// checkpoints; `while (s.step()) {}` does the same as run(). A step of given length is a full
   /// step, even if it was taken in halves or parts. True: there is a new state(). False: the run
-  /// has ended for the reason in report(), which holds the figures so far until then.
+  /// has ended for the reason in report(), which holds the figures so far until then. `until` of the
+  /// model's settings may be moved ahead before a step: a step that ended there is then followed by
+  /// others.
   bool step();
   /// From now on a number that an element reserved has this value: what a controller outside of the
   /// model sets between two steps, also while observers see a step.
@@ -72,6 +77,8 @@ class Simulation final : private Stepper {
   /// The bytes that `resume` takes: the state at the end of the run, or before its last step if
   /// that was shortened.
   const std::string& checkpoint() const { return checkpoints_.bytes(); }
+  /// The bytes that `resume` takes, of the present state; between two steps only.
+  std::string archived();
 
  private:
   StepReport attempt(double tEnd, double dt) override;
@@ -91,7 +98,6 @@ class Simulation final : private Stepper {
   template <class Call>
   void guarded(Call&& call);
   bool next();
-  void begin();
   void end();
   /// The attempted step as observers see it.
   StepView view(bool whole) { return step_.view(report_.steps + 1, whole); }
@@ -99,7 +105,6 @@ class Simulation final : private Stepper {
   void outOfMemory() noexcept;
   bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
   void stopWithin();
-  void keep();
   void archive(Archive& a);
 
   Model& model_;

@@ -54,13 +54,17 @@ void Allowance::archive(Archive& a) {
 }
 
 Advance FixedStep::next(Stepper& stepper, double until) {
-  if (rest_) return Advance::atEnd;
+  if (rest_ && isPassed(until, stepper.t())) return Advance::atEnd;
+  rest_ = false;
   const double dt = grid_.spacing();
   parts_.begin(), halves_.begin();
   if (quiet_ <= kExpected) ++quiet_;
   // Full steps as long as they do not pass the end by more than rounding.
   if (grid_.at(i_ + 1) <= until + 1e-9 * dt) {
-    if (!sampled(stepper, grid_.at(i_ + 1), dt)) return Advance::stopped;
+    // After an earlier end within this full step, its remainder follows.
+    const double done = stepper.t() - grid_.at(i_);
+    const double length = done > 1e-9 * dt ? grid_.at(i_ + 1) - stepper.t() : dt;
+    if (!sampled(stepper, grid_.at(i_ + 1), length)) return Advance::stopped;
     ++i_;
     return stepper.pause(false) ? Advance::taken : Advance::stopped;
   }

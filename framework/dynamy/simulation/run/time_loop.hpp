@@ -107,7 +107,8 @@ long partsWithinWork(int nu, long evaluations);
 /// need: there may always be 8 of them, and never more than 2000.
 int mostParts(int nu, long evaluations);
 
-/// Steps of length Δt from a counter: t = iΔt, the last one is shortened to end at `until`. A step
+/// Steps of length Δt from a counter: t = iΔt, the last one is shortened to end at `until`; if
+/// `until` is moved ahead after that, the remainder of this step comes first. A step
 /// that would pass a contact is taken in parts: up to the contact, across it in a very short part,
 /// and the rest. A step whose inclusion is not solved is taken in halves. The smallest length of a
 /// part and the allowances limit both; beyond them the rest of the step is taken as it is.
@@ -148,7 +149,7 @@ class FixedStep final : public TimeLoop {
   int quiet_ = 1 << 20;  // full steps since one was taken in parts
   Allowance parts_{2000, 50.0}, halves_{24};
   bool first_ = true;  // no attempt yet
-  bool rest_ = false;  // the last, shortened step has been taken
+  bool rest_ = false;  // a step that the end has shortened was taken
 };
 
 }  // namespace dynamy

@@ -19,6 +19,40 @@ TEST(Simulation, EndsExactlyAtTheEndTimeWithAShortenedStep) {
   EXPECT_NEAR(s.state().q[1], 1.0 - 0.5 * kGravity * 0.0625, 1e-15);
 }
 
+TEST(Simulation, GoesOnAtItsStepsWhenTheEndIsMovedAhead) {
+  Model m = ballOnFloor(1.0, 0.0, 0.0, 0.0, 0.25, 0.1);
+  m.build();
+  Simulation s(m);
+  std::vector<double> ends;
+  while (s.state().t < 0.25) ASSERT_TRUE(s.step());
+  m.simulation.until = 0.4;
+  while (s.state().t < 0.4) {
+    ASSERT_TRUE(s.step());
+    ends.push_back(s.state().t);
+  }
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0], 0.3);  // the remainder of the step that 0.25 has shortened
+  EXPECT_EQ(ends[1], 0.4);
+  EXPECT_NEAR(s.state().q[1], 1.0 - 0.5 * kGravity * 0.16, 1e-15);  // rounding, as above
+}
+
+TEST(Simulation, AnArchivedStateContinuesWithTheSameBits) {
+  Model m = ballOnFloor(1.0, 0.0, 0.5, 0.0, 1.0, 1e-2);
+  m.build();
+  Simulation straight(m);
+  ASSERT_TRUE(straight.start());
+  EXPECT_EQ(straight.state().t, 0.0);
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(straight.step());
+  const std::string state = straight.archived();
+  straight.run();
+  Simulation again(m);
+  again.resume(state);
+  EXPECT_EQ(again.state().t, 0.5);
+  again.run();
+  EXPECT_EQ(again.state().q, straight.state().q);
+  EXPECT_EQ(again.state().u, straight.state().u);
+}
+
 TEST(Simulation, TimeIsCountedAndDoesNotDrift) {
   Model m = ballOnFloor(1.0, 0.0, 0.5, 0.0, 30.0, 1e-3);
   m.build();
