@@ -10,15 +10,15 @@ namespace dynamy::app {
 using AddCommand = void(CLI::App& app, Program& program);
 AddCommand addRun, addResume, addVerify, addCheck, addEigen, addGradient, addOrbit, addImport,
     addList, addDescribe, addSchema, addCompare, addView, addSolve, addSweep, addReport,
-    addNewPlugin, addBench, addCompletion, addManual;
+    addNewPlugin, addExport, addBench, addCompletion, addManual;
 
 void addCommands(CLI::App& app, Program& program) {
   app.set_version_flag("--version", versionText());
   app.require_subcommand(1);
   for (AddCommand* add :
-       {addRun,    addResume, addVerify,    addCheck,  addEigen,      addGradient, addOrbit,
-        addImport, addList,   addDescribe,  addSchema, addCompare,    addView,     addSolve,
-        addSweep,  addReport, addNewPlugin, addBench,  addCompletion, addManual})
+       {addRun,    addResume, addVerify,    addCheck,  addEigen,   addGradient,   addOrbit,
+        addImport, addList,   addDescribe,  addSchema, addCompare, addView,       addSolve,
+        addSweep,  addReport, addNewPlugin, addExport, addBench,   addCompletion, addManual})
     add(app, program);
 }
 

@@ -68,6 +68,7 @@ const std::map<std::string, std::string> kHeaders = {
     {"fcl/", "libfcl-dev"},
     {"hdf5", "libhdf5-dev"},
     {"zlib.h", "zlib1g-dev"},
+    {"zip.h", "libzip-dev"},
     {"pybind11/", "pybind11-dev"},
     {"omp.h", ""},
     {"immintrin.h", ""},

@@ -77,6 +77,7 @@ TEST_F(DocumentTest, Import) { follow("doc/import.md"); }
 TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
 TEST_F(DocumentTest, Control) { follow("doc/control.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }
+TEST_F(DocumentTest, Fmu) { follow("doc/fmu.md"); }
 TEST_F(DocumentTest, Orbit) { follow("doc/orbit.md"); }
 TEST_F(DocumentTest, Report) { follow("doc/report.md"); }
 TEST_F(DocumentTest, Security) { follow("doc/security.md"); }
