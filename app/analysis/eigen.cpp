@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <dynamy/io/files/output_file.hpp>
-#include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/io/model/driving_forces.hpp>
 #include <dynamy/io/model/start_values.hpp>
 #include <filesystem>
 #include <limits>
@@ -47,6 +47,7 @@ class Eigenvalues {
     options.set.emplace_back(name, fmt::format("{}", value));
     return loadModel(task_.model, program_.registry, program_.plugins, options);
   }
+  const Overrides& set() const { return options_.set; }
   Linearisation solve(Model& model) const {
     State x = model.initialState();
     for (const std::string& s : task_.start) {
@@ -137,7 +138,13 @@ class Eigenvalues {
 void eigen(Program& program, const EigenTask& task) {
   const Eigenvalues all(program, task);
   Model model = all.load();
-  const Linearisation l = all.solve(model);
+  const Linearisation l = [&] {
+    try {
+      return all.solve(model);
+    } catch (const ModelError& error) {
+      throw namingDrivingForces(error, task.model, all.set(), program.registry, program.plugins);
+    }
+  }();
   std::vector<CriticalValue> critical;
   if (!task.rootOf.empty()) critical = all.critical();
   const fs::path folder = task.result.folder(task.model);

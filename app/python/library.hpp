@@ -30,6 +30,7 @@ void bindModel(pybind11::module_& m);
 void bindRun(pybind11::module_& m);
 void bindGradient(pybind11::module_& m);
 void bindOrbit(pybind11::module_& m);
+void bindEquilibrium(pybind11::module_& m);
 void bindLaws(pybind11::module_& m);
 
 }  // namespace dynamy::python

@@ -68,4 +68,5 @@ PYBIND11_MODULE(_core, m) {
   python::bindRun(m);
   python::bindGradient(m);
   python::bindOrbit(m);
+  python::bindEquilibrium(m);
 }

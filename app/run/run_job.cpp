@@ -132,7 +132,8 @@ Model chosenModel(Program& program, RunChoice& choice, std::vector<fs::path>* fi
   if (!choice.solver.empty())
     model.solver(method<InclusionSolver>(program.registry, choice.solver));
   // The default sample time depends on the end time; a resumed run keeps it.
-  if (!(model.record.every > 0.0) && s.until > 0.0) model.record.every = s.until / 1000.0;
+  if (!(model.record.every > 0.0) && model.record.at.empty() && s.until > 0.0)
+    model.record.every = s.until / 1000.0;
   choice.until = s.until, choice.every = model.record.every;
   choice.model = fs::absolute(choice.model).lexically_normal().string();
   noteSources(program, *options.files, choice);

@@ -9,19 +9,6 @@
 namespace dynamy::defects {
 namespace {
 
-TEST(KnownDefects, AnArchAboveItsLimitThicknessStandsAtAMillisecond) {
-  // Eleven stones stand from t/R = 0.10490992 on, by linear programming of their equilibrium.
-  for (const double more : {1.001, 1.01}) {
-    BoundedRun arch("models/masonry_arch.xml", {.set = {{"t", numberText(more * 0.10490992)}}});
-    arch.run();
-    knownDefect("arch_above_its_limit", [&] {
-      for (const CheckResult& r : arch.simulation().checks())
-        EXPECT_TRUE(r.pass) << more << " of the limit: " << r.measure << " of " << r.signal
-                            << " is " << r.got << ", expected " << r.expected;
-    });
-  }
-}
-
 // ---- hits that follow each other within a step -------------------------------------------------
 
 /// Three equal balls on a line, with the velocities before and, by the exchange of momentum in one

@@ -76,6 +76,7 @@ TEST_F(DocumentTest, Sweep) { follow("doc/sweep.md"); }
 TEST_F(DocumentTest, Import) { follow("doc/import.md"); }
 TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
 TEST_F(DocumentTest, Control) { follow("doc/control.md"); }
+TEST_F(DocumentTest, Equilibrium) { follow("doc/equilibrium.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }
 TEST_F(DocumentTest, Fmu) { follow("doc/fmu.md"); }
 TEST_F(DocumentTest, Orbit) { follow("doc/orbit.md"); }

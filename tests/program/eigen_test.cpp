@@ -55,6 +55,16 @@ TEST_F(EigenCommand, TellsWhatIsWrong) {
   EXPECT_NE(err().find("no real part changes its sign in c=3:4"), std::string::npos) << err();
 }
 
+TEST_F(EigenCommand, NamesTheForceThatDependsOnTimeAndTheParameterThatSwitchesItOff) {
+  const std::string model = "'" DYNAMY_SOURCE_DIR "/models/motorbike.xml'";
+  EXPECT_EQ(call("eigen " + model), 2);
+  EXPECT_NE(err().find("<ForceInput> in "), std::string::npos) << err();
+  EXPECT_NE(err().find("depends on t: --set push=0 switches it off"), std::string::npos) << err();
+  EXPECT_EQ(call("eigen --set push=0 " + model), 0) << err();
+  EXPECT_NE(out().find("-23.115275125"), std::string::npos)
+      << out();  // closed form, in the model's head
+}
+
 TEST_F(EigenCommand, FindsTheSteadyMotionOfAVehicleWhoseSpringsAreNotPreloaded) {
   // Bodies, joints and two springs in minimal coordinates; at the start the springs do not carry the
   // weight, and a moving damper could for an instant. Steady is upright straight riding with the springs

@@ -80,6 +80,14 @@ def describe(name: str = "") -> str: ...
 def element(
     type: str, name: str = "", children: Sequence[Element] = ..., **attributes: Any
 ) -> Element: ...
+def equilibrium(
+    file: str,
+    start: Dict[str, float] = ...,
+    rest: bool = False,
+    relax: bool = True,
+    near: float = 1e-6,
+    **parameters: Any,
+) -> Dict[str, Any]: ...
 def gradient(
     file: str,
     of: Sequence[str] = ...,

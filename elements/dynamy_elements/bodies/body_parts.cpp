@@ -46,10 +46,26 @@ void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::strin
   }
 }
 
-void BodyParts::describe(Description& d) const {
+void BodyParts::describe(Description& d, const std::string& moving, const Vec3& r_BS_K,
+                         const std::function<BodyMotion(const SignalView&)>& motion) const {
   for (const auto& shape : shapes_) d.shape(*shape, 0);
-  for (std::size_t i = 0; i < frames_.size(); ++i)
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
     d.frame(frames_[i]->name(), static_cast<int>(i) + 1);
+    const Vec3 r_SF_K = frames_[i]->r_BF_K() - r_BS_K;
+    for (const char axis : moving) {
+      const int k = axis - 'x';
+      d.signal(frames_[i]->name() + "." + axis, Unit::length, "position of the frame",
+               [=](const SignalView& s) {
+                 const BodyMotion m = motion(s);
+                 return m.r_OS_I[k] + (m.A_IK * r_SF_K)[k];
+               });
+      d.signal(frames_[i]->name() + ".v" + axis, Unit::velocity, "velocity of the frame",
+               [=](const SignalView& s) {
+                 const BodyMotion m = motion(s);
+                 return m.v_S_I[k] + m.Omega_I.cross(m.A_IK * r_SF_K)[k];
+               });
+    }
+  }
 }
 
 namespace {

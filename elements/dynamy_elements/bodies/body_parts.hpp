@@ -4,6 +4,7 @@
 #include <dynamy/system/description.hpp>
 #include <dynamy/system/frame.hpp>
 #include <dynamy/system/shape.hpp>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -36,14 +37,25 @@ struct BodyMass {
 /// Throws ModelError at the first of `shapes` with a mass or density, which would have no effect.
 void refuseMass(std::span<const std::unique_ptr<Shape>> shapes, const std::string& why);
 
+/// Motion of a body's centre of mass S and of its axes K.
+struct BodyMotion {
+  Vec3 r_OS_I, v_S_I, Omega_I;  ///< [m], [m/s], [rad/s]
+  Mat3 A_IK;
+};
+
 /// Shapes and frames of one body; frame 0 is the body's origin B with its axes K.
 class BodyParts {
  public:
   static void declare(Attributes& a);
   explicit BodyParts(const Parameters& x);
 
-  /// Names the frames and places the shapes on frame 0.
-  void describe(Description& d) const;
+  /// Names the frames and places the shapes on frame 0. Position and velocity of each frame are
+  /// signals, frame.x … frame.vz, along the axes `moving` ("xyz" or two of them). `motion`: of the
+  /// body, from its q and u.
+  void describe(Description& d, const std::string& moving, const Vec3& r_BS_K,
+                const std::function<BodyMotion(const SignalView&)>& motion) const;
+  /// The same of a body that does not move: without signals.
+  void describe(Description& d) const { describe(d, "", Vec3::Zero(), {}); }
   int frames() const { return 1 + static_cast<int>(frames_.size()); }
   /// Origin of frame `id` from B, and its axes, both in axes K.
   Vec3 position(int id) const { return id == 0 ? Vec3(Vec3::Zero()) : at(id).r_BF_K(); }

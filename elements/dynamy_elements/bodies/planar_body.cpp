@@ -59,7 +59,12 @@ void PlanarBody::describe(Description& d) const {
   d.signal("kineticEnergy", Unit::energy, "½ m v² + ½ J ω²", [m = m_, J = J_](const SignalView& s) {
     return 0.5 * m * (s.u[0] * s.u[0] + s.u[1] * s.u[1]) + 0.5 * J * s.u[2] * s.u[2];
   });
-  parts_.describe(d);
+  parts_.describe(d, first + second, r_BS_K_, [this](const SignalView& s) {
+    BodyMotion m{Vec3::Zero(), Vec3::Zero(), s.u[2] * plane_.n, axes(s.q[2])};
+    m.r_OS_I[plane_.a] = s.q[0], m.r_OS_I[plane_.b] = s.q[1];
+    m.v_S_I[plane_.a] = s.u[0], m.v_S_I[plane_.b] = s.u[1];
+    return m;
+  });
 }
 
 void PlanarBody::initialState(Vec q, Vec u) const {

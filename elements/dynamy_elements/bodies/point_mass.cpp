@@ -47,7 +47,16 @@ void PointMass::describe(Description& d) const {
     d.velocity(std::string("v") + name[axes_[i]], Unit::velocity, static_cast<int>(i), "velocity");
   d.signal("kineticEnergy", Unit::energy, "½ m v²",
            [m = m_](const SignalView& s) { return 0.5 * m * s.u.squaredNorm(); });
-  parts_.describe(d);
+  std::string moving;
+  for (const int axis : axes_) moving += name[axis];
+  parts_.describe(d, moving, Vec3::Zero(), [this](const SignalView& s) {
+    BodyMotion m{r_OS_I_, Vec3::Zero(), Vec3::Zero(), Mat3::Identity()};
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      m.r_OS_I[axes_[i]] = s.q[at], m.v_S_I[axes_[i]] = s.u[at];
+    }
+    return m;
+  });
 }
 
 void PointMass::initialState(Vec q, Vec u) const {

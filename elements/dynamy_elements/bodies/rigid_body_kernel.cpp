@@ -97,7 +97,10 @@ void RigidBody::describe(Description& d) const {
     const Vec3 v = s.u.head<3>(), Omega = s.u.tail<3>();
     return 0.5 * mass.m * v.squaredNorm() + 0.5 * Omega.dot(mass.J_S_K * Omega);
   });
-  parts_.describe(d);
+  parts_.describe(d, "xyz", mass_.r_BS_K, [](const SignalView& s) {
+    const Mat3 A = rotationMatrix(s.q.data() + 3);
+    return BodyMotion{s.q.head<3>(), s.u.head<3>(), A * s.u.tail<3>(), A};
+  });
 }
 
 void RigidBody::initialState(Vec q, Vec u) const {

@@ -34,6 +34,15 @@ Eigen::MatrixXd PivotedQr::solve(const Eigen::MatrixXd& B) const {
   return qr_.solve(B);
 }
 
+Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& A, double threshold) {
+  const Eigen::Index n = A.cols();
+  if (A.rows() == 0 || n == 0) return Eigen::MatrixXd::Identity(n, n);
+  PivotedQr qr(threshold);
+  qr.compute(A.transpose());
+  const Eigen::MatrixXd Q = qr.Q();
+  return Q.rightCols(n - qr.rank());
+}
+
 EigenPairs eigenPairs(const Eigen::MatrixXd& A) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
   return {solver.eigenvalues(), solver.eigenvectors()};

@@ -64,6 +64,9 @@ class PivotedQr {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
 };
 
+/// Orthonormal columns that A maps to zero; rank as in PseudoInverse. All of ℝⁿ if A has no rows.
+Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& A, double threshold);
+
 /// Eigenvalues, and the columns of eigenvectors, of a square matrix; unsorted.
 struct EigenPairs {
   Eigen::VectorXcd values;

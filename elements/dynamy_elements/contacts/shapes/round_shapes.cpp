@@ -22,22 +22,31 @@ ShapeGeometry CircleShape::geometry() const { return {ShapeType::circle, {radius
 
 void CylinderShape::declare(Attributes& a) {
   a.about(
-      "Solid cylinder along z with sharp rims, a disc if it is short: V = π r² l, J_z = m r²/2, "
-      "J_x = m (3 r² + l²)/12. Touches all shapes in space, all but contours and "
-      "tori in a plane (doc/shape_pairs.md).");
+      "Cylinder along z with sharp rims, a disc if it is short, a tube if it has a bore b: "
+      "V = π (r² − b²) l, J_z = m (r² + b²)/2, J_x = m (3 (r² + b²) + l²)/12. Touches all shapes "
+      "in "
+      "space, all but contours and tori in a plane (doc/shape_pairs.md); nothing enters the bore.");
   a.required("radius", Unit::length, "radius").positive();
   a.required("length", Unit::length, "length along z").positive();
+  a.optional("bore", Unit::length, 0.0, "radius of a hole along z; counts for the mass alone")
+      .nonNegative();
   a.example("<Cylinder radius=\"0.1\" length=\"0.5\" mass=\"2\"/>");
 }
 CylinderShape::CylinderShape(const Parameters& x)
-    : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+    : Shape(x), radius_(x["radius"]), length_(x["length"]), bore_(x["bore"]) {
+  if (!(bore_ < radius_))
+    throw ModelError(Diagnostic{.place = x["bore"].place,
+                                .element = "Cylinder",
+                                .text = "the bore is as wide as the cylinder",
+                                .hint = "both are radii: bore < radius"});
+}
 ShapeGeometry CylinderShape::geometry() const {
   return {ShapeType::cylinder, {radius_, length_}, {}, colour()};
 }
 MassProperties CylinderShape::massProperties() const {
-  const double r2 = radius_ * radius_, V = kPi * r2 * length_;
-  const double Jx = V * (3.0 * r2 + length_ * length_) / 12.0;
-  return {V, Vec3::Zero(), roundInertia(Jx, Jx, 0.5 * V * r2)};
+  const double r2 = radius_ * radius_, b2 = bore_ * bore_, V = kPi * (r2 - b2) * length_;
+  const double Jx = V * (3.0 * (r2 + b2) + length_ * length_) / 12.0;
+  return {V, Vec3::Zero(), roundInertia(Jx, Jx, 0.5 * V * (r2 + b2))};
 }
 
 void CapsuleShape::declare(Attributes& a) {

@@ -15,7 +15,7 @@ class CircleShape final : public Shape {
   double radius_;
 };
 
-/// Solid cylinder along the shape's z axis.
+/// Cylinder along the shape's z axis, solid or a tube.
 class CylinderShape final : public Shape {
  public:
   static void declare(Attributes& a);
@@ -24,7 +24,7 @@ class CylinderShape final : public Shape {
   MassProperties massProperties() const override;
 
  private:
-  double radius_, length_;
+  double radius_, length_, bore_;
 };
 
 /// Cylinder along z with half balls on both ends; `length` between their centres.

@@ -4,6 +4,7 @@
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/law/pair_laws.hpp>
+#include <dynamy/simulation/equilibrium/equilibrium.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
 #include <fstream>
 #include <set>
@@ -201,6 +202,21 @@ Model load(Registry& registry, PluginLoader& plugins, const LoadOptions& options
   }
   settings.verifySignals();
   faults.throwIfAny();
+  if (model.simulation.start == Start::equilibrium && options.seek) {
+    // The search runs a model of its own, so that no scheme remembers it.
+    LoadOptions again = options;
+    again.seek = false, again.files = nullptr, again.parameters = nullptr, again.orbit = nullptr;
+    Model other = load(registry, plugins, again, read);
+    try {
+      model.simulation.from =
+          std::make_shared<const State>(equilibrium(other, other.initialState()).at);
+    } catch (const ModelError& e) {
+      Diagnostic d = e.diagnostics().front();
+      d.place = model.simulation.place, d.element = "simulation start=\"equilibrium\"";
+      faults.add(std::move(d));
+      faults.throwIfAny();
+    }
+  }
   return model;
 }
 
@@ -219,9 +235,8 @@ Model loadModel(const std::filesystem::path& file, Registry& registry, PluginLoa
 Model loadModelText(std::string text, const std::string& name, Registry& registry,
                     PluginLoader& plugins, const LoadOptions& options,
                     const std::filesystem::path& folder) {
-  std::string copy = text;
-  Model model = load(registry, plugins, options,
-                     [&](ModelSource& s) { s.parse(std::move(copy), name, folder); });
+  Model model =
+      load(registry, plugins, options, [&](ModelSource& s) { s.parse(text, name, folder); });
   model.file.text = std::move(text);
   return model;
 }

@@ -16,6 +16,7 @@ struct LoadOptions {
   Overrides set;      ///< parameters: (name, value)
   bool build = true;  ///< false: the caller changes the model and calls build() itself
   std::optional<JointCoordinates> coordinates = {};  ///< instead of those in the file
+  bool seek = true;  ///< false: `start="equilibrium"` of the model is not followed
   /// Receives the paths of the model, its included files and its plug-ins, including files that
   /// were not found, and even if the model is faulty. A program that waits for changes watches
   /// these files.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
@@ -64,6 +65,7 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
         x["coordinates"].text == "minimal" ? JointCoordinates::minimal : JointCoordinates::absolute;
     s.coordinatesPlace = x["coordinates"].place;
   }
+  if (x["start"].given) s.start = x["start"].text == "given" ? Start::given : Start::equilibrium;
   if (s.place.line == 0) s.place = node.place;
 }
 
@@ -101,6 +103,11 @@ void SettingsReader::readRecord(const XmlNode& node, const Scope& scope, const P
     r.places.push_back(x["signals"].locate(word.offset, word.text.size()));
   }
   if (x["every"].given) r.every = x["every"];
+  if (x["at"].given) {
+    r.at = x["at"].numbers;
+    if (std::any_of(r.at.begin(), r.at.end(), [](double t) { return t < 0.0; }))
+      faults_->add(scope, x["at"].place, node, "an instant is before the start of the run");
+  }
   if (x["frames"].given) r.framesPerSecond = x["frames"];
   if (x["follow"].given) r.follow = x["follow"].text, r.followPlace = x["follow"].place;
   if (x["view"].given) model_->view = x["view"].text == "auto" ? "" : x["view"].text;

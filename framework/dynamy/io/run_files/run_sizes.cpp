@@ -19,7 +19,10 @@ RunSizes runSizes(const Model& model) {
   RunSizes s;
   const double until = model.simulation.until;
   const RecordSettings& r = model.record;
-  s.rows = (r.every > 0.0 ? std::floor(until / r.every) : 1000.0) + 1.0;
+  s.rows = (r.every > 0.0  ? std::floor(until / r.every)
+            : r.at.empty() ? 1000.0
+                           : 0.0) +
+           1.0 + static_cast<double>(r.at.size());
   s.columns = 1.0 + static_cast<double>(chooseSignals(model, r.signals, r.places).size());
   s.poses = static_cast<double>(drawnFrames(model).size());
   if (r.framesPerSecond > 0.0 && s.poses > 0.0)

@@ -48,6 +48,9 @@ Word simulation() {
   a.choice("coordinates", {"absolute", "minimal"}, "absolute",
            "of bodies with joints: absolute, joints are constraints; minimal, those of the joints "
            "of a spanning tree, only joints that close loops are constraints");
+  a.choice(
+      "start", {"given", "equilibrium"}, "given",
+      "given: as the systems say; equilibrium: the rest, or the steady motion, nearest to that");
   a.child(Kind::scheme, 0, 1, "scheme of time stepping");
   a.child(Kind::solver, 0, 1, "solver of the inclusion problem");
   a.child(Kind::impact, 0, 1, "impact law");
@@ -60,6 +63,8 @@ Word record() {
   Attributes& a = w.attributes;
   a.add(AttributeType::names, "signals", "", "names such as ball.z; ball.* are all of ball");
   a.required("every", Unit::time, "sample time; default: 1000 samples").positive().mayBeAbsent();
+  a.requiredVector("at", Unit::time, 0, "instants of rows; with `every`: of rows beside those")
+      .mayBeAbsent();
   a.optional("frames", Unit::frequency, 60.0, "pictures of the replay per second").nonNegative();
   a.choice("view", {"auto", "xy", "xz", "yz", "iso"}, "auto", "direction of view of the replay");
   a.add(AttributeType::names, "follow", "", "system or frame that the replay goes with");

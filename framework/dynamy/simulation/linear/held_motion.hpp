@@ -7,8 +7,9 @@
 /// follows from λ_N and the direction of slip (FrozenPhase). Rolling without slip is a sticking
 /// contact: its rows γ_T = 0 are nonholonomic.
 #pragma once
-#include <dynamy/located/phase/frozen_phase.hpp>
+#include <dynamy/simulation/linear/widest_forces.hpp>
 #include <dynamy/simulation/model/model.hpp>
+#include <optional>
 
 namespace dynamy {
 
@@ -37,13 +38,20 @@ class HeldMotion {
   /// x after the time τ of steady motion, in which u is constant.
   State movedOn(const State& x, double tau) const;
 
+  /// Of the forces that keep the motion sampled last, takes those that stay furthest from the bounds
+  /// of their laws; the accelerations are the same.
+  void shareWidely();
+  /// The least margin of contacts(), over their largest force; positive infinity without bounds.
+  double margin() const;
   /// A held contact at the state that was sampled last.
   struct Contact {
     std::string name;
     const SetValuedForceLaw* law = nullptr;
     bool slips = false;
     std::vector<double> lambda;  ///< its rows [N]
-    double margin = 0.0;         ///< negative: the law does not permit this force [N]
+    /// Distance from the bound of the law [N]; negative: the law does not permit this force. Positive
+    /// infinity: there is no bound.
+    double margin = 0.0;
   };
   std::vector<Contact> contacts() const;
   /// Size of accelerations by the forces alone, max |M⁻¹h| of the last sample.
@@ -53,6 +61,7 @@ class HeldMotion {
   Model& model_;
   MechanicalSystem system_;
   FrozenPhase phase_;
+  std::optional<WidestForces> widest_;
   std::vector<ContactKey> keys_;
   double freeAcceleration_ = 0.0;
 };

@@ -70,4 +70,18 @@ std::vector<std::string> StateVariation::names() const {
   return out;
 }
 
+std::vector<std::pair<std::string, double>> coordinatesOf(const Model& model, const State& x,
+                                                          bool velocities) {
+  std::vector<std::pair<std::string, double>> out;
+  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
+    const SystemHandle& s = model.topology().system(i);
+    const Description& d = model.description(i);
+    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
+    for (const auto& [name, index] : d.coordinates) out.emplace_back(of + name, x.q[s.q0 + index]);
+    for (const auto& [name, index] : d.velocities)
+      if (velocities) out.emplace_back(of + name, x.u[s.u0 + index]);
+  }
+  return out;
+}
+
 }  // namespace dynamy

@@ -23,4 +23,8 @@ class StateVariation {
   const Model& model_;
 };
 
+/// Coordinates and velocities of a state by the names of their signals, system by system.
+std::vector<std::pair<std::string, double>> coordinatesOf(const Model& model, const State& x,
+                                                          bool velocities = true);
+
 }  // namespace dynamy

@@ -108,6 +108,7 @@ void Model::connectAll() {
 }
 
 State Model::initialState() const {
+  if (simulation.from) return *simulation.from;
   State x;
   x.q.setZero(topology_->nq());
   x.u.setZero(topology_->nu());

@@ -119,6 +119,7 @@ class Model {
   void readyScheme() { choice_.ready(length(), simulation); }
   void solver(std::unique_ptr<InclusionSolver> solver);
   const ImpactLaw& impactLaw() const { return *impactLaw_; }
+  /// Of the systems, or `simulation.from`.
   State initialState() const;
   /// Length of the scene [m]: extent of initial frame positions and shapes, at least 1e-6; 1 if
   /// there is nothing to measure.

@@ -1,7 +1,9 @@
 /// Settings of a run, as given in the sections `<simulation>`, `<record>` and `<check>`.
 #pragma once
 #include <dynamy/core/error.hpp>
+#include <dynamy/system/state.hpp>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,12 @@ enum class JointCoordinates {
   minimal    ///< of the joints of spanning trees; joints that close loops are bilateral laws
 };
 
+/// Where a run starts.
+enum class Start {
+  given,       ///< as the systems say
+  equilibrium  ///< rest or steady motion nearest to that (theory 57)
+};
+
 struct SimulationSettings {
   double until = 1.0;      ///< end time [s]
   double step = 0.0;       ///< Δt [s]; 0: not given
@@ -28,6 +36,8 @@ struct SimulationSettings {
   Project project = Project::none;
   JointCoordinates coordinates = JointCoordinates::absolute;
   Place coordinatesPlace;
+  Start start = Start::given;
+  std::shared_ptr<const State> from;  ///< where runs start; null: as the systems say
   Place place;
 };
 
@@ -36,6 +46,7 @@ struct RecordSettings {
       signals;                    ///< "ball.z", "beak.Lambda_N"; "*" after a dot: all of an element
   std::vector<Place> places;      ///< of each signal name in the file
   double every = 0.0;             ///< sample time [s]; 0: (until)/1000
+  std::vector<double> at;         ///< instants of further rows [s]; without `every`: of all rows
   double framesPerSecond = 60.0;  ///< pictures of the replay
   std::string follow;             ///< system or frame that the replay goes with; "": none
   Place followPlace;

@@ -168,18 +168,6 @@ int heldByJoints(Model& model, const State& x) {
   return out;
 }
 
-std::vector<std::pair<std::string, double>> signalsOf(const Model& model, const State& x) {
-  std::vector<std::pair<std::string, double>> out;
-  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
-    const SystemHandle& s = model.topology().system(i);
-    const Description& d = model.description(i);
-    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
-    for (const auto& [name, index] : d.coordinates) out.emplace_back(of + name, x.q[s.q0 + index]);
-    for (const auto& [name, index] : d.velocities) out.emplace_back(of + name, x.u[s.u0 + index]);
-  }
-  return out;
-}
-
 /// Throws if the second period differs from the first: the model depends on time in another way.
 void expectPeriodic(ReturnMap& map, const Search& search, double growth) {
   Return second = search.at();
@@ -236,7 +224,7 @@ Orbit orbit(Model& model, const OrbitRequest& request, const State* start) {
 
   const std::vector<std::string> names = map.variation().names();
   const Eigen::VectorXd z = map.variation().between(r.end, r.start);
-  out.state = signalsOf(model, r.start);
+  out.state = coordinatesOf(model, r.start);
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (std::find(search.active().begin(), search.active().end(), i) == search.active().end())
       out.shift.emplace_back(names[static_cast<std::size_t>(i)], z[i]);

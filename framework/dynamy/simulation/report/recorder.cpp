@@ -19,11 +19,6 @@ bool reached(const StepView& v, double t) {
   return t <= v.after.t + 1e-9 * (v.after.t - v.before.t);
 }
 
-double spacing(double given, double until) {
-  if (given > 0.0) return given;
-  return until > 0.0 ? until / 1000.0 : 1.0;
-}
-
 }  // namespace
 
 std::vector<DrawnFrame> drawnFrames(const Model& model) {
@@ -47,7 +42,7 @@ Recorder::Recorder(const Model& model, RecordSink& sink)
     : sink_(sink),
       sampler_(model, chooseSignals(model, model.record.signals, model.record.places)),
       drawn_(model.topology().systems()),
-      rows_(spacing(model.record.every, model.simulation.until)),
+      rows_(model.record, model.simulation.until),
       frames_(model.record.framesPerSecond > 0.0 ? 1.0 / model.record.framesPerSecond : 1.0 / 60) {
   for (const DrawnFrame& f : drawnFrames(model)) drawn_.frame(drawn_.system(f.system), f.id);
   if (model.record.framesPerSecond <= 0.0) drawn_ = Topology(model.topology().systems());
@@ -59,22 +54,23 @@ Recorder::Recorder(const Model& model, RecordSink& sink)
 void Recorder::start(const StepView& initial) {
   row(initial, initial.after.t, 1.0);
   frame(initial, initial.after.t, 1.0);
-  nextRow_ = nextFrame_ = 1;
+  rows_.startedAt(initial.after.t), nextFrame_ = 1;
 }
 
 void Recorder::step(const StepView& view) {
-  for (double t = rows_.at(nextRow_); reached(view, t) && fraction(view, t) < 1.0;
-       t = rows_.at(++nextRow_))
+  for (double t = rows_.next(); reached(view, t) && fraction(view, t) < 1.0; t = rows_.next()) {
     row(view, t, fraction(view, t));
+    rows_.pass();
+  }
   // An impact whose instant is known has a row on each side of it.
   const bool jumps = view.report.uBeforeImpact != nullptr;
   if (jumps) {
     sampler_.sampleBeforeImpact(view, values_);
     write(view.after.t);
   }
-  const bool due = reached(view, rows_.at(nextRow_));
-  if (due || jumps) row(view, due ? rows_.at(nextRow_) : view.after.t, 1.0);
-  if (due) ++nextRow_;
+  const bool due = reached(view, rows_.next());
+  if (due || jumps) row(view, due ? rows_.next() : view.after.t, 1.0);
+  if (due) rows_.pass();
   if (poses_.empty()) return;
   for (; reached(view, frames_.at(nextFrame_)); ++nextFrame_)
     frame(view, frames_.at(nextFrame_), fraction(view, frames_.at(nextFrame_)));
@@ -131,9 +127,11 @@ void Recorder::archive(Archive& a) {
   std::uint64_t columns = values_.size();
   a(columns);
   if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
-  a(nextRow_), a(nextFrame_), a(lastRow_), a(lastFrame_);
-  if (nextRow_ < 0 || nextFrame_ < 0)
+  long nextRow = rows_.row();
+  a(nextRow), a(nextFrame_), a(lastRow_), a(lastFrame_);
+  if (nextRow < 0 || nextFrame_ < 0)
     throw ModelError("the checkpoint counts its recorded rows from below zero");
+  rows_.resume(nextRow, lastRow_);
   sink_.archive(a);
 }
 

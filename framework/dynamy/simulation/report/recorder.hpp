@@ -6,6 +6,7 @@
 #pragma once
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/simulation/report/record_sink.hpp>
+#include <dynamy/simulation/report/row_instants.hpp>
 #include <dynamy/simulation/report/signal_sampler.hpp>
 #include <dynamy/simulation/report/step_impacts.hpp>
 
@@ -20,7 +21,7 @@ std::vector<DrawnFrame> drawnFrames(const Model& model);
 
 class Recorder final : public Observer {
  public:
-  /// `model` is built; its record settings give `every` (0: until/1000) and `framesPerSecond`.
+  /// `model` is built; its record settings give `every` (0: until/1000), `at` and `framesPerSecond`.
   /// Throws ModelError for unknown signals.
   Recorder(const Model& model, RecordSink& sink);
   const std::vector<const NamedSignal*>& signals() const { return sampler_.signals(); }
@@ -44,8 +45,9 @@ class Recorder final : public Observer {
   Kinematics kinematics_;
   State at_;
   StepImpacts impacts_;
-  TimeGrid rows_, frames_;
-  long nextRow_ = 0, nextFrame_ = 0;
+  RowInstants rows_;
+  TimeGrid frames_;
+  long nextFrame_ = 0;
   double lastRow_ = -1.0, lastFrame_ = -1.0;
   std::vector<double> values_;
   std::vector<FramePose> poses_;

@@ -18,6 +18,7 @@ struct PlannedStep {
   End end = End::bounded;
 };
 
+/// With neither stops nor steps the loop is that of the model; only the start is another one.
 struct StepPlan {
   std::vector<double> stops;       ///< instants at which a step ends, ascending [s]
   std::vector<PlannedStep> steps;  ///< empty: the scheme chooses the lengths

@@ -43,7 +43,8 @@ std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
     d.hint = "put a <RigidBody> or another system into <systems>";
     throw ModelError(d);
   }
-  if (plan != nullptr) return std::make_unique<PlannedSteps>(*plan);
+  if (plan != nullptr && !(plan->stops.empty() && plan->steps.empty()))
+    return std::make_unique<PlannedSteps>(*plan);
   const int nu = model.topology().nu();
   if (model.scheme().choosesSteps() && (s.step > 0.0 || !model.scheme().needsStep()))
     return std::make_unique<OwnSteps>(s.step, s.onNonConvergence, nu, SampleInstants(model));

@@ -62,6 +62,38 @@ void expectFramesFit(Model& m, unsigned seed) {
   }
 }
 
+/// The signals of the frame "tip" of one body against the frame that kinematics give.
+void expectSignalsOfTip(Model& m, const std::string& body, const std::string& moving) {
+  m.build();
+  Motion motion(m);
+  motion.scatter(7);
+  const FrameHandle handle = m.topology().frame(m.topology().system(0), 1);
+  const Frame f = motion.at(0.0).frame(handle);
+  const State& x = motion.start();
+  SignalView view;
+  view.q = dynamy::view(x.q), view.u = dynamy::view(x.u);
+  for (const char axis : moving)
+    for (const bool rate : {false, true}) {
+      const NamedSignal* s = m.signal(body + ".tip." + (rate ? "v" : "") + axis);
+      ASSERT_NE(s, nullptr) << body << axis;
+      // A dozen roundings of numbers below 10.
+      EXPECT_NEAR(s->signal.value(view), (rate ? f.v_S_I : f.r_OS_I)[axis - 'x'], 2e-14);
+    }
+}
+
+TEST(NamedFrame, HasPositionAndVelocityAsSignals) {
+  Model rigid, planar, point;
+  Parameters x = Parameters::of<RigidBody>("RigidBody", "body", {{"euler", {0.2, 0.1, 0.3}}});
+  auto shape = std::make_unique<Box>(Parameters::of<Box>(
+      "Box", "", {{"size", {0.1, 0.2, 0.3}}, {"mass", 1.0}, {"position", {0.4, 0.1, -0.2}}}));
+  rigid.add(std::make_unique<RigidBody>(std::move(x).with(std::move(shape)).with(tip())));
+  expectSignalsOfTip(rigid, "body", "xyz");
+  addWithTip<PlanarBody>(planar, "plate", {{"mass", 2.0}, {"inertia", 0.1}});
+  expectSignalsOfTip(planar, "plate", "xz");
+  addWithTip<PointMass>(point, "mass", {{"mass", 2.0}, {"plane", "xy"}});
+  expectSignalsOfTip(point, "mass", "xy");
+}
+
 TEST(RigidBody, HasFramesThatFitTheirDifferences) {
   Model m;
   addWithTip<RigidBody>(m, "body", {{"mass", 2.0}, {"inertia", {0.1, 0.2, 0.25}}});
@@ -277,6 +309,19 @@ TEST(Shapes, HaveTheVolumeAndInertiaOfTheirSlices) {
                                               return std::sqrt(R * R - over * over);
                                             },
                                             0.5 * l + R));
+}
+
+TEST(Shapes, ATubeIsACylinderWithoutAnother) {
+  const auto mass = [](double radius, double bore) {
+    return CylinderShape(Parameters::of<CylinderShape>(
+                             "Cylinder", "", {{"radius", radius}, {"length", 0.7}, {"bore", bore}}))
+        .massProperties();
+  };
+  const MassProperties tube = mass(0.3, 0.2), whole = mass(0.3, 0.0), hole = mass(0.2, 0.0);
+  // A few roundings of numbers below 1.
+  EXPECT_NEAR(tube.volume, whole.volume - hole.volume, 1e-16);
+  EXPECT_LT((tube.inertia_B - whole.inertia_B + hole.inertia_B).norm(), 1e-16);
+  EXPECT_THROW(mass(0.2, 0.2), ModelError);
 }
 
 TEST(Shapes, RefuseMassAndDensityTogether) {

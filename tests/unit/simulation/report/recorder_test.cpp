@@ -31,6 +31,19 @@ TEST(Recorder, SamplesInsideOfStepsAndAtTheEnd) {
   EXPECT_EQ(t.rows[1][1], 1.0);
 }
 
+TEST(Recorder, GivenInstantsAreAllRowsOrFurtherOnes) {
+  const auto instants = [](double every) {
+    Model m = ballOnFloor(1.0, 2.0, 0.0, 0.0, 0.25, 0.1);
+    m.record.signals = {"ball.x"};
+    m.record.at = {0.17, 0.0333, 0.2, 0.4}, m.record.every = every;
+    const Table t = recorded(m);
+    for (std::size_t i = 0; i < t.t.size(); ++i) EXPECT_NEAR(t.rows[i][0], 2.0 * t.t[i], 1e-15);
+    return t.t;
+  };
+  EXPECT_EQ(instants(0.0), (std::vector<double>{0.0, 0.0333, 0.17, 0.2, 0.25}));
+  EXPECT_EQ(instants(0.1), (std::vector<double>{0.0, 0.0333, 0.1, 0.17, 0.2, 0.25}));
+}
+
 TEST(Recorder, AThousandRowsAreTheDefault) {
   Model m = ballOnFloor(1.0, 2.0, 0.0, 0.0, 0.5, 1e-3);
   EXPECT_EQ(recorded(m).t.size(), 1001u);
