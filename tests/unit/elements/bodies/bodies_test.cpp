@@ -70,8 +70,7 @@ void expectSignalsOfTip(Model& m, const std::string& body, const std::string& mo
   const FrameHandle handle = m.topology().frame(m.topology().system(0), 1);
   const Frame f = motion.at(0.0).frame(handle);
   const State& x = motion.start();
-  SignalView view;
-  view.q = dynamy::view(x.q), view.u = dynamy::view(x.u);
+  const SignalView view{.q = dynamy::view(x.q), .u = dynamy::view(x.u)};
   for (const char axis : moving)
     for (const bool rate : {false, true}) {
       const NamedSignal* s = m.signal(body + ".tip." + (rate ? "v" : "") + axis);
