@@ -139,7 +139,8 @@ Equilibrium equilibrium(Model& model, const State& from, const EquilibriumOption
     if (way > kAway * std::max(1.0, model.length())) break;
     if (i < next) continue;
     next = std::max(i + 1.0, kMoreSeldom * i);
-    if ((found = search.near(damped.at()))) {
+    found = search.near(damped.at());
+    if (found) {
       search.judge(*found);
       if (found->growing > 0 && found->moved > 0.0) continue;
       found->start = first, found->relaxations = i, found->steps = damped.steps();
