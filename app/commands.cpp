@@ -9,17 +9,17 @@ namespace dynamy::app {
 // program.exitCode.
 using AddCommand = void(CLI::App& app, Program& program);
 AddCommand addRun, addResume, addVerify, addCheck, addEigen, addEquilibrium, addGradient, addOrbit,
-    addImport, addList, addDescribe, addSchema, addCompare, addView, addSolve, addSweep, addReport,
-    addNewPlugin, addExport, addBench, addCompletion, addManual;
+    addFit, addImport, addList, addDescribe, addSchema, addCompare, addView, addSolve, addSweep,
+    addReport, addNewPlugin, addExport, addBench, addCompletion, addManual;
 
 void addCommands(CLI::App& app, Program& program) {
   app.set_version_flag("--version", versionText());
   app.require_subcommand(1);
   for (AddCommand* add :
-       {addRun,      addResume, addVerify,     addCheck, addEigen,    addEquilibrium,
-        addGradient, addOrbit,  addImport,     addList,  addDescribe, addSchema,
-        addCompare,  addView,   addSolve,      addSweep, addReport,   addNewPlugin,
-        addExport,   addBench,  addCompletion, addManual})
+       {addRun,       addResume,  addVerify, addCheck,      addEigen, addEquilibrium,
+        addGradient,  addOrbit,   addFit,    addImport,     addList,  addDescribe,
+        addSchema,    addCompare, addView,   addSolve,      addSweep, addReport,
+        addNewPlugin, addExport,  addBench,  addCompletion, addManual})
     add(app, program);
 }
 

@@ -9,6 +9,7 @@ set(package_dir lib/cmake/dynamy)
 install(TARGETS dynamy_framework EXPORT dynamyTargets
   LIBRARY DESTINATION lib COMPONENT runtime NAMELINK_COMPONENT dev
   RUNTIME DESTINATION bin COMPONENT runtime)
+install(TARGETS dynamy_optimiser LIBRARY DESTINATION lib COMPONENT runtime)
 install(TARGETS dynamy_elements EXPORT dynamyTargets
   LIBRARY DESTINATION lib/dynamy COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/framework/dynamy DESTINATION include COMPONENT dev

@@ -31,6 +31,7 @@ void bindRun(pybind11::module_& m);
 void bindGradient(pybind11::module_& m);
 void bindOrbit(pybind11::module_& m);
 void bindEquilibrium(pybind11::module_& m);
+void bindFit(pybind11::module_& m);
 void bindLaws(pybind11::module_& m);
 
 }  // namespace dynamy::python

@@ -69,4 +69,5 @@ PYBIND11_MODULE(_core, m) {
   python::bindGradient(m);
   python::bindOrbit(m);
   python::bindEquilibrium(m);
+  python::bindFit(m);
 }

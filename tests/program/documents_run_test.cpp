@@ -80,6 +80,8 @@ TEST_F(DocumentTest, Equilibrium) { follow("doc/equilibrium.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }
 TEST_F(DocumentTest, Fmu) { follow("doc/fmu.md"); }
 TEST_F(DocumentTest, Orbit) { follow("doc/orbit.md"); }
+TEST_F(DocumentTest, Fit) { follow("doc/fit.md"); }
+TEST_F(DocumentTest, FrictionFromAFilm) { follow("doc/tutorial/05_fit.md"); }
 TEST_F(DocumentTest, Report) { follow("doc/report.md"); }
 TEST_F(DocumentTest, Security) { follow("doc/security.md"); }
 #ifndef DYNAMY_SANITIZED

@@ -88,6 +88,17 @@ def equilibrium(
     near: float = 1e-6,
     **parameters: Any,
 ) -> Dict[str, Any]: ...
+def fit(
+    file: str,
+    data: Any,
+    parameters: Sequence[str] = ...,
+    each: Sequence[str] = ...,
+    sigma: Dict[str, float] = ...,
+    bounds: Dict[str, Any] = ...,
+    priors: Dict[str, Any] = ...,
+    tolerance: float = 0.0,
+    **set: Any,
+) -> Dict[str, Any]: ...
 def gradient(
     file: str,
     of: Sequence[str] = ...,

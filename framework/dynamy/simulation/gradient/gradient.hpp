@@ -11,16 +11,9 @@
 /// Rejected: differences of runs that choose their own steps. They are as good with the best δ, which
 /// is between 1e-3 and 1e-6 of p from run to run; nothing tells which it is, or the error.
 #pragma once
-#include <dynamy/simulation/gradient/followed_run.hpp>
-#include <functional>
-#include <utility>
+#include <dynamy/simulation/gradient/run_differences.hpp>
 
 namespace dynamy {
-
-/// A parameter and its value, in SI units.
-using Varied = std::pair<std::string, double>;
-/// Makes the model with some parameters changed.
-using ModelMaker = std::function<Model(const std::vector<Varied>& changed)>;
 
 struct GradientRequest {
   std::vector<SignalAt> of;  ///< t: NaN for the end; empty: all signals of systems at the end

@@ -1,0 +1,55 @@
+/// RunDifferences: a run and its derivatives by parameters, by runs that follow it (53.3):
+///
+///   d = (v(p + δ) − v(p − δ)) / 2δ
+#pragma once
+#include <dynamy/core/constants.hpp>
+#include <dynamy/simulation/gradient/followed_run.hpp>
+#include <functional>
+#include <utility>
+
+namespace dynamy {
+
+/// A parameter and its value, in SI units.
+using Varied = std::pair<std::string, double>;
+/// Makes the model with some parameters changed.
+using ModelMaker = std::function<Model(const std::vector<Varied>& changed)>;
+
+class RunDifferences {
+ public:
+  /// δ of a parameter, as a part of its size. Central differences of smooth runs have errors of
+  /// about δ² and 1e-16/δ.
+  static constexpr double kDelta = 5e-6;
+  /// Rounding of a value at the end of a run, in units of the value; divided by δ.
+  static constexpr double kRounding = 32.0 * kEpsilon;
+  /// Runs with some parameters changed; `like`: with the steps of that run.
+  using Run =
+      std::function<FollowedRun(const std::vector<Varied>& changed, const MotionSequence* like)>;
+  /// `wide`: factor on δ. Throws what `run` throws.
+  explicit RunDifferences(Run run, double wide = 1.0);
+  const FollowedRun& nominal() const { return run_; }
+  /// From when on switches are so dense that the run steps in time and has no derivatives [s]; NaN:
+  /// it has.
+  double steppedFrom() const;
+
+  /// Derivatives of all values by a parameter; `size`: what δ is a part of; `tries`: with ever
+  /// smaller δ. Empty: the switches differ, see difference().
+  std::vector<double> by(const Varied& parameter, double size, int tries);
+  /// Where there is no derivative: differences to runs that choose their own steps, on both sides,
+  /// of each value the smaller one. A value that jumps on one side changes slowly on the other. A
+  /// side that ends early is left out. Throws ModelError if both do.
+  std::vector<double> across(const Varied& parameter, double size) const;
+
+  double delta() const { return delta_; }  ///< of the last derivatives
+  const MotionSequence::Difference& difference() const { return difference_; }
+  /// The switches differed for a larger value of the parameter, else for a smaller one.
+  bool grows() const { return grows_; }
+
+ private:
+  Run make_;
+  double wide_, delta_ = 0.0;
+  FollowedRun run_;
+  MotionSequence::Difference difference_;
+  bool grows_ = false;
+};
+
+}  // namespace dynamy
