@@ -28,14 +28,14 @@ fs::path AnalysisResult::folder(const std::string& model) const {
 }
 
 void AnalysisResult::tell(const std::string& model, const std::function<void(JsonWriter&)>& members,
-                          const std::string& text) const {
+                          const std::string& text, const std::string& other) const {
   std::string json;
   JsonWriter j(json, 2);
   j.beginObject();
   members(j);
   j.endObject();
   json += '\n';
-  writeWholeFile(folder(model) / (name_ + ".json"), json);
+  writeWholeFile(folder(model) / ((other.empty() ? name_ : other) + ".json"), json);
   fmt::print("{}", json_ ? json : text);
 }
 

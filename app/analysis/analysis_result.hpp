@@ -22,9 +22,10 @@ class AnalysisResult {
   void declare(CLI::App& command, Program& program, const std::string& files);
   /// The folder of the results of a model file, which is made if there is none.
   std::filesystem::path folder(const std::string& model) const;
-  /// Writes NAME.json with these members of its object and prints it, or `text`. \throws FileError
+  /// Writes NAME.json with these members of its object and prints it, or `text`. `other`: in place
+  /// of NAME. \throws FileError
   void tell(const std::string& model, const std::function<void(JsonWriter&)>& members,
-            const std::string& text) const;
+            const std::string& text, const std::string& other = {}) const;
 
  private:
   std::string name_, out_;

@@ -1,12 +1,16 @@
-/// dynamy orbit MODEL: a periodic orbit, its shift and its multipliers.
+/// dynamy orbit MODEL: a periodic orbit, its shift and its multipliers, or a branch of them.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <dynamy/io/model/file_orbit.hpp>
+#include <dynamy/core/declared/unknown_name.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <dynamy/io/model/file_branch.hpp>
 #include <memory>
 
 #include "analysis/analysis_result.hpp"
+#include "analysis/branch_page.hpp"
 #include "numbers.hpp"
 #include "program.hpp"
 
@@ -14,10 +18,10 @@ namespace dynamy::app {
 namespace {
 
 struct OrbitTask {
-  std::string model, section;
+  std::string model, section, over, show;
   std::vector<std::string> set, start;
   double tolerance = 0.0, period = 0.0;
-  int returns = 0;
+  int returns = 0, brute = 0;
   AnalysisResult result{"orbit"};
 };
 
@@ -65,6 +69,35 @@ std::string orbitText(const std::string& model, const Orbit& o) {
   return out;
 }
 
+std::string branchText(const std::string& model, const NamedBranch& b) {
+  const auto& points = b.branch.points;
+  const auto stable =
+      std::count_if(points.begin(), points.end(), [](const BranchPoint& p) { return p.stable; });
+  std::string out = fmt::format(
+      "{}: {} periodic orbits over {}, {} of them stable; {} runs over one period\n"
+      " at the section ({})\n",
+      model, points.size(), b.parameter, stable, b.branch.cycles, b.branch.section.text());
+  for (const BranchPoint& p : points)
+    if (!p.kind.empty()) out += fmt::format(" {:<16.12g} {:<14} {}\n", p.p, p.kind, p.text);
+  return out;
+}
+
+void tellBranch(Program& program, const OrbitTask& task, const FileOrbit& wanted) {
+  const NamedBranch b = branch({.orbit = wanted, .over = task.over, .brute = task.brute},
+                               program.registry, program.plugins);
+  const std::filesystem::path folder = task.result.folder(task.model);
+  const std::string show = task.show.empty() ? shownSignal(b) : task.show;
+  const auto& known = b.branch.signals;
+  if (show != "period" && show != "multiplier" &&
+      std::find(known.begin(), known.end(), show) == known.end())
+    throw ModelError("nothing named \"" + show + "\" on the branch", unknownNameHint(show, known));
+  writeWholeFile(folder / "branch.csv", branchCsv(b));
+  writeWholeFile(folder / "branch.svg", branchSvg(b, show));
+  writeWholeFile(folder / "branch.html", branchPage(task.model, b));
+  task.result.tell(
+      task.model, [&](JsonWriter& j) { writeBranch(j, b); }, branchText(task.model, b), "branch");
+}
+
 void tellOrbit(Program& program, const OrbitTask& task) {
   FileOrbit wanted{.file = task.model,
                    .section = task.section,
@@ -73,6 +106,10 @@ void tellOrbit(Program& program, const OrbitTask& task) {
                    .tolerance = task.tolerance};
   for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
   for (const std::string& s : task.start) wanted.start.push_back(numberAssignment("--start", s));
+  if (!task.over.empty()) {
+    tellBranch(program, task, wanted);
+    return;
+  }
   const Orbit o = orbit(wanted, program.registry, program.plugins);
   task.result.tell(
       task.model, [&](JsonWriter& j) { writeOrbit(j, o); }, orbitText(task.model, o));
@@ -101,10 +138,25 @@ void addOrbit(CLI::App& app, Program& program) {
                 "coordinate or velocity from which the search begins; default: the model's")
       ->type_name("SIGNAL=VALUE");
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
+  CLI::Option* over =
+      c->add_option("--over", t->over,
+                    "follow the orbit over a parameter, through folds; COUNT: about how many "
+                    "orbits between the bounds, default 100")
+          ->type_name("NAME=FROM:TO[:COUNT]");
+  c->add_option("--brute", t->brute,
+                "with --over: values of the parameter at which plain runs show, after a transient, "
+                "where the motion itself goes")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(2, 100000))
+      ->needs(over);
+  c->add_option("--show", t->show,
+                "with --over: what branch.svg shows; default: the signal that changes most")
+      ->type_name("SIGNAL|period|multiplier")
+      ->needs(over);
   c->add_option("--tolerance", t->tolerance, "of the runs; default: 1e-12")
       ->type_name("NUMBER")
       ->check(positiveNumber());
-  t->result.declare(*c, program, "orbit.json");
+  t->result.declare(*c, program, "orbit.json, or of branch.csv, branch.svg and branch.html");
   c->callback([t, &program] {
     program.load();
     tellOrbit(program, *t);

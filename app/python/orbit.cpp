@@ -1,9 +1,10 @@
-/// Periodic orbits of model files.
+/// Periodic orbits of model files, and branches of them.
 #include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <dynamy/io/model/file_orbit.hpp>
+#include <dynamy/io/model/file_branch.hpp>
+#include <limits>
 
 #include "library.hpp"
 
@@ -12,17 +13,61 @@ namespace py = pybind11;
 namespace dynamy::python {
 namespace {
 
+FileOrbit wantedOrbit(const std::string& file, const std::string& section, double period,
+                      int returns, const std::map<std::string, double>& start, double tolerance,
+                      const py::kwargs& set) {
+  FileOrbit out{.file = file,
+                .section = section,
+                .period = period,
+                .returns = returns,
+                .tolerance = tolerance};
+  for (const GivenValue& v : givenValues(set)) out.set.emplace_back(v.name, v.text);
+  for (const auto& [name, value] : start)
+    out.start.emplace_back(name, py::str(py::float_(value)).cast<std::string>());
+  return out;
+}
+
+py::dict branchOf(const std::string& file, const std::string& over, const std::string& section,
+                  double period, int returns, const std::map<std::string, double>& start,
+                  double tolerance, const py::kwargs& set) {
+  const NamedBranch named = branch(
+      {.orbit = wantedOrbit(file, section, period, returns, start, tolerance, set), .over = over},
+      library().registry, library().plugins);
+  const OrbitBranch& b = named.branch;
+  const auto n = static_cast<py::ssize_t>(b.points.size());
+  Eigen::Index most = 0;
+  for (const BranchPoint& p : b.points) most = std::max(most, p.multipliers.size());
+  py::array_t<double> parameter(n), periods(n);
+  py::array_t<bool> stable(n);
+  py::array_t<std::complex<double>> multipliers({n, static_cast<py::ssize_t>(most)});
+  py::list kinds, texts;
+  py::dict state;
+  for (std::size_t k = 0; k < b.signals.size(); ++k) {
+    py::array_t<double> values(n);
+    for (py::ssize_t i = 0; i < n; ++i)
+      values.mutable_at(i) = b.points[static_cast<std::size_t>(i)].state[k];
+    state[py::str(b.signals[k])] = values;
+  }
+  for (py::ssize_t i = 0; i < n; ++i) {
+    const BranchPoint& p = b.points[static_cast<std::size_t>(i)];
+    parameter.mutable_at(i) = p.p, periods.mutable_at(i) = p.period;
+    stable.mutable_at(i) = p.stable;
+    for (py::ssize_t k = 0; k < most; ++k)
+      multipliers.mutable_at(i, k) =
+          k < p.multipliers.size() ? p.multipliers[k] : std::numeric_limits<double>::quiet_NaN();
+    kinds.append(p.kind), texts.append(p.text);
+  }
+  py::dict out;
+  out["parameter"] = parameter, out["period"] = periods, out["state"] = state;
+  out["multipliers"] = multipliers, out["stable"] = stable, out["bifurcation"] = kinds;
+  out["text"] = texts, out["start"] = b.start, out["section"] = b.section.text();
+  return out;
+}
+
 py::dict orbitOf(const std::string& file, const std::string& section, double period, int returns,
                  const std::map<std::string, double>& start, double tolerance,
                  const py::kwargs& set) {
-  FileOrbit wanted{.file = file,
-                   .section = section,
-                   .period = period,
-                   .returns = returns,
-                   .tolerance = tolerance};
-  for (const GivenValue& v : givenValues(set)) wanted.set.emplace_back(v.name, v.text);
-  for (const auto& [name, value] : start)
-    wanted.start.emplace_back(name, py::str(py::float_(value)).cast<std::string>());
+  const FileOrbit wanted = wantedOrbit(file, section, period, returns, start, tolerance, set);
   const Orbit o = orbit(wanted, library().registry, library().plugins);
   py::array_t<std::complex<double>> multipliers(o.multipliers.size());
   for (py::ssize_t i = 0; i < o.multipliers.size(); ++i)
@@ -40,6 +85,15 @@ py::dict orbitOf(const std::string& file, const std::string& section, double per
 }  // namespace
 
 void bindOrbit(py::module_& m) {
+  m.def(
+      "branch", &branchOf, py::arg("file"), py::arg("over"), py::arg("section") = "",
+      py::arg("period") = 0.0, py::arg("returns") = 0,
+      py::arg("start") = std::map<std::string, double>(), py::arg("tolerance") = 0.0,
+      "The periodic orbit of a model file followed over a parameter, \"mu=0.2:0.5:50\", as a dict "
+      "of\n"
+      "arrays along the branch: parameter, period, state (a dict by signal), multipliers (NaN: "
+      "none),\n"
+      "stable; bifurcation and text name what happens at a point. Other arguments: as for orbit.");
   m.def(
       "orbit", &orbitOf, py::arg("file"), py::arg("section") = "", py::arg("period") = 0.0,
       py::arg("returns") = 0, py::arg("start") = std::map<std::string, double>(),

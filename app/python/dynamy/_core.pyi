@@ -77,6 +77,16 @@ class Simulation:
     def energy(self) -> float: ...
 
 def describe(name: str = "") -> str: ...
+def branch(
+    file: str,
+    over: str,
+    section: str = "",
+    period: float = 0.0,
+    returns: int = 0,
+    start: Dict[str, float] = ...,
+    tolerance: float = 0.0,
+    **parameters: Any,
+) -> Dict[str, Any]: ...
 def element(
     type: str, name: str = "", children: Sequence[Element] = ..., **attributes: Any
 ) -> Element: ...

@@ -17,6 +17,13 @@ struct FileOrbit {
   double tolerance = 0.0;    ///< 0: 1e-12
 };
 
+/// The model and the section of its orbit. Throws ModelError, also if nothing says where it is.
+Model loadOrbitModel(const FileOrbit& wanted, Registry& registry, PluginLoader& plugins,
+                     OrbitSection& section);
+
+/// The initial state of the model with the values of `start`.
+State startOf(const Model& model, const FileOrbit& wanted);
+
 /// As orbit(). Throws ModelError, also for unknown names.
 Orbit orbit(const FileOrbit& wanted, Registry& registry, PluginLoader& plugins);
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/decompositions.hpp>
-#include <dynamy/simulation/linear/linearisation.hpp>
 #include <dynamy/simulation/orbit/orbit.hpp>
+#include <dynamy/simulation/orbit/orbit_multipliers.hpp>
 
 namespace dynamy {
 namespace {
@@ -77,29 +77,13 @@ class Search {
   }
   /// The scaled DP of active coordinates.
   Eigen::MatrixXd scaled(const Eigen::MatrixXd& P) const {
-    const auto n = static_cast<Eigen::Index>(active_.size());
-    Eigen::MatrixXd out(n, n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      for (Eigen::Index k = 0; k < n; ++k) {
-        const Eigen::Index a = active_[static_cast<std::size_t>(i)];
-        const Eigen::Index b = active_[static_cast<std::size_t>(k)];
-        out(i, k) = P(a, b) * now_.range[b] / now_.range[a];
-      }
-    return out;
+    return scaledMap(P, active_, now_.range);
   }
 
  private:
   void derive() {
     const ReturnDerivative d = map_.derivative(now_);
-    const Eigen::Index n = map_.variation().size();
-    active_.clear();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      double off = std::abs(d.period[i]) * now_.range[i] / now_.period;
-      for (Eigen::Index k = 0; k < n; ++k)
-        off = std::max(off,
-                       std::abs(d.P(k, i) - (k == i ? 1.0 : 0.0)) * now_.range[i] / now_.range[k]);
-      if (2 * i >= n || off > kIgnorable) active_.push_back(i);
-    }
+    active_ = activeChanges(now_, d);
     Eigen::MatrixXd J = scaled(d.P);
     J.diagonal().array() -= 1.0;
     inverse_.compute(J);
@@ -143,31 +127,6 @@ class Search {
   double away_ = 0.0;
 };
 
-/// Eigenvalues by falling modulus. Singular values up to `noise` are zero.
-Eigen::VectorXcd multipliersOf(const Eigen::MatrixXd& P, double noise) {
-  Eigen::MatrixXcd vectors;
-  Eigen::VectorXcd out;
-  nonzeroEigenvalues(P, noise, out, vectors);
-  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
-    return std::abs(a) > std::abs(b) * (1.0 + 1e-9);
-  });
-  return out;
-}
-
-/// Coordinates that joints hold: their changes are no motions.
-int heldByJoints(Model& model, const State& x) {
-  MechanicalSystem s = model.mechanicalSystem();
-  s.evaluate(x);
-  int out = 0;
-  const ContactSet& c = s.slot(0).contacts;
-  for (int i = 0; i < c.size(); ++i)
-    for (int r = 0; r < c.dim(i); ++r) {
-      const RowKind kind = c.law[static_cast<std::size_t>(i)]->rowKind(r);
-      out += kind == RowKind::joint ? 2 : kind == RowKind::rate ? 1 : 0;
-    }
-  return out;
-}
-
 /// Throws if the second period differs from the first: the model depends on time in another way.
 void expectPeriodic(ReturnMap& map, const Search& search, double growth) {
   Return second = search.at();
@@ -206,8 +165,9 @@ Orbit orbit(Model& model, const OrbitRequest& request, const State* start) {
   again.solve(r.start);
   out.periodError = std::abs(again.at().period - out.period);
 
-  const Eigen::MatrixXd P = search.scaled(map.derivative(r, 1.0).P);
-  const Eigen::MatrixXd other = search.scaled(rough.derivative(again.at(), kWiderDelta).P);
+  const Eigen::MatrixXd P = search.scaled(map.derivative(r, {.fine = 1.0}).P);
+  const Eigen::MatrixXd other =
+      search.scaled(rough.derivative(again.at(), {.fine = kWiderDelta}).P);
   const double size = P.size() > 0 ? P.cwiseAbs().maxCoeff() : 0.0;
   const double error = P.size() > 0 ? (P - other).cwiseAbs().maxCoeff() : 0.0;
   const double unit = std::max(1.0, size);

@@ -14,13 +14,14 @@ namespace dynamy {
 namespace {
 
 /// Steps of the differences, as parts of the range of each coordinate: of second order for Newton's
-/// method, of fourth for results, the widest of several. Their errors are about δ² and δ⁴, in
-/// unknown units; rounding adds 1e-15/δ.
-constexpr double kCoarseDelta = 5e-6, kFineDelta = 3e-4;
+/// method, of fourth for results, the widest of several. Their errors are about δ² and δ⁴ (forward
+/// ones: δ), in unknown units; rounding adds 1e-15/δ.
+constexpr double kForwardDelta = 3e-8, kCoarseDelta = 5e-6, kFineDelta = 3e-4;
 constexpr double kLess = 0.2;  ///< factor on δ where the switches differ
 constexpr int kAttempts = 6;
 constexpr int kBisections = 60;  ///< to find a pass on the path of a step
 constexpr int kPeriodCorrections = 6;
+constexpr double kLinear = 1e-10;     ///< shorter corrections take the rate that is known
 constexpr double kTellsSlope = 1e-7;  ///< shorter corrections of the period drown in rounding
 constexpr double kNoRange = 1e-9;     ///< a coordinate with a smaller range does not change
 
@@ -108,6 +109,7 @@ ReturnMap::ReturnMap(Model& model, OrbitSection section, double tolerance)
 /// The pass number `count` from a state on, by a run that chooses its steps.
 ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
   const double forced = section_.period * section_.returns;
+  ++cycles_;
   model_.simulation.until = section_.signal.empty() ? forced : until_;
   model_.askTolerance(tolerance_);
   model_.scheme(locatedScheme(false));
@@ -145,6 +147,7 @@ ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
 
 FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* steps) {
   model_.simulation.until = T;
+  ++cycles_;
   std::vector<SignalAt> of;
   if (!section_.signal.empty()) of.push_back({section_.signal, T});
   FollowedRun out = followedRun(model_, of, tolerance_, steps, &from);
@@ -164,6 +167,11 @@ bool ReturnMap::locate(const MotionSequence* steps, Return& r) {
   double off = take(steps);
   for (int i = 0; i < kPeriodCorrections && !difference_.any && !section_.signal.empty(); ++i) {
     const double dT = -off / r.slope;
+    if (r.rate.size() > 0 && std::abs(dT) < kLinear * r.period) {
+      r.end = variation_.added(r.end, dT * r.rate.head(variation_.size()));
+      r.period += dT;
+      break;
+    }
     if (!(std::abs(dT) > 4.0 * std::numeric_limits<double>::epsilon() * r.period)) break;
     r.period += dT;
     const double now = take(&r.sequence);
@@ -183,10 +191,11 @@ State ReturnMap::start() {
   return asStart(r.end);
 }
 
-Return ReturnMap::from(const State& x, double least) {
+Return ReturnMap::from(const State& x, double least, const Eigen::VectorXd& rate) {
   const Pass p = pass(x, least, section_.returns);
   Return r;
   r.start = asStart(x), r.period = p.t, r.slope = p.slope, r.range = p.range;
+  r.rate = rate;
   for (int i = 0; i < 2 && !locate(nullptr, r); ++i) {
   }
   for (const MotionSequence::Step& s : r.sequence.steps)
@@ -199,8 +208,9 @@ Return ReturnMap::from(const State& x, double least) {
 }
 
 bool ReturnMap::like(const Return& other, const State& x, Return& out) {
-  out.start = asStart(x), out.period = other.period, out.slope = other.slope;
-  out.range = other.range;
+  out.start = asStart(x), out.slope = other.slope;
+  out.period = section_.signal.empty() ? section_.period * section_.returns : other.period;
+  out.range = other.range, out.rate = other.rate;
   return locate(&other.sequence, out);
 }
 
@@ -215,9 +225,9 @@ Eigen::VectorXd ReturnMap::change(const Return& r, const Eigen::VectorXd& z, dou
   return out;
 }
 
-/// Central difference with the step δ; empty: runs have other switches.
+/// Difference with the step δ, a central one if not asked otherwise; empty: runs have other switches.
 Eigen::VectorXd ReturnMap::central(const Return& r, const Eigen::VectorXd& z, double dT,
-                                   double delta, bool fine) {
+                                   double delta, const MapDifferences& how) {
   bool same = true;
   const auto at = [&](double part) -> Eigen::VectorXd {
     bool one = true;
@@ -226,8 +236,9 @@ Eigen::VectorXd ReturnMap::central(const Return& r, const Eigen::VectorXd& z, do
     return out;
   };
   Eigen::VectorXd out = at(1.0);
+  if (same && how.forward) return out / delta;
   if (same) out -= at(-1.0);
-  if (same && !fine) return out / (2.0 * delta);
+  if (same && how.fine <= 0.0) return out / (2.0 * delta);
   if (!same) return {};
   const Eigen::VectorXd wide = at(2.0);
   if (same) out = (8.0 * out - (wide - at(-2.0))) / (12.0 * delta);
@@ -235,15 +246,17 @@ Eigen::VectorXd ReturnMap::central(const Return& r, const Eigen::VectorXd& z, do
 }
 
 Eigen::VectorXd ReturnMap::difference(const Return& r, const Eigen::VectorXd& z, double dT,
-                                      double fine, const std::string& of) {
-  const double first = fine > 0.0 ? fine * kFineDelta : kCoarseDelta;
+                                      const MapDifferences& how, const std::string& of) {
+  const double first = how.forward      ? kForwardDelta
+                       : how.fine > 0.0 ? how.fine * kFineDelta
+                                        : kCoarseDelta;
   // Of three fine ones in a row, the wider of the two that agree best.
   std::vector<Eigen::VectorXd> found;
   double delta = first;
   for (int tries = 0; tries < kAttempts && found.size() < 3; ++tries, delta *= kLess) {
-    Eigen::VectorXd d = central(r, z, dT, delta, fine > 0.0);
+    Eigen::VectorXd d = central(r, z, dT, delta, how);
     if (d.size() == 0 && found.empty()) continue;
-    if (d.size() == 0 || fine <= 0.0) {
+    if (d.size() == 0 || how.fine <= 0.0) {
       if (d.size() > 0) return d;
       break;
     }
@@ -255,7 +268,11 @@ Eigen::VectorXd ReturnMap::difference(const Return& r, const Eigen::VectorXd& z,
   };
   if (found.size() == 3) return apart(0, 1) < apart(1, 2) ? found[0] : found[1];
   if (!found.empty()) return found.back();
-  const MotionSequence::Difference& d = difference_;
+  refuse(difference_, of);
+}
+
+/// Throws: motions have other switches as soon as `of` changes.
+void ReturnMap::refuse(const MotionSequence::Difference& d, const std::string& of) const {
   throw ModelError(
       fmt::format(
           "{:.6g} s after the section {} otherwise as soon as {} changes: the return has no "
@@ -267,22 +284,40 @@ Eigen::VectorXd ReturnMap::difference(const Return& r, const Eigen::VectorXd& z,
       "choose a section at which no contact is closed, and a start further from grazing");
 }
 
-ReturnDerivative ReturnMap::derivative(const Return& r, double fine) {
+ReturnDerivative ReturnMap::derivative(const Return& r, const MapDifferences& how) {
   const Eigen::Index n = variation_.size();
   const std::vector<std::string> names = variation_.names();
   Eigen::MatrixXd D(n + 1, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
     z[i] = r.range[i];
-    D.col(i) = difference(r, z, 0.0, fine, names[static_cast<std::size_t>(i)]) / r.range[i];
+    D.col(i) = difference(r, z, 0.0, how, names[static_cast<std::size_t>(i)]) / r.range[i];
   }
-  ReturnDerivative out{D.topRows(n), Eigen::VectorXd::Zero(n)};
+  ReturnDerivative out{D.topRows(n), Eigen::VectorXd::Zero(n), {}};
   if (section_.signal.empty()) return out;
   const double dT = r.sequence.steps.back().step.dt;
-  const Eigen::VectorXd rate = difference(r, Eigen::VectorXd::Zero(n), dT, fine, "the time") / dT;
-  out.period = -D.row(n).transpose() / rate[n];
-  out.P += rate.head(n) * out.period.transpose();
+  out.rate = difference(r, Eigen::VectorXd::Zero(n), dT, how, "the time") / dT;
+  out.period = -D.row(n).transpose() / out.rate[n];
+  out.P += out.rate.head(n) * out.period.transpose();
   return out;
+}
+
+Eigen::VectorXd ReturnMap::byParameter(const Return& r, const ReturnDerivative& d, ReturnMap& other,
+                                       double apart) {
+  const Eigen::Index n = variation_.size();
+  const double longer =
+      section_.signal.empty() ? other.section_.period * other.section_.returns - r.period : 0.0;
+  bool same = true;
+  Eigen::VectorXd out = other.change(r, Eigen::VectorXd::Zero(n), longer, same) / apart;
+  if (!same) refuse(other.difference_, "the parameter");
+  if (!section_.signal.empty()) out.head(n) -= d.rate.head(n) * (out[n] / d.rate[n]);
+  return out.head(n);
+}
+
+State ReturnMap::next(const State& x) {
+  constexpr double kPassed = 1e-9;  // of the first instants: the start itself passes the section
+  const Pass p = pass(x, kPassed, section_.returns);
+  return asStart(run(x, p.t, nullptr).end);
 }
 
 State ReturnMap::after(const Return& r) {

@@ -1,0 +1,134 @@
+// Branches of periodic orbits: instabilities and changes of switches against closed forms, and
+// against solutions with 30 digits.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <build_paths.hpp>
+
+#include <cmath>
+#include <dynamy/io/model/file_branch.hpp>
+#include <dynamy/io/plugin/plugin_loader.hpp>
+
+namespace dynamy {
+namespace {
+
+struct Branches {
+  Registry registry;
+  PluginLoader plugins{{DYNAMY_BINARY_DIR "/lib/dynamy"}};
+  Branches() {
+    registerFramework(registry);
+    plugins.load(kStandardElements, registry);
+  }
+  OrbitBranch ofModel(const std::string& file, const std::string& over, const Overrides& set = {}) {
+    return branch({.orbit = {.file = DYNAMY_SOURCE_DIR "/models/" + file + ".xml", .set = set},
+                   .over = over},
+                  registry, plugins)
+        .branch;
+  }
+  OrbitBranch ofText(const std::string& text, const std::string& name,
+                     const BranchRequest& request) {
+    return orbitBranch(
+        [&](double value, OrbitSection& section) {
+          LoadOptions options;
+          options.orbit = &section, options.set = {{name, fmt::format("{}", value)}};
+          return loadModelText(text, "test.xml", registry, plugins, options);
+        },
+        request);
+  }
+};
+
+const BranchPoint* pointOf(const OrbitBranch& b, const std::string& kind) {
+  for (const BranchPoint& p : b.points)
+    if (p.kind == kind) return &p;
+  ADD_FAILURE() << "no " << kind;
+  return nullptr;
+}
+
+TEST(OrbitBranch, OfTheWalkerDoublesItsPeriodAtThePublishedSlope) {
+  const OrbitBranch b = Branches().ofModel("simplest_walker", "gamma=0.008:0.016:12");
+  const BranchPoint* flip = pointOf(b, "flip");
+  ASSERT_NE(flip, nullptr);
+  // Found with 30 digits; its last digit is 1e-13.
+  EXPECT_NEAR(flip->p, 0.0150884379411, 1e-9);
+  EXPECT_NEAR(flip->multipliers[0].real(), -1.0, 1e-8);
+  EXPECT_TRUE(b.points.front().stable);
+  EXPECT_FALSE(b.points.back().stable);
+  EXPECT_EQ(b.points.front().p, 0.008);
+  EXPECT_EQ(b.points.back().p, 0.016);
+  // The orbit of the model's own value is one of them, with its period to ten digits.
+  EXPECT_EQ(b.points[b.start].p, 0.009);
+  EXPECT_NEAR(b.points[b.start].period, 3.88246375285137, 1e-9);
+}
+
+/// A forced oscillator that does not reach its wall: it is first touched where
+/// (1 − ω²)² + (2ζω)² = (F/a)², here from both sides.
+TEST(OrbitBranch, OfAForcedOscillatorEndsWhereItGrazesTheWall) {
+  const std::string text = R"x(<dynamy version="1"><parameter name="omega" value="0.5"/>
+    <systems><Coordinates name="m" q="x" q0="1" M="1" h="-x - 0.2*x_dot + cos(omega*t)"/></systems>
+    <elements><CoordinateContact name="wall" on="m" gap="1.5 - x"><Unilateral epsilonN="0.7"/></CoordinateContact></elements>
+    <simulation until="40" tolerance="1e-9"/>
+    <orbit period="{6.283185307179586/omega}"/></dynamy>)x";
+  Branches branches;
+  const double a = 1.5, zeta = 0.1;
+  for (const double side : {-1.0, 1.0}) {
+    // ω⁴ − 2(1 − 2ζ²)ω² + 1 − 1/a² = 0
+    const double half = 1.0 - 2.0 * zeta * zeta;
+    const double exact = std::sqrt(half + side * std::sqrt(half * half - 1.0 + 1.0 / (a * a)));
+    const BranchRequest request =
+        side < 0.0 ? BranchRequest{.from = 0.5, .to = 0.9, .at = 0.5, .points = 8}
+                   : BranchRequest{.from = 1.0, .to = 1.5, .at = 1.5, .points = 8};
+    const OrbitBranch b = branches.ofText(text, "omega", request);
+    const BranchPoint* grazing = pointOf(b, "grazing");
+    ASSERT_NE(grazing, nullptr);
+    EXPECT_NEAR(grazing->p, exact, 1e-8);
+    EXPECT_NE(grazing->text.find("wall"), std::string::npos) << grazing->text;
+    EXPECT_NE(grazing->text.find("is touched"), std::string::npos) << grazing->text;
+    EXPECT_TRUE(grazing->stable);
+    EXPECT_EQ(grazing, side < 0.0 ? &b.points.back() : &b.points.front());
+  }
+}
+
+/// A ball that bounces once a period on a table A cos(ωt): with v = gT/2 (1 − ε)/(1 + ε) the speed of
+/// the table at the impact, the two such motions meet where Aω = v, with a multiplier of 1, and one
+/// of them becomes unstable where (1 + ε)² a/g = −2(1 + ε²), a = ±√(A²ω² − v²) ω.
+TEST(OrbitBranch, OfABouncingBallGoesThroughItsFoldAndItsFlip) {
+  const double g = 9.81, e = 0.8, omega = 10.0, T = 6.283185307179586 / omega;
+  const double v = 0.5 * g * T * (1.0 - e) / (1.0 + e);
+  const double A = 0.04, sine = -v / (A * omega);
+  const double psi = std::atan2(sine, std::sqrt(1.0 - sine * sine)) - 0.5 * omega * T;
+  const double top = A * std::sqrt(1.0 - sine * sine) + g * T * T / 8.0;
+  const std::string text =
+      "<dynamy version=\"1\"><parameter name=\"A\" value=\"0.04\"/><systems><Coordinates "
+      "name=\"ball\" q=\"y\" q0=\"" +
+      fmt::format("{:.17g}", top) +
+      "\" M=\"1\" h=\"-9.81\"/></systems><elements><CoordinateContact name=\"table\" on=\"ball\" "
+      "gap=\"y - A*cos(10*t + " +
+      fmt::format("{:.17g}", psi) +
+      ")\"><Unilateral epsilonN=\"0.8\"/></CoordinateContact></elements><simulation until=\"1\" "
+      "tolerance=\"1e-9\"/><orbit period=\"" +
+      fmt::format("{:.17g}", T) + "\"/></dynamy>";
+  const OrbitBranch b =
+      Branches().ofText(text, "A", {.from = 0.03, .to = 0.12, .at = 0.04, .points = 15});
+  const BranchPoint* fold = pointOf(b, "fold");
+  const BranchPoint* flip = pointOf(b, "flip");
+  ASSERT_TRUE(fold != nullptr && flip != nullptr);
+  EXPECT_NEAR(fold->p, v / omega, 1e-8);
+  const double a = 2.0 * g * (1.0 + e * e) / ((1.0 + e) * (1.0 + e));
+  EXPECT_NEAR(flip->p, std::hypot(v / omega, a / (omega * omega)), 1e-8);
+  // Both ends of the branch are at the upper bound.
+  EXPECT_EQ(b.points.front().p, 0.12);
+  EXPECT_EQ(b.points.back().p, 0.12);
+}
+
+TEST(OrbitBranch, FollowsAnOrbitToAValueThatNewtonDoesNotReach) {
+  Branches branches;
+  FileOrbit wanted;
+  wanted.file = DYNAMY_SOURCE_DIR "/models/simplest_walker.xml";
+  // The period-one gait at 0.018, which is unstable, with the start for 0.009.
+  wanted.set = {{"gamma", "0.018"}, {"theta0", "0.15"}, {"speed0", "-0.15"}};
+  const Orbit far = orbit(wanted, branches.registry, branches.plugins);
+  const OrbitBranch b = branches.ofModel("simplest_walker", "gamma=0.009:0.018:12");
+  EXPECT_NEAR(far.period, b.points.back().period, 1e-9);
+}
+
+}  // namespace
+}  // namespace dynamy
