@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/simulation/linear/state_variation.hpp>
 #include <dynamy/simulation/orbit/branch_tracer.hpp>
 #include <dynamy/simulation/orbit/orbit_multipliers.hpp>
 #include <utility>
@@ -90,7 +91,7 @@ BranchPoint BranchTracer::result(OrbitPoint& point) {
   BranchPoint out;
   out.p = point.p, out.period = point.orbit.period, out.residual = point.residual;
   out.at = point.orbit.start;
-  for (const auto& [name, value] : signalsOf(curve_.model(point.p), point.orbit.start))
+  for (const auto& [name, value] : coordinatesOf(curve_.model(point.p), point.orbit.start))
     out.state.push_back(value);
   out.multipliers = curve_.multipliers(point, false);
   out.zeros = curve_.zeros(point, out.multipliers.size());

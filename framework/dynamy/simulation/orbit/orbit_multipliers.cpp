@@ -54,16 +54,4 @@ int heldByJoints(Model& model, const State& x) {
   return out;
 }
 
-std::vector<std::pair<std::string, double>> signalsOf(const Model& model, const State& x) {
-  std::vector<std::pair<std::string, double>> out;
-  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
-    const SystemHandle& s = model.topology().system(i);
-    const Description& d = model.description(i);
-    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
-    for (const auto& [name, index] : d.coordinates) out.emplace_back(of + name, x.q[s.q0 + index]);
-    for (const auto& [name, index] : d.velocities) out.emplace_back(of + name, x.u[s.u0 + index]);
-  }
-  return out;
-}
-
 }  // namespace dynamy

@@ -19,7 +19,4 @@ Eigen::VectorXcd multipliersOf(const Eigen::MatrixXd& scaled, double noise);
 /// Coordinates and velocities that joints hold: their changes are no motions.
 int heldByJoints(Model& model, const State& x);
 
-/// Coordinates and velocities of systems by the names of their signals.
-std::vector<std::pair<std::string, double>> signalsOf(const Model& model, const State& x);
-
 }  // namespace dynamy

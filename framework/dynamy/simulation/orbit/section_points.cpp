@@ -1,3 +1,4 @@
+#include <dynamy/simulation/linear/state_variation.hpp>
 #include <dynamy/simulation/orbit/orbit_multipliers.hpp>
 #include <dynamy/simulation/orbit/section_points.hpp>
 
@@ -16,7 +17,7 @@ std::vector<std::vector<double>> sectionPoints(Model& model, const OrbitSection&
       x = map.next(x);
       if (i < request.transient) continue;
       out.emplace_back();
-      for (const auto& [name, value] : signalsOf(model, x)) out.back().push_back(value);
+      for (const auto& [name, value] : coordinatesOf(model, x)) out.back().push_back(value);
     }
   } catch (const ModelError&) {
     return out;  // the motion does not come back

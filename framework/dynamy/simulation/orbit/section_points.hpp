@@ -12,7 +12,7 @@ struct SectionPointsRequest {
   double tolerance = 1e-8;        ///< of the runs
 };
 
-/// Coordinates and velocities at each pass, in the order of signalsOf(). Empty from the pass on
+/// Coordinates and velocities at each pass, in the order of coordinatesOf(). Empty from the pass on
 /// after which the motion does not return.
 std::vector<std::vector<double>> sectionPoints(Model& model, const OrbitSection& section,
                                                const State& start,
