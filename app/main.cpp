@@ -4,81 +4,18 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
-#include <dynamy/core/suggestion.hpp>
 
 #include "commands.hpp"
+#include "misuse.hpp"
 #include "run/endings.hpp"
 
 namespace dynamy::app {
 namespace {
 
-std::vector<std::string> optionNames(const CLI::App& app) {
-  std::vector<std::string> out;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
-  return out;
-}
-
-/// The fault of a command line and a hint at what the user may have meant.
-struct Misuse {
-  std::string text, hint;
-};
-
-/// The sub-command that has the name `word` in other programs.
-std::string commandOfOthers(std::string_view word) {
-  for (const auto& [other, ours] : {std::pair("simulate", "run"),
-                                    {"sim", "run"},
-                                    {"start", "run"},
-                                    {"validate", "check"},
-                                    {"lint", "check"},
-                                    {"show", "view"},
-                                    {"replay", "view"},
-                                    {"animate", "view"},
-                                    {"play", "view"},
-                                    {"plot", "report"},
-                                    {"info", "describe"},
-                                    {"explain", "describe"},
-                                    {"types", "list"},
-                                    {"elements", "list"},
-                                    {"modes", "eigen"},
-                                    {"xsd", "schema"}})
-    if (word == other) return ours;
-  return {};
-}
-
-/// Describes the first word that is neither a sub-command nor an option; `text`: the error of the
-/// parser.
-Misuse misuse(const CLI::App& app, const std::vector<std::string>& words, std::string text) {
-  std::vector<std::string> commands;
-  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-    commands.push_back(sub->get_name());
-  const CLI::App* in = &app;
-  for (const std::string& word : words) {
-    if (word.starts_with("--")) {
-      const std::string name = word.substr(0, word.find('='));
-      const std::vector<std::string> known = optionNames(*in);
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        return {"there is no option \"" + name + '"', didYouMean(nearest(name, known))};
-    } else if (in == &app && !word.starts_with("-")) {
-      if (std::find(commands.begin(), commands.end(), word) == commands.end()) {
-        std::string near = nearest(word, commands);
-        if (near.empty()) near = commandOfOthers(word);
-        return {"there is no command \"" + word + '"', didYouMean(near)};
-      }
-      in = app.get_subcommand(word);
-    } else if (!word.starts_with("-")) {
-      for (const CLI::App* sub : in->get_subcommands([](const CLI::App*) { return true; }))
-        if (sub->get_name() == word) in = sub;
-    }
-  }
-  if (words.empty()) text = "a command is missing, such as dynamy run model.xml";
-  return {std::move(text), {}};
-}
-
 int usage(const CLI::App& app, const CLI::ParseError& error,
           const std::vector<std::string>& words) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-  const Misuse wrong = misuse(app, words, error.what());
+  const Misuse wrong = misuse(app, error, words);
   fmt::print(stderr, "dynamy: {}{}\n", wrong.text, wrong.hint.empty() ? "" : " — " + wrong.hint);
   fmt::print(stderr,
              "  dynamy --help tells all commands, dynamy COMMAND --help the options of one\n");

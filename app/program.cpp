@@ -123,11 +123,30 @@ double seconds(const std::string& text, const std::string& option) {
   return value.numbers.at(0);
 }
 
+namespace {
+
+std::string withoutBlanks(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string()
+                                    : text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+}
+
+/// "mu=0.3" for "mu:0.3" and "mu 0.3"; else an example with the name.
+std::string likelyAssignment(const std::string& text) {
+  const std::size_t end = text.find_first_of(": =");
+  const std::string name = end == 0 ? "mu" : text.substr(0, end);
+  const std::string value = end == std::string::npos ? "" : withoutBlanks(text.substr(end + 1));
+  return name + '=' + (value.empty() ? "0.3" : value);
+}
+
+}  // namespace
+
 std::pair<std::string, std::string> assignment(const std::string& text) {
   const std::size_t at = text.find('=');
   if (at == std::string::npos || at == 0)
-    throw CLI::ValidationError('"' + text + '"', "expected name=value");
-  return {text.substr(0, at), text.substr(at + 1)};
+    throw CLI::ValidationError('"' + text + '"',
+                               "expected name=value, such as " + likelyAssignment(text));
+  return {withoutBlanks(text.substr(0, at)), withoutBlanks(text.substr(at + 1))};
 }
 
 std::pair<std::string, std::string> numberAssignment(const std::string& option,
@@ -147,6 +166,9 @@ std::unique_ptr<Element> methodElement(const Registry& registry, const std::stri
   in >> name;
   std::vector<GivenValue> values;
   while (in >> given) {
+    if (const RegisteredType* other = registry.find(given); other != nullptr && other->kind == kind)
+      throw ModelError('"' + words + "\" names two " + std::string(kindText(kind)) + 's',
+                       "names stand between commas: " + name + ',' + given);
     const auto [attribute, value] = assignment(given);
     values.emplace_back(attribute, value);
   }

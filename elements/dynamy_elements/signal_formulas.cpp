@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/declared/formula_fault.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/signal_formulas.hpp>
@@ -11,11 +12,7 @@ SignalFormulas::SignalFormulas(const Parameters& x, std::string_view attribute, 
     : own_(static_cast<int>(own.size())) {
   const ParameterValue& value = x[attribute];
   if (!value.given && value.text.empty()) return;
-  const std::vector<ValuePart> parts = value.parts(';');
-  if (static_cast<int>(parts.size()) != count)
-    throw value.fault(count == 1 ? "one formula is needed"
-                                 : std::to_string(count) + " formulas separated by ';' are needed",
-                      "here are " + std::to_string(parts.size()), 0, value.text.size());
+  const std::vector<ValuePart> parts = formulasOf(value, count);
   SymbolTable symbols;
   for (const auto& [name, number] : x.symbols) symbols.constant(name, number);
   symbols.variable("t");
@@ -32,8 +29,7 @@ SignalFormulas::SignalFormulas(const Parameters& x, std::string_view attribute, 
     try {
       formulas_.push_back(Expression::compile(part.text, symbols));
     } catch (const ExpressionError& error) {
-      throw value.fault(error.message(), didYouMean(error.suggestion()),
-                        part.offset + error.offset(), error.length());
+      throw formulaFault(value, part, error);
     }
   }
   x_.assign(1 + own.size() + reads_.size(), 0.0);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/declared/formula_fault.hpp>
 #include <dynamy/core/error.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy_elements/time_formulas.hpp>
@@ -9,10 +10,7 @@ namespace dynamy {
 TimeFormulas::TimeFormulas(const Parameters& x, std::string_view attribute, int count) {
   const ParameterValue& value = x[attribute];
   if (!value.given) return;
-  const std::vector<ValuePart> parts = value.parts(';');
-  if (static_cast<int>(parts.size()) != count)
-    throw value.fault(std::to_string(count) + " formulas separated by ';' are needed",
-                      "here are " + std::to_string(parts.size()), 0, value.text.size());
+  const std::vector<ValuePart> parts = formulasOf(value, count);
   SymbolTable symbols;
   for (const auto& [name, number] : x.symbols) symbols.constant(name, number);
   symbols.variable("t");
@@ -25,8 +23,7 @@ TimeFormulas::TimeFormulas(const Parameters& x, std::string_view attribute, int 
           throw value.fault("the signal \"" + signal.name + "\" cannot be read here",
                             "this formula is of the time alone, since its rates are needed",
                             part.offset + error.offset(), error.length());
-      throw value.fault(error.message(), didYouMean(error.suggestion()),
-                        part.offset + error.offset(), error.length());
+      throw formulaFault(value, part, error);
     }
   }
 }

@@ -1,6 +1,7 @@
 // The page: time, buttons, keys, panels, address. Starts at the end of this file.
 import {copyLink, readAddress} from "./address";
 import {eventsOf, Film, ledgerOf, sceneOf, signalsOf, type Event, type PageData, type Scene, type Signal} from "./data";
+import {FilmStudio, saveFilm} from "./film_file";
 import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
 import {clamp, norm, shortNumber} from "./math";
 import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf} from "./panels";
@@ -14,6 +15,7 @@ const byId = <T extends HTMLElement = HTMLElement>(id: string): T => document.ge
 
 export class Replay {
   readonly stage: Stage;
+  readonly studio = new FilmStudio(this);
   readonly begin: number;
   readonly end: number;
   t: number;
@@ -324,6 +326,7 @@ export class Replay {
       this.pause().seek(this.begin + Number((event.target as HTMLInputElement).value) * span);
     byId("link").onclick = () => copyLink(this);
     byId("png").onclick = () => this.savePicture();
+    byId("film").onclick = () => this.saveFilm();
     byId("ask").onclick = () => this.help();
   }
 
@@ -337,6 +340,11 @@ export class Replay {
     a.href = this.stage.picture(this.t).toDataURL("image/png");
     a.download = `${this.data.title}_${this.t.toFixed(3)}s.png`;
     a.click();
+  }
+
+  private saveFilm(): void {
+    this.pause();
+    void saveFilm(this, Number(byId<HTMLSelectElement>("speed").value), byId("film"));
   }
 
   private addTools(): void {
@@ -374,7 +382,7 @@ export class Replay {
       1: () => this.setView("xz"), 2: () => this.setView("xy"), 3: () => this.setView("yz"), 4: () => this.setView("iso"),
       0: () => { this.stage.fit(); this.draw(); },
       c: () => this.setSwitch("contacts", !this.stage.show.contacts), t: () => this.setSwitch("trails", !this.stage.show.trails),
-      f: () => this.setFollow(this.stage.followed < 0), l: () => byId("loop").click(), s: () => this.savePicture(),
+      f: () => this.setFollow(this.stage.followed < 0), l: () => byId("loop").click(), s: () => this.savePicture(), v: () => this.saveFilm(),
       d: () => this.setTheme(!theme.dark), "[": () => force(0.8), "]": () => force(1.25),
       "?": () => this.help(), Escape: () => { byId<HTMLDialogElement>("help").close(); this.select(-1); }
     };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/declared/formula_fault.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy_elements/coordinates/formula_text.hpp>
 #include <numeric>
@@ -62,8 +63,7 @@ int FormulaText::compile(int i, ExpressionCompiler& compiler, Diagnostics& fault
   try {
     return compiler.add(part.text);
   } catch (const ExpressionError& e) {
-    faults.add(faultAt(part.offset + e.offset(), e.length(), e.message(),
-                       e.suggestion().empty() ? std::string() : didYouMean(e.suggestion())));
+    faults.add(faultAt(part.offset + e.offset(), e.length(), e.message(), formulaHint(e)));
   }
   return -1;
 }

@@ -100,7 +100,8 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"omega angvel angularrate w w0 angularspeed spin initialangularvelocity angularvel", "angularVelocity", "the angular velocity is {}"},
   // Mass.
   {"m weight bodymass", "mass", "the mass is {}"},
-  {"momentofinertia inertiatensor moment ixx diaginertia fullinertia momentsofinertia inertiaxx j jxx", "inertia", "moments of inertia are {}"},
+  {"inertia momentofinertia inertiatensor moment ixx diaginertia fullinertia momentsofinertia inertiaxx j jxx", "inertia", "moments of inertia are {}",
+   "moments of inertia stand at the body, <RigidBody mass=\"…\" inertia=\"…\">; those of a shape follow from its mass or density"},
   {"rho", "density", "the density is {}"},
   // Sizes.
   {"diameter", "radius", "half of the diameter is {}"},
@@ -113,11 +114,14 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"faces indices", "triangles", "the numbers of the corners are {}"},
   // Springs.
   {"k springconstant springrate springstiffness stiffnesscoefficient kp", "stiffness", "the stiffness is {}"},
+  {"stiffness damping compliance kn contactstiffness contactdamping solref solimp erp cfm", "", "",
+   "contacts and joints are rigid and need none; a spring is <SpringDamper stiffness=\"…\" damping=\"…\">, in a joint <JointSpring>"},
   {"d b dampingcoefficient dampingconstant damper viscousdamping kv kd dampingrate", "damping", "the damping is {}"},
   {"c", "stiffness", "the stiffness is {}, the damping damping=\"…\""},
   {"restlength freelength naturallength springlength l0 restlen", "length", "the length without force is {}"},
   {"springreference springref restangle qspring reference0", "rest angle", "the place without force is {}"},
   {"g gravity gravityvector", "acceleration", "the acceleration of free fall is {}, three numbers", "gravity is an element: <Gravity acceleration=\"0 0 -9.81\"/>"},
+  {"value vector direction field", "acceleration", "the acceleration is {}, three numbers"},
   // Joints.
   {"parent child body1 body2 bodya bodyb link1 link2 a b base follower bodies frames links materials material1 material2 joins objects", "between", "both sides stand in one attribute: between=\"A B\""},
   {"body link system frame", "on", "what it acts on is {}"},
@@ -142,7 +146,9 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   // Names.
   {"id label tag", "name", "the name is {}"},
   {"color rgba colorrgba diffuse", "colour", "the colour is {}"},
-  {"filename path url uri src", "file library", "the file is {}"},
+  {"name file filename path url uri src", "library", "the library is {}"},
+  {"file filename path url uri src", "file", "the file is {}",
+   "files of shapes are not read; their corners stand in the model: <Polyhedron points=\"…\">, <Mesh points=\"…\" triangles=\"…\">"},
   {"default expr val", "value", "the value is {}"},
   {"n number times copies", "count", "the count is {}"},
 });
@@ -220,6 +226,19 @@ std::span<const OtherWord> otherUnits() { return kOtherUnits; }
 std::string elementOfOthers(std::string_view word) {
   const auto found = rowsWith(kOtherElements, word);
   return found.empty() ? std::string() : inDynamy(found.front()->hint);
+}
+
+std::string withoutKind(std::string_view word) {
+  std::string out = plainWord(word);
+  while (!out.empty() && out.back() >= '0' && out.back() <= '9') out.pop_back();
+  if (out.starts_with("ch")) out.erase(0, 2);
+  for (const std::string_view kind : {"joint", "constraint", "force", "shape", "collider", "law",
+                                      "geometry", "solver", "integrator", "scheme"})
+    if (out.ends_with(kind) && out.size() > kind.size()) {
+      out.resize(out.size() - kind.size());
+      break;
+    }
+  return out;
 }
 
 AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::string> known) {

@@ -30,6 +30,9 @@ std::span<const OtherWord> otherUnits();
 
 /// "in dynamY a hinge is <Revolute>" for the element <Hinge> of others; "" if it is in no table.
 std::string elementOfOthers(std::string_view word);
+/// The word in lower case without a number at its end and without the kind that others add:
+/// "distance" for "DistanceJoint", "box" for "BoxCollider", "rungekutta" for "RungeKutta4".
+std::string withoutKind(std::string_view word);
 
 /// Meaning of an attribute that is written in the words of another program.
 struct AttributeOfOthers {

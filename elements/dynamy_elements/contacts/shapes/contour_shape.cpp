@@ -1,5 +1,6 @@
 #include <cmath>
 #include <dynamy/core/constants.hpp>
+#include <dynamy/core/declared/formula_fault.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/error.hpp>
 #include <dynamy/core/expression/expression.hpp>
@@ -24,8 +25,7 @@ std::vector<double> fromFormula(const Parameters& x, const ParameterValue& value
       out.push_back(r.value(&phi));
     }
   } catch (const ExpressionError& error) {
-    throw value.fault(error.message(), didYouMean(error.suggestion()), error.offset(),
-                      error.length());
+    throw formulaFault(value, {value.text, 0}, error);
   }
   return out;
 }

@@ -162,6 +162,24 @@ std::optional<ValueFault> readNumber(const Attribute& a, const ReadWord& word, b
   return std::nullopt;
 }
 
+/// What the numbers are, as the hint where there are too few or too many.
+std::string whatTheyAre(const Attribute& a) {
+  const std::string unit(unitText(a.unit));
+  return a.text.empty() || unit == "-" ? a.text : a.text + " [" + unit + ']';
+}
+
+/// "2 000" → "2000": groups of three figures, where one number is expected; else "".
+std::string withoutGroups(const std::vector<ReadWord>& words) {
+  std::string out;
+  for (const ReadWord& word : words) {
+    const bool figures = word.text.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!out.empty() && (!figures || word.text.size() != 3)) return {};
+    if (out.empty() && (!figures || word.text.size() > 3)) return {};
+    out += word.text;
+  }
+  return words.size() > 1 ? out : std::string();
+}
+
 std::string counted(std::size_t n) { return std::to_string(n) + (n == 1 ? " number" : " numbers"); }
 
 std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
@@ -186,6 +204,8 @@ std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
     ValueFault fault = whole;
     fault.text = "expects " + (expected == 1 ? std::string("1 number") : counted(expected)) +
                  ", has " + (words.empty() ? "none" : std::to_string(words.size()));
+    const std::string joined = expected == 1 ? withoutGroups(words) : std::string();
+    fault.hint = joined.empty() ? whatTheyAre(a) : "write \"" + joined + '"';
     return fault;
   }
 
@@ -211,7 +231,12 @@ std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value)
   const bool unread = fault->text.starts_with(kUnread);
   if (!unread && odd.text.empty()) return fault;
   std::string hint;
-  for (const std::string& text : probableNumbers(value.text)) {
+  std::vector<std::string> probable = probableNumbers(value.text);
+  if (a.type == AttributeType::vector && a.size > 1) {  // "1/2/3"; a single 1/2 is a formula
+    probable.push_back(value.text);
+    std::replace(probable.back().begin(), probable.back().end(), '/', ' ');
+  }
+  for (const std::string& text : probable) {
     ParameterValue better;
     better.text = text, better.given = value.given;
     if (text == value.text || readWords(a, better)) continue;

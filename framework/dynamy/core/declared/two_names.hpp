@@ -1,4 +1,4 @@
-/// The two names of an attribute like `between`.
+/// Names between blanks: the two of an attribute like `between`, and names with other signs between.
 #pragma once
 #include <dynamy/core/declared/parameters.hpp>
 
@@ -9,5 +9,9 @@ namespace dynamy {
 /// \throws ModelError
 std::pair<std::string, std::string> twoNames(const ParameterValue& value, const std::string& what,
                                              const std::string& hint);
+
+/// "world ball" for the word "world,ball" where names stand between blanks; "" for a word without
+/// such signs.
+std::string partedNames(std::string_view word);
 
 }  // namespace dynamy

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <dynamy/core/declared/two_names.hpp>
 #include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/io/model/attribute_reader.hpp>
@@ -202,20 +203,6 @@ bool AttributeReader::readOne(const Source& source, const XmlAttribute& written,
   return true;
 }
 
-namespace {
-
-/// "world ball" for the word "world,ball"; "" for a word without such signs.
-std::string parted(std::string_view word) {
-  constexpr std::string_view kSeparators = ",;|";
-  if (word.find_first_of(kSeparators) == std::string_view::npos) return {};
-  std::string out(word);
-  for (char& c : out)
-    if (kSeparators.find(c) != std::string_view::npos) c = ' ';
-  return out;
-}
-
-}  // namespace
-
 /// Each signal of an element of this scope gets its full name, in braces: arm.phi → {left/arm.phi}.
 void AttributeReader::nameSignals(const Scope& scope, ResolvedText& text) const {
   std::vector<NameInFormula> found = signalNames(text.text);
@@ -246,7 +233,7 @@ bool AttributeReader::resolveReferences(const Source& source, const XmlAttribute
     if (found.empty() && mustExist) {
       const std::string what = kind == "frame" ? "system" : kind;
       const std::string withBlanks =
-          value.declaration->type == AttributeType::names ? parted(word.text) : std::string();
+          value.declaration->type == AttributeType::names ? partedNames(word.text) : std::string();
       faults_->add(*source.scope,
                    sourcePlace(*source.scope->document, written, text, word.offset, dot),
                    *source.node, "unknown " + what + " \"" + head + '"',

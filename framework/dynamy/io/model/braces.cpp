@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/attributes.hpp>
+#include <dynamy/core/declared/formula_fault.hpp>
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/io/model/braces.hpp>
 
@@ -71,11 +72,6 @@ std::vector<std::string> namesInBraces(std::string_view value) {
 }
 
 namespace {
-
-bool isSymbolName(std::string_view word) {
-  return !word.empty() && nameStart(word[0]) &&
-         std::all_of(word.begin(), word.end(), nameContinues) && word != "e" && word != "pi";
-}
 
 /// The same error, evaluated with all names of the scope, so that it can suggest the one that was
 /// meant.
@@ -210,12 +206,7 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
       out.add(x, formula, at, end);
     } catch (const ExpressionError& found) {
       const ExpressionError e = withAllNames(inner, scope, found);
-      std::string hint = didYouMean(e.suggestion());
-      // A model without parameters has no name to suggest.
-      const std::string_view wrong = inner.substr(e.offset(), e.length());
-      if (scope.symbolCount() == 0 && hint.empty() && isSymbolName(wrong))
-        hint = "add <parameter name=\"" + std::string(wrong) + "\" value=\"…\"/>";
-      fault(at + 1 + e.offset(), e.length(), e.message(), std::move(hint));
+      fault(at + 1 + e.offset(), e.length(), e.message(), formulaHint(e));
     }
     at = end;
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <dynamy/core/declared/formula_fault.hpp>
 #include <dynamy/core/expression/expression_error.hpp>
 #include <dynamy/io/model/braces.hpp>
 #include <dynamy/io/model/element_reader.hpp>
@@ -66,7 +67,13 @@ bool fits(const ChildRule& rule, const RegisteredType& type) {
 void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
                                    const std::vector<std::string>& allowed) {
   std::string hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
-  if (hint.empty() && source_->typesAreMissing()) return;  // the plug-in is reported already
+  if (hint.empty()) {
+    const std::optional<std::string> library = source_->libraryOf(node.tag);
+    if (!library) return;  // the plug-in is reported already
+    if (!library->empty())
+      hint = "the plug-in \"" + *library + "\" is not loaded; add <plugin library=\"" + *library +
+             "\"/> below <dynamy>";
+  }
   if (hint.empty() && !allowed.empty()) hint = "known here: " + quotedList(allowed);
   faults_->add(scope, node.place, parent, "unknown element <" + node.tag + '>', std::move(hint));
 }
@@ -109,8 +116,7 @@ std::unique_ptr<Element> ElementReader::read(const XmlNode& node, const Scope& s
   } catch (const ModelError& e) {
     faults_->add(e, scope, node);
   } catch (const ExpressionError& e) {
-    faults_->add(scope, node.place, node, e.message(),
-                 e.suggestion().empty() ? std::string() : didYouMean(e.suggestion()));
+    faults_->add(scope, node.place, node, e.message(), formulaHint(e));
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {  // an exception of a plug-in or of a library that it uses

@@ -114,7 +114,8 @@ bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {
   if (x["version"].integer() != kModelVersion) {
     faults_->add(scope, x["version"].place, root,
                  "the format has version " + x["version"].text + ", this program reads version " +
-                     std::to_string(kModelVersion));
+                     std::to_string(kModelVersion),
+                 "write version=\"" + std::to_string(kModelVersion) + '"');
     return false;
   }
   if (documents_.size() == 1) title_ = x["title"].text;
@@ -260,6 +261,7 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
     for (Diagnostic d : e.diagnostics()) {
       if (d.place.line <= 0) {  // no such file: the place is where it is named
         d.text = '"' + file.lexically_normal().string() + "\": " + d.text;
+        if (d.hint.empty()) d.hint = "a path is relative to the file in which it stands";
         d.place = x["file"].place;
         d.element = node.label();
       }

@@ -6,6 +6,7 @@
 #include <dynamy/io/model/parameter_overrides.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/io/xml/vocabulary.hpp>
+#include <optional>
 
 namespace dynamy {
 
@@ -36,8 +37,11 @@ class ModelSource {
   const XmlDocument& document() const { return documents_.front(); }
   const Vocabulary& vocabulary() const { return vocabulary_; }
   const std::string& title() const { return title_; }
-  /// True: a plug-in was refused, so that unknown types probably belong to it.
-  bool typesAreMissing() const { return typesAreMissing_; }
+  /// Name of a plug-in that is not loaded and probably has this type, "" if there is none; no value
+  /// if a plug-in was refused, so that unknown types probably belong to it.
+  std::optional<std::string> libraryOf(std::string_view type) const {
+    return typesAreMissing_ ? std::nullopt : std::optional(plugins_->libraryOf(type));
+  }
 
   /// Calls `use(child, scope)` for the children of `node`, with replicates unrolled and without
   /// `<doc>`. Reports text that is not allowed there.

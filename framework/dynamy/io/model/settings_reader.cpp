@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/declared/two_names.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/io/run_files/model_scene.hpp>
@@ -223,7 +224,15 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
   std::vector<std::string> same;
   for (const std::string& name : known)
     if (!owner.empty() && name.starts_with(owner)) same.push_back(name);
-  std::string hint = didYouMean(nearest(signal, known));
+  std::string hint;
+  if (const std::string several = partedNames(signal); !several.empty())
+    hint = "names stand between blanks: \"" + several + '"';
+  else if (const std::string own = signal.substr(signal.rfind('.') + 1);
+           !owner.empty() && std::find(known.begin(), known.end(), own) != known.end())
+    hint = "an element without a name has signals without a dot: write \"" + own +
+           "\", or give it name=\"" + owner.substr(0, owner.size() - 1) + '"';
+  else
+    hint = didYouMean(nearest(signal, known));
   if (hint.empty() && model_->simulation.coordinates == JointCoordinates::minimal)
     for (const auto& joint : model_->contacts())
       if (!owner.empty() && owner == joint->name() + ".")

@@ -33,12 +33,14 @@ std::string meantElement(std::string_view tag, const std::vector<std::string>& a
   all = types;
   for (const Word& word : vocabulary.words()) all.push_back(word.name);
 
-  std::string near = sameInOtherCase(tag, allowed);
-  if (near.empty()) near = sameInOtherCase(tag, all);
-  if (near.empty()) {
+  std::string near;
+  for (const std::string& word : {std::string(tag), withoutKind(tag)}) {
+    if (near.empty()) near = sameInOtherCase(word, allowed);
+    if (near.empty()) near = sameInOtherCase(word, all);
+    if (!near.empty()) break;
     // A hint helps only if its element is registered; a program without the standard elements has
     // few.
-    const std::string other = elementOfOthers(tag), ours = firstElement(other);
+    const std::string other = elementOfOthers(word), ours = firstElement(other);
     if (!other.empty() && (ours.empty() || std::find(all.begin(), all.end(), ours) != all.end()))
       return other + elsewhere(ours, allowed, registry);
   }

@@ -116,6 +116,24 @@ PluginLoader::PluginLoader() : readsConfiguration_(true) {
 
 PluginLoader::PluginLoader(std::vector<fs::path> folders) : installed_(std::move(folders)) {}
 
+std::string PluginLoader::libraryOf(std::string_view type) const {
+  constexpr std::size_t kShortest = 4;  // shorter names begin many words
+  std::string found;
+  for (const auto* folders : {&own_, &installed_})
+    for (const fs::path& folder : *folders)
+      for (const std::string& name : librariesIn(folder)) {
+        std::string letters = name;
+        std::erase(letters, '_');
+        const bool begins = letters.size() >= kShortest && type.size() >= letters.size() &&
+                            typingDistance(type.substr(0, letters.size()), letters) == 0;
+        if (begins && letters.size() > found.size() &&
+            std::none_of(loaded_.begin(), loaded_.end(),
+                         [&](const Loaded& l) { return l.name == name; }))
+          found = name;
+      }
+  return found;
+}
+
 std::vector<fs::path> PluginLoader::candidates(const std::string& library) const {
   const fs::path file = fileOf(library);
   if (isPath(library)) return {file};

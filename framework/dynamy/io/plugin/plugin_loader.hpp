@@ -64,6 +64,10 @@ class PluginLoader {
   /// fingerprints.
   void load(const Fingerprint& library, Registry& registry);
 
+  /// Name of the library in the user's folders that probably has this type: the type begins with
+  /// it, as WoodpeckerContact with woodpecker. "" if there is none, or it is loaded.
+  std::string libraryOf(std::string_view type) const;
+
   const std::vector<Loaded>& loaded() const { return loaded_; }
   /// Fingerprints of all libraries but the standard elements. Throws FileError.
   std::vector<Fingerprint> fingerprints() const;

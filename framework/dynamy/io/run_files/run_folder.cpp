@@ -66,9 +66,21 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
 }
 
 RunFolder RunFolder::existing(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw FileError(
+        path.string(),
+        "there is no such folder; dynamy run MODEL makes the folder of a run, runs/MODEL");
+  if (!fs::is_directory(path, error))
+    throw FileError(path.string(), path.extension() == ".xml"
+                                       ? "is a model; dynamy run " + path.string() +
+                                             " makes the folder of its run, " +
+                                             defaultRunFolder(path).string()
+                                       : "is a file; name the folder of a run, such as runs/ball");
   if (!holdsRun(path))
     throw FileError(path.string(), "holds no run of dynamy (a run.json with \"format\": \"" +
-                                       std::string(kMarker) + "\")");
+                                       std::string(kMarker) +
+                                       "\"); dynamy run MODEL makes one, runs/MODEL");
   RunFolder out;
   out.path_ = path;
   return out;

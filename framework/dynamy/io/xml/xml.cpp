@@ -122,13 +122,30 @@ class TreeBuilder {
 std::string nearFile(const std::filesystem::path& file) {
   std::error_code ignored;
   const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  std::vector<std::string> known;
+  std::vector<std::string> known, stems;
   for (std::filesystem::directory_iterator it(folder, ignored), end; !ignored && it != end;
        it.increment(ignored))
     known.push_back(it->path().filename().string());
   std::sort(known.begin(), known.end());
-  const std::string name = nearest(file.filename().string(), known);
+  // Endings are compared apart: "none.xml" has as much of "bin.xml" as a name of eight letters, and "ball"
+  // lacks four of "ball.xml".
+  const std::string ending = file.has_extension() ? file.extension().string() : ".xml";
+  for (const std::string& name : known)
+    if (name.ends_with(ending)) stems.push_back(std::filesystem::path(name).stem().string());
+  std::string name = nearest(file.stem().string(), stems);
+  name = name.empty() ? nearest(file.filename().string(), known) : name + ending;
   return name.empty() ? name : (file.parent_path() / name).string();
+}
+
+/// The hint for a folder that is named instead of a file: a model in it.
+std::string fileInFolder(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::string> models;
+  for (std::filesystem::directory_iterator it(folder, ignored), end; !ignored && it != end;
+       it.increment(ignored))
+    if (it->path().extension() == ".xml") models.push_back(it->path().string());
+  std::sort(models.begin(), models.end());
+  return models.empty() ? "no XML file is in it" : "name a file in it, such as " + models.front();
 }
 
 /// The byte of the file that holds byte `decoded` of a value.
@@ -197,7 +214,8 @@ XmlDocument XmlDocument::read(const std::filesystem::path& file) {
   if (status.type() == std::filesystem::file_type::not_found)
     failFile(name, "there is no such file", didYouMean(nearFile(file)));
   if (error) failFile(name, "the file cannot be read: " + error.message());
-  if (std::filesystem::is_directory(status)) failFile(name, "this is a folder, not a file");
+  if (std::filesystem::is_directory(status))
+    failFile(name, "this is a folder, not a file", fileInFolder(file));
   if (!std::filesystem::is_regular_file(status)) failFile(name, "this is no regular file");
 
   std::ifstream stream(file, std::ios::binary);

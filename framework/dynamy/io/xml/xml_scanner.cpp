@@ -74,6 +74,14 @@ class ScanErrors {
   FaultList all_;
 };
 
+/// True for pictures, programs and other files that hold no text.
+bool looksBinary(std::string_view text) {
+  constexpr std::size_t kLooked = 4096;
+  return std::any_of(text.begin(),
+                     text.begin() + static_cast<std::ptrdiff_t>(std::min(kLooked, text.size())),
+                     [](char c) { return static_cast<unsigned char>(c) < 9; });
+}
+
 /// Checks that the whole text is UTF-8 without characters that XML forbids.
 void checkCharacters(std::string_view text, ScanErrors& errors) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
@@ -84,7 +92,7 @@ void checkCharacters(std::string_view text, ScanErrors& errors) {
     const Utf8Character c = nextCharacter(text, i);
     if (!c.valid)
       errors.fail(i, 1, {}, "the byte " + hexadecimal(text[i]) + " is no UTF-8",
-                  "store the file as UTF-8");
+                  looksBinary(text) ? "is this an XML file?" : "store the file as UTF-8");
     if (!isXmlCharacter(c.code))
       errors.fail(i, 1, {}, "the byte " + hexadecimal(text[i]) + " is no text",
                   "is this an XML file?");
@@ -159,7 +167,9 @@ class Scanner {
       errors_.fail(visible, at_ - visible, {},
                    scan_.elements.empty() ? "text before the first element"
                                           : "text after the end of the root element",
-                   {});
+                   scan_.elements.empty()
+                       ? "a model is an XML file and begins with <dynamy version=\"1\">"
+                       : "an element was closed too early, or twice");
     checkEntities(begin, at_, openTag());
     scan_.texts.push_back({begin, false});
   }
@@ -193,11 +203,20 @@ class Scanner {
     skipTo("?>", 2, "<? is not closed by ?>");
   }
 
+  /// After "<" without a name: "< Box" is a tag with a blank, all else a sign in a text.
+  std::string meantByBracket() {
+    at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size());
+    const std::string_view tag = name();
+    return tag.empty() ? "in a text \"<\" is written &lt;"
+                       : "a tag has no blank there, <" + std::string(tag) +
+                             "; in a text \"<\" is written &lt;";
+  }
+
   void opening() {
     const std::size_t begin = at_++;
     const std::string_view tagName = name();
     if (tagName.empty())
-      errors_.fail(begin, 1, openTag(), "no name follows \"<\"", "in a text \"<\" is written &lt;");
+      errors_.fail(begin, 1, openTag(), "no name follows \"<\"", meantByBracket());
     XmlScan::Element element{begin, tagName.size() + 1, 0};
     if (open_.empty() && !scan_.elements.empty()) {
       Diagnostic error = errors_.at(begin, element.size, std::string(tagName),

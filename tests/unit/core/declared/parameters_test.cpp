@@ -137,11 +137,12 @@ TEST(Parameters, GivenInCppConvertToWhatIsDeclared) {
 }
 
 TEST(Parameters, TellAllFaultsOfACppModelAtOnce) {
-  EXPECT_EQ(faultsOf({{"mas", 1.0}, {"position", {1.0, 2.0}}, {"count", 1.5}}),
-            "error: <Thing name=\"a\">: unknown attribute \"mas\" — did you mean \"mass\"?\n"
-            "error: <Thing name=\"a\">: missing attribute \"mass\" — mass of the thing\n"
-            "error: <Thing name=\"a\">: position=\"1 2\": expects 3 numbers, has 2\n"
-            "error: <Thing name=\"a\">: count=\"1.5\": expects a whole number, is 1.5");
+  EXPECT_EQ(
+      faultsOf({{"mas", 1.0}, {"position", {1.0, 2.0}}, {"count", 1.5}}),
+      "error: <Thing name=\"a\">: unknown attribute \"mas\" — did you mean \"mass\"?\n"
+      "error: <Thing name=\"a\">: missing attribute \"mass\" — mass of the thing\n"
+      "error: <Thing name=\"a\">: position=\"1 2\": expects 3 numbers, has 2 — where it is [m]\n"
+      "error: <Thing name=\"a\">: count=\"1.5\": expects a whole number, is 1.5");
   EXPECT_EQ(faultsOf({{"mass", 1.0}, {"mass", 2.0}}),
             "error: <Thing name=\"a\">: attribute \"mass\" is given twice");
 }

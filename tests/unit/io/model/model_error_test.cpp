@@ -52,7 +52,8 @@ TEST(ModelLoaderError, WrongValues) {
   EXPECT_EQ(ballWith("mass=\"1\" orientation=\"0 0 0 0\""),
             "m.xml:2:47: error: <Ball name=\"b\">: orientation must not be zero");
   EXPECT_EQ(ballWith("mass=\"1\" velocity=\"0 0\""),
-            "m.xml:2:44: error: <Ball name=\"b\">: velocity expects 3 numbers, has 2");
+            "m.xml:2:44: error: <Ball name=\"b\">: velocity expects 3 numbers, has 2 — velocity at "
+            "the start [m/s]");
   EXPECT_EQ(ballWith("mass=\"1\" z=\"30deg\""),
             "m.xml:2:37: error: <Ball name=\"b\">: z expects a length [m], has [rad]");
   EXPECT_EQ(firstError(around("<elements><Stop on=\"b\"><Law mu=\"-0.1\"/></Stop></elements>")),
@@ -191,7 +192,8 @@ TEST(ModelLoaderError, RootVersionAndText) {
       "m.xml:1:1: error: <mujoco>: a model begins with <dynamy version=\"1\"> — the file is in "
       "MJCF, which dynamY does not read; dynamy describe dynamy shows a small model");
   EXPECT_EQ(firstError("<dynamy version=\"2\"/>"),
-            "m.xml:1:18: error: <dynamy>: the format has version 2, this program reads version 1");
+            "m.xml:1:18: error: <dynamy>: the format has version 2, this program reads version 1 — "
+            "write version=\"1\"");
   EXPECT_EQ(firstError(around("<systems>Hello</systems>")),
             "m.xml:2:10: error: <systems>: text has no meaning here — text for people stands in "
             "<doc>");

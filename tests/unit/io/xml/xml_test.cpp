@@ -205,7 +205,8 @@ TEST(XmlError, ShowsATagWithoutItsEnd) {
   EXPECT_EQ(errorOf("<a></a"),
             "m.xml:1:4: error: <a>: the closing tag has no \">\"\n    1 | <a></a\n      |    ^~~");
   EXPECT_EQ(errorOf("<a>< b/></a>"),
-            "m.xml:1:4: error: <a>: no name follows \"<\" — in a text \"<\" is written &lt;\n"
+            "m.xml:1:4: error: <a>: no name follows \"<\" — a tag has no blank there, <b; in a "
+            "text \"<\" is written &lt;\n"
             "    1 | <a>< b/></a>\n      |    ^");
 }
 
@@ -266,9 +267,11 @@ TEST(XmlError, ShowsWhatStandsOutsideOfTheRoot) {
       "m.xml:2:1: error: <b>: second root element — a file has one root element\n"
       "    2 | <b/>\n      | ^~\nm.xml:1:1: note: <a> is the first\n    1 | <a/>\n      | ^~");
   EXPECT_EQ(errorOf("hello <a/>"),
-            "m.xml:1:1: error: text before the first element\n    1 | hello <a/>\n      | ^~~~~~");
+            "m.xml:1:1: error: text before the first element — a model is an XML file and begins "
+            "with <dynamy version=\"1\">\n    1 | hello <a/>\n      | ^~~~~~");
   EXPECT_EQ(errorOf("<a/> end"),
-            "m.xml:1:6: error: text after the end of the root element\n"
+            "m.xml:1:6: error: text after the end of the root element — an element was closed too "
+            "early, or twice\n"
             "    1 | <a/> end\n      |      ^~~");
   EXPECT_EQ(errorOf("<!-- only -->"), "m.xml: error: there is no element in it");
   EXPECT_EQ(errorOf("<a><?x?></a>"),
@@ -334,7 +337,8 @@ TEST_F(XmlFile, ThatIsMissingIsSaidWithANearName) {
 }
 
 TEST_F(XmlFile, MustBeARegularFile) {
-  EXPECT_EQ(readError(folder_), folder_.string() + ": error: this is a folder, not a file");
+  EXPECT_EQ(readError(folder_),
+            folder_.string() + ": error: this is a folder, not a file — no XML file is in it");
   EXPECT_EQ(readError("/dev/null"), "/dev/null: error: this is no regular file");
 }
 

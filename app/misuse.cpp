@@ -1,0 +1,158 @@
+#include "misuse.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/other_words.hpp>
+#include <dynamy/core/suggestion.hpp>
+#include <filesystem>
+
+namespace dynamy::app {
+namespace {
+
+/// The names of all options, "--until" or "-h".
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> out;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) out.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) out.push_back('-' + name);
+  }
+  return out;
+}
+
+std::vector<const CLI::App*> commandsOf(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// The sub-command that has the name `word` in other programs.
+std::string commandOfOthers(std::string_view word) {
+  for (const auto& [other, ours] : {std::pair("simulate", "run"),
+                                    {"sim", "run"},
+                                    {"start", "run"},
+                                    {"validate", "check"},
+                                    {"lint", "check"},
+                                    {"show", "view"},
+                                    {"replay", "view"},
+                                    {"animate", "view"},
+                                    {"play", "view"},
+                                    {"video", "view"},
+                                    {"plot", "report"},
+                                    {"info", "describe"},
+                                    {"explain", "describe"},
+                                    {"types", "list"},
+                                    {"elements", "list"},
+                                    {"modes", "eigen"},
+                                    {"xsd", "schema"},
+                                    {"help", "--help"},
+                                    {"version", "--version"}})
+    if (word == other) return ours;
+  return {};
+}
+
+Misuse unknownCommand(const std::string& word, const CLI::App& in, const std::string& before) {
+  std::vector<std::string> known;
+  for (const CLI::App* sub : commandsOf(in)) known.push_back(sub->get_name());
+  std::string hint = didYouMean(nearest(word, known));
+  if (hint.empty() && before.empty()) hint = didYouMean(commandOfOthers(word));
+  std::error_code error;
+  if (hint.empty() && before.empty() &&
+      (word.ends_with(".xml") || std::filesystem::is_regular_file(word, error)))
+    hint = "a command stands before the model: dynamy run " + word;
+  if (hint.empty()) hint = unknownNameHint(word, known);
+  return {"there is no command \"" + before + word + '"', hint};
+}
+
+/// An option that the command does not have: the word of another program, the nearest name, the only
+/// one that begins so, or all names.
+Misuse unknownOption(const std::string& name, const std::vector<std::string>& known) {
+  std::vector<std::string> bare, likely;
+  for (const std::string& k : known) {
+    if (k == "--help" || k == "-h") continue;
+    bare.push_back(k.substr(k.find_first_not_of('-')));
+    if (bare.back().starts_with(name.substr(name.find_first_not_of('-')))) likely.push_back(k);
+  }
+  const Misuse wrong{"there is no option \"" + name + '"', {}};
+  const std::string word = name.substr(name.find_first_not_of('-'));
+  if (const std::string other = attributeOfOthers(word, bare).name; !other.empty())
+    return {wrong.text, didYouMean("--" + other)};
+  if (!name.starts_with("--") && !likely.empty())
+    return {wrong.text, likely.size() == 1 ? didYouMean(likely.front())
+                                           : "options have two signs: " + quotedList(likely)};
+  if (const std::string near = nearest(name, known); !near.empty())
+    return {wrong.text, didYouMean(near)};
+  std::vector<std::string> shown;
+  for (const std::string& k : known)
+    if (k != "--help" && k != "-h") shown.push_back(k);
+  return {wrong.text, shown.empty() ? "the command has none" : "known: " + quotedList(shown)};
+}
+
+/// "MODEL [OPTIONS]": what may follow the command.
+std::string argumentsOf(const CLI::App& command) {
+  std::string out;
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional()) out += ' ' + option->get_name();
+  return out + " [OPTIONS]";
+}
+
+/// What the parser reports of a command whose words are all known.
+Misuse wrongValues(const CLI::App& in, const CLI::ParseError& error) {
+  const std::string text = error.what(), command = "dynamy " + in.get_name();
+  const auto is = [&](CLI::ExitCodes code) {
+    return error.get_exit_code() == static_cast<int>(code);
+  };
+  const auto optionBefore = [&](const char* end) -> const CLI::Option* {
+    return in.get_option_no_throw(text.substr(0, text.find(end)));
+  };
+  if (const CLI::Option* option =
+          is(CLI::ExitCodes::RequiredError) ? optionBefore(" is required") : nullptr)
+    return {command + " needs " + option->get_name() + ": " + option->get_description(), {}};
+  if (is(CLI::ExitCodes::RequiredError) && !commandsOf(in).empty()) {
+    std::vector<std::string> known;
+    for (const CLI::App* sub : commandsOf(in)) known.push_back(sub->get_name());
+    return {command + " needs one of " + quotedList(known), {}};
+  }
+  if (const CLI::Option* option =
+          is(CLI::ExitCodes::ArgumentMismatch) ? optionBefore(":") : nullptr)
+    return {option->get_name() + " needs a value, " + option->get_type_name() + ": " +
+                option->get_description(),
+            {}};
+  if (!is(CLI::ExitCodes::ExtrasError)) return {text, {}};
+  const std::string word = text.substr(text.find_last_of(": ") + 1);  // the first one is the last
+  const bool sets =
+      word.find('=') != std::string::npos && in.get_option_no_throw("--set") != nullptr;
+  return {'"' + word + "\" is a word too many",
+          sets ? didYouMean("--set " + word) : "write " + command + argumentsOf(in)};
+}
+
+bool isShortOption(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' &&
+         std::isalpha(static_cast<unsigned char>(word[1])) != 0;
+}
+
+}  // namespace
+
+Misuse misuse(const CLI::App& app, const CLI::ParseError& error,
+              const std::vector<std::string>& words) {
+  if (words.empty()) return {"a command is missing, such as dynamy run model.xml", {}};
+  const CLI::App* in = &app;
+  std::string before;
+  for (const std::string& word : words) {
+    if (word.starts_with("--") || isShortOption(word)) {
+      const std::string name = word.substr(0, word.find('='));
+      const std::vector<std::string> known = optionNames(*in);
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        return unknownOption(name, known);
+    } else if (!word.starts_with("-") && !commandsOf(*in).empty()) {
+      const auto commands = commandsOf(*in);
+      const auto at = std::find_if(commands.begin(), commands.end(),
+                                   [&](const CLI::App* sub) { return sub->get_name() == word; });
+      if (at == commands.end()) return unknownCommand(word, *in, before);
+      in = *at, before += word + ' ';
+    }
+  }
+  return wrongValues(*in, error);
+}
+
+}  // namespace dynamy::app

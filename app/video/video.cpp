@@ -1,0 +1,147 @@
+#include "video.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/files/output_file.hpp>
+#include <thread>
+
+#include "../shell_text.hpp"
+#include "browser.hpp"
+
+namespace dynamy::app {
+namespace fs = std::filesystem;
+namespace {
+
+std::string endingOf(const VideoChoice& choice) { return fs::path(choice.file).extension().string(); }
+
+std::string fromBase64(std::string_view text) {
+  std::string out;
+  unsigned held = 0, bits = 0;
+  for (const char c : text) {
+    const std::size_t x =
+        std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(c);
+    if (x == std::string_view::npos) continue;
+    held = held << 6 | static_cast<unsigned>(x), bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    out += static_cast<char>(held >> bits & 0xff);
+  }
+  return out;
+}
+
+/// The share that is done, on a terminal.
+void tell(double share) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  fmt::print(stderr, "\r {:3.0f} % of the film{}", 100 * share, share >= 1 ? "\r\033[K" : "");
+  std::fflush(stderr);
+}
+
+/// Shows the page until its script has read the run.
+void openReplay(Browser& browser, const fs::path& replay, const std::string& look) {
+  using namespace std::chrono_literals;
+  constexpr int kMostLooks = 1200;  // a minute
+  browser.open(replay, look);
+  for (int i = 0; i < kMostLooks; ++i) {
+    const std::string state = browser.evaluate(
+        "window.replay ? 'ready' : document.getElementById('wait')?.textContent ?? ''");
+    if (state == "ready") return;
+    if (state.starts_with("This page cannot")) throw FileError(replay.string(), state);
+    std::this_thread::sleep_for(50ms);
+  }
+  throw FileError(replay.string(), "the page was not shown within a minute");
+}
+
+/// Begins a film; the number of its pictures.
+int begin(Browser& browser, const VideoChoice& choice) {
+  std::string what = fmt::format("width: {}, height: {}, fps: {}", choice.width, choice.height, choice.fps);
+  if (choice.slower) what += fmt::format(", slower: {}", *choice.slower);
+  if (choice.from) what += fmt::format(", from: {}", *choice.from);
+  if (choice.to) what += fmt::format(", to: {}", *choice.to);
+  return std::atoi(browser.evaluate("window.replay.studio.begin({" + what + "})").c_str());
+}
+
+/// A film that the page codes by itself.
+std::string coded(Browser& browser, const std::string& kind) {
+  using namespace std::chrono_literals;
+  constexpr std::size_t kSlice = 8'000'000;
+  browser.evaluate("void (window.made = null, window.wrong = '', window.replay.studio.file('" + kind +
+                   "').then(x => { window.made = x; }, e => { window.wrong = String(e); }))");
+  for (;;) {
+    const std::string state = browser.evaluate(
+        "window.wrong || (window.made === null ? String(window.replay.studio.share) : 'made')");
+    if (state == "made") break;
+    char* end = nullptr;
+    const double share = std::strtod(state.c_str(), &end);
+    if (*end != '\0') throw FileError(kind, "the browser cannot make the film: " + state);
+    tell(share);
+    std::this_thread::sleep_for(100ms);
+  }
+  std::string out;
+  for (std::size_t at = 0;; at += kSlice) {
+    const std::string part =
+        browser.evaluate(fmt::format("window.made.slice({}, {})", at, at + kSlice));
+    if (part.empty()) return fromBase64(out);
+    out += part;
+  }
+}
+
+/// The pictures as PNG files in a folder.
+void writePictures(Browser& browser, int count, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw WriteError(folder.string(), "cannot create the folder: " + error.message());
+  for (int i = 0; i < count; ++i) {
+    writeWholeFile(folder / fmt::format("{:05d}.png", i + 1),
+                   fromBase64(browser.evaluate(fmt::format("window.replay.studio.take({})", i))));
+    tell((i + 1.0) / count);
+  }
+}
+
+/// Lets ffmpeg make an MP4 of pictures. If it is not there, the pictures remain.
+void writeMp4(Browser& browser, int count, const VideoChoice& choice) {
+  const fs::path file = choice.file, pictures = fs::path(file).replace_extension();
+  writePictures(browser, count, pictures);
+  const std::string command = fmt::format(
+      "ffmpeg -y -loglevel error -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -crf 20 {}", choice.fps,
+      shellQuoted((pictures / "%05d.png").string()), shellQuoted(file.string()));
+  if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
+    throw FileError(file.string(), "an MP4 needs ffmpeg (on Debian: sudo apt-get install ffmpeg); " +
+                                       std::to_string(count) + " pictures are in " + pictures.string() +
+                                       ". A .webm or .gif needs nothing");
+  if (std::system(command.c_str()) != 0)
+    throw FileError(file.string(), "ffmpeg failed; the pictures are in " + pictures.string());
+  std::error_code ignored;
+  fs::remove_all(pictures, ignored);
+}
+
+}  // namespace
+
+void checkVideo(const VideoChoice& choice) {
+  const std::string ending = endingOf(choice);
+  for (const char* known : {".gif", ".webm", ".mp4", ""})
+    if (ending == known) return;
+  throw CLI::ValidationError("--video", "no film has the ending \"" + ending +
+                                            "\": take .webm, .gif, .mp4, or a folder for pictures");
+}
+
+void writeVideo(const fs::path& replay, const VideoChoice& choice) {
+  const std::string ending = endingOf(choice);
+  Browser browser(choice.width, choice.height);
+  openReplay(browser, replay, choice.look);
+  const int count = begin(browser, choice);
+  if (ending == ".gif" || ending == ".webm")
+    writeWholeFile(choice.file, coded(browser, ending.substr(1)));
+  else if (ending == ".mp4")
+    writeMp4(browser, count, choice);
+  else
+    writePictures(browser, count, choice.file);
+  tell(1.0);
+}
+
+}  // namespace dynamy::app
