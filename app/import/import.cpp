@@ -8,6 +8,7 @@
 
 #include "import/mjcf_reader.hpp"
 #include "import/model_text.hpp"
+#include "import/sdf_reader.hpp"
 #include "import/simplify.hpp"
 #include "import/urdf_reader.hpp"
 #include "paths.hpp"
@@ -27,8 +28,10 @@ Machine readMachine(const XmlDocument& document, const ImportOptions& options) {
   const XmlNode& root = document.root();
   if (root.tag == "robot") return readUrdf(document, options);
   if (root.tag == "mujoco") return readMjcf(document, options);
-  throw ModelError(document.diagnostic(root.place, root, "is no machine that can be imported",
-                                       "<robot> begins a file of URDF, <mujoco> one of MJCF"));
+  if (root.tag == "sdf") return readSdf(document, options);
+  throw ModelError(
+      document.diagnostic(root.place, root, "is no machine that can be imported",
+                          "<robot> begins a file of URDF, <mujoco> of MJCF, <sdf> of SDF"));
 }
 
 /// Joints start at other values than those of the file's pose.
@@ -69,8 +72,9 @@ int import(const ImportChoice& choice) {
 
 void addImport(CLI::App& app, Program& program) {
   auto choice = std::make_shared<ImportChoice>();
-  CLI::App* c = app.add_subcommand("import", "a model of the machine in a file of URDF or MJCF");
-  c->add_option("FILE", choice->file, "file of URDF or MJCF")->required()->check(someName());
+  CLI::App* c =
+      app.add_subcommand("import", "a model of the machine in a file of URDF, MJCF or SDF");
+  c->add_option("FILE", choice->file, "file of URDF, MJCF or SDF")->required()->check(someName());
   c->add_option("-o,--out", choice->out, "model file to write; default: print it")
       ->check(someName());
   c->add_option("--at", choice->at, "value of a joint at the start [rad or m]")
