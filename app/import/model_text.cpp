@@ -39,7 +39,7 @@ std::string placed(const Pose& pose) {
 std::string inertiaText(const Mat3& J) {
   std::string out;
   for (const double x : {J(0, 0), J(1, 1), J(2, 2), J(0, 1), J(0, 2), J(1, 2)})
-    out += (out.empty() ? "" : " ") + smallNumber(std::abs(x) < 1e-18 * J.trace() ? 0.0 : x);
+    out += (out.empty() ? "" : " ") + smallNumber(std::abs(x) < 1e-15 * J.trace() ? 0.0 : x);
   return out;
 }
 
