@@ -1,4 +1,4 @@
-/// dynamy export fmu MODEL: packs a model for other programs.
+/// dynamy export fmu MODEL, dynamy export vtk DIR: a model, or the film of a run, for other programs.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "export/fmu_package.hpp"
+#include "export/vtk_series.hpp"
 #include "program.hpp"
 
 namespace dynamy::app {
@@ -17,6 +18,22 @@ void exportFmu(Program& program, const FmuTask& task) {
   result.zip.write(out);
   fmt::print("{}: FMI 3.0 co-simulation, {} parameters, {} inputs, {} outputs\n", out.string(),
              result.parameters, result.inputs, result.outputs);
+}
+
+void exportVtk(const VtkTask& task) {
+  const VtkResult result = writeVtkSeries(task);
+  fmt::print("{}: bodies.pvd and contacts.pvd, {} frames\n", result.folder.string(), result.frames);
+}
+
+void addVtk(CLI::App& all) {
+  auto t = std::make_shared<VtkTask>();
+  CLI::App* c = all.add_subcommand("vtk", "the film of a run, bodies and contacts, for ParaView");
+  c->add_option("DIR", t->run, "run folder, e.g. runs/ball")->required();
+  c->add_option("-o,--out", t->out, "folder to write; default: vtk in the run's")->type_name("DIR");
+  c->add_option("--sides", t->sides, "sides of round shapes; default: 24")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(3, 1000));
+  c->callback([t] { exportVtk(*t); });
 }
 
 }  // namespace
@@ -40,6 +57,7 @@ void addExport(CLI::App& app, Program& program) {
     program.load();
     exportFmu(program, *t);
   });
+  addVtk(*all);
 }
 
 }  // namespace dynamy::app
