@@ -1,4 +1,4 @@
-#include "browser.hpp"
+#include "video/browser.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -62,32 +62,33 @@ std::string object(const std::vector<std::pair<std::string, std::string>>& texts
 }  // namespace
 
 Browser::Browser(int width, int height) {
-  const std::string program = inPath({"chromium", "chromium-browser", "google-chrome",
-                                      "google-chrome-stable", "chrome"});
+  const std::string program =
+      inPath({"chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"});
   if (program.empty())
-    throw FileError("chromium",
-                    "a film needs Chromium or Chrome, and neither is in PATH; on Debian: sudo apt-get "
-                    "install chromium. scripts/animate draws a film without a browser");
+    throw FileError(
+        "chromium",
+        "a film needs Chromium or Chrome, and neither is in PATH; on Debian: sudo apt-get "
+        "install chromium. scripts/animate draws a film without a browser");
   std::string folder = (fs::temp_directory_path() / "dynamy_browser_XXXXXX").string();
   std::array<int, 2> ends{};
-  if (::mkdtemp(folder.data()) == nullptr)
-    throw WriteError(folder, "cannot create the folder");
+  if (::mkdtemp(folder.data()) == nullptr) throw WriteError(folder, "cannot create the folder");
   profile_ = folder;
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     throw FileError(program, "no pipe to the browser");
-  std::vector<std::string> words{program,
-                                 "--headless=new",
-                                 "--remote-debugging-pipe",
-                                 "--user-data-dir=" + folder,
-                                 fmt::format("--window-size={},{}", width, height),
-                                 "--force-device-scale-factor=1",
-                                 "--hide-scrollbars",
-                                 "--no-first-run",
-                                 "--disable-background-networking",
-                                 "--disable-background-timer-throttling",
-                                 "--disable-renderer-backgrounding",
-                                 "--use-angle=swiftshader",  // WebGL on machines without a graphics card
-                                 "--enable-unsafe-swiftshader"};
+  std::vector<std::string> words{
+      program,
+      "--headless=new",
+      "--remote-debugging-pipe",
+      "--user-data-dir=" + folder,
+      fmt::format("--window-size={},{}", width, height),
+      "--force-device-scale-factor=1",
+      "--hide-scrollbars",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-background-timer-throttling",
+      "--disable-renderer-backgrounding",
+      "--use-angle=swiftshader",  // WebGL on machines without a graphics card
+      "--enable-unsafe-swiftshader"};
   if (::geteuid() == 0) words.emplace_back("--no-sandbox");  // Chromium refuses root otherwise
   process_ = startProcess([&]() -> int { become(words, ends[1]); });
   ::close(ends[1]);
@@ -135,7 +136,8 @@ std::string Browser::receive() {
 JsonValue Browser::call(const std::string& method, const std::string& parameters) {
   const int id = ++calls_;
   send(fmt::format(R"({{"id":{},"method":"{}",{}"params":{}}})", id, method,
-                   session_.empty() ? "" : fmt::format(R"("sessionId":"{}",)", session_), parameters));
+                   session_.empty() ? "" : fmt::format(R"("sessionId":"{}",)", session_),
+                   parameters));
   for (;;) {  // events of the page come in between
     JsonValue answer = readJson(receive(), "browser");
     if (answer["id"].value != id) continue;
@@ -148,12 +150,14 @@ void Browser::open(const fs::path& page, const std::string& part) {
   page_ = page;
   std::string address = "file://";
   for (const char c : fs::absolute(page).lexically_normal().string()) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '.' || c == '_' || c == '-';
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '.' ||
+                       c == '_' || c == '-';
     address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   const JsonValue target = call("Target.createTarget", object({{"url", address + '#' + part}}));
-  const JsonValue attached = call("Target.attachToTarget",
-                                  fmt::format(R"({{"targetId":"{}","flatten":true}})", target["targetId"].text));
+  const JsonValue attached =
+      call("Target.attachToTarget",
+           fmt::format(R"({{"targetId":"{}","flatten":true}})", target["targetId"].text));
   session_ = attached["sessionId"].text;
 }
 

@@ -1,4 +1,4 @@
-#include "video.hpp"
+#include "video/video.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,21 +11,24 @@
 #include <dynamy/io/files/output_file.hpp>
 #include <thread>
 
-#include "../shell_text.hpp"
-#include "browser.hpp"
+#include "shell_text.hpp"
+#include "video/browser.hpp"
 
 namespace dynamy::app {
 namespace fs = std::filesystem;
 namespace {
 
-std::string endingOf(const VideoChoice& choice) { return fs::path(choice.file).extension().string(); }
+std::string endingOf(const VideoChoice& choice) {
+  return fs::path(choice.file).extension().string();
+}
 
 std::string fromBase64(std::string_view text) {
   std::string out;
   unsigned held = 0, bits = 0;
   for (const char c : text) {
     const std::size_t x =
-        std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/").find(c);
+        std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
+            .find(c);
     if (x == std::string_view::npos) continue;
     held = held << 6 | static_cast<unsigned>(x), bits += 6;
     if (bits < 8) continue;
@@ -59,7 +62,8 @@ void openReplay(Browser& browser, const fs::path& replay, const std::string& loo
 
 /// Begins a film; the number of its pictures.
 int begin(Browser& browser, const VideoChoice& choice) {
-  std::string what = fmt::format("width: {}, height: {}, fps: {}", choice.width, choice.height, choice.fps);
+  std::string what =
+      fmt::format("width: {}, height: {}, fps: {}", choice.width, choice.height, choice.fps);
   if (choice.slower) what += fmt::format(", slower: {}", *choice.slower);
   if (choice.from) what += fmt::format(", from: {}", *choice.from);
   if (choice.to) what += fmt::format(", to: {}", *choice.to);
@@ -70,7 +74,8 @@ int begin(Browser& browser, const VideoChoice& choice) {
 std::string coded(Browser& browser, const std::string& kind) {
   using namespace std::chrono_literals;
   constexpr std::size_t kSlice = 8'000'000;
-  browser.evaluate("void (window.made = null, window.wrong = '', window.replay.studio.file('" + kind +
+  browser.evaluate("void (window.made = null, window.wrong = '', window.replay.studio.file('" +
+                   kind +
                    "').then(x => { window.made = x; }, e => { window.wrong = String(e); }))");
   for (;;) {
     const std::string state = browser.evaluate(
@@ -108,12 +113,13 @@ void writeMp4(Browser& browser, int count, const VideoChoice& choice) {
   const fs::path file = choice.file, pictures = fs::path(file).replace_extension();
   writePictures(browser, count, pictures);
   const std::string command = fmt::format(
-      "ffmpeg -y -loglevel error -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -crf 20 {}", choice.fps,
-      shellQuoted((pictures / "%05d.png").string()), shellQuoted(file.string()));
+      "ffmpeg -y -loglevel error -framerate {} -i {} -c:v libx264 -pix_fmt yuv420p -crf 20 {}",
+      choice.fps, shellQuoted((pictures / "%05d.png").string()), shellQuoted(file.string()));
   if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
-    throw FileError(file.string(), "an MP4 needs ffmpeg (on Debian: sudo apt-get install ffmpeg); " +
-                                       std::to_string(count) + " pictures are in " + pictures.string() +
-                                       ". A .webm or .gif needs nothing");
+    throw FileError(file.string(),
+                    "an MP4 needs ffmpeg (on Debian: sudo apt-get install ffmpeg); " +
+                        std::to_string(count) + " pictures are in " + pictures.string() +
+                        ". A .webm or .gif needs nothing");
   if (std::system(command.c_str()) != 0)
     throw FileError(file.string(), "ffmpeg failed; the pictures are in " + pictures.string());
   std::error_code ignored;

@@ -8,10 +8,10 @@
 namespace dynamy::app {
 
 struct VideoChoice {
-  std::string file;  ///< .gif, .webm, .mp4; a folder for pictures
+  std::string file;               ///< .gif, .webm, .mp4; a folder for pictures
   int width = 960, height = 720;  ///< [px], even
   double fps = 25.0;
-  std::optional<double> slower;  ///< than the mechanism; none: as the replay begins
+  std::optional<double> slower;    ///< than the mechanism; none: as the replay begins
   std::optional<double> from, to;  ///< of the run [s]
   std::string look;                ///< as in the address of the replay: "view=xz&theme=dark"
 };

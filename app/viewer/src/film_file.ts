@@ -106,7 +106,7 @@ export class FilmStudio {
   constructor(private readonly replay: Replay) {}
 
   /** Gives the stage its size and returns the number of pictures. */
-  begin(choice: FilmChoice): number {
+  begin(choice: Partial<FilmChoice> & {fps: number}): number {
     const {stage} = this.replay;
     if (choice.width && choice.height) {
       const box = document.getElementById("stage") as HTMLElement;
@@ -116,7 +116,8 @@ export class FilmStudio {
     }
     const {begin, end} = this.replay;
     const from = Math.max(choice.from ?? begin, begin), to = Math.min(choice.to ?? end, end);
-    this.film = new FilmFile(this.replay, {...choice, from, to});
+    const slower = choice.slower ?? Number((document.getElementById("speed") as HTMLSelectElement).value);
+    this.film = new FilmFile(this.replay, {...choice, from, to, slower});
     return this.film.count;
   }
 

@@ -74,7 +74,7 @@ std::unique_ptr<LocatedDormandPrince> locatedScheme(bool givenSteps) {
 }
 
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
-                        const MotionSequence* like, const State* from) {
+                        const MotionSequence* like, const State* from, long most) {
   auto scheme = locatedScheme(like != nullptr);
   LocatedDormandPrince& located = *scheme;
   model.askTolerance(tolerance);
@@ -90,7 +90,10 @@ FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double to
   Watch watch(model, of, stops, located);
   Simulation simulation(model, &plan);
   simulation.observe(watch);
-  const RunReport& report = simulation.run();
+  while (simulation.step())
+    if (most > 0 && simulation.report().steps > most)
+      throw ModelError(fmt::format("the motion needs more than {} steps", most));
+  const RunReport& report = simulation.report();
   if (report.ended != RunReport::Ended::finished)
     throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
   for (const CheckResult& c : simulation.checks()) watch.run.values.push_back(c.got);

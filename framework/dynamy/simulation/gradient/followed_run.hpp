@@ -28,9 +28,10 @@ struct FollowedRun {
 };
 
 /// Runs `model` to `tolerance`; `of`: instants up to its end; `like`: takes the steps of that run;
-/// `from`: its start, the model's initial state if null. Throws ModelError if the run ends early,
-/// or cannot locate its switches.
+/// `from`: its start, the model's initial state if null; `most`: steps that it may take, 0: any
+/// number. Throws ModelError if the run ends early, or cannot locate its switches.
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
-                        const MotionSequence* like = nullptr, const State* from = nullptr);
+                        const MotionSequence* like = nullptr, const State* from = nullptr,
+                        long most = 0);
 
 }  // namespace dynamy

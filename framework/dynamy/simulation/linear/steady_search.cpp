@@ -9,7 +9,7 @@ namespace {
 
 /// Largest accelerations of a steady motion, as a share of those by the forces alone.
 constexpr double kSteady = 1e-10;
-constexpr int kMostCorrections = 40;        ///< of Newton's method
+constexpr int kMostSearchSteps = 40;        ///< of Newton's method
 constexpr double kLongestCorrection = 0.3;  ///< of its steps [m, rad]
 
 }  // namespace
@@ -50,7 +50,7 @@ double SteadySearch::correct(State& x, const std::vector<double>& later) {
   const bool rest = maxAbs(x.u) == 0.0;
   const Eigen::Index free = rest ? nu_ : 2 * nu_;
   double way = 0.0;
-  for (int i = 0; i < kMostCorrections; ++i) {
+  for (int i = 0; i < kMostSearchSteps; ++i) {
     const Eigen::VectorXd y = residual(x, later);
     if (maxAbs(y) <= 1e-3 * allowed()) return way;
     PseudoInverse inverse(kRankOfStates);

@@ -11,7 +11,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRedundant = 1e-10;  ///< pivots below this share belong to redundant rows
 constexpr double kGap = 1e-13;        ///< relative distance from the widest margin at the end
 constexpr double kSharper = 8.0;      ///< growth of the weight of s from one centre to the next
-constexpr int kMostNewton = 50;       ///< steps of Newton's method for one centre
+constexpr int kMostCentring = 50;     ///< steps of Newton's method for one centre
 constexpr double kCentred = 1e-6;     ///< decrement at which a centre is near enough
 constexpr double kFlat = 1e-12;       ///< curvature that holds unknowns without bounds
 /// With more unknowns the forces of the phase are kept: a step would cost seconds.
@@ -72,7 +72,7 @@ class Barrier {
       }
     s_ -= 0.5;
     for (double tau = 1.0; tau < parameter / kGap; tau *= kSharper)
-      for (int i = 0; i < kMostNewton && step(tau); ++i) {
+      for (int i = 0; i < kMostCentring && step(tau); ++i) {
       }
     return unit_ * (P_ * pi_) + directions_.p0;
   }

@@ -1,5 +1,5 @@
 /// orbitBranch: a periodic orbit followed over a parameter, through folds, with the instabilities
-/// and the changes of its switches on the way (theory 54.5, 54.6).
+/// and the changes of its switches on the way (theory 54.5).
 ///
 /// Rejected: stepping in the parameter itself, which ends at every fold; and going on blindly where
 /// the switches change, where the curve has a kink or an end.

@@ -21,6 +21,8 @@ constexpr double kLess = 0.2;  ///< factor on δ where the switches differ
 constexpr int kAttempts = 6;
 constexpr int kBisections = 60;  ///< to find a pass on the path of a step
 constexpr int kPeriodCorrections = 6;
+/// Steps of one return. Trial states far from the orbit may fall and tumble ever faster.
+constexpr long kMostSteps = 20'000;
 constexpr double kLinear = 1e-10;     ///< shorter corrections take the rate that is known
 constexpr double kTellsSlope = 1e-7;  ///< shorter corrections of the period drown in rounding
 constexpr double kNoRange = 1e-9;     ///< a coordinate with a smaller range does not change
@@ -118,16 +120,13 @@ ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
   SectionWatch watch(model_, section_, least, count);
   Simulation simulation(model_, &plan);
   simulation.observe(watch);
-  while (!watch.found && simulation.step()) {
+  while (!watch.found && simulation.report().steps < kMostSteps && simulation.step()) {
   }
   model_.simulation.until = until_;
   const RunReport& report = simulation.report();
   if (report.ended != RunReport::Ended::finished)
     throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
-  if (!watch.found && !section_.signal.empty())
-    throw ModelError(fmt::format("the motion does not pass the section ({}) within {:g} s",
-                                 section_.text(), until_),
-                     "choose a value that the signal passes, or let the model run longer");
+  if (report.steps >= kMostSteps || (!watch.found && !section_.signal.empty())) throw noPass();
   Pass out;
   out.t = section_.signal.empty() ? forced : watch.t,
   out.slope = (section_.falling ? -1.0 : 1.0) * watch.slope;
@@ -145,14 +144,25 @@ ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
   return out;
 }
 
+ModelError ReturnMap::noPass() const {
+  return ModelError(fmt::format("the motion does not pass the section ({}) within {:g} s",
+                                section_.text(), until_),
+                    "choose a value that the signal passes, or let the model run longer");
+}
+
 FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* steps) {
   model_.simulation.until = T;
   ++cycles_;
   std::vector<SignalAt> of;
   if (!section_.signal.empty()) of.push_back({section_.signal, T});
-  FollowedRun out = followedRun(model_, of, tolerance_, steps, &from);
-  model_.simulation.until = until_;
-  return out;
+  try {
+    FollowedRun out = followedRun(model_, of, tolerance_, steps, &from, kMostSteps);
+    model_.simulation.until = until_;
+    return out;
+  } catch (...) {
+    model_.simulation.until = until_;
+    throw;
+  }
 }
 
 /// Corrects the period of r until its end is on the section.
@@ -167,6 +177,7 @@ bool ReturnMap::locate(const MotionSequence* steps, Return& r) {
   double off = take(steps);
   for (int i = 0; i < kPeriodCorrections && !difference_.any && !section_.signal.empty(); ++i) {
     const double dT = -off / r.slope;
+    if (!(r.period + dT > 0.0) || !(r.period + dT <= until_)) throw noPass();
     if (r.rate.size() > 0 && std::abs(dT) < kLinear * r.period) {
       r.end = variation_.added(r.end, dT * r.rate.head(variation_.size()));
       r.period += dT;

@@ -66,6 +66,7 @@ class ReturnMap {
  private:
   struct Pass;
   Pass pass(const State& from, double least, int count);
+  ModelError noPass() const;
   FollowedRun run(const State& from, double T, const MotionSequence* steps);
   bool locate(const MotionSequence* steps, Return& r);
   Eigen::VectorXd change(const Return& r, const Eigen::VectorXd& z, double dT, bool& same);
