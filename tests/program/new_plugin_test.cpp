@@ -54,7 +54,7 @@ TEST_F(NewPlugin, MistakesAreNamed) {
     int code;
   } const kMistakes[] = {
       {"door --kind contcat", "no kind \"contcat\" — did you mean \"contact\"?", 64},
-      {"door", "--kind is required", 64},
+      {"door", "needs --kind: system, contact", 64},
       {"../door --kind law", "a name has letters, digits, - and _", 64},
       {"3d --kind law", "begins with a letter", 64},
       {"test --kind law", "is a word of cmake or dynamY", 64},

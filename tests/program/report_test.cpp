@@ -69,7 +69,7 @@ TEST_F(Report, ShowsWhatAnEndedOrFailedRunHas) {
   EXPECT_EQ(call("report o"), 2);
   EXPECT_NE(err().find("run.json:1:34: expected ':'"), std::string::npos) << err();
   EXPECT_EQ(call("report nowhere"), 2);
-  EXPECT_NE(err().find("holds no run"), std::string::npos) << err();
+  EXPECT_NE(err().find("nowhere: there is no such folder"), std::string::npos) << err();
 }
 
 TEST_F(Report, IsRemovedWithTheRunItTellsOf) {
