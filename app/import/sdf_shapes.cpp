@@ -34,7 +34,7 @@ double SdfShapes::size(const XmlNode& shape, const char* name) {
 Vec3 SdfShapes::sizes(const XmlNode& shape, const char* name) {
   const XmlNode* own = childOf(shape, name);
   const auto v = own != nullptr ? read_.numbersOf(*own, 3) : std::vector<double>();
-  const Vec3 out = v.empty() ? Vec3(Vec3::Zero()) : Vec3(v[0], v[1], v[2]);
+  Vec3 out = v.empty() ? Vec3(Vec3::Zero()) : Vec3(v[0], v[1], v[2]);
   if (!(out.minCoeff() > 0.0))
     read_.fault(shape, std::string("<") + name + "> is missing or not positive");
   return out;

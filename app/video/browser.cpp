@@ -31,7 +31,7 @@ std::string inPath(std::initializer_list<const char*> names) {
   for (const char* name : names) {
     std::istringstream folders(path == nullptr ? "" : path);
     for (std::string folder; std::getline(folders, folder, ':');) {
-      const std::string file = folder + '/' + name;
+      std::string file = folder + '/' + name;
       if (::access(file.c_str(), X_OK) == 0) return file;
     }
   }

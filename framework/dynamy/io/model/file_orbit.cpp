@@ -32,7 +32,7 @@ State followedFromOwn(const FileOrbit& wanted, Registry& registry, PluginLoader&
   options.set = wanted.set, options.parameters = &other;
   loadModel(wanted.file, registry, plugins, options);
   // One parameter is followed by its value, several by the part of the way.
-  const bool one = own.size() > 0 && wanted.set.size() == 1;
+  const bool one = !own.empty() && wanted.set.size() == 1;
   const std::string& first = wanted.set.front().first;
   const double from = one ? own[first] : 0.0, to = one ? other[first] : 1.0;
   const OrbitMaker make = [&](double value, OrbitSection& section) {

@@ -18,7 +18,7 @@ LeastSquaresEnd search(FitProblem& problem, Eigen::VectorXd& x, int& iterations)
   std::vector<char> seen = seenUnknowns(problem, x, problem.jacobian(x));
   for (int round = 0; round < kRounds; ++round) {
     squares.fixed = seen;
-    for (char& fixed : squares.fixed) fixed = !fixed;
+    for (char& fixed : squares.fixed) fixed = fixed != 0 ? 0 : 1;
     end = minimise(squares, x);
     iterations += end.iterations;
     const bool same =

@@ -60,7 +60,7 @@ std::vector<char> seenUnknowns(FitProblem& problem, const Eigen::VectorXd& x,
   for (int i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     length[i] = J.col(i).norm(), inSizes[i] = length[i] * problem.unknowns()[k].size;
-    out[k] = length[i] > kSeen * problem.rounding(i);
+    out[k] = length[i] > kSeen * problem.rounding(i) ? 1 : 0;
   }
   const double least = n > 0 ? kShort * inSizes.maxCoeff() : 0.0;
   Eigen::MatrixXd wide;
@@ -68,7 +68,7 @@ std::vector<char> seenUnknowns(FitProblem& problem, const Eigen::VectorXd& x,
     const auto k = static_cast<std::size_t>(i);
     if (!out[k] || inSizes[i] >= least) continue;
     if (wide.size() == 0) wide = problem.jacobian(x, kWide);
-    out[k] = (wide.col(i) - J.col(i)).norm() < kChange * length[i];
+    out[k] = (wide.col(i) - J.col(i)).norm() < kChange * length[i] ? 1 : 0;
   }
   return out;
 }

@@ -83,7 +83,7 @@ double Intervals::profile(int unknown, Eigen::VectorXd& x) {
   search_.fixed.assign(static_cast<std::size_t>(x.size()), 0);
   bool alone = true;
   for (std::size_t i = 0; i < search_.fixed.size(); ++i) {
-    search_.fixed[i] = !information_.identifiable[i] || static_cast<int>(i) == unknown;
+    search_.fixed[i] = !information_.identifiable[i] || static_cast<int>(i) == unknown ? 1 : 0;
     alone = alone && search_.fixed[i];
   }
   try {
@@ -144,7 +144,8 @@ bool Intervals::find(int unknown, FittedParameter& out) {
   if (!out.atBound && quadratic(unknown, half)) return true;
   out.interval = FittedParameter::Interval::profile;
   const std::optional<double> low = end(unknown, half, Side::low);
-  const std::optional<double> high = low ? end(unknown, half, Side::high) : low;
+  if (!low) return false;
+  const std::optional<double> high = end(unknown, half, Side::high);
   if (!high) return false;
   out.low = *low, out.high = *high;
   return true;

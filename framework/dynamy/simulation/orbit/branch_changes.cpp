@@ -40,7 +40,7 @@ bool BranchTracer::change(double reached) {
                        !sameEvents(next.events, base_.events);
     const Tried tried = known ? Tried::changed : attempt(at, 1, next);
     if (tried == Tried::good) {
-      low = s, lower = std::move(next);
+      low = s, lower = std::move(next), next = OrbitPoint();
       nodes.push_back({s, curve_.between(lower, base_)});
       continue;
     }
