@@ -1,10 +1,16 @@
-# The target docs, for those who work on dynamY itself.
+# The target docs: the documentation site, doc/site/README.md.
 if(DYNAMY_DOCS)
-  find_package(Doxygen)
-  if(DOXYGEN_FOUND AND EXISTS ${PROJECT_SOURCE_DIR}/doc/Doxyfile.in)
-    configure_file(${PROJECT_SOURCE_DIR}/doc/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
-    add_custom_target(docs COMMAND ${DOXYGEN_EXECUTABLE} ${PROJECT_BINARY_DIR}/Doxyfile VERBATIM)
-  else()
-    message(WARNING "The target docs needs doxygen and doc/Doxyfile.in; it is left out.")
+  set(DYNAMY_DOCS_PROGRAM "" CACHE FILEPATH "Program that runs the models of the site's gallery; empty: build it")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  set(dynamyDocsProgram ${DYNAMY_DOCS_PROGRAM})
+  if(NOT dynamyDocsProgram)
+    set(dynamyDocsProgram $<TARGET_FILE:dynamy>)
+  endif()
+  add_custom_target(docs
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/doc/site/build.py --out ${PROJECT_BINARY_DIR}/site
+            --program ${dynamyDocsProgram} --version ${PROJECT_VERSION}
+    USES_TERMINAL VERBATIM)
+  if(NOT DYNAMY_DOCS_PROGRAM)
+    add_dependencies(docs dynamy plugins)
   endif()
 endif()
