@@ -30,7 +30,7 @@ std::string withoutDots(std::string path) {
 
 bool exists(const std::string& path) {
   // pictures are files, but no text
-  if (path.ends_with(".png"))
+  if (path.ends_with(".png") || path.ends_with(".gif"))
     return std::filesystem::is_regular_file(std::filesystem::path(DYNAMY_SOURCE_DIR) / path);
   const auto& tree = sourceTree();
   return std::any_of(tree.begin(), tree.end(), [&](const SourceFile& f) {

@@ -107,7 +107,6 @@ const std::map<std::string, std::string> kCMake = {
     {"ZLIB", "zlib1g-dev"},
     {"OpenMP", "g++"},
     {"Threads", "g++"},
-    {"Doxygen", "doxygen"},
     {"dynamy", "g++"},
     {"Python3", "python3"},
     {"pybind11", "pybind11-dev"},
