@@ -58,6 +58,6 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME dynamy-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "dynamy (= ${PROJECT_VERSION}), cmake (>= 3.22), g++, libeigen3-dev (>= 3.4), libfmt-dev")
+  "dynamy (= ${PROJECT_VERSION}), cmake (>= 3.22), g++, ninja-build, libeigen3-dev (>= 3.4), libfmt-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers and CMake package for plug-ins of dynamY, with a template.")
 include(CPack)

@@ -63,7 +63,8 @@ std::vector<std::unique_ptr<Outline>> bird(const Lengths& l) {
   const auto add = [&all](const char* name, const char* colour, std::vector<Vec3> points) {
     all.push_back(std::make_unique<Outline>(name, colour, std::move(points)));
   };
-  add("spring", "#505860", {{-l.lG, 0, 0}, {0, 0, 0}});
+  // Longer than it is: with linear kinematics its end stays behind the sleeve by up to lG φ²/2.
+  add("spring", "#505860", {{-1.15 * l.lG, 0, 0}, {0, 0, 0}});
   add("tail", "#5a3326",
       {{0.0035, 0, -0.014}, {0.008, 0, -0.013}, {0.012, 0, -0.034}, {0.0075, 0, -0.035}});
   add("body", "#c04030",

@@ -34,5 +34,13 @@ execute_process(COMMAND ${DPKG_DEB} --field ${runtime} Depends OUTPUT_VARIABLE d
 if(NOT depends MATCHES "libtinyxml2" OR NOT depends MATCHES "libhdf5" OR depends MATCHES "libdynamy")
   message(FATAL_ERROR "dependencies of ${runtime}: ${depends}")
 endif()
+# A plug-in is built with the commands of the tutorial, on a machine with nothing but the two packages.
+file(GLOB dev ${folder}/dynamy-dev_*.deb)
+execute_process(COMMAND ${DPKG_DEB} --field ${dev} Depends OUTPUT_VARIABLE depends)
+foreach(tool "cmake" "g[+][+]" "ninja-build")
+  if(NOT depends MATCHES "${tool}")
+    message(FATAL_ERROR "dependencies of ${dev} lack ${tool}: ${depends}")
+  endif()
+endforeach()
 run_commands("${usr}/bin/dynamy|run|${usr}/share/dynamy/models/bouncing_ball.xml|--quiet|--out|${folder}/ball")
 use_template(${usr} ${usr}/share/dynamy/template ${folder}/template)
