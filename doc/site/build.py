@@ -52,7 +52,7 @@ def main():
         run("Replays", sys.executable, f"{HERE}/make_replays.py", os.path.abspath(chosen.program), f"{site}/replays")
     header(work)
     run("Classes", "doxygen", f"{HERE}/Doxyfile")
-    run("Pages", "sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-c", HERE, "-d", f"{work}/doctrees", ROOT, site)
+    run("Pages", "sphinx-build", "-q", "-E", "-a", "-W", "--keep-going", "-b", "html", "-c", HERE, "-d", f"{work}/doctrees", ROOT, site)
     run("Links", sys.executable, f"{HERE}/check_links.py", site)
     print(f"{site}/index.html")
 

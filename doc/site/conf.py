@@ -14,7 +14,7 @@ version = release = os.environ.get("DYNAMY_VERSION", "")
 project_copyright = "the authors of dynamY"
 language = "en"
 
-extensions = ["myst_parser", "sphinx_copybutton", "bibliography", "pages", "gallery", "theme"]
+extensions = ["myst_parser", "sphinx_copybutton", "bibliography", "pages", "formulas", "gallery", "theme"]
 root_doc = "README"
 source_suffix = {".md": "markdown"}
 include_patterns = [
