@@ -14,9 +14,10 @@ export class SceneModel {
   constructor(readonly scene: Scene, readonly film: Film) {
     // A shape that only touches is "transparent".
     this.bodies = scene.shapes.filter(s => s.kind in kItems && s.colour !== "transparent");
-    this.grounds = scene.shapes.filter(s => s.kind === "halfspace");
+    const halfSpaces = scene.shapes.filter(s => s.kind === "halfspace");
+    this.grounds = halfSpaces.filter(s => s.colour !== "transparent");
     this.extent = this.measure();
-    const normal: V3 = this.grounds.length ? this.plane(this.grounds[0], film.begin).n : [0, 0, 1];
+    const normal: V3 = halfSpaces.length ? this.plane(halfSpaces[0], film.begin).n : [0, 0, 1];
     this.upAxis = Math.abs(normal[1]) > 0.9 ? 1 : 2;
   }
 

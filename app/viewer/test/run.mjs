@@ -2,7 +2,7 @@
 // something, and its controls act. Skips (exit 77) where Chromium or playwright-core is missing.
 //   node test/run.mjs PROGRAM MODEL…          PROGRAM: the built dynamy
 import {execFileSync} from "node:child_process";
-import {existsSync, mkdtempSync, rmSync} from "node:fs";
+import {existsSync, mkdtempSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {basename, join} from "node:path";
 
@@ -159,6 +159,24 @@ async function controls(file) {
   await page.close();
 }
 
+/** A half space that only touches is not drawn, as other shapes. */
+async function transparentGround() {
+  const model = join(folder, "between.xml"), out = join(folder, "between");
+  writeFileSync(model, `<dynamy version="1"><systems>
+    <PlanarBody name="box" position="0 0 0.1"><Box size="0.2 0.2 0.2" mass="1" material="wood"/></PlanarBody>
+    <Ground><HalfSpace normal="0 0 1" material="wood"/>
+      <HalfSpace normal="0 0 -1" position="0 0 0.5" material="wood" colour="transparent"/></Ground></systems>
+    <forces><Gravity/></forces><elements><Contact between="wood wood"><UnilateralCoulomb mu="0.3"/></Contact></elements>
+    <simulation until="0.1" step="1e-2"/><record frames="60Hz"/></dynamy>`);
+  execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
+  const page = await open(join(out, "replay.html"), "view=iso");
+  const grounds = await page.evaluate(() => window.replay.stage.space.grounds.length);
+  expect(grounds === 1, `a transparent half space is not drawn: ${grounds} planes`);
+  expect(page.said.length === 0, `transparent ground: ${page.said.join("; ")}`);
+  await page.close();
+}
+
+await transparentGround();
 for (const model of models) {
   const name = basename(model, ".xml"), out = join(folder, name);
   execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
