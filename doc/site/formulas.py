@@ -11,6 +11,7 @@ LATIN = r"(?<![\w^])(?:prox|dist|max|min|sup|inf|lim|argmin|d?[A-Za-z])"
 BASE = "((?:" + LATIN + r"|(?<![_^{])[Α-Ωα-ω])[\u0300-\u036f]?[⁺⁻ᵀ]?)"
 INNER = r"(\{[^}]{1,12}\}|\([^()]{1,8}\)|[A-Za-zΑ-Ωα-ω0-9∞]{1,6})"
 MARK = re.compile(BASE + r"(?:_(?!\()" + INNER + r"(?:\^" + INNER + r")?|\^" + INNER + r")(?![A-Za-zΑ-Ωα-ω0-9_])")
+NUMBER = re.compile(r"\d[\d.]*e-\d+")  # not broken at its hyphen
 SIZE = 0.75  # of the letters of an index, as static/site.css has it
 KEPT = (nodes.literal, nodes.literal_block, nodes.raw, nodes.math, nodes.comment)
 
@@ -25,9 +26,12 @@ def marks(found):
 def pieces(text):
     """Nodes for the text, or None if it has no index or exponent."""
     made, at = [], 0
-    for found in MARK.finditer(text):
-        made.append(nodes.Text(text[at:found.start()] + found.group(1)))
-        made += [(nodes.subscript if kind == "_" else nodes.superscript)("", mark) for kind, mark in marks(found)]
+    for found in re.finditer(f"{MARK.pattern}|{NUMBER.pattern}", text):
+        made.append(nodes.Text(text[at:found.start()] + (found.group(1) or "")))
+        if found.group(1):
+            made += [(nodes.subscript if kind == "_" else nodes.superscript)("", mark) for kind, mark in marks(found)]
+        else:
+            made.append(nodes.inline("", found.group(), classes=["short"]))
         at = found.end()
     return made + [nodes.Text(text[at:])] if made else None
 

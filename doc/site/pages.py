@@ -87,6 +87,9 @@ def anchors_and_links(app, document):
     for section in document.findall(nodes.section):
         anchor = slug(section[0].astext(), taken)
         section["ids"] = [anchor] + [known for known in section["ids"] if known != anchor]
+    for literal in document.findall(nodes.literal):
+        if len(literal.astext()) <= 40:  # not broken at a hyphen: 1e-6
+            literal["classes"].append("short")
     for block in document.findall(nodes.literal_block):
         if "language" not in block:  # set in, not fenced
             block["language"] = "none"
