@@ -360,7 +360,7 @@ void addCheck(CLI::App& app, Program& program) {
     std::vector<std::string> set;
   };
   auto t = std::make_shared<Texts>();
-  CLI::App* c = app.add_subcommand("check", "read, build and verify a model; tell its sizes");
+  CLI::App* c = app.add_subcommand("check", "read, build and verify a model; report its size");
   c->add_option("MODEL", t->choice.model, "XML file")->required();
   c->add_option("--set", t->set, "value of a parameter")->type_name("NAME=VALUE");
   addPlugins(*c, program);

@@ -179,12 +179,13 @@ void addRun(CLI::App& app, Program& program) {
 void addResume(CLI::App& app, Program& program) {
   auto t = std::make_shared<Texts>();
   CLI::App* c =
-      app.add_subcommand("resume", "go on with a run, bit for bit as if it had not been stopped");
+      app.add_subcommand("resume", "continue a run, bit for bit as if it had not been stopped");
   c->add_option("DIR", t->out, "folder of the run")->required();
   c->add_option("--until", t->until, "new end time")->type_name("TIME");
   addPlugins(*c, program);
-  c->add_flag("--any-build", t->anyBuild,
-              "go on with another build of dynamY than the run's: the last digits may differ");
+  c->add_flag(
+      "--any-build", t->anyBuild,
+      "continue with another build of dynamY than that of the run: the last digits may differ");
   addShow(*c, *t);
   c->callback([t, &program] {
     const double until = given(t->until, "--until");

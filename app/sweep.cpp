@@ -210,7 +210,7 @@ void sweep(Program& program, const SweepTexts& t) {
 void addSweep(CLI::App& app, Program& program) {
   auto t = std::make_shared<SweepTexts>();
   CLI::App* c = app.add_subcommand("sweep", "run a model with many values of its parameters");
-  c->add_option("MODEL", t->what, "XML file; or the folder of a sweep, to go on with it")
+  c->add_option("MODEL", t->what, "XML file; or the folder of a sweep that is to be continued")
       ->required();
   c->add_option("--set", t->set,
                 "what varies: NAME=FROM:TO:COUNT[:log], NAME=A,B,C, NAME=uniform(A,B), "

@@ -12,7 +12,7 @@ namespace dynamy::app {
 void addVerify(CLI::App& app, Program& program) {
   auto folder = std::make_shared<std::string>();
   CLI::App* c = app.add_subcommand(
-      "verify", "tell whether the files of a run folder are whole and belong together");
+      "verify", "check that the files of a run folder are complete and belong together");
   c->add_option("DIR", *folder, "folder of the run")->required();
   c->callback([folder, &program] {
     int faults = 0;

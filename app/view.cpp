@@ -54,7 +54,8 @@ int view(const ViewOptions& options) {
 
 void addView(CLI::App& app, Program& program) {
   auto options = std::make_shared<ViewOptions>();
-  CLI::App* sub = app.add_subcommand("view", "write replay.html of a run anew and open it");
+  CLI::App* sub =
+      app.add_subcommand("view", "rebuild replay.html of a run and open it; make a film");
   sub->add_option("DIR", options->folder, "run folder, e.g. runs/ball")->required();
   sub->add_flag("--no-browser", options->noBrowser, "only write the page");
   VideoChoice& video = options->video;
