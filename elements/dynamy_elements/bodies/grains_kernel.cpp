@@ -197,6 +197,7 @@ void Grains::place(const Parameters& x, SeededNumbers& numbers) {
 }
 
 void Grains::describe(Description& d) const {
+  d.timeless = true;
   if (std::isfinite(exchange_->nextFeed(0.0)))
     d.signal(kNextInstant, Unit::time, "when the feeder brings the next grain, if one is absent",
              [this](const SignalView& v) {

@@ -38,6 +38,7 @@ Ground::Ground(const Parameters& x)
 }
 
 void Ground::describe(Description& d) const {
+  d.timeless = motion_.empty() && rotation_.empty();
   parts_.describe(d);
   TimeFormulas::announce(d, {&motion_, &rotation_});
 }

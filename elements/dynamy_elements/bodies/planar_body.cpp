@@ -49,6 +49,7 @@ Mat3 PlanarBody::axes(double phi) const {
 }
 
 void PlanarBody::describe(Description& d) const {
+  d.timeless = true;
   const std::string first{plane_.first}, second{plane_.second};
   d.coordinate(first, Unit::length, 0, "position of S");
   d.coordinate(second, Unit::length, 1, "position of S");

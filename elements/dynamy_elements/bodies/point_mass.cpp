@@ -40,6 +40,7 @@ Blocks PointMass::blocks() const {
 }
 
 void PointMass::describe(Description& d) const {
+  d.timeless = true;
   const char* const name[3] = {"x", "y", "z"};
   for (std::size_t i = 0; i < axes_.size(); ++i)
     d.coordinate(name[axes_[i]], Unit::length, static_cast<int>(i), "position");

@@ -81,6 +81,7 @@ RigidBody::RigidBody(const Parameters& x)
       carried_(mass_, p_) {}
 
 void RigidBody::describe(Description& d) const {
+  d.timeless = true;
   const char* const axis[3] = {"x", "y", "z"};
   for (int i = 0; i < 3; ++i) d.coordinate(axis[i], Unit::length, i, "position of S");
   for (int i = 0; i < 4; ++i) d.coordinate(kQuaternion[i], Unit::none, 3 + i, "quaternion");

@@ -114,6 +114,7 @@ double Bushing::potentialEnergy(const Kinematics& k) const {
 }
 
 void Bushing::describe(Description& d) const {
+  d.timeless = true;
   d.signal("displacement", Unit::length, "distance of its two points",
            [this](const SignalView& v) { return strain(*v.kinematics).r_A.norm(); });
   d.signal("angle", Unit::angle, "angle of B against A since the start",

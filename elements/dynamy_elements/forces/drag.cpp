@@ -45,6 +45,7 @@ void Drag::addTo(const Kinematics& k, ForceSink& sink) const {
 }
 
 void Drag::describe(Description& d) const {
+  d.timeless = wind_.empty();
   d.signal("force", Unit::force, "size of the drag",
            [this](const SignalView& v) { return force(*v.kinematics).norm(); });
   TimeFormulas::announce(d, {&wind_});

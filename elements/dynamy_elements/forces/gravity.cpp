@@ -47,6 +47,7 @@ void Gravity::connect(Topology& topology) {
 void Gravity::addTo(const Kinematics& k, ForceSink& sink) const {
   const Vec3 g_I = field(k.t());
   for (const Part& part : parts_) {
+    if (k.leavesOut(part.handle.index)) continue;
     part.system->gravity(k.t(), k.q(part.handle), g_I, {h_.data(), part.handle.nu});
     sink.generalised(part.handle, {h_.data(), part.handle.nu});
   }

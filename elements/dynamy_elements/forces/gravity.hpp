@@ -17,7 +17,10 @@ class Gravity final : public ExternalForce {
   /// A field that changes with time does work that is not the change of a potential of q.
   bool hasPotential() const override { return change_.empty(); }
   double potentialEnergy(const Kinematics& k) const override;
-  void describe(Description& d) const override { TimeFormulas::announce(d, {&change_}); }
+  void describe(Description& d) const override {
+    d.timeless = change_.empty();
+    TimeFormulas::announce(d, {&change_});
+  }
 
  private:
   struct Part {

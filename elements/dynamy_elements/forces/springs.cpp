@@ -100,6 +100,7 @@ double SpringDamper::potentialEnergy(const Kinematics& k) const {
 }
 
 void SpringDamper::describe(Description& d) const {
+  d.timeless = true;
   if (stiffness_ > 0.0 || damping_ > 0.0)  // otherwise it only measures the distance
     d.link({frames_.A.index, frames_.B.index, pointA_, pointB_, true});
   d.signal("length", Unit::length, "distance of the points",
@@ -167,6 +168,7 @@ double TorsionSpring::potentialEnergy(const Kinematics& k) const {
 }
 
 void TorsionSpring::describe(Description& d) const {
+  d.timeless = true;
   d.signal("angle", Unit::angle, "angle of B against A",
            [this](const SignalView& v) { return angle(*v.kinematics); });
   d.signal("moment", Unit::torque, "moment on A about the axis", [this](const SignalView& v) {

@@ -28,6 +28,7 @@ class EnergyMomentum final : public OneStep {
   /// True: the model has joints; known after the first step.
   bool hasJoints() const { return joints_ == Joints::some; }
   int order() const override { return 1; }
+  bool stepsSome() const override { return joints_ != Joints::some; }
   int evaluations() const override { return 2; }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
   void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,

@@ -15,6 +15,7 @@ class MoreauMidpoint final : public OneStep {
   explicit MoreauMidpoint(const Parameters& x) : OneStep(x) {}
   static void declare(Attributes& a);
   int order() const override { return 1; }
+  bool stepsSome() const override { return true; }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
   void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
                    State& out) const override;

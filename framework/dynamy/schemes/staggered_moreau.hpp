@@ -43,6 +43,7 @@ class StaggeredMoreau final : public OneStep {
   explicit StaggeredMoreau(const Parameters& x);
   static void declare(Attributes& a);
   int order() const override { return 1; }
+  bool stepsSome() const override { return true; }
   int evaluations() const override { return 2; }
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override;
   void interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,

@@ -23,8 +23,9 @@ struct Evaluation {
 };
 
 /// The parts of a model in the order of their indices; borrowed. A view on some systems has the same
-/// parts and a subset: what it evaluates outside of the subset is zero or absent. Schemes that take
-/// forces at the end of a step need the whole system (std::logic_error).
+/// parts and a subset: what it evaluates outside of the subset is zero, and frames are absent or rest.
+/// Schemes that take forces at the end of a step need the whole system, or a view beside which all
+/// others rest (std::logic_error).
 struct SystemParts {
   Topology* topology = nullptr;
   std::vector<const ExternalForce*> forces;

@@ -47,7 +47,7 @@ bool ImplicitForces::explicitIsUnstable(const SystemParts& parts, const Evaluati
   return stiff_.explicitIsUnstable(e.mass, dt, limit);
 }
 
-void ImplicitForces::gyroscopicAtMean(const Topology& topology, Evaluation& e, const State& x,
+void ImplicitForces::gyroscopicAtMean(const SystemParts& parts, Evaluation& e, const State& x,
                                       double dt) {
   // Where forces are damped, bodies turn under M (u_free − u^A)/Δt: h would spin them up.
   if (unresolved_) {
@@ -56,12 +56,12 @@ void ImplicitForces::gyroscopicAtMean(const Topology& topology, Evaluation& e, c
     e.h -= work_;
   }
   Eigen::VectorXd& h = unresolved_ ? work_ : e.h;
-  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
-    const SystemHandle& s = topology.system(static_cast<int>(i));
+  parts.forSystems([&](std::size_t i) {
+    const SystemHandle& s = parts.topology->system(static_cast<int>(i));
     if (s.nu > 0)
-      topology.systems()[i]->gyroscopicAtMean(x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu),
-                                              dt, slice(h, s.u0, s.nu));
-  }
+      parts.topology->systems()[i]->gyroscopicAtMean(
+          x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu), dt, slice(h, s.u0, s.nu));
+  });
   if (unresolved_) e.h += h;
 }
 

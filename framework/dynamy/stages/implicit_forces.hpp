@@ -52,7 +52,7 @@ class ImplicitForces {
                           double limit);
   /// Takes gyroscopic terms in h of `e` at the mean velocity of a step Δt from x. Where forces are
   /// unresolved, after resolve().
-  void gyroscopicAtMean(const Topology& topology, Evaluation& e, const State& x, double dt);
+  void gyroscopicAtMean(const SystemParts& parts, Evaluation& e, const State& x, double dt);
 
  private:
   StiffPart stiff_;

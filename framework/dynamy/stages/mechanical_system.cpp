@@ -64,7 +64,8 @@ int evaluateSmooth(const SystemParts& parts, const State& x, std::span<const cha
       system.nonPotentialForce(x.t, q, u, slice(e.hNonPotential, s.u0, s.nu));
     });
   });
-  ForceSink forces(view(e.h), view(e.hNonPotential));
+  const bool rests = parts.subset != nullptr && parts.subset->outsideRests();
+  ForceSink forces(view(e.h), view(e.hNonPotential), rests ? parts.subset : nullptr);
   parts.forForces([&](std::size_t i) {
     const ExternalForce* f = parts.forces[i];
     if (!withheld.empty() && withheld[i] != 0) return;
@@ -75,7 +76,7 @@ int evaluateSmooth(const SystemParts& parts, const State& x, std::span<const cha
     e.subset = parts.subset->stamp();
     for (int i = 0; i < static_cast<int>(topology.systems().size()); ++i)
       if (parts.subset->leavesOut(i)) clearForces(topology.system(i), e);
-  } else if (parts.subset) {
+  } else if (parts.subset && !rests) {
     for (const int i : parts.subset->beside()) clearForces(topology.system(i), e);
   }
   return indefinite;
@@ -91,12 +92,12 @@ MechanicalSystem::MechanicalSystem(const SystemParts& parts, int slots)
 
 void MechanicalSystem::move(State& x, const Eigen::VectorXd& v, double dt) const {
   const Topology& topology = *parts_.topology;
-  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+  parts_.forSystems([&](std::size_t i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
     const PartialMechanicalSystem& system = *topology.systems()[i];
     if (s.nq > 0)
       named(system, [&] { system.move(x.t, slice(x.q, s.q0, s.nq), slice(v, s.u0, s.nu), dt); });
-  }
+  });
   x.t += dt;
 }
 
@@ -111,7 +112,8 @@ bool renewSystems(const Topology& topology, double tA, State& x) {
 }
 
 const Evaluation& MechanicalSystem::evaluate(const State& x, const EvaluationRequest& request) {
-  expects(!parts_.subset || (!request.damped && !request.gyroscopicAtMean),
+  expects(!parts_.subset || parts_.subset->outsideRests() ||
+              (!request.damped && !request.gyroscopicAtMean),
           "forces are taken at the end of a step by a whole system, not by a view");
   Evaluation& e = slots_[static_cast<std::size_t>(request.slot)];
   ++evaluations_;
@@ -120,7 +122,7 @@ const Evaluation& MechanicalSystem::evaluate(const State& x, const EvaluationReq
   if (request.ahead > 0.0 && request.damped)
     implicit_.resolve(parts_, e, x, request.ahead, *request.damped, limits.neutral);
   detect(x, request, e);
-  if (request.gyroscopicAtMean) implicit_.gyroscopicAtMean(*parts_.topology, e, x, request.ahead);
+  if (request.gyroscopicAtMean) implicit_.gyroscopicAtMean(parts_, e, x, request.ahead);
   return e;
 }
 

@@ -109,6 +109,7 @@ struct StepReport {
   /// Per system, not 0: the system did not move by the equations of the step, and `works` are those
   /// of such systems alone. Empty: no such system. Valid until the next step.
   std::span<const char> apart{};
+  bool resting = false;        ///< nothing moved: q and u are those before
   const Jump* jump = nullptr;  ///< the scheme's own, until its next step; null: there was none
 };
 
@@ -151,6 +152,9 @@ class OneStep : public Element {
   virtual bool needsStep() const { return !choosesSteps(); }
   /// True: the scheme itself finds all contacts on its path, however fast bodies are.
   virtual bool findsContacts() const { return false; }
+  /// True: it steps a view as well, beside which all other systems rest and which may change from
+  /// step to step.
+  virtual bool stepsSome() const { return false; }
   /// Sets the accuracy, before a run, of schemes that choose their steps.
   virtual void aim(const Accuracy&) {}
   /// The length that the scheme would try next from x without an outer bound [s]; 0: not known.

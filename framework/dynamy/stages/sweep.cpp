@@ -107,7 +107,8 @@ int Sweep::pieces(const MechanicalSystem& s, const State& a, const State& b) {
 
 void Sweep::evaluate(const MechanicalSystem& s, const State& x) {
   if (!ready_) kinematics_.resize(*s.parts().topology), ready_ = true;
-  kinematics_.evaluate(*s.parts().topology, x.t, view(x.q), view(x.u), view(x.memory));
+  kinematics_.evaluate(*s.parts().topology, x.t, view(x.q), view(x.u), view(x.memory),
+                       s.parts().subset);
 }
 
 }  // namespace dynamy

@@ -82,6 +82,9 @@ class Description {
   /// Adds a body: the frames from `b.frame` on belong to it. Bodies are added in ascending order.
   void body(NamedBody b) { bodies.push_back(std::move(b)); }
 
+  /// True: what the element does follows from positions and velocities alone, not from time, memory
+  /// or signals. Only bodies on which nothing but such elements acts may sleep (theory 58).
+  bool timeless = false;
   std::vector<Signal> signals;
   std::vector<NamedBody> bodies;
   /// Names of q[i] and u[i], given to coordinate() and velocity(). Formulas of elements use them.

@@ -11,7 +11,9 @@ namespace dynamy {
 /// summed separately, for the energy ledger.
 class ForceSink {
  public:
-  ForceSink(Vec h, Vec nonPotential) : h_(h), nonPotential_(nonPotential) {}
+  /// `some`: the systems that feel forces; null: all.
+  ForceSink(Vec h, Vec nonPotential, const SystemSubset* some = nullptr)
+      : h_(h), nonPotential_(nonPotential), some_(some) {}
   /// Force F_I [N] at lever arm rho_I from S of the frame.
   void force(const Frame& frame, const Vec3& rho_I, const Vec3& F_I);
   /// Moment M_I [N m].
@@ -28,7 +30,9 @@ class ForceSink {
     h_[i] += value;
     if (!potential_) nonPotential_[i] += value;
   }
+  bool feels(int system) const { return some_ == nullptr || !some_->leavesOut(system); }
   Vec h_, nonPotential_;
+  const SystemSubset* some_;
   bool potential_ = false;
 };
 

@@ -22,10 +22,13 @@ struct Frame {
   Mat3X J_R_I{nullptr, 3, 0};  ///< 3 × nu
   /// The centre of mass of a free body with its own axes: J_S = (I, 0), J_R = (0, A_IK).
   bool central = false;
-  bool absent = false;  ///< the body takes no part at present: nothing touches it
-  int block = -1;       ///< mass block the frame moves with, −1: none (ground)
-  int u0 = 0;           ///< first velocity of that block in u
+  bool absent = false;   ///< the body takes no part at present: nothing touches it
+  bool outside = false;  ///< the system is left out of this evaluation (SystemSubset)
+  int block = -1;        ///< mass block the frame moves with, −1: none (ground)
+  int u0 = 0;            ///< first velocity of that block in u
 
+  /// True: the body rests while others move. Its place is known, and what moves may touch it.
+  bool rests() const { return outside && !absent; }
   int nu() const { return static_cast<int>(J_S_I.cols()); }
   /// Velocity of the body point at lever arm rho_I from S.
   Vec3 velocity(const Vec3& rho_I) const { return v_S_I + Omega_I.cross(rho_I); }

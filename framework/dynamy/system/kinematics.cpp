@@ -27,13 +27,22 @@ void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstV
   const auto& requested = topology.requestedFrames();
   if (frames_.size() != requested.size()) resize(topology);
   const std::uint64_t stamp = subset ? subset->stamp() : 0;
-  if (subset_ != stamp)
-    for (Frame& f : frames_) f.absent = true;
-  subset_ = stamp;
+  const bool others = subset_ != stamp;
+  some_ = subset, subset_ = stamp;
+  if (others) begin(topology);
   if (subset)
     for (const int i : subset->frames()) evaluateFrame(topology, static_cast<std::size_t>(i));
   else
     for (std::size_t i = 0; i < requested.size(); ++i) evaluateFrame(topology, i);
+}
+
+/// Marks the frames of systems outside of the subset. Those that rest are evaluated here, once.
+void Kinematics::begin(const Topology& topology) {
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    Frame& f = frames_[i];
+    f.absent = true, f.outside = leavesOut(topology.requestedFrames()[i].first);
+    if (f.outside && some_->outsideRests()) evaluateFrame(topology, i);
+  }
 }
 
 void Kinematics::evaluateFrame(const Topology& topology, std::size_t i) {

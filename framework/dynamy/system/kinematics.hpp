@@ -10,11 +10,15 @@ class Kinematics {
   /// Reserves room for all frames requested in `topology`; no allocation later.
   void resize(const Topology& topology);
   /// Keeps views of `q`, `u` and `memory`, which must outlive their use, and evaluates all frames,
-  /// or those of a subset: the others are absent. Calls resize() if that was not done.
+  /// or those of a subset: the others are absent, or stay where they rest. Calls resize() if that was not done.
   void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
                 ConstVec memory = {nullptr, 0}, const SystemSubset* subset = nullptr);
 
   double t() const { return t_; }
+  /// True: the system takes no part in this evaluation, see SystemSubset.
+  bool leavesOut(int system) const { return some_ != nullptr && some_->leavesOut(system); }
+  /// Another number whenever other systems take part; 0: all do.
+  std::uint64_t stamp() const { return subset_; }
   ConstVec q(const SystemHandle& s) const { return {q_ + s.q0, s.nq}; }
   ConstVec u(const SystemHandle& s) const { return {u_ + s.u0, s.nu}; }
   ConstVec q(int first, int n) const { return {q_ + first, n}; }
@@ -27,6 +31,7 @@ class Kinematics {
   const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
 
  private:
+  void begin(const Topology& topology);
   void evaluateFrame(const Topology& topology, std::size_t i);
   double t_ = 0.0;
   const double* q_ = nullptr;
@@ -35,6 +40,7 @@ class Kinematics {
   const ReadSignals* signals_ = nullptr;
   std::vector<Frame> frames_;
   std::vector<double> jacobians_;
+  const SystemSubset* some_ = nullptr;
   std::uint64_t subset_ = 0;  // stamp of the subset whose frames are present; 0: all are
 };
 

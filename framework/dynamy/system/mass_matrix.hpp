@@ -37,7 +37,7 @@ class MassMatrix {
   int nu(int block) const { return nu_[static_cast<std::size_t>(block)]; }
   int u0(int block) const { return u0_[static_cast<std::size_t>(block)]; }
   int blocks() const { return static_cast<int>(nu_.size()); }
-  /// out = M⁻¹ in;  out = M in.
+  /// out = M⁻¹ in;  out = M in. Both are zero in systems that rest outside of the subset.
   void applyInverse(ConstVec in, Vec out) const;
   void apply(ConstVec in, Vec out) const;
   /// T = ½ uᵀ M u [J].
@@ -52,6 +52,10 @@ class MassMatrix {
     double t = 0.0;
     Eigen::VectorXd q;
   };
+  void findMoving(const Topology& topology, const SystemSubset* subset);
+  void clearResting(Vec out) const {
+    if (static_cast<int>(moving_.size()) < blocks()) out.setZero();
+  }
   bool evaluateSystem(const Topology& topology, std::size_t s, double t, ConstVec q);
   bool invertBlock(int block) const;
   void make(int block) const;
@@ -63,6 +67,8 @@ class MassMatrix {
   mutable std::vector<Has> has_;
   std::vector<Deferred> deferred_;  // per block; no system: M is computed in every evaluation
   std::vector<bool> constant_;
+  std::vector<int> moving_;   // blocks that do not rest
+  std::uint64_t subset_ = 0;  // stamp of the subset that these follow from
   bool first_ = true;
 };
 

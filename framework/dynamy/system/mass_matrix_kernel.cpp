@@ -96,7 +96,17 @@ void MassMatrix::resize(const Topology& topology) {
   constant_.clear();
   for (const PartialMechanicalSystem* s : topology.systems())
     constant_.push_back(s->blocks().constantMass);
+  subset_ = 0, findMoving(topology, nullptr);
   first_ = true;
+}
+
+void MassMatrix::findMoving(const Topology& topology, const SystemSubset* subset) {
+  moving_.clear();
+  for (std::size_t s = 0; s < topology.systems().size(); ++s) {
+    const SystemHandle& h = topology.system(static_cast<int>(s));
+    if (subset && subset->anyRests() && subset->leavesOut(h.index)) continue;
+    for (int b = h.block0; b < h.block0 + h.blocks; ++b) moving_.push_back(b);
+  }
 }
 
 /// False: M of this system is not positive definite.
@@ -123,6 +133,8 @@ bool MassMatrix::evaluateSystem(const Topology& topology, std::size_t s, double 
 int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q,
                          const SystemSubset* subset) {
   int failed = -1;
+  if (const std::uint64_t stamp = subset ? subset->stamp() : 0; stamp != subset_)
+    subset_ = stamp, findMoving(topology, subset);
   const auto evaluated = [&](int s) {
     if (!evaluateSystem(topology, static_cast<std::size_t>(s), t, q) && failed < 0) failed = s;
   };
@@ -135,7 +147,8 @@ int MassMatrix::evaluate(const Topology& topology, double t, ConstVec q,
 }
 
 void MassMatrix::applyInverse(ConstVec in, Vec out) const {
-  for (int b = 0; b < blocks(); ++b) {
+  clearResting(out);
+  for (const int b : moving_) {
     const int n = nu(b);
     const double* A = inverse_.data() + offset(b);
     const double* x = in.data() + u0(b);
@@ -159,7 +172,8 @@ void MassMatrix::applyInverse(ConstVec in, Vec out) const {
 
 void MassMatrix::apply(ConstVec in, Vec out) const {
   // Products are evaluated by coefficient: a temporary would allocate memory in every step.
-  for (int b = 0; b < blocks(); ++b) {
+  clearResting(out);
+  for (const int b : moving_) {
     const int n = nu(b);
     const ConstVec x(in.data() + u0(b), n);
     Vec y(out.data() + u0(b), n);
@@ -174,7 +188,7 @@ void MassMatrix::apply(ConstVec in, Vec out) const {
 
 double MassMatrix::kineticEnergy(ConstVec u) const {
   double T = 0.0;
-  for (int b = 0; b < blocks(); ++b) {
+  for (const int b : moving_) {
     const int n = nu(b);
     const double* A = M(b).data();
     const double* x = u.data() + u0(b);

@@ -16,6 +16,9 @@ void SystemSubset::choose(const Topology& topology, std::vector<char> without) {
   const auto& requested = topology.requestedFrames();
   for (std::size_t k = 0; k < requested.size(); ++k)
     if (!leavesOut(requested[k].first)) frames_.push_back(static_cast<int>(k));
+  rests_ = false;
+  for (int i = 0; i < static_cast<int>(without_.size()); ++i)
+    rests_ = rests_ || (outsideRests() && leavesOut(i) && topology.system(i).nu > 0);
   const auto rests = [&](int i) { return leavesOut(i) || topology.system(i).nu == 0; };
   for (const Connection& c : topology.connections())
     if (!c.systems.empty() && std::all_of(c.systems.begin(), c.systems.end(), rests))

@@ -7,6 +7,11 @@ namespace dynamy {
 
 class SystemSubset {
  public:
+  /// What evaluations hold of systems outside: nothing, or the frames where they rest, which what
+  /// moves may touch.
+  enum class Outside : std::uint8_t { absent, resting };
+  SystemSubset() = default;
+  explicit SystemSubset(Outside outside) : outside_(outside) {}
   /// Holds the systems whose entry in `without` is 0, one entry for each system. Elements that
   /// requested systems, all of which are outside or have no velocities, do not act.
   template <class Forces, class Contacts>
@@ -26,6 +31,9 @@ class SystemSubset {
   /// Systems outside on which a force of the subset acts as well; all of them if there is a force
   /// that requested no system by name.
   const std::vector<int>& beside() const { return beside_; }
+  bool outsideRests() const { return outside_ == Outside::resting; }
+  /// True: some systems with velocities rest outside. They have u = 0 and feel no forces.
+  bool anyRests() const { return rests_; }
   /// Another number after each change; no two subsets have the same.
   std::uint64_t stamp() const { return stamp_; }
 
@@ -42,10 +50,12 @@ class SystemSubset {
       if (acts(elements[i])) out.push_back(static_cast<int>(i));
     return out;
   }
+  Outside outside_ = Outside::absent;
   std::vector<char> without_;
   std::vector<int> systems_, frames_, forces_, contacts_, beside_;
   std::vector<const Element*> idle_;  // elements that do not act, ascending
   std::uint64_t stamp_ = 0;
+  bool rests_ = false;
 };
 
 }  // namespace dynamy

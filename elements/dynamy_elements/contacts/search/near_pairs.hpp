@@ -49,19 +49,26 @@ class NearPairs {
     const bool all = !rules_->few().empty() || request.refresh;
     for (const int h : shapes_->halfSpaces()) {
       const Flat flat(shapes_->inSpace()[static_cast<std::size_t>(h)], k);
-      for (std::size_t i = 0; i < balls_.size(); ++i)
-        if (meets(flat, static_cast<std::size_t>(h), i, k, all)) f(h, static_cast<int>(i));
+      const auto meet = [&](int i) {
+        if (meets(flat, static_cast<std::size_t>(h), static_cast<std::size_t>(i), k, all)) f(h, i);
+      };
+      if (rests(h))
+        for (const int i : moving_) meet(i);
+      else
+        for (int i = 0; i < static_cast<int>(balls_.size()); ++i) meet(i);
     }
   }
   /// Calls f(i, j) for the near pairs of other shapes. Called after overHalfSpaces().
   template <class F>
   void others(const Kinematics& k, F&& f) {
+    if (moving_.empty()) return;
     const bool moving = tau_ > 0.0;
     const std::vector<BroadPhase::Pair>& near =
         nearPairs(broad_, balls_, moving ? BroadPhase::kPassed : BroadPhase::kNeighbours, *shapes_);
     if (moving) followTurns(k, near);
     for (std::size_t m = 0; m < near.size(); ++m)
-      if (!moving || gap_[m] <= way_[m]) f(near[m].first, near[m].second);
+      if ((!moving || gap_[m] <= way_[m]) && !(rests(near[m].first) && rests(near[m].second)))
+        f(near[m].first, near[m].second);
   }
 
  private:
@@ -76,6 +83,9 @@ class NearPairs {
   struct Approach {
     double gap = 0.0, rate = 0.0;
   };
+  bool rests(int shape) const { return rests_[static_cast<std::size_t>(shape)] != 0; }
+  void findResting(const Kinematics& k);
+  void placeResting();
   void lookAhead(const Kinematics& k, const ContactRequest& request);
   bool meets(const Flat& flat, std::size_t h, std::size_t i, const Kinematics& k, bool all);
   void placeOnPath(const Kinematics& start, const PathReach& reach);
@@ -86,10 +96,14 @@ class NearPairs {
 
   const ShapeSet* shapes_ = nullptr;
   const PairRules* rules_ = nullptr;
-  std::vector<double> reach_;      ///< per shape: how far beyond its ball it is to be seen [m]
-  double tau_ = 0.0;               ///< time that reach_ looks ahead [s]; 0: all pairs are taken
-  std::vector<double> turned_;     ///< per shape: how far it may be thrown off its course [m]
-  std::vector<double> gap_, way_;  ///< per near pair: least gap, most approach [m]
+  static constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+  std::uint64_t stamp_ = kUnknown;     ///< of the kinematics for which the next three hold
+  std::vector<int> moving_, resting_;  ///< shapes, ascending
+  std::vector<char> rests_;            ///< per shape
+  std::vector<double> reach_;          ///< per shape: how far beyond its ball it is to be seen [m]
+  double tau_ = 0.0;                   ///< time that reach_ looks ahead [s]; 0: all pairs are taken
+  std::vector<double> turned_;         ///< per shape: how far it may be thrown off its course [m]
+  std::vector<double> gap_, way_;      ///< per near pair: least gap, most approach [m]
   std::vector<BroadPhase::Ball> balls_;
   BroadPhase broad_;
 };

@@ -35,13 +35,14 @@ void NearPairs::lookAhead(const Kinematics& k, const ContactRequest& request) {
     return;
   }
   double fastest = 0.0;
-  for (const TouchingShape& s : shapes) {
-    const Frame& f = k.frame(s.frame);
+  for (const int i : moving_) {
+    const Frame& f = k.frame(shapes[static_cast<std::size_t>(i)].frame);
     fastest = std::max(fastest, f.v_S_I.norm() + f.Omega_I.norm());
   }
   const double tau = fastest > 0.0 ? all / fastest : 0.0;
   if (all > kAtRest * shapes_->thinnest()) tau_ = tau;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
+  for (const int m : moving_) {
+    const auto i = static_cast<std::size_t>(m);
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
     const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
@@ -122,15 +123,55 @@ NearPairs::Approach NearPairs::approach(const Kinematics& k, std::size_t i, std:
   return {std::max(apart, 0.0), -std::numeric_limits<double>::infinity()};
 }
 
+/// Lists the shapes that move, and places the others where they rest, whenever others rest.
+void NearPairs::findResting(const Kinematics& k) {
+  if (stamp_ == k.stamp()) return;
+  stamp_ = k.stamp();
+  const std::vector<TouchingShape>& shapes = shapes_->inSpace();
+  moving_.clear(), resting_.clear();
+  rests_.assign(shapes.size(), 0), balls_.resize(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Frame& f = k.frame(shapes[i].frame);
+    rests_[i] = f.rests() ? 1 : 0;
+    (f.rests() ? resting_ : moving_).push_back(static_cast<int>(i));
+    if (f.rests()) balls_[i].c = centre(shapes[i], f), reach_[i] = restReach(shapes[i]);
+  }
+}
+
 void NearPairs::place(const Kinematics& k, const ContactRequest& request) {
+  findResting(k);
   lookAhead(k, request);
   const std::vector<TouchingShape>& shapes = shapes_->inSpace();
-  balls_.clear();
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
+  for (const int m : moving_) {
+    const auto i = static_cast<std::size_t>(m);
     const TouchingShape& s = shapes[i];
     const Frame& f = k.frame(s.frame);
     const bool bounded = std::isfinite(s.bound) && !f.absent;
-    balls_.push_back({centre(s, f), bounded ? s.bound + reach_[i] : -1.0});
+    balls_[i] = {centre(s, f), bounded ? s.bound + reach_[i] : -1.0};
+  }
+  if (!resting_.empty()) placeResting();
+  if (request.refresh) stamp_ = kUnknown;  // shapes at rest have seen further than they do
+}
+
+/// Leaves out the resting balls that are far from all moving ones. A half space that moves meets all.
+void NearPairs::placeResting() {
+  const std::vector<TouchingShape>& shapes = shapes_->inSpace();
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  bool everywhere = false;
+  for (const int i : moving_) {
+    const BroadPhase::Ball& ball = balls_[static_cast<std::size_t>(i)];
+    if (!std::isfinite(shapes[static_cast<std::size_t>(i)].bound)) everywhere = true;
+    if (ball.radius < 0.0) continue;
+    low = low.cwiseMin((ball.c.array() - ball.radius).matrix());
+    high = high.cwiseMax((ball.c.array() + ball.radius).matrix());
+  }
+  for (const int r : resting_) {
+    const auto i = static_cast<std::size_t>(r);
+    const double bound = shapes[i].bound, radius = std::isfinite(bound) ? bound + reach_[i] : -1.0;
+    const Vec3& c = balls_[i].c;
+    const bool near =
+        everywhere || ((c - low).minCoeff() >= -radius && (high - c).minCoeff() >= -radius);
+    balls_[i].radius = near ? radius : -1.0;
   }
 }
 
@@ -142,7 +183,7 @@ Vec3 NearPairs::centre(const TouchingShape& s, const Frame& f) const {
 }
 
 void NearPairs::placeOnPath(const Kinematics& start, const PathReach& reach) {
-  balls_.clear();
+  balls_.clear(), stamp_ = kUnknown;
   for (const TouchingShape& s : shapes_->inSpace()) {
     const Frame& f = start.frame(s.frame);
     const bool bounded = std::isfinite(s.bound) && !f.absent;
@@ -165,7 +206,7 @@ bool NearPairs::meets(const Flat& flat, std::size_t h, std::size_t i, const Kine
                       bool all) {
   const BroadPhase::Ball& ball = balls_[i];
   const double beyond = ball.radius + reach_[h] - flat.n.dot(ball.c - flat.p);
-  if (ball.radius < 0.0 || (!all && beyond < 0.0)) return false;
+  if (flat.A.absent || ball.radius < 0.0 || (!all && beyond < 0.0)) return false;
   // A body that falls along a wall is not deflected by it.
   const TouchingShape& shape = shapes_->inSpace()[i];
   const double toIt = std::max(

@@ -34,7 +34,10 @@ void ShapeContacts::connect(Topology& topology) {
   sweep_ = ShapeSweep(shapes_, rules_);
 }
 
-void ShapeContacts::describe(Description& d) const { describeContacts(d, shapes_, rules_); }
+void ShapeContacts::describe(Description& d) const {
+  d.timeless = true;
+  describeContacts(d, shapes_, rules_);
+}
 
 void ShapeContacts::contacts(const Kinematics& k, ContactSink& sink) const {
   const ContactRequest& request = sink.request();

@@ -126,6 +126,7 @@ int ShapeSweep::pieces(const Kinematics& k, double dt) {
   };
   double most = 0.0, second = 0.0;
   for (const TouchingShape& s : shapes) {
+    if (k.frame(s.frame).rests()) continue;
     const double w = way(s);
     second = std::max(second, std::min(most, w)), most = std::max(most, w);
   }
