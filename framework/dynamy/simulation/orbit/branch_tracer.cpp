@@ -62,7 +62,7 @@ double nearestPair(const VectorXcd& all) {
 }
 
 /// The `count` nodes nearest to s.
-std::vector<BranchNode> nearest(std::vector<BranchNode> nodes, double s, std::size_t count) {
+std::vector<BranchNode> nodesNear(std::vector<BranchNode> nodes, double s, std::size_t count) {
   std::sort(nodes.begin(), nodes.end(),
             [&](const auto& a, const auto& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
   if (nodes.size() > count) nodes.resize(count);
@@ -104,7 +104,7 @@ VectorXd BranchTracer::predicted(double s) const {
   std::vector<Node> g;
   for (const Node& n : old_)
     if (n.s < -0.2 * s) g.push_back({n.s, (n.y - n.s * tangent_) / (n.s * n.s)});
-  if (!g.empty()) out += s * s * through(nearest(g, s, 2), s);
+  if (!g.empty()) out += s * s * through(nodesNear(g, s, 2), s);
   return out;
 }
 
@@ -238,7 +238,7 @@ BranchPoint BranchTracer::locate(const Node& next, const Off& off, double before
   s = a - fa / slope;
   for (int i = 0; i < kMostTrials; ++i) {
     OrbitPoint at;
-    if (attempt(through(nearest(nodes, s, 4), s), kDerivatives, at) == Tried::failed) return out;
+    if (attempt(through(nodesNear(nodes, s, 4), s), kDerivatives, at) == Tried::failed) return out;
     try {
       curve_.derive(at);
     } catch (const ModelError&) {
