@@ -99,7 +99,7 @@ std::vector<EventLine> readEvents(const std::filesystem::path& file) {
     const auto& f = lines[i];
     if (f.size() != 7)
       throw FileError(file.string() + ':' + std::to_string(i + 1), "expected seven fields");
-    if (f[1] == "jump") continue;  // of a system; the rows of the chart are contacts
+    if (f[1] != "impact" && f[1] != "switch") continue;  // of a system; rows are contacts
     const auto number = [](const std::string& text) { return std::strtod(text.c_str(), nullptr); };
     out.push_back({number(f[0]), f[1] == "impact", f[2], f[3], f[4], number(f[5]), number(f[6])});
   }

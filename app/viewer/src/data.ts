@@ -22,7 +22,7 @@ export interface PageData {
 }
 export interface Signal { name: string; unit: string; t: Float64Array; y: Float32Array }
 export interface Event {
-  t: number; impact: boolean; jump: boolean; contact: string; from: string; to: string; speed: number; impulse: number;
+  t: number; impact: boolean; system: string; contact: string; from: string; to: string; speed: number; impulse: number;
 }
 export interface Contact { r: V3; n: V3; F: V3; state: number; limit: number }
 
@@ -238,7 +238,7 @@ async function rowsOf(base64: string): Promise<string[][]> {
 export async function eventsOf(data: PageData): Promise<Event[]> {
   const rows = await rowsOf(data.events), settings = data.run?.settings as {step?: number} | undefined;
   return withoutFlicker(rows.slice(1).filter(r => r.length >= 7).map(r => ({
-    t: Number(r[0]), impact: r[1] === "impact", jump: r[1] === "jump", contact: r[2], from: r[3], to: r[4],
+    t: Number(r[0]), impact: r[1] === "impact", system: r[1] === "impact" || r[1] === "switch" ? "" : r[1], contact: r[2], from: r[3], to: r[4],
     speed: Number(r[5]), impulse: Number(r[6])})), 1.5 * (settings?.step ?? 0));
 }
 
@@ -247,7 +247,7 @@ function withoutFlicker(events: Event[], brief: number): Event[] {
   const last = new Map<string, Event>(), gone = new Set<Event>();
   for (const e of events) {
     const before = last.get(e.contact);
-    if (before && !e.jump && !e.impact && !before.impact && !gone.has(before) && e.t - before.t <= brief && before.from === e.to &&
+    if (before && !e.system && !e.impact && !before.impact && !gone.has(before) && e.t - before.t <= brief && before.from === e.to &&
         before.to === e.from) {
       gone.add(before).add(e);
     }

@@ -152,10 +152,10 @@ export class EventList {
     this.rows.replaceChildren(...this.events.slice(first, last).map((e, i) => {
       const row = element("div", "", `event${first + i === this.current ? " on" : ""}`);
       row.style.top = `${kRow * (first + i)}px`;
-      const mark = element("i"), colour = kStates.find(s => s.name === (e.impact || e.jump ? "impact" : e.to)) ?? kStates[0];
+      const mark = element("i"), colour = kStates.find(s => s.name === (e.impact || e.system ? "impact" : e.to)) ?? kStates[0];
       mark.style.background = colour.colour;
       row.append(mark, element("span", `${e.t.toFixed(5)}`, "t"), element("span", e.contact, "c"),
-        element("span", e.impact ? `impact ${shortNumber(e.speed)} m/s` : e.jump ? "jump" : `${e.from} \u2192 ${e.to}`, "k"));
+        element("span", e.impact ? `impact ${shortNumber(e.speed)} m/s` : e.system ? e.system : `${e.from} \u2192 ${e.to}`, "k"));
       row.title = e.impact ? `impulse ${shortNumber(e.impulse)} N s` : "";
       row.onclick = () => this.seek(e.t);
       return row;

@@ -112,14 +112,18 @@ std::string checkEvents(const RunFolder& folder) {
       if (statusText(static_cast<Status>(s)) == word) return true;
     return false;
   };
+  const auto isEvent = [&](const std::vector<std::string>& f) {
+    if (f[1] == "impact" || f[1] == "switch") return isStatus(f[3]) && isStatus(f[4]);
+    const bool ofSystem = f[1] == "jump" || f[1] == "sleep" || f[1] == "wake";
+    return ofSystem && f[3].empty() && f[4].empty();
+  };
   double before = -1.0;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string>& f = lines[i];
     double t = 0.0;
     const bool time = !f[0].empty() &&
                       std::from_chars(f[0].data(), f[0].data() + f[0].size(), t).ec == std::errc();
-    if (f.size() != 7 || !time || !(t >= before) || (f[1] != "impact" && f[1] != "switch") ||
-        !isStatus(f[3]) || !isStatus(f[4]))
+    if (f.size() != 7 || !time || !(t >= before) || !isEvent(f))
       throw FileError(fmt::format("events.csv:{}", i + 1),
                       "is no event that follows the one before");
     before = t;
