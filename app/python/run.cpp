@@ -44,6 +44,7 @@ class Callback final : public Observer {
  public:
   Callback(py::object call, Simulation& simulation, const Model& model, std::atomic<bool>& stop)
       : call_(std::move(call)), simulation_(simulation), signals_(model), stop_(stop) {}
+  bool readsContacts() const override { return !call_.is_none(); }
   void step(const StepView& view) override {
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();

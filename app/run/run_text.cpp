@@ -264,7 +264,20 @@ std::string stepsText(const RunReport& r) {
   return out;
 }
 
-std::string resultText(const Model&, const RunReport& r, const std::vector<CheckResult>& checks,
+std::string sleepText(const Model& model, const SleepReport& s) {
+  if (!(model.simulation.sleep > 0.0)) return {};
+  if (s.slept == 0)
+    return fmt::format(" asleep  nothing: {}\n",
+                       s.reason.empty() ? "no body that may sleep came to rest" : s.reason);
+  return fmt::format(
+      " asleep  {} at the end, at most {}; {} fell asleep, {} woke; {:.3g} % of the steps of "
+      "bodies left out; {:.2g} J taken\n",
+      counted(s.asleep, "system"), s.most, s.slept, s.woken,
+      100.0 * static_cast<double>(s.saved) / static_cast<double>(s.all), s.energy);
+}
+
+std::string resultText(const Model& model, const RunReport& r,
+                       const std::vector<CheckResult>& checks,
                        const std::filesystem::path& folder) {
   std::string out = fmt::format(" {} at t = {:g} s   {} ({} rejected)   {}   {:.3g} s wall",
                                 stateText(r), r.t, counted(r.steps, "step"), r.rejected,
@@ -289,7 +302,7 @@ std::string resultText(const Model&, const RunReport& r, const std::vector<Check
         "follows\n",
         counted(s.steps, "step"), s.time, counted(s.periods, "period"), counted(s.stalls, "stall"));
   out += effortText(r);
-  out += stepsText(r);
+  out += stepsText(r) + sleepText(model, r.cost.sleep);
   if (r.contacts.repairedImpacts > 0)
     out += fmt::format(
         " {} would have gained energy by the impact law, at most {:.2g} J (t = {:.6g} s): less "
@@ -340,6 +353,12 @@ std::string thinningText(const ReplaySize& size) {
                    size.frames, size.recorded, static_cast<double>(size.wholeBytes) * 1e-6);
 }
 
+void writeSleep(JsonWriter& json, const SleepReport& s) {
+  json.key("sleep").beginObject().member("asleep", s.asleep).member("most", s.most);
+  json.member("slept", s.slept).member("woken", s.woken).member("saved", s.saved);
+  json.member("all", s.all).member("energy", s.energy).member("reason", s.reason).endObject();
+}
+
 void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,
                 const std::vector<CheckResult>& checks, const std::string& state) {
   json.member("state", state.empty() ? stateText(r) : state);
@@ -374,6 +393,7 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.member("error", r.stepping.error).member("total", r.stepping.total);
   json.member("firstTime", r.stepping.first.t);
   json.member("firstContact", r.stepping.first.name).endObject();
+  writeSleep(json, r.cost.sleep);
   json.member("repairedImpacts", r.contacts.repairedImpacts);
   write(json, "energyGain", r.contacts.energyGain);
   json.key("solver").beginObject().member("solves", r.solver.solves);

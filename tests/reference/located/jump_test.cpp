@@ -109,7 +109,7 @@ class JumpInstants final : public RecordSink {
   void row(double, std::span<const double>) override {}
   void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   void event(const ContactEvent& e) override {
-    if (e.jumped == 0) t.push_back(e.t);
+    if (e.system == 0) t.push_back(e.t);
   }
   std::vector<double> t;
 };

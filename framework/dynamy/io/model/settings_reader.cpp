@@ -49,6 +49,7 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
   if (x["step"].given) s.step = x["step"];
   if (x["tolerance"].given) s.tolerance = x["tolerance"];
   if (x["gTol"].given) s.gTol = x["gTol"];
+  if (x["sleep"].given) s.sleep = x["sleep"];
   if (x["onNonConvergence"].given) {
     const std::string& word = x["onNonConvergence"].text;
     s.onNonConvergence = word == "stop"   ? NonConvergence::stop

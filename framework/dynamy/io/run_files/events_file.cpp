@@ -8,6 +8,19 @@ namespace {
 
 constexpr std::size_t kEventBufferBytes = 1 << 16;
 
+const char* kindOf(const ContactEvent& e) {
+  switch (e.of) {
+    case ContactEvent::Of::jump:
+      return ",jump,";
+    case ContactEvent::Of::sleep:
+      return ",sleep,";
+    case ContactEvent::Of::wake:
+      return ",wake,";
+    default:
+      return e.impact ? ",impact," : ",switch,";
+  }
+}
+
 }  // namespace
 
 EventsFile::EventsFile(const std::filesystem::path& path) : file_(path) {
@@ -33,13 +46,13 @@ void EventsFile::event(const ContactEvent& e, std::string_view name) {
   if (full()) return;
   ++events_;
   appendNumber(buffer_, e.t);
-  const bool jump = e.jumped >= 0;
-  buffer_ += jump ? ",jump," : e.impact ? ",impact," : ",switch,";
+  const bool contact = e.of == ContactEvent::Of::contact;
+  buffer_ += kindOf(e);
   appendCsvField(buffer_, name);
   buffer_ += ',';
-  if (!jump) buffer_ += statusText(e.from);
+  if (contact) buffer_ += statusText(e.from);
   buffer_ += ',';
-  if (!jump) buffer_ += statusText(e.to);
+  if (contact) buffer_ += statusText(e.to);
   buffer_ += ',';
   if (e.impact) appendNumber(buffer_, e.speed);
   buffer_ += ',';

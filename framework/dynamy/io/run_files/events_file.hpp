@@ -24,7 +24,7 @@ class EventsFile {
   EventsFile(const EventsFile&) = delete;
   EventsFile& operator=(const EventsFile&) = delete;
 
-  /// Adds a line; `name` is that of the contact, or of the system that jumped. \throws FileError
+  /// Adds a line; `name` is that of the contact, or of the system. \throws FileError
   void event(const ContactEvent& event, std::string_view name);
   bool full() const { return events_ >= kMostEvents; }
   /// \throws WriteError; the text left is kept for the next try

@@ -98,9 +98,9 @@ void RunRecording::event(const ContactEvent& event) {
   if (!events_) tooEarly();
   if (events_->full()) return;
   guarded([&] {
-    events_->event(event, event.jumped < 0
+    events_->event(event, event.system < 0
                               ? contactName(model_, event.key)
-                              : model_.systems()[static_cast<std::size_t>(event.jumped)]->name());
+                              : model_.systems()[static_cast<std::size_t>(event.system)]->name());
   });
 }
 

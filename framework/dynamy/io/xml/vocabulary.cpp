@@ -40,6 +40,11 @@ Word simulation() {
   a.required("gTol", Unit::length, "a contact is closed at g <= gTol; default: 1e-12 of the scene")
       .nonNegative()
       .mayBeAbsent();
+  a.required("sleep", Unit::velocity,
+             "bodies slower than this, at rest by their own forces, sleep until something touches "
+             "them; with fixed steps; default: 0, none sleeps")
+      .nonNegative()
+      .mayBeAbsent();
   a.choice("onNonConvergence", {"stop", "warn", "retry"}, "warn",
            "what happens if a step's impulses are not found");
   a.choice("project", {"none", "positions", "both"}, "none",

@@ -122,12 +122,13 @@ State Model::initialState() const {
   return x;
 }
 
-MechanicalSystem Model::mechanicalSystem() {
+MechanicalSystem Model::mechanicalSystem(const SystemSubset* some) {
   SystemParts parts;
   parts.topology = topology_.get();
   for (const auto& f : forces_) parts.forces.push_back(f.get());
   for (const auto& c : contacts_) parts.contacts.push_back(c.get());
   parts.impactLaw = impactLaw_.get();
+  parts.subset = some;
   // Projections may need one slot more than the scheme.
   MechanicalSystem system(parts, std::max(2, scheme().evaluations()));
   system.gTol(simulation.gTol >= 0.0 ? simulation.gTol : 1e-12 * length());

@@ -124,7 +124,8 @@ class Model {
   /// Length of the scene [m]: extent of initial frame positions and shapes, at least 1e-6; 1 if
   /// there is nothing to measure.
   double length() const { return description_.length(); }
-  MechanicalSystem mechanicalSystem();
+  /// The stages of a step of this model, or of a view on some of its systems, which is borrowed.
+  MechanicalSystem mechanicalSystem(const SystemSubset* some = nullptr);
 
  private:
   void connectAll();

@@ -26,6 +26,9 @@ class Observer : public Element {
  public:
   static constexpr Kind kKind = Kind::observer;
   using Element::Element;
+  /// True: it reads contacts, which steps do not evaluate between bodies that sleep. No body sleeps
+  /// then (theory 58).
+  virtual bool readsContacts() const { return true; }
   /// Called before the first step: `initial` is a step of length 0 at the initial state, with its
   /// contacts and Λ = 0.
   virtual void start(const StepView& /*initial*/) {}

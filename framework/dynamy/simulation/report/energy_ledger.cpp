@@ -40,6 +40,7 @@ void EnergyLedger::start(const StepView& initial) {
 }
 
 void EnergyLedger::step(const StepView& v) {
+  if (v.report.resting) return;
   if (const StepWorks& w = v.report.works; w.given) {
     add(w);
     const double gain = w.friction + w.normal;

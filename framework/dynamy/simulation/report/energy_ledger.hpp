@@ -59,6 +59,8 @@ class EnergyLedger final : public Observer {
   /// Books the energy of blocks that were added and removed between two steps as work of the
   /// boundaries.
   void bring(const State& before, const State& after);
+  /// Books energy that a change of state between two steps takes [J], as bring() does.
+  void take(double energy) { boundaries_.add(-energy); }
   void finish(const StepView& last) override;
   void archive(Archive& a) override;
 

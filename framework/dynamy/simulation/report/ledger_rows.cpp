@@ -31,6 +31,7 @@ void LedgerRows::start(const StepView& initial) {
 
 void LedgerRows::step(const StepView& view) {
   if (!sink_.wantsLedger()) return;
+  if (!view.report.resting) rested_ = false;
   residual_ = std::max(residual_, view.report.solved.residuals.largest());
   iterations_ = std::max(iterations_, static_cast<double>(view.report.solved.iterations));
   contacts_ = std::max(contacts_, static_cast<double>(view.report.contacts));
@@ -47,7 +48,10 @@ void LedgerRows::finish(const StepView& last) {
 }
 
 void LedgerRows::row(const StepView& view) {
-  const EnergyReport e = ledger_.upTo(view.after);
+  // While nothing moves no energy changes.
+  if (!rested_) energy_ = ledger_.upTo(view.after);
+  rested_ = view.report.resting;
+  const EnergyReport& e = energy_;
   LedgerRow r;
   r.t = last_ = view.after.t;
   r.value = {e.kineticEnd, e.potentialEnd,   e.nonPotential, e.friction,  e.normal,  e.joints,

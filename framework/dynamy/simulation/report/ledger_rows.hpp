@@ -23,7 +23,9 @@ class LedgerRows final : public Observer {
   RecordSink& sink_;
   TimeGrid grid_;
   long next_ = 0;
-  double last_ = -1.0;  ///< time of the last row [s]
+  double last_ = -1.0;   ///< time of the last row [s]
+  bool rested_ = false;  ///< all steps since the last row, and its own
+  EnergyReport energy_;
   /// Worst values since the last row.
   double residual_ = 0.0, iterations_ = 0.0, contacts_ = 0.0, penetration_ = 0.0;
 };

@@ -24,15 +24,22 @@ struct ContactRecord {
   bool spin = false;    ///< slips by drilling or rolling while its point hardly slides
 };
 
-/// An impact, a contact that changed its status, or a jump of a system (Renewable).
+/// An impact, a contact that changed its status, or what happened to a system.
 struct ContactEvent {
+  enum class Of : std::uint8_t {
+    contact,
+    jump,   ///< the system jumped (Renewable)
+    sleep,  ///< the system rests from now on
+    wake    ///< the system moves again
+  };
   double t = 0.0;  ///< end of the step [s]
   ContactKey key;
   Status from = Status::open, to = Status::open;
   bool impact = false;
   double speed = 0.0;    ///< of an impact: −γ_N^A [m/s]
   double impulse = 0.0;  ///< Λ_N of the step [N s]
-  int jumped = -1;       ///< the system that jumped; then there is no contact
+  Of of = Of::contact;
+  int system = -1;  ///< of an event of a system, which has no contact
 };
 
 /// The energy ledger up to t, and the worst figures of the solver since the row before.

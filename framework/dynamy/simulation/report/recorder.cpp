@@ -112,6 +112,7 @@ void Recorder::frame(const StepView& view, double t, double theta) {
 
 void Recorder::contacts(const StepView& view) {
   contacts_.clear();
+  for (const Resting& r : resting_) contacts_.push_back(r.record);
   const ContactSet& c = view.system.slot(0).contacts;
   if (view.report.dt <= 0.0 || view.Lambda.size() != c.rows()) return;
   impacts_.look();
@@ -122,13 +123,40 @@ void Recorder::contacts(const StepView& view) {
   }
 }
 
+void Recorder::rest(const StepView& view, const std::vector<ContactKey>& contacts) {
+  const ContactSet& c = view.system.slot(0).contacts;
+  impacts_.look();
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (c.places.normal[at].isZero(0.0)) continue;
+    if (!std::binary_search(contacts.begin(), contacts.end(), c.key[at])) continue;
+    resting_.push_back({c.key[at], contactRecord(view, impacts_, i)});
+    resting_.back().record.impact = false;
+  }
+}
+
+void Recorder::wake(const std::vector<ContactKey>& contacts) {
+  std::erase_if(resting_, [&](const Resting& r) {
+    return std::binary_search(contacts.begin(), contacts.end(), r.key);
+  });
+}
+
+void Recorder::Resting::archive(Archive& a) {
+  a(key);
+  for (Vec3* v : {&record.point, &record.normal, &record.force})
+    for (double& x : *v) a(x);
+  a(record.status), a(record.limit), a(record.spin);
+  if (record.status > Status::locked)
+    throw ModelError("the checkpoint holds a contact with a status that does not exist");
+}
+
 void Recorder::archive(Archive& a) {
   a.section("recorder");
   std::uint64_t columns = values_.size();
   a(columns);
   if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
   long nextRow = rows_.row();
-  a(nextRow), a(nextFrame_), a(lastRow_), a(lastFrame_);
+  a(nextRow), a(nextFrame_), a(lastRow_), a(lastFrame_), a(resting_);
   if (nextRow < 0 || nextFrame_ < 0)
     throw ModelError("the checkpoint counts its recorded rows from below zero");
   rows_.resume(nextRow, lastRow_);

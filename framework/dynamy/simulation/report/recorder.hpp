@@ -33,8 +33,17 @@ class Recorder final : public Observer {
   /// Adds a last row and picture at the end time.
   void finish(const StepView& last) override;
   void archive(Archive& a) override;
+  /// Contacts, ascending, of bodies that sleep from now on, or no longer: pictures show them with
+  /// their percussions in `view`.
+  void rest(const StepView& view, const std::vector<ContactKey>& contacts);
+  void wake(const std::vector<ContactKey>& contacts);
 
  private:
+  struct Resting {
+    ContactKey key;
+    ContactRecord record;
+    void archive(Archive& a);
+  };
   void row(const StepView& view, double t, double theta);
   void write(double t);
   void frame(const StepView& view, double t, double theta);
@@ -52,6 +61,7 @@ class Recorder final : public Observer {
   std::vector<double> values_;
   std::vector<FramePose> poses_;
   std::vector<ContactRecord> contacts_;
+  std::vector<Resting> resting_;
 };
 
 }  // namespace dynamy

@@ -11,7 +11,7 @@ void RunTrust::archive(Archive& a) {
 }
 
 void CostReport::archive(Archive& a) {
-  a(evaluations), a(cpu), a(wall);
+  a(evaluations), a(cpu), a(wall), a(sleep);
   a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);
 }
 

@@ -175,11 +175,22 @@ struct LocatedReport {
   }
 };
 
+/// Bodies at rest that steps left out (theory 58). A system of several bodies counts as one.
+struct SleepReport {
+  long asleep = 0, most = 0;  ///< systems, at the end and at once
+  long slept = 0, woken = 0;  ///< how often a system fell asleep, and woke
+  long saved = 0, all = 0;    ///< steps of systems that were left out, and with them all
+  double energy = 0.0;        ///< taken by u := 0 [J]
+  std::string reason;         ///< why nothing may sleep in this run; empty: something may
+  void archive(Archive& a) { a(asleep), a(most), a(slept), a(woken), a(saved), a(all), a(energy); }
+};
+
 /// What a run has cost.
 struct CostReport {
   long evaluations = 0;          ///< of M, h and contacts
   StepEffort effort;             ///< evaluations of a scheme that chooses its steps, by purpose
   double cpu = 0.0, wall = 0.0;  ///< [s]
+  SleepReport sleep;
   void archive(Archive& a);
 };
 

@@ -29,6 +29,7 @@ void RunWatch::start(const StepView& initial) {
 }
 
 void RunWatch::step(const StepView& view) {
+  if (view.report.resting) return resolution_.skip();
   if (!view.scheme.choosesSteps()) travel_.contacts(view);
   // Schemes that choose their steps control the resolution of the motion themselves.
   if (!view.scheme.choosesSteps() && (view.index <= kFirst || view.index % kEvery < 3)) {

@@ -128,12 +128,25 @@ void StepStatistics::switched(double t, const Seen& from, const Seen& to) {
   sink_->event({t, to.key, from.status, to.status, false, 0.0, 0.0});
 }
 
+/// Moves the contacts with these keys; all lists are sorted by key.
+void StepStatistics::move(const std::vector<ContactKey>& contacts, std::vector<Seen>& from,
+                          std::vector<Seen>& to) {
+  const auto goes = [&](const Seen& s) {
+    return std::binary_search(contacts.begin(), contacts.end(), s.key);
+  };
+  const auto stay = std::stable_partition(from.begin(), from.end(), goes);
+  to.insert(to.end(), from.begin(), stay);
+  from.erase(from.begin(), stay);
+  std::sort(to.begin(), to.end(), [](const Seen& a, const Seen& b) { return a.key < b.key; });
+}
+
 void StepStatistics::archive(Archive& a) {
   a.section("statistics");
-  a(before_);
-  for (const Seen& s : before_)
-    if (s.status > Status::locked)
-      throw ModelError("the checkpoint holds a contact with a status that does not exist");
+  a(before_), a(resting_);
+  for (const std::vector<Seen>* list : {&before_, &resting_})
+    for (const Seen& s : *list)
+      if (s.status > Status::locked)
+        throw ModelError("the checkpoint holds a contact with a status that does not exist");
 }
 
 }  // namespace dynamy

@@ -12,12 +12,15 @@ class StepStatistics final : public Observer {
   explicit StepStatistics(RunReport& report) : report_(report) {}
   /// Reports impacts and switches to `sink` from now on.
   void tell(RecordSink& sink) { sink_ = &sink; }
-  /// A system jumped at t [s].
-  void jump(double t, int system) {
+  /// Something happened to a system at t [s].
+  void event(double t, ContactEvent::Of of, int system) {
     ContactEvent e;
-    e.t = t, e.jumped = system;
+    e.t = t, e.of = of, e.system = system;
     if (sink_ != nullptr) sink_->event(e);
   }
+  /// Contacts, ascending, that keep their status from now on because their bodies sleep, or no longer.
+  void rest(const std::vector<ContactKey>& contacts) { move(contacts, before_, resting_); }
+  void wake(const std::vector<ContactKey>& contacts) { move(contacts, resting_, before_); }
   void step(const StepView& view) override;
   void archive(Archive& a) override;
 
@@ -28,6 +31,8 @@ class StepStatistics final : public Observer {
     bool impact;
     void archive(Archive& a) { a(key), a(status), a(impact); }
   };
+  static void move(const std::vector<ContactKey>& contacts, std::vector<Seen>& from,
+                   std::vector<Seen>& to);
   void stepped(const StepView& view);
   void gaps(const StepView& view);
   void statuses(const StepView& view);
@@ -35,7 +40,7 @@ class StepStatistics final : public Observer {
   RunReport& report_;
   RecordSink* sink_ = nullptr;
   StepImpacts impacts_;
-  std::vector<Seen> before_, now_;
+  std::vector<Seen> before_, now_, resting_;
 };
 
 }  // namespace dynamy

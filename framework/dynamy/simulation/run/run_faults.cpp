@@ -20,8 +20,14 @@ int gapWithoutNumber(const MechanicalSystem& system) {
 }  // namespace
 
 bool isSound(const MechanicalSystem& system, const State& x, const StepReport& step) {
-  return step.refused.empty() && system.indefiniteMass() < 0 && x.q.allFinite() &&
-         x.u.allFinite() && gapWithoutNumber(system) < 0;
+  if (!step.refused.empty() || system.indefiniteMass() >= 0 || gapWithoutNumber(system) >= 0)
+    return false;
+  const SystemSubset* some = system.parts().subset;
+  if (some == nullptr || !some->anyRests()) return x.q.allFinite() && x.u.allFinite();
+  return std::all_of(some->systems().begin(), some->systems().end(), [&](int i) {
+    const SystemHandle& s = system.parts().topology->system(i);
+    return x.q.segment(s.q0, s.nq).allFinite() && x.u.segment(s.u0, s.nu).allFinite();
+  });
 }
 
 std::string faultOf(const Model& model, const MechanicalSystem& system, const State& x,

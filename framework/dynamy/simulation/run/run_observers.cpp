@@ -55,8 +55,26 @@ void RunObservers::bring(const State& before, const State& after) {
     if (r != nullptr && r->jumps() &&
         (before.q.segment(s.q0, s.nq) != after.q.segment(s.q0, s.nq) ||
          before.u.segment(s.u0, s.nu) != after.u.segment(s.u0, s.nu)))
-      statistics_.jump(after.t, i);
+      statistics_.event(after.t, ContactEvent::Of::jump, i);
   }
+}
+
+void RunObservers::slept(const StepView& view, const RestChange& change) {
+  for (const int i : change.systems) statistics_.event(view.after.t, ContactEvent::Of::sleep, i);
+  statistics_.rest(change.contacts);
+  if (recorder_) {
+    StepView rested = view;
+    new (&rested.Lambda) ConstVec(change.Lambda.data(), change.Lambda.size());
+    recorder_->rest(rested, change.contacts);
+  }
+  ledger_.take(change.energy);
+}
+
+void RunObservers::woke(double t, const RestChange& change) {
+  for (const int i : change.systems) statistics_.event(t, ContactEvent::Of::wake, i);
+  statistics_.wake(change.contacts);
+  if (recorder_) recorder_->wake(change.contacts);
+  report_.cost.sleep.woken += static_cast<long>(change.systems.size());
 }
 
 void RunObservers::sumUp() {

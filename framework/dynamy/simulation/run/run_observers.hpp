@@ -8,6 +8,7 @@
 #include <dynamy/simulation/report/recorder.hpp>
 #include <dynamy/simulation/report/run_watch.hpp>
 #include <dynamy/simulation/report/step_statistics.hpp>
+#include <dynamy/simulation/run/sleep.hpp>
 
 namespace dynamy {
 
@@ -32,6 +33,9 @@ class RunObservers {
 
   /// Books a change of state between two steps, which is no motion: systems were renewed.
   void bring(const State& before, const State& after);
+  /// Systems fell asleep at the end of this step, or woke at t [s].
+  void slept(const StepView& view, const RestChange& change);
+  void woke(double t, const RestChange& change);
   /// Puts the figures into the report that are known at the end only.
   void sumUp();
   /// Why the sink can store no more; empty: it can, or there is none.

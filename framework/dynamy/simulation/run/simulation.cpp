@@ -70,11 +70,14 @@ std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
 
 Simulation::Simulation(Model& model, const StepPlan* plan)
     : model_(model),
-      system_(model.mechanicalSystem()),
-      step_(model, system_, plan != nullptr ? plan->from : nullptr),
+      sleep_(model, plan != nullptr),
+      system_(model.mechanicalSystem(sleep_.awake())),
+      step_(model, system_, &sleep_, plan != nullptr ? plan->from : nullptr),
       loop_(loopOf(model, plan)),
       observers_(model, report_),
-      unsolved_(model, system_, report_.solver.unsolved) {}
+      unsolved_(model, system_, report_.solver.unsolved) {
+  sleep_.begin(system_.parts());
+}
 
 void Simulation::record(RecordSink& sink) { observers_.record(sink); }
 
@@ -168,7 +171,7 @@ void Simulation::end() {
   const bool stepped = step_.report().dt > 0.0, failed = report_.ended == RunReport::Ended::failed;
   if (failed || (resumed_ && !stepped)) system_.evaluate(step_.x());
   observers_.finish(view(!failed && stepped));
-  report_.t = t();
+  report_.t = t(), report_.cost.sleep.reason = sleep_.reason();
   observers_.sumUp();
 }
 
@@ -182,7 +185,7 @@ StepReport Simulation::attempt(double tEnd, double dt) {
 }
 
 Passing Simulation::passing(double ahead) {
-  if (model_.scheme().findsContacts()) return {};
+  if (model_.scheme().findsContacts() || step_.report().resting) return {};
   const Passing p = ahead > 0.0 ? sweep_.ahead(system_, step_.x(), ahead)
                                 : sweep_.look(system_, model_.scheme(), step_.before(), step_.x());
   report_.passing.swept = sweep_.paths();
@@ -214,8 +217,12 @@ bool Simulation::accept() {
   if (!step_.report().solved.ok())
     unsolved_.note(report_.steps + 1, t(), step_.report(), !stopped());
   const long evaluations = system_.evaluations();
+  if (const RestChange woken = sleep_.woken(); !woken.systems.empty())
+    observers_.woke(step_.before().t, woken);
   observers_.step(view(true));
-  report_.cost.evaluations += system_.evaluations() - evaluations;  // for dense output
+  sleep_.settle(system_, step_.change(), step_.report().dt, report_.cost.sleep);
+  if (!sleep_.slept().systems.empty()) observers_.slept(view(true), sleep_.slept());
+  report_.cost.evaluations += system_.evaluations() - evaluations;  // for dense output and trials
   if (State old; step_.renew(old)) observers_.bring(old, step_.x());
   return true;
 }
@@ -258,7 +265,7 @@ bool Simulation::endBecause(std::string reason, RunReport::Cause cause) {
 }
 
 void Simulation::archive(Archive& a) {
-  a.section("dynamy checkpoint 13");  // the number counts changes of the layout
+  a.section("dynamy checkpoint 14");  // the number counts changes of the layout
   a(step_), a(*loop_), a(report_), a(observers_);
 }
 

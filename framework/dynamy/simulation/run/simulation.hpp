@@ -30,7 +30,7 @@ class Simulation final : private Stepper {
   // Before the first step.
   /// Records into `sink`, which outlives the simulation. Throws ModelError for unknown signals.
   void record(RecordSink& sink);
-  void observe(Observer& observer) { observers_.add(observer); }
+  void observe(Observer& observer) { observers_.add(observer), sleep_.heed(observer); }
   /// Uses up to `count` threads for each step, fewer if the operating system gives no more. The
   /// results have the same bits with any number. Returns the number of threads in use.
   int threads(int count);
@@ -109,6 +109,7 @@ class Simulation final : private Stepper {
 
   Model& model_;
   std::unique_ptr<Workers> workers_;
+  Sleep sleep_;
   MechanicalSystem system_;
   StepAttempt step_;
   Sweep sweep_;

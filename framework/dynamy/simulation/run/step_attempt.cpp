@@ -16,9 +16,10 @@ bool isSet(const std::atomic<bool>* flag) {
 
 }  // namespace
 
-StepAttempt::StepAttempt(Model& model, MechanicalSystem& system, const State* from)
+StepAttempt::StepAttempt(Model& model, MechanicalSystem& system, Sleep* sleep, const State* from)
     : model_(model),
       system_(system),
+      sleep_(sleep),
       x_(from != nullptr ? *from : model.initialState()),
       before_(x_),
       coarseness_(model),
@@ -35,15 +36,29 @@ StartReport StepAttempt::start() {
 }
 
 bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop) {
-  before_ = x_, attempted_ = true;
+  attempted_ = true;
+  if (sleep_ != nullptr && sleep_->allAsleep() && x_.memory.size() == 0) {
+    // No number but t changes. Observers see a system without contacts, which is evaluated once.
+    if (!report_.resting) before_ = x_, system_.evaluate(x_), system_.impactProblem(x_, dt);
+    before_.t = x_.t, x_.t = tEnd;
+    report_ = {};
+    report_.dt = dt, report_.resting = true;
+    return true;
+  }
+  before_ = x_;
   const bool last = isSet(stop);  // the run ends after this step, which is to be solved
   const bool searches = !model_.scheme().choosesSteps();
   system_.limits.stop = last ? nullptr : stop;
-  system_.limits.effort = searches ? searches_.next() : Effort::full;
+  const Effort effort = searches ? searches_.next() : Effort::full;
   system_.limits.pushOut = searches ? model_.simulation.step : 0.0;
   system_.limits.neutral =
       searches && model_.schemeIsDefault() && dt < kPart * model_.simulation.step;
+  system_.limits.effort = effort;
   report_ = model_.scheme().step(system_, model_.solver(), x_, dt);
+  while (sleep_ != nullptr && sleep_->wakes(system_, before_)) {
+    x_ = before_, system_.limits.effort = effort;
+    report_ = model_.scheme().step(system_, model_.solver(), x_, dt);
+  }
   if (!last && isSet(stop)) {  // solvers may have stopped early
     x_ = before_;
     return false;
@@ -64,7 +79,7 @@ void StepAttempt::project() {
     report_.solved.status = SolveStatus::stalled;
 }
 
-bool StepAttempt::sound() const { return isSound(system_, x_, report_); }
+bool StepAttempt::sound() const { return report_.resting || isSound(system_, x_, report_); }
 
 std::string StepAttempt::fault() const { return faultOf(model_, system_, x_, report_); }
 
@@ -97,6 +112,7 @@ bool StepAttempt::renew(State& old) {
 void StepAttempt::archive(Archive& a) {
   archiveState(a, x_);
   searches_.archive(a);
+  if (sleep_ != nullptr) sleep_->archive(a);
 }
 
 }  // namespace dynamy

@@ -5,6 +5,7 @@
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
 #include <dynamy/simulation/run/search_pauses.hpp>
+#include <dynamy/simulation/run/sleep.hpp>
 #include <dynamy/simulation/run/step_coarseness.hpp>
 #include <dynamy/stages/projection.hpp>
 
@@ -12,9 +13,10 @@ namespace dynamy {
 
 class StepAttempt {
  public:
-  /// Begins at `from`, or if that is null at the initial state of the model. The first two
-  /// arguments outlive the attempt.
-  StepAttempt(Model& model, MechanicalSystem& system, const State* from = nullptr);
+  /// Begins at `from`, or if that is null at the initial state of the model. `sleep`: the islands
+  /// that steps leave out; null: none. The first three arguments outlive the attempt.
+  StepAttempt(Model& model, MechanicalSystem& system, Sleep* sleep = nullptr,
+              const State* from = nullptr);
   /// Evaluates the initial state and moves it onto the joints; reports the corrections.
   StartReport start();
   /// Takes one step of length dt [s] to the instant tEnd [s]. Schemes that choose their steps may
@@ -42,7 +44,9 @@ class StepAttempt {
   /// Of the step tried last; dt = 0: none.
   const StepReport& report() const { return report_; }
   /// How coarse the step is for the motion.
-  Coarseness coarseness() { return coarseness_.of(system_, x_, report_.dt); }
+  Coarseness coarseness() {
+    return report_.resting ? Coarseness{} : coarseness_.of(system_, x_, report_.dt);
+  }
   bool sound() const;
   /// Why the attempted state is not sound; empty: it is.
   std::string fault() const;
@@ -58,6 +62,7 @@ class StepAttempt {
   void project();
   Model& model_;
   MechanicalSystem& system_;
+  Sleep* sleep_;
   State x_, before_;
   StepReport report_;
   StepCoarseness coarseness_;
