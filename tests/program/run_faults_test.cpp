@@ -57,6 +57,30 @@ TEST_P(EndedBySignal, ARunKeepsAllAndSaysByWhich) {
 }
 INSTANTIATE_TEST_SUITE_P(Signals, EndedBySignal, ::testing::Values(SIGTERM, SIGHUP, SIGXCPU));
 
+TEST_F(RunFaults, ARunIsResumedWhileBodiesSleep) {
+  // One ball rests, the other one falls on it after 0.20 s.
+  const std::string ball = "><Sphere radius=\"0.05\" mass=\"0.2\" material=\"m\"/></RigidBody>";
+  write(
+      "s.xml",
+      "<dynamy version=\"1\"><systems><RigidBody name=\"a\" position=\"0 0 0.05\"" + ball +
+          "<RigidBody name=\"b\" position=\"0.01 0 0.35\"" + ball +
+          "<Ground name=\"floor\"><HalfSpace material=\"m\"/></Ground></systems><forces><Gravity/>"
+          "</forces><elements><Contact between=\"m m\"><UnilateralCoulomb mu=\"0.5\"/></Contact>"
+          "</elements><record every=\"2ms\"/><simulation until=\"0.4\" step=\"1ms\" "
+          "sleep=\"1e-6\"/></dynamy>");
+  ASSERT_EQ(call("check s.xml"), 0) << err();
+  EXPECT_NE(out().find(" 2 of 2 systems may sleep, slower than 1e-06 m/s"), std::string::npos)
+      << out();
+  ASSERT_EQ(call("run s.xml --out s --until 0.1"), 0) << err();
+  EXPECT_NE(out().find(" asleep  1 system at the end, at most 1; 1 fell asleep, 0 woke; "),
+            std::string::npos)
+      << out();
+  EXPECT_EQ(facts("s")["sleep"]["asleep"].value, 1.0);
+  EXPECT_NE(readWholeFile(path("s/events.csv")).find("0.016,sleep,a,,,,"), std::string::npos);
+  expectResumes("s", "s.xml", "0.4");
+  EXPECT_NE(readWholeFile(path("s/events.csv")).find(",wake,a,,,,"), std::string::npos);
+}
+
 TEST_F(RunFaults, ASignalThatIsIgnoredFromTheStartStaysSo) {  // nohup
   write("ball.xml", bouncingBallXml(4000.0, "1e-6"));
   struct sigaction ignore {
