@@ -157,8 +157,13 @@ std::vector<std::string> compiledBy(const std::string& line) {
   const std::string before = " -c ";
   const std::size_t at = line.rfind(before);
   if (at == std::string::npos) return {};
-  const std::size_t begin = at + before.size();
-  const std::string source = line.substr(begin, line.find_first_of(" \"", begin) - begin);
+  // A path with blanks stands between quotes, which JSON writes as \".
+  const std::string quote = "\\\"";
+  const std::size_t first = at + before.size();
+  const bool quoted = line.compare(first, quote.size(), quote) == 0;
+  const std::size_t begin = quoted ? first + quote.size() : first;
+  const std::size_t end = quoted ? line.find(quote, begin) : line.find_first_of(" \"", begin);
+  const std::string source = line.substr(begin, end - begin);
   if (source.find("/Unity/") == std::string::npos) return {source};
   std::vector<std::string> out;
   std::ifstream batch(source);

@@ -82,8 +82,7 @@ TEST_F(ProgramTest, ViewWritesTheReplayAnew) {
 }
 
 TEST_F(ProgramTest, ContactForcesInTheFilmObeyCoulombsLaw) {
-  ASSERT_EQ(
-      call(std::string("run ") + DYNAMY_SOURCE_DIR + "/models/block_on_slope_slide.xml --out b"), 0)
+  ASSERT_EQ(call("run \"" DYNAMY_SOURCE_DIR "/models/block_on_slope_slide.xml\" --out b"), 0)
       << err();
   const Frames frames = readFrames(path("b/frames.bin"));
   int slipping = 0;

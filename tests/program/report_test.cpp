@@ -27,8 +27,9 @@ std::string drawingAfter(const std::string& page, const std::string& mark) {
 }
 
 TEST_F(Report, OfTheWoodpeckerHasAllSections) {
-  const std::string models = std::string(DYNAMY_SOURCE_DIR) + "/models/";
-  ASSERT_EQ(call("run " + models + "woodpecker.xml --quiet --until 1 --out o"), 1) << err();
+  ASSERT_EQ(call("run \"" DYNAMY_SOURCE_DIR "/models/woodpecker.xml\" --quiet --until 1 --out o"),
+            1)
+      << err();
   ASSERT_EQ(call("report o"), 0) << err();
   EXPECT_EQ(out(), "o/report.html\n");
   const std::string page = readWholeFile(path("o/report.html"));

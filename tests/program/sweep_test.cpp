@@ -269,7 +269,7 @@ TEST_F(Sweep, ScriptsMeanAnyNameLiterally) {
               "cd /\nfor SLURM_ARRAY_TASK_ID in 1 2; do export SLURM_ARRAY_TASK_ID\n"
               "SLURM_ARRAY_JOB_ID=77 " +
                   std::string("bash ") + quoted((folder / "slurm.sh").string()) +
-                  " || exit 1\ndone\n" DYNAMY_BINARY_DIR "/bin/dynamy sweep " +
+                  " || exit 1\ndone\n\"" DYNAMY_BINARY_DIR "/bin/dynamy\" sweep " +
                   quoted(folder.string()) + " --collect\n");
       }
       EXPECT_EQ(run("bash " + path("command")), 0) << name << '\n' << out();
