@@ -26,6 +26,8 @@ struct ImportChoice {
 
 Machine readMachine(const XmlDocument& document, const ImportOptions& options) {
   const XmlNode& root = document.root();
+  if (!options.key.empty() && root.tag != "mujoco")
+    throw CLI::ValidationError("--key: only files of MJCF have keyframes");
   if (root.tag == "robot") return readUrdf(document, options);
   if (root.tag == "mujoco") return readMjcf(document, options);
   if (root.tag == "sdf") return readSdf(document, options);
@@ -83,6 +85,8 @@ void addImport(CLI::App& app, Program& program) {
               "URDF: the root link moves freely; else it stands still");
   c->add_flag("--self-contact", choice->options.selfContact,
               "URDF: links that are no neighbours can touch each other");
+  c->add_option("--key", choice->options.key, "MJCF: the keyframe that the model starts from")
+      ->type_name("NAME");
   c->add_option("--package", choice->options.packages,
                 "folder that holds packages, for package:// paths")
       ->type_name("FOLDER");

@@ -5,6 +5,7 @@
 /// it lists, one after the other. All numbers are in SI units. Where all joints have their value
 /// `reference`, the link's frame has the pose `pose` in the frame of its parent.
 #pragma once
+#include <cmath>
 #include <dynamy/core/error.hpp>
 #include <optional>
 #include <string>
@@ -53,6 +54,7 @@ struct MachineJoint {
   std::optional<double> lower, upper;  ///< [rad or m]
   double reference = 0.0;              ///< value where the link has the pose of the file [rad or m]
   double start = 0.0;                  ///< value at the start of the model
+  bool startGiven = false;             ///< by the file; else it is chosen
   double damping = 0.0;                ///< [N m s/rad or N s/m]
   double friction = 0.0;               ///< dry friction [N m or N]
   double inertia = 0.0;                ///< of a rotor, in the coordinate [kg m² or kg]
@@ -93,6 +95,17 @@ struct Coupling {
   Place place;
 };
 
+/// A drive in a joint: with x' = gear · x, the force is gear · (gain · input + bias₀ + bias₁ x' +
+/// bias₂ dx'/dt), input and the force before the gear within bounds.
+struct Drive {
+  std::string name, joint;
+  double gear = 1.0, gain = 1.0;
+  double bias[3] = {0.0, 0.0, 0.0};
+  double lowInput = -HUGE_VAL, highInput = HUGE_VAL, lowForce = -HUGE_VAL, highForce = HUGE_VAL;
+  double input = 0.0;  ///< at the start
+  Place place;
+};
+
 /// Something of the file that the model has not, or has in another way.
 struct ImportNote {
   Place place;
@@ -106,6 +119,7 @@ struct Machine {
   std::vector<Skin> ground;  ///< shapes of the world
   std::vector<LoopJoint> loops;
   std::vector<Coupling> couplings;
+  std::vector<Drive> drives;
   std::vector<std::pair<int, int>> apart;  ///< links that never touch
   bool selfContact = true;                 ///< false: links of the machine never touch each other
   bool staticContact = false;              ///< a link touches what stands still and carries it

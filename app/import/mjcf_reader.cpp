@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "import/mjcf_constraints.hpp"
+#include "import/mjcf_drives.hpp"
 #include "import/mjcf_geoms.hpp"
 #include "import/mjcf_settings.hpp"
 
@@ -19,7 +20,9 @@ class MjcfReader {
   MjcfReader(const XmlDocument& document, const ImportOptions& options)
       : read_(document, machine_),
         geoms_(read_, compiler_, defaults_, options),
-        constraints_(read_, machine_, bodies_, sites_) {}
+        constraints_(read_, machine_, bodies_, sites_),
+        drives_(read_, machine_, compiler_, defaults_),
+        key_(options.key) {}
   Machine machine();
 
  private:
@@ -46,6 +49,8 @@ class MjcfReader {
   MjcfGeoms geoms_;
   MjcfConstraints::Places bodies_, sites_;
   MjcfConstraints constraints_;
+  MjcfDrives drives_;
+  std::string key_;
   std::map<int, Inertia> given_;  ///< of bodies with <inertial>
   int unnamed_ = 0;
   bool contacts_ = true;  ///< false: no geoms touch
@@ -292,6 +297,12 @@ void MjcfReader::sections(const std::vector<XmlNode>& all) {
   finishMasses();
   each("contact", [&](const XmlNode& c) { constraints_.contacts(c); });
   each("equality", [&](const XmlNode& c) { constraints_.equalities(c); });
+  each("actuator", [&](const XmlNode& c) { drives_.actuators(c); });
+  std::vector<const XmlNode*> keys;
+  each("keyframe", [&](const XmlNode& c) {
+    for (const XmlNode* key : childrenOf(c, "key")) keys.push_back(key);
+  });
+  drives_.start(keys, key_);
 }
 
 Machine MjcfReader::machine() {
@@ -302,11 +313,9 @@ Machine MjcfReader::machine() {
   machine_.staticContact = true;
   read_.readOnly(root, {"model"},
                  {"compiler", "default", "option", "asset", "worldbody", "contact", "equality",
-                  "size", "visual", "statistic"},
-                 {{"actuator", "drives are not taken over"},
-                  {"sensor", "signals of the model are those of its bodies and joints"},
+                  "actuator", "keyframe", "size", "visual", "statistic"},
+                 {{"sensor", "signals of the model are those of its bodies and joints"},
                   {"tendon", "tendons are not taken over"},
-                  {"keyframe", "say --at JOINT=VALUE"},
                   {"custom", "is for another program"},
                   {"deformable", "bodies are rigid"},
                   {"extension", "is for another program"}});

@@ -108,6 +108,15 @@ std::vector<XmlAttribute> merged(std::vector<XmlAttribute> base,
   return base;
 }
 
+/// Attributes that a class gives to drives of every kind, whatever kind it names them in.
+std::vector<XmlAttribute> ofAllDrives(const std::vector<XmlAttribute>& all) {
+  std::vector<XmlAttribute> out;
+  for (const XmlAttribute& a : all)
+    for (const char* name : {"gear", "ctrlrange", "ctrllimited", "forcerange", "forcelimited"})
+      if (a.name == name) out.push_back(a);
+  return out;
+}
+
 }  // namespace
 
 void MjcfDefaults::read(const XmlNode& node, ElementReader& read, const std::string& parent) {
@@ -120,10 +129,14 @@ void MjcfDefaults::read(const XmlNode& node, ElementReader& read, const std::str
   } else {
     classes_[name] = classes_[parent];
   }
+  const std::vector<std::string> drives = {"general", "motor", "position", "velocity"};
   for (const XmlNode& c : node.children)
     if (c.tag != "default") {
-      auto& values = classes_[name][c.tag];
-      values = merged(values, c.attributes);
+      Values& values = classes_[name];
+      values[c.tag] = merged(values[c.tag], c.attributes);
+      if (std::find(drives.begin(), drives.end(), c.tag) == drives.end()) continue;
+      for (const std::string& kind : drives)
+        values[kind] = merged(values[kind], ofAllDrives(c.attributes));
     }
   for (const XmlNode& c : node.children)
     if (c.tag == "default") this->read(c, read, name);

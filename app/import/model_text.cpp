@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <dynamy/io/xml/xml.hpp>
 
@@ -96,7 +97,10 @@ class ModelWriter {
   void frames(const Link& link, const Vec3& centre);
   void joints();
   void joint(std::size_t i);
-  void laws(const MachineJoint& joint, const std::string& name, const std::string& where);
+  void laws(const MachineJoint& joint, const std::string& name, const std::string& coordinate);
+  std::string coordinateText(std::size_t i) const;
+  int linkOf(const std::string& joint) const;
+  void drives();
   void loops();
   void couplings();
   void contacts();
@@ -194,10 +198,20 @@ void ModelWriter::systems() {
   for (std::size_t i = 0; i < m_.links.size(); ++i) body(i);
 }
 
+/// The attributes of elements that act in the coordinate of the joint of link i.
+std::string ModelWriter::coordinateText(std::size_t i) const {
+  const Link& link = m_.links[i];
+  const MachineJoint& joint = link.joints.front();
+  const bool turn = joint.kind == MachineJoint::Kind::turn;
+  return attribute("between", nameOf(link.parent) + " " + names_[i]) +
+         attribute("coordinate", turn ? "angle" : "displacement") +
+         attribute("at", vector(poses_[i].point(joint.at))) +
+         attribute("axis", vector(poses_[i].A * joint.axis)) +
+         (joint.start != 0.0 ? attribute("start", number(joint.start)) : "");
+}
+
 void ModelWriter::laws(const MachineJoint& joint, const std::string& name,
-                       const std::string& where) {
-  const std::string coordinate =
-      where + (joint.start != 0.0 ? attribute("start", number(joint.start)) : "");
+                       const std::string& coordinate) {
   if (joint.lower || joint.upper) {
     elements_ += "    <JointStop" + attribute("name", name + "_stop") + coordinate;
     if (joint.lower) elements_ += attribute("lower", number(*joint.lower));
@@ -240,8 +254,7 @@ void ModelWriter::joint(std::size_t i) {
                                                   number(joint.friction), type)
                                     : std::string("/>\n");
   signals_ += (signals_.empty() ? "" : " ") + name + (turn ? ".angle" : ".displacement");
-  laws(joint, name,
-       between + attribute("coordinate", turn ? "angle" : "displacement") + point + axis);
+  laws(joint, name, coordinateText(i));
 }
 
 void ModelWriter::loops() {
@@ -261,14 +274,52 @@ void ModelWriter::loops() {
   }
 }
 
+int ModelWriter::linkOf(const std::string& joint) const {
+  for (std::size_t i = 0; i < m_.links.size(); ++i)
+    if (!m_.links[i].joints.empty() && m_.links[i].joints.front().name == joint)
+      return static_cast<int>(i);
+  return -1;
+}
+
+/// "clamp(x, low, high)", or x if there are no bounds.
+std::string within(const std::string& x, double low, double high) {
+  if (!std::isfinite(low) || !std::isfinite(high)) return x;
+  return "clamp(" + x + ", " + number(low) + ", " + number(high) + ")";
+}
+
+void ModelWriter::drives() {
+  UniqueNames inputs;
+  for (const Drive& d : m_.drives) {
+    const int i = linkOf(d.joint);
+    if (i < 0) continue;
+    std::string wanted = d.name;
+    for (char& c : wanted)
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    while (std::find(names_.begin(), names_.end(), wanted) != names_.end() ||
+           std::find(jointNames_.begin(), jointNames_.end(), wanted) != jointNames_.end())
+      wanted += "_input";
+    const std::string name = inputs.take(wanted);
+    if (name != d.name)
+      m_.notes.push_back({d.place, "drive " + d.name, "its input is named \"" + name + "\""});
+    forces_ += "    <Input" + attribute("name", name) +
+               (d.input != 0.0 ? attribute("value", number(d.input)) : "") + "/>\n";
+    const auto term = [](double factor, const std::string& of) {
+      return factor == 0.0
+                 ? ""
+                 : fmt::format(" {} {}*{}", factor < 0 ? '-' : '+', number(std::abs(factor)), of);
+    };
+    const std::string force =
+        number(d.gain) + "*" + within("{" + name + ".out}", d.lowInput, d.highInput) +
+        term(d.bias[0], "1") + term(d.bias[1] * d.gear, "x") + term(d.bias[2] * d.gear, "v");
+    const std::string bounded = within(force, d.lowForce, d.highForce);
+    forces_ += "    <JointForce" + attribute("name", name + "_force") + coordinateText(at(i)) +
+               attribute("force", d.gear == 1.0 ? bounded : number(d.gear) + "*(" + bounded + ")") +
+               "/>\n";
+  }
+}
+
 /// Two hinges on one carrier can be coupled by a gear.
 void ModelWriter::couplings() {
-  const auto linkOf = [this](const std::string& joint) {
-    for (std::size_t i = 0; i < m_.links.size(); ++i)
-      if (!m_.links[i].joints.empty() && m_.links[i].joints.front().name == joint)
-        return static_cast<int>(i);
-    return -1;
-  };
   for (const Coupling& c : m_.couplings) {
     const int a = linkOf(c.jointA), b = linkOf(c.jointB);
     const auto hinge = [this](int i) {
@@ -330,6 +381,7 @@ std::string ModelWriter::text() {
   systems();
   for (std::size_t i = 0; i < m_.links.size(); ++i) joint(i);
   loops();
+  drives();
   couplings();
   contacts();
   std::string notes;

@@ -129,9 +129,14 @@ void oneJointEach(Machine& m, double all) {
 
 /// A value inside of the limits, as near to the file's pose as the middle of the limits allows.
 void chooseStart(Machine& m, MachineJoint& joint) {
-  joint.start = joint.reference;
+  if (!joint.startGiven) joint.start = joint.reference;
   const double low = joint.lower.value_or(-HUGE_VAL), high = joint.upper.value_or(HUGE_VAL);
   if (low <= joint.start && joint.start <= high) return;
+  if (joint.startGiven) {
+    m.notes.push_back({joint.place, "joint " + joint.name,
+                       fmt::format("its limits exclude {:g}, where it starts", joint.start)});
+    return;
+  }
   joint.start = joint.lower && joint.upper ? 0.5 * (low + high) : (joint.lower ? low : high);
   m.notes.push_back(
       {joint.place, "joint " + joint.name,
