@@ -21,8 +21,9 @@ Pose sdfPose(const XmlNode& node, ElementReader& read) {
 
 void SdfFrames::add(const XmlNode& node, const std::string& name, const std::string& usual) {
   const XmlNode* own = childOf(node, "pose");
-  std::string to = usual;
-  if (own != nullptr) to = valueOf(*own, "relative_to", valueOf(*own, "frame", usual));
+  std::string to;
+  if (own != nullptr) to = valueOf(*own, "relative_to", valueOf(*own, "frame", ""));
+  if (to.empty()) to = usual;
   const auto [found, first] = frames_.try_emplace(name, Given{sdfPose(node, read_), to});
   if (!first) read_.fault(node, "the name \"" + name + "\" is taken in its model");
 }

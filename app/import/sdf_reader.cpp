@@ -31,6 +31,8 @@ class SdfModel {
   void links();
   void joint(const XmlNode& node);
   std::string end(const XmlNode& node, const char* tag);
+  std::string frameOf(const XmlNode& joint) const;
+  std::string linkOf(const std::string& frame, int depth = 0) const;
   void carry(const XmlNode& node, const std::string& type, const std::string& parent,
              SdfLink& child);
   void close(const XmlNode& node, const std::string& type, const std::string& parent,
@@ -60,6 +62,35 @@ SdfLink* SdfModel::found(const std::string& name) {
   return at == links_.end() ? nullptr : &*at;
 }
 
+/// The child of this tag and name, nullptr if there is none.
+const XmlNode* namedChild(const XmlNode& node, const char* tag, const std::string& name) {
+  for (const XmlNode* c : childrenOf(node, tag))
+    if (valueOf(*c, "name", "") == name) return c;
+  return nullptr;
+}
+
+/// Old files give joints the names of links. The frame of such a joint has an ending.
+std::string SdfModel::frameOf(const XmlNode& joint) const {
+  const std::string name = valueOf(joint, "name", "");
+  return namedChild(node_, "link", name) != nullptr ? name + "_joint" : name;
+}
+
+/// The link that a frame is attached to; "" if there is none.
+std::string SdfModel::linkOf(const std::string& frame, int depth) const {
+  constexpr int kDeepest = 64;
+  if (namedChild(node_, "link", frame) != nullptr) return frame;
+  if (depth > kDeepest) return {};
+  if (frame.empty() || frame == "__model__") {
+    const XmlNode* first = childOf(node_, "link");
+    return valueOf(node_, "canonical_link", first != nullptr ? valueOf(*first, "name", "") : "");
+  }
+  if (const XmlNode* own = namedChild(node_, "frame", frame))
+    return linkOf(valueOf(*own, "attached_to", ""), depth + 1);
+  if (const XmlNode* own = namedChild(node_, "joint", frame))
+    if (const XmlNode* child = childOf(*own, "child")) return linkOf(child->text, depth + 1);
+  return {};
+}
+
 void SdfModel::declareFrames() {
   for (const XmlNode& c : node_.children) {
     const std::string name = valueOf(c, "name", "");
@@ -68,7 +99,9 @@ void SdfModel::declareFrames() {
     if (c.tag != "joint") continue;
     const XmlNode* child = childOf(c, "child");
     const std::string of = child != nullptr ? child->text : "";
-    frames_.add(c, name, of == "world" ? "" : of);
+    const std::string own = frameOf(c);
+    if (own != name) read_.note(c, "a link has its name, too: its frame is \"" + own + '"');
+    frames_.add(c, own, of == "world" ? "" : of);
   }
 }
 
@@ -103,7 +136,8 @@ std::string SdfModel::end(const XmlNode& node, const char* tag) {
     read_.fault(node, std::string("<") + tag + "> is missing");
     return {};
   }
-  if (own->text == "world" || found(own->text) != nullptr) return own->text;
+  if (own->text == "world") return own->text;
+  if (std::string link = linkOf(own->text); found(link) != nullptr) return link;
   std::vector<std::string> known;
   for (const SdfLink& link : links_) known.push_back(link.link.name);
   read_.fault(*own, "there is no link \"" + own->text + '"', didYouMean(nearest(own->text, known)));
@@ -123,7 +157,7 @@ Vec3 SdfModel::axis(const XmlNode& node, const XmlNode& axis, const SdfLink& chi
   const XmlNode* ofModel = childOf(axis, "use_parent_model_frame");
   if (ofModel != nullptr && (ofModel->text == "1" || ofModel->text == "true")) return direction;
   const std::string in = xyz != nullptr ? valueOf(*xyz, "expressed_in", "") : "";
-  const std::string own = valueOf(node, "name", "");
+  const std::string own = frameOf(node);
   return frames_.inModel(axis, in.empty() ? (frames_.has(own) ? own : child.link.name) : in).A *
          direction;
 }
@@ -132,7 +166,7 @@ MachineJoint SdfModel::single(const XmlNode& node, const XmlNode* own, const Sdf
   constexpr double kNone = 1e15;  // the format writes no limit as 1e16
   MachineJoint out;
   out.name = valueOf(node, "name", "joint"), out.place = node.place;
-  const Pose inLink = child.inModel.inverse() * frames_.inModel(node, out.name);
+  const Pose inLink = child.inModel.inverse() * frames_.inModel(node, frameOf(node));
   out.at = inLink.r;
   if (own == nullptr) return out;
   out.axis = child.inModel.A.transpose() * axis(node, *own, child);

@@ -66,6 +66,35 @@ TEST_F(SdfImport, PlacesLinksRelativeToOtherFrames) {
   EXPECT_NE(line("<Fixed"), "");
 }
 
+TEST_F(SdfImport, JoinsLinksByFramesThatTheyCarry) {
+  // The joint stands at the frame "hand", which link "a" carries 2 m above itself.
+  ASSERT_EQ(import("m.sdf",
+                   sdf("<link name=\"a\"><pose>0 0 1 0 0 0</pose></link><link name=\"b\"/>"
+                       "<frame name=\"wrist\" attached_to=\"a\"/>"
+                       "<frame name=\"hand\" attached_to=\"wrist\"><pose>0 0 2 0 0 0</pose></frame>"
+                       "<joint name=\"j\" type=\"revolute\"><parent>b</parent><child>hand</child>"
+                       "<axis><xyz>1 0 0</xyz></axis></joint>")),
+            0)
+      << notes_;
+  expectChecks();
+  EXPECT_EQ(line("<Revolute"),
+            "    <Revolute name=\"j\" between=\"b a\" at=\"0 0 3\" axis=\"1 0 0\"/>");
+}
+
+TEST_F(SdfImport, TakesJointsNamedLikeLinksAndEmptyFrames) {
+  // An empty relative_to is none: the joint's frame is that of its child, 2 m above it.
+  ASSERT_EQ(
+      import("m.sdf", sdf("<link name=\"a\"><pose>0 0 1 0 0 0</pose></link>"
+                          "<joint name=\"a\" type=\"revolute\"><pose relative_to=\"\">0 0 2 0 0 0"
+                          "</pose><parent>world</parent><child>a</child>"
+                          "<axis><xyz>1 0 0</xyz></axis></joint>")),
+      0)
+      << notes_;
+  expectChecks();
+  EXPECT_NE(line("<Revolute").find("at=\"0 0 3\""), std::string::npos) << line("<Revolute");
+  EXPECT_NE(notes_.find("its frame is \"a_joint\""), std::string::npos) << notes_;
+}
+
 TEST_F(SdfImport, ExpressesAxesInTheFrameTheyName) {
   const std::string turned =
       "<link name=\"bar\"><pose degrees=\"true\">0 0 0 0 0 90</pose></link>"
