@@ -1,6 +1,7 @@
 /// One pass over the text with a stack of open elements. Errors after which the rest can still be
 /// read (doubled attribute, unknown entity) are collected; all other errors end the scan, because
 /// after them a scanner can only guess.
+#include <algorithm>
 #include <array>
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/io/xml/fault_list.hpp>
