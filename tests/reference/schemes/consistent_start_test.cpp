@@ -174,5 +174,66 @@ TEST(ConsistentStart, AJointOfABodyWithItselfIsRefused) {
   }
 }
 
+/// Crank of 0.1 m at 1 rad, rod of `length`, slider: places fit a rod of 0.3 m, only the crank turns.
+std::string sliderCrank(const std::string& length, const std::string& keep) {
+  return R"(<dynamy version="1"><parameter name="b" value="{asin(0.1*sin(1)/0.3)}"/><systems>
+    <Ground name="world"/>
+    <PlanarBody name="crank" angle="1" angularVelocity="10" mass="1" inertia="1e-3"/>
+    <PlanarBody name="slider" position="{0.1*cos(1) + 0.3*cos(b)} 0 0" mass="20" inertia="1e-3"/>
+    </systems><elements><Revolute name="bearing" between="world crank"/>
+    <Distance name="rod" between="crank slider" pointA="0.1 0 0" length=")" +
+         length + R"("/><Prismatic name="guide" between="world slider" axis="1 0 0"/></elements>
+    <simulation until="0.01" tolerance="1e-8" )" +
+         keep + "/></dynamy>";
+}
+
+TEST(ConsistentStart, KeepsWhatTheModelSaysAndAssemblesTheRest) {
+  // x = r cos φ + √(l² − r² sin² φ) from the crank alone; the heavy slider would win otherwise.
+  const auto slider = [](double l) {
+    return 0.1 * std::cos(1) + std::sqrt(l * l - std::pow(0.1 * std::sin(1), 2));
+  };
+  for (const double l : {0.3, 0.31}) {
+    Scene scene(sliderCrank(std::to_string(l), R"(keep="crank.omega")"));
+    MechanicalSystem s = scene.model().mechanicalSystem();
+    State x = scene.model().initialState();
+    s.evaluate(x);
+    const StartReport report = makeConsistent(scene.model(), s, x);
+    EXPECT_EQ(report.kept, "crank.omega");
+    EXPECT_TRUE(report.velocities.against.empty());
+    // Newton's method ends at 1e-12 of the scene's length.
+    EXPECT_EQ(x.q[2], 1.0) << l;
+    EXPECT_EQ(x.u[2], 10.0) << l;
+    EXPECT_NEAR(x.q[3], slider(l), 1e-12) << l;
+    const double c = x.q[3] - 0.1 * std::cos(1);
+    EXPECT_NEAR(x.u[3], -10.0 * 0.1 * std::sin(1) * (1.0 + 0.1 * std::cos(1) / c), 1e-10) << l;
+    const std::vector<Warning> told = startWarnings(report, 0.3);
+    ASSERT_NE(find(told, "start velocities"), nullptr);
+    EXPECT_NE(find(told, "start velocities")->text.find("with crank.omega kept"),
+              std::string::npos);
+  }
+}
+
+TEST(ConsistentStart, SaysWhereWhatIsKeptContradictsTheJoints) {
+  Scene scene(sliderCrank("0.3", R"(keep="crank slider")"));
+  MechanicalSystem s = scene.model().mechanicalSystem();
+  State x = scene.model().initialState();
+  s.evaluate(x);
+  const std::vector<Warning> told = startWarnings(makeConsistent(scene.model(), s, x), 0.3);
+  ASSERT_NE(find(told, "contradiction"), nullptr);
+  EXPECT_NE(find(told, "contradiction")->text.find("with crank slider kept"), std::string::npos);
+}
+
+TEST(ConsistentStart, RefusesToKeepWhatThereIsNot) {
+  try {
+    Scene scene(sliderCrank("0.3", R"(keep="crank.omga")"));
+    FAIL();
+  } catch (const ModelError& e) {
+    EXPECT_NE(std::string(e.what()).find("no system and no velocity \"crank.omga\" — did you mean "
+                                         "\"crank.omega\"?"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 }  // namespace
 }  // namespace dynamy

@@ -5,6 +5,7 @@
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/io/run_files/model_scene.hpp>
+#include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/run_watch.hpp>
 
 namespace dynamy {
@@ -68,6 +69,11 @@ void SettingsReader::readSimulation(const XmlNode& node, const Scope& scope, con
     s.coordinatesPlace = x["coordinates"].place;
   }
   if (x["start"].given) s.start = x["start"].text == "given" ? Start::given : Start::equilibrium;
+  for (const XmlWord& word : xmlWords(x["keep"].text)) {
+    s.keep.emplace_back(word.text);
+    s.keepPlaces.push_back(x["keep"].locate ? x["keep"].locate(word.offset, word.text.size())
+                                            : x["keep"].place);
+  }
   if (s.place.line == 0) s.place = node.place;
 }
 
@@ -259,7 +265,19 @@ void SettingsReader::verifyFollow(const std::string& name, const Place& place) c
                 .hint = unknownNameHint(name, known)});
 }
 
+/// Reports names of what the start keeps that are neither systems nor velocities of them.
+void SettingsReader::verifyKept() const {
+  const SimulationSettings& s = model_->simulation;
+  for (std::size_t i = 0; i < s.keep.size(); ++i)
+    if (velocitiesNamed(*model_, s.keep[i]).empty())
+      faults_->add({.place = s.keepPlaces[i],
+                    .element = "simulation",
+                    .text = "no system and no velocity \"" + s.keep[i] + '"',
+                    .hint = unknownNameHint(s.keep[i], keptNames(*model_))});
+}
+
 void SettingsReader::verifySignals() const {
+  verifyKept();
   const RecordSettings& r = model_->record;
   if (!r.follow.empty()) verifyFollow(r.follow, r.followPlace);
   std::unordered_set<std::string_view> signals;

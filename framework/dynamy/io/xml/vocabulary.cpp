@@ -56,6 +56,9 @@ Word simulation() {
   a.choice(
       "start", {"given", "equilibrium"}, "given",
       "given: as the systems say; equilibrium: the rest, or the steady motion, nearest to that");
+  a.add(AttributeType::names, "keep", "",
+        "systems, velocities (crank.omega) or coordinates that stay as given where the start is "
+        "brought onto the joints; all others take what the joints demand");
   a.child(Kind::scheme, 0, 1, "scheme of time stepping");
   a.child(Kind::solver, 0, 1, "solver of the inclusion problem");
   a.child(Kind::impact, 0, 1, "impact law");

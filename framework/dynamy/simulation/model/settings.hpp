@@ -38,6 +38,9 @@ struct SimulationSettings {
   JointCoordinates coordinates = JointCoordinates::absolute;
   Place coordinatesPlace;
   Start start = Start::given;
+  /// Systems, velocities and coordinates that keep their values where joints correct the start.
+  std::vector<std::string> keep;
+  std::vector<Place> keepPlaces;      ///< of each name in the file
   std::shared_ptr<const State> from;  ///< where runs start; null: as the systems say
   Place place;
 };

@@ -23,7 +23,8 @@ constexpr double kStartNoise = 16.0 * std::numeric_limits<double>::epsilon();
 class JointRows {
  public:
   /// Rows of the joints of `e`; `positions`: only rows that are the rate of a position.
-  JointRows(const Evaluation& e, bool positions);
+  /// `kept`: velocities that δ leaves as they are.
+  JointRows(const Evaluation& e, bool positions, const std::vector<int>& kept);
   bool any() const { return !row_.empty(); }
   /// Index of row k among the rows of all contacts, and the contact that it belongs to.
   int row(std::size_t k) const { return row_[k]; }
@@ -36,6 +37,7 @@ class JointRows {
   using Sparse = Eigen::SparseMatrix<double>;
   void factorise();
   const Evaluation& e_;
+  const std::vector<int>& kept_;
   std::vector<int> row_, contact_;
   Sparse W_, MInvW_;
   Eigen::VectorXd scale_;
@@ -43,7 +45,8 @@ class JointRows {
   bool ready_ = false;
 };
 
-JointRows::JointRows(const Evaluation& e, bool positions) : e_(e) {
+JointRows::JointRows(const Evaluation& e, bool positions, const std::vector<int>& kept)
+    : e_(e), kept_(kept) {
   const ContactSet& c = e.contacts;
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -70,7 +73,9 @@ void JointRows::factorise() {
       const double* from = c.W.data() + segment.w + static_cast<std::ptrdiff_t>(r) * segment.nu;
       for (int j = 0; j < segment.nu; ++j) column[segment.u0 + j] += from[j];
     }
+    for (const int i : kept_) column[i] = 0.0;
     e_.mass.applyInverse(view(std::as_const(column)), view(solved));
+    for (const int i : kept_) solved[i] = 0.0;
     for (Eigen::Index j = 0; j < nu; ++j) {
       if (column[j] != 0.0) w.emplace_back(static_cast<int>(j), static_cast<int>(k), column[j]);
       if (solved[j] != 0.0) mw.emplace_back(static_cast<int>(j), static_cast<int>(k), solved[j]);
@@ -176,13 +181,14 @@ double kineticOf(const Evaluation& e, const Eigen::VectorXd& u) {
   return 0.5 * u.dot(p);
 }
 
-void fitPositions(const Model& model, MechanicalSystem& s, State& x, StartReport::Part& out) {
+void fitPositions(const Model& model, MechanicalSystem& s, const std::vector<int>& kept, State& x,
+                  StartReport::Part& out) {
   const double tolerance = kPosition * model.length();
   const State given = x;
   double before = 0.0;
   for (int turn = 0; turn <= kMostStartTurns; ++turn) {
     const Evaluation& e = turn == 0 ? s.slot(0) : s.evaluate(x);
-    JointRows rows(e, true);
+    JointRows rows(e, true, kept);
     const Errors errors = positionErrors(e, rows, tolerance);
     if (turn == 0) {
       out.off = errors.largest, out.joint = jointText(model, e, rows, errors);
@@ -212,9 +218,10 @@ void fitPositions(const Model& model, MechanicalSystem& s, State& x, StartReport
   s.evaluate(x);
 }
 
-void fitVelocities(const Model& model, MechanicalSystem& s, State& x, StartReport& out) {
+void fitVelocities(const Model& model, MechanicalSystem& s, const std::vector<int>& kept, State& x,
+                   StartReport& out) {
   const Evaluation& e = s.slot(0);
-  JointRows rows(e, false);
+  JointRows rows(e, false, kept);
   StartReport::Part& part = out.velocities;
   if (!rows.any()) return;
   const Eigen::VectorXd given = x.u;
@@ -249,10 +256,48 @@ void fitVelocities(const Model& model, MechanicalSystem& s, State& x, StartRepor
 StartReport makeConsistent(const Model& model, MechanicalSystem& s, State& x) {
   StartReport out;
   if (s.indefiniteMass() >= 0 || !x.q.allFinite() || !x.u.allFinite()) return out;
-  if (!JointRows(s.slot(0), false).any()) return out;
-  fitPositions(model, s, x, out.positions);
-  fitVelocities(model, s, x, out);
+  std::vector<int> kept;
+  for (const std::string& name : model.simulation.keep) {
+    const std::vector<int> some = velocitiesNamed(model, name);
+    kept.insert(kept.end(), some.begin(), some.end());
+    out.kept += (out.kept.empty() ? "" : " ") + name;
+  }
+  if (!JointRows(s.slot(0), false, kept).any()) return out;
+  fitPositions(model, s, kept, x, out.positions);
+  fitVelocities(model, s, kept, x, out);
   if (out.positions.off > 0.0) s.remember(x);
+  return out;
+}
+
+std::vector<int> velocitiesNamed(const Model& model, std::string_view name) {
+  std::vector<int> out;
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    const std::string& system = model.systems()[i]->name();
+    if (system.empty() || !name.starts_with(system)) continue;
+    const SystemHandle& h = model.topology().system(static_cast<int>(i));
+    if (name == system)
+      for (int k = 0; k < h.nu; ++k) out.push_back(h.u0 + k);
+    if (name.size() <= system.size() + 1 || name[system.size()] != '.') continue;
+    const std::string_view own = name.substr(system.size() + 1);
+    const Description& d = model.description(static_cast<int>(i));
+    for (const auto& [velocity, k] : d.velocities)
+      if (velocity == own) out.push_back(h.u0 + k);
+    if (h.nq != h.nu || !out.empty()) continue;
+    for (const auto& [coordinate, k] : d.coordinates)
+      if (coordinate == own) out.push_back(h.u0 + k);
+  }
+  return out;
+}
+
+std::vector<std::string> keptNames(const Model& model) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < model.systems().size(); ++i) {
+    const std::string& system = model.systems()[i]->name();
+    if (system.empty() || model.topology().system(static_cast<int>(i)).nu == 0) continue;
+    out.push_back(system);
+    for (const auto& each : model.description(static_cast<int>(i)).velocities)
+      out.push_back(system + "." + each.first);
+  }
   return out;
 }
 
@@ -264,31 +309,33 @@ std::vector<Warning> startWarnings(const StartReport& start, double sceneLength)
                ? fmt::format(" and {} other{}", part.joints - 1, part.joints > 2 ? "s" : "")
                : std::string();
   };
+  const std::string kept = start.kept.empty() ? "" : ", with " + start.kept + " kept";
   if (!p.against.empty())
     out.push_back({"contradiction",
-                   fmt::format("no positions fulfil all joints: {} stays off by {:.3g} m; check "
+                   fmt::format("no positions fulfil all joints{}: {} stays off by {:.3g} m; check "
                                "its length or its place against the other joints of its bodies",
-                               p.against, p.left),
+                               kept, p.against, p.left),
                    std::max(1L, p.joints), 0.0, p.against});
   else if (p.off > kFileNumbers * sceneLength)
     out.push_back({"start positions",
                    fmt::format("joint {}{} did not fit at the start, by {:.3g} m: the bodies were "
-                               "moved onto their joints in the metric of the mass",
-                               p.joint, others(p), p.off),
+                               "moved onto their joints in the metric of the mass{}",
+                               p.joint, others(p), p.off, kept),
                    std::max(1L, p.joints), 0.0, p.joint});
   if (!v.against.empty())
     out.push_back({"contradiction",
-                   fmt::format("no velocities fulfil all joints and drives at the start: {} is "
+                   fmt::format("no velocities fulfil all joints and drives at the start{}: {} is "
                                "left with {:.3g} (m/s or rad/s)",
-                               v.against, v.left),
+                               kept, v.against, v.left),
                    std::max(1L, v.joints), 0.0, v.against});
   if (v.share > kFileNumbers)
     out.push_back(
         {"start velocities",
-         fmt::format("joint {}{} {} not allow the velocities at the start, by {:.3g} (m/s or "
-                     "rad/s): they were projected in the metric of the mass, T {:.6g} -> {:.6g} J",
-                     v.joint, others(v), v.joints > 1 ? "do" : "does", v.off, start.kineticBefore,
-                     start.kineticAfter),
+         fmt::format(
+             "joint {}{} {} not allow the velocities at the start, by {:.3g} (m/s or "
+             "rad/s): they were projected in the metric of the mass{}, T {:.6g} -> {:.6g} J",
+             v.joint, others(v), v.joints > 1 ? "do" : "does", v.off, kept, start.kineticBefore,
+             start.kineticAfter),
          std::max(1L, v.joints), 0.0, v.joint});
   return out;
 }

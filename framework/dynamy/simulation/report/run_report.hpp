@@ -90,7 +90,10 @@ struct StartReport {
   Part positions, velocities;
   double kineticBefore = 0.0;  ///< with the velocities of the model [J]
   double kineticAfter = 0.0;   ///< with those that the run starts with [J]
-  void archive(Archive& a) { a(positions), a(velocities), a(kineticBefore), a(kineticAfter); }
+  std::string kept;            ///< what the model keeps, its names; empty: nothing
+  void archive(Archive& a) {
+    a(positions), a(velocities), a(kineticBefore), a(kineticAfter), a(kept);
+  }
 };
 
 /// Periods of time stepping, in which switches were too dense to be located.
