@@ -3,10 +3,12 @@
 #include <dynamy/law/material.hpp>
 #include <dynamy/law/rolling_friction.hpp>
 #include <dynamy/law/standard_laws.hpp>
+#include <dynamy_elements/blocks/formula_block.hpp>
 #include <dynamy_elements/blocks/input.hpp>
 #include <dynamy_elements/blocks/lookup_table.hpp>
 #include <dynamy_elements/blocks/sampled_blocks.hpp>
 #include <dynamy_elements/blocks/state_blocks.hpp>
+#include <dynamy_elements/blocks/state_machine.hpp>
 #include <dynamy_elements/bodies/grains.hpp>
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
@@ -48,6 +50,7 @@ void registerShapes(Registry& r) {
   r.add<PolygonShape>("Polygon");
   r.add<CircleShape>("Circle");
   r.add<ContourShape>("Contour");
+  r.add<BoreShape>("Bore");
   r.add<CylinderShape>("Cylinder");
   r.add<CapsuleShape>("Capsule");
   r.add<ConeShape>("Cone");
@@ -65,6 +68,12 @@ void registerBlocks(Registry& r) {
   r.add<Pid>("Pid");
   r.add<Integrator>("Integrator");
   r.add<Filter>("Filter");
+  r.add<TransferFunction>("TransferFunction");
+  r.add<ContinuousPid>("ContinuousPid");
+  r.add<FormulaBlock>("Formula");
+  r.add<Noise>("Noise");
+  r.add<StateMachine>("StateMachine");
+  r.add<Transition>("Transition");
   r.add<LookupTable>("Table");
 }
 

@@ -75,6 +75,8 @@ TEST_F(DocumentTest, FileFormat) { follow("doc/file_format.md"); }
 TEST_F(DocumentTest, Sweep) { follow("doc/sweep.md"); }
 TEST_F(DocumentTest, Import) { follow("doc/import.md"); }
 TEST_F(DocumentTest, Eigen) { follow("doc/eigen.md"); }
+TEST_F(DocumentTest, Laws) { follow("doc/laws.md"); }
+TEST_F(DocumentTest, ShapePairs) { follow("doc/shape_pairs.md"); }
 TEST_F(DocumentTest, Control) { follow("doc/control.md"); }
 TEST_F(DocumentTest, Equilibrium) { follow("doc/equilibrium.md"); }
 TEST_F(DocumentTest, Gradient) { follow("doc/gradient.md"); }

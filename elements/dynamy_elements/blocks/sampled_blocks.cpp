@@ -111,6 +111,48 @@ void Delay::sample(const Kinematics& k, double* held) const {
   held[samples_] = of_.value(k);
 }
 
+// ---- Noise -------------------------------------------------------------------------------------
+
+void Noise::declare(Attributes& a) {
+  a.about(
+      "Random numbers, one at each of the instants offset + k period, held in between. They depend "
+      "on the seed and on k alone: the same with every scheme and step. Signal: out.");
+  a.add(AttributeType::integer, "seed", "1", "which sequence").between(0, 2000000000);
+  a.choice("distribution", {"normal", "uniform"}, "normal",
+           "uniform: between mean - sqrt(3) deviation and mean + sqrt(3) deviation");
+  a.optional("deviation", Unit::any, 1.0, "standard deviation").nonNegative();
+  a.optional("mean", Unit::any, 0.0, "mean");
+  declareSampled(a);
+  a.example("<Noise name=\"noise\" seed=\"7\" deviation=\"0.01\" period=\"1ms\"/>");
+}
+
+Noise::Noise(const Parameters& x)
+    : SampledBlock(x),
+      seed_(static_cast<std::uint64_t>(x["seed"].integer())),
+      mean_(x["mean"]),
+      deviation_(x["deviation"]),
+      normal_(x["distribution"].text == "normal") {}
+
+std::uint64_t Noise::bits(std::uint64_t seed, std::uint64_t k) {
+  std::uint64_t z = seed + (k + 1) * 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31);
+}
+
+void Noise::sample(const Kinematics& k, double* held) const {
+  const auto number = static_cast<std::uint64_t>(std::max(0.0, clock().last(k.t())));
+  // Sequences of neighbouring seeds would be the same one, shifted.
+  const std::uint64_t own = bits(seed_, 0);
+  const auto uniform = [&](std::uint64_t i) {  // in (0, 1)
+    return (static_cast<double>(bits(own, i) >> 11) + 0.5) * 0x1p-53;
+  };
+  const double a = uniform(2 * number), b = uniform(2 * number + 1);
+  const double z = normal_ ? std::sqrt(-2.0 * std::log(a)) * std::cos(2.0 * kPi * b)  // Box–Muller
+                           : std::sqrt(12.0) * (a - 0.5);
+  held[0] = mean_ + deviation_ * z;
+}
+
 // ---- Pid ---------------------------------------------------------------------------------------
 
 void Pid::declare(Attributes& a) {

@@ -3,6 +3,7 @@
 ///
 ///   Sample   out = f(t_k)
 ///   Delay    out = f(t_{k−n})
+///   Noise    out = mean + deviation z_k, independent random numbers of a seed
 ///   Pid      out = clamp(kp e + I + D + f):   I_k = I_{k−1} + ki T e_k,
 ///                                             D_k = (Tf D_{k−1} + kd (e_k − e_{k−1}))/(Tf + T)
 ///
@@ -11,6 +12,7 @@
 /// ends a step. Blocks of one instant sample in the order of the model. Rejected: to sample at the
 /// end of the step that contains t_k; results would depend on the step.
 #pragma once
+#include <cstdint>
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/system/external_force.hpp>
 #include <dynamy_elements/signal_formulas.hpp>
@@ -29,6 +31,8 @@ class SampleClock {
   double after(double t) const;
   /// The first instant after t [s].
   double next(double t) const;
+  /// Number of the last instant until t; −1: there is none.
+  double last(double t) const { return after(t) - 1.0; }
 
  private:
   double at(double count) const { return offset_ + grid_.at(static_cast<long>(count)); }
@@ -85,6 +89,25 @@ class Delay final : public SampledBlock {
   void sample(const Kinematics& k, double* held) const override;
   SignalFormulas of_;
   int samples_;
+};
+
+/// The random number of an instant follows from the seed and the number of the instant alone, so
+/// that it does not depend on steps, and a rejected step draws nothing. Rejected: a generator with
+/// a state.
+class Noise final : public SampledBlock {
+ public:
+  static void declare(Attributes& a);
+  explicit Noise(const Parameters& x);
+  /// Number k of the sequence of a seed, SplitMix64 [Steele, Lea, Flood 2014].
+  static std::uint64_t bits(std::uint64_t seed, std::uint64_t k);
+
+ private:
+  std::vector<double> held() const override { return {initial()}; }
+  std::vector<SignalFormulas*> formulas() override { return {}; }
+  void sample(const Kinematics& k, double* held) const override;
+  std::uint64_t seed_;
+  double mean_, deviation_;
+  bool normal_;
 };
 
 class Pid final : public SampledBlock {

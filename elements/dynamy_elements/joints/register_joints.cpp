@@ -1,6 +1,7 @@
 #include <dynamy_elements/joints/coordinate_forces.hpp>
 #include <dynamy_elements/joints/coordinate_laws.hpp>
 #include <dynamy_elements/joints/joints.hpp>
+#include <dynamy_elements/joints/presliding.hpp>
 #include <dynamy_elements/joints/register_joints.hpp>
 #include <dynamy_elements/joints/spatial_joints.hpp>
 #include <dynamy_elements/joints/transmissions.hpp>
@@ -25,6 +26,8 @@ void registerJoints(Registry& r) {
   r.add<JointSpring>("JointSpring");
   r.add<JointForce>("JointForce");
   r.add<PdController>("PdController");
+  r.add<DahlFriction>("DahlFriction");
+  r.add<LuGreFriction>("LuGreFriction");
 
   r.add<Gear>("Gear");
   r.add<RackAndPinion>("RackAndPinion");

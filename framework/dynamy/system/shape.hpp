@@ -26,7 +26,8 @@ enum class ShapeType : std::uint8_t {
   ellipsoid,   ///< size[0…2]: semi-axes
   polyhedron,  ///< points: triangles, three points each, counterclockwise from outside
   mesh,        ///< the same, open: ground with one side
-  halfSpace    ///< points[0]: outward unit normal; the origin lies in the plane
+  halfSpace,   ///< points[0]: outward unit normal; the origin lies in the plane
+  bore         ///< the wall of a hole about z. size[0]: radius, size[1]: length along z, 0: any
 };
 
 /// Geometry of a shape for contact and replay. A shape of a user may give one of these types, and

@@ -41,7 +41,8 @@ constexpr Kind kInSpace[] = {
     {"HeightField", R"(<HeightField columns="2" spacing="1 1" heights="0 0 0 0" material="%"/>)",
      R"(<HeightField columns="2" spacing="1 1" position="-0.4 -0.3 0" heights="0 0 0 0" )"
      R"(material="%"/>)"},
-    {"HalfSpace", R"(<HalfSpace material="%"/>)", R"(<HalfSpace material="%"/>)"}};
+    {"HalfSpace", R"(<HalfSpace material="%"/>)", R"(<HalfSpace material="%"/>)"},
+    {"Bore", R"(<Bore radius="0.4" length="0.3" material="%"/>)", ""}};
 constexpr Kind kInPlane[] = {
     {"Sphere, Circle", R"(<Sphere radius="0.1" material="%"/>)",
      R"(<Sphere radius="0.2" position="0 0 -0.2" material="%"/>)"},
@@ -62,7 +63,8 @@ constexpr Kind kInPlane[] = {
      R"(<Polygon points="-0.2 0 0 0.2 0 0 0 0 -0.3" material="%"/>)"},
     {"Contour", R"~(<Contour r="0.05 + 0.01*cos(phi)" euler="{pi/2} 0 0" material="%"/>)~",
      R"~(<Contour r="0.2 + 0.01*cos(2*phi)" position="0 0 -0.19" euler="{pi/2} 0 0" material="%"/>)~"},
-    {"HalfSpace", R"(<HalfSpace material="%"/>)", R"(<HalfSpace material="%"/>)"}};
+    {"HalfSpace", R"(<HalfSpace material="%"/>)", R"(<HalfSpace material="%"/>)"},
+    {"Bore", R"(<Bore radius="0.4" euler="{pi/2} 0 0" material="%"/>)", ""}};
 
 std::string of(const Kind& kind, const std::string& material) {
   std::string text = kind.text;

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <build_paths.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/simulation/linear/linearisation.hpp>
@@ -179,6 +181,39 @@ TEST(Linearisation, SplitsZeroEigenvaluesOffBeforeTheOthers) {
   for (Eigen::Index k = 0; k < 2; ++k)
     EXPECT_LE((A.cast<std::complex<double>>() * vectors.col(k) - values[k] * vectors.col(k)).norm(),
               1e-12 * vectors.col(k).norm());
+}
+
+TEST(Linearisation, BicycleOfBodiesWithSharpWheelsHasThePublishedEigenvalues) {
+  // Meijaard, Papadopoulos, Ruina, Schwab 2007, table 2, 5 m/s. A torus with tube="0" is a circle.
+  Text t(
+      R"xml(<parameter name="v" value="5"/><parameter name="tube" value="0"/><parameter name="l" value="{pi/10}"/>
+  <systems>
+    <Ground name="road"><HalfSpace normal="0 0 1" material="road"/></Ground>
+    <RigidBody name="frame" position="0.3 0 0.9" velocity="{v} 0 0" mass="85" inertia="9.2 11 2.8 0 -2.4 0"/>
+    <RigidBody name="fork" position="0.9 0 0.7" velocity="{v} 0 0" mass="4" inertia="0.05892 0.06 0.00708 0 0.00756 0"/>
+    <RigidBody name="rear" position="0 0 0.3" euler="{-pi/2} 0 0" velocity="{v} 0 0" angularVelocity="0 0 {v/0.3}" mass="2" inertia="0.0603 0.0603 0.12"><Torus radius="{0.3-tube}" tube="{tube}" material="tyre"/></RigidBody>
+    <RigidBody name="front" position="1.02 0 0.35" euler="{-pi/2} 0 0" velocity="{v} 0 0" angularVelocity="0 0 {v/0.35}" mass="3" inertia="0.1405 0.1405 0.28"><Torus radius="{0.35-tube}" tube="{tube}" material="tyre"/></RigidBody>
+  </systems>
+  <forces><Gravity/></forces>
+  <elements>
+    <Revolute name="hub" between="frame rear" at="0 0 0.3" axis="0 1 0"/>
+    <Revolute name="head" between="frame fork" at="{1.1-0.9*tan(l)} 0 0.9" axis="{-sin(l)} 0 {cos(l)}"/>
+    <Revolute name="axle" between="fork front" at="1.02 0 0.35" axis="0 1 0"/>
+    <NoContact between="tyre tyre"/><Contact between="road tyre"><UnilateralCoulomb mu="10"/></Contact>
+  </elements>
+  <simulation until="1" tolerance="1e-8" coordinates="minimal"/>)xml");
+  const Linearisation l = t.solve();
+  const std::complex<double> published[] = {{-14.0783896928, 0.0},
+                                            {-0.775341882196, 4.46486771379},
+                                            {-0.775341882196, -4.46486771379},
+                                            {-0.322866429004, 0.0}};
+  for (const std::complex<double>& z : published) {
+    double off = 1.0;
+    for (const std::complex<double>& found : l.eigenvalues)
+      off = std::min(off, std::abs(found - z));
+    // The last published digit, and kGood of entries of size 14.
+    EXPECT_LT(off, 1e-9) << z;
+  }
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ const PairKernel* PairTable::find(const TouchingShape& A, const TouchingShape& B
 bool PairTable::neverTouch(const TouchingShape& A, const TouchingShape& B) {
   const bool balls = A.kind == Touch::ball && B.kind == Touch::ball;
   return (A.kind == Touch::halfSpace && B.kind == Touch::halfSpace) ||
-         (balls && !(A.bound + B.bound > 0.0));
+         (A.kind == Touch::bore && B.kind == Touch::bore) || (balls && !(A.bound + B.bound > 0.0));
 }
 
 }  // namespace dynamy

@@ -30,7 +30,7 @@ class PairTable {
   /// The kernel of A with B, whose kind comes earlier or is the same; null: their contact is not
   /// available.
   const PairKernel* find(const TouchingShape& A, const TouchingShape& B, Room room) const;
-  /// Two half spaces, and two points, never touch: no kernel is missing.
+  /// Two half spaces, two bores, and two points, never touch: no kernel is missing.
   static bool neverTouch(const TouchingShape& A, const TouchingShape& B);
 
  private:

@@ -12,11 +12,13 @@ void addDiscPairs(PairTable& table);
 void addFacetedPairs(PairTable& table);
 void addSurfacePairs(PairTable& table);
 void addPlanePairs(PairTable& table);
+void addBorePairs(PairTable& table);
 
 /// Adds all of them.
 inline void addStandardPairs(PairTable& table) {
-  for (const auto add : {addHalfSpacePairs, addBallPairs, addCapsulePairs, addSmoothPairs,
-                         addDiscPairs, addFacetedPairs, addSurfacePairs, addPlanePairs})
+  for (const auto add :
+       {addHalfSpacePairs, addBallPairs, addCapsulePairs, addSmoothPairs, addDiscPairs,
+        addFacetedPairs, addSurfacePairs, addPlanePairs, addBorePairs})
     add(table);
 }
 

@@ -43,15 +43,42 @@ Diagnostic tooManyRows(const Shape& a, const Shape& b, bool contour) {
                              "take a law without a spin row, or bodies in space");
 }
 
-Diagnostic missingPair(const Shape& a, const Shape& b, bool thin) {
+/// A bore without a length has no ends in space.
+bool isEndless(const Shape& s) {
+  const ShapeGeometry g = s.geometry();
+  return g.type == ShapeType::bore && g.size[1] == 0.0;
+}
+
+/// A circle or a bore that lies across the plane of motion has no section there.
+bool isAcross(const TouchingShape& at) {
+  const ShapeType type = at.shape->geometry().type;
+  return at.kind == RuleTouch::none && (type == ShapeType::bore || type == ShapeType::circle);
+}
+
+Diagnostic missingPair(const Shape& a, const Shape& b, const TouchingShape& A,
+                       const TouchingShape& B, bool inSpace) {
+  if (inSpace && (isEndless(a) || isEndless(b)))
+    return pairFault(a, b, "a bore in space needs a length", "add length=\"…\" to <Bore>");
+  if (!inSpace && (isAcross(A) || isAcross(B)))
+    return pairFault(a, b,
+                     "contact of a " + a.type() + " with a " + b.type() +
+                         " needs axes along the normal of the plane of motion",
+                     "in the plane xz that is euler=\"{pi/2} 0 0\" of both shapes");
   return pairFault(
       a, b, "contact of a " + a.type() + " with a " + b.type() + " is not available",
       std::string(
-          thin ? "points and lines have no thickness and would pass through: take a small "
-                 "Sphere or a Capsule"
-               : "use balls and half spaces with all, boxes, polyhedra, capsules, "
-                 "cylinders, cones, tori, ellipsoids and smooth shapes with each other in space") +
+          A.isThin() || B.isThin()
+              ? "points, lines and circles have no thickness and would pass through: take a small "
+                "Sphere or a Capsule"
+              : "use balls and half spaces with all, boxes, polyhedra, capsules, "
+                "cylinders, cones, tori, ellipsoids and smooth shapes with each other in space") +
           " (all pairs: doc/shape_pairs.md), or <NoContact " + between(a, b) + "/>");
+}
+
+/// A torus whose tube has no radius has no inside: the other shape needs one whose gap has a sign.
+bool circleMayTouch(const TouchingShape& torus, const TouchingShape& other) {
+  if (torus.kind != RuleTouch::torus || torus.thickness > 0.0) return true;
+  return other.kind == RuleTouch::halfSpace || (other.kind == RuleTouch::ball && other.bound > 0.0);
 }
 
 /// Rows of a law that depends on the motion of the contact over the body (rolling_contact.hpp).
@@ -203,6 +230,8 @@ void RuleSearch::addRule(std::size_t a, std::size_t b, PairLaws& laws, const Pai
   const bool inSpace = plane.isZero(0.0);
   made.kernel = kernels.find(*A, *B, inSpace ? PairTable::Room::space : PairTable::Room::plane);
 
+  if (!circleMayTouch(*A, *B) || !circleMayTouch(*B, *A)) made.kernel = nullptr;
+
   // The law of the two materials.
   const Shape &shapeA = *shapes_.instance(i).shape, &shapeB = *shapes_.instance(j).shape;
   const std::string &ma = shapeA.material(), &mb = shapeB.material();
@@ -212,7 +241,7 @@ void RuleSearch::addRule(std::size_t a, std::size_t b, PairLaws& laws, const Pai
   if (!found.law) return;
   if (!made.kernel)
     return fault(i, j, shapeA.type() + ma, shapeB.type() + mb,
-                 missingPair(shapeA, shapeB, A->isThin() || B->isThin()));
+                 missingPair(shapeA, shapeB, *A, *B, inSpace));
   made.law = found.law;
 
   // A half space that cuts the plane of motion at an angle needs both tangents.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy_elements/contacts/shapes/round_shapes.hpp>
@@ -49,6 +50,36 @@ MassProperties CylinderShape::massProperties() const {
   return {V, Vec3::Zero(), roundInertia(Jx, Jx, 0.5 * V * (r2 + b2))};
 }
 
+void BoreShape::declare(Attributes& a) {
+  a.about(
+      "Wall of a hole along z: a bearing with play, a tube. In its own plane it touches circles, "
+      "spheres, capsules and the corners of boxes and polygons inside, in space spheres and "
+      "cylinders (doc/shape_pairs.md). It has no mass; nothing is outside of it.");
+  a.required("radius", Unit::length, "radius of the hole").positive();
+  Attribute& length = a.add(AttributeType::number, "length", std::nullopt,
+                            "length along z; bodies in space need it");
+  length.unit = Unit::length;
+  length.mayBeAbsent().positive();
+  a.example("<Bore radius=\"0.0501\" length=\"0.08\" material=\"bronze\"/>");
+}
+BoreShape::BoreShape(const Parameters& x)
+    : Shape(x), radius_(x["radius"]), length_(x.has("length") ? double(x["length"]) : 0.0) {}
+ShapeGeometry BoreShape::geometry() const {
+  // The wall is drawn from inside, as a strip of triangles; without a length a narrow one.
+  constexpr int kSides = 48;
+  ShapeGeometry g{ShapeType::bore, {radius_, length_}, {}, colour()};
+  const double half = length_ > 0.0 ? 0.5 * length_ : 0.1 * radius_;
+  const auto at = [&](int i, double z) {
+    const double phi = 2.0 * kPi * i / kSides;
+    return Vec3(radius_ * std::cos(phi), radius_ * std::sin(phi), z);
+  };
+  for (int i = 0; i < kSides; ++i)
+    for (const Vec3& p : {at(i, -half), at(i, half), at(i + 1, half), at(i, -half), at(i + 1, half),
+                          at(i + 1, -half)})
+      g.points.push_back(p);
+  return g;
+}
+
 void CapsuleShape::declare(Attributes& a) {
   a.about(
       "Cylinder along z with half balls on its ends: V = π r² l + 4/3 π r³. Touches all shapes in "
@@ -74,21 +105,32 @@ MassProperties CapsuleShape::massProperties() const {
 
 void ConeShape::declare(Attributes& a) {
   a.about(
-      "Solid cone along z, base circle at z = 0, tip at z = l: V = π r² l/3, centre of mass at "
-      "l/4, J_z = 3/10 m r², J_x = 3/80 m (4 r² + l²). Touches all shapes in space, all but "
-      "contours and tori in a plane (doc/shape_pairs.md).");
+      "Cone along z, base circle at z = 0, tip at z = l, hollow if it has a bore b at its base: V "
+      "= "
+      "π (r² − b²) l/3, centre of mass at l/4, J_z = 3/10 m (r² + b²), J_x = 3/80 m (4 (r² + b²) + "
+      "l²). Touches all shapes in space, all but contours and tori in a plane "
+      "(doc/shape_pairs.md); nothing enters the bore.");
   a.required("radius", Unit::length, "radius of the base").positive();
   a.required("length", Unit::length, "height of the tip").positive();
+  a.optional("bore", Unit::length, 0.0,
+             "radius at the base of a conical hole with the same tip; counts for the mass alone")
+      .nonNegative();
   a.example("<Cone radius=\"0.1\" length=\"0.3\" mass=\"1\" material=\"wood\"/>");
 }
-ConeShape::ConeShape(const Parameters& x) : Shape(x), radius_(x["radius"]), length_(x["length"]) {}
+ConeShape::ConeShape(const Parameters& x)
+    : Shape(x), radius_(x["radius"]), length_(x["length"]), bore_(x["bore"]) {
+  if (!(bore_ < radius_))
+    throw x["bore"].fault("the bore is as wide as the cone", "both are radii: bore < radius", 0,
+                          x["bore"].text.size());
+}
 ShapeGeometry ConeShape::geometry() const {
   return {ShapeType::cone, {radius_, length_}, {}, colour()};
 }
 MassProperties ConeShape::massProperties() const {
-  const double r2 = radius_ * radius_, V = kPi * r2 * length_ / 3.0;
-  const double Jx = 3.0 / 80.0 * V * (4.0 * r2 + length_ * length_);
-  return {V, Vec3(0.0, 0.0, 0.25 * length_), roundInertia(Jx, Jx, 0.3 * V * r2)};
+  // Both cones have the same height, thus the same centre; r⁴ − b⁴ = (r² − b²)(r² + b²).
+  const double r2 = radius_ * radius_, b2 = bore_ * bore_, V = kPi * (r2 - b2) * length_ / 3.0;
+  const double Jx = 3.0 / 80.0 * V * (4.0 * (r2 + b2) + length_ * length_);
+  return {V, Vec3(0.0, 0.0, 0.25 * length_), roundInertia(Jx, Jx, 0.3 * V * (r2 + b2))};
 }
 
 void TorusShape::declare(Attributes& a) {
@@ -97,7 +139,9 @@ void TorusShape::declare(Attributes& a) {
       "3/4 r²), J_x = m (R²/2 + 5/8 r²). Touches all shapes in space, none of which passes through "
       "its hole, and half spaces in a plane (doc/shape_pairs.md).");
   a.required("radius", Unit::length, "radius R of the circle in the middle of the tube").positive();
-  a.required("tube", Unit::length, "radius r of the tube").positive();
+  a.required("tube", Unit::length,
+             "radius r of the tube; 0: a circle, which touches half spaces and spheres")
+      .nonNegative();
   a.example("<Torus radius=\"0.3\" tube=\"0.05\" mass=\"2\" material=\"rubber\"/>");
 }
 TorusShape::TorusShape(const Parameters& x) : Shape(x), radius_(x["radius"]), tube_(x["tube"]) {

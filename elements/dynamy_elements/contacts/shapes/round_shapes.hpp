@@ -27,6 +27,17 @@ class CylinderShape final : public Shape {
   double radius_, length_, bore_;
 };
 
+/// Wall of a hole about the shape's z axis; it touches what is inside of it.
+class BoreShape final : public Shape {
+ public:
+  static void declare(Attributes& a);
+  explicit BoreShape(const Parameters& x);
+  ShapeGeometry geometry() const override;
+
+ private:
+  double radius_, length_;
+};
+
 /// Cylinder along z with half balls on both ends; `length` between their centres.
 class CapsuleShape final : public Shape {
  public:
@@ -39,7 +50,7 @@ class CapsuleShape final : public Shape {
   double radius_, length_;
 };
 
-/// Solid cone along z: base circle at z = 0, tip at z = `length`.
+/// Cone along z, solid or hollow: base circle at z = 0, tip at z = `length`.
 class ConeShape final : public Shape {
  public:
   static void declare(Attributes& a);
@@ -48,7 +59,7 @@ class ConeShape final : public Shape {
   MassProperties massProperties() const override;
 
  private:
-  double radius_, length_;
+  double radius_, length_, bore_;
 };
 
 /// Torus about z: a tube around a circle.

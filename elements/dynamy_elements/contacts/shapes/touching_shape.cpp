@@ -250,6 +250,14 @@ void halfSpace(const ShapeGeometry& g, TouchingShape& out) {
   out.bound = out.thickness = std::numeric_limits<double>::infinity();
 }
 
+/// In a plane across its axis a bore is a circle; in space it needs a length.
+void bore(Features& f, const ShapeGeometry& g, TouchingShape& out) {
+  const double R = g.size[0], half = 0.5 * g.size[1];
+  out.bound = f.inSpace() ? std::hypot(R, half) : R, out.half = {R, R, half};
+  out.thickness = std::numeric_limits<double>::infinity();
+  if (f.inSpace() ? half > 0.0 : f.along() == 2) out.kind = ShapeTouch::bore;
+}
+
 void addFeatures(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   switch (g.type) {
     case ShapeType::sphere:
@@ -292,6 +300,9 @@ void addFeatures(Features& f, const ShapeGeometry& g, TouchingShape& out) {
       break;
     case ShapeType::polygon:
       polygon(f, g, out);
+      break;
+    case ShapeType::bore:
+      bore(f, g, out);
       break;
   }
 }

@@ -83,7 +83,8 @@ struct TouchingShape {
     box,
     polyhedron,
     surface,
-    own,  ///< of a plug-in that computes its contacts (shape_pair.hpp)
+    own,   ///< of a plug-in that computes its contacts (shape_pair.hpp)
+    bore,  ///< the wall of a hole, which touches what is inside
     halfSpace
   } kind = Kind::none;
   const Shape* shape = nullptr;
@@ -95,7 +96,8 @@ struct TouchingShape {
   Vec3 p_K = Vec3::Zero();      ///< half space: a point of its plane; else the middle
   Vec3 grain_K = Vec3::Zero();  ///< unit vector along which friction differs, or zero
   Mat3 A_KB = Mat3::Identity();
-  /// Half edge lengths of a box; for a capsule, cylinder or cone: radius, radius, half length [m].
+  /// Half edge lengths of a box; for a capsule, cylinder, cone or bore: radius, radius, half length
+  /// [m].
   Vec3 half = Vec3::Zero();
   const Surface* surface = nullptr;  ///< of a polyhedron or mesh; borrowed
   /// Is it a ball whose centre is the origin of its frame, so that rotations do not move it?

@@ -52,6 +52,8 @@ ShapeKind drawnAs(ShapeType type) {
       return ShapeKind::mesh;
     case ShapeType::halfSpace:
       return ShapeKind::halfspace;
+    case ShapeType::bore:
+      return ShapeKind::mesh;
   }
   return ShapeKind::segment;
 }

@@ -46,6 +46,7 @@ double thickness(const ShapeGeometry& shape) {
     case ShapeType::point:
     case ShapeType::line:
     case ShapeType::halfSpace:
+    case ShapeType::bore:
       return 0.0;
     case ShapeType::sphere:
     case ShapeType::circle:

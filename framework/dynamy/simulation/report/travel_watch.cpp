@@ -17,10 +17,11 @@ double extent(const std::vector<Vec3>& points) {
   return least > 0.0 ? least : std::numeric_limits<double>::infinity();
 }
 
-/// Smallest extent of a shape [m]; infinite for a half space, which nothing passes.
+/// Smallest extent of a shape [m]; infinite for a half space and a bore, which nothing passes.
 double smallestSize(const ShapeGeometry& g) {
   switch (g.type) {
     case ShapeType::halfSpace:
+    case ShapeType::bore:
       return std::numeric_limits<double>::infinity();
     case ShapeType::box:
       return std::min({g.size[0], g.size[1], g.size[2]});

@@ -1,73 +1,15 @@
 // Signals as inputs of formulas, and blocks: closed forms and exact recursions, in every scheme.
 #include <gtest/gtest.h>
-#include <build_paths.hpp>
 #include <dynamy/io/model/file_gradient.hpp>
-#include <dynamy/io/model/model_loader.hpp>
-#include <dynamy/io/plugin/plugin_loader.hpp>
-#include <dynamy/simulation/run/simulation.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <unit/elements/blocks/block_scene.hpp>
 
 namespace dynamy {
 namespace {
-
-/// A model with the standard elements.
-class Scene {
- public:
-  explicit Scene(const std::string& text) : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
-    registerFramework(registry_);
-    plugins_.load(kStandardElements, {}, registry_);
-    model_ = std::make_unique<Model>(loadModelText(text, "scene.xml", registry_, plugins_, {}));
-  }
-  Model& model() { return *model_; }
-  /// The state at the end of a run.
-  State run() {
-    Simulation simulation(*model_);
-    EXPECT_EQ(simulation.run().ended, RunReport::Ended::finished) << simulation.report().reason;
-    return simulation.state();
-  }
-  /// Value of a signal at x.
-  double signal(const State& x, const std::string& name) {
-    const NamedSignal* s = model_->signal(name);
-    if (s == nullptr) throw std::runtime_error("no signal " + name);
-    Kinematics k;
-    k.evaluate(model_->topology(), x.t, view(x.q), view(x.u), view(x.memory));
-    ReadSignals table;
-    ReadSignals::Source source{0, s->signal.value, {}, {s->memory0, s->memory}};
-    if (s->system >= 0) {
-      const SystemHandle& h = model_->topology().system(s->system);
-      source.state = {h.q0, h.nq, h.u0, h.nu};
-    }
-    table.bind({source});
-    return table.value({0}, k);
-  }
-
- private:
-  Registry registry_;
-  PluginLoader plugins_;
-  std::unique_ptr<Model> model_;
-};
-
-/// A cart of 2 kg at x = 0.3 m with 1 m/s.
-std::string cart(const std::string& forces, const std::string& simulation,
-                 const std::string& elements = "") {
-  return R"(<dynamy version="1"><parameter name="k" value="8"/><systems>
-    <PointMass name="cart" position="0.3 0 0" velocity="1 0 0" mass="2"/></systems><forces>)" +
-         forces + "</forces><elements>" + elements + "</elements><simulation until=\"1\" " +
-         simulation + "</simulation></dynamy>";
-}
-
-std::string errorOf(const std::string& text) {
-  try {
-    const Scene scene(text);
-  } catch (const ModelError& e) {
-    return e.what();
-  }
-  return {};
-}
 
 /// x(t) of m ẍ + d ẋ + k x = 0 with m = 2, k = 8, d = 1.
 double oscillator(double t) {
@@ -77,16 +19,16 @@ double oscillator(double t) {
 }
 
 TEST(Signals, MakeAForceAFunctionOfTheState) {
-  Scene scene(cart(R"(<ForceInput on="cart" force="-k*cart.x - {1}*{cart.vx}; 0; 0"/>)",
-                   "tolerance=\"1e-10\">"));
+  BlockScene scene(cart(R"(<ForceInput on="cart" force="-k*cart.x - {1}*{cart.vx}; 0; 0"/>)",
+                        "tolerance=\"1e-10\">"));
   // The error of a tolerance of 1e-10 of 1 m, over a run that forgets little of it.
   EXPECT_NEAR(scene.run().q[0], oscillator(1.0), 1e-9);
 }
 
 TEST(Signals, KeepTheOrderOfASchemeWithFixedSteps) {
   const auto error = [](const char* step) {
-    Scene scene(cart(R"(<ForceInput on="cart" force="-k*cart.x - cart.vx; 0; 0"/>)",
-                     std::string("step=\"") + step + "\"><GeneralizedAlpha/>"));
+    BlockScene scene(cart(R"(<ForceInput on="cart" force="-k*cart.x - cart.vx; 0; 0"/>)",
+                          std::string("step=\"") + step + "\"><GeneralizedAlpha/>"));
     return std::abs(scene.run().q[0] - oscillator(1.0));
   };
   // Explicit in this force, of order 1 at least: halving the step halves the error or more.
@@ -125,7 +67,7 @@ TEST(Signals, ThatFollowFromThemselvesAreRefusedWithTheLoop) {
 }
 
 TEST(Signals, HaveTheirFullNamesInReplicates) {
-  Scene scene(R"(<dynamy version="1"><systems><replicate count="2" index="i">
+  BlockScene scene(R"(<dynamy version="1"><systems><replicate count="2" index="i">
     <PointMass name="cart" position="{i} 0 0" mass="2"/></replicate></systems><forces>
     <replicate count="2" index="i"><ForceInput on="cart" force="2*cart.x; 0; 0"/></replicate>
     <ForceInput on="cart[0]" force="4*{cart[1].x}; 0; 0"/></forces>
@@ -138,7 +80,7 @@ TEST(Signals, HaveTheirFullNamesInReplicates) {
 
 TEST(Signals, MoveALatch) {
   // A brake that closes once the other body has passed 0.5 m: at 0.5 s, then 1 − 2 (t − 0.5) m/s.
-  Scene scene(R"(<dynamy version="1"><systems>
+  BlockScene scene(R"(<dynamy version="1"><systems>
     <PointMass name="other" position="0 0 0" velocity="1 0 0" mass="1"/>
     <Coordinates name="m" q="x" units="m" q0="0" u0="1" M="1"/></systems><elements>
     <CoordinateContact on="m" slip="1" engage="other.x - 0.5"><GivenFriction force="2"/>
@@ -174,9 +116,9 @@ TEST(SampledBlocks, GiveTheRecursionOfADiscreteControllerInEveryScheme) {
     cartOf.move(F, 0.01);
   }
   for (const char* scheme : kExact) {
-    Scene scene(cart(R"(<Sample name="s" of="-40*cart.x - 6*cart.vx" period="10ms"/>
+    BlockScene scene(cart(R"(<Sample name="s" of="-40*cart.x - 6*cart.vx" period="10ms"/>
                         <ForceInput on="cart" force="s.out; 0; 0"/>)",
-                     scheme));
+                          scheme));
     const State x = scene.run();
     // Rounding of 400 steps of numbers up to 1, and the 2e-14 s of located steps beside an instant.
     EXPECT_NEAR(x.q[0], cartOf.x, 1e-12) << scheme;
@@ -202,10 +144,11 @@ TEST(SampledBlocks, LimitAPidAndItsIntegral) {
       cartOf.move(F, T);
     }
     for (const char* scheme : kExact) {
-      Scene scene(cart(R"(<Pid name="pid" error="2 - cart.x" kp="40" ki="30" kd="8" filter="20ms"
+      BlockScene scene(
+          cart(R"(<Pid name="pid" error="2 - cart.x" kp="40" ki="30" kd="8" filter="20ms"
                           period="10ms" lower="-20" upper="20" tracking="0.5" antiWindup=")" +
-                           antiWindup + R"("/><ForceInput on="cart" force="pid.out; 0; 0"/>)",
-                       scheme));
+                   antiWindup + R"("/><ForceInput on="cart" force="pid.out; 0; 0"/>)",
+               scheme));
       const State x = scene.run();
       // Located steps end up to 2e-14 s beside an instant: 4e-14 m, times 8 N s/m/30 ms of the rate
       // is 1e-11 N in a sample, less in the positions and integrals of 100 samples.
@@ -220,11 +163,11 @@ TEST(Signals, SetTheSpeedOfAMotor) {
   const std::string motor =
       R"(<JointMotor between="world cart" coordinate="displacement" axis="1 0 0" limit="1e6" )";
   for (const char* scheme : {"tolerance=\"1e-8\">", "step=\"3ms\">"}) {
-    Scene scene(R"(<dynamy version="1"><systems><Ground name="world"/>
+    BlockScene scene(R"(<dynamy version="1"><systems><Ground name="world"/>
       <PointMass name="cart" position="0.3 0 0" velocity="1 0 0" mass="2"/></systems><forces>
       <Sample name="s" of="1 + t" period="0.1"/></forces><elements>)" +
-                motor + R"(speed="s.out" speedRate="0"/></elements><simulation until="1" )" +
-                scheme + "</simulation></dynamy>");
+                     motor + R"(speed="s.out" speedRate="0"/></elements><simulation until="1" )" +
+                     scheme + "</simulation></dynamy>");
     // Steps that end with the new speed of an instant contain it for one step of 1 ms or less.
     EXPECT_NEAR(scene.run().q[0], 0.3 + 1.45, scheme[0] == 't' ? 1e-7 : 3e-3) << scheme;
   }
@@ -232,7 +175,7 @@ TEST(Signals, SetTheSpeedOfAMotor) {
 
 TEST(Signals, PressABrake) {
   // Friction 4 x N against 2 kg: ẍ = −2 x from 0.3 m with 1 m/s, until it stands.
-  Scene scene(R"(<dynamy version="1"><systems><Ground name="world"/>
+  BlockScene scene(R"(<dynamy version="1"><systems><Ground name="world"/>
     <PointMass name="cart" position="0.3 0 0" velocity="1 0 0" mass="2"/></systems><elements>
     <JointFriction between="world cart" coordinate="displacement" axis="1 0 0" scale="cart.x">
     <GivenFriction force="4"/></JointFriction></elements>
@@ -242,17 +185,18 @@ TEST(Signals, PressABrake) {
 }
 
 TEST(SampledBlocks, DelayByWholePeriods) {
-  Scene scene(cart(R"(<Delay name="late" of="cart.x" samples="30" period="10ms" initial="-1"/>)",
-                   "tolerance=\"1e-6\">"));
+  BlockScene scene(
+      cart(R"(<Delay name="late" of="cart.x" samples="30" period="10ms" initial="-1"/>)",
+           "tolerance=\"1e-6\">"));
   // x = 0.3 + t at 1 s − 0.3 s.
   EXPECT_NEAR(scene.signal(scene.run(), "late.out"), 1.0, 1e-12);
 }
 
 TEST(SampledBlocks, OfOneInstantSampleInTheOrderOfTheModel) {
-  Scene scene(cart(R"(<Sample name="late" of="now.out" period="0.1"/>
+  BlockScene scene(cart(R"(<Sample name="late" of="now.out" period="0.1"/>
                       <Sample name="now" of="t" period="0.1"/>
                       <Sample name="at_once" of="now.out" period="0.1"/>)",
-                   "step=\"1e-2\">"));
+                        "step=\"1e-2\">"));
   const State x = scene.run();
   EXPECT_NEAR(scene.signal(x, "now.out"), 1.0, 1e-12);
   EXPECT_NEAR(scene.signal(x, "late.out"), 0.9, 1e-12);
@@ -276,10 +220,10 @@ TEST(SampledBlocks, AreDifferentiatedWithTheRun) {
 }
 
 TEST(Table, IsLinearBetweenItsPointsAndHeldBeyondThem) {
-  Scene scene(cart(R"(<Table name="low" of="-t" points="0 3  1 5"/>
+  BlockScene scene(cart(R"(<Table name="low" of="-t" points="0 3  1 5"/>
                       <Table name="middle" of="cart.x" points="1 3  2 5"/>
                       <Table name="high" of="cart.x" points="0 3  1 5"/>)",
-                   "step=\"1e-2\">"));
+                        "step=\"1e-2\">"));
   const State x = scene.run();
   EXPECT_EQ(scene.signal(x, "low.out"), 3.0);
   EXPECT_NEAR(scene.signal(x, "middle.out"), 3.6, 1e-13);  // x = 1.3, rounding of 100 steps
@@ -288,9 +232,9 @@ TEST(Table, IsLinearBetweenItsPointsAndHeldBeyondThem) {
 
 TEST(Table, OfTheTimeAnnouncesItsKinks) {
   // Force 0 → 6 N within 0.3 s, then back within 0.1 s: Δv = ½ · 6 · 0.4/2.
-  Scene scene(cart(R"(<Table name="f" of="2*t - 0.1" points="0 0  0.6 6  0.8 0"/>
+  BlockScene scene(cart(R"(<Table name="f" of="2*t - 0.1" points="0 0  0.6 6  0.8 0"/>
                       <ForceInput on="cart" force="f.out; 0; 0"/>)",
-                   "tolerance=\"1e-6\">"));
+                        "tolerance=\"1e-6\">"));
   // Steps of order 5 and 8 end at the kinks and integrate a line exactly.
   EXPECT_NEAR(scene.run().u[0], 1.6, 1e-12);
 }
@@ -298,16 +242,17 @@ TEST(Table, OfTheTimeAnnouncesItsKinks) {
 TEST(Table, ReadsColumnsOfAFile) {
   const std::string folder = ::testing::TempDir();
   std::ofstream(folder + "map.csv") << "speed,force,moment\n0,1,10\n2,3,30\n";
-  Scene scene(cart(R"(<Table name="f" of="cart.vx" file=")" + folder + R"(map.csv" column="3"/>)",
-                   "step=\"1e-2\">"));
+  BlockScene scene(
+      cart(R"(<Table name="f" of="cart.vx" file=")" + folder + R"(map.csv" column="3"/>)",
+           "step=\"1e-2\">"));
   EXPECT_EQ(scene.signal(scene.run(), "f.out"), 20.0);
 }
 
 TEST(StateBlocks, IntegrateAndFilterUnderTheErrorControl) {
-  Scene scene(cart(R"(<Integrator name="i" rate="cart.x" initial="2"/>
+  BlockScene scene(cart(R"(<Integrator name="i" rate="cart.x" initial="2"/>
                       <Filter name="f" of="1 + i.out - i.out" time="0.2"/>
                       <Integrator name="decay" rate="-3*x" initial="1"/>)",
-                   "tolerance=\"1e-10\">"));
+                        "tolerance=\"1e-10\">"));
   const State x = scene.run();
   // x = 0.3 + t; the tolerance on velocities of 1 m/s.
   EXPECT_NEAR(scene.signal(x, "i.out"), 2.0 + 0.3 + 0.5, 1e-9);
@@ -316,7 +261,7 @@ TEST(StateBlocks, IntegrateAndFilterUnderTheErrorControl) {
 }
 
 TEST(StateBlocks, ThatAreStiffFollowTheirInputInStepsTenTimesTooLong) {
-  Scene scene(
+  BlockScene scene(
       cart(R"(<Filter name="f" of="cart.x" time="0.1ms" stiff="true"/>)", "step=\"1e-3\">"));
   Simulation simulation(scene.model());
   EXPECT_EQ(simulation.run().ended, RunReport::Ended::finished) << simulation.report().reason;
@@ -327,10 +272,10 @@ TEST(StateBlocks, ThatAreStiffFollowTheirInputInStepsTenTimesTooLong) {
 
 TEST(StateBlocks, CloseAContinuousPidLoop) {
   // m ẍ = k (1 − x) + 5 ∫(1 − x) − 6 ẋ with m = 2, k = 8: the same as one system of formulas.
-  Scene blocks(cart(R"(<Integrator name="i" rate="1 - cart.x"/>
+  BlockScene blocks(cart(R"(<Integrator name="i" rate="1 - cart.x"/>
                        <ForceInput on="cart" force="8*(1 - cart.x) + 5*i.out - 6*cart.vx; 0; 0"/>)",
-                    "tolerance=\"1e-11\">"));
-  Scene formulas(R"(<dynamy version="1"><systems>
+                         "tolerance=\"1e-11\">"));
+  BlockScene formulas(R"(<dynamy version="1"><systems>
     <Coordinates name="m" q="x i" units="m m" q0="0.3 0" u0="1 0.7" M="2; 0; 1"
       h="8*(1 - x) + 5*i - 6*x_dot; -x_dot"/></systems>
     <simulation until="1" tolerance="1e-11"/></dynamy>)");
