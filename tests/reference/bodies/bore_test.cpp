@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <dynamy/testing/check_element.hpp>
 #include <reference/located/located_run.hpp>
 #include <reference/scene.hpp>
 
@@ -69,6 +70,7 @@ TEST(Bore, KeepsMomentumOfTwoBodiesThatTumbleInEachOther) {
     <elements><Contact between="s s"><UnilateralCoulomb mu="0.3" epsilonN="0.5"/></Contact></elements>
     <simulation until="0.8" tolerance="1e-6"/></dynamy>)";
   LocatedRun run(tumbling, 1e-6, 0.8);
+  EXPECT_TRUE(checkModel(run.model())) << checkModel(run.model());
   ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
   EXPECT_GT(run.events.size(), 2u);
   // The percussions on both bodies are opposite to the last bit but for sums of a few of them.

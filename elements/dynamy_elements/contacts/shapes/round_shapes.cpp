@@ -65,18 +65,24 @@ void BoreShape::declare(Attributes& a) {
 BoreShape::BoreShape(const Parameters& x)
     : Shape(x), radius_(x["radius"]), length_(x.has("length") ? double(x["length"]) : 0.0) {}
 ShapeGeometry BoreShape::geometry() const {
-  // The wall is drawn from inside, as a strip of triangles; without a length a narrow one.
+  // Drawn from inside: the wall, and a narrow ring at both ends, which is seen along the axis.
   constexpr int kSides = 48;
+  constexpr double kRing = 1.06;  // outer radius of the rings, of the radius
   ShapeGeometry g{ShapeType::bore, {radius_, length_}, {}, colour()};
   const double half = length_ > 0.0 ? 0.5 * length_ : 0.1 * radius_;
-  const auto at = [&](int i, double z) {
+  const auto at = [&](int i, double size, double z) {
     const double phi = 2.0 * kPi * i / kSides;
-    return Vec3(radius_ * std::cos(phi), radius_ * std::sin(phi), z);
+    return Vec3(size * radius_ * std::cos(phi), size * radius_ * std::sin(phi), z);
   };
-  for (int i = 0; i < kSides; ++i)
-    for (const Vec3& p : {at(i, -half), at(i, half), at(i + 1, half), at(i, -half), at(i + 1, half),
-                          at(i + 1, -half)})
-      g.points.push_back(p);
+  // Two triangles between two edges of a strip, counterclockwise seen from the open side.
+  const auto strip = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    for (const Vec3& p : {a, b, c, a, c, d}) g.points.push_back(p);
+  };
+  for (int i = 0; i < kSides; ++i) {
+    strip(at(i, 1.0, -half), at(i, 1.0, half), at(i + 1, 1.0, half), at(i + 1, 1.0, -half));
+    strip(at(i, 1.0, half), at(i, kRing, half), at(i + 1, kRing, half), at(i + 1, 1.0, half));
+    strip(at(i, kRing, -half), at(i, 1.0, -half), at(i + 1, 1.0, -half), at(i + 1, kRing, -half));
+  }
   return g;
 }
 
