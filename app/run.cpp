@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "build_text.hpp"
+#include "live/live_run.hpp"
 #include "numbers.hpp"
 #include "paths.hpp"
 #include "run/error_bar.hpp"
@@ -18,11 +19,12 @@ namespace {
 
 /// Options of run and resume as texts, before they are converted.
 struct Texts {
-  std::string until, step, checkpoint, out, accept;
+  std::string until, step, checkpoint, out, accept, repeat;
   std::vector<std::string> set;
   RunChoice choice;
   RunShow show;
   bool watch = false, errorBar = false, noCheckpoint = false, anyBuild = false;
+  bool live = false, noBrowser = false;
 };
 
 void addShow(CLI::App& command, Texts& t) {
@@ -85,6 +87,23 @@ int run(Program& program, Texts& t, const TellFiles& tell) {
   return runInto(folder, *model, t.choice, t.show, checks);
 }
 
+/// Runs a model in the browser, or what was done in such a run once more.
+int runByHand(Program& program, Texts& t) {
+  if (t.live) {
+    const auto folder =
+        t.out.empty() ? defaultRunFolder(t.choice.model) : std::filesystem::path(t.out);
+    return runLive(program, t.choice, folder, t.show, !t.noBrowser);
+  }
+  std::filesystem::path from = std::filesystem::path(t.repeat).lexically_normal();
+  if (!from.has_filename()) from = from.parent_path();
+  std::filesystem::path folder = t.out;
+  if (t.out.empty()) folder = from, folder += "_repeated";
+  std::error_code none;
+  if (std::filesystem::equivalent(from, folder, none))
+    throw FileError(t.out, "is the run that is to be repeated: choose another --out");
+  return repeatRun(program, from, folder, t.show);
+}
+
 /// Compares the fingerprints of files or libraries in a checkpoint with the present ones. Throws
 /// FileError if one differs.
 void compare(const std::vector<Fingerprint>& then, const std::vector<Fingerprint>& now,
@@ -132,12 +151,31 @@ int resume(Program& program, Texts& t, double until) {
   return resumeIn(std::move(folder), model, choice, t.show, from, checks);
 }
 
+/// Declares --live, --no-browser and --repeat.
+void addByHand(CLI::App& c, Texts& t, CLI::Option* model) {
+  CLI::Option* live = c.add_flag("--live", t.live,
+                                 "show the run in the browser while it computes: pause it, change "
+                                 "parameters, pull bodies; what was done is recorded");
+  c.add_flag("--no-browser", t.noBrowser, "with --live: only print the address of the page")
+      ->needs(live);
+  CLI::Option* repeat = c.add_option("--repeat", t.repeat,
+                                     "run what was run live in the folder DIR once more, with all "
+                                     "that was done, and compare the hashes");
+  repeat->type_name("DIR")->check(someName());
+  for (const char* other : {"--watch", "--error-bar", "--dump-problems"})
+    c.get_option(other)->excludes(live)->excludes(repeat);
+  repeat->excludes(live)->excludes(model);
+  for (const char* other :
+       {"--until", "--step", "--tolerance", "--integrator", "--solver", "--set"})
+    repeat->excludes(c.get_option(other));
+}
+
 }  // namespace
 
 void addRun(CLI::App& app, Program& program) {
   auto t = std::make_shared<Texts>();
   CLI::App* c = app.add_subcommand("run", "simulate a model; results go to a folder");
-  c->add_option("MODEL", t->choice.model, "XML file")->required();
+  CLI::Option* model = c->add_option("MODEL", t->choice.model, "XML file");
   c->add_option("--until", t->until, "end time, replaces the model's")->type_name("TIME");
   c->add_option("--step", t->step, "step length, replaces the model's")->type_name("TIME");
   c->add_option("--tolerance", t->choice.tolerance,
@@ -162,7 +200,9 @@ void addRun(CLI::App& app, Program& program) {
   addShow(*c, *t);
   c->add_flag("--watch", t->watch,
               "run again whenever the model, what it includes or one of its plug-ins changes");
+  addByHand(*c, *t, model);
   c->callback([t, &program] {
+    if (t->choice.model.empty() && t->repeat.empty()) throw CLI::RequiredError("MODEL");
     t->choice.until = given(t->until, "--until");
     t->choice.step = given(t->step, "--step");
     readCheckpoints(*t);
@@ -170,7 +210,8 @@ void addRun(CLI::App& app, Program& program) {
     for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
     t->choice.libraries = program.libraries;
     program.exitCode =
-        t->watch
+        t->live || !t->repeat.empty() ? runByHand(program, *t)
+        : t->watch
             ? watch(t->choice.model, [&](const TellFiles& tell) { return run(program, *t, tell); })
             : run(program, *t, [](const auto&) {});
   });

@@ -23,13 +23,16 @@ namespace {
 struct ViewOptions {
   std::string folder;
   bool noBrowser = false;
+  std::string other;
   VideoChoice video;
   std::string size;
 };
 
 int view(const ViewOptions& options) {
   const RunFolder folder = RunFolder::existing(options.folder);
-  const ReplaySize size = writeReplay(folder.path());
+  const ReplaySize size =
+      writeReplay(folder.path(), options.other.empty() ? std::filesystem::path()
+                                                       : RunFolder::existing(options.other).path());
   const std::string page = std::filesystem::absolute(folder.replay()).lexically_normal().string();
   fmt::print("{}\n", page);
   fmt::print(stderr, "{}", thinningText(size));
@@ -58,6 +61,9 @@ void addView(CLI::App& app, Program& program) {
       app.add_subcommand("view", "rebuild replay.html of a run and open it; make a film");
   sub->add_option("DIR", options->folder, "run folder, e.g. runs/ball")->required();
   sub->add_flag("--no-browser", options->noBrowser, "only write the page");
+  sub->add_option("--with", options->other,
+                  "lay another run over this one, its bodies transparent and its curves dashed")
+      ->type_name("DIR");
   VideoChoice& video = options->video;
   CLI::Option* film = sub->add_option("--video", video.file,
                                       "make a film instead: .webm, .gif, .mp4 (by ffmpeg), or a "

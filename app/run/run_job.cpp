@@ -45,23 +45,28 @@ void print(const RunFolder& folder, const Model& model, const RunShow& show,
   if (!report.reason.empty()) fmt::print(stderr, "dynamy: {}\n", report.reason);
 }
 
-/// How a run ended, in addition to its report.
-struct End {
-  int status = kOk;
-  std::vector<RecordedFile> files;
-  std::string fault;  ///< why a file could not be written; empty: none
-};
+}  // namespace
 
-/// Writes run.json and the pictures of a run that has ended, and prints its result.
-void conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
-              const RunShow& show, const RunReport& report, const std::vector<CheckResult>& checks,
-              const ProblemDump* problems, End& end) {
+void writeFirstFacts(const RunFolder& folder, const Model& model, const RunChoice& choice,
+                     const RunShow& show, const RunReport& report) {
+  folder.writeFacts([&](JsonWriter& j) {
+    writeFacts(j, model, choice, report, {}, "running");
+    if (show.facts) show.facts(j);
+  });
+}
+
+int conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
+             const RunShow& show, const RunReport& report, const RunRecording& recording,
+             const std::vector<CheckResult>& checks, RunEnd end) {
+  const ProblemDump* problems = end.problems;
+  if (end.fault.empty()) end.fault = recording.fault();
   std::optional<ErrorBars> bars;
   const auto write = [&] {
     folder.writeLastFacts(
         [&](JsonWriter& j) {
           writeFacts(j, model, choice, report, checks, "");
-          writeFiles(j, end.files);
+          writeFiles(j, recording.files());
+          if (show.facts) show.facts(j);
           if (!end.fault.empty()) j.member("fileFault", end.fault);
           if (problems) writeProblems(j, *problems);
           if (bars) writeErrorBars(j, *bars);
@@ -89,7 +94,10 @@ void conclude(const RunFolder& folder, const Model& model, const RunChoice& choi
   if (!end.fault.empty() && end.fault != report.reason)
     fmt::print(stderr, "dynamy: {}\n", end.fault);
   if (bars && !show.json && !show.quiet && !show.tell) fmt::print("{}", errorBarsText(*bars));
+  return end.status;
 }
+
+namespace {
 
 /// Starts as many threads as the system provides. Fewer threads do not change the results, so that
 /// the run continues.
@@ -148,8 +156,7 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
   std::optional<ProblemDump> problems;
   if (show.dumpProblems >= 0)
     simulation.observe(problems.emplace(folder.problems(), show.dumpProblems));
-  RunReport running = simulation.report();
-  folder.writeFacts([&](JsonWriter& j) { writeFacts(j, model, choice, running, {}, "running"); });
+  writeFirstFacts(folder, model, choice, show, simulation.report());
 
   const bool silent = show.quiet || show.json || show.tell;
   Progress progress(silent, simulation.state().t, model.simulation.until);
@@ -174,13 +181,12 @@ int carryOut(const RunFolder& folder, Model& model, const RunChoice& choice, con
   recording.flush();
   if (show.checkpoints && !simulation.checkpoint().empty()) saver.saveLast(simulation);
   checks = simulation.checks();
-  End end;
+  RunEnd end;
   end.status = report.ended == RunReport::Ended::stopped ? kSignalled + EndingSignals::signal()
                                                          : exitStatus(report, checks, show.accept);
-  end.files = recording.files(), end.fault = saver.fault();
-  if (end.fault.empty()) end.fault = recording.fault();
-  conclude(folder, model, choice, show, report, checks, problems ? &*problems : nullptr, end);
-  return end.status;
+  end.fault = saver.fault();
+  if (problems) end.problems = &*problems;
+  return conclude(folder, model, choice, show, report, recording, checks, std::move(end));
 }
 
 }  // namespace

@@ -8,6 +8,10 @@
 
 #include "run/run_status.hpp"
 
+namespace dynamy {
+class ProblemDump;
+}
+
 namespace dynamy::app {
 
 struct ErrorBars;
@@ -25,6 +29,8 @@ struct RunShow {
   Accepted accept;        ///< warnings that leave the exit status at 0
   int threads = 1;        ///< any number gives the same results
   int dumpProblems = -1;  ///< number of problems to write; −1: none, not even unsolved ones
+  /// Writes further members of run.json; empty: none.
+  std::function<void(JsonWriter&)> facts;
   /// Receives the result; if it is set, nothing is printed.
   std::function<void(const RunReport&, const std::vector<CheckResult>&)> tell;
 };
@@ -34,6 +40,23 @@ struct RunShow {
 /// were searched for (LoadOptions). Throws ModelError.
 Model chosenModel(Program& program, RunChoice& choice,
                   std::vector<std::filesystem::path>* files = nullptr);
+
+/// Writes run.json of a run that begins.
+void writeFirstFacts(const RunFolder& folder, const Model& model, const RunChoice& choice,
+                     const RunShow& show, const RunReport& report);
+
+/// How a run ended, in addition to its report.
+struct RunEnd {
+  int status = kOk;                       ///< exit status, unless a file cannot be written
+  std::string fault;                      ///< why a file could not be written; empty: none
+  const ProblemDump* problems = nullptr;  ///< dumped problems; null: none
+};
+
+/// Writes run.json and the pictures of a run that has ended, and prints its result. Returns the exit
+/// status.
+int conclude(const RunFolder& folder, const Model& model, const RunChoice& choice,
+             const RunShow& show, const RunReport& report, const RunRecording& recording,
+             const std::vector<CheckResult>& checks, RunEnd end);
 
 /// Runs `model` into the folder `path` and prints the result. Returns the exit code; `checks`
 /// receives their results. Throws FileError.

@@ -80,6 +80,8 @@ const std::map<std::string, std::string> kHeaders = {
     {"link.h", ""},
     {"fcntl.h", ""},
     {"unistd.h", ""},
+    {"arpa/", ""},
+    {"netinet/", ""},
     {"signal.h", ""},
     {"poll.h", ""},
     {"spawn.h", ""},

@@ -1,6 +1,7 @@
 // From the JSON of the page to numbers. Formats: doc/replay.md.
 import {unzlibSync} from "fflate";
-import {clamp, lastAtOrBefore, scaled, unit, type Pose, type Q4, type V3} from "./math";
+import {Film, type Contact} from "./film";
+import {clamp, scaled, unit, type Pose, type Q4, type V3} from "./math";
 
 export interface SceneShape {
   kind: string; name?: string; frame: number; position: V3; orientation: Q4; colour?: string;
@@ -24,7 +25,6 @@ export interface Signal { name: string; unit: string; t: Float64Array; y: Float3
 export interface Event {
   t: number; impact: boolean; system: string; contact: string; from: string; to: string; speed: number; impulse: number;
 }
-export interface Contact { r: V3; n: V3; F: V3; state: number; limit: number }
 
 /** The bytes behind a base64 text of zlib data. The browser's own inflater is faster by far. */
 async function inflated(base64: string): Promise<Uint8Array> {
@@ -71,8 +71,8 @@ const kContactColumns = 12, kNone = -32768;
 /** 2^(x / steps); nothing is 0. */
 const power = (x: number, steps: number): number => x === kNone ? 0 : 2 ** (x / steps);
 
-/** Poses and contacts of all frames. */
-export class Film {
+/** The film of a page: all frames are there, in coded form. */
+export class RecordedFilm extends Film {
   readonly count: number;
   readonly varying: Int32Array;  // coordinate 7 i + k → its column, or −1
   readonly now: Float32Array;    // poses at the time of sample()
@@ -83,6 +83,7 @@ export class Film {
       readonly poses: number, readonly t: Float64Array, readonly lo: Float32Array, hi: Float32Array,
       private readonly course: Uint16Array, counts: Uint32Array, private readonly contact: Int16Array,
       private readonly coding: PageData["frames"]) {
+    super();
     this.count = t.length;
     this.now = new Float32Array(7 * poses);
     this.varying = new Int32Array(7 * poses).fill(-1);
@@ -98,7 +99,7 @@ export class Film {
   }
   private readonly columns: number;
 
-  static async from(frames: PageData["frames"]): Promise<Film> {
+  static async from(frames: PageData["frames"]): Promise<RecordedFilm> {
     const [t, ranges, orders, data, counts, contact] = await Promise.all([
       doubles(frames.t), floats(frames.ranges), inflated(frames.orders), inflated(frames.data),
       inflated(frames.contacts.counts), inflated(frames.contacts.data)]);
@@ -107,15 +108,10 @@ export class Film {
     const view = viewOf(counts);
     const n = Uint32Array.from({length: view.byteLength / 4}, (_, i) => view.getUint32(4 * i, true));
     const marks = unfold(contact, kContactColumns, contact.length / 2 / kContactColumns, new Uint8Array(kContactColumns));
-    return new Film(frames.poses, t, part(0), part(1), course, n, new Int16Array(marks.buffer), frames);
+    return new RecordedFilm(frames.poses, t, part(0), part(1), course, n, new Int16Array(marks.buffer), frames);
   }
 
-  get begin(): number { return this.count ? this.t[0] : 0; }
-  get end(): number { return this.count ? this.t[this.count - 1] : 0; }
   get contactCount(): number { return this.contact.length / kContactColumns; }
-
-  /** Index of the last frame at or before t. */
-  indexAt(t: number): number { return lastAtOrBefore(this.t, t); }
 
   private place(t: number): [number, number, number] {
     const f = this.indexAt(t), next = Math.min(f + 1, this.count - 1);
@@ -152,32 +148,12 @@ export class Film {
     return {r: [at(0), at(1), at(2)], q: q.map(x => x / size) as Q4};
   }
 
-  /** Velocity [m/s] and angular velocity [rad/s] of pose i, from the two frames around t. */
-  rates(i: number, t: number): {v: V3; omega: V3} {
-    const f = Math.min(this.indexAt(t), Math.max(0, this.count - 2)), g = Math.min(f + 1, this.count - 1);
-    const dt = this.t[g] - this.t[f];
-    if (!(dt > 0)) return {v: [0, 0, 0], omega: [0, 0, 0]};
-    const A = this.pose(i, this.t[f]), B = this.pose(i, this.t[g]);
-    const [w, x, y, z] = A.q, p = B.q;
-    // p ∘ q*: the turn from one frame to the next
-    const d = [p[0] * w + p[1] * x + p[2] * y + p[3] * z, p[1] * w - p[0] * x - p[2] * z + p[3] * y,
-               p[2] * w - p[0] * y - p[3] * x + p[1] * z, p[3] * w - p[0] * z - p[1] * y + p[2] * x];
-    const s = Math.hypot(d[1], d[2], d[3]), angle = 2 * Math.atan2(s, d[0]);
-    const factor = s > 1e-12 ? angle / s / dt : 2 / dt;
-    return {v: [0, 1, 2].map(k => (B.r[k] - A.r[k]) / dt) as V3, omega: [d[1], d[2], d[3]].map(e => e * factor) as V3};
-  }
-
   moves(i: number): boolean { return i >= 0 && [0, 1, 2, 3, 4, 5, 6].some(k => this.varying[7 * i + k] >= 0); }
   /** Whether coordinate k of pose i stands, at `value` if one is given. */
   stands(i: number, k: number, value?: number): boolean {
     const at = 7 * i + k;
     return this.varying[at] < 0 && (value === undefined || Math.abs(this.lo[at] - value) < 1e-6);
   }
-  firstMoving(): number {
-    for (let i = 0; i < this.poses; ++i) if (this.moves(i)) return i;
-    return -1;
-  }
-
   /** Contacts of the last frame at or before t. */
   contacts(t: number): Contact[] {
     const out: Contact[] = [];
@@ -194,19 +170,6 @@ export class Film {
     const n = unit([x[3], x[4], x[5]]), e = unit([x[3] + x[7], x[4] + x[8], x[5] + x[9]]);
     const size = power(x[6], octaveSteps), limit = power(x[11], octaveSteps) * (size || 1);
     return {r: [at(0), at(1), at(2)], n, F: scaled(e, size), state: x[10], limit};
-  }
-
-  /** A force that most contacts stay below: nine of ten of those that are not zero. */
-  usualForce(): number {
-    const sizes: number[] = [];
-    const n = this.contactCount, stride = Math.max(1, Math.floor(n / 5000));
-    for (let c = 0; c < n; c += stride) {
-      const contact = this.contactAt(c), size = Math.hypot(...contact.F);
-      if (size > 0 && Number.isFinite(size) && contact.state !== 3) sizes.push(size);
-    }
-    if (!sizes.length) for (let c = 0; c < n; c += stride) sizes.push(Math.hypot(...this.contactAt(c).F));
-    sizes.sort((a, b) => a - b);
-    return sizes.length ? sizes[Math.floor(0.9 * (sizes.length - 1))] : 0;
   }
 }
 
@@ -227,19 +190,24 @@ export async function signalsOf(data: PageData): Promise<Signal[]> {
   });
 }
 
-/** Rows of a CSV text; quoted fields may hold commas, not line ends. */
+/** Fields of a line of CSV; quoted ones may hold commas, not line ends. */
+const fieldsOf = (line: string): string[] =>
+  (line.includes('"') ? line.match(/("([^"]|"")*"|[^,]*)(,|$)/g) ?? [] : line.split(","))
+    .map(x => x.replace(/,$/, "").replace(/^"(.*)"$/, "$1").replace(/""/g, '"'));
+
 async function rowsOf(base64: string): Promise<string[][]> {
   const text = new TextDecoder().decode(await inflated(base64));
-  return text.split("\n").filter(line => line).map(line =>
-    (line.includes('"') ? line.match(/("([^"]|"")*"|[^,]*)(,|$)/g) ?? [] : line.split(","))
-      .map(x => x.replace(/,$/, "").replace(/^"(.*)"$/, "$1").replace(/""/g, '"')));
+  return text.split("\n").filter(line => line).map(fieldsOf);
 }
+
+const eventOf = (r: string[]): Event => ({
+  t: Number(r[0]), impact: r[1] === "impact", system: r[1] === "impact" || r[1] === "switch" ? "" : r[1], contact: r[2],
+  from: r[3], to: r[4], speed: Number(r[5]), impulse: Number(r[6])});
+export const eventIn = (line: string): Event => eventOf(fieldsOf(line));
 
 export async function eventsOf(data: PageData): Promise<Event[]> {
   const rows = await rowsOf(data.events), settings = data.run?.settings as {step?: number} | undefined;
-  return withoutFlicker(rows.slice(1).filter(r => r.length >= 7).map(r => ({
-    t: Number(r[0]), impact: r[1] === "impact", system: r[1] === "impact" || r[1] === "switch" ? "" : r[1], contact: r[2], from: r[3], to: r[4],
-    speed: Number(r[5]), impulse: Number(r[6])})), 1.5 * (settings?.step ?? 0));
+  return withoutFlicker(rows.slice(1).filter(r => r.length >= 7).map(eventOf), 1.5 * (settings?.step ?? 0));
 }
 
 /** Leaves out switches that are taken back at once: a gap of rounding size opens and closes again. */

@@ -13,6 +13,7 @@ export class FlatPicture {
   private readonly ctx: Context;
   private painted: {path: Path2D; frame: number}[] = [];
   private colours: string[];
+  hidden: ReadonlySet<number> = new Set();  // frames whose bodies are not shown
 
   constructor(readonly canvas: HTMLCanvasElement, private readonly scene: SceneModel) {
     this.ctx = canvas.getContext("2d") as Context;
@@ -40,7 +41,8 @@ export class FlatPicture {
     const entries = scene.bodies.map((shape, i): Entry => ({
       item: kItems[shape.kind](shape, scene.shapePose(shape, t), scene.film.pose(shape.frameEnd ?? -1, t)),
       frame: shape.frame, colour: this.colours[i], depth: 0}));
-    for (const {item, frame, colour} of backToFront(entries, camera)) {
+    const seen = this.hidden.size ? entries.filter(e => !this.hidden.has(e.frame)) : entries;
+    for (const {item, frame, colour} of backToFront(seen, camera)) {
       const path = item.paint(ctx, camera, colour);
       this.painted.push({path, frame});
       if (frame >= 0 && frame === selected) {

@@ -1,8 +1,10 @@
 // What lies over the bodies in every picture: trails, contact forces with friction discs, axes, scale.
 import type {Camera} from "./camera";
-import type {Contact, Film} from "./data";
+import type {Contact, Film} from "./film";
 import {pathOf, ring} from "./flat_shapes";
 import {across, add, cross, dot, lengthText, niceTicks, scaled, type V2, type V3} from "./math";
+import type {Measure} from "./measure";
+import type {OtherRun} from "./other_run";
 import {kPalette, kStates, mixed, theme} from "./theme";
 
 type Context = CanvasRenderingContext2D;
@@ -11,11 +13,23 @@ const kMostDiscs = 60, kMostHeads = 1500;
 
 export class Overlay {
   private readonly ctx: Context;
-  private readonly usualForce: number;
+  usualForce: number;
+  usualImpact: number;
+  hand: [V3, V3] | null = null;  // the point that is held, and where it is pulled to
+  measure: Measure | null = null;
+  other: OtherRun | null = null;
+  labels: {frame: number; text: string}[] = [];
 
   constructor(readonly canvas: HTMLCanvasElement, private readonly film: Film) {
     this.ctx = canvas.getContext("2d") as Context;
     this.usualForce = film.usualForce();
+    this.usualImpact = film.usualImpact();
+  }
+
+  /** Length of a force [m/N] in a picture; impacts have a scale of their own. */
+  perNewton(size: number, factor: number, impact: boolean): number {
+    const usual = impact ? this.usualImpact : this.usualForce || this.usualImpact;
+    return usual > 0 ? 0.1 * factor * size / usual : 0;
   }
 
   resize(width: number, height: number, ratio: number): void {
@@ -28,9 +42,64 @@ export class Overlay {
     const {ctx} = this, ratio = this.canvas.width / camera.width;
     ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
     ctx.clearRect(0, 0, camera.width, camera.height);
+    this.other?.paint(ctx, camera, t);
     if (show.trails) this.paintTrails(camera, t);
     if (show.contacts) this.paintContacts(camera, t, size, factor);
+    if (this.hand) this.paintHand(camera, this.hand);
+    this.paintLabels(camera, t);
+    if (this.measure?.on) this.paintMeasure(camera, this.measure, t);
     paintAxes(ctx, camera);
+  }
+
+  private paintHand(camera: Camera, hand: [V3, V3]): void {
+    const {ctx} = this, [p, q] = hand.map(x => camera.project(x));
+    ctx.strokeStyle = ctx.fillStyle = theme.accent;
+    ctx.lineWidth = 2;
+    ctx.setLineDash([6, 4]);
+    ctx.stroke(pathOf([p, q], false));
+    ctx.setLineDash([]);
+    for (const [x, y] of [p, q]) {
+      ctx.beginPath();
+      ctx.arc(x, y, 4.5, 0, 2 * Math.PI);
+      ctx.fill();
+    }
+  }
+
+  /** Text on a plate of paper, so that it can be read over anything. */
+  private paintText(text: string, x: number, y: number): void {
+    const {ctx} = this;
+    ctx.font = `600 12px ${kFont}`;
+    ctx.textAlign = "center";
+    ctx.textBaseline = "middle";
+    const w = ctx.measureText(text).width + 10;
+    ctx.globalAlpha = 0.85;
+    ctx.fillStyle = theme.paper;
+    ctx.fillRect(x - w / 2, y - 9, w, 18);
+    ctx.globalAlpha = 1;
+    ctx.fillStyle = theme.ink;
+    ctx.fillText(text, x, y);
+  }
+
+  private paintLabels(camera: Camera, t: number): void {
+    for (const {frame, text} of this.labels) {
+      const [x, y] = camera.project(this.film.pose(frame, t).r);
+      this.paintText(text, x, y);
+    }
+  }
+
+  private paintMeasure(camera: Camera, measure: Measure, t: number): void {
+    const {ctx} = this, points = measure.points(t).map(p => camera.project(p));
+    ctx.strokeStyle = ctx.fillStyle = theme.accent;
+    ctx.lineWidth = 1.8;
+    if (points.length === 2) ctx.stroke(pathOf(points, false));
+    for (const [x, y] of points) {
+      ctx.beginPath();
+      ctx.arc(x, y, 4, 0, 2 * Math.PI);
+      ctx.fill();
+    }
+    if (points.length === 2) {
+      this.paintText(measure.text(t).split("   ")[0], (points[0][0] + points[1][0]) / 2, (points[0][1] + points[1][1]) / 2 - 14);
+    }
   }
 
   private paintTrails(camera: Camera, t: number): void {
@@ -50,13 +119,13 @@ export class Overlay {
   /** One path a colour: a heap of grains has tens of thousands of contacts. */
   private paintContacts(camera: Camera, t: number, size: number, factor: number): void {
     const {ctx} = this, contacts = this.film.contacts(t);
-    const perNewton = this.usualForce > 0 ? 0.1 * factor * size / this.usualForce : 0;  // [m/N]
+    const scales = [false, true].map(impact => this.perNewton(size, factor, impact));
     const few = contacts.length <= kMostHeads, most = 0.3 * Math.min(camera.width, camera.height);
-    if (contacts.length <= kMostDiscs) for (const c of contacts) this.paintCone(camera, c, perNewton, most);
+    if (contacts.length <= kMostDiscs) for (const c of contacts) this.paintCone(camera, c, scales[c.state === 3 ? 1 : 0], most);
     const lines = kStates.map(() => new Path2D()), marks = kStates.map(() => new Path2D());
     for (const {r, F, state} of contacts) {
       const k = kStates[state] ? state : 0, p = camera.project(r);
-      const q = cut(p, camera.project(add(r, scaled(F, perNewton))), most);
+      const q = cut(p, camera.project(add(r, scaled(F, scales[k === 3 ? 1 : 0]))), most);
       if (few) {
         marks[k].moveTo(p[0] + 3, p[1]);
         marks[k].arc(p[0], p[1], 3, 0, 2 * Math.PI);

@@ -121,6 +121,15 @@ export class EventList {
     box.addEventListener("scroll", () => this.fill());
   }
 
+  /** Events were added to the list that it was made of. */
+  grown(): void {
+    [...this.box.querySelectorAll(".bar button")].forEach((button, i) => {
+      const n = i === 0 ? this.all.length : this.all.filter(e => e.impact === (i === 1)).length;
+      button.textContent = `${["all", "impacts", "switches"][i]} ${n}`;
+    });
+    this.filter();
+  }
+
   private filter(): void {
     this.events = this.kind === "all" ? this.all : this.all.filter(e => e.impact === (this.kind === "impacts"));
     this.rows.style.height = `${kRow * this.events.length}px`;

@@ -2,9 +2,10 @@
 // the picture.
 import uPlot from "uplot";
 import {clamp, lastAtOrBefore, shortNumber} from "./math";
+import {csvOf, plotName, saveText, svgOf} from "./plot_file";
 import {kCurves, mixed, theme} from "./theme";
 
-export interface Curve { name: string; t: ArrayLike<number>; y: ArrayLike<number>; dashed?: boolean }
+export interface Curve { name: string; t: ArrayLike<number>; y: ArrayLike<number>; dashed?: boolean; colour?: number }
 export interface PlotPanel { unit: string; curves: Curve[]; title?: string; log?: boolean; height?: number }
 
 /** Signals of one element with the same unit share a panel; without a unit each has its own. */
@@ -39,8 +40,8 @@ export class Plots {
   private syncing = false;
   private t = 0;
 
-  constructor(private readonly box: HTMLElement, private readonly panels: PlotPanel[], private readonly begin: number,
-              private readonly end: number, private readonly seek: (t: number) => void) {}
+  constructor(private readonly box: HTMLElement, private panels: PlotPanel[], private begin: number,
+              private end: number, private readonly seek: (t: number) => void) {}
 
   /** Makes all plots anew, for the present width and theme. */
   rebuild(): void {
@@ -51,6 +52,33 @@ export class Plots {
     if (!width) return;
     for (const panel of this.panels) this.shown.push(this.add(panel, width));
     if (this.zoomed) this.zoom(...this.zoomed);
+    this.draw(this.t);
+  }
+
+  /** Shows other curves. */
+  setPanels(panels: PlotPanel[], begin = this.begin, end = this.end): void {
+    this.panels = panels;
+    this.begin = begin;
+    this.end = end;
+    if (this.built) this.rebuild();
+  }
+
+  /** The curves have grown, up to `end`; with `panels` others are shown. */
+  grow(begin: number, end: number, panels?: PlotPanel[]): void {
+    this.begin = begin;
+    this.end = end;
+    const same = !panels || (panels.length === this.panels.length &&
+      panels.every((p, i) => p.curves.length === this.panels[i].curves.length));
+    if (panels) this.panels = panels;
+    if (!this.built) return;
+    if (!same) { this.rebuild(); return; }
+    this.syncing = true;
+    this.shown.forEach((s, i) => {
+      s.panel = this.panels[i];
+      s.plot.setData(aligned(s.panel), false);
+      s.plot.setScale("x", this.zoomed ? {min: this.zoomed[0], max: this.zoomed[1]} : {min: begin, max: end > begin ? end : begin + 1});
+    });
+    this.syncing = false;
     this.draw(this.t);
   }
 
@@ -76,7 +104,7 @@ export class Plots {
     const values = panel.curves.map((c, k) => {
       const span = document.createElement("span"), value = document.createElement("em");
       span.textContent = c.name;
-      span.style.color = curveColour(k);
+      span.style.color = curveColour(c.colour ?? k);
       span.title = "show or hide";
       span.onclick = () => {
         const on = !plot.series[k + 1].show;
@@ -92,13 +120,28 @@ export class Plots {
       unit.textContent = `[${panel.unit}]`;
       names.append(unit);
     }
+    const files = document.createElement("span");
+    files.className = "files";
+    for (const [text, what, act] of [
+      ["CSV", "save the numbers of these curves as CSV", () => saveText(`${plotName(panel)}.csv`, "text/csv", csvOf(shown.panel))],
+      ["SVG", "save this plot as SVG", () => saveText(`${plotName(panel)}.svg`, "image/svg+xml", svgOf(shown.panel,
+        shown.panel.curves.map((_, k) => plot.series[k + 1].show !== false), plot.scales.x.min ?? 0, plot.scales.x.max ?? 1))]] as
+        [string, string, () => void][]) {
+      const button = document.createElement("button");
+      button.textContent = text;
+      button.title = what;
+      button.onclick = act;
+      files.append(button);
+    }
+    names.append(files);
     div.append(names);
     this.box.append(div);
     const plot = new uPlot(this.options(panel, width), aligned(panel), div);
     const line = document.createElement("div");
     line.className = "now";
     plot.over.append(line);
-    return {plot, panel, values, line};
+    const shown: Shown = {plot, panel, values, line};
+    return shown;
   }
 
   private options(panel: PlotPanel, width: number): uPlot.Options {
@@ -113,7 +156,7 @@ export class Plots {
       axes: [{...axis, size: 26, gap: 4, values: (_u, all) => all.map(label)},
         {...axis, size: 58, gap: 4, values: (_u, all) => all.map(label), space: panel.log ? 18 : 24}],
       series: [{}, ...panel.curves.map((c, k): uPlot.Series => ({
-        stroke: curveColour(k), width: 1.5, spanGaps: true, points: {show: false}, dash: c.dashed ? [5, 4] : undefined}))],
+        stroke: curveColour(c.colour ?? k), width: 1.5, spanGaps: true, points: {show: false}, dash: c.dashed ? [5, 4] : undefined}))],
       hooks: {
         setScale: [(u, key) => {
           if (key !== "x" || this.syncing || u.scales.x.min == null || u.scales.x.max == null) return;

@@ -1,9 +1,13 @@
-// The page: time, buttons, keys, panels, address. Starts at the end of this file.
+// The page: time, buttons, keys, panels, address.
 import {copyLink, readAddress} from "./address";
-import {eventsOf, Film, ledgerOf, sceneOf, signalsOf, type Event, type PageData, type Scene, type Signal} from "./data";
+import {BodyTools} from "./body_tools";
+import type {Event, PageData, Scene, Signal} from "./data";
+import type {Film} from "./film";
+import type {Live, LiveFeed} from "./live";
 import {FilmStudio, saveFilm} from "./film_file";
 import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
 import {clamp, norm, shortNumber} from "./math";
+import type {OtherRun} from "./other_run";
 import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf} from "./panels";
 import {panelsOf, Plots} from "./plots";
 import {SceneModel} from "./scene_model";
@@ -16,8 +20,10 @@ const byId = <T extends HTMLElement = HTMLElement>(id: string): T => document.ge
 export class Replay {
   readonly stage: Stage;
   readonly studio = new FilmStudio(this);
-  readonly begin: number;
-  readonly end: number;
+  begin: number;
+  end: number;
+  live: Live | null = null;
+  readonly tools: BodyTools;
   t: number;
   private playing = false;
   private queued = false;
@@ -27,9 +33,11 @@ export class Replay {
   private readonly list: EventList;
   private readonly model: SceneModel;
   private sizes = "";
+  private named: Record<string, HTMLButtonElement> = {};
 
   constructor(readonly data: PageData, readonly scene: Scene, readonly film: Film, private readonly signals: Signal[],
-              private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams) {
+              private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams,
+              private readonly grows = false) {
     const times = [film.t, ...signals.map(s => s.t)].filter(t => t.length);
     this.begin = Math.min(...times.map(t => t[0]));
     this.end = Math.max(...times.map(t => t[t.length - 1]));
@@ -40,7 +48,9 @@ export class Replay {
     document.documentElement.classList.toggle("dark", theme.dark);
     this.model = new SceneModel(scene, film);
     this.stage = new Stage(byId("stage"), this.model, {
-      redraw: () => this.draw(), selected: frame => this.select(frame)}, address.get("webgl"));
+      redraw: () => this.draw(), selected: frame => this.select(frame),
+      clicked: (x, y) => this.tools.clicked(x, y, this.t)}, address.get("webgl"));
+    this.tools = new BodyTools(this.stage, scene, () => this.draw());
     const follow = scene.follow ?? -1;
     this.stage.follow(follow < film.poses ? follow : -1, this.t);
     const seek = (t: number): void => { this.pause().seek(t); };
@@ -48,7 +58,7 @@ export class Replay {
     this.energy = new Plots(byId("energy"), ledgerPanels(ledger), this.begin, this.end, seek);
     this.list = new EventList(byId("events"), events, seek);
     const main = document.querySelector("main") as HTMLElement;
-    main.classList.toggle("alone", !signals.length && !data.model.text && !data.run);
+    main.classList.toggle("alone", !grows && !signals.length && !data.model.text && !data.run);
     main.classList.toggle("unseen", !scene.shapes.length && signals.length > 0);
     this.fillPanels(ledger.size > 0);
     this.addTransport();
@@ -63,6 +73,37 @@ export class Replay {
     readAddress(this, address);
   }
 
+  /** A run that goes on: more of it is there. `slowly`: time for curves and for what needs all frames. */
+  grow(feed: LiveFeed, slowly: boolean): void {
+    const {film, stage} = this, views = film.count < 40 && !stage.touched;
+    this.end = Math.max(this.end, film.end);
+    if (views && this.model.naturalView() !== stage.camera.view) this.setView(this.model.naturalView());
+    if (!slowly) return;
+    if (this.model.remeasure()) {
+      stage.space?.remeasured();
+      if (!stage.touched) stage.fit();
+    }
+    stage.overlay.usualForce = film.usualForce();
+    stage.overlay.usualImpact = film.usualImpact();
+    this.plots.grow(this.begin, this.end);
+    this.energy.grow(this.begin, this.end, ledgerPanels(feed.ledgerColumns()));
+    this.list.grown();
+    for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !this.events.length;
+    byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, film.count));
+    this.fillLegend();
+    paintMarks(byId("marks"), this.events, this.begin, this.end);
+    this.draw();
+  }
+
+  /** The run has ended, with these facts: from now on the page is a replay. */
+  ended(run: Record<string, unknown>): void {
+    this.data.run = run;
+    byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
+    byId("run").replaceChildren(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
+    this.addTab("run", "Run");
+    this.draw();
+  }
+
   // --- time
 
   seek(t: number): this {
@@ -73,6 +114,7 @@ export class Replay {
 
   play(): void {
     if (this.playing) return;
+    if (this.live) this.live.atEdge = false;
     if (this.t >= this.end) this.t = this.begin;
     this.playing = true;
     byId("play").innerHTML = kPauseIcon;
@@ -94,7 +136,9 @@ export class Replay {
     requestAnimationFrame(tick);
   }
 
-  pause(): this {
+  /** `leaves`: a live run is looked at in the past from now on. */
+  pause(leaves = true): this {
+    if (leaves && this.live) this.live.atEdge = false;
     this.playing = false;
     byId("play").innerHTML = kPlayIcon;
     return this;
@@ -142,6 +186,18 @@ export class Replay {
     const digits = clamp(4 - Math.floor(Math.log10(this.end - this.begin || 1)), 0, 9);
     byId("clock").replaceChildren(this.t.toFixed(digits), element("small", ` / ${this.end.toFixed(digits - 1)} s`));
     this.fillCard();
+    this.tools.show(this.t);
+    this.showScale();
+  }
+
+  /** How large the forces are that the arrows stand for. */
+  private showScale(): void {
+    const text = ([["force", false], ["impact", true]] as const).map(([name, impact]) => {
+      const n = this.stage.newtonsPerCm(impact);
+      return n > 0 ? `${name} 1 cm = ${Number(n.toPrecision(2))} N` : "";
+    }).filter(x => x).join("  \u00b7  ");
+    const scale = byId("legend").querySelector(".scale");
+    if (scale && scale.textContent !== text) scale.textContent = text;
   }
 
   /** A canvas of a new size is empty: it is drawn before the browser shows it, not a frame later. */
@@ -166,7 +222,7 @@ export class Replay {
   setSwitch(name: "contacts" | "trails", on: boolean): void {
     this.stage.show[name] = on;
     byId("switches").querySelector(`[data-name=${name}]`)?.classList.toggle("on", on);
-    byId("legend").hidden = !(this.stage.show.contacts && this.film.contactCount);
+    byId("legend").hidden = !(this.stage.show.contacts && (this.grows || this.film.contactCount));
     this.draw();
   }
 
@@ -204,7 +260,7 @@ export class Replay {
         place.onclick = () => this.showLine(known.place);
         box.append(place);
       }
-      box.append(element("table"));
+      box.append(this.tools.buttons(frame), element("table"));
     }
     this.fillCard();
     this.draw();
@@ -241,7 +297,8 @@ export class Replay {
     const named = run && typeof run.title === "string" && run.title ? run.title : title;
     byId("title").textContent = named;
     byId("title").title = named;
-    document.title = `${named} \u00b7 dynamY replay`;
+    document.title = `${named} \u00b7 dynamY ${this.grows ? "live" : "replay"}`;
+    if (this.grows) (document.querySelector(".brand span") as HTMLElement).textContent = "live";
     byId("facts").replaceChildren(...headline(this.data, this.end - this.begin, this.film.count));
     if (run) byId("run").append(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     if (model.text) byId("model").append(modelText(model.text));
@@ -257,17 +314,24 @@ export class Replay {
     help.append(element("h2", "Keys"), table);
     help.onclick = () => help.close();
     const tabs: [string, string, boolean][] = [
-      ["plots", "Signals", this.signals.length > 0], ["energy", "Energy, solver", ledger],
-      ["events", "Events", this.events.length > 0], ["run", "Run", run !== null], ["model", "Model", model.text !== ""]];
-    for (const [id, text, there] of tabs) {
-      if (!there) continue;
-      const button = element("button", text);
-      button.dataset.tab = id;
-      button.onclick = () => this.showTab(id);
-      byId("tabs").append(button);
-      if (!this.tab) this.tab = id;
-    }
+      ["live", "Live", this.grows],
+      ["plots", "Signals", this.signals.length > 0], ["energy", "Energy, solver", ledger || this.grows],
+      ["events", "Events", this.events.length > 0 || this.grows], ["run", "Run", run !== null], ["model", "Model", model.text !== ""]];
+    for (const [id, text, there] of tabs) if (there) this.addTab(id, text);
     byId("wait").hidden = true;
+  }
+
+  private addTab(id: string, text: string): void {
+    const button = element("button", text);
+    button.id = `tab_${id}`;
+    button.dataset.tab = id;
+    button.setAttribute("role", "tab");
+    button.setAttribute("aria-controls", id);
+    button.onclick = () => this.showTab(id);
+    byId("tabs").append(button);
+    byId(id).setAttribute("role", "tabpanel");
+    byId(id).setAttribute("aria-labelledby", button.id);
+    if (!this.tab) this.tab = id;
   }
 
   private fillLegend(): void {
@@ -277,7 +341,9 @@ export class Replay {
       line.style.background = theme.dark ? mixed(s.colour, 0.2) : s.colour;
       span.append(line, s.name);
       return span;
-    }));
+    }), element("span", "", "scale"));
+    (byId("legend").lastElementChild as HTMLElement).title =
+      "of arrows in the plane through the middle of the picture; the force of an impact is its percussion over the step";
   }
 
   showTab(id: string): void {
@@ -285,8 +351,10 @@ export class Replay {
     this.tab = id;
     for (const button of byId("tabs").children as HTMLCollectionOf<HTMLElement>) {
       button.classList.toggle("on", button.dataset.tab === id);
+      button.setAttribute("aria-selected", String(button.dataset.tab === id));
+      button.tabIndex = button.dataset.tab === id ? 0 : -1;
     }
-    for (const pane of ["plots", "energy", "events", "run", "model"]) byId(pane).hidden = pane !== id;
+    for (const pane of ["live", "plots", "energy", "events", "run", "model"]) byId(pane).hidden = pane !== id;
     if (id === "plots") this.plots.resize();
     if (id === "energy") this.energy.resize();
     if (id === "events") this.list.show(this.t, true);
@@ -307,7 +375,7 @@ export class Replay {
   // --- controls
 
   private addTransport(): void {
-    const span = this.end - this.begin, wanted = span > 120 ? span / 60 : span < 4 ? span / 4 : 1;
+    const span = this.grows ? Number(document.body.dataset.until) : this.end - this.begin, wanted = span > 120 ? span / 60 : span < 4 ? span / 4 : 1;
     const best = kSpeeds.filter(s => s <= Math.max(wanted, kSpeeds[0]) * 1.05).pop();
     byId("speed").replaceChildren(...kSpeeds.map(s => {
       const option = element("option", s < 1 ? `1/${Math.round(1 / s)}` : `\u00d7${s}`);
@@ -323,11 +391,19 @@ export class Replay {
     byId("after").onclick = () => this.jump(1);
     for (const id of ["before", "after"]) byId<HTMLButtonElement>(id).disabled = !this.events.length;
     byId<HTMLInputElement>("scrub").oninput = event =>
-      this.pause().seek(this.begin + Number((event.target as HTMLInputElement).value) * span);
+      this.pause().seek(this.begin + Number((event.target as HTMLInputElement).value) * (this.end - this.begin));
     byId("link").onclick = () => copyLink(this);
     byId("png").onclick = () => this.savePicture();
     byId("film").onclick = () => this.saveFilm();
     byId("ask").onclick = () => this.help();
+    byId("tabs").onkeydown = event => {
+      const tabs = [...byId("tabs").children] as HTMLElement[], at = tabs.findIndex(b => b.dataset.tab === this.tab);
+      const to = event.key === "ArrowRight" ? at + 1 : event.key === "ArrowLeft" ? at - 1 : -1;
+      if (!tabs[to]) return;
+      event.stopPropagation();
+      tabs[to].click();
+      tabs[to].focus();
+    };
   }
 
   private help(): void {
@@ -359,30 +435,53 @@ export class Replay {
       button("views", kViews[view], "view", () => this.setView(view)).dataset.view = view;
     }
     button("views", "fit", "show everything (0)", () => { this.stage.fit(); this.draw(); });
-    for (const name of this.film.contactCount ? ["contacts", "trails"] as const : ["trails"] as const) {
+    for (const name of this.grows || this.film.contactCount ? ["contacts", "trails"] as const : ["trails"] as const) {
       button("switches", name, name === "contacts" ? "contact forces (c)" : "paths of the bodies (t)",
         () => this.setSwitch(name, !this.stage.show[name])).dataset.name = name;
     }
+    const pressed = (b: HTMLButtonElement, on: boolean): void => {
+      b.classList.toggle("on", on);
+      b.setAttribute("aria-pressed", String(on));
+    };
+    const names = button("switches", "names", "names of the bodies (b)", () => pressed(names, this.tools.nameAll()));
+    const measure = button("switches", "measure", "distance of two points (m)", () => pressed(measure, this.tools.toggleMeasure()));
+    const other = button("switches", "compare", "lay another run over this one: its replay.html (o)", () => {
+      if (this.tools.other) this.layOver(null);
+      else this.tools.askForOther(run => this.layOver(run), fault => alert(fault));
+    });
+    this.named = {b: names, m: measure, o: other};
     button("switches", "follow", "the camera goes with what is selected (f)",
       () => this.setFollow(this.stage.followed < 0)).dataset.name = "follow";
     byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", this.stage.followed >= 0);
     for (const name of ["contacts", "trails"] as const) this.setSwitch(name, this.stage.show[name]);
   }
 
+  /** Bodies and curves of another run beside those of this one; null: of none. */
+  layOver(other: OtherRun | null): void {
+    const panels = panelsOf(this.signals).slice(0, 60);
+    this.tools.other = this.stage.overlay.other = other;
+    this.plots.setPanels(other ? other.addTo(panels) : panels);
+    this.named.o.classList.toggle("on", other !== null);
+    this.named.o.setAttribute("aria-pressed", String(other !== null));
+    this.draw();
+  }
+
   private key(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.altKey || event.metaKey || target.tagName === "SELECT") return;
+    if (event.ctrlKey || event.altKey || event.metaKey || ["SELECT", "INPUT"].includes(target.tagName) && target.id !== "scrub") return;
     const tenth = (this.end - this.begin) / 10;
     const sideways = (by: number): void => { if (event.shiftKey) this.pause().seek(this.t + by * tenth); else this.step(by); };
     const force = (by: number): void => { this.stage.forceFactor *= by; this.draw(); };
     const acts: Record<string, () => void> = {
-      " ": () => this.toggle(), ArrowLeft: () => sideways(-1), ArrowRight: () => sideways(1),
-      Home: () => this.pause().seek(this.begin), End: () => this.pause().seek(this.end),
+      " ": () => { if (this.live?.goes) this.live.toggle(); else this.toggle(); }, ArrowLeft: () => sideways(-1), ArrowRight: () => sideways(1),
+      Home: () => this.pause().seek(this.begin), End: () => { if (this.live?.goes) this.live.toEdge(); else this.pause().seek(this.end); },
       n: () => this.jump(1), p: () => this.jump(-1), "+": () => this.faster(1), "-": () => this.faster(-1),
       1: () => this.setView("xz"), 2: () => this.setView("xy"), 3: () => this.setView("yz"), 4: () => this.setView("iso"),
       0: () => { this.stage.fit(); this.draw(); },
       c: () => this.setSwitch("contacts", !this.stage.show.contacts), t: () => this.setSwitch("trails", !this.stage.show.trails),
       f: () => this.setFollow(this.stage.followed < 0), l: () => byId("loop").click(), s: () => this.savePicture(), v: () => this.saveFilm(),
+      b: () => this.named.b.click(), m: () => this.named.m.click(), o: () => this.named.o.click(),
+      h: () => this.tools.hide(this.stage.selected), H: () => this.tools.showAll(),
       d: () => this.setTheme(!theme.dark), "[": () => force(0.8), "]": () => force(1.25),
       "?": () => this.help(), Escape: () => { byId<HTMLDialogElement>("help").close(); this.select(-1); }
     };
@@ -391,18 +490,3 @@ export class Replay {
     acts[event.key]();
   }
 }
-
-async function start(): Promise<void> {
-  const data = JSON.parse(byId("data").textContent ?? "") as PageData;
-  const [scene, film, signals, events, ledger] = await Promise.all([
-    sceneOf(data), Film.from(data.frames), signalsOf(data), eventsOf(data), ledgerOf(data)]);
-  const replay = new Replay(data, scene, film, signals, events, ledger, new URLSearchParams(location.hash.slice(1)));
-  document.body.classList.remove("reading");
-  Object.assign(window, {replay});  // for those who script the page
-}
-
-start().catch(error => {
-  document.body.classList.remove("reading");
-  byId("wait").textContent = `This page cannot be shown: ${error instanceof Error ? error.message : error}`;
-  throw error;
-});

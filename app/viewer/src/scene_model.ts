@@ -1,5 +1,6 @@
 // The scene with its film: where shapes are, how large everything is, which view suits.
-import type {Film, Scene, SceneShape} from "./data";
+import type {Scene, SceneShape} from "./data";
+import type {Film} from "./film";
 import {kItems} from "./flat_shapes";
 import {add, chained, clamp, dot, norm, rotated, scaled, sub, type Pose, type V3} from "./math";
 
@@ -8,7 +9,7 @@ export interface Extent { lo: V3; hi: V3; points: V3[]; size: number }
 export class SceneModel {
   readonly bodies: SceneShape[];
   readonly grounds: SceneShape[];
-  readonly extent: Extent;
+  extent: Extent;
   readonly upAxis: number;
 
   constructor(readonly scene: Scene, readonly film: Film) {
@@ -19,6 +20,14 @@ export class SceneModel {
     this.extent = this.measure();
     const normal: V3 = halfSpaces.length ? this.plane(halfSpaces[0], film.begin).n : [0, 0, 1];
     this.upAxis = Math.abs(normal[1]) > 0.9 ? 1 : 2;
+  }
+
+  /** The film has grown. True: its scene is larger by a tenth or more. */
+  remeasure(): boolean {
+    const before = this.extent.size, now = this.measure();
+    if (now.size < 1.1 * before) return false;
+    this.extent = now;
+    return true;
   }
 
   shapePose(shape: SceneShape, t: number): Pose {

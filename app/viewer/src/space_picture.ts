@@ -32,6 +32,7 @@ export class SpacePicture {
   private readonly ambient = new AmbientLight(0xffffff, 0.55);
   private used: ThreeCamera = this.eye;
   private marked = -2;
+  private hidden: ReadonlySet<number> = new Set();
 
   /** Throws if there is no WebGL. */
   constructor(first: HTMLCanvasElement, private readonly model: SceneModel, fine: boolean) {
@@ -126,6 +127,14 @@ export class SpacePicture {
     this.links.push({shape, object});
   }
 
+  /** The scene has become larger: its grounds are made anew. */
+  remeasured(): void {
+    for (const {sheet, lines} of this.grounds.splice(0)) this.scene.remove(sheet, lines);
+    for (const shape of this.model.grounds) this.addGround(shape, !this.renderer.shadowMap.enabled);
+    this.sun.shadow.normalBias = 0.004 * this.model.extent.size;
+    this.recolour();
+  }
+
   private addGround(shape: SceneShape, many: boolean): void {
     const {lo, hi, size} = this.model.extent, {c, n} = this.model.plane(shape, this.model.film.begin);
     const a = across(n), b = cross(n, a), middle = scaled(add(lo, hi), 0.5);
@@ -185,14 +194,22 @@ export class SpacePicture {
 
   private place(group: Group): void {
     const m = new Matrix4();
-    if (group.balls) placeBalls(group, this.model.film.now);
+    if (group.balls && !this.hidden.size) placeBalls(group, this.model.film.now);
     else group.instances.forEach(({frame, local}, i) => {
-      if (frame >= 0) m.multiplyMatrices(this.frames[frame], local); else m.copy(local);
+      if (this.hidden.has(frame)) m.makeScale(0, 0, 0);
+      else if (frame >= 0) m.multiplyMatrices(this.frames[frame], local); else m.copy(local);
       group.mesh.setMatrixAt(i, m);
       if (group.edges[i]) group.edges[i].matrix.copy(m);
     });
     group.mesh.instanceMatrix.needsUpdate = true;
     group.mesh.boundingSphere = null;
+  }
+
+  /** Bodies of these frames are not shown. */
+  hide(frames: ReadonlySet<number>): void {
+    this.hidden = frames;
+    for (const group of this.groups) this.place(group);
+    for (const {shape, object} of this.links) object.visible = !frames.has(shape.frame);
   }
 
   draw(camera: Camera, t: number, selected: number): void {
@@ -251,19 +268,23 @@ export class SpacePicture {
   }
 
   /** The frame of the shape that is seen at (x, y); −2: none. */
-  pick(camera: Camera, x: number, y: number): number {
+  pick(camera: Camera, x: number, y: number): number { return this.hit(camera, x, y).frame; }
+
+  /** The same with the point that is seen. */
+  hit(camera: Camera, x: number, y: number): {frame: number; point: V3} {
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2(2 * x / camera.width - 1, 1 - 2 * y / camera.height), this.used);
-    let nearest = Infinity, frame = -2;
+    let nearest = Infinity, frame = -2, point: V3 = [0, 0, 0];
     for (const {mesh, instances} of this.groups) {
       for (const hit of ray.intersectObject(mesh, false)) {
         if (hit.distance < nearest && hit.instanceId !== undefined) {
           nearest = hit.distance;
           frame = instances[hit.instanceId].frame;
+          point = hit.point.toArray();
         }
       }
     }
-    return frame;
+    return {frame, point};
   }
 }
 

@@ -1,14 +1,21 @@
 // The stage: camera, pictures, overlay; which picture serves which view; pointer and touch.
 import {Camera} from "./camera";
 import {FlatPicture} from "./flat_picture";
-import {add, sub, type V3} from "./math";
+import {add, dot, scaled, sub, type V3} from "./math";
 import {Overlay} from "./overlay";
 import {spread, type SceneModel} from "./scene_model";
 import {SpacePicture} from "./space_picture";
 
 const kMostFlat = 400;  // more shapes than that are drawn by WebGL in planar views, too
 
-export interface StageHandler { redraw(): void; selected(frame: number): void }
+/** A point of a body, seen at a place of the picture. */
+export interface Grabbed { frame: number; point: V3; local?: V3 }
+export interface StageHandler { redraw(): void; selected(frame: number): void; clicked(x: number, y: number): boolean }
+/** Who takes a body that is pulled; null: nobody, the pointer moves the view. */
+export interface HandHandler {
+  grab(at: Grabbed): Promise<void>; move(target: V3): void; release(): void; pointAt(x: number, y: number, through: V3): V3;
+  readonly goes: boolean; readonly line: [V3, V3] | null;
+}
 
 export class Stage {
   readonly camera = new Camera();
@@ -19,6 +26,9 @@ export class Stage {
   forceFactor = 1;
   selected = -1;
   followed = -1;
+  hand: HandHandler | null = null;
+  touched = false;  // somebody has moved the view
+  private t = 0;  // of the picture
   private anchor: V3 = [0, 0, 0];
   private size: number;
   private ratio = 0;
@@ -47,6 +57,7 @@ export class Stage {
   }
 
   draw(t: number): void {
+    this.t = t;
     if (this.followed >= 0) {
       const {r} = this.model.film.pose(this.followed, t);
       this.camera.centre = add(this.camera.centre, sub(r, this.anchor));
@@ -56,6 +67,7 @@ export class Stage {
     this.flat.canvas.hidden = used !== null;
     if (this.space) this.space.canvas.hidden = used === null;
     (used ?? this.flat).draw(this.camera, t, this.selected);
+    this.overlay.hand = this.hand?.line ?? null;
     this.overlay.draw(this.camera, t, this.size, this.show, this.forceFactor);
   }
 
@@ -75,6 +87,18 @@ export class Stage {
   follow(frame: number, t: number): void {
     this.followed = frame;
     if (frame >= 0) this.anchor = this.model.film.pose(frame, t).r;
+  }
+
+  /** Bodies of these frames are not shown. */
+  hide(frames: ReadonlySet<number>): void {
+    this.flat.hidden = frames;
+    this.space?.hide(frames);
+  }
+
+  /** Newtons that an arrow of 1 cm on the screen stands for (96 pixels an inch); 0: there is none. */
+  newtonsPerCm(impact: boolean): number {
+    const pixels = this.overlay.perNewton(this.size, this.forceFactor, impact) * this.camera.scale;
+    return pixels > 0 ? 96 / 2.54 / pixels : 0;
   }
 
   recolour(): void {
@@ -111,12 +135,16 @@ export class Stage {
   private addPointer(canvas: HTMLCanvasElement): void {
     const fingers = new Map<number, [number, number]>();
     const {camera} = this;
-    let moved = 0;
+    let moved = 0, held: V3 | null = null;
     canvas.addEventListener("pointerdown", event => {
       canvas.setPointerCapture(event.pointerId);
       canvas.classList.add("dragged");
       fingers.set(event.pointerId, [event.offsetX, event.offsetY]);
       if (fingers.size === 1) moved = 0;
+      const at = this.hand?.goes && !this.overlay.measure?.on && fingers.size === 1 && !event.shiftKey && event.button === 0
+        ? this.hitAt(event.offsetX, event.offsetY) : null;
+      held = at?.point ?? null;
+      if (at) void this.hand?.grab(at);
     });
     canvas.addEventListener("pointermove", event => {
       const before = fingers.get(event.pointerId);
@@ -125,6 +153,12 @@ export class Stage {
       const others = [...fingers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
       fingers.set(event.pointerId, [event.offsetX, event.offsetY]);
       moved += Math.abs(dx) + Math.abs(dy);
+      if (held) {
+        this.hand?.move(this.hand.pointAt(event.offsetX, event.offsetY, held));
+        this.handler.redraw();
+        return;
+      }
+      this.touched = true;
       if (others.length) {  // two fingers: zoom about the other one, and move
         const gap = (x: number, y: number): number => Math.hypot(x - others[0][0], y - others[0][1]) || 1;
         camera.zoom(gap(event.offsetX, event.offsetY) / gap(before[0], before[1]), others[0][0], others[0][1]);
@@ -140,7 +174,13 @@ export class Stage {
       const only = fingers.size === 1;
       fingers.delete(event.pointerId);
       canvas.classList.remove("dragged");
+      if (held) {
+        held = null;
+        this.hand?.release();
+        this.handler.redraw();
+      }
       if (event.type !== "pointerup" || !only || moved > 5) return;
+      if (this.handler.clicked(event.offsetX, event.offsetY)) return;
       const used = this.spatial;
       const frame = used ? used.pick(camera, event.offsetX, event.offsetY) : this.pickFlat(event.offsetX, event.offsetY);
       this.handler.selected(frame);
@@ -150,9 +190,25 @@ export class Stage {
     canvas.addEventListener("contextmenu", event => event.preventDefault());
     canvas.addEventListener("wheel", event => {
       event.preventDefault();
+      this.touched = true;
       camera.zoom(Math.exp(-0.0012 * event.deltaY), event.offsetX, event.offsetY);
       this.handler.redraw();
     }, {passive: false});
+  }
+
+  /** What is seen at (x, y), with the point; null: no body. */
+  hitAt(x: number, y: number): Grabbed | null {
+    const {camera} = this, used = this.spatial;
+    if (used) {
+      const hit = used.hit(camera, x, y);
+      return hit.frame >= 0 ? hit : null;
+    }
+    const frame = this.pickFlat(x, y);
+    if (frame < 0) return null;
+    const {r} = this.model.film.pose(frame, this.t), s = camera.scaleAt(r) || camera.scale;
+    const depth = dot(sub(r, camera.centre), camera.toward);
+    return {frame, point: add(camera.centre, add(scaled(camera.toward, depth), add(
+      scaled(camera.right, (x - camera.width / 2) / s), scaled(camera.up, (camera.height / 2 - y) / s))))};
   }
 
   private pickFlat(x: number, y: number): number { return this.flat.pick(x, y); }

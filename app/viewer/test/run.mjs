@@ -2,7 +2,7 @@
 // something, and its controls act. Skips (exit 77) where Chromium or playwright-core is missing.
 //   node test/run.mjs PROGRAM MODEL…          PROGRAM: the built dynamy
 import {execFileSync} from "node:child_process";
-import {existsSync, mkdtempSync, rmSync, writeFileSync} from "node:fs";
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {tmpdir} from "node:os";
 import {basename, join} from "node:path";
 
@@ -75,11 +75,17 @@ async function controls(file) {
   expect(stepped > start && stepped < start + 0.02, "arrow right: the next frame");
   await page.keyboard.press("ArrowLeft");
   expect(await t() < stepped, "arrow left: the frame before");
+  // Back from the second event of the run: before the first one there is none.
+  await page.keyboard.press("Home");
   await page.keyboard.press("n");
   const event = await t();
-  expect(event > start, "n: the next event");
+  expect(event > 0, "n: the next event");
+  await page.keyboard.press("n");
+  expect(await t() > event, "n again: the one after it");
   await page.keyboard.press("p");
-  expect(await t() < event, "p: the event before");
+  expect(await t() === event, "p: the event before");
+  await page.keyboard.press("p");
+  expect(await t() === event, "p at the first event: it stays");
   await page.keyboard.press("Space");
   await page.waitForTimeout(400);
   await page.keyboard.press("Space");
@@ -159,6 +165,52 @@ async function controls(file) {
   await page.close();
 }
 
+/** What is done with bodies and plots, at the width at which tabs were once cut off. */
+async function tools(file, other) {
+  const page = await open(file, "t=0.05", {width: 1100, height: 800});
+  const cut = await page.evaluate(() => { const t = document.getElementById("tabs"); return t.scrollWidth - t.clientWidth; });
+  expect(cut <= 0, `the tabs are not cut off at 1100 px: ${cut} px`);
+  const overlap = await page.evaluate(() =>
+    document.getElementById("switches").getBoundingClientRect().right > document.getElementById("views").getBoundingClientRect().left);
+  expect(!overlap, "the tools of the picture do not overlap");
+  await page.keyboard.press("b");
+  expect(await page.evaluate(() => window.replay.stage.overlay.labels.length > 0), "b: names");
+  await page.keyboard.press("m");
+  await page.evaluate(() => {
+    const {tools, stage, t} = window.replay, at = stage.camera.project([0, 0, 0]), to = stage.camera.project([0.1, 0, 0]);
+    tools.clicked(at[0], at[1], t);
+    tools.clicked(to[0], to[1], t);
+  });
+  await page.waitForFunction(() => /^[\d.]+ m +\u0394x/.test(document.querySelector(".measured").textContent), null, {timeout: 20000})
+    .catch(async () => expect(false, `m: the distance of two points, not ${await page.textContent(".measured")}`));
+  await page.keyboard.press("m");
+  await page.evaluate(() => window.replay.select(0));
+  await page.keyboard.press("h");
+  expect(await page.evaluate(() => window.replay.stage.flat.hidden.has(0)), "h: hides the selected body");
+  await page.keyboard.press("H");
+  expect(await page.evaluate(() => window.replay.stage.flat.hidden.size) === 0, "shift h: shows all");
+  for (const [kind, begin] of [["CSV", "t [s],"], ["SVG", "<svg "]]) {
+    const download = page.waitForEvent("download");
+    await page.locator(`#plots .files button:has-text("${kind}")`).first().click();
+    const saved = join(folder, `plot.${kind}`);
+    await (await download).saveAs(saved);
+    expect(readFileSync(saved, "utf8").startsWith(begin), `a plot as ${kind}`);
+  }
+  const curves = () => page.evaluate(() => document.querySelectorAll("#plots .names > span:not(.files)").length);
+  const alone = await curves();
+  await page.click("#switches button:has-text('compare')");
+  await page.locator("#stage input[type=file]").setInputFiles(other);
+  await page.waitForFunction(() => window.replay.tools.other);
+  expect(await curves() > alone, "o: the curves of the other run");
+  await page.keyboard.press("o");
+  expect(await curves() === alone, "o again: they go");
+  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select")].filter(e =>
+    !(e.textContent.trim() || e.getAttribute("aria-label") || e.title || e.labels?.length)).map(e => e.id || e.className));
+  expect(nameless.length === 0, `every control has a name for screen readers: ${nameless}`);
+  expect(page.said.length === 0, `tools: ${page.said.join("; ")}`);
+  await page.close();
+}
+
 /** A half space that only touches is not drawn, as other shapes. */
 async function transparentGround() {
   const model = join(folder, "between.xml"), out = join(folder, "between");
@@ -182,7 +234,15 @@ for (const model of models) {
   execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
   const file = join(out, "replay.html");
   await basics(name, file);
-  if (model === models[0]) await controls(file);
+  if (model === models[0]) {
+    await controls(file);
+    await tools(file, file);
+    execFileSync(program, ["view", out, "--with", out, "--no-browser"], {stdio: "ignore"});
+    const page = await open(file, "");
+    expect(await page.evaluate(() => window.replay.tools.other !== null), "view --with: the other run is there");
+    expect(page.said.length === 0, `view --with: ${page.said.join("; ")}`);
+    await page.close();
+  }
   console.log(`${name}: done`);
 }
 await browser.close();

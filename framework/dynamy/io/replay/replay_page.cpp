@@ -117,44 +117,40 @@ std::string replayData(const Frames& frames, const SignalTable& signals, const R
   return data;
 }
 
-std::string replayPage(const Frames& frames, const SignalTable& signals, const ReplayText& text,
-                       ReplaySize* size) {
-  // in JSON '<' occurs only inside strings; it is escaped, so that no "</script>" can end the data
-  // early
-  const std::string raw = replayData(frames, signals, text, size);
-  std::string data;
-  data.reserve(raw.size());
-  for (const char c : raw) {
+namespace {
+
+/// JSON without "<", which occurs only inside of strings: no "</script>" can end the data early.
+std::string withoutTags(const std::string& json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
     if (c == '<') {
-      data += "\\u003c";
+      out += "\\u003c";
     } else {
-      data += c;
+      out += c;
     }
   }
-
-  // the data are filled in last, because a mark inside the model text must not be replaced
-  std::string page(viewerFile("replay.html"));
-  fill(page, "title", escapedXml(text.title));
-  fill(page, "style", viewerFile("replay.css"));
-  fill(page, "script", viewerFile("replay.js"));
-  fill(page, "data", data);
-  return page;
+  return out;
 }
 
-ReplaySize writeReplay(const std::filesystem::path& folder) {
+struct RecordedRun {
+  Frames frames;
+  SignalTable signals;
+  ReplayText text;
+};
+
+RecordedRun readRun(const std::filesystem::path& folder) {
+  std::error_code error;
   const auto text = [&](const char* name) {
-    std::error_code error;
     const auto file = folder / name;
     return std::filesystem::exists(file, error) ? readWholeFile(file) : std::string();
   };
-  std::error_code error;
-  Frames frames;
+  RecordedRun run;
   if (std::filesystem::exists(folder / "frames.bin", error))
-    frames = readFrames(folder / "frames.bin");
-  SignalTable signals;
+    run.frames = readFrames(folder / "frames.bin");
   if (std::filesystem::exists(folder / "signals.csv", error))
-    signals = readSignals(folder / "signals.csv");
-  ReplayText page;
+    run.signals = readSignals(folder / "signals.csv");
+  ReplayText& page = run.text;
   page.title = std::filesystem::absolute(folder).lexically_normal().filename().string();
   if (page.title.empty()) page.title = folder.parent_path().filename().string();
   page.runJson = text("run.json");
@@ -162,8 +158,34 @@ ReplaySize writeReplay(const std::filesystem::path& folder) {
   page.modelText = text("model.xml");
   page.events = text("events.csv");
   page.ledger = text("ledger.csv");
+  return run;
+}
+
+}  // namespace
+
+std::string replayPage(const Frames& frames, const SignalTable& signals, const ReplayText& text,
+                       ReplaySize* size) {
+  // the data are filled in last, because a mark inside the model text must not be replaced
+  std::string page(viewerFile("replay.html"));
+  fill(page, "title", escapedXml(text.title));
+  fill(page, "style", viewerFile("replay.css"));
+  fill(page, "script", viewerFile("replay.js"));
+  const std::string mark = "<script type=\"application/json\" id=\"data\">";
+  if (!text.other.empty())
+    page.insert(page.find(mark), "<script type=\"application/json\" id=\"other\">" +
+                                     withoutTags(text.other) + "</script>\n");
+  const std::size_t at = page.rfind("{{data}}");
+  return page.replace(at, 8, withoutTags(replayData(frames, signals, text, size)));
+}
+
+ReplaySize writeReplay(const std::filesystem::path& folder, const std::filesystem::path& other) {
+  RecordedRun run = readRun(folder);
+  if (!other.empty()) {
+    const RecordedRun second = readRun(other);
+    run.text.other = replayData(second.frames, second.signals, second.text);
+  }
   ReplaySize size;
-  const std::string html = replayPage(frames, signals, page, &size);
+  const std::string html = replayPage(run.frames, run.signals, run.text, &size);
   writeWholeFile(folder / "replay.html", html);
   return size;
 }

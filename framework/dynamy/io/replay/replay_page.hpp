@@ -18,8 +18,9 @@ struct ReplayText {
   std::string runJson = "null";  ///< content of run.json
   std::string modelName = {};    ///< file name of the model
   std::string modelText = {};
-  std::string events = {};              ///< content of events.csv
-  std::string ledger = {};              ///< content of ledger.csv
+  std::string events = {};  ///< content of events.csv
+  std::string ledger = {};  ///< content of ledger.csv
+  std::string other = {};   ///< data object of another run that is laid over this one; empty: none
   std::size_t frameBytes = 30'000'000;  ///< [byte] if frames take more, only every n-th is kept
 };
 
@@ -41,7 +42,9 @@ std::string replayPage(const Frames& frames, const SignalTable& signals, const R
                        ReplaySize* size = nullptr);
 
 /// Writes replay.html into a run folder from the files that are in it. Files that are missing are
-/// left out of the page. \throws FileError if one is broken or the page cannot be written
-ReplaySize writeReplay(const std::filesystem::path& folder);
+/// left out of the page. `other`: the folder of a run that is laid over this one; empty: none.
+/// \throws FileError if a file is broken or the page cannot be written
+ReplaySize writeReplay(const std::filesystem::path& folder,
+                       const std::filesystem::path& other = {});
 
 }  // namespace dynamy

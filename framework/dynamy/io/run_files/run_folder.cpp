@@ -54,8 +54,9 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
   // first the new run.json, so that the folder carries the marker at every moment
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
-  for (const fs::path& file : {model(), signals(), signalsPlot(), events(), ledger(), frames(),
-                               replay(), report(), checkpoint(), olderCheckpoint(), spareRoom()}) {
+  for (const fs::path& file :
+       {model(), signals(), signalsPlot(), events(), ledger(), frames(), replay(), report(),
+        path_ / "inputs.csv", checkpoint(), olderCheckpoint(), spareRoom()}) {
     fs::remove(file, error);
     if (error) throw WriteError(file.string(), "cannot replace: " + error.message());
   }

@@ -33,6 +33,8 @@ class RunObservers {
 
   /// Books a change of state between two steps, which is no motion: systems were renewed.
   void bring(const State& before, const State& after);
+  /// Books a change of parameters between two steps; T + V was `energy` [J] before.
+  void changed(double energy, const State& x) { ledger_.take(energy - ledger_.upTo(x).end()); }
   /// Systems fell asleep at the end of this step, or woke at t [s].
   void slept(const StepView& view, const RestChange& change);
   void woke(double t, const RestChange& change);

@@ -269,7 +269,7 @@ void Simulation::archive(Archive& a) {
   a(step_), a(*loop_), a(report_), a(observers_);
 }
 
-void Simulation::resume(const std::string& checkpoint) {
+void Simulation::resume(const std::string& checkpoint, std::optional<double> changed) {
   const State& x = step_.x();
   const Eigen::Index nq = x.q.size(), nu = x.u.size(), memory = x.memory.size();
   Archive a(checkpoint);
@@ -279,7 +279,12 @@ void Simulation::resume(const std::string& checkpoint) {
   if (const std::string fault = stateFault(x, model_.contacts().size()); !fault.empty())
     throw ModelError("the checkpoint cannot be of this run: " + fault);
   step_.resumed();
-  checkpoints_.keep(checkpoint);
+  if (changed) {
+    step_.change().scheme.resize(0);
+    step_.start();
+    observers_.changed(*changed, step_.x());
+  }
+  checkpoints_.keep(changed ? archived() : checkpoint);
   resumed_ = true;
 }
 

@@ -17,6 +17,7 @@
 #include <dynamy/simulation/run/time_loop.hpp>
 #include <dynamy/simulation/run/unsolved_steps.hpp>
 #include <functional>
+#include <optional>
 
 namespace dynamy {
 
@@ -47,10 +48,13 @@ class Simulation final : private Stepper {
   /// part of it. No recorded numbers are lost. If the run ended within a step, checkpoint() holds
   /// an earlier state, or is empty if none was stored.
   void stopWhen(const std::atomic<bool>& flag) { stop_ = &flag; }
-  /// Continues from a checkpoint of the same model. Throws ModelError if the checkpoint belongs to
-  /// another model or holds values that no run produces, and FileError (of the sink) if the
-  /// recorded files do not match it. After an error only the destructor may be called.
-  void resume(const std::string& checkpoint);
+  /// Continues from a checkpoint of the same model, or, with `changed`, of a model with the same
+  /// coordinates and elements, of which only parameters differ: the scheme begins anew, joints are
+  /// closed as at the start of a run, and the change of T + V, which was `changed` [J], is booked as
+  /// work of the boundaries. Throws ModelError if the checkpoint belongs to another model or holds
+  /// values that no run produces, and FileError (of the sink) if the recorded files do not match it.
+  /// After an error only the destructor may be called.
+  void resume(const std::string& checkpoint, std::optional<double> changed = {});
 
   /// Evaluates the state at the start, and observers see it; run() and step() do so themselves.
   /// False: an exception has ended the run, see report().

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -112,6 +113,49 @@ TEST(Steps, GoOnFromACheckpointOfOthers) {
   }
   resumed.report = second.report(), resumed.end = second.state();
   expectEqual(straight, resumed);
+}
+
+/// A pendulum of length 1 m and mass 1 kg in the gravity g.
+class HeavyPendulum final : public PartialMechanicalSystem {
+ public:
+  static void declare(Attributes& a) { a.required("g", Unit::acceleration, "gravity"); }
+  explicit HeavyPendulum(const Parameters& x) : PartialMechanicalSystem(x), g_(x["g"]) {}
+  Blocks blocks() const override { return {1, 1, 1, true}; }
+  void initialState(Vec q, Vec u) const override { q[0] = 1.0, u[0] = 0.0; }
+  void M(double, ConstVec, MassBlocks M) const override { M[0].setIdentity(); }
+  void h(double, ConstVec q, ConstVec, Vec h) const override { h[0] = -g_ * std::sin(q[0]); }
+  double potentialEnergy(double, ConstVec q) const override { return g_ * (1.0 - std::cos(q[0])); }
+
+ private:
+  double g_;
+};
+
+TEST(Steps, GoOnWithOtherParametersAndBookTheChangeOfEnergy) {
+  const auto model = [](double g) {
+    Model m;
+    m.add<HeavyPendulum>("p", {{"g", g}});
+    m.simulation.until = 2.0, m.simulation.tolerance = 1e-9;
+    m.build();
+    return m;
+  };
+  Model weak = model(1.0), strong = model(4.0);
+  Simulation first(weak);
+  while (first.state().t < 1.0) ASSERT_TRUE(first.step());
+  const State at = first.state();
+  const double before = 0.5 * at.u[0] * at.u[0] + 1.0 - std::cos(at.q[0]);
+  Simulation second(strong);
+  second.resume(first.archived(), before);
+  EXPECT_EQ(second.state().q, at.q);
+  EXPECT_EQ(second.state().u, at.u);
+  const RunReport& report = second.run();
+  ASSERT_EQ(report.ended, RunReport::Ended::finished) << report.reason;
+  const State& end = second.state();
+  // T + V of the strong pendulum is that at the change, to the tolerance; V jumps by 3 (1 − cos φ).
+  EXPECT_NEAR(0.5 * end.u[0] * end.u[0] + 4.0 * (1.0 - std::cos(end.q[0])),
+              0.5 * at.u[0] * at.u[0] + 4.0 * (1.0 - std::cos(at.q[0])), 1e-7);
+  EXPECT_NEAR(report.energy.boundaries, 3.0 * (1.0 - std::cos(at.q[0])), 1e-12);
+  EXPECT_NEAR(report.energy.discretisation, 0.0, 1e-7);
+  EXPECT_TRUE(report.warnings.empty());
 }
 
 TEST(Steps, EndOnceAndForAll) {

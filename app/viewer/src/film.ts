@@ -1,0 +1,65 @@
+// A film: poses and contacts of a run over time. A page holds a recorded one (data.ts); in a live run
+// it grows (live_film.ts).
+import {lastAtOrBefore, type Pose, type V3} from "./math";
+
+export interface Contact { r: V3; n: V3; F: V3; state: number; limit: number }
+
+export abstract class Film {
+  abstract readonly count: number;
+  abstract readonly poses: number;
+  abstract readonly t: Float64Array;
+  abstract readonly now: Float32Array;  // poses at the time of sample()
+  abstract readonly contactCount: number;
+  /** Fills `now` with all poses at t, straight between frames. */
+  abstract sample(t: number): Float32Array;
+  /** Pose i at time t; the inertial frame is −1. */
+  abstract pose(i: number, t: number): Pose;
+  abstract moves(i: number): boolean;
+  /** Whether coordinate k of pose i stands, at `value` if one is given. */
+  abstract stands(i: number, k: number, value?: number): boolean;
+  /** Contacts of the last frame at or before t. */
+  abstract contacts(t: number): Contact[];
+  abstract contactAt(c: number): Contact;
+
+  get begin(): number { return this.count ? this.t[0] : 0; }
+  get end(): number { return this.count ? this.t[this.count - 1] : 0; }
+
+  /** Index of the last frame at or before t. */
+  indexAt(t: number): number { return lastAtOrBefore(this.t, t); }
+
+  /** Velocity [m/s] and angular velocity [rad/s] of pose i, from the two frames around t. */
+  rates(i: number, t: number): {v: V3; omega: V3} {
+    const f = Math.min(this.indexAt(t), Math.max(0, this.count - 2)), g = Math.min(f + 1, this.count - 1);
+    const dt = this.t[g] - this.t[f];
+    if (!(dt > 0)) return {v: [0, 0, 0], omega: [0, 0, 0]};
+    const A = this.pose(i, this.t[f]), B = this.pose(i, this.t[g]);
+    const [w, x, y, z] = A.q, p = B.q;
+    // p ∘ q*: the turn from one frame to the next
+    const d = [p[0] * w + p[1] * x + p[2] * y + p[3] * z, p[1] * w - p[0] * x - p[2] * z + p[3] * y,
+               p[2] * w - p[0] * y - p[3] * x + p[1] * z, p[3] * w - p[0] * z - p[1] * y + p[2] * x];
+    const s = Math.hypot(d[1], d[2], d[3]), angle = 2 * Math.atan2(s, d[0]);
+    const factor = s > 1e-12 ? angle / s / dt : 2 / dt;
+    return {v: [0, 1, 2].map(k => (B.r[k] - A.r[k]) / dt) as V3, omega: [d[1], d[2], d[3]].map(e => e * factor) as V3};
+  }
+
+  firstMoving(): number {
+    for (let i = 0; i < this.poses; ++i) if (this.moves(i)) return i;
+    return -1;
+  }
+
+
+  /** A force that most contacts stay below: nine of ten of those that are not zero. Impacts are
+   *  apart: their force is the percussion over the step. */
+  usualForce(): number { return this.usual(state => state !== 3); }
+  usualImpact(): number { return this.usual(state => state === 3); }
+
+  private usual(counts: (state: number) => boolean): number {
+    const sizes: number[] = [], n = this.contactCount, stride = Math.max(1, Math.floor(n / 5000));
+    for (let c = 0; c < n; c += stride) {
+      const contact = this.contactAt(c), size = Math.hypot(...contact.F);
+      if (size > 0 && Number.isFinite(size) && counts(contact.state)) sizes.push(size);
+    }
+    sizes.sort((a, b) => a - b);
+    return sizes.length ? sizes[Math.floor(0.9 * (sizes.length - 1))] : 0;
+  }
+}

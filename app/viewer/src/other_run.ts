@@ -1,0 +1,54 @@
+// Another run that is laid over the one of the page: its bodies as outlines, its curves dashed.
+import type {Camera} from "./camera";
+import {RecordedFilm, sceneOf, signalsOf, type PageData, type Scene, type Signal} from "./data";
+import type {Film} from "./film";
+import {kItems} from "./flat_shapes";
+import {chained} from "./math";
+import type {PlotPanel} from "./plots";
+import {colourOf, mixed, theme} from "./theme";
+
+export class OtherRun {
+  private constructor(readonly title: string, readonly scene: Scene, readonly film: Film, readonly signals: Signal[]) {}
+
+  /** From the text of a replay.html. */
+  static async fromPage(html: string, name: string): Promise<OtherRun> {
+    const text = new DOMParser().parseFromString(html, "text/html").getElementById("data")?.textContent;
+    if (!text) throw new Error("it holds no run");
+    return OtherRun.from(JSON.parse(text) as PageData, name);
+  }
+
+  static async from(data: PageData, name: string): Promise<OtherRun> {
+    const [scene, film, signals] = await Promise.all([sceneOf(data), RecordedFilm.from(data.frames), signalsOf(data)]);
+    return new OtherRun(data.title || name, scene, film, signals);
+  }
+
+  /** Its bodies at t over the picture: transparent, so that both are seen. */
+  paint(ctx: CanvasRenderingContext2D, camera: Camera, t: number): void {
+    const bodies = this.scene.shapes.filter(s => s.kind in kItems && s.colour !== "transparent" && s.frame >= 0).slice(0, 500);
+    ctx.save();
+    ctx.globalAlpha = 0.4;
+    const items = bodies.map(shape => ({shape, item: kItems[shape.kind](shape,
+      chained(this.film.pose(shape.frame, t), shape.position, shape.orientation), this.film.pose(shape.frameEnd ?? -1, t))}));
+    items.sort((a, b) => camera.depth(a.item.centre) - camera.depth(b.item.centre));
+    for (const {shape, item} of items) {
+      const path = item.paint(ctx, camera, mixed(colourOf(shape), theme.dark ? -0.3 : 0.4));
+      ctx.setLineDash([5, 4]);
+      ctx.strokeStyle = theme.ink;
+      ctx.lineWidth = 1.5;
+      ctx.stroke(path);
+      ctx.setLineDash([]);
+    }
+    ctx.restore();
+  }
+
+  /** Its curves beside those of the same name. */
+  addTo(panels: PlotPanel[]): PlotPanel[] {
+    return panels.map(panel => {
+      const curves = panel.curves.flatMap((c, colour) => {
+        const own = this.signals.find(s => s.name === c.name);
+        return own ? [{name: `${c.name} (${this.title})`, t: own.t, y: own.y, dashed: true, colour}] : [];
+      });
+      return {...panel, curves: [...panel.curves, ...curves]};
+    });
+  }
+}
