@@ -54,8 +54,12 @@ class Automatic final : public InclusionSolver {
   NewtonLimits limits(const InclusionProblem& problem, int steps) const;
   /// Makes packed sweeps at a bounded cost: the last stage for many contacts.
   SolveReport boundedSweeps(const InclusionProblem& problem, Vec Lambda, SolveReport report);
-  /// Sets the status of a bounded solve by the residual that is enough for the scheme.
-  SolveReport judged(SolveReport report) const;
+  /// Is this a problem that the gaps of the next step correct, of bodies with enough contacts that
+  /// long searches cost more than they gain?
+  bool settles(const InclusionProblem& problem) const;
+  /// Makes packed sweeps where Newton's method has failed; solved: what is enough for the scheme is
+  /// reached.
+  void settle(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Remembers Λ if it is the best one so far, unless its forces are so large that their sums are
   /// only rounding.
   void keep(const InclusionProblem& problem, ConstVec Lambda, const Residuals& residuals);
@@ -64,17 +68,12 @@ class Automatic final : public InclusionSolver {
   bool alternate(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Tries Newton's method from other starts with other ρ; true: solved. Λ is the best one so far.
   bool restarts(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
-
   /// Makes short attempts from many starts, for small given problems; true: solved. Λ is the best
   /// one so far.
   bool others(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
   /// Newton's method from `trial`; Λ and the residuals in `report` become better or remain.
   bool tryFrom(const InclusionProblem& problem, const NewtonSchedule& schedule,
                Eigen::VectorXd& trial, Vec Lambda, SolveReport& report);
-  /// Λ ← normal forces that each alone give their own contact the velocity `velocity` · u_ref.
-  /// `spread` numbers a pattern of factors from 1 to 1e4 on these forces; 0: no factors.
-  static void press(const InclusionProblem& problem, double velocity, int spread,
-                    Eigen::VectorXd& Lambda);
   /// Tries Lemke's method, then Newton steps from its solution for friction polygons; true: solved.
   /// Λ is the best one so far.
   bool pivot(const InclusionProblem& problem, Vec Lambda, SolveReport& report);
