@@ -31,13 +31,19 @@ TEST_F(GradientCommand, PrintsAndWritesTheDerivatives) {
 TEST_F(GradientCommand, TellsWhatIsWrong) {
   write("ball.xml", kBall);
   EXPECT_EQ(call("gradient ball.xml --of ball.y --by hh"), 2);
-  EXPECT_NE(err().find("no parameter \"hh\" — did you mean \"h\"?"), std::string::npos) << err();
+  EXPECT_NE(err().find("no parameter, coordinate or velocity \"hh\" — did you mean \"h\"?"), std::string::npos) << err();
   EXPECT_EQ(call("gradient ball.xml --of ball.yy --by h"), 2);
   EXPECT_NE(err().find("no signal named \"ball.yy\" — did you mean \"ball.y\"?"), std::string::npos)
       << err();
   EXPECT_EQ(call("gradient ball.xml --of ball.y@0.7 --by h"), 2);
   EXPECT_NE(err().find("wanted at 0.7 s, but the run goes from 0 to 0.6 s"), std::string::npos)
       << err();
+  EXPECT_EQ(call("gradient ball.xml --of t:floor=impact#2 --by h"), 2);
+  EXPECT_NE(err().find("has 1 of these events, not 2"), std::string::npos) << err();
+  EXPECT_EQ(call("gradient ball.xml --of t:flor=impact --by h"), 2);
+  EXPECT_NE(err().find("no contact named \"flor\""), std::string::npos) << err();
+  EXPECT_EQ(call("gradient ball.xml --of t:floor --by h"), 2);
+  EXPECT_NE(err().find("is no event"), std::string::npos) << err();
   EXPECT_EQ(call("gradient ball.xml --of ball.y@x --by h"), 2);
   EXPECT_NE(err().find("\"ball.y@x\""), std::string::npos) << err();
 }

@@ -9,14 +9,16 @@ namespace dynamy {
 /// What is wanted, as it is written on a command line.
 struct FileGradient {
   std::filesystem::path file;
-  std::vector<std::string> of;  ///< "SIGNAL@TIME", or "SIGNAL" for the end of the run
-  std::vector<std::string> by;  ///< names of parameters
+  /// "SIGNAL@TIME", "SIGNAL" for the end of the run; instants: "t:CONTACT=impact#2",
+  /// "t:CONTACT=STATUS", "t:SIGNAL=VALUE-".
+  std::vector<std::string> of;
+  std::vector<std::string> by;  ///< names of parameters, or of coordinates and velocities
   Overrides set = {};           ///< values of parameters
   bool checks = false;          ///< also the values of the model's checks
   double tolerance = 0.0;       ///< 0: the model's
 };
 
-/// As gradient(). Throws ModelError, also for unknown parameters.
+/// As gradient(). Throws ModelError, also for unknown names.
 Gradient gradient(const FileGradient& wanted, Registry& registry, PluginLoader& plugins);
 
 /// Writes the members of an object: values, and which parameters have no derivatives.

@@ -42,9 +42,9 @@ void RunResiduals::place(const double* x) {
         until = 0.0;
         for (const SignalAt& s : of_) until = std::max(until, s.t);
         ++effort_.runs;
-        if (!run_.start) return followedRun(model, of_, tolerance_, like);
+        if (!run_.start) return followedRun(model, of_, tolerance_, {.like = like});
         const State start = run_.start(model);
-        return followedRun(model, of_, tolerance_, like, &start);
+        return followedRun(model, of_, tolerance_, {.like = like, .from = &start});
       });
 }
 

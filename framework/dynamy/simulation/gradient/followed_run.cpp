@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/located/located_dormand_prince.hpp>
@@ -39,7 +40,7 @@ class Watch final : public Observer {
   Watch(const Model& model, const std::vector<SignalAt>& of, const std::vector<double>& stops,
         const LocatedDormandPrince& scheme)
       : of_(of), stops_(stops), scheme_(scheme), sampler_(model, signalsOf(model, of)) {
-    run.values.resize(of.size());
+    run.values.resize(of.size()), run.sizes.resize(of.size());
   }
   void start(const StepView& initial) override { sample(initial, -1.0); }
   void step(const StepView& view) override {
@@ -51,8 +52,12 @@ class Watch final : public Observer {
                            : stop                  ? PlannedStep::End::atStop
                                                    : PlannedStep::End::bounded);
     if (stop) sample(view, view.before.t);
+    for (std::size_t i = 0; measures && i < of_.size(); ++i)
+      if (!isPassed(of_[i].t, view.before.t))
+        run.sizes[i] = std::max(run.sizes[i], std::abs(sampler_.sampleOne(view, 1.0, i)));
   }
   FollowedRun run;
+  bool measures = true;  ///< takes sizes
 
  private:
   /// The signals whose instants are after `before`, up to the end of the step.
@@ -74,29 +79,38 @@ std::unique_ptr<LocatedDormandPrince> locatedScheme(bool givenSteps) {
 }
 
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
-                        const MotionSequence* like, const State* from, long most) {
-  auto scheme = locatedScheme(like != nullptr);
+                        const FollowedRunOptions& options) {
+  auto scheme = locatedScheme(options.like != nullptr);
   LocatedDormandPrince& located = *scheme;
   model.askTolerance(tolerance);
   model.scheme(std::move(scheme));
   StepPlan plan;
-  plan.from = from;
+  plan.from = options.from;
   for (const SignalAt& s : of) plan.stops.push_back(s.t);
   plan.stops.push_back(model.simulation.until);
   std::sort(plan.stops.begin(), plan.stops.end());
   plan.stops.erase(std::unique(plan.stops.begin(), plan.stops.end()), plan.stops.end());
   const std::vector<double> stops = plan.stops;
-  if (like != nullptr) plan.steps = like->plan();
+  if (options.like != nullptr) plan.steps = options.like->plan();
   Watch watch(model, of, stops, located);
+  watch.measures = options.like == nullptr;
   Simulation simulation(model, &plan);
   simulation.observe(watch);
+  const std::vector<WantedInstant> none;
+  EventInstants instants(model, options.instants != nullptr ? *options.instants : none);
+  if (options.instants != nullptr && !options.instants->empty()) simulation.observe(instants);
   while (simulation.step())
-    if (most > 0 && simulation.report().steps > most)
-      throw ModelError(fmt::format("the motion needs more than {} steps", most));
+    if (options.most > 0 && simulation.report().steps > options.most)
+      throw ModelError(fmt::format("the motion needs more than {} steps", options.most));
   const RunReport& report = simulation.report();
   if (report.ended != RunReport::Ended::finished)
     throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
+  watch.run.firstInstant = watch.run.values.size();
+  for (const double t : instants.instants()) watch.run.values.push_back(t);
+  watch.run.events = instants.counts();
   for (const CheckResult& c : simulation.checks()) watch.run.values.push_back(c.got);
+  for (std::size_t i = of.size(); i < watch.run.values.size(); ++i)
+    watch.run.sizes.push_back(std::abs(watch.run.values[i]));
   watch.run.end = simulation.state();
   return std::move(watch.run);
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/simulation/gradient/gradient.hpp>
+#include <dynamy/simulation/model/initial_values.hpp>
 #include <dynamy/simulation/report/checks.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/report/signal_sampler.hpp>
@@ -15,21 +17,37 @@ constexpr double kDefault = 1e-9;  ///< tolerance of models that have none
 constexpr int kTries = 3;          ///< with ever smaller δ, where the switches differ
 /// The run that tells the errors: factors on tolerance and δ.
 constexpr double kLooser = 10.0, kWider = 3.0;
+const std::string kInstant = "instant";  ///< measure of an event
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+bool isInitial(const GradientRequest& request, const std::string& name) {
+  return std::find(request.initial.begin(), request.initial.end(), name) != request.initial.end();
+}
 
 /// Runs at one tolerance. `model`: at the values of the request; its end and checks hold for all.
 RunDifferences differences(const ModelMaker& make, const GradientRequest& request,
                            const Model& model, double tolerance, double wide) {
   double end = 0.0;
   for (const SignalAt& s : request.of) end = std::max(end, s.t);
-  if (request.checks) end = model.simulation.until;
+  if (request.checks || !request.instants.empty()) end = model.simulation.until;
   RunDifferences out(
       [&make, &request, &model, tolerance, end](const std::vector<Varied>& changed,
                                                 const MotionSequence* like) {
-        Model run = make(changed);
+        std::vector<Varied> parameters;
+        for (const Varied& v : changed)
+          if (!isInitial(request, v.first)) parameters.push_back(v);
+        Model run = make(parameters);
         run.checks = request.checks ? model.checks : std::vector<CheckSettings>();
         run.simulation.until = end;
-        return followedRun(run, request.of, tolerance, like);
+        FollowedRunOptions options{.like = like, .instants = &request.instants};
+        State from;
+        for (const auto& [name, value] : changed) {
+          if (!isInitial(request, name)) continue;
+          if (options.from == nullptr) from = run.initialState();
+          changeInitialValue(run, name, value, from);
+          options.from = &from;
+        }
+        return followedRun(run, request.of, tolerance, options);
       },
       wide);
   if (const double t = out.steppedFrom(); !std::isnan(t))
@@ -45,7 +63,7 @@ void complete(const Model& model, GradientRequest& request) {
   if (request.tolerance <= 0.0)
     request.tolerance = model.simulation.tolerance > 0.0 ? model.simulation.tolerance : kDefault;
   const double end = model.simulation.until;
-  if (request.of.empty() && !request.checks)
+  if (request.of.empty() && request.instants.empty() && !request.checks)
     for (const NamedSignal* s : chooseSignals(model, {}, {}))
       request.of.push_back({s->name, kNone});
   for (SignalAt& s : request.of) {
@@ -79,6 +97,68 @@ void addChecks(const Model& model, std::vector<GradientValue>& values) {
   }
 }
 
+/// Names of the contact elements, as contactName() makes them.
+std::vector<std::string> contactElements(const Model& model) {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < model.contacts().size(); ++i)
+    out.push_back(contactName(model, ContactKey{std::uint64_t{i} << 40}));
+  return out;
+}
+
+/// Throws where an event does not happen in the run.
+void refuseMissing(const Model& model, const GradientRequest& request, const FollowedRun& run) {
+  for (std::size_t i = 0; i < request.instants.size(); ++i) {
+    const WantedInstant& w = request.instants[i];
+    if (run.events[i] >= w.count) continue;
+    const std::vector<std::string> known = contactElements(model);
+    const bool named = std::any_of(known.begin(), known.end(), [&](const std::string& name) {
+      return w.of.rfind(name, 0) == 0 || name.rfind(w.of, 0) == 0;
+    });
+    const bool ofContact =
+        w.what == WantedInstant::What::impact || w.what == WantedInstant::What::status;
+    if (ofContact && !named)
+      throw ModelError('"' + w.text + "\": no contact named \"" + w.of + '"',
+                       unknownNameHint(w.of, known));
+    throw ModelError(fmt::format("\"{}\": the run to {} s has {} of these events, not {}", w.text,
+                                 model.simulation.until, run.events[i], w.count),
+                     "let the model run longer, or choose an earlier event");
+  }
+}
+
+/// Values of a run and their errors.
+void addValues(Gradient& out, const FollowedRun& run, const FollowedRun& looser) {
+  for (const MotionSequence::Step& s : run.sequence.steps)
+    out.switches += s.switches, out.impacts += s.impacts.empty() ? 0 : 1;
+  for (std::size_t k = 0; k < out.values.size(); ++k) {
+    out.values[k].value = run.values[k];
+    out.values[k].error = std::abs(looser.values[k] - run.values[k]);
+    if (out.values[k].measure == kInstant) out.values[k].at = run.values[k];
+  }
+}
+
+/// Derivatives towards either side, for parameter i.
+void addSides(Gradient& out, std::size_t i, const RunDifferences& runs,
+              const RunDifferences& looser, const Varied& by, double size) {
+  constexpr double kSeen = 10.0;  // a jump is larger than this many errors of the value
+  for (const double sign : {-1.0, 1.0}) {
+    const RunDifferences::Side side = runs.side(by, size, sign);
+    const RunDifferences::Side rough = looser.side(by, size, sign);
+    for (std::size_t k = 0; k < out.values.size(); ++k) {
+      GradientValue& v = out.values[k];
+      SideDerivative s;
+      s.limit = side.limit[k];
+      if (!std::isnan(rough.d[k])) {
+        s.d = side.d[k], s.error = side.error[k] + std::abs(rough.d[k] - side.d[k]);
+        const double apart = std::abs(s.limit - v.value),
+                     error = std::abs(rough.limit[k] - s.limit);
+        s.jumps = apart > kSeen * (v.error + error + RunDifferences::kRounding * std::abs(v.value));
+      }
+      auto& all = sign < 0.0 ? v.left : v.right;
+      all.resize(i), all.push_back(s);
+    }
+  }
+}
+
 }  // namespace
 
 Gradient gradient(const ModelMaker& make, GradientRequest request) {
@@ -87,16 +167,13 @@ Gradient gradient(const ModelMaker& make, GradientRequest request) {
   Gradient out;
   out.tolerance = request.tolerance;
   for (const SignalAt& s : request.of) out.values.push_back({.of = s.signal, .at = s.t});
+  for (const WantedInstant& w : request.instants)
+    out.values.push_back({.of = w.text, .measure = kInstant});
   if (request.checks) addChecks(model, out.values);
   RunDifferences runs = differences(make, request, model, request.tolerance, 1.0);
+  refuseMissing(model, request, runs.nominal());
   RunDifferences looser = differences(make, request, model, kLooser * request.tolerance, kWider);
-  for (const MotionSequence::Step& s : runs.nominal().sequence.steps) {
-    out.switches += s.switches, out.impacts += s.impacts.empty() ? 0 : 1;
-  }
-  for (std::size_t k = 0; k < out.values.size(); ++k) {
-    out.values[k].value = runs.nominal().values[k];
-    out.values[k].error = std::abs(looser.nominal().values[k] - out.values[k].value);
-  }
+  addValues(out, runs.nominal(), looser.nominal());
   for (std::size_t i = 0; i < request.by.size(); ++i) {
     out.by.push_back(request.by[i].first);
     const double size = request.by[i].second != 0.0 ? std::abs(request.by[i].second) : 1.0;
@@ -105,14 +182,17 @@ Gradient gradient(const ModelMaker& make, GradientRequest request) {
     out.refused.push_back(d.empty()       ? refusal(model, runs, out.by[i])
                           : rough.empty() ? refusal(model, looser, out.by[i])
                                           : std::string());
+    const bool good = out.refused[i].empty();
     for (std::size_t k = 0; k < out.values.size(); ++k) {
-      const bool good = out.refused[i].empty();
       out.values[k].d.push_back(good ? d[k] : kNone);
-      const double rounding =
-          RunDifferences::kRounding * std::abs(out.values[k].value) / runs.delta();
+      const double rounding = RunDifferences::kRounding * runs.nominal().sizes[k] / runs.delta();
       out.values[k].dError.push_back(good ? std::abs(rough[k] - d[k]) + rounding : kNone);
     }
+    if (!good) addSides(out, i, runs, looser, request.by[i], size);
   }
+  for (GradientValue& v : out.values)
+    for (auto* side : {&v.left, &v.right})
+      if (!side->empty()) side->resize(out.by.size());
   return out;
 }
 

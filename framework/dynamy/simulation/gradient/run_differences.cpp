@@ -10,6 +10,22 @@ namespace {
 constexpr double kSmaller = 0.1;  ///< factor on δ
 /// δ of runs that choose their own steps: their error is that of the integration over δ.
 constexpr double kAcross = 1e-4;
+/// Differences on one side: δ, the factor to the smaller one, and how much larger a derivative may
+/// be with it. One that grows as δ^(-1/2), as beside grazing, becomes 3.2 times larger.
+constexpr double kSideDelta = 1e-5, kSideSmaller = 0.1, kGrowth = 2.0;
+constexpr int kSideTries = 3;
+constexpr double kNoSide = std::numeric_limits<double>::quiet_NaN();
+
+/// False: value k is an instant, and one of the three runs has another event in its place.
+bool isSmooth(const FollowedRun& run, const FollowedRun& more, const FollowedRun& less,
+              std::size_t k) {
+  const std::size_t first = run.firstInstant, last = first + run.events.size();
+  if (k < first || k >= last) return true;
+  const double a = less.values[k], b = run.values[k], c = more.values[k];
+  constexpr double kBend = 0.1,
+                   kRoot = 1e-9;  // of the change; of the instant, as roots are located
+  return std::abs(a - 2.0 * b + c) <= kBend * std::abs(c - a) + kRoot * std::abs(b);
+}
 
 }  // namespace
 
@@ -34,11 +50,56 @@ std::vector<double> RunDifferences::by(const Varied& parameter, double size, int
     if (difference_.any) continue;
     std::vector<double> out;
     for (std::size_t k = 0; k < run_.values.size(); ++k)
-      out.push_back((more.values[k] - less.values[k]) / (above - below));
+      out.push_back(isSmooth(run_, more, less, k)
+                        ? (more.values[k] - less.values[k]) / (above - below)
+                        : kNoSide);
     delta_ = delta;
     return out;
   }
   return {};
+}
+
+/// One difference with a signed δ, without errors; empty: the runs have other switches.
+RunDifferences::Side RunDifferences::sideOnce(const Varied& parameter, double delta) const {
+  const auto& [name, value] = parameter;
+  const double p[3] = {value + delta, value + 2.0 * delta, value + 3.0 * delta};
+  const FollowedRun middle = make_({{name, p[1]}}, nullptr);
+  const FollowedRun near = make_({{name, p[0]}}, &middle.sequence);
+  const FollowedRun far = make_({{name, p[2]}}, &middle.sequence);
+  if (near.sequence.from(middle.sequence).any || far.sequence.from(middle.sequence).any) return {};
+  // Value and derivative at p of the parabola through the three.
+  Side out;
+  for (std::size_t k = 0; k < middle.values.size(); ++k) {
+    const double v[3] = {near.values[k], middle.values[k], far.values[k]};
+    out.d.push_back((-5.0 * v[0] + 8.0 * v[1] - 3.0 * v[2]) / (p[2] - p[0]));
+    out.limit.push_back(3.0 * (v[0] - v[1]) + v[2]);
+  }
+  return out;
+}
+
+RunDifferences::Side RunDifferences::side(const Varied& parameter, double size, double sign) const {
+  const std::size_t n = run_.values.size();
+  const std::vector<double> none(n, kNoSide);
+  Side out{none, none, none};
+  double delta = sign * wide_ * kSideDelta * size;
+  for (int tries = kSideTries; tries > 0; --tries, delta *= kSmaller) {
+    Side wide, close;
+    try {
+      wide = sideOnce(parameter, delta);
+      if (!wide.d.empty()) close = sideOnce(parameter, kSideSmaller * delta);
+    } catch (const ModelError&) {  // no run on this side: it starts within a body, say
+      return out;
+    }
+    if (close.d.empty()) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double rounding = 8.0 * kRounding * run_.sizes[k] / std::abs(delta);
+      if (std::abs(close.d[k]) > kGrowth * std::abs(wide.d[k]) + rounding / kSideSmaller) continue;
+      out.d[k] = wide.d[k], out.limit[k] = wide.limit[k];
+      out.error[k] = std::abs(close.d[k] - wide.d[k]) + rounding;
+    }
+    return out;
+  }
+  return out;
 }
 
 std::vector<double> RunDifferences::across(const Varied& parameter, double size) const {

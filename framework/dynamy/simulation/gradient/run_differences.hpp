@@ -19,7 +19,7 @@ class RunDifferences {
   /// δ of a parameter, as a part of its size. Central differences of smooth runs have errors of
   /// about δ² and 1e-16/δ.
   static constexpr double kDelta = 5e-6;
-  /// Rounding of a value at the end of a run, in units of the value; divided by δ.
+  /// Rounding of a value at the end of a run, in units of its size; divided by δ.
   static constexpr double kRounding = 32.0 * kEpsilon;
   /// Runs with some parameters changed; `like`: with the steps of that run.
   using Run =
@@ -39,12 +39,26 @@ class RunDifferences {
   /// side that ends early is left out. Throws ModelError if both do.
   std::vector<double> across(const Varied& parameter, double size) const;
 
+  /// Derivatives of all values towards one side of a parameter, `sign` 1 or −1, from a run that
+  /// chooses its steps beside the parameter's value and two that follow it:
+  ///
+  ///   d = ∓(5 v(p ± δ) − 8 v(p ± 2δ) + 3 v(p ± 3δ)) / 2δ
+  ///
+  /// the errors, by a smaller δ, and the limits of the values, which are others than those at the
+  /// parameter's value where the values jump. NaN: a derivative grows without bound as δ shrinks, or
+  /// runs on that side switch differently for every δ.
+  struct Side {
+    std::vector<double> d, error, limit;
+  };
+  Side side(const Varied& parameter, double size, double sign) const;
+
   double delta() const { return delta_; }  ///< of the last derivatives
   const MotionSequence::Difference& difference() const { return difference_; }
   /// The switches differed for a larger value of the parameter, else for a smaller one.
   bool grows() const { return grows_; }
 
  private:
+  Side sideOnce(const Varied& parameter, double delta) const;
   Run make_;
   double wide_, delta_ = 0.0;
   FollowedRun run_;

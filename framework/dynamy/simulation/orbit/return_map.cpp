@@ -156,7 +156,8 @@ FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* st
   std::vector<SignalAt> of;
   if (!section_.signal.empty()) of.push_back({section_.signal, T});
   try {
-    FollowedRun out = followedRun(model_, of, tolerance_, steps, &from, kMostSteps);
+    FollowedRun out =
+        followedRun(model_, of, tolerance_, {.like = steps, .from = &from, .most = kMostSteps});
     model_.simulation.until = until_;
     return out;
   } catch (...) {

@@ -1,0 +1,19 @@
+/// Places of coordinates and velocities in a state, by the names of their signals: "toy.phiS".
+#pragma once
+#include <dynamy/simulation/model/model.hpp>
+#include <string>
+#include <vector>
+
+namespace dynamy {
+
+/// The number in `x` that the signal `name` shows; null: no coordinate or velocity has this name.
+double* numberOfState(const Model& model, const std::string& name, State& x);
+
+/// Names of all coordinates and velocities.
+std::vector<std::string> namesOfState(const Model& model);
+
+/// The model's initial state with one number changed. Throws ModelError for unknown names, and for
+/// one of the four numbers of a rotation, which are not free.
+void changeInitialValue(const Model& model, const std::string& name, double value, State& x);
+
+}  // namespace dynamy
