@@ -23,6 +23,24 @@ Eigen::MatrixXd PseudoInverse::solve(const Eigen::MatrixXd& B) const {
 
 void PseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const { x = qr_.solve(b); }
 
+void ProductPseudoInverse::compute(const Eigen::MatrixXd& X, const Eigen::MatrixXd& Y) {
+  left_.compute(X), right_.compute(Y);
+  const Eigen::Index n = X.cols();
+  const Eigen::MatrixXd R1 = left_.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd R2 = right_.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  core_.compute(R1 * R2.transpose());
+}
+
+void ProductPseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+  const Eigen::Index n = left_.cols();
+  const Eigen::VectorXd c = (left_.householderQ().adjoint() * b).head(n);
+  Eigen::VectorXd z;
+  core_.solve(c, z);
+  x.setZero(right_.rows());
+  x.head(n) = z;
+  x.applyOnTheLeft(right_.householderQ());
+}
+
 void PivotedQr::compute(const Eigen::MatrixXd& A) { qr_.compute(A); }
 
 Eigen::Index PivotedQr::rank() const { return qr_.rank(); }

@@ -50,6 +50,21 @@ class PseudoInverse {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr_;
 };
 
+/// Pseudo-inverse of a product A = X Yᵀ of tall matrices, m × n with n < m, without A:
+///
+///   X = Q₁ R₁,  Y = Q₂ R₂,  A⁺ = Q₂ (R₁ R₂ᵀ)⁺ Q₁ᵀ
+class ProductPseudoInverse {
+ public:
+  explicit ProductPseudoInverse(double threshold) : core_(threshold) {}
+  void compute(const Eigen::MatrixXd& X, const Eigen::MatrixXd& Y);
+  Eigen::Index rank() const { return core_.rank(); }
+  void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+
+ private:
+  Eigen::HouseholderQR<Eigen::MatrixXd> left_, right_;
+  PseudoInverse core_;
+};
+
 /// A P = Q R with pivoting of columns; rank as in PseudoInverse.
 class PivotedQr {
  public:

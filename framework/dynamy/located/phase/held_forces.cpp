@@ -1,6 +1,14 @@
 #include <dynamy/located/phase/held_forces.hpp>
 
 namespace dynamy {
+namespace {
+
+/// With so many forces, and more than this factor times the velocities, A has a low rank and is
+/// inverted as a product of tall matrices: 2160 forces on 600 velocities in 0.4 s instead of 5.6 s.
+constexpr Eigen::Index kManyForces = 256;
+constexpr double kPerVelocity = 1.5;
+
+}  // namespace
 
 void ForceDirections::find(const std::vector<Held>& held, const HeldRows& rows) {
   const int n = rows.size();
@@ -111,9 +119,16 @@ void HeldForces::solve(const std::vector<Held>& held, const HeldRows& rows, cons
   if (m == 0) return;
   multiplyByP(rows.MInvW());
   assemble(held, rows, constraint);
-  inverse_.compute(A_);
-  redundant_ = inverse_.rank() < m;
-  inverse_.solve(rhs_, pi_);
+  if (m >= kManyForces && static_cast<double>(m) > kPerVelocity * static_cast<double>(a_.size())) {
+    product_.compute(constraint.R(Eigen::all, directions_.kept).transpose(),
+                     scale_.asDiagonal() * MInvWP_.transpose());
+    redundant_ = product_.rank() < m;
+    product_.solve(rhs_, pi_);
+  } else {
+    inverse_.compute(A_);
+    redundant_ = inverse_.rank() < m;
+    inverse_.solve(rhs_, pi_);
+  }
   pi_.array() *= scale_.array();
   a_.noalias() += MInvWP_ * pi_;
   lambda_.noalias() += directions_.P.leftCols(m) * pi_;

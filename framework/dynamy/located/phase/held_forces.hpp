@@ -50,6 +50,7 @@ class HeldForces {
   Eigen::MatrixXd A_, MInvWP_;  // Sᵀ Rᵀ M⁻¹W P, its columns by scale_; M⁻¹W P
   Eigen::VectorXd rhs_, pi_, scale_;
   BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
+  ProductPseudoInverse product_{1e-10};
   bool redundant_ = false;
 };
 
