@@ -26,6 +26,13 @@ std::string colourOf(const std::string& kind) {
   return "#b3261e";
 }
 
+/// The section holds this signal, or nothing depends on it: its curve says nothing.
+bool saysNothing(const NamedBranch& of, const std::string& signal) {
+  const auto& none = of.branch.ignorable;
+  return signal == of.branch.section.signal ||
+         std::find(none.begin(), none.end(), signal) != none.end();
+}
+
 class BranchPicture {
  public:
   BranchPicture(const NamedBranch& of, const std::string& quantity) : of_(of), quantity_(quantity) {
@@ -154,9 +161,8 @@ std::string shownSignal(const NamedBranch& of) {
     double low = of.branch.points.front().state[k], high = low;
     for (const BranchPoint& p : of.branch.points)
       low = std::min(low, p.state[k]), high = std::max(high, p.state[k]);
-    // A signal that the section holds is rounding.
     const double size = std::max(std::abs(low), std::abs(high));
-    if (of.branch.signals[k] == of.branch.section.signal || !(size > 0.0)) continue;
+    if (saysNothing(of, of.branch.signals[k]) || !(size > 0.0)) continue;
     if ((high - low) / size > most) most = (high - low) / size, out = of.branch.signals[k];
   }
   return out;
@@ -169,7 +175,7 @@ std::string branchPage(const std::string& model, const NamedBranch& of) {
                      ". Section: " + escapedXml(of.branch.section.text()) + ".</p>\n";
   std::vector<std::string> all = of.branch.signals;
   all.insert(all.begin(), {"period", "multiplier"});
-  std::erase(all, of.branch.section.signal);
+  std::erase_if(all, [&](const std::string& s) { return saysNothing(of, s); });
   for (const std::string& quantity : all)
     body += "<figure>" + branchSvg(of, quantity) + "</figure>\n";
   body += "<h2>Found</h2><div class=\"wide\"><table><tr><th>" + escapedXml(of.parameter) +

@@ -19,7 +19,7 @@ namespace {
 
 struct OrbitTask {
   std::string model, section, over, show;
-  std::vector<std::string> set, start;
+  std::vector<std::string> set, start, mirror;
   double tolerance = 0.0, period = 0.0;
   int returns = 0, brute = 0;
   AnalysisResult result{"orbit"};
@@ -79,6 +79,8 @@ std::string branchText(const std::string& model, const NamedBranch& b) {
       model, points.size(), b.parameter, stable, b.branch.cycles, b.branch.section.text());
   for (const BranchPoint& p : points)
     if (!p.kind.empty()) out += fmt::format(" {:<16.12g} {:<14} {}\n", p.p, p.kind, p.text);
+  if (!b.brute.empty())
+    out += fmt::format(" {} passes of the section by plain runs in brute.csv\n", b.brute.size());
   return out;
 }
 
@@ -92,6 +94,7 @@ void tellBranch(Program& program, const OrbitTask& task, const FileOrbit& wanted
       std::find(known.begin(), known.end(), show) == known.end())
     throw ModelError("nothing named \"" + show + "\" on the branch", unknownNameHint(show, known));
   writeWholeFile(folder / "branch.csv", branchCsv(b));
+  if (task.brute > 0) writeWholeFile(folder / "brute.csv", bruteCsv(b));
   writeWholeFile(folder / "branch.svg", branchSvg(b, show));
   writeWholeFile(folder / "branch.html", branchPage(task.model, b));
   task.result.tell(
@@ -103,6 +106,7 @@ void tellOrbit(Program& program, const OrbitTask& task) {
                    .section = task.section,
                    .period = task.period,
                    .returns = task.returns,
+                   .mirror = task.mirror,
                    .tolerance = task.tolerance};
   for (const std::string& s : task.set) wanted.set.push_back(assignment(s));
   for (const std::string& s : task.start) wanted.start.push_back(numberAssignment("--start", s));
@@ -134,6 +138,10 @@ void addOrbit(CLI::App& app, Program& program) {
   c->add_option("--returns", t->returns, "passes, or periods of the forcing, in one orbit")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, 1000));
+  c->add_option("--mirror", t->mirror,
+                "the motion repeats itself mirrored after half a period: coordinates that change "
+                "their signs, or are exchanged")
+      ->type_name("SIGNAL[=[-]SIGNAL]");
   c->add_option("--start", t->start,
                 "coordinate or velocity from which the search begins; default: the model's")
       ->type_name("SIGNAL=VALUE");

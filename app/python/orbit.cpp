@@ -15,11 +15,12 @@ namespace {
 
 FileOrbit wantedOrbit(const std::string& file, const std::string& section, double period,
                       int returns, const std::map<std::string, double>& start, double tolerance,
-                      const py::kwargs& set) {
+                      const std::vector<std::string>& mirror, const py::kwargs& set) {
   FileOrbit out{.file = file,
                 .section = section,
                 .period = period,
                 .returns = returns,
+                .mirror = mirror,
                 .tolerance = tolerance};
   for (const GivenValue& v : givenValues(set)) out.set.emplace_back(v.name, v.text);
   for (const auto& [name, value] : start)
@@ -27,27 +28,52 @@ FileOrbit wantedOrbit(const std::string& file, const std::string& section, doubl
   return out;
 }
 
+/// Values by signal, a column each; `rows`: one state a row.
+py::dict columnsOf(const std::vector<std::string>& signals,
+                   const std::vector<const std::vector<double>*>& rows) {
+  const auto n = static_cast<py::ssize_t>(rows.size());
+  py::dict out;
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    py::array_t<double> values(n);
+    for (py::ssize_t i = 0; i < n; ++i)
+      values.mutable_at(i) = (*rows[static_cast<std::size_t>(i)])[k];
+    out[py::str(signals[k])] = values;
+  }
+  return out;
+}
+
+/// Passes of plain runs.
+py::dict bruteOf(const NamedBranch& named) {
+  py::array_t<double> parameter(static_cast<py::ssize_t>(named.brute.size()));
+  std::vector<const std::vector<double>*> rows;
+  for (const BrutePoint& b : named.brute) {
+    parameter.mutable_at(static_cast<py::ssize_t>(rows.size())) = b.p;
+    rows.push_back(&b.state);
+  }
+  py::dict out;
+  out["parameter"] = parameter, out["state"] = columnsOf(named.branch.signals, rows);
+  return out;
+}
+
 py::dict branchOf(const std::string& file, const std::string& over, const std::string& section,
                   double period, int returns, const std::map<std::string, double>& start,
-                  double tolerance, const py::kwargs& set) {
-  const NamedBranch named = branch(
-      {.orbit = wantedOrbit(file, section, period, returns, start, tolerance, set), .over = over},
-      library().registry, library().plugins);
+                  double tolerance, int brute, const std::vector<std::string>& mirror,
+                  const py::kwargs& set) {
+  const NamedBranch named =
+      branch({.orbit = wantedOrbit(file, section, period, returns, start, tolerance, mirror, set),
+              .over = over,
+              .brute = brute},
+             library().registry, library().plugins);
   const OrbitBranch& b = named.branch;
   const auto n = static_cast<py::ssize_t>(b.points.size());
   Eigen::Index most = 0;
-  for (const BranchPoint& p : b.points) most = std::max(most, p.multipliers.size());
+  std::vector<const std::vector<double>*> states;
+  for (const BranchPoint& p : b.points)
+    most = std::max(most, p.multipliers.size()), states.push_back(&p.state);
   py::array_t<double> parameter(n), periods(n);
   py::array_t<bool> stable(n);
   py::array_t<std::complex<double>> multipliers({n, static_cast<py::ssize_t>(most)});
   py::list kinds, texts;
-  py::dict state;
-  for (std::size_t k = 0; k < b.signals.size(); ++k) {
-    py::array_t<double> values(n);
-    for (py::ssize_t i = 0; i < n; ++i)
-      values.mutable_at(i) = b.points[static_cast<std::size_t>(i)].state[k];
-    state[py::str(b.signals[k])] = values;
-  }
   for (py::ssize_t i = 0; i < n; ++i) {
     const BranchPoint& p = b.points[static_cast<std::size_t>(i)];
     parameter.mutable_at(i) = p.p, periods.mutable_at(i) = p.period;
@@ -58,7 +84,8 @@ py::dict branchOf(const std::string& file, const std::string& over, const std::s
     kinds.append(p.kind), texts.append(p.text);
   }
   py::dict out;
-  out["parameter"] = parameter, out["period"] = periods, out["state"] = state;
+  out["parameter"] = parameter, out["period"] = periods;
+  out["state"] = columnsOf(b.signals, states), out["brute"] = bruteOf(named);
   out["multipliers"] = multipliers, out["stable"] = stable, out["bifurcation"] = kinds;
   out["text"] = texts, out["start"] = b.start, out["section"] = b.section.text();
   return out;
@@ -66,8 +93,9 @@ py::dict branchOf(const std::string& file, const std::string& over, const std::s
 
 py::dict orbitOf(const std::string& file, const std::string& section, double period, int returns,
                  const std::map<std::string, double>& start, double tolerance,
-                 const py::kwargs& set) {
-  const FileOrbit wanted = wantedOrbit(file, section, period, returns, start, tolerance, set);
+                 const std::vector<std::string>& mirror, const py::kwargs& set) {
+  const FileOrbit wanted =
+      wantedOrbit(file, section, period, returns, start, tolerance, mirror, set);
   const Orbit o = orbit(wanted, library().registry, library().plugins);
   py::array_t<std::complex<double>> multipliers(o.multipliers.size());
   for (py::ssize_t i = 0; i < o.multipliers.size(); ++i)
@@ -89,19 +117,24 @@ void bindOrbit(py::module_& m) {
       "branch", &branchOf, py::arg("file"), py::arg("over"), py::arg("section") = "",
       py::arg("period") = 0.0, py::arg("returns") = 0,
       py::arg("start") = std::map<std::string, double>(), py::arg("tolerance") = 0.0,
+      py::arg("brute") = 0, py::arg("mirror") = std::vector<std::string>(),
       "The periodic orbit of a model file followed over a parameter, \"mu=0.2:0.5:50\", as a dict "
       "of\n"
       "arrays along the branch: parameter, period, state (a dict by signal), multipliers (NaN: "
       "none),\n"
-      "stable; bifurcation and text name what happens at a point. Other arguments: as for orbit.");
+      "stable; bifurcation and text name what happens at a point. brute: values of the parameter\n"
+      "at which plain runs show, after a transient, where the motion passes the section: a dict "
+      "of\n"
+      "parameter and state. Other arguments: as for orbit.");
   m.def(
       "orbit", &orbitOf, py::arg("file"), py::arg("section") = "", py::arg("period") = 0.0,
       py::arg("returns") = 0, py::arg("start") = std::map<std::string, double>(),
-      py::arg("tolerance") = 0.0,
+      py::arg("tolerance") = 0.0, py::arg("mirror") = std::vector<std::string>(),
       "A periodic orbit of a model file, stable or not, as a dict: period, state at the section,\n"
       "shift of coordinates on which nothing depends, multipliers, number of zeros. section:\n"
       "\"toy.phiM=0-\"; period: of a forcing in place of a section; default: <orbit> of the "
       "model.\n"
+      "mirror: coordinates that change their signs after half a period, or are exchanged.\n"
       "Keywords replace parameters.");
 }
 

@@ -85,6 +85,8 @@ def branch(
     returns: int = 0,
     start: Dict[str, float] = ...,
     tolerance: float = 0.0,
+    brute: int = 0,
+    mirror: Sequence[str] = ...,
     **parameters: Any,
 ) -> Dict[str, Any]: ...
 def element(
@@ -126,6 +128,7 @@ def orbit(
     returns: int = 0,
     start: Dict[str, float] = ...,
     tolerance: float = 0.0,
+    mirror: Sequence[str] = ...,
     **parameters: Any,
 ) -> Dict[str, Any]: ...
 def plugin(library: str) -> None: ...

@@ -130,5 +130,66 @@ TEST(OrbitBranch, FollowsAnOrbitToAValueThatNewtonDoesNotReach) {
   EXPECT_NEAR(far.period, b.points.back().period, 1e-9);
 }
 
+/// Trials of Newton's method at 0.018 tumble with ever more switches: they end, and the orbit is
+/// followed from the model's own slope.
+TEST(OrbitBranch, EndsTrialsThatTumbleAndFollowsTheOrbitInstead) {
+  Branches branches;
+  FileOrbit wanted;
+  wanted.file = DYNAMY_SOURCE_DIR "/models/simplest_walker.xml";
+  wanted.set = {{"gamma", "0.018"}};
+  const Orbit far = orbit(wanted, branches.registry, branches.plugins);
+  const OrbitBranch b = branches.ofModel("simplest_walker", "gamma=0.009:0.018:12");
+  EXPECT_NEAR(far.period, b.points.back().period, 1e-9);
+  EXPECT_LT(far.multipliers[0].real(), -1.0);
+}
+
+/// An oscillator with a wall and the damping d: the product of both multipliers is ε² exp(−dT), so
+/// that a pair of them passes the unit circle where d = 2 ln ε/T.
+TEST(OrbitBranch, OfAnImpactOscillatorPassesTheUnitCircleWhereItsDampingIsNegative) {
+  const OrbitBranch b = Branches().ofText(
+      R"x(<dynamy version="1"><parameter name="d" value="0"/>
+    <systems><Coordinates name="m" q="x" q0="-0.9" u0="-0.4" M="1" h="-x - d*x_dot + cos(2.2*t)"/></systems>
+    <elements><CoordinateContact name="wall" on="m" gap="-x"><Unilateral epsilonN="0.8"/></CoordinateContact></elements>
+    <simulation until="10" tolerance="1e-9"/><orbit period="{6.283185307179586/2.2}"/></dynamy>)x",
+      "d", {.from = -0.2, .to = 0.05, .at = 0.0, .points = 8});
+  const BranchPoint* point = pointOf(b, "Neimark-Sacker");
+  ASSERT_NE(point, nullptr);
+  EXPECT_NEAR(point->p, 2.0 * std::log(0.8) / (6.283185307179586 / 2.2), 1e-8);
+  EXPECT_FALSE(b.points.front().stable);
+  EXPECT_TRUE(b.points.back().stable);
+}
+
+/// A mass with dry friction f and the force cos βt moves without stops as long as
+/// f² (1/(V − 1)² + (S/(Vβ(1 + C)))²) < 1, V = 1/(1 − β²), C and S of π/β [denhartog1931].
+TEST(OrbitBranch, OfAMassWithDryFrictionBeginsToStick) {
+  const OrbitBranch b = Branches().ofText(
+      R"x(<dynamy version="1"><parameter name="f" value="0.3"/>
+    <systems><Coordinates name="m" q="x" q0="1.5" u0="0.5" M="1" h="-x + cos(0.7*t)"/></systems>
+    <elements><CoordinateContact name="dry" on="m" slipVelocity="x_dot"><GivenFriction force="{f}"/></CoordinateContact></elements>
+    <simulation until="50" tolerance="1e-9"/>
+    <orbit period="{6.283185307179586/0.7}" mirror="m.x"/></dynamy>)x",
+      "f", {.from = 0.3, .to = 0.85, .at = 0.3, .points = 8});
+  const BranchPoint* point = pointOf(b, "sliding");
+  ASSERT_NE(point, nullptr);
+  const double beta = 0.7, V = 1.0 / (1.0 - beta * beta);
+  const double C = std::cos(3.141592653589793 / beta), S = std::sin(3.141592653589793 / beta);
+  const double exact = 1.0 / std::hypot(1.0 / (V - 1.0), S / (V * beta * (1.0 + C)));
+  // Sticking shorter than the scheme looks ahead, 1e-6 of the period, is one event with the turn.
+  EXPECT_NEAR(point->p, exact, 2e-6);
+  EXPECT_EQ(b.points.back().p, 0.85);
+  EXPECT_TRUE(b.points.back().stable);
+  EXPECT_NEAR(b.points.back().period, 6.283185307179586 / beta, 1e-12);
+}
+
+/// The branch of the woodpecker goes on through impacts that slip otherwise; at its lower end beak
+/// and sleeve touch at one instant.
+TEST(LongOrbitBranch, OfTheWoodpeckerHasItsEndsNamed) {
+  const OrbitBranch b = Branches().ofModel("woodpecker", "mu=0.25:0.62:40");
+  EXPECT_EQ(b.points.front().kind, "coincidence") << b.points.front().text;
+  EXPECT_NEAR(b.points.front().p, 0.288577433, 1e-6);
+  EXPECT_EQ(b.points.back().p, 0.62) << b.points.back().text;
+  EXPECT_NEAR(b.points[b.start].period, 0.145976065144, 1e-10);
+}
+
 }  // namespace
 }  // namespace dynamy

@@ -167,6 +167,87 @@ TEST(Orbit, OfAnImpactOscillatorIsThePublishedOneAlsoWhereItIsUnstable) {
   }
 }
 
+/// A mass between two walls: the motion repeats itself mirrored after half a period. The product of
+/// the multipliers of the whole orbit is ε⁴ exp(−dT).
+TEST(Orbit, OfAMassBetweenTwoWallsIsFoundByHalfOfIt) {
+  Orbits of;
+  const double T = kTurn / 2.6;
+  const auto found = [&](double x, double v, const OrbitSection& section) {
+    const auto number = [](double p) { return fmt::format("{:.17g}", p); };
+    return of.ofText(
+        "<systems><Coordinates name=\"m\" q=\"x\" q0=\"" + number(x) + "\" u0=\"" + number(v) +
+            "\" M=\"1\" h=\"-x - 0.1*x_dot + cos(2.6*t)\"/></systems><elements>"
+            "<CoordinateContact name=\"right\" on=\"m\" gap=\"0.15 - x\"><Unilateral "
+            "epsilonN=\"0.7\"/></CoordinateContact><CoordinateContact name=\"left\" on=\"m\" "
+            "gap=\"0.15 + x\"><Unilateral epsilonN=\"0.7\"/></CoordinateContact></elements>"
+            "<simulation until=\"40\" tolerance=\"1e-9\"/>",
+        {.section = section});
+  };
+  OrbitSection mirrored = every(T);
+  mirrored.mirror = {"m.x"};
+  const Orbit half = found(0.11, 0.47, mirrored);
+  EXPECT_LE(half.residual, 1e-12);
+  EXPECT_LE(half.newton, 8);
+  EXPECT_EQ(half.impacts, 2);
+  EXPECT_NEAR(half.period, T, 1e-12);
+  ASSERT_EQ(half.multipliers.size(), 2);
+  ASSERT_EQ(half.half.size(), 2);
+  EXPECT_NEAR(std::abs(half.multipliers.prod() - std::pow(0.7, 4) * std::exp(-0.1 * T)), 0.0,
+              kMultiplier);
+  // The whole orbit from the same state is the same.
+  const double x = stateOf(half, "m.x"), v = stateOf(half, "m.x_dot");
+  const Orbit whole = found(x, v, every(T));
+  EXPECT_NEAR(stateOf(whole, "m.x"), x, 1e-10);
+  EXPECT_NEAR(stateOf(whole, "m.x_dot"), v, 1e-10);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_NEAR(std::abs(whole.multipliers[i] - half.multipliers[i]), 0.0, kMultiplier);
+}
+
+TEST(Orbit, TellsWhatIsWrongInItsMirror) {
+  Orbits of;
+  const auto fault = [&](const std::string& mirror) -> std::string {
+    OrbitSection section = every(1.0);
+    section.mirror = {mirror};
+    try {
+      of.ofText(
+          R"x(<systems><Coordinates name="m" q="x y" M="1;0;1" h="0;0"/></systems><simulation until="2" tolerance="1e-9"/>)x",
+          {.section = section});
+    } catch (const ModelError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  EXPECT_NE(fault("m.z").find("no coordinate or velocity named \"m.z\""), std::string::npos);
+  EXPECT_NE(fault("m.x=m.y_dot").find("cannot be mirror images"), std::string::npos);
+}
+
+/// From starts 10 % off in all that the section leaves free, and in one velocity.
+TEST(Orbit, OfTheWoodpeckerIsFoundFromTenPerCentOff) {
+  Orbits of;
+  const std::vector<Overrides> starts = {{{"toy.phiM", "0"},
+                                          {"toy.phiS", "0.00284"},
+                                          {"toy.y_dot", "-0.3154"},
+                                          {"toy.phiM_dot", "28.6"},
+                                          {"toy.phiS_dot", "13.0"}},
+                                         {{"toy.phiM", "0"},
+                                          {"toy.phiS", "0.00348"},
+                                          {"toy.y_dot", "-0.3854"},
+                                          {"toy.phiM_dot", "34.98"},
+                                          {"toy.phiS_dot", "15.89"}},
+                                         {{"toy.phiM", "0"},
+                                          {"toy.phiS", "0.00316"},
+                                          {"toy.y_dot", "-0.3504"},
+                                          {"toy.phiM_dot", "28.6"},
+                                          {"toy.phiS_dot", "14.444"}}};
+  for (const Overrides& start : starts) {
+    const Orbit o = of({.file = "woodpecker", .start = start});
+    EXPECT_GE(o.away, 0.05);
+    EXPECT_LE(o.residual, 1e-12);
+    EXPECT_LE(o.newton, 8);
+    EXPECT_NEAR(o.period, 0.145976065144, 1e-12);
+  }
+}
+
 TEST(Orbit, OfTheWoodpeckerHasItsPeriodFallAndMultiplier) {
   Orbits of;
   const Orbit o = of({.file = "woodpecker"});

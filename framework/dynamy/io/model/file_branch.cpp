@@ -112,9 +112,23 @@ std::string branchCsv(const NamedBranch& of) {
   return out;
 }
 
+std::string bruteCsv(const NamedBranch& of) {
+  std::string out;
+  appendCsvField(out, of.parameter);
+  for (const std::string& signal : of.branch.signals) out += ',', appendCsvField(out, signal);
+  out += '\n';
+  for (const BrutePoint& b : of.brute) {
+    out += fmt::format("{}", b.p);
+    for (const double x : b.state) out += fmt::format(",{}", x);
+    out += '\n';
+  }
+  return out;
+}
+
 void writeBranch(JsonWriter& j, const NamedBranch& of) {
   j.member("parameter", of.parameter).member("section", of.branch.section.text());
   j.member("points", of.branch.points.size()).member("cycles", of.branch.cycles);
+  j.member("brute", of.brute.size());
   j.key("found").beginArray();
   for (const BranchPoint& p : of.branch.points) {
     if (p.kind.empty()) continue;

@@ -32,6 +32,9 @@ NamedBranch branch(const FileBranch& wanted, Registry& registry, PluginLoader& p
 /// A table with a row a point: parameter, period, state, multipliers, stable, bifurcation.
 std::string branchCsv(const NamedBranch& branch);
 
+/// A table with a row a pass of the plain runs: parameter, state.
+std::string bruteCsv(const NamedBranch& branch);
+
 /// Writes the members of an object: ends, and points where something happens.
 void writeBranch(JsonWriter& json, const NamedBranch& branch);
 

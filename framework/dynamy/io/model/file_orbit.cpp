@@ -57,6 +57,7 @@ Model loadOrbitModel(const FileOrbit& wanted, Registry& registry, PluginLoader& 
   if (!wanted.section.empty()) readSection(wanted.section, section);
   if (wanted.period > 0.0) section.signal.clear(), section.period = wanted.period;
   if (wanted.returns > 0) section.returns = wanted.returns;
+  if (!wanted.mirror.empty()) section.mirror = wanted.mirror;
   if (!section.given())
     throw ModelError("nothing says where the orbit begins",
                      "give a signal that passes a value once a period, --section toy.phiM=0-, or "
@@ -96,7 +97,14 @@ void writeOrbit(JsonWriter& j, const Orbit& o) {
   j.key("multipliers").beginArray();
   for (const std::complex<double>& m : o.multipliers)
     j.beginArray().value(m.real()).value(m.imag()).endArray();
-  j.endArray().member("multiplierError", o.multiplierError).member("zeros", o.zeros);
+  j.endArray();
+  if (o.half.size() > 0) {
+    j.key("halfMultipliers").beginArray();
+    for (const std::complex<double>& m : o.half)
+      j.beginArray().value(m.real()).value(m.imag()).endArray();
+    j.endArray();
+  }
+  j.member("multiplierError", o.multiplierError).member("zeros", o.zeros);
   j.member("residual", o.residual).member("newton", o.newton).member("tolerance", o.tolerance);
   j.member("switches", o.switches).member("impacts", o.impacts);
 }

@@ -9,12 +9,13 @@ namespace dynamy {
 /// What is wanted, as it is written on a command line.
 struct FileOrbit {
   std::filesystem::path file;
-  std::string section = {};  ///< "SIGNAL=VALUE+" or "…-"; empty: that of the model
-  double period = 0.0;       ///< of a forcing [s]; 0: none
-  int returns = 0;           ///< passes in one orbit; 0: as in the model, or 1
-  Overrides set = {};        ///< values of parameters
-  Overrides start = {};      ///< values of coordinates and velocities where the search begins
-  double tolerance = 0.0;    ///< 0: 1e-12
+  std::string section = {};              ///< "SIGNAL=VALUE+" or "…-"; empty: that of the model
+  double period = 0.0;                   ///< of a forcing [s]; 0: none
+  int returns = 0;                       ///< passes in one orbit; 0: as in the model, or 1
+  std::vector<std::string> mirror = {};  ///< as in OrbitSection; empty: that of the model
+  Overrides set = {};                    ///< values of parameters
+  Overrides start = {};    ///< values of coordinates and velocities where the search begins
+  double tolerance = 0.0;  ///< 0: 1e-12
 };
 
 /// The model and the section of its orbit. Throws ModelError, also if nothing says where it is.

@@ -184,6 +184,7 @@ void SettingsReader::readOrbit(const XmlNode& node, const Scope& scope, const Pa
   s.falling = x["direction"].text == "falling",
   s.returns = static_cast<int>(x["returns"].integer());
   if (x["period"].given) s.period = x["period"];
+  s.mirror = x["mirror"].words();
   if (orbitSignal_.place.line != 0) {
     faults_->add(scope, node.place, node, "a model has one section for its orbits");
     return;

@@ -110,6 +110,9 @@ Word orbit() {
   a.required("period", Unit::time, "of a forcing, in place of a signal").positive().mayBeAbsent();
   a.add(AttributeType::integer, "returns", "1", "passes, or periods of the forcing, in one orbit")
       .between(1, 1000);
+  a.add(AttributeType::names, "mirror", "",
+        "symmetry of a motion that repeats itself mirrored after half a period: signals of "
+        "coordinates that change their signs, or are exchanged (left.x=right.x, left.x=-right.x)");
   a.example("<orbit signal=\"ball.vz\" value=\"0\" direction=\"falling\"/>");
   return w;
 }

@@ -74,6 +74,14 @@ class Watch final : public Observer {
 
 }  // namespace
 
+ModelError denseSwitches(double t) {
+  return ModelError(
+      fmt::format("from t = {:.6g} s switches are so dense that the run steps in time: "
+                  "its return has no derivatives",
+                  t),
+      "give a tolerance at which switches are located");
+}
+
 std::unique_ptr<LocatedDormandPrince> locatedScheme(bool givenSteps) {
   return std::make_unique<Located>(givenSteps);
 }
@@ -99,9 +107,12 @@ FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double to
   const std::vector<WantedInstant> none;
   EventInstants instants(model, options.instants != nullptr ? *options.instants : none);
   if (options.instants != nullptr && !options.instants->empty()) simulation.observe(instants);
-  while (simulation.step())
+  while (simulation.step()) {
+    const StepReport& last = simulation.lastStep();
+    if (options.located && last.counts.stepped) throw denseSwitches(simulation.state().t - last.dt);
     if (options.most > 0 && simulation.report().steps > options.most)
       throw ModelError(fmt::format("the motion needs more than {} steps", options.most));
+  }
   const RunReport& report = simulation.report();
   if (report.ended != RunReport::Ended::finished)
     throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));

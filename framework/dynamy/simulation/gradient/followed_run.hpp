@@ -36,12 +36,16 @@ struct FollowedRunOptions {
   const MotionSequence* like = nullptr;  ///< takes the steps of that run
   const State* from = nullptr;           ///< its start; null: the model's
   const std::vector<WantedInstant>* instants = nullptr;
-  long most = 0;  ///< steps that it may take; 0: any number
+  long most = 0;         ///< steps that it may take; 0: any number
+  bool located = false;  ///< its switches have to be located: steps in time have no derivatives
 };
 
 /// Runs `model` to `tolerance`; `of`: instants up to its end. Throws ModelError if the run ends early,
-/// or cannot locate its switches.
+/// takes more steps than it may, or cannot locate its switches.
 FollowedRun followedRun(Model& model, const std::vector<SignalAt>& of, double tolerance,
                         const FollowedRunOptions& options = {});
+
+/// The error of a run that begins to step in time at t [s].
+ModelError denseSwitches(double t);
 
 }  // namespace dynamy

@@ -18,6 +18,11 @@ constexpr double kProgress = 0.01;
 constexpr double kKink = 0.3;  ///< change of DP, of its size
 constexpr double kFar = 2.0;   ///< reach of this search, in units of that
 
+/// The derivatives of two orbits with the same events differ: an impact slips or sticks otherwise.
+bool isKink(const OrbitPoint& a, const OrbitPoint& b) {
+  return (a.P - b.P).norm() > kKink * std::max(1.0, b.P.norm());
+}
+
 }  // namespace
 
 /// Finds the place between the base and `reached` up to which the orbit has its switches, and goes
@@ -64,6 +69,10 @@ bool BranchTracer::change(double reached) {
     const EventChange c = changeOf(curve_.model(lower.p), lower.events, others);
     out_.back().kind = c.kind, out_.back().text = c.text;
   }
+  const bool kink = !changes && (crossed || isKink(lower, base_));
+  if (kink)
+    out_.back().kind = "kink",
+    out_.back().text = "right before, an impact begins to slip or to stick otherwise";
   if (crossed) {
     const VectorXd along = curve_.between(beyond, lower);
     curve_.multipliers(beyond, true);
@@ -72,9 +81,6 @@ bool BranchTracer::change(double reached) {
     return true;
   }
   if (!changes && low > kProgress * reached) {
-    if ((lower.P - base_.P).norm() > kKink * std::max(1.0, base_.P.norm()))
-      out_.back().kind = "kink",
-      out_.back().text = "right before, an impact begins to slip or to stick otherwise";
     restart(std::move(lower), y);
     return true;
   }
@@ -91,24 +97,30 @@ void BranchTracer::restart(OrbitPoint point, const VectorXd& along) {
   tangent_ = curve_.tangent(base_, along);
 }
 
-/// Looks for an orbit with other switches near the last one, on the curve of such orbits: it goes
-/// on beyond s, or turns back there.
+/// Looks for an orbit with other switches, or another derivative, near the last one, on the curve of
+/// such orbits: it goes on beyond s, or turns back there.
 bool BranchTracer::cross(const OrbitPoint& lower, double s, OrbitPoint& out) {
   const VectorXd y = curve_.between(lower, base_);
+  const auto differs = [&](const OrbitPoint& other) {
+    return !sameEvents(other.events, lower.events) || isKink(other, lower);
+  };
   for (const double part : kBeyond) try {
       const double ds = part * longest_;
       OrbitPoint there;
       if (!curve_.probe(base_, predicted(s + ds), there)) continue;
-      if (sameEvents(there.events, lower.events)) continue;
       curve_.derive(there);
+      if (!differs(there)) continue;
       const VectorXd tangent = curve_.tangent(there, tangent_);
       for (const double sign : {1.0, -1.0}) {
         if (!curve_.solve(base_, y + sign * ds * tangent, tangent,
                           {.reach = kFar * ds, .fresh = true}, out))
           continue;
-        if (sameEvents(out.events, lower.events)) continue;
+        // With the same events it has to be beyond: back there is the branch itself.
+        if (sameEvents(out.events, lower.events) &&
+            !(curve_.between(out, lower).dot(tangent_) > 0.0))
+          continue;
         curve_.derive(out);
-        return true;
+        if (differs(out)) return true;
       }
     } catch (const ModelError&) {
       continue;

@@ -9,12 +9,9 @@
 namespace dynamy {
 namespace {
 
-constexpr double kTolerance = 1e-12;   ///< of runs
-constexpr int kMostNewton = 40;        ///< of Newton's method
-constexpr int kDampings = 8;           ///< of one of its steps
-constexpr double kFirstStep = 1e-300;  ///< [s]: a run that begins on the section has passed it
-constexpr double kLeastPart = 0.5;     ///< of the last period: passes before do not count
-constexpr double kIgnorable = 1e-7;    ///< rounding of a column of DP
+constexpr double kTolerance = 1e-12;  ///< of runs
+constexpr int kMostNewton = 40;       ///< of Newton's method
+constexpr int kDampings = 8;          ///< of one of its steps
 /// Steps of Newton's method this small, in units of the ranges, keep the switches of the motion.
 constexpr double kSameSwitches = 1e-3;
 constexpr double kRankOfMap = 1e-8;  ///< of DP − 1
@@ -34,7 +31,7 @@ class Search {
 
   /// Newton's method from a state on the section.
   void solve(const State& start) {
-    now_ = map_.from(start, kFirstStep);
+    now_ = map_.from(start);
     derive();
     away_ = size(miss(now_));
     while (size(miss(now_)) > wanted_) {
@@ -100,10 +97,7 @@ class Search {
       const State x = map_.variation().added(now_.start, z);
       Return next;
       try {
-        if (size(whole) > kSameSwitches || !map_.like(now_, x, next))
-          next = map_.from(x, map_.section().signal.empty()
-                                  ? 0.0
-                                  : kLeastPart * now_.period / map_.section().returns);
+        if (size(whole) > kSameSwitches || !map_.like(now_, x, next)) next = map_.from(x, &now_);
       } catch (const ModelError&) {
         if (i + 1 == kDampings) throw;
         continue;
@@ -154,16 +148,17 @@ Orbit orbit(Model& model, const OrbitRequest& request, const State* start) {
   Search search(map, request.residual);
   search.solve(start != nullptr ? *start : map.start());
   const Return& r = search.at();
-  out.period = r.period, out.residual = search.residual(), out.newton = search.newton();
+  const int halves = map.halves();
+  out.period = halves * r.period, out.residual = search.residual(), out.newton = search.newton();
   out.away = search.away(), out.at = r.start;
   for (const MotionSequence::Step& s : r.sequence.steps)
-    out.switches += s.switches, out.impacts += s.impacts.empty() ? 0 : 1;
+    out.switches += halves * s.switches, out.impacts += s.impacts.empty() ? 0 : halves;
 
   // The same from less accurate runs and wider differences tells the errors.
   ReturnMap rough(model, request.section, kCoarser * out.tolerance);
   Search again(rough, request.residual);
   again.solve(r.start);
-  out.periodError = std::abs(again.at().period - out.period);
+  out.periodError = std::abs(halves * again.at().period - out.period);
 
   const Eigen::MatrixXd P = search.scaled(map.derivative(r, {.fine = 1.0}).P);
   const Eigen::MatrixXd other =
@@ -172,8 +167,10 @@ Orbit orbit(Model& model, const OrbitRequest& request, const State* start) {
   const double error = P.size() > 0 ? (P - other).cwiseAbs().maxCoeff() : 0.0;
   const double unit = std::max(1.0, size);
   const double noise = std::clamp(3.0 * error, kMapNoise * unit, kMostNoise * unit);
-  out.multipliers = multipliersOf(P, noise);
-  const Eigen::VectorXcd others = multipliersOf(other, noise);
+  const Eigen::VectorXcd ofReturn = multipliersOf(P, noise);
+  out.multipliers = ofOrbit(ofReturn, halves);
+  if (halves > 1) out.half = ofReturn;
+  const Eigen::VectorXcd others = ofOrbit(multipliersOf(other, noise), halves);
   for (Eigen::Index i = 0; i < out.multipliers.size(); ++i)
     out.multiplierError = std::max(
         out.multiplierError, std::abs(out.multipliers[i] - (i < others.size() ? others[i] : 0.0)));
@@ -187,7 +184,7 @@ Orbit orbit(Model& model, const OrbitRequest& request, const State* start) {
   out.state = coordinatesOf(model, r.start);
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (std::find(search.active().begin(), search.active().end(), i) == search.active().end())
-      out.shift.emplace_back(names[static_cast<std::size_t>(i)], z[i]);
+      out.shift.emplace_back(names[static_cast<std::size_t>(i)], halves * z[i]);
 
   return out;
 }

@@ -27,11 +27,13 @@ struct Orbit {
   std::vector<std::pair<std::string, double>> state;  ///< at the section, by signals
   std::vector<std::pair<std::string, double>> shift;  ///< a period, of ignorable coordinates
   Eigen::VectorXcd multipliers;                       ///< by falling modulus, without zeros
-  double multiplierError = 0.0;                       ///< of the worst
-  int zeros = 0;                                      ///< multipliers that are exactly zero
-  double residual = 0.0;  ///< largest part of a coordinate's range that is missing
-  int newton = 0;         ///< steps of Newton's method
-  double away = 0.0;      ///< residual of the first return
+  Eigen::VectorXcd
+      half;  ///< those of half an orbit, if it is mirrored; their squares are multipliers
+  double multiplierError = 0.0;  ///< of the worst
+  int zeros = 0;                 ///< multipliers that are exactly zero
+  double residual = 0.0;         ///< largest part of a coordinate's range that is missing
+  int newton = 0;                ///< steps of Newton's method
+  double away = 0.0;             ///< residual of the first return
   long switches = 0, impacts = 0;
   State at;                ///< at the section, at t = 0
   double largest() const;  ///< modulus of a multiplier

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/simulation/orbit/branch_tracer.hpp>
+#include <dynamy/simulation/orbit/orbit_multipliers.hpp>
 #include <utility>
 
 namespace dynamy {
@@ -18,6 +19,18 @@ Orbit firstOrbit(const OrbitMaker& make, double p, double tolerance, const State
   Model model = make(p, wanted.section);
   wanted.tolerance = tolerance;
   return orbit(model, wanted, start);
+}
+
+/// What was found of half orbits, as that of whole ones.
+void makeWhole(OrbitBranch& branch) {
+  for (BranchPoint& p : branch.points) {
+    p.period *= 2.0, p.multipliers = ofOrbit(p.multipliers, 2);
+    if (p.kind != "flip") continue;
+    p.kind = "symmetry";
+    p.text =
+        "a multiplier of half an orbit passes -1: two orbits without the symmetry branch off, "
+        "each the mirror image of the other";
+  }
 }
 
 }  // namespace
@@ -59,6 +72,7 @@ OrbitBranch orbitBranch(const OrbitMaker& make, const BranchRequest& wanted, con
   OrbitBranch out;
   out.section = orbit.section;
   for (const auto& [name, value] : orbit.state) out.signals.push_back(name);
+  for (const auto& [name, value] : orbit.shift) out.ignorable.push_back(name);
   OrbitCurve curve(make, request.from, request.to, request.tolerance, request.residual);
   OrbitPoint first = curve.start(request.at, orbit.at);
   BranchTracer tracer(curve, request.points);
@@ -69,6 +83,7 @@ OrbitBranch orbitBranch(const OrbitMaker& make, const BranchRequest& wanted, con
   for (BranchPoint& p : tracer.follow(first, 1.0)) out.points.push_back(std::move(p));
   for (BranchPoint* p : {&out.points.front(), &out.points.back()})
     if (p->kind.empty()) p->kind = "end", p->text = "the range of the parameter ends";
+  if (!out.section.mirror.empty()) makeWhole(out);
   out.cycles = curve.cycles();
   return out;
 }

@@ -24,18 +24,19 @@ struct BranchPoint {
   int zeros = 0;
   double residual = 0.0;
   bool stable = false;
-  std::string
-      kind;  ///< "fold", "flip", "Neimark-Sacker", "branching", "grazing", "switch", "kink",
-             ///< "coincidence", "end"
+  /// "fold", "flip", "symmetry", "Neimark-Sacker", "branching", "grazing", "sliding", "switch",
+  /// "kink", "coincidence", "end"
+  std::string kind;
   std::string text;  ///< what happens here
 };
 
 struct OrbitBranch {
   OrbitSection section;
   std::vector<std::string> signals;
-  std::vector<BranchPoint> points;  ///< along the branch; the first and the last are its ends
-  std::size_t start = 0;            ///< the first orbit among them
-  long cycles = 0;                  ///< runs over one period that this took
+  std::vector<std::string> ignorable;  ///< of these: nothing depends on them
+  std::vector<BranchPoint> points;     ///< along the branch; the first and the last are its ends
+  std::size_t start = 0;               ///< the first orbit among them
+  long cycles = 0;                     ///< runs over one period that this took
   /// State of the point nearest to a value of the parameter.
   const State& near(double p) const;
 };

@@ -12,8 +12,7 @@ constexpr std::size_t kMaps = 8;  ///< kept, of values of the parameter
 constexpr int kMostCorrections = 12;
 constexpr double kSlow = 0.2;  ///< of a residual to the last: derivatives are taken anew
 constexpr double kCurveSettled =
-    1e-9;                             ///< a residual that no longer shrinks is accepted below this
-constexpr double kLeastReturn = 0.5;  ///< of the last period: passes before do not count
+    1e-9;  ///< a residual that no longer shrinks is accepted below this
 constexpr double kParameterDelta = 3e-8;  ///< of p, for forward differences
 constexpr double kLessParameter = 0.2;    ///< factor on it where the switches differ
 constexpr int kParameterAttempts = 6;
@@ -65,9 +64,7 @@ OrbitPoint OrbitCurve::start(double p, const State& x) {
   OrbitPoint out;
   out.p = p;
   ReturnMap& map = at(p);
-  const OrbitSection& section = map.section();
-  // Starts on the section have passed it.
-  out.orbit = map.from(x, section.signal.empty() ? 0.0 : 1e-300);
+  out.orbit = map.from(x);
   active_ = activeChanges(out.orbit, map.derivative(out.orbit));
   range_ = out.orbit.range;
   held_ = heldByJoints(maps_.back()->model, x);
@@ -116,11 +113,7 @@ bool OrbitCurve::evaluate(const OrbitPoint& from, const Eigen::VectorXd& y, cons
   for (std::size_t i = 0; i < active_.size(); ++i)
     z[active_[i]] = y[static_cast<Eigen::Index>(i)] * range_[active_[i]];
   const State x = map.variation().added(from.orbit.start, z);
-  const OrbitSection& section = map.section();
-  if (like == nullptr || !map.like(*like, x, out.orbit))
-    out.orbit = map.from(
-        x, section.signal.empty() ? 0.0 : kLeastReturn * from.orbit.period / section.returns,
-        from.orbit.rate);
+  if (like == nullptr || !map.like(*like, x, out.orbit)) out.orbit = map.from(x, &from.orbit);
   out.events = eventsOf(out.orbit.sequence);
   out.residual = miss(out).lpNorm<Eigen::Infinity>();
   return true;

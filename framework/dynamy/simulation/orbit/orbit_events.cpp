@@ -43,6 +43,16 @@ ContactKey contactOf(const std::vector<OrbitEvent>& events, std::size_t i) {
   return events[i].statuses.front().key;
 }
 
+/// The contact is closed before and after this event: it begins to stick or to slip.
+bool slides(const std::vector<OrbitEvent>& events, std::size_t i, ContactKey key) {
+  if (!events[i].impacts.empty()) return false;
+  const std::vector<HeldStatus> none;
+  const Status before = statusIn(i > 0 ? events[i - 1].statuses : none, key);
+  const Status after = statusIn(events[i].statuses, key);
+  const auto closed = [](Status s) { return s == Status::stick || s == Status::slip; };
+  return closed(after) && (i == 0 || closed(before));
+}
+
 long countOf(const std::vector<OrbitEvent>& events, ContactKey key) {
   long out = 0;
   for (const OrbitEvent& e : events) out += std::count(e.impacts.begin(), e.impacts.end(), key);
@@ -100,7 +110,7 @@ EventChange changeOf(const Model& model, const std::vector<OrbitEvent>& a,
     const ContactKey key = i < longer.size() ? contactOf(longer, i) : kNoContact;
     t = i < longer.size() ? longer[i].t : t;
     if (key != kNoContact)
-      return {"switch",
+      return {slides(longer, i, key) ? "sliding" : "switch",
               text(key, a.size() > b.size() ? "switches once less," : "switches once more,")};
   }
   const std::vector<HeldStatus> none;

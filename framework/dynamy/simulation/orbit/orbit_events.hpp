@@ -20,7 +20,9 @@ bool sameEvents(const std::vector<OrbitEvent>& a, const std::vector<OrbitEvent>&
 
 /// What distinguishes the motion b from a, e.g. "wall (m.xml:4) is touched 1.2 s after the section".
 struct EventChange {
-  std::string kind;  ///< "coincidence": of two; "grazing": an impact more or less; "switch"
+  /// "coincidence": of two; "grazing": an impact more or less; "sliding": a closed contact begins to
+  /// stick or to slip once more or less; "switch"
+  std::string kind;
   std::string text;
 };
 EventChange changeOf(const Model& model, const std::vector<OrbitEvent>& a,

@@ -41,6 +41,10 @@ Eigen::VectorXcd multipliersOf(const Eigen::MatrixXd& scaled, double noise) {
   return out;
 }
 
+Eigen::VectorXcd ofOrbit(const Eigen::VectorXcd& ofReturn, int halves) {
+  return halves > 1 ? Eigen::VectorXcd(ofReturn.cwiseProduct(ofReturn)) : ofReturn;
+}
+
 int heldByJoints(Model& model, const State& x) {
   MechanicalSystem s = model.mechanicalSystem();
   s.evaluate(x);

@@ -16,6 +16,9 @@ Eigen::MatrixXd scaledMap(const Eigen::MatrixXd& P, const std::vector<Eigen::Ind
 /// Eigenvalues by falling modulus. Singular values up to `noise` are zero.
 Eigen::VectorXcd multipliersOf(const Eigen::MatrixXd& scaled, double noise);
 
+/// Multipliers of an orbit of `halves` returns.
+Eigen::VectorXcd ofOrbit(const Eigen::VectorXcd& ofReturn, int halves);
+
 /// Coordinates and velocities that joints hold: their changes are no motions.
 int heldByJoints(Model& model, const State& x);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <dynamy/located/located_dormand_prince.hpp>
 #include <dynamy/simulation/orbit/return_map.hpp>
+#include <dynamy/simulation/orbit/section_watch.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
-#include <dynamy/simulation/report/signal_sampler.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <limits>
 #include <utility>
@@ -19,65 +19,17 @@ namespace {
 constexpr double kForwardDelta = 3e-8, kCoarseDelta = 5e-6, kFineDelta = 3e-4;
 constexpr double kLess = 0.2;  ///< factor on δ where the switches differ
 constexpr int kAttempts = 6;
-constexpr int kBisections = 60;  ///< to find a pass on the path of a step
 constexpr int kPeriodCorrections = 6;
-/// Steps of one return. Trial states far from the orbit may fall and tumble ever faster.
+/// Steps of the first return. Trial states far from the orbit may fall and tumble ever faster.
 constexpr long kMostSteps = 20'000;
+constexpr double kFirstStep = 1e-300;  ///< [s]: a run that begins on the section has passed it
+/// A return takes at least and at most so many periods of the last one, and so many of its steps or
+/// a few more.
+constexpr double kLeastPeriods = 0.5, kMostPeriods = 10.0;
+constexpr long kMoreSteps = 20, kFewSteps = 500;
 constexpr double kLinear = 1e-10;     ///< shorter corrections take the rate that is known
 constexpr double kTellsSlope = 1e-7;  ///< shorter corrections of the period drown in rounding
 constexpr double kNoRange = 1e-9;     ///< a coordinate with a smaller range does not change
-
-const NamedSignal* sectionSignal(const Model& model, const std::string& name) {
-  return name.empty() ? nullptr : signalNamed(model, name);
-}
-
-/// Finds the pass of the section in the steps of a run, and the ranges of its state.
-class SectionWatch final : public Observer {
- public:
-  SectionWatch(const Model& model, const OrbitSection& section, double least, int count)
-      : section_(section),
-        least_(least),
-        left_(count),
-        sampler_(model, section.signal.empty() ? std::vector<const NamedSignal*>()
-                                               : std::vector<const NamedSignal*>{
-                                                     sectionSignal(model, section.signal)}) {}
-  void start(const StepView& initial) override { low = high = all(initial.after); }
-  void step(const StepView& view) override {
-    const Eigen::VectorXd x = all(view.after);
-    low = low.cwiseMin(x), high = high.cwiseMax(x);
-    if (section_.signal.empty()) return;
-    const double before = side(view, 0.0);
-    const bool jumps = view.report.uBeforeImpact != nullptr;
-    const double reached =
-        jumps ? sign() * (sampler_.sampleBeforeImpact(view, 0) - section_.value) : side(view, 1.0);
-    if (view.before.t < least_ || !(before < 0.0 && reached >= 0.0) || --left_ > 0) return;
-    double a = 0.0, b = 1.0;
-    for (int i = 0; i < kBisections; ++i) (side(view, 0.5 * (a + b)) < 0.0 ? a : b) = 0.5 * (a + b);
-    found = true;
-    t = view.before.t + b * view.report.dt;
-    const double part = std::min(1e-3, b);
-    slope = -side(view, b - part) / (part * view.report.dt);
-  }
-  bool found = false;
-  double t = 0.0, slope = 0.0;
-  Eigen::VectorXd low, high;  ///< of q and u
-
- private:
-  double sign() const { return section_.falling ? -1.0 : 1.0; }
-  double side(const StepView& view, double theta) {
-    return section_.signal.empty() ? 0.0
-                                   : sign() * (sampler_.sampleOne(view, theta, 0) - section_.value);
-  }
-  static Eigen::VectorXd all(const State& x) {
-    Eigen::VectorXd out(x.q.size() + x.u.size());
-    out << x.q, x.u;
-    return out;
-  }
-  const OrbitSection& section_;
-  double least_;
-  int left_;
-  SignalSampler sampler_;
-};
 
 /// A state as the start of a run.
 State asStart(State x) {
@@ -89,8 +41,12 @@ State asStart(State x) {
 
 std::string OrbitSection::text() const {
   const std::string times = returns > 1 ? fmt::format(", {} times", returns) : "";
-  if (signal.empty()) return fmt::format("every {:.12g} s{}", period, times);
-  return fmt::format("{} {} through {:g}{}", signal, falling ? "falls" : "rises", value, times);
+  const std::string half =
+      mirror.empty() ? ""
+                     : fmt::format("; mirrored after half a period: {}", fmt::join(mirror, " "));
+  if (signal.empty()) return fmt::format("every {:.12g} s{}{}", period, times, half);
+  return fmt::format("{} {} through {:g}{}{}", signal, falling ? "falls" : "rises", value, times,
+                     half);
 }
 
 struct ReturnMap::Pass {
@@ -101,36 +57,46 @@ struct ReturnMap::Pass {
 ReturnMap::ReturnMap(Model& model, OrbitSection section, double tolerance)
     : model_(model),
       section_(std::move(section)),
+      mirror_(model, section_.mirror),
+      end_(mirror_(section_)),
       tolerance_(tolerance),
       until_(model.simulation.until),
       variation_(model) {
-  sectionSignal(model_, section_.signal);
+  if (!section_.signal.empty()) signalNamed(model_, section_.signal);
   model_.checks.clear();
+  forced_ = section_.period * section_.returns / halves();
 }
 
 /// The pass number `count` from a state on, by a run that chooses its steps.
-ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
-  const double forced = section_.period * section_.returns;
+ReturnMap::Pass ReturnMap::pass(const State& from, const Limits& limits, int count) {
   ++cycles_;
-  model_.simulation.until = section_.signal.empty() ? forced : until_;
+  model_.simulation.until = section_.signal.empty() ? forced_ : limits.until;
   model_.askTolerance(tolerance_);
   model_.scheme(locatedScheme(false));
   StepPlan plan;
   plan.from = &from;
-  SectionWatch watch(model_, section_, least, count);
+  SectionWatch watch(model_, end_, limits.least, count);
   Simulation simulation(model_, &plan);
   simulation.observe(watch);
-  while (!watch.found && simulation.report().steps < kMostSteps && simulation.step()) {
+  while (!watch.found() && simulation.report().steps < limits.steps && simulation.step() &&
+         !(limits.located && simulation.lastStep().counts.stepped)) {
   }
   model_.simulation.until = until_;
   const RunReport& report = simulation.report();
   if (report.ended != RunReport::Ended::finished)
     throw ModelError(fmt::format("the run ended at {:.6g} s: {}", report.t, report.reason));
-  if (report.steps >= kMostSteps || (!watch.found && !section_.signal.empty())) throw noPass();
+  const double t = simulation.state().t;
+  if (limits.located && simulation.lastStep().counts.stepped)
+    throw denseSwitches(t - simulation.lastStep().dt);
+  if (!watch.found() && report.steps >= limits.steps)
+    throw ModelError(
+        fmt::format("the motion takes {} steps in {:.3g} s, and has not come back to the "
+                    "section ({})",
+                    report.steps, t, end_.text()));
+  if (!watch.found() && !section_.signal.empty()) throw noPass(limits.until);
   Pass out;
-  out.t = section_.signal.empty() ? forced : watch.t,
-  out.slope = (section_.falling ? -1.0 : 1.0) * watch.slope;
-  const Eigen::VectorXd range = watch.high - watch.low;
+  out.t = section_.signal.empty() ? forced_ : watch.t(), out.slope = watch.slope();
+  const Eigen::VectorXd range = watch.ranges();
   out.range = Eigen::VectorXd::Ones(variation_.size());
   const Eigen::Index nu = variation_.size() / 2;
   for (int i = 0; i < static_cast<int>(model_.systems().size()); ++i) {
@@ -144,20 +110,21 @@ ReturnMap::Pass ReturnMap::pass(const State& from, double least, int count) {
   return out;
 }
 
-ModelError ReturnMap::noPass() const {
-  return ModelError(fmt::format("the motion does not pass the section ({}) within {:g} s",
-                                section_.text(), until_),
-                    "choose a value that the signal passes, or let the model run longer");
+ModelError ReturnMap::noPass(double until) const {
+  return ModelError(
+      fmt::format("the motion does not pass the section ({}) within {:g} s", end_.text(), until),
+      "choose a value that the signal passes, or let the model run longer");
 }
 
-FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* steps) {
+FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* steps, bool located) {
   model_.simulation.until = T;
   ++cycles_;
   std::vector<SignalAt> of;
-  if (!section_.signal.empty()) of.push_back({section_.signal, T});
+  if (!section_.signal.empty()) of.push_back({end_.signal, T});
   try {
     FollowedRun out =
-        followedRun(model_, of, tolerance_, {.like = steps, .from = &from, .most = kMostSteps});
+        followedRun(model_, of, tolerance_,
+                    {.like = steps, .from = &from, .most = kMostSteps, .located = located});
     model_.simulation.until = until_;
     return out;
   } catch (...) {
@@ -167,18 +134,18 @@ FollowedRun ReturnMap::run(const State& from, double T, const MotionSequence* st
 }
 
 /// Corrects the period of r until its end is on the section.
-bool ReturnMap::locate(const MotionSequence* steps, Return& r) {
+bool ReturnMap::locate(const MotionSequence* steps, Return& r, bool located) {
   const auto take = [&](const MotionSequence* plan) {
-    FollowedRun f = run(r.start, r.period, plan);
+    FollowedRun f = run(r.start, r.period, plan, located);
     difference_ = plan != nullptr ? f.sequence.from(*plan) : MotionSequence::Difference();
-    r.end = std::move(f.end);
+    r.end = mirror_(f.end);
     r.sequence = std::move(f.sequence);
-    return f.values.empty() ? 0.0 : f.values[0] - section_.value;
+    return f.values.empty() ? 0.0 : f.values[0] - end_.value;
   };
   double off = take(steps);
   for (int i = 0; i < kPeriodCorrections && !difference_.any && !section_.signal.empty(); ++i) {
     const double dT = -off / r.slope;
-    if (!(r.period + dT > 0.0) || !(r.period + dT <= until_)) throw noPass();
+    if (!(r.period + dT > 0.0) || !(r.period + dT <= until_)) throw noPass(until_);
     if (r.rate.size() > 0 && std::abs(dT) < kLinear * r.period) {
       r.end = variation_.added(r.end, dT * r.rate.head(variation_.size()));
       r.period += dT;
@@ -196,32 +163,37 @@ bool ReturnMap::locate(const MotionSequence* steps, Return& r) {
 State ReturnMap::start() {
   State x = asStart(model_.initialState());
   if (section_.signal.empty()) return x;
+  if (mirror_.any()) {
+    OrbitSection whole = section_;
+    whole.mirror.clear();
+    return ReturnMap(model_, whole, tolerance_).start();
+  }
   Return r;
-  const Pass p = pass(x, -1.0, 1);
+  const Pass p = pass(x, {-1.0, until_, kMostSteps, false}, 1);
   r.start = x, r.period = p.t, r.slope = p.slope;
-  locate(nullptr, r);
+  locate(nullptr, r, false);
   return asStart(r.end);
 }
 
-Return ReturnMap::from(const State& x, double least, const Eigen::VectorXd& rate) {
-  const Pass p = pass(x, least, section_.returns);
+Return ReturnMap::from(const State& x, const Return* last) {
+  Limits limits{kFirstStep, until_, kMostSteps};
+  if (last != nullptr) {
+    limits.least = kLeastPeriods * last->period / section_.returns;
+    limits.until = std::min(until_, kMostPeriods * last->period);
+    limits.steps = std::max(kFewSteps, kMoreSteps * static_cast<long>(last->sequence.steps.size()));
+  }
+  const Pass p = pass(x, limits, section_.returns);
   Return r;
   r.start = asStart(x), r.period = p.t, r.slope = p.slope, r.range = p.range;
-  r.rate = rate;
+  if (last != nullptr) r.rate = last->rate;
   for (int i = 0; i < 2 && !locate(nullptr, r); ++i) {
   }
-  for (const MotionSequence::Step& s : r.sequence.steps)
-    if (s.inTime)
-      throw ModelError(fmt::format("from t = {:.6g} s switches are so dense that the run steps in "
-                                   "time: its return has no derivatives",
-                                   s.t - s.step.dt),
-                       "give a tolerance at which switches are located");
   return r;
 }
 
 bool ReturnMap::like(const Return& other, const State& x, Return& out) {
   out.start = asStart(x), out.slope = other.slope;
-  out.period = section_.signal.empty() ? section_.period * section_.returns : other.period;
+  out.period = section_.signal.empty() ? forced_ : other.period;
   out.range = other.range, out.rate = other.rate;
   return locate(&other.sequence, out);
 }
@@ -233,7 +205,8 @@ Eigen::VectorXd ReturnMap::change(const Return& r, const Eigen::VectorXd& z, dou
   difference_ = f.sequence.from(r.sequence);
   same = !difference_.any;
   Eigen::VectorXd out(variation_.size() + 1);
-  out << variation_.between(f.end, r.end), f.values.empty() ? 0.0 : f.values[0] - section_.value;
+  out << variation_.between(mirror_(f.end), r.end),
+      f.values.empty() ? 0.0 : f.values[0] - end_.value;
   return out;
 }
 
@@ -317,8 +290,7 @@ ReturnDerivative ReturnMap::derivative(const Return& r, const MapDifferences& ho
 Eigen::VectorXd ReturnMap::byParameter(const Return& r, const ReturnDerivative& d, ReturnMap& other,
                                        double apart) {
   const Eigen::Index n = variation_.size();
-  const double longer =
-      section_.signal.empty() ? other.section_.period * other.section_.returns - r.period : 0.0;
+  const double longer = section_.signal.empty() ? other.forced_ - r.period : 0.0;
   bool same = true;
   Eigen::VectorXd out = other.change(r, Eigen::VectorXd::Zero(n), longer, same) / apart;
   if (!same) refuse(other.difference_, "the parameter");
@@ -326,14 +298,8 @@ Eigen::VectorXd ReturnMap::byParameter(const Return& r, const ReturnDerivative& 
   return out.head(n);
 }
 
-State ReturnMap::next(const State& x) {
-  constexpr double kPassed = 1e-9;  // of the first instants: the start itself passes the section
-  const Pass p = pass(x, kPassed, section_.returns);
-  return asStart(run(x, p.t, nullptr).end);
-}
-
 State ReturnMap::after(const Return& r) {
-  State x = asStart(r.end);
+  State x = asStart(mirror_(r.end));  // the motion itself
   x.t = r.period;
   return run(x, 2.0 * r.period, nullptr).end;
 }

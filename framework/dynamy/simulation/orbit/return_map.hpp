@@ -5,10 +5,13 @@
 /// All derivatives at fixed T are differences of runs that take the steps of the run from x₀, each
 /// with its own instants of the same switches (theory 53.2). P does not change if x₀ moves along
 /// the motion, so that x₀ need not be on the section: a fixed point is.
+///
+/// With a mirror S the return is half an orbit: P(x₀) = S φ(T(x₀), x₀), where T is the time to the
+/// mirrored section.
 #pragma once
 #include <dynamy/simulation/gradient/followed_run.hpp>
 #include <dynamy/simulation/linear/state_variation.hpp>
-#include <dynamy/simulation/orbit/orbit_section.hpp>
+#include <dynamy/simulation/orbit/orbit_mirror.hpp>
 
 namespace dynamy {
 
@@ -42,9 +45,9 @@ class ReturnMap {
   /// The state at the first pass of the section, from the initial state of the model; with a period
   /// that state itself. Throws ModelError if there is none until the end of the run.
   State start();
-  /// Passes within `least` [s] after the start do not count. `rate`: as in Return, if known. Throws
-  /// ModelError.
-  Return from(const State& x, double least, const Eigen::VectorXd& rate = {});
+  /// `last`: a return nearby, which bounds time and work of this one: passes before half of its period
+  /// do not count. Throws ModelError.
+  Return from(const State& x, const Return* last = nullptr);
   /// The same with steps and switches of another return. False: they differ.
   bool like(const Return& other, const State& x, Return& out);
   /// Throws ModelError where runs close by have other switches, however small their difference is.
@@ -53,10 +56,10 @@ class ReturnMap {
   /// Throws ModelError where it has other switches.
   Eigen::VectorXd byParameter(const Return& r, const ReturnDerivative& d, ReturnMap& other,
                               double apart);
-  /// The state where the motion from x passes the section next, as a start; x may be on the section.
-  State next(const State& x);
-  /// The state one period after the end of r, without a new start.
+  /// The state one return after the end of r, without a new start; as seen from there, if mirrored.
   State after(const Return& r);
+  /// Returns in an orbit: 2 if it is mirrored after half a period.
+  int halves() const { return mirror_.any() ? 2 : 1; }
   const StateVariation& variation() const { return variation_; }
   const OrbitSection& section() const { return section_; }
   double tolerance() const { return tolerance_; }
@@ -65,10 +68,16 @@ class ReturnMap {
 
  private:
   struct Pass;
-  Pass pass(const State& from, double least, int count);
-  ModelError noPass() const;
-  FollowedRun run(const State& from, double T, const MotionSequence* steps);
-  bool locate(const MotionSequence* steps, Return& r);
+  /// Of a run to the section: passes in the first `least` [s] do not count.
+  struct Limits {
+    double least, until;
+    long steps;
+    bool located = true;  // steps in time have no derivatives
+  };
+  Pass pass(const State& from, const Limits& limits, int count);
+  ModelError noPass(double until) const;
+  FollowedRun run(const State& from, double T, const MotionSequence* steps, bool located = true);
+  bool locate(const MotionSequence* steps, Return& r, bool located = true);
   Eigen::VectorXd change(const Return& r, const Eigen::VectorXd& z, double dT, bool& same);
   Eigen::VectorXd central(const Return& r, const Eigen::VectorXd& z, double dT, double delta,
                           const MapDifferences& how);
@@ -77,7 +86,10 @@ class ReturnMap {
   [[noreturn]] void refuse(const MotionSequence::Difference& d, const std::string& of) const;
   Model& model_;
   OrbitSection section_;
+  OrbitMirror mirror_;
+  OrbitSection end_;  ///< section at which returns end
   double tolerance_, until_;
+  double forced_ = 0.0;  ///< duration of a return of a motion with forcing [s]
   StateVariation variation_;
   MotionSequence::Difference difference_;
   long cycles_ = 0;

@@ -8,12 +8,12 @@
 namespace dynamy {
 
 struct SectionPointsRequest {
-  int transient = 60, kept = 24;  ///< passes
-  double tolerance = 1e-8;        ///< of the runs
+  int transient = 100, kept = 24;  ///< passes, each of them also if an orbit has several
+  double tolerance = 1e-8;         ///< of the runs
 };
 
-/// Coordinates and velocities at each pass, in the order of coordinatesOf(). Empty from the pass on
-/// after which the motion does not return.
+/// Coordinates and velocities at each pass of one run that begins near `start`, in the order of
+/// coordinatesOf(). Fewer if the motion no longer comes back within the time of the model's run.
 std::vector<std::vector<double>> sectionPoints(Model& model, const OrbitSection& section,
                                                const State& start,
                                                const SectionPointsRequest& request = {});
