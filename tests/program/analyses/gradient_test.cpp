@@ -31,7 +31,9 @@ TEST_F(GradientCommand, PrintsAndWritesTheDerivatives) {
 TEST_F(GradientCommand, TellsWhatIsWrong) {
   write("ball.xml", kBall);
   EXPECT_EQ(call("gradient ball.xml --of ball.y --by hh"), 2);
-  EXPECT_NE(err().find("no parameter, coordinate or velocity \"hh\" — did you mean \"h\"?"), std::string::npos) << err();
+  EXPECT_NE(err().find("no parameter, coordinate or velocity \"hh\" — did you mean \"h\"?"),
+            std::string::npos)
+      << err();
   EXPECT_EQ(call("gradient ball.xml --of ball.yy --by h"), 2);
   EXPECT_NE(err().find("no signal named \"ball.yy\" — did you mean \"ball.y\"?"), std::string::npos)
       << err();
