@@ -21,11 +21,11 @@ constexpr int kMostOthers = 200, kOtherStarts = 9, kOtherSteps = 400;
 constexpr int kBoundedFrom = 200, kCorrecting = 12, kMostSweeps = 100, kLastSweeps = 1000,
               kFewSweeps = 40;
 /// Fewer contacts of bodies, from kSettledFrom on, are settled if kQuick Newton steps do not solve
-/// them: kSettlingSweeps sweeps to kSettling, and kSettled is accepted, which the gaps of the next
-/// step correct. Solves of walls of 25 and 49 bricks used to end in 6600 steps of further methods,
+/// them: kSettlingSweeps sweeps to kSettling. More than kSettled is left to the longer stages, of
+/// whose result kTolerable is accepted. The gaps of the next step correct both. Solves of walls of 25 and 49 bricks used to end in 6600 steps of further methods,
 /// often at 1.2 times the tolerance.
 constexpr int kSettledFrom = 24, kSettlingSweeps = 500;
-constexpr double kSettling = 1e-6, kSettled = 1e-4;
+constexpr double kSettling = 1e-6, kSettled = 2e-6, kTolerable = 1e-4;
 /// Newton steps to kEnough where sweeps do not reach kAccepted; 17 of 17 such steps of walls took
 /// 88 to 159 of them.
 constexpr int kLastNewton = 300;
@@ -92,8 +92,7 @@ void press(const InclusionProblem& p, double velocity, int spread, Eigen::Vector
 }
 
 /// Sets the status of a bounded solve by the residual that is enough for the scheme.
-SolveReport judged(SolveReport report, double tolerance) {
-  const double enough = std::max(kAccepted, tolerance);
+SolveReport judged(SolveReport report, double enough) {
   if (report.residuals.largest() <= enough)
     report.status = SolveStatus::solved;
   else if (report.ok())
@@ -154,15 +153,16 @@ SolveReport Automatic::chain(const InclusionProblem& p, Vec Lambda) {
   keptLambda_.assign(Lambda.data(), Lambda.data() + Lambda.size());
   report = rungs(p, Lambda, report);
   keep(p, {Lambda.data(), Lambda.size()}, report.residuals);
-  const bool many = bounds(p);
+  const bool many = bounds(p), judges = many || settles(p);
+  const double enough = std::max(many ? kAccepted : kTolerable, options_.tolerance);
   const bool better = kept_.largest() < report.residuals.largest() ||
                       !std::isfinite(report.residuals.largest()) ||
                       (!report.ok() && drowns(p, view(Lambda)));
-  if ((report.ok() && !many) || !better) return many ? judged(report, options_.tolerance) : report;
+  if ((report.ok() && !many) || !better) return judges ? judged(report, enough) : report;
   std::copy(keptLambda_.begin(), keptLambda_.end(), Lambda.data());
   report.residuals = kept_;
   if (kept_.largest() <= options_.tolerance) report.status = SolveStatus::solved;
-  return many ? judged(report, options_.tolerance) : report;
+  return judges ? judged(report, enough) : report;
 }
 
 void Automatic::keep(const InclusionProblem& p, ConstVec Lambda, const Residuals& residuals) {
@@ -418,7 +418,7 @@ void Automatic::declare(Attributes& a) {
   a.choice(
       "work", {"automatic", "bounded", "unbounded"}, "automatic",
       "bounded: 200 contacts and more are solved to what is enough for the scheme (1e-2) by sweeps "
-      "where few Newton steps do not reach the tolerance, 24 and more to 1e-4; automatic: bounded "
+      "where few Newton steps do not reach the tolerance, 24 and more to 2e-6; automatic: bounded "
       "if no tolerance is given");
   a.add(AttributeType::flag, "minimalNorm", "false",
         "of forces that are not unique, the smallest: equal shares; about five times the work");
