@@ -11,12 +11,6 @@ namespace {
 /// the distance at which located steps end beside an instant.
 constexpr double kSame = 1e-12;
 
-void limit(Attributes& a, const char* name, const char* text) {
-  Attribute& x = a.add(AttributeType::number, name, std::nullopt, text);
-  x.unit = Unit::any;
-  x.mayBeAbsent();
-}
-
 }  // namespace
 
 // ---- SampleClock -------------------------------------------------------------------------------
@@ -161,48 +155,17 @@ void Pid::declare(Attributes& a) {
       "the "
       "next sample; I += ki T e, D = (Tf D + kd (e - e_before))/(Tf + T). Signals: out, error, "
       "integral, derivative.");
-  a.add(AttributeType::expression, "error", std::nullopt,
-        "error e as a formula of t and signals, e.g. 1 - cart.x");
-  a.optional("kp", Unit::any, 0.0, "gain of the error");
-  a.optional("ki", Unit::any, 0.0, "gain of its integral [1/s]");
-  a.optional("kd", Unit::any, 0.0, "gain of its rate [s]");
-  a.optional("filter", Unit::time, 0.0, "time constant Tf of the rate [s]").nonNegative();
-  a.add(
-       AttributeType::expression, "rate", std::nullopt,
-       "rate of the error as a formula of t and signals: D = kd rate; default: from differences of "
-       "the error")
-      .mayBeAbsent();
-  a.add(AttributeType::expression, "feedforward", "0", "f as a formula of t and signals");
-  limit(a, "lower", "least output; default: none");
-  limit(a, "upper", "largest output; default: none");
-  a.choice("antiWindup", {"clamp", "back", "none"}, "clamp",
-           "what keeps I from growing at a limit: clamp: I stays while it would drive the output "
-           "further out; back: I also follows (out - output without limits)/tracking");
-  a.optional("tracking", Unit::time, 1.0, "time constant of antiWindup=\"back\" [s]").positive();
+  PidSettings::declare(
+      a,
+      "rate of the error as a formula of t and signals: D = kd rate; default: from differences of "
+      "the error");
   declareSampled(a);
   a.example(
       "<Pid name=\"pid\" error=\"0.5 - cart.x\" kp=\"40\" ki=\"10\" kd=\"8\" period=\"10ms\" "
       "lower=\"-20\" upper=\"20\"/>");
 }
 
-Pid::Pid(const Parameters& x)
-    : SampledBlock(x),
-      error_(x, "error", 1),
-      rate_(x, "rate", 1),
-      feedforward_(x, "feedforward", 1),
-      kp_(x["kp"]),
-      ki_(x["ki"]),
-      kd_(x["kd"]),
-      filter_(x["filter"]),
-      lower_(x.has("lower") ? double(x["lower"]) : -kInfinity),
-      upper_(x.has("upper") ? double(x["upper"]) : kInfinity),
-      tracking_(x["tracking"]),
-      antiWindup_(x["antiWindup"].text == "clamp"  ? AntiWindup::clamp
-                  : x["antiWindup"].text == "back" ? AntiWindup::back
-                                                   : AntiWindup::none) {
-  if (!(lower_ <= upper_))
-    throw ModelError("the lower limit lies above the upper one", "exchange lower and upper");
-}
+Pid::Pid(const Parameters& x) : SampledBlock(x), pid_(x) {}
 
 std::vector<double> Pid::held() const {
   std::vector<double> out(kCount, 0.0);
@@ -211,18 +174,19 @@ std::vector<double> Pid::held() const {
 }
 
 void Pid::sample(const Kinematics& k, double* held) const {
-  const double T = clock().period(), e = error_.value(k);
+  const double T = clock().period(), e = pid_.error.value(k);
   // The first sample has no difference.
   const double change = held[kSamples] > 0.0 ? e - held[kError] : 0.0;
-  held[kDerivative] = rate_.empty() ? (filter_ * held[kDerivative] + kd_ * change) / (filter_ + T)
-                                    : kd_ * rate_.value(k);
-  const double rest = kp_ * e + held[kDerivative] + feedforward_.value(k), step = ki_ * T * e;
+  held[kDerivative] = pid_.rate.empty()
+                          ? (pid_.filter * held[kDerivative] + pid_.kd * change) / (pid_.filter + T)
+                          : pid_.kd * pid_.rate.value(k);
+  const double rest = pid_.kp * e + held[kDerivative] + pid_.feedforward.value(k);
+  const double step = pid_.ki * T * e;
   double I = held[kIntegral] + step;
-  const double wanted = rest + I;
-  const bool further = (wanted > upper_ && step > 0.0) || (wanted < lower_ && step < 0.0);
-  if (antiWindup_ == AntiWindup::clamp && further) I = held[kIntegral];
-  held[kOut] = std::clamp(rest + I, lower_, upper_);
-  if (antiWindup_ == AntiWindup::back) I += T / tracking_ * (held[kOut] - (rest + I));
+  if (pid_.staysAt(rest + I, step)) I = held[kIntegral];
+  held[kOut] = pid_.limited(rest + I);
+  if (pid_.antiWindup == PidSettings::AntiWindup::back)
+    I += T / pid_.tracking * (held[kOut] - (rest + I));
   held[kIntegral] = I, held[kError] = e, held[kSamples] += 1.0;
 }
 

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <dynamy/simulation/model/time_grid.hpp>
 #include <dynamy/system/external_force.hpp>
+#include <dynamy_elements/blocks/pid_settings.hpp>
 #include <dynamy_elements/signal_formulas.hpp>
 
 namespace dynamy {
@@ -119,11 +120,9 @@ class Pid final : public SampledBlock {
  private:
   enum Held { kOut, kIntegral, kDerivative, kError, kSamples, kCount };
   std::vector<double> held() const override;
-  std::vector<SignalFormulas*> formulas() override { return {&error_, &rate_, &feedforward_}; }
+  std::vector<SignalFormulas*> formulas() override { return pid_.formulas(); }
   void sample(const Kinematics& k, double* held) const override;
-  SignalFormulas error_, rate_, feedforward_;
-  double kp_, ki_, kd_, filter_, lower_, upper_, tracking_;
-  enum class AntiWindup { clamp, back, none } antiWindup_;
+  PidSettings pid_;
 };
 
 }  // namespace dynamy

@@ -6,15 +6,6 @@
 #include <dynamy_elements/blocks/state_blocks.hpp>
 
 namespace dynamy {
-namespace {
-
-void optionalLimit(Attributes& a, const char* name, const char* text) {
-  Attribute& x = a.add(AttributeType::number, name, std::nullopt, text);
-  x.unit = Unit::any;
-  x.mayBeAbsent();
-}
-
-}  // namespace
 
 // ---- StateBlock --------------------------------------------------------------------------------
 
@@ -192,84 +183,55 @@ void ContinuousPid::declare(Attributes& a) {
       "PID controller with continuous states: out = clamp(kp e + I + D + f), I' = ki e, "
       "D = kd (e - w)/Tf with w' = (e - w)/Tf, or D = kd times a given rate. Signals: out, error, "
       "derivative, integral (I), filtered (w).");
-  a.add(AttributeType::expression, "error", std::nullopt,
-        "error e as a formula of t and signals, e.g. 1 - cart.x");
-  a.optional("kp", Unit::any, 0.0, "gain of the error");
-  a.optional("ki", Unit::any, 0.0, "gain of its integral [1/s]");
-  a.optional("kd", Unit::any, 0.0, "gain of its rate [s]");
-  a.optional("filter", Unit::time, 0.0, "time constant Tf of the rate [s]").nonNegative();
-  a.add(AttributeType::expression, "rate", std::nullopt,
-        "rate of the error as a formula of t and signals: D = kd rate, without a filter")
-      .mayBeAbsent();
-  a.add(AttributeType::expression, "feedforward", "0", "f as a formula of t and signals");
-  optionalLimit(a, "lower", "least output; default: none");
-  optionalLimit(a, "upper", "largest output; default: none");
-  a.choice("antiWindup", {"clamp", "back", "none"}, "clamp",
-           "what keeps I from growing at a limit: clamp: I stays while it would drive the output "
-           "further out; back: I also follows (out - output without limits)/tracking");
-  a.optional("tracking", Unit::time, 1.0, "time constant of antiWindup=\"back\" [s]").positive();
+  PidSettings::declare(
+      a, "rate of the error as a formula of t and signals: D = kd rate, without a filter");
   declareStiff(a);
   a.example(
       "<ContinuousPid name=\"pid\" error=\"0.5 - cart.x\" rate=\"-cart.vx\" kp=\"40\" ki=\"10\" "
       "kd=\"8\" lower=\"-20\" upper=\"20\"/>");
 }
 
-ContinuousPid::ContinuousPid(const Parameters& x)
-    : StateBlock(x, {0.0, 0.0}),
-      error_(x, "error", 1),
-      rate_(x, "rate", 1),
-      feedforward_(x, "feedforward", 1),
-      kp_(x["kp"]),
-      ki_(x["ki"]),
-      kd_(x["kd"]),
-      filter_(x["filter"]),
-      lower_(x.has("lower") ? double(x["lower"]) : -kInfinity),
-      upper_(x.has("upper") ? double(x["upper"]) : kInfinity),
-      tracking_(x["tracking"]),
-      antiWindup_(x["antiWindup"].text == "clamp"  ? AntiWindup::clamp
-                  : x["antiWindup"].text == "back" ? AntiWindup::back
-                                                   : AntiWindup::none) {
-  if (!(lower_ <= upper_))
-    throw ModelError("the lower limit lies above the upper one", "exchange lower and upper");
-  if (kd_ != 0.0 && rate_.empty() && filter_ == 0.0)
+ContinuousPid::ContinuousPid(const Parameters& x) : StateBlock(x, {0.0, 0.0}), pid_(x) {
+  if (pid_.kd != 0.0 && pid_.rate.empty() && pid_.filter == 0.0)
     throw ModelError("kd needs the rate of the error",
                      "give rate=\"…\", e.g. -cart.vx, or the time constant filter=\"…\"");
 }
 
+double ContinuousPid::derivative(const Kinematics& k, const double* x, double e) const {
+  if (pid_.kd == 0.0) return 0.0;
+  return pid_.kd * (pid_.rate.empty() ? (e - x[1]) / pid_.filter : pid_.rate.value(k));
+}
+
 double ContinuousPid::wanted(const Kinematics& k, const double* x, double e) const {
-  double D = 0.0;
-  if (kd_ != 0.0) D = kd_ * (rate_.empty() ? (e - x[1]) / filter_ : rate_.value(k));
-  return kp_ * e + x[0] + D + feedforward_.value(k);
+  return pid_.kp * e + x[0] + derivative(k, x, e) + pid_.feedforward.value(k);
 }
 
 void ContinuousPid::rates(const Kinematics& k, const double* x, double* rate,
                           double* byState) const {
-  const double e = error_.value(k), F = wanted(k, x, e), step = ki_ * e;
-  const bool further = (F > upper_ && step > 0.0) || (F < lower_ && step < 0.0);
-  rate[0] = antiWindup_ == AntiWindup::clamp && further ? 0.0 : step;
-  const bool back = antiWindup_ == AntiWindup::back;
-  if (back) rate[0] += (std::clamp(F, lower_, upper_) - F) / tracking_;
-  const double pace = filter_ > 0.0 ? 1.0 / filter_ : 0.0;
+  const double e = pid_.error.value(k), F = wanted(k, x, e), step = pid_.ki * e;
+  const bool back = pid_.antiWindup == PidSettings::AntiWindup::back;
+  rate[0] = pid_.staysAt(F, step) ? 0.0 : step;
+  if (back) rate[0] += (pid_.limited(F) - F) / pid_.tracking;
+  const double pace = pid_.filter > 0.0 ? 1.0 / pid_.filter : 0.0;
   rate[1] = pace * (e - x[1]);
   if (!byState) return;
-  const bool cut = back && !(F >= lower_ && F <= upper_);
-  byState[0] = cut ? -1.0 / tracking_ : 0.0;
-  byState[1] = cut && rate_.empty() && kd_ != 0.0 ? kd_ * pace / tracking_ : 0.0;
+  const bool cut = back && !(F >= pid_.lower && F <= pid_.upper);
+  byState[0] = cut ? -1.0 / pid_.tracking : 0.0;
+  byState[1] = cut && pid_.rate.empty() && pid_.kd != 0.0 ? pid_.kd * pace / pid_.tracking : 0.0;
   byState[2] = 0.0, byState[3] = -pace;
 }
 
 void ContinuousPid::describe(Description& d) const {
-  SignalFormulas::announce(d, {&error_, &rate_, &feedforward_});
+  SignalFormulas::announce(d, {&pid_.error, &pid_.rate, &pid_.feedforward});
   d.signal("out", Unit::any, "output", [this](const SignalView& v) {
-    const double e = error_.value(*v.kinematics);
-    return std::clamp(wanted(*v.kinematics, states(*v.kinematics), e), lower_, upper_);
+    const double e = pid_.error.value(*v.kinematics);
+    return pid_.limited(wanted(*v.kinematics, states(*v.kinematics), e));
   });
   d.signal("error", Unit::any, "error",
-           [this](const SignalView& v) { return error_.value(*v.kinematics); });
+           [this](const SignalView& v) { return pid_.error.value(*v.kinematics); });
   d.signal("derivative", Unit::any, "derivative part D of the output", [this](const SignalView& v) {
     const Kinematics& k = *v.kinematics;
-    if (kd_ == 0.0) return 0.0;
-    return kd_ * (rate_.empty() ? (error_.value(k) - states(k)[1]) / filter_ : rate_.value(k));
+    return derivative(k, states(k), pid_.error.value(k));
   });
 }
 

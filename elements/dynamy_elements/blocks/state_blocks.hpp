@@ -14,6 +14,7 @@
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/partial_mechanical_system.hpp>
+#include <dynamy_elements/blocks/pid_settings.hpp>
 #include <dynamy_elements/signal_formulas.hpp>
 
 namespace dynamy {
@@ -93,13 +94,13 @@ class ContinuousPid final : public StateBlock {
 
  private:
   std::vector<std::string> stateNames() const override { return {"integral", "filtered"}; }
-  std::vector<SignalFormulas*> formulas() override { return {&error_, &rate_, &feedforward_}; }
+  std::vector<SignalFormulas*> formulas() override { return pid_.formulas(); }
   void rates(const Kinematics& k, const double* x, double* rate, double* byState) const override;
-  /// The output without limits, from the states (I, w) and the error.
+  /// D, from the states (I, w) and the error.
+  double derivative(const Kinematics& k, const double* x, double e) const;
+  /// The output without limits.
   double wanted(const Kinematics& k, const double* x, double e) const;
-  SignalFormulas error_, rate_, feedforward_;
-  double kp_, ki_, kd_, filter_, lower_, upper_, tracking_;
-  enum class AntiWindup { clamp, back, none } antiWindup_;
+  PidSettings pid_;
 };
 
 }  // namespace dynamy

@@ -59,6 +59,25 @@ std::vector<double> RunDifferences::by(const Varied& parameter, double size, int
   return {};
 }
 
+std::vector<double> RunDifferences::byFour(const Varied& parameter, double size) const {
+  const auto& [name, value] = parameter;
+  constexpr int kParts[] = {-2, -1, 1, 2};
+  const double delta = wide_ * kWideDelta * size;
+  FollowedRun runs[4];
+  for (int i = 0; i < 4; ++i) {
+    runs[i] = make_({{name, value + kParts[i] * delta}}, &run_.sequence);
+    if (runs[i].sequence.from(run_.sequence).any) return {};
+  }
+  std::vector<double> out;
+  for (std::size_t k = 0; k < run_.values.size(); ++k) {
+    const double inner = runs[2].values[k] - runs[1].values[k];
+    const double outer = runs[3].values[k] - runs[0].values[k];
+    out.push_back(isSmooth(run_, runs[3], runs[0], k) ? (8.0 * inner - outer) / (12.0 * delta)
+                                                      : kNoSide);
+  }
+  return out;
+}
+
 /// One difference with a signed δ, without errors; empty: the runs have other switches.
 RunDifferences::Side RunDifferences::sideOnce(const Varied& parameter, double delta) const {
   const auto& [name, value] = parameter;

@@ -1,36 +1,35 @@
 #include <cmath>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/simulation/model/initial_values.hpp>
-#include <functional>
+#include <utility>
 
 namespace dynamy {
-namespace {
-
-/// Calls `use(name, system, isVelocity, index)` for every number of a state that has a name.
-void eachNumber(const Model& model,
-                const std::function<void(const std::string&, int, bool, int)>& use) {
+std::vector<NamedNumber> numbersOfState(const Model& model) {
+  std::vector<NamedNumber> out;
   for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
     const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
     const SystemHandle& s = model.topology().system(i);
     const Description& d = model.description(i);
-    for (const auto& [own, index] : d.coordinates) use(of + own, i, false, s.q0 + index);
-    for (const auto& [own, index] : d.velocities) use(of + own, i, true, s.u0 + index);
+    for (const auto& [own, index] : d.coordinates) {
+      out.push_back({of + own, false, s.q0 + index});
+      if (s.nq != s.nu) continue;
+      for (const auto& [rate, k] : d.velocities)
+        if (k == index) out.back().rate = of + rate;
+    }
+    for (const auto& [own, index] : d.velocities) out.push_back({of + own, true, s.u0 + index});
   }
+  return out;
 }
 
-}  // namespace
-
 double* numberOfState(const Model& model, const std::string& name, State& x) {
-  double* found = nullptr;
-  eachNumber(model, [&](const std::string& known, int, bool velocity, int at) {
-    if (found == nullptr && known == name) found = velocity ? &x.u[at] : &x.q[at];
-  });
-  return found;
+  for (const NamedNumber& n : numbersOfState(model))
+    if (n.name == name) return n.velocity ? &x.u[n.index] : &x.q[n.index];
+  return nullptr;
 }
 
 std::vector<std::string> namesOfState(const Model& model) {
   std::vector<std::string> out;
-  eachNumber(model, [&](const std::string& name, int, bool, int) { out.push_back(name); });
+  for (NamedNumber& n : numbersOfState(model)) out.push_back(std::move(n.name));
   return out;
 }
 

@@ -6,6 +6,17 @@
 
 namespace dynamy {
 
+/// A coordinate or a velocity that has a name, and where it stands in a state.
+struct NamedNumber {
+  std::string name;
+  bool velocity = false;  ///< in u, else in q
+  Eigen::Index index = 0;
+  std::string rate = {};  ///< of a coordinate: the velocity that is its rate, if q̇ = u
+};
+
+/// All of them, in the order of the model.
+std::vector<NamedNumber> numbersOfState(const Model& model);
+
 /// The number in `x` that the signal `name` shows; null: no coordinate or velocity has this name.
 double* numberOfState(const Model& model, const std::string& name, State& x);
 

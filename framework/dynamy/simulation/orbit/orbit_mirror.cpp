@@ -1,54 +1,32 @@
 #include <algorithm>
 #include <dynamy/core/suggestion.hpp>
+#include <dynamy/simulation/model/initial_values.hpp>
 #include <dynamy/simulation/orbit/orbit_mirror.hpp>
-#include <map>
 
 namespace dynamy {
 namespace {
 
-/// Where the value of a signal stands in a state.
-struct Position {
-  bool velocity = false;
-  Eigen::Index index = 0;
-  std::string rate;  ///< of a coordinate: the signal of its velocity, if it has one
-};
-
-std::map<std::string, Position> positionsOf(const Model& model) {
-  std::map<std::string, Position> out;
-  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
-    const SystemHandle& s = model.topology().system(i);
-    const std::string of = model.systems()[static_cast<std::size_t>(i)]->name() + ".";
-    const Description& d = model.description(i);
-    for (const auto& [name, index] : d.velocities) out[of + name] = {true, s.u0 + index, {}};
-    for (const auto& [name, index] : d.coordinates) {
-      Position p{false, s.q0 + index, {}};
-      for (const auto& [rate, k] : d.velocities)
-        if (s.nq == s.nu && k == index) p.rate = of + rate;
-      out[of + name] = p;
-    }
-  }
-  return out;
-}
-
-const Position& positionOf(const std::map<std::string, Position>& all, const std::string& name) {
-  if (const auto found = all.find(name); found != all.end()) return found->second;
+const NamedNumber& numberNamed(const std::vector<NamedNumber>& all, const std::string& name) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const NamedNumber& n) { return n.name == name; });
+  if (found != all.end()) return *found;
   std::vector<std::string> known;
-  for (const auto& [other, position] : all) known.push_back(other);
+  for (const NamedNumber& n : all) known.push_back(n.name);
   throw ModelError("no coordinate or velocity named \"" + name + '"', unknownNameHint(name, known));
 }
 
 }  // namespace
 
 OrbitMirror::OrbitMirror(const Model& model, const std::vector<std::string>& of) {
-  const std::map<std::string, Position> all = positionsOf(model);
+  const std::vector<NamedNumber> all = numbersOfState(model);
   const auto add = [&](const std::string& to, const std::string& from, double sign) {
-    const Position &a = positionOf(all, to), &b = positionOf(all, from);
+    const NamedNumber &a = numberNamed(all, to), &b = numberNamed(all, from);
     if (a.velocity != b.velocity)
       throw ModelError("a coordinate and a velocity, " + to + " and " + from +
                        ", cannot be mirror images of each other");
     of_.push_back({to, a.velocity, a.index, b.index, from, sign});
     if (!a.rate.empty() && !b.rate.empty())
-      of_.push_back({a.rate, true, positionOf(all, a.rate).index, positionOf(all, b.rate).index,
+      of_.push_back({a.rate, true, numberNamed(all, a.rate).index, numberNamed(all, b.rate).index,
                      b.rate, sign});
   };
   for (const std::string& item : of) {
