@@ -19,7 +19,7 @@ class RunDifferences {
   /// δ of a parameter, as a part of its size. Central differences of smooth runs have errors of
   /// about δ² and 1e-16/δ.
   static constexpr double kDelta = 5e-6;
-  static constexpr double kWideDelta = 2.5e-5;  ///< the same for differences of order 4
+  static constexpr double kWideDelta = 1e-4;  ///< the same for differences of order 4
   /// Rounding of a value at the end of a run, in units of its size; divided by δ.
   static constexpr double kRounding = 32.0 * kEpsilon;
   /// Runs with some parameters changed; `like`: with the steps of that run.
