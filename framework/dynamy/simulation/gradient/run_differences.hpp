@@ -37,7 +37,7 @@ class RunDifferences {
   std::vector<double> by(const Varied& parameter, double size, int tries);
   /// The same by four runs with a larger δ, for values that bend much within it:
   ///
-  ///   d = (8 (v(p + δ) − v(p − δ)) − (v(p + 2δ) − v(p − 2δ))) / 12δ,   with an error of order δ⁴
+  ///   d = (8 (v(p + δ) − v(p − δ)) − (v(p + 2δ) − v(p − 2δ))) / 12δ,   with an error of order δ⁴   (53.4)
   ///
   /// Empty: the switches differ. Their rounding is kRounding/kWideDelta of the size of a value.
   std::vector<double> byFour(const Varied& parameter, double size) const;
