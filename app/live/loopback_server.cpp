@@ -80,14 +80,18 @@ struct LoopbackServer::Inside {
   std::array<std::string, 2> hosts;
   boost::asio::io_context accepting;
   tcp::acceptor acceptor{accepting};
-  std::mutex guard;  // of the three below
+  std::mutex guard;  // of the four below
   bool closing = false;
   std::list<int> sockets;
-  std::list<std::thread> threads;
+  std::list<std::thread> threads;  // of the connections
+  std::thread ended;               // the one that ended last; the next one to end joins it
   std::thread listener;
 
   void open();
   void listen();
+  void serve(int number);
+  void leave();
+  std::thread anyThread();
   bool exchange(boost::beast::tcp_stream& stream, boost::asio::io_context& io);
   WebAnswer answered(const HttpRequest& request) const;
 };
@@ -121,20 +125,51 @@ void LoopbackServer::Inside::listen() {
     sockets.push_back(number);
     socket.close(error);
     threads.emplace_back([this, number] {
-      boost::asio::io_context io;
-      boost::system::error_code failed;
-      boost::beast::tcp_stream stream(io);
-      stream.socket().assign(tcp::v4(), number, failed);
-      try {
-        while (!failed && exchange(stream, io)) {
-        }
-      } catch (const std::exception&) {  // of one connection: the others go on
-      }
-      const std::lock_guard end(guard);
-      sockets.remove(number);
-      stream.socket().close(failed);
+      serve(number);
+      leave();
     });
   }
+}
+
+/// One connection, to its end.
+void LoopbackServer::Inside::serve(int number) {
+  boost::asio::io_context io;
+  boost::system::error_code failed;
+  boost::beast::tcp_stream stream(io);
+  stream.socket().assign(tcp::v4(), number, failed);
+  try {
+    while (!failed && exchange(stream, io)) {
+    }
+  } catch (const std::exception&) {  // of one connection: the others go on
+  }
+  const std::lock_guard lock(guard);
+  sockets.remove(number);
+  stream.socket().close(failed);
+}
+
+/// The last call of a connection's thread, which cannot join itself: it joins the one that ended before
+/// and waits for the next. So at most one ended thread keeps its stack, however long a run is watched.
+void LoopbackServer::Inside::leave() {
+  std::thread before;
+  {
+    const std::lock_guard lock(guard);
+    const auto self = std::find_if(threads.begin(), threads.end(), [](const std::thread& t) {
+      return t.get_id() == std::this_thread::get_id();
+    });
+    if (self == threads.end()) return;  // the destructor waits for this one
+    before = std::exchange(ended, std::move(*self));
+    threads.erase(self);
+  }
+  if (before.joinable()) before.join();
+}
+
+/// A thread that is to be joined; none: all are.
+std::thread LoopbackServer::Inside::anyThread() {
+  const std::lock_guard lock(guard);
+  if (threads.empty()) return std::exchange(ended, std::thread());
+  std::thread out = std::move(threads.front());
+  threads.pop_front();
+  return out;
 }
 
 /// Reads one request and answers it. False: the connection is at its end.
@@ -209,7 +244,7 @@ LoopbackServer::~LoopbackServer() {
   }
   ::shutdown(inside_->acceptor.native_handle(), SHUT_RDWR);
   inside_->listener.join();
-  for (std::thread& t : inside_->threads) t.join();
+  for (std::thread t = inside_->anyThread(); t.joinable(); t = inside_->anyThread()) t.join();
 }
 
 const std::string& LoopbackServer::address() const { return inside_->address; }
