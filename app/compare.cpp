@@ -28,7 +28,7 @@ class Ends final : public RecordSink {
     for (std::size_t i = 0; i < last.size(); ++i)
       low[i] = std::min(low[i], last[i]), high[i] = std::max(high[i], last[i]);
   }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   std::vector<double> last, low, high;
 };
 

@@ -24,15 +24,17 @@ struct ViewOptions {
   std::string folder;
   bool noBrowser = false;
   std::string other;
+  bool beside = false;
   VideoChoice video;
   std::string size;
 };
 
 int view(const ViewOptions& options) {
   const RunFolder folder = RunFolder::existing(options.folder);
-  const ReplaySize size =
-      writeReplay(folder.path(), options.other.empty() ? std::filesystem::path()
-                                                       : RunFolder::existing(options.other).path());
+  const ReplaySize size = writeReplay(
+      folder.path(),
+      options.other.empty() ? std::filesystem::path() : RunFolder::existing(options.other).path(),
+      options.beside);
   const std::string page = std::filesystem::absolute(folder.replay()).lexically_normal().string();
   fmt::print("{}\n", page);
   fmt::print(stderr, "{}", thinningText(size));
@@ -61,9 +63,12 @@ void addView(CLI::App& app, Program& program) {
       app.add_subcommand("view", "rebuild replay.html of a run and open it; make a film");
   sub->add_option("DIR", options->folder, "run folder, e.g. runs/ball")->required();
   sub->add_flag("--no-browser", options->noBrowser, "only write the page");
-  sub->add_option("--with", options->other,
-                  "lay another run over this one, its bodies transparent and its curves dashed")
-      ->type_name("DIR");
+  CLI::Option* with = sub->add_option("--with", options->other,
+                                      "lay another run over this one, its bodies transparent and "
+                                      "its curves dashed")
+                          ->type_name("DIR");
+  sub->add_flag("--beside", options->beside, "show that run in a picture beside this one")
+      ->needs(with);
   VideoChoice& video = options->video;
   CLI::Option* film = sub->add_option("--video", video.file,
                                       "make a film instead: .webm, .gif, .mp4 (by ffmpeg), or a "

@@ -91,19 +91,22 @@ std::string bodies(const SceneMesh& mesh, const Frames& frames, std::size_t f) {
 
 std::string contacts(const Frames& frames, std::size_t f) {
   const std::size_t first = frames.firstContact[f], n = frames.firstContact[f + 1] - first;
-  std::vector<float> point, normal, force, limit;
+  std::vector<float> point, normal, force, limit, impulse;
   std::vector<std::int32_t> state;
   std::vector<SceneMesh::Cell> cells;
   for (std::size_t i = 0; i < n; ++i) {
     const float* c = frames.contact.data() + (first + i) * Frames::kContactNumbers;
     point.insert(point.end(), c, c + 3), normal.insert(normal.end(), c + 3, c + 6);
     force.insert(force.end(), c + 6, c + 9);
+    const bool impact = static_cast<int>(c[9]) == static_cast<int>(ContactState::impact);
+    for (int k = 6; k < 9; ++k) impulse.push_back(impact ? c[k] * frames.step[f] : 0.0F);
     state.push_back(static_cast<std::int32_t>(c[9])), limit.push_back(c[10]);
     cells.push_back({static_cast<std::int32_t>(i)});
   }
   Polydata out(n, n, 0, 0, frames.t[f]);
   out.begin("PointData");
-  out.array("force", 3, force), out.array("normal", 3, normal);
+  out.array("force", 3, force), out.array("impulse", 3, impulse);
+  out.array("normal", 3, normal);
   out.array("state", 1, state), out.array("limit", 1, limit);
   out.end("PointData");
   out.begin("Points");

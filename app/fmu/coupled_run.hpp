@@ -24,7 +24,7 @@ class StepWatch final : public RecordSink, public Observer {
  public:
   // As a sink: events alone.
   void row(double, std::span<const double>) override {}
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   void event(const ContactEvent&) override { ++events_; }
   // As an observer: the last step.
   void start(const StepView& initial) override { view_.emplace(initial); }

@@ -156,6 +156,8 @@ class Frames:
     names     of the P frames
     pose      n x P x 7: x y z of r_OS_I [m], unit quaternion w x y z of A_IK
     contacts  n arrays C x 11: point [m], normal, force [N], state (index into STATES), limit [N]
+    step      n steps [s] of these forces: force times step is the percussion of an impact [N s];
+              0: unknown
     scene     shapes and frames, a dict
     """
 
@@ -163,19 +165,20 @@ class Frames:
         if len(data) < 24 or data[:8] != b"DYNFRAME":
             raise RunError(f"{path}: not a frames file")
         version, order, poses, size = struct.unpack_from("<4I", data, 8)
-        if version != 2 or order != 0x01020304:
-            raise RunError(f"{path}: version {version}, this reader knows 2")
+        if version not in (2, 3) or order != 0x01020304:
+            raise RunError(f"{path}: version {version}, this reader knows 2 and 3")
         head = 24 + size
         if len(data) < head + 4 or zlib.crc32(data[:head]) != _u32(data, head):
             raise RunError(f"{path}: its head is damaged")
         self.scene = json.loads(data[24:head].decode("utf-8"))
         self.names = [f["name"] for f in self.scene["frames"]]
-        t, pose, self.contacts = [], [], []
+        t, step, pose, self.contacts = [], [], [], []
         for payload in _chunks(data, head + 4):
             at = 0
             while at < len(payload):
-                time, contacts, _ = struct.unpack_from("<dII", payload, at)
+                time, contacts, dt = struct.unpack_from("<dIf", payload, at)
                 t.append(time)
+                step.append(dt)
                 at += 16
                 pose.append(np.frombuffer(payload, "<f4", 7 * poses, at).reshape(poses, 7))
                 at += 28 * poses
@@ -183,6 +186,7 @@ class Frames:
                     np.frombuffer(payload, "<f4", 11 * contacts, at).reshape(contacts, 11))
                 at += 44 * contacts
         self.t = np.array(t)
+        self.step = np.array(step)
         self.pose = np.array(pose, dtype=float).reshape(len(t), poses, 7)
 
     def _index(self, name):

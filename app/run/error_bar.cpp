@@ -25,7 +25,7 @@ class Table final : public RecordSink {
     table.t.push_back(t);
     for (std::size_t i = 0; i < values.size(); ++i) table.columns[i].push_back(values[i]);
   }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   SignalTable table;
 };
 

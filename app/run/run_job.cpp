@@ -32,8 +32,11 @@ ReplaySize writePictures(const RunFolder& folder, const Model& model) {
 
 void print(const RunFolder& folder, const Model& model, const RunShow& show,
            const RunReport& report, const std::vector<CheckResult>& checks, const ReplaySize& size,
-           const std::string& problems) {
+           const std::string& problems, long eventsLeftOut) {
   if (!show.quiet) fmt::print(stderr, "{}", thinningText(size));
+  if (!show.quiet && eventsLeftOut > 0)
+    fmt::print(stderr, "dynamy: events.csv has the first {} of {} events\n",
+               EventsFile::kMostEvents, EventsFile::kMostEvents + eventsLeftOut);
   if (show.json)
     fmt::print("{}", readWholeFile(folder.facts()));
   else if (!show.quiet)
@@ -66,6 +69,7 @@ int conclude(const RunFolder& folder, const Model& model, const RunChoice& choic
         [&](JsonWriter& j) {
           writeFacts(j, model, choice, report, checks, "");
           writeFiles(j, recording.files());
+          j.member("eventsLeftOut", recording.eventsLeftOut());
           if (show.facts) show.facts(j);
           if (!end.fault.empty()) j.member("fileFault", end.fault);
           if (problems) writeProblems(j, *problems);
@@ -90,7 +94,7 @@ int conclude(const RunFolder& folder, const Model& model, const RunChoice& choic
     show.tell(report, checks);
   else
     print(folder, model, show, report, checks, size,
-          problems ? problemsText(*problems, folder.problems()) : "");
+          problems ? problemsText(*problems, folder.problems()) : "", recording.eventsLeftOut());
   if (!end.fault.empty() && end.fault != report.reason)
     fmt::print(stderr, "dynamy: {}\n", end.fault);
   if (bars && !show.json && !show.quiet && !show.tell) fmt::print("{}", errorBarsText(*bars));

@@ -57,7 +57,7 @@ struct World {
 class Nowhere final : public RecordSink {
  public:
   void row(double, std::span<const double>) override {}
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   bool wantsLedger() const override { return true; }
 };
 /// Ends a run after so many steps.

@@ -190,7 +190,7 @@ class MeanLoad final : public RecordSink {
     for (std::size_t i = 0; i < 2; ++i) sum_[i] += values[i];
     ++rows_;
   }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   double of(std::size_t column) const { return -sum_[column] / rows_; }
 
  private:

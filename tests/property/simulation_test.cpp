@@ -135,7 +135,7 @@ class CountSteps final : public Observer {
 class Nowhere final : public RecordSink {
  public:
   void row(double, std::span<const double>) override {}
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
 };
 
 TEST(Allocation, AThousandStepsAfterTheWarmUpTakeNoMemory) {

@@ -84,9 +84,9 @@ const std::string kBall = ball("b", 0.0, 0.0, kRadius);
 class Pictures final : public RecordSink {
  public:
   void row(double, std::span<const double>) override {}
-  void frame(double t, std::span<const FramePose>,
+  void frame(FilmInstant at, std::span<const FramePose>,
              std::span<const ContactRecord> contacts) override {
-    last.assign(contacts.begin(), contacts.end()), lastTime = t;
+    last.assign(contacts.begin(), contacts.end()), lastTime = at.t;
   }
   void event(const ContactEvent& e) override {
     if (e.of == ContactEvent::Of::sleep) asleep.push_back(e.t);

@@ -102,7 +102,7 @@ class BoundedRun {
     void row(double at, std::span<const double> values) override {
       t.push_back(at), rows.emplace_back(values.begin(), values.end());
     }
-    void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+    void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
     void event(const ContactEvent& e) override { events.push_back(e); }
     std::vector<double> t;
     std::vector<std::vector<double>> rows;

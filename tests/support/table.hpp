@@ -13,7 +13,7 @@ class Table final : public RecordSink {
     t.push_back(at);
     rows.emplace_back(values.begin(), values.end());
   }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   void archive(Archive& a) override { a(t), a(rows); }
   std::vector<double> t;
   std::vector<std::vector<double>> rows;

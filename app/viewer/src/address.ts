@@ -1,5 +1,5 @@
 // The address: replay.html#t=0.45&view=xz&azimuth=-40&elevation=30&trails=1&contacts=0&select=2&
-// open=energy&play=1&theme=dark&webgl=0
+// open=energy&play=1&theme=dark&webgl=0&beside=1
 import type {Replay} from "./replay";
 
 /** Puts time and view into the address and copies it. */
@@ -7,6 +7,7 @@ export function copyLink(replay: Replay): void {
   const {camera} = replay.stage, part = new URLSearchParams();
   part.set("t", String(Number(replay.t.toPrecision(9))));
   part.set("view", camera.view);
+  if (replay.comparison.isBeside) part.set("beside", "1");
   if (!camera.isPlanar) {
     part.set("azimuth", String(Math.round(camera.azimuth * 180 / Math.PI)));
     part.set("elevation", String(Math.round(camera.elevation * 180 / Math.PI)));

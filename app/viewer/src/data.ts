@@ -1,7 +1,7 @@
 // From the JSON of the page to numbers. Formats: doc/replay.md.
 import {unzlibSync} from "fflate";
 import {Film, type Contact} from "./film";
-import {clamp, scaled, unit, type Pose, type Q4, type V3} from "./math";
+import {clamp, lastAtOrBefore, scaled, unit, type Pose, type Q4, type V3} from "./math";
 
 export interface SceneShape {
   kind: string; name?: string; frame: number; position: V3; orientation: Q4; colour?: string;
@@ -14,7 +14,7 @@ export interface Scene {
 export interface PageData {
   title: string; model: {name: string; text: string}; run: Record<string, unknown> | null; scene: string;
   frames: {
-    count: number; recorded: number; poses: number; placeSteps: number; turnSteps: number; t: string; ranges: string;
+    count: number; recorded: number; poses: number; placeSteps: number; turnSteps: number; t: string; steps?: string; ranges: string;
     orders: string; data: string;
     contacts: {box: number[]; placeSteps: number; turnSteps: number; octaveSteps: number; counts: string; data: string};
   };
@@ -24,6 +24,7 @@ export interface PageData {
 export interface Signal { name: string; unit: string; t: Float64Array; y: Float32Array }
 export interface Event {
   t: number; impact: boolean; system: string; contact: string; from: string; to: string; speed: number; impulse: number;
+  brief?: boolean;  // a switch that is taken back within a step
 }
 
 /** The bytes behind a base64 text of zlib data. The browser's own inflater is faster by far. */
@@ -82,7 +83,7 @@ export class RecordedFilm extends Film {
   private constructor(
       readonly poses: number, readonly t: Float64Array, readonly lo: Float32Array, hi: Float32Array,
       private readonly course: Uint16Array, counts: Uint32Array, private readonly contact: Int16Array,
-      private readonly coding: PageData["frames"]) {
+      private readonly steps: Float32Array, private readonly coding: PageData["frames"]) {
     super();
     this.count = t.length;
     this.now = new Float32Array(7 * poses);
@@ -100,15 +101,15 @@ export class RecordedFilm extends Film {
   private readonly columns: number;
 
   static async from(frames: PageData["frames"]): Promise<RecordedFilm> {
-    const [t, ranges, orders, data, counts, contact] = await Promise.all([
-      doubles(frames.t), floats(frames.ranges), inflated(frames.orders), inflated(frames.data),
+    const [t, steps, ranges, orders, data, counts, contact] = await Promise.all([
+      doubles(frames.t), floats(frames.steps ?? ""), floats(frames.ranges), inflated(frames.orders), inflated(frames.data),
       inflated(frames.contacts.counts), inflated(frames.contacts.data)]);
     const part = (odd: number): Float32Array => ranges.filter((_, i) => i % 2 === odd);
     const course = unfold(data, orders.length, t.length, orders);
     const view = viewOf(counts);
     const n = Uint32Array.from({length: view.byteLength / 4}, (_, i) => view.getUint32(4 * i, true));
     const marks = unfold(contact, kContactColumns, contact.length / 2 / kContactColumns, new Uint8Array(kContactColumns));
-    return new RecordedFilm(frames.poses, t, part(0), part(1), course, n, new Int16Array(marks.buffer), frames);
+    return new RecordedFilm(frames.poses, t, part(0), part(1), course, n, new Int16Array(marks.buffer), steps, frames);
   }
 
   get contactCount(): number { return this.contact.length / kContactColumns; }
@@ -159,17 +160,22 @@ export class RecordedFilm extends Film {
     const out: Contact[] = [];
     if (!this.count) return out;
     const f = this.indexAt(t);
-    for (let c = this.firstContact[f]; c < this.firstContact[f + 1]; ++c) out.push(this.contactAt(c));
+    for (let c = this.firstContact[f]; c < this.firstContact[f + 1]; ++c) out.push(this.decoded(c, f));
     return out;
   }
 
-  contactAt(c: number): Contact {
+  get knowsSteps(): boolean { return this.steps.some(dt => dt > 0); }
+
+  contactAt(c: number): Contact { return this.decoded(c, lastAtOrBefore(this.firstContact, c)); }
+
+  /** Contact number c, of frame f. */
+  private decoded(c: number, f: number): Contact {
     const x = this.contact.subarray(kContactColumns * c, kContactColumns * (c + 1));
     const {box, placeSteps, octaveSteps} = this.coding.contacts;
     const at = (k: number): number => box[2 * k] + (box[2 * k + 1] - box[2 * k]) * (x[k] & 0xffff) / placeSteps;
     const n = unit([x[3], x[4], x[5]]), e = unit([x[3] + x[7], x[4] + x[8], x[5] + x[9]]);
     const size = power(x[6], octaveSteps), limit = power(x[11], octaveSteps) * (size || 1);
-    return {r: [at(0), at(1), at(2)], n, F: scaled(e, size), state: x[10], limit};
+    return {r: [at(0), at(1), at(2)], n, F: scaled(e, size), state: x[10], limit, step: this.steps[f] ?? 0};
   }
 }
 
@@ -207,11 +213,13 @@ export const eventIn = (line: string): Event => eventOf(fieldsOf(line));
 
 export async function eventsOf(data: PageData): Promise<Event[]> {
   const rows = await rowsOf(data.events), settings = data.run?.settings as {step?: number} | undefined;
-  return withoutFlicker(rows.slice(1).filter(r => r.length >= 7).map(eventOf), 1.5 * (settings?.step ?? 0));
+  const events = rows.slice(1).filter(r => r.length >= 7).map(eventOf);
+  for (const e of flickers(events, 1.5 * (settings?.step ?? 0))) e.brief = true;
+  return events;
 }
 
-/** Leaves out switches that are taken back at once: a gap of rounding size opens and closes again. */
-function withoutFlicker(events: Event[], brief: number): Event[] {
+/** Switches that are taken back at once: a gap of rounding size opens and closes again. */
+function flickers(events: Event[], brief: number): Set<Event> {
   const last = new Map<string, Event>(), gone = new Set<Event>();
   for (const e of events) {
     const before = last.get(e.contact);
@@ -221,7 +229,7 @@ function withoutFlicker(events: Event[], brief: number): Event[] {
     }
     last.set(e.contact, e);
   }
-  return gone.size ? events.filter(e => !gone.has(e)) : events;
+  return gone;
 }
 
 /** Columns of ledger.csv by name, with t. */

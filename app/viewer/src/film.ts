@@ -2,7 +2,19 @@
 // it grows (live_film.ts).
 import {lastAtOrBefore, type Pose, type V3} from "./math";
 
-export interface Contact { r: V3; n: V3; F: V3; state: number; limit: number }
+export const kImpact = 3;  // the state of a contact with an impact
+/** `step`: Δt of the force [s], 0: unknown. */
+export interface Contact { r: V3; n: V3; F: V3; state: number; limit: number; step: number }
+
+/** What the arrow of a contact stands for over its force: an impact is shown by its percussion [N s], if Δt is known. */
+export const arrowFactor = (c: Contact): number => c.state === kImpact && c.step > 0 ? c.step : 1;
+
+/** First and last time of a film with its curves. */
+export function spanOf(film: Film, signals: {t: Float64Array}[]): [number, number] {
+  const times = [film.t, ...signals.map(s => s.t)].filter(t => t.length);
+  const begin = Math.min(...times.map(t => t[0])), end = Math.max(...times.map(t => t[t.length - 1]));
+  return begin <= end ? [begin, end] : [0, 0];
+}
 
 export abstract class Film {
   abstract readonly count: number;
@@ -20,6 +32,8 @@ export abstract class Film {
   /** Contacts of the last frame at or before t. */
   abstract contacts(t: number): Contact[];
   abstract contactAt(c: number): Contact;
+  /** Whether impacts are shown in N s: older recordings lack Δt. */
+  abstract readonly knowsSteps: boolean;
 
   get begin(): number { return this.count ? this.t[0] : 0; }
   get end(): number { return this.count ? this.t[this.count - 1] : 0; }
@@ -47,16 +61,15 @@ export abstract class Film {
     return -1;
   }
 
-
-  /** A force that most contacts stay below: nine of ten of those that are not zero. Impacts are
-   *  apart: their force is the percussion over the step. */
-  usualForce(): number { return this.usual(state => state !== 3); }
-  usualImpact(): number { return this.usual(state => state === 3); }
+  /** A force [N] that most contacts stay below: nine of ten of those that are not zero. */
+  usualForce(): number { return this.usual(state => state !== kImpact); }
+  /** The same of the percussions of impacts [N s]. */
+  usualImpact(): number { return this.usual(state => state === kImpact); }
 
   private usual(counts: (state: number) => boolean): number {
     const sizes: number[] = [], n = this.contactCount, stride = Math.max(1, Math.floor(n / 5000));
     for (let c = 0; c < n; c += stride) {
-      const contact = this.contactAt(c), size = Math.hypot(...contact.F);
+      const contact = this.contactAt(c), size = Math.hypot(...contact.F) * arrowFactor(contact);
       if (size > 0 && Number.isFinite(size) && counts(contact.state)) sizes.push(size);
     }
     sizes.sort((a, b) => a - b);

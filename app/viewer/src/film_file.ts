@@ -21,10 +21,10 @@ export class FilmFile {
 
   constructor(private readonly replay: Replay, private readonly choice: FilmChoice) {
     this.count = Math.max(1, Math.round((choice.to - choice.from) * choice.slower * choice.fps));
-    const {canvas} = replay.stage.overlay, even = (x: number): number => Math.max(2, 2 * Math.round(x / 2));
+    const {width, height} = replay.comparison.picture(choice.from), even = (x: number): number => Math.max(2, 2 * Math.round(x / 2));
     this.picture = document.createElement("canvas");
-    this.picture.width = even(choice.width ?? canvas.width);
-    this.picture.height = even(choice.height ?? canvas.height);
+    this.picture.width = even(choice.width ?? width);
+    this.picture.height = even(choice.height ?? height);
     this.ctx = this.picture.getContext("2d", {willReadFrequently: true}) as CanvasRenderingContext2D;
   }
 
@@ -34,7 +34,7 @@ export class FilmFile {
     const t = Math.min(choice.from + i / (choice.slower * choice.fps), replay.end);
     ctx.fillStyle = theme.paper;
     ctx.fillRect(0, 0, width, height);
-    ctx.drawImage(replay.stage.picture(t), 0, 0, width, height);
+    ctx.drawImage(replay.comparison.picture(t), 0, 0, width, height);
     this.caption(t);
     return picture;
   }
@@ -107,11 +107,11 @@ export class FilmStudio {
 
   /** Gives the stage its size and returns the number of pictures. */
   begin(choice: Partial<FilmChoice> & {fps: number}): number {
-    const {stage} = this.replay;
+    const {stage, comparison} = this.replay;
     if (choice.width && choice.height) {
-      const box = document.getElementById("stage") as HTMLElement;
+      const box = document.getElementById("stages") as HTMLElement;
       box.style.cssText = `position:fixed;left:0;top:0;z-index:9;width:${choice.width}px;height:${choice.height}px`;
-      stage.resize();
+      comparison.resize();
       stage.fit();
     }
     const {begin, end} = this.replay;

@@ -2,7 +2,9 @@
 // and every view where WebGL is missing.
 import type {Camera} from "./camera";
 import {kItems, pathOf, type Item} from "./flat_shapes";
-import {add, cross, dot, niceTicks, scaled, sub, unit, type V2, type V3} from "./math";
+import type {SceneShape} from "./data";
+import {cutLine, type Plane} from "./ground";
+import {add, dot, niceTicks, scaled, sub, type V2, type V3} from "./math";
 import type {SceneModel} from "./scene_model";
 import {colourOf, theme} from "./theme";
 
@@ -33,10 +35,9 @@ export class FlatPicture {
     ctx.fillStyle = theme.paper;
     ctx.fillRect(0, 0, camera.width, camera.height);
     if (camera.isPlanar) paintGrid(ctx, camera);
-    const planes = scene.grounds.map(g => scene.plane(g, t));
-    const facing = (p: {n: V3}): number => dot(p.n, camera.toward);
-    planes.sort((a, b) => facing(a) - facing(b));
-    for (const p of planes) if (facing(p) >= -1e-3) paintGround(ctx, camera, p, scene);
+    const grounds = scene.grounds.map(shape => ({shape, facing: dot(scene.plane(shape, t).n, camera.toward)}));
+    grounds.sort((a, b) => a.facing - b.facing);
+    for (const g of grounds) if (g.facing >= -1e-3) paintGround(ctx, camera, g.shape, scene, t);
     this.painted = [];
     const entries = scene.bodies.map((shape, i): Entry => ({
       item: kItems[shape.kind](shape, scene.shapePose(shape, t), scene.film.pose(shape.frameEnd ?? -1, t)),
@@ -51,7 +52,7 @@ export class FlatPicture {
         ctx.stroke(path);
       }
     }
-    for (const p of planes) if (facing(p) < -1e-3) paintGround(ctx, camera, p, scene);
+    for (const g of grounds) if (g.facing < -1e-3) paintGround(ctx, camera, g.shape, scene, t);
   }
 
   /** The frame of the shape that is seen at (x, y); −2: none. */
@@ -112,23 +113,16 @@ export function paintGrid(ctx: Context, camera: Camera): void {
 }
 
 /** A half space: a hatched line if it is seen from the edge, else a sheet with a grid. */
-export function paintGround(ctx: Context, camera: Camera, {c, n}: {c: V3; n: V3}, scene: SceneModel): void {
-  const facing = dot(n, camera.toward);
+export function paintGround(ctx: Context, camera: Camera, shape: SceneShape, scene: SceneModel, t: number): void {
+  const plane = scene.plane(shape, t), facing = dot(plane.n, camera.toward);
   if (Math.abs(facing) < 0.02) {
-    paintHatchedLine(ctx, camera, c, n);
+    const ends = scene.endsOf(shape, t).filter(p => Math.abs(dot(p.n, camera.toward)) < 0.02);
+    paintHatchedLine(ctx, camera, plane, ends, scene.extent.size);
     return;
   }
   if (camera.isPlanar) return;  // the paper itself
-  const {lo, hi, size} = scene.extent;
-  const a = unit(cross(Math.abs(n[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], n)), b = cross(n, a);
-  const middle = scaled(add(lo, hi), 0.5);
-  const foot = sub(middle, scaled(n, dot(n, sub(middle, c))));
-  const half = 0.75 * size, step = niceTicks(0, 2 * half, 12).step;
-  const cells = Math.ceil(half / step);
-  const origin = [a, b].map(e => Math.round(dot(foot, e) / step) * step - dot(foot, e));
-  const at = (i: number, j: number): V2 =>
-    camera.project(add(foot, add(scaled(a, origin[0] + i * step), scaled(b, origin[1] + j * step))));
-  const sheet = pathOf([at(-cells, -cells), at(cells, -cells), at(cells, cells), at(-cells, cells)]);
+  const {outline, lines} = scene.sheet(shape, t, 0.75, 12);
+  const sheet = pathOf(outline.map(p => camera.project(p)));
   ctx.fillStyle = facing > 0 ? theme.ground : theme.sheet;
   ctx.fill(sheet);
   ctx.strokeStyle = theme.groundLine;
@@ -137,13 +131,11 @@ export function paintGround(ctx: Context, camera: Camera, {c, n}: {c: V3; n: V3}
     ctx.stroke(sheet);
     return;
   }
-  for (let i = -cells; i <= cells; ++i) {
-    ctx.stroke(pathOf([at(i, -cells), at(i, cells)], false));
-    ctx.stroke(pathOf([at(-cells, i), at(cells, i)], false));
-  }
+  for (const line of lines) ctx.stroke(pathOf(line.map(p => camera.project(p)), false));
 }
 
-function paintHatchedLine(ctx: Context, camera: Camera, c: V3, n: V3): void {
+/** As long as the canvas, or up to the planes that end it. */
+function paintHatchedLine(ctx: Context, camera: Camera, {c, n}: Plane, ends: Plane[], size: number): void {
   const p = camera.project(c);
   const m: V2 = [dot(n, camera.right), -dot(n, camera.up)];  // out of the matter, on the canvas
   const d: V2 = [-m[1], m[0]];
@@ -152,6 +144,13 @@ function paintHatchedLine(ctx: Context, camera: Camera, c: V3, n: V3): void {
   const towardMiddle = (camera.width / 2 - p[0]) * d[0] + (camera.height / 2 - p[1]) * d[1];
   const first = Math.floor((towardMiddle - reach) / 11), last = Math.ceil((towardMiddle + reach) / 11);
   const at = (s: number, depth: number): V2 => [p[0] + d[0] * s - m[0] * depth, p[1] + d[1] * s - m[1] * depth];
+  // a pixel along d in space, to find where other planes end the line
+  const along = scaled(add(scaled(camera.right, d[0]), scaled(camera.up, -d[1])), 1 / camera.scale);
+  const seen = cutLine(add(c, scaled(along, first * 11)), add(c, scaled(along, last * 11)), ends, 1e-6 * size);
+  if (!seen) return;
+  const [from, to] = seen.map(x => dot(sub(x, c), along) / dot(along, along));
+  ctx.save();
+  ctx.clip(pathOf([at(from - 14, -2), at(to + 14, -2), at(to + 14, 15), at(from - 14, 15)]));
   ctx.fillStyle = theme.ground;
   ctx.fill(pathOf([at(first * 11, 0), at(last * 11, 0), at(last * 11, 14), at(first * 11, 14)]));
   ctx.strokeStyle = theme.hatch;
@@ -163,7 +162,8 @@ function paintHatchedLine(ctx: Context, camera: Camera, c: V3, n: V3): void {
     ctx.lineTo(b[0], b[1]);
   }
   ctx.stroke();
+  ctx.restore();
   ctx.strokeStyle = theme.edge;
   ctx.lineWidth = 1.8;
-  ctx.stroke(pathOf([at(first * 11, 0), at(last * 11, 0)], false));
+  ctx.stroke(pathOf([at(from, 0), at(to, 0)], false));
 }

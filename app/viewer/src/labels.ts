@@ -10,6 +10,6 @@ export const kKeys: [string, string][] = [
   ["n p", "next, previous impact or switch"], ["home end", "first, last frame"], ["+ \u2212", "faster, slower"],
   ["l", "loop"], ["1 2 3 4", "view x\u2013z, x\u2013y, y\u2013z, 3D"], ["0", "fit"], ["c t", "contact forces, trails"],
   ["[ ]", "shorter, longer force arrows"],
-  ["b m", "names of the bodies, measure"], ["h shift h", "hide the selected body, show all"], ["o", "lay another run over this one"], ["f", "follow what is selected, else the body the model names, else the first"], ["s v", "save the picture, a film"],
+  ["b m", "names of the bodies, measure"], ["h shift h", "hide the selected body, show all"], ["o w", "another run over this one; beside it"], ["f", "follow what is selected, else the body the model names, else the first"], ["s v", "save the picture, a film"],
   ["d", "light, dark"], ["drag", "turn (3D) or move; with shift: move"], ["wheel, two fingers", "zoom"],
   ["click", "name, state and place of a body"], ["in the curves", "click: to this time; drag: zoom; double click: all"]];

@@ -1,12 +1,12 @@
 // The film of a run that goes on, and the readers of the files that it grows from: frames.bin and the
 // tables, as doc/run_folder.md describes them.
-import {Film, type Contact} from "./film";
+import {arrowFactor, Film, kImpact, type Contact} from "./film";
 import {clamp, type Pose, type Q4, type V3} from "./math";
 
 const kPoseNumbers = 7, kContactNumbers = 11;
 const kMostBytes = 300e6;  // of all frames; beyond that every second one of the older half goes
 
-interface Frame { t: number; poses: Float32Array; contacts: Float32Array }
+interface Frame { t: number; step: number; poses: Float32Array; contacts: Float32Array }
 
 export class LiveFilm extends Film {
   readonly now: Float32Array;
@@ -78,29 +78,30 @@ export class LiveFilm extends Film {
 
   contacts(t: number): Contact[] {
     if (!this.count) return [];
-    const {contacts} = this.frames[this.indexAt(t)];
-    return Array.from({length: contacts.length / kContactNumbers}, (_, c) => contactIn(contacts, c));
+    const {contacts, step} = this.frames[this.indexAt(t)];
+    return Array.from({length: contacts.length / kContactNumbers}, (_, c) => contactIn(contacts, c, step));
   }
 
   contactAt(c: number): Contact {
-    for (const {contacts} of this.frames) {
+    for (const {contacts, step} of this.frames) {
       const n = contacts.length / kContactNumbers;
-      if (c < n) return contactIn(contacts, c);
+      if (c < n) return contactIn(contacts, c, step);
       c -= n;
     }
-    return {r: [0, 0, 0], n: [0, 0, 1], F: [0, 0, 0], state: 0, limit: 0};
+    return {r: [0, 0, 0], n: [0, 0, 1], F: [0, 0, 0], state: 0, limit: 0, step: 0};
   }
 
-  usualForce(): number { return this.latest(state => state !== 3); }
-  usualImpact(): number { return this.latest(state => state === 3); }
+  readonly knowsSteps = true;
+  usualForce(): number { return this.latest(state => state !== kImpact); }
+  usualImpact(): number { return this.latest(state => state === kImpact); }
 
   /** Of the last frames: what came long ago need not be looked at in every quarter of a second. */
   private latest(counts: (state: number) => boolean): number {
     const sizes: number[] = [];
-    for (const {contacts} of this.frames.slice(-300)) {
+    for (const {contacts, step} of this.frames.slice(-300)) {
       for (let c = 0; c < Math.min(contacts.length / kContactNumbers, 50); ++c) {
-        const {F, state} = contactIn(contacts, c), size = Math.hypot(...F);
-        if (size > 0 && counts(state)) sizes.push(size);
+        const contact = contactIn(contacts, c, step), size = Math.hypot(...contact.F) * arrowFactor(contact);
+        if (size > 0 && counts(contact.state)) sizes.push(size);
       }
     }
     sizes.sort((a, b) => a - b);
@@ -108,9 +109,9 @@ export class LiveFilm extends Film {
   }
 }
 
-function contactIn(x: Float32Array, c: number): Contact {
+function contactIn(x: Float32Array, c: number, step: number): Contact {
   const at = kContactNumbers * c, v = (k: number): V3 => [x[at + k], x[at + k + 1], x[at + k + 2]];
-  return {r: v(0), n: v(3), F: v(6), state: x[at + 9], limit: x[at + 10]};
+  return {r: v(0), n: v(3), F: v(6), state: x[at + 9], limit: x[at + 10], step};
 }
 
 /** Takes the bytes of frames.bin as they come and returns whole frames. */
@@ -149,9 +150,9 @@ export class FramesReader {
       return x;
     };
     for (let f = 0; f < count; ++f) {
-      const t = view.getFloat64(at, true), contacts = view.getUint32(at + 8, true);
+      const t = view.getFloat64(at, true), contacts = view.getUint32(at + 8, true), step = view.getFloat32(at + 12, true);
       const poses = kPoseNumbers * this.poses, marks = kContactNumbers * contacts;
-      out.push({t, poses: floats(at + 16, poses), contacts: floats(at + 16 + 4 * poses, marks)});
+      out.push({t, step, poses: floats(at + 16, poses), contacts: floats(at + 16 + 4 * poses, marks)});
       at += 16 + 4 * (poses + marks);
     }
   }

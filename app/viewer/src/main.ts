@@ -12,7 +12,10 @@ async function start(): Promise<void> {
   const replay = document.body.dataset.live ? await startLive(data, scene, signals, address)
     : new Replay(data, scene, await RecordedFilm.from(data.frames), signals, await eventsOf(data), await ledgerOf(data), address);
   const other = document.getElementById("other");
-  if (other) replay.layOver(await OtherRun.from(JSON.parse(other.textContent ?? "") as PageData, ""));
+  if (other) {
+    replay.layOver(await OtherRun.from(JSON.parse(other.textContent ?? "") as PageData, ""));
+    if (other.dataset.beside) replay.setBeside(true);
+  }
   document.body.classList.remove("reading");
   Object.assign(window, {replay});  // for those who script the page
 }

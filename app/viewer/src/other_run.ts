@@ -1,14 +1,35 @@
 // Another run that is laid over the one of the page: its bodies as outlines, its curves dashed.
 import type {Camera} from "./camera";
-import {RecordedFilm, sceneOf, signalsOf, type PageData, type Scene, type Signal} from "./data";
-import type {Film} from "./film";
+import {RecordedFilm, sceneOf, signalsOf, type PageData, type Scene, type SceneShape, type Signal} from "./data";
+import {spanOf, type Film} from "./film";
 import {kItems} from "./flat_shapes";
-import {chained} from "./math";
+import {chained, type V3} from "./math";
 import type {PlotPanel} from "./plots";
+import {SceneModel} from "./scene_model";
 import {colourOf, mixed, theme} from "./theme";
 
+const kMostLaidOver = 500;  // bodies
+
 export class OtherRun {
-  private constructor(readonly title: string, readonly scene: Scene, readonly film: Film, readonly signals: Signal[]) {}
+  private spanned: V3[] | null = null;
+  private readonly bodies: SceneShape[];
+  readonly leftOut: number;  // bodies that are not laid over
+
+  private constructor(readonly title: string, readonly scene: Scene, readonly film: Film, readonly signals: Signal[]) {
+    const all = scene.shapes.filter(s => s.kind in kItems && s.colour !== "transparent" && s.frame >= 0);
+    this.bodies = all.slice(0, kMostLaidOver);
+    this.leftOut = all.length - this.bodies.length;
+  }
+
+  get end(): number { return spanOf(this.film, this.signals)[1]; }
+
+  /** Points that span its motion. */
+  get points(): V3[] {
+    this.spanned ??= new SceneModel(this.scene, this.film).extent.points;
+    return this.spanned;
+  }
+
+  frameNamed(name: string | undefined): number { return name === undefined ? -1 : this.scene.frames.findIndex(f => f.name === name); }
 
   /** From the text of a replay.html. */
   static async fromPage(html: string, name: string): Promise<OtherRun> {
@@ -24,10 +45,9 @@ export class OtherRun {
 
   /** Its bodies at t over the picture: transparent, so that both are seen. */
   paint(ctx: CanvasRenderingContext2D, camera: Camera, t: number): void {
-    const bodies = this.scene.shapes.filter(s => s.kind in kItems && s.colour !== "transparent" && s.frame >= 0).slice(0, 500);
     ctx.save();
     ctx.globalAlpha = 0.4;
-    const items = bodies.map(shape => ({shape, item: kItems[shape.kind](shape,
+    const items = this.bodies.map(shape => ({shape, item: kItems[shape.kind](shape,
       chained(this.film.pose(shape.frame, t), shape.position, shape.orientation), this.film.pose(shape.frameEnd ?? -1, t))}));
     items.sort((a, b) => camera.depth(a.item.centre) - camera.depth(b.item.centre));
     for (const {shape, item} of items) {

@@ -1,6 +1,6 @@
 // What lies over the bodies in every picture: trails, contact forces with friction discs, axes, scale.
 import type {Camera} from "./camera";
-import type {Contact, Film} from "./film";
+import {arrowFactor, kImpact, type Contact, type Film} from "./film";
 import {pathOf, ring} from "./flat_shapes";
 import {across, add, cross, dot, lengthText, niceTicks, scaled, type V2, type V3} from "./math";
 import type {Measure} from "./measure";
@@ -19,6 +19,7 @@ export class Overlay {
   measure: Measure | null = null;
   other: OtherRun | null = null;
   labels: {frame: number; text: string}[] = [];
+  axes = true;
 
   constructor(readonly canvas: HTMLCanvasElement, private readonly film: Film) {
     this.ctx = canvas.getContext("2d") as Context;
@@ -26,9 +27,9 @@ export class Overlay {
     this.usualImpact = film.usualImpact();
   }
 
-  /** Length of a force [m/N] in a picture; impacts have a scale of their own. */
-  perNewton(size: number, factor: number, impact: boolean): number {
-    const usual = impact ? this.usualImpact : this.usualForce || this.usualImpact;
+  /** Length of a force [m/N] in a picture, or of a percussion [m/(N s)]: impacts have a scale of their own. */
+  perUnit(size: number, factor: number, impact: boolean): number {
+    const usual = impact ? this.usualImpact : this.usualForce;
     return usual > 0 ? 0.1 * factor * size / usual : 0;
   }
 
@@ -48,7 +49,7 @@ export class Overlay {
     if (this.hand) this.paintHand(camera, this.hand);
     this.paintLabels(camera, t);
     if (this.measure?.on) this.paintMeasure(camera, this.measure, t);
-    paintAxes(ctx, camera);
+    if (this.axes) paintAxes(ctx, camera);
   }
 
   private paintHand(camera: Camera, hand: [V3, V3]): void {
@@ -119,13 +120,14 @@ export class Overlay {
   /** One path a colour: a heap of grains has tens of thousands of contacts. */
   private paintContacts(camera: Camera, t: number, size: number, factor: number): void {
     const {ctx} = this, contacts = this.film.contacts(t);
-    const scales = [false, true].map(impact => this.perNewton(size, factor, impact));
+    const scales = [false, true].map(impact => this.perUnit(size, factor, impact));
+    const scaleOf = (c: Contact): number => scales[c.state === kImpact ? 1 : 0] * arrowFactor(c);
     const few = contacts.length <= kMostHeads, most = 0.3 * Math.min(camera.width, camera.height);
-    if (contacts.length <= kMostDiscs) for (const c of contacts) this.paintCone(camera, c, scales[c.state === 3 ? 1 : 0], most);
+    if (contacts.length <= kMostDiscs) for (const c of contacts) this.paintCone(camera, c, scaleOf(c), most);
     const lines = kStates.map(() => new Path2D()), marks = kStates.map(() => new Path2D());
-    for (const {r, F, state} of contacts) {
-      const k = kStates[state] ? state : 0, p = camera.project(r);
-      const q = cut(p, camera.project(add(r, scaled(F, scales[k === 3 ? 1 : 0]))), most);
+    for (const c of contacts) {
+      const k = kStates[c.state] ? c.state : 0, p = camera.project(c.r);
+      const q = cut(p, camera.project(add(c.r, scaled(c.F, scaleOf(c)))), most);
       if (few) {
         marks[k].moveTo(p[0] + 3, p[1]);
         marks[k].arc(p[0], p[1], 3, 0, 2 * Math.PI);

@@ -95,58 +95,81 @@ export function ledgerPanels(ledger: Map<string, Float64Array>): PlotPanel[] {
 }
 
 const kRow = 26;  // [pixel]
+const kKinds = ["all", "impacts", "switches"] as const;
 
-/** A list of which only the seen rows exist. */
+/** A list of which only the seen rows exist. Events that are not in it are counted above it. */
 export class EventList {
   private readonly rows = element("div", "", "rows");
-  private kind: "all" | "impacts" | "switches" = "all";
+  private readonly bar = element("div", "", "bar");
+  private readonly note = element("p", "", "note");
+  private kind: typeof kKinds[number] = "all";
   private events: Event[] = [];
+  private brief = false;  // switches that are taken back at once are listed, too
   private current = -1;
   private t = 0;
 
-  constructor(private readonly box: HTMLElement, private readonly all: Event[], private readonly seek: (t: number) => void) {
-    const bar = element("div", "", "bar");
-    for (const kind of ["all", "impacts", "switches"] as const) {
-      const n = kind === "all" ? all.length : all.filter(e => e.impact === (kind === "impacts")).length;
-      const button = element("button", `${kind} ${n}`, kind === "all" ? "on" : "");
+  /** `leftOut`: events that the run did not record. */
+  constructor(private readonly box: HTMLElement, private readonly all: Event[], private readonly leftOut: number,
+              private readonly seek: (t: number) => void) {
+    for (const kind of kKinds) {
+      const button = element("button");
       button.onclick = () => {
-        for (const b of bar.children) b.classList.toggle("on", b === button);
         this.kind = kind;
-        this.filter();
+        this.grown();
       };
-      bar.append(button);
+      this.bar.append(button);
     }
-    box.replaceChildren(bar, this.rows);
-    this.filter();
+    const head = element("div", "", "listhead");
+    head.append(this.bar, this.note);
+    box.replaceChildren(head, this.rows);
+    this.grown();
     box.addEventListener("scroll", () => this.fill());
   }
 
-  /** Events were added to the list that it was made of. */
-  grown(): void {
-    [...this.box.querySelectorAll(".bar button")].forEach((button, i) => {
-      const n = i === 0 ? this.all.length : this.all.filter(e => e.impact === (i === 1)).length;
-      button.textContent = `${["all", "impacts", "switches"][i]} ${n}`;
-    });
-    this.filter();
-  }
+  private kindOf(e: Event, kind: typeof kKinds[number]): boolean { return kind === "all" || e.impact === (kind === "impacts"); }
+  private listed(): Event[] { return this.brief ? this.all : this.all.filter(e => !e.brief); }
 
-  private filter(): void {
-    this.events = this.kind === "all" ? this.all : this.all.filter(e => e.impact === (this.kind === "impacts"));
+  /** Events were added to the list that it was made of, or others are chosen. */
+  grown(): void {
+    const listed = this.listed();
+    [...this.bar.children].forEach((button, i) => {
+      button.textContent = `${kKinds[i]} ${listed.filter(e => this.kindOf(e, kKinds[i])).length}`;
+      button.classList.toggle("on", kKinds[i] === this.kind);
+    });
+    this.fillNote();
+    this.events = listed.filter(e => this.kindOf(e, this.kind));
     this.rows.style.height = `${kRow * this.events.length}px`;
     this.current = -2;
     this.show(this.t, true);
   }
 
+  private fillNote(): void {
+    const brief = this.all.reduce((n, e) => n + (e.brief ? 1 : 0), 0), parts: (string | Node)[] = [];
+    if (brief) {
+      const button = element("button", this.brief ? "leave them out" : "list them", "inline");
+      button.onclick = () => {
+        this.brief = !this.brief;
+        this.grown();
+      };
+      parts.push(`${brief} switches are taken back within a step: `, button);
+    }
+    if (this.leftOut > 0) {
+      if (parts.length) parts.push(element("br"));
+      parts.push(element("b", `The run recorded the first ${this.all.length} of ${this.all.length + this.leftOut} events.`));
+    }
+    this.note.replaceChildren(...parts);
+    this.note.hidden = !parts.length;
+  }
+
   /** The next event after t (by 1) or the last before it (by −1). */
   from(t: number, by: number, tiny: number): Event | undefined {
-    const all = this.events.length ? this.events : this.all;
+    const all = this.events.length ? this.events : this.listed();
     return by > 0 ? all.find(e => e.t > t + tiny) : [...all].reverse().find(e => e.t < t - tiny);
   }
 
   show(t: number, anyway = false): void {
     this.t = t;
-    const times = this.events.map.length ? this.events : [];
-    const at = times.length && times[0].t <= t ? lastAtOrBefore(times.map(e => e.t), t) : -1;
+    const {events} = this, at = events.length && events[0].t <= t ? lastAtOrBefore(events.map(e => e.t), t) : -1;
     if (at === this.current && !anyway) return;
     this.current = at;
     if (this.box.clientHeight) {
@@ -164,8 +187,9 @@ export class EventList {
       const mark = element("i"), colour = kStates.find(s => s.name === (e.impact || e.system ? "impact" : e.to)) ?? kStates[0];
       mark.style.background = colour.colour;
       row.append(mark, element("span", `${e.t.toFixed(5)}`, "t"), element("span", e.contact, "c"),
-        element("span", e.impact ? `impact ${shortNumber(e.speed)} m/s` : e.system ? e.system : `${e.from} \u2192 ${e.to}`, "k"));
-      row.title = e.impact ? `impulse ${shortNumber(e.impulse)} N s` : "";
+        element("span", e.impact ? `${shortNumber(e.speed)} m/s, ${shortNumber(e.impulse)} N s` : e.system ? e.system :
+          `${e.from} → ${e.to}`, "k"));
+      row.title = e.impact ? `impact on ${e.contact} at ${shortNumber(e.speed)} m/s with ${shortNumber(e.impulse)} N s` : e.contact;
       row.onclick = () => this.seek(e.t);
       return row;
     }));

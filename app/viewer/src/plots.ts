@@ -34,7 +34,10 @@ function aligned(panel: PlotPanel): uPlot.AlignedData {
   return uPlot.join(panel.curves.map(c => [Array.from(c.t), clean(c.y)] as uPlot.AlignedData));
 }
 
+const kMostPlots = 60;  // at first: hundreds take seconds
+
 export class Plots {
+  private most = kMostPlots;
   private shown: Shown[] = [];
   private zoomed: [number, number] | null = null;
   private syncing = false;
@@ -50,9 +53,21 @@ export class Plots {
     this.box.replaceChildren();
     const width = this.box.clientWidth;
     if (!width) return;
-    for (const panel of this.panels) this.shown.push(this.add(panel, width));
+    for (const panel of this.panels.slice(0, this.most)) this.shown.push(this.add(panel, width));
+    if (this.panels.length > this.most) this.box.append(this.moreButton());
     if (this.zoomed) this.zoom(...this.zoomed);
     this.draw(this.t);
+  }
+
+  private moreButton(): HTMLElement {
+    const button = document.createElement("button");
+    button.className = "more";
+    button.textContent = `show ${this.panels.length - this.most} more plots`;
+    button.onclick = () => {
+      this.most = Infinity;
+      this.rebuild();
+    };
+    return button;
   }
 
   /** Shows other curves. */

@@ -1,17 +1,20 @@
 // The page: time, buttons, keys, panels, address.
 import {copyLink, readAddress} from "./address";
+import {fillCard} from "./body_card";
 import {BodyTools} from "./body_tools";
+import {Comparison} from "./comparison";
 import type {Event, PageData, Scene, Signal} from "./data";
 import type {Film} from "./film";
 import type {Live, LiveFeed} from "./live";
 import {FilmStudio, saveFilm} from "./film_file";
 import {kKeys, kPauseIcon, kPlayIcon, kSpeeds, kThemeIcon, kViews} from "./labels";
-import {clamp, norm, shortNumber} from "./math";
+import {clamp, shortNumber} from "./math";
 import type {OtherRun} from "./other_run";
 import {checksOf, element, EventList, headline, ledgerPanels, modelText, tableOf} from "./panels";
 import {panelsOf, Plots} from "./plots";
+import {spanOf} from "./film";
 import {SceneModel} from "./scene_model";
-import {Stage} from "./stage";
+import {Stage, type StageHandler} from "./stage";
 import {kStates, mixed, theme, useTheme} from "./theme";
 import {paintMarks} from "./timeline";
 
@@ -24,6 +27,7 @@ export class Replay {
   end: number;
   live: Live | null = null;
   readonly tools: BodyTools;
+  readonly comparison: Comparison;
   t: number;
   private playing = false;
   private queued = false;
@@ -38,25 +42,23 @@ export class Replay {
   constructor(readonly data: PageData, readonly scene: Scene, readonly film: Film, private readonly signals: Signal[],
               private readonly events: Event[], ledger: Map<string, Float64Array>, address: URLSearchParams,
               private readonly grows = false) {
-    const times = [film.t, ...signals.map(s => s.t)].filter(t => t.length);
-    this.begin = Math.min(...times.map(t => t[0]));
-    this.end = Math.max(...times.map(t => t[t.length - 1]));
-    if (!(this.begin <= this.end)) this.begin = this.end = 0;
+    [this.begin, this.end] = spanOf(film, signals);
     this.t = this.begin;
     const wanted = address.get("theme");
     useTheme(wanted ? wanted === "dark" : matchMedia("(prefers-color-scheme: dark)").matches);
     document.documentElement.classList.toggle("dark", theme.dark);
     this.model = new SceneModel(scene, film);
-    this.stage = new Stage(byId("stage"), this.model, {
-      redraw: () => this.draw(), selected: frame => this.select(frame),
-      clicked: (x, y) => this.tools.clicked(x, y, this.t)}, address.get("webgl"));
+    const handler: StageHandler = {redraw: () => this.draw(), selected: frame => this.select(frame), clicked: () => false};
+    this.stage = new Stage(byId("stage"), this.model,
+      {...handler, clicked: (x, y) => this.tools.clicked(x, y, this.t)}, address.get("webgl"));
     this.tools = new BodyTools(this.stage, scene, () => this.draw());
+    this.comparison = new Comparison(this, handler, address.get("webgl"), address.get("beside") === "1");
     const follow = scene.follow ?? -1;
     this.stage.follow(follow < film.poses ? follow : -1, this.t);
     const seek = (t: number): void => { this.pause().seek(t); };
-    this.plots = new Plots(byId("plots"), panelsOf(signals).slice(0, 60), this.begin, this.end, seek);
+    this.plots = new Plots(byId("plots"), panelsOf(signals), this.begin, this.end, seek);
     this.energy = new Plots(byId("energy"), ledgerPanels(ledger), this.begin, this.end, seek);
-    this.list = new EventList(byId("events"), events, seek);
+    this.list = new EventList(byId("events"), events, Number(data.run?.eventsLeftOut ?? 0), seek);
     const main = document.querySelector("main") as HTMLElement;
     main.classList.toggle("alone", !grows && !signals.length && !data.model.text && !data.run);
     main.classList.toggle("unseen", !scene.shapes.length && signals.length > 0);
@@ -67,7 +69,7 @@ export class Replay {
     new ResizeObserver(() => this.resize()).observe(byId("stage"));
     new ResizeObserver(() => this.resize()).observe(byId("side"));
     window.addEventListener("hashchange", () => readAddress(this, new URLSearchParams(location.hash.slice(1))));
-    this.stage.resize();
+    this.comparison.resize();
     this.setView(this.model.naturalView());
     this.resize();
     readAddress(this, address);
@@ -102,6 +104,11 @@ export class Replay {
     byId("run").replaceChildren(...[checksOf(run), tableOf(run)].filter((e): e is HTMLElement => e !== null));
     this.addTab("run", "Run");
     this.draw();
+  }
+
+  get title(): string {
+    const {run, title} = this.data;
+    return run && typeof run.title === "string" && run.title ? run.title : title;
   }
 
   // --- time
@@ -179,6 +186,7 @@ export class Replay {
 
   drawNow(): void {
     this.stage.draw(this.t);
+    this.comparison.draw(this.t);
     if (this.tab === "plots") this.plots.draw(this.t);
     if (this.tab === "energy") this.energy.draw(this.t);
     if (this.tab === "events") this.list.show(this.t);
@@ -190,11 +198,11 @@ export class Replay {
     this.showScale();
   }
 
-  /** How large the forces are that the arrows stand for. */
+  /** How large the forces and percussions are that the arrows stand for. */
   private showScale(): void {
     const text = ([["force", false], ["impact", true]] as const).map(([name, impact]) => {
-      const n = this.stage.newtonsPerCm(impact);
-      return n > 0 ? `${name} 1 cm = ${Number(n.toPrecision(2))} N` : "";
+      const n = this.stage.unitsPerCm(impact), unit = impact && this.film.knowsSteps ? "N s" : "N";
+      return n > 0 ? `${name} 1 cm = ${shortNumber(Number(n.toPrecision(2)))} ${unit}` : "";
     }).filter(x => x).join("  \u00b7  ");
     const scale = byId("legend").querySelector(".scale");
     if (scale && scale.textContent !== text) scale.textContent = text;
@@ -202,10 +210,10 @@ export class Replay {
 
   /** A canvas of a new size is empty: it is drawn before the browser shows it, not a frame later. */
   private resize(): void {
-    const sizes = ["stage", "side"].map(id => `${byId(id).clientWidth} ${byId(id).clientHeight}`).join();
+    const sizes = ["stage", "beside", "side"].map(id => `${byId(id).clientWidth} ${byId(id).clientHeight}`).join();
     if (sizes === this.sizes) return;
     this.sizes = sizes;
-    const changed = this.stage.resize();
+    const changed = this.comparison.resize();
     this.showTab(this.tab);
     if (changed) this.drawNow();
     paintMarks(byId("marks"), this.events, this.begin, this.end);
@@ -239,6 +247,7 @@ export class Replay {
     useTheme(dark);
     document.documentElement.classList.toggle("dark", dark);
     this.stage.recolour();
+    this.comparison.beside?.stage.recolour();
     this.plots.rebuild();
     this.energy.rebuild();
     paintMarks(byId("marks"), this.events, this.begin, this.end);
@@ -270,31 +279,13 @@ export class Replay {
     const {selected} = this.stage, box = byId("selected");
     box.hidden = selected < 0;
     if (selected < 0) return;
-    const table = box.querySelector("table") as HTMLTableElement, pose = this.film.pose(selected, this.t);
-    const {v, omega} = this.film.rates(selected, this.t);
-    const angle = 2 * Math.acos(clamp(Math.abs(pose.q[0]), 0, 1)) * 180 / Math.PI;
-    const rows: [string, string][] = [
-      ...(["x", "y", "z"].map((n, k) => [n, `${shortNumber(pose.r[k])} m`]) as [string, string][]),
-      ["speed", `${shortNumber(norm(v))} m/s`], ["turned by", `${shortNumber(angle)}\u00b0`],
-      ["turns with", `${shortNumber(norm(omega))} rad/s`]];
-    const owner = `${this.scene.frames[selected].name.split(".")[0]}.`;
-    for (const s of this.signals.filter(s => s.name.startsWith(owner) && !/\.[xyz]$/.test(s.name)).slice(0, 8)) {
-      let i = s.t.length - 1;
-      while (i > 0 && s.t[i] > this.t) --i;
-      rows.push([s.name.slice(owner.length), `${shortNumber(s.y[i])} ${s.unit}`]);
-    }
-    table.replaceChildren(...rows.map(([name, value]) => {
-      const row = element("tr");
-      row.append(element("td", name), element("td", value));
-      return row;
-    }));
+    fillCard(box.querySelector("table") as HTMLTableElement, this.scene, this.film, this.signals, selected, this.t, this.comparison.other);
   }
 
   // --- panels
 
   private fillPanels(ledger: boolean): void {
-    const {title, run, model} = this.data;
-    const named = run && typeof run.title === "string" && run.title ? run.title : title;
+    const {run, model} = this.data, named = this.title;
     byId("title").textContent = named;
     byId("title").title = named;
     document.title = `${named} \u00b7 dynamY ${this.grows ? "live" : "replay"}`;
@@ -343,7 +334,7 @@ export class Replay {
       return span;
     }), element("span", "", "scale"));
     (byId("legend").lastElementChild as HTMLElement).title =
-      "of arrows in the plane through the middle of the picture; the force of an impact is its percussion over the step";
+      "of arrows in the plane through the middle of the picture; the arrow of an impact is its percussion in the step";
   }
 
   showTab(id: string): void {
@@ -413,7 +404,7 @@ export class Replay {
 
   private savePicture(): void {
     const a = element("a");
-    a.href = this.stage.picture(this.t).toDataURL("image/png");
+    a.href = this.comparison.picture(this.t).toDataURL("image/png");
     a.download = `${this.data.title}_${this.t.toFixed(3)}s.png`;
     a.click();
   }
@@ -439,31 +430,45 @@ export class Replay {
       button("switches", name, name === "contacts" ? "contact forces (c)" : "paths of the bodies (t)",
         () => this.setSwitch(name, !this.stage.show[name])).dataset.name = name;
     }
-    const pressed = (b: HTMLButtonElement, on: boolean): void => {
-      b.classList.toggle("on", on);
-      b.setAttribute("aria-pressed", String(on));
-    };
-    const names = button("switches", "names", "names of the bodies (b)", () => pressed(names, this.tools.nameAll()));
-    const measure = button("switches", "measure", "distance of two points (m)", () => pressed(measure, this.tools.toggleMeasure()));
+    const names = button("switches", "names", "names of the bodies (b)", () => this.pressed("b", this.tools.nameAll()));
+    const measure = button("switches", "measure", "distance of two points (m)", () => this.pressed("m", this.tools.toggleMeasure()));
     const other = button("switches", "compare", "lay another run over this one: its replay.html (o)", () => {
       if (this.tools.other) this.layOver(null);
       else this.tools.askForOther(run => this.layOver(run), fault => alert(fault));
     });
-    this.named = {b: names, m: measure, o: other};
+    const beside = button("switches", "beside", "the other run beside this one, or laid over it (w)", () => this.setBeside(!this.comparison.isBeside));
+    beside.hidden = true;
+    this.named = {b: names, m: measure, o: other, w: beside};
     button("switches", "follow", "the camera goes with what is selected (f)",
       () => this.setFollow(this.stage.followed < 0)).dataset.name = "follow";
     byId("switches").querySelector("[data-name=follow]")?.classList.toggle("on", this.stage.followed >= 0);
     for (const name of ["contacts", "trails"] as const) this.setSwitch(name, this.stage.show[name]);
   }
 
-  /** Bodies and curves of another run beside those of this one; null: of none. */
+  /** Bodies and curves of another run with those of this one; null: of none. The time goes to the end of the longer run. */
   layOver(other: OtherRun | null): void {
-    const panels = panelsOf(this.signals).slice(0, 60);
-    this.tools.other = this.stage.overlay.other = other;
-    this.plots.setPanels(other ? other.addTo(panels) : panels);
-    this.named.o.classList.toggle("on", other !== null);
-    this.named.o.setAttribute("aria-pressed", String(other !== null));
+    const panels = panelsOf(this.signals);
+    this.tools.other = other;
+    this.comparison.show(other);
+    this.end = Math.max(spanOf(this.film, this.signals)[1], other?.end ?? -Infinity);
+    this.plots.setPanels(other ? other.addTo(panels) : panels, this.begin, this.end);
+    this.pressed("o", other !== null);
+    this.named.w.hidden = !other;
+    this.pressed("w", this.comparison.isBeside);
+    this.seek(this.t);
+  }
+
+  /** The other run in a picture of its own, or laid over. */
+  setBeside(on: boolean): void {
+    this.comparison.setApart(on);
+    this.pressed("w", this.comparison.isBeside);
+    this.resize();
     this.draw();
+  }
+
+  private pressed(name: string, on: boolean): void {
+    this.named[name].classList.toggle("on", on);
+    this.named[name].setAttribute("aria-pressed", String(on));
   }
 
   private key(event: KeyboardEvent): void {
@@ -481,6 +486,7 @@ export class Replay {
       c: () => this.setSwitch("contacts", !this.stage.show.contacts), t: () => this.setSwitch("trails", !this.stage.show.trails),
       f: () => this.setFollow(this.stage.followed < 0), l: () => byId("loop").click(), s: () => this.savePicture(), v: () => this.saveFilm(),
       b: () => this.named.b.click(), m: () => this.named.m.click(), o: () => this.named.o.click(),
+      w: () => this.named.w.click(),
       h: () => this.tools.hide(this.stage.selected), H: () => this.tools.showAll(),
       d: () => this.setTheme(!theme.dark), "[": () => force(0.8), "]": () => force(1.25),
       "?": () => this.help(), Escape: () => { byId<HTMLDialogElement>("help").close(); this.select(-1); }

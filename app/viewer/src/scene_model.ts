@@ -2,6 +2,7 @@
 import type {Scene, SceneShape} from "./data";
 import type {Film} from "./film";
 import {kItems} from "./flat_shapes";
+import {sheetOf, type Plane, type Sheet} from "./ground";
 import {add, chained, clamp, dot, norm, rotated, scaled, sub, type Pose, type V3} from "./math";
 
 export interface Extent { lo: V3; hi: V3; points: V3[]; size: number }
@@ -35,9 +36,21 @@ export class SceneModel {
   }
 
   /** Point and outward normal of a half space at t. */
-  plane(shape: SceneShape, t: number): {c: V3; n: V3} {
+  plane(shape: SceneShape, t: number): Plane {
     const pose = this.shapePose(shape, t);
     return {c: pose.r, n: rotated(pose.q, [0, 0, 1])};
+  }
+
+  /** The planes that end that of `shape` at t: those that no moving body lies beyond. */
+  endsOf(shape: SceneShape, t: number): Plane[] {
+    const bodies = this.bodies.filter(s => s.frame >= 0 && s.frame !== shape.frame).slice(0, 300).map(s => this.shapePose(s, t).r);
+    return this.grounds.filter(g => g !== shape).map(g => this.plane(g, t)).filter(({c, n}) => bodies.every(r => dot(n, sub(r, c)) >= 0));
+  }
+
+  /** What is seen of a half space: `share` of the scene's size to each side. */
+  sheet(shape: SceneShape, t: number, share: number, most: number): Sheet {
+    const {lo, hi, size} = this.extent;
+    return sheetOf(this.plane(shape, t), scaled(add(lo, hi), 0.5), share * size, most, this.endsOf(shape, t));
   }
 
   private pointsOf(shape: SceneShape, t: number): V3[] {

@@ -1,12 +1,12 @@
 // The picture with WebGL: all shapes of one kind are one instanced mesh. three.js draws; where
 // things are comes from the film.
 import {AmbientLight, BufferGeometry, Color, DirectionalLight, DoubleSide, Float32BufferAttribute, HemisphereLight,
-  InstancedMesh, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MeshStandardMaterial,
-  MultiplyOperation, OrthographicCamera, PCFSoftShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Raycaster, Scene, Vector2, Vector3,
+  InstancedMesh, Line, LineBasicMaterial, LineLoop, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, MeshStandardMaterial,
+  MultiplyOperation, OrthographicCamera, PCFSoftShadowMap, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3,
   WebGLRenderer, type LineBasicMaterialParameters, type Camera as ThreeCamera, type Material} from "three";
 import {kFieldOfView, type Camera} from "./camera";
 import type {SceneShape} from "./data";
-import {add, cross, across, dot, niceTicks, rotated, scaled, sub, type V3} from "./math";
+import {add, dot, rotated, scaled, sub, type V3} from "./math";
 import type {SceneModel} from "./scene_model";
 import {ball, barBetween, capsule, cone, cube, cubeEdges, cylinder, groupKey, helix, meshGeometry, slabGeometry, slabOf, torus,
   type Slab} from "./space_shapes";
@@ -15,6 +15,8 @@ import {colourOf, mixed, theme} from "./theme";
 const kMany = 1500;  // from here on, and without a graphics card: coarse spheres, no shadows
 /** An instance: its frame, its place in the frame with its sizes, its shape. */
 interface Instance { frame: number; local: Matrix4; shape: SceneShape }
+/** The sheet of a half space, its lines, its outline, and the pose of its frame that they were made for. */
+interface Ground { sheet: Mesh; lines: LineSegments; outline: LineLoop; shape: SceneShape; made: Matrix4 }
 interface Group { mesh: InstancedMesh; instances: Instance[]; moving: boolean; edges: LineSegments[]; balls: boolean }
 
 export class SpacePicture {
@@ -25,7 +27,7 @@ export class SpacePicture {
   private readonly flat = new OrthographicCamera();
   private readonly groups: Group[] = [];
   private readonly links: {shape: SceneShape; object: Mesh | Line}[] = [];
-  private readonly grounds: {sheet: Mesh; lines: LineSegments; shape: SceneShape}[] = [];
+  private readonly grounds: Ground[] = [];
   private readonly frames: Matrix4[];
   private readonly sun = new DirectionalLight(0xffffff, 1.9);
   private readonly fill = new HemisphereLight(0xffffff, 0xb8c0c8, 1.3);
@@ -129,37 +131,48 @@ export class SpacePicture {
 
   /** The scene has become larger: its grounds are made anew. */
   remeasured(): void {
-    for (const {sheet, lines} of this.grounds.splice(0)) this.scene.remove(sheet, lines);
+    for (const {sheet, lines, outline} of this.grounds.splice(0)) this.scene.remove(sheet, lines, outline);
     for (const shape of this.model.grounds) this.addGround(shape, !this.renderer.shadowMap.enabled);
     this.sun.shadow.normalBias = 0.004 * this.model.extent.size;
     this.recolour();
   }
 
   private addGround(shape: SceneShape, many: boolean): void {
-    const {lo, hi, size} = this.model.extent, {c, n} = this.model.plane(shape, this.model.film.begin);
-    const a = across(n), b = cross(n, a), middle = scaled(add(lo, hi), 0.5);
-    const foot = sub(middle, scaled(n, dot(n, sub(middle, c))));
-    const half = 0.9 * size, step = niceTicks(0, 2 * half, 14).step, cells = Math.ceil(half / step);
-    const origin = [a, b].map(e => Math.round(dot(foot, e) / step) * step - dot(foot, e));
-    const centre = add(foot, add(scaled(a, origin[0]), scaled(b, origin[1])));
+    const {begin} = this.model.film, {outline, lines} = this.model.sheet(shape, begin, 0.9, 14);
+    if (outline.length < 3) return;  // inside of the matter of another half space
+    const geometry = (points: V3[]): BufferGeometry =>
+      new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points.flat(), 3));
     const offset = {polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 4};
+    const plane = geometry(outline);
+    plane.setIndex(outline.slice(2).flatMap((_, i) => [0, i + 1, i + 2]));
+    const {n} = this.model.plane(shape, begin);
+    plane.setAttribute("normal", new Float32BufferAttribute(outline.flatMap(() => n), 3));
     // without shadows it needs no light, nor a program of its own beside that of lines
-    const sheet = new Mesh(new PlaneGeometry(2 * cells * step, 2 * cells * step),
-      many ? new MeshBasicMaterial(offset) : new MeshLambertMaterial(offset));
+    const sheet = new Mesh(plane, many ? new MeshBasicMaterial(offset) : new MeshLambertMaterial(offset));
     sheet.receiveShadow = !many;
-    const points: number[] = [], reach = cells * step;
-    for (let i = -cells; i <= cells; ++i) {
-      for (const [e, f] of [[a, b], [b, a]] as [V3, V3][]) {
-        const p = add(centre, scaled(e, i * step));
-        points.push(...add(p, scaled(f, -reach)), ...add(p, scaled(f, reach)));
-      }
+    const ground: Ground = {sheet, lines: new LineSegments(geometry(lines.flat()), lineMaterial()),
+      outline: new LineLoop(geometry(outline), lineMaterial()), shape, made: new Matrix4()};
+    if (shape.frame >= 0) {
+      const {r, q} = this.model.film.pose(shape.frame, begin);
+      ground.made.copy(poseMatrix(r, q)).invert();
     }
-    const lines = new LineSegments(new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3)),
-      lineMaterial());
-    sheet.matrixAutoUpdate = lines.matrixAutoUpdate = false;
-    sheet.matrix.makeBasis(new Vector3(...a), new Vector3(...b), new Vector3(...n)).setPosition(...centre);
-    this.scene.add(sheet, lines);
-    this.grounds.push({sheet, lines, shape});
+    for (const o of [sheet, ground.lines, ground.outline]) { o.matrixAutoUpdate = false; o.frustumCulled = false; }
+    this.scene.add(sheet, ground.lines, ground.outline);
+    this.grounds.push(ground);
+  }
+
+  /** Moves the half spaces of moving bodies. The lines of one that is seen from behind would cross the scene: its outline stays. */
+  private placeGrounds(camera: Camera, t: number): void {
+    for (const {sheet, lines, outline, shape, made} of this.grounds) {
+      if (shape.frame >= 0) {
+        for (const o of [sheet, lines, outline]) {
+          o.matrix.multiplyMatrices(this.frames[shape.frame], made);
+          o.matrixWorldNeedsUpdate = true;
+        }
+      }
+      const {c, n} = this.model.plane(shape, t), D = camera.hasDepth ? camera.distance : 1e3 * this.model.extent.size;
+      lines.visible = dot(n, sub(add(camera.centre, scaled(camera.toward, D)), c)) > 0;
+    }
   }
 
   /** Colours of the theme; `selected` is brighter. */
@@ -179,12 +192,17 @@ export class SpacePicture {
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
     for (const {shape, object} of this.links) (object.material as LineBasicMaterial).color.set(mixed(colourOf(shape), -0.2));
-    for (const {sheet, lines} of this.grounds) {
+    for (const {sheet, lines, outline} of this.grounds) {
       const lit = sheet.material instanceof MeshLambertMaterial;
       (sheet.material as MeshBasicMaterial).color.set(theme.dark ? "#2a323b" : lit ? "#dfe4e9" : "#e7edf4");
-      (lines.material as LineBasicMaterial).color.set(theme.groundLine);
+      for (const o of [lines, outline]) (o.material as LineBasicMaterial).color.set(theme.groundLine);
     }
     this.fill.intensity = theme.dark ? 1.1 : 1.6;
+  }
+
+  dispose(): void {
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   resize(width: number, height: number, ratio: number): void {
@@ -218,6 +236,7 @@ export class SpacePicture {
     this.frames.forEach((m, i) => composed(m, now, 7 * i));
     for (const group of this.groups) if (group.moving) this.place(group);
     for (const {shape, object} of this.links) this.placeLink(shape, object, t);
+    this.placeGrounds(camera, t);
     this.aim(camera);
     this.renderer.render(this.scene, this.used);
   }
@@ -236,7 +255,8 @@ export class SpacePicture {
   }
 
   private aim(camera: Camera): void {
-    const {size} = this.model.extent, D = camera.hasDepth ? camera.distance : 3 * size;
+    // another run that is compared may lie beside this scene: the view counts, too
+    const size = Math.max(this.model.extent.size, 0.5 * camera.height / camera.scale), D = camera.hasDepth ? camera.distance : 3 * size;
     const used = camera.hasDepth ? this.eye : this.flat;
     used.position.set(...add(camera.centre, scaled(camera.toward, D)));
     used.up.set(...camera.up);

@@ -28,14 +28,15 @@ export class Stage {
   followed = -1;
   hand: HandHandler | null = null;
   touched = false;  // somebody has moved the view
+  besides: V3[] = [];  // what else belongs into the picture: another run
   private t = 0;  // of the picture
   private anchor: V3 = [0, 0, 0];
   private size: number;
   private ratio = 0;
 
   constructor(private readonly box: HTMLElement, readonly model: SceneModel, private readonly handler: StageHandler,
-              webgl: string | null) {
-    const canvas = (name: string): HTMLCanvasElement => box.querySelector(`#${name}`) as HTMLCanvasElement;
+              webgl: string | null, private readonly lead: Stage | null = null) {
+    const canvas = (name: string): HTMLCanvasElement => box.querySelector(`canvas.${name}`) as HTMLCanvasElement;
     this.flat = new FlatPicture(canvas("flat"), model);
     this.overlay = new Overlay(canvas("overlay"), model.film);
     if (webgl !== "0") {
@@ -68,7 +69,7 @@ export class Stage {
     if (this.space) this.space.canvas.hidden = used === null;
     (used ?? this.flat).draw(this.camera, t, this.selected);
     this.overlay.hand = this.hand?.line ?? null;
-    this.overlay.draw(this.camera, t, this.size, this.show, this.forceFactor);
+    this.overlay.draw(this.camera, t, this.lead?.size ?? this.size, this.show, this.forceFactor);
   }
 
   setView(view: string): void {
@@ -78,7 +79,7 @@ export class Stage {
   }
 
   fit(): void {
-    const points = this.followed >= 0 ? this.model.pointsAround(this.followed, this.anchor) : this.model.extent.points;
+    const points = this.followed >= 0 ? this.model.pointsAround(this.followed, this.anchor) : [...this.model.extent.points, ...this.besides];
     this.size = this.followed >= 0 ? spread(points) : this.model.extent.size;
     this.camera.fit(points);
   }
@@ -95,9 +96,9 @@ export class Stage {
     this.space?.hide(frames);
   }
 
-  /** Newtons that an arrow of 1 cm on the screen stands for (96 pixels an inch); 0: there is none. */
-  newtonsPerCm(impact: boolean): number {
-    const pixels = this.overlay.perNewton(this.size, this.forceFactor, impact) * this.camera.scale;
+  /** Newtons, or newton seconds of impacts, that an arrow of 1 cm on the screen stands for (96 pixels an inch); 0: there is none. */
+  unitsPerCm(impact: boolean): number {
+    const pixels = this.overlay.perUnit(this.size, this.forceFactor, impact) * this.camera.scale;
     return pixels > 0 ? 96 / 2.54 / pixels : 0;
   }
 
@@ -134,7 +135,7 @@ export class Stage {
 
   private addPointer(canvas: HTMLCanvasElement): void {
     const fingers = new Map<number, [number, number]>();
-    const {camera} = this;
+    const {camera} = this.lead ?? this;  // two pictures are moved together
     let moved = 0, held: V3 | null = null;
     canvas.addEventListener("pointerdown", event => {
       canvas.setPointerCapture(event.pointerId);
@@ -158,7 +159,7 @@ export class Stage {
         this.handler.redraw();
         return;
       }
-      this.touched = true;
+      (this.lead ?? this).touched = true;
       if (others.length) {  // two fingers: zoom about the other one, and move
         const gap = (x: number, y: number): number => Math.hypot(x - others[0][0], y - others[0][1]) || 1;
         camera.zoom(gap(event.offsetX, event.offsetY) / gap(before[0], before[1]), others[0][0], others[0][1]);
@@ -182,7 +183,7 @@ export class Stage {
       if (event.type !== "pointerup" || !only || moved > 5) return;
       if (this.handler.clicked(event.offsetX, event.offsetY)) return;
       const used = this.spatial;
-      const frame = used ? used.pick(camera, event.offsetX, event.offsetY) : this.pickFlat(event.offsetX, event.offsetY);
+      const frame = used ? used.pick(this.camera, event.offsetX, event.offsetY) : this.pickFlat(event.offsetX, event.offsetY);
       this.handler.selected(frame);
     };
     canvas.addEventListener("pointerup", release);
@@ -190,7 +191,7 @@ export class Stage {
     canvas.addEventListener("contextmenu", event => event.preventDefault());
     canvas.addEventListener("wheel", event => {
       event.preventDefault();
-      this.touched = true;
+      (this.lead ?? this).touched = true;
       camera.zoom(Math.exp(-0.0012 * event.deltaY), event.offsetX, event.offsetY);
       this.handler.redraw();
     }, {passive: false});

@@ -16,7 +16,7 @@ export function paintMarks(canvas: HTMLElement, events: Event[], begin: number, 
     ctx.fillStyle = (impact ? kStates[3] : kStates[2]).colour + (theme.dark ? "b0" : "90");
     const drawn = new Set<number>();
     for (const e of events) {
-      if (e.impact !== impact) continue;
+      if (e.impact !== impact || e.brief) continue;
       const x = Math.round(kPad + (w - 2 * kPad) * (e.t - begin) / (end - begin));
       if (drawn.has(x)) continue;
       drawn.add(x);

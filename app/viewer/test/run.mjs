@@ -202,12 +202,107 @@ async function tools(file, other) {
   await page.locator("#stage input[type=file]").setInputFiles(other);
   await page.waitForFunction(() => window.replay.tools.other);
   expect(await curves() > alone, "o: the curves of the other run");
+  await apart(page);
   await page.keyboard.press("o");
   expect(await curves() === alone, "o again: they go");
+  expect(await page.isHidden("#beside"), "and the second picture goes");
   const nameless = await page.evaluate(() => [...document.querySelectorAll("button, input, select")].filter(e =>
     !(e.textContent.trim() || e.getAttribute("aria-label") || e.title || e.labels?.length)).map(e => e.id || e.className));
   expect(nameless.length === 0, `every control has a name for screen readers: ${nameless}`);
   expect(page.said.length === 0, `tools: ${page.said.join("; ")}`);
+  await page.close();
+}
+
+/** The other run in a picture of its own, which moves with the first one. */
+async function apart(page) {
+  expect(await page.isVisible(".caption"), "the other run is named");
+  await page.keyboard.press("w");
+  await page.waitForFunction(() => window.replay.comparison.isBeside);
+  const widths = await page.evaluate(() => ["stage", "beside", "stages"].map(id => document.getElementById(id).clientWidth));
+  expect(Math.abs(widths[0] - widths[1]) <= 2 && widths[0] + widths[1] >= widths[2] - 2, `w: two pictures of equal width: ${widths}`);
+  const looks = () => page.evaluate(() => {
+    const {stage, comparison, t} = window.replay, {camera} = comparison.beside.stage;
+    comparison.draw(t);
+    return {same: camera.scale === stage.camera.scale && camera.azimuth === stage.camera.azimuth && camera.view === stage.camera.view &&
+      camera.centre.every((x, k) => x === stage.camera.centre[k]), azimuth: stage.camera.azimuth,
+    scales: [false, true].map(impact => comparison.beside.stage.overlay.perUnit(1, 1, impact) === stage.overlay.perUnit(1, 1, impact))};
+  });
+  await page.keyboard.press("4");
+  const before = await looks();
+  expect(before.same, "both have one view");
+  expect(before.scales.every(x => x), "forces and impacts have the same scales in both");
+  const box = await page.locator("#beside").boundingBox();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.7 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width + 50, box.y + 0.7 * box.height, {steps: 3});
+  await page.mouse.up();
+  const after = await looks();
+  expect(after.azimuth !== before.azimuth && after.same, "dragging the second picture turns both");
+  const seen = await page.evaluate(() => {
+    const whole = window.replay.comparison.picture(window.replay.t), ctx = whole.getContext("2d");
+    return [0, 1].map(k => {
+      const {data} = ctx.getImageData(k * whole.width / 2, 0, whole.width / 2, whole.height), colours = new Set();
+      for (let i = 0; i < data.length; i += 4 * 37) colours.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+      return colours.size;
+    });
+  });
+  expect(seen.every(n => n > 2), `neither picture is blank: ${seen}`);
+  await page.evaluate(() => window.replay.select(0));
+  expect((await page.textContent("#selected table")).includes("this run"), "the card has the values of both runs");
+  await page.evaluate(() => window.replay.select(-1));
+}
+
+/** A ball that falls: its percussion is m (1 + \u03b5) v whatever the step is; its weight is a force. */
+async function impulses() {
+  const scale = async step => {
+    const model = join(folder, "ball.xml"), out = join(folder, `ball_${step}`);
+    writeFileSync(model, `<dynamy version="1"><systems>
+      <RigidBody name="ball" position="0 0 0.6"><Sphere radius="0.1" mass="2" material="wood"/></RigidBody>
+      <Ground><HalfSpace normal="0 0 1" material="wood"/><HalfSpace normal="1 0 0" position="-0.5 0 0" material="wood"/></Ground></systems>
+      <forces><Gravity/></forces><elements><Contact between="wood wood"><UnilateralCoulomb epsilonN="0.5" mu="0.3"/></Contact></elements>
+      <simulation until="0.4" step="${step}"/><record frames="5kHz"/></dynamy>`);
+    execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
+    const page = await open(join(out, "replay.html"), "view=iso");
+    const found = await page.evaluate(() => {
+      const {film, stage} = window.replay, hits = [];
+      for (let c = 0; c < film.contactCount; ++c) {
+        const x = film.contactAt(c);
+        if (x.state === 3) hits.push(Math.hypot(...x.F) * x.step);
+      }
+      return {hits, usual: film.usualImpact(), legend: document.querySelector("#legend .scale").textContent,
+        floor: Math.max(...stage.space.grounds.map(g => -Math.min(...g.outline.geometry.attributes.position.array.filter((_, i) => i % 3 === 2)))),
+        wall: Math.min(...stage.space.grounds.flatMap(g => [...g.outline.geometry.attributes.position.array.filter((_, i) => i % 3 === 0)]))};
+    });
+    expect(page.said.length === 0, `impulses: ${page.said.join("; ")}`);
+    // 2 kg (1 + 0.5) \u221a(2 g 0.5 m); the step in which it arrives adds or takes at most m g \u0394t, the coding of the page 0.3 %
+    const exact = 3 * Math.sqrt(2 * 9.81 * 0.5), off = 2 * 2 * 9.81 * step + 0.003 * exact;
+    expect(found.hits.length > 0 && Math.abs(found.hits[0] - exact) < off, `the percussion in N s: ${found.hits[0]}, not ${exact}`);
+    expect(/impact 1 cm = [\d.]+ N s/.test(found.legend), `the legend says N s: ${found.legend}`);
+    expect(found.floor < 1e-3, `a wall ends at the floor: ${found.floor}`);
+    expect(found.wall > -0.501, `a floor ends at the wall: ${found.wall}`);
+    await page.click('#tabs [data-tab="events"]');
+    expect(/m\/s, [\d.]+ N s/.test(await page.textContent("#events")), "the list of events has N s");
+    await page.close();
+    return found.usual;
+  };
+  const coarse = await scale(1e-3), fine = await scale(2.5e-4);
+  expect(Math.abs(coarse / fine - 1) < 0.01, `the scale of impacts does not depend on the step: ${coarse}, ${fine}`);
+}
+
+/** Events that are not in the list are counted above it. */
+async function leftOut(file) {
+  const text = readFileSync(file, "utf8"), other = join(folder, "left_out.html");
+  writeFileSync(other, text.replace(/"eventsLeftOut":\s*0/, '"eventsLeftOut":12345'));
+  const page = await open(other, "open=events");
+  const all = await page.evaluate(() => window.replay.events.length), brief = await page.evaluate(() => window.replay.events.filter(e => e.brief).length);
+  const note = await page.textContent("#events .note");
+  expect(note.includes(`first ${all} of ${all + 12345} events`), `a cut list says so: ${note}`);
+  if (brief) {
+    expect(note.includes(`${brief} switches`), `brief switches are counted: ${note}`);
+    await page.click("#events .note button");
+  }
+  expect((await page.textContent("#events .bar button")) === `all ${all}`, "all events can be listed");
+  expect(page.said.length === 0, `events: ${page.said.join("; ")}`);
   await page.close();
 }
 
@@ -229,6 +324,7 @@ async function transparentGround() {
 }
 
 await transparentGround();
+await impulses();
 for (const model of models) {
   const name = basename(model, ".xml"), out = join(folder, name);
   execFileSync(program, ["run", model, "--out", out, "--quiet"], {stdio: "inherit"});
@@ -237,11 +333,17 @@ for (const model of models) {
   if (model === models[0]) {
     await controls(file);
     await tools(file, file);
+    await leftOut(file);
     execFileSync(program, ["view", out, "--with", out, "--no-browser"], {stdio: "ignore"});
     const page = await open(file, "");
     expect(await page.evaluate(() => window.replay.tools.other !== null), "view --with: the other run is there");
     expect(page.said.length === 0, `view --with: ${page.said.join("; ")}`);
     await page.close();
+    execFileSync(program, ["view", out, "--with", out, "--beside", "--no-browser"], {stdio: "ignore"});
+    const two = await open(file, "");
+    expect(await two.evaluate(() => window.replay.comparison.isBeside), "view --with --beside: two pictures");
+    expect(two.said.length === 0, `view --beside: ${two.said.join("; ")}`);
+    await two.close();
   }
   console.log(`${name}: done`);
 }

@@ -107,7 +107,7 @@ void walk(double gamma, double T, long double* x) {
 class JumpInstants final : public RecordSink {
  public:
   void row(double, std::span<const double>) override {}
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   void event(const ContactEvent& e) override {
     if (e.system == 0) t.push_back(e.t);
   }

@@ -41,7 +41,7 @@ class LocatedRun final : public RecordSink {
   const RunReport& run() { return simulation_->run(); }
 
   void row(double, std::span<const double>) override {}
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   void event(const ContactEvent& e) override { events.push_back(e); }
 
   /// Instants of the impacts of contact `name` [s].

@@ -25,12 +25,20 @@ std::string timesOf(const Frames& frames, const std::vector<std::size_t>& kept) 
   return t;
 }
 
+std::string stepsOf(const Frames& frames, const std::vector<std::size_t>& kept) {
+  std::string steps;
+  for (const std::size_t f : kept)
+    appendBytes(steps, f < frames.step.size() ? frames.step[f] : 0.0F);
+  return steps;
+}
+
 void writeFrames(JsonWriter& json, const Frames& frames, const std::vector<std::size_t>& kept,
                  const CodedPoses& poses, const CodedContacts& contacts) {
   json.beginObject().member("count", kept.size()).member("recorded", frames.t.size());
   json.member("poses", frames.poses);
   json.member("placeSteps", poses.steps.place).member("turnSteps", poses.steps.turn);
   packedMember(json, "t", timesOf(frames, kept));
+  packedMember(json, "steps", stepsOf(frames, kept));
   packedMember(json, "ranges", poses.ranges);
   packedMember(json, "orders", poses.orders);
   json.key("data").raw('"' + poses.data + '"');
@@ -98,7 +106,7 @@ std::string replayData(const Frames& frames, const SignalTable& signals, const R
                        ReplaySize* size) {
   std::string data;
   JsonWriter json(data);
-  json.beginObject().member("format", "dynamy-replay").member("version", 3);
+  json.beginObject().member("format", "dynamy-replay").member("version", 4);
   json.member("title", text.title);
   json.key("model").beginObject();
   json.member("name", text.modelName).member("text", text.modelText).endObject();
@@ -172,14 +180,17 @@ std::string replayPage(const Frames& frames, const SignalTable& signals, const R
   fill(page, "script", viewerFile("replay.js"));
   const std::string mark = "<script type=\"application/json\" id=\"data\">";
   if (!text.other.empty())
-    page.insert(page.find(mark), "<script type=\"application/json\" id=\"other\">" +
+    page.insert(page.find(mark), std::string("<script type=\"application/json\" id=\"other\"") +
+                                     (text.beside ? " data-beside=\"1\">" : ">") +
                                      withoutTags(text.other) + "</script>\n");
   const std::size_t at = page.rfind("{{data}}");
   return page.replace(at, 8, withoutTags(replayData(frames, signals, text, size)));
 }
 
-ReplaySize writeReplay(const std::filesystem::path& folder, const std::filesystem::path& other) {
+ReplaySize writeReplay(const std::filesystem::path& folder, const std::filesystem::path& other,
+                       bool beside) {
   RecordedRun run = readRun(folder);
+  run.text.beside = beside;
   if (!other.empty()) {
     const RecordedRun second = readRun(other);
     run.text.other = replayData(second.frames, second.signals, second.text);

@@ -21,6 +21,7 @@ struct ReplayText {
   std::string events = {};  ///< content of events.csv
   std::string ledger = {};  ///< content of ledger.csv
   std::string other = {};   ///< data object of another run that is laid over this one; empty: none
+  bool beside = false;      ///< the other run has a picture of its own beside that of this one
   std::size_t frameBytes = 30'000'000;  ///< [byte] if frames take more, only every n-th is kept
 };
 
@@ -43,8 +44,9 @@ std::string replayPage(const Frames& frames, const SignalTable& signals, const R
 
 /// Writes replay.html into a run folder from the files that are in it. Files that are missing are
 /// left out of the page. `other`: the folder of a run that is laid over this one; empty: none.
-/// \throws FileError if a file is broken or the page cannot be written
-ReplaySize writeReplay(const std::filesystem::path& folder,
-                       const std::filesystem::path& other = {});
+/// `beside`: it has a picture of its own. \throws FileError if a file is broken or the page cannot be
+/// written
+ReplaySize writeReplay(const std::filesystem::path& folder, const std::filesystem::path& other = {},
+                       bool beside = false);
 
 }  // namespace dynamy

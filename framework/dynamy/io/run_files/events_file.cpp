@@ -43,8 +43,7 @@ EventsFile::~EventsFile() {
 }
 
 void EventsFile::event(const ContactEvent& e, std::string_view name) {
-  if (full()) return;
-  ++events_;
+  if (events_++ >= kMostEvents) return;
   appendNumber(buffer_, e.t);
   const bool contact = e.of == ContactEvent::Of::contact;
   buffer_ += kindOf(e);

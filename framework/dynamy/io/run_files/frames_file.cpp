@@ -14,7 +14,8 @@ constexpr std::size_t kFileHead = 24;   // magic, version, byte order, poses, by
 constexpr std::size_t kChunkHead = 40;  // "CHNK", frames, bytes, first and last t, CRC, 0
 constexpr std::size_t kFramesCrcAt =
     32;  // the CRC of a chunk covers its head up to here, and the payload
-constexpr std::size_t kFrameHead = 16;  // t, contacts, 0
+constexpr std::uint32_t kOldestVersion = 2;  // without Δt
+constexpr std::size_t kFrameHead = 16;       // t, contacts, Δt
 constexpr std::size_t kChunkBytes = 1 << 18;
 constexpr auto kFrameDue = std::chrono::milliseconds(500);
 
@@ -32,11 +33,13 @@ bool readPayload(std::string_view payload, std::uint32_t count, Frames& frames) 
     if (payload.size() - at < kFrameHead) return false;
     const auto t = readBytes<double>(&payload[at]);
     const std::size_t contacts = readBytes<std::uint32_t>(&payload[at + 8]);
+    const auto step = readBytes<float>(&payload[at + 12]);
     at += kFrameHead;
     const std::size_t numbers =
         frames.poses * Frames::kPoseNumbers + contacts * Frames::kContactNumbers;
     if ((payload.size() - at) / 4 < numbers) return false;
     frames.t.push_back(t);
+    frames.step.push_back(step);
     floats(frames.poses * Frames::kPoseNumbers, frames.pose);
     floats(contacts * Frames::kContactNumbers, frames.contact);
     frames.firstContact.push_back(frames.firstContact.back() + contacts);
@@ -91,14 +94,14 @@ FramesFile::~FramesFile() {
   }
 }
 
-void FramesFile::frame(double t, std::span<const Pose> poses,
-                       std::span<const ContactMark> contacts) {
+void FramesFile::frame(double t, std::span<const Pose> poses, std::span<const ContactMark> contacts,
+                       double step) {
   expects(poses.size() == poses_, "a frame has one pose a frame of the scene");
   if (frames_++ == 0) first_ = t;
   last_ = t;
   appendBytes(payload_, t);
   appendBytes(payload_, static_cast<std::uint32_t>(contacts.size()));
-  appendBytes(payload_, std::uint32_t{0});
+  appendBytes(payload_, static_cast<float>(step));
   for (const Pose& pose : poses) {
     append(payload_, pose.r_OS_I);
     appendBytes(payload_, static_cast<float>(pose.p_IK.w()));
@@ -152,9 +155,10 @@ Frames framesIn(std::string_view text, const std::string& file) {
     throw FileError(file, "the byte order mark is broken");
   }
   const auto version = readBytes<std::uint32_t>(&text[8]);
-  if (version != kFramesVersion) {
+  if (version < kOldestVersion || version > kFramesVersion) {
     throw FileError(file, "has version " + std::to_string(version) +
-                              " of the format, this program reads version " +
+                              " of the format, this program reads the versions " +
+                              std::to_string(kOldestVersion) + " to " +
                               std::to_string(kFramesVersion));
   }
   const std::size_t json = readBytes<std::uint32_t>(&text[20]);

@@ -6,10 +6,11 @@
 ///     head   "DYNFRAME" u32 version, u32 0x01020304, u32 poses, u32 bytes of JSON | JSON | u32 CRC
 ///     chunk  "CHNK" u32 frames, u64 bytes of payload, f64 first t, f64 last t, u32 CRC, u32 0
 ///            | payload
-///     frame  f64 t, u32 contacts, u32 0 | poses × 7 f32 (x y z qw qx qy qz) | contacts × 11 f32
+///     frame  f64 t, u32 contacts, f32 Δt | poses × 7 f32 (x y z qw qx qy qz) | contacts × 11 f32
 ///
 /// Times are double, poses single: 2^-24 of the scene's size is far below a pixel, and signals.csv
-/// has the full numbers. Rejected: one record per frame without chunks, which needs a checksum and
+/// has the full numbers. Forces are Λ/Δt; with Δt a reader gives impacts in N s. Version 2 had a zero
+/// in its place and is still read. Rejected: one record per frame without chunks, which needs a checksum and
 /// a flush for 40 bytes. Also rejected: an index at the end, because a killed run does not write
 /// it.
 
@@ -27,7 +28,7 @@
 namespace dynamy {
 
 /// Version of the format that is written and read.
-inline constexpr std::uint32_t kFramesVersion = 2;
+inline constexpr std::uint32_t kFramesVersion = 3;
 
 /// Pose of a frame K of the scene.
 struct Pose {
@@ -42,7 +43,7 @@ enum class ContactState { open = 0, stick = 1, slip = 2, impact = 3, spin = 4 };
 struct ContactMark {
   Eigen::Vector3d r_OC_I = Eigen::Vector3d::Zero();  ///< contact point [m]
   Eigen::Vector3d n_I = Eigen::Vector3d::UnitZ();    ///< unit normal
-  Eigen::Vector3d F_I = Eigen::Vector3d::Zero();     ///< force, or impulse over Δt [N]
+  Eigen::Vector3d F_I = Eigen::Vector3d::Zero();     ///< force Λ/Δt, of an impact, too [N]
   ContactState state = ContactState::open;
   double limit = 0.0;  ///< largest friction force that the law allows now [N]; 0: none
 };
@@ -61,8 +62,10 @@ class FramesFile {
   FramesFile(const FramesFile&) = delete;
   FramesFile& operator=(const FramesFile&) = delete;
 
-  /// Adds the frame at t [s]. Does not allocate after the first chunk. \throws FileError
-  void frame(double t, std::span<const Pose> poses, std::span<const ContactMark> contacts = {});
+  /// Adds the frame at t [s]; `step` is the Δt of the forces [s], 0 if there is none. Does not allocate
+  /// after the first chunk. \throws FileError
+  void frame(double t, std::span<const Pose> poses, std::span<const ContactMark> contacts = {},
+             double step = 0.0);
   /// Ends the chunk if the last one was written long ago: for loops with rare frames.
   void flushIfDue();
   /// Ends the chunk and writes it. \throws WriteError; the bytes left are kept for the next try
@@ -91,6 +94,7 @@ struct Frames {
   std::string scene;                         ///< JSON
   std::size_t poses = 0;                     ///< a frame
   std::vector<double> t;                     ///< [s], one a frame
+  std::vector<float> step;                   ///< Δt of the forces [s], one a frame; 0: unknown
   std::vector<float> pose;                   ///< frame-major, 7 a pose
   std::vector<std::size_t> firstContact{0};  ///< frame f has contacts firstContact[f] … [f+1]−1
   std::vector<float> contact;                ///< 11 a contact

@@ -83,7 +83,7 @@ void RunRecording::row(double t, std::span<const double> values) {
   guarded([&] { signals_->row(t, values); });
 }
 
-void RunRecording::frame(double t, std::span<const FramePose> poses,
+void RunRecording::frame(FilmInstant at, std::span<const FramePose> poses,
                          std::span<const ContactRecord> contacts) {
   for (std::size_t i = 0; i < poses.size(); ++i)
     pose_[i] = {poses[i].r_OS_I, Eigen::Quaterniond(poses[i].A_IK)};
@@ -91,12 +91,12 @@ void RunRecording::frame(double t, std::span<const FramePose> poses,
   for (const ContactRecord& c : contacts)
     marks_.push_back({c.point, c.normal, c.force, drawnState(c), c.limit});
   if (!frames_) tooEarly();
-  guarded([&] { frames_->frame(t, pose_, marks_); });
+  guarded([&] { frames_->frame(at.t, pose_, marks_, at.step); });
 }
 
 void RunRecording::event(const ContactEvent& event) {
   if (!events_) tooEarly();
-  if (events_->full()) return;
+  if (events_->full()) return events_->event(event, {});  // only counted: no name is made
   guarded([&] {
     events_->event(event, event.system < 0
                               ? contactName(model_, event.key)
@@ -177,6 +177,8 @@ void RunRecording::sync() {
     if (frames_) frames_->sync();
   });
 }
+
+long RunRecording::eventsLeftOut() const { return events_ ? events_->leftOut() : 0; }
 
 std::vector<RecordedFile> RunRecording::files() const {
   std::vector<RecordedFile> out;

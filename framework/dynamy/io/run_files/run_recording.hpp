@@ -37,7 +37,7 @@ class RunRecording final : public RecordSink {
   RunRecording(const RunFolder& folder, const Model& model, Resume);
 
   void row(double t, std::span<const double> values) override;
-  void frame(double t, std::span<const FramePose> poses,
+  void frame(FilmInstant at, std::span<const FramePose> poses,
              std::span<const ContactRecord> contacts) override;
   void event(const ContactEvent& event) override;
   void ledger(const LedgerRow& row) override;
@@ -52,6 +52,8 @@ class RunRecording final : public RecordSink {
   void flush();
   /// Returns when all written bytes are on the disk; fault() reports an error.
   void sync();
+  /// Events that events.csv has no room for.
+  long eventsLeftOut() const;
   /// The files as they are written by now.
   std::vector<RecordedFile> files() const;
   /// The files as the last archive() left them.

@@ -14,6 +14,12 @@ struct FramePose {
   Mat3 A_IK = Mat3::Identity();
 };
 
+/// The instant of a picture.
+struct FilmInstant {
+  double t = 0.0;     ///< [s]
+  double step = 0.0;  ///< Δt of the step whose Λ/Δt are the forces [s]; 0: there is none yet
+};
+
 /// A closed contact in a picture.
 struct ContactRecord {
   Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< [m], [–]
@@ -59,7 +65,7 @@ class RecordSink {
  public:
   virtual ~RecordSink() = default;
   virtual void row(double t, std::span<const double> values) = 0;
-  virtual void frame(double t, std::span<const FramePose> poses,
+  virtual void frame(FilmInstant at, std::span<const FramePose> poses,
                      std::span<const ContactRecord> contacts) = 0;
   virtual void event(const ContactEvent&) {}
   virtual void ledger(const LedgerRow&) {}

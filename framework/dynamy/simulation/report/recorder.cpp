@@ -107,7 +107,7 @@ void Recorder::frame(const StepView& view, double t, double theta) {
   }
   contacts(view);
   lastFrame_ = t;
-  sink_.frame(t, poses_, contacts_);
+  sink_.frame({t, view.report.dt}, poses_, contacts_);
 }
 
 void Recorder::contacts(const StepView& view) {

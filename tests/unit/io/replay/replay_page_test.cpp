@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <dynamy/io/files/bytes.hpp>
+#include <dynamy/io/replay/replay_coding.hpp>
 #include <dynamy/io/replay/replay_page.hpp>
 #include <dynamy/io/replay/viewer_files.hpp>
 #include <dynamy/io/run_files/run_folder.hpp>
@@ -41,6 +43,25 @@ TEST(ReplayPage, KeepsEveryNthFrameAndTheLastWhenThereAreTooMany) {
   EXPECT_EQ(member(data, "count"), std::to_string(size.frames));
   EXPECT_EQ(member(data, "recorded"), "1000");
   EXPECT_LE(size.poseBytes + size.contactBytes, text.frameBytes);
+}
+
+TEST(ReplayPage, HoldsTheStepOfEachKeptFrame) {
+  Frames frames = moving(3);
+  frames.step = {0.0F, 0.5F, 0.25F};
+  std::string bytes;
+  for (const float step : frames.step) appendBytes(bytes, step);
+  std::string packed;
+  appendBase64(packed, deflated(bytes));
+  EXPECT_EQ(member(replayData(frames, {}, {}), "steps"), '"' + packed + '"');
+}
+
+TEST(ReplayPage, SaysWhetherTheOtherRunHasAPictureOfItsOwn) {
+  ReplayText text;
+  text.other = "{}";
+  EXPECT_NE(replayPage(moving(1), {}, text).find("id=\"other\">{}"), std::string::npos);
+  text.beside = true;
+  EXPECT_NE(replayPage(moving(1), {}, text).find("id=\"other\" data-beside=\"1\">{}"),
+            std::string::npos);
 }
 
 TEST(ReplayPage, CannotBeEndedEarlyByTextOfTheModel) {

@@ -32,7 +32,7 @@ void writeTen(const std::filesystem::path& path) {
     std::vector<ContactMark> contacts(static_cast<std::size_t>(i));
     for (ContactMark& contact : contacts) contact.F_I = {0, 0, 9.5};
     for (ContactMark& contact : contacts) contact.state = ContactState::slip, contact.limit = 2.5;
-    file.frame(i / 3.0, posesAt(i), contacts);
+    file.frame(i / 3.0, posesAt(i), contacts, 0.0625 * i);
     if (i == 5) file.flush();
   }
 }
@@ -48,6 +48,7 @@ TEST(FramesFile, IsReadBackAsItWasWritten) {
   for (std::size_t i = 0; i < 10; ++i) {
     const auto x = static_cast<float>(i);
     EXPECT_EQ(frames.t[i], static_cast<double>(i) / 3.0);
+    EXPECT_EQ(frames.step[i], 0.0625F * x);
     const std::vector<float> got(&frames.pose[14 * i], &frames.pose[14 * i] + 14);
     EXPECT_EQ(got, (std::vector<float>{0.5f * x, -x, 0.25f, 1, 0, 0, 0,  //
                                        0, 0, 0, 0.5f, -0.5f, 0.5f, -0.5f}));
@@ -70,12 +71,12 @@ TEST(FramesFile, HasTheBytesOfTheDocument) {
   const ScratchFolder scratch;
   {
     FramesFile file(scratch / "f", Scene{});
-    file.frame(2.0, {});
+    file.frame(2.0, {}, {}, 0.5);
   }
   const std::string text = readWholeFile(scratch / "f");
   const std::string json = R"({"view":"","frames":[],"shapes":[]})";
   std::string expected = "DYNFRAME";
-  for (const std::uint32_t x : {2u, 0x01020304u, 0u, 35u}) appendBytes(expected, x);
+  for (const std::uint32_t x : {3u, 0x01020304u, 0u, 35u}) appendBytes(expected, x);
   expected += json;
   appendBytes(expected, crc32(expected));
   const std::size_t chunk = expected.size();
@@ -86,7 +87,8 @@ TEST(FramesFile, HasTheBytesOfTheDocument) {
   appendBytes(expected, 2.0);
   std::string payload;
   appendBytes(payload, 2.0);
-  appendBytes(payload, std::uint64_t{0});
+  appendBytes(payload, std::uint32_t{0});
+  appendBytes(payload, 0.5F);
   appendBytes(expected, crc32(expected.substr(chunk) + payload));
   appendBytes(expected, std::uint32_t{0});
   EXPECT_EQ(text, expected + payload);
@@ -133,6 +135,24 @@ TEST(ReadFrames, RefusesOtherFilesAndOtherVersions) {
   writeWholeFile(scratch / "new", text);
   const std::string message = messageOf<FileError>([&] { readFrames(scratch / "new"); });
   EXPECT_NE(message.find("has version 9 of the format"), std::string::npos) << message;
+}
+
+TEST(ReadFrames, ReadsFilesWithoutAStep) {
+  const ScratchFolder scratch;
+  {
+    FramesFile file(scratch / "f", Scene{});
+    file.frame(2.0, {});  // a zero, where version 2 had one
+  }
+  std::string text = readWholeFile(scratch / "f");
+  const std::size_t head = text.find("CHNK") - 4;
+  text[8] = 2;
+  std::string crc;
+  appendBytes(crc, crc32(text.substr(0, head)));
+  writeWholeFile(scratch / "old", text.replace(head, 4, crc));
+  const Frames frames = readFrames(scratch / "old");
+  EXPECT_TRUE(frames.complete);
+  ASSERT_EQ(frames.step.size(), 1U);
+  EXPECT_EQ(frames.step[0], 0.0F);
 }
 
 TEST(FramesFile, WantsOnePoseAFrame) {

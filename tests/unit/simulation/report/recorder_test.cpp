@@ -88,7 +88,7 @@ TEST(Recorder, ContactForceOfARestingBallIsItsWeight) {
 class Diary final : public RecordSink {
  public:
   void row(double, std::span<const double>) override {}
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   void event(const ContactEvent& e) override { events.push_back(e); }
   void ledger(const LedgerRow& row) override { rows.push_back(row); }
   bool wantsLedger() const override { return true; }

@@ -45,7 +45,7 @@ class SmallDisk final : public RecordSink {
     table.row(t, values);
     if (table.t.size() > room_) fault_ = "the disk is full";
   }
-  void frame(double, std::span<const FramePose>, std::span<const ContactRecord>) override {}
+  void frame(FilmInstant, std::span<const FramePose>, std::span<const ContactRecord>) override {}
   std::string_view fault() const override { return fault_; }
   void archive(Archive& a) override { table.archive(a); }
   Table table;
