@@ -29,8 +29,8 @@ class Grains final : public PartialMechanicalSystem {
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return count(); }
-  const Renewable* renewable() const override {
-    return exchange_->any() ? exchange_.get() : nullptr;
+  Abilities abilities() const override {
+    return {.renewable = exchange_->any() ? exchange_.get() : nullptr};
   }
 
  private:

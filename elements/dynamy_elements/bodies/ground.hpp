@@ -25,8 +25,8 @@ class Ground final : public PartialMechanicalSystem, public RigidSystem {
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
   /// Only a ground at rest can be part of a tree.
-  const RigidSystem* rigid() const override {
-    return motion_.empty() && rotation_.empty() ? this : nullptr;
+  Abilities abilities() const override {
+    return {.rigid = motion_.empty() && rotation_.empty() ? this : nullptr};
   }
   RigidPart rigidPart() const override { return {.fixed = true}; }
   void ownState(const RigidMotion&, Vec, Vec) const override {}

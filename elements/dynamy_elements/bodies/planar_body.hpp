@@ -28,10 +28,9 @@ class PlanarBody final : public PartialMechanicalSystem,
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  const RigidSystem* rigid() const override { return this; }
+  Abilities abilities() const override { return {.positionTangents = this, .rigid = this}; }
   RigidPart rigidPart() const override;
   void ownState(const RigidMotion& motion, Vec q, Vec u) const override;
-  const PositionTangents* positionTangents() const override { return this; }
   void moveTangent(ConstVec u, double dt, Block T) const override;
   void frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;

@@ -19,7 +19,7 @@ class PointMass final : public PartialMechanicalSystem, public PositionTangents 
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  const PositionTangents* positionTangents() const override { return this; }
+  Abilities abilities() const override { return {.positionTangents = this}; }
   void moveTangent(ConstVec u, double dt, Block T) const override;
   void frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;

@@ -31,14 +31,13 @@ class RigidBody final : public PartialMechanicalSystem, public PositionTangents 
   void normalise(Vec q) const override;
   /// The gyroscopic term: D = (J Ω)~ − Ω~ J, K = 0.
   bool dh(double t, ConstVec q, ConstVec u, int block, Block K, Block D) const override;
-  const PositionTangents* positionTangents() const override { return this; }
   void moveTangent(ConstVec u, double dt, Block T) const override;
   void frameStiffness(double t, ConstVec q, int id, const Vec3& F_I, const Vec3& M_I,
                       Block K) const override;
   double gravity(double t, ConstVec q, const Vec3& g_I, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return parts_.frames(); }
-  const RigidSystem* rigid() const override { return &carried_; }
+  Abilities abilities() const override { return {.positionTangents = this, .rigid = &carried_}; }
 
  private:
   BodyParts parts_;

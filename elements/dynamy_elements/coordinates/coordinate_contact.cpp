@@ -60,8 +60,8 @@ CoordinateContact::CoordinateContact(const Parameters& x)
 CoordinateContact::~CoordinateContact() = default;
 
 void CoordinateContact::connect(Topology& topology) {
-  system_ = topology.system(on_, *this);
-  nameCoordinates(*topology.systems()[static_cast<std::size_t>(system_.index)]);
+  own_ = {topology, on_, *this};
+  nameCoordinates(own_.system());
   compile();
   switch_.connect(topology, *this, *law_, names_);
 }
@@ -129,23 +129,26 @@ void CoordinateContact::compile() {
 void CoordinateContact::inputs(const Kinematics& k) const {
   const int n = names_.n();
   x_[FormulaNames::kTime] = k.t();
-  std::copy_n(k.q(system_).data(), n, x_.begin() + 1);
-  std::copy_n(k.u(system_).data(), n, x_.begin() + 1 + n);
-  std::copy_n(k.u(system_).data(), n, w_.begin() + 1);
+  std::copy_n(own_.q(k).data(), n, x_.begin() + 1);
+  const ConstVec u = own_.u(k);
+  std::copy_n(u.data(), n, x_.begin() + 1 + n);
+  std::copy_n(u.data(), n, w_.begin() + 1);
 }
 
 void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
   if (!switch_.engaged(k)) return;
-  const int n = names_.n();
   inputs(k);
   const double g = gap_ ? gap_->eval(x_.data())[0] : 0.0;
   auto out = sink.add(0, law_->unilateral() ? g : std::abs(g), *law_, rows());
   if (!out) return;
   out.scale(switch_.scale(k, x_.data()));
-  Block W = out.segment(system_.block0, system_.u0, n);
+  const SystemHandle& system = own_.handle();
+  const Block moving = out.segment(system.block0, system.u0, system.nu), W = own_.room(moving);
   const int first = gap_ ? 1 : 0;
   if (gap_ && out.dim() > 0) gapRow(x_.data(), out, W);
   if (slip_ && out.dim() > first) slipRows(x_.data(), first, out, W);
+  const double* bias = own_.carry(k, moving);
+  for (int r = 0; bias && out.wantsBias() && r < out.dim(); ++r) out.bias(r) += bias[r];
 }
 
 void CoordinateContact::gapRow(const double* x, ContactRows& out, Block W) const {

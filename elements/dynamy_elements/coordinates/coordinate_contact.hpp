@@ -4,10 +4,11 @@
 ///   slip directions d_k(t,q):   γ_T = d·u          or   slip velocities γ_T(t,q,u), affine in u
 ///
 /// It works on every system that names its coordinates and has q̇ = u:
-/// `<Coordinates>`, planar bodies, users' own systems. Rejected: a contact inside
+/// `<Coordinates>`, planar bodies, also those that joints carry, users' own systems. Rejected: a contact inside
 /// `<Coordinates>`, which no other system could use.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/system/own_coordinates.hpp>
 #include <dynamy_elements/coordinates/reservoir_switch.hpp>
 #include <memory>
 
@@ -42,7 +43,7 @@ class CoordinateContact final : public NonSmoothElement {
   std::unique_ptr<SetValuedForceLaw> law_;
   ReservoirSwitch switch_;
   FormulaNames names_;
-  SystemHandle system_;
+  OwnCoordinates own_;
   std::vector<int> q_, u_;
   std::unique_ptr<Tape> gap_, slip_;
   mutable std::vector<double> x_, w_;  // (t, q, u) and the direction (1, u, 0)

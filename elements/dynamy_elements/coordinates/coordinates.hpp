@@ -33,7 +33,7 @@ class Coordinates final : public PartialMechanicalSystem {
   void nonPotentialForce(double t, ConstVec q, ConstVec u, Vec h) const override;
   void frame(double t, ConstVec q, ConstVec u, int id, Frame& out) const override;
   int frames() const override { return static_cast<int>(frames_.size()); }
-  const Renewable* renewable() const override { return jumps_.empty() ? nullptr : &jumps_; }
+  Abilities abilities() const override { return {.renewable = jumps_.empty() ? nullptr : &jumps_}; }
   bool stiff() const override { return stiff_; }
   bool dh(double t, ConstVec q, ConstVec u, int block, Block K, Block D) const override;
   void describe(Description& d) const override;

@@ -44,7 +44,7 @@ int carryLoose(TreeSystem& tree, TreeSystem::System system, const Vec3& n) {
   using Free = FreeMotion::Kind;
   Eigen::VectorXd q(system->blocks().nq), u(system->blocks().nu);
   system->initialState(view(q), view(u));
-  const RigidPart part = system->rigid()->rigidPart();
+  const RigidPart part = system->abilities().rigid->rigidPart();
   Frame f;
   std::vector<double> jacobians(static_cast<std::size_t>(6 * u.size()));
   new (&f.J_S_I) Mat3X(jacobians.data(), 3, u.size());
@@ -66,7 +66,7 @@ class Composer {
  public:
   explicit Composer(Model& model) : model_(model) {
     for (const auto& s : model.systems()) {
-      const RigidSystem* rigid = s->rigid();
+      const RigidSystem* rigid = s->abilities().rigid;
       rigid_.push_back(rigid != nullptr);
       fixed_.push_back(rigid && rigid->rigidPart().fixed);
     }

@@ -10,33 +10,6 @@ using Free = FreeMotion::Kind;
 
 namespace {
 
-/// Motion of a body's centre of mass, with the quaternion of its turning since the start.
-RigidMotion motionOf(const Tree& tree, const TreeBody& body, const double* q,
-                     const Tree::Motions& x, const Vec3& planeNormal) {
-  RigidMotion out;
-  if (body.node < 0) {
-    out.r_OS_I = body.S;
-    return out;
-  }
-  const NodeMotion& node = x[static_cast<std::size_t>(body.node)];
-  const Vec3 rho = node.A * body.S;
-  out.r_OS_I = node.r + rho;
-  out.v_S_I = node.v + node.Omega.cross(rho), out.Omega_I = node.Omega;
-  for (int k = body.node; k >= 0; k = tree.node(k).parent) {
-    const TreeNode& n = tree.node(k);
-    const double* at = q + n.q0;
-    if (n.kind == Free::slide) continue;
-    double turn[4], product[4];
-    if (n.kind == Free::ball)
-      std::copy(at, at + 4, turn);
-    else
-      axisQuaternion(n.axis, *at, turn), out.angle += n.axis.dot(planeNormal) * *at;
-    quaternionProduct(turn, out.p.data(), product);
-    std::copy(product, product + 4, out.p.begin());
-  }
-  return out;
-}
-
 /// Signals of the coordinates of the body's joint: body.joint.angle and so
 /// on, numbered if there are several.
 void describeJoint(const Tree& tree, const TreeBody& body, Description& d) {
@@ -79,7 +52,7 @@ void describeJoint(const Tree& tree, const TreeBody& body, Description& d) {
 int TreeSystem::carry(System system, int parent, const Vec3& at_I,
                       const std::vector<FreeMotion>& free) {
   TreeBody body;
-  body.node = parent < 0 ? -1 : bodies_[static_cast<std::size_t>(parent)].node;
+  body.node = parent < 0 ? -1 : carried_.all()[static_cast<std::size_t>(parent)].node;
   body.first = tree_.size();
   for (const FreeMotion& motion : free) {
     TreeNode node;
@@ -91,10 +64,10 @@ int TreeSystem::carry(System system, int parent, const Vec3& at_I,
     body.node = tree_.add(node);
   }
   body.system = std::move(system);
-  body.part = body.system->rigid()->rigidPart();
+  body.part = body.system->abilities().rigid->rigidPart();
   body.blocks = body.system->blocks();
   placeFrames(body);
-  bodies_.push_back(std::move(body));
+  carried_.add(std::move(body));
   return bodies() - 1;
 }
 
@@ -135,7 +108,7 @@ double TreeSystem::finish() {
   std::vector<Vec3>& wrench = results_.wrench;
   for (Vec3& w : wrench) w.setZero();
   bool any = false;
-  for (const TreeBody& b : bodies_) {
+  for (const TreeBody& b : carried_.all()) {
     any = any || !b.v.isZero(0.0) || !b.Omega.isZero(0.0);
     if (b.node < 0) continue;
     const Mat3 A = frames_[static_cast<std::size_t>(b.frame0)].A;
@@ -151,8 +124,8 @@ double TreeSystem::finish() {
   u0_ = mass.ldlt().solve(momentum);
   double change = 0.0;
   results_.at(tree_, view(std::as_const(start_)), view(std::as_const(u0_)));
-  for (const TreeBody& b : bodies_) {
-    const RigidMotion is = motionOf(tree_, b, start_.data(), x, planeNormal_);
+  for (const TreeBody& b : carried_.all()) {
+    const RigidMotion is = carried_.motion(b, start_.data(), x);
     change = std::max({change, (is.v_S_I - b.v).norm(), (is.Omega_I - b.Omega).norm()});
   }
   return change;
@@ -207,35 +180,6 @@ void TreeSystem::normalise(Vec q) const {
     if (tree_.node(k).kind == Free::ball) q.segment<4>(tree_.node(k).q0).normalize();
 }
 
-namespace {
-
-/// Adds columns of a frame for the velocities of a node on its way to the
-/// root: w and v + w × (r − r_K).
-void addColumns(const TreeNode& node, const NodeMotion& at, Frame& f) {
-  const Vec3 arm = f.r_OS_I - at.r;
-  double *S = f.J_S_I.data() + 3 * node.u0, *R = f.J_R_I.data() + 3 * node.u0;
-  using Column = Eigen::Map<Vec3>;
-  switch (node.kind) {
-    case Free::turn:
-      Column{R} = at.a, Column{S} = at.a.cross(arm);
-      break;
-    case Free::slide:
-      Column{R}.setZero(), Column{S} = at.a;
-      break;
-    case Free::screw:
-      Column{R} = at.a, Column{S} = at.a.cross(arm) + node.pitch * at.a;
-      break;
-    case Free::ball:
-      for (int i = 0; i < 3; ++i) {
-        Column{R + 3 * i} = at.A.col(i);
-        Column{S + 3 * i} = at.A.col(i).cross(arm);
-      }
-      break;
-  }
-}
-
-}  // namespace
-
 void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const {
   const FixedFrame& f = frames_[static_cast<std::size_t>(id)];
   out.nu_S_I.setZero(), out.nu_R_I.setZero();
@@ -259,32 +203,8 @@ void TreeSystem::frame(double, ConstVec q, ConstVec u, int id, Frame& out) const
 
 // ---- names -------------------------------------------------------------------------------------
 
-double TreeSystem::ownSignal(const TreeBody& body, const SignalFunction& f,
-                             const SignalView& v) const {
-  expects(body.blocks.nq <= kMostOwn && body.blocks.nu <= kMostOwn,
-          "a rigid body has few coordinates");
-  const Tree::Motions& x = results_.at(tree_, v.q, v.u);
-  const Vec q(shown_.q.data(), body.blocks.nq), u(shown_.u.data(), body.blocks.nu);
-  if (shown_.body != &body || shown_.changes != results_.changes()) {
-    body.system->rigid()->ownState(motionOf(tree_, body, v.q.data(), x, planeNormal_), q, u);
-    shown_.body = &body, shown_.changes = results_.changes();
-  }
-  return f({.t = v.t,
-            .q = {q.data(), q.size()},
-            .u = {u.data(), u.size()},
-            .kinematics = v.kinematics,
-            .contacts = v.contacts,
-            .Lambda = v.Lambda,
-            .gammaE = v.gammaE,
-            .stepContacts = v.stepContacts,
-            .stepLambda = v.stepLambda,
-            .memory = v.memory,
-            .dt = v.dt,
-            .element = v.element});
-}
-
 void TreeSystem::describe(Description& d) const {
-  for (const TreeBody& body : bodies_) {
+  for (const TreeBody& body : carried_.all()) {
     const std::string& name = body.system->name();
     Description own;
     body.system->describe(own);
@@ -292,8 +212,9 @@ void TreeSystem::describe(Description& d) const {
     for (const PlacedShape& p : own.shapes) d.shape(*p.shape, body.frame0 + p.frame);
     for (const auto& [label, id] : own.frames) d.frame(label, body.frame0 + id);
     for (const Signal& s : own.signals)
-      d.signal(name.empty() ? s.name : name + "." + s.name, s.unit, std::string(s.text),
-               [this, &body, f = s.value](const SignalView& v) { return ownSignal(body, f, v); });
+      d.signal(
+          name.empty() ? s.name : name + "." + s.name, s.unit, std::string(s.text),
+          [this, &body, f = s.value](const SignalView& v) { return carried_.signal(body, f, v); });
     describeJoint(tree_, body, d);
   }
 }

@@ -4,6 +4,7 @@
 ///   χ = γ(t, q, 0),   W e_j = γ(t, q, e_j) − χ.
 #pragma once
 #include <dynamy/contact/non_smooth_element.hpp>
+#include <dynamy/system/own_coordinates.hpp>
 #include <memory>
 
 namespace dynamy {
@@ -46,7 +47,7 @@ class SimpleContact : public NonSmoothElement {
   void addBias(const Kinematics& k, ContactRows& out, int dim) const;
   std::string on_;
   std::unique_ptr<SetValuedForceLaw> law_;
-  SystemHandle system_;
+  OwnCoordinates own_;
 };
 
 }  // namespace dynamy

@@ -105,7 +105,7 @@ bool renewSystems(const Topology& topology, double tA, State& x) {
   bool changed = false;
   for (std::size_t i = 0; i < topology.systems().size(); ++i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
-    const Renewable* r = topology.systems()[i]->renewable();
+    const Renewable* r = topology.systems()[i]->abilities().renewable;
     if (r && r->renew(tA, x.t, slice(x.q, s.q0, s.nq), slice(x.u, s.u0, s.nu))) changed = true;
   }
   return changed;

@@ -88,7 +88,7 @@ void MassMatrix::resize(const Topology& topology) {
   for (std::size_t s = 0; s < topology.systems().size(); ++s) {
     const SystemHandle& h = topology.system(static_cast<int>(s));
     const Blocks blocks = topology.systems()[s]->blocks();
-    const OwnInverse* inverse = topology.systems()[s]->ownInverse();
+    const OwnInverse* inverse = topology.systems()[s]->abilities().ownInverse;
     if (!inverse || blocks.constantMass || h.blocks != 1) continue;
     Deferred& d = deferred_[static_cast<std::size_t>(h.block0)];
     d.system = topology.systems()[s], d.inverse = inverse;

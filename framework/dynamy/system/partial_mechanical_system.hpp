@@ -11,6 +11,7 @@
 
 namespace dynamy {
 
+class BodyCarrier;
 class OwnInverse;
 class PositionTangents;
 class Renewable;
@@ -38,6 +39,19 @@ class MassBlocks {
  private:
   double* data_;
   int nu_, capacity_;
+};
+
+/// What only some systems can do. Null: the system cannot. The answer must not change during a run;
+/// methods ask where they begin, never for every contact.
+struct Abilities {
+  const Renewable* renewable = nullptr;    ///< removal and addition of blocks between two steps
+  const OwnInverse* ownInverse = nullptr;  ///< M⁻¹; for one block whose mass is not constant
+  /// Derivatives for Newton's method on positions.
+  const PositionTangents* positionTangents = nullptr;
+  /// The system as one rigid body, or as one at rest, that joints of a tree can carry.
+  const RigidSystem* rigid = nullptr;
+  /// The system as carrier of bodies whose own coordinates elements may read.
+  const BodyCarrier* carrier = nullptr;
 };
 
 class PartialMechanicalSystem : public Element {
@@ -93,16 +107,8 @@ class PartialMechanicalSystem : public Element {
     return false;
   }
 
-  // What only some systems can do. Null (default): the system cannot. The answer must not change
-  // during a run; methods ask where they begin, never for every contact.
-  /// Removal and addition of blocks between two steps.
-  virtual const Renewable* renewable() const { return nullptr; }
-  /// M⁻¹ applied by the system itself; for one block whose mass is not constant.
-  virtual const OwnInverse* ownInverse() const { return nullptr; }
-  /// Derivatives for Newton's method on positions.
-  virtual const PositionTangents* positionTangents() const { return nullptr; }
-  /// The system as one rigid body, or as one at rest, that joints of a tree can carry.
-  virtual const RigidSystem* rigid() const { return nullptr; }
+  /// Default: none of them.
+  virtual Abilities abilities() const { return {}; }
 };
 
 }  // namespace dynamy

@@ -1,4 +1,5 @@
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/system/body_carrier.hpp>
 #include <dynamy/system/topology.hpp>
 
 namespace dynamy {
@@ -12,6 +13,15 @@ namespace {
       asking.type().empty() ? asking.name() : asking.type() + " name=\"" + asking.name() + "\"";
   d.text = "no " + what + " named \"" + std::string(name) + "\"";
   d.hint = unknownNameHint(name, known);
+  throw ModelError(d);
+}
+
+[[noreturn]] void refuseCarried(const Element& asking, std::string_view name) {
+  Diagnostic d;
+  d.place = asking.place();
+  d.element = asking.type() + " name=\"" + asking.name() + '"';
+  d.text = "\"" + std::string(name) + "\" is carried by joints: it has no coordinates of its own";
+  d.hint = "coordinates=\"absolute\" keeps them; OwnCoordinates serves both";
   throw ModelError(d);
 }
 
@@ -37,14 +47,21 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
   }
 }
 
-SystemHandle Topology::system(std::string_view name, const Element& asking) const {
+SystemHandle Topology::system(std::string_view name, const Element& asking, int* body) const {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < systems_.size(); ++i) {
-    if (systems_[i]->name() == name) {
+    // A carrier goes by the names of its bodies, not by its own.
+    const BodyCarrier* carrier = systems_[i]->abilities().carrier;
+    const int first = carrier ? 0 : -1, end = carrier ? carrier->carriedBodies() : 0;
+    for (int k = first; k < end; ++k) {
+      const std::string& its = carrier ? carrier->carriedBody(k).name() : systems_[i]->name();
+      known.push_back(its);
+      if (its != name) continue;
+      if (carrier && body == nullptr) refuseCarried(asking, name);
+      if (body != nullptr) *body = k;
       connections_.note(static_cast<int>(i));
       return handles_[i];
     }
-    known.push_back(systems_[i]->name());
   }
   unknown(asking, "system", name, known);
 }

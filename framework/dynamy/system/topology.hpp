@@ -41,7 +41,8 @@ class Topology {
   explicit Topology(const std::vector<const PartialMechanicalSystem*>& systems);
 
   /// Handle of the system called `name`. Throws ModelError with the nearest known name.
-  SystemHandle system(std::string_view name, const Element& asking) const;
+  /// `body` given: bodies that a system carries are known, too; then it is the body's index there, else −1.
+  SystemHandle system(std::string_view name, const Element& asking, int* body = nullptr) const;
   const SystemHandle& system(int index) const { return handles_[static_cast<std::size_t>(index)]; }
   /// Frame by name: "body" (its frame 0) or "body.name" as named in describe(). From then on it is
   /// evaluated in every step.

@@ -33,8 +33,9 @@ void ChargedWork::choose(const MechanicalSystem& s, const State& x, const Locate
                          const SwitchGovernor& governor, bool lost, std::vector<char>& stepped) {
   const auto& systems = s.parts().topology->systems();
   stepped.assign(systems.size(), 1);
-  const bool renews = std::any_of(systems.begin(), systems.end(),
-                                  [](const auto* e) { return e->renewable() != nullptr; });
+  const bool renews = std::any_of(systems.begin(), systems.end(), [](const auto* e) {
+    return e->abilities().renewable != nullptr;
+  });
   const LocatedParts& parts = motion.parts();
   if (!islands_.start(s.parts()) || x.memory.size() > 0 || !parts.bias.elements().empty() || renews)
     return;

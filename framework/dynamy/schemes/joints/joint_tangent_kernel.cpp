@@ -20,7 +20,7 @@ bool JointTangent::begin(const MechanicalSystem& s, const State& midpoint, const
     BlockTangent& b = blocks_[h.block0];
     const ConstVec q = slice(midpoint.q, h.q0, h.nq), u = slice(v, h.u0, h.nu);
     const Block Tb(T, h.nu, h.nu), Kb(K, h.nu, h.nu), Db(D, h.nu, h.nu);
-    b.system = system.positionTangents();
+    b.system = system.abilities().positionTangents;
     if (!b.system) return false;
     b.system->moveTangent(u, 0.5 * dt, Tb);
     b.half.topLeftCorner(h.nu, h.nu) = Tb;

@@ -49,7 +49,7 @@ RestRules::RestRules(const Model& model, bool planned)
     const auto at = static_cast<std::size_t>(i);
     const bool timeless = model.description(i).timeless;
     const bool moves = model.topology().system(i).nu > 0;
-    may_[at] = moves && timeless && model.systems()[at]->renewable() == nullptr ? 1 : 0;
+    may_[at] = moves && timeless && model.systems()[at]->abilities().renewable == nullptr ? 1 : 0;
     still_[at] = !moves && timeless ? 1 : 0;
     if (moves) ++moving_;
   }

@@ -50,7 +50,7 @@ void RunObservers::archive(Archive& a) {
 void RunObservers::bring(const State& before, const State& after) {
   ledger_.bring(before, after);
   for (int i = 0; i < static_cast<int>(model_.systems().size()); ++i) {
-    const Renewable* r = model_.systems()[static_cast<std::size_t>(i)]->renewable();
+    const Renewable* r = model_.systems()[static_cast<std::size_t>(i)]->abilities().renewable;
     const SystemHandle& s = model_.topology().system(i);
     if (r != nullptr && r->jumps() &&
         (before.q.segment(s.q0, s.nq) != after.q.segment(s.q0, s.nq) ||

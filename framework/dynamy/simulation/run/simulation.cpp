@@ -32,7 +32,7 @@ std::unique_ptr<TimeLoop> loopOf(Model& model, const StepPlan* plan) {
   model.readyScheme();
   if (model.scheme().findsContacts()) {
     for (const auto& e : model.systems())
-      if (e->renewable() == nullptr) refuseSwitching(*e, model.scheme().type());
+      if (e->abilities().renewable == nullptr) refuseSwitching(*e, model.scheme().type());
     for (const auto& e : model.forces()) refuseSwitching(*e, model.scheme().type());
   }
   const SimulationSettings& s = model.simulation;

@@ -24,7 +24,7 @@ StepAttempt::StepAttempt(Model& model, MechanicalSystem& system, Sleep* sleep, c
       before_(x_),
       coarseness_(model),
       renews_(std::any_of(model.systems().begin(), model.systems().end(),
-                          [](const auto& s) { return s->renewable() != nullptr; })) {}
+                          [](const auto& s) { return s->abilities().renewable != nullptr; })) {}
 
 StartReport StepAttempt::start() {
   system_.evaluate(x_);

@@ -34,16 +34,16 @@ TEST(Bodies, OfferWhatTheyCanDo) {
   const PointMass point(Parameters::of<PointMass>("PointMass", "p", {{"mass", 1.0}}));
   const Ground floor(Parameters::of<Ground>("Ground", "floor", {})),
       table(Parameters::of<Ground>("Ground", "table", {{"motion", "0; 0; sin(t)"}}));
-  ASSERT_NE(body.rigid(), nullptr);
-  EXPECT_EQ(body.rigid()->rigidPart().m, 1.0);
-  EXPECT_NE(body.positionTangents(), nullptr);
-  EXPECT_EQ(body.renewable(), nullptr);
-  EXPECT_EQ(body.ownInverse(), nullptr);
-  EXPECT_EQ(point.rigid(), nullptr);
-  EXPECT_NE(point.positionTangents(), nullptr);
-  ASSERT_NE(floor.rigid(), nullptr);
-  EXPECT_TRUE(floor.rigid()->rigidPart().fixed);
-  EXPECT_EQ(table.rigid(), nullptr);  // a motion that is prescribed
+  ASSERT_NE(body.abilities().rigid, nullptr);
+  EXPECT_EQ(body.abilities().rigid->rigidPart().m, 1.0);
+  EXPECT_NE(body.abilities().positionTangents, nullptr);
+  EXPECT_EQ(body.abilities().renewable, nullptr);
+  EXPECT_EQ(body.abilities().ownInverse, nullptr);
+  EXPECT_EQ(point.abilities().rigid, nullptr);
+  EXPECT_NE(point.abilities().positionTangents, nullptr);
+  ASSERT_NE(floor.abilities().rigid, nullptr);
+  EXPECT_TRUE(floor.abilities().rigid->rigidPart().fixed);
+  EXPECT_EQ(table.abilities().rigid, nullptr);  // a motion that is prescribed
 }
 
 }  // namespace

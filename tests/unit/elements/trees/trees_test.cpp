@@ -4,6 +4,7 @@
 #include <dynamy_elements/bodies/ground.hpp>
 #include <dynamy_elements/bodies/planar_body.hpp>
 #include <dynamy_elements/bodies/rigid_body.hpp>
+#include <dynamy_elements/coordinates/coordinate_contact.hpp>
 #include <dynamy_elements/forces/gravity.hpp>
 #include <dynamy_elements/joints/joints.hpp>
 #include <dynamy_elements/trees/compose_trees.hpp>
@@ -291,6 +292,37 @@ TEST(Trees, LoseVelocitiesThatTheirJointsForbid) {
   m.build();
   EXPECT_NEAR(m.initialState().u[0], 2.5, 1e-14);
   EXPECT_EQ(m.composed.size(), 2U);
+}
+
+TEST(Trees, LetFormulasReadTheCoordinatesOfTheirBodies) {
+  // A gap and a slip velocity of the second rod, which formulas know by x, z, phi whether joints carry
+  // it or not: rows and biases against differences along the motion.
+  Model m = scene();
+  planarRod(m, "upper", 0.5);
+  planarRod(m, "lower", 1.5);
+  joint<Revolute>(m, "first", {{"between", "world upper"}, {"at", {0.0, 0.0, 0.0}}});
+  joint<Revolute>(m, "second", {{"between", "upper lower"}, {"at", {1.0, 0.0, 0.0}}});
+  joint<CoordinateContact>(m, "stop",
+                           {{"on", "lower"},
+                            {"gap", "0.2 - x*x - 0.5*sin(phi) + 0.3*z + 0.1*t"},
+                            {"slipVelocity", "vx*cos(phi) + 0.4*omega - t"}});
+  m.build();
+  ASSERT_EQ(m.topology().nu(), 2);
+  const Verdict check = checkContacts(m);
+  EXPECT_TRUE(check) << check.message();
+}
+
+TEST(Trees, NameTheirBodiesWhereAFormulaNamesNone) {
+  Model m = scene();
+  planarRod(m, "rod", 0.5);
+  joint<Revolute>(m, "hinge", {{"between", "world rod"}, {"at", {0.0, 0.0, 0.0}}});
+  joint<CoordinateContact>(m, "stop", {{"on", "rot"}, {"gap", "phi"}});
+  try {
+    m.build();
+    FAIL() << "a body of no name was found";
+  } catch (const ModelError& e) {
+    EXPECT_NE(std::string(e.what()).find("did you mean \"rod\""), std::string::npos) << e.what();
+  }
 }
 
 }  // namespace
