@@ -162,7 +162,7 @@ void addBench(CLI::App& app, Program& program) {
       ->delimiter(',');
   c->add_option("--solver", t->solvers, "these solvers only")->delimiter(',');
   c->add_option("--step", t->steps, "these steps instead of the scenes' own")->delimiter(',');
-  c->add_option("-j,--jobs", t->jobs, "cells at the same time")->check(CLI::PositiveNumber);
+  c->add_option("-j,--jobs", t->jobs, "cells at the same time")->check(wholeNumber(1));
   c->add_option("--limit", t->limit, "CPU time of a cell [s]")->check(numberBetween(1.0, 3600.0));
   addPlugins(*c, program);
   c->callback([t, &program] { benchStability(program, *t); });

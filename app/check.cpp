@@ -14,12 +14,14 @@
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/report/start_overlap.hpp>
+#include <dynamy/simulation/run/run_faults.hpp>
 #include <dynamy/simulation/run/simulation.hpp>
 #include <dynamy/testing/check_element.hpp>
 #include <memory>
 #include <optional>
 
 #include "check.hpp"
+#include "run/model_notes.hpp"
 #include "run/run_text.hpp"
 
 namespace dynamy::app {
@@ -80,13 +82,16 @@ std::string weightless(const Model& model, const State& x) {
   return out;
 }
 
-[[noreturn]] void fail(const Model& model, int system, std::string text) {
-  const PartialMechanicalSystem& wrong = *model.systems()[static_cast<std::size_t>(system)];
+[[noreturn]] void fail(const Element& wrong, std::string text) {
   Diagnostic d;
   d.place = wrong.place();
   d.element = wrong.type() + (wrong.name().empty() ? "" : " name=\"" + wrong.name() + "\"");
   d.text = std::move(text);
   throw ModelError(std::move(d));
+}
+
+[[noreturn]] void fail(const Model& model, int system, std::string text) {
+  fail(*model.systems()[static_cast<std::size_t>(system)], std::move(text));
 }
 
 /// Throws ModelError for a system with entries in `all` that are not finite; `part` gives the first
@@ -122,6 +127,9 @@ Sizes measured(Model& model) {
   const ContactSet& c = start.contacts;
   if (const int i = system.indefiniteMass(); i >= 0)
     fail(model, i, "the mass matrix is not positive definite at the start");
+  if (!start.h.allFinite())
+    if (const ExternalForce* force = forceWithoutNumber(model, x, x.t))
+      fail(*force, "the force has no finite value at the start");
   requireFinite(model, "forces", start.h, velocities);
   for (std::size_t i = 0; i < c.g.size(); ++i)
     if (std::isnan(c.g[i]))
@@ -186,7 +194,7 @@ std::optional<Alternative> otherCoordinates(const Model& model, const std::strin
 }
 
 /// Lists the law of each pair of materials and the place of its rule, as in "wood and steel:
-/// UnilateralCoulomb (bench.xml:12)"; then the rules that apply to no pair.
+/// UnilateralCoulomb (bench.xml:12)".
 std::string lawsText(const PairLaws& laws) {
   const auto where = [](const MaterialRule& rule) {
     return Place(rule.place().file, rule.place().line).format();
@@ -197,10 +205,6 @@ std::string lawsText(const PairLaws& laws) {
     out += fmt::format(" {} and {}: {}{} ({})\n", materials.first, materials.second, answer.text,
                        mixed ? ", mixed" : "", where(*answer.from));
   }
-  for (const MaterialRule* rule : laws.idle())
-    out += fmt::format(" note: <{}{}> ({}) never acts: no shapes that can touch ask for it\n",
-                       rule->type(), rule->name().empty() ? "" : " name=\"" + rule->name() + '"',
-                       where(*rule));
   return out;
 }
 
@@ -268,7 +272,7 @@ std::string text(const Model& model, const Sizes& s, const RunSizes& run,
   out += needsText(model, s, run);
   for (const std::string& line : model.composed) out += " " + line + "\n";
   out += sleepText(model);
-  out += lawsText(model.pairLaws());
+  out += lawsText(model.pairLaws()) + modelNotes(model);
   if (other)
     out += fmt::format(" in {} coordinates of the joints: q {}   u {}   unknowns {}\n",
                        other->coordinates, other->sizes.nq, other->sizes.nu, other->sizes.unknowns);

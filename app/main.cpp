@@ -17,8 +17,7 @@ int usage(const CLI::App& app, const CLI::ParseError& error,
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   const Misuse wrong = misuse(app, error, words);
   fmt::print(stderr, "dynamy: {}{}\n", wrong.text, wrong.hint.empty() ? "" : " — " + wrong.hint);
-  fmt::print(stderr,
-             "  dynamy --help tells all commands, dynamy COMMAND --help the options of one\n");
+  fmt::print(stderr, "  dynamy --help lists the commands, dynamy COMMAND --help its options\n");
   return kUsage;
 }
 

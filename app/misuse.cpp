@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/expression/unit_suffix.hpp>
 #include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <filesystem>
@@ -44,6 +45,14 @@ std::string commandOfOthers(std::string_view word) {
                                     {"types", "list"},
                                     {"elements", "list"},
                                     {"modes", "eigen"},
+                                    {"watch", "run --watch"},
+                                    {"live", "run --live"},
+                                    {"optimize", "fit"},
+                                    {"identify", "fit"},
+                                    {"convert", "import"},
+                                    {"continue", "resume"},
+                                    {"restart", "resume"},
+                                    {"benchmark", "bench"},
                                     {"xsd", "schema"},
                                     {"help", "--help"},
                                     {"version", "--version"}})
@@ -64,12 +73,51 @@ Misuse unknownCommand(const std::string& word, const CLI::App& in, const std::st
   return {"there is no command \"" + before + word + '"', hint};
 }
 
-/// An option that the command does not have: the word of another program, the nearest name, the only
-/// one that begins so, or all names.
-Misuse unknownOption(const std::string& name, const std::vector<std::string>& known) {
-  std::vector<std::string> bare, likely;
+/// The commands that have the option `name`: "run, sweep"; `before` stands before their names.
+std::vector<std::string> commandsWith(const CLI::App& app, const std::string& name,
+                                      const std::string& before = {}) {
+  std::vector<std::string> out;
+  for (const CLI::App* command : commandsOf(app)) {
+    const std::string full = before + command->get_name();
+    const auto names = optionNames(*command);
+    if (std::find(names.begin(), names.end(), name) != names.end()) out.push_back(full);
+    for (std::string& inner : commandsWith(*command, name, full + ' '))
+      out.push_back(std::move(inner));
+  }
+  return out;
+}
+
+std::string joinedWords(const std::vector<std::string>& words, std::size_t most) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(words.size(), most); ++i)
+    out += (i > 0 ? ", " : "") + words[i];
+  return words.size() > most ? out + ", …" : out;
+}
+
+/// The remedy for an option of other programs that is no option here; "" if there is none.
+std::string optionOfOthers(std::string_view word) {
+  for (const auto& [others, hint] :
+       {std::pair(" gui window render visualize visualise display show ",
+                  "the picture of a run is in its folder, dynamy view DIR shows it; dynamy run "
+                  "MODEL --live shows it while it computes"),
+        {" plot plots figure graph ",
+         "a run draws its signals into signals.svg of its folder; dynamy report DIR makes a page"},
+        {" verbose debug loglevel v vv ", "there is nothing more to print; --json prints run.json"},
+        {" csv save export ", "a run always writes its folder, with signals.csv in it"}})
+    if (std::string_view(others).find(' ' + std::string(word) + ' ') != std::string_view::npos)
+      return hint;
+  return {};
+}
+
+/// An option that the command `in` does not have: the word of another program, an option of other
+/// commands, the nearest name, the only one that begins so, or all names.
+Misuse unknownOption(const std::string& name, const CLI::App& app, const CLI::App& in,
+                     const std::string& before) {
+  const std::vector<std::string> known = optionNames(in);
+  std::vector<std::string> bare, likely, shown;
   for (const std::string& k : known) {
     if (k == "--help" || k == "-h") continue;
+    shown.push_back(k);
     bare.push_back(k.substr(k.find_first_not_of('-')));
     if (bare.back().starts_with(name.substr(name.find_first_not_of('-')))) likely.push_back(k);
   }
@@ -77,15 +125,25 @@ Misuse unknownOption(const std::string& name, const std::vector<std::string>& kn
   const std::string word = name.substr(name.find_first_not_of('-'));
   if (const std::string other = attributeOfOthers(word, bare).name; !other.empty())
     return {wrong.text, didYouMean("--" + other)};
+  if (const std::string hint = optionOfOthers(word); !hint.empty()) return {wrong.text, hint};
+  if (!name.starts_with("--") && likely.size() == 1)
+    return {wrong.text, didYouMean(likely.front())};
+  const std::string all = shown.empty() ? "it has none" : "known: " + quotedList(shown);
+  constexpr std::size_t kMostCommands = 4;
+  if (const auto others = commandsWith(app, name); !others.empty()) {
+    const std::string have = joinedWords(others, kMostCommands);
+    if (before.empty())
+      return {"a command is missing before \"" + name + '"', "it belongs to: " + have};
+    return {"dynamy " + before + "has no option \"" + name + '"',
+            "it belongs to: " + have + "; " + all};
+  }
   if (!name.starts_with("--") && !likely.empty())
     return {wrong.text, likely.size() == 1 ? didYouMean(likely.front())
                                            : "options have two signs: " + quotedList(likely)};
-  if (const std::string near = nearest(name, known); !near.empty())
+  // Any letter is near any other.
+  if (const std::string near = word.size() > 1 ? nearest(name, known) : ""; !near.empty())
     return {wrong.text, didYouMean(near)};
-  std::vector<std::string> shown;
-  for (const std::string& k : known)
-    if (k != "--help" && k != "-h") shown.push_back(k);
-  return {wrong.text, shown.empty() ? "the command has none" : "known: " + quotedList(shown)};
+  return {wrong.text, shown.empty() ? "the command has none" : all};
 }
 
 /// "MODEL [OPTIONS]": what may follow the command.
@@ -97,8 +155,9 @@ std::string argumentsOf(const CLI::App& command) {
 }
 
 /// What the parser reports of a command whose words are all known.
-Misuse wrongValues(const CLI::App& in, const CLI::ParseError& error) {
-  const std::string text = error.what(), command = "dynamy " + in.get_name();
+Misuse wrongValues(const CLI::App& in, const std::string& before, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const std::string command = "dynamy " + before.substr(0, before.find_last_not_of(' ') + 1);
   const auto is = [&](CLI::ExitCodes code) {
     return error.get_exit_code() == static_cast<int>(code);
   };
@@ -120,6 +179,13 @@ Misuse wrongValues(const CLI::App& in, const CLI::ParseError& error) {
             {}};
   if (!is(CLI::ExitCodes::ExtrasError)) return {text, {}};
   const std::string word = text.substr(text.find_last_of(": ") + 1);  // the first one is the last
+  if (const std::string option = "--" + word.substr(0, word.find('='));
+      word.find('=') != std::string::npos && in.get_option_no_throw(option) != nullptr)
+    return {'"' + word + "\" is a word too many",
+            didYouMean(option + ' ' + word.substr(word.find('=') + 1))};
+  if (parseUnitSuffix(word) || !unitOfOthers(word).empty())
+    return {'"' + word + "\" is a word too many",
+            "a unit stands right after its number, without a blank: 5s"};
   const bool sets =
       word.find('=') != std::string::npos && in.get_option_no_throw("--set") != nullptr;
   return {'"' + word + "\" is a word too many",
@@ -143,7 +209,7 @@ Misuse misuse(const CLI::App& app, const CLI::ParseError& error,
       const std::string name = word.substr(0, word.find('='));
       const std::vector<std::string> known = optionNames(*in);
       if (std::find(known.begin(), known.end(), name) == known.end())
-        return unknownOption(name, known);
+        return unknownOption(name, app, *in, before);
     } else if (!word.starts_with("-") && !commandsOf(*in).empty()) {
       const auto commands = commandsOf(*in);
       const auto at = std::find_if(commands.begin(), commands.end(),
@@ -152,7 +218,7 @@ Misuse misuse(const CLI::App& app, const CLI::ParseError& error,
       in = *at, before += word + ' ';
     }
   }
-  return wrongValues(*in, error);
+  return wrongValues(*in, before, error);
 }
 
 }  // namespace dynamy::app

@@ -27,6 +27,17 @@ inline CLI::Validator positiveNumber() {
   return finiteNumber("POSITIVE", "a positive number", [](double x) { return x > 0.0; });
 }
 
+/// Accepts a whole number from `low` to `high`.
+inline CLI::Validator wholeNumber(double low, double high = 2147483647.0) {
+  const bool open = high >= 2147483647.0;
+  const std::string bounds =
+      open ? CLI::detail::to_string(low) + " or more"
+           : CLI::detail::to_string(low) + " to " + CLI::detail::to_string(high);
+  return finiteNumber("", "a whole number, " + bounds, [low, high](double x) {
+    return x == std::floor(x) && low <= x && x <= high;
+  });
+}
+
 /// Accepts a number between two bounds, both included.
 inline CLI::Validator numberBetween(double low, double high) {
   const std::string bounds = CLI::detail::to_string(low) + " - " + CLI::detail::to_string(high);

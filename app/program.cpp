@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/files/file_error.hpp>
@@ -117,9 +118,13 @@ double seconds(const std::string& text, const std::string& option) {
   a.positive();
   ParameterValue value;
   value.declaration = &a, value.text = text, value.given = true;
-  if (const auto fault = readValue(a, value))
-    throw CLI::ValidationError(option, '"' + text + "\": " + fault->text +
-                                           (fault->hint.empty() ? "" : ", " + fault->hint));
+  if (const auto fault = readValue(a, value)) {
+    // Braces are of model files.
+    const std::string hint =
+        fault->hint.find("in braces") == std::string::npos ? fault->hint : "a time is 5, 5s or 5ms";
+    throw CLI::ValidationError(
+        option, '"' + text + "\": " + fault->text + (hint.empty() ? "" : ", " + hint));
+  }
   return value.numbers.at(0);
 }
 
@@ -177,8 +182,11 @@ std::unique_ptr<Element> methodElement(const Registry& registry, const std::stri
     std::vector<std::string> known;
     for (const RegisteredType* t : registry.types())
       if (t->kind == kind) known.push_back(t->name);
-    throw ModelError("no " + std::string(kindText(kind)) + " named \"" + name + '"',
-                     unknownNameHint(name, known));
+    std::string hint = elementOfOthers(name);
+    if (hint.empty() && type != nullptr)
+      hint = '"' + name + "\" is of the kind " + std::string(kindText(type->kind));
+    if (hint.empty() || !nearest(name, known).empty()) hint = unknownNameHint(name, known);
+    throw ModelError("no " + std::string(kindText(kind)) + " named \"" + name + '"', hint);
   }
   return type->make(Parameters::of(type->attributes, type->name, "", values));
 }

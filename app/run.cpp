@@ -35,12 +35,12 @@ void addShow(CLI::App& command, Texts& t) {
                   "write the N inclusion problems with the most iterations, and all that were not "
                   "solved, to DIR/problems, for dynamy solve")
       ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
+      ->check(wholeNumber(0));
   command
       .add_option("--threads", t.show.threads,
                   "threads that work on a step of many contacts; the same numbers with any")
       ->type_name("N")
-      ->check(CLI::Range(1, 64));
+      ->check(wholeNumber(1, 64));
   addAccept(command, t.accept);
   auto* every = command.add_option("--checkpoint", t.checkpoint,
                                    "write a checkpoint every TIME of wall time; default: 10 s, "

@@ -217,7 +217,7 @@ void addSweep(CLI::App& app, Program& program) {
                 "NAME=normal(MEAN,DEVIATION); one value holds for all runs")
       ->type_name("NAME=VALUES");
   c->add_option("--samples", t->samples, "draws of uniform and normal for each combination")
-      ->check(CLI::PositiveNumber);
+      ->check(wholeNumber(1));
   c->add_option("--seed", t->seed, "of the draws")->capture_default_str()->type_name("N");
   c->add_option("--table", t->table, "CSV file with a line of names and a line of values a run")
       ->type_name("FILE");
@@ -229,9 +229,7 @@ void addSweep(CLI::App& app, Program& program) {
   c->add_option("--integrator", t->integrator, "schemes, may vary")->type_name("SCHEMES");
   c->add_option("--solver", t->solver, "inclusion solvers, may vary")->type_name("SOLVER");
   c->add_option("--until", t->until, "end time")->type_name("TIME");
-  c->add_option("-j,--jobs", t->jobs, "runs at once")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+  c->add_option("-j,--jobs", t->jobs, "runs at once")->capture_default_str()->check(wholeNumber(1));
   c->add_option("--out", t->out, "folder of the sweep; default: sweeps/MODEL")
       ->type_name("DIR")
       ->check(someName());

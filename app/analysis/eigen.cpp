@@ -66,8 +66,7 @@ class Eigenvalues {
   /// One root in each interval whose ends have different numbers of growing motions.
   std::vector<CriticalValue> critical() const {
     const auto [name, text] = assignment(task_.rootOf);
-    const Variation range =
-        readVariation(name, text + fmt::format(":{}", kIntervals + 1), "--root-of");
+    const Variation range = readBounds(name, text, kIntervals + 1, "--root-of");
     std::vector<CriticalValue> out;
     double a = std::stod(range.values.front());
     int before = at(name, a).growing();

@@ -93,8 +93,7 @@ void tellEquilibrium(Program& program, EquilibriumTask& task) {
   std::vector<RestRange> ranges;
   if (!task.range.empty()) {
     const auto [parameter, text] = assignment(task.range);
-    const Variation values =
-        readVariation(parameter, text + fmt::format(":{}", kRangeIntervals + 1), "--range");
+    const Variation values = readBounds(parameter, text, kRangeIntervals + 1, "--range");
     name = parameter, a = std::stod(values.values.front()), b = std::stod(values.values.back());
     ranges = restRanges(wanted, name, a, b, kRangeIntervals + 1, program.registry, program.plugins);
   }

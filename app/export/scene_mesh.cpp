@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <dynamy/core/constants.hpp>
+#include <dynamy/core/css_colour.hpp>
 #include <string>
 
 namespace dynamy::app {
@@ -45,11 +46,7 @@ class Mesher {
 
  private:
   static std::array<std::uint8_t, 3> colourOf(const std::string& text, int frame) {
-    if (text.size() == 7 && text[0] == '#') {
-      const unsigned long rgb = std::strtoul(text.c_str() + 1, nullptr, 16);
-      return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
-              static_cast<std::uint8_t>(rgb)};
-    }
+    if (const std::optional<Rgb> given = cssColour(text)) return *given;
     return kColours[static_cast<std::size_t>(frame + 1) % kColours.size()];
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
 
 namespace dynamy::app {
@@ -112,7 +113,7 @@ std::string ElementReader::word(const XmlNode& node, const char* name, const std
   if (std::find(words.begin(), words.end(), value) != words.end()) return value;
   const XmlAttribute* found = node.attribute(name);
   fault(node, found ? found->valuePlace : node.place, fmt::format("unknown {} \"{}\"", name, value),
-        didYouMean(nearest(value, words)));
+        unknownNameHint(value, words));
   return words.front();
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <filesystem>
 #include <memory>
@@ -41,14 +42,23 @@ void startAt(Machine& machine, const std::vector<std::string>& values) {
   for (const std::string& text : values) {
     const auto [name, value] = numberAssignment("--at", text);
     bool found = false;
+    std::vector<std::string> known;
     for (Link& link : machine.links)
-      for (MachineJoint& joint : link.joints)
+      for (MachineJoint& joint : link.joints) {
+        known.push_back(joint.name);
         if (joint.name == name) joint.start = std::stod(value), found = true;
-    if (!found) throw CLI::ValidationError("--at: there is no joint \"" + name + '"');
+      }
+    if (found) continue;
+    const std::string hint = unknownNameHint(name, known);
+    throw CLI::ValidationError("--at: there is no joint \"" + name + '"' +
+                               (known.empty() ? "; the machine has none" : " — " + hint));
   }
 }
 
 int import(const ImportChoice& choice) {
+  for (const std::string& folder : choice.options.packages)
+    if (!std::filesystem::is_directory(folder))
+      throw CLI::ValidationError("--package", folder + ": there is no such folder");
   const XmlDocument document = XmlDocument::read(choice.file);
   Machine machine = readMachine(document, choice.options);
   simplify(machine);

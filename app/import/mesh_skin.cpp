@@ -64,14 +64,14 @@ fs::path MeshSkins::found(const std::string& name) const {
   if (rest.empty()) return folder / name;
   // Packages lie in the folders given, or around the file; the file's own may be the package.
   std::vector<fs::path> places(options_.packages.begin(), options_.packages.end());
-  fs::path up = fs::absolute(folder).lexically_normal();
+  fs::path up = (fs::current_path() / folder).lexically_normal();
   for (int i = 0; i < 8 && !up.empty(); ++i, up = up.parent_path()) places.push_back(up);
   const std::string own = rest.substr(std::min(rest.find('/'), rest.size() - 1) + 1);
   for (const fs::path& place : places) {
     if (fs::exists(place / rest)) return place / rest;
     if (fs::exists(place / own)) return place / own;
   }
-  return folder / rest;
+  return {};
 }
 
 const TriangleMesh* MeshSkins::mesh(const XmlNode& node, const std::string& name,
@@ -79,7 +79,10 @@ const TriangleMesh* MeshSkins::mesh(const XmlNode& node, const std::string& name
   const std::string key = fmt::format("{} {} {} {}", name, scale.x(), scale.y(), scale.z());
   if (const auto at = known_.find(key); at != known_.end()) return &at->second;
   try {
-    TriangleMesh mesh = readMesh(found(name));
+    const fs::path file = found(name);
+    if (file.empty())
+      throw std::runtime_error("its package was not found; --package names a folder that holds it");
+    TriangleMesh mesh = readMesh(file);
     for (Vec3& p : mesh.points) p = p.cwiseProduct(scale);
     // A mirror turns the corners of triangles the other way round.
     if (scale.prod() < 0.0)

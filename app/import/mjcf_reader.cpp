@@ -76,6 +76,12 @@ std::vector<XmlNode> MjcfReader::withIncluded(const XmlNode& node, int depth) {
       continue;
     }
     const auto folder = std::filesystem::path(read_.document().name()).parent_path();
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(folder / file, error)) {
+      read_.fault(c, '"' + file + "\": there is no such file",
+                  "a path is relative to the file in which it stands");
+      continue;
+    }
     included_.push_back(XmlDocument::read(folder / file));
     read_.alsoOf(included_.back());
     for (XmlNode& child : withIncluded(included_.back().root(), depth + 1))
@@ -288,12 +294,16 @@ void MjcfReader::sections(const std::vector<XmlNode>& all) {
   each("default", [&](const XmlNode& c) { defaults_.read(c, read_); });
   each("option", [&](const XmlNode& c) { option(c); });
   each("asset", [&](const XmlNode& c) { geoms_.assets(c); });
+  bool world = false;
   each("worldbody", [&](const XmlNode& c) {
+    world = true;
     read_.readOnly(c, {}, {"body", "frame", "geom", "site"},
                    {{"camera", "is for pictures of another program"},
                     {"light", "is for pictures of another program"}});
     content(c, -1, {}, valueOf(c, "childclass", ""));
   });
+  if (!world)
+    read_.fault(read_.document().root(), "there is no <worldbody>", "bodies stand inside of it");
   finishMasses();
   each("contact", [&](const XmlNode& c) { constraints_.contacts(c); });
   each("equality", [&](const XmlNode& c) { constraints_.equalities(c); });

@@ -260,6 +260,15 @@ void UrdfReader::carry(Link& link, const UrdfJoint& j) {
   link.joints.push_back(out);
 }
 
+/// A file of xacro is a program that writes URDF.
+void refuseXacro(const XmlDocument& document) {
+  for (const XmlNode& node : document.root().children)
+    if (node.tag.starts_with("xacro:"))
+      throw ModelError(document.diagnostic(node.place, node,
+                                           "the file is xacro, which has to be expanded into URDF",
+                                           "xacro FILE > machine.urdf, then import that"));
+}
+
 void UrdfReader::joints() {
   std::map<std::string, const XmlNode*> carried;
   for (const XmlNode* node : childrenOf(read_.document().root(), "joint")) {
@@ -365,6 +374,7 @@ Machine UrdfReader::machine() {
 }  // namespace
 
 Machine readUrdf(const XmlDocument& document, const ImportOptions& options) {
+  refuseXacro(document);
   return UrdfReader(document, options).machine();
 }
 

@@ -106,6 +106,9 @@ Attributes declared(const std::string& about, const py::dict& attributes) {
 }
 
 void registerLaw(const std::string& name, const py::object& make, const py::dict& attributes) {
+  if (PyCallable_Check(make.ptr()) == 0)
+    throw ModelError("register_law(\"" + name + "\"): a class or a function is needed, not " +
+                     py::repr(make).cast<std::string>());
   const std::string about =
       py::isinstance<py::str>(make.attr("__doc__")) ? make.attr("__doc__").cast<std::string>() : "";
   RegisteredType type{name, Kind::law, "python", declared(about, attributes), {}};

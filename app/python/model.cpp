@@ -50,12 +50,17 @@ Overrides overrides(const py::kwargs& set) {
 }
 
 Model load(const std::filesystem::path& file, const py::kwargs& set) {
+  if (const std::string text = file.string(); text.find('<') != std::string::npos)
+    throw ModelError("the name of a file is needed, this is a text", "write dynamy.model(text)");
   LoadOptions options;
   options.set = overrides(set);
   return loadModel(file.string(), library().registry, library().plugins, options);
 }
 
 Model fromText(const std::string& text, const py::kwargs& set) {
+  if (text.find('<') == std::string::npos && text.ends_with(".xml"))
+    throw ModelError("the text of a model is needed, this is the name of a file",
+                     "write dynamy.load(\"" + text + "\")");
   LoadOptions options;
   options.set = overrides(set);
   return loadModelText(text, "model", library().registry, library().plugins, options);

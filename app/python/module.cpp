@@ -27,14 +27,26 @@ std::string text(py::handle value) {
     for (const py::handle part : value) out += (out.empty() ? "" : " ") + text(part);
     return out;
   }
-  return numberText(value.cast<double>());  // includes numbers of numpy
+  try {
+    return numberText(value.cast<double>());  // includes numbers of numpy
+  } catch (const py::cast_error&) {
+    throw ModelError("a value is a number, a text or a list, not " +
+                     py::repr(value).cast<std::string>());
+  }
 }
 
 }  // namespace
 
 std::vector<GivenValue> givenValues(const py::kwargs& values) {
   std::vector<GivenValue> out;
-  for (const auto& [name, value] : values) out.emplace_back(name.cast<std::string>(), text(value));
+  for (const auto& [name, value] : values) {
+    const std::string given = name.cast<std::string>();
+    try {
+      out.emplace_back(given, text(value));
+    } catch (const ModelError& e) {
+      throw ModelError(given + ": " + e.diagnostics().front().text);
+    }
+  }
   return out;
 }
 

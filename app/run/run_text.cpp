@@ -9,6 +9,7 @@
 #include <dynamy/io/run_files/run_recording.hpp>
 
 #include "run/endings.hpp"
+#include "run/model_notes.hpp"
 
 namespace dynamy::app {
 namespace {
@@ -213,7 +214,7 @@ std::string headText(const Model& model, const RunChoice& choice) {
                   counted(static_cast<long>(model.contacts().size()), "contact element"));
   out += fmt::format(" {}   {}   {}   to t = {:g} s\n", model.scheme().type(),
                      model.solver().type(), stepText(model), model.simulation.until);
-  return out;
+  return out + modelNotes(model);
 }
 
 /// Warns if the scheme itself changes the energy by more than rounding and by more than 1 % of the

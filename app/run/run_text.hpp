@@ -10,7 +10,7 @@ namespace dynamy::app {
 
 /// "step 0.001 s" or "tolerance 1e-06".
 std::string stepText(const Model& model);
-/// Two lines with model, sizes, scheme, solver, step and end time.
+/// Two lines with model, sizes, scheme, solver, step and end time, then the notes on the model.
 std::string headText(const Model& model, const RunChoice& choice);
 
 /// Steps, energy, penetration, solver, checks, files and hash.

@@ -70,8 +70,9 @@ void readRange(Variation& v, const std::vector<std::string>& part, const std::st
 bool readDraw(Variation& v, const std::string& text, const std::string& option) {
   const std::size_t open = text.find('(');
   const std::string word = text.substr(0, open);
-  if (open == std::string::npos || !text.ends_with(')') || (word != "uniform" && word != "normal"))
-    return false;
+  if (open == std::string::npos || open == 0 || !text.ends_with(')')) return false;
+  if (word != "uniform" && word != "normal")
+    fail(option, v.name, text, "draws are uniform(A,B) and normal(MEAN,DEVIATION)");
   const auto part = pieces(text.substr(open + 1, text.size() - open - 2), ',');
   if (part.size() != 2) fail(option, v.name, text, word + " takes two numbers");
   v.draw = word == "uniform" ? Variation::Draw::uniform : Variation::Draw::normal;
@@ -111,6 +112,13 @@ Variation readVariation(const std::string& name, const std::string& text,
   for (const std::string& value : v.values)
     if (value.empty()) fail(option, name, text, "a value is missing");
   return v;
+}
+
+Variation readBounds(const std::string& name, const std::string& text, int count,
+                     const std::string& option) {
+  if (pieces(text, ':').size() != 2)
+    fail(option, name, text, "two bounds are needed, " + name + "=A:B");
+  return readVariation(name, text + fmt::format(":{}", count), option);
 }
 
 SweepPlan planOf(const std::vector<Variation>& variations, int samples, std::uint64_t seed) {

@@ -31,6 +31,10 @@ struct Variation {
 Variation readVariation(const std::string& name, const std::string& text,
                         const std::string& option);
 
+/// Reads "A:B" after "NAME=", and takes `count` values between the two. Throws CLI::ValidationError.
+Variation readBounds(const std::string& name, const std::string& text, int count,
+                     const std::string& option);
+
 /// Table of a sweep: one row for each run, one column for each varied name.
 struct SweepPlan {
   std::vector<std::string> names;

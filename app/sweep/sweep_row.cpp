@@ -7,6 +7,7 @@
 #include <dynamy/io/files/csv.hpp>
 #include <dynamy/io/files/json_writer.hpp>
 #include <dynamy/io/model/model_loader.hpp>
+#include <dynamy/simulation/report/run_watch.hpp>
 #include <dynamy/simulation/report/signal_sampler.hpp>
 
 #include "run/run_text.hpp"
@@ -64,6 +65,18 @@ void addMeasures(Model& model, const std::vector<std::string>& measures) {
     c.text = "measured";
   }
   model.checks.insert(model.checks.begin(), all.begin(), all.end());
+}
+
+/// Throws ModelError for a measure of a signal that the model does not have.
+void verifyMeasures(const Model& model, const std::vector<std::string>& measures) {
+  for (const std::string& text : measures) {
+    const std::string signal = measureOf(text).signal;
+    if (model.signal(signal) != nullptr || runFigure(signal) != nullptr) continue;
+    std::vector<std::string> known;
+    for (const NamedSignal& s : model.signals()) known.push_back(s.name);
+    throw ModelError("--measure " + text + ": no signal \"" + signal + '"',
+                     unknownNameHint(signal, known));
+  }
 }
 
 std::string unitOf(const Model& model, const CheckSettings& c) {
@@ -148,6 +161,7 @@ void verify(Program& program, Sweep& sweep, std::size_t id) {
   sweep.fingerprint = fingerprintOf(files), sweep.title = model.title;
   if (sweep.measures.empty() && model.checks.empty()) sweep.measures = endsOf(model);
   addMeasures(model, sweep.measures);
+  verifyMeasures(model, sweep.measures);
   const Simulation verified(model);  // verifies the step and the signals of the measures
   const std::vector<CheckResult> checks = verified.checks();
   const bool first = sweep.columns.empty();

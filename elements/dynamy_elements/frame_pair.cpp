@@ -39,8 +39,8 @@ void FramePair::declare(Attributes& a) {
 }
 
 FramePair::FramePair(const Parameters& x) {
-  const auto [a, b] =
-      twoNames(x["between"], "two frames", "a system's name stands for its first frame");
+  const auto [a, b] = twoNames(x["between"], "two frames",
+                               "write between=\"A B\", two bodies, or the <Ground> and a body");
   a_ = a, b_ = b;
 }
 
@@ -52,9 +52,6 @@ void FramePair::connect(Topology& topology, const Element& asking) {
     return topology.systems()[static_cast<std::size_t>(system)]->blocks();
   };
   const Blocks a = blocks(A), b = blocks(B);
-  if (a.nu == 0 && b.nu == 0)
-    throw ModelError("\"" + a_ + "\" and \"" + b_ + "\" both move as told",
-                     "one of the two has to be a body with velocities of its own");
   const auto one = [&] {
     const StartKinematics start(topology);
     return belongToOneBody(start.frame(A), start.frame(B));
@@ -68,7 +65,18 @@ void FramePair::connect(Topology& topology, const Element& asking) {
                               : "\"" + a_ + "\" and \"" + b_ + "\" belong to one body",
                      "nothing can act between a body and itself; name two bodies, or a body and "
                      "the ground");
+  if (a.nu == 0 && b.nu == 0)
+    throw ModelError("\"" + a_ + "\" and \"" + b_ + "\" both stand still or move as given",
+                     "one of the two has to be a body with velocities of its own");
   planeNormal = commonPlane(a, b);
+}
+
+void requireMoving(const Topology& topology, FrameHandle frame, const std::string& name) {
+  const int system = topology.requestedFrames()[static_cast<std::size_t>(frame.index)].first;
+  if (topology.systems()[static_cast<std::size_t>(system)]->blocks().nu > 0) return;
+  throw ModelError(
+      "a force has no effect on \"" + name + "\", which stands still or moves as given",
+      "name a body with velocities of its own");
 }
 
 Vec3 commonPlane(const Blocks& a, const Blocks& b) {

@@ -35,6 +35,10 @@ class FramePair {
   std::string a_, b_;
 };
 
+/// Throws ModelError if the frame belongs to a system without velocities, on which a force has no
+/// effect. `name`: of the frame, as the model writes it.
+void requireMoving(const Topology& topology, FrameHandle frame, const std::string& name);
+
 /// Normal of the plane in which two systems move; zero if there is none.
 Vec3 commonPlane(const Blocks& a, const Blocks& b);
 

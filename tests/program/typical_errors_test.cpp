@@ -3,33 +3,10 @@
 /// with the place and to hold the decisive words.
 #include <gtest/gtest.h>
 
-#include <program/program_fixture.hpp>
+#include <program/typical_errors.hpp>
 
 namespace dynamy {
 namespace {
-
-const std::string kModel =
-    R"(<dynamy version="1">
-  <parameter name="mu" value="0.3" min="0"/>
-  <systems>
-    <Ground name="floor"><HalfSpace name="plane" normal="0 0 1" material="steel"/></Ground>
-    <RigidBody name="block" position="0 0 0.5">
-      <Box size="1 1 1" mass="2" material="steel"/>
-    </RigidBody>
-  </systems>
-  <forces><Gravity acceleration="0 0 -9.81"/></forces>
-  <elements>
-    <Contact between="steel steel"><UnilateralCoulomb epsilonN="0" mu="{mu}"/></Contact>
-  </elements>
-  <simulation until="0.1" step="1e-3"/>
-  <record signals="block.z" every="10ms"/>
-</dynamy>
-)";
-
-/// A change of the model, the place of its error and words of the message.
-struct WrongModel {
-  std::string from, to, place, cause, remedy;
-};
 
 const std::vector<WrongModel> kWrongModels{
     // Words of other programs.
@@ -81,7 +58,7 @@ const std::vector<WrongModel> kWrongModels{
     {"<record ", "<output ", "14:3", "<output>", "<record>"},
     {"<systems>\n", "<worldbody/><systems>\n", "3:3", "<worldbody>",
      "<Ground>; put it into <systems>"},
-    {"<dynamy version=\"1\">", "<robot name=\"x\"/><!--", "1:1", "URDF", "<dynamy version=\"1\">"},
+    {"<dynamy version=\"1\">", "<robot name=\"x\"/><!--", "1:1", "URDF", "dynamy import FILE"},
     // Numbers and units.
     {"size=\"1 1 1\"", "size=\"1m x 1m x 1m\"", "6:21", "\"x\"", "\"1m 1m 1m\""},
     {"size=\"1 1 1\"", "size=\"1/1/1\"", "6:19", "\"/\"", "\"1 1 1\""},
@@ -104,7 +81,7 @@ const std::vector<WrongModel> kWrongModels{
      "3 formulas", "\"sin(t); 0; 0\""},
     {"between=\"steel steel\"", "between=\"steel,steel\"", "11:28", "\",\"", "\"steel steel\""},
     {"between=\"steel steel\"", "between=\"stel steel\"", "4:26", "\"stel\"",
-     "<Contact between=\"steel steel\">"},
+     "did you mean \"steel\"?"},
     {"</systems>", "<Woodpecker name=\"toy\"/></systems>", "8:3", "\"woodpecker\" is not loaded",
      "<plugin library="},
     {"<systems>\n", "<plugin name=\"woodpecker\"/><systems>\n", "3:11", "\"name\"", "library="},
@@ -114,41 +91,18 @@ const std::vector<WrongModel> kWrongModels{
     {"<RigidBody name=\"block\"", "<RigidBody", "14:20", "\"block.z\"", "name=\"block\""},
 };
 
-class TypicalErrors : public ProgramTest {};
+using TypicalErrors = TypicalErrorsTest;
 
-TEST_F(TypicalErrors, OfModelsNamePlaceCauseAndRemedy) {
-  for (const WrongModel& wrong : kWrongModels) {
-    std::string model = kModel;
-    const std::size_t at = model.find(wrong.from);
-    ASSERT_NE(at, std::string::npos) << wrong.from;
-    model.replace(at, wrong.from.size(), wrong.to);
-    if (wrong.to.find("<Body ") == 0) model.replace(model.find("</RigidBody>"), 12, "</Body>");
-    if (wrong.to.ends_with("<!--")) model += "-->";
-    write("m.xml", model);
-    EXPECT_EQ(call("check m.xml"), 2) << wrong.to;
-    const std::string message = err();
-    EXPECT_TRUE(message.starts_with("m.xml:" + wrong.place + ": error: ")) << wrong.place << '\n'
-                                                                           << message;
-    EXPECT_NE(message.find(wrong.cause), std::string::npos) << wrong.cause << '\n' << message;
-    EXPECT_NE(message.find(wrong.remedy), std::string::npos) << wrong.remedy << '\n' << message;
-  }
-}
-
-/// A call of the program, its status and words of the message.
-struct WrongCall {
-  std::string words;
-  int status;
-  std::string cause, remedy;
-};
+TEST_F(TypicalErrors, OfModelsNamePlaceCauseAndRemedy) { expectRefused(kWrongModels); }
 
 TEST_F(TypicalErrors, OfCallsNameCauseAndRemedy) {
-  write("m.xml", kModel);
-  write("deep.xml", std::string(kModel).replace(kModel.find("0.5\">"), 3, "0.2"));
+  write("m.xml", kTypicalModel);
+  write("deep.xml", std::string(kTypicalModel).replace(kTypicalModel.find("0.5\">"), 3, "0.2"));
   write("data.csv", "time,x\n");
   write("picture.png", std::string("\x89PNG\r\n\x1a\n\0\0", 10));
   std::filesystem::create_directory(folder_ / "folder");
-  write("folder/model.xml", kModel);
-  const std::vector<WrongCall> calls{
+  write("folder/model.xml", kTypicalModel);
+  expectRefused(std::vector<WrongCall>{
       {"runn m.xml", 64, "\"runn\"", "\"run\""},
       {"m.xml", 64, "no command \"m.xml\"", "dynamy run m.xml"},
       {"simulate m.xml", 64, "\"simulate\"", "\"run\""},
@@ -157,7 +111,7 @@ TEST_F(TypicalErrors, OfCallsNameCauseAndRemedy) {
       {"run m", 2, "m: error: there is no such file", "\"m.xml\""},
       {"run folder", 2, "folder: error: this is a folder", "folder/model.xml"},
       {"run data.csv", 2, "data.csv:1:1", "<dynamy version=\"1\">"},
-      {"run picture.png", 2, "picture.png:1:1", "is this an XML file?"},
+      {"run picture.png", 2, "the file is a picture (PNG)", "a text file is needed"},
       {"run m.xml --until", 64, "--until needs a value, TIME", "end time"},
       {"run m.xml --until '5 s'", 64, "blank before the unit", "\"5s\""},
       {"run m.xml --dt 1e-3", 64, "\"--dt\"", "\"--step\""},
@@ -173,13 +127,7 @@ TEST_F(TypicalErrors, OfCallsNameCauseAndRemedy) {
       {"view none", 2, "there is no such folder", "dynamy run MODEL"},
       {"describe hing", 2, "\"hing\"", "<Revolute>"},
       {"check deep.xml", 1, "begins with a penetration of 0.3 m", "move one of the two"},
-  };
-  for (const WrongCall& wrong : calls) {
-    EXPECT_EQ(call(wrong.words), wrong.status) << wrong.words;
-    const std::string message = err() + out();
-    EXPECT_NE(message.find(wrong.cause), std::string::npos) << wrong.words << '\n' << message;
-    EXPECT_NE(message.find(wrong.remedy), std::string::npos) << wrong.words << '\n' << message;
-  }
+  });
 }
 
 }  // namespace

@@ -323,6 +323,23 @@ class Module(unittest.TestCase):
         with self.assertRaisesRegex(dynamy.ModelError, "model:2"):
             dynamy.model('<dynamy version="1">\n<sytems/></dynamy>')
 
+    def test_wrong_arguments_are_named(self):
+        model = str(SOURCE / "models" / "bouncing_ball.xml")
+        with self.assertRaisesRegex(dynamy.ModelError, "e: a value is a number.*None"):
+            dynamy.load(model, e=None)
+        with self.assertRaisesRegex(dynamy.ModelError, r"dynamy\.model\(text\)"):
+            dynamy.load(Path(model).read_text())
+        with self.assertRaisesRegex(dynamy.ModelError, r"dynamy\.load"):
+            dynamy.model("ball.xml")
+        with self.assertRaisesRegex(TypeError, r"dynamy\.load\('ball.xml'\)"):
+            dynamy.run("ball.xml")
+        with self.assertRaisesRegex(TypeError, "each is a function"):
+            dynamy.run(dynamy.load(model), each=3)
+        with self.assertRaisesRegex(TypeError, "e: a list of values"):
+            dynamy.sweep(model, {"e": 0.3})
+        with self.assertRaisesRegex(dynamy.ModelError, "a class or a function"):
+            dynamy.register_law("Nothing", 3)
+
     def test_what_the_callback_raises_is_raised(self):
         def each(state):
             raise KeyError("mine")

@@ -89,6 +89,12 @@ def run(model: _core.Model, each: Optional[Callable[[_core.Moment], Optional[boo
     and now["motor"] = 3.0 for an <Input>; False ends the run. With out=DIR the run is written
     there with its replay, else it is kept in memory.
     """
+    if not isinstance(model, _core.Model):
+        raise TypeError(f"run() needs a model, such as dynamy.load({model!r})"
+                        if isinstance(model, (str, os.PathLike)) else
+                        f"run() needs a model, not {model!r}")
+    if each is not None and not callable(each):
+        raise TypeError(f"each is a function of a moment, not {each!r}")
     if os.fspath(out):
         return Run(out, _core._run_into(model, each, os.fspath(out), True))
     with tempfile.TemporaryDirectory(prefix="dynamy") as folder:

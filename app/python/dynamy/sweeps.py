@@ -41,6 +41,9 @@ def sweep(file: _File, parameters: Mapping[str, Iterable[Any]], processes: Optio
     values=f, f(run) in place of each run, computed in the process of the run, so that only its
     result is sent. processes: how many at once; 1: none but this; default: one a processor.
     """
+    for name, these in parameters.items():
+        if isinstance(these, str) or not hasattr(these, "__iter__"):
+            raise TypeError(f"{name}: a list of values is needed, not {these!r}")
     names = list(parameters)
     points = [dict(zip(names, point)) for point in itertools.product(*parameters.values())]
     if processes is None:

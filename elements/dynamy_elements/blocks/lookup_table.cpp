@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <dynamy/core/foreign_format.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <dynamy_elements/blocks/lookup_table.hpp>
 #include <filesystem>
@@ -77,7 +78,18 @@ void LookupTable::read(const Parameters& x) {
   const std::filesystem::path path =
       std::filesystem::path(file.place.file).parent_path() / file.text;
   std::ifstream in(path);
-  if (!in) throw file.fault("cannot read the file", "", 0, file.text.size());
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || !in)
+    throw file.fault(std::filesystem::is_directory(path, error) ? "this is a folder, not a file"
+                     : std::filesystem::exists(path, error)     ? "the file cannot be read"
+                                                                : "there is no such file",
+                     "a path is relative to the model in which it stands", 0, file.text.size());
+  std::string begin(8, '\0');
+  in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (const ForeignFormat format = foreignFormat(begin); !format.name.empty())
+    throw file.fault("the file is " + std::string(format.name) + ", no text",
+                     std::string(format.remedy), 0, file.text.size());
+  in.clear(), in.seekg(0);
   const auto column = static_cast<std::size_t>(x["column"].integer());
   std::string line;
   for (std::size_t n = 1; std::getline(in, line); ++n) {

@@ -1,5 +1,6 @@
 #include <dynamy/system/description.hpp>
 #include <dynamy_elements/forces/drag.hpp>
+#include <dynamy_elements/frame_pair.hpp>
 
 namespace dynamy {
 
@@ -29,6 +30,11 @@ Drag::Drag(const Parameters& x)
       wind_(x, "wind", 3) {
   if (quadratic_ == 0.0 && linear_ == 0.0)
     throw ModelError("there is no drag", "add area=\"…\" or viscous=\"…\"");
+}
+
+void Drag::connect(Topology& topology) {
+  frame_ = topology.frame(on_, *this);
+  requireMoving(topology, frame_, on_);
 }
 
 Vec3 Drag::force(const Kinematics& k) const {

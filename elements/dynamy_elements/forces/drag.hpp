@@ -12,7 +12,7 @@ class Drag final : public ExternalForce {
  public:
   static void declare(Attributes& a);
   explicit Drag(const Parameters& x);
-  void connect(Topology& topology) override { frame_ = topology.frame(on_, *this); }
+  void connect(Topology& topology) override;
   void addTo(const Kinematics& k, ForceSink& sink) const override;
   void describe(Description& d) const override;
 

@@ -1,4 +1,5 @@
 #include <dynamy_elements/forces/force_input.hpp>
+#include <dynamy_elements/frame_pair.hpp>
 
 namespace dynamy {
 
@@ -31,6 +32,7 @@ ForceInput::ForceInput(const Parameters& x)
 
 void ForceInput::connect(Topology& topology) {
   frame_ = topology.frame(on_, *this);
+  requireMoving(topology, frame_, on_);
   force_.connect(topology, *this), moment_.connect(topology, *this);
 }
 

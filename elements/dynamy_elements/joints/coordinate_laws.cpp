@@ -117,6 +117,8 @@ void JointDrive::connect(Topology& topology) {
   const double x = coordinate().row().start();
   // The tolerance covers the rounding of a formula; a larger difference would be a jump of the
   // joint in the first step.
+  if (!std::isfinite(motion))
+    throw ModelError("the motion has no finite value at t = 0", "correct the formula of motion");
   if (!(std::abs(motion - x) <= 1e-9 * (1.0 + std::abs(x))))
     throw ModelError(
         "the motion begins at " + numberText(motion) + ", the coordinate at " + numberText(x),

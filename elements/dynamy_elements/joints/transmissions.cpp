@@ -9,7 +9,7 @@ namespace dynamy {
 namespace {
 
 std::pair<std::string, std::string> twoFrames(const ParameterValue& value) {
-  return twoNames(value, "two frames", "a system's name stands for its first frame");
+  return twoNames(value, "two frames", "write two bodies, or the <Ground> and a body: \"A B\"");
 }
 
 Attribute& betweenTwo(Attributes& a, const char* text) {
@@ -60,7 +60,7 @@ void Coupling::connect(Topology& topology) {
   planeKnown_ = moves_ = false;
   build(topology);
   if (!moves_)
-    throw ModelError("all of the frames move as told",
+    throw ModelError("all of the frames stand still or move as given",
                      "one of them has to be of a body with velocities of its own");
   std::vector<double> start;
   const StartKinematics kinematics(topology);

@@ -12,19 +12,21 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"body2d planarrigidbody", "", "a body in a plane is <PlanarBody>"},
   {"particle masspoint pointparticle", "", "a mass without rotation is <PointMass>"},
   {"static world staticbody fixedbody worldbody environment worldframe", "", "what stands still is <Ground>"},
-  {"kinematicbody mocap", "", "a body that moves as told is <Ground motion=\"…; …; …\">"},
+  {"kinematicbody mocap", "", "a body with a given motion is <Ground motion=\"…; …; …\">"},
   {"inertial inertia massproperties", "", "mass and inertia are attributes of their body: <RigidBody mass=\"…\" inertia=\"…\">"},
   {"origin pose transform", "", "place and axes are attributes: <RigidBody position=\"…\" euler=\"…\">"},
   {"marker coordinatesystem site rigidtransform", "", "a point with axes on a body is <Frame>"},
   {"freejoint floating 6dof", "", "<RigidBody> moves freely and needs no joint"},
+  {"pendulum", "", "a pendulum is a <RigidBody> with a <Revolute> between it and the <Ground>"},
+  {"beam flexiblebody fem ancf softbody cloth", "", "bodies are rigid; several of them with <Revolute> and <JointSpring> between them bend"},
   // Shapes.
   {"cuboid brick block cube bricksolid boxshape", "", "a cuboid is <Box>"},
   {"ball sphericalsolid sphereshape", "", "a ball is <Sphere>"},
-  {"plane floor halfplane infiniteplane groundplane staticplane", "", "a plane is <HalfSpace>"},
+  {"plane floor wall ramp halfplane infiniteplane groundplane staticplane", "", "a plane is the shape <HalfSpace>, inside of a <Ground>"},
   {"disk disc wheel cylindricalsolid cylindershape", "", "a disc is a short <Cylinder>"},
   {"pill sweptsphere capsuleshape", "", "a cylinder with round ends is <Capsule>"},
   {"hull convexhull convex convexmesh", "", "a convex hull is <Polyhedron>"},
-  {"trimesh trianglemesh triangularmesh triangles", "", "a mesh of triangles is <Mesh>"},
+  {"trimesh trianglemesh triangularmesh triangles stl obj", "", "a mesh of triangles is <Mesh points=\"…\" triangles=\"…\">"},
   {"heightmap hfield terrain elevationgrid heightfieldterrain gridsurface", "", "a ground of heights is <HeightField>"},
   {"polyline segment edge", "", "a line through points is <Line>"},
   {"tire tyre", "", "a tyre is <Torus>"},
@@ -34,12 +36,12 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"slider slide prismaticjoint sliderjoint translational translationaljoint sliderconstraint", "", "a slider is <Prismatic>"},
   {"balljoint ballandsocket socket sphericaljoint point2point ballsocket ballrpy", "", "a ball joint is <Spherical>"},
   {"weld rigidconnection fixedjoint weldjoint rigidjoint weldconstraint lock", "", "a rigid connection is <Fixed>"},
-  {"cardan hooke universaljoint cardanjoint", "", "a Cardan joint is <Universal>"},
+  {"cardan hooke universaljoint cardanjoint ujoint", "", "a Cardan joint is <Universal>"},
   {"helical leadscrew screwjoint", "", "a screw joint is <Screw>"},
   {"joint constraint mate equality connector", "", "a joint has the name of its kind: <Revolute>, <Prismatic>, <Spherical>, <Fixed>, …"},
   {"pulley tendon cable beltcable", "", "a rope is <Rope>, one over a pulley <SheaveRope>"},
-  {"motor actuator servo", "", "a motor is <JointMotor>, a drive that moves as told <JointDrive>, a controller <PdController>"},
-  {"limit jointlimit hardstop endstop", "", "the limits of a joint are <JointStop lower=\"…\" upper=\"…\">"},
+  {"motor actuator servo", "", "a motor is <JointMotor>, a drive with a given motion <JointDrive>, a controller <PdController>"},
+  {"limit jointlimit hardstop endstop", "", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
   {"rod distanceconstraint massless massslessrod", "", "a rod without mass is <Distance>"},
   // Forces.
   {"spring dashpot damper tsda springdamperforce springanddamper linearspring", "", "a spring or a damper is <SpringDamper>"},
@@ -52,6 +54,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"newtonimpactnsl restitution complementarityconditionnsl frictionless", "", "contact without friction is <Unilateral epsilonN=\"…\">"},
   {"surface physicsmaterial contactmaterial materialsurface chmaterialsurface contactproperties", "", "values of a material are <Material name=\"…\" mu=\"…\" epsilonN=\"…\">, the law of two materials <Contact between=\"A B\">"},
   {"pair contactpair collisionpair interaction spatialcontactforce contactforce", "", "the law of two materials is <Contact between=\"A B\">"},
+  {"hertz hertzian huntcrossley kelvinvoigt penalty penaltycontact compliantcontact", "", "contacts are rigid: <Unilateral epsilonN=\"…\">, with friction <UnilateralCoulomb>"},
   {"exclude disablecollisions nocollision disablecollision", "", "materials that pass through each other are <NoContact between=\"A B\">"},
   // Methods.
   {"timestepping moreaujean moreaujeanosi moreau", "", "Moreau's time stepping is <MoreauMidpoint>"},
@@ -62,19 +65,23 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"pgs psor sor gaussseidel projectedgaussseidel nsgs sequentialimpulse sequentialimpulses", "", "projected Gauss-Seidel is <ProxGaussSeidel>"},
   {"jacobi projectedjacobi", "", "projected Jacobi is <ProxJacobi>"},
   {"lcp lcpsolver dantzig pivoting", "", "a pivoting solver is <Lemke>"},
+  {"solver solvers", "", "a solver has the name of its kind, inside of <simulation>: <ProxGaussSeidel>, <ProximalNewton>, <Lemke>, …"},
+  {"integrator integration stepper", "", "a scheme has the name of its kind, inside of <simulation>: <MoreauMidpoint>, <LocatedDormandPrince>, …"},
   {"newton nsn nonsmoothnewton", "", "Newton's method as a solver is <ProximalNewton>, as an impact law <NewtonImpact>"},
   // Words of the file.
   {"bodies links parts objects", "", "bodies stand in <systems>"},
   {"joints constraints interactions materials sensors collisions", "", "joints, contacts and materials stand in <elements>"},
   {"actuators springs loads", "", "springs, drives and loads stand in <forces>"},
-  {"option options physics simulator solveroptions settings solver experiment time", "", "time, step, scheme and solver stand in <simulation>"},
-  {"output outputs log logging sensor recorder", "", "what is kept of a run stands in <record>"},
+  {"option options physics simulator solveroptions settings experiment time", "", "time, step, scheme and solver stand in <simulation>"},
+  {"output outputs log logging sensor recorder plot plots scope", "", "what is kept of a run stands in <record>"},
+  {"camera light viewpoint", "", "the picture needs none; its direction is <record view=\"xz\">"},
+  {"asset assets texture", "", "shapes stand inside of their bodies: <RigidBody><Sphere colour=\"…\"/></RigidBody>"},
   {"variable var define property constant xacro", "", "a number with a name is <parameter>"},
   {"import", "", "another file is taken in by <include>"},
   {"array for loop repeat pattern", "", "copies are made by <replicate>"},
   {"assert expect test", "", "an expected result is <check>"},
   {"library extension", "", "a library with further types is <plugin>"},
-  {"description documentation comment note text", "", "text for people stands in <doc>"},
+  {"description documentation comment note text title author", "", "text for people stands in <doc>"},
   {"default", "", "attributes that elements of a type take if they lack them stand in <defaults>"},
 });
 
@@ -85,7 +92,7 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"restitution coefficientofrestitution restitutioncoefficient cor bounce bounciness elasticity e epsilon en restitutionn", "epsilonN",
    "the coefficient of restitution is {}", "restitution belongs to the law of two materials: <UnilateralCoulomb epsilonN=\"…\">"},
   {"et restitutiont tangentialrestitution", "epsilonT", "the tangential coefficient of restitution is {}"},
-  {"kineticfriction dynamicfriction muk mud frictiondynamic mudynamic", "kineticMu kineticForce mu",
+  {"kineticfriction dynamicfriction slidingfriction muk mud frictiondynamic mudynamic", "kineticMu kineticForce mu",
    "friction while slipping is {}", "friction that weakens while slipping is <UnilateralStribeck mu=\"…\" kineticMu=\"…\">"},
   {"rollingfriction", "rolling", "resistance to rolling is {}, an arm in m", "resistance to rolling is <UnilateralRolling rolling=\"…\">"},
   {"spinningfriction torsionalfriction", "drilling", "friction about the normal is {}, an arm in m", "friction about the normal is <UnilateralRolling drilling=\"…\">"},
@@ -93,56 +100,67 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"pos translation origin location place xyz center centre coordinates r0", "position at point", "the place is {}"},
   {"anchor pivot jointorigin attachment", "at point pointA", "the place of a joint is {}"},
   {"quaternion quat rotationquaternion orient orientationquaternion", "orientation", "the quaternion w x y z is {}"},
-  {"rpy eulerangles rotationangles rollpitchyaw axisangle angles", "euler", "angles about the fixed axes x, then y, then z are {}"},
+  {"rpy eulerangles rotationangles rollpitchyaw axisangle angles roll pitch yaw", "euler", "angles about the fixed axes x, then y, then z are {}"},
   {"rotation", "orientation", "a rotation is a quaternion {}, or angles euler=\"…\""},
   // Motion.
   {"vel linearvelocity v v0 initialvelocity linvel speed", "velocity", "the velocity is {}"},
   {"omega angvel angularrate w w0 angularspeed spin initialangularvelocity angularvel", "angularVelocity", "the angular velocity is {}"},
   // Mass.
   {"m weight bodymass", "mass", "the mass is {}"},
-  {"inertia momentofinertia inertiatensor moment ixx diaginertia fullinertia momentsofinertia inertiaxx j jxx", "inertia", "moments of inertia are {}",
+  {"inertia momentofinertia inertiatensor moment ixx iyy izz diaginertia fullinertia momentsofinertia inertiaxx j jxx jyy jzz", "inertia", "moments of inertia are {}",
    "moments of inertia stand at the body, <RigidBody mass=\"…\" inertia=\"…\">; those of a shape follow from its mass or density"},
   {"rho", "density", "the density is {}"},
+  {"com cog centerofmass centreofmass masscenter", "", "", "where mass and inertia are given, position=\"…\" is the centre of mass; else it follows from the shapes inside of the body"},
   // Sizes.
   {"diameter", "radius", "half of the diameter is {}"},
   {"r", "radius", "the radius is {}"},
   {"halfextents halfsize halflengths halfwidths", "size semiAxes", "the size is {}, whole edges and not half ones"},
   {"extents dimensions dims edges lengths sides scale", "size semiAxes", "the size is {}"},
+  {"width depth lx ly lz xlength ylength zlength dx dy dz", "size", "the three edges stand in one attribute: {}"},
   {"radii semiaxis", "semiAxes", "half of the lengths are {}"},
   {"height h l", "length", "the length is {}"},
+  {"height h l", "size", "the three edges stand in one attribute: {}"},
+  {"halflength halfheight", "length", "the length is {}, the whole and not the half"},
   {"vertices verts corners nodes", "points", "the points are {}"},
   {"faces indices", "triangles", "the numbers of the corners are {}"},
   // Springs.
   {"k springconstant springrate springstiffness stiffnesscoefficient kp", "stiffness", "the stiffness is {}"},
   {"stiffness damping compliance kn contactstiffness contactdamping solref solimp erp cfm", "", "",
-   "contacts and joints are rigid and need none; a spring is <SpringDamper stiffness=\"…\" damping=\"…\">, in a joint <JointSpring>"},
+   "contacts and joints are rigid and need none; a spring or a damper is <SpringDamper stiffness=\"…\" damping=\"…\">, in a joint <JointSpring>, the drag of a fluid <Drag>"},
+  {"youngsmodulus youngmodulus elasticmodulus poissonratio poissonsratio shearmodulus", "", "", "bodies and contacts are rigid and need none"},
   {"d b dampingcoefficient dampingconstant damper viscousdamping kv kd dampingrate", "damping", "the damping is {}"},
   {"c", "stiffness", "the stiffness is {}, the damping damping=\"…\""},
   {"restlength freelength naturallength springlength l0 restlen", "length", "the length without force is {}"},
   {"springreference springref restangle qspring reference0", "rest angle", "the place without force is {}"},
   {"g gravity gravityvector", "acceleration", "the acceleration of free fall is {}, three numbers", "gravity is an element: <Gravity acceleration=\"0 0 -9.81\"/>"},
+  {"direction", "axis", "the direction of a joint or of a force is {}"},
   {"value vector direction field", "acceleration", "the acceleration is {}, three numbers"},
   // Joints.
-  {"parent child body1 body2 bodya bodyb link1 link2 a b base follower bodies frames links materials material1 material2 joins objects", "between", "both sides stand in one attribute: between=\"A B\""},
-  {"body link system frame", "on", "what it acts on is {}"},
-  {"range limits lowerlimit minangle", "lower", "the limits are lower=\"…\" and upper=\"…\"", "the limits of a joint are <JointStop lower=\"…\" upper=\"…\">"},
-  {"upperlimit maxangle", "upper", "the upper limit is {}", "the limits of a joint are <JointStop lower=\"…\" upper=\"…\">"},
-  {"maxforce maxtorque effort forcelimit ctrlrange forcerange", "limit", "the largest force or moment is {}"},
+  {"parent child body1 body2 bodya bodyb link1 link2 a b base follower bodies frames links materials material1 material2 joins objects connects shafts", "between", "both sides stand in one attribute: between=\"A B\""},
+  {"body link system frame target", "on", "what it acts on is {}"},
+  {"range limits lowerlimit minangle", "lower", "the limits are lower=\"…\" and upper=\"…\"", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
+  {"upperlimit maxangle", "upper", "the upper limit is {}", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
+  {"maxforce maxtorque effort forcelimit ctrlrange forcerange max", "limit", "the largest force or moment is {}"},
+  {"min max lower upper", "axis", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
   {"setpoint desired targetposition", "target", "the target is {}"},
   {"jointtype", "", "", "the kind of a joint is the name of its element: <Revolute>, <Prismatic>, <Spherical>, <Fixed>, …"},
   // Simulation.
   {"dt timestep h stepsize maxstep fixedstep samplingtime deltat maxstepsize", "step", "the length of a step is {}"},
-  {"duration tend endtime stoptime tfinal finaltime simtime simulationtime t t1 end stop", "until", "the end time is {}"},
+  {"steps numsteps nsteps stepcount substeps", "step", "the length of a step is {}, and not their number"},
+  {"duration tend endtime stoptime tfinal finaltime simtime simulationtime time t t1 end stop", "until", "the end time is {}"},
   {"tol reltol rtol abstol atol accuracy precision targetaccuracy", "tolerance", "the accuracy is {}"},
   {"iterations maxiter maxit maxiters iter niter solveriterations numsolveriterations itermax", "maxIterations maxNewton", "the most iterations are {}",
    "iterations belong to a solver: <simulation><ProxGaussSeidel maxIterations=\"…\"/></simulation>"},
   {"omegasor relaxation sorparam", "factor", "the factor of the projection is {}"},
   {"integrator solver scheme method", "", "", "scheme and solver are elements: <simulation><MoreauMidpoint/><ProxGaussSeidel/></simulation>"},
-  {"fps framerate", "frames", "pictures per second are {}"},
-  {"interval samplerate sampletime", "every", "the sample time is {}"},
+  {"fps framerate", "frames", "pictures per second are {}", "pictures per second are <record frames=\"60\">"},
+  {"interval samplerate sampletime rate frequency outputinterval", "every", "the sample time is {}"},
+  {"equals expected equal reference", "value", "the expected value is {}"},
   // What is no attribute.
   {"fixed static kinematic isstatic mobility ikinematic bodyfixed immovable", "", "", "what stands still is <Ground>"},
   {"type", "", "", "the kind of an element is its name, such as <RigidBody>, <Revolute> or <Sphere>"},
+  {"collide collidable collision collisions collisionenabled enablecollision contype conaffinity contact", "", "", "a shape with a material takes part in contact, one without touches nothing"},
+  {"dof dofs freedom", "", "", "a <RigidBody> has six degrees of freedom, a <PlanarBody> three; joints remove some"},
   // Names.
   {"id label tag", "name", "the name is {}"},
   {"color rgba colorrgba diffuse", "colour", "the colour is {}"},
@@ -183,14 +201,41 @@ constexpr auto kOtherUnits = std::to_array<OtherWord>({
   {"rev turn turns", "", "a turn is 360deg"},
   {"rps", "", "a turn in a second is 60rpm"},
 });
+
+constexpr auto kOtherFunctions = std::to_array<OtherWord>({
+  {"if ifelse iif ite where piecewise switch", "condition ? a : b", ""},
+  {"ln loge", "log", ""},
+  {"lg", "log10", ""},
+  {"fabs", "abs", ""},
+  {"sgn signum", "sign", ""},
+  {"arcsin", "asin", ""},
+  {"arccos", "acos", ""},
+  {"arctan", "atan", ""},
+  {"arctan2 atan2d", "atan2", ""},
+  {"power", "pow", ""},
+  {"sqr square", "x^2", ""},
+  {"cbrt", "x^(1/3)", ""},
+  {"fmod rem remainder modulo", "mod", ""},
+  {"heaviside unitstep", "step", ""},
+  {"limit limiter saturate saturation sat clip bound", "clamp", ""},
+  {"minimum amin", "min", ""},
+  {"maximum amax", "max", ""},
+  {"round rint nint", "floor(x + 0.5)", ""},
+  {"trunc fix int", "floor", ""},
+  {"ceiling", "ceil", ""},
+  {"norm length magnitude", "hypot", ""},
+  {"radians deg2rad degtorad", "30deg", ""},
+});
 // clang-format on
+
+bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
 
 /// The word in lower case, without "_", "-" and ":".
 std::string plainWord(std::string_view word) {
   std::string out;
   for (const char c : word)
     if (c != '_' && c != '-' && c != ':')
-      out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      out += isCapital(c) ? static_cast<char>(c - 'A' + 'a') : c;
   return out;
 }
 
@@ -222,10 +267,20 @@ std::string inDynamy(std::string_view hint) { return "in dynamY " + std::string(
 std::span<const OtherWord> otherElements() { return kOtherElements; }
 std::span<const OtherWord> otherAttributes() { return kOtherAttributes; }
 std::span<const OtherWord> otherUnits() { return kOtherUnits; }
+std::span<const OtherWord> otherFunctions() { return kOtherFunctions; }
 
 std::string elementOfOthers(std::string_view word) {
   const auto found = rowsWith(kOtherElements, word);
   return found.empty() ? std::string() : inDynamy(found.front()->hint);
+}
+
+std::string elementByLastWord(std::string_view word) {
+  for (std::size_t at = 1; at < word.size(); ++at) {
+    const bool begins = (isCapital(word[at]) && !isCapital(word[at - 1])) || word[at - 1] == '_';
+    if (!begins) continue;
+    if (std::string hint = elementOfOthers(word.substr(at)); !hint.empty()) return hint;
+  }
+  return {};
 }
 
 std::string withoutKind(std::string_view word) {
@@ -270,6 +325,11 @@ std::string unitOfOthers(std::string_view word) {
     at = end + 1;
   }
   return changed ? out : std::string();
+}
+
+std::string functionOfOthers(std::string_view word) {
+  const auto found = rowsWith(kOtherFunctions, word);
+  return found.empty() ? std::string() : std::string(found.front()->ours);
 }
 
 std::string unitInOurs(std::string_view word) {

@@ -1,7 +1,7 @@
 /// Words of other programs and of textbooks, and the names that dynamY has for them: hints in
 /// messages.
 ///
-/// One table for elements, one for attributes, one for units. They hold words of URDF and SDF,
+/// One table for elements, one for attributes, one for units, one for functions. They hold words of URDF and SDF,
 /// MJCF, Chrono, Drake, Bullet, Simscape and Siconos that a newcomer may write. A word is compared
 /// without case and without "_", "-" and ":". A test checks that every name of dynamY in the tables
 /// exists (tests/unit/elements/other_words_test.cpp). Rejected: a declaration of such words by each
@@ -27,9 +27,12 @@ struct OtherWord {
 std::span<const OtherWord> otherElements();
 std::span<const OtherWord> otherAttributes();
 std::span<const OtherWord> otherUnits();
+std::span<const OtherWord> otherFunctions();
 
 /// "in dynamY a hinge is <Revolute>" for the element <Hinge> of others; "" if it is in no table.
 std::string elementOfOthers(std::string_view word);
+/// The same for the last words of a name, which say what it is: "LinearMotor", "Belt_Drive".
+std::string elementByLastWord(std::string_view word);
 /// The word in lower case without a number at its end and without the kind that others add:
 /// "distance" for "DistanceJoint", "box" for "BoxCollider", "rungekutta" for "RungeKutta4".
 std::string withoutKind(std::string_view word);
@@ -45,6 +48,9 @@ AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::
 /// The unit in dynamY: "deg" for "degrees", also with a divisor: "deg/s" for "degrees/sec"; "" if
 /// unknown.
 std::string unitOfOthers(std::string_view word);
+/// "log" for the function "ln" of others, or an expression that does its work, as an example; "" if
+/// it is in no table.
+std::string functionOfOthers(std::string_view word);
 /// "1lb is 0.45359237kg": the hint of a unit that dynamY does not have; "" if it is in no table.
 std::string unitInOurs(std::string_view word);
 

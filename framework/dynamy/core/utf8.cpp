@@ -38,4 +38,10 @@ int columnOf(std::string_view line, std::size_t offset) {
   return characterCount(line.substr(0, std::min(offset, line.size()))) + 1;
 }
 
+std::string inLowerCase(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return out;
+}
+
 }  // namespace dynamy

@@ -3,6 +3,7 @@
 /// Characters of UTF-8 text, in which columns of error messages and checks of files count.
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace dynamy {
@@ -23,5 +24,8 @@ int characterCount(std::string_view utf8);
 
 /// Column (from 1) of the byte at `offset` in a line of UTF-8 text.
 int columnOf(std::string_view line, std::size_t offset);
+
+/// The text with the letters A to Z in lower case.
+std::string inLowerCase(std::string_view text);
 
 }  // namespace dynamy

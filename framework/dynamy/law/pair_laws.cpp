@@ -34,7 +34,8 @@ void addUncarried(Diagnostic& d, const MaterialRule& rule, const std::set<std::s
     const std::string near = nearest(name, asked);
     if (near.empty()) continue;
     meant = true;
-    if (typingDistance(name, near) == 0) text += ", but \"" + near + '"';
+    text += typingDistance(name, near) == 0 ? ", but \"" + near + '"'
+                                            : "; did you mean \"" + near + "\"?";
   }
   if (meant && !text.empty() && d.notes.size() < kMostNotes)
     d.notes.push_back({.place = rule.place(), .text = std::move(text)});
@@ -159,6 +160,12 @@ Diagnostic PairLaws::missing(const std::string& a, const std::string& b,
   for (const auto& [names, rule] : pairs_)
     addUncarried(d, *rule, {names.first, names.second}, carried, {a, b});
   return d;
+}
+
+std::vector<std::string> PairLaws::namesOf(const MaterialRule& rule) const {
+  for (const auto& [names, of] : pairs_)
+    if (of == &rule) return {names.first, names.second};
+  return {};
 }
 
 std::vector<const MaterialRule*> PairLaws::idle() const {

@@ -49,6 +49,8 @@ class PairLaws {
   const std::map<Names, PairLaw>& found() const { return found_; }
   /// Rules that no answer given so far is based on.
   std::vector<const MaterialRule*> idle() const;
+  /// The two materials of a rule about a pair; none for other rules.
+  std::vector<std::string> namesOf(const MaterialRule& rule) const;
 
  private:
   template <class Known, class Rule>

@@ -1,11 +1,24 @@
 // Attributes of all shapes: place in their frame, material, colour, mass.
 #include <cmath>
+#include <dynamy/core/css_colour.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/rotation.hpp>
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/system/shape.hpp>
 #include <numbers>
 
 namespace dynamy {
+namespace {
+
+/// True for texts that browsers draw: names and numbers, also with an opacity, or "" for none given.
+bool isColour(const std::string& text) {
+  if (text.empty() || text == "transparent" || cssColour(text)) return true;
+  const std::size_t other = text.find_first_not_of("0123456789abcdefABCDEF", 1);
+  if (text[0] == '#') return other == std::string::npos && (text.size() == 5 || text.size() == 9);
+  return (text.starts_with("rgb") || text.starts_with("hsl")) && text.ends_with(')');
+}
+
+}  // namespace
 
 void declarePose(Attributes& a, const std::string& of) {
   a.vector("position", Unit::length, 3, "0 0 0", "origin of the " + of);
@@ -49,7 +62,8 @@ void Shape::declareCommon(Attributes& a) {
       "grain", Unit::none, 3, "0 0 0",
       "direction along which friction differs (of a runner, of wood), in the shape's axes: the "
       "first tangent of its contacts");
-  a.add(AttributeType::text, "colour", "", "CSS colour of the picture; default: by body");
+  a.add(AttributeType::text, "colour", "",
+        "colour of the picture: a name of CSS, or #rrggbb; default: by body");
   a.optional("mass", Unit::mass, 0.0, "mass of the shape; 0: not given").nonNegative();
   a.optional("density", Unit::density, 0.0, "instead of mass; 0: not given").nonNegative();
 }
@@ -62,6 +76,13 @@ Shape::Shape(const Parameters& x)
       A_KB_(rotationMatrix(orientation(x).data())),
       mass_(x["mass"]),
       density_(x["density"]) {
+  if (!isColour(colour_)) {
+    const std::string near = nearestColour(colour_);
+    throw x["colour"].fault(
+        "\"" + colour_ + "\" is no colour of CSS",
+        near.empty() ? "write a name such as \"red\", or \"#c8553d\"" : didYouMean(near), 0,
+        colour_.size());
+  }
   if (const Vec3 grain = x["grain"].vec3(); !grain.isZero(0.0)) grain_B_ = grain.normalized();
   if (mass_ > 0.0 && density_ > 0.0)
     throw x["density"].fault("mass and density are both given", "give one of them", 0,

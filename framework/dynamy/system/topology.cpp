@@ -1,18 +1,32 @@
+#include <algorithm>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/suggestion.hpp>
 #include <dynamy/system/body_carrier.hpp>
 #include <dynamy/system/topology.hpp>
 
 namespace dynamy {
 namespace {
 
+/// A frame "block.tip" that the known "block" does not have: where it is added; else "".
+std::string frameToAdd(std::string_view name, const std::vector<std::string>& known) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos || !nearest(name, known).empty()) return {};
+  const std::string owner(name.substr(0, dot));
+  if (std::find(known.begin(), known.end(), owner) == known.end()) return {};
+  return "add <Frame name=\"" + std::string(name.substr(dot + 1)) + "\"/> inside of \"" + owner +
+         '"';
+}
+
 [[noreturn]] void unknown(const Element& asking, const std::string& what, std::string_view name,
                           const std::vector<std::string>& known) {
   Diagnostic d;
   d.place = asking.place();
-  d.element =
-      asking.type().empty() ? asking.name() : asking.type() + " name=\"" + asking.name() + "\"";
+  d.element = asking.type().empty()   ? asking.name()
+              : asking.name().empty() ? asking.type()
+                                      : asking.type() + " name=\"" + asking.name() + "\"";
   d.text = "no " + what + " named \"" + std::string(name) + "\"";
-  d.hint = unknownNameHint(name, known);
+  d.hint = what == "frame" ? frameToAdd(name, known) : std::string();
+  if (d.hint.empty()) d.hint = unknownNameHint(name, known);
   throw ModelError(d);
 }
 

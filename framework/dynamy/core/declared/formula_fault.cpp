@@ -15,6 +15,32 @@ std::string withSemicolons(std::string_view text) {
   return out;
 }
 
+/// "0 0 2*sin(t)" → "0; 0; 2*sin(t)": the words of a text without separators, if each of them may be a
+/// formula; else the text.
+std::string wordsWithSemicolons(std::string_view text) {
+  std::vector<std::string> words(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (depth == 0 && (c == ' ' || c == '\t' || c == '\n')) {
+      if (!words.back().empty()) words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  std::string out;
+  for (const std::string& word : words) {
+    constexpr std::string_view kOperators = "*/^<>=&|?:,;";
+    const bool part = kOperators.find(word.front()) != std::string_view::npos ||
+                      kOperators.find(word.back()) != std::string_view::npos ||
+                      word.back() == '+' || word.back() == '-' || word == "and" || word == "or";
+    if (part) return std::string(text);
+    out += (out.empty() ? "" : "; ") + word;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string formulaHint(const ExpressionError& error) {
@@ -39,13 +65,22 @@ std::vector<ValuePart> formulasOf(const ParameterValue& value, int count) {
   if (static_cast<int>(parts.size()) == count) return parts;
   ParameterValue better;
   better.text = withSemicolons(value.text);
-  const bool meant = static_cast<int>(better.parts(';').size()) == count;
+  bool meant = static_cast<int>(better.parts(';').size()) == count;
+  if (!meant) {
+    better.text = wordsWithSemicolons(value.text);
+    meant = static_cast<int>(better.parts(';').size()) == count;
+  }
+  std::string zeros = "0";
+  for (int i = 1; i < count; ++i) zeros += "; 0";
   throw value.fault(
       count == 1
           ? "one formula is needed, here are " + std::to_string(parts.size())
           : std::to_string(count) + " formulas separated by \";\" are needed, " +
                 (parts.size() == 1 ? "here is 1" : "here are " + std::to_string(parts.size())),
-      meant ? "write \"" + better.text + '"' : std::string(), 0, value.text.size());
+      meant           ? "write \"" + better.text + '"'
+      : parts.empty() ? "write \"" + zeros + '"'
+                      : std::string(),
+      0, value.text.size());
 }
 
 }  // namespace dynamy

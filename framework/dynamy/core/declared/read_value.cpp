@@ -9,6 +9,7 @@
 #include <dynamy/core/expression/expression_error.hpp>
 #include <dynamy/core/expression/unit_suffix.hpp>
 #include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/utf8.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -102,25 +103,51 @@ std::optional<std::string> outOfRange(const Attribute& a, double x) {
 
 constexpr std::string_view kUnread = "cannot be read: ";
 
-std::string inLowerCase(std::string_view text) {
-  std::string out(text);
-  for (char& c : out) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return out;
-}
-
 /// True: the attribute accepts a number with a unit of this family.
 bool fits(UnitFamily given, const Attribute& a) {
   return given == UnitFamily::none || a.unit == Unit::any || given == family(a.unit);
 }
 
+/// "0.3" for the number "30" before a per cent sign; "" if it is none.
+std::string shareOf(std::string_view number) {
+  try {
+    const Quantity percent = parseQuantity(number);
+    return percent.family == UnitFamily::none ? numberText(percent.value / 100.0) : std::string();
+  } catch (const ExpressionError&) {
+    return {};
+  }
+}
+
+/// "its units are "N/m", "N/mm"": those of a family; "" if it has none.
+std::string unitsOf(UnitFamily wanted) {
+  std::vector<std::string> names;
+  for (const std::string& name : unitSuffixes())
+    if (wanted != UnitFamily::none && parseUnitSuffix(name)->family == wanted)
+      names.push_back(name);
+  return names.empty() ? std::string() : "its units are " + quotedList(names);
+}
+
 /// The hint for a word that is no number: the word that was misspelt, a fitting unit without its
 /// number, or a parameter or formula without braces ("h" is no position in hours).
 std::string whatToWrite(const Attribute& a, std::string_view word, const ExpressionError& e) {
+  if (word.ends_with('%'))
+    if (const std::string share = shareOf(word.substr(0, word.size() - 1)); !share.empty())
+      return "write " + share;
   if (!e.suggestion().empty()) return didYouMean(e.suggestion());
-  const bool name = e.offset() == 0 && word.find_first_of("0123456789") != 0;
+  if (word == "-" || word == "+") return "a sign stands before its number without a blank";
+  if (e.message().starts_with("malformed number")) return "numbers are 12, -0.5 or 1.2e-3";
+  if (word.starts_with("$")) {  // ${x}, whose braces are replaced already, and $x
+    const bool number = word.find_first_of("0123456789.-") == 1;
+    return "a parameter stands in braces, without \"$\"" +
+           (number ? std::string() : ": {" + std::string(word.substr(1)) + '}');
+  }
+  const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+  const bool name = e.offset() <= sign && word.find_first_of("0123456789", sign) != sign;
   const auto unit = parseUnitSuffix(word);
   if (unit && fits(unit->family, a))
     return "a number stands before its unit: 1" + std::string(word);
+  if (e.message().starts_with("unknown unit"))
+    if (std::string units = unitsOf(family(a.unit)); !units.empty()) return units;
   const bool computes = word.find_first_of("+*/^(") != std::string_view::npos;
   if (!name && !computes) return {};
   return "a parameter or a formula stands in braces: {" + std::string(word) + '}';
@@ -224,6 +251,12 @@ std::optional<ValueFault> readWords(const Attribute& a, ParameterValue& value) {
 
 /// Reads numbers. If they cannot be read because they are written in another way, the fault says so
 /// and how to write them.
+/// True: a word, with brackets or without, begins with a letter.
+bool hasName(std::string_view text) {
+  const std::size_t at = text.find_first_not_of("0123456789.,+-()[] ");
+  return at != std::string_view::npos && (at == 0 || text[at - 1] < '0' || text[at - 1] > '9');
+}
+
 std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value) {
   auto fault = readWords(a, value);
   if (!fault) return fault;
@@ -247,6 +280,8 @@ std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value)
   const bool meant = !odd.text.empty() && !(odd.guess && hint.empty());
   if (meant) fault = ValueFault{odd.text, {}, odd.offset, odd.length};
   if (!hint.empty()) fault->hint = hint;
+  if (fault->hint.empty() && odd.text.starts_with("has brackets") && hasName(value.text))
+    fault->hint = "a parameter or a formula stands in braces, such as {h}";
   return fault;
 }
 

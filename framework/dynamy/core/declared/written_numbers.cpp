@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <dynamy/core/declared/written_numbers.hpp>
 #include <dynamy/core/expression/unit_suffix.hpp>
 #include <dynamy/core/other_words.hpp>
 #include <sstream>
+#include <utility>
 
 namespace dynamy {
 namespace {
@@ -10,6 +12,10 @@ namespace {
 constexpr std::string_view kOddSeparators = ",;|";
 constexpr std::string_view kOddBrackets = "[]()";
 constexpr std::string_view kBlanks = " \t\r\n";
+
+/// Blanks that text programs write: no-break, thin, figure space, and others that look like one.
+constexpr auto kOddBlanks = std::to_array<std::string_view>(
+    {"\u00A0", "\u2002", "\u2003", "\u2007", "\u2009", "\u200A", "\u202F", "\u3000"});
 
 bool isFigure(char c) { return c >= '0' && c <= '9'; }
 bool isUnitLetter(char c) {
@@ -163,9 +169,56 @@ std::string axisVector(std::string_view text) {
   return out;
 }
 
+/// "2×10³", "2*10^3", "2x10-3" → "2e3", "2e3", "2e-3"; the text as it is if no power of ten is in it.
+std::string withExponents(std::string_view text) {
+  std::string out(text);
+  constexpr auto kSuperscripts =
+      std::to_array<std::pair<std::string_view, std::string_view>>({{"⁰", "0"},
+                                                                    {"¹", "1"},
+                                                                    {"²", "2"},
+                                                                    {"³", "3"},
+                                                                    {"⁴", "4"},
+                                                                    {"⁵", "5"},
+                                                                    {"⁶", "6"},
+                                                                    {"⁷", "7"},
+                                                                    {"⁸", "8"},
+                                                                    {"⁹", "9"},
+                                                                    {"⁻", "-"}});
+  for (const std::string_view times : {"×", "*", "·", "x"}) {
+    const std::size_t at = out.find(std::string(times) + "10");
+    if (at == 0 || at == std::string::npos || !isFigure(out[at - 1])) continue;
+    std::string power = out.substr(at + times.size() + 2);
+    for (const auto& [sign, figure] : kSuperscripts)
+      power = withAll(std::move(power), sign, figure);
+    const bool caret = power.starts_with('^');
+    if (caret) power.erase(0, 1);
+    if (!power.empty() && (isFigure(power[0]) || power[0] == '-'))
+      return out.substr(0, at) + 'e' + power;
+  }
+  return out;
+}
+
+/// "1_000" and "1,000.5" → "1000" and "1000.5", "½" → "0.5"; else the text as it is.
+std::string withPlainFigures(std::string_view text) {
+  std::string out(text);
+  for (const auto& [sign, number] : {std::pair("½", "0.5"), {"¼", "0.25"}, {"¾", "0.75"}})
+    if (text == sign) return number;
+  const bool thousands = text.find('.') != std::string_view::npos;
+  for (std::size_t at = 1; at + 3 < out.size(); ++at) {
+    const bool separates = out[at] == '_' || (out[at] == ',' && thousands);
+    const bool figures = isFigure(out[at - 1]) && isFigure(out[at + 1]) && isFigure(out[at + 2]) &&
+                         isFigure(out[at + 3]);
+    if (separates && figures) out.erase(at, 1);
+  }
+  return out;
+}
+
 }  // namespace
 
 OddWriting oddWriting(std::string_view text) {
+  for (const std::string_view blank : kOddBlanks)
+    if (const std::size_t at = text.find(blank); at != std::string_view::npos)
+      return {"has a blank that is no plain one, such as a no-break space", at, blank.size()};
   if (const std::size_t at = text.find_first_of(kOddBrackets); at != std::string_view::npos)
     return {"has brackets; numbers stand without", at, 1};
   if (const std::size_t at = text.find_first_of(kOddSeparators); at != std::string_view::npos) {
@@ -193,8 +246,10 @@ OddWriting oddWriting(std::string_view text) {
 std::vector<std::string> probableNumbers(std::string_view text) {
   std::vector<std::string> out;
   if (std::string unit = axisVector(text); !unit.empty()) out.push_back(std::move(unit));
+  std::string plain(text);
+  for (const std::string_view blank : kOddBlanks) plain = withAll(std::move(plain), blank, " ");
   const auto add = [&](bool decimalComma) {
-    std::string blanks = withoutTimesSigns(text);
+    std::string blanks = withoutTimesSigns(plain);
     for (char& c : blanks) {
       if (decimalComma && c == ',')
         c = '.';
@@ -206,7 +261,8 @@ std::vector<std::string> probableNumbers(std::string_view text) {
   };
   add(false);
   if (text.find(',') != std::string_view::npos) add(true);
-  if (std::string whole = withWholeExponent(text); whole != text) out.push_back(std::move(whole));
+  for (std::string other : {withWholeExponent(text), withExponents(text), withPlainFigures(text)})
+    if (other != text) out.push_back(std::move(other));
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <dynamy/core/expression/expression_lexer.hpp>
 #include <dynamy/core/expression/expression_parser.hpp>
 #include <dynamy/core/expression/unit_suffix.hpp>
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <numbers>
 #include <optional>
@@ -14,6 +15,7 @@ namespace dynamy {
 namespace {
 
 constexpr int kDeepestNesting = 200;
+constexpr const char* kConditional = "condition ? a : b";
 constexpr std::size_t kMostNamesListed = 12;
 
 std::string quotedWord(std::string_view word) { return "\"" + std::string(word) + "\""; }
@@ -121,7 +123,9 @@ class Parser {
    public:
     explicit Level(Parser& parser) : parser_(parser) {
       if (++parser_.depth_ > kDeepestNesting) {
-        refuse("the expression is nested too deeply", parser_.tokens_.current());
+        refuse(
+            "the expression is nested deeper than " + std::to_string(kDeepestNesting) + " levels",
+            parser_.tokens_.current());
       }
     }
     ~Level() { --parser_.depth_; }
@@ -136,6 +140,10 @@ class Parser {
     const Token& here = tokens_.current();
     const std::string word(tokens_.word(here));
     const bool afterNumber = tokens_.at() > 0 && tokens_.last().kind == TokenKind::number;
+    if (word == "if") refuse("expected an operator" + tokens_.found(here), here, kConditional);
+    if (afterNumber && here.kind == TokenKind::name && isSymbol(word))
+      refuse("expected an operator" + tokens_.found(here), here,
+             std::string(tokens_.word(tokens_.last())) + '*' + word);
     if (afterNumber && here.kind == TokenKind::name && parseUnitSuffix(word))
       refuse("a blank stands before the unit " + quotedWord(word), here,
              std::string(tokens_.word(tokens_.last())) + word);
@@ -241,7 +249,7 @@ class Parser {
 
   Node primary() {
     const Token token = tokens_.current();
-    if (tokens_.accept(TokenKind::number)) return graph_.constant(token.value);
+    if (tokens_.accept(TokenKind::number)) return number(token);
     if (token.kind == TokenKind::name) {
       return tokens_.following().kind == TokenKind::open ? call() : symbol();
     }
@@ -253,10 +261,39 @@ class Parser {
     refuse("expected a number, a name or \"(\"" + tokens_.found(token), token);
   }
 
+  /// A number with the unit t is 1000 kg to a program and twice the time to a reader who wrote 2t.
+  Node number(const Token& token) {
+    const std::size_t over = token.unit.find('/');
+    const bool quotient = over != std::string_view::npos;
+    const bool named = !token.unit.empty() &&
+                       symbols_.find(token.unit.substr(0, over)) != nullptr &&
+                       (!quotient || symbols_.find(token.unit.substr(over + 1)) != nullptr);
+    if (named) {
+      const std::string_view word = tokens_.word(token);
+      refuse(quotedWord(word) + " has the unit " + quotedWord(token.unit) +
+                 ", which is also a name here; a value in SI units needs no unit",
+             token,
+             std::string(word.substr(0, word.size() - token.unit.size())) + '*' +
+                 std::string(token.unit));
+    }
+    return graph_.constant(token.value);
+  }
+
   void closeParenthesis(const Token& open) {
     if (tokens_.accept(TokenKind::close)) return;
     if (tokens_.current().kind == TokenKind::end) refuse("\"(\" is never closed", open);
     expectedOperator();
+  }
+
+  [[noreturn]] void notAFunction(const Token& nameToken) const {
+    const std::string_view name = tokens_.word(nameToken);
+    const std::string_view last = name.substr(name.rfind('.') + 1);  // math.sin
+    const bool ofLibrary = last.size() < name.size() && findFunction(last) != nullptr;
+    if (isSymbol(name) && !ofLibrary)
+      refuse(quotedWord(name) + " is not a function, a product needs \"*\"", nameToken);
+    const std::string other = ofLibrary ? std::string(last) : functionOfOthers(name);
+    refuse("unknown function " + quotedWord(name), nameToken,
+           other.empty() ? nearest(name, functionNames()) : other);
   }
 
   Node call() {
@@ -264,12 +301,7 @@ class Parser {
     const Token nameToken = tokens_.current();
     const std::string_view name = tokens_.word(nameToken);
     const ExpressionFunction* function = findFunction(name);
-    if (function == nullptr && isSymbol(name)) {
-      refuse(quotedWord(name) + " is not a function, a product needs \"*\"", nameToken);
-    }
-    if (function == nullptr) {
-      refuse("unknown function " + quotedWord(name), nameToken, nearest(name, functionNames()));
-    }
+    if (function == nullptr) notAFunction(nameToken);
     tokens_.advance();
     const Token open = tokens_.current();
     tokens_.advance();
@@ -309,6 +341,10 @@ class Parser {
     const std::string_view name = bareName(tokens_.word(token));
     tokens_.advance();
     if (const SymbolTable::Symbol* found = symbols_.find(name)) {
+      if (found->hides)
+        refuse(quotedWord(name) +
+                   " is a parameter of the model, and here a variable; rename the parameter",
+               token);
       if (found->isVariable) return graph_.variable(found->slot);
       if (!std::isfinite(found->value)) endless_.ignore();
       return graph_.constant(found->value);
@@ -330,7 +366,11 @@ class Parser {
       message += " " + known[i];
     if (known.size() > kMostNamesListed) message += " …";
     known.emplace_back("pi");
-    refuse(message, token, name == "π" ? "pi" : nearest(name, known));
+    std::string near = name == "π" ? "pi" : nearest(name, known);
+    if (name == "time" && symbols_.find("t") != nullptr) near = "t";
+    // One letter is near to any other.
+    if (name.size() == 1 && typingDistance(name, near) > 0) near.clear();
+    refuse(message, token, near);
   }
 
   TokenReader tokens_;
@@ -340,11 +380,30 @@ class Parser {
   int depth_ = 0;
 };
 
+/// An unknown unit that is a name: 2mu was meant as 2*mu.
+[[noreturn]] void refuseMissingTimes(std::string_view text, const SymbolTable& symbols,
+                                     const ExpressionError& e) {
+  const std::string_view word = text.substr(e.offset(), e.length());
+  const bool unit = e.message().starts_with("unknown unit");
+  if (!unit || (symbols.find(word) == nullptr && word != "pi")) throw;
+  std::size_t begin = e.offset();
+  while (begin > 0 &&
+         ((text[begin - 1] >= '0' && text[begin - 1] <= '9') || text[begin - 1] == '.'))
+    --begin;
+  throw ExpressionError(
+      e.message(), e.offset(), e.length(),
+      std::string(text.substr(begin, e.offset() - begin)) + '*' + std::string(word));
+}
+
 }  // namespace
 
 ExpressionGraph::Node parseExpression(std::string_view text, const SymbolTable& symbols,
                                       ExpressionGraph& graph, ConstantParts parts) {
-  return Parser(text, symbols, graph).run(parts);
+  try {
+    return Parser(text, symbols, graph).run(parts);
+  } catch (const ExpressionError& e) {
+    refuseMissingTimes(text, symbols, e);
+  }
 }
 
 }  // namespace dynamy

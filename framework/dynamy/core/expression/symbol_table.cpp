@@ -12,12 +12,14 @@ int SymbolTable::variable(const std::string& name) {
 
 void SymbolTable::variable(const std::string& name, int slot) {
   if (slot < 0) throw std::invalid_argument("SymbolTable: the slot of " + name + " is negative");
-  symbols_[name] = {true, slot, 0.0};
+  const Symbol* before = find(name);
+  const bool hides = before != nullptr && (before->hides || !before->isVariable);
+  symbols_[name] = {true, slot, 0.0, hides};
   variableCount_ = std::max(variableCount_, slot + 1);
 }
 
 void SymbolTable::constant(const std::string& name, double value) {
-  symbols_[name] = {false, 0, value};
+  symbols_[name] = {false, 0, value, false};
 }
 
 const SymbolTable::Symbol* SymbolTable::find(std::string_view name) const {

@@ -17,6 +17,7 @@ class SymbolTable {
     bool isVariable = false;
     int slot = 0;        ///< index into the array of inputs, variables only
     double value = 0.0;  ///< constants only
+    bool hides = false;  ///< a variable with the name of a constant that was defined before
   };
 
   /// Defines a variable in the next free slot and returns this slot.

@@ -92,6 +92,18 @@ constexpr auto kTable = [] {
   });
 }();
 
+/// "Ns/mm" of "10Ns/mm": the rest of the text if it is meant as a unit with a divisor; else "".
+std::string_view wholeUnit(std::string_view text, const Token& number, const Token& end) {
+  if (number.unit.empty() || end.kind != TokenKind::over) return {};
+  const std::string_view rest = text.substr(number.offset + number.length - number.unit.size());
+  const std::size_t over = rest.find('/');
+  const char next = over + 1 < rest.size() ? rest[over + 1] : ' ';
+  const bool letter = (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z');
+  return letter && rest.find_first_of(" */+-(", over + 1) == std::string_view::npos
+             ? rest
+             : std::string_view();
+}
+
 std::vector<std::string> unitNames() {
   std::vector<std::string> names;
   for (const TableEntry& entry : kTable) names.emplace_back(entry.name);
@@ -133,6 +145,9 @@ Quantity parseQuantity(std::string_view text) {
                           number.length);
   }
   const Token& end = tokens[i + 1];
+  if (const std::string_view unit = wholeUnit(text, number, end); !unit.empty())
+    throw ExpressionError("unknown unit \"" + std::string(unit) + "\" after a number",
+                          static_cast<std::size_t>(unit.data() - text.data()), unit.size());
   if (end.kind != TokenKind::end) {
     const bool comma = text.substr(end.offset, 1) == ",";
     throw ExpressionError(

@@ -116,6 +116,9 @@ std::string placeFault(const std::filesystem::path& path, const FilePlace& place
 }
 
 std::string readWholeFile(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw FileError(path.string(), "is a folder, a file is needed");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(path.string(), std::string("cannot read: ") + std::strerror(errno));
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

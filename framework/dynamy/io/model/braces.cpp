@@ -17,7 +17,23 @@ std::size_t closing(std::string_view value, std::size_t begin) {
 bool nameStart(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c & 0x80) != 0;
 }
-bool nameContinues(char c) { return nameStart(c) || (c >= '0' && c <= '9'); }
+bool isFigure(char c) { return c >= '0' && c <= '9'; }
+bool nameContinues(char c) { return nameStart(c) || isFigure(c); }
+
+/// The letters behind the figures of a number and its exponent: 2m may be meant as 2*m, and the
+/// parser has to know m.
+std::string_view behindNumber(std::string_view word) {
+  const auto skipFigures = [&word] {
+    while (!word.empty() && isFigure(word.front())) word.remove_prefix(1);
+  };
+  skipFigures();
+  const bool exponent = word.starts_with('e') || word.starts_with('E');
+  if (exponent && (word.size() == 1 || isFigure(word[1]))) {
+    word.remove_prefix(1);
+    skipFigures();
+  }
+  return word;
+}
 
 }  // namespace
 
@@ -57,7 +73,9 @@ void namesIn(std::string_view formula, std::vector<std::string>& names) {
     }
     const std::size_t first = i;
     while (i < formula.size() && nameContinues(formula[i])) ++i;
-    if (nameStart(formula[first])) names.emplace_back(formula.substr(first, i - first));
+    std::string_view word = formula.substr(first, i - first);
+    if (!nameStart(word[0])) word = behindNumber(word);
+    if (!word.empty()) names.emplace_back(word);
   }
 }
 
@@ -189,7 +207,9 @@ std::optional<ResolvedText> resolveBraces(const XmlAttribute& attribute, const X
     }
     const std::size_t end = closing(value, at);
     if (end == std::string::npos) {
-      fault(at, 1, "\"{\" without \"}\"");
+      const bool twice = value.compare(at, 2, "{{") == 0;
+      fault(at, 1,
+            twice ? "\"{\" within braces; they stand once, as in {x}" : "\"{\" without \"}\"");
       return std::nullopt;
     }
     const std::string_view inner = std::string_view(value).substr(at + 1, end - at - 2);

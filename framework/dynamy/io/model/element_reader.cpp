@@ -58,15 +58,32 @@ std::string counted(int n, const ChildRule& rule) {
   return std::to_string(n) + ' ' + what + (n == 1 || !rule.only.empty() ? "" : "s");
 }
 
+/// What a child is, with the example of its parent if that has children.
+std::string exampleOf(const std::string& text, const std::string& example) {
+  return example.find("</") == std::string::npos ? text : text + ", as in " + example;
+}
+
 bool fits(const ChildRule& rule, const RegisteredType& type) {
   return rule.kind == type.kind && (rule.only.empty() || rule.only == type.name);
 }
 
 }  // namespace
 
+/// "it is an attribute: <RigidBody mass="…">" for a child <mass> of <RigidBody>; else "".
+std::string ElementReader::asAttribute(const std::string& tag, const std::string& parent) const {
+  const RegisteredType* type = registry_->find(parent);
+  const Word* word = source_->vocabulary().find(parent);
+  const Attributes* declared = type != nullptr   ? &type->attributes
+                               : word != nullptr ? &word->attributes
+                                                 : nullptr;
+  if (declared == nullptr || declared->find(tag) == nullptr) return {};
+  return "it is an attribute: <" + parent + ' ' + tag + "=\"…\">";
+}
+
 void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
                                    const std::vector<std::string>& allowed) {
-  std::string hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
+  std::string hint = asAttribute(node.tag, parent.tag);
+  if (hint.empty()) hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
   if (hint.empty()) {
     const std::optional<std::string> library = source_->libraryOf(node.tag);
     if (!library) return;  // the plug-in is reported already
@@ -86,11 +103,9 @@ const RegisteredType* ElementReader::typeIn(const Word& section, const XmlNode& 
   };
   if (type != nullptr && allowed(*type)) return type;
   if (type != nullptr) {
-    const std::string_view where = sectionOf(type->kind);
-    faults_->add(scope, node.place, parent,
-                 "<" + node.tag + "> is " + kindWithArticle(type->kind) +
-                     (where.empty() ? "; it stands inside of another element"
-                                    : "; put it into <" + std::string(where) + '>'));
+    faults_->add(
+        scope, node.place, parent,
+        "<" + node.tag + "> is " + kindWithArticle(type->kind) + rightPlace(*type, *registry_));
     return nullptr;
   }
   std::vector<std::string> names;
@@ -142,7 +157,7 @@ bool ElementReader::readChildren(const XmlNode& node, const Scope& scope,
                  "needs " + std::string(rules[i].max == rules[i].min ? "" : "at least ") +
                      counted(rules[i].min, rules[i]) + ", has " +
                      (counts[i] == 0 ? "none" : std::to_string(counts[i])),
-                 rules[i].text);
+                 exampleOf(rules[i].text, type.attributes.exampleText()));
   }
   return good && faults_->size() == before;
 }

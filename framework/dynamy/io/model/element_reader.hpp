@@ -26,6 +26,7 @@ class ElementReader {
                  const RegisteredType& type, std::vector<int>& counts, Parameters& x);
   void unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
                       const std::vector<std::string>& allowed);
+  std::string asAttribute(const std::string& tag, const std::string& parent) const;
   const Registry* registry_;
   ModelSource* source_;
   Faults* faults_;

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
+#include <dynamy/core/foreign_format.hpp>
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/io/files/csv.hpp>
 #include <dynamy/io/files/output_file.hpp>
@@ -55,6 +57,12 @@ struct MeasuredColumn {
   int sigma = -1;  ///< of a signal: the column of its standard deviations
 };
 
+bool isNumber(std::string_view text) {
+  double x = 0.0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), x);
+  return !text.empty() && end.ec == std::errc() && end.ptr == text.data() + text.size();
+}
+
 class MeasurementReader {
  public:
   MeasurementReader(std::string_view text, std::string file, const Model& model)
@@ -62,6 +70,7 @@ class MeasurementReader {
 
   std::vector<MeasuredValue> read() {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+    refuseBytes();
     while (nextLine()) {
       const std::vector<MeasuredCell> cells = measuredCells(line_);
       if (columns_.empty())
@@ -81,6 +90,24 @@ class MeasurementReader {
   }
 
  private:
+  /// Throws if the file holds no text in UTF-8.
+  void refuseBytes() const {
+    const auto fail = [this](std::string text, std::string hint) {
+      throw ModelError(
+          Diagnostic{.place = Place(file_), .text = std::move(text), .hint = std::move(hint)});
+    };
+    if (const ForeignFormat format = foreignFormat(text_); !format.name.empty())
+      fail("is " + std::string(format.name) + ", no text", std::string(format.remedy));
+    if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF"))
+      fail("the text is UTF-16", "store the file as UTF-8");
+    for (std::size_t i = 0; i < text_.size();) {
+      const Utf8Character c = nextCharacter(text_, i);
+      if (!c.valid || c.code == 0)
+        fail("holds bytes that are no text", "a table of measurements is a CSV file in UTF-8");
+      i += c.bytes.size();
+    }
+  }
+
   /// Moves on to the next line that is neither empty nor a comment.
   bool nextLine() {
     while (!text_.empty()) {
@@ -110,6 +137,13 @@ class MeasurementReader {
             trimmedCell(std::string_view(text).substr(open + 1, text.size() - open - 2), 0).text};
   }
 
+  /// "ball.z (mm)" → "ball.z"; "" if no parentheses stand at the end.
+  static std::string withoutParentheses(const std::string& text) {
+    const std::size_t open = text.rfind('(');
+    if (open == std::string::npos || open == 0 || text.back() != ')') return {};
+    return trimmedCell(std::string_view(text).substr(0, open), 0).text;
+  }
+
   double factorOf(const MeasuredCell& cell, Unit unit, const std::string& suffix) {
     try {
       return suffix.empty() ? 1.0 : quantityOf(unit, "1" + suffix, cell.text);
@@ -132,6 +166,13 @@ class MeasurementReader {
     out.signal = sigma ? name.substr(6, name.size() - 7) : name;
     const NamedSignal* signal = model_.signal(out.signal);
     if (signal == nullptr) {
+      const std::string bare = withoutParentheses(name);
+      if (!bare.empty() && (bare == "t" || bare == "time" || model_.signal(bare) != nullptr)) {
+        fault(cell, "a unit stands in brackets",
+              "write \"" + bare + " [" +
+                  name.substr(name.rfind('(') + 1, name.size() - name.rfind('(') - 2) + "]\"");
+        return out;
+      }
       std::vector<std::string> known{"t", "time"};
       for (const NamedSignal& s : model_.signals()) known.push_back(s.name);
       fault(cell, "no signal named \"" + out.signal + '"', unknownNameHint(out.signal, known));
@@ -145,6 +186,12 @@ class MeasurementReader {
   void readHead(const std::vector<MeasuredCell>& cells) {
     if (cells.size() == 1 && cells[0].text.find_first_of(";\t") != std::string::npos) {
       fault(cells[0], "the cells are not separated by commas", "write t,ball.z");
+      failed_ = true;
+      return;
+    }
+    if (std::all_of(cells.begin(), cells.end(), [](const auto& c) { return isNumber(c.text); })) {
+      fault(cells[0], "the head is missing: the first row holds numbers",
+            "put the names of the columns above them, such as t,ball.z");
       failed_ = true;
       return;
     }

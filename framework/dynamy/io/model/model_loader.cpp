@@ -85,6 +85,16 @@ std::unique_ptr<Element> standIn(const XmlNode& node) {
   return standInOf<NoContactRule>(node, "", {{"between", between->value}});
 }
 
+/// The names of `between` in order; none if the element does not have the attribute.
+std::vector<std::string> namesBetween(const XmlNode& node) {
+  const XmlAttribute* between = node.attribute("between");
+  if (between == nullptr) return {};
+  std::vector<std::string> names;
+  for (const XmlWord& word : xmlWords(between->value)) names.emplace_back(word.text);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;
 
 /// Adds a rule for each element that could not be read. False if one of them may have been a rule
@@ -92,12 +102,20 @@ using Parts = std::vector<std::pair<Kind, std::unique_ptr<Element>>>;
 bool addStandIns(const ModelSource& source, const Registry& registry,
                  const std::set<const ModelItem*>& good, Parts& parts) {
   bool all = true;
+  std::set<std::vector<std::string>> covered;
+  for (const ModelItem* item : good)
+    if (const RegisteredType* type = registry.find(item->node->tag);
+        type != nullptr && type->kind == Kind::rule)
+      covered.insert(namesBetween(*item->node));
   for (const ModelItem& item : source.elements()) {
     if (good.contains(&item)) continue;
     const RegisteredType* type = registry.find(item.node->tag);
-    if (auto rule = standIn(*item.node))
+    // The two names of a joint are no materials.
+    const bool mayBeRule = type == nullptr || type->kind == Kind::rule;
+    if (type == nullptr && covered.contains(namesBetween(*item.node))) continue;
+    if (auto rule = mayBeRule ? standIn(*item.node) : nullptr)
       parts.emplace_back(Kind::rule, std::move(rule));
-    else if (item.section == "elements" && (type == nullptr || type->kind == Kind::rule))
+    else if (item.section == "elements" && mayBeRule)
       all = false;
   }
   return all;

@@ -2,6 +2,18 @@
 #include <dynamy/io/model/model_scope.hpp>
 
 namespace dynamy {
+namespace {
+
+constexpr std::string_view kForbidden = " \t\r\n./[]*\"<>";  // in names of elements
+
+/// The name with "_" in the place of all that names must not contain.
+std::string withoutForbidden(std::string name) {
+  for (char& c : name)
+    if (kForbidden.find(c) != std::string_view::npos) c = '_';
+  return name;
+}
+
+}  // namespace
 
 // ---- Scope ----
 
@@ -84,7 +96,6 @@ std::string elementName(const XmlNode& node, const Scope& scope, const std::stri
   const auto resolved = resolveBraces(*given, node, scope, false, faults);
   if (!resolved) return {};
   const std::string& name = resolved->text;
-  constexpr std::string_view kForbidden = " \t\r\n./[]*\"<>";
   if (name.empty()) {
     faults.add(scope, given->valuePlace, node, "the name is empty");
     return {};
@@ -92,7 +103,8 @@ std::string elementName(const XmlNode& node, const Scope& scope, const std::stri
   if (const std::size_t at = name.find_first_of(kForbidden); at != std::string::npos) {
     const auto [offset, length] = resolved->source(at, 1);
     faults.add(scope, scope.document->at(*given, offset, length), node,
-               std::string("a name must not contain \"") + name[at] + '"');
+               std::string("a name must not contain \"") + name[at] + '"',
+               "write \"" + withoutForbidden(name) + '"');
     return {};
   }
   return prefix + name + scope.suffix;
@@ -100,8 +112,10 @@ std::string elementName(const XmlNode& node, const Scope& scope, const std::stri
 
 void refuseText(const XmlNode& node, const Scope& scope, Faults& faults) {
   if (node.text.empty()) return;
+  const bool tag = node.text.find("/>") != std::string::npos;
   faults.add(scope, node.textPlace, node, "text has no meaning here",
-             "text for people stands in <doc>");
+             tag ? "a tag begins with <"
+                 : "values are attributes, name=\"value\"; text for people stands in <doc>");
 }
 
 }  // namespace dynamy

@@ -198,11 +198,9 @@ void ModelSource::walk(const XmlNode& parent, const Scope& scope, const Includin
       include(node, scope, from);
     } else if (!known) {
       if (const RegisteredType* type = registry_->find(tag)) {
-        const std::string_view where = sectionOf(type->kind);
-        faults_->add(scope, node.place, parent,
-                     "<" + tag + "> is " + kindWithArticle(type->kind) +
-                         (where.empty() ? "; it stands inside of another element"
-                                        : "; put it into <" + std::string(where) + '>'));
+        faults_->add(
+            scope, node.place, parent,
+            "<" + tag + "> is " + kindWithArticle(type->kind) + rightPlace(*type, *registry_));
       } else {
         std::string hint = meantElement(tag, root.children, *registry_, vocabulary_);
         if (hint.empty()) hint = "known here: " + quotedList(root.children);
@@ -261,7 +259,8 @@ void ModelSource::include(const XmlNode& node, const Scope& scope, const Includi
     for (Diagnostic d : e.diagnostics()) {
       if (d.place.line <= 0) {  // no such file: the place is where it is named
         d.text = '"' + file.lexically_normal().string() + "\": " + d.text;
-        if (d.hint.empty()) d.hint = "a path is relative to the file in which it stands";
+        if (!d.hint.starts_with("did you mean"))
+          d.hint = "a path is relative to the file in which it stands";
         d.place = x["file"].place;
         d.element = node.label();
       }

@@ -78,6 +78,14 @@ ParameterEvaluator::Pending ParameterEvaluator::start(std::size_t item) {
   return out;
 }
 
+/// ": a → b → a", the loop of parameters that closes at `item`; "" if it uses itself.
+std::string ParameterEvaluator::loop(const std::vector<Pending>& stack, std::size_t item) const {
+  if (stack.back().item == item) return {};
+  std::string out = " → " + items_[item].name;
+  for (auto p = stack.rbegin(); p->item != item; ++p) out = " → " + items_[p->item].name + out;
+  return ": " + items_[item].name + out;
+}
+
 /// Evaluates depth first with an explicit stack, so that a chain of parameters may have any length.
 void ParameterEvaluator::evaluate(std::size_t item) {
   std::vector<Pending> stack;
@@ -93,7 +101,7 @@ void ParameterEvaluator::evaluate(std::size_t item) {
     const auto [used, attribute] = top.uses[top.next++];
     if (items_[used].progress == Progress::running) {
       faults_->add(*scope_, attribute->valuePlace, *current.node,
-                   "the parameter \"" + current.name + "\" depends on itself");
+                   "the parameter \"" + current.name + "\" depends on itself" + loop(stack, used));
       top.good = false;
     } else if (items_[used].progress == Progress::waiting) {
       stack.push_back(start(used));
@@ -109,6 +117,12 @@ void ParameterEvaluator::finish(Item& item, bool good) {
          AttributeReader(*faults_, nullptr).read(*item.node, *scope_, word_->attributes, {}, x);
   item.progress = Progress::done;
   if (!good || scope_->broken.contains(item.name)) {
+    scope_->broken.insert(item.name);
+    return;
+  }
+
+  if (x.has("min") && x.has("max") && x["min"] > x["max"]) {
+    faults_->add(*scope_, x["min"].place, *item.node, "min lies above max", "exchange the two");
     scope_->broken.insert(item.name);
     return;
   }

@@ -47,6 +47,7 @@ class ParameterEvaluator {
   };
   Pending start(std::size_t item);
   void evaluate(std::size_t item);
+  std::string loop(const std::vector<Pending>& stack, std::size_t item) const;
   void finish(Item& item, bool good);
   double replaced(const Item& item, const Attribute& declared, const ParameterValue& value);
 

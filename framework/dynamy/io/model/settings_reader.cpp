@@ -9,6 +9,11 @@
 #include <dynamy/simulation/report/run_watch.hpp>
 
 namespace dynamy {
+namespace {
+
+constexpr double kTimeRounding = 1e-9;  ///< relative rounding of formulas for two equal times
+
+}  // namespace
 
 void SettingsReader::read(const ModelItem& item) {
   const XmlNode& node = *item.node;
@@ -112,7 +117,7 @@ void SettingsReader::readRecord(const XmlNode& node, const Scope& scope, const P
   }
   if (x["every"].given) r.every = x["every"];
   if (x["at"].given) {
-    r.at = x["at"].numbers;
+    r.at = x["at"].numbers, recordTimes_ = x["at"].place;
     if (std::any_of(r.at.begin(), r.at.end(), [](double t) { return t < 0.0; }))
       faults_->add(scope, x["at"].place, node, "an instant is before the start of the run");
   }
@@ -201,13 +206,26 @@ void SettingsReader::readOrbit(const XmlNode& node, const Scope& scope, const Pa
 void SettingsReader::verifyTime(const CheckSettings& check, const Place& place) const {
   const double until = model_->simulation.until;
   const double last = check.measure == CheckSettings::Measure::value ? check.at : check.to;
-  constexpr double kRounding = 1e-9;  // relative rounding of formulas for both times
-  if (!std::isfinite(last) || !(until > 0.0) || last <= until * (1.0 + kRounding)) return;
+  if (!std::isfinite(last) || !(until > 0.0) || last <= until * (1.0 + kTimeRounding)) return;
   faults_->add({.place = place,
                 .element = "check",
                 .text = "looks for \"" + check.signal + "\" at " + numberText(last) +
                         " s, but the run ends at " + numberText(until) + " s",
                 .hint = "take a later until, or an earlier time"});
+}
+
+/// Reports an instant of a row after the end of the run, which would not be written.
+void SettingsReader::verifyInstants() const {
+  const std::vector<double>& at = model_->record.at;
+  const double until = model_->simulation.until;
+  if (at.empty() || !(until > 0.0)) return;
+  const double last = *std::max_element(at.begin(), at.end());
+  if (last <= until * (1.0 + kTimeRounding)) return;
+  faults_->add({.place = recordTimes_,
+                .element = "record",
+                .text = "wants a row at " + numberText(last) + " s, but the run ends at " +
+                        numberText(until) + " s",
+                .hint = "take a later until, or leave the instant out"});
 }
 
 void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
@@ -219,7 +237,7 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
   for (const NamedSignal& s : model_->signals()) known.push_back(s.name);
   if (element == "check")
     for (const RunFigure& f : runFigures()) known.push_back(std::string("run.") + f.name);
-  const bool all = signal.ends_with(".*");
+  const bool all = signal.ends_with('*');
   if (all) {
     const std::string prefix = signal.substr(0, signal.size() - 1);
     for (std::string& name : known) {
@@ -233,7 +251,9 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
   for (const std::string& name : known)
     if (!owner.empty() && name.starts_with(owner)) same.push_back(name);
   std::string hint;
-  if (const std::string several = partedNames(signal); !several.empty())
+  if (signal == "all")
+    hint = "all signals are signals=\"*\"";
+  else if (const std::string several = partedNames(signal); !several.empty())
     hint = "names stand between blanks: \"" + several + '"';
   else if (const std::string own = signal.substr(signal.rfind('.') + 1);
            !owner.empty() && std::find(known.begin(), known.end(), own) != known.end())
@@ -241,6 +261,9 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
            "\", or give it name=\"" + owner.substr(0, owner.size() - 1) + '"';
   else
     hint = didYouMean(nearest(signal, known));
+  if (hint.empty() && owner.empty())
+    for (const std::string& name : known)
+      if (hint.empty() && name.ends_with('.' + signal)) hint = didYouMean(name);
   if (hint.empty() && model_->simulation.coordinates == JointCoordinates::minimal)
     for (const auto& joint : model_->contacts())
       if (!owner.empty() && owner == joint->name() + ".")
@@ -281,6 +304,7 @@ void SettingsReader::verifySignals() const {
   verifyKept();
   const RecordSettings& r = model_->record;
   if (!r.follow.empty()) verifyFollow(r.follow, r.followPlace);
+  verifyInstants();
   std::unordered_set<std::string_view> signals;
   for (const NamedSignal& s : model_->signals()) signals.insert(s.name);
   for (std::size_t i = 0; i < r.signals.size(); ++i)

@@ -38,6 +38,7 @@ class SettingsReader {
   void readCheck(const XmlNode& node, const Scope& scope, const Parameters& x);
   bool checkIsSound(const XmlNode& node, const Scope& scope, const Parameters& x) const;
   void verifyTime(const CheckSettings& check, const Place& place) const;
+  void verifyInstants() const;
   void verifyKept() const;
   void verifyFollow(const std::string& name, const Place& place) const;
   void verify(const std::unordered_set<std::string_view>& signals, const std::string& signal,
@@ -53,6 +54,7 @@ class SettingsReader {
   std::map<std::string, Place> given_;  ///< attributes of all `<simulation>`
   std::map<Kind, Place> methods_;
   std::vector<Place> checkSignals_, checkTimes_;
+  Place recordTimes_;
 };
 
 }  // namespace dynamy

@@ -15,6 +15,10 @@ namespace dynamy {
 std::string meantElement(std::string_view tag, const std::vector<std::string>& allowed,
                          const Registry& registry, const Vocabulary& vocabulary);
 
+/// Where an element of this type stands, as the end of a message: "; put it into <systems>", "; it
+/// stands inside of <Ground>, <RigidBody>".
+std::string rightPlace(const RegisteredType& type, const Registry& registry);
+
 /// The hint for a file whose root is not <dynamy>: it names the format of another program; "" if
 /// unknown.
 std::string meantFormat(const std::string& root);

@@ -1,11 +1,14 @@
+#include <cxxabi.h>
 #include <dlfcn.h>
 #include <link.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <dynamy/core/error.hpp>
 #include <dynamy/io/plugin/library_file.hpp>
 #include <dynamy/io/plugin/plugin_entry.hpp>
+#include <memory>
 
 namespace dynamy {
 
@@ -41,6 +44,19 @@ std::string eigenVersion(const PluginInfo& p) {
 
 constexpr const char* kEntry = "dynamy_plugin_info";
 
+/// The symbol that a message of the loader misses, as the source writes it; "" if it misses none.
+std::string missingSymbol(const std::string& why) {
+  constexpr std::string_view kMissing = "undefined symbol: ";
+  const std::size_t at = why.find(kMissing);
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + kMissing.size();
+  const std::string symbol = why.substr(begin, why.find_first_of(" ,\n", begin) - begin);
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> readable(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), std::free);
+  return readable && status == 0 ? std::string(readable.get()) : symbol + "()";
+}
+
 /// Loads a library until the end of the program; undefined symbols are found now, not during a run.
 void* linkNow(const fs::path& file, const std::string& name) {
   void* handle = nullptr;
@@ -56,9 +72,16 @@ void* linkNow(const fs::path& file, const std::string& name) {
                      ": cannot be loaded: code that runs while it is loaded threw something that "
                      "is no std::exception");
   }
-  if (handle == nullptr)
-    throw ModelError(name + ": cannot be loaded: " + text(::dlerror()),
+  if (handle == nullptr) {
+    const std::string why = text(::dlerror());
+    if (const std::string symbol = missingSymbol(why); !symbol.empty())
+      throw ModelError(name + ": cannot be loaded: it needs " + symbol + ", which no library has",
+                       "add the source file or the library that holds it to the plug-in, or build "
+                       "it against dynamy " +
+                           versionString());
+    throw ModelError(name + ": cannot be loaded: " + why,
                      "was it built against dynamy " + versionString() + "?");
+  }
   return handle;
 }
 

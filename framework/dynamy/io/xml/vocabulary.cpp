@@ -69,7 +69,8 @@ Word simulation() {
 Word record() {
   Word w = word("record", "Which signals and pictures are kept.", {"doc"});
   Attributes& a = w.attributes;
-  a.add(AttributeType::names, "signals", "", "names such as ball.z; ball.* are all of ball");
+  a.add(AttributeType::names, "signals", "",
+        "names such as ball.z; ball.* are all of ball, * are all; default: those of systems");
   a.required("every", Unit::time, "sample time; default: 1000 samples").positive().mayBeAbsent();
   a.requiredVector("at", Unit::time, 0, "instants of rows; with `every`: of rows beside those")
       .mayBeAbsent();

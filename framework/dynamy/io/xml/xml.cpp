@@ -1,6 +1,7 @@
 /// Combines two readings of one text, the scanner's list of places and the parser's tree; both are
 /// in document order.
 
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/xml/xml.hpp>
 #include <dynamy/io/xml/xml_scanner.hpp>
@@ -118,6 +119,17 @@ class TreeBuilder {
   throw ModelError(Diagnostic{.place = {name}, .text = std::move(text), .hint = std::move(hint)});
 }
 
+/// Paths of the XML files in a folder, in order.
+std::vector<std::string> modelsIn(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::string> out;
+  for (std::filesystem::directory_iterator it(folder, ignored), end; !ignored && it != end;
+       it.increment(ignored))
+    if (it->path().extension() == ".xml") out.push_back(it->path().string());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 /// Name of a file in the same folder that was probably meant.
 std::string nearFile(const std::filesystem::path& file) {
   std::error_code ignored;
@@ -133,18 +145,34 @@ std::string nearFile(const std::filesystem::path& file) {
   for (const std::string& name : known)
     if (name.ends_with(ending)) stems.push_back(std::filesystem::path(name).stem().string());
   std::string name = nearest(file.stem().string(), stems);
-  name = name.empty() ? nearest(file.filename().string(), known) : name + ending;
+  if (!name.empty()) return (file.parent_path() / (name + ending)).string();
+  // A file whose ending is misspelt, too; an equal ending alone makes no two names alike.
+  std::erase_if(known, [&](const std::string& k) { return k.ends_with(ending); });
+  name = nearest(file.filename().string(), known);
   return name.empty() ? name : (file.parent_path() / name).string();
+}
+
+/// The hint for a file that does not exist: a similar name, else the models of its folder.
+std::string hintForMissing(const std::filesystem::path& file) {
+  if (const std::string near = nearFile(file); !near.empty()) return didYouMean(near);
+  std::error_code ignored;
+  const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, ignored))
+    return "there is no folder " + folder.string();
+  const std::vector<std::string> models = modelsIn(folder);
+  if (models.empty())
+    return "no XML file is in " +
+           std::filesystem::absolute(folder, ignored).lexically_normal().string();
+  std::vector<std::string> names;
+  for (const std::string& path : models)
+    names.push_back(std::filesystem::path(path).filename().string());
+  constexpr std::size_t kMostNames = 5;
+  return "its folder has " + quotedList(names, kMostNames);
 }
 
 /// The hint for a folder that is named instead of a file: a model in it.
 std::string fileInFolder(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  std::vector<std::string> models;
-  for (std::filesystem::directory_iterator it(folder, ignored), end; !ignored && it != end;
-       it.increment(ignored))
-    if (it->path().extension() == ".xml") models.push_back(it->path().string());
-  std::sort(models.begin(), models.end());
+  const std::vector<std::string> models = modelsIn(folder);
   return models.empty() ? "no XML file is in it" : "name a file in it, such as " + models.front();
 }
 
@@ -212,7 +240,7 @@ XmlDocument XmlDocument::read(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found)
-    failFile(name, "there is no such file", didYouMean(nearFile(file)));
+    failFile(name, "there is no such file", hintForMissing(file));
   if (error) failFile(name, "the file cannot be read: " + error.message());
   if (std::filesystem::is_directory(status))
     failFile(name, "this is a folder, not a file", fileInFolder(file));

@@ -3,6 +3,7 @@
 /// after them a scanner can only guess.
 #include <algorithm>
 #include <array>
+#include <dynamy/core/foreign_format.hpp>
 #include <dynamy/core/utf8.hpp>
 #include <dynamy/io/xml/fault_list.hpp>
 #include <dynamy/io/xml/xml_scanner.hpp>
@@ -83,12 +84,22 @@ bool looksBinary(std::string_view text) {
                      [](char c) { return static_cast<unsigned char>(c) < 9; });
 }
 
+/// True: the text begins as a page of HTML does.
+bool looksLikeHtml(std::string_view text) {
+  std::string begin(text.substr(0, 200));
+  for (char& c : begin) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return begin.find("<!doctype html") != std::string::npos;
+}
+
 /// Checks that the whole text is UTF-8 without characters that XML forbids.
 void checkCharacters(std::string_view text, ScanErrors& errors) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     errors.failFile("the text is UTF-16", "store the file as UTF-8");
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     errors.failFile("the file is empty");
+  if (const ForeignFormat format = foreignFormat(text); !format.name.empty())
+    errors.failFile("the file is " + std::string(format.name) + ", no text",
+                    std::string(format.remedy));
   for (std::size_t i = 0; i < text.size();) {
     const Utf8Character c = nextCharacter(text, i);
     if (!c.valid)
@@ -180,7 +191,9 @@ class Scanner {
     if (startsWith("<![CDATA[")) return cdata();
     if (startsWith("<!"))
       errors_.fail(at_, 2, openTag(), "document types and their entities are not read",
-                   "remove the declaration");
+                   looksLikeHtml(text_)
+                       ? "the file is a page of HTML; a model begins with <dynamy version=\"1\">"
+                       : "remove the declaration");
     if (startsWith("<?")) return instruction();
     if (startsWith("</")) return closing();
     opening();
@@ -244,7 +257,9 @@ class Scanner {
     const XmlScan::Element& element = scan_.elements[open_.back()];
     if (found != tag(element)) {
       Diagnostic error = errors_.at(begin, size, tag(element),
-                                    "expected </" + tag(element) + ">, found </" + found + '>', {});
+                                    "expected </" + tag(element) + ">, found </" + found + '>',
+                                    "a tag without children ends with \"/>\"");
+      if (scan_.elements.size() > open_.back() + 1) error.hint.clear();  // it has children
       errors_.note(error, element.begin, element.size, '<' + tag(element) + "> is opened here");
       errors_.fail(std::move(error));
     }
@@ -275,7 +290,8 @@ class Scanner {
     if (attributeName.empty())
       errors_.fail(at_, 1, tag(element),
                    "unexpected character " + quotedName(nextCharacter(text_, at_).bytes),
-                   "an attribute is written name=\"value\"");
+                   startsWith("/") ? "a tag ends with \">\" or \"/>\""
+                                   : "an attribute is written name=\"value\"");
     skipSpace();
     if (!startsWith("="))
       errors_.fail(attribute.name, attribute.nameSize, tag(element),
@@ -293,10 +309,25 @@ class Scanner {
     ++element.attributes;
   }
 
+  /// Bytes of the typographic quote at `at`, 0 if there is none.
+  std::size_t typographicQuote(std::size_t at) const {
+    for (const std::string_view quote : {"“", "”", "„", "‘", "’", "‚", "«", "»"})
+      if (text_.substr(at).starts_with(quote)) return quote.size();
+    return 0;
+  }
+
   void value(const XmlScan::Element& element, XmlScan::Attribute& attribute,
              const std::string& attributeName) {
     const std::size_t begin = at_;
     const char quote = begin < text_.size() ? text_[begin] : '\0';
+    if (const std::size_t size = typographicQuote(begin); size > 0) {
+      std::size_t end = begin + size;
+      while (end < text_.size() && typographicQuote(end) == 0 && text_[end] != '\n') ++end;
+      errors_.fail(begin, end - begin + size, tag(element),
+                   "the value of " + quotedName(attributeName) + " is in typographic quotes",
+                   "write " + attributeName + "=\"" +
+                       std::string(text_.substr(begin + size, end - begin - size)) + '"');
+    }
     if (quote != '"' && quote != '\'') {
       const std::size_t end = std::min(text_.find_first_of(" \t\r\n<>/\"'", begin), text_.size());
       const std::string word(text_.substr(begin, end - begin));
@@ -314,7 +345,10 @@ class Scanner {
     if (end == std::string_view::npos || less || (glued && content.find('=') < content.size()))
       errors_.fail(begin, content.substr(0, content.find_first_of("=<\n")).size() + 1, tag(element),
                    "the value of " + quotedName(attributeName) + " has no closing quote",
-                   less ? "in a value \"<\" is written &lt;" : "");
+                   less
+                       ? "in a value \"<\" is written &lt;"
+                       : "write " + attributeName + "=\"" +
+                             std::string(content.substr(0, content.find_first_of(" =<>\n"))) + '"');
     if (glued)
       errors_.fail(end + 1, 1, tag(element),
                    "expected a space after the value of " + quotedName(attributeName), {});

@@ -35,6 +35,19 @@ void refuseStepsWithoutWay(const SimulationSettings& s) {
           2.0 * least)});
 }
 
+/// Throws ModelError for a tolerance below the rounding of numbers, or as large as the scene.
+void refuseSenselessTolerance(const SimulationSettings& s) {
+  if (!(s.tolerance > 0.0) || (s.tolerance >= kEpsilon && s.tolerance < 1.0)) return;
+  const bool small = s.tolerance < 1.0;
+  throw ModelError(
+      Diagnostic{.place = s.place,
+                 .element = std::string(s.place.line == 0 ? "" : "simulation"),
+                 .text = fmt::format("a tolerance of {:g} is {}", s.tolerance,
+                                     small ? "below the rounding of numbers"
+                                           : "no accuracy: errors may be as large as the scene"),
+                 .hint = small ? "take 1e-12 or more" : "take 1e-3 or less"});
+}
+
 }  // namespace
 
 void SchemeChoice::name(std::unique_ptr<OneStep> scheme) {
@@ -60,7 +73,7 @@ void SchemeChoice::askTolerance(double tolerance, SimulationSettings& s) {
 }
 
 void SchemeChoice::ready(double length, SimulationSettings& s) {
-  refuseStepsWithoutWay(s);
+  refuseStepsWithoutWay(s), refuseSenselessTolerance(s);
   choose(s);
   if (!takesTolerance(*scheme_)) return;
   if (!(s.tolerance > 0.0)) s.tolerance = Accuracy{}.tolerance;

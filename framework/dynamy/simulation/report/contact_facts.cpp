@@ -6,7 +6,6 @@
 #include <dynamy/simulation/report/contact_facts.hpp>
 
 namespace dynamy {
-namespace {
 
 std::string elementText(const Element& e) {
   std::string text = e.type().empty() ? "" : "<" + e.type();
@@ -17,8 +16,6 @@ std::string elementText(const Element& e) {
   if (!place.empty()) text += " (" + place + ")";
   return text;
 }
-
-}  // namespace
 
 Status contactStatus(const StepView& view, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;

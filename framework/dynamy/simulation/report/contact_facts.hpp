@@ -21,7 +21,10 @@ std::string contactName(const Model& model, ContactKey key);
 /// Name of a contact with the place of its element: "floor (ball.xml:12)".
 std::string contactText(const Model& model, ContactKey key);
 
-/// `<RigidBody name="ball"> (ball.xml:12)`: how messages name a system.
+/// `<RigidBody name="ball"> (ball.xml:12)`: how messages name an element.
+std::string elementText(const Element& e);
+
+/// The same of a system.
 std::string systemName(const Model& model, int system);
 
 }  // namespace dynamy

@@ -54,6 +54,21 @@ std::string faultOf(const Model& model, const MechanicalSystem& system, const St
   return {};
 }
 
+const ExternalForce* forceWithoutNumber(const Model& model, const State& x, double t) {
+  const int nu = model.topology().nu();
+  Kinematics k;
+  k.resize(model.topology());
+  k.evaluate(model.topology(), t, view(x.q), view(x.u), view(x.memory));
+  Eigen::VectorXd h(nu), nonPotential(nu);
+  for (const auto& force : model.forces()) {
+    h.setZero(), nonPotential.setZero();
+    ForceSink sink(view(h), view(nonPotential));
+    force->addTo(k, sink);
+    if (!h.allFinite()) return force.get();
+  }
+  return nullptr;
+}
+
 std::string missedTolerance(const Model& model, const MechanicalSystem& system, double t,
                             const SolveReport& solved) {
   const ContactSet& c = system.slot(0).contacts;

@@ -13,6 +13,9 @@ bool isSound(const MechanicalSystem& system, const State& x, const StepReport& s
 std::string faultOf(const Model& model, const MechanicalSystem& system, const State& x,
                     const StepReport& step);
 
+/// The first force of the model that is not finite at time t [s] in the state x; null: none.
+const ExternalForce* forceWithoutNumber(const Model& model, const State& x, double t);
+
 /// Message of a run that ends at time t [s], because an inclusion missed its tolerance.
 std::string missedTolerance(const Model& model, const MechanicalSystem& system, double t,
                             const SolveReport& solved);

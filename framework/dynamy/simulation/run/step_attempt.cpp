@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <dynamy/core/declared/attributes.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
+#include <dynamy/simulation/report/contact_facts.hpp>
 #include <dynamy/simulation/run/checkpoints.hpp>
 #include <dynamy/simulation/run/run_faults.hpp>
 #include <dynamy/simulation/run/step_attempt.hpp>
@@ -81,7 +83,20 @@ void StepAttempt::project() {
 
 bool StepAttempt::sound() const { return report_.resting || isSound(system_, x_, report_); }
 
-std::string StepAttempt::fault() const { return faultOf(model_, system_, x_, report_); }
+std::string StepAttempt::fault() const {
+  std::string text = faultOf(model_, system_, x_, report_);
+  if (!text.ends_with("is not finite") || !before_.q.allFinite() || !before_.u.allFinite())
+    return text;
+  // A formula of time that ends within the step is the cause, and not the body it acts on.
+  for (const double part : {0.0, 0.5, 1.0}) {
+    const double t = before_.t + part * (x_.t - before_.t);
+    const ExternalForce* force = forceWithoutNumber(model_, before_, t);
+    if (force == nullptr) continue;
+    return text + ": the force of " + elementText(*force) +
+           " has no finite value at t = " + numberText(t) + " s";
+  }
+  return text;
+}
 
 StepView StepAttempt::view(long index, bool whole) {
   const ContactSet& c = system_.slot(0).contacts;

@@ -42,10 +42,13 @@ int StepDivision::parts(const Coarseness& c, double share, long most) {
   if (c.coarse && resolvable) swings_ = true;
   // Parts that were equal so far stay so until they are kTolerated times too long.
   const bool rough = swings_ && (c.coarse || c.swing > kTolerated);
-  const double motion = std::max(c.turn, rough ? c.swing : 0.0);
+  // So many parts would not resolve a turn of millions of radians: its unit is wrong, and the run
+  // warns of it at once instead of computing parts that are no better.
+  const double turn = c.turn <= kMostEqual * share ? c.turn : 0.0;
+  const double motion = std::max(turn, rough ? c.swing : 0.0);
   const double ahead = std::min(c.ahead, Coarseness::kMostAhead * share);
   const double wanted = std::min(std::max({motion, c.overlap, ahead}), bound * share);
-  const double needed = std::max(c.turn, swings_ ? c.swing : 0.0);
+  const double needed = std::max(turn, swings_ ? c.swing : 0.0);
   // What is ahead is in the next step, too: the last part looks no further than the next part.
   ahead_ = std::max(ahead_, powerOfTwo(std::min(ahead / share, bound)));
   // The next step moves alike; its bodies need not meet.

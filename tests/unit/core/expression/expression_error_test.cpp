@@ -66,6 +66,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"Y + 1", "unknown symbol \"Y\", known: hS phiM phiS y", 0, 1, "y"},
                     Wrong{"1 + z", "unknown symbol \"z\", known: hS phiM phiS y", 4, 1, ""},
                     Wrong{"sni(y)", "unknown function \"sni\"", 0, 3, "sin"},
+                    Wrong{"ln(y)", "unknown function \"ln\"", 0, 2, "log"},
+                    Wrong{"if(y, 1, 2)", "unknown function \"if\"", 0, 2, "condition ? a : b"},
                     Wrong{"2*frobnicate(y)", "unknown function \"frobnicate\"", 2, 10, ""},
                     Wrong{"y(2)", "\"y\" is not a function, a product needs \"*\"", 0, 1, ""},
                     Wrong{"pi(2)", "\"pi\" is not a function, a product needs \"*\"", 0, 2, ""},
@@ -121,8 +123,42 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"1+30degree", "unknown unit \"degree\" after a number", 4, 6, "deg"},
                     Wrong{"4in", "unknown unit \"in\" after a number, 1in is 0.0254m", 1, 2, ""},
                     Wrong{"2 m", "a blank stands before the unit \"m\"", 2, 1, "2m"},
-                    Wrong{"2phiM", "unknown unit \"phiM\" after a number", 1, 4, ""},
+                    Wrong{"1+2.5phiM", "unknown unit \"phiM\" after a number", 5, 4, "2.5*phiM"},
                     Wrong{"2mm^2", "a power directly after a unit is ambiguous", 3, 1, "(2mm)^"}));
+
+TEST(ExpressionError, OfAUnitThatIsANameAsksForAProduct) {
+  SymbolTable symbols;
+  symbols.variable("t");
+  symbols.constant("m", 0.4);
+  for (const auto& [text, meant] : {std::pair("2t", "2*t"), {"1 + 0.5m", "0.5*m"}}) {
+    try {
+      Expression::compile(text, symbols);
+      FAIL() << text;
+    } catch (const ExpressionError& error) {
+      EXPECT_EQ(error.suggestion(), meant);
+    }
+  }
+  // A unit of two parts is a product only if both are names.
+  const double x = 1.0;
+  EXPECT_EQ(Expression::compile("2m/s", symbols).value(&x), 2.0);
+  EXPECT_EQ(Expression::compile("2mm", symbols).value(&x), 0.002);
+  symbols.constant("s", 5.0);
+  EXPECT_THROW(Expression::compile("2m/s", symbols), ExpressionError);
+}
+
+TEST(ExpressionError, OfAVariableThatHidesAParameterNamesBoth) {
+  SymbolTable symbols;
+  symbols.constant("t", 0.4);
+  symbols.variable("t");
+  EXPECT_NO_THROW(Expression::compile("1 + 2", symbols));
+  try {
+    Expression::compile("2*t", symbols);
+    FAIL();
+  } catch (const ExpressionError& error) {
+    EXPECT_EQ(error.message(),
+              "\"t\" is a parameter of the model, and here a variable; rename the parameter");
+  }
+}
 
 TEST(ExpressionError, ListsTheFirstNamesIfThereAreMany) {
   SymbolTable symbols;
@@ -174,7 +210,7 @@ TEST(ExpressionError, StopsADeepNestingBeforeTheStackDoes) {
       Expression::compile(text, toy());
       FAIL() << piece;
     } catch (const ExpressionError& error) {
-      EXPECT_EQ(error.message(), "the expression is nested too deeply") << piece;
+      EXPECT_EQ(error.message(), "the expression is nested deeper than 200 levels") << piece;
     }
   }
 }

@@ -175,7 +175,7 @@ TEST(CouplingsRefuse, WhatCannotBe) {
   expect(refusal([](Model& m) {
            m.add<Rope>("r", {{"through", "world world"}, {"points", {0, 0, 0, 0, 0, 1}}});
          }),
-         "move as told");
+         "move as given");
   expect(refusal([](Model& m) {
            m.add<Rope>("r", {{"through", "a b"}, {"points", {0, 0, 0}}});
          }),

@@ -30,7 +30,7 @@ TEST(ModelLoaderError, WrongKindInASection) {
   EXPECT_EQ(firstError(inSystems("<Weight/>")),
             "m.xml:2:10: error: <systems>: <Weight> is a force; put it into <forces>");
   EXPECT_EQ(firstError(inSystems("<Law/>")),
-            "m.xml:2:10: error: <systems>: <Law> is a law; it stands inside of another element");
+            "m.xml:2:10: error: <systems>: <Law> is a law; it stands inside of <Stop>");
   EXPECT_EQ(firstError(inSystems("<Ball mass=\"1\"><Law/></Ball>")),
             "m.xml:2:25: error: <Ball>: <Law> is a law; <Ball> takes: shape");
   EXPECT_EQ(firstError(around("<Ball mass=\"1\"/>")),
@@ -167,7 +167,7 @@ TEST(ModelLoaderError, SettingsAreChecked) {
             "m.xml:2:13: error: <simulation>: unknown attribute \"untill\" — did you mean "
             "\"until\"?");
   EXPECT_EQ(firstError(around("<simulation><Law/></simulation>")),
-            "m.xml:2:13: error: <simulation>: <Law> is a law; it stands inside of another element");
+            "m.xml:2:13: error: <simulation>: <Law> is a law; it stands inside of <Stop>");
   EXPECT_EQ(firstError(around("<check signal=\"b.z\" value=\"1\"/>")),
             "m.xml:2:1: error: <check>: needs a tolerance beside the value");
   EXPECT_EQ(firstError(around("<check signal=\"b.z\" between=\"2 1\"/>")),
@@ -190,13 +190,13 @@ TEST(ModelLoaderError, RootVersionAndText) {
   EXPECT_EQ(
       firstError("<mujoco/>"),
       "m.xml:1:1: error: <mujoco>: a model begins with <dynamy version=\"1\"> — the file is in "
-      "MJCF, which dynamY does not read; dynamy describe dynamy shows a small model");
+      "MJCF; dynamy import FILE --out model.xml makes a model of it");
   EXPECT_EQ(firstError("<dynamy version=\"2\"/>"),
             "m.xml:1:18: error: <dynamy>: the format has version 2, this program reads version 1 — "
             "write version=\"1\"");
   EXPECT_EQ(firstError(around("<systems>Hello</systems>")),
-            "m.xml:2:10: error: <systems>: text has no meaning here — text for people stands in "
-            "<doc>");
+            "m.xml:2:10: error: <systems>: text has no meaning here — values are attributes, "
+            "name=\"value\"; text for people stands in <doc>");
 }
 
 TEST(ModelLoaderError, TenFaultsAreTenMessagesInOneRun) {

@@ -186,7 +186,8 @@ TEST(XmlDiagnostic, ShowsThePartOfAValueThatIsWrong) {
 
 TEST(XmlError, NamesBothPlacesOfAMismatchedTag) {
   EXPECT_EQ(errorOf("<a>\n  <b>\n  </a>\n"),
-            "m.xml:3:3: error: <b>: expected </b>, found </a>\n    3 |   </a>\n      |   ^~~\n"
+            "m.xml:3:3: error: <b>: expected </b>, found </a> — a tag without children "
+            "ends with \"/>\"\n    3 |   </a>\n      |   ^~~\n"
             "m.xml:2:3: note: <b> is opened here\n    2 |   <b>\n      |   ^~");
 }
 
@@ -230,10 +231,10 @@ TEST(XmlError, ShowsAMissingQuote) {
       "m.xml:1:9: error: <a>: the value of \"mass\" has no closing quote — in a value \"<\" is "
       "written &lt;\n    1 | <a mass=\"1/>\n      |         ^~~~");
   EXPECT_EQ(errorOf("<a mass=\"1 size=\"2\"/>"),
-            "m.xml:1:9: error: <a>: the value of \"mass\" has no closing quote\n"
+            "m.xml:1:9: error: <a>: the value of \"mass\" has no closing quote — write mass=\"1\"\n"
             "    1 | <a mass=\"1 size=\"2\"/>\n      |         ^~~~~~~");
   EXPECT_EQ(errorOf("<a mass=\"1"),
-            "m.xml:1:9: error: <a>: the value of \"mass\" has no closing quote\n"
+            "m.xml:1:9: error: <a>: the value of \"mass\" has no closing quote — write mass=\"1\"\n"
             "    1 | <a mass=\"1\n      |         ^~");
 }
 
@@ -333,7 +334,9 @@ TEST_F(XmlFile, ThatIsMissingIsSaidWithANearName) {
   EXPECT_EQ(readError(typo),
             typo + ": error: there is no such file — did you mean \"" + near + "\"?");
   EXPECT_EQ(readError(folder_ / "none" / "x.xml"),
-            (folder_ / "none" / "x.xml").string() + ": error: there is no such file");
+            (folder_ / "none" / "x.xml").string() +
+                ": error: there is no such file — there is no folder " +
+                (folder_ / "none").string());
 }
 
 TEST_F(XmlFile, MustBeARegularFile) {

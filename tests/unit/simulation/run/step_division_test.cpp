@@ -25,6 +25,14 @@ TEST(StepDivision, FollowsTheFastestTurn) {
   EXPECT_EQ(d.begin(), 4);  // the next step needs as many
 }
 
+TEST(StepDivision, TakesNoPartsForATurnThatNoneWouldResolve) {
+  StepDivision d(true);
+  d.begin();
+  EXPECT_EQ(d.parts(coarseness(4000.0, 0.0), 1.0, 1L << 20), 4096);
+  EXPECT_EQ(StepDivision(d).parts(coarseness(5000.0, 0.0), 1.0, 1L << 20), 1);
+  EXPECT_EQ(StepDivision(d).parts(coarseness(1e20, 0.0), 1.0, 1L << 20), 1);
+}
+
 TEST(StepDivision, ResolvesForcesThatAStepDoesNot) {
   StepDivision d(true);
   d.begin();
