@@ -103,7 +103,9 @@ std::string optionOfOthers(std::string_view word) {
         {" plot plots figure graph ",
          "a run draws its signals into signals.svg of its folder; dynamy report DIR makes a page"},
         {" verbose debug loglevel v vv ", "there is nothing more to print; --json prints run.json"},
-        {" csv save export ", "a run always writes its folder, with signals.csv in it"}})
+        {" csv save export hdf5 h5 format ",
+         "a run always writes its folder; --signals csv or --signals hdf5 is the format of its "
+         "signals"}})
     if (std::string_view(others).find(' ' + std::string(word) + ' ') != std::string_view::npos)
       return hint;
   return {};

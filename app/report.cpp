@@ -8,6 +8,7 @@
 #include <dynamy/io/files/json_reader.hpp>
 #include <dynamy/io/files/output_file.hpp>
 #include <dynamy/io/replay/svg_plot.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <dynamy/io/run_files/run_folder.hpp>
 #include <memory>
 
@@ -244,7 +245,7 @@ SignalTable tableOf(const std::filesystem::path& file) {
 
 std::string body(const RunFolder& folder, const JsonValue& run) {
   std::error_code error;
-  SignalTable signals = tableOf(folder.signals());
+  SignalTable signals = signalsOf(folder.path());
   for (std::size_t i = 0; i < signals.signals.size() && i < run["signals"].items.size(); ++i)
     signals.signals[i].unit = run["signals"].items[i]["unit"].text;
   const SignalTable ledger = tableOf(folder.ledger());

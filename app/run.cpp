@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <dynamy/io/files/file_error.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <memory>
 
 #include "build_text.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 /// Options of run and resume as texts, before they are converted.
 struct Texts {
-  std::string until, step, checkpoint, out, accept, repeat;
+  std::string until, step, checkpoint, out, accept, repeat, signals;
   std::vector<std::string> set;
   RunChoice choice;
   RunShow show;
@@ -41,6 +42,12 @@ void addShow(CLI::App& command, Texts& t) {
                   "threads that work on a step of many contacts; the same numbers with any")
       ->type_name("N")
       ->check(wholeNumber(1, 64));
+  command
+      .add_option(
+          "--signals", t.signals,
+          "format of the recorded signals, replaces the model's: csv, or hdf5 for long runs")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"csv", "hdf5"}));
   addAccept(command, t.accept);
   auto* every = command.add_option("--checkpoint", t.checkpoint,
                                    "write a checkpoint every TIME of wall time; default: 10 s, "
@@ -50,8 +57,10 @@ void addShow(CLI::App& command, Texts& t) {
       ->excludes(every);
 }
 
-/// Reads the options for the frequency of checkpoints.
-void readCheckpoints(Texts& t) {
+/// Reads the options for what is written, and how often.
+void readShow(Texts& t) {
+  t.show.accept = accepted(t.accept);
+  if (!t.signals.empty()) t.show.pack = t.signals == "hdf5";
   t.show.checkpoints = !t.noCheckpoint;
   if (t.checkpoint.empty()) return;
   t.show.checkpointEvery = seconds(t.checkpoint, "--checkpoint");
@@ -118,6 +127,10 @@ void compare(const std::vector<Fingerprint>& then, const std::vector<Fingerprint
 
 int resume(Program& program, Texts& t, double until) {
   RunFolder folder = RunFolder::resumed(t.out);
+  // A run keeps the format of its signals.
+  if (std::error_code none; !t.show.pack && std::filesystem::exists(packedSignals(folder), none))
+    t.show.pack = true;
+  unpackSignals(folder);
   FoundCheckpoint found = findCheckpoint(folder);
   Checkpoint& from = found.checkpoint;
   if (!found.note.empty())
@@ -162,7 +175,7 @@ void addByHand(CLI::App& c, Texts& t, CLI::Option* model) {
                                      "run what was run live in the folder DIR once more, with all "
                                      "that was done, and compare the hashes");
   repeat->type_name("DIR")->check(someName());
-  for (const char* other : {"--watch", "--error-bar", "--dump-problems"})
+  for (const char* other : {"--watch", "--error-bar", "--dump-problems", "--signals"})
     c.get_option(other)->excludes(live)->excludes(repeat);
   repeat->excludes(live)->excludes(model);
   for (const char* other :
@@ -205,8 +218,7 @@ void addRun(CLI::App& app, Program& program) {
     if (t->choice.model.empty() && t->repeat.empty()) throw CLI::RequiredError("MODEL");
     t->choice.until = given(t->until, "--until");
     t->choice.step = given(t->step, "--step");
-    readCheckpoints(*t);
-    t->show.accept = accepted(t->accept);
+    readShow(*t);
     for (const std::string& s : t->set) t->choice.set.push_back(assignment(s));
     t->choice.libraries = program.libraries;
     program.exitCode =
@@ -230,8 +242,7 @@ void addResume(CLI::App& app, Program& program) {
   addShow(*c, *t);
   c->callback([t, &program] {
     const double until = given(t->until, "--until");
-    readCheckpoints(*t);
-    t->show.accept = accepted(t->accept);
+    readShow(*t);
     program.exitCode = resume(program, *t, until);
   });
 }

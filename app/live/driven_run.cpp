@@ -92,6 +92,7 @@ bool DrivenRun::step() {
 /// The members of run.json by which a run can be repeated.
 RunShow DrivenRun::shown(const RunShow& show) const {
   RunShow out = show;
+  out.pack = false;  // the page reads signals.csv to the end
   out.facts = [this](JsonWriter& j) {
     j.key("live").beginObject().member("inputs", kInputsName);
     j.member("actions", inputs_.actions()).member("program", buildText());

@@ -11,6 +11,8 @@
     run.plot("toy.phiM", "toy.phiS")       # needs matplotlib
     run.frame()                            # the signals in a DataFrame of pandas
 
+A long run keeps its signals in signals.h5 (<record format="hdf5">): that needs h5py.
+
 doc/run_folder.md says every byte. What was written before a run was killed is read; what a cut file
 lost is left out. A wrong file raises RunError with its path.
 """
@@ -57,6 +59,9 @@ class Run:
             raise RunError(f"{self.folder / name}: no such file")
         return (self.folder / name).read_bytes()
 
+    def _has(self, name):
+        return (self.folder / name).is_file()
+
     def _once(self, name, read):
         if name not in self._read:
             self._read[name] = read(self._data(name), f"{self.folder}/{name}")
@@ -80,7 +85,9 @@ class Run:
     @property
     def signals(self):
         """name -> values; "t" is the time [s]."""
-        return self._once("signals.csv", _table)
+        if self._has("signals.csv") or not self._has("signals.h5"):
+            return self._once("signals.csv", _table)
+        return self._once("signals.h5", _packed)
 
     @property
     def t(self):
@@ -147,6 +154,21 @@ class Run:
     def __repr__(self):
         title, state = self.facts.get("title") or "run", self.facts.get("state", "?")
         return f"<dynamY run: {title}, {state} at t = {self.facts.get('t', 0.0):g} s>"
+
+
+def _packed(data, path):
+    """The table in a signals.h5."""
+    h5py = _package("h5py", "signals in HDF5")
+    try:
+        with h5py.File(io.BytesIO(data), "r") as file:
+            if file.attrs.get("format") not in ("dynamy-signals", b"dynamy-signals"):
+                raise RunError(f"{path}: holds no signals of dynamY")
+            names = [name.decode("utf-8") for name in file["names"][:]]
+            columns = {"t": file["t"][:]}
+            columns.update((name, file["signals/" + name][:]) for name in names)
+            return columns
+    except (KeyError, OSError) as error:
+        raise RunError(f"{path}: is damaged: {error}") from error
 
 
 class Frames:

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include <dynamy/io/replay/replay_page.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
 #include <dynamy/simulation/report/consistent_start.hpp>
 #include <dynamy/simulation/report/contact_facts.hpp>
@@ -133,7 +134,9 @@ py::dict runInto(Model& model, const py::object& each, const std::string& out, b
   callback.raise();
   if (!recording.fault().empty()) throw std::runtime_error(std::string(recording.fault()));
   writeFolderFacts(folder, model, simulation.report());
-  if (replay) writeReplay(folder.path());
+  if (!replay) return figures(simulation);
+  writeReplay(folder.path());
+  if (model.record.packed) packSignals(folder, recordedSignals(model), model.title);
   return figures(simulation);
 }
 

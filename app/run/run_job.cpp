@@ -7,6 +7,7 @@
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/replay/replay_page.hpp>
 #include <dynamy/io/replay/svg_plot.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <dynamy/io/run_files/run_recording.hpp>
 #include <set>
 
@@ -28,6 +29,13 @@ ReplaySize writePictures(const RunFolder& folder, const Model& model) {
     table.signals[i].unit = named[i].unit;
   writeSignalsSvg(folder.signalsPlot(), table, model.title);
   return writeReplay(folder.path());
+}
+
+/// Puts signals.h5 in the place of signals.csv, in the list of the recorded files, too.
+void pack(const RunFolder& folder, const Model& model, std::vector<RecordedFile>& files) {
+  const RecordedFile packed = packSignals(folder, recordedSignals(model), model.title);
+  for (RecordedFile& f : files)
+    if (f.name == folder.signals().filename().string()) f = packed;
 }
 
 void print(const RunFolder& folder, const Model& model, const RunShow& show,
@@ -64,11 +72,12 @@ int conclude(const RunFolder& folder, const Model& model, const RunChoice& choic
   const ProblemDump* problems = end.problems;
   if (end.fault.empty()) end.fault = recording.fault();
   std::optional<ErrorBars> bars;
+  std::vector<RecordedFile> files = recording.files();
   const auto write = [&] {
     folder.writeLastFacts(
         [&](JsonWriter& j) {
           writeFacts(j, model, choice, report, checks, "");
-          writeFiles(j, recording.files());
+          writeFiles(j, files);
           j.member("eventsLeftOut", recording.eventsLeftOut());
           if (show.facts) show.facts(j);
           if (!end.fault.empty()) j.member("fileFault", end.fault);
@@ -90,6 +99,15 @@ int conclude(const RunFolder& folder, const Model& model, const RunChoice& choic
   if (!end.fault.empty() && (end.status == kOk || end.status == kQualified))
     end.status = kCannotWrite;
   if (show.errorBars && end.fault.empty()) bars = show.errorBars(checks, folder.signals()), write();
+  if (show.pack.value_or(model.record.packed) && end.fault.empty()) {
+    try {
+      pack(folder, model, files);
+      write();
+    } catch (const FileError& e) {
+      end.fault = e.what();
+      if (end.status == kOk || end.status == kQualified) end.status = kCannotWrite;
+    }
+  }
   if (show.tell)
     show.tell(report, checks);
   else
@@ -214,6 +232,8 @@ int resumeIn(RunFolder folder, Model& model, const RunChoice& choice, const RunS
   simulation.record(recording);
   startThreads(simulation, show);
   simulation.resume(from.simulation);
+  std::error_code none;
+  fs::remove(packedSignals(folder), none);  // signals.csv was made of it
   return carryOut(folder, model, choice, show, simulation, recording, checks);
 }
 

@@ -25,10 +25,11 @@ struct RunShow {
   /// Makes a second run with half the step or a tenth of the tolerance, and returns the error bars
   /// of the checks and of the signals recorded in the given file. Empty: no second run.
   std::function<ErrorBars(const std::vector<CheckResult>&, const std::filesystem::path&)> errorBars;
-  bool strict = false;    ///< refuse an initial state that violates joints
-  Accepted accept;        ///< warnings that leave the exit status at 0
-  int threads = 1;        ///< any number gives the same results
-  int dumpProblems = -1;  ///< number of problems to write; −1: none, not even unsolved ones
+  bool strict = false;       ///< refuse an initial state that violates joints
+  Accepted accept;           ///< warnings that leave the exit status at 0
+  int threads = 1;           ///< any number gives the same results
+  std::optional<bool> pack;  ///< true: signals become HDF5 at the end; empty: as the model says
+  int dumpProblems = -1;     ///< number of problems to write; −1: none, not even unsolved ones
   /// Writes further members of run.json; empty: none.
   std::function<void(JsonWriter&)> facts;
   /// Receives the result; if it is set, nothing is printed.

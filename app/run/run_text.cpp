@@ -334,9 +334,9 @@ std::string resultText(const Model& model, const RunReport& r,
   for (const CheckResult& c : checks) width = std::max(width, characterCount(checkText(c)));
   for (const CheckResult& c : checks) out += checkLine(c, width);
   out += fmt::format(
-      " wrote   {}/  run.json signals.csv events.csv ledger.csv signals.svg frames.bin "
+      " wrote   {}/  run.json signals.{} events.csv ledger.csv signals.svg frames.bin "
       "replay.html\n",
-      folder.string());
+      folder.string(), std::filesystem::exists(folder / "signals.h5") ? "h5" : "csv");
   out += fmt::format(" hash    {}\n", hashText(r.hash));
   return out;
 }

@@ -4,6 +4,7 @@
 #include <dynamy/io/files/json_reader.hpp>
 #include <dynamy/io/run_files/checkpoint.hpp>
 #include <dynamy/io/run_files/frames_file.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <program/started_program.hpp>
 
 namespace dynamy {
@@ -56,6 +57,45 @@ TEST_P(EndedBySignal, ARunKeepsAllAndSaysByWhich) {
   expectResumes("s", "ball.xml", std::to_string(t + 0.05));
 }
 INSTANTIATE_TEST_SUITE_P(Signals, EndedBySignal, ::testing::Values(SIGTERM, SIGHUP, SIGXCPU));
+
+TEST_F(RunFaults, SignalsInHdf5GoOnAsThoseInTextDo) {
+  const auto model = [](const char* format) {
+    return std::string(R"(<dynamy version="1">
+      <systems><PointMass name="m" position="0 0 1" mass="1"/></systems><forces><Gravity/></forces>
+      <simulation until="0.2" step="1e-3"/><record signals="m.z m.vz" every="1ms" format=")") +
+           format + "\"/></dynamy>";
+  };
+  write("packed.xml", model("hdf5")), write("text.xml", model("csv"));
+  ASSERT_EQ(call("run packed.xml --out p"), 0) << err();
+  EXPECT_FALSE(fs::exists(path("p/signals.csv")));
+  EXPECT_NE(out().find("signals.h5"), std::string::npos) << out();
+  EXPECT_EQ(call("verify p"), 0) << out();
+  ASSERT_EQ(call("resume p --until 0.3"), 0) << err();
+  EXPECT_EQ(call("verify p"), 0) << out();
+  ASSERT_EQ(call("run text.xml --out t"), 0) << err();
+  ASSERT_EQ(call("resume t --until 0.3"), 0) << err();
+  const SignalTable packed = signalsOf(path("p")), text = signalsOf(path("t"));
+  EXPECT_EQ(packed.t, text.t);
+  EXPECT_EQ(packed.columns, text.columns);
+  EXPECT_EQ(packed.t.size(), 301U);
+  EXPECT_EQ(packed.signals.at(1).unit, "m/s");
+  // The option replaces what the model says, and a continued run keeps the format.
+  ASSERT_EQ(call("run packed.xml --out c --signals csv"), 0) << err();
+  EXPECT_TRUE(fs::exists(path("c/signals.csv")));
+  ASSERT_EQ(call("run text.xml --out h --signals hdf5"), 0) << err();
+  ASSERT_EQ(call("resume h --until 0.3"), 0) << err();
+  EXPECT_FALSE(fs::exists(path("h/signals.csv")));
+  EXPECT_EQ(signalsOf(path("h")).columns, text.columns);
+  ASSERT_EQ(call("resume h --until 0.4 --signals csv"), 0) << err();
+  EXPECT_FALSE(fs::exists(path("h/signals.h5")));
+  EXPECT_EQ(call("verify h"), 0) << out();
+  // What cannot be packed stays as text, and the run says so.
+  ASSERT_EQ(call("run packed.xml --out p"), 0) << err();
+  fs::create_directories(path("p/signals.h5.part/x"));
+  EXPECT_EQ(call("run packed.xml --out p"), 74) << out();
+  EXPECT_NE(err().find("signals.h5.part: cannot be created"), std::string::npos) << err();
+  EXPECT_EQ(signalsOf(path("p")).t.size(), 201U);
+}
 
 TEST_F(RunFaults, ARunIsResumedWhileBodiesSleep) {
   // One ball rests, the other one falls on it after 0.20 s.

@@ -48,6 +48,29 @@ class Reader(unittest.TestCase):
         self.assertEqual(self.ball.units["ball.vz"], "m/s")
         self.assertEqual(self.ball.facts["state"], "finished")
 
+    def test_packed_signals_are_the_same_numbers(self):
+        try:
+            import h5py
+        except ImportError:
+            self.skipTest("no h5py")
+        folder = self.folder / "packed"
+        subprocess.run([DYNAMY, "run", SOURCE / "models" / "bouncing_ball.xml", "--quiet",
+                        "--signals", "hdf5", "--out", folder], check=True)
+        self.assertFalse((folder / "signals.csv").exists())
+        packed = dynamy_run.Run(folder)
+        self.assertEqual(list(packed.signals), list(self.ball.signals))
+        for name in self.ball.signals:
+            self.assertEqual(packed[name].tolist(), self.ball[name].tolist())
+        with h5py.File(folder / "signals.h5", "r") as file:  # by itself, without dynamY
+            self.assertEqual(file["signals/ball.vz"].attrs["unit"].decode(), "m/s")
+            self.assertEqual(file.attrs["format"].decode(), "dynamy-signals")
+            self.assertIn('"signals"', file["provenance/run.json"][()].decode())
+            self.assertIn("<dynamy", file["provenance/model.xml"][()].decode())
+        data = (folder / "signals.h5").read_bytes()
+        (folder / "signals.h5").write_bytes(data[:len(data) // 2])
+        with self.assertRaisesRegex(dynamy_run.RunError, "signals.h5: is damaged"):
+            dynamy_run.Run(folder).signals
+
     def test_first_flight_is_a_parabola(self):
         # z = 1.1 − g t²/2 before the impact at √(2/g) = 0.4515 s; the midpoint rule is exact there,
         # up to the rounding of 4500 steps.

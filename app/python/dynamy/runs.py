@@ -9,7 +9,7 @@ import dynamy_run
 
 from . import _core
 
-_KEPT = ("run.json", "model.xml", "signals.csv", "events.csv", "ledger.csv", "frames.bin")
+_KEPT = ("run.json", "model.xml", "signals.csv", "signals.h5", "events.csv", "ledger.csv", "frames.bin")
 
 
 class Run(dynamy_run.Run):
@@ -35,6 +35,9 @@ class Run(dynamy_run.Run):
             if name not in self._kept and (self.folder / name).is_file():
                 self._kept[name] = (self.folder / name).read_bytes()
         return self
+
+    def _has(self, name: str) -> bool:
+        return name in self._kept or super()._has(name)
 
     def _data(self, name: str) -> bytes:
         return self._kept[name] if name in self._kept else super()._data(name)

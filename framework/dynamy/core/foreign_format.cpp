@@ -21,7 +21,7 @@ constexpr auto kForeign = std::to_array<FirstBytes>({
     {"\x28\xB5\x2F\xFD"sv, {"compressed by zstd", "unpack it: unzstd FILE.zst"}},
     {"PK\x03\x04"sv,
      {"a ZIP archive (also .xlsx, .docx, .fmu)", "unpack it, or export the table as CSV"}},
-    {"\x89HDF"sv, {"in HDF5", kPlainText}},
+    {"\x89HDF"sv, {"in HDF5", "a text file is needed; dynamy run --signals csv writes one"}},
     {"\x89PNG"sv, {"a picture (PNG)", kPlainText}},
     {"\xFF\xD8\xFF"sv, {"a picture (JPEG)", kPlainText}},
     {"GIF8"sv, {"a picture (GIF)", kPlainText}},

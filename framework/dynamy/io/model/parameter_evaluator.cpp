@@ -81,9 +81,12 @@ ParameterEvaluator::Pending ParameterEvaluator::start(std::size_t item) {
 /// ": a → b → a", the loop of parameters that closes at `item`; "" if it uses itself.
 std::string ParameterEvaluator::loop(const std::vector<Pending>& stack, std::size_t item) const {
   if (stack.back().item == item) return {};
+  constexpr int kMostNames = 8;
   std::string out = " → " + items_[item].name;
-  for (auto p = stack.rbegin(); p->item != item; ++p) out = " → " + items_[p->item].name + out;
-  return ": " + items_[item].name + out;
+  int count = 0;
+  for (auto p = stack.rbegin(); p->item != item; ++p)
+    if (++count <= kMostNames) out = " → " + items_[p->item].name + out;
+  return ": " + items_[item].name + (count > kMostNames ? " → …" : "") + out;
 }
 
 /// Evaluates depth first with an explicit stack, so that a chain of parameters may have any length.

@@ -121,6 +121,7 @@ void SettingsReader::readRecord(const XmlNode& node, const Scope& scope, const P
     if (std::any_of(r.at.begin(), r.at.end(), [](double t) { return t < 0.0; }))
       faults_->add(scope, x["at"].place, node, "an instant is before the start of the run");
   }
+  if (x["format"].given) r.packed = x["format"].text == "hdf5";
   if (x["frames"].given) r.framesPerSecond = x["frames"];
   if (x["follow"].given) r.follow = x["follow"].text, r.followPlace = x["follow"].place;
   if (x["view"].given) model_->view = x["view"].text == "auto" ? "" : x["view"].text;

@@ -5,6 +5,7 @@
 #include <dynamy/io/replay/replay_page.hpp>
 #include <dynamy/io/replay/svg_plot.hpp>
 #include <dynamy/io/replay/viewer_files.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <system_error>
 
 namespace dynamy {
@@ -156,8 +157,7 @@ RecordedRun readRun(const std::filesystem::path& folder) {
   RecordedRun run;
   if (std::filesystem::exists(folder / "frames.bin", error))
     run.frames = readFrames(folder / "frames.bin");
-  if (std::filesystem::exists(folder / "signals.csv", error))
-    run.signals = readSignals(folder / "signals.csv");
+  run.signals = signalsOf(folder);
   ReplayText& page = run.text;
   page.title = std::filesystem::absolute(folder).lexically_normal().filename().string();
   if (page.title.empty()) page.title = folder.parent_path().filename().string();

@@ -10,6 +10,7 @@
 #include <dynamy/io/run_files/events_file.hpp>
 #include <dynamy/io/run_files/folder_check.hpp>
 #include <dynamy/io/run_files/frames_file.hpp>
+#include <dynamy/io/run_files/packed_signals.hpp>
 #include <dynamy/io/run_files/signals_file.hpp>
 #include <functional>
 #include <system_error>
@@ -79,13 +80,12 @@ std::string rowsText(std::size_t rows, const std::vector<double>& t) {
   return fmt::format("{} row{} to t = {:g} s", rows, rows == 1 ? "" : "s", t.back());
 }
 
-std::string checkSignals(const RunFolder& folder, const Facts& facts) {
-  const SignalTable table = signalsIn(readWholeFile(folder.signals()), "signals.csv");
+std::string checkSignals(const SignalTable& table, const Facts& facts, const std::string& name) {
   std::vector<std::string> names;
   for (const SignalName& s : table.signals) names.push_back(s.name);
   if (names != facts.signals && !facts.signals.empty())
-    throw FileError("signals.csv:1", "names other signals than run.json");
-  compareTimes(table.t, facts, "signals.csv");
+    throw FileError(name, "names other signals than run.json");
+  compareTimes(table.t, facts, name);
   return rowsText(table.t.size(), table.t);
 }
 
@@ -146,8 +146,13 @@ std::string checkFrames(const RunFolder& folder, const Facts& facts) {
 std::string checkCheckpoint(const RunFolder& folder, const fs::path& file) {
   const Checkpoint c = readCheckpoint(readWholeFile(file), file.filename().string());
   for (const RecordedFile& f : c.files)
-    if (const std::string why = placeFault(folder.path() / fs::path(f.name).filename(), f.place);
-        !why.empty())
+    if (f.name == "signals.csv" && !fs::exists(folder.signals())) {
+      if (!fs::exists(packedSignals(folder)))
+        throw FileError(file.filename().string(),
+                        "needs signals.csv or signals.h5, which are missing");
+    } else if (const std::string why =
+                   placeFault(folder.path() / fs::path(f.name).filename(), f.place);
+               !why.empty())
       throw FileError(file.filename().string(), "does not go with " + f.name + ", which " + why);
   if (fs::exists(folder.model()) && readWholeFile(folder.model()) != c.modelText)
     throw FileError(file.filename().string(), "is of another model than model.xml");
@@ -192,11 +197,20 @@ std::vector<FileVerdict> checkFolder(const fs::path& path) {
       return text;
     }));
   };
-  table(folder.signals(), [&] { return checkSignals(folder, facts); });
+  std::error_code error;
+  const bool packed = fs::exists(packedSignals(folder), error);
+  if (!packed || fs::exists(folder.signals(), error))
+    table(folder.signals(), [&] {
+      return checkSignals(signalsIn(readWholeFile(folder.signals()), "signals.csv"), facts,
+                          "signals.csv:1");
+    });
+  if (packed)
+    table(packedSignals(folder), [&] {
+      return checkSignals(readPackedSignals(packedSignals(folder)), facts, "signals.h5");
+    });
   table(folder.events(), [&] { return checkEvents(folder); });
   table(folder.ledger(), [&] { return checkLedger(folder, facts); });
   table(folder.frames(), [&] { return checkFrames(folder, facts); });
-  std::error_code error;
   for (const fs::path& file : {folder.checkpoint(), folder.olderCheckpoint()})
     if (fs::exists(file, error))
       out.push_back(

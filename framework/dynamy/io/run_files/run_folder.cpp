@@ -55,8 +55,8 @@ RunFolder::RunFolder(const fs::path& path) : path_(path) {
   writeFacts([](JsonWriter& json) { json.member("state", "running"); });
   std::error_code error;
   for (const fs::path& file :
-       {model(), signals(), signalsPlot(), events(), ledger(), frames(), replay(), report(),
-        path_ / "inputs.csv", checkpoint(), olderCheckpoint(), spareRoom()}) {
+       {model(), signals(), path_ / "signals.h5", signalsPlot(), events(), ledger(), frames(),
+        replay(), report(), path_ / "inputs.csv", checkpoint(), olderCheckpoint(), spareRoom()}) {
     fs::remove(file, error);
     if (error) throw WriteError(file.string(), "cannot replace: " + error.message());
   }

@@ -75,6 +75,10 @@ Word record() {
   a.requiredVector("at", Unit::time, 0, "instants of rows; with `every`: of rows beside those")
       .mayBeAbsent();
   a.optional("frames", Unit::frequency, 60.0, "pictures of the replay per second").nonNegative();
+  a.choice(
+      "format", {"csv", "hdf5"}, "csv",
+      "of the signals of a run that has ended: signals.csv, or signals.h5, compressed and with "
+      "units, for long runs");
   a.choice("view", {"auto", "xy", "xz", "yz", "iso"}, "auto", "direction of view of the replay");
   a.add(AttributeType::names, "follow", "", "system or frame that the replay goes with");
   a.example("<record signals=\"ball.z ball.vz\" every=\"10ms\" frames=\"60Hz\"/>");

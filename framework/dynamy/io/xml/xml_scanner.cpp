@@ -112,6 +112,13 @@ void checkCharacters(std::string_view text, ScanErrors& errors) {
   }
 }
 
+/// Bytes of the typographic quote that begins at `at`, 0 if there is none.
+std::size_t typographicQuote(std::string_view text, std::size_t at) {
+  for (const std::string_view quote : {"“", "”", "„", "‘", "’", "‚", "«", "»"})
+    if (text.substr(at).starts_with(quote)) return quote.size();
+  return 0;
+}
+
 class Scanner {
  public:
   explicit Scanner(const SourceText& source) : text_(source.text()), errors_(source) {}
@@ -309,20 +316,13 @@ class Scanner {
     ++element.attributes;
   }
 
-  /// Bytes of the typographic quote at `at`, 0 if there is none.
-  std::size_t typographicQuote(std::size_t at) const {
-    for (const std::string_view quote : {"“", "”", "„", "‘", "’", "‚", "«", "»"})
-      if (text_.substr(at).starts_with(quote)) return quote.size();
-    return 0;
-  }
-
   void value(const XmlScan::Element& element, XmlScan::Attribute& attribute,
              const std::string& attributeName) {
     const std::size_t begin = at_;
     const char quote = begin < text_.size() ? text_[begin] : '\0';
-    if (const std::size_t size = typographicQuote(begin); size > 0) {
+    if (const std::size_t size = typographicQuote(text_, begin); size > 0) {
       std::size_t end = begin + size;
-      while (end < text_.size() && typographicQuote(end) == 0 && text_[end] != '\n') ++end;
+      while (end < text_.size() && typographicQuote(text_, end) == 0 && text_[end] != '\n') ++end;
       errors_.fail(begin, end - begin + size, tag(element),
                    "the value of " + quotedName(attributeName) + " is in typographic quotes",
                    "write " + attributeName + "=\"" +

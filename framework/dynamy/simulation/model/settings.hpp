@@ -52,6 +52,7 @@ struct RecordSettings {
   double every = 0.0;             ///< sample time [s]; 0: (until)/1000
   std::vector<double> at;         ///< instants of further rows [s]; without `every`: of all rows
   double framesPerSecond = 60.0;  ///< pictures of the replay
+  bool packed = false;            ///< signals are HDF5 once the run has ended, else CSV
   std::string follow;             ///< system or frame that the replay goes with; "": none
   Place followPlace;
   Place place;

@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"y + 1)", "\")\" closes nothing", 5, 1, ""},
                     Wrong{"()", "expected a number, a name or \"(\", found \")\"", 1, 1, ""},
                     Wrong{"min(1,)", "expected a number, a name or \"(\", found \")\"", 6, 1, ""},
-                    Wrong{"2 y", "expected an operator, found \"y\"", 2, 1, "*"},
+                    Wrong{"2 y", "expected an operator, found \"y\"", 2, 1, "2*y"},
                     Wrong{"2(y)", "expected an operator, found \"(\"", 1, 1, "*"},
                     Wrong{"(y, 2)", "expected an operator, found \",\"", 2, 1, ""},
                     Wrong{"y ? 1", "\"?\" without \":\"", 2, 1, ""},

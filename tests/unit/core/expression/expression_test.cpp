@@ -78,8 +78,9 @@ TEST(Expression, ReadsAUnitWithSlashOnlyIfItIsOne) {
   SymbolTable symbols;
   symbols.constant("n", 4.0);
   symbols.constant("m", 100.0);
-  EXPECT_EQ(evaluateConstant("2m/n", symbols), 0.5);      // 2 m divided by n
-  EXPECT_EQ(evaluateConstant("200N/m", symbols), 200.0);  // the unit N/m
+  EXPECT_EQ(evaluateConstant("2cm/n", symbols), 0.005);              // 2 cm divided by n
+  EXPECT_THROW(evaluateConstant("2m/n", symbols), ExpressionError);  // or 2 times m
+  EXPECT_EQ(evaluateConstant("200N/m", symbols), 200.0);             // the unit N/m
   EXPECT_EQ(evaluateConstant("200N / m", symbols), 2.0);  // 200 N divided by the constant m
 }
 

@@ -43,7 +43,9 @@ TEST(Limits, ACircleOfParametersIsToldOnce) {
               std::to_string(i - 1) + "}\"/>";
   const std::vector<Diagnostic> all = faults(around(circle));
   ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].text, "the parameter \"p1\" depends on itself");
+  EXPECT_EQ(all[0].text,
+            "the parameter \"p1\" depends on itself: p0 → … → p8 → p7 → p6 → p5 → p4 → p3 → p2 → "
+            "p1 → p0");
 }
 
 TEST(Limits, ReadingEndsAfterAThousandErrors) {  // before: 20 000 copies of one line, gigabytes

@@ -150,7 +150,8 @@ TEST(ModelLoaderError, UnknownClassAndFaultsInDefaults) {
 TEST(ModelLoaderError, ParametersThatNeedEachOther) {
   EXPECT_EQ(firstError(around("<parameter name=\"a\" value=\"{b}\"/>"
                               "<parameter name=\"b\" value=\"{a}\"/>")),
-            "m.xml:2:61: error: <parameter name=\"b\">: the parameter \"b\" depends on itself");
+            "m.xml:2:61: error: <parameter name=\"b\">: the parameter \"b\" depends on itself: a → "
+            "b → a");
   EXPECT_EQ(firstError(around("<parameter name=\"a\" value=\"2\" max=\"1\"/>")),
             "m.xml:2:28: error: <parameter name=\"a\">: must be <= 1, is 2");
 }
