@@ -10,6 +10,7 @@
 #include <memory>
 #include <thread>
 
+#include "numbers.hpp"
 #include "paths.hpp"
 #include "processes.hpp"
 #include "run/progress.hpp"

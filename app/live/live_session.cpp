@@ -6,6 +6,7 @@
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/files/json_reader.hpp>
 #include <dynamy/io/files/json_writer.hpp>
+#include <dynamy/io/files/output_file.hpp>
 #include <fstream>
 
 namespace dynamy::app {

@@ -121,9 +121,11 @@ std::string shareOf(std::string_view number) {
 /// "its units are "N/m", "N/mm"": those of a family; "" if it has none.
 std::string unitsOf(UnitFamily wanted) {
   std::vector<std::string> names;
-  for (const std::string& name : unitSuffixes())
-    if (wanted != UnitFamily::none && parseUnitSuffix(name)->family == wanted)
-      names.push_back(name);
+  if (wanted == UnitFamily::none) return {};
+  for (const std::string& name : unitSuffixes()) {
+    const auto unit = parseUnitSuffix(name);
+    if (unit && unit->family == wanted) names.push_back(name);
+  }
   return names.empty() ? std::string() : "its units are " + quotedList(names);
 }
 
