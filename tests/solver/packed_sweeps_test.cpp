@@ -202,6 +202,30 @@ TEST(PackedGaussSeidel, StartsFromZeroWhereTheStartIsWorse) {
   EXPECT_EQ(L, zero);
 }
 
+TEST(PackedKernels, PassOverBatchesThatCarryNothing) {
+  // The normal row of each contact moves a body of its own; the second batch has c_N > 0: open. What
+  // is passed over keeps its bits, and a sweep over all gives it the same: Λ = 0.
+  std::vector<PackedBatch> batches(3);
+  for (std::size_t at = 0; at < batches.size(); ++at)
+    for (int k = 0; k < kLanes; ++k) {
+      batches[at].a[0][k] = batches[at].rN[k] = 1.0, batches[at].c[0][k] = at == 1 ? 1.0 : -1.0;
+      batches[at].bodyA[k] = 1 + kLanes * static_cast<int>(at) + k;
+    }
+  for (const PackedKernels& level : packedLevels()) {
+    std::vector<PackedBatch> some = batches, all = batches;
+    std::vector<PackedVelocity> v(25), w(25);
+    level.sweep(some.data(), 3, v.data(), 0.0, false);  // Λ = 0 everywhere: nothing is swept
+    EXPECT_EQ(std::memcmp(some.data(), batches.data(), 3 * sizeof(PackedBatch)), 0);
+    for (const bool every : {true, false, false}) {
+      level.sweep(some.data(), 3, v.data(), 0.0, every);
+      level.sweep(all.data(), 3, w.data(), 0.0, true);
+    }
+    EXPECT_EQ(std::memcmp(some.data(), all.data(), 3 * sizeof(PackedBatch)), 0);
+    EXPECT_EQ(std::memcmp(v.data(), w.data(), 25 * sizeof(PackedVelocity)), 0);
+    EXPECT_EQ(some[0].Lambda[0][0], 1.0);
+  }
+}
+
 TEST(PackedKernels, GiveTheSameBitsOnEveryLevel) {
   // Three sweeps over random batches, whose bodies overlap from batch to batch, and the measures.
   std::mt19937 random(kPackedSeed);
@@ -230,7 +254,7 @@ TEST(PackedKernels, GiveTheSameBitsOnEveryLevel) {
     std::vector<PackedVelocity> v(17);
     std::vector<double> numbers;
     for (const double beta : {0.0, 0.25, 0.4})
-      numbers.push_back(level.sweep(mine.data(), 5, v.data(), beta));
+      numbers.push_back(level.sweep(mine.data(), 5, v.data(), beta, true));
     level.impulses(mine.data(), 5, v.data());
     PackedMeasure measure;
     level.measure(mine.data(), 5, v.data(), measure);

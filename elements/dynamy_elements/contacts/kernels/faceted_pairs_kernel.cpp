@@ -98,7 +98,7 @@ class Boxes final : public FacetedPair {
     std::array<BoxContact, kMostBoxContacts> found;
     const PlacedBox a = placedBox(p.A, p.a);
     const ContactRequest& asked = report.request();
-    const int n = betweenBoxes(a, placedBox(p.B, p.b), asked.bias, found);
+    const int n = betweenBoxes(a, placedBox(p.B, p.b), asked.bias, found, report.reach());
     closeTogether(a, asked.gTol, asked.bias, {found.data(), static_cast<std::size_t>(n)});
     report.addAll(found, n);
   }

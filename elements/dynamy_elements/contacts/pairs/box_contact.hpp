@@ -6,6 +6,7 @@
 /// six axes, eight corners and products of half lengths make boxes several times faster.
 #pragma once
 #include <array>
+#include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/pairs/facets.hpp>
 
 namespace dynamy {
@@ -32,10 +33,10 @@ using BoxContact = NumberedContact;
 inline constexpr int kBoxFeatures = 16 + 144;
 inline constexpr int kMostBoxContacts = 16;
 
-/// Finds the contacts between A and B, normals from A to B, at any distance; returns their number.
-/// `rates`: ddot and Pdot are filled, too.
+/// Finds the contacts between A and B, normals from A to B; returns their number: 0 if an axis
+/// separates them by more than `reach` [m]. `rates`: ddot and Pdot are filled, too.
 int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
-                 std::array<BoxContact, kMostBoxContacts>& out);
+                 std::array<BoxContact, kMostBoxContacts>& out, double reach = kInfinity);
 
 /// Moves contacts of a face of A with gaps up to `reach` [m] into one plane (closeTogetherOn).
 void closeTogether(const PlacedBox& A, double reach, bool rates, std::span<BoxContact> contacts);

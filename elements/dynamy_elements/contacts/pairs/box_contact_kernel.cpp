@@ -262,12 +262,14 @@ PlacedBox placedBox(const Frame& frame, const TouchingShape& box) {
 }
 
 int betweenBoxes(const PlacedBox& A, const PlacedBox& B, bool rates,
-                 std::array<BoxContact, kMostBoxContacts>& out) {
+                 std::array<BoxContact, kMostBoxContacts>& out, double reach) {
   const double same = kSameFeature * std::min(A.half.minCoeff(), B.half.minCoeff());
   const BoxSeparation separation(A, B);
   const BoxAxis face = separation.faces();
+  if (face.separation > reach) return 0;
   const double least = face.separation + 4.0 * same;
   const BoxAxis edge = separation.edges(least);
+  if (edge.separation > reach) return 0;
   if (edge.separation > least) {
     const Vec3 n = edge.sign * A.R.col(edge.i).cross(B.R.col(edge.j)).normalized();
     const int i = outerEdge(A, edge.i, n), j = outerEdge(B, edge.j, -n);

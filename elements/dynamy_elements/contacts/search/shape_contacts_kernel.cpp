@@ -4,6 +4,7 @@
 #include <dynamy_elements/contacts/kernels/follow_pairs.hpp>
 #include <dynamy_elements/contacts/kernels/given_pair.hpp>
 #include <dynamy_elements/contacts/kernels/standard_pairs.hpp>
+#include <dynamy_elements/contacts/pairs/seen_apart.hpp>
 #include <dynamy_elements/contacts/search/shape_contacts.hpp>
 #include <dynamy_elements/contacts/search/shape_signals.hpp>
 #include <set>
@@ -100,7 +101,14 @@ void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics
   const double reach = few || sink.request().refresh ? std::numeric_limits<double>::infinity()
                                                      : near_.reach(pair.i, pair.j);
   PairReport to(posed, rule, pair.id, reach, sink, features_);
-  if (!sink.request().follow) return rule.kernel->contacts(to);
+  if (!sink.request().follow) {
+    // Searches for these pairs take longest, and most of them are apart.
+    const bool searched =
+        rule.following == Following::jumping || rule.following == Following::searched;
+    const bool apart = searched && rule.plane == 0 && std::isfinite(reach) &&
+                       seenApart(posed.a, posed.b, posed.A, posed.B, reach);
+    return apart ? void() : rule.kernel->contacts(to);
+  }
   if (rule.following == Following::pairwise) return rule.kernel->follow(to);
   const bool noted =
       rule.following == Following::jumping || (rule.following == Following::searched && !few);

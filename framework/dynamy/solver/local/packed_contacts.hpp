@@ -46,14 +46,16 @@ struct PackedMeasure {
 
 class PackedContacts {
  public:
-  /// False: the problem has no bodies, or a mass without inverse; nothing is prepared.
-  bool prepare(const InclusionProblem& problem);
+  /// Packs the contacts; those that carry nothing in Λ come into batches of their own. False: the
+  /// problem has no bodies, or a mass without inverse; nothing is prepared.
+  bool prepare(const InclusionProblem& problem, const double* Lambda);
   /// Loads Λ and computes v' from it; the last change of both is forgotten.
   void load(const double* Lambda);
   void store(double* Lambda) const;
   /// Makes one sweep from Λ + β (Λ − Λ_last), with v' extrapolated likewise. The result
-  /// Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ) is positive if the extrapolation leads uphill.
-  double sweep(const InclusionProblem& problem, double beta);
+  /// Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ) is positive if the extrapolation leads uphill. Without `all`, batches
+  /// that carry nothing are passed over.
+  double sweep(const InclusionProblem& problem, double beta, bool all);
   /// Recomputes v' from Λ and evaluates the natural maps of all contacts.
   PackedMeasure measure(const InclusionProblem& problem);
   /// max_i ρ_i [kg], from which the floor of E_f follows.

@@ -202,19 +202,22 @@ void PackedContacts::setApart(const InclusionProblem& p, int i) {
   local_.add(D, dim, p.law(i).simpleSet(p.input(i)));
 }
 
-bool PackedContacts::prepare(const InclusionProblem& p) {
+bool PackedContacts::prepare(const InclusionProblem& p, const double* Lambda) {
   batches_.clear(), apart_.clear(), apartSegment_.clear(), apartW_.clear(), local_.clear();
   largestRho_ = 0.0;
   if (!p.G->hasBodies()) return false;
   mass_ = &p.G->mass();
   if (!scaleBlocks(p)) return false;
   open_.assign(kOpen, {}), openLanes_.assign(kOpen, 0);
-  for (int i = 0; i < p.size(); ++i) {
-    const SimpleSet set = p.law(i).simpleSet(p.input(i));
-    inBatch(p, i, set) ? batch(p, i, set) : setApart(p, i);
+  for (const bool carries : {true, false}) {
+    for (int i = 0; i < p.size(); ++i) {
+      if ((Lambda[p.row0(i)] != 0.0) != carries) continue;
+      const SimpleSet set = p.law(i).simpleSet(p.input(i));
+      inBatch(p, i, set) ? batch(p, i, set) : setApart(p, i);
+    }
+    for (int k = 0; k < kOpen; ++k)
+      if (openLanes_[static_cast<std::size_t>(k)] > 0) close(k);
   }
-  for (int k = 0; k < kOpen; ++k)
-    if (openLanes_[static_cast<std::size_t>(k)] > 0) close(k);
   std::size_t rows = 0;
   for (const Apart& contact : apart_) rows += static_cast<std::size_t>(contact.dim);
   apartLambda_.assign(rows, 0.0), apartLast_.assign(rows, 0.0), apartR_.clear();
@@ -274,7 +277,7 @@ void PackedContacts::apartImpulse(const Apart& contact, const double* delta) {
   }
 }
 
-double PackedContacts::sweep(const InclusionProblem& p, double beta) {
+double PackedContacts::sweep(const InclusionProblem& p, double beta, bool all) {
   if (beta > 0.0) {
     for (std::size_t b = 0; b < v_.size(); ++b)
       for (int k = 0; k < kLanes; ++k) {
@@ -285,7 +288,7 @@ double PackedContacts::sweep(const InclusionProblem& p, double beta) {
   } else {
     vLast_ = v_;
   }
-  const double uphill = kernels().sweep(batches_.data(), batches(), v_.data(), beta);
+  const double uphill = kernels().sweep(batches_.data(), batches(), v_.data(), beta, all);
   return uphill + sweepApart(p, beta);
 }
 

@@ -23,6 +23,13 @@ struct RegisterOf<8> {
   using Type = double __attribute__((vector_size(64)));
 };
 
+/// No lane has a normal impulse now or had one before the last sweep (then T = S = 0, too).
+[[gnu::always_inline]] inline bool carriesNothing(const PackedBatch& c) {
+  double sum = 0.0;  // of numbers that are never negative
+  for (int k = 0; k < kLanes; ++k) sum += c.Lambda[0][k] + c.last[0][k];
+  return sum == 0.0;
+}
+
 /// `n` lanes in one register, and the loops over them. A batch of eight takes 8/n passes; each lane
 /// has the same operations in the same order for every n.
 template <int n>
@@ -143,10 +150,12 @@ struct Kernel {
   }
 
   [[gnu::always_inline]] static double sweep(PackedBatch* batch, int batches, PackedVelocity* v,
-                                             double beta) {
+                                             double beta, bool all) {
     Register uphill[kLanes / n] = {};
-    for (int i = 0; i < batches; ++i)
+    for (int i = 0; i < batches; ++i) {
+      if (!all && carriesNothing(batch[i])) continue;
       for (int k = 0; k < kLanes / n; ++k) uphill[k] += solve(batch[i], n * k, v, beta);
+    }
     double sum = 0.0;
     for (int k = 0; k < kLanes; ++k) sum += uphill[k / n][k % n];
     return sum;
@@ -210,8 +219,8 @@ struct Kernel {
   static constexpr int kNumbers = 6;  ///< velocities of a body; gather() reads up to eight
 };
 
-double sweepPlain(PackedBatch* batch, int batches, PackedVelocity* v, double beta) {
-  return Kernel<2>::sweep(batch, batches, v, beta);
+double sweepPlain(PackedBatch* batch, int batches, PackedVelocity* v, double beta, bool all) {
+  return Kernel<2>::sweep(batch, batches, v, beta, all);
 }
 void impulsesPlain(const PackedBatch* batch, int batches, PackedVelocity* v) {
   Kernel<2>::impulses(batch, batches, v);
@@ -223,8 +232,8 @@ void measurePlain(const PackedBatch* batch, int batches, const PackedVelocity* v
 
 #if defined(__x86_64__)
 [[gnu::target("avx2")]] double sweepAvx2(PackedBatch* batch, int batches, PackedVelocity* v,
-                                         double beta) {
-  return Kernel<4>::sweep(batch, batches, v, beta);
+                                         double beta, bool all) {
+  return Kernel<4>::sweep(batch, batches, v, beta, all);
 }
 [[gnu::target("avx2")]] void impulsesAvx2(const PackedBatch* batch, int batches,
                                           PackedVelocity* v) {
@@ -235,8 +244,8 @@ void measurePlain(const PackedBatch* batch, int batches, const PackedVelocity* v
   Kernel<4>::measure(batch, batches, v, out);
 }
 [[gnu::target("avx512f,avx512dq")]] double sweepAvx512(PackedBatch* batch, int batches,
-                                                       PackedVelocity* v, double beta) {
-  return Kernel<8>::sweep(batch, batches, v, beta);
+                                                       PackedVelocity* v, double beta, bool all) {
+  return Kernel<8>::sweep(batch, batches, v, beta, all);
 }
 [[gnu::target("avx512f,avx512dq")]] void impulsesAvx512(const PackedBatch* batch, int batches,
                                                         PackedVelocity* v) {

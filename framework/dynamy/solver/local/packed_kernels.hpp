@@ -9,8 +9,9 @@
 namespace dynamy {
 
 struct PackedKernels {
-  /// Makes one sweep over all batches from Λ + β (Λ − last); returns Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ).
-  double (*sweep)(PackedBatch* batch, int batches, PackedVelocity* v, double beta);
+  /// Makes one sweep from Λ + β (Λ − last); returns Σ w (Λ̃ − Λ⁺)·(Λ⁺ − Λ). Without `all`, batches
+  /// with Λ = last = 0 in all lanes are passed over.
+  double (*sweep)(PackedBatch* batch, int batches, PackedVelocity* v, double beta, bool all);
   /// v' += Aᵀ Λ.
   void (*impulses)(const PackedBatch* batch, int batches, PackedVelocity* v);
   /// Evaluates the natural maps of Coulomb's exact law; `out`: the largest ones.

@@ -7,15 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <dynamy/core/constants.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <functional>
-#include <limits>
 #include <random>
 #include <vector>
 
 namespace dynamy::testing {
-
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline Mat3 turned(const Vec3& theta) {
   double p[4] = {1, 0, 0, 0};
