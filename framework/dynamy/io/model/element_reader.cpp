@@ -83,11 +83,12 @@ std::string ElementReader::asAttribute(const std::string& tag, const std::string
 void ElementReader::unknownElement(const XmlNode& node, const Scope& scope, const XmlNode& parent,
                                    const std::vector<std::string>& allowed) {
   std::string hint = asAttribute(node.tag, parent.tag);
-  if (hint.empty()) hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
   if (hint.empty()) {
+    hint = meantElement(node.tag, allowed, *registry_, source_->vocabulary());
     const std::optional<std::string> library = source_->libraryOf(node.tag);
-    if (!library) return;  // the plug-in is reported already
-    if (!library->empty())
+    // The plug-in that may bring the element is reported already; only misspelt names are not of it.
+    if (!library && !hint.starts_with("did you mean")) return;
+    if (hint.empty() && library && !library->empty())
       hint = "the plug-in \"" + *library + "\" is not loaded; add <plugin library=\"" + *library +
              "\"/> below <dynamy>";
   }
