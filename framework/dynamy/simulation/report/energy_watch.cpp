@@ -9,7 +9,10 @@ namespace dynamy {
 namespace {
 
 constexpr double kPositions = 1e-11;  ///< relative error of energies by positions known to g_tol
-constexpr double kFewSteps = 64.0;    ///< added to the number of steps, for the rounding of one
+/// Rise of T + V that nothing brought in, over all that the run began with and all works, from which
+/// on its numbers say nothing.
+constexpr double kDiverged = 1e12;
+constexpr double kFewSteps = 64.0;  ///< added to the number of steps, for the rounding of one
 
 }  // namespace
 
@@ -29,7 +32,7 @@ void EnergyWatch::sample(const StepView& view) {
   RunTrust& trust = report_.trust;
   if (!std::isfinite(e.end())) {  // beyond what numbers hold: squares of velocities overflow first
     trust.energyRise = std::numeric_limits<double>::infinity();
-    trust.energyRiseTime = view.after.t;
+    trust.energyRiseTime = view.after.t, trust.diverged = true;
     return;
   }
   trust.kineticMax = std::max(trust.kineticMax, e.kineticEnd);
@@ -41,6 +44,10 @@ void EnergyWatch::sample(const StepView& view) {
   rounding(e);
   const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
+  const double base = e.kineticStart + std::abs(e.potentialStart) + std::abs(e.nonPotential) +
+                      std::abs(e.friction) + std::abs(e.normal) + std::abs(e.joints) +
+                      std::abs(e.boundaries) + inertia_;
+  trust.diverged = trust.diverged || rise > kDiverged * base;
   // Gains count from the lowest level, so that losses in impacts do not hide later gains. Laws that
   // store energy give it back: only a rise that the scheme's own part shares is a gain.
   if (rise < least_ || e.discretisation < leastOwn_) sinceLeast_ = 0.0;

@@ -6,6 +6,9 @@
 namespace dynamy {
 namespace {
 
+/// Growth of |u|² since the fastest sample that is worth another one.
+constexpr double kMuchFaster = 1e6;
+
 constexpr double kSamples = 256.0;  ///< samples of the energy in a run
 /// After the first kFirst steps only three in a row of every kEvery are examined, so that watching
 /// costs little.
@@ -40,13 +43,16 @@ void RunWatch::step(const StepView& view) {
   }
   report_.trust.damped = std::max(report_.trust.damped, view.system.implicitForces().damped());
   if (!view.scheme.choosesSteps()) gaps_.step(view);
-  if (view.after.t >= nextSample_) sample(view);
+  // A run that diverges is not to go on up to the next sample.
+  if (view.after.t >= nextSample_ || view.after.u.squaredNorm() > kMuchFaster * fastest_)
+    sample(view);
 }
 
 void RunWatch::sample(const StepView& view) {
   if (view.after.t == lastSample_) return;
   lastSample_ = view.after.t;
   nextSample_ = view.after.t + sampleEvery_;
+  fastest_ = std::max(fastest_, view.after.u.squaredNorm());
   energy_.sample(view);
   gaps_.sample(view);
 }
@@ -67,7 +73,7 @@ void RunWatch::finish(const StepView& last) {
 void RunWatch::archive(Archive& a) {
   a.section("watch");
   a(nextSample_), a(lastSample_);
-  a(energy_), a(gaps_), a(resolution_);
+  a(energy_), a(gaps_), a(resolution_), a(fastest_);
 }
 
 }  // namespace dynamy

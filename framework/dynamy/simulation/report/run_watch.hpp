@@ -36,6 +36,7 @@ class RunWatch final : public Observer {
   double length_;  // of the scene [m]
   RunReport& report_;
   EnergyWatch energy_;
+  double fastest_ = 0.0;  // largest |u|² of the samples
   GapWatch gaps_;
   ResolutionWatch resolution_;
   TravelWatch travel_;

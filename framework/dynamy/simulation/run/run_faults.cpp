@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/declared/attributes.hpp>
@@ -80,6 +82,13 @@ std::string missedTolerance(const Model& model, const MechanicalSystem& system, 
   if (e.worst >= 0 && e.worst < c.size())
     text += ", worst at " + contactText(model, c.key[static_cast<std::size_t>(e.worst)]);
   return text + "); onNonConvergence is stop";
+}
+
+std::string divergence(const RunTrust& trust) {
+  return "t = " + numberText(trust.energyRiseTime) + " s: the run has diverged: T + V rose by " +
+         fmt::format("{:.2g}", trust.energyRise) +
+         " J that nothing brought in, 1e12 of all that it began with and all works; take a smaller "
+         "step, or a tolerance";
 }
 
 std::string lawThatThrows(const MechanicalSystem& system) {

@@ -2,6 +2,7 @@
 /// definite, inclusions that missed their tolerance, laws that throw. Texts name the element.
 #pragma once
 #include <dynamy/simulation/model/model.hpp>
+#include <dynamy/simulation/report/run_report.hpp>
 
 namespace dynamy {
 
@@ -19,6 +20,9 @@ const ExternalForce* forceWithoutNumber(const Model& model, const State& x, doub
 /// Message of a run that ends at time t [s], because an inclusion missed its tolerance.
 std::string missedTolerance(const Model& model, const MechanicalSystem& system, double t,
                             const SolveReport& solved);
+
+/// Message of a run that ends because its energy has grown beyond any meaning.
+std::string divergence(const RunTrust& trust);
 
 /// Message of the first law of the last problem that throws, to explain an exception from a solver;
 /// empty: none throws.
