@@ -84,11 +84,19 @@ std::string missedTolerance(const Model& model, const MechanicalSystem& system, 
   return text + "); onNonConvergence is stop";
 }
 
-std::string divergence(const RunTrust& trust) {
+std::string divergence(const Model& model, const State& x, const RunTrust& trust) {
+  int fastest = 0;
+  double most = -1.0;
+  for (int i = 0; i < static_cast<int>(model.systems().size()); ++i) {
+    const SystemHandle& s = model.topology().system(i);
+    if (const double speed = x.u.segment(s.u0, s.nu).norm(); speed > most)
+      most = speed, fastest = i;
+  }
   return "t = " + numberText(trust.energyRiseTime) + " s: the run has diverged: T + V rose by " +
          fmt::format("{:.2g}", trust.energyRise) +
-         " J that nothing brought in, 1e12 of all that it began with and all works; take a smaller "
-         "step, or a tolerance";
+         " J that nothing brought in, 1e12 of all that it began with and all works; the fastest "
+         "is " +
+         systemName(model, fastest) + "; take a smaller step, or a tolerance";
 }
 
 std::string lawThatThrows(const MechanicalSystem& system) {

@@ -21,8 +21,9 @@ const ExternalForce* forceWithoutNumber(const Model& model, const State& x, doub
 std::string missedTolerance(const Model& model, const MechanicalSystem& system, double t,
                             const SolveReport& solved);
 
-/// Message of a run that ends because its energy has grown beyond any meaning.
-std::string divergence(const RunTrust& trust);
+/// Message of a run that ends in x because its energy has grown beyond any meaning; names the fastest
+/// system.
+std::string divergence(const Model& model, const State& x, const RunTrust& trust);
 
 /// Message of the first law of the last problem that throws, to explain an exception from a solver;
 /// empty: none throws.

@@ -224,7 +224,7 @@ bool Simulation::accept() {
   if (!sleep_.slept().systems.empty()) observers_.slept(view(true), sleep_.slept());
   report_.cost.evaluations += system_.evaluations() - evaluations;  // for dense output and trials
   if (State old; step_.renew(old)) observers_.bring(old, step_.x());
-  if (report_.trust.diverged) return endBecause(divergence(report_.trust));
+  if (report_.trust.diverged) return endBecause(divergence(model_, step_.x(), report_.trust));
   return true;
 }
 
