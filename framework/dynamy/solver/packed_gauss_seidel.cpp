@@ -7,9 +7,9 @@
 namespace dynamy {
 namespace {
 
-/// Batches that carry nothing are swept in one of these sweeps: whether they begin to carry is seen
-/// there, and by each test.
-constexpr int kSweepsOfLoaded = 5;
+/// One of so many sweeps is over all batches, the others pass over those that carry nothing. That
+/// a contact begins to carry is seen by the one, and by each test.
+constexpr int kSweepsPerWhole = 5;
 constexpr int kSweepsBetweenTests = 10;  ///< a test costs about as much as two sweeps
 /// A start with a larger residual is compared with Λ = 0: its contacts may have turned since. From
 /// 1 on, walls that were hit took 80 to 110 sweeps a step instead of 65 to 79.
@@ -101,7 +101,7 @@ bool PackedGaussSeidel::sweeps(const InclusionProblem& p, double tolerance, int 
   report.status = SolveStatus::maxIterations;
   for (int sweep = 1, k = 1, marked = 0; sweep <= most; ++sweep) {
     const double beta = std::min(bound, (k - 1.0) / (k + 2.0));
-    k = packed_.sweep(p, beta, sweep % kSweepsOfLoaded == 1) > 0.0 ? 1 : k + 1;
+    k = packed_.sweep(p, beta, sweep % kSweepsPerWhole == 1) > 0.0 ? 1 : k + 1;
     ++report.iterations;
     if (sweep % kSweepsBetweenTests != 0 && sweep != most) continue;
     const double now = tested(p);

@@ -107,7 +107,8 @@ void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics
         rule.following == Following::jumping || rule.following == Following::searched;
     const bool apart = searched && rule.plane == 0 && std::isfinite(reach) &&
                        seenApart(posed.a, posed.b, posed.A, posed.B, reach);
-    return apart ? void() : rule.kernel->contacts(to);
+    if (!apart) rule.kernel->contacts(to);
+    return;
   }
   if (rule.following == Following::pairwise) return rule.kernel->follow(to);
   const bool noted =

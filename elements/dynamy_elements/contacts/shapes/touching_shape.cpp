@@ -158,7 +158,7 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 
 /// A smooth shape has no features in a plane of motion: its section
 /// would be needed, not its shadow.
-void smooth(Features& f, const SmoothShape& shape, TouchingShape& out) {
+void addSmooth(Features& f, const SmoothShape& shape, TouchingShape& out) {
   const SmoothShape::Extent extent = shape.extent();
   out.bound = extent.bound, out.thickness = extent.halfWidth;
   if (!f.inSpace()) return;
@@ -365,7 +365,7 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
   out.p_K = shape.r_SB_K(), out.A_KB = shape.A_KB(), out.grain_K = out.A_KB * shape.grain_B();
   Features f(out, shape.A_KB().transpose() * plane_K);
   if (const SmoothShape* given = shape.smooth()) {
-    smooth(f, *given, out);
+    addSmooth(f, *given, out);
     return out;
   }
   if (const OwnContact given = shape.ownContact(); given.family) {

@@ -9,10 +9,8 @@ namespace dynamy {
 namespace {
 
 constexpr double kPositions = 1e-11;  ///< relative error of energies by positions known to g_tol
-/// Rise of T + V that nothing brought in, over all that the run began with and all works, from which
-/// on its numbers say nothing.
-constexpr double kDiverged = 1e12;
-constexpr double kFewSteps = 64.0;  ///< added to the number of steps, for the rounding of one
+constexpr double kRises = 0.1;        ///< least share of T + |V| that a rise is
+constexpr double kFewSteps = 64.0;    ///< added to the number of steps, for the rounding of one
 
 }  // namespace
 
@@ -44,10 +42,7 @@ void EnergyWatch::sample(const StepView& view) {
   rounding(e);
   const double rise = e.end() - e.start() - e.nonPotential - e.boundaries;
   if (rise > trust.energyRise) trust.energyRise = rise, trust.energyRiseTime = view.after.t;
-  const double base = e.kineticStart + std::abs(e.potentialStart) + std::abs(e.nonPotential) +
-                      std::abs(e.friction) + std::abs(e.normal) + std::abs(e.joints) +
-                      std::abs(e.boundaries) + inertia_;
-  trust.diverged = trust.diverged || rise > kDiverged * base;
+  trust.diverged = trust.diverged || diverges(e, rise);
   // Gains count from the lowest level, so that losses in impacts do not hide later gains. Laws that
   // store energy give it back: only a rise that the scheme's own part shares is a gain.
   if (rise < least_ || e.discretisation < leastOwn_) sinceLeast_ = 0.0;
@@ -57,6 +52,17 @@ void EnergyWatch::sample(const StepView& view) {
   now.energyGain = std::min(rise - least_, e.discretisation - leastOwn_);
   now.energyGainTime = view.after.t, now.gainStep = sinceLeast_;
   if (now.energyGain * trust.gainScale() > trust.energyGain * now.gainScale()) trust = now;
+}
+
+/// Has T + V risen by far more than all that the run began with and all works? What is left of T and
+/// V that balance each other is no rise.
+bool EnergyWatch::diverges(const EnergyReport& e, double rise) const {
+  if (!(inertia_ > 0.0)) return false;  // no measure of what is little
+  const double known = e.kineticStart + std::abs(e.potentialStart) + std::abs(e.nonPotential) +
+                       std::abs(e.friction) + std::abs(e.normal) + std::abs(e.joints) +
+                       std::abs(e.boundaries) + inertia_;
+  return rise > RunTrust::kDiverged * known &&
+         rise > kRises * (e.kineticEnd + std::abs(e.potentialEnd));
 }
 
 void EnergyWatch::rounding(const EnergyReport& e) {

@@ -31,6 +31,7 @@ class EnergyWatch {
   void archive(Archive& a);
 
  private:
+  bool diverges(const EnergyReport& e, double rise) const;
   void rounding(const EnergyReport& e);
   EnergyLedger& ledger_;
   RunReport& report_;

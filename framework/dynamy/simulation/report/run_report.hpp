@@ -41,7 +41,10 @@ struct RunTrust {
   double stepEnergy = 0.0;                          ///< most that forces alone give in a step [J]
   double energyError = 0.0, energyErrorTime = 0.0;  ///< [J], [s]
   double energyRise = 0.0, energyRiseTime = 0.0;    ///< above the start [J], [s]
-  bool diverged = false;                            ///< T + V rose beyond any meaning
+  /// T + V rose by kDiverged times all that the run began with and all works, and nothing brought it
+  /// in: its numbers say nothing, and it ends (theory 6.3).
+  bool diverged = false;
+  static constexpr double kDiverged = 1e12;
   /// Largest rise of T + V above its lowest level so far, as far as the scheme itself caused it
   /// [J], and its time [s].
   double energyGain = 0.0, energyGainTime = 0.0;

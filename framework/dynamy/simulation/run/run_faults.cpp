@@ -92,11 +92,12 @@ std::string divergence(const Model& model, const State& x, const RunTrust& trust
     if (const double speed = x.u.segment(s.u0, s.nu).norm(); speed > most)
       most = speed, fastest = i;
   }
-  return "t = " + numberText(trust.energyRiseTime) + " s: the run has diverged: T + V rose by " +
-         fmt::format("{:.2g}", trust.energyRise) +
-         " J that nothing brought in, 1e12 of all that it began with and all works; the fastest "
-         "is " +
-         systemName(model, fastest) + "; take a smaller step, or a tolerance";
+  return fmt::format(
+      "t = {} s: the run has diverged: T + V rose by {:.2g} J, more than {:.0e} times all that it "
+      "began with and all works; the fastest is {}; {}",
+      numberText(trust.energyRiseTime), trust.energyRise, RunTrust::kDiverged,
+      systemName(model, fastest),
+      model.scheme().choosesSteps() ? "take a smaller tolerance" : "take a smaller step");
 }
 
 std::string lawThatThrows(const MechanicalSystem& system) {

@@ -21,8 +21,8 @@ const ExternalForce* forceWithoutNumber(const Model& model, const State& x, doub
 std::string missedTolerance(const Model& model, const MechanicalSystem& system, double t,
                             const SolveReport& solved);
 
-/// Message of a run that ends in x because its energy has grown beyond any meaning; names the fastest
-/// system.
+/// Message of a run that ends in x because it has diverged (RunTrust::diverged); names the fastest
+/// system and a remedy.
 std::string divergence(const Model& model, const State& x, const RunTrust& trust);
 
 /// Message of the first law of the last problem that throws, to explain an exception from a solver;

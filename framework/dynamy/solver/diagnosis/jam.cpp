@@ -7,9 +7,9 @@ namespace dynamy {
 namespace {
 
 constexpr int kMostJamSteps = 20000;
-constexpr double kSame = 1e-11;  ///< fraction of the start's length: the two projections agree
-constexpr double kEmpty = 1e-3;  ///< below this part of the start the limit counts as zero
-constexpr double kSecant = 1e9;  ///< t of prox(t z)/t, the projection on a recession cone
+constexpr double kAgree = 1e-11;  ///< fraction of the start's length: the two projections agree
+constexpr double kEmpty = 1e-3;   ///< below this part of the start the limit counts as zero
+constexpr double kSecant = 1e9;   ///< t of prox(t z)/t, the projection on a recession cone
 
 /// Nearest point x of N·B to z_T at given N; returns S_B(z_T − x) = (z_T − x)·x/N.
 double projectTangential(const DenseProblem& dense, int contact, double N, const double* z,
@@ -88,7 +88,7 @@ Eigen::VectorXd jammedForces(const DenseProblem& dense) {
     for (const auto& [contact, place] : closed) projectOnCone(dense, contact, y.data() + place);
     increment = moved - y;
     if (y.norm() <= 1e-6 * start) return Lambda;
-    met = k > 10 && std::max((x - y).norm(), (y - before).norm()) <= kSame * start;
+    met = k > 10 && std::max((x - y).norm(), (y - before).norm()) <= kAgree * start;
   }
   // Unconverged results count if they lie in both sets well enough to be reported as forces.
   if (y.norm() <= kEmpty * start || (x - y).norm() > 1e-6 * y.norm()) return Lambda;

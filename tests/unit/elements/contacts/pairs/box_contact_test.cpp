@@ -123,6 +123,39 @@ TEST(BoxContact, OfTwoFacesIsThePolygonTheyShare) {
   }
 }
 
+TEST(BoxContact, WithinReachIsWhatIsThereAtAnyDistance) {
+  // An axis that separates bodies by more than the reach is passed by no contact within it: looking
+  // no further loses none, and changes no bit of those that are there.
+  constexpr unsigned kSeed = 11;
+  std::mt19937 random(kSeed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto vec = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  int left = 0, kept = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const FramedBox A(Vec3::Zero(), turned(2.0 * vec()), Vec3::Constant(0.6) + 0.3 * vec());
+    const FramedBox B(vec().normalized() * (1.4 + 0.6 * uniform(random)), turned(2.0 * vec()),
+                      Vec3::Constant(0.6) + 0.3 * vec());
+    const double reach = 0.1 * (1.0 + uniform(random));
+    Contacts all, near;
+    const int n = betweenBoxes(A.box, B.box, true, all);
+    if (const int m = betweenBoxes(A.box, B.box, true, near, reach); m == 0) {
+      for (int i = 0; i < n; ++i)
+        EXPECT_GT(all[static_cast<std::size_t>(i)].at.g, reach) << "trial " << trial;
+      ++left;
+    } else {
+      ASSERT_EQ(m, n) << "trial " << trial;
+      for (int i = 0; i < n; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        EXPECT_EQ(near[at].id, all[at].id);
+        EXPECT_EQ(near[at].at.g, all[at].at.g);
+        EXPECT_EQ(near[at].at.P, all[at].at.P);
+      }
+      ++kept;
+    }
+  }
+  EXPECT_GT(std::min(left, kept), 1000);
+}
+
 TEST(BoxContact, OfAlignedCubesIsTheirFourCorners) {
   // Every corner is a vertex of both and a crossing of edges at once: one contact each, and the
   // same ones after a shift by rounding.
