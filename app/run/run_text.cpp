@@ -386,7 +386,8 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
   json.key("effort").beginObject();
   json.member("smooth", r.cost.effort.smooth).member("rejected", r.cost.effort.rejected);
   json.member("switches", r.cost.effort.switches).member("events", r.cost.effort.events);
-  json.member("stepping", r.cost.effort.stepping).endObject();
+  json.member("stepping", r.cost.effort.stepping);
+  json.member("looks", r.cost.effort.looks).member("gaps", r.cost.effort.gaps).endObject();
   json.key("stepping").beginObject().member("periods", r.stepping.periods);
   json.member("stalls", r.stepping.stalls).member("steps", r.stepping.steps);
   json.member("systems", r.stepping.systems);

@@ -6,6 +6,7 @@
 #pragma once
 #include <algorithm>
 #include <dynamy/contact/near_contacts.hpp>
+#include <dynamy/system/kinematics.hpp>
 
 namespace dynamy {
 

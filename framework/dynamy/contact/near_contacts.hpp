@@ -1,38 +1,10 @@
-/// PathReach: how far frames move on a path, at most. NearContacts: the contacts that can close on
-/// it, as ranges of keys.
+/// NearContacts: the contacts that can close on a path, as ranges of keys.
 #pragma once
 #include <dynamy/contact/contact_set.hpp>
-#include <dynamy/system/kinematics.hpp>
 #include <span>
 #include <vector>
 
 namespace dynamy {
-
-class PathReach {
- public:
-  /// Begins with no motion. `time`: length of the path [s]; `margin`: added to every way [m].
-  void begin(const Kinematics& k, double time, double margin);
-  /// The path passes `k`: notes the speeds there.
-  void pass(const Kinematics& k);
-  /// Multiplies all speeds by `factor`: between the noted places they may be higher.
-  void widen(double factor);
-  /// True: nothing moves faster or for a longer time than in `other`.
-  bool within(const PathReach& other) const;
-
-  /// Bound of the way of a point at the distance `arm` [m] from the origin of frame f [m].
-  double way(FrameHandle f, double arm) const {
-    const Speeds& s = speeds_[static_cast<std::size_t>(f.index)];
-    return margin_ + time_ * (s.v + (s.Omega > 0.0 ? s.Omega * arm : 0.0));
-  }
-
- private:
-  struct Speeds {
-    double v = 0.0;      // of the origin [m/s]
-    double Omega = 0.0;  // [rad/s]
-  };
-  std::vector<Speeds> speeds_;  // per frame
-  double time_ = 0.0, margin_ = 0.0;
-};
 
 class NearContacts {
  public:

@@ -7,6 +7,8 @@
 
 namespace dynamy {
 
+class PathReach;
+
 /// Forces of a joint on its two frames, and their derivatives with respect to motion of the frames.
 struct JointForces {
   FrameHandle frame[2];
@@ -29,6 +31,11 @@ class NonSmoothElement : public Element {
   /// its contacts are followed.
   virtual bool nearOnPath(const Kinematics& /*start*/, const PathReach& /*reach*/, int /*element*/,
                           NearContacts& /*out*/) const {
+    return false;
+  }
+  /// Adds the frames on which contact `id` depends, if it depends on nothing else that changes but
+  /// time. False (default): all frames are evaluated before each look at this contact.
+  virtual bool framesOf(std::uint64_t /*id*/, std::vector<FrameHandle>& /*out*/) const {
     return false;
   }
   /// Number of pieces into which a step of Δt at these velocities is cut to find contacts that it

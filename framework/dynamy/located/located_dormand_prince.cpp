@@ -10,6 +10,14 @@ namespace {
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 
+/// The time in which velocities u pass through their scales, between the times T_i of the fastest and
+/// of the slowest island: accelerations at the start of the run, of springs that it finds stretched,
+/// may have made T very short.
+double presentTime(const ErrorNorm& norm, const Eigen::VectorXd& u) {
+  const double rate = (u.array().abs() / norm.velocityScales().array()).maxCoeff();
+  return std::max(norm.time(), std::min(1.0 / rate, norm.times().maxCoeff()));
+}
+
 }  // namespace
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x)
@@ -71,51 +79,63 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   return report;
 }
 
+/// Takes a step in time from steppedFrom_ into x, at most dt long, shorter ones until one is good.
+LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s,
+                                                             InclusionSolver& solver, State& x,
+                                                             double dt) {
+  SteppedState& stepped = governed_.state().stepped;
+  SwitchGovernor& governor = governed_.governor();
+  const ErrorNorm& norm = governed_.motion().parts().norm;
+  const LocatedBeside::Beginning beginning{governed_.motion().settings(), governed_};
+  InTime out;
+  for (;; ++out.rejected) {
+    const double known = beside_.follow(s, solver, beginning, steppedFrom_, steppedFrom_.t + dt,
+                                        stepped, out.located);
+    double& h = out.h;
+    h = std::min(governor.h(), dt);
+    out.tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;
+    if (known <= out.tE + kSliver * h) out.tE = known, h = out.tE - steppedFrom_.t;
+    beside_.place(s, out.tE, stepped);
+    const SteppedIslands::Trial trial = steps_.attempt(s, solver, norm, islands_, stepped.systems,
+                                                       stepped.searches.next(), steppedFrom_, x, h);
+    stepped.searches.done(trial.report.solved.ok());
+    out.report = trial.report, out.error = trial.error, out.newton += trial.newton;
+    if (trial.good() || !(h > governor.least())) break;
+    governor.shorten(h, std::max(trial.error, 1.0));
+  }
+  return out;
+}
+
 StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                             double dt) {
   SteppedState& stepped = governed_.state().stepped;
   SwitchGovernor& governor = governed_.governor();
   const ErrorNorm& norm = governed_.motion().parts().norm;
   stepped_ = true;
-  governor.scales(norm.tolerance(), norm.time());
+  if (stepped.time <= 0.0) stepped.time = presentTime(norm, x.u);
+  governor.scales(norm.tolerance(), stepped.time);
   islands_.start(s.parts());
   const long before = s.evaluations();
   steppedFrom_.t = x.t, steppedFrom_.q = x.q, steppedFrom_.u = x.u;
   steppedFrom_.memory = x.memory, steppedFrom_.impulses = x.impulses;
-  const LocatedBeside::Beginning beginning{governed_.motion().settings(), governed_};
-  StepReport report;
-  StepCounts located;
-  double h = 0.0, tE = 0.0, error = 0.0;
-  int rejected = 0, newton = 0;
-  for (;; ++rejected) {
-    const double known =
-        beside_.follow(s, solver, beginning, steppedFrom_, steppedFrom_.t + dt, stepped, located);
-    h = std::min(governor.h(), dt);
-    tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;
-    if (known <= tE + kSliver * h) tE = known, h = tE - steppedFrom_.t;
-    beside_.place(s, tE, stepped);
-    const SteppedIslands::Trial trial =
-        steps_.attempt(s, solver, norm, islands_, stepped.systems, steppedFrom_, x, h);
-    report = trial.report, error = trial.error, newton += trial.newton;
-    if (trial.good() || !(h > governor.least())) break;
-    governor.shorten(h, std::max(error, 1.0));
-  }
-  x.t = tE;
+  const InTime taken = tryInTime(s, solver, x, dt);
+  StepReport report = taken.report;
+  x.t = taken.tE;
   report.dt = x.t - steppedFrom_.t;
-  steps_.take(steppedFrom_, x.u, h);
+  steps_.take(steppedFrom_, x.u, taken.h);
   beside_.join(s, x, stepped, report);
-  report.counts = located;
-  report.counts.rejected += rejected;
-  report.counts.stepped = true, report.counts.stepError = error;
+  report.counts = taken.located;
+  report.counts.rejected += taken.rejected;
+  report.counts.stepped = true, report.counts.stepError = taken.error;
   report.counts.turnedBy = governor.turnedBy(), report.counts.turnedAt = governor.turnedAt();
   report.counts.steppedSystems = LocatedBeside::steppedSystems(*s.parts().topology, stepped);
-  const StepEffort& e = located.effort;
+  const StepEffort& e = taken.located.effort;
   const long evaluations = s.evaluations() - before - e.smooth - e.rejected - e.switches - e.events;
   report.counts.effort.stepping = evaluations;
   governor.told();
-  governor.stepped(x.t, h, error,
-                   governed_.steppedWork(s, static_cast<double>(evaluations), newton), rejected > 0,
-                   governed_.locatedWork(s, kSwitch), evaluations);
+  governor.stepped(x.t, taken.h, taken.error,
+                   governed_.steppedWork(s, static_cast<double>(evaluations), taken.newton),
+                   taken.rejected > 0, governed_.locatedWork(s, kSwitch), evaluations);
   governed_.state().next =
       LocatedBeside::any(*s.parts().topology, stepped)
           ? beside_.nextStep(x.t, governor.h(), TrialConstants::firstStep * norm.time())

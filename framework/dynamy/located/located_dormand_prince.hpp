@@ -50,6 +50,15 @@ class LocatedDormandPrince : public OneStep {
   LocatedDormandPrince(const Parameters& x, const LocatedSettings& settings);
 
  private:
+  /// A step in time that was taken.
+  struct InTime {
+    StepReport report;
+    StepCounts located;        // of what was located beside it
+    double h = 0.0, tE = 0.0;  // its length and end [s]
+    double error = 0.0;        // in units of the tolerance
+    int rejected = 0, newton = 0;
+  };
+  InTime tryInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   /// Interpolation evaluates stages of the last step when it is first requested.
   mutable GovernedMotion governed_{LocatedSettings{}};

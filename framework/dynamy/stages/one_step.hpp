@@ -6,13 +6,15 @@
 
 namespace dynamy {
 
-/// Numbers of evaluations of M, h and contacts, by their purpose.
+/// Numbers of evaluations of M, h and contacts, by their purpose, and of looks at gaps alone.
 struct StepEffort {
   long smooth = 0;    ///< steps within phases
   long rejected = 0;  ///< steps that were too long
   long switches = 0;  ///< finding instants, and steps to them
   long events = 0;    ///< impacts, decisions, projections
   long stepping = 0;  ///< steps in time, past switches that were not located
+  long looks = 0;     ///< looks at all contacts that may close, without masses and forces
+  long gaps = 0;      ///< gaps that these looks, and looks at single contacts, evaluated
 };
 
 /// Why a scheme that locates switches turns to steps in time.

@@ -20,24 +20,38 @@ void Kinematics::resize(const Topology& topology) {
   }
 }
 
-void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
-                          ConstVec memory, const SystemSubset* subset) {
+void Kinematics::begin(const Topology& topology, double t, ConstVec q, ConstVec u, ConstVec memory,
+                       const SystemSubset* subset) {
   t_ = t, q_ = q.data(), u_ = u.data(), memory_ = memory.data();
   signals_ = &topology.signals();
-  const auto& requested = topology.requestedFrames();
-  if (frames_.size() != requested.size()) resize(topology);
+  if (frames_.size() != topology.requestedFrames().size()) resize(topology);
   const std::uint64_t stamp = subset ? subset->stamp() : 0;
   const bool others = subset_ != stamp;
   some_ = subset, subset_ = stamp;
-  if (others) begin(topology);
+  if (others) placeOthers(topology);
+}
+
+void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
+                          ConstVec memory, const SystemSubset* subset) {
+  begin(topology, t, q, u, memory, subset);
   if (subset)
     for (const int i : subset->frames()) evaluateFrame(topology, static_cast<std::size_t>(i));
   else
-    for (std::size_t i = 0; i < requested.size(); ++i) evaluateFrame(topology, i);
+    for (std::size_t i = 0; i < frames_.size(); ++i) evaluateFrame(topology, i);
+}
+
+void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
+                          ConstVec memory, const SystemSubset* subset,
+                          std::span<const FrameHandle> frames) {
+  begin(topology, t, q, u, memory, subset);
+  for (const FrameHandle f : frames)
+    if (const auto i = static_cast<std::size_t>(f.index);
+        !subset || !subset->leavesOut(topology.requestedFrames()[i].first))
+      evaluateFrame(topology, i);
 }
 
 /// Marks the frames of systems outside of the subset. Those that rest are evaluated here, once.
-void Kinematics::begin(const Topology& topology) {
+void Kinematics::placeOthers(const Topology& topology) {
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     Frame& f = frames_[i];
     f.absent = true, f.outside = leavesOut(topology.requestedFrames()[i].first);

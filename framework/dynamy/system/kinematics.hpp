@@ -2,6 +2,7 @@
 /// is evaluated once.
 #pragma once
 #include <dynamy/system/system_subset.hpp>
+#include <span>
 
 namespace dynamy {
 
@@ -13,6 +14,10 @@ class Kinematics {
   /// or those of a subset: the others are absent, or stay where they rest. Calls resize() if that was not done.
   void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
                 ConstVec memory = {nullptr, 0}, const SystemSubset* subset = nullptr);
+
+  /// As above, but evaluates `frames` alone: the others stay as they are.
+  void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u, ConstVec memory,
+                const SystemSubset* subset, std::span<const FrameHandle> frames);
 
   double t() const { return t_; }
   /// True: the system takes no part in this evaluation, see SystemSubset.
@@ -31,7 +36,9 @@ class Kinematics {
   const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
 
  private:
-  void begin(const Topology& topology);
+  void begin(const Topology& topology, double t, ConstVec q, ConstVec u, ConstVec memory,
+             const SystemSubset* subset);
+  void placeOthers(const Topology& topology);
   void evaluateFrame(const Topology& topology, std::size_t i);
   double t_ = 0.0;
   const double* q_ = nullptr;

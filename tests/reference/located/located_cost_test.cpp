@@ -90,6 +90,38 @@ TEST(LocatedCost, AContactThatIsAloneLiftsOffForTheCostOfAnyOtherSwitch) {
   EXPECT_LE(r.cost.effort.switches, 28);
 }
 
+/// n balls that bounce on a floor 1 m apart from each other. Any two of them could touch.
+std::string bouncingBalls(int n) {
+  std::string text = R"xml(<dynamy version="1"><systems>)xml";
+  for (int i = 0; i < n; ++i)
+    text += "<RigidBody name=\"b" + std::to_string(i) + "\" position=\"" + std::to_string(i % 8) +
+            " " + std::to_string(i / 8) + " " + std::to_string(0.5 + 0.3 * (i * 37 % 101) / 101.0) +
+            "\"><Sphere radius=\"0.1\" mass=\"1\" material=\"a\"/></RigidBody>";
+  return text + R"xml(<Ground name="floor"><HalfSpace material="a"/></Ground></systems>
+    <forces><Gravity acceleration="0 0 -9.81"/></forces>
+    <elements><Contact between="a a"><Unilateral epsilonN="0.9"/></Contact></elements>
+    <simulation until="1" step="1"/></dynamy>)xml";
+}
+
+TEST(LocatedCost, LooksASwitchDoNotGrowWithTheNumberOfBodies) {
+  // Pairs that fly apart take no look, and of the gaps above the floor, which all fall, only the
+  // first one is refined: each other one takes a look at its gap alone in each of the eight
+  // intervals of a search at most.
+  double alone = 0.0;
+  for (const int n : {8, 64}) {
+    LocatedRun run(bouncingBalls(n), 1e-8, 0.6);
+    const RunReport& r = run.run();
+    ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+    ASSERT_GE(r.located.switches, n);
+    const auto switches = static_cast<double>(r.located.switches);
+    EXPECT_LT(static_cast<double>(r.cost.effort.looks) / switches, 40.0) << n;
+    const double gaps = static_cast<double>(r.cost.effort.gaps) / (switches * n);
+    if (n == 8) alone = gaps;
+    EXPECT_LT(gaps, 1.2 * alone) << n;
+    RecordProperty("gapsOf" + std::to_string(n), std::to_string(gaps));
+  }
+}
+
 /// Two rods of 1 m and 1 kg with hinges, let go from the horizontal, in the coordinates of the
 /// hinges.
 const std::string kRods = R"xml(<dynamy version="1"><systems>

@@ -8,10 +8,14 @@
 /// centre on their level. Cells are hashed, so that only cells with balls cost memory. A
 /// few balls are compared pair by pair.
 ///
+/// Boxes, which hold paths, are sorted along the axis on which they spread most, and compared while
+/// they overlap there.
+///
 /// A tree over the balls was rejected: heaps of bodies change everywhere in every step, and a grid
 /// is rebuilt in less time than a tree is refitted. All memory is kept between calls; nothing is
 /// allocated once the largest problem has been seen.
 #pragma once
+#include <Eigen/Geometry>
 #include <dynamy/core/types.hpp>
 #include <utility>
 #include <vector>
@@ -29,6 +33,9 @@ class BroadPhase {
   /// The near pairs, valid until the next call. The search ends early once there are more than
   /// kMostPairs + each·n pairs.
   const std::vector<Pair>& near(const std::vector<Ball>& balls, std::size_t each = kPassed);
+  /// As above, for boxes that overlap; empty boxes are ignored, and no bound may be NaN.
+  using Box = Eigen::AlignedBox3d;
+  const std::vector<Pair>& near(const std::vector<Box>& boxes, std::size_t each = kPassed);
   /// Did the last call end early? Then its pairs are incomplete.
   bool overfull() const { return overfull_; }
   /// Number of pairs per ball above which no step could use them. kNeighbours: at rest, where

@@ -19,6 +19,16 @@ bool touch(const BroadPhase::Ball& a, const BroadPhase::Ball& b) {
   return (a.c - b.c).squaredNorm() <= R * R;
 }
 
+/// The axis along which boxes start at the most different places.
+int widestAxis(const std::vector<BroadPhase::Box>& boxes) {
+  BroadPhase::Box starts;
+  for (const BroadPhase::Box& box : boxes)
+    if (!box.isEmpty() && box.min().allFinite()) starts.extend(box.min());
+  int axis = 0;
+  if (!starts.isEmpty()) starts.sizes().maxCoeff(&axis);
+  return axis;
+}
+
 }  // namespace
 
 const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& balls,
@@ -34,6 +44,28 @@ const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& b
     if (fillsUp()) return pairs_;
   }
   order(balls.size());
+  return ordered_;
+}
+
+const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Box>& boxes,
+                                                      std::size_t each) {
+  pairs_.clear(), overfull_ = false;
+  most_ = kMostPairs + each * boxes.size();
+  const int axis = widestAxis(boxes);
+  const auto box = [&](int i) -> const Box& { return boxes[static_cast<std::size_t>(i)]; };
+  members_.clear();
+  for (int i = 0; i < static_cast<int>(boxes.size()); ++i)
+    if (!box(i).isEmpty()) members_.push_back(i);
+  std::sort(members_.begin(), members_.end(), [&](int i, int j) {
+    const double a = box(i).min()[axis], b = box(j).min()[axis];
+    return a < b || (a == b && i < j);
+  });
+  for (auto i = members_.begin(); i != members_.end(); ++i) {
+    for (auto j = i + 1; j != members_.end() && box(*j).min()[axis] <= box(*i).max()[axis]; ++j)
+      if (box(*i).intersects(box(*j))) pairs_.push_back(std::minmax(*i, *j));
+    if (fillsUp()) return pairs_;
+  }
+  order(boxes.size());
   return ordered_;
 }
 

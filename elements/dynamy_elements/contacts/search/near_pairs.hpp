@@ -5,16 +5,17 @@
 /// however fast they are, since they move side by side, are left out again (theory 38.3).
 #pragma once
 #include <dynamy/contact/contact_sink.hpp>
+#include <dynamy/contact/path_reach.hpp>
 #include <dynamy_elements/contacts/search/broad_phase.hpp>
 #include <dynamy_elements/contacts/search/pair_rules.hpp>
 
 namespace dynamy {
 
-/// The near pairs of some balls, one around each shape. Throws ModelError naming two of them if
-/// there are more than a step could take.
-const std::vector<BroadPhase::Pair>& nearPairs(BroadPhase& broad,
-                                               const std::vector<BroadPhase::Ball>& balls,
-                                               std::size_t each, const ShapeSet& shapes);
+/// The pairs that `broad` has found near each other among the shapes, each of which has a ball or a
+/// box around it. Throws ModelError naming two of them if there are more than a step could take.
+const std::vector<BroadPhase::Pair>& nearPairs(const BroadPhase& broad,
+                                               const std::vector<BroadPhase::Pair>& found,
+                                               const ShapeSet& shapes);
 
 class NearPairs {
  public:
@@ -27,17 +28,17 @@ class NearPairs {
 
   /// Places the balls. Shapes see further if they are few, or requested by key.
   void place(const Kinematics& k, const ContactRequest& request);
-  /// Calls f(i, j) for the pairs of shapes whose balls can touch on a path from `start`, where bodies move
-  /// no further than `reach`. Balls contain their shapes, so that no other pair touches on it.
+  /// Calls f(i, j) for the pairs of shapes that can touch on a path from `start`, where bodies stay
+  /// within `reach`: boxes hold their balls all the way, so that no other pair touches on it.
   template <class F>
   void onPath(const Kinematics& start, const PathReach& reach, F&& f) {
     placeOnPath(start, reach);
     for (const int h : shapes_->halfSpaces()) {
       const Flat flat(shapes_->inSpace()[static_cast<std::size_t>(h)], start);
-      for (std::size_t i = 0; i < balls_.size(); ++i)
+      for (std::size_t i = 0; i < boxes_.size(); ++i)
         if (meetsOnPath(flat, static_cast<std::size_t>(h), i, reach)) f(h, static_cast<int>(i));
     }
-    for (const auto& [i, j] : nearPairs(broad_, balls_, BroadPhase::kPassed, *shapes_)) f(i, j);
+    for (const auto& [i, j] : nearPairs(broad_, broad_.near(boxes_), *shapes_)) f(i, j);
   }
   /// Largest gap at which the shapes i and j are found [m].
   double reach(std::size_t i, std::size_t j) const { return reach_[i] + reach_[j]; }
@@ -63,8 +64,9 @@ class NearPairs {
   void others(const Kinematics& k, F&& f) {
     if (moving_.empty()) return;
     const bool moving = tau_ > 0.0;
+    const std::size_t each = moving ? BroadPhase::kPassed : BroadPhase::kNeighbours;
     const std::vector<BroadPhase::Pair>& near =
-        nearPairs(broad_, balls_, moving ? BroadPhase::kPassed : BroadPhase::kNeighbours, *shapes_);
+        nearPairs(broad_, broad_.near(balls_, each), *shapes_);
     if (moving) followTurns(k, near);
     for (std::size_t m = 0; m < near.size(); ++m)
       if ((!moving || gap_[m] <= way_[m]) && !(rests(near[m].first) && rests(near[m].second)))
@@ -105,6 +107,7 @@ class NearPairs {
   std::vector<double> turned_;         ///< per shape: how far it may be thrown off its course [m]
   std::vector<double> gap_, way_;      ///< per near pair: least gap, most approach [m]
   std::vector<BroadPhase::Ball> balls_;
+  std::vector<BroadPhase::Box> boxes_;  ///< per shape: where its ball is on a path; empty: nowhere
   BroadPhase broad_;
 };
 

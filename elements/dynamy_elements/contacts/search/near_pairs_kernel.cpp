@@ -183,22 +183,32 @@ Vec3 NearPairs::centre(const TouchingShape& s, const Frame& f) const {
 }
 
 void NearPairs::placeOnPath(const Kinematics& start, const PathReach& reach) {
-  balls_.clear(), stamp_ = kUnknown;
-  for (const TouchingShape& s : shapes_->inSpace()) {
+  const Vec3 everywhere = Vec3::Constant(std::numeric_limits<double>::infinity());
+  boxes_.assign(shapes_->size(), {});
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    const TouchingShape& s = shapes_->inSpace()[i];
     const Frame& f = start.frame(s.frame);
-    const bool bounded = std::isfinite(s.bound) && !f.absent;
-    const double way = bounded ? reach.way(s.frame, s.p_K.norm()) : 0.0;
-    balls_.push_back({centre(s, f), bounded ? s.bound + way : -1.0});
+    if (!std::isfinite(s.bound) || f.absent) continue;
+    const BroadPhase::Box box = reach.places(s.frame, centre(s, f), s.p_K.norm());
+    const bool known = box.min().allFinite() && box.max().allFinite();
+    const Vec3 bound = Vec3::Constant(s.bound);
+    boxes_[i] = known ? BroadPhase::Box(box.min() - bound, box.max() + bound)
+                      : BroadPhase::Box(-everywhere, everywhere);
   }
 }
 
 bool NearPairs::meetsOnPath(const Flat& flat, std::size_t h, std::size_t i,
                             const PathReach& reach) const {
-  const BroadPhase::Ball& ball = balls_[i];
-  if (ball.radius < 0.0) return false;
+  const BroadPhase::Box& box = boxes_[i];
+  if (box.isEmpty()) return false;
   const TouchingShape& half = shapes_->inSpace()[h];
-  const double arm = (ball.c - flat.A.r_OS_I).norm() + ball.radius;
-  return flat.n.dot(ball.c - flat.p) <= ball.radius + reach.way(half.frame, arm);
+  // The corner of the box that is nearest to the plane, and the one that turning moves most.
+  const Vec3 nearest = (flat.n.array() > 0.0).select(box.min(), box.max());
+  const double arm = (box.min() - flat.A.r_OS_I)
+                         .cwiseAbs()
+                         .cwiseMax((box.max() - flat.A.r_OS_I).cwiseAbs())
+                         .norm();
+  return !(flat.n.dot(nearest - flat.p) > reach.way(half.frame, arm));
 }
 
 /// Can shape i touch the half space h? Then turned_ learns how far the half space throws it off.
@@ -216,14 +226,13 @@ bool NearPairs::meets(const Flat& flat, std::size_t h, std::size_t i, const Kine
   return true;
 }
 
-const std::vector<BroadPhase::Pair>& nearPairs(BroadPhase& broad,
-                                               const std::vector<BroadPhase::Ball>& balls,
-                                               std::size_t each, const ShapeSet& shapes) {
-  const std::vector<BroadPhase::Pair>& near = broad.near(balls, each);
+const std::vector<BroadPhase::Pair>& nearPairs(const BroadPhase& broad,
+                                               const std::vector<BroadPhase::Pair>& near,
+                                               const ShapeSet& shapes) {
   if (!broad.overfull()) return near;
   const auto name = [&](int i) { return shapes.name(static_cast<std::size_t>(i)); };
   throw ModelError("more than " + std::to_string(near.size() - 1) + " pairs of " +
-                       std::to_string(balls.size()) + " shapes are near each other, \"" +
+                       std::to_string(shapes.size()) + " shapes are near each other, \"" +
                        name(near.back().first) + "\" and \"" + name(near.back().second) +
                        "\" are one: no step could take them all",
                    "do bodies start inside each other, or did one copy too many?");

@@ -30,6 +30,7 @@ class ShapeContacts final : public NonSmoothElement {
   void contacts(const Kinematics& k, ContactSink& sink) const override;
   bool nearOnPath(const Kinematics& start, const PathReach& reach, int element,
                   NearContacts& out) const override;
+  bool framesOf(std::uint64_t id, std::vector<FrameHandle>& out) const override;
   void describe(Description& d) const override;
   std::string contactName(std::uint64_t id) const override { return rules_.contactName(id); }
   int piecesToSweep(const Kinematics& k, double dt) const override { return sweep_.pieces(k, dt); }

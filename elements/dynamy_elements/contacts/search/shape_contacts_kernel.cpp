@@ -92,6 +92,12 @@ bool ShapeContacts::nearOnPath(const Kinematics& start, const PathReach& reach, 
   return true;
 }
 
+bool ShapeContacts::framesOf(std::uint64_t id, std::vector<FrameHandle>& out) const {
+  const TouchingPair pair = pairOf(id);
+  if (pair) out.push_back(pair.A->frame), out.push_back(pair.B->frame);
+  return bool(pair);
+}
+
 void ShapeContacts::report(const TouchingPair& pair, Look look, const Kinematics& k,
                            ContactSink& sink) const {
   const PairRule& rule = *pair.rule;

@@ -110,7 +110,7 @@ void ShapeSweep::forNearPairs(F&& f) {
     for (int i = 0; i < n; ++i)
       if (i != h && balls_[static_cast<std::size_t>(i)].radius >= 0.0)
         if (const TouchingPair pair = rules_->pair(h, i)) f(pair);
-  for (const auto& [i, j] : nearPairs(broad_, balls_, BroadPhase::kPassed, *shapes_))
+  for (const auto& [i, j] : nearPairs(broad_, broad_.near(balls_), *shapes_))
     if (const TouchingPair pair = rules_->pair(i, j)) f(pair);
 }
 

@@ -30,7 +30,8 @@ bool GovernedState::fits(const SystemParts& parts) const {
   if (governor.mode() != Mode::step) return true;
   const SteppedState& s = stepped;
   if (s.systems.size() != topology.systems().size() ||
-      (s.rate.size() != 0 && s.rate.size() != topology.nu()))
+      (s.rate.size() != 0 && s.rate.size() != topology.nu()) || !(s.time >= 0.0) ||
+      !s.searches.possible())
     return false;
   if (!s.beside.known) return true;
   GovernedState beside;

@@ -3,6 +3,7 @@
 #pragma once
 #include <dynamy/located/governed/switch_governor.hpp>
 #include <dynamy/located/step/held_state.hpp>
+#include <dynamy/stages/search_pauses.hpp>
 
 namespace dynamy {
 
@@ -22,10 +23,12 @@ struct SteppedState {
   Eigen::VectorXd rate;       ///< Δu/h of the last step; empty: there was none
   double overlap = 0.0;       ///< at the end of that step [m]
   bool projected = false;     ///< joints are projected
+  double time = 0.0;          ///< T of the motion at the start of the period [s]; 0: not known yet
+  SearchPauses searches;
   BesideState beside;
   Eigen::VectorXd scheme;  ///< of the time-stepping scheme
   void archive(NumberArchive& a) {
-    a(systems), a(rate), a(overlap), a(projected), a(beside), a(scheme);
+    a(systems), a(rate), a(overlap), a(projected), a(time), a(searches), a(beside), a(scheme);
   }
 };
 

@@ -10,6 +10,7 @@ constexpr int kSlots = 2;  ///< of a system whose switches are located
 void add(StepEffort& sum, const StepEffort& e) {
   sum.smooth += e.smooth, sum.rejected += e.rejected;
   sum.switches += e.switches, sum.events += e.events;
+  sum.looks += e.looks, sum.gaps += e.gaps;
 }
 
 void add(StepCounts& sum, const StepCounts& c) {

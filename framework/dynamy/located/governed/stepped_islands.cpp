@@ -25,26 +25,27 @@ double deepestOverlap(const ContactSet& c, const Islands& islands,
 
 SteppedIslands::Trial SteppedIslands::attempt(MechanicalSystem& s, InclusionSolver& solver,
                                               const ErrorNorm& norm, const Islands& islands,
-                                              const std::vector<char>& stepped, const State& from,
-                                              State& x, double h) {
+                                              const std::vector<char>& stepped, Effort effort,
+                                              const State& from, State& x, double h) {
   Trial out;
-  out.report = step(s, solver, from, x, h);
+  out.report = step(s, solver, effort, from, x, h);
   s.limits.effort = Effort::full;  // a search in vain lowers the effort for this step alone
   out.newton = 1 + out.report.solved.newton;
   out.error = error(s, norm, islands, stepped, from, x, h);
   return out;
 }
 
-StepReport SteppedIslands::step(MechanicalSystem& s, InclusionSolver& solver, const State& from,
-                                State& x, double h) {
+StepReport SteppedIslands::step(MechanicalSystem& s, InclusionSolver& solver, Effort effort,
+                                const State& from, State& x, double h) {
   x = from;
+  s.limits.effort = effort;
   if (!projected_) {
     midpoint_.whole();
     const StepReport report = midpoint_.step(s, solver, x, h);
     if (report.solved.ok() || !midpoint_.hasJoints()) return report;
     projected_ = true, rate_.resize(0);
     x = from;
-    s.limits.effort = Effort::full;
+    s.limits.effort = effort;
   }
   x.scheme.resize(0);
   return projecting_.step(s, solver, x, h);

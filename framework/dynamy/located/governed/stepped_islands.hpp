@@ -24,11 +24,11 @@ class SteppedIslands {
   };
   /// Begins a period of steps in time.
   void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false; }
-  /// Takes a step of length h [s] from `from`, into x. It moves all systems; the error of those
+  /// Takes a step of length h [s] from `from`, into x, with this effort. It moves all systems; the error of those
   /// counts whose flag in `stepped` is not 0.
   Trial attempt(MechanicalSystem& s, InclusionSolver& solver, const ErrorNorm& norm,
-                const Islands& islands, const std::vector<char>& stepped, const State& from,
-                State& x, double h);
+                const Islands& islands, const std::vector<char>& stepped, Effort effort,
+                const State& from, State& x, double h);
   /// Accepts the last attempt, which ended with velocities u, as a step of the run.
   void take(const State& from, const Eigen::VectorXd& u, double h);
 
@@ -47,8 +47,8 @@ class SteppedIslands {
                       State& out);
 
  private:
-  StepReport step(MechanicalSystem& s, InclusionSolver& solver, const State& from, State& x,
-                  double h);
+  StepReport step(MechanicalSystem& s, InclusionSolver& solver, Effort effort, const State& from,
+                  State& x, double h);
   double error(MechanicalSystem& s, const ErrorNorm& norm, const Islands& islands,
                const std::vector<char>& stepped, const State& a, const State& b, double h);
   EnergyMomentum midpoint_;

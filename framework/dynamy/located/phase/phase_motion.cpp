@@ -17,8 +17,8 @@ void PhaseMotion::rekey() {
   heldKeys(phase.held, phase.request.keys);
 }
 
-bool PhaseMotion::evaluate(MechanicalSystem& s, PhasePoint& p) {
-  s.evaluate(p.x, phase.request.in(0));
+bool PhaseMotion::evaluate(MechanicalSystem& s, PhasePoint& p, bool alone) {
+  s.evaluate(p.x, phase.request.holding(keys(), 0, alone));
   if (!phase.accelerate(s.slot(0), p.x.u, p.a)) return false;
   p.lambda = phase.lambda(), p.power = phase.power();
   energies(s, 0, p);

@@ -29,8 +29,8 @@ class PhaseMotion {
   /// Holds nothing.
   void clear() { phase.held.clear(), phase.request.keys.clear(); }
   /// Evaluates the forces at p.x in slot 0: p gets its derivatives, forces and powers. False: the
-  /// phase has a fault.
-  bool evaluate(MechanicalSystem& s, PhasePoint& p);
+  /// phase has a fault. `alone`: HeldContacts::alone, where the slot is soon evaluated anew.
+  bool evaluate(MechanicalSystem& s, PhasePoint& p, bool alone = false);
   /// Sets the energies of p, where the slot is evaluated; of whole systems only.
   static void energies(const MechanicalSystem& s, int slot, PhasePoint& p);
 };

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <dynamy/stages/mechanical_system.hpp>
+#include <span>
 
 namespace dynamy {
 
@@ -23,9 +24,16 @@ class QuinticPath {
  public:
   void through(const MechanicalSystem& s, const PhasePoint& from, const PhasePoint& to);
   void at(double theta, State& out) const;
+  /// Sets t and those q and u on which these frames depend.
+  void at(double theta, const Topology& topology, std::span<const FrameHandle> frames,
+          State& out) const;
   double length() const { return h_; }
 
  private:
+  /// Weights of the values at both ends in q and in u at one place.
+  struct Weights;
+  void position(const Weights& w, Eigen::Index first, Eigen::Index n, Eigen::VectorXd& q) const;
+  void velocity(const Weights& w, Eigen::Index first, Eigen::Index n, Eigen::VectorXd& u) const;
   const PhasePoint *from_ = nullptr, *to_ = nullptr;
   double h_ = 0.0;
   bool derivative_ = false;  // u = q̇ in all systems

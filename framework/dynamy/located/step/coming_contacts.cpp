@@ -68,7 +68,7 @@ bool ComingContacts::widen(const State& from, const QuinticPath& path) {
   ContactProbe& probe = parts_.probe;
   clear_ = 1.0;
   if (!near_.cover(path)) {
-    narrow(near_.along(from, path));
+    narrow(near_.along());
     if (!probe.gather(from, parts_.motion.keys()) ||
         !parts_.search.watch(probe, parts_.motion.phase, from)) {
       clear_ = MeetingConstants::notAtAll;

@@ -29,12 +29,15 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
                                const Start& start, double dt, StepReport& report) {
   LocatedStep step{s, solver, report, parts_, from_, to_, record_, startHeld_, start.lastSwitched};
   bool done = false;
+  parts_.probe.looks() = {};
   Refusal refusal = enter(step, x, start);
   if (parts_.settings.givenSteps) parts_.pace.next = dt;
   for (int tries = 0; !refusal && !done; ++tries)
     refusal =
         tries < TrialConstants::most ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
   lastSwitched_ = step.lastSwitched;
+  report.counts.effort.looks += parts_.probe.looks().whole;
+  report.counts.effort.gaps += parts_.probe.looks().gaps;
   refusal.passable = refusal.kind == Refusal::Kind::stalled &&
                      (parts_.search.any() || parts_.probe.any() || step.otherSet || refusal.lost);
   return refusal;

@@ -1,7 +1,30 @@
+#include <fmt/format.h>
+
+#include <dynamy/contact/contact_name.hpp>
 #include <dynamy/located/step/located_constants.hpp>
 #include <dynamy/located/step/located_parts.hpp>
 
 namespace dynamy {
+namespace {
+
+/// Why a contact that comes, or goes while it is held, cannot be followed.
+std::string whyUnfollowed(const SystemParts& parts, ContactKey key) {
+  if (key == kNoContact) return std::string(ContactProbe::kUnfollowed);
+  const auto number = static_cast<std::size_t>(key.value >> 40);
+  const NonSmoothElement& e = *parts.contacts[number];
+  // Contacts of shapes have no type of their own.
+  const std::string cause =
+      e.type().empty()
+          ? "which features of two bodies could touch (corners over faces, rims over edges, faces "
+            "of a mesh that are nearest to a ball) is another list after every motion"
+          : "<" + e.type() + "> reports it at some positions only";
+  return fmt::format(
+      "contact {} comes and goes: {}, and its gap cannot be followed; give a step instead of the "
+      "tolerance",
+      contactName(e, number, contactNumber(key)), cause);
+}
+
+}  // namespace
 
 double LocatedParts::leftOverlap() const {
   return MeetingConstants::left * norm.tolerance() * norm.length();
@@ -16,9 +39,9 @@ void LocatedStep::book(long StepEffort::*what) {
   booked = s.evaluations();
 }
 
-Refusal LocatedStep::evaluate(PhasePoint& p) {
+Refusal LocatedStep::evaluate(PhasePoint& p, bool alone) {
   parts.search.forget(p.x.t);
-  if (parts.motion.evaluate(s, p)) return {};
+  if (parts.motion.evaluate(s, p, alone)) return {};
   return fault();
 }
 
@@ -41,7 +64,7 @@ Refusal LocatedStep::lose(ContactKey at) {
   if (const ContactKey found = parts.probe.lookAround(from.x, around, at); found != kNoContact)
     at = found;
   lastSwitched = at;
-  return {Refusal::Kind::stalled, parts.probe.why(at), true};
+  return {Refusal::Kind::stalled, whyUnfollowed(s.parts(), at), true};
 }
 
 Refusal LocatedStep::stall() const {

@@ -48,8 +48,8 @@ struct LocatedStep {
 
   /// Books the evaluations since the last call.
   void book(long StepEffort::*what);
-  /// Evaluates the forces at p: p gets its derivatives.
-  Refusal evaluate(PhasePoint& p);
+  /// Evaluates the forces at p: p gets its derivatives. `alone`: as PhaseMotion::evaluate.
+  Refusal evaluate(PhasePoint& p, bool alone = false);
   /// The refusal for a fault of the phase, of contacts or of an event.
   Refusal fault();
   Refusal fault(std::string_view why, ContactKey at);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/contact/contact_name.hpp>
 #include <dynamy/located/step/located_constants.hpp>
 #include <dynamy/located/step/missing_bias.hpp>
 #include <limits>
@@ -126,8 +125,7 @@ MissingBias::Verdict MissingBias::check(MechanicalSystem& s, const PhasePoint& p
     wrong = firstWrong(s, p, norm, d);
     if (wrong < 0) return Verdict::right;
   }
-  complain(s, wrong);
-  return Verdict::wrong;
+  return complain(s, wrong);
 }
 
 /// First row whose γ̇ by the bias of elements is not found_, a difference over d seconds; −1: none.
@@ -163,20 +161,22 @@ int MissingBias::firstWrong(const MechanicalSystem& s, const PhasePoint& p, cons
   return -1;
 }
 
-void MissingBias::complain(const MechanicalSystem& s, int row) {
+MissingBias::Verdict MissingBias::complain(const MechanicalSystem& s, int row) {
   const ContactSet& c = s.slot(0).contacts;
   std::size_t i = 0;
   while (c.row0[i + 1] <= row) ++i;
   const NonSmoothElement& e = *s.parts().contacts[static_cast<std::size_t>(c.element[i])];
+  std::vector<FrameHandle> surfaces;  // of two shapes, whose bias is the framework's own
+  if (e.framesOf(contactNumber(c.key[i]), surfaces)) {
+    lost_ = c.key[i];
+    return Verdict::kinked;
+  }
   const std::string name = e.name().empty() ? "" : " name=\"" + e.name() + "\"";
-  const std::string who = e.type().empty()
-                              ? "contact " + contactName(e, static_cast<std::size_t>(c.element[i]),
-                                                         contactNumber(c.key[i]))
-                              : "<" + e.type() + name + ">";
-  why_ = who + " tells a wrong bias of its row " + std::to_string(row - c.row0[i]) +
-         ": with it γ changes by " + numberText(reported_[row]) +
+  why_ = "<" + e.type() + name + "> tells a wrong bias of its row " +
+         std::to_string(row - c.row0[i]) + ": with it γ changes by " + numberText(reported_[row]) +
          " a second, along the motion by " + numberText(found_[row]) +
          "; let contacts() tell γ̇ − Wᵀu̇, or run with a step";
+  return Verdict::wrong;
 }
 
 }  // namespace dynamy

@@ -30,12 +30,15 @@ class MissingBias {
   /// Columns of the half-explicit rule that the phase requires; 0: none.
   int columns(const FrozenPhase& phase, double tolerance) const;
 
-  enum class Verdict : std::uint8_t { right, missing, wrong };
+  enum class Verdict : std::uint8_t { right, missing, wrong, kinked };
   /// Compares γ̇ = Wᵀu̇ + w̄ of the held contacts, evaluated at p in slot 0, with differences of γ
   /// along the motion. `missing`: find() has found elements; `wrong`: why() names the element.
+  /// `kinked`: lost() is a contact of two shapes, whose gap has a kink here, for example where
+  /// another face becomes the nearest one to a corner that lies inside a body.
   Verdict check(MechanicalSystem& s, const PhasePoint& p, const ErrorNorm& norm,
                 const PhaseRequest& phase);
   const std::string& why() const { return why_; }
+  ContactKey lost() const { return lost_; }
 
  private:
   bool has(int element) const;
@@ -45,11 +48,12 @@ class MissingBias {
   void gammaAt(MechanicalSystem& s, const PhasePoint& p, const PhaseRequest& phase, double tau,
                Eigen::VectorXd& gamma);
   int firstWrong(const MechanicalSystem& s, const PhasePoint& p, const ErrorNorm& norm, double d);
-  void complain(const MechanicalSystem& s, int row);
+  Verdict complain(const MechanicalSystem& s, int row);
   std::vector<int> elements_;
   BiasDifferences differences_;
   std::vector<ContactKey> asked_;
   std::string why_;
+  ContactKey lost_;
   State at_;
   Eigen::VectorXd rates_;                 // γ̇ by differences, or velocities of a difference
   Eigen::VectorXd found_;                 // γ̇ along the motion

@@ -29,6 +29,7 @@ Refusal PhaseProjection::take(LocatedStep& step, PhasePoint& p, bool& missing) {
     missing = verdict == MissingBias::Verdict::missing;
     if (missing) return {};
     if (verdict == MissingBias::Verdict::wrong) return {Refusal::Kind::fault, parts_.bias.why()};
+    if (verdict == MissingBias::Verdict::kinked) return step.lose(parts_.bias.lost());
   }
   if (turns) p.x.u += velocity_;
   if (moves) {

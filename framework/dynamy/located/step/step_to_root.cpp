@@ -18,7 +18,7 @@ Refusal StepToRoot::take(LocatedStep& step, double h, const Switch& w, PhasePoin
   const double length = w.theta * h;
   motion.shortStep.explicitStep().light(motion.step.explicitStep().light());
   if (!motion.step.take(step.s, motion.phase, step.from, length, step.to.x)) return step.fault();
-  if (Refusal r = step.evaluate(step.to)) return r;
+  if (Refusal r = step.evaluate(step.to, true)) return r;
   step.record.impulse = motion.step.last().impulse(), end = step.to;
   end_ = &end;
   Switch first = w;
@@ -113,14 +113,14 @@ Refusal StepToRoot::moveByStep(LocatedStep& step, double d) {
   PhaseMotion& motion = parts_.motion;
   start_ = step.to;
   if (!motion.shortStep.take(step.s, motion.phase, start_, d, step.to.x)) return step.fault();
-  if (Refusal r = step.evaluate(step.to)) return r;
+  if (Refusal r = step.evaluate(step.to, true)) return r;
   step.record.impulse += motion.shortStep.last().impulse();
   step.record.addWorks(motion.shortStep.last().works());
   return {};
 }
 
 Refusal StepToRoot::settle(LocatedStep& step) {
-  if (Refusal r = step.evaluate(step.to)) return r;
+  if (Refusal r = step.evaluate(step.to, true)) return r;
   const double half = 0.5 * (step.to.x.t - known_.x.t);
   step.record.impulse += half * (known_.lambda + step.to.lambda);
   for (std::size_t k = 0; k < step.record.works.size(); ++k)

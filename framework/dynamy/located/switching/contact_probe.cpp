@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <dynamy/contact/contact_name.hpp>
 #include <dynamy/located/switching/contact_probe.hpp>
 
 namespace dynamy {
@@ -16,18 +13,19 @@ ContactRequest following(std::span<const ContactKey> keys, const NearContacts* n
 
 }  // namespace
 
-void ContactProbe::evaluate(const State& x, const ContactRequest& request, ContactGaps& out) {
+void ContactProbe::evaluate(const State& x, const ContactRequest& request) {
   kinematics_.evaluate(*parts_->topology, x.t, view(x.q), view(x.u), view(x.memory),
                        parts_->subset);
-  out.contacts.clear();
-  ContactSink sink(out.contacts, request);
+  gaps_.contacts.clear();
+  ContactSink sink(gaps_.contacts, request);
   reportContacts(*parts_, kinematics_, sink);
+  ++looks_.whole, looks_.gaps += static_cast<long>(gaps_.contacts.candidateKey.size());
 }
 
 void ContactProbe::prepare(const MechanicalSystem& s, const State& x) {
   parts_ = &s.parts();
   announcements_.read(*parts_);
-  kinematics_.resize(*parts_->topology);
+  kinematics_.resize(*parts_->topology), one_.prepare(*parts_);
   list(x);
 }
 
@@ -37,10 +35,10 @@ void ContactProbe::list(const State& x) {
   };
   const NearContacts none;
   near_ = &none;
-  evaluate(x, following({}, near_), gaps_);
+  evaluate(x, following({}, near_));
   othersGather_ = comeOrNoted(gaps_);
   narrow(nullptr);
-  evaluate(x, following({}, near_), gaps_);
+  evaluate(x, following({}, near_));
   gathers_ = comeOrNoted(gaps_);
   order_ = gaps_.contacts.candidateKey, all_ = order_, ordered_ = true;
   std::sort(all_.begin(), all_.end());
@@ -63,10 +61,10 @@ void ContactProbe::widen(const State& x, double ahead) {
   ContactRequest request = following({}, near_);
   request.ahead = ahead;
   const ContactSet& c = gaps_.contacts;
-  evaluate(x, request, gaps_);
+  evaluate(x, request);
   wide_.insert(wide_.end(), c.features.noted.begin(), c.features.noted.end());
   if (const std::span<const ContactKey> unknown = noted_.read(c, all_); !unknown.empty()) {
-    evaluate(x, following(unknown, near_), gaps_);
+    evaluate(x, following(unknown, near_));
     noted_.learn(c);
   }
 }
@@ -74,7 +72,7 @@ void ContactProbe::widen(const State& x, double ahead) {
 ContactKey ContactProbe::lookAround(const State& x, double within, ContactKey key) {
   ContactRequest request;
   request.gTol = within;
-  evaluate(x, request, gaps_);
+  evaluate(x, request);
   ContactKey found = kNoContact;  // the noted key is the least of the contacts of its two bodies
   for (const ContactKey other : gaps_.contacts.key)
     if (other >= key && other < found) found = other;
@@ -86,7 +84,7 @@ bool ContactProbe::settle(const State& x) {
   wide_.erase(std::unique(wide_.begin(), wide_.end()), wide_.end());
   if (ordered_ && wide_ == all_) return look(x);
   all_ = wide_;
-  evaluate(x, following(all_, near_), gaps_);
+  evaluate(x, following(all_, near_));
   order_ = gaps_.contacts.candidateKey, ordered_ = true;
   std::vector<ContactKey>& found = wide_;
   found = order_;
@@ -102,21 +100,25 @@ void ContactProbe::finish(const State& x) {
 }
 
 bool ContactProbe::look(const State& x) {
-  evaluate(x, following(all_, near_), gaps_);
+  evaluate(x, following(all_, near_));
   if (gaps_.contacts.candidateKey != order_) return false;
   finish(x);
   return true;
 }
 
-bool ContactProbe::lookAt(const State& x, int i) {
+bool ContactProbe::lookAt(const QuinticPath& path, double theta, State& x, int i) {
   const ContactKey wanted = gaps_.key(i);
-  ContactRequest request = following({&wanted, 1}, near_);
-  request.alone = true;
-  evaluate(x, request, one_);
-  const int found = one_.find(wanted);
-  if (found < 0) return false;
-  one_.evaluateGammas(x.u);
-  return gaps_.take(i, one_, found);
+  ++looks_.gaps;
+  if (!one_.look(path, theta, x, wanted)) {
+    // The element of the contact cannot tell on which frames it depends.
+    path.at(theta, x);
+    ContactRequest request = following({&wanted, 1}, near_);
+    request.alone = true;
+    kinematics_.evaluate(*parts_->topology, x.t, view(std::as_const(x.q)), view(std::as_const(x.u)),
+                         view(std::as_const(x.memory)), parts_->subset);
+    one_.report(*parts_, kinematics_, request);
+  }
+  return one_.giveTo(gaps_, i, x.u);
 }
 
 ContactKey ContactProbe::unfollowed() const {
@@ -127,20 +129,6 @@ ContactKey ContactProbe::unfollowed() const {
     if (std::find(now.begin(), now.end(), key) == now.end()) return key;
   return now.empty() ? kNoContact
                      : now.front();  // contacts came in another order than at the start
-}
-
-std::string ContactProbe::why(ContactKey key) const {
-  if (key == kNoContact) return std::string(kUnfollowed);
-  const auto number = static_cast<std::size_t>(key.value >> 40);
-  const NonSmoothElement& e = *parts_->contacts[number];
-  // Contacts of shapes have no type of their own.
-  const std::string cause =
-      e.type().empty() ? "which features of two bodies could touch (corners over faces, rims over "
-                         "edges, faces of "
-                         "a mesh that are nearest to a ball) is another list after every motion"
-                       : "<" + e.type() + "> reports it at some positions only";
-  return "contact " + contactName(e, number, contactNumber(key)) + " comes and goes: " + cause +
-         ", and its gap cannot be followed; give a step instead of the tolerance";
 }
 
 }  // namespace dynamy

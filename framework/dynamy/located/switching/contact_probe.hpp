@@ -6,6 +6,7 @@
 #pragma once
 #include <dynamy/located/switching/announcements.hpp>
 #include <dynamy/located/switching/noted_contacts.hpp>
+#include <dynamy/located/switching/single_contact.hpp>
 
 namespace dynamy {
 
@@ -20,8 +21,14 @@ class ContactProbe {
   void list(const State& x);
   /// Evaluates all contacts at x; false: they are not those noted before.
   bool look(const State& x);
-  /// Evaluates gap, presence and γ of contact i of the last look() at x; all others stay.
-  bool lookAt(const State& x, int i);
+  /// Evaluates gap, presence and γ of contact i of the last look() at θ of the path; all others
+  /// stay. Of x, only what the contact depends on is set, if its element can tell.
+  bool lookAt(const QuinticPath& path, double theta, State& x, int i);
+  /// Numbers of looks at all contacts that are followed, and of gaps evaluated; the caller resets them.
+  struct Looks {
+    long whole = 0, gaps = 0;
+  };
+  Looks& looks() { return looks_; }
   /// All contacts, as of the last look().
   const ContactGaps& gaps() const { return gaps_; }
   /// True: some contacts come and go.
@@ -46,18 +53,18 @@ class ContactProbe {
   /// Evaluates all contacts at x nearer than `within` [m], followed or not. Returns the contact
   /// that `key` stands for, kNoContact: there is none.
   ContactKey lookAround(const State& x, double within, ContactKey key);
-  /// Why a contact that comes, or goes while it is held, cannot be followed.
-  std::string why(ContactKey key) const;
   const Announcements& announcements() const { return announcements_; }
   /// Numbers that are positive where an element would switch.
   const std::vector<double>& switching() const { return switching_; }
 
  private:
-  void evaluate(const State& x, const ContactRequest& request, ContactGaps& out);
+  void evaluate(const State& x, const ContactRequest& request);
   void finish(const State& x);
   const SystemParts* parts_ = nullptr;
   Kinematics kinematics_;
-  ContactGaps gaps_, one_;
+  Looks looks_;
+  ContactGaps gaps_;
+  SingleContact one_;
   std::vector<ContactKey> fixed_;  // contacts that do not come and go
   const NearContacts* near_ = nullptr;
   std::vector<ContactKey> all_, order_, wide_;

@@ -67,7 +67,7 @@ void EventContacts::leaveToJoints(OngoingEvent& at) {
   std::erase_if(keys_, [&](ContactKey key) {
     return std::find(borne_.begin(), borne_.end(), key) != borne_.end();
   });
-  at.evaluate(at.p.x, keys_);
+  at.evaluate(at.p.x, keys_, 0, true);
 }
 
 }  // namespace dynamy

@@ -12,6 +12,7 @@ constexpr int kStartHalvings = 46;    ///< for monitors that start at zero: θ d
 constexpr double kRootWidth = 1e-14;  ///< width of roots
 /// A gap whose smallest value is below this share of its range in the step is examined again.
 constexpr double kNearRoot = 0.02;
+constexpr double kFarFromRoot = 5.0;          ///< times as much: no minimum is searched there
 constexpr double kMinimum = 1e-5;             ///< accuracy of the place of a minimum, of the step
 constexpr double kRoughSamples = 0.3;         ///< deviation between samples, of the range
 constexpr double kBetweenSamples = 0.381966;  ///< place between two samples: no simple fraction
@@ -55,9 +56,12 @@ bool KinematicSearch::find(ContactProbe& probe, const QuinticPath& path, bool lo
 bool KinematicSearch::valueAt(ContactProbe& probe, const QuinticPath& path, int monitor,
                               double theta, double& v) {
   const KinematicMonitor& k = monitors[monitor];
-  path.at(theta, at_);
-  const bool ofContact = k.kind != KinematicMonitor::Kind::latch;
-  if (!(ofContact ? probe.lookAt(at_, k.contact) : probe.look(at_))) return false;
+  if (k.kind != KinematicMonitor::Kind::latch) {
+    if (!probe.lookAt(path, theta, at_, k.contact)) return false;
+  } else {
+    path.at(theta, at_);
+    if (!probe.look(at_)) return false;
+  }
   v = k.value(probe);
   return true;
 }
@@ -178,6 +182,12 @@ bool KinematicSearch::fall(ContactProbe& probe, const QuinticPath& path, int mon
       b *= 0.5, fb = v;
     }
   }
+  if (first.theta < b && fa > 0.0 && !(j == 1 && k.zeroStart)) {
+    // Of monitors that all fall, e.g. gaps of bodies above a floor, most are still positive there.
+    double v = 0.0;
+    if (!valueAt(probe, path, monitor, first.theta, v)) return false;
+    if (v > k.noise) return true;
+  }
   double root = a, slope = 0.0;
   Bracket at{a, fa, b, fb};
   if (fa > 0.0 && !refine(probe, path, monitor, at, root, slope)) return false;
@@ -191,6 +201,17 @@ bool KinematicSearch::fall(ContactProbe& probe, const QuinticPath& path, int mon
   return true;
 }
 
+/// True: the tangents of a gap at two samples meet far above the values that are examined. If it
+/// bends upwards between them, its minimum lies above that place.
+bool KinematicSearch::staysHigh(const QuinticPath& path, int monitor, int j, double high) const {
+  const double fa = rates_(monitor, j), fb = rates_(monitor, j + 1);
+  const double dt = path.length() / kSamples;
+  const double rise = values_(monitor, j + 1) - values_(monitor, j);
+  const double meet = values_(monitor, j) + fa * (fb * dt - rise) / (fb - fa);
+  const bool resolved = high > KinematicMonitors::kStart * monitors[monitor].noise;
+  return resolved && meet > kFarFromRoot * kNearRoot * high;
+}
+
 bool KinematicSearch::near(ContactProbe& probe, const QuinticPath& path, int monitor,
                            Switch& first) {
   if (!monitors[monitor].isGap()) return true;
@@ -202,6 +223,7 @@ bool KinematicSearch::near(ContactProbe& probe, const QuinticPath& path, int mon
     if (j == 0 && monitors[monitor].zeroStart) continue;
     // The range of the gap so far: later values may belong to a fall that no contact stops.
     const double high = values_.row(monitor).head(j + 1).maxCoeff();
+    if (staysHigh(path, monitor, j, high)) continue;
     double fa = rates_(monitor, j), fb = rates_(monitor, j + 1), c = b, v = 0.0;
     for (int i = 0; i < 40 && b - a > kMinimum; ++i) {
       c = i % 2 == 1 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);

@@ -41,6 +41,7 @@ class KinematicSearch {
   bool fall(ContactProbe& probe, const QuinticPath& path, int monitor, int j, Switch& first,
             bool& there);
   bool atEnd(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
+  bool staysHigh(const QuinticPath& path, int monitor, int j, double high) const;
   bool near(ContactProbe& probe, const QuinticPath& path, int monitor, Switch& first);
   Eigen::MatrixXd values_, rates_, presences_;  // monitors × (kSamples + 1)
   State at_;

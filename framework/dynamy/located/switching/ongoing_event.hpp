@@ -23,9 +23,10 @@ struct OngoingEvent {
   EventResult& result;
   const PhaseRequest& request;  ///< of the phase that ends
 
-  /// Evaluates x with exactly these contacts (ascending).
-  const Evaluation& evaluate(const State& x, std::span<const ContactKey> keys, int slot = 0) {
-    return s.evaluate(x, request.holding(keys, slot));
+  /// Evaluates x with exactly these contacts (ascending). `alone`: HeldContacts::alone.
+  const Evaluation& evaluate(const State& x, std::span<const ContactKey> keys, int slot = 0,
+                             bool alone = false) {
+    return s.evaluate(x, request.holding(keys, slot, alone));
   }
 
   /// Speeds below this count as rest [m/s].

@@ -3,8 +3,8 @@
 namespace dynamy {
 namespace {
 
-/// Factors on noted speeds: of a prediction, and of a path that is known at three places.
-constexpr double kAhead = 1.5, kBetweenPlaces = 1.2;
+/// Places at which a path is known, besides its start.
+constexpr int kPlaces = 4;
 
 }  // namespace
 
@@ -36,29 +36,27 @@ const NearContacts* PathContacts::ahead(const PhasePoint& p, double time, double
   at_ = p.x;
   at_.u += time * p.a;
   if (!at_.q.allFinite() || !at_.u.allFinite()) return nullptr;
-  reach_.begin(at(p.x, start_), time, margin);
-  reach_.pass(at(at_, later_));
-  reach_.widen(kAhead);
+  at(p.x, start_), at(at_, later_);
+  reach_.expect(start_, later_, time, margin);
   return find();
 }
 
 bool PathContacts::cover(const QuinticPath& path) {
   if (!narrowed_) return true;
-  path.at(0.5, at_);
-  passed_.begin(at(at_, later_), path.length(), margin_);
-  path.at(1.0, at_);
-  passed_.pass(at(at_, later_));
-  passed_.widen(kBetweenPlaces);
-  return at_.q.allFinite() && at_.u.allFinite() && passed_.within(reach_);
+  passed_.begin(start_, margin_);
+  for (int i = 1; i <= kPlaces; ++i) {
+    path.at(static_cast<double>(i) / kPlaces, at_);
+    finite_ = at_.q.allFinite() && at_.u.allFinite();
+    if (!finite_) return false;
+    passed_.pass(at(at_, later_), path.length() / kPlaces);
+  }
+  passed_.finish();
+  return passed_.within(reach_);
 }
 
-const NearContacts* PathContacts::along(const State& from, const QuinticPath& path) {
-  narrowed_ = false;
-  reach_ = passed_;
-  reach_.pass(at(from, start_));
-  reach_.widen(kAhead / kBetweenPlaces);
-  path.at(1.0, at_);
-  return at_.q.allFinite() && at_.u.allFinite() ? find() : nullptr;
+const NearContacts* PathContacts::along() {
+  narrowed_ = false, reach_ = passed_;
+  return finite_ ? find() : nullptr;
 }
 
 }  // namespace dynamy

@@ -1,11 +1,11 @@
 /// PathContacts: the contacts that can close on the path of a trial, from bounds of the motion
 /// (theory 50.3).
 ///
-/// Before a trial its path is predicted: speeds at the start, and those after a step with the
-/// accelerations at the start, times kAhead. After the trial, the path itself tells whether it
-/// stayed within this. All other contacts need no look.
+/// Before a trial its path is predicted, with the accelerations at the start. After the trial, the
+/// path itself tells whether it stayed within this. All other contacts need no look.
 #pragma once
 #include <dynamy/contact/near_contacts.hpp>
+#include <dynamy/contact/path_reach.hpp>
 #include <dynamy/located/phase/phase_point.hpp>
 
 namespace dynamy {
@@ -16,10 +16,10 @@ class PathContacts {
   /// The contacts that can close on a path of `time` [s] from p, where its derivatives are known.
   /// `margin`: gaps up to this count as closed [m]. Null: all can, as far as is known.
   const NearContacts* ahead(const PhasePoint& p, double time, double margin);
-  /// True: the path does not leave what was found last.
+  /// True: the path, which begins at the p of ahead(), does not leave what was found last.
   bool cover(const QuinticPath& path);
-  /// The contacts that can close on this path from `from`; else as ahead().
-  const NearContacts* along(const State& from, const QuinticPath& path);
+  /// After a path that does: the contacts that can close on it; else as ahead().
+  const NearContacts* along();
   /// True: some contacts have been left out.
   bool narrowed() const { return narrowed_; }
 
@@ -31,7 +31,7 @@ class PathContacts {
   PathReach reach_, passed_;
   NearContacts near_;
   double margin_ = 0.0;
-  bool narrowed_ = false;
+  bool narrowed_ = false, finite_ = true;
   State at_;
 };
 

@@ -37,7 +37,7 @@ bool SwitchEvent::begin(OngoingEvent& at, ContactProbe& probe, const std::vector
     at.result.fault = ContactProbe::kUnfollowed;
     return false;
   }
-  at.evaluate(x, contacts_.keys());
+  at.evaluate(x, contacts_.keys(), 0, true);
   contacts_.leaveToJoints(at);
   projection_.positions(at, contacts_.keys(), held);
   projection_.velocities(at.s, held, x);
@@ -75,7 +75,7 @@ bool SwitchEvent::accelerateAlone(OngoingEvent& at) {
   keys_.clear();
   heldKeys(next_.held, keys_);
   if (keys_.size() == contacts_.keys().size()) return true;
-  at.evaluate(at.p.x, keys_, 1);
+  at.evaluate(at.p.x, keys_, 1, true);
   return next_.accelerate(at.s.slot(1), at.p.x.u, at.p.a);
 }
 

@@ -13,6 +13,7 @@ void RunTrust::archive(Archive& a) {
 void CostReport::archive(Archive& a) {
   a(evaluations), a(cpu), a(wall), a(sleep);
   a(effort.smooth), a(effort.rejected), a(effort.switches), a(effort.events), a(effort.stepping);
+  a(effort.looks), a(effort.gaps);
 }
 
 void RunReport::archive(Archive& a) {

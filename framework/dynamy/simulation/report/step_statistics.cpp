@@ -14,6 +14,7 @@ void StepStatistics::step(const StepView& v) {
   r.cost.effort.smooth += counts.effort.smooth, r.cost.effort.rejected += counts.effort.rejected;
   r.cost.effort.switches += counts.effort.switches, r.cost.effort.events += counts.effort.events;
   r.cost.effort.stepping += counts.effort.stepping;
+  r.cost.effort.looks += counts.effort.looks, r.cost.effort.gaps += counts.effort.gaps;
   if (counts.stepped) stepped(v);
   if (counts.accumulations > 0) r.located.accumulationEnd = counts.accumulationEnd;
   r.located.accumulations += counts.accumulations, r.located.undecided += counts.undecided;

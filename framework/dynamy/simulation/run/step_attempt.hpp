@@ -4,10 +4,10 @@
 #include <atomic>
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/run_report.hpp>
-#include <dynamy/simulation/run/search_pauses.hpp>
 #include <dynamy/simulation/run/sleep.hpp>
 #include <dynamy/simulation/run/step_coarseness.hpp>
 #include <dynamy/stages/projection.hpp>
+#include <dynamy/stages/search_pauses.hpp>
 
 namespace dynamy {
 

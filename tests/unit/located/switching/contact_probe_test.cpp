@@ -33,9 +33,15 @@ TEST(ContactProbe, LooksAtOneContactAlone) {
   const SledgeScene s({0.0, 0.25}, {2.0, -3.0}, SledgeScene::pull(0.0), 0.5, 0.0, 2);
   Probe p(s);
   ASSERT_TRUE(p.probe.look(s.x));
-  State x = s.x;
-  x.q[1] = 0.5, x.u[1] = 1.0;
-  ASSERT_TRUE(p.probe.lookAt(x, 1));
+  PhasePoint from, to;
+  from.x = s.x;
+  from.x.q[1] = 0.5, from.x.u[1] = 1.0;
+  from.qdot = from.x.u, from.a = from.qddot = 0.0 * from.x.u;
+  to = from, to.x.t = 1.0;
+  QuinticPath path;
+  path.through(*s.system, from, to);
+  State x;
+  ASSERT_TRUE(p.probe.lookAt(path, 0.0, x, 1));
   EXPECT_EQ(p.probe.gaps().gap(0), 0.25);
   EXPECT_EQ(p.probe.gaps().gap(1), 0.5);
   EXPECT_EQ(p.probe.gaps().gamma(0), -3.0);

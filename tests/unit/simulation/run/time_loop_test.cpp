@@ -1,8 +1,8 @@
 /// Fixed steps have an end, whatever fails in them.
 #include <gtest/gtest.h>
 
-#include <dynamy/simulation/run/search_pauses.hpp>
 #include <dynamy/simulation/run/time_loop.hpp>
+#include <dynamy/stages/search_pauses.hpp>
 #include <functional>
 #include <random>
 

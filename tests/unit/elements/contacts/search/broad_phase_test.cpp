@@ -55,6 +55,35 @@ TEST(BroadPhase, FindsThePairsThatComparingAllFinds) {
   }
 }
 
+TEST(BroadPhase, FindsThePairsOfBoxesThatComparingAllFinds) {
+  using Box = BroadPhase::Box;
+  BroadPhase broad;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> at(-1.0, 1.0), size(0.0, 0.3);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 low(at(random), 3.0 * at(random), at(random));
+      boxes.emplace_back(low, low + Vec3(size(random), size(random), size(random)));
+    }
+    const double infinity = std::numeric_limits<double>::infinity();
+    boxes[7] = Box(), boxes[100] = Box();                                  // take no part
+    boxes[20] = Box(Vec3::Constant(-infinity), Vec3::Constant(infinity));  // is everywhere
+    std::vector<BroadPhase::Pair> pairs;
+    for (int i = 0; i < 300; ++i)
+      for (int j = i + 1; j < 300; ++j) {
+        const Box &a = boxes[static_cast<std::size_t>(i)], &b = boxes[static_cast<std::size_t>(j)];
+        if (!a.isEmpty() && !b.isEmpty() && (a.min().array() <= b.max().array()).all() &&
+            (b.min().array() <= a.max().array()).all())
+          pairs.emplace_back(i, j);
+      }
+    EXPECT_EQ(broad.near(boxes), pairs);
+    EXPECT_GT(pairs.size(), 300u);
+  }
+  EXPECT_TRUE(broad.near(std::vector<Box>(50)).empty());
+  EXPECT_EQ(broad.near(std::vector<Box>(50, Box(Vec3::Zero(), Vec3::Zero()))).size(), 25u * 49);
+}
+
 TEST(BroadPhase, LeavesOutMillionsThatTakeNoPart) {
   // Grains that wait to be fed: comparing all of them takes an hour.
   BroadPhase broad;
@@ -97,7 +126,7 @@ TEST(BroadPhase, StandsBodiesThatFlyAwayAndPointsWithoutSize) {
   EXPECT_EQ(broad.near(balls), compared(balls));
   for (Ball& b : balls) b.radius = 0.0;
   EXPECT_TRUE(broad.near(balls).empty());
-  EXPECT_TRUE(broad.near({}).empty());
+  EXPECT_TRUE(broad.near(std::vector<Ball>{}).empty());
   balls.assign(50, {Vec3::Zero(), std::numeric_limits<double>::infinity()});
   EXPECT_EQ(broad.near(balls).size(), 50u * 49 / 2);
 }

@@ -6,6 +6,7 @@
 #pragma once
 #include <algorithm>
 #include <dynamy/core/archive.hpp>
+#include <dynamy/core/number_archive.hpp>
 #include <dynamy/solver/problem/inclusion_problem.hpp>
 
 namespace dynamy {
@@ -27,8 +28,12 @@ class SearchPauses {
   /// Throws ModelError on numbers that no run produces.
   void archive(Archive& a) {
     a(pause_), a(left_);
-    if (pause_ < 0 || pause_ > kLongest || left_ < 0 || left_ > pause_)
-      throw ModelError("the checkpoint counts pauses that no run makes");
+    if (!possible()) throw ModelError("the checkpoint counts pauses that no run makes");
+  }
+  void archive(NumberArchive& a) { a(pause_), a(left_); }
+  /// False: numbers that were read are of no run.
+  bool possible() const {
+    return pause_ >= 0 && pause_ <= kLongest && left_ >= 0 && left_ <= pause_;
   }
 
  private:

@@ -1,0 +1,42 @@
+#include <dynamy/located/switching/single_contact.hpp>
+
+namespace dynamy {
+
+void SingleContact::prepare(const SystemParts& parts) {
+  parts_ = &parts;
+  kinematics_.resize(*parts.topology);
+}
+
+bool SingleContact::look(const QuinticPath& path, double theta, State& x, ContactKey key) {
+  const NonSmoothElement& element = *parts_->contacts[static_cast<std::size_t>(key.value >> 40)];
+  frames_.clear();
+  if (!element.framesOf(contactNumber(key), frames_)) return false;
+  const Topology& topology = *parts_->topology;
+  path.at(theta, topology, frames_, x);
+  const State& at = x;
+  kinematics_.evaluate(topology, at.t, view(at.q), view(at.u), view(at.memory), parts_->subset,
+                       frames_);
+  ContactRequest request;
+  request.refresh = request.follow = request.alone = true, request.frozen = {&key, 1};
+  report(*parts_, kinematics_, request);
+  return true;
+}
+
+void SingleContact::report(const SystemParts& parts, const Kinematics& k,
+                           const ContactRequest& request) {
+  const int number = static_cast<int>(request.frozen.front().value >> 40);
+  only_.assign(parts.contacts.size(), 0);
+  only_[static_cast<std::size_t>(number)] = 1;
+  found_.contacts.clear();
+  ContactSink sink(found_.contacts, request);
+  reportContacts(parts, k, sink, only_);
+}
+
+bool SingleContact::giveTo(ContactGaps& gaps, int i, const Eigen::VectorXd& u) {
+  const int found = found_.find(gaps.key(i));
+  if (found < 0) return false;
+  found_.evaluateGammas(u);
+  return gaps.take(i, found_, found);
+}
+
+}  // namespace dynamy
