@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
 constexpr int kMostSlipTurns = 200;    ///< iterations for the directions of slips that start
-constexpr double kTurned = 1e-14;      ///< change of a direction that ends these iterations
 
 }  // namespace
 
@@ -90,48 +89,12 @@ bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::Ve
 
 /// Finds the directions of slips that start: forces depend on them, and they on the forces.
 void FrozenPhase::startDirections(const Evaluation& e) {
+  slips_.begin();
   for (int turns = 0; turns < kMostSlipTurns; ++turns) {
-    double change = 0.0;
-    for (std::size_t i = 0; i < held.size(); ++i)
-      if (held[i].starts && rows_.slipRows(i) > 1) change = std::max(change, turn(i));
-    if (!(change > kTurned)) return;
+    const bool turned = slips_.turn(held, rows_, forces_);
+    if (!turned) return;
     forces_.solve(held, rows_, e, rows_.present());
   }
-}
-
-/// Turns the direction of a slip that starts towards the one that its force requires, and returns
-/// how far.
-double FrozenPhase::turn(std::size_t i) {
-  // t ← −(λ_T − r γ̇_T)/|…| with r = 1/G_TT: the fixed point is −γ̇_T ∈ N_C(λ_T).
-  Held& h = held[i];
-  const ForceSet& set = rows_.set(i);
-  const Eigen::VectorXd& lambda = forces_.lambda();
-  const int first = rows_.slip0(i), k = rows_.slipRows(i), row0 = rows_.row0(i);
-  const bool reservoir = set.form == ForceSet::Form::reservoir;
-  double r[kMostRows], z[kMostRows], y[kMostRows];
-  double G = 0.0;
-  for (int n = 0; n < k; ++n) {
-    r[n] = 1.0 / rows_.W().col(first + n).dot(rows_.MInvW().col(first + n));
-    G += 1.0 / (r[n] * k);
-  }
-  for (int n = 0; n < k; ++n) {
-    if (!reservoir) r[n] = 1.0 / G;
-    const double gammaDot =
-        rows_.W().col(first + n).dot(forces_.a()) + rows_.present().r[first + n];
-    y[n] = z[n] = lambda[first + n] - r[n] * gammaDot;
-  }
-  if (reservoir)
-    set.set->project({rows_.dim(i), 1.0, rows_.gamma().data() + row0, nullptr}, lambda[row0], r, k,
-                     y);
-  for (int n = 0; n < k; ++n) y[n] = reservoir ? (y[n] - z[n]) / r[n] : -z[n];
-  const double length = set.speed(k, y);
-  double change = 0.0;
-  for (int n = 0; length > 0.0 && n < k; ++n) {
-    const auto at = static_cast<std::size_t>(n);
-    change = std::max(change, set.weight[at] * std::abs(y[n] / length - h.direction[at]));
-    h.direction[at] = y[n] / length;
-  }
-  return change;
 }
 
 void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {

@@ -18,6 +18,7 @@
 #include <dynamy/located/phase/held_forces.hpp>
 #include <dynamy/located/phase/held_rows.hpp>
 #include <dynamy/located/phase/phase_request.hpp>
+#include <dynamy/located/phase/starting_slips.hpp>
 
 namespace dynamy {
 
@@ -63,11 +64,11 @@ class FrozenPhase {
  private:
   double leastMargin() const;
   void startDirections(const Evaluation& e);
-  double turn(std::size_t i);
   void finish(const Evaluation& e, const Eigen::VectorXd& u);
   HeldRows rows_;
   AccelerationRows next_;  // at the next position of a half-explicit sub-step
   HeldForces forces_;
+  StartingSlips slips_;
   Eigen::VectorXd gammaDot_;
   std::array<double, 5> power_{};
   double forceScale_ = 0.0;

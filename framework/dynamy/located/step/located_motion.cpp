@@ -32,9 +32,12 @@ Refusal LocatedMotion::advance(MechanicalSystem& s, InclusionSolver& solver, con
   parts_.probe.looks() = {};
   Refusal refusal = enter(step, x, start);
   if (parts_.settings.givenSteps) parts_.pace.next = dt;
-  for (int tries = 0; !refusal && !done; ++tries)
+  for (int tries = 0; !refusal && !done; ++tries) {
+    if (s.limits.stop != nullptr && s.limits.stop->load(std::memory_order_relaxed))
+      return {Refusal::Kind::fault, "the run is stopped within this step"};
     refusal =
         tries < TrialConstants::most ? proceed(step, x.t + dt - from_.x.t, done) : step.stall();
+  }
   lastSwitched_ = step.lastSwitched;
   report.counts.effort.looks += parts_.probe.looks().whole;
   report.counts.effort.gaps += parts_.probe.looks().gaps;
