@@ -98,7 +98,7 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
     beside_.place(s, out.tE, stepped);
     const SteppedIslands::Trial trial = steps_.attempt(s, solver, norm, islands_, stepped.systems,
                                                        stepped.searches.next(), steppedFrom_, x, h);
-    stepped.searches.done(trial.report.solved.ok());
+    stepped.searches.done(trial.report.solved.ok() && !trial.report.solved.inVain);
     out.report = trial.report, out.error = trial.error, out.newton += trial.newton;
     if (trial.good() || !(h > governor.least())) break;
     governor.shorten(h, std::max(trial.error, 1.0));

@@ -76,9 +76,10 @@ SolveReport StaggeredMoreau::solve(MechanicalSystem& s, InclusionSolver& solver,
   for (;;) {  // the loop ends, since contacts are only added
     problem_->linearlyImplicit(x, kImplicitMidpoint);
     const int iterations = report.iterations, newton = report.newton;
+    const bool inVain = report.inVain;
     report = problem_->solve(solver);
-    report.iterations += iterations, report.newton += newton;
-    if (!report.ok()) s.limits.effort = Effort::retried;
+    report.iterations += iterations, report.newton += newton, report.inVain |= inVain;
+    if (!report.ok() || report.inVain) s.limits.effort = Effort::retried;
     if (!problem_->bringIn()) {
       if (report.ok() || !aim_.divide) return report;
       aim_.divide = false;  // the impact waits for an overlap: another problem, once

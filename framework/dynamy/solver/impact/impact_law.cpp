@@ -30,8 +30,10 @@ SolveReport ImpactLaw::guarded(InclusionProblem& problem, InclusionSolver& solve
   if (guard_.gain() <= 0.0) return report;
   const double gain = guard_.gain();
   const int repaired = guard_.gaining();
+  const Effort effort = problem.effort;
   // Find the largest factors, one per group, at which no group gains energy.
   while (guard_.next()) {
+    if (report.inVain && effort == Effort::full) problem.effort = Effort::retried;
     const SolveReport again = percussions(problem, solver, factor, Lambda);
     const bool neither = !report.ok() && !again.ok();
     addSolve(report, again);
@@ -39,6 +41,7 @@ SolveReport ImpactLaw::guarded(InclusionProblem& problem, InclusionSolver& solve
     if (neither) break;            // gains of percussions that solve nothing say nothing of the law
     guard_.judge(problem, view(Lambda));
   }
+  problem.effort = effort;
   report.energyGain = gain, report.repaired = repaired;
   return report;
 }
@@ -66,9 +69,10 @@ void addSolve(SolveReport& total, const SolveReport& last) {
   const int iterations = total.iterations + last.iterations, newton = total.newton + last.newton;
   const int rejected = total.rejected + last.rejected;
   const SolveStatus status = total.ok() ? last.status : total.status;
+  const bool inVain = total.inVain || last.inVain;
   total = last;
   total.iterations = iterations, total.newton = newton, total.rejected = rejected;
-  total.status = status;
+  total.status = status, total.inVain = inVain;
 }
 
 bool rebounds(const InclusionProblem& problem) {

@@ -43,6 +43,7 @@ struct SolveReport {
   bool warmAccepted = false;       ///< the start was exact to rounding
   int newton = 0;                  ///< Newton steps among the iterations
   int rejected = 0;                ///< inner problems given up
+  bool inVain = false;             ///< a long search has found no solution
   std::string_view method;         ///< method that found the solution, if a solver has several
   std::array<Attempt, 8> attempt;  ///< methods of a chain, in the order of trying
   int attempts = 0;                ///< number of attempts; those that do not fit are not recorded
