@@ -100,7 +100,8 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
                                                        stepped.searches.next(), steppedFrom_, x, h);
     stepped.searches.done(trial.report.solved.ok() && !trial.report.solved.inVain);
     out.report = trial.report, out.error = trial.error, out.newton += trial.newton;
-    if (trial.good() || !(h > governor.least())) break;
+    // A step to the end of a located one may be longer than the shortest by a sliver, in each try.
+    if (trial.good() || !(h > (1.0 + 2.0 * kSliver) * governor.least())) break;
     governor.shorten(h, std::max(trial.error, 1.0));
   }
   return out;

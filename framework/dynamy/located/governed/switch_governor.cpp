@@ -10,13 +10,8 @@ constexpr double kWindowWork = 1e9;  ///< or operations, where many rows make th
 constexpr double kDearer = 2.0;      ///< factor by which locating switches may cost more
 constexpr double kBearable = 0.5;    ///< of this: work of islands that continue to be located
 constexpr double kFast = 100.0;      ///< the same factor for motion that is fast without switches
-constexpr double kLeast = 1e-5;      ///< of T: shortest step in time
 constexpr double kMost = 0.1;        ///< of T: longest step in time
 constexpr double kFirstStay = 0.05;  ///< of T: first duration of stepping in time
-constexpr double kStepPatience = 1500;  ///< evaluations of steps in time between two checks
-constexpr double kLeastCovered = 0.1;   ///< of T: the time that these steps have to cover
-constexpr double kLonger = 4.0;         ///< factor on the least step where they do not,
-constexpr double kLongestLeast = 1e-2;  ///< up to this part of T
 constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 
 }  // namespace
@@ -24,23 +19,7 @@ constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 void SwitchGovernor::archive(NumberArchive& a) {
   a.choice(mode_, 3), a.choice(turnedBy_, 3), a(turnedAt_);
   a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
-  a(windowStepWork_), a(switchWork_), a(switches_), a(stepWork_), a(longer_), a(spent_),
-      a(covered_);
-}
-
-double SwitchGovernor::least() const {
-  const double least = std::max(tolerance_, kLeast);
-  return std::max(least, std::min(longer_ * least, kLongestLeast)) * T_;
-}
-
-void SwitchGovernor::watchProgress(double h, long evaluations) {
-  spent_ += static_cast<double>(evaluations), covered_ += h;
-  if (spent_ < kStepPatience) return;
-  if (covered_ < kLeastCovered * T_)
-    longer_ = std::min(kLonger * longer_, kLongestLeast / kLeast);
-  else if (covered_ > T_)
-    longer_ = std::max(longer_ / kLonger, 1.0);
-  spent_ = covered_ = 0.0;
+  a(windowStepWork_), a(switchWork_), a(switches_), a(stepWork_), a(patience_);
 }
 
 bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
@@ -77,10 +56,10 @@ void SwitchGovernor::shorten(double h, double error) {
 
 void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
                              double switchWork, long evaluations) {
-  watchProgress(h, evaluations);
+  patience_.spend(h, evaluations, T_);
   const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
   // The next step does not become shorter because an outer bound shortened this one.
-  h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), kMost * T_);
+  h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), std::max(kMost * T_, least()));
   switches_ += again || error > 1.0 ? 1.0 : 0.0, stepWork_ += work;
   if (t - began_ < stay_) return;
   const bool rare = switches_ * switchWork <= stepWork_;

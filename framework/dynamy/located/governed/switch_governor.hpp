@@ -12,6 +12,7 @@
 /// that do not make locating expensive continue to be located: one governor decides for the others.
 #pragma once
 #include <dynamy/core/number_archive.hpp>
+#include <dynamy/located/governed/step_patience.hpp>
 #include <dynamy/stages/one_step.hpp>
 
 namespace dynamy {
@@ -51,12 +52,10 @@ class SwitchGovernor {
 
   // While steps are taken in time.
   double h() const { return h_; }
-  double least() const;
+  double least() const { return patience_.least(tolerance_, T_); }
   /// Notes that a step of length h was too long; `error`: its error in units of the tolerance.
   void shorten(double h, double error);
-  /// Notes that a step of length h was taken; `again`: after having been shortened. Where many
-  /// evaluations have covered hardly any time, the least step becomes longer, since the tolerance
-  /// cannot be met.
+  /// Notes that a step of length h was taken; `again`: after having been shortened.
   void stepped(double t, double h, double error, double work, bool again, double switchWork,
                long evaluations);
 
@@ -74,9 +73,7 @@ class SwitchGovernor {
   double bearable_ = 0.0;    // not stored with a state: of use right after a turn alone
   bool tooFast_ = false;
   double switches_ = 0.0, stepWork_ = 0.0;  // shortened steps, and work, of stepping since began_
-  void watchProgress(double h, long evaluations);
-  double longer_ = 1.0;                 // factor on the least step of the tolerance
-  double spent_ = 0.0, covered_ = 0.0;  // since its last check: evaluations, time covered [s]
+  StepPatience patience_;
 };
 
 }  // namespace dynamy

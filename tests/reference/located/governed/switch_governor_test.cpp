@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <dynamy/located/governed/switch_governor.hpp>
 #include <reference/located/bounce.hpp>
 #include <reference/located/located_run.hpp>
 #include <string>
@@ -121,6 +122,26 @@ TEST(SwitchGovernor, ScenesWithRareSwitchesNeverStepInTime) {
       EXPECT_EQ(run.run().ended, RunReport::Ended::finished) << model << run.report().reason;
       EXPECT_EQ(run.report().stepping.periods, 0) << model << ", tolerance " << tolerance;
     }
+}
+
+TEST(SwitchGovernor, StepsInTimeEndHoweverFastAPartOfTheMotionIs) {
+  // A run of 1 s whose T is 1e-7 s, and whose steps miss the tolerance by far at any length. After
+  // 5e4 evaluations, here 16 700 steps of 1e-9 s at most, the time covered grows by e in 2000 steps:
+  // ln(1 s/16.7 µs) = 11 times. At 1e-9 s they would be 10⁹.
+  constexpr double kT = 1e-7, kMissed = 1e6;
+  SwitchGovernor governor;
+  governor.scales(1e-6, kT);
+  governor.turn(0.0, TurnedBy::stall, SwitchGovernor::kNowhere);
+  double t = 0.0;
+  int steps = 0;
+  for (; t < 1.0 && steps < 100000; ++steps) {
+    const double h = governor.h();
+    t += h;
+    governor.stepped(t, h, kMissed, 1.0, false, 1.0, 3);
+    EXPECT_LE(h, t < 100.0 * kT ? 0.1 * kT : 1e-3);
+  }
+  EXPECT_GE(t, 1.0);
+  EXPECT_LT(steps, 45000);
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+#include <algorithm>
+#include <dynamy/located/governed/step_patience.hpp>
+
+namespace dynamy {
+namespace {
+
+constexpr double kLeast = 1e-5;         ///< of T: shortest step in time
+constexpr double kStepPatience = 1500;  ///< evaluations of steps in time between two checks
+constexpr double kLeastCovered = 0.1;   ///< of T: the time that these steps have to cover
+constexpr double kLonger = 4.0;         ///< factor on the least step where they do not,
+constexpr double kLongestLeast = 1e-2;  ///< up to this part of T
+/// Evaluations of steps in time after which the least step is this part of their sum.
+constexpr double kAllPatience = 5e4, kOfAll = 5e-4;
+
+}  // namespace
+
+double StepPatience::least(double tolerance, double T) const {
+  const double least = std::max(tolerance, kLeast);
+  return std::max(std::max(least, std::min(longer_ * least, kLongestLeast)) * T, bounded_);
+}
+
+void StepPatience::spend(double h, long evaluations, double T) {
+  all_ += static_cast<double>(evaluations), time_ += h;
+  if (all_ > kAllPatience) bounded_ = kOfAll * time_;
+  spent_ += static_cast<double>(evaluations), covered_ += h;
+  if (spent_ < kStepPatience) return;
+  if (covered_ < kLeastCovered * T)
+    longer_ = std::min(kLonger * longer_, kLongestLeast / kLeast);
+  else if (covered_ > T)
+    longer_ = std::max(longer_ / kLonger, 1.0);
+  spent_ = covered_ = 0.0;
+}
+
+}  // namespace dynamy
