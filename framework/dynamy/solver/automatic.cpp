@@ -211,8 +211,8 @@ SolveReport Automatic::rungs(const InclusionProblem& p, Vec Lambda, SolveReport 
   else if (most.maxNewton < options_.maxNewton)
     return report;
   if (hurried || report.ok()) return report;
-  report.inVain = !restarts(p, Lambda, report) && !pivot(p, Lambda, report) &&
-                  !others(p, Lambda, report);
+  report.inVain =
+      !restarts(p, Lambda, report) && !pivot(p, Lambda, report) && !others(p, Lambda, report);
   return report;
 }
 
