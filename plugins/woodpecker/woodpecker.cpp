@@ -56,6 +56,18 @@ std::vector<Vec3> rectangle(double x0, double x1, double z0, double z1) {
   return {{x0, 0, z0}, {x1, 0, z0}, {x1, 0, z1}, {x0, 0, z1}};
 }
 
+/// The torsion spring at the end of the sleeve's rod, as a disc, only for the picture. With linear
+/// kinematics the arm of the bird ends beside the rod by up to lG φ²/2: within the disc.
+std::vector<Vec3> disc(double x, double radius) {
+  constexpr int kCorners = 24;
+  std::vector<Vec3> points;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2.0 * M_PI * i / kCorners;
+    points.emplace_back(x + radius * std::cos(angle), 0, radius * std::sin(angle));
+  }
+  return points;
+}
+
 /// Outlines of the bird seen from the side, from back to front; only for the picture. The origin is
 /// the centre of mass of the bird, and the beak reaches the pole.
 std::vector<std::unique_ptr<Outline>> bird(const Lengths& l) {
@@ -63,8 +75,7 @@ std::vector<std::unique_ptr<Outline>> bird(const Lengths& l) {
   const auto add = [&all](const char* name, const char* colour, std::vector<Vec3> points) {
     all.push_back(std::make_unique<Outline>(name, colour, std::move(points)));
   };
-  // Longer than it is: with linear kinematics its end stays behind the sleeve by up to lG φ²/2.
-  add("spring", "#505860", {{-1.15 * l.lG, 0, 0}, {0, 0, 0}});
+  add("arm", "#505860", {{-l.lG, 0, 0}, {0, 0, 0}});
   add("tail", "#5a3326",
       {{0.0035, 0, -0.014}, {0.008, 0, -0.013}, {0.012, 0, -0.034}, {0.0075, 0, -0.035}});
   add("body", "#c04030",
@@ -133,6 +144,7 @@ class Woodpecker final : public PartialMechanicalSystem {
         innerWall_("wall", "#4878a8", rectangle(l_.rM, l_.rM + 0.002, -l_.hM, l_.hM)),
         outerWall_("wall", "#4878a8", rectangle(-l_.rM - 0.002, -l_.rM, -l_.hM, l_.hM)),
         rod_("rod", "#505860", {{l_.rM + 0.002, 0, 0}, {l_.lM, 0, 0}}),
+        spring_("spring", "#8d99a6", disc(l_.lM, 0.0018)),
         bird_(bird(l_)) {}
 
   Blocks blocks() const override { return {3, 3, 1, true}; }
@@ -179,14 +191,15 @@ class Woodpecker final : public PartialMechanicalSystem {
     d.frame("pole", 0), d.frame("sleeve", 1), d.frame("bird", 2);
     d.shape(pole_, 0);  // painted in this order
     d.shape(rod_, 1), d.shape(innerWall_, 1), d.shape(outerWall_, 1);
-    for (const auto& part : bird_) d.shape(*part, 2);
+    d.shape(*bird_.front(), 2), d.shape(spring_, 1);  // the arm, below the spring
+    for (std::size_t i = 1; i < bird_.size(); ++i) d.shape(*bird_[i], 2);
   }
 
  private:
   Lengths l_;
   double mM_, mS_, JM_, JS_, c_, g_;
   Vec3 q0_, u0_;
-  Outline pole_, innerWall_, outerWall_, rod_;
+  Outline pole_, innerWall_, outerWall_, rod_, spring_;
   std::vector<std::unique_ptr<Outline>> bird_;
 };
 
