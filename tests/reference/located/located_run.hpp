@@ -1,5 +1,7 @@
 /// LocatedRun: a model file or text run to a tolerance by the program's own loop, with its events.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <build_paths.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
@@ -70,5 +72,20 @@ class LocatedRun final : public RecordSink {
   std::unique_ptr<Model> model_;
   std::unique_ptr<Simulation> simulation_;
 };
+
+/// Expects that a run of `model` to 2.5 s which goes on from a checkpoint at 2 s, taken while or
+/// after steps were taken in time, ends with the same bits.
+inline void expectToGoOnBitForBit(const std::string& model, double tolerance) {
+  LocatedRun whole(model, tolerance, 2.5), part(model, tolerance, 2.0),
+      resumed(model, tolerance, 2.5);
+  whole.run(), part.run();
+  ASSERT_GE(part.report().stepping.periods, 1);
+  resumed.simulation().resume(part.simulation().checkpoint());
+  resumed.run();
+  EXPECT_EQ(resumed.state().q, whole.state().q);
+  EXPECT_EQ(resumed.state().u, whole.state().u);
+  EXPECT_EQ(resumed.report().stepping.steps, whole.report().stepping.steps);
+  EXPECT_EQ(resumed.report().contacts.impacts, whole.report().contacts.impacts);
+}
 
 }  // namespace dynamy::reference

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <dynamy/contact/contact_name.hpp>
 #include <dynamy/located/step/located_constants.hpp>
 #include <dynamy/located/step/missing_bias.hpp>
 #include <limits>
@@ -166,15 +167,19 @@ MissingBias::Verdict MissingBias::complain(const MechanicalSystem& s, int row) {
   std::size_t i = 0;
   while (c.row0[i + 1] <= row) ++i;
   const NonSmoothElement& e = *s.parts().contacts[static_cast<std::size_t>(c.element[i])];
+  lost_ = c.key[i];
+  const std::string wrong = " a wrong bias of its row " + std::to_string(row - c.row0[i]) +
+                            ": with it γ changes by " + numberText(reported_[row]) +
+                            " a second, along the motion by " + numberText(found_[row]);
   std::vector<FrameHandle> surfaces;  // of two shapes, whose bias is the framework's own
-  if (e.framesOf(contactNumber(c.key[i]), surfaces)) {
-    lost_ = c.key[i];
+  if (e.framesOf(contactNumber(lost_), surfaces)) {
+    why_ = "the gap of contact " +
+           contactName(e, static_cast<std::size_t>(c.element[i]), contactNumber(lost_)) +
+           " has a kink, or its shapes tell" + wrong + "; run with a step";
     return Verdict::kinked;
   }
   const std::string name = e.name().empty() ? "" : " name=\"" + e.name() + "\"";
-  why_ = "<" + e.type() + name + "> tells a wrong bias of its row " +
-         std::to_string(row - c.row0[i]) + ": with it γ changes by " + numberText(reported_[row]) +
-         " a second, along the motion by " + numberText(found_[row]) +
+  why_ = "<" + e.type() + name + "> tells" + wrong +
          "; let contacts() tell γ̇ − Wᵀu̇, or run with a step";
   return Verdict::wrong;
 }

@@ -33,7 +33,7 @@ class MissingBias {
   enum class Verdict : std::uint8_t { right, missing, wrong, kinked };
   /// Compares γ̇ = Wᵀu̇ + w̄ of the held contacts, evaluated at p in slot 0, with differences of γ
   /// along the motion. `missing`: find() has found elements; `wrong`: why() names the element.
-  /// `kinked`: lost() is a contact of two shapes, whose gap has a kink here, for example where
+  /// `kinked`, with the reason in why(): lost() is a contact of two shapes, whose gap has a kink here, for example where
   /// another face becomes the nearest one to a corner that lies inside a body.
   Verdict check(MechanicalSystem& s, const PhasePoint& p, const ErrorNorm& norm,
                 const PhaseRequest& phase);

@@ -29,7 +29,10 @@ Refusal PhaseProjection::take(LocatedStep& step, PhasePoint& p, bool& missing) {
     missing = verdict == MissingBias::Verdict::missing;
     if (missing) return {};
     if (verdict == MissingBias::Verdict::wrong) return {Refusal::Kind::fault, parts_.bias.why()};
-    if (verdict == MissingBias::Verdict::kinked) return step.lose(parts_.bias.lost());
+    if (verdict == MissingBias::Verdict::kinked) {
+      step.lastSwitched = parts_.bias.lost();
+      return {Refusal::Kind::stalled, parts_.bias.why(), true};
+    }
   }
   if (turns) p.x.u += velocity_;
   if (moves) {

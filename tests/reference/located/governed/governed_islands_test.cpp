@@ -77,17 +77,7 @@ TEST(GovernedIslands, ASliderBesideOthersStopsWhereItWould) {
 }
 
 TEST(GovernedIslands, GoOnFromACheckpointBitForBit) {
-  const std::string model = ballsAnd(kDrop);
-  LocatedRun whole(model, kGovernedTolerance, 2.5), part(model, kGovernedTolerance, 2.0),
-      resumed(model, kGovernedTolerance, 2.5);
-  whole.run(), part.run();
-  ASSERT_GE(part.report().stepping.periods, 1);
-  resumed.simulation().resume(part.simulation().checkpoint());
-  resumed.run();
-  EXPECT_EQ(resumed.state().q, whole.state().q);
-  EXPECT_EQ(resumed.state().u, whole.state().u);
-  EXPECT_EQ(resumed.report().stepping.steps, whole.report().stepping.steps);
-  EXPECT_EQ(resumed.report().contacts.impacts, whole.report().contacts.impacts);
+  expectToGoOnBitForBit(ballsAnd(kDrop), kGovernedTolerance);
 }
 
 TEST(GovernedIslands, AreJoinedByWhatTouchesThem) {

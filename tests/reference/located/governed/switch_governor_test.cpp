@@ -96,15 +96,7 @@ TEST(SwitchGovernor, FindsBackWhenAllIsAtRest) {
 }
 
 TEST(SwitchGovernor, GoesOnFromACheckpointBitForBit) {
-  const std::string model = balls(80, 0.9);
-  LocatedRun whole(model, 5e-3, 2.5), part(model, 5e-3, 2.0), resumed(model, 5e-3, 2.5);
-  whole.run(), part.run();
-  ASSERT_GE(part.report().stepping.periods, 1);
-  resumed.simulation().resume(part.simulation().checkpoint());
-  resumed.run();
-  EXPECT_EQ(resumed.state().q, whole.state().q);
-  EXPECT_EQ(resumed.state().u, whole.state().u);
-  EXPECT_EQ(resumed.report().stepping.steps, whole.report().stepping.steps);
+  expectToGoOnBitForBit(balls(80, 0.9), 5e-3);
 }
 
 TEST(SwitchGovernor, AFunnelStaysInTheToleranceOfAFinerRun) {
