@@ -123,7 +123,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   StepReport report = taken.report;
   x.t = taken.tE;
   report.dt = x.t - steppedFrom_.t;
-  steps_.take(steppedFrom_, x.u, taken.h);
+  steps_.take(s, steppedFrom_, x.u, taken.h);
   beside_.join(s, x, stepped, report);
   report.counts = taken.located;
   report.counts.rejected += taken.rejected;
@@ -150,7 +150,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
 void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                        double theta, State& out) const {
   if (stepped_ && system_ == &s) {
-    SteppedIslands::between(s, a, b, theta, out);
+    steps_.between(s, a, b, theta, out);
     beside_.show(s, a.t + theta * (b.t - a.t), governed_.state().stepped, out);
     return;
   }

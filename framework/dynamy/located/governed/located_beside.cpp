@@ -129,7 +129,7 @@ double LocatedBeside::follow(MechanicalSystem& s, InclusionSolver& solver,
 void LocatedBeside::within(double t, State& out) {
   const double theta = (t - from_.t) / (to_.t - from_.t);
   if (!motion_->motion().interpolate(*view_, from_, to_, theta, out))
-    SteppedIslands::between(*view_, from_, to_, theta, out);
+    SteppedIslands::linear(*view_, from_, to_, theta, out);
 }
 
 void LocatedBeside::place(MechanicalSystem& s, double t, const SteppedState& stepped) {

@@ -6,6 +6,9 @@ namespace dynamy {
 namespace {
 
 constexpr double kGrown = 0.1;  ///< of an allowed overlap: less growth counts as none
+/// Of the change of velocities in a step: if more than this was not foreseen by the step before,
+/// the change is an impact.
+constexpr double kUnforeseen = 0.5;
 
 /// The largest overlap of unilateral contacts of time-stepped systems, also of contacts that
 /// rebound [m].
@@ -72,17 +75,42 @@ double SteppedIslands::error(MechanicalSystem& s, const ErrorNorm& norm, const I
   return std::isfinite(worst) && s.indefiniteMass() < 0 ? worst : 1e300;
 }
 
-void SteppedIslands::take(const State& from, const Eigen::VectorXd& u, double h) {
+void SteppedIslands::take(const MechanicalSystem& s, const State& from, const Eigen::VectorXd& u,
+                          double h) {
+  const Topology& topology = *s.parts().topology;
+  const bool known = rate_.size() == u.size();
+  hit_.assign(topology.systems().size(), 0);
+  for (std::size_t k = 0; known && k < hit_.size(); ++k) {
+    const SystemHandle& part = topology.system(static_cast<int>(k));
+    const Eigen::VectorXd change = u.segment(part.u0, part.nu) - from.u.segment(part.u0, part.nu);
+    const double unforeseen = (change - h * rate_.segment(part.u0, part.nu)).norm();
+    hit_[k] = unforeseen > kUnforeseen * change.norm() ? 1 : 0;
+  }
   rate_ = (u - from.u) / h, overlap_ = reached_;
 }
 
 void SteppedIslands::between(const MechanicalSystem& s, const State& a, const State& b,
-                             double theta, State& out) {
+                             double theta, State& out) const {
+  move(s, a, b, theta, hit_, out);
+}
+
+void SteppedIslands::linear(const MechanicalSystem& s, const State& a, const State& b, double theta,
+                            State& out) {
+  move(s, a, b, theta, {}, out);
+}
+
+/// Velocities of systems whose flag in `constant` is not 0 are those of the nearer end.
+void SteppedIslands::move(const MechanicalSystem& s, const State& a, const State& b, double theta,
+                          const std::vector<char>& constant, State& out) {
   // Positions of these steps advance by the mean velocity.
   const bool first = theta < 0.5;
   const State& from = first ? a : b;
   const double part = first ? theta : theta - 1.0;
-  const Eigen::VectorXd change = b.u - a.u, mean = from.u + 0.5 * part * change;
+  Eigen::VectorXd change = b.u - a.u;
+  for (std::size_t k = 0; k < constant.size(); ++k)
+    if (const SystemHandle& h = s.parts().topology->system(static_cast<int>(k)); constant[k] != 0)
+      change.segment(h.u0, h.nu).setZero();
+  const Eigen::VectorXd mean = from.u + 0.5 * part * change;
   out.t = from.t, out.q = from.q;
   s.move(out, mean, part * (b.t - a.t));
   out.u = from.u + part * change;

@@ -23,14 +23,14 @@ class SteppedIslands {
     bool good() const { return error <= 1.0 && report.solved.ok(); }
   };
   /// Begins a period of steps in time.
-  void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false; }
-  /// Takes a step of length h [s] from `from`, into x, with this effort. It moves all systems; the error of those
-  /// counts whose flag in `stepped` is not 0.
+  void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false, hit_.clear(); }
+  /// Takes a step of length h [s] from `from`, into x, with this effort. It moves all systems; the
+  /// error of those counts whose flag in `stepped` is not 0.
   Trial attempt(MechanicalSystem& s, InclusionSolver& solver, const ErrorNorm& norm,
                 const Islands& islands, const std::vector<char>& stepped, Effort effort,
                 const State& from, State& x, double h);
   /// Accepts the last attempt, which ended with velocities u, as a step of the run.
-  void take(const State& from, const Eigen::VectorXd& u, double h);
+  void take(const MechanicalSystem& s, const State& from, const Eigen::VectorXd& u, double h);
 
   // What is kept from step to step.
   const Eigen::VectorXd& rate() const { return rate_; }  ///< Δu/h of the last step; empty: none
@@ -40,13 +40,20 @@ class SteppedIslands {
     rate_ = rate, overlap_ = overlap, projected_ = projected;
   }
 
-  /// State at fraction theta of the step from a to b: velocities are linear between its ends. With
-  /// the scheme's own interpolation, u^A up to the middle and u^E after it, the energy of long
-  /// steps in free flight would rise and fall from one output row to the next.
-  static void between(const MechanicalSystem& s, const State& a, const State& b, double theta,
-                      State& out);
+  /// State at fraction theta of the last step, which went from a to b. Velocities of a system are
+  /// linear between its ends: with the scheme's own interpolation, u^A up to the middle and u^E
+  /// after it, the energy of long steps in free flight would rise and fall from one output row to
+  /// the next. The scheme's own interpolation is that of systems that were hit in the step: half way
+  /// between the velocities before and after an impact there is less energy than before and after.
+  void between(const MechanicalSystem& s, const State& a, const State& b, double theta,
+               State& out) const;
+  /// The same with all velocities linear.
+  static void linear(const MechanicalSystem& s, const State& a, const State& b, double theta,
+                     State& out);
 
  private:
+  static void move(const MechanicalSystem& s, const State& a, const State& b, double theta,
+                   const std::vector<char>& constant, State& out);
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, Effort effort, const State& from,
                   State& x, double h);
   double error(MechanicalSystem& s, const ErrorNorm& norm, const Islands& islands,
@@ -55,6 +62,7 @@ class SteppedIslands {
   StaggeredMoreau projecting_;
   bool projected_ = false;
   Eigen::VectorXd rate_;
+  std::vector<char> hit_;  // not 0: the last step has changed velocities of the system by an impact
   double overlap_ = 0.0, reached_ = 0.0;  // overlap at the end of the last step, of the trial [m]
 };
 
