@@ -41,6 +41,9 @@ class Watch final : public Observer {
         const LocatedDormandPrince& scheme)
       : of_(of), stops_(stops), scheme_(scheme), sampler_(model, signalsOf(model, of)) {
     run.values.resize(of.size()), run.sizes.resize(of.size());
+    // Angles follow from directions, whose rounding is that of numbers of size 1.
+    for (std::size_t i = 0; i < of.size(); ++i)
+      if (signalNamed(model, of[i].signal)->signal.unit == Unit::angle) run.sizes[i] = 1.0;
   }
   void start(const StepView& initial) override { sample(initial, -1.0); }
   void step(const StepView& view) override {

@@ -163,7 +163,8 @@ void addSides(Gradient& out, std::size_t i, const RunDifferences& runs,
 /// order 4, where these have smaller errors.
 void refine(Gradient& out, std::size_t i, const RunDifferences& runs, const RunDifferences& looser,
             const Varied& by, double size) {
-  constexpr double kWanted = 1e-8;  // of max(|d|, |v/p|)
+  constexpr double kWanted = 1e-8;          // of max(|d|, |v/p|)
+  constexpr double kWeights = 18.0 / 12.0;  // sum of those of (53.4), times δ
   const bool good = std::all_of(out.values.begin(), out.values.end(), [&](const GradientValue& v) {
     return !(v.dError[i] > kWanted * std::max(std::abs(v.d[i]), std::abs(v.value) / size));
   });
@@ -172,8 +173,8 @@ void refine(Gradient& out, std::size_t i, const RunDifferences& runs, const RunD
   const std::vector<double> rough = d.empty() ? d : looser.byFour(by, size);
   for (std::size_t k = 0; k < rough.size(); ++k) {
     GradientValue& v = out.values[k];
-    const double rounding =
-        RunDifferences::kRounding * runs.nominal().sizes[k] / (RunDifferences::kWideDelta * size);
+    const double rounding = kWeights * RunDifferences::kRounding * runs.nominal().sizes[k] /
+                            (RunDifferences::kWideDelta * size);
     const double error = std::abs(rough[k] - d[k]) + rounding;
     if (error < v.dError[i]) v.d[i] = d[k], v.dError[i] = error;
   }
