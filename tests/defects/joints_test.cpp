@@ -134,15 +134,5 @@ TEST(KnownDefects, AChainInMinimalCoordinatesFallsOnAFloor) {
   });
 }
 
-TEST(KnownDefects, ALiftInMinimalCoordinatesTravelsAsGiven) {
-  BoundedRun lift(
-      "models/elevator_travel.xml",
-      {.signals = "lift/cabin.z", .every = 0.5, .coordinates = JointCoordinates::minimal});
-  lift.run();
-  ASSERT_TRUE(lift.finished()) << lift.report().reason;
-  // The drive travels from 3 m to 9 m; ten tolerances of 1e-6, as the model's own check.
-  knownDefect("lift_minimal", [&] { EXPECT_NEAR(lift.last(), 9.0, 1e-5); });
-}
-
 }  // namespace
 }  // namespace dynamy::defects

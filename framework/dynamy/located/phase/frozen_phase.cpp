@@ -7,6 +7,7 @@ namespace dynamy {
 namespace {
 
 constexpr double kClearMargin = 1e-3;  ///< of the largest force
+constexpr double kOwnForce = 1e-3;     ///< of the largest force: least size of a contact's own
 constexpr int kMostSlipTurns = 200;    ///< iterations for the directions of slips that start
 
 }  // namespace
@@ -58,7 +59,8 @@ double FrozenPhase::leastMargin() const {
   return least;
 }
 
-bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {
+bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a,
+                        bool same) {
   if (!accelerate(e, u, a)) return false;
   if (!forces_.redundant()) return true;
   const std::vector<Held> decided = held;
@@ -84,7 +86,54 @@ bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::Ve
         least = margin, best = part, bestWeighted = weighted;
     }
   take(best, bestWeighted);
+  if (!accelerate(e, u, a)) return false;
+  if (!same) return true;
+  shared_.open(held, rows_, forces_.open());
+  return !nearBound() || centre(e, u, a);
+}
+
+/// True: a force that depends on how rows share is near its bound, as a part of this force.
+bool FrozenPhase::nearBound() const {
+  const Eigen::VectorXd& lambda = forces_.lambda();
+  double value = 0.0;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (shared_.shares(i) && margin(i, value) &&
+        !(value >
+          kClearMargin * lambda.segment(rows_.row0(i), rows_.dim(i)).lpNorm<Eigen::Infinity>()))
+      return true;
+  return false;
+}
+
+/// Takes the centre of the forces that the statuses permit, if there is one.
+bool FrozenPhase::centre(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a) {
+  Eigen::VectorXd lambda = forces_.lambda();
+  if (!shared_.centre(held, rows_, lambda)) return true;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    Held& h = held[i];
+    const int first = rows_.row0(i), d = std::min(rows_.dim(i), kMostRows);
+    for (int r = 0; r < d; ++r) h.lambda[static_cast<std::size_t>(r)] = lambda[first + r];
+    const ForceSet::Form form = rows_.set(i).form;
+    const bool pressed = form == ForceSet::Form::cone || form == ForceSet::Form::reservoir;
+    if (shared_.shares(i) && pressed && lambda[first] > 0.0) h.weight = lambda[first];
+  }
   return accelerate(e, u, a);
+}
+
+double FrozenPhase::contradiction() const {
+  double worst = 0.0, unused = 0.0;
+  for (std::size_t i = 0; i < held.size() && forces_.redundant(); ++i) {
+    if (held[i].slips || !margin(i, unused)) continue;
+    const auto own = forces_.lambda().segment(rows_.row0(i), rows_.dim(i));
+    const double least = kOwnForce * forces_.lambda().lpNorm<Eigen::Infinity>();
+    const double scale = std::max(own.lpNorm<Eigen::Infinity>(), least);
+    for (int row = rows_.row0(i); row < rows_.row0(i) + rows_.dim(i); ++row) {
+      double G = 0.0;
+      for (const HeldRows::Moved& p : rows_.moved(row))
+        G += rows_.W().col(row).segment(p.u0, p.nu).dot(rows_.MInvW().col(row).segment(p.u0, p.nu));
+      if (G > 0.0 && scale > 0.0) worst = std::max(worst, std::abs(gammaDot_[row]) / (G * scale));
+    }
+  }
+  return worst;
 }
 
 /// Finds the directions of slips that start: forces depend on them, and they on the forces.
@@ -99,8 +148,8 @@ void FrozenPhase::startDirections(const Evaluation& e) {
 
 void FrozenPhase::finish(const Evaluation& e, const Eigen::VectorXd& u) {
   const Eigen::VectorXd& lambda = forces_.lambda();
-  gammaDot_.noalias() = rows_.W().transpose() * forces_.a();
-  gammaDot_ += rows_.present().r;
+  gammaDot_ = rows_.present().r;
+  for (int row = 0; row < rows_.size(); ++row) gammaDot_[row] += rows_.along(row, forces_.a());
   forceScale_ = lambda.size() > 0 ? lambda.lpNorm<Eigen::Infinity>() : 0.0;
   power_ = {e.hNonPotential.dot(u), 0.0, 0.0, 0.0, 0.0};
   for (std::size_t i = 0; i < held.size(); ++i) {

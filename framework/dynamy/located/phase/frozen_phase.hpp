@@ -18,6 +18,7 @@
 #include <dynamy/located/phase/held_forces.hpp>
 #include <dynamy/located/phase/held_rows.hpp>
 #include <dynamy/located/phase/phase_request.hpp>
+#include <dynamy/located/phase/shared_forces.hpp>
 #include <dynamy/located/phase/starting_slips.hpp>
 
 namespace dynamy {
@@ -39,9 +40,11 @@ class FrozenPhase {
   /// bias. False: fault() says why.
   bool advance(const Evaluation& e, const Eigen::VectorXd& u, const ContactSet& next,
                const Eigen::VectorXd& before, double tau, Eigen::VectorXd& a);
-  /// Where rows are redundant, chooses their forces from now on: between those of the decision and
-  /// the smallest ones, the forces that stay furthest from all bounds.
-  bool share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
+  /// Where rows are redundant, chooses their forces from now on: the smallest ones, those of the
+  /// decision, or ones between, whichever stay furthest from all bounds. `same`: a decision has left
+  /// all statuses as they were; if one of these forces is near its bound then, the centre of all that
+  /// are within their bounds is taken.
+  bool share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a, bool same);
   std::string_view fault() const { return fault_.why; }
   /// The contact of the last fault that has one.
   ContactKey lost() const { return fault_.contact; }
@@ -58,17 +61,25 @@ class FrozenPhase {
   /// `value`: distance of the force of held[i] from its bound, positive as long as the force
   /// permits the status; to be compared with forceScale(). False: the force has no bound.
   bool margin(std::size_t i, double& value) const;
+  /// True: rows are redundant, so that those of contacts that stick may contradict others.
+  bool mayContradict() const { return forces_.redundant(); }
+  /// The force that is missing most to hold a row of a contact that sticks, as a part of the forces
+  /// of this contact: above 0 where redundant rows contradict each other, so that no forces hold all.
+  double contradiction() const;
   /// The largest force, or bound of a set of given size [N].
   double forceScale() const { return forceScale_; }
 
  private:
   double leastMargin() const;
+  bool nearBound() const;
+  bool centre(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a);
   void startDirections(const Evaluation& e);
   void finish(const Evaluation& e, const Eigen::VectorXd& u);
   HeldRows rows_;
   AccelerationRows next_;  // at the next position of a half-explicit sub-step
   HeldForces forces_;
   StartingSlips slips_;
+  SharedForces shared_;
   Eigen::VectorXd gammaDot_;
   std::array<double, 5> power_{};
   double forceScale_ = 0.0;

@@ -1,3 +1,4 @@
+#include <dynamy/core/decompositions.hpp>
 #include <dynamy/located/phase/held_forces.hpp>
 
 namespace dynamy {
@@ -7,19 +8,25 @@ namespace {
 /// inverted as a product of tall matrices: 2160 forces on 600 velocities in 0.4 s instead of 5.6 s.
 constexpr Eigen::Index kManyForces = 256;
 constexpr double kPerVelocity = 1.5;
+constexpr double kRedundant = 1e-10;  ///< of the largest pivot
 
 }  // namespace
 
 void ForceDirections::find(const std::vector<Held>& held, const HeldRows& rows) {
-  const int n = rows.size();
-  P.setZero(n, n), p0.setZero(n), kept.clear();
+  p0.setZero(rows.size()), kept.clear(), entries.clear();
   for (std::size_t i = 0; i < held.size(); ++i) add(held[i], rows, i);
 }
 
-/// The force of this row is the next unknown.
-void ForceDirections::hold(int row) {
-  P(row, unknowns()) = 1.0;
-  kept.push_back(row);
+Eigen::MatrixXd ForceDirections::P() const {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(p0.size(), unknowns());
+  for (Eigen::Index k = 0; k < unknowns(); ++k) out(kept[static_cast<std::size_t>(k)], k) = 1.0;
+  for (const Entry& e : entries) out(e.row, e.unknown) = e.value;
+  return out;
+}
+
+void ForceDirections::addForces(const Eigen::VectorXd& pi, Eigen::VectorXd& lambda) const {
+  for (Eigen::Index k = 0; k < unknowns(); ++k) lambda[kept[static_cast<std::size_t>(k)]] += pi[k];
+  for (const Entry& e : entries) lambda[e.row] += e.value * pi[e.unknown];
 }
 
 void ForceDirections::add(const Held& h, const HeldRows& rows, std::size_t i) {
@@ -27,12 +34,12 @@ void ForceDirections::add(const Held& h, const HeldRows& rows, std::size_t i) {
   const int first = rows.row0(i), d = rows.dim(i);
   if (h.first == 0) normal = unknowns();
   if (!h.slips) {
-    for (int r = 0; r < d; ++r) hold(first + r);
+    for (int r = 0; r < d; ++r) kept.push_back(first + r);
     return;
   }
   const int tangent = rows.slip0(i), k = rows.slipRows(i);
   const bool pressed = tangent > first;
-  if (pressed) hold(first);
+  if (pressed) kept.push_back(first);
   // Direction of slip: γ_T of the stage; in one tangent, and while a slip starts, the decided one.
   const double* gamma = rows.gamma().data();
   const double speed = set.speed(k, gamma + tangent);
@@ -41,14 +48,14 @@ void ForceDirections::add(const Held& h, const HeldRows& rows, std::size_t i) {
   if (set.form == ForceSet::Form::reservoir) {
     double force[kMostRows];
     set.set->support({d, 1.0, gamma + first, nullptr}, k, t, force);
-    for (int r = 0; r < k; ++r) P(tangent + r, normal) = -force[r];
+    for (int r = 0; r < k; ++r) entries.push_back({tangent + r, normal, -force[r]});
     return;
   }
   const double length = k > 1 ? ConstVec(t, k).norm() : 1.0;
   for (int r = 0; r < k; ++r) {
     const double e = t[r] / length;
     if (pressed || set.form == ForceSet::Form::disc)
-      P(tangent + r, normal) = -set.upper * e;
+      entries.push_back({tangent + r, normal, -set.upper * e});
     else
       p0[tangent + r] = e > 0.0 ? set.lower * e : -set.upper * e;
   }
@@ -67,37 +74,78 @@ void HeldForces::begin(const std::vector<Held>& held, const HeldRows& rows, cons
     while (row >= rows.row0(of + 1)) ++of;
     pi_[k] = held[of].lambda[static_cast<std::size_t>(row - rows.row0(of))];
   }
-  lambda_.noalias() += directions_.P.leftCols(m) * pi_;
-  a_.noalias() += rows.MInvW() * lambda_;
+  directions_.addForces(pi_, lambda_);
+  rows.addForces(lambda_, a_);
 }
 
-/// M⁻¹W P; each of its columns combines only few columns of M⁻¹W.
-void HeldForces::multiplyByP(const Eigen::MatrixXd& MInvW) {
-  const Eigen::MatrixXd& P = directions_.P;
+/// M⁻¹W P. All rows of a contact act on the same mass blocks.
+void HeldForces::multiplyByP(const HeldRows& rows) {
+  const Eigen::MatrixXd& MInvW = rows.MInvW();
+  const std::vector<int>& kept = directions_.kept;
   const Eigen::Index m = directions_.unknowns();
-  MInvWP_.setZero(MInvW.rows(), m);
+  if (m >= kManyForces)
+    MInvWP_.setZero(MInvW.rows(), m);
+  else
+    MInvWP_.resize(MInvW.rows(), m);
   for (Eigen::Index k = 0; k < m; ++k)
-    for (Eigen::Index row = 0; row < P.rows(); ++row)
-      if (P(row, k) != 0.0) MInvWP_.col(k) += P(row, k) * MInvW.col(row);
+    for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(k)]))
+      MInvWP_.col(k).segment(p.u0, p.nu) =
+          MInvW.col(kept[static_cast<std::size_t>(k)]).segment(p.u0, p.nu);
+  for (const ForceDirections::Entry& e : directions_.entries)
+    for (const HeldRows::Moved& p : rows.moved(e.row))
+      MInvWP_.col(e.unknown).segment(p.u0, p.nu) += e.value * MInvW.col(e.row).segment(p.u0, p.nu);
+}
+
+/// Lists the kept rows that act on each mass block.
+void HeldForces::findTouching(const HeldRows& rows) {
+  std::fill(firstOn_.begin(), firstOn_.end(), -1);
+  next_.clear();
+  of_.clear();
+  for (Eigen::Index k = directions_.unknowns() - 1; k >= 0; --k)
+    for (const HeldRows::Moved& p : rows.moved(directions_.kept[static_cast<std::size_t>(k)])) {
+      const auto block = static_cast<std::size_t>(p.block);
+      if (block >= firstOn_.size()) firstOn_.resize(block + 1, -1);
+      next_.push_back(firstOn_[block]), of_.push_back(static_cast<int>(k));
+      firstOn_[block] = static_cast<int>(next_.size()) - 1;
+    }
+}
+
+/// A_ and rhs_ of rows at another position, where contacts may act on other velocities.
+void HeldForces::assembleElsewhere(const HeldRows& rows, const AccelerationRows& constraint) {
+  const std::vector<int>& kept = directions_.kept;
+  for (Eigen::Index k = 0; k < directions_.unknowns(); ++k)
+    for (Eigen::Index j = 0; j < directions_.unknowns(); ++j)
+      for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(j)]))
+        A_(k, j) += constraint.R.col(kept[static_cast<std::size_t>(k)])
+                        .segment(p.u0, p.nu)
+                        .dot(MInvWP_.col(j).segment(p.u0, p.nu));
 }
 
 void HeldForces::assemble(const std::vector<Held>& held, const HeldRows& rows,
                           const AccelerationRows& constraint) {
   const std::vector<int>& kept = directions_.kept;
-  const Eigen::MatrixXd& R = constraint.R;
+  const bool present = &constraint == &rows.present();
   const Eigen::Index m = directions_.unknowns();
-  A_.resize(m, m), rhs_.resize(m);
+  A_.setZero(m, m), rhs_.resize(m);
   for (Eigen::Index k = 0; k < m; ++k) {
     const int row = kept[static_cast<std::size_t>(k)];
-    rhs_[k] = -(R.col(row).dot(a_) + constraint.r[row]);
-    if (&constraint != &rows.present()) {  // elsewhere contacts may act on other velocities
-      A_.row(k).noalias() = R.col(row).transpose() * MInvWP_;
-      continue;
-    }
-    A_.row(k).setZero();
-    for (const HeldRows::Moved& p : rows.moved(row))
-      A_.row(k).noalias() +=
-          R.col(row).segment(p.u0, p.nu).transpose() * MInvWP_.middleRows(p.u0, p.nu);
+    rhs_[k] =
+        -((present ? rows.along(row, a_) : constraint.R.col(row).dot(a_)) + constraint.r[row]);
+  }
+  if (!present) {
+    assembleElsewhere(rows, constraint);
+  } else {
+    findTouching(rows);
+    const Eigen::MatrixXd& W = rows.W();
+    for (Eigen::Index j = 0; j < m; ++j)
+      for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(j)]))
+        for (int at = firstOn_[static_cast<std::size_t>(p.block)]; at >= 0;
+             at = next_[static_cast<std::size_t>(at)]) {
+          const int k = of_[static_cast<std::size_t>(at)];
+          A_(k, j) += W.col(kept[static_cast<std::size_t>(k)])
+                          .segment(p.u0, p.nu)
+                          .dot(MInvWP_.col(j).segment(p.u0, p.nu));
+        }
   }
   // Redundant forces are smallest in units of what each contact carries: a contact that presses
   // hard takes more of them.
@@ -117,7 +165,7 @@ void HeldForces::solve(const std::vector<Held>& held, const HeldRows& rows, cons
   redundant_ = false;
   const Eigen::Index m = directions_.unknowns();
   if (m == 0) return;
-  multiplyByP(rows.MInvW());
+  multiplyByP(rows);
   assemble(held, rows, constraint);
   if (m >= kManyForces && static_cast<double>(m) > kPerVelocity * static_cast<double>(a_.size())) {
     product_.compute(constraint.R(Eigen::all, directions_.kept).transpose(),
@@ -130,8 +178,21 @@ void HeldForces::solve(const std::vector<Held>& held, const HeldRows& rows, cons
     inverse_.solve(rhs_, pi_);
   }
   pi_.array() *= scale_.array();
-  a_.noalias() += MInvWP_ * pi_;
-  lambda_.noalias() += directions_.P.leftCols(m) * pi_;
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (const HeldRows::Moved& p : rows.moved(directions_.kept[static_cast<std::size_t>(k)]))
+      a_.segment(p.u0, p.nu) += pi_[k] * MInvWP_.col(k).segment(p.u0, p.nu);
+  directions_.addForces(pi_, lambda_);
+}
+
+Eigen::MatrixXd HeldForces::open() const {
+  const Eigen::Index m = directions_.unknowns();
+  if (m == 0 || m >= kManyForces) return Eigen::MatrixXd(lambda_.size(), 0);
+  // Rows of light and heavy bodies count alike.
+  Eigen::VectorXd row = A_.rowwise().norm(), column = A_.colwise().norm();
+  for (Eigen::VectorXd* x : {&row, &column})
+    for (double& v : *x) v = v > 0.0 ? 1.0 / v : 0.0;
+  const Eigen::MatrixXd Z = nullSpace(row.asDiagonal() * A_ * column.asDiagonal(), kRedundant);
+  return directions_.P() * (scale_.cwiseProduct(column)).asDiagonal() * Z;
 }
 
 }  // namespace dynamy

@@ -14,17 +14,26 @@ namespace dynamy {
 
 /// Forces that the statuses of contacts leave open, λ = P π + p₀, and the rows S that they hold.
 struct ForceDirections {
-  Eigen::MatrixXd P;        ///< rows × unknowns; further columns are zero
-  Eigen::VectorXd p0;       ///< rows [N]
-  std::vector<int> kept;    ///< S: the row of each unknown
-  Eigen::Index normal = 0;  ///< unknown λ_N of the contact whose parts come next
+  /// An entry of P beside those of 1 at (kept[k], k), in a row of the same contact.
+  struct Entry {
+    int row;
+    Eigen::Index unknown;
+    double value;
+  };
+  std::vector<int> kept;       ///< S: the row of each unknown
+  std::vector<Entry> entries;  ///< of slips
+  Eigen::VectorXd p0;          ///< rows [N]
+  Eigen::Index normal = 0;     ///< unknown λ_N of the contact whose parts come next
 
   Eigen::Index unknowns() const { return static_cast<Eigen::Index>(kept.size()); }
   /// The directions of all contacts `held`.
   void find(const std::vector<Held>& held, const HeldRows& rows);
+  /// P, rows × unknowns.
+  Eigen::MatrixXd P() const;
+  /// λ ← λ + P π.
+  void addForces(const Eigen::VectorXd& pi, Eigen::VectorXd& lambda) const;
 
  private:
-  void hold(int row);
   void add(const Held& h, const HeldRows& rows, std::size_t i);
 };
 
@@ -39,15 +48,22 @@ class HeldForces {
   const Eigen::VectorXd& a() const { return a_; }
   /// True: rows are redundant, so that λ is one of many solutions.
   bool redundant() const { return redundant_; }
+  /// Changes of λ, rows × any number, after which u̇ still keeps all rows that solve() has kept.
+  Eigen::MatrixXd open() const;
 
  private:
   void begin(const std::vector<Held>& held, const HeldRows& rows, const Evaluation& e);
-  void multiplyByP(const Eigen::MatrixXd& MInvW);
+  void multiplyByP(const HeldRows& rows);
   void assemble(const std::vector<Held>& held, const HeldRows& rows,
                 const AccelerationRows& constraint);
+  void assembleElsewhere(const HeldRows& rows, const AccelerationRows& constraint);
+  void findTouching(const HeldRows& rows);
   ForceDirections directions_;
   Eigen::VectorXd lambda_, a_;
-  Eigen::MatrixXd A_, MInvWP_;  // Sᵀ Rᵀ M⁻¹W P, its columns by scale_; M⁻¹W P
+  Eigen::MatrixXd A_;       // Sᵀ Rᵀ M⁻¹W P, its columns by scale_
+  Eigen::MatrixXd MInvWP_;  // M⁻¹W P; an unknown's column only where its row acts
+  // Kept rows that act on a mass block: a chain of entries, −1: no further one; of_: their unknowns.
+  std::vector<int> firstOn_, next_, of_;
   Eigen::VectorXd rhs_, pi_, scale_;
   BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
   ProductPseudoInverse product_{1e-10};

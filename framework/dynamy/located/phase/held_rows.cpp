@@ -5,6 +5,9 @@
 namespace dynamy {
 namespace {
 
+/// Larger mass blocks, of trees, apply M⁻¹ themselves with less work.
+constexpr int kSmallBlock = 6;
+
 /// W column `row` += row `of` of contact `at`.
 void addRow(const ContactSet& c, int at, int of, Eigen::MatrixXd& W, int row) {
   const auto i = static_cast<std::size_t>(at);
@@ -12,6 +15,28 @@ void addRow(const ContactSet& c, int at, int of, Eigen::MatrixXd& W, int row) {
     const Segment& s = c.segment[static_cast<std::size_t>(k)];
     const double* w = c.W.data() + s.w + static_cast<std::ptrdiff_t>(of) * s.nu;
     for (int j = 0; j < s.nu; ++j) W(s.u0 + j, row) += w[j];
+  }
+}
+
+/// y = M⁻¹w, where w is not zero on these mass blocks alone; elsewhere y is left as it is.
+void applyInverse(const MassMatrix& mass, std::span<const HeldRows::Moved> blocks, ConstVec w,
+                  Vec y) {
+  const auto isSmall = [](const HeldRows::Moved& p) { return p.nu <= kSmallBlock; };
+  if (!std::all_of(blocks.begin(), blocks.end(), isSmall)) {
+    mass.applyInverse(w, y);
+    return;
+  }
+  for (const HeldRows::Moved& p : blocks) {
+    if (const double* d = mass.inverseDiagonal(p.block)) {
+      for (int i = 0; i < p.nu; ++i) y[p.u0 + i] = d[i] * w[p.u0 + i];
+      continue;
+    }
+    const ConstBlock inverse = mass.inverse(p.block);
+    for (int i = 0; i < p.nu; ++i) {
+      double sum = 0.0;
+      for (int j = 0; j < p.nu; ++j) sum += inverse(i, j) * w[p.u0 + j];
+      y[p.u0 + i] = sum;
+    }
   }
 }
 
@@ -49,8 +74,7 @@ bool HeldRows::read(const std::vector<Held>& held, const Evaluation& e, const Ei
   }
   const int rows = row0_.back();
   Eigen::MatrixXd& W = present_.R;
-  W.setZero(u.size(), rows), MInvW_.resize(u.size(), rows);
-  moved_.clear(), moved0_.clear();
+  clear(u.size(), rows);
   gamma_.resize(rows), present_.r.resize(rows), position_.resize(rows), chi_.resize(rows);
   for (std::size_t i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(index_[i]);
@@ -58,20 +82,35 @@ bool HeldRows::read(const std::vector<Held>& held, const Evaluation& e, const Ei
       const int row = row0_[i] + r, of = held[i].first + r;
       const auto from = static_cast<std::size_t>(c.row0[at] + of);
       addRow(c, index_[i], of, W, row);
-      moved0_.push_back(static_cast<int>(moved_.size()));
       for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
         const Segment& s = c.segment[static_cast<std::size_t>(k)];
-        moved_.push_back({s.u0, s.nu});
+        moved_.push_back({s.block, s.u0, s.nu});
       }
+      moved0_.push_back(static_cast<int>(moved_.size()));
       present_.r[row] = c.bias.size() > from ? c.bias[from] : 0.0;
       position_[row] = c.position[from];
       chi_[row] = c.chi[from];
-      gamma_[row] = W.col(row).dot(u) + c.chi[from];
-      e.mass.applyInverse({W.col(row).data(), u.size()}, {MInvW_.col(row).data(), u.size()});
+      gamma_[row] = along(row, u) + c.chi[from];
+      applyInverse(e.mass, moved(row), {W.col(row).data(), u.size()},
+                   {MInvW_.col(row).data(), u.size()});
     }
   }
-  moved0_.push_back(static_cast<int>(moved_.size()));
   return true;
+}
+
+/// Makes W and M⁻¹W zero, of which only the entries that are in use are not.
+void HeldRows::clear(Eigen::Index velocities, int rows) {
+  Eigen::MatrixXd& W = present_.R;
+  if (W.rows() != velocities || W.cols() != rows) {
+    W.setZero(velocities, rows), MInvW_.setZero(velocities, rows);
+  } else {
+    for (int row = 0; row < rows && row + 1 < static_cast<int>(moved0_.size()); ++row)
+      for (const Moved& p : moved(row)) {
+        W.col(row).segment(p.u0, p.nu).setZero();
+        MInvW_.col(row).segment(p.u0, p.nu).setZero();
+      }
+  }
+  moved_.clear(), moved0_.assign(1, 0);
 }
 
 bool HeldRows::readSets(const std::vector<Held>& held, const Evaluation& e, PhaseFault& fault) {

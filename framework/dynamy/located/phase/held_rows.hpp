@@ -51,16 +51,32 @@ class HeldRows {
   const Eigen::VectorXd& chi() const { return chi_; }
   /// Positions whose rates are the rows' γ.
   const Eigen::VectorXd& position() const { return position_; }
-  /// Velocities u0 … u0 + nu − 1 on which a row acts: elsewhere its column of W is zero.
+  /// Velocities u0 … u0 + nu − 1 of a mass block on which a row acts: elsewhere its columns of W and
+  /// of M⁻¹W are zero.
   struct Moved {
-    int u0, nu;
+    int block, u0, nu;
   };
   std::span<const Moved> moved(int row) const {
     const auto first = moved0_.begin() + row;
     return {moved_.data() + first[0], moved_.data() + first[1]};
   }
 
+  /// Wᵀ v of a row.
+  double along(int row, const Eigen::VectorXd& v) const {
+    double sum = 0.0;
+    for (const Moved& p : moved(row))
+      sum += W().col(row).segment(p.u0, p.nu).dot(v.segment(p.u0, p.nu));
+    return sum;
+  }
+  /// a ← a + M⁻¹W λ.
+  void addForces(const Eigen::VectorXd& lambda, Eigen::VectorXd& a) const {
+    for (int row = 0; row < size(); ++row)
+      for (const Moved& p : moved(row))
+        a.segment(p.u0, p.nu) += lambda[row] * MInvW_.col(row).segment(p.u0, p.nu);
+  }
+
  private:
+  void clear(Eigen::Index velocities, int rows);
   std::vector<int> index_, row0_;
   std::vector<ForceSet> sets_;
   AccelerationRows present_;

@@ -52,7 +52,7 @@ double StartingSlips::require(const Held& h, std::size_t i, const HeldRows& rows
   }
   for (int n = 0; n < k; ++n) {
     if (!reservoir) r[n] = 1.0 / G;
-    const double gammaDot = rows.W().col(first + n).dot(forces.a()) + rows.present().r[first + n];
+    const double gammaDot = rows.along(first + n, forces.a()) + rows.present().r[first + n];
     y[n] = z[n] = lambda[first + n] - r[n] * gammaDot;
   }
   if (reservoir)

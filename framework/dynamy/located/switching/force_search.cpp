@@ -13,6 +13,9 @@ constexpr double kJumpWidth = 1e-13;   ///< least width to which a jump is found
 // Deviation from which a force bends much: kRough of the largest force; or kRoughMargin of the
 // distance to its bound, if that exceeds kRoughNear of the largest force.
 constexpr double kRough = 0.1, kRoughNear = 1e-3, kRoughMargin = 0.5;
+// Of a contact's forces: rows contradict each other if a larger one is missing somewhere on the path
+// (drift of what sticks reaches a tenth of it), from where more than the second is missing.
+constexpr double kContradiction = 1e-3, kBegins = 1e-6;
 constexpr double kBetween = 0.190983;  ///< place between the start and the middle
 
 }  // namespace
@@ -38,8 +41,14 @@ void ForceSearch::watch(const FrozenPhase& phase, const State& x) {
     const bool muted = h.mutedUntil > x.t;
     if (phase.margin(i, margin) &&
         (!muted || phase.rows().set(i).form == ForceSet::Form::normal || h.slips))
-      monitors_.push_back({i, false});
+      monitors_.push_back({i});
   }
+  const auto sticks = std::find_if(monitors_.begin(), monitors_.end(),
+                                   [&](const Monitor& m) { return !phase.held[m.held].slips; });
+  const bool ignored = std::any_of(phase.held.begin(), phase.held.end(),
+                                   [&](const Held& h) { return h.mutedUntil > x.t; });
+  if (sticks != monitors_.end() && phase.mayContradict() && !ignored)
+    monitors_.push_back({sticks->held, true});
   const auto size = static_cast<Eigen::Index>(monitors_.size());
   if (x.t == end_ && endForces_.size() == size)
     startForces_ = endForces_, startScale_ = endScale_;
@@ -59,12 +68,19 @@ void ForceSearch::forget(double t) {
 double ForceSearch::forces(const FrozenPhase& phase, Eigen::VectorXd& out) const {
   out.setZero(static_cast<Eigen::Index>(monitors_.size()));
   for (std::size_t m = 0; m < monitors_.size(); ++m)
-    phase.margin(monitors_[m].held, out[static_cast<Eigen::Index>(m)]);
+    out[static_cast<Eigen::Index>(m)] = distance(phase, monitors_[m]);
   return phase.forceScale();
 }
 
+double ForceSearch::distance(const FrozenPhase& phase, const Monitor& m) const {
+  double out = 0.0;
+  if (m.contradicts) return phase.forceScale() * (kBegins - phase.contradiction());
+  phase.margin(m.held, out);
+  return out;
+}
+
 void ForceSearch::value(const FrozenPhase& phase, int monitor, double& out) const {
-  phase.margin(held(monitor), out);
+  out = distance(phase, monitors_[static_cast<std::size_t>(monitor)]);
 }
 
 bool ForceSearch::valueAt(MechanicalSystem& s, FrozenPhase& phase, const QuinticPath& path,
@@ -123,6 +139,7 @@ bool ForceSearch::findOf(MechanicalSystem& s, FrozenPhase& phase, const QuinticP
   const Monitor& k = monitors_[static_cast<std::size_t>(monitor)];
   const double samples[3] = {startForces_[monitor], middleForces_[monitor], endForces_[monitor]};
   const double noise = kForceNoise * scale_;
+  if (k.contradicts && !(std::min(samples[1], samples[2]) < -kContradiction * scale_)) return true;
   int j = 1;
   while (j <= 2 && !(samples[j] < -noise)) ++j;
   if (j > 2) return true;

@@ -2,6 +2,7 @@
 ///
 ///   closed    λ_N                         stick                   distance of λ_T from the bound
 ///   in the notch of a preloaded spring      distance of λ from the bounds
+///   stick, in redundant rows                a small force less the one that is missing to hold them
 ///
 /// Forces are known at the start, the middle and the end of a path; each further value takes an
 /// evaluation. They are compared with the largest force on the whole path. For a single contact, λ_N
@@ -52,8 +53,10 @@ class ForceSearch {
  private:
   struct Monitor {
     std::size_t held = 0;
+    bool contradicts = false;  ///< of all rows that stick
     bool zeroStart = false;
   };
+  double distance(const FrozenPhase& phase, const Monitor& m) const;
   static void idles(const FrozenPhase& phase, std::vector<char>& out);
   /// Returns the largest force; `out`: distance of each watched force from its bound [N].
   double forces(const FrozenPhase& phase, Eigen::VectorXd& out) const;

@@ -61,7 +61,8 @@ bool SwitchEvent::settle(OngoingEvent& at, const std::vector<Held>& old, double 
                      next_.held);
     at.evaluate(x, contacts_.keys());
     projection_.velocities(at.s, next_.held, x);
-    if (!next_.share(at.s.slot(0), x.u, at.p.a)) return false;
+    const bool same = !hit && !differ(old, next_.held);
+    if (!next_.share(at.s.slot(0), x.u, at.p.a, same)) return false;
     if (plain_ || turn == kMostDecisions) return true;
     const bool closed = resting_.findClosed(at, impact_, next_.held),
                rests = resting_.findInNotch(at, aBefore_, old, next_.held);

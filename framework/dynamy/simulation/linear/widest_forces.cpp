@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/core/decompositions.hpp>
+#include <dynamy/located/phase/force_bounds.hpp>
 #include <dynamy/simulation/linear/widest_forces.hpp>
 #include <limits>
 
@@ -18,12 +19,6 @@ constexpr double kFlat = 1e-12;       ///< curvature that holds unknowns without
 constexpr Eigen::Index kMostUnknowns = 1500;
 /// Margins are bounded by this many of the largest forces: between two walls they could grow for ever.
 constexpr double kWidest = 1.0;
-
-/// Row of λ_N of the contact that held[i] is a part of.
-int normalRow(const FrozenPhase& phase, std::size_t i) {
-  while (i > 0 && phase.held[i].first > 0) --i;
-  return phase.rows().row0(i);
-}
 
 /// α − s ≥ |β| of the unknowns of one contact: α = a·π + b, β = B π + β₀.
 struct Bound {
@@ -46,7 +41,7 @@ class Barrier {
     directions_.find(phase.held, phase.rows());
     const Eigen::Index n = directions_.unknowns();
     unit_ = std::max(phase.forceScale(), std::numeric_limits<double>::min());
-    P_ = directions_.P.leftCols(n);
+    P_ = directions_.P();
     pi_.resize(n);
     for (Eigen::Index k = 0; k < n; ++k)
       pi_[k] = lambda[directions_.kept[static_cast<std::size_t>(k)]] / unit_;
@@ -101,56 +96,23 @@ class Barrier {
     blocks_.push_back(std::move(k));
   }
 
-  /// factor λ_N + b − s ≥ |weights ∘ λ|, λ of the rows from `first` on; no λ_N if `normal` < 0.
-  void add(int normal, double factor, double b, int first, const Eigen::VectorXd& weights) {
+  /// The bounds of held[i], all narrower by s.
+  void bound(std::size_t i) {
     Block& k = blocks_.back();
     if (k.size == 0) return;
-    Bound c;
-    c.b = b / unit_, c.a.setZero(k.size);
-    if (normal >= 0) {
-      c.a = factor * P_.row(normal).segment(k.first, k.size).transpose();
-      c.b += factor * directions_.p0[normal] / unit_;
-    }
-    c.B.resize(weights.size(), k.size), c.beta0.resize(weights.size());
-    for (Eigen::Index r = 0; r < weights.size(); ++r) {
-      c.B.row(r) = weights[r] * P_.row(first + r).segment(k.first, k.size);
-      c.beta0[r] = weights[r] * directions_.p0[first + r] / unit_;
-    }
-    k.bounds.push_back(std::move(c));
-  }
-
-  void bound(std::size_t i) {
-    const HeldRows& rows = phase_.rows();
-    const ForceSet& set = rows.set(i);
-    const int first = rows.row0(i), dim = rows.dim(i), k = dim - 1;
-    const bool slips = phase_.held[i].slips;
-    const Eigen::VectorXd none;
-    using Form = ForceSet::Form;
-    switch (set.form) {
-      case Form::joint:
-        return;
-      case Form::normal:
-        return add(first, 1.0, -set.lower, 0, none);
-      case Form::cone:
-      case Form::reservoir: {
-        add(first, 1.0, 0.0, 0, none);
-        if (slips || k == 0) return;
-        Eigen::VectorXd weights = Eigen::VectorXd::Ones(k);
-        for (int r = 0; r < k && set.form == Form::reservoir; ++r)
-          weights[r] /= set.weight[static_cast<std::size_t>(r)];
-        return add(first, set.upper, 0.0, first + 1, weights);
+    for (const ForceBound& f : forceBounds(phase_.held, phase_.rows(), i)) {
+      Bound c;
+      c.b = f.constant / unit_, c.a.setZero(k.size);
+      if (f.normal >= 0) {
+        c.a = f.factor * P_.row(f.normal).segment(k.first, k.size).transpose();
+        c.b += f.factor * directions_.p0[f.normal] / unit_;
       }
-      case Form::disc:
-        if (!slips)
-          add(normalRow(phase_, i), 1.0, 0.0, first,
-              Eigen::VectorXd::Constant(dim, 1.0 / set.upper));
-        return;
-      case Form::given:
-      case Form::notch:
-        if (slips) return;
-        if (dim > 1) return add(-1, 0.0, set.upper, first, Eigen::VectorXd::Ones(dim));
-        add(first, -1.0, set.upper, 0, none), add(first, 1.0, -set.lower, 0, none);
-        return;
+      c.B.resize(f.weights.size(), k.size), c.beta0.resize(f.weights.size());
+      for (Eigen::Index r = 0; r < f.weights.size(); ++r) {
+        c.B.row(r) = f.weights[r] * P_.row(f.first + r).segment(k.first, k.size);
+        c.beta0[r] = f.weights[r] * directions_.p0[f.first + r] / unit_;
+      }
+      k.bounds.push_back(std::move(c));
     }
   }
 
@@ -239,7 +201,7 @@ bool WidestForces::margin(std::size_t i, double& value) const {
   const HeldRows& rows = phase_.rows();
   return rows.set(i).margin(
       phase_.held[i].slips, {lambda_.data() + rows.row0(i), static_cast<std::size_t>(rows.dim(i))},
-      lambda_[normalRow(phase_, i)], rows.gamma().data() + rows.row0(i), value);
+      lambda_[normalRow(phase_.held, rows, i)], rows.gamma().data() + rows.row0(i), value);
 }
 
 }  // namespace dynamy

@@ -35,10 +35,10 @@ TEST(HeldForces, HaveTheDirectionsOfTheirStatuses) {
   ForceDirections directions;
   directions.find(slip.held, slip.rows);
   EXPECT_EQ(directions.kept, std::vector<int>{0});
-  EXPECT_EQ(directions.P.col(0), Vector2d(1.0, -0.5));  // e_N − μ t
+  EXPECT_EQ(directions.P().col(0), Vector2d(1.0, -0.5));  // e_N − μ t
   directions.find(stick.held, stick.rows);
   EXPECT_EQ(directions.kept, (std::vector<int>{0, 1}));
-  EXPECT_EQ(directions.P, Eigen::MatrixXd::Identity(2, 2));
+  EXPECT_EQ(directions.P(), Eigen::MatrixXd::Identity(2, 2));
 }
 
 TEST(HeldForces, KeepTheRowsThatStatusesHold) {
