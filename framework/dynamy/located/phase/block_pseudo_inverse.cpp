@@ -6,8 +6,39 @@ namespace {
 
 /// Smaller matrices are decomposed whole: they cost less than an evaluation of the bodies.
 constexpr Eigen::Index kWhole = 24;
+/// Least pivot of a regular block, whose rows and columns are of size 1: four digits above those
+/// that may belong to redundant rows.
+constexpr double kRegular = 1e-6;
 
 }  // namespace
+
+void BlockPseudoInverse::Block::compute(const Eigen::MatrixXd& of) {
+  rowScale = of.rowwise().norm(), scaled = of;
+  regular = of.rows() > 0 && rowScale.minCoeff() > 0.0 && rowScale.allFinite();
+  if (regular) {
+    rowScale = rowScale.cwiseInverse();
+    scaled.array().colwise() *= rowScale.array();
+    columnScale = scaled.colwise().norm();
+    regular = columnScale.minCoeff() > 0.0;
+  }
+  if (regular) {
+    columnScale = columnScale.cwiseInverse();
+    scaled.array().rowwise() *= columnScale.transpose().array();
+    lu.compute(scaled);
+    regular = lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kRegular;
+  }
+  if (!regular) inverse.compute(of);
+}
+
+void BlockPseudoInverse::Block::solve(const Eigen::VectorXd& of, Eigen::VectorXd& to) {
+  if (!regular) {
+    inverse.solve(of, to);
+    return;
+  }
+  to = of.cwiseProduct(rowScale);
+  to = lu.solve(to).eval();
+  to.array() *= columnScale.array();
+}
 
 /// Finds the blocks of A.
 void BlockPseudoInverse::divide(const Eigen::MatrixXd& A) {
@@ -41,8 +72,8 @@ void BlockPseudoInverse::compute(const Eigen::MatrixXd& A) {
   if (blocks_ <= 1) {
     blocks_ = 1;
     if (block_.empty()) block_.emplace_back(threshold_);
-    block_[0].inverse.compute(A);
-    rank_ = block_[0].inverse.rank();
+    block_[0].compute(A);
+    rank_ = block_[0].rank();
     return;
   }
   const double least = threshold_ * std::sqrt(A.colwise().squaredNorm().maxCoeff());
@@ -57,14 +88,14 @@ void BlockPseudoInverse::compute(const Eigen::MatrixXd& A) {
             A(block.rows[static_cast<std::size_t>(i)], block.rows[static_cast<std::size_t>(j)]);
     block.counts = !(std::sqrt(block.A.colwise().squaredNorm().maxCoeff()) <= least);
     if (!block.counts) continue;
-    block.inverse.compute(block.A);
-    rank_ += block.inverse.rank();
+    block.compute(block.A);
+    rank_ += block.rank();
   }
 }
 
 void BlockPseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
   if (blocks_ == 1) {
-    block_[0].inverse.solve(b, x);
+    block_[0].solve(b, x);
     return;
   }
   x.setZero(b.size());
@@ -74,7 +105,7 @@ void BlockPseudoInverse::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) {
     const auto m = static_cast<Eigen::Index>(block.rows.size());
     block.b.resize(m);
     for (Eigen::Index i = 0; i < m; ++i) block.b[i] = b[block.rows[static_cast<std::size_t>(i)]];
-    block.inverse.solve(block.b, block.x);
+    block.solve(block.b, block.x);
     for (Eigen::Index i = 0; i < m; ++i) x[block.rows[static_cast<std::size_t>(i)]] = block.x[i];
   }
 }

@@ -96,20 +96,6 @@ void HeldForces::multiplyByP(const HeldRows& rows) {
       MInvWP_.col(e.unknown).segment(p.u0, p.nu) += e.value * MInvW.col(e.row).segment(p.u0, p.nu);
 }
 
-/// Lists the kept rows that act on each mass block.
-void HeldForces::findTouching(const HeldRows& rows) {
-  std::fill(firstOn_.begin(), firstOn_.end(), -1);
-  next_.clear();
-  of_.clear();
-  for (Eigen::Index k = directions_.unknowns() - 1; k >= 0; --k)
-    for (const HeldRows::Moved& p : rows.moved(directions_.kept[static_cast<std::size_t>(k)])) {
-      const auto block = static_cast<std::size_t>(p.block);
-      if (block >= firstOn_.size()) firstOn_.resize(block + 1, -1);
-      next_.push_back(firstOn_[block]), of_.push_back(static_cast<int>(k));
-      firstOn_[block] = static_cast<int>(next_.size()) - 1;
-    }
-}
-
 /// A_ and rhs_ of rows at another position, where contacts may act on other velocities.
 void HeldForces::assembleElsewhere(const HeldRows& rows, const AccelerationRows& constraint) {
   const std::vector<int>& kept = directions_.kept;
@@ -135,17 +121,15 @@ void HeldForces::assemble(const std::vector<Held>& held, const HeldRows& rows,
   if (!present) {
     assembleElsewhere(rows, constraint);
   } else {
-    findTouching(rows);
+    touching_.list(rows, kept);
     const Eigen::MatrixXd& W = rows.W();
     for (Eigen::Index j = 0; j < m; ++j)
       for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(j)]))
-        for (int at = firstOn_[static_cast<std::size_t>(p.block)]; at >= 0;
-             at = next_[static_cast<std::size_t>(at)]) {
-          const int k = of_[static_cast<std::size_t>(at)];
+        touching_.forEach(p.block, [&](int k) {
           A_(k, j) += W.col(kept[static_cast<std::size_t>(k)])
                           .segment(p.u0, p.nu)
                           .dot(MInvWP_.col(j).segment(p.u0, p.nu));
-        }
+        });
   }
   // Redundant forces are smallest in units of what each contact carries: a contact that presses
   // hard takes more of them.

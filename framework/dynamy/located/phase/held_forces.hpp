@@ -57,13 +57,11 @@ class HeldForces {
   void assemble(const std::vector<Held>& held, const HeldRows& rows,
                 const AccelerationRows& constraint);
   void assembleElsewhere(const HeldRows& rows, const AccelerationRows& constraint);
-  void findTouching(const HeldRows& rows);
   ForceDirections directions_;
   Eigen::VectorXd lambda_, a_;
   Eigen::MatrixXd A_;       // Sᵀ Rᵀ M⁻¹W P, its columns by scale_
   Eigen::MatrixXd MInvWP_;  // M⁻¹W P; an unknown's column only where its row acts
-  // Kept rows that act on a mass block: a chain of entries, −1: no further one; of_: their unknowns.
-  std::vector<int> firstOn_, next_, of_;
+  RowsOfBlocks touching_;
   Eigen::VectorXd rhs_, pi_, scale_;
   BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
   ProductPseudoInverse product_{1e-10};

@@ -15,18 +15,23 @@ bool HeldProjection::solve(const HeldRows& rows, const Eigen::VectorXd& error,
   delta.setZero(W.rows());
   if (!off) return false;
   G_.setZero(m, m);
-  for (Eigen::Index k = 0; k < m; ++k) {
-    const int row = kept_[static_cast<std::size_t>(k)];
-    for (Eigen::Index j = 0; j < m; ++j)
-      for (const HeldRows::Moved& p : rows.moved(row))
-        G_(k, j) += W.col(row)
+  touching_.list(rows, kept_);
+  for (Eigen::Index j = 0; j < m; ++j) {
+    const int row = kept_[static_cast<std::size_t>(j)];
+    for (const HeldRows::Moved& p : rows.moved(row))
+      touching_.forEach(p.block, [&](int k) {
+        G_(k, j) += W.col(kept_[static_cast<std::size_t>(k)])
                         .segment(p.u0, p.nu)
-                        .dot(MInvW.col(kept_[static_cast<std::size_t>(j)]).segment(p.u0, p.nu));
+                        .dot(MInvW.col(row).segment(p.u0, p.nu));
+      });
   }
   inverse_.compute(G_);
   inverse_.solve(rhs_, Lambda_);
-  for (Eigen::Index k = 0; k < m; ++k)
-    delta += Lambda_[k] * MInvW.col(kept_[static_cast<std::size_t>(k)]);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const int row = kept_[static_cast<std::size_t>(k)];
+    for (const HeldRows::Moved& p : rows.moved(row))
+      delta.segment(p.u0, p.nu) += Lambda_[k] * MInvW.col(row).segment(p.u0, p.nu);
+  }
   return true;
 }
 

@@ -23,6 +23,7 @@ class HeldProjection {
  private:
   bool solve(const HeldRows& rows, const Eigen::VectorXd& error, Eigen::VectorXd& delta);
   std::vector<int> kept_;  // S
+  RowsOfBlocks touching_;
   Eigen::MatrixXd G_;
   Eigen::VectorXd rhs_, Lambda_;
   BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows

@@ -160,4 +160,16 @@ bool HeldRows::readNext(const std::vector<Held>& held, const ContactSet& next,
   return true;
 }
 
+void RowsOfBlocks::list(const HeldRows& rows, const std::vector<int>& kept) {
+  std::fill(first_.begin(), first_.end(), -1);
+  entries_.clear();
+  for (int k = static_cast<int>(kept.size()) - 1; k >= 0; --k)
+    for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(k)])) {
+      const auto block = static_cast<std::size_t>(p.block);
+      if (block >= first_.size()) first_.resize(block + 1, -1);
+      entries_.push_back({k, first_[block]});
+      first_[block] = static_cast<int>(entries_.size()) - 1;
+    }
+}
+
 }  // namespace dynamy

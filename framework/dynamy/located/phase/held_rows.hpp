@@ -86,6 +86,26 @@ class HeldRows {
   std::vector<int> moved0_;  // index in moved_ of the first entry of each row, and the end
 };
 
+/// The rows that act on each mass block, of those that are kept.
+class RowsOfBlocks {
+ public:
+  void list(const HeldRows& rows, const std::vector<int>& kept);
+  /// Calls f(k) for each kept[k] that acts on the block.
+  template <class F>
+  void forEach(int block, F&& f) const {
+    for (int at = first_[static_cast<std::size_t>(block)]; at >= 0;
+         at = entries_[static_cast<std::size_t>(at)].next)
+      f(entries_[static_cast<std::size_t>(at)].k);
+  }
+
+ private:
+  struct Entry {
+    int k, next;  ///< next entry of the same block; −1: none
+  };
+  std::vector<int> first_;
+  std::vector<Entry> entries_;
+};
+
 /// Number of rows of the contacts `held`, by their dimensions in the evaluation `e`.
 int countRows(const std::vector<Held>& held, const Evaluation& e);
 
