@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <dynamy/core/constants.hpp>
 #include <dynamy_elements/contacts/pairs/between_discs.hpp>
@@ -18,6 +19,18 @@ constexpr double kGoldenAngle = 2.399963229728653;
 constexpr double kBesideEdge = 1e-3;
 /// Most steps of Newton's method between two rims.
 constexpr int kDiscSteps = 50;
+/// A step of Newton's method this short is the last: its error is of the order of its square.
+constexpr double kLastDiscStep = 1e-9;
+
+/// Directions on the half of the sphere around z, evenly spread on a spiral.
+std::array<Vec3, kGrid> directions() {
+  std::array<Vec3, kGrid> all;
+  for (int k = 0; k < kGrid; ++k) {
+    const double up = (k + 0.5) / kGrid, out = std::sqrt(1.0 - up * up), turn = kGoldenAngle * k;
+    all[static_cast<std::size_t>(k)] = {out * std::cos(turn), out * std::sin(turn), up};
+  }
+  return all;
+}
 
 struct DiscsApart {
   double f = -kInfinity;
@@ -66,9 +79,9 @@ class DiscSearch {
     if (!(way.norm() > 0.0)) return;
     const Vec3 z = way.normalized(), x = z.unitOrthogonal(), y = z.cross(x);
     DiscsApart start[2][2];
-    for (int k = 0; k < kGrid; ++k) {
-      const double up = (k + 0.5) / kGrid, out = std::sqrt(1.0 - up * up), turn = kGoldenAngle * k;
-      const Vec3 n = up * z + out * (std::cos(turn) * x + std::sin(turn) * y);
+    static const std::array<Vec3, kGrid> grid = directions();
+    for (const Vec3& g : grid) {
+      const Vec3 n = g.z() * z + g.x() * x + g.y() * y;
       DiscsApart& of = start[A_.rimAlong(n)][B_.rimAlong(-n)];
       if (const double s = f(n); s > of.f) of = {s, n};
     }
@@ -101,6 +114,7 @@ class DiscSearch {
     take(between(A_.rimAlong(n), B_.rimAlong(-n), n));
   }
   Vec3 between(int i, int j, Vec3 n) const;
+  bool onRidge(int i, int j, const Vec3& n, double within, double f) const;
 
   const DiscBody &A_, &B_;
   double least_ = -kInfinity;
@@ -116,6 +130,19 @@ Mat3 wandering(const DiscBody& D, int rim, const Vec3& d) {
   return D.radius(rim) / s * t * t.transpose();
 }
 
+/// Does f have its top at the axis of one of the discs, at an angle to n of less than `within`? It
+/// has a ridge there; the rim of the other disc is over this one then. Caps are candidates anyway.
+bool DiscSearch::onRidge(int i, int j, const Vec3& n, double within, double f) const {
+  const auto top = [&](const DiscBody& one, int k, const DiscBody& other, int l, double sign) {
+    if (one.radius(k) == 0.0) return false;
+    const Vec3 a = n.dot(one.a) < 0.0 ? Vec3(-one.a) : one.a;
+    if ((n - a).norm() > within) return false;
+    const Vec3 way = outermost(other, l, -sign * a) - one.middle(k);
+    return one.acrossAxis(way).norm() < one.radius(k) && sign * a.dot(way) >= f;
+  };
+  return top(A_, i, B_, j, 1.0) || top(B_, j, A_, i, -1.0);
+}
+
 Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
   const auto y = [&](const Vec3& d) { return Vec3(outermost(B_, j, -d) - outermost(A_, i, d)); };
   double f = n.dot(y(n));
@@ -125,18 +152,20 @@ Vec3 DiscSearch::between(int i, int j, Vec3 n) const {
     Eigen::Matrix2d K = T.transpose() * (wandering(A_, i, n) + wandering(B_, j, -n)) * T;
     K += f * Eigen::Matrix2d::Identity();
     // For deep overlap f is no longer concave; the step then goes along the gradient.
-    if (!(K(0, 0) > 0.0 && K.determinant() > 0.0)) K = K.norm() * Eigen::Matrix2d::Identity();
+    const bool concave = K(0, 0) > 0.0 && K.determinant() > 0.0;
+    if (!concave) K = K.norm() * Eigen::Matrix2d::Identity();
     const Vec3 go = T * (K.inverse() * (T.transpose() * y(n)));
     if (!go.allFinite()) break;
     double part = std::min(1.0, 0.5 / go.norm());
     Vec3 next = (n + part * go).normalized();
     double g = next.dot(y(next));
+    if (!(g >= f) && onRidge(i, j, n, go.norm(), f)) break;
     // The step is shortened until it separates more, up to rounding.
     for (; part > 1e-4 && !(g >= f - 1e-15 * std::abs(f)); g = next.dot(y(next)))
       part *= 0.5, next = (n + part * go).normalized();
     if (part <= 1e-4) break;
     n = next, f = g;
-    if (go.norm() < 1e-15) break;
+    if (go.norm() < (concave && part == 1.0 ? kLastDiscStep : 1e-15)) break;
   }
   return n;
 }
