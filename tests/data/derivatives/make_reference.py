@@ -4,10 +4,12 @@
     ./make_reference.py > reference.csv          (needs mpmath; some minutes)
 
 Nothing here uses dynamY. A motion is a closed form, or is integrated by Gragg's method with extrapolation of
-order 24 from event to event, each event located to 1e-30. Derivatives are central differences of fourth order
-of such motions with a part of 1e-7 of the parameter: their error is about 1e-24.
+order 24 from event to event, each event located to 1e-30; phases that are linear have exponentials
+(linear_phases.py). Derivatives are central differences of fourth order of such motions with a part of 1e-7
+of the parameter: their error is about 1e-24.
 """
-from mpmath import mp, mpf, sin, cos, sqrt, pi, findroot, atan2
+from linear_phases import linear_motion
+from mpmath import mp, matrix, mpf, sin, cos, sqrt, pi, findroot, atan2
 
 mp.dps = 36
 G = mpf("9.81")
@@ -260,6 +262,24 @@ def double(p):
     return {"minimal.a@2": x[0], "minimal.b_dot@2": x[3]}
 
 
+def woodpecker(p):
+    """N10: the first cycle and a half; sleeve2 touches at the start and first sticks at 0.0216 s."""
+    mM, mS, JM, JS, c = map(mpf, ("0.0003", "0.0045", "5e-9", "7e-7", "0.0056"))
+    lM, lG, lS, hS, hM, rM, r0 = map(mpf, ("0.010", "0.015", "0.0201", "0.020", "0.0058", "0.0031", "0.0025"))
+    M = matrix([[mS + mM, mS * lM, mS * lG], [mS * lM, JM + mS * lM ** 2, mS * lM * lG],
+                [mS * lG, mS * lM * lG, JS + mS * lG ** 2]])
+    K = matrix([[0, 0, 0], [0, c, -c], [0, -c, c]])
+    F = -G * matrix([mS + mM, mS * lM, mS * lG])
+    W_N = matrix([[0, 0, 0], [0, hM, -hM], [-hS, 0, 0]])
+    W_T = matrix([[1, 1, 1], [lM, rM, rM], [lG - lS, 0, 0]])
+    gaps, eN = [lM + lG - lS - r0, rM - r0, rM - r0], [p["eN1"], mpf(0), mpf(0)]
+    q, u = [mpf(0), mpf("-0.6") / mpf("5.8"), p["toy.phiS"]], [p["toy.y_dot"], mpf(0), p["toy.phiS_dot"]]
+    states, events = linear_motion(M, K, F, W_N, gaps, W_T, eN, p["mu"], q, u, [mpf("0.1"), mpf("0.2")])
+    stuck = next(t for t, contact, kind in events if (contact, kind) == (1, "still"))
+    return {"toy.phiS@0.1": states[0][2], "toy.y@0.2": states[1][0], "toy.phiS@0.2": states[1][2],
+            "t:sleeve2=stick": stuck}
+
+
 CASES = [
     ("N01", "bouncing_ball", ball, {"h0": 1, "e": "0.5", "g": "9.81", "ball.vz": 0}),
     ("N02", "vibrating_table", table, {"A": "0.003230372637476834", "e": "0.5", "w": 20 * pi,
@@ -272,6 +292,8 @@ CASES = [
     ("N07", "wall_oscillator", oscillator, {"F": 1, "e": "0.8", "w": "2.2", "phase": "2.803786574972142",
                                             "mass.x_dot": "-1.5189989906490423"}),
     ("N08", "rocking_block", rocking, {"b": "0.1", "h": "0.5"}),
+    ("N10", "woodpecker", woodpecker, {"mu": "0.3", "eN1": "0.5", "toy.phiS": "-0.2788", "toy.y_dot": "-0.3411",
+                                       "toy.phiS_dot": "-7.4583"}),
     ("N19", "bead_in_slot", bead, {"slope": pi / 6, "play": "0.01"}),
     ("N21", "dominoes", domino, {"h": "0.05", "d": "0.008", "w0": "3.5"}),
     ("N22", "ladder", ladder, {"L": 2, "theta0": pi / 3}),

@@ -180,6 +180,15 @@ void refine(Gradient& out, std::size_t i, const RunDifferences& runs, const RunD
   }
 }
 
+/// The run itself has an error; derivatives by parameter i have at least the same in proportion. Two
+/// tolerances may agree by chance.
+void addErrorOfRun(Gradient& out, std::size_t i, double size) {
+  for (GradientValue& v : out.values) {
+    const double d = std::abs(v.d[i]), whole = std::max(std::abs(v.value), d * size);
+    if (whole > 0.0) v.dError[i] += d * v.error / whole;
+  }
+}
+
 }  // namespace
 
 Gradient gradient(const ModelMaker& make, GradientRequest request) {
@@ -210,7 +219,7 @@ Gradient gradient(const ModelMaker& make, GradientRequest request) {
       out.values[k].dError.push_back(good ? std::abs(rough[k] - d[k]) + rounding : kNone);
     }
     if (good)
-      refine(out, i, runs, looser, request.by[i], size);
+      refine(out, i, runs, looser, request.by[i], size), addErrorOfRun(out, i, size);
     else
       addSides(out, i, runs, looser, request.by[i], size);
   }
