@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <dynamy/core/declared/written_numbers.hpp>
 #include <dynamy/core/expression/unit_suffix.hpp>
 #include <dynamy/core/other_words.hpp>
@@ -88,6 +91,37 @@ std::string withUnits(const std::string& text) {
     const bool zero = word.find_first_not_of("-+0.") == std::string::npos;
     out +=
         (out.empty() ? "" : " ") + (onlyLast && !zero ? numberAndRest(word).number + last : word);
+  }
+  return out;
+}
+
+/// "3ft" and "3 ft" → "0.9144m": numbers with units that dynamY does not have, in ours.
+std::string withOurUnits(const std::string& text) {
+  constexpr std::string_view kIs = " is ";
+  std::istringstream in(text);
+  std::string out;
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) {
+    const NumberAndRest p = numberAndRest(word);
+    if (p.number.empty() && !words.empty() && numberAndRest(words.back()).rest.empty() &&
+        !unitInOurs(word).empty())
+      words.back() += word;
+    else
+      words.push_back(word);
+  }
+  for (const std::string& word : words) {
+    const NumberAndRest p = numberAndRest(word);
+    const std::string hint = p.number.empty() ? std::string() : unitInOurs(p.rest);
+    const std::size_t is = hint.find(kIs);
+    out += out.empty() ? "" : " ";
+    if (is == std::string::npos) {
+      out += word;
+      continue;
+    }
+    const NumberAndRest ours = numberAndRest(hint.substr(is + kIs.size()));
+    out += fmt::format("{:.9g}", std::strtod(p.number.c_str(), nullptr) *
+                                     std::strtod(ours.number.c_str(), nullptr)) +
+           ours.rest;
   }
   return out;
 }
@@ -235,7 +269,7 @@ OddWriting oddWriting(std::string_view text) {
   for (std::size_t at = text.find_first_not_of(kBlanks); at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
     const std::string word(text.substr(at, end - at));
-    if (number && !unitMeant(word).empty())
+    if (number && !(unitMeant(word).empty() && unitInOurs(word).empty()))
       return {"has a blank before the unit \"" + word + '"', at, word.size(), true};
     number = !numberAndRest(word).number.empty();
     at = std::min(text.find_first_not_of(kBlanks, end), text.size());
@@ -258,6 +292,7 @@ std::vector<std::string> probableNumbers(std::string_view text) {
         c = ' ';
     }
     out.push_back(withUnits(blanks));
+    if (std::string ours = withOurUnits(blanks); ours != blanks) out.push_back(std::move(ours));
   };
   add(false);
   if (text.find(',') != std::string_view::npos) add(true);
