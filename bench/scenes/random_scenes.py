@@ -121,14 +121,15 @@ def random_scene(seed, common=False):
                  planes, (), joints, springs)
 
 
-def wall(n=100):
-    """Bricks in running bond, hit by a ball of 200 kg at 10 m/s."""
+def wall(n=100, speed=10, steps=500):
+    """Bricks in running bond, hit by a ball of 200 kg at 10 m/s or another speed."""
     rows = round(math.sqrt(n))
     bricks = [body("Box", (0.4, 0.2, 0.2), 16, (0.4 * k - 0.2 * (rows - 1) + 0.2 * (j % 2), 0,
                                                  0.1 + 0.2 * j))
               for j in range(rows) for k in range(rows)]
-    ball = body("Sphere", [0.3], 200, (0, -1, 0.1 * rows), v=(0, 10, 0))
-    return scene(f"wall {n}", bricks + [ball], 2e-3, 500)
+    ball = body("Sphere", [0.3], 200, (0, -1, 0.1 * rows), v=(0, speed, 0))
+    name = f"wall {n}" + ("" if speed == 10 else f" at {speed:g}")
+    return scene(name, bricks + [ball], 2e-3, steps)
 
 
 def pour(n=1000):
