@@ -19,8 +19,9 @@ constexpr double kGoldenAngle = 2.399963229728653;
 constexpr double kBesideEdge = 1e-3;
 /// Most steps of Newton's method between two rims.
 constexpr int kDiscSteps = 50;
-/// A step of Newton's method this short is the last: its error is of the order of its square.
-constexpr double kLastDiscStep = 1e-9;
+/// A step of Newton's method this short is the last: its error is its square times at most the inverse
+/// of the angle to a ridge.
+constexpr double kLastDiscStep = 1e-12;
 
 /// Directions on the half of the sphere around z, evenly spread on a spiral.
 std::array<Vec3, kGrid> directions() {
