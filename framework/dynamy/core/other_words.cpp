@@ -344,4 +344,11 @@ std::string unitInOurs(std::string_view word) {
   return found.empty() ? std::string() : std::string(found.front()->hint);
 }
 
+std::string amountInOurs(std::string_view word) {
+  constexpr std::string_view kIs = " is ";
+  const std::string hint = unitInOurs(word);
+  const std::size_t is = hint.find(kIs);
+  return is == std::string::npos ? std::string() : hint.substr(is + kIs.size());
+}
+
 }  // namespace dynamy

@@ -53,5 +53,7 @@ std::string unitOfOthers(std::string_view word);
 std::string functionOfOthers(std::string_view word);
 /// "1lb is 0.45359237kg": the hint of a unit that dynamY does not have; "" if it is in no table.
 std::string unitInOurs(std::string_view word);
+/// "0.45359237kg": how much one such unit is; "" if it is in no table.
+std::string amountInOurs(std::string_view word);
 
 }  // namespace dynamy

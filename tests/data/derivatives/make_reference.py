@@ -8,7 +8,7 @@ order 24 from event to event, each event located to 1e-30; phases that are linea
 (linear_phases.py). Derivatives are central differences of fourth order of such motions with a part of 1e-7
 of the parameter: their error is about 1e-24.
 """
-from linear_phases import linear_motion
+from linear_phases import LinearPhases
 from mpmath import mp, matrix, mpf, sin, cos, sqrt, pi, findroot, atan2
 
 mp.dps = 36
@@ -274,7 +274,8 @@ def woodpecker(p):
     W_T = matrix([[1, 1, 1], [lM, rM, rM], [lG - lS, 0, 0]])
     gaps, eN = [lM + lG - lS - r0, rM - r0, rM - r0], [p["eN1"], mpf(0), mpf(0)]
     q, u = [mpf(0), mpf("-0.6") / mpf("5.8"), p["toy.phiS"]], [p["toy.y_dot"], mpf(0), p["toy.phiS_dot"]]
-    states, events = linear_motion(M, K, F, W_N, gaps, W_T, eN, p["mu"], q, u, [mpf("0.1"), mpf("0.2")])
+    toy = LinearPhases(M, K, F, W_N, gaps, W_T, eN, p["mu"])
+    states, events = toy.run(q, u, [mpf("0.1"), mpf("0.2")])
     stuck = next(t for t, contact, kind in events if (contact, kind) == (1, "still"))
     return {"toy.phiS@0.1": states[0][2], "toy.y@0.2": states[1][0], "toy.phiS@0.2": states[1][2],
             "t:sleeve2=stick": stuck}

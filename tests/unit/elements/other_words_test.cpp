@@ -91,6 +91,9 @@ TEST(OtherWords, NameUnitsThatExist) {
   for (const OtherWord& row : otherUnits()) {
     EXPECT_TRUE(row.ours.empty() || parseUnitSuffix(row.ours)) << row.ours;
     EXPECT_NE(row.ours.empty(), row.hint.empty()) << row.words;
+    if (!row.ours.empty()) continue;
+    const std::string amount = amountInOurs(split(row.words)[0]);
+    EXPECT_NE(parseQuantity(amount).family, UnitFamily::none) << row.words << ": " << amount;
   }
   EXPECT_EQ(unitOfOthers("degrees/sec"), "deg/s");
   EXPECT_EQ(unitInOurs("in"), "1in is 0.0254m");

@@ -281,8 +281,7 @@ std::optional<ValueFault> readNumbers(const Attribute& a, ParameterValue& value)
   // A word counts as a unit only if this unit fits: "0 0 h" is no position in hours.
   const bool meant = !odd.text.empty() && !(odd.guess && hint.empty());
   if (meant) fault = ValueFault{odd.text, {}, odd.offset, odd.length};
-  const bool unit = odd.guess && odd.text.starts_with("has a blank before the unit");
-  if (!meant && unit && a.type != AttributeType::vector) {  // "3 Hz" is no length
+  if (!meant && odd.unit && a.type != AttributeType::vector) {  // "3 Hz" is no length
     ParameterValue joined;
     joined.text = value.text.substr(0, value.text.find_last_not_of(' ', odd.offset - 1) + 1) +
                   value.text.substr(odd.offset, odd.length);

@@ -32,9 +32,9 @@ std::string withAll(std::string text, std::string_view from, std::string_view to
   return text;
 }
 
-/// The unit that was meant: "m/s^2", "m/s²" → "m/s2", "N*m" → "Nm", words of other programs → our
-/// units. "" if the word is no unit.
-std::string unitMeant(std::string_view word) {
+/// Our name of the same unit: "m/s^2", "m/s²" → "m/s2", "N*m" → "Nm", words of other programs. "" if
+/// there is none.
+std::string sameUnit(std::string_view word) {
   std::string unit(word);
   for (const std::string_view sign : {"^", "*", "·"}) unit = withAll(std::move(unit), sign, "");
   unit = withAll(withAll(std::move(unit), "²", "2"), "³", "3");
@@ -69,59 +69,51 @@ NumberAndRest numberAndRest(const std::string& word) {
   return {word.substr(0, at), word.substr(at)};
 }
 
+/// A unit that was meant, in ours: "degrees" → "deg", "ft" → 0.3048 "m". `unit` is "" if the word
+/// is no unit.
+struct UnitMeant {
+  std::string unit;
+  double factor = 1.0;
+};
+
+UnitMeant unitMeant(std::string_view word) {
+  if (std::string unit = sameUnit(word); !unit.empty()) return {std::move(unit)};
+  const NumberAndRest amount = numberAndRest(amountInOurs(word));
+  return {amount.rest, std::strtod(amount.number.c_str(), nullptr)};
+}
+
+/// A number with what follows it, in units of dynamY.
+struct WordMeant {
+  std::string number;
+  UnitMeant unit;
+  std::string text(const UnitMeant& of) const {
+    if (of.unit.empty() || of.factor == 1.0) return number + of.unit;
+    return fmt::format("{:.9g}", std::strtod(number.c_str(), nullptr) * of.factor) + of.unit;
+  }
+};
+
 /// The words with units right after their numbers. If only the last number has a unit, all numbers
 /// get it.
 std::string withUnits(const std::string& text) {
   std::istringstream in(text);
-  std::vector<std::string> words;
+  std::vector<WordMeant> words;
   bool onlyLast = true;  // no number but the last has a unit
   for (std::string word; in >> word;) {
-    const NumberAndRest p = numberAndRest(word);
-    const std::string unit = unitMeant(p.rest);
-    if (p.number.empty() && !unit.empty() && !words.empty()) {
-      words.back() += unit;
+    NumberAndRest p = numberAndRest(word);
+    UnitMeant unit = unitMeant(p.rest);
+    if (p.number.empty() && !unit.unit.empty() && !words.empty()) {
+      unit.unit.insert(0, words.back().unit.unit);
+      words.back().unit = std::move(unit);
       continue;
     }
-    onlyLast = onlyLast && (words.empty() || numberAndRest(words.back()).rest.empty());
-    words.push_back(unit.empty() ? word : p.number + unit);
+    onlyLast = onlyLast && (words.empty() || words.back().unit.unit.empty());
+    if (unit.unit.empty()) unit.unit = std::move(p.rest);
+    words.push_back({std::move(p.number), std::move(unit)});
   }
   std::string out;
-  const std::string last = words.empty() ? std::string() : numberAndRest(words.back()).rest;
-  for (const std::string& word : words) {
-    const bool zero = word.find_first_not_of("-+0.") == std::string::npos;
-    out +=
-        (out.empty() ? "" : " ") + (onlyLast && !zero ? numberAndRest(word).number + last : word);
-  }
-  return out;
-}
-
-/// "3ft" and "3 ft" → "0.9144m": numbers with units that dynamY does not have, in ours.
-std::string withOurUnits(const std::string& text) {
-  constexpr std::string_view kIs = " is ";
-  std::istringstream in(text);
-  std::string out;
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) {
-    const NumberAndRest p = numberAndRest(word);
-    if (p.number.empty() && !words.empty() && numberAndRest(words.back()).rest.empty() &&
-        !unitInOurs(word).empty())
-      words.back() += word;
-    else
-      words.push_back(word);
-  }
-  for (const std::string& word : words) {
-    const NumberAndRest p = numberAndRest(word);
-    const std::string hint = p.number.empty() ? std::string() : unitInOurs(p.rest);
-    const std::size_t is = hint.find(kIs);
-    out += out.empty() ? "" : " ";
-    if (is == std::string::npos) {
-      out += word;
-      continue;
-    }
-    const NumberAndRest ours = numberAndRest(hint.substr(is + kIs.size()));
-    out += fmt::format("{:.9g}", std::strtod(p.number.c_str(), nullptr) *
-                                     std::strtod(ours.number.c_str(), nullptr)) +
-           ours.rest;
+  for (const WordMeant& word : words) {
+    const bool zero = word.text(word.unit).find_first_not_of("-+0.") == std::string::npos;
+    out += (out.empty() ? "" : " ") + word.text(onlyLast && !zero ? words.back().unit : word.unit);
   }
   return out;
 }
@@ -269,8 +261,8 @@ OddWriting oddWriting(std::string_view text) {
   for (std::size_t at = text.find_first_not_of(kBlanks); at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
     const std::string word(text.substr(at, end - at));
-    if (number && !(unitMeant(word).empty() && unitInOurs(word).empty()))
-      return {"has a blank before the unit \"" + word + '"', at, word.size(), true};
+    if (number && !unitMeant(word).unit.empty())
+      return {"has a blank before the unit \"" + word + '"', at, word.size(), true, true};
     number = !numberAndRest(word).number.empty();
     at = std::min(text.find_first_not_of(kBlanks, end), text.size());
   }
@@ -292,7 +284,6 @@ std::vector<std::string> probableNumbers(std::string_view text) {
         c = ' ';
     }
     out.push_back(withUnits(blanks));
-    if (std::string ours = withOurUnits(blanks); ours != blanks) out.push_back(std::move(ours));
   };
   add(false);
   if (text.find(',') != std::string_view::npos) add(true);

@@ -180,8 +180,8 @@ void refine(Gradient& out, std::size_t i, const RunDifferences& runs, const RunD
   }
 }
 
-/// The run itself has an error; derivatives by parameter i have at least the same in proportion. Two
-/// tolerances may agree by chance.
+/// Adds the error of the values to that of their derivatives by parameter i, in proportion
+/// (theory 53.2): runs to two tolerances may agree by chance.
 void addErrorOfRun(Gradient& out, std::size_t i, double size) {
   for (GradientValue& v : out.values) {
     const double d = std::abs(v.d[i]), whole = std::max(std::abs(v.value), d * size);
@@ -218,10 +218,12 @@ Gradient gradient(const ModelMaker& make, GradientRequest request) {
       const double rounding = RunDifferences::kRounding * runs.nominal().sizes[k] / runs.delta();
       out.values[k].dError.push_back(good ? std::abs(rough[k] - d[k]) + rounding : kNone);
     }
-    if (good)
-      refine(out, i, runs, looser, request.by[i], size), addErrorOfRun(out, i, size);
-    else
+    if (good) {
+      refine(out, i, runs, looser, request.by[i], size);
+      addErrorOfRun(out, i, size);
+    } else {
       addSides(out, i, runs, looser, request.by[i], size);
+    }
   }
   for (GradientValue& v : out.values)
     for (auto* side : {&v.left, &v.right})
