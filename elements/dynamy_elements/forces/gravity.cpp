@@ -57,7 +57,8 @@ double Gravity::potentialEnergy(const Kinematics& k) const {
   double V = 0.0;
   if (!hasPotential()) return V;
   for (const Part& part : parts_)
-    V += part.system->gravity(k.t(), k.q(part.handle), g_I_, {h_.data(), part.handle.nu});
+    if (!k.leavesOut(part.handle.index))
+      V += part.system->gravity(k.t(), k.q(part.handle), g_I_, {h_.data(), part.handle.nu});
   return V;
 }
 

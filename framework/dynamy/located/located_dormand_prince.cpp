@@ -18,6 +18,14 @@ double presentTime(const ErrorNorm& norm, const Eigen::VectorXd& u) {
   return std::max(norm.time(), std::min(1.0 / rate, norm.times().maxCoeff()));
 }
 
+/// Number of systems with velocities that are stepped in time.
+int steppedSystems(const Topology& topology, const SteppedState& stepped) {
+  int n = 0;
+  for (std::size_t i = 0; i < stepped.systems.size(); ++i)
+    n += stepped.systems[i] != 0 && topology.system(static_cast<int>(i)).nu > 0 ? 1 : 0;
+  return n;
+}
+
 }  // namespace
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x)
@@ -52,7 +60,7 @@ void LocatedDormandPrince::declare(Attributes& a) {
 StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solver, State& x,
                                       double dt) {
   StepReport report;
-  system_ = &s, stepped_ = false;
+  system_ = &s, stepped_ = apart_ = false;
   if (!governed_.load(s, x)) {
     report.refused = "the checkpoint holds what this scheme does not leave in a state";
     return report;
@@ -61,7 +69,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
     const SteppedState& kept = governed_.state().stepped;
     steps_.resume(view(kept.rate), kept.overlap, kept.projected);
     steppedFrom_.scheme = kept.scheme;
-    return stepInTime(s, solver, x, dt);
+    return kept.any() ? stepInTime(s, solver, x, dt) : stepApart(s, solver, x, dt);
   }
   const Refusal refusal = governed_.locate(s, solver, x, dt, report);
   if (governed_.turned()) steps_.begin(), steppedFrom_.scheme.resize(0);
@@ -75,7 +83,42 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   } else if (governed_.turned()) {
     governed_.state().next = governed_.motion().parts().pace.next;
     governed_.store(x);
+  } else if (!governed_.motion().settings().oneClock && !governed_.motion().settings().givenSteps &&
+             clocks_.divide(s, governed_, x, report)) {
+    governed_.leave(s);
+    clocks_.keep(governed_.state().stepped);
+    governed_.store(x);
   }
+  return report;
+}
+
+/// A step of islands with clocks of their own, none of which is stepped in time: up to the end of the
+/// first of their steps.
+StepReport LocatedDormandPrince::stepApart(MechanicalSystem& s, InclusionSolver& solver, State& x,
+                                           double dt) {
+  SteppedState& stepped = governed_.state().stepped;
+  StepReport report;
+  clocks_.stand(s, solver, governed_, x, stepped);
+  if (const Refusal refusal = clocks_.follow(s, solver, x, x.t + dt, stepped)) {
+    refusal_ = refusal.why, report.refused = refusal_;
+    return report;
+  }
+  if (stepped.any()) {
+    governed_.governor() = clocks_.turnedBy();
+    clocks_.keep(stepped);
+    steps_.begin(), steppedFrom_.scheme.resize(0);
+    return stepInTime(s, solver, x, dt);
+  }
+  apart_ = true;
+  const double from = x.t;
+  x.t = std::min(from + dt, clocks_.known());
+  clocks_.place(s, x.t);
+  clocks_.join(s, x);
+  x.impulses = {};
+  report.dt = x.t - from;
+  clocks_.report(s, x, stepped, report);
+  governed_.state().next = clocks_.nextStep(x.t);
+  governed_.store(x);
   return report;
 }
 
@@ -86,16 +129,20 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   SteppedState& stepped = governed_.state().stepped;
   SwitchGovernor& governor = governed_.governor();
   const ErrorNorm& norm = governed_.motion().parts().norm;
-  const LocatedBeside::Beginning beginning{governed_.motion().settings(), governed_};
   InTime out;
+  clocks_.stand(s, solver, governed_, steppedFrom_, stepped);
   for (;; ++out.rejected) {
-    const double known = beside_.follow(s, solver, beginning, steppedFrom_, steppedFrom_.t + dt,
-                                        stepped, out.located);
+    if (const Refusal r =
+            clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped)) {
+      out.refused = r.why;
+      return out;
+    }
+    const double known = std::min(clocks_.known(), steppedFrom_.t + dt);
     double& h = out.h;
     h = std::min(governor.h(), dt);
     out.tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;
     if (known <= out.tE + kSliver * h) out.tE = known, h = out.tE - steppedFrom_.t;
-    beside_.place(s, out.tE, stepped);
+    clocks_.place(s, out.tE);
     const SteppedIslands::Trial trial = steps_.attempt(s, solver, norm, islands_, stepped.systems,
                                                        stepped.searches.next(), steppedFrom_, x, h);
     stepped.searches.done(trial.report.solved.ok() && !trial.report.solved.inVain);
@@ -121,26 +168,29 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   steppedFrom_.memory = x.memory, steppedFrom_.impulses = x.impulses;
   const InTime taken = tryInTime(s, solver, x, dt);
   StepReport report = taken.report;
+  if (!taken.refused.empty()) {
+    refusal_ = taken.refused, report.refused = refusal_;
+    return report;
+  }
   x.t = taken.tE;
   report.dt = x.t - steppedFrom_.t;
   steps_.take(s, steppedFrom_, x.u, taken.h);
-  beside_.join(s, x, stepped, report);
-  report.counts = taken.located;
-  report.counts.rejected += taken.rejected;
+  clocks_.touch(s, x.t, stepped);
+  clocks_.join(s, x);
+  report.counts = {};
+  report.counts.rejected = taken.rejected;
   report.counts.stepped = true, report.counts.stepError = taken.error;
   report.counts.turnedBy = governor.turnedBy(), report.counts.turnedAt = governor.turnedAt();
-  report.counts.steppedSystems = LocatedBeside::steppedSystems(*s.parts().topology, stepped);
-  const StepEffort& e = taken.located.effort;
+  report.counts.steppedSystems = steppedSystems(*s.parts().topology, stepped);
+  clocks_.report(s, x, stepped, report);
+  const StepEffort& e = report.counts.effort;
   const long evaluations = s.evaluations() - before - e.smooth - e.rejected - e.switches - e.events;
   report.counts.effort.stepping = evaluations;
   governor.told();
   governor.stepped(x.t, taken.h, taken.error,
                    governed_.steppedWork(s, static_cast<double>(evaluations), taken.newton),
                    taken.rejected > 0, governed_.locatedWork(s, kSwitch), evaluations);
-  governed_.state().next =
-      LocatedBeside::any(*s.parts().topology, stepped)
-          ? beside_.nextStep(x.t, governor.h(), TrialConstants::firstStep * norm.time())
-          : governor.h();
+  governed_.state().next = clocks_.nextInTime(x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();
   stepped.projected = steps_.projected(), stepped.scheme = x.scheme;
   governed_.store(x);
@@ -149,9 +199,13 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
 
 void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a, const State& b,
                                        double theta, State& out) const {
-  if (stepped_ && system_ == &s) {
-    steps_.between(s, a, b, theta, out);
-    beside_.show(s, a.t + theta * (b.t - a.t), governed_.state().stepped, out);
+  if ((stepped_ || apart_) && system_ == &s) {
+    const double t = a.t + theta * (b.t - a.t);
+    if (stepped_)
+      steps_.between(s, a, b, theta, out);
+    else
+      out.t = t, out.q = b.q, out.u = b.u, out.memory = b.memory;
+    clocks_.show(*system_, t, out);
     return;
   }
   if (!governed_.motion().interpolate(s, a, b, theta, out))
@@ -160,6 +214,7 @@ void LocatedDormandPrince::interpolate(const MechanicalSystem& s, const State& a
 
 bool LocatedDormandPrince::contactsAt(const MechanicalSystem& s, const State& at, bool after,
                                       ContactInstant& out) const {
+  if (apart_) return clocks_.contactsAt(*system_, at, after, out);
   return !stepped_ && governed_.motion().contactsAt(s, at, after, out);
 }
 

@@ -7,18 +7,18 @@
 ///                   through the step; the step is repeated up to there, and Newton's method
 ///                   covers the small distance left to the root
 ///   at a switch     impact, decision of the new status by an inclusion, projection
+///   islands         have clocks of their own (LocatedIslands)
 ///   no bias         HalfExplicitGragg where an element that is held reports no bias
 ///   dense switches  steps of EnergyMomentum, as long as the tolerance permits (SwitchGovernor)
 ///
-/// LocatedMotion does all but the last line. This class chooses between it and steps in time, for
-/// each island.
+/// LocatedMotion does the rest. This class chooses between it and steps in time, for each island.
 ///
 /// Gragg's extrapolation in place of Dormand and Prince needs 1.2 to 1.8 times the evaluations at
 /// equal error. Taking the state at the switch from the dense output was rejected: errors grow up
 /// to tenfold.
 #pragma once
-#include <dynamy/located/governed/located_beside.hpp>
 #include <dynamy/located/governed/stepped_islands.hpp>
+#include <dynamy/located/islands/located_islands.hpp>
 
 namespace dynamy {
 
@@ -39,7 +39,10 @@ class LocatedDormandPrince : public OneStep {
                   ContactInstant& out) const override;
 
   /// As LocatedParts::endedByMotion.
-  bool endedByMotion() const { return !stepped_ && governed_.motion().parts().endedByMotion; }
+  bool endedByMotion() const {
+    return apart_      ? clocks_.endedByMotion()
+           : !stepped_ && governed_.motion().parts().endedByMotion;
+  }
 
   /// The attribute `stiff`, and what it says.
   static void declareStiff(Attributes& a);
@@ -53,22 +56,24 @@ class LocatedDormandPrince : public OneStep {
   /// A step in time that was taken.
   struct InTime {
     StepReport report;
-    StepCounts located;        // of what was located beside it
     double h = 0.0, tE = 0.0;  // its length and end [s]
     double error = 0.0;        // in units of the tolerance
     int rejected = 0, newton = 0;
+    std::string refused{};
   };
+  StepReport stepApart(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   InTime tryInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   StepReport stepInTime(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);
   /// Interpolation evaluates stages of the last step when it is first requested.
   mutable GovernedMotion governed_{LocatedSettings{}};
   SteppedIslands steps_;
-  mutable LocatedBeside beside_;
+  mutable LocatedIslands clocks_;
   Islands islands_;
   State steppedFrom_;
   std::string refusal_;
-  const MechanicalSystem* system_ = nullptr;  // of the last step
-  bool stepped_ = false;                      // the last step was one in time
+  MechanicalSystem* system_ = nullptr;  // of the last step
+  bool stepped_ = false;                // the last step was one in time
+  bool apart_ = false;                  // in the last step islands had clocks, and none was stepped
 };
 
 }  // namespace dynamy

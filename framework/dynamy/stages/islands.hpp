@@ -16,6 +16,8 @@ class Islands {
   bool start(const SystemParts& parts);
   /// Joins the systems of a contact into one island.
   void join(const ContactSet& c, int contact);
+  /// Joins the islands of two systems.
+  void join(int a, int b);
   /// Number of the island of a system.
   int of(int system) const;
   /// The first system with velocities in a contact, −1: none.
@@ -26,7 +28,6 @@ class Islands {
   void spread(std::vector<char>& systems) const;
 
  private:
-  void join(int a, int b);
   mutable std::vector<int> parent_;
   std::vector<int> systemOfBlock_;
 };

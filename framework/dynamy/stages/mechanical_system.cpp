@@ -167,18 +167,19 @@ void MechanicalSystem::remember(State& x) {
 
 double MechanicalSystem::potentialEnergy(const State& x) {
   if (!parts_.forces.empty())
-    ownKinematics_.evaluate(*parts_.topology, x.t, view(x.q), view(x.u), view(x.memory));
+    ownKinematics_.evaluate(*parts_.topology, x.t, view(x.q), view(x.u), view(x.memory),
+                            parts_.subset);
   return potentialEnergy(ownKinematics_, x);
 }
 
 double MechanicalSystem::potentialEnergy(const Kinematics& k, const State& x) const {
   const Topology& topology = *parts_.topology;
   double V = 0.0;
-  for (std::size_t i = 0; i < topology.systems().size(); ++i) {
+  parts_.forSystems([&](std::size_t i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
     V += topology.systems()[i]->potentialEnergy(x.t, slice(x.q, s.q0, s.nq));
-  }
-  for (const ExternalForce* f : parts_.forces) V += f->potentialEnergy(k);
+  });
+  parts_.forForces([&](std::size_t i) { V += parts_.forces[i]->potentialEnergy(k); });
   return V;
 }
 

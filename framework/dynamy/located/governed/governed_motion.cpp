@@ -17,7 +17,9 @@ bool GovernedMotion::load(const MechanicalSystem& s, const State& x) {
     return true;
   }
   // What this object has just stored is known. A state from elsewhere is checked.
-  if (x.scheme.size() == stored_.size() && x.scheme == stored_ && motion_.endsAt(s, x)) return true;
+  if (x.scheme.size() == stored_.size() && x.scheme == stored_ &&
+      (turned() || motion_.endsAt(s, x)))
+    return true;
   stored_.resize(0);
   if (!state_.read(x.scheme, s.parts())) return false;
   motion_.scales(s, state_.time, state_.times);
@@ -72,6 +74,12 @@ void GovernedMotion::store(State& x) {
   numbers_(state_);
   numbers_.copyTo(x.scheme);
   stored_ = x.scheme;
+}
+
+void GovernedMotion::leave(const MechanicalSystem& s) {
+  state_.governor.leave();
+  state_.stepped = {};
+  state_.stepped.systems.assign(s.parts().topology->systems().size(), 0);
 }
 
 void GovernedMotion::govern(const MechanicalSystem& s, long evaluations, const StepReport& report) {

@@ -25,6 +25,8 @@ class GovernedMotion {
   bool turned() const { return state_.governor.mode() == SwitchGovernor::Mode::step; }
   /// Writes the state into x.
   void store(State& x);
+  /// Leaves the motion to clocks of islands, with no system stepped in time yet.
+  void leave(const MechanicalSystem& s);
 
   /// State data with which a motion begins that decides everything anew, in the scales of this one.
   Eigen::VectorXd decidedAnew() const;

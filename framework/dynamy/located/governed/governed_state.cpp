@@ -2,12 +2,40 @@
 
 namespace dynamy {
 
-bool BesideState::operator==(const BesideState& other) const {
+void ClockState::archive(NumberArchive& a) {
+  a(systems), a(t), a(end), a(q), a(u), a(scheme);
+  std::vector<ContactKey> keys;
+  std::vector<char> now;
+  for (const HeldStatus& s : statuses)
+    keys.push_back(s.key), now.push_back(static_cast<char>(s.status));
+  a(keys), a(now);
+  if (!a.reading()) return;
+  statuses.clear();
+  for (std::size_t i = 0; i < std::min(keys.size(), now.size()); ++i)
+    statuses.push_back({keys[i], static_cast<Status>(now[i])});
+}
+
+bool ClockState::operator==(const ClockState& other) const {
   const auto same = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
     return a.size() == b.size() && a == b;
   };
-  return known == other.known && t == other.t && end == other.end && same(q, other.q) &&
+  return systems == other.systems && t == other.t && end == other.end && same(q, other.q) &&
          same(u, other.u) && same(scheme, other.scheme);
+}
+
+bool ClockState::fits(const SystemParts& parts) const {
+  const auto n = static_cast<int>(parts.topology->systems().size());
+  Eigen::Index nq = 0, nu = 0;
+  int last = -1;
+  for (const int i : systems) {
+    if (i <= last || i >= n) return false;
+    nq += parts.topology->system(i).nq, nu += parts.topology->system(i).nu, last = i;
+  }
+  const bool known = std::all_of(statuses.begin(), statuses.end(),
+                                 [](const HeldStatus& s) { return s.status <= Status::locked; });
+  GovernedState own;
+  return !systems.empty() && q.size() == nq && u.size() == nu && known &&
+         own.read(scheme, parts) && own.governor.mode() != SwitchGovernor::Mode::step;
 }
 
 void GovernedState::archive(NumberArchive& a) {
@@ -33,10 +61,8 @@ bool GovernedState::fits(const SystemParts& parts) const {
       (s.rate.size() != 0 && s.rate.size() != topology.nu()) || !(s.time >= 0.0) ||
       !s.searches.possible())
     return false;
-  if (!s.beside.known) return true;
-  GovernedState beside;
-  return s.beside.q.size() == topology.nq() && s.beside.u.size() == topology.nu() &&
-         beside.read(s.beside.scheme, parts) && beside.governor.mode() != Mode::step;
+  return std::all_of(s.clocks.begin(), s.clocks.end(),
+                     [&](const ClockState& c) { return c.fits(parts); });
 }
 
 }  // namespace dynamy

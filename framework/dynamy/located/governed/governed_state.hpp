@@ -1,34 +1,42 @@
 /// GovernedState: what a governed run carries from step to step, in State::scheme: whether switches
 /// are located or steps taken in time, and the state of what is done.
 #pragma once
+#include <algorithm>
 #include <dynamy/located/governed/switch_governor.hpp>
 #include <dynamy/located/step/held_state.hpp>
 #include <dynamy/stages/search_pauses.hpp>
 
 namespace dynamy {
 
-/// Start of the present step of located islands beside time-stepped ones.
-struct BesideState {
-  bool known = false;
-  double t = 0.0;    ///< its start [s]
-  double end = 0.0;  ///< time up to which it may go [s]
-  Eigen::VectorXd q, u, scheme;
-  void archive(NumberArchive& a) { a(known), a(t), a(end), a(q), a(u), a(scheme); }
-  bool operator==(const BesideState& other) const;
+/// Start of the present step of an island whose switches are located.
+struct ClockState {
+  std::vector<int> systems;  ///< of the island, ascending
+  double t = 0.0;            ///< start of the step [s]
+  double end = 0.0;          ///< time up to which it may go [s]
+  Eigen::VectorXd q, u;      ///< of these systems
+  Eigen::VectorXd scheme;    ///< its own state data
+  std::vector<HeldStatus> statuses;
+  void archive(NumberArchive& a);
+  bool operator==(const ClockState& other) const;
+  /// True: it is possible in this model.
+  bool fits(const SystemParts& parts) const;
 };
 
-/// While steps are taken in time.
+/// While islands have clocks of their own, or steps are taken in time.
 struct SteppedState {
-  std::vector<char> systems;  ///< not 0: the system is stepped in time
+  std::vector<char> systems;  ///< not 0: the system is stepped in time; perhaps none is
+  bool any() const {
+    return std::any_of(systems.begin(), systems.end(), [](char c) { return c != 0; });
+  }
   Eigen::VectorXd rate;       ///< Δu/h of the last step; empty: there was none
   double overlap = 0.0;       ///< at the end of that step [m]
   bool projected = false;     ///< joints are projected
   double time = 0.0;          ///< T of the motion at the start of the period [s]; 0: not known yet
   SearchPauses searches;
-  BesideState beside;
+  std::vector<ClockState> clocks;  ///< of the islands whose switches are located
   Eigen::VectorXd scheme;  ///< of the time-stepping scheme
   void archive(NumberArchive& a) {
-    a(systems), a(rate), a(overlap), a(projected), a(time), a(searches), a(beside), a(scheme);
+    a(systems), a(rate), a(overlap), a(projected), a(time), a(searches), a(clocks), a(scheme);
   }
 };
 

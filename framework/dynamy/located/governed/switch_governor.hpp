@@ -45,6 +45,8 @@ class SwitchGovernor {
   bool tooFast() const { return tooFast_; }
   /// Turns to steps in time from t on.
   void turn(double t, TurnedBy why, ContactKey at);
+  /// Leaves the time to clocks of islands: nothing is stepped in time yet.
+  void leave() { mode_ = Mode::step; }
   /// Returns to locating switches.
   void locate() { mode_ = Mode::locate; }
   /// Everything is to be decided anew at the next step.

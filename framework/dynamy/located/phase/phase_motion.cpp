@@ -27,7 +27,6 @@ bool PhaseMotion::evaluate(MechanicalSystem& s, PhasePoint& p, bool alone) {
 }
 
 void PhaseMotion::energies(const MechanicalSystem& s, int slot, PhasePoint& p) {
-  if (s.parts().subset) return;
   p.T = s.slot(slot).mass.kineticEnergy(view(std::as_const(p.x.u)));
   p.V = s.potentialEnergy(s.slot(slot).kinematics, p.x);
 }

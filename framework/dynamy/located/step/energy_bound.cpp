@@ -29,7 +29,7 @@ double EnergyBound::factor(const LocatedStep& step, const PhasePoint& a, const P
                            const std::array<double, 5>& works, int order) {
   const double h = b.x.t - a.x.t;
   double& pause = step.parts.pace.energyFrom;
-  if (step.s.parts().subset || a.x.t < pause) return kNoBound;
+  if (a.x.t < pause) return kNoBound;
   const EnergyBalance balance(a, b, works);
   const double error = balance.error;
   const double turned = a.T + b.T + std::abs(a.V) + std::abs(b.V) + balance.works;

@@ -26,7 +26,7 @@ class EnergyBound {
  public:
   /// Factor on the length of the smooth motion from a to b by which the next one keeps the bound;
   /// below kKept, this one exceeds it. `works` as in StepRecord, `order`: p of |error| ~ h^p. Large
-  /// while the bound pauses, and where `step` moves only some of the systems.
+  /// while the bound pauses.
   double factor(const LocatedStep& step, const PhasePoint& a, const PhasePoint& b,
                 const std::array<double, 5>& works, int order);
   static constexpr double kKept = 0.85;

@@ -46,18 +46,23 @@ void StepRecord::event(const SwitchEvent& event, const FrozenPhase& phase, doubl
   addWorks(event.impact().works());
 }
 
+void clearPercussions(ImpactProblem& p, const State& x) {
+  const ContactSet& c = *p.contacts;
+  p.Lambda().setZero();
+  Eigen::VectorXd gamma(c.rows());
+  c.gamma(view(x.u), view(gamma));
+  for (int k = 0; k < c.rows(); ++k) p.gammaA[static_cast<std::size_t>(k)] = gamma[k];
+  for (int i = 0; i < c.size(); ++i)
+    if (c.law[static_cast<std::size_t>(i)]->unilateral())
+      p.gammaA[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])] = 0.0;
+}
+
 void StepRecord::report(MechanicalSystem& s, const FrozenPhase& phase, State& x,
                         StepReport& report) {
   ImpactProblem& p = s.impactProblem(x, report.dt);
   const ContactSet& c = *p.contacts;
+  clearPercussions(p, x);
   Vec Lambda = p.Lambda();
-  Lambda.setZero();
-  gamma_.resize(c.rows());
-  c.gamma(view(std::as_const(x.u)), view(gamma_));
-  for (int k = 0; k < c.rows(); ++k) p.gammaA[static_cast<std::size_t>(k)] = gamma_[k];
-  for (int i = 0; i < c.size(); ++i)  // γ_N that the projection leaves is no impact
-    if (c.law[static_cast<std::size_t>(i)]->unilateral())
-      p.gammaA[static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)])] = 0.0;
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const int first = c.row0[at];

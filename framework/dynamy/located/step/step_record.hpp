@@ -7,6 +7,10 @@
 
 namespace dynamy {
 
+/// Begins the report of percussions of a step to x: none, and relative velocities at its end. γ_N
+/// that the projection leaves is no impact.
+void clearPercussions(ImpactProblem& p, const State& x);
+
 class StepRecord {
  public:
   /// Works of the step so far [J], in the order of bookWork.
@@ -54,7 +58,7 @@ class StepRecord {
   std::vector<Percussion> percussions_;
   std::vector<LocatedImpact> impacts_;
   std::vector<HeldStatus> statuses_;
-  Eigen::VectorXd gamma_, uBefore_;
+  Eigen::VectorXd uBefore_;
   double tImpact_ = -1e300;  // of uBefore_ [s]
 };
 

@@ -31,7 +31,7 @@ class Located final : public LocatedDormandPrince {
  public:
   explicit Located(bool givenSteps)
       : LocatedDormandPrince(Parameters::of<LocatedDormandPrince>("", "", {}),
-                             {.givenSteps = givenSteps}) {}
+                             {.givenSteps = givenSteps, .oneClock = true}) {}
 };
 
 /// Sees every step: notes what happened, and takes the signals at their instants.

@@ -1,0 +1,84 @@
+/// IslandClock: one island whose switches are located, with steps of its own (theory 50.11).
+///
+/// Its present step may reach beyond the time of the run, and is interpolated there.
+#pragma once
+#include <dynamy/located/governed/governed_motion.hpp>
+#include <dynamy/located/islands/island_division.hpp>
+#include <memory>
+
+namespace dynamy {
+
+class IslandClock {
+ public:
+  IslandClock(const SystemParts& whole, const LocatedSettings& settings);
+  /// Sets the accuracy. What the motion has prepared for other systems is forgotten.
+  void aim(const Accuracy& accuracy) { motion_.motion().aim(accuracy); }
+  /// Puts the clock to x, after aim(): these systems, ascending, move from there on, with these state data.
+  void set(const MechanicalSystem& s, std::vector<int> systems, const State& x,
+           const Eigen::VectorXd& scheme, std::vector<HeldStatus> statuses);
+  /// As it was kept. Its step is to be taken again().
+  void set(const MechanicalSystem& s, const ClockState& kept, const State& x);
+  /// Takes the next step, at most to `end`. After a refusal, and if it turned(), the clock stands
+  /// where this step began.
+  Refusal step(MechanicalSystem& s, InclusionSolver& solver, double end);
+  /// Takes the present step again, at most to `end`.
+  Refusal again(MechanicalSystem& s, InclusionSolver& solver, double end);
+  /// True: the systems in toStep() have to be stepped in time from now on.
+  bool turned() const { return turned_; }
+  std::vector<int> toStep() const;
+
+  const std::vector<int>& systems() const { return systems_; }
+  double from() const { return from_.t; }  ///< start of the present step [s]
+  double to() const { return to_.t; }      ///< its end [s]
+  const State& start() const { return from_; }
+  const State& end() const { return to_; }
+  /// What the step reports; its length is 0 where the clock was just set.
+  const StepReport& report() const { return report_; }
+  GovernedMotion& motion() { return motion_; }
+  const MechanicalSystem& system() const { return *view_; }
+  /// Contacts that are held at x, a start or an end of its steps.
+  std::vector<IslandDivision::Joined> joinedAt(const State& x) {
+    return IslandDivision::joinedAt(*view_, x);
+  }
+  /// Statuses of its contacts at t, and where its step began.
+  const std::vector<HeldStatus>& statuses(double t) const { return t < to_.t ? before_ : after_; }
+  const std::vector<HeldStatus>& startStatuses() const { return before_; }
+  /// True: it has taken no step since it was set.
+  bool justSet() const { return justSet_; }
+  /// Length of the step that it will try next [s].
+  double next() const { return to_.scheme.size() > 0 ? to_.scheme[0] : 0.0; }
+  /// What a checkpoint holds of it.
+  void keep(ClockState& out) const;
+
+  /// Writes the state of its systems at t, within the present step, into `out`.
+  void place(MechanicalSystem& s, double t, State& out);
+  /// As OneStep::contactsAt, of its contacts alone.
+  bool contactsAt(const State& at, bool after, ContactInstant& out) {
+    return motion_.motion().contactsAt(*view_, at, after, out);
+  }
+  /// Where the shapes of its systems are during the step, found by `k`.
+  const PathBoxes& path() const { return path_; }
+  void findPath(MechanicalSystem& s, std::span<const MovingShape> shapes, Kinematics& k);
+
+  // Works of the step that have been booked, and whether it has been counted as ended.
+  StepWorks booked{};
+  bool counted = true;
+
+ private:
+  Refusal advance(MechanicalSystem& s, InclusionSolver& solver);
+  void within(double t);
+  void copy(const State& from, State& to) const;
+  SystemSubset subset_;
+  std::unique_ptr<MechanicalSystem> view_;  // on subset_
+  GovernedMotion motion_;
+  std::vector<int> systems_;
+  State from_, to_, at_;
+  double end_ = 0.0;  // time up to which the step might have gone [s]
+  StepReport report_;
+  bool turned_ = false, justSet_ = true;
+  std::vector<HeldStatus> before_, after_;
+  std::vector<MovingShape> shapes_;
+  PathBoxes path_;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <dynamy/located/islands/island_division.hpp>
+
+namespace dynamy {
+namespace {
+
+/// Clocks times systems with velocities: each clock has arrays for all systems, some 12 kB a system.
+constexpr std::size_t kMostArrays = 80000;
+
+}  // namespace
+
+bool IslandDivision::learn(const MechanicalSystem& s) {
+  const SystemParts& parts = s.parts();
+  if (topology_ == parts.topology && forces_ == parts.forces && contacts_ == parts.contacts)
+    return false;
+  topology_ = parts.topology, forces_ = parts.forces, contacts_ = parts.contacts;
+  const auto& systems = topology_->systems();
+  const bool renews = std::any_of(systems.begin(), systems.end(), [](const auto* e) {
+    return e->abilities().renewable != nullptr;
+  });
+  std::vector<int> roots;
+  const bool known = joined_.start(parts);
+  std::size_t moving = 0;
+  for (int i = 0; i < static_cast<int>(systems.size()); ++i) {
+    if (topology_->system(i).nu == 0) continue;
+    ++moving;
+    if (joined_.of(i) == i) roots.push_back(i);
+  }
+  several_ = known && !renews && roots.size() > 1;
+  most_ = std::max<std::size_t>(2, kMostArrays / std::max<std::size_t>(1, moving));
+  shapes_.clear();
+  for (const ShapeInstance& shape : topology_->shapesInContact())
+    if (topology_->system(shape.system).nu > 0)
+      shapes_.push_back({shape.frame, shape.system, shape.shape->r_SB_K(), boundOf(*shape.shape)});
+  return true;
+}
+
+bool IslandDivision::inseparable(const std::vector<int>& systems) const {
+  return std::all_of(systems.begin(), systems.end(),
+                     [&](int i) { return joined_.of(i) == joined_.of(systems.front()); });
+}
+
+std::vector<IslandDivision::Joined> IslandDivision::joinedAt(MechanicalSystem& s, const State& x) {
+  std::vector<Joined> out;
+  GovernedState state;
+  std::vector<ContactKey> keys;
+  if (!state.read(x.scheme, s.parts()) || state.governor.mode() != SwitchGovernor::Mode::locate)
+    return out;
+  heldKeys(state.held.held, keys);
+  if (keys.empty()) return out;
+  const ContactSet& c =
+      s.evaluate(x, {.slot = 1, .held = HeldContacts{.keys = keys, .follow = true, .alone = true}})
+          .contacts;
+  for (int i = 0; i < c.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!std::binary_search(keys.begin(), keys.end(), c.key[at])) continue;
+    Joined joined{c.key[at], {}};
+    for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k)
+      joined.systems.push_back(Islands::systemOfVelocity(
+          *s.parts().topology, c.segment[static_cast<std::size_t>(k)].u0));
+    out.push_back(std::move(joined));
+  }
+  return out;
+}
+
+IslandDivision::Groups IslandDivision::groups(const std::vector<int>& systems,
+                                              const std::vector<Joined>& joined, const State& x,
+                                              double h) {
+  Islands islands = joined_;
+  for (const Joined& contact : joined)
+    for (const int i : contact.systems) islands.join(contact.systems.front(), i);
+  const auto gather = [&] {
+    Groups out;
+    std::vector<int> groupOf(topology_->systems().size(), -1);
+    for (const int i : systems) {
+      int& group = groupOf[static_cast<std::size_t>(islands.of(i))];
+      if (group < 0) group = static_cast<int>(out.size()), out.emplace_back();
+      out[static_cast<std::size_t>(group)].push_back(i);
+    }
+    return out;
+  };
+  Groups out = gather();
+  if (out.size() < 2) return out;
+  std::vector<std::vector<MovingShape>> shapes(out.size());
+  std::vector<FrameHandle> frames;
+  for (const MovingShape& shape : shapes_)
+    for (std::size_t g = 0; g < out.size(); ++g)
+      if (std::binary_search(out[g].begin(), out[g].end(), shape.system))
+        shapes[g].push_back(shape), frames.push_back(shape.frame);
+  kinematics_.evaluate(*topology_, x.t, view(x.q), view(x.u), view(x.memory), nullptr, frames);
+  std::vector<PathBoxes> paths(out.size());
+  for (std::size_t g = 0; g < out.size(); ++g) paths[g].expect(shapes[g], kinematics_, h);
+  for (std::size_t a = 0; a < out.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (paths[a].meets(paths[b])) islands.join(out[a].front(), out[b].front());
+  return gather();
+}
+
+}  // namespace dynamy

@@ -1,0 +1,34 @@
+/// IslandRecord: what islands with clocks of their own report of a step of the run: counts, works,
+/// statuses and impacts.
+#pragma once
+#include <dynamy/located/islands/island_clock.hpp>
+
+namespace dynamy {
+
+class IslandRecord {
+ public:
+  /// A step of the run begins, unless it has begun.
+  void begin();
+  /// Adds the effort of a step that a clock tried.
+  void effort(const StepEffort& e);
+  /// Adds the step of a clock, which has ended.
+  void end(IslandClock& c);
+  /// Books the works of the smooth part of a clock's step up to t, in proportion to time.
+  void pass(IslandClock& c, double t);
+  /// Writes counts and works into the report, and ends the step of the run.
+  void report(StepReport& report);
+
+  const std::vector<LocatedImpact>& impacts();
+  bool endedByMotion() const { return endedByMotion_; }
+  const SolveReport& solved() const { return solved_; }
+
+ private:
+  bool reported_ = true;
+  StepCounts counts_;
+  StepWorks works_;
+  SolveReport solved_;
+  std::vector<LocatedImpact> impacts_;
+  bool endedByMotion_ = false;
+};
+
+}  // namespace dynamy

@@ -1,0 +1,432 @@
+#include <algorithm>
+#include <dynamy/located/islands/divided_state.hpp>
+#include <dynamy/located/islands/located_islands.hpp>
+#include <limits>
+
+namespace dynamy {
+namespace {
+
+/// Part of a step after which it is worth to go on alone up to a meeting.
+constexpr double kWorth = 0.05;
+/// Part of T in which shapes must not come near each other for an island to fall apart.
+constexpr double kApart = 0.01;
+
+bool contains(const std::vector<int>& ascending, int i) {
+  return std::binary_search(ascending.begin(), ascending.end(), i);
+}
+
+bool stops(const MechanicalSystem& s) {
+  return s.limits.stop != nullptr && s.limits.stop->load(std::memory_order_relaxed);
+}
+
+/// Fills an ascending list of the systems with velocities for which `f` is true.
+template <class F>
+std::vector<int> systemsWhere(const Topology& topology, F&& f) {
+  std::vector<int> out;
+  for (int i = 0; i < static_cast<int>(topology.systems().size()); ++i)
+    if (topology.system(i).nu > 0 && f(static_cast<std::size_t>(i))) out.push_back(i);
+  return out;
+}
+
+}  // namespace
+
+IslandClock& LocatedIslands::add(const MechanicalSystem& s) {
+  if (idle_.empty()) {
+    clocks_.push_back(std::make_unique<IslandClock>(s.parts(), settings_));
+  } else {
+    clocks_.push_back(std::move(idle_.back())), idle_.pop_back();
+  }
+  clocks_.back()->aim(settings_.accuracy);
+  return *clocks_.back();
+}
+
+void LocatedIslands::learn(const MechanicalSystem& s, const GovernedMotion& whole) {
+  while (!clocks_.empty()) drop(clocks_.size() - 1);
+  if (division_.learn(s)) idle_.clear();
+  settings_ = whole.motion().settings(), decidedAnew_ = whole.decidedAnew();
+}
+
+void LocatedIslands::drop(std::size_t clock) {
+  idle_.push_back(std::move(clocks_[clock]));
+  clocks_.erase(clocks_.begin() + static_cast<std::ptrdiff_t>(clock));
+}
+
+void LocatedIslands::addParts(const MechanicalSystem& s, const IslandDivision::Groups& groups,
+                              const std::vector<IslandDivision::Joined>& joined, const State& x,
+                              const std::vector<HeldStatus>& statuses) {
+  const std::size_t room = division_.most() > clocks_.size() ? division_.most() - clocks_.size() : 1;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::vector<int> systems = groups[g];
+    if (g + 1 >= room) {  // there is no memory for more clocks
+      for (std::size_t more = g + 1; more < groups.size(); ++more)
+        systems.insert(systems.end(), groups[more].begin(), groups[more].end());
+      std::sort(systems.begin(), systems.end());
+      g = groups.size();
+    }
+    std::vector<ContactKey> keys;
+    for (const IslandDivision::Joined& contact : joined)
+      if (!contact.systems.empty() && contains(systems, contact.systems.front()))
+        keys.push_back(contact.key);
+    std::sort(keys.begin(), keys.end());
+    std::vector<HeldStatus> own;
+    for (const HeldStatus& status : statuses)
+      if (std::binary_search(keys.begin(), keys.end(), status.key)) own.push_back(status);
+    add(s).set(s, std::move(systems), x, partOf(x.scheme, s.parts(), keys), std::move(own));
+  }
+}
+
+bool LocatedIslands::divide(MechanicalSystem& s, const GovernedMotion& whole, const State& x,
+                            const StepReport& report) {
+  if (division_.learn(s)) clocks_.clear(), idle_.clear();
+  const LocatedParts& parts = whole.motion().parts();
+  if (!division_.possible(x) || !parts.bias.elements().empty()) return false;
+  const std::vector<int> all = systemsWhere(*s.parts().topology, [](std::size_t) { return true; });
+  const auto joined = IslandDivision::joinedAt(s, x);
+  const double h = std::min(kApart * parts.norm.time(), parts.pace.next);
+  const IslandDivision::Groups groups = division_.groups(all, joined, x, h);
+  if (groups.size() < 2) return false;
+  learn(s, whole);
+  addParts(s, groups, joined, x, {report.statuses.begin(), report.statuses.end()});
+  at_ = x;
+  return true;
+}
+
+void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
+                           const GovernedMotion& whole, const State& x,
+                           const SteppedState& stepped) {
+  const Topology& topology = *s.parts().topology;
+  const auto isHere = [&] {
+    for (const Clock& c : clocks_)
+      for (const int i : c->systems()) {
+        const SystemHandle& h = topology.system(i);
+        if (at_.q.segment(h.q0, h.nq) != x.q.segment(h.q0, h.nq) ||
+            at_.u.segment(h.u0, h.nu) != x.u.segment(h.u0, h.nu))
+          return false;
+      }
+    return true;
+  };
+  if (at_.t == x.t && at_.q.size() == x.q.size() && kept_ == stepped.clocks &&
+      kept_.size() == clocks_.size() && isHere())
+    return;
+  learn(s, whole);
+  kept_ = stepped.clocks;
+  at_ = x;
+  std::vector<int> covered;
+  bool good = true;
+  for (const ClockState& kept : kept_) {
+    IslandClock& c = add(s);
+    c.set(s, kept, x);
+    good = good && !c.again(s, solver, kept.end) && !c.turned() && c.from() <= x.t && x.t <= c.to();
+    covered.insert(covered.end(), kept.systems.begin(), kept.systems.end());
+    if (!good) break;
+    c.findPath(s, division_.shapes(), division_.kinematics());
+    c.place(s, x.t, at_);
+    c.counted = c.to() == x.t;
+    // What was booked before the run was stopped.
+    if (!c.counted) record_.begin(), record_.pass(c, x.t);
+  }
+  std::sort(covered.begin(), covered.end());
+  const std::vector<int> apart =
+      systemsWhere(topology, [&](std::size_t i) { return stepped.systems[i] == 0; });
+  if (good && covered == apart && isHere()) {
+    record_ = {};
+    return;
+  }
+  record_ = {};
+  learn(s, whole);
+  kept_.clear();
+  at_ = x;
+  if (apart.empty()) return;
+  add(s).set(s, apart, x, decidedAnew_, {});
+}
+
+Refusal LocatedIslands::follow(MechanicalSystem& s, InclusionSolver& solver, const State& x,
+                               double end, SteppedState& stepped) {
+  record_.begin();
+  for (;;) {
+    std::size_t next = clocks_.size();
+    for (std::size_t i = 0; i < clocks_.size(); ++i)
+      if (clocks_[i]->to() <= x.t &&
+          (next == clocks_.size() ||
+           clocks_[i]->systems().front() < clocks_[next]->systems().front()))
+        next = i;
+    if (next == clocks_.size()) return {};
+    if (stops(s)) return {Refusal::Kind::fault, "the run is stopped within this step"};
+    if (Refusal r = proceed(s, solver, end, next, stepped)) return r;
+  }
+}
+
+/// Lets a clock at the end of its step take the next one.
+Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, double end,
+                                std::size_t clock, SteppedState& stepped) {
+  if (fallApart(s, clock)) return {};
+  IslandClock& c = *clocks_[clock];
+  record_.end(c);
+  Refusal refusal = c.step(s, solver, end);
+  record_.effort(c.report().counts.effort);
+  if (!c.turned()) {
+    if (refusal) return refusal;
+    c.findPath(s, division_.shapes(), division_.kinematics());
+    return meet(s, solver, clock);
+  }
+  turned_ = c.motion().governor();
+  const std::vector<int> chosen = c.toStep();
+  for (const int i : chosen) stepped.systems[static_cast<std::size_t>(i)] = 1;
+  std::vector<int> rest;
+  for (const int i : c.systems())
+    if (!contains(chosen, i)) rest.push_back(i);
+  if (!rest.empty()) {
+    State from = c.start();
+    const auto joined = c.joinedAt(from);
+    addParts(s, {rest}, joined, from, c.startStatuses());
+  }
+  drop(clock);
+  return {};
+}
+
+bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
+  IslandClock& c = *clocks_[clock];
+  if (c.justSet() || division_.inseparable(c.systems())) return false;
+  const State x = c.end();
+  const auto joined = c.joinedAt(x);
+  const double T = c.motion().motion().parts().norm.time();
+  const auto groups =
+      division_.groups(c.systems(), joined, x, std::min(kApart * T, c.next()));
+  if (groups.size() < 2 || clocks_.size() >= division_.most()) return false;
+  record_.end(c);
+  addParts(s, groups, joined, x, c.statuses(x.t));
+  drop(clock);
+  return true;
+}
+
+/// Looks where the step of a clock meets those of others.
+Refusal LocatedIslands::meet(MechanicalSystem& s, InclusionSolver& solver, std::size_t clock) {
+  IslandClock& c = *clocks_[clock];
+  const double t = c.from();
+  double first = std::numeric_limits<double>::infinity();
+  std::size_t with = clock;
+  for (std::size_t i = 0; i < clocks_.size(); ++i) {
+    if (i == clock || clocks_[i]->to() <= t) continue;
+    const double at = c.path().meets(clocks_[i]->path(), t);
+    if (at < first) first = at, with = i;
+  }
+  if (with == clock || first >= c.to()) return {};
+  if (first <= t + kWorth * (c.to() - t)) return merge(s, solver, clock, with);
+  Refusal refusal = c.again(s, solver, first);
+  record_.effort(c.report().counts.effort);
+  if (refusal || c.turned()) return merge(s, solver, clock, with);
+  c.findPath(s, division_.shapes(), division_.kinematics());
+  return {};
+}
+
+/// Makes one island of two: a stands where its step begins, b may have begun its step before.
+Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std::size_t a,
+                              std::size_t b) {
+  IslandClock &A = *clocks_[a], &B = *clocks_[b];
+  const double t = A.from();
+  State x = A.start();
+  Eigen::VectorXd scheme = decidedAnew_;
+  std::vector<HeldStatus> statuses = A.startStatuses();
+  const std::vector<HeldStatus>* more = &B.startStatuses();
+  if (B.from() < t) {
+    B.place(s, t, x);  // where its step cannot be taken again
+    Refusal refusal = B.again(s, solver, t);
+    record_.effort(B.report().counts.effort);
+    while (!refusal && !B.turned() && B.to() < t) {
+      record_.end(B);
+      refusal = B.step(s, solver, t);
+      record_.effort(B.report().counts.effort);
+    }
+    if (!refusal && !B.turned()) {
+      record_.end(B);
+      B.place(s, t, x);
+      scheme = unionOf(A.start().scheme, B.end().scheme, s.parts());
+      more = &B.statuses(t);
+    }
+  } else {
+    B.place(s, t, x);
+    scheme = unionOf(A.start().scheme, B.start().scheme, s.parts());
+  }
+  statuses.insert(statuses.end(), more->begin(), more->end());
+  std::vector<int> systems = A.systems();
+  systems.insert(systems.end(), B.systems().begin(), B.systems().end());
+  std::sort(systems.begin(), systems.end());
+  IslandClock& both = add(s);
+  both.set(s, std::move(systems), x, scheme, std::move(statuses));
+  drop(std::max(a, b)), drop(std::min(a, b));
+  return {};
+}
+
+double LocatedIslands::known() const {
+  double out = std::numeric_limits<double>::infinity();
+  for (const Clock& c : clocks_) out = std::min(out, c->to());
+  return out;
+}
+
+void LocatedIslands::place(MechanicalSystem& s, double t) {
+  for (const Clock& c : clocks_) c->place(s, t, at_);
+  at_.t = t;
+}
+
+void LocatedIslands::join(const MechanicalSystem& s, State& x) const {
+  for (const Clock& c : clocks_)
+    for (const int i : c->systems()) {
+      const SystemHandle& h = s.parts().topology->system(i);
+      x.q.segment(h.q0, h.nq) = at_.q.segment(h.q0, h.nq);
+      x.u.segment(h.u0, h.nu) = at_.u.segment(h.u0, h.nu);
+    }
+}
+
+void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped) {
+  // This step, which included the contact of systems that touched, counts as the first of their
+  // steps in time.
+  const ContactSet& c = s.slot(0).contacts;
+  const ConstVec Lambda = s.problem().Lambda();
+  Islands islands;
+  islands.start(s.parts());
+  for (int i = 0; i < c.size(); ++i) {
+    const auto row = c.row0[static_cast<std::size_t>(i)];
+    const bool acts = !c.law[static_cast<std::size_t>(i)]->unilateral() ||
+                      c.position[static_cast<std::size_t>(row)] <= 0.0 ||
+                      !Lambda.segment(row, c.dim(i)).isZero(0.0);
+    if (acts) islands.join(c, i);
+  }
+  islands.spread(stepped.systems);
+  for (std::size_t i = clocks_.size(); i-- > 0;) {
+    IslandClock& clock = *clocks_[i];
+    std::vector<int> rest;
+    for (const int k : clock.systems())
+      if (stepped.systems[static_cast<std::size_t>(k)] == 0) rest.push_back(k);
+    if (rest.size() == clock.systems().size()) continue;
+    clock.to() == t ? record_.end(clock) : record_.pass(clock, t);
+    drop(i);
+    if (!rest.empty()) {
+      State x = at_;
+      x.t = t;
+      add(s).set(s, std::move(rest), x, decidedAnew_, {});
+    }
+  }
+}
+
+void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& stepped,
+                            StepReport& report) {
+  for (const Clock& c : clocks_)
+    c->to() == x.t ? record_.end(*c) : record_.pass(*c, x.t);
+  const bool all = !stepped.any();
+  if (all) statuses(s, x, report);
+  record_.report(report);
+  report.works.given = all;
+  if (all) {
+    report.solved = record_.solved();
+  } else if (any()) {
+    apart_.assign(stepped.systems.size(), 0);
+    for (const Clock& c : clocks_)
+      for (const int i : c->systems()) apart_[static_cast<std::size_t>(i)] = 1;
+    report.apart = apart_;
+  }
+  keep(stepped);
+}
+
+void LocatedIslands::keep(SteppedState& stepped) {
+  kept_.resize(clocks_.size());
+  for (std::size_t i = 0; i < clocks_.size(); ++i) clocks_[i]->keep(kept_[i]);
+  stepped.clocks = kept_;
+}
+
+/// Evaluates all contacts at x, with those held, and reports statuses and impacts.
+void LocatedIslands::statuses(MechanicalSystem& s, const State& x, StepReport& report) {
+  statuses_.clear(), keys_.clear();
+  const Eigen::VectorXd* before = nullptr;
+  for (const Clock& c : clocks_) {
+    const std::vector<HeldStatus>& own = c->statuses(x.t);
+    statuses_.insert(statuses_.end(), own.begin(), own.end());
+    if (c->to() != x.t || c->report().uBeforeImpact == nullptr) continue;
+    if (before == nullptr) uBefore_ = x.u, before = &uBefore_;
+    for (const int i : c->systems()) {
+      const SystemHandle& h = s.parts().topology->system(i);
+      uBefore_.segment(h.u0, h.nu) = c->report().uBeforeImpact->segment(h.u0, h.nu);
+    }
+  }
+  std::sort(statuses_.begin(), statuses_.end(),
+            [](const HeldStatus& a, const HeldStatus& b) { return a.key < b.key; });
+  for (const HeldStatus& status : statuses_) keys_.push_back(status.key);
+  s.evaluate(x, {.slot = 0, .held = HeldContacts{.keys = keys_, .follow = true}});
+  percussions(s, x, report.dt);
+  report.contacts = s.slot(0).contacts.size();
+  report.ownStatuses = true, report.statuses = statuses_, report.impacts = record_.impacts();
+  report.uBeforeImpact = before;
+}
+
+/// Writes the percussions of steps that ended at x into the problem of slot 0.
+void LocatedIslands::percussions(MechanicalSystem& s, const State& x, double dt) const {
+  ImpactProblem& p = s.impactProblem(x, dt);
+  clearPercussions(p, x);
+  const ContactSet& c = *p.contacts;
+  for (const Clock& clock : clocks_) {
+    if (clock->to() != x.t) continue;
+    const ImpactProblem& own = clock->system().problem();
+    const ContactSet& from = *own.contacts;
+    for (int i = 0; i < from.size(); ++i)
+      for (int k = 0; k < c.size(); ++k) {
+        if (c.key[static_cast<std::size_t>(k)] != from.key[static_cast<std::size_t>(i)]) continue;
+        const int row = c.row0[static_cast<std::size_t>(k)],
+                  there = from.row0[static_cast<std::size_t>(i)];
+        for (int r = 0; r < std::min(c.dim(k), from.dim(i)); ++r) {
+          p.Lambda()[row + r] = own.Lambda()[there + r];
+          p.gammaA[static_cast<std::size_t>(row + r)] =
+              own.gammaA[static_cast<std::size_t>(there + r)];
+        }
+      }
+  }
+  p.gammaFree = p.gammaA;
+}
+
+double LocatedIslands::nextStep(double t) const {
+  double out = 0.0;
+  for (const Clock& c : clocks_) out = std::max(out, c->to() + c->next() - t);
+  return out;
+}
+
+double LocatedIslands::nextInTime(double t, double h) const {
+  for (const Clock& c : clocks_) h = c->to() > t ? std::min(h, c->to() - t) : c->next();
+  return h;
+}
+
+void LocatedIslands::show(MechanicalSystem& s, double t, State& out) {
+  for (const Clock& c : clocks_)
+    if (c->from() <= t && t <= c->to()) c->place(s, t, out);
+}
+
+bool LocatedIslands::contactsAt(MechanicalSystem& s, const State& at, bool after,
+                                ContactInstant& out) {
+  keys_.clear();
+  for (const Clock& c : clocks_)
+    for (const double t : {c->from(), c->to()})
+      for (const HeldStatus& status : c->statuses(t)) keys_.push_back(status.key);
+  std::sort(keys_.begin(), keys_.end());
+  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+  const ContactSet& c =
+      s.evaluate(at, {.slot = 1, .held = HeldContacts{.keys = keys_, .follow = true}}).contacts;
+  out.contacts = &c;
+  out.lambda.setZero(c.rows()), out.gamma.resize(c.rows());
+  c.gamma(view(at.u), view(out.gamma));
+  KeyIndex index;
+  index.build(c.key);
+  ContactInstant own;
+  for (const Clock& clock : clocks_) {
+    const long evaluations = clock->system().evaluations();
+    const bool known = clock->contactsAt(at, after && clock->to() == at.t, own);
+    s.count(clock->system().evaluations() - evaluations);
+    if (!known) return false;
+    for (int i = 0; i < own.contacts->size(); ++i) {
+      const int k = index.find(own.contacts->key[static_cast<std::size_t>(i)]);
+      if (k < 0) continue;
+      const int rows = std::min(c.dim(k), own.contacts->dim(i));
+      out.lambda.segment(c.row0[static_cast<std::size_t>(k)], rows) =
+          own.lambda.segment(own.contacts->row0[static_cast<std::size_t>(i)], rows);
+    }
+  }
+  return true;
+}
+
+}  // namespace dynamy

@@ -1,0 +1,89 @@
+/// LocatedIslands: islands whose switches are located, each with a clock of its own (theory 50.11).
+///
+///   advance   the island whose step ends first takes the next one; its step is not cut
+///   meet      boxes of two paths meet at t*: the step ends there, or both become one island
+///   divide    at the end of its step an island falls apart where no contact that is held, no
+///             element and no shape that may come near soon joins its systems
+///
+/// A step of the run ends where the first of the islands' steps ends. Others are interpolated there.
+/// Beside time-stepped islands they join these when they touch one of them.
+#pragma once
+#include <dynamy/located/islands/island_division.hpp>
+#include <dynamy/located/islands/island_record.hpp>
+
+namespace dynamy {
+
+class LocatedIslands {
+ public:
+  /// Divides the motion of all systems, which has just ended a step at x, into islands with clocks.
+  /// False: there is one island.
+  bool divide(MechanicalSystem& s, const GovernedMotion& whole, const State& x,
+              const StepReport& report);
+  /// Puts the clocks to x, the end of the last step, as they were kept. Otherwise all systems that
+  /// are not stepped in time have one clock, and everything is decided anew.
+  void stand(MechanicalSystem& s, InclusionSolver& solver, const GovernedMotion& whole,
+             const State& x, const SteppedState& stepped);
+  /// Takes steps until all islands are known beyond x.t; none goes beyond `end`. Systems that have
+  /// to be stepped in time from x on are noted in `stepped`.
+  Refusal follow(MechanicalSystem& s, InclusionSolver& solver, const State& x, double end,
+                 SteppedState& stepped);
+  /// Time up to which all of them are known [s]; ∞ without any.
+  double known() const;
+  bool any() const { return !clocks_.empty(); }
+  /// The governor of the island that was last added to those stepped in time.
+  const SwitchGovernor& turnedBy() const { return turned_; }
+
+  /// Computes the states at t, a time up to known().
+  void place(MechanicalSystem& s, double t);
+  /// Copies them into x, the end of a step.
+  void join(const MechanicalSystem& s, State& x) const;
+  /// After a step in time with contacts in slot 0 which ended at t: islands that touch time-stepped
+  /// ones join them.
+  void touch(MechanicalSystem& s, double t, SteppedState& stepped);
+  /// Fills the report of a step that ended at x, in which some systems were stepped in time, or, with
+  /// statuses and impacts, none. Keeps the clocks in `stepped`.
+  void report(MechanicalSystem& s, const State& x, SteppedState& stepped, StepReport& report);
+
+  /// Keeps the clocks in `stepped`.
+  void keep(SteppedState& stepped);
+
+  /// Longest time from t after which the next step of an island would end [s].
+  double nextStep(double t) const;
+  /// Length of the next step in time from t, h without islands, which ends with the first of theirs.
+  double nextInTime(double t, double h) const;
+  /// Writes the located islands at t into `out`.
+  void show(MechanicalSystem& s, double t, State& out);
+  /// As OneStep::contactsAt.
+  bool contactsAt(MechanicalSystem& s, const State& at, bool after, ContactInstant& out);
+  bool endedByMotion() const { return record_.endedByMotion(); }
+
+ private:
+  using Clock = std::unique_ptr<IslandClock>;
+  void learn(const MechanicalSystem& s, const GovernedMotion& whole);
+  IslandClock& add(const MechanicalSystem& s);
+  void drop(std::size_t clock);
+  Refusal proceed(MechanicalSystem& s, InclusionSolver& solver, double end, std::size_t clock,
+                  SteppedState& stepped);
+  Refusal meet(MechanicalSystem& s, InclusionSolver& solver, std::size_t clock);
+  Refusal merge(MechanicalSystem& s, InclusionSolver& solver, std::size_t a, std::size_t b);
+  /// Adds clocks for the islands among these systems of an island that is at x with its state data.
+  void addParts(const MechanicalSystem& s, const IslandDivision::Groups& groups,
+                const std::vector<IslandDivision::Joined>& joined, const State& x,
+                const std::vector<HeldStatus>& statuses);
+  bool fallApart(MechanicalSystem& s, std::size_t clock);
+  void statuses(MechanicalSystem& s, const State& x, StepReport& report);
+  void percussions(MechanicalSystem& s, const State& x, double dt) const;
+  IslandDivision division_;
+  IslandRecord record_;
+  LocatedSettings settings_;
+  std::vector<Clock> clocks_, idle_;
+  std::vector<ClockState> kept_;
+  SwitchGovernor turned_;
+  State at_;
+  std::vector<HeldStatus> statuses_;
+  std::vector<char> apart_;
+  std::vector<ContactKey> keys_;
+  Eigen::VectorXd uBefore_, decidedAnew_;
+};
+
+}  // namespace dynamy
