@@ -29,7 +29,7 @@ int steppedSystems(const Topology& topology, const SteppedState& stepped) {
 }  // namespace
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x)
-    : LocatedDormandPrince(x, {.stiff = stiffOf(x)}) {}
+    : LocatedDormandPrince(x, {.stiff = stiffOf(x), .oneClock = x["clocks"].text == "one"}) {}
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x, const LocatedSettings& settings)
     : OneStep(x), governed_(settings) {}
@@ -54,6 +54,9 @@ void LocatedDormandPrince::declare(Attributes& a) {
       "contact "
       "states by inclusions. The scheme of every run with a tolerance.");
   declareStiff(a);
+  a.choice("clocks", {"one", "islands"}, "one",
+           "one: all bodies end their steps together; islands: bodies that do not touch have steps "
+           "of their own, which end at their own switches");
   a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
 }
 
@@ -83,8 +86,7 @@ StepReport LocatedDormandPrince::step(MechanicalSystem& s, InclusionSolver& solv
   } else if (governed_.turned()) {
     governed_.state().next = governed_.motion().parts().pace.next;
     governed_.store(x);
-  } else if (!governed_.motion().settings().oneClock && !governed_.motion().settings().givenSteps &&
-             clocks_.divide(s, governed_, x, report)) {
+  } else if (!governed_.motion().settings().oneClock && clocks_.divide(s, governed_, x, report)) {
     governed_.leave(s);
     clocks_.keep(governed_.state().stepped);
     governed_.store(x);

@@ -43,7 +43,7 @@ class MechanicalSystem {
 
   /// Lets elements change the memory that they reserved; the time loop calls it after every step.
   void remember(State& x);
-  /// V(q,t) of all systems and forces that take part [J].
+  /// V(q,t) of all systems and forces [J].
   double potentialEnergy(const State& x);
   /// The same with the kinematics at x, which are known.
   double potentialEnergy(const Kinematics& k, const State& x) const;

@@ -118,14 +118,4 @@ std::vector<ShapeInstance> Topology::shapesWithMaterial() {
   return out;
 }
 
-std::vector<ShapeInstance> Topology::shapesInContact() const {
-  std::vector<ShapeInstance> out;
-  for (const Placed& p : materials_) {
-    const std::vector<int>& known = indexOf_[static_cast<std::size_t>(p.system)];
-    const auto at = static_cast<std::size_t>(p.frame);
-    if (at < known.size() && known[at] >= 0) out.push_back({p.shape, {known[at]}, p.system});
-  }
-  return out;
-}
-
 }  // namespace dynamy

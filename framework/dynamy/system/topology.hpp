@@ -51,8 +51,6 @@ class Topology {
   const FrameNames& names() const { return names_; }
   /// All shapes of all systems that have a material; requests their frames.
   std::vector<ShapeInstance> shapesWithMaterial();
-  /// The same, of the shapes whose frames have been requested so far.
-  std::vector<ShapeInstance> shapesInContact() const;
 
   /// Reserves numbers of `owner` in State::memory, with their values at the start. Called once, in
   /// connect(). The element reads them from Kinematics and changes them only in remember().

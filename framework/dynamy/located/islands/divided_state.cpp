@@ -37,8 +37,6 @@ Eigen::VectorXd unionOf(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
   HeldState& held = state.held;
   const HeldState& more = other.held;
   held.held.insert(held.held.end(), more.held.begin(), more.held.end());
-  std::stable_sort(held.held.begin(), held.held.end(),
-                   [](const Held& x, const Held& y) { return x.key < y.key; });
   if (more.pace.lastEvent > held.pace.lastEvent)
     held.pace.lastEvent = more.pace.lastEvent, held.pace.empty = more.pace.empty;
   held.pace.next = std::min(held.pace.next, more.pace.next);
@@ -48,6 +46,16 @@ Eigen::VectorXd unionOf(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
   held.jacobian.resize(0);
   state.next = held.pace.next;
   state.charged += other.charged;
+  return numbersOf(state);
+}
+
+Eigen::VectorXd inOrder(const Eigen::VectorXd& scheme, const SystemParts& parts,
+                        std::span<const ContactKey> keys) {
+  GovernedState state;
+  if (!state.read(scheme, parts) || !locates(state)) return scheme;
+  const auto place = [&](const Held& h) { return std::find(keys.begin(), keys.end(), h.key); };
+  std::stable_sort(state.held.held.begin(), state.held.held.end(),
+                   [&](const Held& a, const Held& b) { return place(a) < place(b); });
   return numbersOf(state);
 }
 

@@ -1,8 +1,6 @@
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <algorithm>
 #include <dynamy/located/governed/stepped_islands.hpp>
+#include <dynamy/located/islands/divided_state.hpp>
 #include <dynamy/located/islands/island_clock.hpp>
 
 namespace dynamy {
@@ -40,6 +38,13 @@ void IslandClock::set(const MechanicalSystem& s, std::vector<int> systems, const
   report_ = {}, booked = {}, counted = true, turned_ = false;
   before_ = after_ = std::move(statuses);
   justSet_ = true, path_.clear();
+}
+
+void IslandClock::orderContacts() {
+  std::vector<ContactKey> keys;
+  for (const IslandDivision::Joined& contact : joinedAt(to_)) keys.push_back(contact.key);
+  if (keys.size() > 1)
+    to_.scheme = from_.scheme = inOrder(to_.scheme, view_->parts(), keys);
 }
 
 void IslandClock::set(const MechanicalSystem& s, const ClockState& kept, const State& x) {
@@ -89,13 +94,11 @@ Refusal IslandClock::advance(MechanicalSystem& s, InclusionSolver& solver) {
   view.limits = s.limits;
   report_ = {}, counted = false, path_.clear();
   const long evaluations = view.evaluations();
-  const clock_t c0 = clock();
   Refusal refusal;
   if (!motion_.load(view, to_))
     refusal = {Refusal::Kind::fault, "the checkpoint holds what this scheme does not leave in a state"};
   else
     refusal = motion_.locate(view, solver, to_, end_ - from_.t, report_);
-  if (getenv("DBG")) fprintf(stderr, "clock %d n=%zu t=%.9g to=%.9g end=%.6g eval=%ld sw=%d looks=%ld gaps=%ld ms=%.2f %s\n", systems_.front(), systems_.size(), from_.t, to_.t, end_, view.evaluations()-evaluations, report_.counts.switches, report_.counts.effort.looks, report_.counts.effort.gaps, static_cast<double>(clock()-c0)*1e-3, refusal.why.c_str());
   s.count(view.evaluations() - evaluations);
   turned_ = motion_.turned();
   if (refusal || turned_) {

@@ -18,6 +18,8 @@ class IslandClock {
            const Eigen::VectorXd& scheme, std::vector<HeldStatus> statuses);
   /// As it was kept. Its step is to be taken again().
   void set(const MechanicalSystem& s, const ClockState& kept, const State& x);
+  /// Puts contacts of two islands that became this one into the order in which they are reported.
+  void orderContacts();
   /// Takes the next step, at most to `end`. After a refusal, and if it turned(), the clock stands
   /// where this step began.
   Refusal step(MechanicalSystem& s, InclusionSolver& solver, double end);

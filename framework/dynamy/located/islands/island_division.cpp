@@ -29,9 +29,20 @@ bool IslandDivision::learn(const MechanicalSystem& s) {
   several_ = known && !renews && roots.size() > 1;
   most_ = std::max<std::size_t>(2, kMostArrays / std::max<std::size_t>(1, moving));
   shapes_.clear();
-  for (const ShapeInstance& shape : topology_->shapesInContact())
-    if (topology_->system(shape.system).nu > 0)
-      shapes_.push_back({shape.frame, shape.system, shape.shape->r_SB_K(), boundOf(*shape.shape)});
+  // Shapes take part in contact if an element has requested their frames.
+  const auto& requested = topology_->requestedFrames();
+  for (int i = 0; i < static_cast<int>(systems.size()); ++i) {
+    if (topology_->system(i).nu == 0) continue;
+    Description d;
+    systems[static_cast<std::size_t>(i)]->describe(d);
+    for (const PlacedShape& p : d.shapes) {
+      const auto frame =
+          std::find(requested.begin(), requested.end(), std::pair<int, int>(i, p.frame));
+      if (p.shape->material().empty() || frame == requested.end()) continue;
+      shapes_.push_back({{static_cast<int>(frame - requested.begin())}, i, p.shape->r_SB_K(),
+                         boundOf(*p.shape)});
+    }
+  }
   return true;
 }
 

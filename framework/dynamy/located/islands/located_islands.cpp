@@ -186,7 +186,7 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
 
 bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
   IslandClock& c = *clocks_[clock];
-  if (c.justSet() || division_.inseparable(c.systems())) return false;
+  if (settings_.oneClock || c.justSet() || division_.inseparable(c.systems())) return false;
   const State x = c.end();
   const auto joined = c.joinedAt(x);
   const double T = c.motion().motion().parts().norm.time();
@@ -253,6 +253,7 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
   std::sort(systems.begin(), systems.end());
   IslandClock& both = add(s);
   both.set(s, std::move(systems), x, scheme, std::move(statuses));
+  both.orderContacts();
   drop(std::max(a, b)), drop(std::min(a, b));
   return {};
 }

@@ -6,6 +6,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <dynamy/system/kinematics.hpp>
+#include <dynamy/system/shape.hpp>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct MovingShape {
   Vec3 arm_K = Vec3::Zero();  ///< its middle, from the origin of the frame [m]
   double bound = 0.0;         ///< radius of the ball [m]
 };
+
+/// Radius of a ball about the origin of the shape that holds it [m]; infinite: none does.
+double boundOf(const Shape& shape);
 
 class PathBoxes {
  public:
