@@ -134,8 +134,7 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   InTime out;
   clocks_.stand(s, solver, governed_, steppedFrom_, stepped);
   for (;; ++out.rejected) {
-    if (const Refusal r =
-            clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped)) {
+    if (const Refusal r = clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped)) {
       out.refused = r.why;
       return out;
     }

@@ -40,8 +40,7 @@ class LocatedDormandPrince : public OneStep {
 
   /// As LocatedParts::endedByMotion.
   bool endedByMotion() const {
-    return apart_      ? clocks_.endedByMotion()
-           : !stepped_ && governed_.motion().parts().endedByMotion;
+    return apart_ ? clocks_.endedByMotion() : !stepped_ && governed_.motion().parts().endedByMotion;
   }
 
   /// The attribute `stiff`, and what it says.

@@ -34,8 +34,8 @@ bool ClockState::fits(const SystemParts& parts) const {
   const bool known = std::all_of(statuses.begin(), statuses.end(),
                                  [](const HeldStatus& s) { return s.status <= Status::locked; });
   GovernedState own;
-  return !systems.empty() && q.size() == nq && u.size() == nu && known &&
-         own.read(scheme, parts) && own.governor.mode() != SwitchGovernor::Mode::step;
+  return !systems.empty() && q.size() == nq && u.size() == nu && known && own.read(scheme, parts) &&
+         own.governor.mode() != SwitchGovernor::Mode::step;
 }
 
 void GovernedState::archive(NumberArchive& a) {

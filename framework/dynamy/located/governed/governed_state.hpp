@@ -28,13 +28,13 @@ struct SteppedState {
   bool any() const {
     return std::any_of(systems.begin(), systems.end(), [](char c) { return c != 0; });
   }
-  Eigen::VectorXd rate;       ///< Δu/h of the last step; empty: there was none
-  double overlap = 0.0;       ///< at the end of that step [m]
-  bool projected = false;     ///< joints are projected
-  double time = 0.0;          ///< T of the motion at the start of the period [s]; 0: not known yet
+  Eigen::VectorXd rate;    ///< Δu/h of the last step; empty: there was none
+  double overlap = 0.0;    ///< at the end of that step [m]
+  bool projected = false;  ///< joints are projected
+  double time = 0.0;       ///< T of the motion at the start of the period [s]; 0: not known yet
   SearchPauses searches;
   std::vector<ClockState> clocks;  ///< of the islands whose switches are located
-  Eigen::VectorXd scheme;  ///< of the time-stepping scheme
+  Eigen::VectorXd scheme;          ///< of the time-stepping scheme
   void archive(NumberArchive& a) {
     a(systems), a(rate), a(overlap), a(projected), a(time), a(searches), a(clocks), a(scheme);
   }

@@ -43,8 +43,7 @@ void IslandClock::set(const MechanicalSystem& s, std::vector<int> systems, const
 void IslandClock::orderContacts() {
   std::vector<ContactKey> keys;
   for (const IslandDivision::Joined& contact : joinedAt(to_)) keys.push_back(contact.key);
-  if (keys.size() > 1)
-    to_.scheme = from_.scheme = inOrder(to_.scheme, view_->parts(), keys);
+  if (keys.size() > 1) to_.scheme = from_.scheme = inOrder(to_.scheme, view_->parts(), keys);
 }
 
 void IslandClock::set(const MechanicalSystem& s, const ClockState& kept, const State& x) {
@@ -96,7 +95,8 @@ Refusal IslandClock::advance(MechanicalSystem& s, InclusionSolver& solver) {
   const long evaluations = view.evaluations();
   Refusal refusal;
   if (!motion_.load(view, to_))
-    refusal = {Refusal::Kind::fault, "the checkpoint holds what this scheme does not leave in a state"};
+    refusal = {Refusal::Kind::fault,
+               "the checkpoint holds what this scheme does not leave in a state"};
   else
     refusal = motion_.locate(view, solver, to_, end_ - from_.t, report_);
   s.count(view.evaluations() - evaluations);

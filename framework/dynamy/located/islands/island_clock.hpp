@@ -1,4 +1,4 @@
-/// IslandClock: one island whose switches are located, with steps of its own (theory 50.11).
+/// IslandClock: one island whose switches are located, with steps of its own (theory 50.12).
 ///
 /// Its present step may reach beyond the time of the run, and is interpolated there.
 #pragma once

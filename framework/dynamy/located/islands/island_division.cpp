@@ -39,8 +39,8 @@ bool IslandDivision::learn(const MechanicalSystem& s) {
       const auto frame =
           std::find(requested.begin(), requested.end(), std::pair<int, int>(i, p.frame));
       if (p.shape->material().empty() || frame == requested.end()) continue;
-      shapes_.push_back({{static_cast<int>(frame - requested.begin())}, i, p.shape->r_SB_K(),
-                         boundOf(*p.shape)});
+      shapes_.push_back(
+          {{static_cast<int>(frame - requested.begin())}, i, p.shape->r_SB_K(), boundOf(*p.shape)});
     }
   }
   return true;

@@ -8,6 +8,8 @@ namespace {
 
 /// Part of a step after which it is worth to go on alone up to a meeting.
 constexpr double kWorth = 0.05;
+/// Part of a step that is too short for a step of its own.
+constexpr double kSliver = 1e-6;
 /// Part of T in which shapes must not come near each other for an island to fall apart.
 constexpr double kApart = 0.01;
 
@@ -54,7 +56,8 @@ void LocatedIslands::drop(std::size_t clock) {
 void LocatedIslands::addParts(const MechanicalSystem& s, const IslandDivision::Groups& groups,
                               const std::vector<IslandDivision::Joined>& joined, const State& x,
                               const std::vector<HeldStatus>& statuses) {
-  const std::size_t room = division_.most() > clocks_.size() ? division_.most() - clocks_.size() : 1;
+  const std::size_t room =
+      division_.most() > clocks_.size() ? division_.most() - clocks_.size() : 1;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::vector<int> systems = groups[g];
     if (g + 1 >= room) {  // there is no memory for more clocks
@@ -190,8 +193,7 @@ bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
   const State x = c.end();
   const auto joined = c.joinedAt(x);
   const double T = c.motion().motion().parts().norm.time();
-  const auto groups =
-      division_.groups(c.systems(), joined, x, std::min(kApart * T, c.next()));
+  const auto groups = division_.groups(c.systems(), joined, x, std::min(kApart * T, c.next()));
   if (groups.size() < 2 || clocks_.size() >= division_.most()) return false;
   record_.end(c);
   addParts(s, groups, joined, x, c.statuses(x.t));
@@ -228,7 +230,7 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
   Eigen::VectorXd scheme = decidedAnew_;
   std::vector<HeldStatus> statuses = A.startStatuses();
   const std::vector<HeldStatus>* more = &B.startStatuses();
-  if (B.from() < t) {
+  if (t - B.from() > kSliver * (B.to() - B.from())) {
     B.place(s, t, x);  // where its step cannot be taken again
     Refusal refusal = B.again(s, solver, t);
     record_.effort(B.report().counts.effort);
@@ -311,8 +313,7 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
 
 void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& stepped,
                             StepReport& report) {
-  for (const Clock& c : clocks_)
-    c->to() == x.t ? record_.end(*c) : record_.pass(*c, x.t);
+  for (const Clock& c : clocks_) c->to() == x.t ? record_.end(*c) : record_.pass(*c, x.t);
   const bool all = !stepped.any();
   if (all) statuses(s, x, report);
   record_.report(report);

@@ -1,4 +1,4 @@
-/// LocatedIslands: islands whose switches are located, each with a clock of its own (theory 50.11).
+/// LocatedIslands: islands whose switches are located, each with a clock of its own (theory 50.12).
 ///
 ///   advance   the island whose step ends first takes the next one; its step is not cut
 ///   meet      boxes of two paths meet at t*: the step ends there, or both become one island

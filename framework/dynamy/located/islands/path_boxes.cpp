@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kBetween = 1.2;  ///< factor on what a path does between two places
 constexpr double kMargin = 1e-3;  ///< of the bound of a shape, on all sides
-constexpr double kTurn = 1.0;     ///< from this angle in a part on, a shape may be anywhere about its frame
+constexpr double kTurn =
+    1.0;  ///< from this angle in a part on, a shape may be anywhere about its frame
 
 double furthest(const std::vector<Vec3>& points) {
   double out = 0.0;

@@ -1,4 +1,4 @@
-/// PathBoxes: where the shapes of an island are during a step, part by part (theory 50.11).
+/// PathBoxes: where the shapes of an island are during a step, part by part (theory 50.12).
 ///
 /// The path of a shape's middle in a part of the step is taken for the cubic with its places and
 /// velocities at the ends: it stays within the hull of the four points of Bézier. The box holds this

@@ -1,0 +1,107 @@
+// Islands with clocks of their own (theory 50.12): they meet, divide, and go on from checkpoints.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <dynamy/core/declared/parameters.hpp>
+#include <memory>
+#include <reference/located/bounce.hpp>
+#include <reference/located/located_run.hpp>
+#include <string>
+
+namespace dynamy::reference {
+namespace {
+
+std::unique_ptr<OneStep> scheme(const std::string& clocks) {
+  return std::make_unique<LocatedDormandPrince>(
+      Parameters::of<LocatedDormandPrince>("LocatedDormandPrince", "", {{"clocks", clocks}}));
+}
+
+std::string scene(const std::string& bodies, const std::string& forces = "<Gravity/>") {
+  return "<dynamy version=\"1\"><systems>" + bodies +
+         R"xml(<Ground name="world"><HalfSpace material="floor"/></Ground></systems><forces>)xml" +
+         forces + R"xml(</forces><elements>
+  <Contact between="ball floor"><UnilateralCoulomb epsilonN="0.8" mu="0.3"/></Contact>
+  <Contact between="ball ball"><UnilateralCoulomb epsilonN="1" mu="0"/></Contact></elements>
+  <simulation until="1" step="1"/></dynamy>)xml";
+}
+
+std::string ball(const std::string& name, const std::string& position,
+                 const std::string& velocity = "0 0 0") {
+  return "<RigidBody name=\"" + name + "\" position=\"" + position + "\" velocity=\"" + velocity +
+         R"xml(" angularVelocity="1 2 0.5"><Sphere radius="0.1" mass="1" material="ball"/></RigidBody>)xml";
+}
+
+/// Place of the height of ball i among q.
+constexpr int height(int i) { return 7 * i + 2; }
+
+TEST(IslandClocks, BallsApartHaveStepsOfTheirOwnAndTheClosedForm) {
+  const std::string text = scene(ball("a", "0 0 1") + ball("b", "2 0 1.7") + ball("c", "4 0 2.3"));
+  LocatedRun run(text, 1e-9, 2.0, {}, {}, scheme("islands"));
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  // Parabolas are exact and impacts located to rounding.
+  const double start[] = {1.0, 1.7, 2.3};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(run.state().q[height(i)], 0.1 + bounceHeight(start[i] - 0.1, 0.8, 2.0), 1e-11);
+  // T + V is known to 1e-16 of some 50 J in each of some ten steps.
+  EXPECT_NEAR(r.energy.discretisation, 0.0, 1e-12);
+  LocatedRun one(text, 1e-9, 2.0, {}, {}, scheme("one"));
+  EXPECT_EQ(r.contacts.impacts, one.run().contacts.impacts);
+  EXPECT_EQ(r.located.switches, one.report().located.switches);
+}
+
+TEST(IslandClocks, BallsThatMeetExchangeTheirVelocities) {
+  // Two smooth balls, 1 m/s towards each other, 1.8 m between their surfaces; a third one passes
+  // them at 5 cm.
+  const std::string text = scene(ball("a", "0 0 1", "1 0 0") + ball("b", "2 0 1", "-1 0 0") +
+                                     ball("c", "-0.5 0.25 1", "3 0 0"),
+                                 "");
+  LocatedRun run(text, 1e-9, 2.0, {}, {}, scheme("islands"));
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_EQ(r.contacts.impacts, 1);
+  ASSERT_EQ(run.events.size(), 1u);
+  EXPECT_NEAR(run.events[0].t, 0.9, 1e-12);
+  // x = 0.9 − 1.1 and 1.1 + 1.1 after 2 s; the root is known to rounding, of numbers of size 1.
+  EXPECT_NEAR(run.state().q[0], -0.2, 1e-12);
+  EXPECT_NEAR(run.state().q[7], 2.2, 1e-12);
+  EXPECT_NEAR(run.state().q[14], 5.5, 1e-12);
+}
+
+TEST(IslandClocks, AgreesWithOneClockWhereManyMeet) {
+  std::string bodies;
+  for (int i = 0; i < 9; ++i)
+    bodies += ball(
+        "b" + std::to_string(i),
+        std::to_string(0.4 * (i % 3)) + ' ' + std::to_string(0.4 * (i / 3)) + ' ' +
+            std::to_string(0.5 + 0.07 * i),
+        std::to_string(0.8 - 0.4 * (i % 3)) + ' ' + std::to_string(0.7 - 0.6 * (i / 3)) + " 0");
+  constexpr double kTolerance = 1e-10;
+  LocatedRun islands(scene(bodies), kTolerance, 0.6, {}, {}, scheme("islands"));
+  LocatedRun one(scene(bodies), kTolerance, 0.6, {}, {}, scheme("one"));
+  ASSERT_EQ(islands.run().ended, RunReport::Ended::finished);
+  ASSERT_EQ(one.run().ended, RunReport::Ended::finished);
+  ASSERT_GT(one.report().contacts.impacts, 9);
+  EXPECT_EQ(islands.report().contacts.impacts, one.report().contacts.impacts);
+  // Impacts between balls of radius R after flights of l amplify errors by up to 2 l/R = 8 each;
+  // each ball has at most three of them here: 500 tolerances.
+  for (Eigen::Index i = 0; i < one.state().q.size(); ++i)
+    EXPECT_NEAR(islands.state().q[i], one.state().q[i], 500.0 * kTolerance);
+}
+
+TEST(IslandClocks, GoOnFromACheckpointBitForBit) {
+  const std::string text =
+      scene(ball("a", "0 0 1", "1 0 0") + ball("b", "2 0 1.1", "-1 0 0") + ball("c", "4 0 2.3"));
+  LocatedRun whole(text, 1e-8, 1.5, {}, {}, scheme("islands"));
+  LocatedRun part(text, 1e-8, 0.7, {}, {}, scheme("islands"));
+  LocatedRun resumed(text, 1e-8, 1.5, {}, {}, scheme("islands"));
+  whole.run(), part.run();
+  resumed.simulation().resume(part.simulation().checkpoint());
+  resumed.run();
+  EXPECT_EQ(resumed.state().q, whole.state().q);
+  EXPECT_EQ(resumed.state().u, whole.state().u);
+  EXPECT_EQ(resumed.report().contacts.impacts, whole.report().contacts.impacts);
+}
+
+}  // namespace
+}  // namespace dynamy::reference
