@@ -122,7 +122,7 @@ TEST(SmoothOrder, StudersExtrapolationLosesOneThere) {
   }
 }
 
-/// x'' = −10⁶(x − sin t) − 2·10⁴x', −50.12 and −19950 1/s, beside y'' = −y − 0.1y'.
+/// x'' = −10⁶(x − sin t) − 2·10⁴x', −50.13 and −19950 1/s, beside y'' = −y − 0.1y'.
 const char* const kStiff =
     "<dynamy version=\"1\"><simulation until=\"10\" tolerance=\"1e-6\"/><systems><Coordinates "
     "name=\"x\" q=\"x y\" q0=\"0 1\" u0=\"0 0\" M=\"1 ; 0 ; 1\" h=\"-1e6*(x - sin(t)) - 2e4*x_dot "
