@@ -9,7 +9,7 @@ namespace {
 /// Part of a step after which it is worth to go on alone up to a meeting.
 constexpr double kWorth = 0.05;
 /// Part of a step that is too short for a step of its own.
-constexpr double kSliver = 1e-6;
+constexpr double kTooShort = 1e-6;
 /// Part of T in which shapes must not come near each other for an island to fall apart.
 constexpr double kApart = 0.01;
 
@@ -230,7 +230,7 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
   Eigen::VectorXd scheme = decidedAnew_;
   std::vector<HeldStatus> statuses = A.startStatuses();
   const std::vector<HeldStatus>* more = &B.startStatuses();
-  if (t - B.from() > kSliver * (B.to() - B.from())) {
+  if (t - B.from() > kTooShort * (B.to() - B.from())) {
     B.place(s, t, x);  // where its step cannot be taken again
     Refusal refusal = B.again(s, solver, t);
     record_.effort(B.report().counts.effort);

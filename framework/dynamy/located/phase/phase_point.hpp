@@ -16,7 +16,7 @@ struct PhasePoint {
   Eigen::VectorXd qdot, qddot, a;
   Eigen::VectorXd lambda;         ///< rows of the phase [N]
   std::array<double, 5> power{};  ///< as FrozenPhase::power [W]
-  double T = 0.0, V = 0.0;        ///< kinetic and potential energy [J]; of whole systems only
+  double T = 0.0, V = 0.0;        ///< kinetic and potential energy [J]
 };
 
 /// Quintic through positions, velocities and accelerations of two points; it needs no evaluation.
