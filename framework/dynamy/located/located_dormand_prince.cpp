@@ -26,6 +26,19 @@ int steppedSystems(const Topology& topology, const SteppedState& stepped) {
   return n;
 }
 
+/// Longest time from t after which the next step of an island would end [s].
+double nextApart(const std::vector<LocatedIslands::Clock>& clocks, double t) {
+  double out = 0.0;
+  for (const auto& c : clocks) out = std::max(out, c->to() + c->next() - t);
+  return out;
+}
+
+/// Length of the next step in time from t, h without islands, which ends with the first of theirs.
+double nextInTime(const std::vector<LocatedIslands::Clock>& clocks, double t, double h) {
+  for (const auto& c : clocks) h = c->to() > t ? std::min(h, c->to() - t) : c->next();
+  return h;
+}
+
 }  // namespace
 
 LocatedDormandPrince::LocatedDormandPrince(const Parameters& x)
@@ -119,7 +132,7 @@ StepReport LocatedDormandPrince::stepApart(MechanicalSystem& s, InclusionSolver&
   x.impulses = {};
   report.dt = x.t - from;
   clocks_.report(s, x, stepped, report);
-  governed_.state().next = clocks_.nextStep(x.t);
+  governed_.state().next = nextApart(clocks_.clocks(), x.t);
   governed_.store(x);
   return report;
 }
@@ -191,7 +204,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   governor.stepped(x.t, taken.h, taken.error,
                    governed_.steppedWork(s, static_cast<double>(evaluations), taken.newton),
                    taken.rejected > 0, governed_.locatedWork(s, kSwitch), evaluations);
-  governed_.state().next = clocks_.nextInTime(x.t, governor.h());
+  governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();
   stepped.projected = steps_.projected(), stepped.scheme = x.scheme;
   governed_.store(x);

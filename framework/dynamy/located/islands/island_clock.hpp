@@ -11,9 +11,7 @@ namespace dynamy {
 class IslandClock {
  public:
   IslandClock(const SystemParts& whole, const LocatedSettings& settings);
-  /// Sets the accuracy. What the motion has prepared for other systems is forgotten.
-  void aim(const Accuracy& accuracy) { motion_.motion().aim(accuracy); }
-  /// Puts the clock to x, after aim(): these systems, ascending, move from there on, with these state data.
+  /// Puts a new clock to x: these systems, ascending, move from there on, with these state data.
   void set(const MechanicalSystem& s, std::vector<int> systems, const State& x,
            const Eigen::VectorXd& scheme, std::vector<HeldStatus> statuses);
   /// As it was kept. Its step is to be taken again().

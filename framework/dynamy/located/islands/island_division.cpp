@@ -9,10 +9,9 @@ constexpr std::size_t kMostArrays = 80000;
 
 }  // namespace
 
-bool IslandDivision::learn(const MechanicalSystem& s) {
+void IslandDivision::learn(const MechanicalSystem& s) {
   const SystemParts& parts = s.parts();
-  if (topology_ == parts.topology && forces_ == parts.forces && contacts_ == parts.contacts)
-    return false;
+  if (topology_ == parts.topology && forces_ == parts.forces && contacts_ == parts.contacts) return;
   topology_ = parts.topology, forces_ = parts.forces, contacts_ = parts.contacts;
   const auto& systems = topology_->systems();
   const bool renews = std::any_of(systems.begin(), systems.end(), [](const auto* e) {
@@ -43,7 +42,6 @@ bool IslandDivision::learn(const MechanicalSystem& s) {
           {{static_cast<int>(frame - requested.begin())}, i, p.shape->r_SB_K(), boundOf(*p.shape)});
     }
   }
-  return true;
 }
 
 bool IslandDivision::inseparable(const std::vector<int>& systems) const {

@@ -9,8 +9,8 @@ namespace dynamy {
 class IslandDivision {
  public:
   using Groups = std::vector<std::vector<int>>;
-  /// Learns the model of s. False: it is known.
-  bool learn(const MechanicalSystem& s);
+  /// Learns the model of s, if it is another one.
+  void learn(const MechanicalSystem& s);
   /// True: the model has several islands, and positions, velocities and held contacts are all of
   /// their state.
   bool possible(const State& x) const { return several_ && x.memory.size() == 0; }

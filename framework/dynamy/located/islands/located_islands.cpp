@@ -30,27 +30,47 @@ std::vector<int> systemsWhere(const Topology& topology, F&& f) {
   return out;
 }
 
+using Clocks = std::vector<std::unique_ptr<IslandClock>>;
+
+/// Adds a clock for islands of s.
+IslandClock& add(Clocks& clocks, const MechanicalSystem& s, const LocatedSettings& settings) {
+  return *clocks.emplace_back(std::make_unique<IslandClock>(s.parts(), settings));
+}
+
+void drop(Clocks& clocks, std::size_t i) {
+  clocks.erase(clocks.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+/// Writes the percussions of steps that ended at x into the problem of slot 0.
+void percussions(MechanicalSystem& s, const Clocks& clocks, const State& x, double dt) {
+  ImpactProblem& p = s.impactProblem(x, dt);
+  clearPercussions(p, x);
+  const ContactSet& c = *p.contacts;
+  for (const auto& clock : clocks) {
+    if (clock->to() != x.t) continue;
+    const ImpactProblem& own = clock->system().problem();
+    const ContactSet& from = *own.contacts;
+    for (int i = 0; i < from.size(); ++i)
+      for (int k = 0; k < c.size(); ++k) {
+        if (c.key[static_cast<std::size_t>(k)] != from.key[static_cast<std::size_t>(i)]) continue;
+        const int row = c.row0[static_cast<std::size_t>(k)],
+                  there = from.row0[static_cast<std::size_t>(i)];
+        for (int r = 0; r < std::min(c.dim(k), from.dim(i)); ++r) {
+          p.Lambda()[row + r] = own.Lambda()[there + r];
+          p.gammaA[static_cast<std::size_t>(row + r)] =
+              own.gammaA[static_cast<std::size_t>(there + r)];
+        }
+      }
+  }
+  p.gammaFree = p.gammaA;
+}
+
 }  // namespace
 
-IslandClock& LocatedIslands::add(const MechanicalSystem& s) {
-  if (idle_.empty()) {
-    clocks_.push_back(std::make_unique<IslandClock>(s.parts(), settings_));
-  } else {
-    clocks_.push_back(std::move(idle_.back())), idle_.pop_back();
-  }
-  clocks_.back()->aim(settings_.accuracy);
-  return *clocks_.back();
-}
-
 void LocatedIslands::learn(const MechanicalSystem& s, const GovernedMotion& whole) {
-  while (!clocks_.empty()) drop(clocks_.size() - 1);
-  if (division_.learn(s)) idle_.clear();
+  clocks_.clear();
+  division_.learn(s);
   settings_ = whole.motion().settings(), decidedAnew_ = whole.decidedAnew();
-}
-
-void LocatedIslands::drop(std::size_t clock) {
-  idle_.push_back(std::move(clocks_[clock]));
-  clocks_.erase(clocks_.begin() + static_cast<std::ptrdiff_t>(clock));
 }
 
 void LocatedIslands::addParts(const MechanicalSystem& s, const IslandDivision::Groups& groups,
@@ -74,13 +94,14 @@ void LocatedIslands::addParts(const MechanicalSystem& s, const IslandDivision::G
     std::vector<HeldStatus> own;
     for (const HeldStatus& status : statuses)
       if (std::binary_search(keys.begin(), keys.end(), status.key)) own.push_back(status);
-    add(s).set(s, std::move(systems), x, partOf(x.scheme, s.parts(), keys), std::move(own));
+    add(clocks_, s, settings_)
+        .set(s, std::move(systems), x, partOf(x.scheme, s.parts(), keys), std::move(own));
   }
 }
 
 bool LocatedIslands::divide(MechanicalSystem& s, const GovernedMotion& whole, const State& x,
                             const StepReport& report) {
-  if (division_.learn(s)) clocks_.clear(), idle_.clear();
+  division_.learn(s);
   const LocatedParts& parts = whole.motion().parts();
   if (!division_.possible(x) || !parts.bias.elements().empty()) return false;
   const std::vector<int> all = systemsWhere(*s.parts().topology, [](std::size_t) { return true; });
@@ -117,7 +138,7 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
   std::vector<int> covered;
   bool good = true;
   for (const ClockState& kept : kept_) {
-    IslandClock& c = add(s);
+    IslandClock& c = add(clocks_, s, settings_);
     c.set(s, kept, x);
     good = good && !c.again(s, solver, kept.end) && !c.turned() && c.from() <= x.t && x.t <= c.to();
     covered.insert(covered.end(), kept.systems.begin(), kept.systems.end());
@@ -140,7 +161,7 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
   kept_.clear();
   at_ = x;
   if (apart.empty()) return;
-  add(s).set(s, apart, x, decidedAnew_, {});
+  add(clocks_, s, settings_).set(s, apart, x, decidedAnew_, {});
 }
 
 Refusal LocatedIslands::follow(MechanicalSystem& s, InclusionSolver& solver, const State& x,
@@ -183,7 +204,7 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
     const auto joined = c.joinedAt(from);
     addParts(s, {rest}, joined, from, c.startStatuses());
   }
-  drop(clock);
+  drop(clocks_, clock);
   return {};
 }
 
@@ -197,7 +218,7 @@ bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
   if (groups.size() < 2 || clocks_.size() >= division_.most()) return false;
   record_.end(c);
   addParts(s, groups, joined, x, c.statuses(x.t));
-  drop(clock);
+  drop(clocks_, clock);
   return true;
 }
 
@@ -253,10 +274,10 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
   std::vector<int> systems = A.systems();
   systems.insert(systems.end(), B.systems().begin(), B.systems().end());
   std::sort(systems.begin(), systems.end());
-  IslandClock& both = add(s);
+  IslandClock& both = add(clocks_, s, settings_);
   both.set(s, std::move(systems), x, scheme, std::move(statuses));
   both.orderContacts();
-  drop(std::max(a, b)), drop(std::min(a, b));
+  drop(clocks_, std::max(a, b)), drop(clocks_, std::min(a, b));
   return {};
 }
 
@@ -302,11 +323,11 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
       if (stepped.systems[static_cast<std::size_t>(k)] == 0) rest.push_back(k);
     if (rest.size() == clock.systems().size()) continue;
     clock.to() == t ? record_.end(clock) : record_.pass(clock, t);
-    drop(i);
+    drop(clocks_, i);
     if (!rest.empty()) {
       State x = at_;
       x.t = t;
-      add(s).set(s, std::move(rest), x, decidedAnew_, {});
+      add(clocks_, s, settings_).set(s, std::move(rest), x, decidedAnew_, {});
     }
   }
 }
@@ -320,7 +341,7 @@ void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& s
   report.works.given = all;
   if (all) {
     report.solved = record_.solved();
-  } else if (any()) {
+  } else if (!clocks_.empty()) {
     apart_.assign(stepped.systems.size(), 0);
     for (const Clock& c : clocks_)
       for (const int i : c->systems()) apart_[static_cast<std::size_t>(i)] = 1;
@@ -353,45 +374,10 @@ void LocatedIslands::statuses(MechanicalSystem& s, const State& x, StepReport& r
             [](const HeldStatus& a, const HeldStatus& b) { return a.key < b.key; });
   for (const HeldStatus& status : statuses_) keys_.push_back(status.key);
   s.evaluate(x, {.slot = 0, .held = HeldContacts{.keys = keys_, .follow = true}});
-  percussions(s, x, report.dt);
+  percussions(s, clocks_, x, report.dt);
   report.contacts = s.slot(0).contacts.size();
   report.ownStatuses = true, report.statuses = statuses_, report.impacts = record_.impacts();
   report.uBeforeImpact = before;
-}
-
-/// Writes the percussions of steps that ended at x into the problem of slot 0.
-void LocatedIslands::percussions(MechanicalSystem& s, const State& x, double dt) const {
-  ImpactProblem& p = s.impactProblem(x, dt);
-  clearPercussions(p, x);
-  const ContactSet& c = *p.contacts;
-  for (const Clock& clock : clocks_) {
-    if (clock->to() != x.t) continue;
-    const ImpactProblem& own = clock->system().problem();
-    const ContactSet& from = *own.contacts;
-    for (int i = 0; i < from.size(); ++i)
-      for (int k = 0; k < c.size(); ++k) {
-        if (c.key[static_cast<std::size_t>(k)] != from.key[static_cast<std::size_t>(i)]) continue;
-        const int row = c.row0[static_cast<std::size_t>(k)],
-                  there = from.row0[static_cast<std::size_t>(i)];
-        for (int r = 0; r < std::min(c.dim(k), from.dim(i)); ++r) {
-          p.Lambda()[row + r] = own.Lambda()[there + r];
-          p.gammaA[static_cast<std::size_t>(row + r)] =
-              own.gammaA[static_cast<std::size_t>(there + r)];
-        }
-      }
-  }
-  p.gammaFree = p.gammaA;
-}
-
-double LocatedIslands::nextStep(double t) const {
-  double out = 0.0;
-  for (const Clock& c : clocks_) out = std::max(out, c->to() + c->next() - t);
-  return out;
-}
-
-double LocatedIslands::nextInTime(double t, double h) const {
-  for (const Clock& c : clocks_) h = c->to() > t ? std::min(h, c->to() - t) : c->next();
-  return h;
 }
 
 void LocatedIslands::show(MechanicalSystem& s, double t, State& out) {

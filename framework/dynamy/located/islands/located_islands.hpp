@@ -29,7 +29,6 @@ class LocatedIslands {
                  SteppedState& stepped);
   /// Time up to which all of them are known [s]; ∞ without any.
   double known() const;
-  bool any() const { return !clocks_.empty(); }
   /// The governor of the island that was last added to those stepped in time.
   const SwitchGovernor& turnedBy() const { return turned_; }
 
@@ -47,21 +46,17 @@ class LocatedIslands {
   /// Keeps the clocks in `stepped`.
   void keep(SteppedState& stepped);
 
-  /// Longest time from t after which the next step of an island would end [s].
-  double nextStep(double t) const;
-  /// Length of the next step in time from t, h without islands, which ends with the first of theirs.
-  double nextInTime(double t, double h) const;
   /// Writes the located islands at t into `out`.
   void show(MechanicalSystem& s, double t, State& out);
   /// As OneStep::contactsAt.
   bool contactsAt(MechanicalSystem& s, const State& at, bool after, ContactInstant& out);
   bool endedByMotion() const { return record_.endedByMotion(); }
 
- private:
   using Clock = std::unique_ptr<IslandClock>;
+  const std::vector<Clock>& clocks() const { return clocks_; }
+
+ private:
   void learn(const MechanicalSystem& s, const GovernedMotion& whole);
-  IslandClock& add(const MechanicalSystem& s);
-  void drop(std::size_t clock);
   Refusal proceed(MechanicalSystem& s, InclusionSolver& solver, double end, std::size_t clock,
                   SteppedState& stepped);
   Refusal meet(MechanicalSystem& s, InclusionSolver& solver, std::size_t clock);
@@ -72,11 +67,10 @@ class LocatedIslands {
                 const std::vector<HeldStatus>& statuses);
   bool fallApart(MechanicalSystem& s, std::size_t clock);
   void statuses(MechanicalSystem& s, const State& x, StepReport& report);
-  void percussions(MechanicalSystem& s, const State& x, double dt) const;
   IslandDivision division_;
   IslandRecord record_;
   LocatedSettings settings_;
-  std::vector<Clock> clocks_, idle_;
+  std::vector<Clock> clocks_;
   std::vector<ClockState> kept_;
   SwitchGovernor turned_;
   State at_;
