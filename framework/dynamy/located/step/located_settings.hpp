@@ -32,7 +32,7 @@ struct LocatedSettings {
   /// Steps have the lengths that the caller gives, whatever their errors are (theory 53): as a
   /// function of the state at its start, such a step is smooth.
   bool givenSteps = false;
-  bool oneClock = true;   ///< all islands end their steps together
+  bool oneClock = true;  ///< all islands end their steps together
   /// The method of smooth phases at this accuracy.
   const ButcherTableau& table() const;
 };
