@@ -1,10 +1,13 @@
 // Attributes of all shapes: place in their frame, material, colour, mass.
+#include <algorithm>
 #include <cmath>
 #include <dynamy/core/css_colour.hpp>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/rotation.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/system/shape.hpp>
+#include <dynamy/system/smooth_shape.hpp>
+#include <limits>
 #include <numbers>
 
 namespace dynamy {
@@ -16,6 +19,12 @@ bool isColour(const std::string& text) {
   const std::size_t other = text.find_first_not_of("0123456789abcdefABCDEF", 1);
   if (text[0] == '#') return other == std::string::npos && (text.size() == 5 || text.size() == 9);
   return (text.starts_with("rgb") || text.starts_with("hsl")) && text.ends_with(')');
+}
+
+double furthest(const std::vector<Vec3>& points) {
+  double out = 0.0;
+  for (const Vec3& p : points) out = std::max(out, p.norm());
+  return out;
 }
 
 }  // namespace
@@ -87,6 +96,44 @@ Shape::Shape(const Parameters& x)
   if (mass_ > 0.0 && density_ > 0.0)
     throw x["density"].fault("mass and density are both given", "give one of them", 0,
                              x["density"].text.size());
+}
+
+double boundOf(const ShapeGeometry& g) {
+  switch (g.type) {
+    case ShapeType::point:
+      return 0.0;
+    case ShapeType::sphere:
+    case ShapeType::circle:
+      return g.size[0];
+    case ShapeType::box:
+      return 0.5 * Vec3(g.size[0], g.size[1], g.size[2]).norm();
+    case ShapeType::cylinder:
+    case ShapeType::bore:
+      return std::hypot(g.size[0], 0.5 * g.size[1]);
+    case ShapeType::capsule:
+      return g.size[0] + 0.5 * g.size[1];
+    case ShapeType::cone:
+      return std::max(g.size[0], g.size[1]);
+    case ShapeType::torus:
+      return g.size[0] + g.size[1];
+    case ShapeType::ellipsoid:
+      return std::max({g.size[0], g.size[1], g.size[2]});
+    case ShapeType::line:
+    case ShapeType::polygon:
+    case ShapeType::contour:
+    case ShapeType::polyhedron:
+    case ShapeType::mesh:
+      return furthest(g.points);
+    case ShapeType::halfSpace:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+double boundOf(const Shape& shape) {
+  if (const OwnContact own = shape.ownContact(); own.family != nullptr) return own.bound;
+  if (const SmoothShape* smooth = shape.smooth()) return smooth->extent().bound;
+  return boundOf(shape.geometry());
 }
 
 }  // namespace dynamy

@@ -95,4 +95,9 @@ class Shape : public Element {
   Vec3 grain_B_ = Vec3::Zero();
 };
 
+/// Radius of a ball about the origin of the shape that holds it [m]; infinite: none does.
+double boundOf(const ShapeGeometry& geometry);
+/// The same of a shape of any kind.
+double boundOf(const Shape& shape);
+
 }  // namespace dynamy

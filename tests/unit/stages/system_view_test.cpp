@@ -21,6 +21,8 @@ class Mass final : public PartialMechanicalSystem {
   void initialState(Vec q, Vec u) const override { q.setZero(), u.setZero(); }
   void M(double, ConstVec, MassBlocks M) const override { M[0](0, 0) = 2.0; }
   void h(double, ConstVec, ConstVec, Vec h) const override { ++calls, h[0] = -20.0; }
+  int frames() const override { return 1; }
+  void frame(double, ConstVec q, ConstVec, int, Frame& f) const override { f.r_OS_I.x() = q[0]; }
   mutable int calls = 0;
 };
 
@@ -111,6 +113,21 @@ TEST(SystemView, TakesNoForcesAtTheEndOfAStep) {
   MechanicalSystem view(all.parts);
   EXPECT_THROW(view.evaluate(all.x, {.ahead = 1e-3, .damped = &kImplicitMidpoint}),
                std::logic_error);
+}
+
+TEST(SystemView, FramesMadeAnewAreThoseOfItsSystems) {
+  ThreeMasses all;
+  all.topology.frame(all.topology.system(0), 0), all.topology.frame(all.topology.system(2), 0);
+  SystemSubset subset;
+  subset.assign(all.topology, {0, 1, 1}, all.parts.forces, all.parts.contacts);
+  Kinematics k;
+  const State& x = all.x;
+  for (int i = 0; i < 2; ++i) {
+    k.resize(all.topology);
+    k.evaluate(all.topology, 0.0, view(x.q), view(x.u), {nullptr, 0}, &subset);
+    EXPECT_FALSE(k.frame({0}).absent);
+    EXPECT_TRUE(k.frame({1}).absent);
+  }
 }
 
 TEST(SystemView, SubsetsKnowWhatActsOnThem) {

@@ -65,7 +65,7 @@ class Features {
 };
 
 void sphere(Features& f, double radius, TouchingShape& out) {
-  out.kind = ShapeTouch::ball, out.bound = radius;
+  out.kind = ShapeTouch::ball;
   out.thickness = radius > 0.0 ? radius : std::numeric_limits<double>::infinity();
   f.ball(Vec3::Zero(), radius);
 }
@@ -79,7 +79,7 @@ void capsule(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = ShapeTouch::capsule, out.bound = R + half, out.half = {R, R, half};
+  out.kind = ShapeTouch::capsule, out.half = {R, R, half};
   f.ball({0.0, 0.0, -half}, R, "end0"), f.ball({0.0, 0.0, half}, R, "end1");
 }
 
@@ -91,7 +91,7 @@ void cylinder(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = ShapeTouch::other, out.bound = std::hypot(R, half), out.thickness = std::min(R, half);
+  out.kind = ShapeTouch::other, out.thickness = std::min(R, half);
   if (f.inSpace()) {
     out.kind = ShapeTouch::cylinder, out.half = {R, R, half};
     f.rim(-half, R, 0.0, "rim0"), f.rim(half, R, 0.0, "rim1");
@@ -114,7 +114,7 @@ void cone(Features& f, const ShapeGeometry& g, TouchingShape& out) {
     f.ball(Vec3::Zero(), R);
     return;
   }
-  out.kind = ShapeTouch::cone, out.bound = std::max(R, length), out.half = {R, R, 0.5 * length};
+  out.kind = ShapeTouch::cone, out.half = {R, R, 0.5 * length};
   out.thickness = 0.5 * R * length / std::hypot(R, length);
   if (f.inSpace()) {
     f.rim(0.0, R, 0.0, "rim");
@@ -129,7 +129,7 @@ void cone(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 void torus(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   const double R = g.size[0], tube = g.size[1];
   if (!f.inSpace() && f.along() < 0) return;
-  out.bound = R + tube, out.thickness = tube;
+  out.thickness = tube;
   if (f.along() == 2) {
     out.kind = ShapeTouch::ball;
     f.ball(Vec3::Zero(), R + tube);
@@ -149,7 +149,7 @@ void ellipsoid(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace() && f.along() < 0) return;
   const Vec3 semi(g.size[0], g.size[1], g.size[2]);
   const Mat3& A = out.shape->A_KB();
-  out.kind = ShapeTouch::smooth, out.bound = semi.maxCoeff(), out.thickness = semi.minCoeff();
+  out.kind = ShapeTouch::smooth, out.thickness = semi.minCoeff();
   f.ball(Vec3::Zero(), 0.0);
   SupportFeature& feature = out.features.back();
   feature.kind = SupportFeature::Kind::ellipsoid;
@@ -187,7 +187,6 @@ double halfWidth(const ShapeGeometry& g) {
 void surface(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   if (!f.inSpace()) return;
   out.kind = ShapeTouch::surface, out.thickness = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
   if (g.type != ShapeType::polyhedron) return;
   out.kind = ShapeTouch::polyhedron;
   out.thickness = halfWidth(g);
@@ -196,8 +195,7 @@ void surface(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 
 void contour(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   out.thickness = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : g.points)
-    out.bound = std::max(out.bound, p.norm()), out.thickness = std::min(out.thickness, p.norm());
+  for (const Vec3& p : g.points) out.thickness = std::min(out.thickness, p.norm());
   if (f.along() != 2) return;
   out.kind = ShapeTouch::contour;
   f.ball(Vec3::Zero(), 0.0);
@@ -219,9 +217,7 @@ void line(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 
 /// A polygon that lies in the plane of motion.
 void polygon(Features& f, const ShapeGeometry& g, TouchingShape& out) {
-  // The bound is set in space, too, where the polygon does not touch: near shapes are found by it.
   out.thickness = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : g.points) out.bound = std::max(out.bound, p.norm());
   if (f.along() < 0) return;
   const auto outside = [&](const Vec3& p) {
     return std::abs((p - g.points[0])[f.along()]) > 1e-12 * out.bound;
@@ -233,7 +229,7 @@ void polygon(Features& f, const ShapeGeometry& g, TouchingShape& out) {
 }
 
 void circle(Features& f, const ShapeGeometry& g, TouchingShape& out) {
-  out.bound = out.thickness = g.size[0];
+  out.thickness = g.size[0];
   if (f.along() == 2) out.kind = ShapeTouch::ball, f.ball(Vec3::Zero(), g.size[0]);
 }
 
@@ -241,19 +237,20 @@ void box(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   out.kind = ShapeTouch::box;
   f.corners(g.points);
   out.half = 0.5 * Vec3(g.size[0], g.size[1], g.size[2]);
-  out.bound = out.half.norm(), out.thickness = out.half.minCoeff();
+  out.thickness = out.half.minCoeff();
 }
 
 void halfSpace(const ShapeGeometry& g, TouchingShape& out) {
   out.kind = ShapeTouch::halfSpace;
   out.n_K = out.A_KB * g.points[0];
-  out.bound = out.thickness = std::numeric_limits<double>::infinity();
+  out.thickness = std::numeric_limits<double>::infinity();
 }
 
 /// In a plane across its axis a bore is a circle; in space it needs a length.
 void bore(Features& f, const ShapeGeometry& g, TouchingShape& out) {
   const double R = g.size[0], half = 0.5 * g.size[1];
-  out.bound = f.inSpace() ? std::hypot(R, half) : R, out.half = {R, R, half};
+  if (!f.inSpace()) out.bound = R;
+  out.half = {R, R, half};
   out.thickness = std::numeric_limits<double>::infinity();
   if (f.inSpace() ? half > 0.0 : f.along() == 2) out.kind = ShapeTouch::bore;
 }
@@ -372,6 +369,8 @@ TouchingShape touchingShape(const ShapeInstance& instance, const Vec3& plane_K) 
     own(f, given, out);
     return out;
   }
+  // Near shapes are found by it, also in space where a line or a polygon does not touch.
+  out.bound = boundOf(g);
   addFeatures(f, g, out);
   const bool section = out.kind == ShapeTouch::polygon || out.kind == ShapeTouch::section ||
                        out.kind == ShapeTouch::box;

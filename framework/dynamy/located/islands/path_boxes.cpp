@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/islands/path_boxes.hpp>
-#include <dynamy/system/shape_pair.hpp>
-#include <dynamy/system/smooth_shape.hpp>
 #include <limits>
 
 namespace dynamy {
@@ -13,51 +11,7 @@ constexpr double kMargin = 1e-3;  ///< of the bound of a shape, on all sides
 constexpr double kTurn =
     1.0;  ///< from this angle in a part on, a shape may be anywhere about its frame
 
-double furthest(const std::vector<Vec3>& points) {
-  double out = 0.0;
-  for (const Vec3& p : points) out = std::max(out, p.norm());
-  return out;
-}
-
-double boundOf(const ShapeGeometry& g) {
-  switch (g.type) {
-    case ShapeType::point:
-      return 0.0;
-    case ShapeType::sphere:
-    case ShapeType::circle:
-      return g.size[0];
-    case ShapeType::box:
-      return 0.5 * std::hypot(g.size[0], g.size[1], g.size[2]);
-    case ShapeType::cylinder:
-    case ShapeType::bore:
-      return std::hypot(g.size[0], 0.5 * g.size[1]);
-    case ShapeType::capsule:
-      return g.size[0] + 0.5 * g.size[1];
-    case ShapeType::cone:
-      return std::max(g.size[0], g.size[1]);
-    case ShapeType::torus:
-      return g.size[0] + g.size[1];
-    case ShapeType::ellipsoid:
-      return std::max({g.size[0], g.size[1], g.size[2]});
-    case ShapeType::line:
-    case ShapeType::polygon:
-    case ShapeType::contour:
-    case ShapeType::polyhedron:
-    case ShapeType::mesh:
-      return furthest(g.points);
-    case ShapeType::halfSpace:
-      break;
-  }
-  return std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
-
-double boundOf(const Shape& shape) {
-  if (const OwnContact own = shape.ownContact(); own.family != nullptr) return own.bound;
-  if (const SmoothShape* smooth = shape.smooth()) return smooth->extent().bound;
-  return boundOf(shape.geometry());
-}
 
 PathBoxes::Place PathBoxes::at(std::size_t shape, const Kinematics& k) const {
   const MovingShape& s = shapes_[shape];

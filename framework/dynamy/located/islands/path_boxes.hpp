@@ -20,9 +20,6 @@ struct MovingShape {
   double bound = 0.0;         ///< radius of the ball [m]
 };
 
-/// Radius of a ball about the origin of the shape that holds it [m]; infinite: none does.
-double boundOf(const Shape& shape);
-
 class PathBoxes {
  public:
   using Box = Eigen::AlignedBox3d;
