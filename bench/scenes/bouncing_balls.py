@@ -2,10 +2,11 @@
 """Cost of n balls that bounce a metre apart, with laws between them, for 1 s to a tolerance.
 
     bench/scenes/bouncing_balls.py PROGRAM… [--n 10 30 100] [--tolerance 1e-8] [--repeat 3]
+                                   [--clocks one islands]
     bench/scenes/bouncing_balls.py --model N      prints the model
 
-PROGRAM is one build of dynamY or several, which take turns. A row for each n: CPU seconds (the
-least of the repetitions), and of the first program evaluations a switch, looks at all contacts a
+PROGRAM is one build of dynamY or several, which take turns, each with all clocks. A row for each n:
+CPU seconds (the least of the repetitions), and of the first of them evaluations a switch, looks at all contacts a
 switch, and gaps a switch and ball (theory 50.3).
 """
 import argparse
@@ -17,7 +18,7 @@ import subprocess
 import tempfile
 
 
-def model(n):
+def model(n, clocks="one"):
     r = random.Random(7)
     side = int(n ** 0.5) + 1
     bodies = "\n".join(
@@ -29,7 +30,8 @@ def model(n):
 <forces><Gravity/></forces><elements>
 <Contact between="ball floor"><UnilateralCoulomb mu="0.3" epsilonN="0.8"/></Contact>
 <Contact between="ball ball"><UnilateralCoulomb mu="0.3" epsilonN="0.8"/></Contact></elements>
-<record frames="0"/><simulation until="1" tolerance="1e-8"/></dynamy>
+<record frames="0"/><simulation until="1" tolerance="1e-8"><LocatedDormandPrince
+clocks="{clocks}"/></simulation></dynamy>
 """
 
 
@@ -46,23 +48,28 @@ def main():
     p.add_argument("--n", type=int, nargs="+", default=[10, 30, 100])
     p.add_argument("--tolerance", default="1e-8")
     p.add_argument("--repeat", type=int, default=3)
+    p.add_argument("--clocks", nargs="+", default=["one"], choices=["one", "islands"])
     p.add_argument("--model", type=int)
     a = p.parse_args()
     if a.model:
-        print(model(a.model), end="")
+        print(model(a.model, a.clocks[0]), end="")
         return
     if not a.program:
         p.error("give a program, or --model N")
-    print(f"{'n':>6} " + " ".join(f"{'CPU s':>8}" for _ in a.program)
+    kinds = [(program, clocks) for program in a.program for clocks in a.clocks]
+    print(f"{'n':>6} " + " ".join(f"{clocks:>8}" for _, clocks in kinds)
           + "  evaluations/switch  looks/switch  gaps/(switch ball)  same bits")
     for n in a.n:
         with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "balls.xml")
-            pathlib.Path(path).write_text(model(n))
-            cpu, facts = [[] for _ in a.program], [None] * len(a.program)
+            path = {}
+            for clocks in a.clocks:
+                path[clocks] = os.path.join(folder, f"balls_{clocks}.xml")
+                pathlib.Path(path[clocks]).write_text(model(n, clocks))
+            cpu, facts = [[] for _ in kinds], [None] * len(kinds)
             for r in range(a.repeat):
-                for k, program in enumerate(a.program):
-                    facts[k] = run(program, path, a.tolerance, os.path.join(folder, f"o{k}_{r}"))
+                for k, (program, clocks) in enumerate(kinds):
+                    facts[k] = run(program, path[clocks], a.tolerance,
+                                   os.path.join(folder, f"o{k}_{r}"))
                     cpu[k].append(facts[k]["cpu_s"])
         first = facts[0]
         switches = max(1, first["switchesLocated"])

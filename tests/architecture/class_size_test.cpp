@@ -28,9 +28,7 @@ struct LargeClass {
 constexpr int kMostOfAWhole = 40;
 const std::set<std::string> kWholes = {"Model", "Simulation"};
 
-const std::vector<LargeClass> kLarge = {
-    {"IslandClock", 29, 17, "its present step is to become a class of its own"},
-    {"LocatedIslands", 21, 12, "goes with IslandClock"}};
+const std::vector<LargeClass> kLarge = {};
 
 struct SpreadClass {
   std::string name;

@@ -27,15 +27,16 @@ int steppedSystems(const Topology& topology, const SteppedState& stepped) {
 }
 
 /// Longest time from t after which the next step of an island would end [s].
-double nextApart(const std::vector<LocatedIslands::Clock>& clocks, double t) {
+double nextApart(const IslandClocks& clocks, double t) {
   double out = 0.0;
-  for (const auto& c : clocks) out = std::max(out, c->to() + c->next() - t);
+  for (const auto& c : clocks) out = std::max(out, c->now().to.t + c->now().next() - t);
   return out;
 }
 
 /// Length of the next step in time from t, h without islands, which ends with the first of theirs.
-double nextInTime(const std::vector<LocatedIslands::Clock>& clocks, double t, double h) {
-  for (const auto& c : clocks) h = c->to() > t ? std::min(h, c->to() - t) : c->next();
+double nextInTime(const IslandClocks& clocks, double t, double h) {
+  for (const auto& c : clocks)
+    h = c->now().to.t > t ? std::min(h, c->now().to.t - t) : c->now().next();
   return h;
 }
 

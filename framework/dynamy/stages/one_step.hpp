@@ -101,9 +101,11 @@ struct StepReport {
   bool simpler = false;
   StepCounts counts{};
   StepWorks works{};
-  bool ownStatuses = false;                ///< the scheme gives `statuses`; others are open
-  std::span<const HeldStatus> statuses{};  ///< valid until the next step
-  /// With own statuses: all impacts of the step, also of contacts that are far away at its end.
+  bool ownStatuses = false;  ///< the scheme gives the statuses of all contacts
+  /// Of contacts of systems in `apart`, or with own statuses of all; others are open. Valid until the
+  /// next step.
+  std::span<const HeldStatus> statuses{};
+  /// All impacts of the same contacts, also of those that are far away at the end of the step.
   std::span<const LocatedImpact> impacts{};
   /// Velocities right before an impact at the end of the step, the scheme's own until its next
   /// step; null: there is none.

@@ -14,6 +14,7 @@ class GovernedMotion {
   SwitchGovernor& governor() { return state_.governor; }
   /// The state of x, or after a step that of its end.
   GovernedState& state() { return state_; }
+  const GovernedState& state() const { return state_; }
 
   /// Reads the state of a step that begins at x. False: x.scheme is not of such a run.
   bool load(const MechanicalSystem& s, const State& x);

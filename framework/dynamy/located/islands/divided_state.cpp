@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy/located/islands/divided_state.hpp>
+#include <iterator>
 
 namespace dynamy {
 namespace {
@@ -37,6 +38,10 @@ Eigen::VectorXd unionOf(const Eigen::VectorXd& a, const Eigen::VectorXd& b,
   HeldState& held = state.held;
   const HeldState& more = other.held;
   held.held.insert(held.held.end(), more.held.begin(), more.held.end());
+  std::vector<int> missing;
+  std::set_union(held.missing.begin(), held.missing.end(), more.missing.begin(), more.missing.end(),
+                 std::back_inserter(missing));
+  held.missing = std::move(missing);
   if (more.pace.lastEvent > held.pace.lastEvent)
     held.pace.lastEvent = more.pace.lastEvent, held.pace.empty = more.pace.empty;
   held.pace.next = std::min(held.pace.next, more.pace.next);

@@ -28,22 +28,23 @@ void IslandClock::set(const MechanicalSystem& s, std::vector<int> systems, const
   for (const int i : systems_) without[static_cast<std::size_t>(i)] = 0;
   subset_.assign(topology, std::move(without), s.parts().forces, s.parts().contacts);
   view_->gTol(s.gTol());
-  to_.t = x.t, to_.q = x.q, to_.u.setZero(x.u.size());
+  now_.to.t = x.t, now_.to.q = x.q, now_.to.u.setZero(x.u.size());
   for (const int i : systems_) {
     const SystemHandle& h = topology.system(i);
-    to_.u.segment(h.u0, h.nu) = x.u.segment(h.u0, h.nu);
+    now_.to.u.segment(h.u0, h.nu) = x.u.segment(h.u0, h.nu);
   }
-  to_.memory = x.memory, to_.impulses = {}, to_.scheme = scheme;
-  from_ = to_, end_ = x.t;
-  report_ = {}, booked = {}, counted = true, turned_ = false;
-  before_ = after_ = std::move(statuses);
-  justSet_ = true, path_.clear();
+  now_.to.memory = x.memory, now_.to.impulses = {}, now_.to.scheme = scheme;
+  now_.from = now_.to, now_.end = x.t;
+  now_.report = {}, booked = {}, counted = true, now_.turned = false;
+  now_.before = now_.after = std::move(statuses);
+  now_.justSet = true, path_.clear();
 }
 
 void IslandClock::orderContacts() {
   std::vector<ContactKey> keys;
-  for (const IslandDivision::Joined& contact : joinedAt(to_)) keys.push_back(contact.key);
-  if (keys.size() > 1) to_.scheme = from_.scheme = inOrder(to_.scheme, view_->parts(), keys);
+  for (const IslandDivision::Joined& contact : joinedAt(now_.to)) keys.push_back(contact.key);
+  if (keys.size() > 1)
+    now_.to.scheme = now_.from.scheme = inOrder(now_.to.scheme, view_->parts(), keys);
 }
 
 void IslandClock::set(const MechanicalSystem& s, const ClockState& kept, const State& x) {
@@ -56,15 +57,15 @@ void IslandClock::set(const MechanicalSystem& s, const ClockState& kept, const S
     from.u.segment(h.u0, h.nu) = kept.u.segment(u, h.nu), u += h.nu;
   }
   set(s, kept.systems, from, kept.scheme, kept.statuses);
-  end_ = kept.end;
+  now_.end = kept.end;
 }
 
 void IslandClock::keep(ClockState& out) const {
-  if (out.systems == systems_ && out.t == from_.t && out.end == end_ &&
-      out.scheme.size() == from_.scheme.size() && out.scheme == from_.scheme)
+  if (out.systems == systems_ && out.t == now_.from.t && out.end == now_.end &&
+      out.scheme.size() == now_.from.scheme.size() && out.scheme == now_.from.scheme)
     return;
-  out.systems = systems_, out.t = from_.t, out.end = end_, out.scheme = from_.scheme;
-  out.statuses = before_;
+  out.systems = systems_, out.t = now_.from.t, out.end = now_.end, out.scheme = now_.from.scheme;
+  out.statuses = now_.before;
   const Topology& topology = *view_->parts().topology;
   Eigen::Index nq = 0, nu = 0;
   for (const int i : systems_) nq += topology.system(i).nq, nu += topology.system(i).nu;
@@ -72,46 +73,46 @@ void IslandClock::keep(ClockState& out) const {
   nq = nu = 0;
   for (const int i : systems_) {
     const SystemHandle& h = topology.system(i);
-    out.q.segment(nq, h.nq) = from_.q.segment(h.q0, h.nq), nq += h.nq;
-    out.u.segment(nu, h.nu) = from_.u.segment(h.u0, h.nu), nu += h.nu;
+    out.q.segment(nq, h.nq) = now_.from.q.segment(h.q0, h.nq), nq += h.nq;
+    out.u.segment(nu, h.nu) = now_.from.u.segment(h.u0, h.nu), nu += h.nu;
   }
 }
 
 Refusal IslandClock::step(MechanicalSystem& s, InclusionSolver& solver, double end) {
-  from_ = to_, end_ = end;
-  before_ = after_, booked = {}, justSet_ = false;
+  now_.from = now_.to, now_.end = end;
+  now_.before = now_.after, booked = {}, now_.justSet = false;
   return advance(s, solver);
 }
 
 Refusal IslandClock::again(MechanicalSystem& s, InclusionSolver& solver, double end) {
-  to_ = from_, end_ = end, justSet_ = false;
+  now_.to = now_.from, now_.end = end, now_.justSet = false;
   return advance(s, solver);
 }
 
 Refusal IslandClock::advance(MechanicalSystem& s, InclusionSolver& solver) {
   MechanicalSystem& view = *view_;
   view.limits = s.limits;
-  report_ = {}, counted = false, path_.clear();
+  now_.report = {}, counted = false, path_.clear();
   const long evaluations = view.evaluations();
   Refusal refusal;
-  if (!motion_.load(view, to_))
+  if (!motion_.load(view, now_.to))
     refusal = {Refusal::Kind::fault,
                "the checkpoint holds what this scheme does not leave in a state"};
   else
-    refusal = motion_.locate(view, solver, to_, end_ - from_.t, report_);
+    refusal = motion_.locate(view, solver, now_.to, now_.end - now_.from.t, now_.report);
   s.count(view.evaluations() - evaluations);
-  turned_ = motion_.turned();
-  if (refusal || turned_) {
-    to_ = from_, counted = true;
+  now_.turned = motion_.turned();
+  if (refusal || now_.turned) {
+    now_.to = now_.from, counted = true;
     return refusal;
   }
-  after_.assign(report_.statuses.begin(), report_.statuses.end());
+  now_.after.assign(now_.report.statuses.begin(), now_.report.statuses.end());
   return refusal;
 }
 
 std::vector<int> IslandClock::toStep() const {
   std::vector<int> out;
-  const std::vector<char>& chosen = const_cast<GovernedMotion&>(motion_).state().stepped.systems;
+  const std::vector<char>& chosen = motion_.state().stepped.systems;
   for (const int i : systems_)
     if (chosen[static_cast<std::size_t>(i)] != 0) out.push_back(i);
   return out.empty() ? systems_ : out;
@@ -120,9 +121,9 @@ std::vector<int> IslandClock::toStep() const {
 /// The state at t, into at_. A step that ends with a slip has no interpolation of its own: its
 /// accelerations are constant.
 void IslandClock::within(double t) {
-  const double theta = (t - from_.t) / (to_.t - from_.t);
-  if (!motion_.motion().interpolate(*view_, from_, to_, theta, at_))
-    SteppedIslands::linear(*view_, from_, to_, theta, at_);
+  const double theta = (t - now_.from.t) / (now_.to.t - now_.from.t);
+  if (!motion_.motion().interpolate(*view_, now_.from, now_.to, theta, at_))
+    SteppedIslands::linear(*view_, now_.from, now_.to, theta, at_);
 }
 
 void IslandClock::copy(const State& from, State& to) const {
@@ -135,7 +136,7 @@ void IslandClock::copy(const State& from, State& to) const {
 }
 
 void IslandClock::place(MechanicalSystem& s, double t, State& out) {
-  if (t >= to_.t || t <= from_.t) return copy(t >= to_.t ? to_ : from_, out);
+  if (t >= now_.to.t || t <= now_.from.t) return copy(t >= now_.to.t ? now_.to : now_.from, out);
   const long evaluations = view_->evaluations();
   within(t);
   s.count(view_->evaluations() - evaluations);
@@ -154,13 +155,13 @@ void IslandClock::findPath(MechanicalSystem& s, std::span<const MovingShape> sha
   const auto frames = [&](const State& x) {
     k.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory), &subset_);
   };
-  frames(std::as_const(from_));
+  frames(std::as_const(now_.from));
   path_.begin(shapes_, k);
   const long evaluations = view_->evaluations();
-  for (int i = 1; i <= kParts && to_.t > from_.t; ++i) {
+  for (int i = 1; i <= kParts && now_.to.t > now_.from.t; ++i) {
     // At the end of the step these are the velocities before an impact there.
-    within(i < kParts ? from_.t + (to_.t - from_.t) * i / kParts : to_.t);
-    at_.t = i < kParts ? at_.t : to_.t;
+    within(i < kParts ? now_.from.t + (now_.to.t - now_.from.t) * i / kParts : now_.to.t);
+    at_.t = i < kParts ? at_.t : now_.to.t;
     frames(std::as_const(at_));
     path_.pass(k);
   }

@@ -8,6 +8,21 @@
 
 namespace dynamy {
 
+/// The present step of a clock.
+struct IslandStep {
+  State from, to;
+  double end = 0.0;   ///< time up to which it might have gone [s]
+  StepReport report;  ///< its length is 0 where the clock was just set
+  bool turned =
+      false;  ///< systems have to be stepped in time from `from` on: IslandClock::toStep()
+  bool justSet = true;  ///< the clock has taken no step since it was set
+  /// Statuses of the island's contacts where the step began, and at its end.
+  std::vector<HeldStatus> before, after;
+  const std::vector<HeldStatus>& statuses(double t) const { return t < to.t ? before : after; }
+  /// Length of the step that the clock will try next [s].
+  double next() const { return to.scheme.size() > 0 ? to.scheme[0] : 0.0; }
+};
+
 class IslandClock {
  public:
   IslandClock(const SystemParts& whole, const LocatedSettings& settings);
@@ -18,35 +33,22 @@ class IslandClock {
   void set(const MechanicalSystem& s, const ClockState& kept, const State& x);
   /// Puts contacts of two islands that became this one into the order in which they are reported.
   void orderContacts();
-  /// Takes the next step, at most to `end`. After a refusal, and if it turned(), the clock stands
+  /// Takes the next step, at most to `end`. After a refusal, and if it turned, the clock stands
   /// where this step began.
   Refusal step(MechanicalSystem& s, InclusionSolver& solver, double end);
   /// Takes the present step again, at most to `end`.
   Refusal again(MechanicalSystem& s, InclusionSolver& solver, double end);
-  /// True: the systems in toStep() have to be stepped in time from now on.
-  bool turned() const { return turned_; }
+  const IslandStep& now() const { return now_; }
+  /// Systems that have to be stepped in time from the start of a step on that turned.
   std::vector<int> toStep() const;
 
   const std::vector<int>& systems() const { return systems_; }
-  double from() const { return from_.t; }  ///< start of the present step [s]
-  double to() const { return to_.t; }      ///< its end [s]
-  const State& start() const { return from_; }
-  const State& end() const { return to_; }
-  /// What the step reports; its length is 0 where the clock was just set.
-  const StepReport& report() const { return report_; }
   GovernedMotion& motion() { return motion_; }
   const MechanicalSystem& system() const { return *view_; }
   /// Contacts that are held at x, a start or an end of its steps.
   std::vector<IslandDivision::Joined> joinedAt(const State& x) {
     return IslandDivision::joinedAt(*view_, x);
   }
-  /// Statuses of its contacts at t, and where its step began.
-  const std::vector<HeldStatus>& statuses(double t) const { return t < to_.t ? before_ : after_; }
-  const std::vector<HeldStatus>& startStatuses() const { return before_; }
-  /// True: it has taken no step since it was set.
-  bool justSet() const { return justSet_; }
-  /// Length of the step that it will try next [s].
-  double next() const { return to_.scheme.size() > 0 ? to_.scheme[0] : 0.0; }
   /// What a checkpoint holds of it.
   void keep(ClockState& out) const;
 
@@ -72,11 +74,8 @@ class IslandClock {
   std::unique_ptr<MechanicalSystem> view_;  // on subset_
   GovernedMotion motion_;
   std::vector<int> systems_;
-  State from_, to_, at_;
-  double end_ = 0.0;  // time up to which the step might have gone [s]
-  StepReport report_;
-  bool turned_ = false, justSet_ = true;
-  std::vector<HeldStatus> before_, after_;
+  IslandStep now_;
+  State at_;
   std::vector<MovingShape> shapes_;
   PathBoxes path_;
 };

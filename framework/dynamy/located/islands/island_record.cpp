@@ -28,7 +28,7 @@ void IslandRecord::effort(const StepEffort& e) {
 void IslandRecord::end(IslandClock& c) {
   if (c.counted) return;
   c.counted = true;
-  const StepReport& r = c.report();
+  const StepReport& r = c.now().report;
   counts_.rejected += r.counts.rejected, counts_.switches += r.counts.switches;
   counts_.impacts += r.counts.impacts, counts_.accumulations += r.counts.accumulations;
   counts_.undecided += r.counts.undecided;
@@ -44,9 +44,9 @@ void IslandRecord::end(IslandClock& c) {
 }
 
 void IslandRecord::pass(IslandClock& c, double t) {
-  if (c.counted || !(c.to() > c.from())) return;
+  if (c.counted || !(c.now().to.t > c.now().from.t)) return;
   // An impact at the end of the step has its works there.
-  const double share = (t - c.from()) / (c.to() - c.from());
+  const double share = (t - c.now().from.t) / (c.now().to.t - c.now().from.t);
   const std::array<double, 5>& smooth = c.motion().motion().parts().motion.step.last().works();
   std::size_t k = 0;
   eachWork([&](double StepWorks::*w) {

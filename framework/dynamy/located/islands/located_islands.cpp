@@ -30,39 +30,13 @@ std::vector<int> systemsWhere(const Topology& topology, F&& f) {
   return out;
 }
 
-using Clocks = std::vector<std::unique_ptr<IslandClock>>;
-
 /// Adds a clock for islands of s.
-IslandClock& add(Clocks& clocks, const MechanicalSystem& s, const LocatedSettings& settings) {
+IslandClock& add(IslandClocks& clocks, const MechanicalSystem& s, const LocatedSettings& settings) {
   return *clocks.emplace_back(std::make_unique<IslandClock>(s.parts(), settings));
 }
 
-void drop(Clocks& clocks, std::size_t i) {
+void drop(IslandClocks& clocks, std::size_t i) {
   clocks.erase(clocks.begin() + static_cast<std::ptrdiff_t>(i));
-}
-
-/// Writes the percussions of steps that ended at x into the problem of slot 0.
-void percussions(MechanicalSystem& s, const Clocks& clocks, const State& x, double dt) {
-  ImpactProblem& p = s.impactProblem(x, dt);
-  clearPercussions(p, x);
-  const ContactSet& c = *p.contacts;
-  for (const auto& clock : clocks) {
-    if (clock->to() != x.t) continue;
-    const ImpactProblem& own = clock->system().problem();
-    const ContactSet& from = *own.contacts;
-    for (int i = 0; i < from.size(); ++i)
-      for (int k = 0; k < c.size(); ++k) {
-        if (c.key[static_cast<std::size_t>(k)] != from.key[static_cast<std::size_t>(i)]) continue;
-        const int row = c.row0[static_cast<std::size_t>(k)],
-                  there = from.row0[static_cast<std::size_t>(i)];
-        for (int r = 0; r < std::min(c.dim(k), from.dim(i)); ++r) {
-          p.Lambda()[row + r] = own.Lambda()[there + r];
-          p.gammaA[static_cast<std::size_t>(row + r)] =
-              own.gammaA[static_cast<std::size_t>(there + r)];
-        }
-      }
-  }
-  p.gammaFree = p.gammaA;
 }
 
 }  // namespace
@@ -120,7 +94,7 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
                            const SteppedState& stepped) {
   const Topology& topology = *s.parts().topology;
   const auto isHere = [&] {
-    for (const Clock& c : clocks_)
+    for (const auto& c : clocks_)
       for (const int i : c->systems()) {
         const SystemHandle& h = topology.system(i);
         if (at_.q.segment(h.q0, h.nq) != x.q.segment(h.q0, h.nq) ||
@@ -140,12 +114,13 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
   for (const ClockState& kept : kept_) {
     IslandClock& c = add(clocks_, s, settings_);
     c.set(s, kept, x);
-    good = good && !c.again(s, solver, kept.end) && !c.turned() && c.from() <= x.t && x.t <= c.to();
+    good = good && !c.again(s, solver, kept.end) && !c.now().turned && c.now().from.t <= x.t &&
+           x.t <= c.now().to.t;
     covered.insert(covered.end(), kept.systems.begin(), kept.systems.end());
     if (!good) break;
     c.findPath(s, division_.shapes(), division_.kinematics());
     c.place(s, x.t, at_);
-    c.counted = c.to() == x.t;
+    c.counted = c.now().to.t == x.t;
     // What was booked before the run was stopped.
     if (!c.counted) record_.begin(), record_.pass(c, x.t);
   }
@@ -170,7 +145,7 @@ Refusal LocatedIslands::follow(MechanicalSystem& s, InclusionSolver& solver, con
   for (;;) {
     std::size_t next = clocks_.size();
     for (std::size_t i = 0; i < clocks_.size(); ++i)
-      if (clocks_[i]->to() <= x.t &&
+      if (clocks_[i]->now().to.t <= x.t &&
           (next == clocks_.size() ||
            clocks_[i]->systems().front() < clocks_[next]->systems().front()))
         next = i;
@@ -187,9 +162,9 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
   IslandClock& c = *clocks_[clock];
   record_.end(c);
   Refusal refusal = c.step(s, solver, end);
-  record_.effort(c.report().counts.effort);
-  if (!c.turned()) {
-    if (refusal) return refusal;
+  record_.effort(c.now().report.counts.effort);
+  if (!c.now().turned) {
+    if (refusal || clocks_.size() == 1) return refusal;  // one alone meets none
     c.findPath(s, division_.shapes(), division_.kinematics());
     return meet(s, solver, clock);
   }
@@ -200,9 +175,9 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
   for (const int i : c.systems())
     if (!contains(chosen, i)) rest.push_back(i);
   if (!rest.empty()) {
-    State from = c.start();
+    State from = c.now().from;
     const auto joined = c.joinedAt(from);
-    addParts(s, {rest}, joined, from, c.startStatuses());
+    addParts(s, {rest}, joined, from, c.now().before);
   }
   drop(clocks_, clock);
   return {};
@@ -210,14 +185,15 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
 
 bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
   IslandClock& c = *clocks_[clock];
-  if (settings_.oneClock || c.justSet() || division_.inseparable(c.systems())) return false;
-  const State x = c.end();
+  if (settings_.oneClock || c.now().justSet || division_.inseparable(c.systems())) return false;
+  const State x = c.now().to;
   const auto joined = c.joinedAt(x);
   const double T = c.motion().motion().parts().norm.time();
-  const auto groups = division_.groups(c.systems(), joined, x, std::min(kApart * T, c.next()));
+  const auto groups =
+      division_.groups(c.systems(), joined, x, std::min(kApart * T, c.now().next()));
   if (groups.size() < 2 || clocks_.size() >= division_.most()) return false;
   record_.end(c);
-  addParts(s, groups, joined, x, c.statuses(x.t));
+  addParts(s, groups, joined, x, c.now().statuses(x.t));
   drop(clocks_, clock);
   return true;
 }
@@ -225,19 +201,19 @@ bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
 /// Looks where the step of a clock meets those of others.
 Refusal LocatedIslands::meet(MechanicalSystem& s, InclusionSolver& solver, std::size_t clock) {
   IslandClock& c = *clocks_[clock];
-  const double t = c.from();
+  const double t = c.now().from.t;
   double first = std::numeric_limits<double>::infinity();
   std::size_t with = clock;
   for (std::size_t i = 0; i < clocks_.size(); ++i) {
-    if (i == clock || clocks_[i]->to() <= t) continue;
+    if (i == clock || clocks_[i]->now().to.t <= t) continue;
     const double at = c.path().meets(clocks_[i]->path(), t);
     if (at < first) first = at, with = i;
   }
-  if (with == clock || first >= c.to()) return {};
-  if (first <= t + kWorth * (c.to() - t)) return merge(s, solver, clock, with);
+  if (with == clock || first >= c.now().to.t) return {};
+  if (first <= t + kWorth * (c.now().to.t - t)) return merge(s, solver, clock, with);
   Refusal refusal = c.again(s, solver, first);
-  record_.effort(c.report().counts.effort);
-  if (refusal || c.turned()) return merge(s, solver, clock, with);
+  record_.effort(c.now().report.counts.effort);
+  if (refusal || c.now().turned) return merge(s, solver, clock, with);
   c.findPath(s, division_.shapes(), division_.kinematics());
   return {};
 }
@@ -246,29 +222,29 @@ Refusal LocatedIslands::meet(MechanicalSystem& s, InclusionSolver& solver, std::
 Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std::size_t a,
                               std::size_t b) {
   IslandClock &A = *clocks_[a], &B = *clocks_[b];
-  const double t = A.from();
-  State x = A.start();
+  const double t = A.now().from.t;
+  State x = A.now().from;
   Eigen::VectorXd scheme = decidedAnew_;
-  std::vector<HeldStatus> statuses = A.startStatuses();
-  const std::vector<HeldStatus>* more = &B.startStatuses();
-  if (t - B.from() > kTooShort * (B.to() - B.from())) {
+  std::vector<HeldStatus> statuses = A.now().before;
+  const std::vector<HeldStatus>* more = &B.now().before;
+  if (t - B.now().from.t > kTooShort * (B.now().to.t - B.now().from.t)) {
     B.place(s, t, x);  // where its step cannot be taken again
     Refusal refusal = B.again(s, solver, t);
-    record_.effort(B.report().counts.effort);
-    while (!refusal && !B.turned() && B.to() < t) {
+    record_.effort(B.now().report.counts.effort);
+    while (!refusal && !B.now().turned && B.now().to.t < t) {
       record_.end(B);
       refusal = B.step(s, solver, t);
-      record_.effort(B.report().counts.effort);
+      record_.effort(B.now().report.counts.effort);
     }
-    if (!refusal && !B.turned()) {
+    if (!refusal && !B.now().turned) {
       record_.end(B);
       B.place(s, t, x);
-      scheme = unionOf(A.start().scheme, B.end().scheme, s.parts());
-      more = &B.statuses(t);
+      scheme = unionOf(A.now().from.scheme, B.now().to.scheme, s.parts());
+      more = &B.now().statuses(t);
     }
   } else {
     B.place(s, t, x);
-    scheme = unionOf(A.start().scheme, B.start().scheme, s.parts());
+    scheme = unionOf(A.now().from.scheme, B.now().from.scheme, s.parts());
   }
   statuses.insert(statuses.end(), more->begin(), more->end());
   std::vector<int> systems = A.systems();
@@ -283,17 +259,17 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
 
 double LocatedIslands::known() const {
   double out = std::numeric_limits<double>::infinity();
-  for (const Clock& c : clocks_) out = std::min(out, c->to());
+  for (const auto& c : clocks_) out = std::min(out, c->now().to.t);
   return out;
 }
 
 void LocatedIslands::place(MechanicalSystem& s, double t) {
-  for (const Clock& c : clocks_) c->place(s, t, at_);
+  for (const auto& c : clocks_) c->place(s, t, at_);
   at_.t = t;
 }
 
 void LocatedIslands::join(const MechanicalSystem& s, State& x) const {
-  for (const Clock& c : clocks_)
+  for (const auto& c : clocks_)
     for (const int i : c->systems()) {
       const SystemHandle& h = s.parts().topology->system(i);
       x.q.segment(h.q0, h.nq) = at_.q.segment(h.q0, h.nq);
@@ -322,7 +298,7 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
     for (const int k : clock.systems())
       if (stepped.systems[static_cast<std::size_t>(k)] == 0) rest.push_back(k);
     if (rest.size() == clock.systems().size()) continue;
-    clock.to() == t ? record_.end(clock) : record_.pass(clock, t);
+    clock.now().to.t == t ? record_.end(clock) : record_.pass(clock, t);
     drop(clocks_, i);
     if (!rest.empty()) {
       State x = at_;
@@ -334,16 +310,17 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
 
 void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& stepped,
                             StepReport& report) {
-  for (const Clock& c : clocks_) c->to() == x.t ? record_.end(*c) : record_.pass(*c, x.t);
+  for (const auto& c : clocks_) c->now().to.t == x.t ? record_.end(*c) : record_.pass(*c, x.t);
   const bool all = !stepped.any();
-  if (all) statuses(s, x, report);
+  if (all) contacts_.report(s, clocks_, x, report);
   record_.report(report);
-  report.works.given = all;
+  report.works.given = all, report.impacts = record_.impacts();
   if (all) {
     report.solved = record_.solved();
   } else if (!clocks_.empty()) {
+    report.statuses = contacts_.statuses(clocks_, x.t);
     apart_.assign(stepped.systems.size(), 0);
-    for (const Clock& c : clocks_)
+    for (const auto& c : clocks_)
       for (const int i : c->systems()) apart_[static_cast<std::size_t>(i)] = 1;
     report.apart = apart_;
   }
@@ -356,65 +333,14 @@ void LocatedIslands::keep(SteppedState& stepped) {
   stepped.clocks = kept_;
 }
 
-/// Evaluates all contacts at x, with those held, and reports statuses and impacts.
-void LocatedIslands::statuses(MechanicalSystem& s, const State& x, StepReport& report) {
-  statuses_.clear(), keys_.clear();
-  const Eigen::VectorXd* before = nullptr;
-  for (const Clock& c : clocks_) {
-    const std::vector<HeldStatus>& own = c->statuses(x.t);
-    statuses_.insert(statuses_.end(), own.begin(), own.end());
-    if (c->to() != x.t || c->report().uBeforeImpact == nullptr) continue;
-    if (before == nullptr) uBefore_ = x.u, before = &uBefore_;
-    for (const int i : c->systems()) {
-      const SystemHandle& h = s.parts().topology->system(i);
-      uBefore_.segment(h.u0, h.nu) = c->report().uBeforeImpact->segment(h.u0, h.nu);
-    }
-  }
-  std::sort(statuses_.begin(), statuses_.end(),
-            [](const HeldStatus& a, const HeldStatus& b) { return a.key < b.key; });
-  for (const HeldStatus& status : statuses_) keys_.push_back(status.key);
-  s.evaluate(x, {.slot = 0, .held = HeldContacts{.keys = keys_, .follow = true}});
-  percussions(s, clocks_, x, report.dt);
-  report.contacts = s.slot(0).contacts.size();
-  report.ownStatuses = true, report.statuses = statuses_, report.impacts = record_.impacts();
-  report.uBeforeImpact = before;
-}
-
 void LocatedIslands::show(MechanicalSystem& s, double t, State& out) {
-  for (const Clock& c : clocks_)
-    if (c->from() <= t && t <= c->to()) c->place(s, t, out);
+  for (const auto& c : clocks_)
+    if (c->now().from.t <= t && t <= c->now().to.t) c->place(s, t, out);
 }
 
 bool LocatedIslands::contactsAt(MechanicalSystem& s, const State& at, bool after,
                                 ContactInstant& out) {
-  keys_.clear();
-  for (const Clock& c : clocks_)
-    for (const double t : {c->from(), c->to()})
-      for (const HeldStatus& status : c->statuses(t)) keys_.push_back(status.key);
-  std::sort(keys_.begin(), keys_.end());
-  keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
-  const ContactSet& c =
-      s.evaluate(at, {.slot = 1, .held = HeldContacts{.keys = keys_, .follow = true}}).contacts;
-  out.contacts = &c;
-  out.lambda.setZero(c.rows()), out.gamma.resize(c.rows());
-  c.gamma(view(at.u), view(out.gamma));
-  KeyIndex index;
-  index.build(c.key);
-  ContactInstant own;
-  for (const Clock& clock : clocks_) {
-    const long evaluations = clock->system().evaluations();
-    const bool known = clock->contactsAt(at, after && clock->to() == at.t, own);
-    s.count(clock->system().evaluations() - evaluations);
-    if (!known) return false;
-    for (int i = 0; i < own.contacts->size(); ++i) {
-      const int k = index.find(own.contacts->key[static_cast<std::size_t>(i)]);
-      if (k < 0) continue;
-      const int rows = std::min(c.dim(k), own.contacts->dim(i));
-      out.lambda.segment(c.row0[static_cast<std::size_t>(k)], rows) =
-          own.lambda.segment(own.contacts->row0[static_cast<std::size_t>(i)], rows);
-    }
-  }
-  return true;
+  return contacts_.at(s, clocks_, at, after, out);
 }
 
 }  // namespace dynamy

@@ -8,6 +8,7 @@
 /// A step of the run ends where the first of the islands' steps ends. Others are interpolated there.
 /// Beside time-stepped islands they join these when they touch one of them.
 #pragma once
+#include <dynamy/located/islands/island_contacts.hpp>
 #include <dynamy/located/islands/island_division.hpp>
 #include <dynamy/located/islands/island_record.hpp>
 
@@ -39,8 +40,8 @@ class LocatedIslands {
   /// After a step in time with contacts in slot 0 which ended at t: islands that touch time-stepped
   /// ones join them.
   void touch(MechanicalSystem& s, double t, SteppedState& stepped);
-  /// Fills the report of a step that ended at x, in which some systems were stepped in time, or, with
-  /// statuses and impacts, none. Keeps the clocks in `stepped`.
+  /// Fills the report of a step that ended at x, in which some systems were stepped in time, or
+  /// none: then with all contacts. Keeps the clocks in `stepped`.
   void report(MechanicalSystem& s, const State& x, SteppedState& stepped, StepReport& report);
 
   /// Keeps the clocks in `stepped`.
@@ -52,8 +53,7 @@ class LocatedIslands {
   bool contactsAt(MechanicalSystem& s, const State& at, bool after, ContactInstant& out);
   bool endedByMotion() const { return record_.endedByMotion(); }
 
-  using Clock = std::unique_ptr<IslandClock>;
-  const std::vector<Clock>& clocks() const { return clocks_; }
+  const IslandClocks& clocks() const { return clocks_; }
 
  private:
   void learn(const MechanicalSystem& s, const GovernedMotion& whole);
@@ -66,18 +66,16 @@ class LocatedIslands {
                 const std::vector<IslandDivision::Joined>& joined, const State& x,
                 const std::vector<HeldStatus>& statuses);
   bool fallApart(MechanicalSystem& s, std::size_t clock);
-  void statuses(MechanicalSystem& s, const State& x, StepReport& report);
   IslandDivision division_;
   IslandRecord record_;
   LocatedSettings settings_;
-  std::vector<Clock> clocks_;
+  IslandContacts contacts_;
+  IslandClocks clocks_;
   std::vector<ClockState> kept_;
   SwitchGovernor turned_;
   State at_;
-  std::vector<HeldStatus> statuses_;
   std::vector<char> apart_;
-  std::vector<ContactKey> keys_;
-  Eigen::VectorXd uBefore_, decidedAnew_;
+  Eigen::VectorXd decidedAnew_;
 };
 
 }  // namespace dynamy

@@ -3,14 +3,28 @@
 #include <dynamy/simulation/model/model.hpp>
 #include <dynamy/simulation/report/step_impacts.hpp>
 #include <dynamy/stages/impact_detection.hpp>
+#include <dynamy/stages/islands.hpp>
 
 namespace dynamy {
-namespace {}  // namespace
+
+bool isReported(const StepView& view, int contact) {
+  if (view.report.ownStatuses) return true;
+  if (view.report.apart.empty()) return false;
+  const ContactSet& c = view.system.slot(0).contacts;
+  const Topology& topology = *view.system.parts().topology;
+  const auto at = static_cast<std::size_t>(contact);
+  for (int k = c.segment0[at]; k < c.segment0[at + 1]; ++k) {
+    const int system =
+        Islands::systemOfVelocity(topology, c.segment[static_cast<std::size_t>(k)].u0);
+    if (view.report.apart[static_cast<std::size_t>(system)] != 0) return true;
+  }
+  return false;
+}
 
 bool StepImpacts::operator()(const StepView& view, int contact) {
   const ContactSet& c = view.system.slot(0).contacts;
   const auto at = static_cast<std::size_t>(contact);
-  if (view.report.ownStatuses)
+  if (isReported(view, contact))
     return std::any_of(view.report.impacts.begin(), view.report.impacts.end(),
                        [&](const LocatedImpact& i) { return i.key == c.key[at]; });
   if (c.law[at]->rowKind(0) != RowKind::normal) return false;

@@ -5,6 +5,10 @@
 
 namespace dynamy {
 
+/// True: the scheme reports this contact's status and its impacts itself. A scheme may do so for
+/// all contacts, or for those of systems that it did not step in time.
+bool isReported(const StepView& view, int contact);
+
 class StepImpacts {
  public:
   /// Begins another step. Data that its contacts share are computed once, when the first contact

@@ -72,7 +72,7 @@ namespace {
 
 /// Status of contact i from the end of the step on.
 Status statusAfter(const StepView& v, int i) {
-  if (!v.report.ownStatuses) return contactStatus(v, i);
+  if (!isReported(v, i)) return contactStatus(v, i);
   const ContactKey key = v.system.slot(0).contacts.key[static_cast<std::size_t>(i)];
   for (const HeldStatus& s : v.report.statuses)
     if (s.key == key) return s.status;
@@ -89,7 +89,7 @@ void StepStatistics::statuses(const StepView& v) {
   for (int i = 0; i < c.size(); ++i) {
     const ContactKey key = c.key[static_cast<std::size_t>(i)];
     now_.push_back({key, statusAfter(v, i), impacts_(v, i)});
-    if (!now_.back().impact || v.report.ownStatuses) continue;
+    if (!now_.back().impact || isReported(v, i)) continue;
     ++report_.contacts.impacts;
     if (sink_ == nullptr) continue;
     const int row = c.row0[static_cast<std::size_t>(i)];

@@ -7,6 +7,7 @@
 #include <reference/located/bounce.hpp>
 #include <reference/located/located_run.hpp>
 #include <string>
+#include <support/gravity.hpp>
 
 namespace dynamy::reference {
 namespace {
@@ -98,9 +99,54 @@ TEST(IslandClocks, GoOnFromACheckpointBitForBit) {
   whole.run(), part.run();
   resumed.simulation().resume(part.simulation().checkpoint());
   resumed.run();
-  EXPECT_EQ(resumed.state().q, whole.state().q);
-  EXPECT_EQ(resumed.state().u, whole.state().u);
-  EXPECT_EQ(resumed.report().contacts.impacts, whole.report().contacts.impacts);
+  expectSameBits(resumed, whole);
+}
+
+TEST(IslandClocks, DoNotDependOnWhatIsRecorded) {
+  const std::string text =
+      scene(ball("a", "0 0 1", "1 0 0") + ball("b", "2 0 1.1", "-1 0 0") + ball("c", "4 0 2.3"));
+  LocatedRun once(text, 1e-8, 1.5, {}, {}, scheme("islands"));
+  LocatedRun often(text, 1e-8, 1.5, {}, {}, scheme("islands"));
+  often.record(0.013, 30.0);
+  once.run(), often.run();
+  expectSameBits(often, once);
+}
+
+TEST(IslandClocks, EvaluationsASwitchDoNotGrowWithTheNumberOfBalls) {
+  const auto cost = [](int n) {
+    std::string bodies;
+    for (int i = 0; i < n; ++i)
+      bodies += ball("b" + std::to_string(i),
+                     std::to_string(i) + " 0 " + std::to_string(0.5 + 0.37 * (i % 5)));
+    LocatedRun run(scene(bodies), 1e-8, 1.0, {}, {}, scheme("islands"));
+    EXPECT_EQ(run.run().ended, RunReport::Ended::finished);
+    return static_cast<double>(run.report().cost.evaluations) /
+           static_cast<double>(run.report().located.switches);
+  };
+  // With one clock four times as many balls cost four times as many evaluations, each of all.
+  EXPECT_NEAR(cost(24) / cost(6), 1.0, 0.25);
+}
+
+TEST(IslandClocks, KeepTheirDigitsAndImpactsBesideTimeSteppedIslands) {
+  // A column of sixteen balls that bounce on each other until it is stepped in time, and one that
+  // drops beside it: from 2.28 − 0.1 m, after t₁ = √(2·2.18/g) and t₁ (1 + 2·0.8).
+  std::string bodies = ball("drop", "9 0 2.28");
+  for (int i = 0; i < 16; ++i)
+    bodies += ball("b" + std::to_string(i), "0 0 " + std::to_string(0.2 + 0.21 * i));
+  for (const char* clocks : {"one", "islands"}) {
+    constexpr double kUntil = 2.2;
+    LocatedRun run(scene(bodies), 5e-3, kUntil, {}, {}, scheme(clocks));
+    const RunReport& r = run.run();
+    ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+    ASSERT_GE(r.stepping.steps, 3) << clocks;
+    EXPECT_NEAR(run.state().q[height(0)], 0.1 + bounceHeight(2.18, 0.8, kUntil), 1e-11);
+    // Nothing of it is lost among the events, though others are stepped in time then.
+    const double first = std::sqrt(2.0 * 2.18 / kG);
+    const std::vector<double> impacts = run.impacts("drop-world");
+    ASSERT_EQ(impacts.size(), 2u) << clocks;
+    EXPECT_NEAR(impacts[0], first, 1e-12);
+    EXPECT_NEAR(impacts[1], 2.6 * first, 1e-12);
+  }
 }
 
 }  // namespace
