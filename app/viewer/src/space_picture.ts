@@ -106,8 +106,10 @@ export class SpacePicture {
 
   /** A line as bars of the thickness it has, or a thin one. */
   private bars(shape: SceneShape): Matrix4[] {
-    const radius = shape.radius || 0.0022 * this.model.extent.size, place = poseMatrix(shape.position, shape.orientation);
-    const points = shape.points ?? [], out: Matrix4[] = [];
+    const points = shape.points ?? [], out: Matrix4[] = [], place = poseMatrix(shape.position, shape.orientation);
+    // A short line stays a line where the scene is long.
+    const length = points.slice(1).reduce((sum, p, i) => sum + Math.hypot(p[0] - points[i][0], p[1] - points[i][1], p[2] - points[i][2]), 0);
+    const radius = shape.radius || Math.min(0.0022 * this.model.extent.size, 0.01 * length);
     for (let i = 0; i + 1 < points.length; ++i) {
       out.push(new Matrix4().multiplyMatrices(place, barBetween(points[i], points[i + 1], radius)));
     }

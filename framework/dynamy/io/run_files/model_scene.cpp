@@ -1,10 +1,13 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <dynamy/io/run_files/model_scene.hpp>
 #include <dynamy/simulation/report/recorder.hpp>
 #include <map>
 
 namespace dynamy {
 namespace {
+
+constexpr double kThinRing = 0.015;  ///< least thickness of a drawn torus, of its radius
 
 std::array<double, 3> array(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -80,7 +83,8 @@ SceneShape geometryOf(const ShapeGeometry& g, Eigen::Quaterniond& turn) {
       s.halfExtents = {g.size[0], g.size[1], g.size[2]};
       break;
     case ShapeKind::torus:
-      s.radius = g.size[0], s.tube = g.size[1];
+      // A circle without thickness is drawn as a thin ring.
+      s.radius = g.size[0], s.tube = std::max(g.size[1], kThinRing * g.size[0]);
       break;
     case ShapeKind::halfspace:
       if (!g.points.empty()) turn.setFromTwoVectors(Vec3::UnitZ(), g.points.front());

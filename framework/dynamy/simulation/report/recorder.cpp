@@ -105,16 +105,26 @@ void Recorder::frame(const StepView& view, double t, double theta) {
     const Frame& f = kinematics_.frame({static_cast<int>(i)});
     poses_[i] = {f.r_OS_I, f.A_IK};
   }
-  contacts(view);
+  contacts(view, theta >= 1.0);
   lastFrame_ = t;
   sink_.frame({t, view.report.dt}, poses_, contacts_);
 }
 
-void Recorder::contacts(const StepView& view) {
+/// Contacts with the percussions of the step, where they are at its end, or with their forces at at_,
+/// where they are then.
+void Recorder::contacts(const StepView& view, bool atEnd) {
   contacts_.clear();
   for (const Resting& r : resting_) contacts_.push_back(r.record);
+  if (view.report.dt <= 0.0) return;
+  if (!atEnd && view.scheme.contactsAt(view.system, at_, false, instant_)) {
+    const ContactSet& c = *instant_.contacts;
+    for (int i = 0; i < c.size(); ++i)
+      if (!c.places.normal[static_cast<std::size_t>(i)].isZero(0.0))
+        contacts_.push_back(contactRecord(view, instant_, i));
+    return;
+  }
   const ContactSet& c = view.system.slot(0).contacts;
-  if (view.report.dt <= 0.0 || view.Lambda.size() != c.rows()) return;
+  if (view.Lambda.size() != c.rows()) return;
   impacts_.look();
   for (int i = 0; i < c.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);

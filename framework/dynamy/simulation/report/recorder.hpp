@@ -47,13 +47,14 @@ class Recorder final : public Observer {
   void row(const StepView& view, double t, double theta);
   void write(double t);
   void frame(const StepView& view, double t, double theta);
-  void contacts(const StepView& view);
+  void contacts(const StepView& view, bool atEnd);
   RecordSink& sink_;
   SignalSampler sampler_;
   Topology drawn_;
   Kinematics kinematics_;
   State at_;
   StepImpacts impacts_;
+  ContactInstant instant_;
   RowInstants rows_;
   TimeGrid frames_;
   long nextFrame_ = 0;
