@@ -202,9 +202,12 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   const long evaluations = s.evaluations() - before - e.smooth - e.rejected - e.switches - e.events;
   report.counts.effort.stepping = evaluations;
   governor.told();
-  governor.stepped(x.t, taken.h, taken.error,
-                   governed_.steppedWork(s, static_cast<double>(evaluations), taken.newton),
-                   taken.rejected > 0, governed_.locatedWork(s, kSwitch), evaluations);
+  const auto evaluated = static_cast<double>(evaluations);
+  const double work = governed_.steppedWork(s, evaluated, taken.newton);
+  // Where the inclusion is not solved, its search in vain counts as well.
+  const double worth = report.solved.ok() ? evaluated : work / governed_.steppedWork(s, 1.0, 0.0);
+  governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0,
+                   governed_.locatedWork(s, kSwitch), worth);
   governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();
   stepped.projected = steps_.projected(), stepped.scheme = x.scheme;

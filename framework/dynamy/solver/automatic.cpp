@@ -34,7 +34,7 @@ constexpr double kCorrectable = 1e-3, kEnough = 1e-2, kAccepted = 3e-2;
 constexpr int kAfterExact = 100;
 /// Newton steps for problems with bodies that deserve little effort: 364 of 379 solved ones need
 /// less than 60.
-constexpr int kQuick = 100;
+constexpr int kQuick = 100, kHurried = 25;
 /// Products that the Newton steps of one attempt at a problem without bodies may take in a time
 /// step (some tenths of a second), and the least number of Newton steps.
 constexpr double kMostProducts = 1e9;
@@ -50,7 +50,9 @@ constexpr int kFewestTried = 4;
 /// rounding; they are no answer to a problem without a solution.
 constexpr double kDrowned = 1e12;
 constexpr double kGolden = 0.6180339887498949;
-constexpr int kRestartSweeps = 10, kRestartSteps = 1500;
+/// Newton steps of a restart, and contacts of a step whose errors gaps correct above which they are
+/// fewer.
+constexpr int kRestartSweeps = 10, kRestartSteps = 1500, kRestartedFully = 24;
 /// Iterations of ADMM, two factorisations at most, before Newton steps whose factors are large.
 constexpr int kAlternations = 20;
 
@@ -273,9 +275,9 @@ NewtonLimits Automatic::limits(const InclusionProblem& p, int steps) const {
   const NewtonLimits all{options_.maxNewton, options_.maxPatient, options_.maxIterations};
   if (bounds(p)) return {steps, 0, 0};
   // With bodies, kQuick steps find nearly all solutions if little effort is wanted.
-  if (settles(p)) return {kQuick, 0, 0};
+  if (settles(p)) return {p.effort == Effort::full ? kQuick : kHurried, 0, 0};
   if (!condensed(p))
-    return options_.bounded && p.effort != Effort::full ? NewtonLimits{kQuick, 0, 0} : all;
+    return options_.bounded && p.effort != Effort::full ? NewtonLimits{kHurried, 0, 0} : all;
   const double products = productsOf(p);
   const auto affordable = [&](double most) {
     return static_cast<int>(std::min(most / products, 1.0 * all.maxNewton));
@@ -345,7 +347,9 @@ bool Automatic::restarts(const InclusionProblem& p, Vec Lambda, SolveReport& rep
   Eigen::VectorXd trial(p.rows());
   for (const bool pressed : {false, true}) {
     NewtonSchedule schedule = NewtonSchedule::gentle();
-    schedule.maxNewton = kRestartSteps;
+    schedule.maxNewton = options_.bounded && p.G->hasBodies() && p.size() > kRestartedFully
+                             ? kRestartSteps * kRestartedFully / p.size()
+                             : kRestartSteps;
     if (pressed) {
       press(p, 10.0, 0, trial);
     } else {

@@ -195,7 +195,7 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     problem_.effort = effort;
     const bool solved = level == Level::touch ? close(e) : solve(e, *solver);
     if (!solved && (level == Level::touch || turn > 2)) return false;
-    if (!solved) effort = Effort::retried;  // the next turn corrects the rest
+    if (!solved) effort = Effort::retried, start_ = x;  // the next turn corrects the rest
     delta_ /= kDisplacementTime;
     const double t = x.t;
     s.move(x, delta_, kDisplacementTime);
@@ -203,6 +203,10 @@ bool Projection::repair(MechanicalSystem& s, InclusionSolver* solver, State& x, 
     const double before = worst;
     worst = violation();
     if (level == Level::touch && !(worst < 0.5 * before)) return false;
+    if (!solved && !(worst < before)) {  // contacts and joints contradict each other
+      x = start_;
+      return false;
+    }
   }
   return true;
 }

@@ -9,8 +9,9 @@ constexpr double kStepPatience = 1500;  ///< evaluations of steps in time betwee
 constexpr double kLeastCovered = 0.1;   ///< of T: the time that these steps have to cover
 constexpr double kLonger = 4.0;         ///< factor on the least step where they do not,
 constexpr double kLongestLeast = 1e-2;  ///< up to this part of T
-/// Evaluations of steps in time after which the least step is this part of their sum.
-constexpr double kAllPatience = 5e4, kOfAll = 5e-4;
+/// Evaluations of steps in time after which the least step is this part of their sum; it grows in
+/// proportion to further ones, up to the last.
+constexpr double kAllPatience = 5e4, kOfAll = 5e-4, kMostOfAll = 1e-2;
 
 }  // namespace
 
@@ -19,10 +20,10 @@ double StepPatience::least(double tolerance, double T) const {
   return std::max(std::max(least, std::min(longer_ * least, kLongestLeast)) * T, bounded_);
 }
 
-void StepPatience::spend(double h, long evaluations, double T) {
-  all_ += static_cast<double>(evaluations), time_ += h;
-  if (all_ > kAllPatience) bounded_ = kOfAll * time_;
-  spent_ += static_cast<double>(evaluations), covered_ += h;
+void StepPatience::spend(double h, double evaluations, double T) {
+  all_ += evaluations, time_ += h;
+  if (all_ > kAllPatience) bounded_ = std::min(kOfAll * all_ / kAllPatience, kMostOfAll) * time_;
+  spent_ += evaluations, covered_ += h;
   if (spent_ < kStepPatience) return;
   if (covered_ < kLeastCovered * T)
     longer_ = std::min(kLonger * longer_, kLongestLeast / kLeast);

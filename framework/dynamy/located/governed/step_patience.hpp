@@ -13,8 +13,8 @@ class StepPatience {
  public:
   /// [s]; T: time of the motion [s].
   double least(double tolerance, double T) const;
-  /// Notes that a step of length h [s] was taken.
-  void spend(double h, long evaluations, double T);
+  /// Notes that a step of length h [s] was taken, with work worth so many evaluations.
+  void spend(double h, double evaluations, double T);
   void archive(NumberArchive& a) {
     a(longer_), a(spent_), a(covered_), a(all_), a(time_), a(bounded_);
   }

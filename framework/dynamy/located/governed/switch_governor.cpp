@@ -55,7 +55,7 @@ void SwitchGovernor::shorten(double h, double error) {
 }
 
 void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
-                             double switchWork, long evaluations) {
+                             double switchWork, double evaluations) {
   patience_.spend(h, evaluations, T_);
   const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
   // The next step does not become shorter because an outer bound shortened this one.

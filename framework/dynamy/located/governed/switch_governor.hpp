@@ -57,9 +57,10 @@ class SwitchGovernor {
   double least() const { return patience_.least(tolerance_, T_); }
   /// Notes that a step of length h was too long; `error`: its error in units of the tolerance.
   void shorten(double h, double error);
-  /// Notes that a step of length h was taken; `again`: after having been shortened.
+  /// Notes that a step of length h was taken; `again`: after having been shortened; `evaluations`:
+  /// as many as its work is worth.
   void stepped(double t, double h, double error, double work, bool again, double switchWork,
-               long evaluations);
+               double evaluations);
 
  private:
   double factor(double error) const;

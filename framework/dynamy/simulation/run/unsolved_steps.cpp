@@ -30,7 +30,9 @@ void UnsolvedSteps::note(long index, double t, const StepReport& report, bool di
   DiagnosisOptions options;
   options.maxRows = kDiagnosisRows, options.name = name;
   const ConstVec Lambda = system_.problem().Lambda();
-  const Diagnosis d = diagnose(p, Lambda, solved, model_.solver(), options);
+  InclusionProblem shortly = p;  // each of its starts may take seconds otherwise
+  shortly.effort = Effort::retried;
+  const Diagnosis d = diagnose(shortly, Lambda, solved, model_.solver(), options);
   for (const Finding& f : d.findings)
     if (f.kind != FindingKind::unsolved) u.findings += f.text + ' ' + f.advice + '\n';
 }
