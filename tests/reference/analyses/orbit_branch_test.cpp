@@ -59,6 +59,25 @@ TEST(OrbitBranch, OfTheWalkerDoublesItsPeriodAtThePublishedSlope) {
   EXPECT_NEAR(b.points[b.start].period, 3.88246375285137, 1e-9);
 }
 
+TEST(OrbitBranch, OfTheWoodpeckerDoublesItsPeriodWhereverItsPointsLie) {
+  // Derivatives on the way are coarse; the place is found by fine ones. Two ranges, and the multiplier
+  // by an orbit of its own.
+  double found[2] = {0.0, 1.0};
+  const char* ranges[] = {"mu=0.3:0.33:12", "mu=0.31:0.32:5"};
+  Branches branches;
+  for (int i = 0; i < 2; ++i) {
+    const OrbitBranch b = branches.ofModel("woodpecker", ranges[i]);
+    const BranchPoint* flip = pointOf(b, "flip");
+    ASSERT_NE(flip, nullptr) << ranges[i];
+    found[i] = flip->p;
+  }
+  // Multipliers are good to 2e-8 (theory 54.6), and change by 6.6 over a unit of μ: 3e-9.
+  EXPECT_NEAR(found[0], found[1], 3e-9);
+  const OrbitBranch there =
+      branches.ofModel("woodpecker", fmt::format("mu={:.12g}:0.32:2", found[0]));
+  EXPECT_NEAR(there.points.front().multipliers[0].real(), -1.0, 1e-3);  // coarse: theory 54.5
+}
+
 /// A forced oscillator that does not reach its wall: it is first touched where
 /// (1 − ω²)² + (2ζω)² = (F/a)², here from both sides.
 TEST(OrbitBranch, OfAForcedOscillatorEndsWhereItGrazesTheWall) {

@@ -5,6 +5,7 @@
 #include <dynamy/simulation/linear/state_variation.hpp>
 #include <dynamy/simulation/orbit/branch_tracer.hpp>
 #include <dynamy/simulation/orbit/orbit_multipliers.hpp>
+#include <limits>
 #include <utility>
 
 namespace dynamy {
@@ -22,6 +23,9 @@ constexpr int kMostPoints = 10;           ///< in units of those wanted
 /// Width of the interval in p that holds a change or an instability, in units of |p|.
 constexpr double kLocated = 1e-10;
 constexpr int kMostTrials = 40;
+constexpr double kShrinks = 0.3;   ///< a step of secants to the one before, at most
+constexpr int kFewest = 3;         ///< such steps before
+constexpr double kTells = 1e-6;    ///< changes of a multiplier that tell its slope
 constexpr double kCoarse = 1e-5;   ///< of a multiplier: fine differences from here on
 constexpr double kNeutral = 1e-7;  ///< moduli this near to 1 may be 1
 constexpr double kReal = 1e-9;     ///< smaller imaginary parts are rounding
@@ -234,7 +238,9 @@ BranchPoint BranchTracer::locate(const Node& next, const Off& off, double before
   out.kind = "lost";
   Node last{b, {}};
   double lastOff = fb, slope = (fb - fa) / (b - a);
-  bool fine = false;
+  bool fine = false, alike = false;
+  int refined = 0;
+  double nearest = std::numeric_limits<double>::infinity();
   s = a - fa / slope;
   for (int i = 0; i < kMostTrials; ++i) {
     OrbitPoint at;
@@ -245,13 +251,18 @@ BranchPoint BranchTracer::locate(const Node& next, const Off& off, double before
       return out;
     }
     const double f = off(curve_.multipliers(at, fine));
-    if (std::abs(s - last.s) > 1e-3 * (b - a)) slope = (f - lastOff) / (s - last.s);
+    // Coarse multipliers are too inaccurate for the slope between them and fine ones.
+    if (alike && std::abs(f - lastOff) > kTells) slope = (f - lastOff) / (s - last.s);
+    alike = fine;
     if (std::none_of(nodes.begin(), nodes.end(), [&](const Node& n) { return n.s == s; }))
       nodes.push_back({s, curve_.between(at, base_)});
     last.s = s, lastOff = f;
     if (fine) {
       const double ds = -f / slope;
-      if (std::abs(ds) * curve_.unit() <= tolerance) return result(at);
+      // Steps that no longer shrink are the noise of multipliers.
+      const bool noise = ++refined > kFewest && std::abs(ds) > kShrinks * nearest;
+      if (std::abs(ds) < nearest) nearest = std::abs(ds), out = result(at);
+      if (nearest * curve_.unit() <= tolerance || noise) return out;
       s += ds;
       continue;
     }

@@ -16,7 +16,7 @@ namespace {
 /// Steps of the differences, as parts of the range of each coordinate: of second order for Newton's
 /// method, of fourth for results, the widest of several. Their errors are about δ² and δ⁴ (forward
 /// ones: δ), in unknown units; rounding adds 1e-15/δ.
-constexpr double kForwardDelta = 3e-8, kCoarseDelta = 5e-6, kFineDelta = 3e-4;
+constexpr double kForwardDelta = 3e-7, kCoarseDelta = 5e-6, kFineDelta = 3e-4;
 constexpr double kLess = 0.2;  ///< factor on δ where the switches differ
 constexpr int kAttempts = 6;
 constexpr int kPeriodCorrections = 6;
