@@ -7,6 +7,7 @@
 #include <dynamy/core/version.hpp>
 #include <dynamy/io/replay/plot_scale.hpp>
 #include <dynamy/io/replay/svg_plot.hpp>
+#include <set>
 
 #include "page.hpp"
 
@@ -62,10 +63,7 @@ class BranchPicture {
         "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"#ffffff\"/>\n",
         kBranchWidth, kBranchHeight);
     axes();
-    if (isSignal())
-      for (const BrutePoint& b : of_.brute)
-        out_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"1\" fill=\"#9aa5b1\"/>\n",
-                            x(b.p), y(b.state[signal_]));
+    if (isSignal()) dots();
     curves();
     marks();
     return out_ + "</svg>\n";
@@ -104,6 +102,20 @@ class BranchPicture {
     out_ +=
         fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
                     0.5 * (kPlotLeft + kPlotRight), kPlotBottom + 34.0, escapedXml(of_.parameter));
+  }
+  /// Passes of plain runs, one dot for all in the same half of a pixel.
+  void dots() {
+    std::set<std::pair<int, int>> seen;
+    std::string path;
+    for (const BrutePoint& b : of_.brute) {
+      const double cx = x(b.p), cy = y(b.state[signal_]);
+      const auto cell = [](double v) { return static_cast<int>(std::lround(2.0 * v)); };
+      if (seen.insert({cell(cx), cell(cy)}).second) path += fmt::format("M{:.1f} {:.1f}h0", cx, cy);
+    }
+    if (!path.empty())
+      out_ += fmt::format(
+          "<path d=\"{}\" stroke=\"#6b7785\" stroke-width=\"2.4\" stroke-linecap=\"round\"/>\n",
+          path);
   }
   /// Lines between points; a part is dashed if the orbit at its end is unstable.
   void curves() {

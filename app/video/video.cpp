@@ -4,12 +4,16 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <dynamy/io/files/file_error.hpp>
 #include <dynamy/io/files/output_file.hpp>
+#include <map>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "shell_text.hpp"
 #include "video/browser.hpp"
@@ -126,14 +130,49 @@ void writeMp4(Browser& browser, int count, const VideoChoice& choice) {
   fs::remove_all(pictures, ignored);
 }
 
+/// The parts of the address that the page reads, and what some of them may be.
+void checkLook(const std::string& look) {
+  static const std::map<std::string, std::vector<std::string>> known = {
+      {"view", {"xz", "xy", "yz", "iso"}},
+      {"theme", {"dark", "light"}},
+      {"azimuth", {}},
+      {"elevation", {}},
+      {"contacts", {"0", "1"}},
+      {"trails", {"0", "1"}},
+      {"open", {}},
+      {"select", {}},
+      {"t", {}},
+      {"beside", {"0", "1"}},
+      {"webgl", {}}};
+  for (std::size_t at = 0; at < look.size();) {
+    const std::size_t end = std::min(look.find('&', at), look.size());
+    const std::string part = look.substr(at, end - at), name = part.substr(0, part.find('='));
+    const std::string value = name.size() < part.size() ? part.substr(name.size() + 1) : "";
+    std::vector<std::string> names;
+    for (const auto& [k, v] : known) names.push_back(k);
+    const auto found = known.find(name);
+    if (found == known.end())
+      throw CLI::ValidationError("--look", "the page has no \"" + name +
+                                               "\": " + fmt::format("{}", fmt::join(names, ", ")));
+    if (const auto& values = found->second;
+        !values.empty() && std::find(values.begin(), values.end(), value) == values.end())
+      throw CLI::ValidationError("--look", name + " is one of " +
+                                               fmt::format("{}", fmt::join(values, ", ")) +
+                                               ", not \"" + value + '"');
+    at = end + 1;
+  }
+}
+
 }  // namespace
 
 void checkVideo(const VideoChoice& choice) {
+  checkLook(choice.look);
   const std::string ending = endingOf(choice);
   for (const char* known : {".gif", ".webm", ".mp4", ""})
     if (ending == known) return;
   throw CLI::ValidationError("--video", "no film has the ending \"" + ending +
-                                            "\": take .webm, .gif, .mp4, or a folder for pictures");
+                                            "\": take .webm, .gif, .mp4, or a folder for pictures "
+                                            "(one picture: --from and --to the same time)");
 }
 
 void writeVideo(const fs::path& replay, const VideoChoice& choice) {

@@ -85,6 +85,7 @@ TEST_F(DocumentTest, Orbit) { follow("doc/orbit.md"); }
 TEST_F(DocumentTest, Fit) { follow("doc/fit.md"); }
 TEST_F(DocumentTest, Machine) { follow("doc/tutorial/04_machine.md"); }
 TEST_F(DocumentTest, FrictionFromAFilm) { follow("doc/tutorial/05_fit.md"); }
+TEST_F(DocumentTest, RhythmOfTheWoodpecker) { follow("doc/tutorial/06_orbit.md"); }
 TEST_F(DocumentTest, Report) { follow("doc/report.md"); }
 TEST_F(DocumentTest, Security) { follow("doc/security.md"); }
 #ifndef DYNAMY_SANITIZED

@@ -59,6 +59,10 @@ export function headline(data: PageData, span: number, frames: number): (string 
   if (run && typeof run.state === "string") {
     say(["finished", "ok", "done"].includes(run.state) ? run.state : element("b", run.state, "bad"));
   }
+  const checks = Array.isArray(run?.checks) ? run.checks as {pass?: boolean}[] : [], warnings = Array.isArray(run?.warnings) ? run.warnings.length : 0;
+  const failed = checks.filter(c => c.pass === false).length;
+  if (failed) say(element("b", `${failed} of ${checks.length} checks failed`, "bad"));
+  if (warnings) say(element("b", warnings === 1 ? "1 warning" : `${warnings} warnings`, "bad"));
   say(element("b", shortNumber(span)), " s");
   for (const [name, word] of [["steps", "steps"], ["impacts", "impacts"], ["switches", "switches"]]) {
     if (run && typeof run[name] === "number") say(element("b", String(run[name])), ` ${word}`);

@@ -127,7 +127,9 @@ JointCoordinate::JointCoordinate(const Parameters& x)
 void JointCoordinate::connect(Topology& topology, const Element& owner) {
   frames_.connect(topology, owner);
   const Vec3 axis = axis_.isZero(0.0) && angle_ ? frames_.planeNormal : axis_;
-  if (axis.isZero(0.0)) throw ModelError("the coordinate needs an axis", "add axis=\"0 0 1\"");
+  if (axis.isZero(0.0))
+    throw ModelError("the coordinate needs an axis",
+                     "add axis=\"…\", that of the joint between the two bodies");
   if (axis.cross(reference_).norm() < 1e-6 * axis.norm() * reference_.norm())
     throw ModelError("the reference lies along the axis", "it has to have a part across it");
   const StartKinematics start(topology);

@@ -36,6 +36,9 @@ Coupling::Coupling(const Parameters& x)
   if (hasFriction(*law_))
     throw ModelError("there is no direction in which the friction of the law could act",
                      "take Unilateral; friction of a rope on a sheave is a SheaveRope");
+  NotchedForce spring;
+  placed_ = law_->unilateral() || law_->rowKind(0) == RowKind::joint ||
+            law_->notched({.dim = 1, .dt = 1.0}, spring);
 }
 
 void Coupling::declareLaw(Attributes& a, const std::string& text) {
@@ -88,7 +91,7 @@ void Coupling::contacts(const Kinematics& k, ContactSink& sink) const {
   const double g = constant_ + sum(k);
   ContactRows out = sink.add(0, law_->unilateral() ? g : std::abs(g), *law_, 1);
   if (!out) return;
-  out.position(0) = law_->unilateral() || law_->rowKind(0) == RowKind::joint ? g : 0.0;
+  out.position(0) = placed_ ? g : 0.0;
   for (std::size_t i = 0; i < parts_.size(); ++i)
     parts_[i].row.terms(k, parts_[i].factor, &terms_[2 * i]);
   emitRow(terms_, out);

@@ -43,6 +43,7 @@ class Coupling : public NonSmoothElement {
     double factor;
   };
   std::unique_ptr<SetValuedForceLaw> law_;
+  bool placed_ = false;  // the force of the law depends on the position
   std::vector<Part> parts_;
   double constant_ = 0.0;
   Vec3 plane_ = Vec3::Zero();

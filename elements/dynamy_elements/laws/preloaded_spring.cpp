@@ -12,7 +12,8 @@ constexpr double kNotch = 1e-9;
 
 void PreloadedSpring::declare(Attributes& a) {
   a.about(
-      "Spring with preload on a displacement x, the gap of a CoordinateContact: force -c x - a "
+      "Spring with preload on a displacement x, the gap of a CoordinateContact or what a Rope has "
+      "left (elastic with sides=\"one\"): force -c x - a "
       "Sign(x); one side: c max(-x, 0) plus a in contact, a preloaded stop or buffer. At x = 0 it "
       "holds like a joint until its force exceeds the preload.");
   a.required("stiffness", Unit::stiffness, "stiffness c [N/m]; of a rotation [N m/rad]")

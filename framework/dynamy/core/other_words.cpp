@@ -16,7 +16,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"inertial inertia massproperties", "", "mass and inertia are attributes of their body: <RigidBody mass=\"…\" inertia=\"…\">"},
   {"origin pose transform", "", "place and axes are attributes: <RigidBody position=\"…\" euler=\"…\">"},
   {"marker coordinatesystem site rigidtransform", "", "a point with axes on a body is <Frame>"},
-  {"freejoint floating 6dof", "", "<RigidBody> moves freely and needs no joint"},
+  {"freejoint floating 6dof free freemobilizer quaternionfloating", "", "<RigidBody> moves freely and needs no joint"},
   {"pendulum", "", "a pendulum is a <RigidBody> with a <Revolute> between it and the <Ground>"},
   {"beam flexiblebody fem ancf softbody cloth", "", "bodies are rigid; several of them with <Revolute> and <JointSpring> between them bend"},
   // Shapes.
@@ -54,7 +54,7 @@ constexpr auto kOtherElements = std::to_array<OtherWord>({
   {"newtonimpactnsl restitution complementarityconditionnsl frictionless", "", "contact without friction is <Unilateral epsilonN=\"…\">"},
   {"surface physicsmaterial contactmaterial materialsurface chmaterialsurface contactproperties", "", "values of a material are <Material name=\"…\" mu=\"…\" epsilonN=\"…\">, the law of two materials <Contact between=\"A B\">"},
   {"pair contactpair collisionpair interaction spatialcontactforce contactforce", "", "the law of two materials is <Contact between=\"A B\">"},
-  {"hertz hertzian huntcrossley kelvinvoigt penalty penaltycontact compliantcontact", "", "contacts are rigid: <Unilateral epsilonN=\"…\">, with friction <UnilateralCoulomb>"},
+  {"hertz hertzian hertzcontact huntcrossley kelvinvoigt penalty penaltycontact compliantcontact", "", "contacts are rigid: <Unilateral epsilonN=\"…\">, with friction <UnilateralCoulomb>"},
   {"exclude disablecollisions nocollision disablecollision", "", "materials that pass through each other are <NoContact between=\"A B\">"},
   // Methods.
   {"timestepping moreaujean moreaujeanosi moreau", "", "Moreau's time stepping is <MoreauMidpoint>"},
@@ -89,16 +89,22 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   // Contact.
   {"friction frictioncoefficient coefficientoffriction mu1 slidingfriction staticfriction lateralfriction mus frictionstatic", "mu",
    "the coefficient of friction is {}", "friction belongs to the law of two materials: <UnilateralCoulomb mu=\"…\">"},
+  {"mustatic mu0 mus2 frictioncoefficientstatic", "mu",
+   "the coefficient of friction is {}; one that weakens while slipping is <UnilateralStribeck mu=\"…\" kineticMu=\"…\">"},
   {"restitution coefficientofrestitution restitutioncoefficient cor bounce bounciness elasticity e epsilon en restitutionn", "epsilonN",
    "the coefficient of restitution is {}", "restitution belongs to the law of two materials: <UnilateralCoulomb epsilonN=\"…\">"},
   {"et restitutiont tangentialrestitution", "epsilonT", "the tangential coefficient of restitution is {}"},
-  {"kineticfriction dynamicfriction slidingfriction muk mud frictiondynamic mudynamic", "kineticMu kineticForce mu",
+  {"kineticfriction dynamicfriction slidingfriction muk mud frictiondynamic mudynamic mukinetic muslip", "kineticMu kineticForce mu",
    "friction while slipping is {}", "friction that weakens while slipping is <UnilateralStribeck mu=\"…\" kineticMu=\"…\">"},
   {"rollingfriction", "rolling", "resistance to rolling is {}, an arm in m", "resistance to rolling is <UnilateralRolling rolling=\"…\">"},
   {"spinningfriction torsionalfriction", "drilling", "friction about the normal is {}, an arm in m", "friction about the normal is <UnilateralRolling drilling=\"…\">"},
   // Place and axes.
   {"pos translation origin location place xyz center centre coordinates r0", "position at point", "the place is {}"},
   {"anchor pivot jointorigin attachment", "at point pointA", "the place of a joint is {}"},
+  {"pivotina pivotinb pivota pivotb pointa pointb anchora anchorb frame1point frame2point localanchora localanchorb", "at",
+   "a joint has one place for both bodies, in the world at the start: {}"},
+  {"armature rotorinertia reflectedinertia", "rotor", "the inertia of a rotor is {}"},
+  {"joint jointname", "between", "what it acts on are the two bodies of the joint, and its axis and place: between=\"A B\" axis=\"…\" at=\"…\""},
   {"quaternion quat rotationquaternion orient orientationquaternion", "orientation", "the quaternion w x y z is {}"},
   {"rpy eulerangles rotationangles rollpitchyaw axisangle angles roll pitch yaw", "euler", "angles about the fixed axes x, then y, then z are {}"},
   {"rotation", "orientation", "a rotation is a quaternion {}, or angles euler=\"…\""},
@@ -137,12 +143,15 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"value vector direction field", "acceleration", "the acceleration is {}, three numbers"},
   // Joints.
   {"parent child body1 body2 bodya bodyb link1 link2 a b base follower bodies frames links materials material1 material2 joins objects connects shafts", "between", "both sides stand in one attribute: between=\"A B\""},
+  {"frame coordinates expressedin", "axes", "axes of the frame instead of the world's are {}"},
   {"body link system frame target", "on", "what it acts on is {}"},
   {"range limits lowerlimit minangle", "lower", "the limits are lower=\"…\" and upper=\"…\"", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
   {"upperlimit maxangle", "upper", "the upper limit is {}", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
   {"maxforce maxtorque effort forcelimit ctrlrange forcerange max", "limit", "the largest force or moment is {}"},
   {"min max lower upper", "axis", "the limits of a joint are an element beside it, with the same between, axis and at: <JointStop lower=\"…\" upper=\"…\">"},
   {"setpoint desired targetposition", "target", "the target is {}"},
+  {"velocity targetvelocity targetspeed rpm", "speed", "the speed is {}"},
+  {"moment torque tau", "force", "a force or moment along the coordinate is {}"},
   {"jointtype", "", "", "the kind of a joint is the name of its element: <Revolute>, <Prismatic>, <Spherical>, <Fixed>, …"},
   // Simulation.
   {"dt timestep h stepsize maxstep fixedstep samplingtime deltat maxstepsize", "step", "the length of a step is {}"},
@@ -157,6 +166,8 @@ constexpr auto kOtherAttributes = std::to_array<OtherWord>({
   {"interval samplerate sampletime rate frequency outputinterval", "every", "the sample time is {}"},
   {"equals expected equal reference", "value", "the expected value is {}"},
   // What is no attribute.
+  {"fromto from to start", "position", "the shape lies about {}, along z; length=\"…\" and euler=\"…\" say the rest"},
+  {"plane", "", "", "a body in a plane is <PlanarBody>"},
   {"fixed static kinematic isstatic mobility ikinematic bodyfixed immovable", "", "", "what stands still is <Ground>"},
   {"type", "", "", "the kind of an element is its name, such as <RigidBody>, <Revolute> or <Sphere>"},
   {"collide collidable collision collisions collisionenabled enablecollision contype conaffinity contact", "", "", "a shape with a material takes part in contact, one without touches nothing"},
@@ -232,6 +243,24 @@ constexpr auto kOtherFunctions = std::to_array<OtherWord>({
   {"ceiling", "ceil", ""},
   {"norm length magnitude", "hypot", ""},
   {"radians deg2rad degtorad", "30deg", ""},
+});
+/// Last parts of signals.
+constexpr auto kOtherSignals = std::to_array<OtherWord>({
+  {"force reaction reactionforce contactforce f", "lambda_N lambda_T1 lambda", ""},
+  {"torque moment", "lambda_T1 lambda_N lambda", ""},
+  {"n fn normalforce", "lambda_N", ""},
+  {"ft frictionforce friction", "lambda_T1", ""},
+  {"impulse percussion", "Lambda_N Lambda_T1", ""},
+  {"gap distance penetration depth", "g", ""},
+  {"energy ke kinetic kineticenergy t", "kineticEnergy", ""},
+  {"xdot dx velocityx velx xvel", "vx", ""},
+  {"ydot dy velocityy vely yvel", "vy", ""},
+  {"zdot dz velocityz velz zvel velocity vel speed", "vz vx rate", ""},
+  {"wx omegax angularvelocityx angvelx", "Omega_x", ""},
+  {"wy omegay angularvelocityy angvely", "Omega_y", ""},
+  {"wz omegaz angularvelocityz angvelz omega angularvelocity", "Omega_z omega phi_dot rate", ""},
+  {"q theta rotation", "angle phi", ""},
+  {"qdot thetadot angularspeed", "rate phi_dot", ""},
 });
 // clang-format on
 
@@ -315,6 +344,17 @@ AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::
     }
   for (const OtherWord* row : found)
     if (!row->elsewhere.empty()) return {"", inDynamy(row->elsewhere)};
+  return {};
+}
+
+std::string signalOfOthers(std::string_view name, std::span<const std::string> known) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos) return {};
+  for (const OtherWord* row : rowsWith(kOtherSignals, name.substr(dot + 1)))
+    for (const std::string_view ours : wordsOfRow(row->ours)) {
+      std::string meant = std::string(name.substr(0, dot + 1)) + std::string(ours);
+      if (std::find(known.begin(), known.end(), meant) != known.end()) return meant;
+    }
   return {};
 }
 

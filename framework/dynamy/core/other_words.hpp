@@ -45,6 +45,9 @@ struct AttributeOfOthers {
 /// `known`: the attributes that the element has.
 AttributeOfOthers attributeOfOthers(std::string_view word, std::span<const std::string> known);
 
+/// "ball.vz" for the signal "ball.zdot" of others, if it is among `known`; "" otherwise.
+std::string signalOfOthers(std::string_view name, std::span<const std::string> known);
+
 /// The unit in dynamY: "deg" for "degrees", also with a divisor: "deg/s" for "degrees/sec"; "" if
 /// unknown.
 std::string unitOfOthers(std::string_view word);

@@ -14,7 +14,7 @@ TEST(FilmContacts, OfASlidingBodyAreUnderItWithItsForces) {
   for (const char* clocks : {"one", "islands"}) {
     const std::string text = std::string(R"xml(<dynamy version="1"><systems>
       <PointMass name="puck" mass="2" position="0 0 0" velocity="3 0 0"><Point material="ice"/></PointMass>
-      <PointMass name="other" mass="1" position="0 9 1"><Point material="ice"/></PointMass>
+      <PointMass name="other" mass="1" position="0 9 0"><Point material="ice"/></PointMass>
       <Ground name="world"><HalfSpace material="floor"/></Ground></systems>
       <forces><Gravity/></forces><elements>
       <Contact between="ice floor"><UnilateralCoulomb mu="0.2" epsilonN="0.5"/></Contact></elements>
@@ -48,6 +48,29 @@ TEST(FilmContacts, OfASlidingBodyAreUnderItWithItsForces) {
     }
     EXPECT_EQ(seen, 100) << clocks;  // all but the first picture
   }
+}
+
+TEST(FilmContacts, OfImpactsHaveAPictureAtTheirInstant) {
+  LocatedRun run(R"xml(<dynamy version="1"><systems>
+    <PointMass name="ball" mass="2" position="0 0 1"><Sphere radius="0.1" material="ball"/></PointMass>
+    <Ground name="world"><HalfSpace material="floor"/></Ground></systems><forces><Gravity/></forces>
+    <elements><Contact between="ball floor"><Unilateral epsilonN="0.5"/></Contact></elements>
+    <simulation until="1" tolerance="1e-9"/></dynamy>)xml",
+                 1e-9, 1.0);
+  run.record(1.0, 10.0);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  // Let go 0.9 m above the floor: impacts after t₁ = √(1.8/g) and 2 t₁, then with half the speed
+  // each. Between them are the eleven pictures of the film.
+  const double first = std::sqrt(1.8 / kG);
+  int found = 0;
+  for (const LocatedRun::Picture& p : run.film)
+    for (const ContactRecord& c : p.contacts) {
+      if (!c.impact) continue;
+      EXPECT_NEAR(p.t, ++found * first, 1e-12);
+      EXPECT_NEAR(p.poses[0].r_OS_I.z(), 0.1, 1e-12);
+    }
+  EXPECT_EQ(found, 2);
+  EXPECT_EQ(run.film.size(), 13u);
 }
 
 }  // namespace

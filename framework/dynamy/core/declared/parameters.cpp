@@ -3,6 +3,7 @@
 
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/declared/unknown_name.hpp>
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <stdexcept>
 
@@ -170,6 +171,8 @@ std::string quotedList(const std::vector<std::string>& words, std::size_t most) 
 }
 
 std::string unknownNameHint(std::string_view name, const std::vector<std::string>& known) {
+  if (const std::string meant = signalOfOthers(name, known); !meant.empty())
+    return didYouMean(meant);
   if (const std::string near = nearest(name, known); !near.empty()) return didYouMean(near);
   return known.empty() ? std::string() : "known: " + quotedList(known);
 }

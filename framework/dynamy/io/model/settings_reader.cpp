@@ -2,6 +2,7 @@
 #include <cmath>
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/declared/two_names.hpp>
+#include <dynamy/core/other_words.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/settings_reader.hpp>
 #include <dynamy/io/run_files/model_scene.hpp>
@@ -262,6 +263,8 @@ void SettingsReader::verify(const std::unordered_set<std::string_view>& signals,
            "\", or give it name=\"" + owner.substr(0, owner.size() - 1) + '"';
   else
     hint = didYouMean(nearest(signal, known));
+  if (const std::string meant = signalOfOthers(signal, known); !meant.empty())
+    hint = didYouMean(meant);
   if (hint.empty() && owner.empty())
     for (const std::string& name : known)
       if (hint.empty() && name.ends_with('.' + signal)) hint = didYouMean(name);

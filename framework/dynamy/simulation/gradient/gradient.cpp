@@ -116,7 +116,7 @@ void refuseMissing(const Model& model, const GradientRequest& request, const Fol
     });
     const bool ofContact =
         w.what == WantedInstant::What::impact || w.what == WantedInstant::What::status;
-    if (ofContact && !named)
+    if (ofContact && !named && run.events[i] == 0)
       throw ModelError('"' + w.text + "\": no contact named \"" + w.of + '"',
                        unknownNameHint(w.of, known));
     throw ModelError(fmt::format("\"{}\": the run to {} s has {} of these events, not {}", w.text,

@@ -23,12 +23,13 @@ constexpr int kMostPoints = 10;           ///< in units of those wanted
 /// Width of the interval in p that holds a change or an instability, in units of |p|.
 constexpr double kLocated = 1e-10;
 constexpr int kMostTrials = 40;
-constexpr double kShrinks = 0.3;   ///< a step of secants to the one before, at most
-constexpr int kFewest = 3;         ///< such steps before
-constexpr double kTells = 1e-6;    ///< changes of a multiplier that tell its slope
-constexpr double kCoarse = 1e-5;   ///< of a multiplier: fine differences from here on
-constexpr double kNeutral = 1e-7;  ///< moduli this near to 1 may be 1
-constexpr double kReal = 1e-9;     ///< smaller imaginary parts are rounding
+constexpr double kClustered = 0.01;  ///< distance of nodes, of that from s
+constexpr double kShrinks = 0.3;    ///< a step of secants to the one before, at most
+constexpr int kFewest = 3;          ///< such steps before
+constexpr double kTells = 1e-6;     ///< changes of a multiplier that tell its slope
+constexpr double kCoarse = 1e-5;    ///< of a multiplier: fine differences from here on
+constexpr double kNeutral = 1e-7;   ///< moduli this near to 1 may be 1
+constexpr double kReal = 1e-9;      ///< smaller imaginary parts are rounding
 
 /// Multipliers that make an orbit unstable.
 struct Outside {
@@ -65,12 +66,20 @@ double nearestPair(const VectorXcd& all) {
   return out;
 }
 
-/// The `count` nodes nearest to s.
+/// Up to `count` nodes near s. Of nodes close together, seen from s, one is taken: a polynomial
+/// through a cluster says nothing beside it.
 std::vector<BranchNode> nodesNear(std::vector<BranchNode> nodes, double s, std::size_t count) {
   std::sort(nodes.begin(), nodes.end(),
             [&](const auto& a, const auto& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
-  if (nodes.size() > count) nodes.resize(count);
-  return nodes;
+  std::vector<BranchNode> out;
+  for (const BranchNode& n : nodes) {
+    const bool clustered = std::any_of(out.begin(), out.end(), [&](const BranchNode& o) {
+      return std::abs(o.s - n.s) < kClustered * std::abs(n.s - s);
+    });
+    if (!clustered) out.push_back(n);
+    if (out.size() == count) break;
+  }
+  return out;
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/simulation/report/checks.hpp>
 
 namespace dynamy {
@@ -41,7 +41,7 @@ std::vector<const NamedSignal*> signalsOf(const Model& model) {
     Diagnostic d;
     d.place = c.place, d.element = "check";
     d.text = "no signal named \"" + c.signal + "\"";
-    d.hint = didYouMean(nearest(c.signal, known));
+    d.hint = unknownNameHint(c.signal, known);
     faults.add(d);
   }
   faults.throwIfAny();

@@ -14,6 +14,9 @@ double fraction(const StepView& v, double t) {
   return std::clamp((t - v.before.t) / dt, 0.0, 1.0);
 }
 
+/// So many pictures of impacts more than of the film itself.
+constexpr long kFewFrames = 50;
+
 /// Is the instant t reached at the end of this step?
 bool reached(const StepView& v, double t) {
   return t <= v.after.t + 1e-9 * (v.after.t - v.before.t);
@@ -74,6 +77,8 @@ void Recorder::step(const StepView& view) {
   if (poses_.empty()) return;
   for (; reached(view, frames_.at(nextFrame_)); ++nextFrame_)
     frame(view, frames_.at(nextFrame_), fraction(view, frames_.at(nextFrame_)));
+  if (jumps && impactFrames_ < nextFrame_ + kFewFrames && lastFrame_ < view.after.t)
+    ++impactFrames_, frame(view, view.after.t, 1.0);
 }
 
 void Recorder::finish(const StepView& last) {
@@ -161,13 +166,13 @@ void Recorder::Resting::archive(Archive& a) {
 }
 
 void Recorder::archive(Archive& a) {
-  a.section("recorder");
+  a.section("recorder 2");  // the number counts changes of the layout
   std::uint64_t columns = values_.size();
   a(columns);
   if (columns != values_.size()) throw ModelError("the checkpoint records other signals");
   long nextRow = rows_.row();
-  a(nextRow), a(nextFrame_), a(lastRow_), a(lastFrame_), a(resting_);
-  if (nextRow < 0 || nextFrame_ < 0)
+  a(nextRow), a(nextFrame_), a(impactFrames_), a(lastRow_), a(lastFrame_), a(resting_);
+  if (nextRow < 0 || nextFrame_ < 0 || impactFrames_ < 0)
     throw ModelError("the checkpoint counts its recorded rows from below zero");
   rows_.resume(nextRow, lastRow_);
   sink_.archive(a);

@@ -1,5 +1,6 @@
 /// Recorder: samples the requested signals every Δt_rec and the poses of all frames that carry
-/// shapes at the rate of the film, both through the scheme's own interpolation.
+/// shapes at the rate of the film, both through the scheme's own interpolation. Impacts whose instant
+/// is known have pictures of their own, about as many as the film has at most.
 ///
 /// The numbers go to a RecordSink: the files of the run folder (io), or a table in memory (tests,
 /// comparisons). Writing files from here was rejected: simulation does not know io.
@@ -57,7 +58,7 @@ class Recorder final : public Observer {
   ContactInstant instant_;
   RowInstants rows_;
   TimeGrid frames_;
-  long nextFrame_ = 0;
+  long nextFrame_ = 0, impactFrames_ = 0;
   double lastRow_ = -1.0, lastFrame_ = -1.0;
   std::vector<double> values_;
   std::vector<FramePose> poses_;

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <dynamy/core/suggestion.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/simulation/report/signal_sampler.hpp>
 #include <dynamy/system/announced_signals.hpp>
 #include <unordered_map>
@@ -29,8 +29,7 @@ Diagnostic unknownSignal(const Model& model, const std::string& name, const Plac
   d.place = place;
   d.element = "record";
   d.text = "no signal named \"" + name + "\"";
-  d.hint = didYouMean(nearest(name, known));
-  if (d.hint.empty() && !known.empty()) d.hint = "known are, e.g., " + known.front();
+  d.hint = unknownNameHint(name, known);
   return d;
 }
 
