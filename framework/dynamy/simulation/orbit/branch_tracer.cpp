@@ -24,12 +24,12 @@ constexpr int kMostPoints = 10;           ///< in units of those wanted
 constexpr double kLocated = 1e-10;
 constexpr int kMostTrials = 40;
 constexpr double kClustered = 0.01;  ///< distance of nodes, of that from s
-constexpr double kShrinks = 0.3;    ///< a step of secants to the one before, at most
-constexpr int kFewest = 3;          ///< such steps before
-constexpr double kTells = 1e-6;     ///< changes of a multiplier that tell its slope
-constexpr double kCoarse = 1e-5;    ///< of a multiplier: fine differences from here on
-constexpr double kNeutral = 1e-7;   ///< moduli this near to 1 may be 1
-constexpr double kReal = 1e-9;      ///< smaller imaginary parts are rounding
+constexpr double kShrinks = 0.3;     ///< a step of secants to the one before, at most
+constexpr int kFewest = 3;           ///< such steps before
+constexpr double kTells = 1e-6;      ///< changes of a multiplier that tell its slope
+constexpr double kCoarse = 1e-5;     ///< of a multiplier: fine differences from here on
+constexpr double kNeutral = 1e-7;    ///< moduli this near to 1 may be 1
+constexpr double kReal = 1e-9;       ///< smaller imaginary parts are rounding
 
 /// Multipliers that make an orbit unstable.
 struct Outside {
