@@ -6,7 +6,7 @@ namespace dynamy {
 
 void Kinematics::resize(const Topology& topology) {
   const auto& requested = topology.requestedFrames();
-  subset_ = 0;  // frames made anew are those of no subset yet
+  subset_ = 0;                                     // frames made anew are those of no subset yet
   frames_ = std::vector<Frame>(requested.size());  // a Frame that is assigned copies into its maps
   std::size_t size = 0;
   for (const auto& [system, id] : requested)
