@@ -103,8 +103,7 @@ TEST_F(OrbitCommand, FollowsAnOrbitAndShowsWherePlainRunsGo) {
   for (const std::vector<double>& row : passes)
     EXPECT_NEAR(row[1], share * row[0], 1e-6);  // a hundred tolerances of plain runs
   for (const char* file : {"o/branch.svg", "o/branch.html"})
-    EXPECT_NE(readWholeFile(path(file)).find("stroke=\"#6b7785\""), std::string::npos)
-        << file;
+    EXPECT_NE(readWholeFile(path(file)).find("stroke=\"#6b7785\""), std::string::npos) << file;
   const std::string json = readWholeFile(path("o/branch.json"));
   for (const char* text : {"\"parameter\": \"F\"", "\"brute\": 72", "\"bifurcation\": \"end\""})
     EXPECT_NE(json.find(text), std::string::npos) << text << '\n' << json;
