@@ -143,6 +143,7 @@ void checkLook(const std::string& look) {
       {"select", {}},
       {"t", {}},
       {"beside", {"0", "1"}},
+      {"play", {"0", "1"}},
       {"webgl", {}}};
   for (std::size_t at = 0; at < look.size();) {
     const std::size_t end = std::min(look.find('&', at), look.size());

@@ -60,10 +60,17 @@ int Islands::systemOf(const ContactSet& c, int contact) const {
 }
 
 int Islands::systemOfVelocity(const Topology& topology, int i) {
-  int system = 0;
-  for (const SystemHandle* s = &topology.system(0); s->u0 + s->nu <= i;)
-    s = &topology.system(++system);
-  return system;
+  // The first system whose velocities end behind i.
+  int low = 0, high = static_cast<int>(topology.systems().size()) - 1;
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    const SystemHandle& s = topology.system(middle);
+    if (s.u0 + s.nu <= i)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
 }
 
 void Islands::spread(std::vector<char>& systems) const {

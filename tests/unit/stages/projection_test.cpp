@@ -67,6 +67,16 @@ TEST(Projection, DoesNotMendAJointAtTheCostOfAContact) {
   EXPECT_NEAR(s.x.q[1], 0.0, kSolved);
 }
 
+TEST(Projection, LeavesPositionsThatContradictEachOtherNoWorse) {
+  // Two rods of 1 m and 2 m between the same masses, which are 1.5 m apart, and a contact that closes
+  // on the way: no position fulfils them.
+  LinkedMasses s(kMasses, Vector2d(1.5, 0.0), Vector2d::Zero(), {{0, 1, 1.0}, {0, 1, 2.0}},
+                 {{0, 1, -1}});
+  EXPECT_FALSE(Projection().positions(*s.system, s.solver, s.x, 1e-12));
+  const double apart = s.x.q[0] - s.x.q[1];
+  EXPECT_LE(std::max(std::abs(apart - 1.0), std::abs(apart - 2.0)), 0.5 + kSolved);
+}
+
 TEST(Projection, OfOverlapsHoldsJointsAndLeavesThoseThatRebound) {
   // The rod is off and keeps its length; mass 1 comes out of the ground with mass 0.
   LinkedMasses s(kMasses, Vector2d(1.05, -0.01), Vector2d::Zero(), {{0, 1, 1.0}}, {{0, 1, -1}});

@@ -68,14 +68,14 @@ bool spins(const Acting& a, int contact, double length) {
   return spin > 0.0 && std::hypot(gamma[1], gamma[2]) < 1e-3 * spin * length;
 }
 
-ContactRecord record(const Acting& a, int contact, double length) {
+ContactRecord record(const Acting& a, int contact, Status status, double length) {
   const ContactSet& c = a.c;
   const auto at = static_cast<std::size_t>(contact);
   const int first = c.row0[at], dim = c.dim(contact);
   ContactRecord out;
   out.point = c.places.point[at], out.normal = c.places.normal[at];
-  out.status = statusOf(a, contact);
-  out.spin = out.status == Status::slip && dim > 3 && spins(a, contact, length);
+  out.status = status;
+  out.spin = status == Status::slip && dim > 3 && spins(a, contact, length);
   const Vec3* const direction[] = {&c.places.normal[at], &c.places.t1[at], &c.places.t2[at]};
   for (int r = 0; r < dim && r < 3; ++r) out.force += a.Lambda[first + r] / a.dt * *direction[r];
   out.limit = frictionLimit(a, contact) / a.dt;
@@ -98,18 +98,17 @@ Status contactStatus(const StepView& view, int contact) {
 }
 
 ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int contact) {
-  ContactRecord out = record(ofStep(view), contact, view.model.length());
-  out.status = contactStatus(view, contact);
+  ContactRecord out =
+      record(ofStep(view), contact, contactStatus(view, contact), view.model.length());
   out.impact = impacts(view, contact);
   return out;
 }
 
 ContactRecord contactRecord(const StepView& view, const ContactInstant& instant, int contact) {
-  const Eigen::VectorXd Lambda = view.report.dt * instant.lambda;
   const double* gamma = instant.gamma.data();
-  return record(
-      {*instant.contacts, Lambda.data(), gamma, gamma, view.report.dt, view.system.gTol()}, contact,
-      view.model.length());
+  const Acting acting{*instant.contacts, instant.lambda.data(), gamma, gamma,
+                      view.report.dt,    view.system.gTol()};
+  return record(acting, contact, statusOf(acting, contact), view.model.length());
 }
 
 std::string contactName(const Model& model, ContactKey key) {

@@ -14,7 +14,7 @@ Status contactStatus(const StepView& view, int contact);
 /// What a picture of one closed contact shows. Its friction limit is the projection of a tangential
 /// force far outside the law's set, which works for every law.
 ContactRecord contactRecord(const StepView& view, StepImpacts& impacts, int contact);
-/// The same at an instant within the step, with its forces then.
+/// The same at an instant of the step; `instant.lambda` holds its forces then times Δt [N s].
 ContactRecord contactRecord(const StepView& view, const ContactInstant& instant, int contact);
 
 /// "floor", "Contact#2" for elements without a name, "floor/17" for one contact of many.

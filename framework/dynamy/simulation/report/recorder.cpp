@@ -104,6 +104,7 @@ void Recorder::frame(const StepView& view, double t, double theta) {
     at_.t = view.after.t, at_.q = view.after.q, at_.u = view.after.u;
   else
     view.scheme.interpolate(view.system, view.before, view.after, theta, at_);
+  at_.memory = theta >= 1.0 ? view.after.memory : view.before.memory;  // changed at ends alone
   kinematics_.evaluate(drawn_, at_.t, dynamy::view(std::as_const(at_.q)),
                        dynamy::view(std::as_const(at_.u)));
   for (std::size_t i = 0; i < poses_.size(); ++i) {
@@ -115,26 +116,32 @@ void Recorder::frame(const StepView& view, double t, double theta) {
   sink_.frame({t, view.report.dt}, poses_, contacts_);
 }
 
-/// Contacts with the percussions of the step, where they are at its end, or with their forces at at_,
-/// where they are then.
+/// Contacts where they are at at_, with their forces then, and at the end of the step its impacts with
+/// their percussions. All with the percussions of the step, if the scheme knows no others.
 void Recorder::contacts(const StepView& view, bool atEnd) {
-  contacts_.clear();
+  contacts_.clear(), hit_.clear();
   for (const Resting& r : resting_) contacts_.push_back(r.record);
   if (view.report.dt <= 0.0) return;
-  if (!atEnd && view.scheme.contactsAt(view.system, at_, false, instant_)) {
-    const ContactSet& c = *instant_.contacts;
-    for (int i = 0; i < c.size(); ++i)
-      if (!c.places.normal[static_cast<std::size_t>(i)].isZero(0.0))
-        contacts_.push_back(contactRecord(view, instant_, i));
-    return;
-  }
+  const auto placed = [](const ContactSet& c, int i) {
+    return !c.places.normal[static_cast<std::size_t>(i)].isZero(0.0);
+  };
+  const bool known = view.scheme.contactsAt(view.system, at_, atEnd, instant_);
   const ContactSet& c = view.system.slot(0).contacts;
-  if (view.Lambda.size() != c.rows()) return;
-  impacts_.look();
-  for (int i = 0; i < c.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (c.places.normal[at].isZero(0.0)) continue;  // has no place in the scene
-    contacts_.push_back(contactRecord(view, impacts_, i));
+  if ((atEnd || !known) && view.Lambda.size() == c.rows()) {
+    impacts_.look();
+    for (int i = 0; i < c.size(); ++i) {
+      if (!placed(c, i) || (known && !impacts_(view, i))) continue;
+      contacts_.push_back(contactRecord(view, impacts_, i));
+      if (known) hit_.push_back(c.key[static_cast<std::size_t>(i)]);
+    }
+  }
+  if (!known) return;
+  instant_.lambda *= view.report.dt;
+  const ContactSet& now = *instant_.contacts;
+  for (int i = 0; i < now.size(); ++i) {
+    const ContactKey key = now.key[static_cast<std::size_t>(i)];
+    if (placed(now, i) && std::find(hit_.begin(), hit_.end(), key) == hit_.end())
+      contacts_.push_back(contactRecord(view, instant_, i));
   }
 }
 

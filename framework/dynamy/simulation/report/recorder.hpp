@@ -56,6 +56,7 @@ class Recorder final : public Observer {
   State at_;
   StepImpacts impacts_;
   ContactInstant instant_;
+  std::vector<ContactKey> hit_;  // contacts with an impact at the present picture
   RowInstants rows_;
   TimeGrid frames_;
   long nextFrame_ = 0, impactFrames_ = 0;

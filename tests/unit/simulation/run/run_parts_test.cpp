@@ -152,6 +152,43 @@ TEST(UnsolvedSteps, KeepTheLargestResidual) {
   EXPECT_EQ(worst.step, 7);
 }
 
+/// A solver that notes how long searches may take.
+class EffortNoted final : public InclusionSolver {
+ public:
+  explicit EffortNoted(std::vector<Effort>& asked) : asked_(asked) {}
+  SolveReport solve(const InclusionProblem& p, Vec) override {
+    asked_.push_back(p.effort);
+    SolveReport out;
+    out.status = SolveStatus::stalled;
+    return out;
+  }
+
+ private:
+  std::vector<Effort>& asked_;
+};
+
+TEST(UnsolvedSteps, AreDiagnosedByShortSearches) {
+  // A diagnosis tries several starts; searches for long took seconds each.
+  std::vector<Effort> asked;
+  Model model = ballOnFloor(0.0, 0.0, 0.5, 0.3, 1.0, 1e-3);
+  model.solver(std::make_unique<EffortNoted>(asked));
+  model.build(), model.readyScheme();
+  MechanicalSystem system = model.mechanicalSystem();
+  const State x = model.initialState();
+  system.evaluate(x);
+  system.impactProblem(x, 1e-3);
+  ASSERT_EQ(system.problem().size(), 1);
+  Unsolved worst;
+  UnsolvedSteps unsolved(model, system, worst);
+  StepReport report;
+  report.contacts = 1, report.solved.status = SolveStatus::stalled;
+  report.solved.residuals.Ef = 1e-3;
+  unsolved.note(1, 0.001, report, true);
+  ASSERT_GE(asked.size(), 2u);
+  for (const Effort e : asked) EXPECT_EQ(e, Effort::retried);
+  EXPECT_EQ(system.problem().effort, Effort::full);  // the step's own is as it was
+}
+
 class Counting final : public Observer {
  public:
   void start(const StepView&) override { ++starts; }
