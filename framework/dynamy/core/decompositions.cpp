@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <dynamy/core/decompositions.hpp>
 
 namespace dynamy {
@@ -50,6 +51,20 @@ Eigen::MatrixXd PivotedQr::Q() const { return qr_.householderQ(); }
 Eigen::MatrixXd PivotedQr::solve(const Eigen::MatrixXd& B) const {
   if (B.cols() == 0) return Eigen::MatrixXd(qr_.cols(), 0);
   return qr_.solve(B);
+}
+
+std::vector<int> independentColumns(const Eigen::MatrixXd& A, double least, double clear) {
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  const Eigen::VectorXd pivots = qr.matrixR().diagonal().cwiseAbs();
+  std::vector<int> out;
+  for (Eigen::Index k = 0; k < pivots.size(); ++k) {
+    if (pivots[k] > clear * pivots[0])
+      out.push_back(static_cast<int>(qr.colsPermutation().indices()[k]));
+    else if (pivots[k] >= least * pivots[0])
+      return {};
+  }
+  std::sort(out.begin(), out.end());
+  return out;
 }
 
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& A, double threshold) {

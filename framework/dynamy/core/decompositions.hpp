@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <vector>
 
 namespace dynamy {
 
@@ -78,6 +79,11 @@ class PivotedQr {
  private:
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
 };
+
+/// Columns of A that are independent by far, as many as its rank: by pivots of A P = Q R, of which
+/// those of the others are below `least` and theirs above `clear` times the largest. Empty where
+/// pivots lie between.
+std::vector<int> independentColumns(const Eigen::MatrixXd& A, double least, double clear);
 
 /// Orthonormal columns that A maps to zero; rank as in PseudoInverse. All of ℝⁿ if A has no rows.
 Eigen::MatrixXd nullSpace(const Eigen::MatrixXd& A, double threshold);

@@ -7,6 +7,8 @@
 namespace dynamy {
 namespace {
 
+/// Work of an evaluation with 80 velocities and rows; one of a larger model is worth more of them.
+constexpr double kUsualEvaluation = 8e3;
 constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 
@@ -189,7 +191,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   }
   x.t = taken.tE;
   report.dt = x.t - steppedFrom_.t;
-  steps_.take(s, steppedFrom_, x.u, taken.h);
+  steps_.take(s, steppedFrom_, x, taken.h);
   clocks_.touch(s, x.t, stepped);
   clocks_.join(s, x);
   report.counts = {};
@@ -205,7 +207,9 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   const auto evaluated = static_cast<double>(evaluations);
   const double work = governed_.steppedWork(s, evaluated, taken.newton);
   // Where the inclusion is not solved, its search in vain counts as well.
-  const double worth = report.solved.ok() ? evaluated : work / governed_.steppedWork(s, 1.0, 0.0);
+  const double one = governed_.steppedWork(s, 1.0, 0.0);
+  const double worth =
+      (report.solved.ok() ? evaluated : work / one) * std::max(1.0, one / kUsualEvaluation);
   governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0,
                    governed_.locatedWork(s, kSwitch), worth);
   governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());

@@ -75,23 +75,38 @@ double SteppedIslands::error(MechanicalSystem& s, const ErrorNorm& norm, const I
   return std::isfinite(worst) && s.indefiniteMass() < 0 ? worst : 1e300;
 }
 
-void SteppedIslands::take(const MechanicalSystem& s, const State& from, const Eigen::VectorXd& u,
-                          double h) {
+void SteppedIslands::take(const MechanicalSystem& s, const State& from, const State& x, double h) {
+  findHits(s, from, x, h);
+  rate_ = (x.u - from.u) / h, overlap_ = reached_;
+}
+
+/// Finds the systems that were hit on the way from a to b, and when:
+///
+///   b.q ⊖ a.q ≈ h (θ u^A + (1 − θ) u^E)
+void SteppedIslands::findHits(const MechanicalSystem& s, const State& a, const State& b, double h) {
   const Topology& topology = *s.parts().topology;
-  const bool known = rate_.size() == u.size();
-  hit_.assign(topology.systems().size(), 0);
-  for (std::size_t k = 0; known && k < hit_.size(); ++k) {
+  const bool known = rate_.size() == b.u.size();
+  hitAt_.assign(topology.systems().size(), -1.0);
+  State before, after;  // where the velocities at the ends alone would have led
+  for (std::size_t k = 0; known && k < hitAt_.size(); ++k) {
     const SystemHandle& part = topology.system(static_cast<int>(k));
-    const Eigen::VectorXd change = u.segment(part.u0, part.nu) - from.u.segment(part.u0, part.nu);
+    const Eigen::VectorXd change = b.u.segment(part.u0, part.nu) - a.u.segment(part.u0, part.nu);
     const double unforeseen = (change - h * rate_.segment(part.u0, part.nu)).norm();
-    hit_[k] = unforeseen > kUnforeseen * change.norm() ? 1 : 0;
+    if (!(unforeseen > kUnforeseen * change.norm())) continue;
+    if (before.q.size() == 0) {
+      before.t = after.t = a.t, before.q = after.q = a.q;
+      s.move(before, a.u, h), s.move(after, b.u, h);
+    }
+    const auto of = [&](const State& x) { return x.q.segment(part.q0, part.nq); };
+    const Eigen::VectorXd apart = of(before) - of(after);
+    const double theta = (of(b) - of(after)).dot(apart) / apart.squaredNorm();
+    hitAt_[k] = std::isfinite(theta) ? std::clamp(theta, 0.0, 1.0) : 0.5;
   }
-  rate_ = (u - from.u) / h, overlap_ = reached_;
 }
 
 void SteppedIslands::between(const MechanicalSystem& s, const State& a, const State& b,
                              double theta, State& out) const {
-  move(s, a, b, theta, hit_, out);
+  move(s, a, b, theta, hitAt_, out);
 }
 
 void SteppedIslands::linear(const MechanicalSystem& s, const State& a, const State& b, double theta,
@@ -99,21 +114,27 @@ void SteppedIslands::linear(const MechanicalSystem& s, const State& a, const Sta
   move(s, a, b, theta, {}, out);
 }
 
-/// Velocities of systems whose flag in `constant` is not 0 are those of the nearer end.
+/// `hitAt`: as hitAt_; empty: no system was hit.
 void SteppedIslands::move(const MechanicalSystem& s, const State& a, const State& b, double theta,
-                          const std::vector<char>& constant, State& out) {
-  // Positions of these steps advance by the mean velocity.
+                          const std::vector<double>& hitAt, State& out) {
+  // Positions of these steps advance by the mean velocity, from the nearer end.
+  const Eigen::VectorXd change = b.u - a.u;
+  const auto part = [&](bool first) { return first ? theta : theta - 1.0; };
   const bool first = theta < 0.5;
-  const State& from = first ? a : b;
-  const double part = first ? theta : theta - 1.0;
-  Eigen::VectorXd change = b.u - a.u;
-  for (std::size_t k = 0; k < constant.size(); ++k)
-    if (const SystemHandle& h = s.parts().topology->system(static_cast<int>(k)); constant[k] != 0)
-      change.segment(h.u0, h.nu).setZero();
-  const Eigen::VectorXd mean = from.u + 0.5 * part * change;
-  out.t = from.t, out.q = from.q;
-  s.move(out, mean, part * (b.t - a.t));
-  out.u = from.u + part * change;
+  out.q = first ? a.q : b.q;
+  out.u = (first ? a.u : b.u) + part(first) * change;
+  Eigen::VectorXd way = part(first) * ((first ? a.u : b.u) + 0.5 * part(first) * change);
+  for (std::size_t k = 0; k < hitAt.size(); ++k) {
+    if (hitAt[k] < 0.0) continue;
+    const SystemHandle& h = s.parts().topology->system(static_cast<int>(k));
+    const bool yet = theta < hitAt[k];
+    const State& from = yet ? a : b;
+    out.q.segment(h.q0, h.nq) = from.q.segment(h.q0, h.nq);
+    out.u.segment(h.u0, h.nu) = from.u.segment(h.u0, h.nu);
+    way.segment(h.u0, h.nu) = part(yet) * from.u.segment(h.u0, h.nu);
+  }
+  s.move(out, way, b.t - a.t);
+  out.t = (first ? a.t : b.t) + part(first) * (b.t - a.t);
 }
 
 }  // namespace dynamy

@@ -23,14 +23,14 @@ class SteppedIslands {
     bool good() const { return error <= 1.0 && report.solved.ok(); }
   };
   /// Begins a period of steps in time.
-  void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false, hit_.clear(); }
+  void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false, hitAt_.clear(); }
   /// Takes a step of length h [s] from `from`, into x, with this effort. It moves all systems; the
   /// error of those counts whose flag in `stepped` is not 0.
   Trial attempt(MechanicalSystem& s, InclusionSolver& solver, const ErrorNorm& norm,
                 const Islands& islands, const std::vector<char>& stepped, Effort effort,
                 const State& from, State& x, double h);
-  /// Accepts the last attempt, which ended with velocities u, as a step of the run.
-  void take(const MechanicalSystem& s, const State& from, const Eigen::VectorXd& u, double h);
+  /// Accepts the last attempt, which ended at x, as a step of the run.
+  void take(const MechanicalSystem& s, const State& from, const State& x, double h);
 
   // What is kept from step to step.
   const Eigen::VectorXd& rate() const { return rate_; }  ///< Δu/h of the last step; empty: none
@@ -43,8 +43,9 @@ class SteppedIslands {
   /// State at fraction theta of the last step, which went from a to b. Velocities of a system are
   /// linear between its ends: with the scheme's own interpolation, u^A up to the middle and u^E
   /// after it, the energy of long steps in free flight would rise and fall from one output row to
-  /// the next. The scheme's own interpolation is that of systems that were hit in the step: half way
-  /// between the velocities before and after an impact there is less energy than before and after.
+  /// the next. Half way between the velocities before and after an impact there is less energy than
+  /// before and after: systems that were hit have u^A up to the instant at which its positions at
+  /// both ends meet best, and u^E after it.
   void between(const MechanicalSystem& s, const State& a, const State& b, double theta,
                State& out) const;
   /// The same with all velocities linear.
@@ -53,7 +54,8 @@ class SteppedIslands {
 
  private:
   static void move(const MechanicalSystem& s, const State& a, const State& b, double theta,
-                   const std::vector<char>& constant, State& out);
+                   const std::vector<double>& hitAt, State& out);
+  void findHits(const MechanicalSystem& s, const State& a, const State& b, double h);
   StepReport step(MechanicalSystem& s, InclusionSolver& solver, Effort effort, const State& from,
                   State& x, double h);
   double error(MechanicalSystem& s, const ErrorNorm& norm, const Islands& islands,
@@ -62,7 +64,9 @@ class SteppedIslands {
   StaggeredMoreau projecting_;
   bool projected_ = false;
   Eigen::VectorXd rate_;
-  std::vector<char> hit_;  // not 0: the last step has changed velocities of the system by an impact
+  /// Per system: the fraction of the last step at which an impact has changed its velocities; below
+  /// 0: none did.
+  std::vector<double> hitAt_;
   double overlap_ = 0.0, reached_ = 0.0;  // overlap at the end of the last step, of the trial [m]
 };
 

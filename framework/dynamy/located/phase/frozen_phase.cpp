@@ -61,6 +61,7 @@ double FrozenPhase::leastMargin() const {
 
 bool FrozenPhase::share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a,
                         bool same) {
+  for (Held& h : held) h.implied = 0;
   if (!accelerate(e, u, a)) return false;
   if (!forces_.redundant()) return true;
   const std::vector<Held> decided = held;

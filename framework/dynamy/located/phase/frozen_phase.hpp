@@ -45,6 +45,8 @@ class FrozenPhase {
   /// all statuses as they were; if one of these forces is near its bound then, the centre of all that
   /// are within their bounds is taken.
   bool share(const Evaluation& e, const Eigen::VectorXd& u, Eigen::VectorXd& a, bool same);
+  /// Notes which redundant rows follow from others, so that later accelerations cost less.
+  void findImplied() { forces_.findImplied(held, rows_); }
   std::string_view fault() const { return fault_.why; }
   /// The contact of the last fault that has one.
   ContactKey lost() const { return fault_.contact; }

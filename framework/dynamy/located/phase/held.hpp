@@ -36,9 +36,10 @@ struct Held {
   double mutedUntil = -1.0;  ///< time until which its force and slip are ignored [s]
   double weight = 1.0;       ///< weight of its forces in redundant rows: λ_N of the decision [N]
   std::array<double, kMostRows> lambda{};  ///< as the last decision gave them [N]
+  int implied = 0;  ///< bit r: row first + r follows from others that are held
   void archive(NumberArchive& a) {
     a(key), a(first), a(rows), a(slips), a(sign), a(starts), a(turned), a(direction);
-    a(mutedUntil), a(weight), a(lambda);
+    a(mutedUntil), a(weight), a(lambda), a(implied);
   }
 };
 

@@ -96,49 +96,53 @@ void HeldForces::multiplyByP(const HeldRows& rows) {
       MInvWP_.col(e.unknown).segment(p.u0, p.nu) += e.value * MInvW.col(e.row).segment(p.u0, p.nu);
 }
 
-/// A_ and rhs_ of rows at another position, where contacts may act on other velocities.
-void HeldForces::assembleElsewhere(const HeldRows& rows, const AccelerationRows& constraint) {
+/// A of rows at another position, where contacts may act on other velocities.
+void HeldForces::decomposeElsewhere(const HeldRows& rows, const AccelerationRows& constraint) {
   const std::vector<int>& kept = directions_.kept;
-  for (Eigen::Index k = 0; k < directions_.unknowns(); ++k)
-    for (Eigen::Index j = 0; j < directions_.unknowns(); ++j)
+  const Eigen::Index m = directions_.unknowns();
+  A_.setZero(m, m);
+  for (Eigen::Index k = 0; k < m; ++k)
+    for (Eigen::Index j = 0; j < m; ++j)
       for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(j)]))
         A_(k, j) += constraint.R.col(kept[static_cast<std::size_t>(k)])
                         .segment(p.u0, p.nu)
                         .dot(MInvWP_.col(j).segment(p.u0, p.nu));
+  A_ *= scale_.asDiagonal();
+  inverse_.compute(A_, implied_);
 }
 
-void HeldForces::assemble(const std::vector<Held>& held, const HeldRows& rows,
-                          const AccelerationRows& constraint) {
+/// A of the present rows.
+void HeldForces::decompose(const HeldRows& rows) {
   const std::vector<int>& kept = directions_.kept;
+  touching_.list(rows, kept);
+  touching_.group(group_);
+  inverse_.begin(group_);
+  const Eigen::MatrixXd& W = rows.W();
+  for (int j = 0; j < static_cast<int>(kept.size()); ++j)
+    for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(j)]))
+      touching_.forEach(p.block, [&](int k) {
+        inverse_.at(k, j) += scale_[j] * W.col(kept[static_cast<std::size_t>(k)])
+                                             .segment(p.u0, p.nu)
+                                             .dot(MInvWP_.col(j).segment(p.u0, p.nu));
+      });
+  inverse_.compute(implied_);
+}
+
+void HeldForces::findRightSide(const std::vector<Held>& held, const HeldRows& rows,
+                               const AccelerationRows& constraint) {
   const bool present = &constraint == &rows.present();
   const Eigen::Index m = directions_.unknowns();
-  A_.setZero(m, m), rhs_.resize(m);
-  for (Eigen::Index k = 0; k < m; ++k) {
-    const int row = kept[static_cast<std::size_t>(k)];
-    rhs_[k] =
-        -((present ? rows.along(row, a_) : constraint.R.col(row).dot(a_)) + constraint.r[row]);
-  }
-  if (!present) {
-    assembleElsewhere(rows, constraint);
-  } else {
-    touching_.list(rows, kept);
-    const Eigen::MatrixXd& W = rows.W();
-    for (Eigen::Index j = 0; j < m; ++j)
-      for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(j)]))
-        touching_.forEach(p.block, [&](int k) {
-          A_(k, j) += W.col(kept[static_cast<std::size_t>(k)])
-                          .segment(p.u0, p.nu)
-                          .dot(MInvWP_.col(j).segment(p.u0, p.nu));
-        });
-  }
-  // Redundant forces are smallest in units of what each contact carries: a contact that presses
-  // hard takes more of them.
-  scale_.resize(m);
+  rhs_.resize(m), scale_.resize(m), implied_.resize(static_cast<std::size_t>(m));
   std::size_t of = 0;
   for (Eigen::Index k = 0; k < m; ++k) {
-    while (kept[static_cast<std::size_t>(k)] >= rows.row0(of + 1)) ++of;
+    const int row = directions_.kept[static_cast<std::size_t>(k)];
+    while (row >= rows.row0(of + 1)) ++of;
+    rhs_[k] =
+        -((present ? rows.along(row, a_) : constraint.R.col(row).dot(a_)) + constraint.r[row]);
+    // Redundant forces are smallest in units of what each contact carries: a contact that presses
+    // hard takes more of them.
     scale_[k] = held[of].weight;
-    A_.col(k) *= scale_[k];
+    implied_[static_cast<std::size_t>(k)] = (held[of].implied >> (row - rows.row0(of)) & 1) != 0;
   }
 }
 
@@ -150,16 +154,19 @@ void HeldForces::solve(const std::vector<Held>& held, const HeldRows& rows, cons
   const Eigen::Index m = directions_.unknowns();
   if (m == 0) return;
   multiplyByP(rows);
-  assemble(held, rows, constraint);
+  findRightSide(held, rows, constraint);
   if (m >= kManyForces && static_cast<double>(m) > kPerVelocity * static_cast<double>(a_.size())) {
     product_.compute(constraint.R(Eigen::all, directions_.kept).transpose(),
                      scale_.asDiagonal() * MInvWP_.transpose());
     redundant_ = product_.rank() < m;
     product_.solve(rhs_, pi_);
   } else {
-    inverse_.compute(A_);
-    redundant_ = inverse_.rank() < m;
+    if (&constraint == &rows.present())
+      decompose(rows);
+    else
+      decomposeElsewhere(rows, constraint);
     inverse_.solve(rhs_, pi_);
+    redundant_ = inverse_.rank() < m;
   }
   pi_.array() *= scale_.array();
   for (Eigen::Index k = 0; k < m; ++k)
@@ -172,11 +179,26 @@ Eigen::MatrixXd HeldForces::open() const {
   const Eigen::Index m = directions_.unknowns();
   if (m == 0 || m >= kManyForces) return Eigen::MatrixXd(lambda_.size(), 0);
   // Rows of light and heavy bodies count alike.
-  Eigen::VectorXd row = A_.rowwise().norm(), column = A_.colwise().norm();
+  const Eigen::MatrixXd A = inverse_.matrix();
+  Eigen::VectorXd row = A.rowwise().norm(), column = A.colwise().norm();
   for (Eigen::VectorXd* x : {&row, &column})
     for (double& v : *x) v = v > 0.0 ? 1.0 / v : 0.0;
-  const Eigen::MatrixXd Z = nullSpace(row.asDiagonal() * A_ * column.asDiagonal(), kRedundant);
+  const Eigen::MatrixXd Z = nullSpace(row.asDiagonal() * A * column.asDiagonal(), kRedundant);
   return directions_.P() * (scale_.cwiseProduct(column)).asDiagonal() * Z;
+}
+
+void HeldForces::findImplied(std::vector<Held>& held, const HeldRows& rows) {
+  for (Held& h : held) h.implied = 0;
+  const Eigen::Index m = directions_.unknowns();
+  if (!redundant_ || m >= kManyForces) return;
+  implied_.assign(static_cast<std::size_t>(m), 0);
+  inverse_.findImplied(implied_);
+  std::size_t of = 0;
+  for (std::size_t k = 0; k < implied_.size(); ++k) {
+    const int row = directions_.kept[k];
+    while (row >= rows.row0(of + 1)) ++of;
+    if (implied_[k] != 0) held[of].implied |= 1 << (row - rows.row0(of));
+  }
 }
 
 }  // namespace dynamy

@@ -50,20 +50,26 @@ class HeldForces {
   bool redundant() const { return redundant_; }
   /// Changes of λ, rows × any number, after which u̇ still keeps all rows that solve() has kept.
   Eigen::MatrixXd open() const;
+  /// Notes in `held`, those of the last solve(), which rows follow from others (Held::implied).
+  void findImplied(std::vector<Held>& held, const HeldRows& rows);
 
  private:
   void begin(const std::vector<Held>& held, const HeldRows& rows, const Evaluation& e);
   void multiplyByP(const HeldRows& rows);
-  void assemble(const std::vector<Held>& held, const HeldRows& rows,
-                const AccelerationRows& constraint);
-  void assembleElsewhere(const HeldRows& rows, const AccelerationRows& constraint);
+  void findRightSide(const std::vector<Held>& held, const HeldRows& rows,
+                     const AccelerationRows& constraint);
+  void decompose(const HeldRows& rows);
+  void decomposeElsewhere(const HeldRows& rows, const AccelerationRows& constraint);
   ForceDirections directions_;
   Eigen::VectorXd lambda_, a_;
-  Eigen::MatrixXd A_;       // Sᵀ Rᵀ M⁻¹W P, its columns by scale_
+  Eigen::MatrixXd A_;       // Sᵀ Rᵀ M⁻¹W P where R ≠ W
   Eigen::MatrixXd MInvWP_;  // M⁻¹W P; an unknown's column only where its row acts
   RowsOfBlocks touching_;
+  std::vector<int> group_;  // of each unknown: those of bodies that rows connect
   Eigen::VectorXd rhs_, pi_, scale_;
-  BlockPseudoInverse inverse_{1e-10};  // pivots below this share belong to redundant rows
+  std::vector<char> implied_;  // of the kept rows
+  BlockPseudoInverse inverse_{
+      1e-10};  // of A with its columns by scale_; pivots below this share belong to redundant rows
   ProductPseudoInverse product_{1e-10};
   bool redundant_ = false;
 };

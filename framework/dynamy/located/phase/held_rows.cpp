@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <dynamy/located/phase/held_rows.hpp>
+#include <numeric>
 
 namespace dynamy {
 namespace {
@@ -162,7 +163,7 @@ bool HeldRows::readNext(const std::vector<Held>& held, const ContactSet& next,
 
 void RowsOfBlocks::list(const HeldRows& rows, const std::vector<int>& kept) {
   std::fill(first_.begin(), first_.end(), -1);
-  entries_.clear();
+  entries_.clear(), rows_ = kept.size();
   for (int k = static_cast<int>(kept.size()) - 1; k >= 0; --k)
     for (const HeldRows::Moved& p : rows.moved(kept[static_cast<std::size_t>(k)])) {
       const auto block = static_cast<std::size_t>(p.block);
@@ -170,6 +171,22 @@ void RowsOfBlocks::list(const HeldRows& rows, const std::vector<int>& kept) {
       entries_.push_back({k, first_[block]});
       first_[block] = static_cast<int>(entries_.size()) - 1;
     }
+}
+
+void RowsOfBlocks::group(std::vector<int>& out) const {
+  out.resize(rows_);
+  std::iota(out.begin(), out.end(), 0);
+  const auto root = [&](int k) {
+    while (out[static_cast<std::size_t>(k)] != k) k = out[static_cast<std::size_t>(k)];
+    return k;
+  };
+  for (const int head : first_)
+    for (int at = head; at >= 0; at = entries_[static_cast<std::size_t>(at)].next) {
+      const int a = root(entries_[static_cast<std::size_t>(head)].k),
+                b = root(entries_[static_cast<std::size_t>(at)].k);
+      out[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+  for (int& k : out) k = root(k);
 }
 
 }  // namespace dynamy

@@ -90,6 +90,8 @@ class HeldRows {
 class RowsOfBlocks {
  public:
   void list(const HeldRows& rows, const std::vector<int>& kept);
+  /// The group of each kept row: rows that act on one block are in one group.
+  void group(std::vector<int>& out) const;
   /// Calls f(k) for each kept[k] that acts on the block.
   template <class F>
   void forEach(int block, F&& f) const {
@@ -104,6 +106,7 @@ class RowsOfBlocks {
   };
   std::vector<int> first_;
   std::vector<Entry> entries_;
+  std::size_t rows_ = 0;
 };
 
 /// Number of rows of the contacts `held`, by their dimensions in the evaluation `e`.

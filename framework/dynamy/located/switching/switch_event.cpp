@@ -91,6 +91,7 @@ EventResult SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver, C
     r.fault = next_.fault(), r.lost = next_.lost();
     return r;
   }
+  next_.findImplied();
   p.lambda = next_.lambda(), p.power = next_.power();
   smooth.rates(s, p);
   r.changed = differ(next_.held, phase.held);

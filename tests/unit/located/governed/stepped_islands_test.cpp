@@ -13,9 +13,10 @@ using fixture::SledgeScene;
 
 /// T + V [J] at fractions of a step of 0.1 s, the second one of a sledge that starts at (0, z) with
 /// velocity w upwards.
-std::vector<double> energiesWithin(double z, double w) {
+std::vector<double> energiesWithin(double z, double w, double epsilonN = 0.9,
+                                   std::vector<double>* heights = nullptr) {
   constexpr double kStep = 0.1;
-  SledgeScene scene({0, z}, {0, w}, SledgeScene::pull(0.0), 0.5, 0.9);
+  SledgeScene scene({0, z}, {0, w}, SledgeScene::pull(0.0), 0.5, epsilonN);
   MechanicalSystem& s = *scene.system;
   s.evaluate(scene.x);
   ErrorNorm norm;
@@ -29,13 +30,17 @@ std::vector<double> energiesWithin(double z, double w) {
     if (k > 0) from = to;
     steps.attempt(s, scene.solver, norm, islands, {1}, Effort::full, from, to, kStep);
     to.t = from.t + kStep;
-    steps.take(s, from, to.u, kStep);
+    steps.take(s, from, to, kStep);
   }
   std::vector<double> out;
   State at;
   for (int k = 0; k <= 10; ++k) {
     steps.between(s, from, to, 0.1 * k, at);
     out.push_back(0.5 * at.u.squaredNorm() + SledgeScene::kG * at.q[1]);
+  }
+  for (int k = 0; k <= 100 && heights != nullptr; ++k) {
+    steps.between(s, from, to, 0.01 * k, at);
+    heights->push_back(at.q[1]);
   }
   return out;
 }
@@ -56,6 +61,15 @@ TEST(SteppedIslands, RowsWithinAnImpactLoseNoMoreThanItTakes) {
   // than 3 m/s · 0.05 s away from a path above it, 1.5 J.
   EXPECT_GE(*least, end - 1.5);
   EXPECT_LE(*most, start + 1.5);
+}
+
+TEST(SteppedIslands, RowsWithinAnImpactDoNotJump) {
+  // The second step begins with −3 m/s, a hundredth of the way of a step above the floor, where it
+  // stops.
+  std::vector<double> heights;
+  energiesWithin(0.253, -2.0, 0.0, &heights);
+  for (std::size_t k = 1; k < heights.size(); ++k)
+    EXPECT_LE(std::abs(heights[k] - heights[k - 1]), 3.0 * 0.1 * 0.01 + 1e-12) << k;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Forces of held contacts: a sledge of 1 kg on a floor.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <dynamy/located/phase/held_forces.hpp>
 
 #include "unit/located/sledge.hpp"
@@ -70,6 +71,20 @@ TEST(HeldForces, OfRedundantRowsAreSharedByWeight) {
   // The smallest (λ₁/2)² + λ₂² with λ₁ + λ₂ = 10.
   EXPECT_NEAR(f.forces.lambda()[f.rows.row0(0)], 8.0, kSledgeRounding);
   EXPECT_NEAR(f.forces.lambda()[f.rows.row0(1)], 2.0, kSledgeRounding);
+}
+
+TEST(HeldForces, KnowWhichRowsOthersImply) {
+  SledgeScene s({0.0, 0.0}, {0.0, 0.0}, SledgeScene::pull(3.0), 0.5, 0.0, 2);
+  Forces first(s, {contact(s, 0), contact(s, 1)});
+  first.forces.findImplied(first.held, first.rows);
+  // Two rows of four: each contact holds both directions of the sledge.
+  EXPECT_EQ(std::popcount(static_cast<unsigned>(first.held[0].implied)) +
+                std::popcount(static_cast<unsigned>(first.held[1].implied)),
+            2);
+  const Forces later(s, first.held);
+  EXPECT_TRUE(later.forces.redundant());
+  EXPECT_NEAR((later.forces.a() - first.forces.a()).norm(), 0.0, kSledgeRounding);
+  EXPECT_NEAR((later.forces.lambda() - first.forces.lambda()).norm(), 0.0, kSledgeRounding);
 }
 
 }  // namespace
