@@ -10,8 +10,14 @@ Refusal EventStage::event(LocatedStep& step, PhasePoint& p, const std::vector<He
   PhaseMotion& motion = parts_.motion;
   const double unit =
       policy.looksAhead ? parts_.pace.lookAhead * parts_.span() : parts_.norm.time();
+  // Where a long search has found no solution, the next ones seldom do.
+  SearchPauses& searches = parts_.pace.searches;
+  const Effort effort = step.s.limits.effort;
+  if (effort == Effort::full) step.s.limits.effort = searches.next();
   const EventResult r = parts_.event.process(step.s, step.solver, parts_.probe, motion.phase, p,
                                              motion.step, unit, stopped);
+  step.s.limits.effort = effort;
+  if (r.impact || !r.solved.ok()) searches.done(r.solved.ok() && !r.solved.inVain);
   if (!r.fault.empty()) return step.fault(r.fault, r.lost);
   StepReport& report = step.report;
   if (!r.solved.ok()) report.solved = r.solved;

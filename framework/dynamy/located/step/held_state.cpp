@@ -13,7 +13,8 @@ bool HeldState::fits(const SystemParts& parts) const {
   return std::all_of(held.begin(), held.end(), known) &&
          std::all_of(missing.begin(), missing.end(),
                      [&](int e) { return e >= 0 && e < elements; }) &&
-         (jacobian.size() == 0 || jacobian.size() == placed) && pace.empty >= 0;
+         (jacobian.size() == 0 || jacobian.size() == placed) && pace.empty >= 0 &&
+         pace.searches.possible();
 }
 
 }  // namespace dynamy

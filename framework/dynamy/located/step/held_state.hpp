@@ -1,6 +1,7 @@
 /// HeldState: what a located run carries from step to step beside t, q and u.
 #pragma once
 #include <dynamy/located/phase/phase_motion.hpp>
+#include <dynamy/stages/search_pauses.hpp>
 
 namespace dynamy {
 
@@ -11,7 +12,10 @@ struct Pace {
   double lastEvent = -1e300;   ///< time of the last event [s]
   int empty = 0;               ///< events at that time that changed nothing
   double energyFrom = -1e300;  ///< from this time on energies bound steps [s]
-  void archive(NumberArchive& a) { a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom); }
+  SearchPauses searches;       ///< of impacts and decisions
+  void archive(NumberArchive& a) {
+    a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom), a(searches);
+  }
 };
 
 struct HeldState {
