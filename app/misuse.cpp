@@ -180,7 +180,7 @@ Misuse wrongValues(const CLI::App& in, const std::string& before, const CLI::Par
                 option->get_description(),
             {}};
   if (!is(CLI::ExitCodes::ExtrasError)) return {text, {}};
-  const std::string word = text.substr(text.find_last_of(": ") + 1);  // the first one is the last
+  const std::string word = text.substr(text.rfind(' ') + 1);  // the first one is the last
   if (const std::string option = "--" + word.substr(0, word.find('='));
       word.find('=') != std::string::npos && in.get_option_no_throw(option) != nullptr)
     return {'"' + word + "\" is a word too many",

@@ -2,20 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <dynamy/io/model/braces.hpp>
+#include <dynamy/io/xml/xml.hpp>
 #include <dynamy/law/pair_laws.hpp>
+#include <set>
 
 namespace dynamy::app {
 namespace {
 
 std::string lineOf(const Place& place) { return Place(place.file, place.line).format(); }
 
-/// A newcomer may name bodies in the place of their materials.
+/// The materials of all shapes.
+std::set<std::string> materialsOf(const Model& model) {
+  std::set<std::string> out;
+  for (const Description& d : model.descriptions())
+    for (const PlacedShape& p : d.shapes)
+      if (!p.shape->material().empty()) out.insert(p.shape->material());
+  return out;
+}
+
+/// A newcomer may name bodies in the place of their materials, or forget the shape of the ground.
 std::string whyIdle(const Model& model, const MaterialRule& rule) {
-  for (const std::string& name : model.pairLaws().namesOf(rule))
+  const std::set<std::string> carried = materialsOf(model);
+  std::string missing;
+  for (const std::string& name : model.pairLaws().namesOf(rule)) {
     for (const auto& system : model.systems())
       if (system->name() == name)
         return '"' + name + "\" is a system; between=\"…\" names the materials of shapes";
-  return "no shapes that can touch ask for it";
+    if (!carried.contains(name))
+      missing += (missing.empty() ? std::string(kNoShapeHas) : " or ") + '"' + name + '"';
+  }
+  return missing.empty() ? "no shapes that can touch ask for it" : missing;
 }
 
 /// Shapes without a material take part in no contact, and bodies fall through each other.
@@ -51,10 +70,123 @@ std::string longStep(const Model& model) {
       s.until);
 }
 
+/// Calls f(node) for all elements below `node`, and for it.
+template <class F>
+void forAll(const XmlNode& node, const F& f) {
+  f(node);
+  for (const XmlNode& child : node.children) forAll(child, f);
+}
+
+/// Numbers of a value without formulas; none if there are others than numbers in it.
+std::vector<double> numbersOf(const XmlAttribute* a) {
+  std::vector<double> out;
+  if (a == nullptr) return out;
+  for (const char* at = a->value.c_str(); *at != '\0';) {
+    char* end = nullptr;
+    out.push_back(std::strtod(at, &end));
+    if (end == at) return {};
+    at = end + std::string_view(end).find_first_not_of(" \t\n") * (*end != '\0');
+  }
+  return out;
+}
+
+/// Parameters of the file that no value in it uses.
+std::string unusedParameters(const XmlNode& root) {
+  std::set<std::string> used;
+  std::vector<std::string> words;
+  forAll(root, [&](const XmlNode& node) {
+    if (node.tag == "doc") return;
+    for (const XmlAttribute& a : node.attributes)
+      if (node.tag != "parameter" || a.name != "name") namesIn(a.value, words);
+    namesIn(node.text, words);
+  });
+  used.insert(words.begin(), words.end());
+  std::string out;
+  for (const XmlNode& node : root.children)
+    if (const XmlAttribute* name = node.tag == "parameter" ? node.attribute("name") : nullptr;
+        name != nullptr && !used.contains(name->value))
+      out += fmt::format(
+          " note: the parameter \"{}\" ({}) is not used: a value refers to it by {{{}}}\n",
+          name->value, lineOf(node.place), name->value);
+  return out;
+}
+
+/// "0 0 0 1" is no turn for programs whose quaternions end with the real part.
+std::string realPartLast(const XmlNode& root) {
+  std::string out;
+  forAll(root, [&](const XmlNode& node) {
+    const XmlAttribute* a = node.attribute("orientation");
+    if (numbersOf(a) == std::vector<double>{0.0, 0.0, 0.0, 1.0})
+      out += fmt::format(
+          " note: orientation=\"{}\" ({}) turns by 180° about z, since the real part comes first; "
+          "\"1 0 0 0\" does not turn\n",
+          a->value, lineOf(a->valuePlace));
+  });
+  return out;
+}
+
+/// A field of gravity that pulls bodies away from a plane of the ground.
+std::string upwardGravity(const XmlNode& root) {
+  const XmlNode *gravity = nullptr, *plane = nullptr;
+  std::vector<double> pull;
+  forAll(root, [&](const XmlNode& node) {
+    if (node.tag != "Gravity") return;
+    const std::vector<double> g = numbersOf(node.attribute("acceleration"));
+    if (g.size() == 3) gravity = &node, pull = g;
+  });
+  if (gravity == nullptr) return {};
+  forAll(root, [&](const XmlNode& node) {
+    if (node.tag != "Ground" || node.attribute("orientation") || node.attribute("euler")) return;
+    for (const XmlNode& shape : node.children) {
+      if (shape.tag != "HalfSpace" || shape.attribute("orientation")) continue;
+      std::vector<double> n = numbersOf(shape.attribute("normal"));
+      if (shape.attribute("normal") == nullptr) n = {0.0, 0.0, 1.0};
+      if (n.size() != 3) continue;
+      const double along = pull[0] * n[0] + pull[1] * n[1] + pull[2] * n[2];
+      const double sizes = std::hypot(pull[0], pull[1], pull[2]) * std::hypot(n[0], n[1], n[2]);
+      if (along > 0.99 * sizes) plane = &shape;
+    }
+  });
+  if (plane == nullptr) return {};
+  return fmt::format(
+      " note: <Gravity> ({}) pulls bodies away from <HalfSpace> ({}): its acceleration points "
+      "where "
+      "they fall, \"0 0 -9.81\"\n",
+      lineOf(gravity->place), lineOf(plane->place));
+}
+
+/// No force acts and nothing drives: a newcomer may expect gravity by itself.
+std::string nothingMoves(const Model& model, const XmlNode& root) {
+  const State x = model.initialState();
+  bool driven = !model.forces().empty() || x.u.size() == 0 || !x.u.isZero(0.0);
+  static const std::set<std::string, std::less<>> kOnlyHold{"Contact", "Contacts", "Material",
+                                                            "NoContact", "doc"};
+  for (const XmlNode& section : root.children) {
+    driven = driven || section.tag == "include" || section.tag == "plugin";
+    for (const XmlNode& node : section.children) {
+      if (section.tag == "elements") driven = driven || !kOnlyHold.contains(node.tag);
+      if (section.tag == "systems") driven = driven || node.tag == "Coordinates";
+    }
+  }
+  return driven
+             ? std::string()
+             : " note: nothing moves: no force acts, and all bodies begin at rest; <Gravity/> in "
+               "<forces> lets them fall\n";
+}
+
+/// What the text of the file says without effect, or otherwise than it may be meant.
+std::string ofText(const Model& model) {
+  if (model.file.text.empty()) return {};
+  const XmlDocument document = XmlDocument::parse(model.file.text, model.file.name);
+  const XmlNode& root = document.root();
+  return unusedParameters(root) + realPartLast(root) + upwardGravity(root) +
+         nothingMoves(model, root);
+}
+
 }  // namespace
 
 std::string modelNotes(const Model& model) {
-  return idleRules(model) + severalGravities(model) + longStep(model);
+  return idleRules(model) + severalGravities(model) + longStep(model) + ofText(model);
 }
 
 }  // namespace dynamy::app

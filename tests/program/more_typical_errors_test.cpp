@@ -132,6 +132,11 @@ TEST_F(MoreTypicalErrors, OfOptions) {
       {"export fmu", 64, "dynamy export fmu needs MODEL", "XML file"},
       {"watch m.xml", 64, "no command \"watch\"", "run --watch"},
       {"import m.xml --package none", 64, "none", "there is no such folder"},
+      {"sweep m.xml mu=0:0.1:1", 64, "\"mu=0:0.1:1\" is a word too many", "--set mu=0:0.1:1"},
+      {"run m.xml --set epsilonN=0.5", 2, "no parameter \"epsilonN\"",
+       "it is a number of <UnilateralCoulomb> (m.xml:11:"},
+      {"gradient m.xml --of block.z --by epsilonN", 2, "velocity \"epsilonN\"",
+       "write <parameter name=\"epsilonN\" value=\"0\"/>"},
   });
 }
 
@@ -195,6 +200,32 @@ TEST_F(MoreTypicalErrors, ARuleThatNamesBodiesIsNoted) {
   EXPECT_NE(out().find("never acts: \"block\" is a system; between=\"…\" names the materials"),
             std::string::npos)
       << out();
+}
+
+/// What is no error may all the same be otherwise than it is meant.
+TEST_F(MoreTypicalErrors, WhatMayBeMeantOtherwiseIsNoted) {
+  const auto noteOf = [&](const std::string& from, const std::string& to) {
+    std::string model = kTypicalModel;
+    model.replace(model.find(from), from.size(), to);
+    write("m.xml", model);
+    EXPECT_EQ(call("check m.xml"), 0) << err();
+    const std::size_t at = out().find(" note: ");
+    return at == std::string::npos ? std::string() : out().substr(at);
+  };
+  EXPECT_EQ(noteOf("2\"", "2\""), "");
+  const auto expectNote = [](const std::string& note, const std::string& text) {
+    EXPECT_NE(note.find(text), std::string::npos) << note;
+  };
+  expectNote(noteOf("mu=\"{mu}\"", "mu=\"0.3\""),
+             "note: the parameter \"mu\" (m.xml:2) is not used: a value refers to it by {mu}");
+  expectNote(noteOf("position=\"0 0 0.5\"", "position=\"0 0 0.5\" orientation=\"0 0 0 1\""),
+             "note: orientation=\"0 0 0 1\" (m.xml:5) turns by 180° about z");
+  expectNote(noteOf("0 0 -9.81", "0 0 9.81"),
+             "note: <Gravity> (m.xml:9) pulls bodies away from <HalfSpace> (m.xml:4)");
+  expectNote(noteOf("<Gravity acceleration=\"0 0 -9.81\"/>", ""), "note: nothing moves");
+  expectNote(
+      noteOf("</elements>", "<Contact between=\"steel ice\"><Unilateral/></Contact></elements>"),
+      "never acts: no shape has the material \"ice\"");
 }
 
 }  // namespace

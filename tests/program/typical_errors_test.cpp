@@ -79,6 +79,7 @@ const std::vector<WrongModel> kWrongModels{
      "<parameter name=\"w\""},
     {"</forces>", "<ForceInput on=\"block\" force=\"sin(t), 0, 0\"/></forces>", "9:76",
      "3 formulas", "\"sin(t); 0; 0\""},
+    {"<systems>", "<defaults mu=\"0.3\"/><systems>", "3:13", "unknown attribute \"mu\"", ""},
     {"between=\"steel steel\"", "between=\"steel,steel\"", "11:28", "\",\"", "\"steel steel\""},
     {"between=\"steel steel\"", "between=\"stel steel\"", "4:26", "\"stel\"",
      "did you mean \"steel\"?"},

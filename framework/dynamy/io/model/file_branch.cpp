@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/io/files/csv.hpp>
 #include <dynamy/io/model/file_branch.hpp>
+#include <dynamy/io/model/parameter_hint.hpp>
 #include <dynamy/simulation/orbit/section_points.hpp>
 #include <utility>
 
@@ -47,12 +47,12 @@ double valueOf(const std::string& name, const std::string& text, const FileOrbit
   LoadOptions options;
   options.set = wanted.set, options.parameters = &values;
   if (!text.empty()) options.set.emplace_back(name, text);
-  loadModel(wanted.file, registry, plugins, options);
+  const Model model = loadModel(wanted.file, registry, plugins, options);
   const auto found = values.find(name);
   if (found != values.end()) return found->second;
   std::vector<std::string> known;
   for (const auto& [other, value] : values) known.push_back(other);
-  throw ModelError("no parameter \"" + name + '"', unknownNameHint(name, known));
+  throw ModelError("no parameter \"" + name + '"', parameterHint(model, name, known));
 }
 
 }  // namespace

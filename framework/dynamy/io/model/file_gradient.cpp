@@ -2,9 +2,9 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/io/model/file_gradient.hpp>
+#include <dynamy/io/model/parameter_hint.hpp>
 #include <dynamy/simulation/model/initial_values.hpp>
 #include <limits>
 
@@ -75,7 +75,7 @@ void placeVaried(const std::vector<std::string>& by, const std::map<std::string,
       request.by.emplace_back(name, *number), request.initial.push_back(name);
     else
       throw ModelError("no parameter, coordinate or velocity \"" + name + '"',
-                       unknownNameHint(name, known));
+                       parameterHint(model, name, known));
   }
 }
 

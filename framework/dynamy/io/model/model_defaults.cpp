@@ -46,6 +46,7 @@ void readDefaults(const XmlNode& root, Scope& scope, const Registry& registry,
       scope.defaultsAreBroken = true;  // reported by walk()
     if (section.tag != "defaults") continue;
     refuseText(section, scope, faults);
+    AttributeReader(faults, nullptr).allDeclared(section, scope, {}, {});
     for (const XmlNode& node : section.children)
       if (node.tag != "doc") readDefault(node, section, scope, registry, vocabulary, faults);
   }

@@ -93,7 +93,7 @@ void ModelSource::addFile(XmlDocument document, const Including& from, fs::path 
   readParameters(root, scope, from);
   readDefaults(root, scope, *registry_, vocabulary_, *faults_);
   walk(root, scope, from, true);
-  if (from.node == nullptr) overrides_.reportUnused(*faults_);
+  if (from.node == nullptr) overrides_.reportUnused(root, *faults_);
 }
 
 bool ModelSource::checkRoot(const XmlNode& root, const Scope& scope) {

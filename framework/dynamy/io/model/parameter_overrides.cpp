@@ -1,6 +1,6 @@
-#include <dynamy/core/declared/unknown_name.hpp>
 #include <dynamy/core/expression/expression.hpp>
 #include <dynamy/core/expression/expression_error.hpp>
+#include <dynamy/io/model/parameter_hint.hpp>
 #include <dynamy/io/model/parameter_overrides.hpp>
 #include <optional>
 
@@ -55,12 +55,12 @@ void ParameterOverrides::apply(Scope& scope, ParameterEvaluator& evaluator, Faul
   }
 }
 
-void ParameterOverrides::reportUnused(Faults& faults) const {
+void ParameterOverrides::reportUnused(const XmlNode& root, Faults& faults) const {
   for (std::size_t i = 0; i < values_.size(); ++i)
     if (!used_[i])
       faults.add({.text = "--set " + values_[i].first + '=' + values_[i].second +
                           ": no parameter \"" + values_[i].first + '"',
-                  .hint = unknownNameHint(values_[i].first, known_)});
+                  .hint = parameterHint(root, values_[i].first, known_)});
 }
 
 }  // namespace dynamy

@@ -15,7 +15,7 @@ class ParameterOverrides {
   /// and makes its parameter broken.
   void apply(Scope& scope, ParameterEvaluator& evaluator, Faults& faults);
   /// Reports those whose parameter no file has had.
-  void reportUnused(Faults& faults) const;
+  void reportUnused(const XmlNode& root, Faults& faults) const;
 
  private:
   Overrides values_;
