@@ -12,7 +12,7 @@ struct Pace {
   double lastEvent = -1e300;   ///< time of the last event [s]
   int empty = 0;               ///< events at that time that changed nothing
   double energyFrom = -1e300;  ///< from this time on energies bound steps [s]
-  SearchPauses searches;       ///< of impacts and decisions
+  SearchPauses searches{};     ///< of impacts and decisions
   void archive(NumberArchive& a) {
     a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom), a(searches);
   }
