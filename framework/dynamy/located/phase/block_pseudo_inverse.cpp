@@ -57,7 +57,7 @@ bool BlockPseudoInverse::Block::computeIndependent() {
 /// False: the other rows do not follow.
 bool BlockPseudoInverse::Block::solveIndependent(const Eigen::VectorXd& of, Eigen::VectorXd& to) {
   rest = of.cwiseProduct(rowScale);
-  const double size = rest.lpNorm<Eigen::Infinity>();
+  const double asked = rest.lpNorm<Eigen::Infinity>();
   to.setZero(scaled.cols());
   for (int turn = 0; turn <= kRefined; ++turn) {
     y = rest(independent);
@@ -66,7 +66,7 @@ bool BlockPseudoInverse::Block::solveIndependent(const Eigen::VectorXd& of, Eige
     rest = of.cwiseProduct(rowScale);
     rest.noalias() -= scaled * to;
   }
-  return rest.lpNorm<Eigen::Infinity>() <= kMissed * (size + to.lpNorm<Eigen::Infinity>());
+  return rest.lpNorm<Eigen::Infinity>() <= kMissed * (asked + to.lpNorm<Eigen::Infinity>());
 }
 
 void BlockPseudoInverse::Block::solve(const Eigen::VectorXd& of, Eigen::VectorXd& to) {
@@ -138,8 +138,8 @@ void BlockPseudoInverse::begin(std::span<const int> group) {
   list(m);
   for (int k = 0; k < blocks_; ++k) {
     Block& block = block_[static_cast<std::size_t>(k)];
-    const auto size = static_cast<Eigen::Index>(block.rows.size());
-    block.A.setZero(size, size);
+    const auto n = static_cast<Eigen::Index>(block.rows.size());
+    block.A.setZero(n, n);
   }
 }
 

@@ -142,7 +142,8 @@ void HeldForces::findRightSide(const std::vector<Held>& held, const HeldRows& ro
     // Redundant forces are smallest in units of what each contact carries: a contact that presses
     // hard takes more of them.
     scale_[k] = held[of].weight;
-    implied_[static_cast<std::size_t>(k)] = (held[of].implied >> (row - rows.row0(of)) & 1) != 0;
+    implied_[static_cast<std::size_t>(k)] =
+        (held[of].implied >> (row - rows.row0(of)) & 1) != 0 ? 1 : 0;
   }
 }
 
