@@ -7,13 +7,14 @@ namespace dynamy {
 
 /// Trials of smooth steps (theory 50.2).
 struct TrialConstants {
-  static constexpr double firstStep = 0.02;   ///< of T
-  static constexpr double safety = 0.9;       ///< on the factor tolerance/error of the next step
-  static constexpr double shrink = 0.2;       ///< least factor from trial to trial
-  static constexpr double half = 0.5;         ///< factor where the error gives none
-  static constexpr int most = 60;             ///< trials of one step
-  static constexpr double leastStep = 1e-14;  ///< of the time and of T
-  static constexpr double mostTurn = 2.0;     ///< [rad] in a step with open contacts
+  static constexpr double firstStep = 0.02;    ///< of T
+  static constexpr double safety = 0.9;        ///< on the factor tolerance/error of the next step
+  static constexpr double shrink = 0.2;        ///< least factor from trial to trial
+  static constexpr double half = 0.5;          ///< factor where the error gives none
+  static constexpr int most = 60;              ///< trials of one step
+  static constexpr double leastStep = 1e-14;   ///< of the time and of T
+  static constexpr double mostTurn = 2.0;      ///< [rad] in a step with open contacts,
+  static constexpr double mostFeatures = 0.5;  ///< and where contacts come and go with features
   /// Rounding of gaps [L] and of velocities [U].
   static constexpr double gapNoise = 2e-14, speedNoise = 1e-12;
   static constexpr double project = 5e-4;    ///< of the tolerance: corrections below it wait

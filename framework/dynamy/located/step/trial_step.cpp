@@ -9,9 +9,11 @@ namespace dynamy {
 
 double TrialStep::shortened(const PhasePoint& from, double h) const {
   // Turning bodies must not turn past a contact between two samples of the search.
+  const bool features = parts_.probe.comesAndGoes();
+  const double most = features ? TrialConstants::mostFeatures : TrialConstants::mostTurn;
   if (const double turn = parts_.norm.fastestTurn(from.x.u);
-      (parts_.search.gaps() || parts_.probe.comesAndGoes()) && turn * h > TrialConstants::mostTurn)
-    h = TrialConstants::mostTurn / turn;
+      (parts_.search.gaps() || features) && turn * h > most)
+    h = most / turn;
   // A force that is ignored may pass its bound, but no longer than it is to be ignored.
   for (const Held& held : parts_.motion.phase.held)
     if (!held.slips && held.mutedUntil > from.x.t) h = std::min(h, held.mutedUntil - from.x.t);
