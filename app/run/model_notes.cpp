@@ -97,7 +97,8 @@ std::string unusedParameters(const XmlNode& root) {
   forAll(root, [&](const XmlNode& node) {
     if (node.tag == "doc") return;
     for (const XmlAttribute& a : node.attributes)
-      if (node.tag != "parameter" || a.name != "name") namesIn(a.value, words);
+      if (a.name != "name" || (node.tag != "parameter" && node.tag != "set"))
+        namesIn(a.value, words);
     namesIn(node.text, words);
   });
   used.insert(words.begin(), words.end());
