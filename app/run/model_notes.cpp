@@ -175,13 +175,24 @@ std::string nothingMoves(const Model& model, const XmlNode& root) {
                "<forces> lets them fall\n";
 }
 
+/// A run whose end is that of the declaration.
+std::string unsaidEnd(const Model& model, const XmlNode& root) {
+  const double until = SimulationSettings().until;
+  for (const XmlNode& node : root.children)
+    if (node.tag == "simulation" && node.attribute("until") == nullptr &&
+        model.simulation.until == until)
+      return fmt::format(" note: <simulation> ({}) says no end: until=\"{:g}\" is taken [s]\n",
+                         lineOf(node.place), until);
+  return {};
+}
+
 /// What the text of the file says without effect, or otherwise than it may be meant.
 std::string ofText(const Model& model) {
   if (model.file.text.empty()) return {};
   const XmlDocument document = XmlDocument::parse(model.file.text, model.file.name);
   const XmlNode& root = document.root();
   return unusedParameters(root) + realPartLast(root) + upwardGravity(root) +
-         nothingMoves(model, root);
+         nothingMoves(model, root) + unsaidEnd(model, root);
 }
 
 }  // namespace

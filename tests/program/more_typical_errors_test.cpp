@@ -222,6 +222,7 @@ TEST_F(MoreTypicalErrors, WhatMayBeMeantOtherwiseIsNoted) {
              "note: orientation=\"0 0 0 1\" (m.xml:5) turns by 180° about z");
   expectNote(noteOf("0 0 -9.81", "0 0 9.81"),
              "note: <Gravity> (m.xml:9) pulls bodies away from <HalfSpace> (m.xml:4)");
+  expectNote(noteOf("until=\"0.1\" ", ""), "note: <simulation> (m.xml:13) says no end");
   expectNote(noteOf("<Gravity acceleration=\"0 0 -9.81\"/>", ""), "note: nothing moves");
   expectNote(
       noteOf("</elements>", "<Contact between=\"steel ice\"><Unilateral/></Contact></elements>"),

@@ -136,7 +136,8 @@ std::string whatToWrite(const Attribute& a, std::string_view word, const Express
     if (const std::string share = shareOf(word.substr(0, word.size() - 1)); !share.empty())
       return "write " + share;
   if (!e.suggestion().empty()) return didYouMean(e.suggestion());
-  if (word == "-" || word == "+") return "a sign stands before its number without a blank";
+  if (word == "-" || word == "+")
+    return "a sign stands before its number without a blank, and a formula in braces: {1 - e}";
   if (e.message().starts_with("malformed number")) return "numbers are 12, -0.5 or 1.2e-3";
   if (word.starts_with("$")) {  // ${x}, whose braces are replaced already, and $x
     const bool number = word.find_first_of("0123456789.-") == 1;
