@@ -73,11 +73,17 @@ bool SwitchEvent::settle(OngoingEvent& at, const std::vector<Held>& old, double 
 bool SwitchEvent::accelerateAlone(OngoingEvent& at) {
   // Elements may place a contact according to others that are closed, too. Those that have left no
   // longer count, and the phase has to begin with the same accelerations with which it continues.
+  // It knows which rows follow from others, and rounds accordingly: a run that goes on from here has
+  // the same bits.
+  next_.findImplied();
   keys_.clear();
   heldKeys(next_.held, keys_);
-  if (keys_.size() == contacts_.keys().size()) return true;
-  at.evaluate(at.p.x, keys_, 1, true);
-  return next_.accelerate(at.s.slot(1), at.p.x.u, at.p.a);
+  const bool all = keys_.size() == contacts_.keys().size();
+  const bool implied = std::any_of(next_.held.begin(), next_.held.end(),
+                                   [](const Held& h) { return h.implied != 0; });
+  if (all && !implied) return true;
+  if (!all) at.evaluate(at.p.x, keys_, 1, true);
+  return next_.accelerate(at.s.slot(all ? 0 : 1), at.p.x.u, at.p.a);
 }
 
 EventResult SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver, ContactProbe& probe,
@@ -91,7 +97,6 @@ EventResult SwitchEvent::process(MechanicalSystem& s, InclusionSolver& solver, C
     r.fault = next_.fault(), r.lost = next_.lost();
     return r;
   }
-  next_.findImplied();
   p.lambda = next_.lambda(), p.power = next_.power();
   smooth.rates(s, p);
   r.changed = differ(next_.held, phase.held);
