@@ -20,6 +20,8 @@ bool StartingSlips::turn(std::vector<Held>& held, const HeldRows& rows, const He
   required_.resize(rows.size()), size_ = 0;
   for (std::size_t i = 0; i < held.size(); ++i)
     if (isOne(held[i], i, rows)) change = std::max(change, require(held[i], i, rows, forces));
+  // The forces are those of the directions as they are: a run that goes on from here finds the same.
+  if (!(change > kTurned)) return false;
   last_.swap(change_);
   change_ = required_.head(size_);
   int first = 0;
@@ -34,7 +36,7 @@ bool StartingSlips::turn(std::vector<Held>& held, const HeldRows& rows, const He
   first = 0;
   for (std::size_t i = 0; i < held.size(); ++i)
     if (isOne(held[i], i, rows)) turnTo(held[i], i, rows, first), first += rows.slipRows(i);
-  return change > kTurned;
+  return true;
 }
 
 /// Adds the direction that the force of held[i] requires to required_. Returns how far it differs.
