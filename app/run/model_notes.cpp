@@ -81,11 +81,11 @@ void forAll(const XmlNode& node, const F& f) {
 std::vector<double> numbersOf(const XmlAttribute* a) {
   std::vector<double> out;
   if (a == nullptr) return out;
-  for (const char* at = a->value.c_str(); *at != '\0';) {
+  for (const XmlWord& word : xmlWords(a->value)) {
+    const std::string text(word.text);
     char* end = nullptr;
-    out.push_back(std::strtod(at, &end));
-    if (end == at) return {};
-    at = end + std::string_view(end).find_first_not_of(" \t\n") * (*end != '\0');
+    out.push_back(std::strtod(text.c_str(), &end));
+    if (*end != '\0') return {};
   }
   return out;
 }
@@ -150,29 +150,36 @@ std::string upwardGravity(const XmlNode& root) {
   });
   if (plane == nullptr) return {};
   return fmt::format(
-      " note: <Gravity> ({}) pulls bodies away from <HalfSpace> ({}): its acceleration points "
-      "where "
-      "they fall, \"0 0 -9.81\"\n",
+      " note: <Gravity> ({}) pulls bodies away from <HalfSpace> ({}): its acceleration points to "
+      "where they fall, \"0 0 -9.81\"\n",
       lineOf(gravity->place), lineOf(plane->place));
+}
+
+/// True: the element is a body, or ground that does not move.
+bool movesByForcesAlone(const XmlNode& node) {
+  static const std::set<std::string, std::less<>> kBodies{"RigidBody", "PlanarBody", "PointMass",
+                                                          "doc"};
+  const bool rests = node.tag == "Ground" && node.attribute("motion") == nullptr &&
+                     node.attribute("rotation") == nullptr;
+  return rests || kBodies.contains(node.tag);
 }
 
 /// No force acts and nothing drives: a newcomer may expect gravity by itself.
 std::string nothingMoves(const Model& model, const XmlNode& root) {
-  const State x = model.initialState();
-  bool driven = !model.forces().empty() || x.u.size() == 0 || !x.u.isZero(0.0);
   static const std::set<std::string, std::less<>> kOnlyHold{"Contact", "Contacts", "Material",
                                                             "NoContact", "doc"};
+  const State x = model.initialState();
+  bool rests = model.forces().empty() && x.u.size() > 0 && x.u.isZero(0.0);
   for (const XmlNode& section : root.children) {
-    driven = driven || section.tag == "include" || section.tag == "plugin";
+    rests = rests && section.tag != "include" && section.tag != "plugin";
     for (const XmlNode& node : section.children) {
-      if (section.tag == "elements") driven = driven || !kOnlyHold.contains(node.tag);
-      if (section.tag == "systems") driven = driven || node.tag == "Coordinates";
+      if (section.tag == "elements") rests = rests && kOnlyHold.contains(node.tag);
+      if (section.tag == "systems") rests = rests && movesByForcesAlone(node);
     }
   }
-  return driven
-             ? std::string()
-             : " note: nothing moves: no force acts, and all bodies begin at rest; <Gravity/> in "
-               "<forces> lets them fall\n";
+  return rests ? " note: nothing moves: no force acts, and all bodies begin at rest; <Gravity/> in "
+                 "<forces> lets them fall\n"
+               : std::string();
 }
 
 /// A run whose end is that of the declaration.

@@ -132,6 +132,8 @@ TEST_F(MoreTypicalErrors, OfOptions) {
       {"export fmu", 64, "dynamy export fmu needs MODEL", "XML file"},
       {"watch m.xml", 64, "no command \"watch\"", "run --watch"},
       {"import m.xml --package none", 64, "none", "there is no such folder"},
+      {"view r --video x.webm --look vew=side", 64, "the page has no \"vew\"", "view"},
+      {"view r --video x.webm --look view=side", 64, "\"side\"", "iso"},
       {"sweep m.xml mu=0:0.1:1", 64, "\"mu=0:0.1:1\" is a word too many", "--set mu=0:0.1:1"},
       {"run m.xml --set epsilonN=0.5", 2, "no parameter \"epsilonN\"",
        "it is a number of <UnilateralCoulomb> (m.xml:11:"},
@@ -204,9 +206,11 @@ TEST_F(MoreTypicalErrors, ARuleThatNamesBodiesIsNoted) {
 
 /// What is no error may all the same be otherwise than it is meant.
 TEST_F(MoreTypicalErrors, WhatMayBeMeantOtherwiseIsNoted) {
-  const auto noteOf = [&](const std::string& from, const std::string& to) {
+  const auto noteOf = [&](const std::string& from, const std::string& to,
+                          const std::string& ground = "<Ground ") {
     std::string model = kTypicalModel;
     model.replace(model.find(from), from.size(), to);
+    model.replace(model.find("<Ground "), 8, ground);
     write("m.xml", model);
     EXPECT_EQ(call("check m.xml"), 0) << err();
     const std::size_t at = out().find(" note: ");
@@ -220,10 +224,15 @@ TEST_F(MoreTypicalErrors, WhatMayBeMeantOtherwiseIsNoted) {
              "note: the parameter \"mu\" (m.xml:2) is not used: a value refers to it by {mu}");
   expectNote(noteOf("position=\"0 0 0.5\"", "position=\"0 0 0.5\" orientation=\"0 0 0 1\""),
              "note: orientation=\"0 0 0 1\" (m.xml:5) turns by 180° about z");
+  expectNote(noteOf("position=\"0 0 0.5\"", "position=\"0 0 0.5\" orientation=\" 0 0 0\t1 \""),
+             "(m.xml:5) turns by 180° about z");
   expectNote(noteOf("0 0 -9.81", "0 0 9.81"),
              "note: <Gravity> (m.xml:9) pulls bodies away from <HalfSpace> (m.xml:4)");
   expectNote(noteOf("until=\"0.1\" ", ""), "note: <simulation> (m.xml:13) says no end");
   expectNote(noteOf("<Gravity acceleration=\"0 0 -9.81\"/>", ""), "note: nothing moves");
+  EXPECT_EQ(
+      noteOf("<Gravity acceleration=\"0 0 -9.81\"/>", "", "<Ground motion=\"0; 0; 0.1*sin(t)\" "),
+      "");
   expectNote(
       noteOf("</elements>", "<Contact between=\"steel ice\"><Unilateral/></Contact></elements>"),
       "never acts: no shape has the material \"ice\"");

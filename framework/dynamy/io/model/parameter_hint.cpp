@@ -9,7 +9,7 @@ namespace {
 /// The first element below `node` with a number in an attribute `name`; null: there is none.
 const XmlNode* holderOf(const XmlNode& node, const std::string& name) {
   const auto isNumber = [](const std::string& text) {
-    return !text.empty() && text.find_first_of("0123456789") != std::string::npos &&
+    return !text.empty() && text.find_first_of("0123456789+-.") == 0 &&
            text.find_first_of(" ;{") == std::string::npos;
   };
   if (const XmlAttribute* a = node.attribute(name); a != nullptr && isNumber(a->value))
