@@ -2,7 +2,8 @@
 ///
 ///   δq = M⁻¹W Λ,  g + Wᵀδq = 0,      δu = M⁻¹W Λ,  γ + Wᵀδu = 0
 ///
-/// repeated at the corrected positions until both are far below the tolerance. A large drift is a sign of a missing or wrong bias, which is then checked.
+/// again at the corrected positions, until both are far below the tolerance. A large drift is a sign
+/// of a missing or wrong bias, which is then checked.
 #pragma once
 #include <dynamy/located/phase/held_projection.hpp>
 #include <dynamy/located/step/located_parts.hpp>
