@@ -115,7 +115,7 @@ class GuideShoes final : public NonSmoothElement {
     const Vec3 v = f.velocity(rho), nu = f.nu_S_I + f.nu_R_I.cross(rho), up = Vec3::UnitZ();
     const bool slips = out.dim() > 1;
     if (f.block >= 0) {
-      const Block W = out.segment(f.block, f.u0, f.nu());
+      const Block W = out.segment(f);
       addPointRow(W, 0, f, rho, n, 1.0);
       if (slips) addPointRow(W, 1, f, rho, up, 1.0);
     }

@@ -57,7 +57,7 @@ void WheelBrake::contacts(const Kinematics& k, ContactSink& sink) const {
   const double s = kDrag + (1.0 - kDrag) * ramp;
   ContactRows rows = sink.add(0, 0.0, law_, 1);
   if (!rows) return;
-  rows.segment(system_.block0, system_.u0, system_.nu)(0, wheel_) = s;
+  rows.segment(system_)(0, wheel_) = s;
   const bool changes = ramp > 0.0 && ramp < 1.0;
   if (rows.wantsBias()) rows.bias(0) = changes ? (1.0 - kDrag) / rise_ * k.u(system_)[wheel_] : 0.0;
 }

@@ -59,10 +59,10 @@ class Faces final : public NonSmoothElement {
         auto rows =
             sink.add(static_cast<std::uint64_t>(4 * b + c), g, b > 0 ? law_ : groundLaw_, 3);
         if (!rows) continue;
-        rows.segment(on.block0, on.u0, 6) = upper;
+        rows.segment(on) = upper;
         if (b == 0) continue;
         const SystemHandle& by = boxes0_[static_cast<std::size_t>(b - 1)];
-        rows.segment(by.block0, by.u0, 6) = lower;
+        rows.segment(by) = lower;
       }
   }
 

@@ -143,7 +143,7 @@ void CoordinateContact::contacts(const Kinematics& k, ContactSink& sink) const {
   if (!out) return;
   out.scale(switch_.scale(k, x_.data()));
   const SystemHandle& system = own_.handle();
-  const Block moving = out.segment(system.block0, system.u0, system.nu), W = own_.room(moving);
+  const Block moving = out.segment(system), W = own_.room(moving);
   const int first = gap_ ? 1 : 0;
   if (gap_ && out.dim() > 0) gapRow(x_.data(), out, W);
   if (slip_ && out.dim() > first) slipRows(x_.data(), first, out, W);

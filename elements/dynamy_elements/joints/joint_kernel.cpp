@@ -121,7 +121,7 @@ void Joint::emit(const JointPose& p, std::uint64_t id, const std::vector<JointRo
   // along r_PQ, so that the lever arms of P and Q give the same.
   const auto addSide = [&](const Frame& f, const Vec3& rho, double sign) {
     if (f.block >= 0) {
-      const Block W = out.segment(f.block, f.u0, f.nu());
+      const Block W = out.segment(f);
       for (int r = 0; r < n; ++r) addWrench(W, r, f, rho, wrench[r], sign);
     }
     for (int r = 0; r < n; ++r) out.chi(r) += sign * drivenRate(f, rho, wrench[r]);

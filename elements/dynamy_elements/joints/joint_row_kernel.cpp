@@ -112,7 +112,7 @@ void emitRow(std::span<const RateTerm> terms, ContactRows& out) {
     bool done = false;
     for (std::size_t k = 0; k < i && !done; ++k) done = sameBlock(terms[k]);
     if (done) continue;
-    const Block W = out.segment(block, x.frame->u0, x.frame->nu());
+    const Block W = out.segment(*x.frame);
     for (std::size_t k = i; k < terms.size(); ++k)
       if (const RateTerm& y = terms[k]; sameBlock(y))
         addWrench(W, 0, *y.frame, y.rho_I, y.wrench, y.sign);

@@ -160,7 +160,7 @@ void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
   const bool slips = out.dim() > 1;
   const auto end = [&](const Frame& f, const Strand& s, double slip) {
     if (f.block >= 0) {
-      const Block W = out.segment(f.block, f.u0, f.nu());
+      const Block W = out.segment(f);
       addPointRow(W, 0, f, s.rho_I, s.t, -1.0);
       if (slips) addPointRow(W, 1, f, s.rho_I, s.t, slip);
     }
@@ -172,7 +172,7 @@ void SheaveRope::contacts(const Kinematics& k, ContactSink& sink) const {
   end(B, b, 0.5);
   const Vec3 pull = a.t + b.t, across = 0.5 * (a.t - b.t);
   if (S.block >= 0) {
-    const Block W = out.segment(S.block, S.u0, S.nu());
+    const Block W = out.segment(S);
     addPointRow(W, 0, S, Vec3::Zero(), pull, 1.0);
     if (slips) {
       addPointRow(W, 1, S, Vec3::Zero(), across, 1.0);

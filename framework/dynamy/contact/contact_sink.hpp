@@ -10,18 +10,31 @@
 
 namespace dynamy {
 
+/// A block of the mass matrix of an evaluation: its number, its first velocity, their number.
+struct BlockPlace {
+  int number = -1, u0 = 0, nu = 0;
+};
+
 /// Writable rows of one closed contact; false if the contact is open.
 class ContactRows {
  public:
   ContactRows() = default;
-  ContactRows(ContactSet& set, int index, bool bias) : set_(&set), index_(index), bias_(bias) {}
+  ContactRows(ContactSet& set, int index, bool bias, const SystemSubset* some = nullptr)
+      : set_(&set), some_(some), index_(index), bias_(bias) {}
   explicit operator bool() const { return set_ != nullptr; }
   int dim() const { return set_->dim(index_); }
   bool wantsBias() const { return bias_; }
-  /// The dim × nu entries of Wᵀ that belong to one mass block, zeroed at the first call for this
-  /// block. Add to them, never assign: two bodies of a contact may share a block. `u0`: first
-  /// velocity of the block.
-  Block segment(int block, int u0, int nu);
+  /// The dim × nu entries of Wᵀ that belong to the mass block of a frame, or of a system of one
+  /// block, zeroed at the first call for this block. Add to them, never assign: two bodies of a
+  /// contact may share a block.
+  Block segment(const Frame& frame) {
+    return segment(BlockPlace{frame.block, frame.u0, frame.nu()});
+  }
+  Block segment(const SystemHandle& system) {
+    const SystemHandle& own = ownHandle(some_, system);
+    return segment(BlockPlace{own.block0, own.u0, own.blockNu});
+  }
+  Block segment(const BlockPlace& block);
   double& chi(int row) {
     return set_->chi[static_cast<std::size_t>(set_->row0[static_cast<std::size_t>(index_)] + row)];
   }
@@ -44,6 +57,7 @@ class ContactRows {
 
  private:
   ContactSet* set_ = nullptr;
+  const SystemSubset* some_ = nullptr;
   int index_ = 0;
   bool bias_ = false;
 };
@@ -67,7 +81,9 @@ struct ContactRequest {
 
 class ContactSink {
  public:
-  ContactSink(ContactSet& set, const ContactRequest& request) : set_(&set), request_(request) {}
+  /// `some`: the view that asks; null: all systems take part.
+  ContactSink(ContactSet& set, const ContactRequest& request, const SystemSubset* some = nullptr)
+      : set_(&set), request_(request), some_(some) {}
   /// Reports contact `id` (< 2^40, unique within the element, the same over time) with gap g [m]
   /// and `geometric` rows, of which the law uses law.dim(geometric). A contact whose law is not
   /// unilateral is always closed; its g is the norm of the position error of the joint.
@@ -98,6 +114,7 @@ class ContactSink {
  private:
   ContactSet* set_;
   ContactRequest request_;
+  const SystemSubset* some_;
   int element_ = 0;
 };
 

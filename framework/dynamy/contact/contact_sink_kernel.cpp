@@ -47,7 +47,7 @@ ContactRows ContactSink::add(std::uint64_t id, double g, const SetValuedForceLaw
   if (request_.follow) c.features.presence.push_back(FollowedFeatures::kAlways);
   if (request_.bias) c.bias.resize(rows);
   c.places.add();
-  return {c, index, request_.bias};
+  return {c, index, request_.bias, some_};
 }
 
 std::span<const ContactKey> ContactSink::asked(std::uint64_t first, std::uint64_t end) const {
@@ -57,16 +57,17 @@ std::span<const ContactKey> ContactSink::asked(std::uint64_t first, std::uint64_
   return {from, to};
 }
 
-Block ContactRows::segment(int block, int u0, int nu) {
+Block ContactRows::segment(const BlockPlace& block) {
+  const auto [number, u0, nu] = block;
   ContactSet& c = *set_;
   const int rows = dim();
   // Two bodies of one tree share their block.
   for (int k = c.segment0[static_cast<std::size_t>(index_)]; k < c.segment0.back(); ++k)
-    if (const Segment& s = c.segment[static_cast<std::size_t>(k)]; s.block == block)
+    if (const Segment& s = c.segment[static_cast<std::size_t>(k)]; s.block == number)
       return {c.W.data() + s.w, rows, nu};
   const auto offset = static_cast<std::ptrdiff_t>(c.W.size());
   c.W.resize(c.W.size() + static_cast<std::size_t>(rows) * static_cast<std::size_t>(nu));
-  c.segment.push_back({block, u0, nu, offset});
+  c.segment.push_back({number, u0, nu, offset});
   ++c.segment0.back();
   return {c.W.data() + offset, rows, nu};
 }
@@ -137,7 +138,7 @@ void addSide(ContactRows& rows, const Frame& f, const Vec3& rho, const Vec3* con
              double sign) {
   const int dim = rows.dim();
   if (f.block >= 0) {
-    Block W = rows.segment(f.block, f.u0, f.nu());
+    Block W = rows.segment(f);
     if (dim >= kPointRows && f.nu() == 6)
       threeRows(W, f, rho, direction, sign);
     else

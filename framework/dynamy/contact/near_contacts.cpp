@@ -6,6 +6,7 @@ namespace dynamy {
 void NearContacts::order() {
   std::sort(ranges_.begin(), ranges_.end(),
             [](const Range& a, const Range& b) { return a.first < b.first; });
+  ranges_.erase(std::unique(ranges_.begin(), ranges_.end()), ranges_.end());
 }
 
 bool NearContacts::has(ContactKey key) const {

@@ -18,6 +18,11 @@ class NearContacts {
   void addAll(int element) {
     ranges_.push_back({contactKey(element, 0), contactKey(element + 1, 0)});
   }
+  /// Adds what is near there.
+  void add(const NearContacts& other) {
+    ranges_.insert(ranges_.end(), other.ranges_.begin(), other.ranges_.end());
+    some_ = some_ || other.some_;
+  }
   /// Orders what was added; to be called before the functions below.
   void order();
   /// True: there are contacts of elements that can tell which of theirs are near.
@@ -36,6 +41,7 @@ class NearContacts {
  private:
   struct Range {
     ContactKey first, end;
+    bool operator==(const Range& other) const = default;
   };
   std::vector<Range>::const_iterator startOf(int element) const;
   std::vector<Range> ranges_;

@@ -14,7 +14,7 @@ constexpr double kAside = 0.1;
 template <class F>
 void PathReach::each(const Kinematics& k, F&& f) {
   for (std::size_t i = 0; i < ways_.size(); ++i)
-    if (const Frame& frame = k.frame({static_cast<int>(i)}); !frame.absent) f(ways_[i], frame);
+    if (const Frame& frame = k.frames()[i]; !frame.absent) f(ways_[i], frame);
 }
 
 void PathReach::expect(const Kinematics& start, const Kinematics& later, double time,
@@ -38,7 +38,8 @@ void PathReach::expect(const Kinematics& start, const Kinematics& later, double 
 
 void PathReach::begin(const Kinematics& k, double margin) {
   time_ = 0.0, margin_ = margin;
-  ways_.assign(static_cast<std::size_t>(k.frames()), {});
+  ways_.assign(k.frames().size(), {});
+  some_ = k.some() != nullptr && k.some()->omitsOutside() ? k.some() : nullptr;
   each(k, [](Way& w, const Frame& f) {
     w.start = f.r_OS_I, w.v = f.v_S_I, w.Omega = f.Omega_I.norm();
   });

@@ -24,6 +24,7 @@ class PathReach {
   /// True: nothing gets further than in `other`, which has the same start.
   bool within(const PathReach& other) const;
 
+  // Of frames f that are not absent:
   /// Bound of the way of a point at the distance `arm` [m] from the origin of frame f [m].
   double way(FrameHandle f, double arm) const {
     const Way& w = of(f);
@@ -46,13 +47,16 @@ class PathReach {
     Vec3 r = Vec3::Zero(), v = r;  // displacement [m] and velocity [m/s] at the last place
     double Omega = 0.0;            // largest of all places [rad/s]
   };
-  const Way& of(FrameHandle f) const { return ways_[static_cast<std::size_t>(f.index)]; }
+  const Way& of(FrameHandle f) const {
+    return ways_[static_cast<std::size_t>(some_ != nullptr ? some_->number(f) : f.index)];
+  }
   static double turned(const Way& w, double arm) {
     return w.angle > 0.0 ? std::min(w.angle, 2.0) * arm : 0.0;
   }
   template <class F>
   void each(const Kinematics& k, F&& f);
-  std::vector<Way> ways_;  // per frame
+  std::vector<Way> ways_;                // as Kinematics::frames()
+  const SystemSubset* some_ = nullptr;  // that omits others; null: there is none
   double time_ = 0.0, margin_ = 0.0;
 };
 

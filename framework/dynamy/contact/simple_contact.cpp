@@ -47,8 +47,7 @@ void SimpleContact::contacts(const Kinematics& k, ContactSink& sink) const {
   const int n = own_.nu(), dim = out.dim(), all = rows();
   double e[kMostOfOneSystem] = {}, value[kMostRows], chi[kMostRows];
   gamma(k.t(), q, {e, n}, {chi, all});
-  const SystemHandle& system = own_.handle();
-  const Block moving = out.segment(system.block0, system.u0, system.nu);
+  const Block moving = out.segment(own_.handle());
   Block W = own_.room(moving);
   for (int j = 0; j < n; ++j) {
     e[j] = 1.0;

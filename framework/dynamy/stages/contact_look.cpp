@@ -8,7 +8,7 @@ const ContactSet& ContactLook::at(const MechanicalSystem& s, const State& x,
   kinematics_.evaluate(*s.parts().topology, x.t, view(x.q), view(x.u), view(x.memory),
                        s.parts().subset);
   contacts_.clear();
-  ContactSink sink(contacts_, contactRequest({.held = held}, s.gTol()));
+  ContactSink sink(contacts_, contactRequest({.held = held}, s.gTol()), s.parts().subset);
   reportContacts(s.parts(), kinematics_, sink);
   return contacts_;
 }

@@ -9,6 +9,7 @@ ContactRequest contactRequest(const EvaluationRequest& request, double gTol) {
   if (!request.held) return out;
   out.refresh = true, out.frozen = request.held->keys;
   out.follow = request.held->follow, out.alone = request.held->alone;
+  out.near = request.held->near;
   return out;
 }
 

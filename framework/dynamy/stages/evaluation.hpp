@@ -24,6 +24,7 @@ struct Evaluation {
 
 /// The parts of a model in the order of their indices; borrowed. A view on some systems has the same
 /// parts and a subset: what it evaluates outside of the subset is zero, and frames are absent or rest.
+/// Where the subset omits others, the topology is one of its systems alone.
 /// Schemes that take forces at the end of a step need the whole system, or a view beside which all
 /// others rest (std::logic_error).
 struct SystemParts {
@@ -33,10 +34,15 @@ struct SystemParts {
   const ImpactLaw* impactLaw = nullptr;
   const SystemSubset* subset = nullptr;  ///< null: all systems. Its owner may change it.
 
+  /// Number in the topology of a frame that an element requested; −1: there is no room for it.
+  int numberOf(FrameHandle f) const {
+    return subset != nullptr && subset->omitsOutside() ? subset->number(f) : f.index;
+  }
   /// Calls f(i) for the index of each system, force or contact element that takes part.
   template <class F>
   void forSystems(F&& f) const {
-    each(subset ? &subset->systems() : nullptr, topology->systems().size(), f);
+    const bool some = subset != nullptr && !subset->omitsOutside();
+    each(some ? &subset->systems() : nullptr, topology->systems().size(), f);
   }
   template <class F>
   void forForces(F&& f) const {
@@ -62,6 +68,7 @@ struct HeldContacts {
   std::span<const ContactKey> keys{};  ///< ascending; borrowed
   bool follow = false;                 ///< with pairs of features one by one (ContactRequest)
   bool alone = false;                  ///< the others need not be reported
+  const NearContacts* near = nullptr;  ///< with follow: as ContactRequest::near; borrowed
 };
 
 /// What one evaluation requests. The default: M, h and the closed contacts, g ≤ g_tol, in slot 0.

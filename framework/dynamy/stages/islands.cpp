@@ -22,12 +22,15 @@ bool Islands::start(const SystemParts& parts) {
       first = i;
     }
   }
-  return std::all_of(parts.contacts.begin(), parts.contacts.end(), [&](const auto* element) {
-    return std::any_of(topology.connections().begin(), topology.connections().end(),
-                       [&](const Connection& c) {
-                         return c.element == element && (c.shapes || !c.systems.empty());
-                       });
+  bool known = true;
+  parts.forContacts([&](std::size_t i) {
+    known = known && std::any_of(topology.connections().begin(), topology.connections().end(),
+                                 [&](const Connection& c) {
+                                   return c.element == parts.contacts[i] &&
+                                          (c.shapes || !c.systems.empty());
+                                 });
   });
+  return known;
 }
 
 void Islands::join(int a, int b) {

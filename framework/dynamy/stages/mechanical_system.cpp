@@ -53,7 +53,10 @@ int evaluateSmooth(const SystemParts& parts, const State& x, std::span<const cha
   const Topology& topology = *parts.topology;
   e.t = x.t;
   e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory), parts.subset);
-  const int indefinite = e.mass.evaluate(topology, x.t, view(x.q), parts.subset);
+  // Without room for others there are none to tell apart.
+  const bool omits = parts.subset != nullptr && parts.subset->omitsOutside();
+  const int indefinite =
+      e.mass.evaluate(topology, x.t, view(x.q), omits ? nullptr : parts.subset);
   parts.forSystems([&](std::size_t i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
     if (s.nu == 0) return;
@@ -65,13 +68,14 @@ int evaluateSmooth(const SystemParts& parts, const State& x, std::span<const cha
     });
   });
   const bool rests = parts.subset != nullptr && parts.subset->outsideRests();
-  ForceSink forces(view(e.h), view(e.hNonPotential), rests ? parts.subset : nullptr);
+  ForceSink forces(view(e.h), view(e.hNonPotential), rests || omits ? parts.subset : nullptr);
   parts.forForces([&](std::size_t i) {
     const ExternalForce* f = parts.forces[i];
     if (!withheld.empty() && withheld[i] != 0) return;
     forces.hasPotential(f->hasPotential());
     named(*f, [&] { f->addTo(e.kinematics, forces); });
   });
+  if (omits) return indefinite;
   if (parts.subset && e.subset != parts.subset->stamp()) {
     e.subset = parts.subset->stamp();
     for (int i = 0; i < static_cast<int>(topology.systems().size()); ++i)
@@ -131,7 +135,7 @@ void MechanicalSystem::detect(const State& x, const EvaluationRequest& request, 
   if (request.ahead > 0.0)
     contacts.gTol += reachOf(e.mass, x.u, implicit_.acceleration(e), request.ahead);
   e.contacts.clear();
-  ContactSink sink(e.contacts, contacts);
+  ContactSink sink(e.contacts, contacts, parts_.subset);
   reportContacts(parts_, e.kinematics, sink, request.elements);
   if (request.ahead > 0.0) pullOnlyClosed(e.contacts, gTol_);
   if (request.bias && request.differences)

@@ -1,6 +1,7 @@
 /// Connections: which systems each force and contact element acts on, noted while the elements are
 /// connected one after the other.
 #pragma once
+#include <utility>
 #include <vector>
 
 namespace dynamy {
@@ -24,6 +25,7 @@ class Connections {
   void noteShapes();
   /// `element` acts by what these systems do, too.
   void add(const Element& element, const std::vector<int>& systems);
+  void add(Connection connection) { list_.push_back(std::move(connection)); }
   /// One entry per element, in the order in which they were connected.
   const std::vector<Connection>& list() const { return list_; }
 

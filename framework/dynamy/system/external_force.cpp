@@ -16,12 +16,13 @@ void ForceSink::moment(const Frame& frame, const Vec3& M_I) {
 
 void ForceSink::generalised(const SystemHandle& system, ConstVec force) {
   if (!feels(system.index)) return;
-  for (int j = 0; j < system.nu; ++j) add(system.u0 + j, force[j]);
+  const int u0 = first(system);
+  for (int j = 0; j < system.nu; ++j) add(u0 + j, force[j]);
 }
 
 void ForceSink::generalised(const SystemHandle& system, int i, double force) {
   if (!feels(system.index)) return;
-  add(system.u0 + i, force);
+  add(first(system) + i, force);
 }
 
 }  // namespace dynamy

@@ -31,6 +31,7 @@ class ForceSink {
     if (!potential_) nonPotential_[i] += value;
   }
   bool feels(int system) const { return some_ == nullptr || !some_->leavesOut(system); }
+  int first(const SystemHandle& system) const { return ownHandle(some_, system).u0; }
   Vec h_, nonPotential_;
   const SystemSubset* some_;
   bool potential_ = false;

@@ -11,7 +11,9 @@ class Kinematics {
   /// Reserves room for all frames requested in `topology`; no allocation later.
   void resize(const Topology& topology);
   /// Keeps views of `q`, `u` and `memory`, which must outlive their use, and evaluates all frames,
-  /// or those of a subset: the others are absent, or stay where they rest. Calls resize() if that was not done.
+  /// or those of a subset: the others are absent, or stay where they rest. Calls resize() if that
+  /// was not done. Where the subset omits others, `topology`, q and u are those of its systems alone,
+  /// and handles stay those of the whole model.
   void evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
                 ConstVec memory = {nullptr, 0}, const SystemSubset* subset = nullptr);
 
@@ -22,30 +24,48 @@ class Kinematics {
   double t() const { return t_; }
   /// True: the system takes no part in this evaluation, see SystemSubset.
   bool leavesOut(int system) const { return some_ != nullptr && some_->leavesOut(system); }
+  /// The systems that take part; null: all.
+  const SystemSubset* some() const { return some_; }
   /// Another number whenever other systems take part; 0: all do.
   std::uint64_t stamp() const { return subset_; }
-  ConstVec q(const SystemHandle& s) const { return {q_ + s.q0, s.nq}; }
-  ConstVec u(const SystemHandle& s) const { return {u_ + s.u0, s.nu}; }
-  ConstVec q(int first, int n) const { return {q_ + first, n}; }
-  ConstVec u(int first, int n) const { return {u_ + first, n}; }
+  ConstVec q(const SystemHandle& s) const { return {q_ + ownHandle(some_, s).q0, s.nq}; }
+  ConstVec u(const SystemHandle& s) const { return {u_ + ownHandle(some_, s).u0, s.nu}; }
+  /// Of the system with this index in the whole model.
+  ConstVec q(int system) const { return {q_ + handle(system).q0, handle(system).nq}; }
+  ConstVec u(int system) const { return {u_ + handle(system).u0, handle(system).nu}; }
   /// Numbers that an element reserved in State::memory.
   ConstVec memory(MemoryHandle m) const { return {memory_ + m.first, m.size}; }
   /// A signal that an element requested by Topology::signal(), at this t, q, u and memory.
-  double signal(SignalHandle h) const { return signals_->value(h, *this); }
-  int frames() const { return static_cast<int>(frames_.size()); }
-  const Frame& frame(FrameHandle f) const { return frames_[static_cast<std::size_t>(f.index)]; }
+  double signal(SignalHandle h) const { return topology_->signals().value(h, *this); }
+  const Frame& frame(FrameHandle f) const {
+    if (some_ == nullptr || !some_->omitsOutside()) return frames_[static_cast<std::size_t>(f.index)];
+    const int own = some_->number(f);
+    return own < 0 ? absent_ : frames_[static_cast<std::size_t>(own)];
+  }
+  /// Those for which there is room, in their order.
+  const std::vector<Frame>& frames() const { return frames_; }
 
  private:
   void begin(const Topology& topology, double t, ConstVec q, ConstVec u, ConstVec memory,
              const SystemSubset* subset);
+  static Frame outsideFrame() {
+    Frame f;
+    f.absent = f.outside = true;
+    return f;
+  }
+  const SystemHandle& handle(int system) const {
+    return some_ != nullptr && some_->omitsOutside() ? some_->own(system)
+                                                     : topology_->system(system);
+  }
   void placeOthers(const Topology& topology);
   void evaluateFrame(const Topology& topology, std::size_t i);
   double t_ = 0.0;
   const double* q_ = nullptr;
   const double* u_ = nullptr;
   const double* memory_ = nullptr;
-  const ReadSignals* signals_ = nullptr;
+  const Topology* topology_ = nullptr;
   std::vector<Frame> frames_;
+  Frame absent_ = outsideFrame();
   std::vector<double> jacobians_;
   const SystemSubset* some_ = nullptr;
   std::uint64_t subset_ = 0;  // stamp of the subset whose frames are present; 0: all are

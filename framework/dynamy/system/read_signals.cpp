@@ -36,8 +36,7 @@ double ReadSignals::value(SignalHandle h, const Kinematics& k) const {
 double ReadSignals::evaluate(const Source& s, const Kinematics& k) const {
   SignalView v;
   v.t = k.t();
-  new (&v.q) ConstVec(k.q(s.state.q0, s.state.nq));
-  new (&v.u) ConstVec(k.u(s.state.u0, s.state.nu));
+  if (s.system >= 0) new (&v.q) ConstVec(k.q(s.system)), new (&v.u) ConstVec(k.u(s.system));
   new (&v.memory) ConstVec(k.memory(s.memory));
   v.kinematics = &k;
   return s.value(v);

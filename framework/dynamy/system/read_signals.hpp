@@ -21,11 +21,6 @@ struct SignalHandle {
   int index = -1;
 };
 
-/// Slices of one system in q and u.
-struct StateSlice {
-  int q0 = 0, nq = 0, u0 = 0, nu = 0;
-};
-
 class ReadSignals {
  public:
   struct Request {
@@ -37,7 +32,7 @@ class ReadSignals {
   struct Source {
     int signal = -1;  ///< number of the signal in the model
     SignalFunction value;
-    StateSlice state;  ///< of its system
+    int system = -1;  ///< index of its system; −1: it has none
     MemoryHandle memory;
     std::vector<int> systems{};  ///< all that it follows from
   };

@@ -2,6 +2,7 @@
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/core/suggestion.hpp>
 #include <dynamy/system/body_carrier.hpp>
+#include <dynamy/system/system_subset.hpp>
 #include <dynamy/system/topology.hpp>
 
 namespace dynamy {
@@ -58,6 +59,25 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
     indexOf_.emplace_back();
     for (const PlacedShape& p : d.shapes)
       if (!p.shape->material().empty()) materials_.push_back({p.shape, p.frame, h.index});
+  }
+}
+
+Topology::Topology(const Topology& whole, const SystemSubset& some)
+    : handles_(some.handles()), whole_(&whole) {
+  for (const int i : some.systems()) systems_.push_back(whole.systems_[static_cast<std::size_t>(i)]);
+  if (!handles_.empty()) {
+    const SystemHandle& last = handles_.back();
+    nq_ = last.q0 + last.nq, nu_ = last.u0 + last.nu, blocks_ = last.block0 + last.blocks;
+  }
+  for (const int i : some.frames()) {
+    const auto& [system, id] = whole.requested_[static_cast<std::size_t>(i)];
+    requested_.emplace_back(some.number(system), id);
+  }
+  for (const Connection& c : whole.connections()) {
+    Connection own{c.element, {}, c.shapes};
+    for (const int i : c.systems)
+      if (const int k = some.number(i); k >= 0) own.systems.push_back(k);
+    if (own.shapes || !own.systems.empty()) connections_.add(std::move(own));
   }
 }
 

@@ -14,6 +14,8 @@
 
 namespace dynamy {
 
+class SystemSubset;
+
 /// Place of one system in q, u and the mass blocks.
 struct SystemHandle {
   int index = -1;
@@ -39,6 +41,9 @@ class Topology {
  public:
   /// Systems in order of the model; computes all offsets.
   explicit Topology(const std::vector<const PartialMechanicalSystem*>& systems);
+  /// The systems of a subset of `whole` (borrowed) alone, numbered anew: nothing more can be
+  /// requested.
+  Topology(const Topology& whole, const SystemSubset& some);
 
   /// Handle of the system called `name`. Throws ModelError with the nearest known name.
   /// `body` given: bodies that a system carries are known, too; then it is the body's index there, else −1.
@@ -65,7 +70,7 @@ class Topology {
   SignalHandle signal(std::string_view name, const Place& place, const Element& asking) {
     return signals_.request(name, place, asking);
   }
-  const ReadSignals& signals() const { return signals_; }
+  const ReadSignals& signals() const { return whole_ ? whole_->signals_ : signals_; }
   /// Binds all requested signals, in the order of the requests; called by Model::build(). An
   /// element is connected with the systems behind the signals that it reads.
   void bindSignals(std::vector<ReadSignals::Source> sources);
@@ -97,6 +102,7 @@ class Topology {
     int frame, system;
   };
   std::vector<Placed> materials_;
+  const Topology* whole_ = nullptr;
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
 

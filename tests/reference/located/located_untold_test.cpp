@@ -31,7 +31,7 @@ class Round final : public NonSmoothElement {
     const int n = system_.nq;
     auto rows = sink.add(0, side_ * (1.0 - q.norm()), *law_, n);
     if (!rows) return;
-    Block W = rows.segment(system_.block0, system_.u0, n);
+    Block W = rows.segment(system_);
     const Eigen::Matrix3d D = directions(q);
     for (int r = 0; r < rows.dim(); ++r)
       for (int j = 0; j < n; ++j) W(r, j) = D(r, j);

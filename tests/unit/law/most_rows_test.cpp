@@ -23,7 +23,7 @@ class ManyRows final : public NonSmoothElement {
   void contacts(const Kinematics&, ContactSink& sink) const override {
     auto out = sink.add(7, gap_, law(), rows_);
     if (!out) return;
-    Block W = out.segment(system_.block0, system_.u0, 2);
+    Block W = out.segment(system_);
     for (int r = 0; r < rows_; ++r) W(r, 1) = 1.0;
   }
 

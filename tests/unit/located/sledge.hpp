@@ -35,7 +35,7 @@ class Floor final : public NonSmoothElement {
     for (int id = 0; id < count_; ++id) {
       auto rows = sink.add(static_cast<std::uint64_t>(id), k.q(system_)[1], law_, 2);
       if (!rows) continue;
-      Block W = rows.segment(0, 0, 2);
+      Block W = rows.segment(BlockPlace{0, 0, 2});
       W(0, 1) = 1.0;
       if (rows.dim() > 1) W(1, 0) = 1.0;
     }

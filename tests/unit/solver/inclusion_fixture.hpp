@@ -54,7 +54,7 @@ class Inclusion {
     for (int b = 0; b < mass.blocks(); ++b) {
       const Eigen::MatrixXd part = Wt.middleCols(mass.u0(b), mass.nu(b));
       if (part.isZero(0.0)) continue;
-      rows.segment(b, mass.u0(b), mass.nu(b)) = part;
+      rows.segment(BlockPlace{b, mass.u0(b), mass.nu(b)}) = part;
     }
   }
   /// ξ = GΛ + c with γ^A = 0, u_ref = max|c|.

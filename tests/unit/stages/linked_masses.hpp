@@ -22,8 +22,8 @@ class Rods final : public NonSmoothElement {
     for (const Rod& rod : all_) {
       const ConstVec q = k.q(system_);
       auto rows = sink.add(id++, q[rod.a] - q[rod.b] - rod.length, law_, 1);
-      rows.segment(rod.a, rod.a, 1)(0, 0) = 1.0;
-      rows.segment(rod.b, rod.b, 1)(0, 0) = -1.0;
+      rows.segment(BlockPlace{rod.a, rod.a, 1})(0, 0) = 1.0;
+      rows.segment(BlockPlace{rod.b, rod.b, 1})(0, 0) = -1.0;
     }
   }
 

@@ -24,8 +24,8 @@ struct LineContacts {
     for (const OnLine& c : all) {
       ContactSink sink(set, {});
       auto rows = sink.add(c.key, 0.0, kLaw, 3);
-      rows.segment(0, 0, 6).setZero();
-      rows.segment(c.other, 6 * c.other, 6).setZero();
+      rows.segment(BlockPlace{0, 0, 6}).setZero();
+      rows.segment(BlockPlace{c.other, 6 * c.other, 6}).setZero();
       const Vec3 n = Vec3::UnitZ(), t = c.turned ? Vec3::UnitY() : Vec3::UnitX();
       rows.place(Vec3(c.x, 0.0, 0.0), n, t, n.cross(t));
     }

@@ -63,7 +63,7 @@ class Varied final : public NonSmoothElement {
   void contacts(const Kinematics& k, ContactSink& sink) const override {
     auto rows = sink.add(0, k.q(system_)[0], law_, 2);
     if (!rows) return;
-    rows.segment(0, 0, 1)(0, 0) = 1.0;
+    rows.segment(BlockPlace{0, 0, 1})(0, 0) = 1.0;
     rows.scale(0.5);
   }
 
@@ -104,8 +104,8 @@ class Bead final : public NonSmoothElement {
     const ConstVec q = k.q(system_);
     for (int id = 0; id < (q[0] > edge_ ? 2 : 1); ++id)
       if (auto rows = sink.add(static_cast<std::uint64_t>(id), 0.0, law_, 1)) {
-        rows.segment(0, 0, 1)(0, 0) = q[0] / q.norm();
-        rows.segment(1, 1, 1)(0, 0) = q[1] / q.norm();
+        rows.segment(BlockPlace{0, 0, 1})(0, 0) = q[0] / q.norm();
+        rows.segment(BlockPlace{1, 1, 1})(0, 0) = q[1] / q.norm();
       }
   }
 

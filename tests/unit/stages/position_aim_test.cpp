@@ -17,7 +17,7 @@ double separating(double depth, double gammaA, double pushOutIn = 0.0) {
   ContactSet set;
   set.clear();
   ContactSink sink(set, {});
-  sink.add(1, -depth, kDryFriction, 3).segment(0, 0, 6).setZero();
+  sink.add(1, -depth, kDryFriction, 3).segment(BlockPlace{0, 0, 6}).setZero();
   InclusionProblem p;
   p.contacts = &set, p.dt = kAimedStep;
   p.gammaA = {gammaA, 0.0, 0.0}, p.gammaFree = {gammaA, 0.0, 0.0};

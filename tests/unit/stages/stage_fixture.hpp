@@ -46,8 +46,8 @@ class Stack final : public NonSmoothElement {
       const double g = k.q(system_)[p.a] - (p.b < 0 ? 0.0 : k.q(system_)[p.b]);
       auto rows = sink.add(p.id, g, law_, 1);
       if (!rows) continue;
-      rows.segment(p.a, p.a, 1)(0, 0) = 1.0;
-      if (p.b >= 0) rows.segment(p.b, p.b, 1)(0, 0) = -1.0;
+      rows.segment(BlockPlace{p.a, p.a, 1})(0, 0) = 1.0;
+      if (p.b >= 0) rows.segment(BlockPlace{p.b, p.b, 1})(0, 0) = -1.0;
     }
   }
   std::vector<Pair> pairs;

@@ -105,6 +105,37 @@ TEST(SystemView, ForcesOnAllSystemsLeaveNothingOutside) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(view.evaluate(all.x).h, Eigen::Vector3d(-21.0, 0.0, -21.0));
 }
 
+TEST(SystemView, NumbersItsSystemsAnewWhereOthersAreOmitted) {
+  ThreeMasses all;
+  const FrameHandle a = all.topology.frame(all.topology.system(0), 0),
+                    c = all.topology.frame(all.topology.system(2), 0);
+  SystemSubset subset(SystemSubset::Outside::omitted);
+  subset.assign(all.topology, {1, 0, 0}, all.parts.forces, all.parts.contacts);
+  Topology own(all.topology, subset);
+  EXPECT_EQ(own.nq(), 2);
+  EXPECT_EQ(own.requestedFrames(), (std::vector<std::pair<int, int>>{{1, 0}}));
+  SystemParts parts = all.parts;
+  parts.topology = &own, parts.subset = &subset;
+  EXPECT_EQ(parts.numberOf(a), -1);
+  EXPECT_EQ(parts.numberOf(c), 0);
+  MechanicalSystem view(parts);
+  State x;
+  x.q = Eigen::Vector2d(0.25, 0.5), x.u = Eigen::Vector2d(1.0, 2.0);
+  const Evaluation& e = view.evaluate(x);
+  // Forces on a, which has no place here, are left out; those on b and c keep their handles.
+  EXPECT_EQ(e.h, Eigen::Vector2d(-20.0, -23.0));
+  const Kinematics& k = e.kinematics;
+  EXPECT_TRUE(k.leavesOut(0));
+  EXPECT_TRUE(k.frame(a).absent);
+  EXPECT_FALSE(k.frame(c).absent);
+  EXPECT_EQ(k.frame(c).r_OS_I.x(), 0.5);
+  EXPECT_EQ(k.q(all.topology.system(2))[0], 0.5);
+  EXPECT_EQ(k.u(1)[0], 1.0);
+  EXPECT_THROW(k.q(all.topology.system(0)), std::logic_error);
+  view.move(x, 0.5);
+  EXPECT_EQ(x.q, Eigen::Vector2d(0.75, 1.5));
+}
+
 TEST(SystemView, TakesNoForcesAtTheEndOfAStep) {
   ThreeMasses all;
   SystemSubset subset;

@@ -28,14 +28,26 @@ bool ClockState::fits(const SystemParts& parts) const {
   Eigen::Index nq = 0, nu = 0;
   int last = -1;
   for (const int i : systems) {
-    if (i <= last || i >= n) return false;
+    if (i <= last || i >= n || parts.topology->system(i).nu == 0) return false;
     nq += parts.topology->system(i).nq, nu += parts.topology->system(i).nu, last = i;
   }
   const bool known = std::all_of(statuses.begin(), statuses.end(),
                                  [](const HeldStatus& s) { return s.status <= Status::locked; });
   GovernedState own;
-  return !systems.empty() && q.size() == nq && u.size() == nu && known && own.read(scheme, parts) &&
+  return !systems.empty() && q.size() == nq && u.size() == nu && known && own.read(scheme) &&
+         own.fits({parts, viewOf(*parts.topology, systems).size(), nq, nu}) &&
          own.governor.mode() != SwitchGovernor::Mode::step;
+}
+
+std::vector<int> viewOf(const Topology& whole, const std::vector<int>& systems) {
+  std::vector<int> out;
+  auto next = systems.begin();
+  for (int i = 0; i < static_cast<int>(whole.systems().size()); ++i) {
+    const bool own = next != systems.end() && *next == i;
+    if (own) ++next;
+    if (own || whole.system(i).nu == 0) out.push_back(i);
+  }
+  return out;
 }
 
 void GovernedState::archive(NumberArchive& a) {
@@ -44,25 +56,24 @@ void GovernedState::archive(NumberArchive& a) {
   if (governor.mode() == Mode::step) a(stepped);
 }
 
-bool GovernedState::read(const Eigen::VectorXd& numbers, const SystemParts& parts) {
+bool GovernedState::read(const Eigen::VectorXd& numbers) {
   NumberArchive a(numbers);
   archive(a);
-  return a.good() && a.atEnd() && fits(parts);
+  return a.good() && a.atEnd();
 }
 
-bool GovernedState::fits(const SystemParts& parts) const {
-  const Topology& topology = *parts.topology;
-  const auto systems = static_cast<Eigen::Index>(topology.systems().size());
+bool GovernedState::fits(const Extent& view) const {
+  const auto systems = static_cast<Eigen::Index>(view.systems);
   if (!(time > 0.0) || times.size() != systems) return false;
-  if (governor.mode() == Mode::locate) return charged.size() == 2 * systems && held.fits(parts);
+  if (governor.mode() == Mode::locate)
+    return charged.size() == 2 * systems && held.fits(view.whole, view.nq + view.nu);
   if (governor.mode() != Mode::step) return true;
   const SteppedState& s = stepped;
-  if (s.systems.size() != topology.systems().size() ||
-      (s.rate.size() != 0 && s.rate.size() != topology.nu()) || !(s.time >= 0.0) ||
-      !s.searches.possible())
+  if (s.systems.size() != view.systems || (s.rate.size() != 0 && s.rate.size() != view.nu) ||
+      !(s.time >= 0.0) || !s.searches.possible())
     return false;
   return std::all_of(s.clocks.begin(), s.clocks.end(),
-                     [&](const ClockState& c) { return c.fits(parts); });
+                     [&](const ClockState& c) { return c.fits(view.whole); });
 }
 
 }  // namespace dynamy

@@ -8,13 +8,13 @@
 
 namespace dynamy {
 
-/// Start of the present step of an island whose switches are located.
+/// State of an island whose switches are located, at the start of its present step.
 struct ClockState {
-  std::vector<int> systems;  ///< of the island, ascending
+  std::vector<int> systems;  ///< of the island, those with velocities, ascending
   double t = 0.0;            ///< start of the step [s]
   double end = 0.0;          ///< time up to which it may go [s]
   Eigen::VectorXd q, u;      ///< of these systems
-  Eigen::VectorXd scheme;    ///< its own state data
+  Eigen::VectorXd scheme;    ///< its own state data, of viewOf(systems)
   std::vector<HeldStatus> statuses;
   void archive(NumberArchive& a);
   bool operator==(const ClockState& other) const;
@@ -51,11 +51,25 @@ struct GovernedState {
   SteppedState stepped;     ///< in mode step
 
   void archive(NumberArchive& a);
-  /// Reads the numbers of a state. False: they are not those of such a run in this model.
-  bool read(const Eigen::VectorXd& numbers, const SystemParts& parts);
-
- private:
-  bool fits(const SystemParts& parts) const;
+  /// Reads the numbers of a state. False: they are not those of such a run.
+  bool read(const Eigen::VectorXd& numbers);
+  /// The same; false also if it is not a run of this model.
+  bool read(const Eigen::VectorXd& numbers, const SystemParts& parts) {
+    return read(numbers) && fits({parts, parts.topology->systems().size(), parts.topology->nq(),
+                                  parts.topology->nu()});
+  }
+  /// A view on some systems of a model.
+  struct Extent {
+    const SystemParts& whole;
+    std::size_t systems = 0;
+    Eigen::Index nq = 0, nu = 0;
+  };
+  /// True: indices and sizes are possible there.
+  bool fits(const Extent& view) const;
 };
+
+/// The systems of the view of an island of these systems, ascending: with those that have no
+/// velocities, which take part in every view.
+std::vector<int> viewOf(const Topology& whole, const std::vector<int>& systems);
 
 }  // namespace dynamy

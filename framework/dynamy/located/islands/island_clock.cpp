@@ -11,71 +11,60 @@ constexpr int kParts = 8;  ///< of a step, for the boxes of its path
 
 }  // namespace
 
-IslandClock::IslandClock(const SystemParts& whole, const LocatedSettings& settings)
-    : motion_(settings) {
-  SystemParts parts = whole;
-  parts.subset = &subset_;
+IslandClock::IslandClock(const MechanicalSystem& s, const LocatedSettings& settings,
+                         const ClockState& x)
+    : systems_(x.systems), whole_(*s.parts().topology), motion_(settings) {
+  std::vector<char> without(whole_.systems().size(), 1);
+  for (const int i : viewOf(whole_, systems_)) without[static_cast<std::size_t>(i)] = 0;
+  subset_.assign(whole_, std::move(without), s.parts().forces, s.parts().contacts);
+  topology_ = std::make_unique<Topology>(whole_, subset_);
+  SystemParts parts = s.parts();
+  parts.topology = topology_.get(), parts.subset = &subset_;
   view_ = std::make_unique<MechanicalSystem>(parts, kSlots);
-}
-
-void IslandClock::set(const MechanicalSystem& s, std::vector<int> systems, const State& x,
-                      const Eigen::VectorXd& scheme, std::vector<HeldStatus> statuses) {
-  const Topology& topology = *s.parts().topology;
-  systems_ = std::move(systems);
-  std::vector<char> without(topology.systems().size(), 0);
-  for (std::size_t i = 0; i < without.size(); ++i)
-    without[i] = topology.system(static_cast<int>(i)).nu > 0 ? 1 : 0;
-  for (const int i : systems_) without[static_cast<std::size_t>(i)] = 0;
-  subset_.assign(topology, std::move(without), s.parts().forces, s.parts().contacts);
   view_->gTol(s.gTol());
-  now_.to.t = x.t, now_.to.q = x.q, now_.to.u.setZero(x.u.size());
-  for (const int i : systems_) {
-    const SystemHandle& h = topology.system(i);
-    now_.to.u.segment(h.u0, h.nu) = x.u.segment(h.u0, h.nu);
-  }
-  now_.to.memory = x.memory, now_.to.impulses = {}, now_.to.scheme = scheme;
-  now_.from = now_.to, now_.end = x.t;
-  now_.report = {}, booked = {}, counted = true, now_.turned = false;
-  now_.before = now_.after = std::move(statuses);
-  now_.justSet = true, path_.clear();
+  now_.to.t = x.t, now_.to.q = x.q, now_.to.u = x.u, now_.to.scheme = x.scheme;
+  now_.from = now_.to, now_.end = x.end;
+  now_.before = now_.after = x.statuses;
 }
 
 void IslandClock::orderContacts() {
   std::vector<ContactKey> keys;
-  for (const IslandDivision::Joined& contact : joinedAt(now_.to)) keys.push_back(contact.key);
-  if (keys.size() > 1)
-    now_.to.scheme = now_.from.scheme = inOrder(now_.to.scheme, view_->parts(), keys);
+  for (const IslandDivision::Joined& contact : joined(true)) keys.push_back(contact.key);
+  if (keys.size() > 1) now_.to.scheme = now_.from.scheme = inOrder(now_.to.scheme, keys);
 }
 
-void IslandClock::set(const MechanicalSystem& s, const ClockState& kept, const State& x) {
-  State from = x;
-  from.t = kept.t;
-  Eigen::Index q = 0, u = 0;
-  for (const int i : kept.systems) {
-    const SystemHandle& h = s.parts().topology->system(i);
-    from.q.segment(h.q0, h.nq) = kept.q.segment(q, h.nq), q += h.nq;
-    from.u.segment(h.u0, h.nu) = kept.u.segment(u, h.nu), u += h.nu;
+std::vector<IslandDivision::Joined> IslandClock::joined(bool atEnd) {
+  auto out = IslandDivision::joinedAt(*view_, atEnd ? now_.to : now_.from);
+  for (IslandDivision::Joined& contact : out)
+    for (int& i : contact.systems) i = subset_.systems()[static_cast<std::size_t>(i)];
+  return out;
+}
+
+ClockState IslandClock::state(bool atEnd) const {
+  const State& x = atEnd ? now_.to : now_.from;
+  return {systems_, x.t, now_.end, x.q, x.u, x.scheme, now_.statuses(x.t)};
+}
+
+ClockState IslandClock::stateAt(MechanicalSystem& s, double t) {
+  ClockState out = state(false);
+  out.t = t;
+  if (t <= now_.from.t) return out;
+  if (t >= now_.to.t) {
+    out.q = now_.to.q, out.u = now_.to.u;
+    return out;
   }
-  set(s, kept.systems, from, kept.scheme, kept.statuses);
-  now_.end = kept.end;
+  const long evaluations = view_->evaluations();
+  within(t);
+  s.count(view_->evaluations() - evaluations);
+  out.q = at_.q, out.u = at_.u;
+  return out;
 }
 
 void IslandClock::keep(ClockState& out) const {
   if (out.systems == systems_ && out.t == now_.from.t && out.end == now_.end &&
       out.scheme.size() == now_.from.scheme.size() && out.scheme == now_.from.scheme)
     return;
-  out.systems = systems_, out.t = now_.from.t, out.end = now_.end, out.scheme = now_.from.scheme;
-  out.statuses = now_.before;
-  const Topology& topology = *view_->parts().topology;
-  Eigen::Index nq = 0, nu = 0;
-  for (const int i : systems_) nq += topology.system(i).nq, nu += topology.system(i).nu;
-  out.q.resize(nq), out.u.resize(nu);
-  nq = nu = 0;
-  for (const int i : systems_) {
-    const SystemHandle& h = topology.system(i);
-    out.q.segment(nq, h.nq) = now_.from.q.segment(h.q0, h.nq), nq += h.nq;
-    out.u.segment(nu, h.nu) = now_.from.u.segment(h.u0, h.nu), nu += h.nu;
-  }
+  out = state(false);
 }
 
 Refusal IslandClock::step(MechanicalSystem& s, InclusionSolver& solver, double end) {
@@ -113,8 +102,9 @@ Refusal IslandClock::advance(MechanicalSystem& s, InclusionSolver& solver) {
 std::vector<int> IslandClock::toStep() const {
   std::vector<int> out;
   const std::vector<char>& chosen = motion_.state().stepped.systems;
-  for (const int i : systems_)
-    if (chosen[static_cast<std::size_t>(i)] != 0) out.push_back(i);
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    if (chosen[k] != 0 && topology_->system(static_cast<int>(k)).nu > 0)
+      out.push_back(subset_.systems()[k]);
   return out.empty() ? systems_ : out;
 }
 
@@ -126,34 +116,51 @@ void IslandClock::within(double t) {
     SteppedIslands::linear(*view_, now_.from, now_.to, theta, at_);
 }
 
-void IslandClock::copy(const State& from, State& to) const {
-  const Topology& topology = *view_->parts().topology;
-  for (const int i : systems_) {
-    const SystemHandle& h = topology.system(i);
-    to.q.segment(h.q0, h.nq) = from.q.segment(h.q0, h.nq);
-    to.u.segment(h.u0, h.nu) = from.u.segment(h.u0, h.nu);
+void IslandClock::give(const State& own, State& out) const {
+  for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
+    const SystemHandle &h = whole_.system(subset_.systems()[k]), &from = subset_.handles()[k];
+    out.q.segment(h.q0, h.nq) = own.q.segment(from.q0, h.nq);
+  }
+  giveVelocities(own.u, out.u);
+}
+
+void IslandClock::giveVelocities(const Eigen::VectorXd& own, Eigen::VectorXd& out) const {
+  for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
+    const SystemHandle& h = whole_.system(subset_.systems()[k]);
+    out.segment(h.u0, h.nu) = own.segment(subset_.handles()[k].u0, h.nu);
   }
 }
 
 void IslandClock::place(MechanicalSystem& s, double t, State& out) {
-  if (t >= now_.to.t || t <= now_.from.t) return copy(t >= now_.to.t ? now_.to : now_.from, out);
+  if (t >= now_.to.t || t <= now_.from.t) return give(t >= now_.to.t ? now_.to : now_.from, out);
   const long evaluations = view_->evaluations();
   within(t);
+  motion_.motion().close(at_);
   s.count(view_->evaluations() - evaluations);
-  copy(at_, out);
+  give(at_, out);
 }
 
-void IslandClock::findPath(MechanicalSystem& s, std::span<const MovingShape> shapes,
-                           Kinematics& k) {
+bool IslandClock::contactsAt(const State& at, bool after, ContactInstant& out) {
+  asked_.t = at.t;
+  asked_.q.resize(topology_->nq()), asked_.u.resize(topology_->nu());
+  for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
+    const SystemHandle &h = whole_.system(subset_.systems()[k]), &own = subset_.handles()[k];
+    asked_.q.segment(own.q0, h.nq) = at.q.segment(h.q0, h.nq);
+    asked_.u.segment(own.u0, h.nu) = at.u.segment(h.u0, h.nu);
+  }
+  return motion_.motion().contactsAt(*view_, asked_, after, out);
+}
+
+void IslandClock::findPath(MechanicalSystem& s, std::span<const MovingShape> shapes) {
   shapes_.clear();
   for (const MovingShape& shape : shapes)
     if (std::binary_search(systems_.begin(), systems_.end(), shape.system))
       shapes_.push_back(shape);
   path_.clear();
   if (shapes_.empty()) return;
-  const Topology& topology = *view_->parts().topology;
+  Kinematics& k = kinematics_;
   const auto frames = [&](const State& x) {
-    k.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory), &subset_);
+    k.evaluate(*topology_, x.t, view(x.q), view(x.u), view(x.memory), &subset_);
   };
   frames(std::as_const(now_.from));
   path_.begin(shapes_, k);

@@ -25,12 +25,9 @@ struct IslandStep {
 
 class IslandClock {
  public:
-  IslandClock(const SystemParts& whole, const LocatedSettings& settings);
-  /// Puts a new clock to x: these systems, ascending, move from there on, with these state data.
-  void set(const MechanicalSystem& s, std::vector<int> systems, const State& x,
-           const Eigen::VectorXd& scheme, std::vector<HeldStatus> statuses);
-  /// As it was kept. Its step is to be taken again().
-  void set(const MechanicalSystem& s, const ClockState& kept, const State& x);
+  /// A clock of an island of s, which begins in state x. The step of a clock that was kept is to be
+  /// taken again().
+  IslandClock(const MechanicalSystem& s, const LocatedSettings& settings, const ClockState& x);
   /// Puts contacts of two islands that became this one into the order in which they are reported.
   void orderContacts();
   /// Takes the next step, at most to `end`. After a refusal, and if it turned, the clock stands
@@ -45,22 +42,25 @@ class IslandClock {
   const std::vector<int>& systems() const { return systems_; }
   GovernedMotion& motion() { return motion_; }
   const MechanicalSystem& system() const { return *view_; }
-  /// Contacts that are held at x, a start or an end of its steps.
-  std::vector<IslandDivision::Joined> joinedAt(const State& x) {
-    return IslandDivision::joinedAt(*view_, x);
-  }
+  /// Contacts that are held at the end of its step, or where it began.
+  std::vector<IslandDivision::Joined> joined(bool atEnd);
+  /// State at the end of its step, or where it began.
+  ClockState state(bool atEnd) const;
+  /// State at t, within its step, with the state data of its start.
+  ClockState stateAt(MechanicalSystem& s, double t);
   /// What a checkpoint holds of it.
   void keep(ClockState& out) const;
 
+  // Between the numbers of its systems and those of the whole model:
   /// Writes the state of its systems at t, within the present step, into `out`.
   void place(MechanicalSystem& s, double t, State& out);
+  /// Writes velocities of its systems into those of the whole model.
+  void giveVelocities(const Eigen::VectorXd& own, Eigen::VectorXd& out) const;
   /// As OneStep::contactsAt, of its contacts alone.
-  bool contactsAt(const State& at, bool after, ContactInstant& out) {
-    return motion_.motion().contactsAt(*view_, at, after, out);
-  }
+  bool contactsAt(const State& at, bool after, ContactInstant& out);
   /// Where the shapes of its systems are during the step, found by `k`.
   const PathBoxes& path() const { return path_; }
-  void findPath(MechanicalSystem& s, std::span<const MovingShape> shapes, Kinematics& k);
+  void findPath(MechanicalSystem& s, std::span<const MovingShape> shapes);
 
   // Works of the step that have been booked, and whether it has been counted as ended.
   StepWorks booked{};
@@ -69,13 +69,16 @@ class IslandClock {
  private:
   Refusal advance(MechanicalSystem& s, InclusionSolver& solver);
   void within(double t);
-  void copy(const State& from, State& to) const;
-  SystemSubset subset_;
+  void give(const State& own, State& out) const;
+  std::vector<int> systems_;
+  SystemSubset subset_{SystemSubset::Outside::omitted};
+  const Topology& whole_;
+  std::unique_ptr<Topology> topology_;      // of subset_
   std::unique_ptr<MechanicalSystem> view_;  // on subset_
   GovernedMotion motion_;
-  std::vector<int> systems_;
   IslandStep now_;
-  State at_;
+  State at_, asked_;
+  Kinematics kinematics_;
   std::vector<MovingShape> shapes_;
   PathBoxes path_;
 };

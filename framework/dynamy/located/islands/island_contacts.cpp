@@ -14,6 +14,18 @@ std::span<const HeldStatus> IslandContacts::statuses(const IslandClocks& clocks,
   return statuses_;
 }
 
+/// The contacts that may close in the steps of the clocks; null: all.
+const NearContacts* IslandContacts::near(const IslandClocks& clocks) {
+  near_.clear();
+  for (const auto& c : clocks) {
+    const NearContacts* own = c->motion().motion().parts().probe.near();
+    if (own == nullptr) return nullptr;
+    near_.add(*own);
+  }
+  near_.order();
+  return &near_;
+}
+
 void IslandContacts::report(MechanicalSystem& s, const IslandClocks& clocks, const State& x,
                             StepReport& report) {
   report.statuses = statuses(clocks, x.t), report.ownStatuses = true;
@@ -24,12 +36,10 @@ void IslandContacts::report(MechanicalSystem& s, const IslandClocks& clocks, con
     const IslandStep& step = c->now();
     if (step.to.t != x.t || step.report.uBeforeImpact == nullptr) continue;
     if (report.uBeforeImpact == nullptr) uBefore_ = x.u, report.uBeforeImpact = &uBefore_;
-    for (const int i : c->systems()) {
-      const SystemHandle& h = s.parts().topology->system(i);
-      uBefore_.segment(h.u0, h.nu) = step.report.uBeforeImpact->segment(h.u0, h.nu);
-    }
+    c->giveVelocities(*step.report.uBeforeImpact, uBefore_);
   }
-  s.evaluate(x, {.slot = 0, .held = HeldContacts{.keys = keys_, .follow = true}});
+  s.evaluate(
+      x, {.slot = 0, .held = HeldContacts{.keys = keys_, .follow = true, .near = near(clocks)}});
   percussions(s, clocks, x, report.dt);
   report.contacts = s.slot(0).contacts.size();
 }
@@ -69,7 +79,9 @@ bool IslandContacts::at(MechanicalSystem& s, const IslandClocks& clocks, const S
   std::sort(keys_.begin(), keys_.end());
   keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
   const ContactSet& c =
-      s.evaluate(at, {.slot = 1, .held = HeldContacts{.keys = keys_, .follow = true}}).contacts;
+      s.evaluate(at, {.slot = 1,
+                      .held = HeldContacts{.keys = keys_, .follow = true, .near = near(clocks)}})
+          .contacts;
   out.contacts = &c;
   out.lambda.setZero(c.rows()), out.gamma.resize(c.rows());
   c.gamma(view(at.u), view(out.gamma));

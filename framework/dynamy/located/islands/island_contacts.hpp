@@ -19,9 +19,11 @@ class IslandContacts {
           ContactInstant& out);
 
  private:
+  const NearContacts* near(const IslandClocks& clocks);
   void percussions(MechanicalSystem& s, const IslandClocks& clocks, const State& x, double dt);
   std::vector<HeldStatus> statuses_;
   std::vector<ContactKey> keys_;
+  NearContacts near_;
   KeyIndex index_;
   Eigen::VectorXd uBefore_;
 };

@@ -4,8 +4,8 @@
 namespace dynamy {
 namespace {
 
-/// Clocks times systems with velocities: each clock has arrays for all systems, some 12 kB a system.
-constexpr std::size_t kMostArrays = 80000;
+/// Memory of all clocks, and what each takes beside a byte for each system [B].
+constexpr std::size_t kMemory = 4'000'000'000, kOfClock = 200'000;
 
 }  // namespace
 
@@ -19,14 +19,14 @@ void IslandDivision::learn(const MechanicalSystem& s) {
   });
   std::vector<int> roots;
   const bool known = joined_.start(parts);
-  std::size_t moving = 0;
+  bool placeless = true;  // systems without velocities have no positions
   for (int i = 0; i < static_cast<int>(systems.size()); ++i) {
+    placeless = placeless && (topology_->system(i).nu > 0 || topology_->system(i).nq == 0);
     if (topology_->system(i).nu == 0) continue;
-    ++moving;
     if (joined_.of(i) == i) roots.push_back(i);
   }
-  several_ = known && !renews && roots.size() > 1;
-  most_ = std::max<std::size_t>(2, kMostArrays / std::max<std::size_t>(1, moving));
+  several_ = known && !renews && placeless && roots.size() > 1;
+  most_ = kMemory / (kOfClock + systems.size());
   shapes_.clear();
   // Shapes take part in contact if an element has requested their frames.
   const auto& requested = topology_->requestedFrames();
@@ -53,7 +53,7 @@ std::vector<IslandDivision::Joined> IslandDivision::joinedAt(MechanicalSystem& s
   std::vector<Joined> out;
   GovernedState state;
   std::vector<ContactKey> keys;
-  if (!state.read(x.scheme, s.parts()) || state.governor.mode() != SwitchGovernor::Mode::locate)
+  if (!state.read(x.scheme) || state.governor.mode() != SwitchGovernor::Mode::locate)
     return out;
   heldKeys(state.held.held, keys);
   if (keys.empty()) return out;

@@ -30,11 +30,6 @@ std::vector<int> systemsWhere(const Topology& topology, F&& f) {
   return out;
 }
 
-/// Adds a clock for islands of s.
-IslandClock& add(IslandClocks& clocks, const MechanicalSystem& s, const LocatedSettings& settings) {
-  return *clocks.emplace_back(std::make_unique<IslandClock>(s.parts(), settings));
-}
-
 void drop(IslandClocks& clocks, std::size_t i) {
   clocks.erase(clocks.begin() + static_cast<std::ptrdiff_t>(i));
 }
@@ -47,9 +42,14 @@ void LocatedIslands::learn(const MechanicalSystem& s, const GovernedMotion& whol
   settings_ = whole.motion().settings(), decidedAnew_ = whole.decidedAnew();
 }
 
+/// Adds a clock for an island of s in state x.
+IslandClock& LocatedIslands::add(const MechanicalSystem& s, const ClockState& x) {
+  return *clocks_.emplace_back(std::make_unique<IslandClock>(s, settings_, x));
+}
+
 void LocatedIslands::addParts(const MechanicalSystem& s, const IslandDivision::Groups& groups,
-                              const std::vector<IslandDivision::Joined>& joined, const State& x,
-                              const std::vector<HeldStatus>& statuses) {
+                              const std::vector<IslandDivision::Joined>& joined,
+                              const ClockState& x) {
   const std::size_t room =
       division_.most() > clocks_.size() ? division_.most() - clocks_.size() : 1;
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -65,11 +65,7 @@ void LocatedIslands::addParts(const MechanicalSystem& s, const IslandDivision::G
       if (!contact.systems.empty() && contains(systems, contact.systems.front()))
         keys.push_back(contact.key);
     std::sort(keys.begin(), keys.end());
-    std::vector<HeldStatus> own;
-    for (const HeldStatus& status : statuses)
-      if (std::binary_search(keys.begin(), keys.end(), status.key)) own.push_back(status);
-    add(clocks_, s, settings_)
-        .set(s, std::move(systems), x, partOf(x.scheme, s.parts(), keys), std::move(own));
+    add(s, partOf(x, *s.parts().topology, std::move(systems), keys));
   }
 }
 
@@ -84,7 +80,8 @@ bool LocatedIslands::divide(MechanicalSystem& s, const GovernedMotion& whole, co
   const IslandDivision::Groups groups = division_.groups(all, joined, x, h);
   if (groups.size() < 2) return false;
   learn(s, whole);
-  addParts(s, groups, joined, x, {report.statuses.begin(), report.statuses.end()});
+  addParts(s, groups, joined,
+           {all, x.t, x.t, x.q, x.u, x.scheme, {report.statuses.begin(), report.statuses.end()}});
   at_ = x;
   return true;
 }
@@ -112,13 +109,12 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
   std::vector<int> covered;
   bool good = true;
   for (const ClockState& kept : kept_) {
-    IslandClock& c = add(clocks_, s, settings_);
-    c.set(s, kept, x);
+    IslandClock& c = add(s, kept);
     good = good && !c.again(s, solver, kept.end) && !c.now().turned && c.now().from.t <= x.t &&
            x.t <= c.now().to.t;
     covered.insert(covered.end(), kept.systems.begin(), kept.systems.end());
     if (!good) break;
-    c.findPath(s, division_.shapes(), division_.kinematics());
+    c.findPath(s, division_.shapes());
     c.place(s, x.t, at_);
     c.counted = c.now().to.t == x.t;
     // What was booked before the run was stopped.
@@ -136,7 +132,7 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
   kept_.clear();
   at_ = x;
   if (apart.empty()) return;
-  add(clocks_, s, settings_).set(s, apart, x, decidedAnew_, {});
+  add(s, stateOf(topology, apart, x, decidedAnew_));
 }
 
 Refusal LocatedIslands::follow(MechanicalSystem& s, InclusionSolver& solver, const State& x,
@@ -165,7 +161,7 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
   record_.effort(c.now().report.counts.effort);
   if (!c.now().turned) {
     if (refusal || clocks_.size() == 1) return refusal;  // one alone meets none
-    c.findPath(s, division_.shapes(), division_.kinematics());
+    c.findPath(s, division_.shapes());
     return meet(s, solver, clock);
   }
   turned_ = c.motion().governor();
@@ -174,11 +170,7 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
   std::vector<int> rest;
   for (const int i : c.systems())
     if (!contains(chosen, i)) rest.push_back(i);
-  if (!rest.empty()) {
-    State from = c.now().from;
-    const auto joined = c.joinedAt(from);
-    addParts(s, {rest}, joined, from, c.now().before);
-  }
+  if (!rest.empty()) addParts(s, {rest}, c.joined(false), c.state(false));
   drop(clocks_, clock);
   return {};
 }
@@ -186,14 +178,15 @@ Refusal LocatedIslands::proceed(MechanicalSystem& s, InclusionSolver& solver, do
 bool LocatedIslands::fallApart(MechanicalSystem& s, std::size_t clock) {
   IslandClock& c = *clocks_[clock];
   if (settings_.oneClock || c.now().justSet || division_.inseparable(c.systems())) return false;
-  const State x = c.now().to;
-  const auto joined = c.joinedAt(x);
+  const auto joined = c.joined(true);
   const double T = c.motion().motion().parts().norm.time();
+  if (ends_.q.size() != at_.q.size()) ends_ = at_;
+  c.place(s, c.now().to.t, ends_), ends_.t = c.now().to.t;
   const auto groups =
-      division_.groups(c.systems(), joined, x, std::min(kApart * T, c.now().next()));
+      division_.groups(c.systems(), joined, ends_, std::min(kApart * T, c.now().next()));
   if (groups.size() < 2 || clocks_.size() >= division_.most()) return false;
   record_.end(c);
-  addParts(s, groups, joined, x, c.now().statuses(x.t));
+  addParts(s, groups, joined, c.state(true));
   drop(clocks_, clock);
   return true;
 }
@@ -214,7 +207,7 @@ Refusal LocatedIslands::meet(MechanicalSystem& s, InclusionSolver& solver, std::
   Refusal refusal = c.again(s, solver, first);
   record_.effort(c.now().report.counts.effort);
   if (refusal || c.now().turned) return merge(s, solver, clock, with);
-  c.findPath(s, division_.shapes(), division_.kinematics());
+  c.findPath(s, division_.shapes());
   return {};
 }
 
@@ -223,12 +216,9 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
                               std::size_t b) {
   IslandClock &A = *clocks_[a], &B = *clocks_[b];
   const double t = A.now().from.t;
-  State x = A.now().from;
-  Eigen::VectorXd scheme = decidedAnew_;
-  std::vector<HeldStatus> statuses = A.now().before;
-  const std::vector<HeldStatus>* more = &B.now().before;
+  const Topology& topology = *s.parts().topology;
+  ClockState with = B.stateAt(s, t);
   if (t - B.now().from.t > kTooShort * (B.now().to.t - B.now().from.t)) {
-    B.place(s, t, x);  // where its step cannot be taken again
     Refusal refusal = B.again(s, solver, t);
     record_.effort(B.now().report.counts.effort);
     while (!refusal && !B.now().turned && B.now().to.t < t) {
@@ -238,21 +228,12 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
     }
     if (!refusal && !B.now().turned) {
       record_.end(B);
-      B.place(s, t, x);
-      scheme = unionOf(A.now().from.scheme, B.now().to.scheme, s.parts());
-      more = &B.now().statuses(t);
+      with = B.state(true);
+    } else {  // its step cannot be taken again
+      with.scheme = stateOf(topology, with.systems, at_, decidedAnew_).scheme;
     }
-  } else {
-    B.place(s, t, x);
-    scheme = unionOf(A.now().from.scheme, B.now().from.scheme, s.parts());
   }
-  statuses.insert(statuses.end(), more->begin(), more->end());
-  std::vector<int> systems = A.systems();
-  systems.insert(systems.end(), B.systems().begin(), B.systems().end());
-  std::sort(systems.begin(), systems.end());
-  IslandClock& both = add(clocks_, s, settings_);
-  both.set(s, std::move(systems), x, scheme, std::move(statuses));
-  both.orderContacts();
+  add(s, unionOf(A.state(false), with, topology)).orderContacts();
   drop(clocks_, std::max(a, b)), drop(clocks_, std::min(a, b));
   return {};
 }
@@ -282,6 +263,7 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
   // steps in time.
   const ContactSet& c = s.slot(0).contacts;
   const ConstVec Lambda = s.problem().Lambda();
+  const Topology& topology = *s.parts().topology;
   Islands islands;
   islands.start(s.parts());
   for (int i = 0; i < c.size(); ++i) {
@@ -300,11 +282,8 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
     if (rest.size() == clock.systems().size()) continue;
     clock.now().to.t == t ? record_.end(clock) : record_.pass(clock, t);
     drop(clocks_, i);
-    if (!rest.empty()) {
-      State x = at_;
-      x.t = t;
-      add(clocks_, s, settings_).set(s, std::move(rest), x, decidedAnew_, {});
-    }
+    at_.t = t;
+    if (!rest.empty()) add(s, stateOf(topology, std::move(rest), at_, decidedAnew_));
   }
 }
 

@@ -57,14 +57,14 @@ class LocatedIslands {
 
  private:
   void learn(const MechanicalSystem& s, const GovernedMotion& whole);
+  IslandClock& add(const MechanicalSystem& s, const ClockState& x);
   Refusal proceed(MechanicalSystem& s, InclusionSolver& solver, double end, std::size_t clock,
                   SteppedState& stepped);
   Refusal meet(MechanicalSystem& s, InclusionSolver& solver, std::size_t clock);
   Refusal merge(MechanicalSystem& s, InclusionSolver& solver, std::size_t a, std::size_t b);
-  /// Adds clocks for the islands among these systems of an island that is at x with its state data.
+  /// Adds clocks for the islands among these systems of an island in state x.
   void addParts(const MechanicalSystem& s, const IslandDivision::Groups& groups,
-                const std::vector<IslandDivision::Joined>& joined, const State& x,
-                const std::vector<HeldStatus>& statuses);
+                const std::vector<IslandDivision::Joined>& joined, const ClockState& x);
   bool fallApart(MechanicalSystem& s, std::size_t clock);
   IslandDivision division_;
   IslandRecord record_;
@@ -73,7 +73,8 @@ class LocatedIslands {
   IslandClocks clocks_;
   std::vector<ClockState> kept_;
   SwitchGovernor turned_;
-  State at_;
+  State at_;    // of all systems, at the time that place() was given
+  State ends_;  // of the systems of a clock
   std::vector<char> apart_;
   Eigen::VectorXd decidedAnew_;
 };

@@ -80,15 +80,18 @@ void QuinticPath::at(double s, State& out) const {
   position(w, 0, out.q.size(), out.q), velocity(w, 0, out.u.size(), out.u);
 }
 
-void QuinticPath::at(double s, const Topology& topology, std::span<const FrameHandle> frames,
+void QuinticPath::at(double s, const SystemParts& parts, std::span<const FrameHandle> frames,
                      State& out) const {
   const Weights w(s, h_, derivative_);
   out.t = from_->x.t + s * h_;
   if (out.q.size() != from_->x.q.size()) out.q = from_->x.q;
   if (out.u.size() != from_->x.u.size()) out.u = from_->x.u;
+  const Topology& topology = *parts.topology;
   for (const FrameHandle f : frames) {
+    const int own = parts.numberOf(f);
+    if (own < 0) continue;
     const SystemHandle& handle =
-        topology.system(topology.requestedFrames()[static_cast<std::size_t>(f.index)].first);
+        topology.system(topology.requestedFrames()[static_cast<std::size_t>(own)].first);
     position(w, handle.q0, handle.nq, out.q), velocity(w, handle.u0, handle.nu, out.u);
   }
 }

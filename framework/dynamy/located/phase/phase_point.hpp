@@ -25,7 +25,7 @@ class QuinticPath {
   void through(const MechanicalSystem& s, const PhasePoint& from, const PhasePoint& to);
   void at(double theta, State& out) const;
   /// Sets t and those q and u on which these frames depend.
-  void at(double theta, const Topology& topology, std::span<const FrameHandle> frames,
+  void at(double theta, const SystemParts& parts, std::span<const FrameHandle> frames,
           State& out) const;
   double length() const { return h_; }
 

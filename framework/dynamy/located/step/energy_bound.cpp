@@ -11,10 +11,11 @@ constexpr double kLeastFactor = 0.2;    ///< least factor from trial to trial,
 constexpr double kLargestFactor = 0.8;  ///< and largest
 constexpr double kNoBound = 1e3;        ///< a factor that bounds nothing
 constexpr double kPositions = 1e-11;    ///< of energies and works, by positions known to g_tol
-/// Trials of one step that may exceed the bound, and how long it pauses then, in first trials. A
-/// spring that swings through zero length needs steps of 1e-4 of those before.
+/// Trials of one step that may exceed the bound. A spring that swings through zero length needs steps
+/// of 1e-4 of those before. Then the bound pauses, in first trials: for kPause, and for ten times
+/// longer, up to kLongest, each time that it is exceeded right after a pause.
 constexpr int kMostTries = 6;
-constexpr double kPause = 1e3;
+constexpr double kPause = 10.0, kLongest = 1e3;
 
 }  // namespace
 
@@ -37,10 +38,16 @@ double EnergyBound::factor(const LocatedStep& step, const PhasePoint& a, const P
       kShare * balance.scale * h / (std::abs(a.x.t) + step.parts.norm.time()) + kPositions * turned;
   if (!std::isfinite(error) || !(bound > 0.0)) return kNoBound;
   const double factor = kSafety * std::pow(bound / std::max(error, 1e-10 * bound), 1.0 / order);
-  if (error <= bound) return std::max(factor, kSafety);
+  double& longer = step.parts.pace.energyPause;
+  if (error <= bound) {
+    longer = kPause;
+    return std::max(factor, kSafety);
+  }
   if (from_ != a.x.t) from_ = a.x.t, first_ = h, tries_ = 0;
   if (++tries_ <= kMostTries) return std::clamp(factor, kLeastFactor, kLargestFactor);
-  pause = a.x.t + kPause * first_;
+  longer = std::clamp(longer, kPause, kLongest);
+  pause = a.x.t + longer * first_;
+  longer *= 10.0;
   return kNoBound;
 }
 

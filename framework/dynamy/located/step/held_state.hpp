@@ -12,9 +12,10 @@ struct Pace {
   double lastEvent = -1e300;   ///< time of the last event [s]
   int empty = 0;               ///< events at that time that changed nothing
   double energyFrom = -1e300;  ///< from this time on energies bound steps [s]
+  double energyPause = 0.0;    ///< length of the next pause of this bound, in trials
   SearchPauses searches{};     ///< of impacts and decisions
   void archive(NumberArchive& a) {
-    a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom), a(searches);
+    a(next), a(lookAhead), a(lastEvent), a(empty), a(energyFrom), a(energyPause), a(searches);
   }
 };
 
@@ -29,8 +30,12 @@ struct HeldState {
   void archive(NumberArchive& a) {
     a(pace), a(held), a(missing), a(implicit), a(counted), a(jacobian);
   }
-  /// True: indices and sizes are possible in this model.
-  bool fits(const SystemParts& parts) const;
+  /// True: indices and sizes are possible in a view with `numbers` positions and velocities.
+  bool fits(const SystemParts& parts, Eigen::Index numbers) const;
+  /// The same of the whole model.
+  bool fits(const SystemParts& parts) const {
+    return fits(parts, parts.topology->nq() + parts.topology->nu());
+  }
 };
 
 }  // namespace dynamy

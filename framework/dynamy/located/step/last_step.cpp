@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <dynamy/located/step/last_step.hpp>
+#include <dynamy/stages/projection.hpp>
 
 namespace dynamy {
 
@@ -17,6 +18,16 @@ bool LastStep::interpolate(MechanicalSystem& s, PhaseMotion& motion, const State
   method.dense(std::clamp((t - from_.x.t) / method.length(), 0.0, 1.5), out);
   out.t = t;
   return true;
+}
+
+void LastStep::close(MechanicalSystem& s, State& x) {
+  if (phase_.held.empty()) return;
+  const Evaluation& e = s.evaluate(x, phase_.request.in(1));
+  if (!phase_.read(e, x.u) || !projection_.positions(phase_.held, phase_.rows(), e, delta_)) return;
+  const double t = x.t;
+  delta_ /= kDisplacementTime;
+  s.move(x, delta_, kDisplacementTime);
+  x.t = t;
 }
 
 bool LastStep::contactsAt(MechanicalSystem& s, const PhaseMotion& motion, const State& at,

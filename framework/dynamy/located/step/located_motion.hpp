@@ -50,6 +50,10 @@ class LocatedMotion {
   /// State at fraction theta of the last step; false: it did not go from `a` to `b`.
   bool interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
                    State& out);
+  /// As LastStep::close.
+  void close(State& x) {
+    if (system_ != nullptr) last_.close(*system_, x);
+  }
   /// As OneStep::contactsAt.
   bool contactsAt(const MechanicalSystem& s, const State& at, bool after, ContactInstant& out);
 

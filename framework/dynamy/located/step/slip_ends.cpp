@@ -98,7 +98,6 @@ SlipEnds::Result SlipEnds::take(LocatedStep& step, double most) {
 /// False: forces change so much until the slip ends that the energy does not remain. Friction that
 /// turns until then makes an error of less than its work.
 bool SlipEnds::keepsEnergy(LocatedStep& step) {
-  if (step.s.parts().subset) return true;
   FrozenPhase& phase = parts_.motion.phase;
   const PhasePoint& a = start_;
   PhasePoint& b = step.from;

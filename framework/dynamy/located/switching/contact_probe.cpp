@@ -17,7 +17,7 @@ void ContactProbe::evaluate(const State& x, const ContactRequest& request) {
   kinematics_.evaluate(*parts_->topology, x.t, view(x.q), view(x.u), view(x.memory),
                        parts_->subset);
   gaps_.contacts.clear();
-  ContactSink sink(gaps_.contacts, request);
+  ContactSink sink(gaps_.contacts, request, parts_->subset);
   reportContacts(*parts_, kinematics_, sink);
   ++looks_.whole, looks_.gaps += static_cast<long>(gaps_.contacts.candidateKey.size());
 }

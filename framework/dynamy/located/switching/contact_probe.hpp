@@ -39,6 +39,7 @@ class ContactProbe {
   bool any() const { return gathers_ || !fixed_.empty(); }
   /// From the next gather() on, only the contacts `near` are followed (borrowed); null: all.
   void narrow(const NearContacts* near);
+  const NearContacts* near() const { return near_; }
   /// Of the contacts that come and go, follows those that may touch at x and those that are `held`;
   /// evaluates all contacts at x.
   bool gather(const State& x, std::span<const ContactKey> held);

@@ -11,10 +11,9 @@ bool SingleContact::look(const QuinticPath& path, double theta, State& x, Contac
   const NonSmoothElement& element = *parts_->contacts[static_cast<std::size_t>(key.value >> 40)];
   frames_.clear();
   if (!element.framesOf(contactNumber(key), frames_)) return false;
-  const Topology& topology = *parts_->topology;
-  path.at(theta, topology, frames_, x);
+  path.at(theta, *parts_, frames_, x);
   const State& at = x;
-  kinematics_.evaluate(topology, at.t, view(at.q), view(at.u), view(at.memory), parts_->subset,
+  kinematics_.evaluate(*parts_->topology, at.t, view(at.q), view(at.u), view(at.memory), parts_->subset,
                        frames_);
   ContactRequest request;
   request.refresh = request.follow = request.alone = true, request.frozen = {&key, 1};
@@ -28,7 +27,7 @@ void SingleContact::report(const SystemParts& parts, const Kinematics& k,
   only_.assign(parts.contacts.size(), 0);
   only_[static_cast<std::size_t>(number)] = 1;
   found_.contacts.clear();
-  ContactSink sink(found_.contacts, request);
+  ContactSink sink(found_.contacts, request, parts.subset);
   reportContacts(parts, k, sink, only_);
 }
 

@@ -46,10 +46,7 @@ int numberOf(const Model& model, const NamedSignal& s) {
 ReadSignals::Source sourceOf(const Model& model, const NamedSignal& s) {
   ReadSignals::Source out;
   out.signal = numberOf(model, s), out.value = s.signal.value;
-  if (s.system >= 0) {
-    const SystemHandle& h = model.topology().system(s.system);
-    out.state = {h.q0, h.nq, h.u0, h.nu};
-  }
+  out.system = s.system;
   out.memory = {s.memory0, s.memory};
   return out;
 }

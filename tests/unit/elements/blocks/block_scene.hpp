@@ -33,12 +33,7 @@ class BlockScene {
     Kinematics k;
     k.evaluate(model_->topology(), x.t, view(x.q), view(x.u), view(x.memory));
     ReadSignals table;
-    ReadSignals::Source source{0, s->signal.value, {}, {s->memory0, s->memory}};
-    if (s->system >= 0) {
-      const SystemHandle& h = model_->topology().system(s->system);
-      source.state = {h.q0, h.nq, h.u0, h.nu};
-    }
-    table.bind({source});
+    table.bind({{0, s->signal.value, s->system, {s->memory0, s->memory}}});
     return table.value({0}, k);
   }
 

@@ -21,7 +21,7 @@ class RoughFloor final : public NonSmoothElement {
   void contacts(const Kinematics& k, ContactSink& sink) const override {
     auto rows = sink.add(0, k.q(system_)[1], law_, 2);
     if (!rows) return;
-    Block W = rows.segment(0, 0, 2);
+    Block W = rows.segment(BlockPlace{0, 0, 2});
     W(0, 0) = 1e-16 * std::sin(1e15 * k.q(system_)[0]), W(0, 1) = 1.0;
     W(1, 0) = 1.0;
     if (rows.wantsBias()) rows.bias(0) = bias_;

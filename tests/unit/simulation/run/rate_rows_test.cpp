@@ -32,7 +32,7 @@ class Edge final : public NonSmoothElement {
   void contacts(const Kinematics& k, ContactSink& sink) const override {
     const double phi = k.q(system_)[2], g = position_ ? k.q(system_)[0] : 0.0;
     ContactRows rows = sink.add(0, g, law_, 1);
-    Block W = rows.segment(system_.block0, system_.u0, 3);
+    Block W = rows.segment(system_);
     W(0, 0) = -std::sin(phi), W(0, 1) = std::cos(phi);
     if (!rows.wantsBias()) return;
     const ConstVec u = k.u(system_);
