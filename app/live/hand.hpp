@@ -35,6 +35,7 @@ class Hand final : public ExternalForce {
   explicit Hand(const Parameters& x) : ExternalForce(x) {}
   void connect(Topology& topology) override;
   void describe(Description& d) const override { d.timeless = true; }
+  bool mayCouple() const override { return false; }
   void addTo(const Kinematics& k, ForceSink& sink) const override;
 
   /// Frames that can be held: (system, id). Those of systems without velocities are left out.

@@ -30,7 +30,7 @@ def model(n, clocks="one"):
 <forces><Gravity/></forces><elements>
 <Contact between="ball floor"><UnilateralCoulomb mu="0.3" epsilonN="0.8"/></Contact>
 <Contact between="ball ball"><UnilateralCoulomb mu="0.3" epsilonN="0.8"/></Contact></elements>
-<record frames="0"/><simulation until="1" tolerance="1e-8"><LocatedDormandPrince
+<record signals="b0.z" every="0.01" frames="0"/><simulation until="1" tolerance="1e-8"><LocatedDormandPrince
 clocks="{clocks}"/></simulation></dynamy>
 """
 
@@ -48,7 +48,7 @@ def main():
     p.add_argument("--n", type=int, nargs="+", default=[10, 30, 100])
     p.add_argument("--tolerance", default="1e-8")
     p.add_argument("--repeat", type=int, default=3)
-    p.add_argument("--clocks", nargs="+", default=["one"], choices=["one", "islands"])
+    p.add_argument("--clocks", nargs="+", default=["one", "islands"], choices=["one", "islands"])
     p.add_argument("--model", type=int)
     a = p.parse_args()
     if a.model:

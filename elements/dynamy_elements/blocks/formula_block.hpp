@@ -12,6 +12,7 @@ class FormulaBlock final : public ExternalForce {
   static void declare(Attributes& a);
   explicit FormulaBlock(const Parameters& x) : ExternalForce(x), of_(x, "of", 1) {}
   void connect(Topology& topology) override { of_.connect(topology, *this); }
+  bool mayCouple() const override { return false; }
   void addTo(const Kinematics&, ForceSink&) const override {}
   void describe(Description& d) const override;
 

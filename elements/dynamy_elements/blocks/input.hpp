@@ -10,6 +10,7 @@ class Input final : public ExternalForce {
   static void declare(Attributes& a);
   explicit Input(const Parameters& x);
   void connect(Topology& topology) override { topology.memory(*this, {value_}); }
+  bool mayCouple() const override { return false; }
   void addTo(const Kinematics&, ForceSink&) const override {}
   void describe(Description& d) const override;
 

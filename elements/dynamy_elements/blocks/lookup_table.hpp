@@ -13,6 +13,7 @@ class LookupTable final : public ExternalForce {
   static void declare(Attributes& a);
   explicit LookupTable(const Parameters& x);
   void connect(Topology& topology) override { of_.connect(topology, *this); }
+  bool mayCouple() const override { return false; }
   void addTo(const Kinematics&, ForceSink&) const override {}
   void describe(Description& d) const override;
 

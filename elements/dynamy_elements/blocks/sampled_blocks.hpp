@@ -47,6 +47,7 @@ class SampledBlock : public ExternalForce {
  public:
   explicit SampledBlock(const Parameters& x);
   void connect(Topology& topology) final;
+  bool mayCouple() const override { return false; }
   void addTo(const Kinematics&, ForceSink&) const final {}
   void remember(const Kinematics& k, Vec memory) const final;
   void describe(Description& d) const override;

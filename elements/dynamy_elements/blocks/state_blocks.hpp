@@ -26,6 +26,7 @@ class StateBlock : public ExternalForce {
   StateBlock(const Parameters& x, std::vector<double> initial);
   std::unique_ptr<PartialMechanicalSystem> ownSystem() const final;
   void connect(Topology& topology) final;
+  bool mayCouple() const override { return false; }
   void addTo(const Kinematics& k, ForceSink& sink) const final;
   bool stiff() const final { return stiff_; }
   void addStiffness(const Kinematics& k, StiffnessSink& sink) const final;

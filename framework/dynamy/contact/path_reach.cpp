@@ -39,7 +39,7 @@ void PathReach::expect(const Kinematics& start, const Kinematics& later, double 
 void PathReach::begin(const Kinematics& k, double margin) {
   time_ = 0.0, margin_ = margin;
   ways_.assign(k.frames().size(), {});
-  some_ = k.some() != nullptr && k.some()->omitsOutside() ? k.some() : nullptr;
+  own_ = k.numbers();
   each(k, [](Way& w, const Frame& f) {
     w.start = f.r_OS_I, w.v = f.v_S_I, w.Omega = f.Omega_I.norm();
   });

@@ -48,15 +48,15 @@ class PathReach {
     double Omega = 0.0;            // largest of all places [rad/s]
   };
   const Way& of(FrameHandle f) const {
-    return ways_[static_cast<std::size_t>(some_ != nullptr ? some_->number(f) : f.index)];
+    return ways_[static_cast<std::size_t>(own_ != nullptr ? own_->of(f) : f.index)];
   }
   static double turned(const Way& w, double arm) {
     return w.angle > 0.0 ? std::min(w.angle, 2.0) * arm : 0.0;
   }
   template <class F>
   void each(const Kinematics& k, F&& f);
-  std::vector<Way> ways_;                // as Kinematics::frames()
-  const SystemSubset* some_ = nullptr;  // that omits others; null: there is none
+  std::vector<Way> ways_;            // as Kinematics::frames(),
+  const OwnNumbers* own_ = nullptr;  // and their numbers()
   double time_ = 0.0, margin_ = 0.0;
 };
 

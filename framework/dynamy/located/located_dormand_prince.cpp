@@ -3,6 +3,7 @@
 #include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/located/located_dormand_prince.hpp>
 #include <dynamy/located/step/located_constants.hpp>
+#include <limits>
 
 namespace dynamy {
 namespace {
@@ -26,6 +27,13 @@ int steppedSystems(const Topology& topology, const SteppedState& stepped) {
   for (std::size_t i = 0; i < stepped.systems.size(); ++i)
     n += stepped.systems[i] != 0 && topology.system(static_cast<int>(i)).nu > 0 ? 1 : 0;
   return n;
+}
+
+/// Time up to which all islands are known [s]; ∞ without any.
+double knownUpTo(const IslandClocks& clocks) {
+  double out = std::numeric_limits<double>::infinity();
+  for (const auto& c : clocks) out = std::min(out, c->now().to.t);
+  return out;
 }
 
 /// Longest time from t after which the next step of an island would end [s].
@@ -70,9 +78,9 @@ void LocatedDormandPrince::declare(Attributes& a) {
       "contact "
       "states by inclusions. The scheme of every run with a tolerance.");
   declareStiff(a);
-  a.choice("clocks", {"one", "islands"}, "one",
-           "one: all bodies end their steps together; islands: bodies that do not touch have steps "
-           "of their own, which end at their own switches");
+  a.choice("clocks", {"islands", "one"}, "islands",
+           "islands: bodies that do not touch have steps of their own, which end at their own "
+           "switches; one: all bodies end their steps together");
   a.example("<simulation until=\"1\" tolerance=\"1e-6\"><LocatedDormandPrince/></simulation>");
 }
 
@@ -129,7 +137,7 @@ StepReport LocatedDormandPrince::stepApart(MechanicalSystem& s, InclusionSolver&
   }
   apart_ = true;
   const double from = x.t;
-  x.t = std::min(from + dt, clocks_.known());
+  x.t = std::min(from + dt, knownUpTo(clocks_.clocks()));
   clocks_.place(s, x.t);
   clocks_.join(s, x);
   x.impulses = {};
@@ -154,7 +162,7 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
       out.refused = r.why;
       return out;
     }
-    const double known = std::min(clocks_.known(), steppedFrom_.t + dt);
+    const double known = std::min(knownUpTo(clocks_.clocks()), steppedFrom_.t + dt);
     double& h = out.h;
     h = std::min(governor.h(), dt);
     out.tE = h == dt ? steppedFrom_.t + dt : steppedFrom_.t + h;

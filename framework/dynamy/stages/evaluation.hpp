@@ -36,12 +36,13 @@ struct SystemParts {
 
   /// Number in the topology of a frame that an element requested; −1: there is no room for it.
   int numberOf(FrameHandle f) const {
-    return subset != nullptr && subset->omitsOutside() ? subset->number(f) : f.index;
+    const OwnNumbers* own = subset != nullptr ? subset->own() : nullptr;
+    return own != nullptr ? own->of(f) : f.index;
   }
   /// Calls f(i) for the index of each system, force or contact element that takes part.
   template <class F>
   void forSystems(F&& f) const {
-    const bool some = subset != nullptr && !subset->omitsOutside();
+    const bool some = subset != nullptr && subset->own() == nullptr;
     each(some ? &subset->systems() : nullptr, topology->systems().size(), f);
   }
   template <class F>

@@ -54,9 +54,8 @@ int evaluateSmooth(const SystemParts& parts, const State& x, std::span<const cha
   e.t = x.t;
   e.kinematics.evaluate(topology, x.t, view(x.q), view(x.u), view(x.memory), parts.subset);
   // Without room for others there are none to tell apart.
-  const bool omits = parts.subset != nullptr && parts.subset->omitsOutside();
-  const int indefinite =
-      e.mass.evaluate(topology, x.t, view(x.q), omits ? nullptr : parts.subset);
+  const bool omits = parts.subset != nullptr && parts.subset->own() != nullptr;
+  const int indefinite = e.mass.evaluate(topology, x.t, view(x.q), omits ? nullptr : parts.subset);
   parts.forSystems([&](std::size_t i) {
     const SystemHandle& s = topology.system(static_cast<int>(i));
     if (s.nu == 0) return;

@@ -46,6 +46,10 @@ class ExternalForce : public Element {
   virtual std::unique_ptr<PartialMechanicalSystem> ownSystem() const { return nullptr; }
   virtual void connect(Topology& topology) = 0;
   virtual void addTo(const Kinematics& k, ForceSink& sink) const = 0;
+  /// Asked of a force that has requested no system, frame or signal by its name in connect(). True:
+  /// it may act on a system by what another one does, so that all systems are one island. False: it
+  /// acts on each system alone, as gravity does, or on none.
+  virtual bool mayCouple() const { return true; }
   /// Updates the numbers reserved by Topology::memory. Called at the end of an accepted step and
   /// wherever any element switches; a second call at the same state must have no further effect.
   /// A rejected step is rolled back.

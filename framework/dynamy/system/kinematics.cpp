@@ -6,6 +6,7 @@ namespace dynamy {
 
 void Kinematics::resize(const Topology& topology) {
   const auto& requested = topology.requestedFrames();
+  absent_.absent = absent_.outside = true;
   subset_ = 0;                                     // frames made anew are those of no subset yet
   frames_ = std::vector<Frame>(requested.size());  // a Frame that is assigned copies into its maps
   std::size_t size = 0;
@@ -28,14 +29,14 @@ void Kinematics::begin(const Topology& topology, double t, ConstVec q, ConstVec 
   if (frames_.size() != topology.requestedFrames().size()) resize(topology);
   const std::uint64_t stamp = subset ? subset->stamp() : 0;
   const bool others = subset_ != stamp;
-  some_ = subset, subset_ = stamp;
+  some_ = subset, own_ = subset ? subset->own() : nullptr, subset_ = stamp;
   if (others) placeOthers(topology);
 }
 
 void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstVec u,
                           ConstVec memory, const SystemSubset* subset) {
   begin(topology, t, q, u, memory, subset);
-  if (subset != nullptr && !subset->omitsOutside())
+  if (subset != nullptr && own_ == nullptr)
     for (const int i : subset->frames()) evaluateFrame(topology, static_cast<std::size_t>(i));
   else
     for (std::size_t i = 0; i < frames_.size(); ++i) evaluateFrame(topology, i);
@@ -46,22 +47,20 @@ void Kinematics::evaluate(const Topology& topology, double t, ConstVec q, ConstV
                           std::span<const FrameHandle> frames) {
   begin(topology, t, q, u, memory, subset);
   for (const FrameHandle f : frames) {
-    const bool omits = subset != nullptr && subset->omitsOutside();
-    const int own = omits ? subset->number(f) : f.index;
+    const int own = own_ != nullptr ? own_->of(f) : f.index;
     if (own < 0) continue;
     const auto i = static_cast<std::size_t>(own);
-    if (omits || !subset || !subset->leavesOut(topology.requestedFrames()[i].first))
+    if (own_ != nullptr || !subset || !subset->leavesOut(topology.requestedFrames()[i].first))
       evaluateFrame(topology, i);
   }
 }
 
 /// Marks the frames of systems outside of the subset. Those that rest are evaluated here, once.
 void Kinematics::placeOthers(const Topology& topology) {
-  const bool omits = some_ != nullptr && some_->omitsOutside();
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     Frame& f = frames_[i];
     f.absent = true;
-    f.outside = !omits && leavesOut(topology.requestedFrames()[i].first);
+    f.outside = own_ == nullptr && leavesOut(topology.requestedFrames()[i].first);
     if (f.outside && some_->outsideRests()) evaluateFrame(topology, i);
   }
 }
@@ -72,9 +71,7 @@ void Kinematics::evaluateFrame(const Topology& topology, std::size_t i) {
   Frame& f = frames_[i];
   f.block = 0, f.absent = false;
   const PartialMechanicalSystem& system = *topology.systems()[static_cast<std::size_t>(s.index)];
-  named(system, [&, id = id] {
-    system.frame(t_, {q_ + s.q0, s.nq}, {u_ + s.u0, s.nu}, id, f);
-  });
+  named(system, [&, id = id] { system.frame(t_, {q_ + s.q0, s.nq}, {u_ + s.u0, s.nu}, id, f); });
   // A frame without a block belongs to a system without velocities, or stands still.
   const bool moves = s.blocks > 0 && f.block >= 0;
   f.u0 = moves ? s.u0 + f.block * s.blockNu : s.u0;

@@ -24,12 +24,12 @@ class Kinematics {
   double t() const { return t_; }
   /// True: the system takes no part in this evaluation, see SystemSubset.
   bool leavesOut(int system) const { return some_ != nullptr && some_->leavesOut(system); }
-  /// The systems that take part; null: all.
-  const SystemSubset* some() const { return some_; }
+  /// Where frames() are those of some systems, numbered anew; null: they have the numbers of handles.
+  const OwnNumbers* numbers() const { return own_; }
   /// Another number whenever other systems take part; 0: all do.
   std::uint64_t stamp() const { return subset_; }
-  ConstVec q(const SystemHandle& s) const { return {q_ + ownHandle(some_, s).q0, s.nq}; }
-  ConstVec u(const SystemHandle& s) const { return {u_ + ownHandle(some_, s).u0, s.nu}; }
+  ConstVec q(const SystemHandle& s) const { return {q_ + own(s).q0, s.nq}; }
+  ConstVec u(const SystemHandle& s) const { return {u_ + own(s).u0, s.nu}; }
   /// Of the system with this index in the whole model.
   ConstVec q(int system) const { return {q_ + handle(system).q0, handle(system).nq}; }
   ConstVec u(int system) const { return {u_ + handle(system).u0, handle(system).nu}; }
@@ -38,8 +38,8 @@ class Kinematics {
   /// A signal that an element requested by Topology::signal(), at this t, q, u and memory.
   double signal(SignalHandle h) const { return topology_->signals().value(h, *this); }
   const Frame& frame(FrameHandle f) const {
-    if (some_ == nullptr || !some_->omitsOutside()) return frames_[static_cast<std::size_t>(f.index)];
-    const int own = some_->number(f);
+    if (own_ == nullptr) return frames_[static_cast<std::size_t>(f.index)];
+    const int own = own_->of(f);
     return own < 0 ? absent_ : frames_[static_cast<std::size_t>(own)];
   }
   /// Those for which there is room, in their order.
@@ -48,14 +48,11 @@ class Kinematics {
  private:
   void begin(const Topology& topology, double t, ConstVec q, ConstVec u, ConstVec memory,
              const SystemSubset* subset);
-  static Frame outsideFrame() {
-    Frame f;
-    f.absent = f.outside = true;
-    return f;
+  const SystemHandle& own(const SystemHandle& s) const {
+    return own_ != nullptr ? own_->handle(s.index) : s;
   }
   const SystemHandle& handle(int system) const {
-    return some_ != nullptr && some_->omitsOutside() ? some_->own(system)
-                                                     : topology_->system(system);
+    return own_ != nullptr ? own_->handle(system) : topology_->system(system);
   }
   void placeOthers(const Topology& topology);
   void evaluateFrame(const Topology& topology, std::size_t i);
@@ -65,9 +62,10 @@ class Kinematics {
   const double* memory_ = nullptr;
   const Topology* topology_ = nullptr;
   std::vector<Frame> frames_;
-  Frame absent_ = outsideFrame();
+  Frame absent_;  // of systems for which there is no room
   std::vector<double> jacobians_;
   const SystemSubset* some_ = nullptr;
+  const OwnNumbers* own_ = nullptr;
   std::uint64_t subset_ = 0;  // stamp of the subset whose frames are present; 0: all are
 };
 

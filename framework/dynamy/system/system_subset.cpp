@@ -24,27 +24,7 @@ void SystemSubset::choose(const Topology& topology, std::vector<char> without) {
     if (!c.systems.empty() && std::all_of(c.systems.begin(), c.systems.end(), rests))
       idle_.push_back(c.element);
   std::sort(idle_.begin(), idle_.end());
-  if (omitsOutside()) numberAnew(topology);
-}
-
-void SystemSubset::numberAnew(const Topology& topology) {
-  handles_.clear();
-  SystemHandle end{.index = 0, .blocks = 0};  // where the next system begins
-  for (const int i : systems_) {
-    SystemHandle own = topology.system(i);
-    own.index = end.index++, own.q0 = end.q0, own.u0 = end.u0, own.block0 = end.block0;
-    end.q0 += own.nq, end.u0 += own.nu, end.block0 += own.blocks;
-    handles_.push_back(own);
-  }
-}
-
-const SystemHandle& SystemSubset::own(int system) const {
-  const int i = number(system);
-  if (i < 0)
-    throw std::logic_error(
-        "it reads or acts on a system that takes no part in this evaluation; ask "
-        "Kinematics::leavesOut() first");
-  return handles_[static_cast<std::size_t>(i)];
+  if (own() != nullptr) own_.assign(topology, systems_, frames_);
 }
 
 void SystemSubset::addBeside(const Topology& topology, const Element* force) {

@@ -2,7 +2,7 @@
 /// and contact elements that act on them. Evaluations of a view on them loop over these alone.
 #pragma once
 #include <algorithm>
-#include <dynamy/system/topology.hpp>
+#include <dynamy/system/own_numbers.hpp>
 
 namespace dynamy {
 
@@ -34,26 +34,16 @@ class SystemSubset {
   /// that requested no system by name.
   const std::vector<int>& beside() const { return beside_; }
   bool outsideRests() const { return outside_ == Outside::resting; }
-  bool omitsOutside() const { return outside_ == Outside::omitted; }
+  /// Where others are omitted: the new numbers of the systems; else null.
+  const OwnNumbers* own() const { return outside_ == Outside::omitted ? &own_ : nullptr; }
   /// True: some systems with velocities rest outside. They have u = 0 and feel no forces.
   bool anyRests() const { return rests_; }
   /// Another number after each change; no two subsets have the same.
   std::uint64_t stamp() const { return stamp_; }
 
-  // Where others are omitted:
-  /// The systems by their new numbers.
-  const std::vector<SystemHandle>& handles() const { return handles_; }
-  /// New number of a system; −1: it is outside.
-  int number(int system) const { return placeOf(systems_, system); }
-  /// New number of a frame; −1: it is outside.
-  int number(FrameHandle frame) const { return placeOf(frames_, frame.index); }
-  /// New handle of a system. Throws std::logic_error: it is outside.
-  const SystemHandle& own(int system) const;
-
  private:
   void choose(const Topology& topology, std::vector<char> without);
   void addBeside(const Topology& topology, const Element* force);
-  void numberAnew(const Topology& topology);
   bool acts(const Element* element) const {
     return !std::binary_search(idle_.begin(), idle_.end(), element);
   }
@@ -64,14 +54,10 @@ class SystemSubset {
       if (acts(elements[i])) out.push_back(static_cast<int>(i));
     return out;
   }
-  static int placeOf(const std::vector<int>& ascending, int i) {
-    const auto at = std::lower_bound(ascending.begin(), ascending.end(), i);
-    return at == ascending.end() || *at != i ? -1 : static_cast<int>(at - ascending.begin());
-  }
   Outside outside_ = Outside::absent;
   std::vector<char> without_;
   std::vector<int> systems_, frames_, forces_, contacts_, beside_;
-  std::vector<SystemHandle> handles_;
+  OwnNumbers own_;
   std::vector<const Element*> idle_;  // elements that do not act, ascending
   std::uint64_t stamp_ = 0;
   bool rests_ = false;
@@ -79,7 +65,8 @@ class SystemSubset {
 
 /// The handle by which a view finds a system: its own where others are omitted. some: null: all.
 inline const SystemHandle& ownHandle(const SystemSubset* some, const SystemHandle& whole) {
-  return some != nullptr && some->omitsOutside() ? some->own(whole.index) : whole;
+  const OwnNumbers* own = some != nullptr ? some->own() : nullptr;
+  return own != nullptr ? own->handle(whole.index) : whole;
 }
 
 }  // namespace dynamy

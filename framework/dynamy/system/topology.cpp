@@ -62,23 +62,28 @@ Topology::Topology(const std::vector<const PartialMechanicalSystem*>& systems) :
   }
 }
 
-Topology::Topology(const Topology& whole, const SystemSubset& some)
-    : handles_(some.handles()), whole_(&whole) {
-  for (const int i : some.systems()) systems_.push_back(whole.systems_[static_cast<std::size_t>(i)]);
-  if (!handles_.empty()) {
-    const SystemHandle& last = handles_.back();
-    nq_ = last.q0 + last.nq, nu_ = last.u0 + last.nu, blocks_ = last.block0 + last.blocks;
+Topology topologyOf(const SystemSubset& some, const Topology& whole) {
+  Topology out({});
+  const OwnNumbers& own = *some.own();
+  out.handles_ = own.handles(), out.whole_ = &whole;
+  for (const int i : some.systems())
+    out.systems_.push_back(whole.systems_[static_cast<std::size_t>(i)]);
+  if (!out.handles_.empty()) {
+    const SystemHandle& last = out.handles_.back();
+    out.nq_ = last.q0 + last.nq, out.nu_ = last.u0 + last.nu;
+    out.blocks_ = last.block0 + last.blocks;
   }
   for (const int i : some.frames()) {
     const auto& [system, id] = whole.requested_[static_cast<std::size_t>(i)];
-    requested_.emplace_back(some.number(system), id);
+    out.requested_.emplace_back(own.of(system), id);
   }
   for (const Connection& c : whole.connections()) {
-    Connection own{c.element, {}, c.shapes};
+    Connection part{c.element, {}, c.shapes};
     for (const int i : c.systems)
-      if (const int k = some.number(i); k >= 0) own.systems.push_back(k);
-    if (own.shapes || !own.systems.empty()) connections_.add(std::move(own));
+      if (const int k = own.of(i); k >= 0) part.systems.push_back(k);
+    if (part.shapes || !part.systems.empty()) out.connections_.add(std::move(part));
   }
+  return out;
 }
 
 SystemHandle Topology::system(std::string_view name, const Element& asking, int* body) const {

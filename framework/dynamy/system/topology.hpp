@@ -41,9 +41,6 @@ class Topology {
  public:
   /// Systems in order of the model; computes all offsets.
   explicit Topology(const std::vector<const PartialMechanicalSystem*>& systems);
-  /// The systems of a subset of `whole` (borrowed) alone, numbered anew: nothing more can be
-  /// requested.
-  Topology(const Topology& whole, const SystemSubset& some);
 
   /// Handle of the system called `name`. Throws ModelError with the nearest known name.
   /// `body` given: bodies that a system carries are known, too; then it is the body's index there, else −1.
@@ -85,6 +82,7 @@ class Topology {
   const std::vector<const PartialMechanicalSystem*>& systems() const { return systems_; }
   /// Frames requested so far: (system index, frame id).
   const std::vector<std::pair<int, int>>& requestedFrames() const { return requested_; }
+  friend Topology topologyOf(const SystemSubset& some, const Topology& whole);
 
  private:
   FrameHandle requested(int system, int id);
@@ -105,5 +103,9 @@ class Topology {
   const Topology* whole_ = nullptr;
   int nq_ = 0, nu_ = 0, blocks_ = 0;
 };
+
+/// The systems of a subset that omits others alone, numbered anew; `whole` is borrowed. Nothing more
+/// can be requested from it.
+Topology topologyOf(const SystemSubset& some, const Topology& whole);
 
 }  // namespace dynamy

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <dynamy/solver/proximal_newton.hpp>
+#include <memory>
 #include <reference/located/located_run.hpp>
+#include <utility>
+#include <vector>
 
 namespace dynamy::reference {
 namespace {
@@ -82,6 +86,43 @@ TEST(LocatedImpacts, OfABallThatComesToRestAreThoseOfTheSeries) {
     t += 2.0 * v / 9.81;
   }
   EXPECT_EQ(run.report().contacts.impacts, static_cast<long>(told.size()));
+}
+
+/// Solves, and says that it has searched for long in vain.
+class SearchesInVain final : public InclusionSolver {
+ public:
+  SolveReport solve(const InclusionProblem& problem, Vec Lambda) override {
+    efforts.push_back(problem.effort);
+    SolveReport report = solver_.solve(problem, Lambda);
+    report.inVain = true;
+    return report;
+  }
+  std::vector<Effort> efforts;
+
+ private:
+  ProximalNewton solver_;
+};
+
+// A ball that bounces: one inclusion an impact. After a long search in vain the next 1, 3, 7, … search
+// briefly (theory 4.13, 50.7).
+TEST(LocatedImpacts, SearchBrieflyAfterALongSearchInVain) {
+  LocatedRun run(
+      R"xml(<dynamy version="1"><systems><PointMass name="ball" plane="xz" position="0 0 1"
+    mass="1"/><Ground name="world"/></systems><forces><Gravity/></forces><elements>
+    <CoordinateContact on="ball" gap="z"><Unilateral epsilonN="1"/></CoordinateContact></elements>
+    <simulation until="1" step="1"/></dynamy>)xml",
+      1e-8, 13.5);
+  auto owned = std::make_unique<SearchesInVain>();
+  SearchesInVain& solver = *owned;
+  run.model().solver(std::move(owned));
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  ASSERT_EQ(r.contacts.impacts, 15);  // the first after √(2/g) = 0.452 s, one each 0.903 s
+  ASSERT_EQ(solver.efforts.size(), 15u);
+  for (std::size_t i = 0; i < solver.efforts.size(); ++i)
+    EXPECT_EQ(solver.efforts[i],
+              i == 0 || i == 2 || i == 6 || i == 14 ? Effort::full : Effort::retried)
+        << i;
 }
 
 }  // namespace

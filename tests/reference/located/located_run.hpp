@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <build_paths.hpp>
+#include <dynamy/core/declared/parameters.hpp>
 #include <dynamy/io/model/model_loader.hpp>
 #include <dynamy/io/plugin/plugin_loader.hpp>
 #include <dynamy/located/located_dormand_prince.hpp>
@@ -17,10 +18,16 @@ namespace dynamy::reference {
 
 class LocatedRun final : public RecordSink {
  public:
+  /// The scheme of a model with a tolerance that names none.
+  static std::unique_ptr<OneStep> byDefault() { return withClocks("islands"); }
+  static std::unique_ptr<OneStep> withClocks(const std::string& clocks) {
+    return std::make_unique<LocatedDormandPrince>(
+        Parameters::of<LocatedDormandPrince>("LocatedDormandPrince", "", {{"clocks", clocks}}));
+  }
   /// `what`: a name in models/, or a text that begins with '<'.
   LocatedRun(const std::string& what, double tolerance, double until, const Overrides& set = {},
              const std::function<void(Registry&)>& types = {},
-             std::unique_ptr<OneStep> scheme = std::make_unique<LocatedDormandPrince>())
+             std::unique_ptr<OneStep> scheme = byDefault())
       : plugins_({DYNAMY_BINARY_DIR "/lib/dynamy"}) {
     registerFramework(registry_);
     if (types) types(registry_);

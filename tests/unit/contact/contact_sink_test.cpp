@@ -70,7 +70,8 @@ TEST(ContactSet, AddsAbsoluteValuesOfBlocksOfAllSizes) {
   set.clear();
   ContactSink sink(set, {});
   auto rows = sink.add(0, 0.0, kCoulomb, 2);
-  rows.segment(BlockPlace{0, 0, 6}) << 1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.5;
+  rows.segment(BlockPlace{0, 0, 6}) << 1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 0.0, 0.0, -1.0, 0.0, 0.0,
+      0.5;
   rows.segment(BlockPlace{1, 6, 2}) << 1.0, -1.0, 0.5, 0.0;
   const Eigen::VectorXd v{{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0}};
   Eigen::VectorXd sum{{100.0, 200.0}};

@@ -111,7 +111,7 @@ TEST(SystemView, NumbersItsSystemsAnewWhereOthersAreOmitted) {
                     c = all.topology.frame(all.topology.system(2), 0);
   SystemSubset subset(SystemSubset::Outside::omitted);
   subset.assign(all.topology, {1, 0, 0}, all.parts.forces, all.parts.contacts);
-  Topology own(all.topology, subset);
+  Topology own = topologyOf(subset, all.topology);
   EXPECT_EQ(own.nq(), 2);
   EXPECT_EQ(own.requestedFrames(), (std::vector<std::pair<int, int>>{{1, 0}}));
   SystemParts parts = all.parts;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/located/governed/stepped_islands.hpp>
 #include <dynamy/located/islands/divided_state.hpp>
 #include <dynamy/located/islands/island_clock.hpp>
@@ -17,7 +18,7 @@ IslandClock::IslandClock(const MechanicalSystem& s, const LocatedSettings& setti
   std::vector<char> without(whole_.systems().size(), 1);
   for (const int i : viewOf(whole_, systems_)) without[static_cast<std::size_t>(i)] = 0;
   subset_.assign(whole_, std::move(without), s.parts().forces, s.parts().contacts);
-  topology_ = std::make_unique<Topology>(whole_, subset_);
+  topology_ = std::make_unique<Topology>(topologyOf(subset_, whole_));
   SystemParts parts = s.parts();
   parts.topology = topology_.get(), parts.subset = &subset_;
   view_ = std::make_unique<MechanicalSystem>(parts, kSlots);
@@ -45,21 +46,6 @@ ClockState IslandClock::state(bool atEnd) const {
   return {systems_, x.t, now_.end, x.q, x.u, x.scheme, now_.statuses(x.t)};
 }
 
-ClockState IslandClock::stateAt(MechanicalSystem& s, double t) {
-  ClockState out = state(false);
-  out.t = t;
-  if (t <= now_.from.t) return out;
-  if (t >= now_.to.t) {
-    out.q = now_.to.q, out.u = now_.to.u;
-    return out;
-  }
-  const long evaluations = view_->evaluations();
-  within(t);
-  s.count(view_->evaluations() - evaluations);
-  out.q = at_.q, out.u = at_.u;
-  return out;
-}
-
 void IslandClock::keep(ClockState& out) const {
   if (out.systems == systems_ && out.t == now_.from.t && out.end == now_.end &&
       out.scheme.size() == now_.from.scheme.size() && out.scheme == now_.from.scheme)
@@ -82,6 +68,7 @@ Refusal IslandClock::advance(MechanicalSystem& s, InclusionSolver& solver) {
   MechanicalSystem& view = *view_;
   view.limits = s.limits;
   now_.report = {}, counted = false, path_.clear();
+  now_.energy = std::numeric_limits<double>::quiet_NaN();
   const long evaluations = view.evaluations();
   Refusal refusal;
   if (!motion_.load(view, now_.to))
@@ -108,43 +95,55 @@ std::vector<int> IslandClock::toStep() const {
   return out.empty() ? systems_ : out;
 }
 
-/// The state at t, into at_. A step that ends with a slip has no interpolation of its own: its
-/// accelerations are constant.
-void IslandClock::within(double t) {
+/// The state at t, into at_; `closed`: with held contacts closed. A step that ends with a slip has no
+/// interpolation of its own: its accelerations are constant.
+void IslandClock::within(double t, bool closed) {
   const double theta = (t - now_.from.t) / (now_.to.t - now_.from.t);
-  if (!motion_.motion().interpolate(*view_, now_.from, now_.to, theta, at_))
+  if (!motion_.motion().interpolate(*view_, now_.from, now_.to, theta, at_, closed))
     SteppedIslands::linear(*view_, now_.from, now_.to, theta, at_);
-}
-
-void IslandClock::give(const State& own, State& out) const {
-  for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
-    const SystemHandle &h = whole_.system(subset_.systems()[k]), &from = subset_.handles()[k];
-    out.q.segment(h.q0, h.nq) = own.q.segment(from.q0, h.nq);
-  }
-  giveVelocities(own.u, out.u);
 }
 
 void IslandClock::giveVelocities(const Eigen::VectorXd& own, Eigen::VectorXd& out) const {
   for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
     const SystemHandle& h = whole_.system(subset_.systems()[k]);
-    out.segment(h.u0, h.nu) = own.segment(subset_.handles()[k].u0, h.nu);
+    out.segment(h.u0, h.nu) = own.segment(subset_.own()->handles()[k].u0, h.nu);
   }
 }
 
-void IslandClock::place(MechanicalSystem& s, double t, State& out) {
-  if (t >= now_.to.t || t <= now_.from.t) return give(t >= now_.to.t ? now_.to : now_.from, out);
+void IslandClock::place(MechanicalSystem& s, double t, State& out, bool closed) {
+  const State* own = t >= now_.to.t ? &now_.to : &now_.from;
+  if (t < now_.to.t && t > now_.from.t) {
+    const long evaluations = view_->evaluations();
+    within(t, closed);
+    s.count(view_->evaluations() - evaluations);
+    own = &at_;
+  }
+  for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
+    const SystemHandle &h = whole_.system(subset_.systems()[k]),
+                       &from = subset_.own()->handles()[k];
+    out.q.segment(h.q0, h.nq) = own->q.segment(from.q0, h.nq);
+  }
+  giveVelocities(own->u, out.u);
+}
+
+double IslandClock::gained(MechanicalSystem& s, double t) {
   const long evaluations = view_->evaluations();
-  within(t);
-  motion_.motion().close(at_);
+  const auto energy = [&](const State& x) {
+    const Evaluation& e = view_->evaluate(x, {.slot = 1, .held = HeldContacts{.alone = true}});
+    return e.mass.kineticEnergy(view(x.u)) + view_->potentialEnergy(e.kinematics, x);
+  };
+  if (std::isnan(now_.energy)) now_.energy = energy(std::as_const(now_.from));
+  within(t, false);
+  const double out = energy(std::as_const(at_)) - now_.energy;
   s.count(view_->evaluations() - evaluations);
-  give(at_, out);
+  return out;
 }
 
 bool IslandClock::contactsAt(const State& at, bool after, ContactInstant& out) {
   asked_.t = at.t;
   asked_.q.resize(topology_->nq()), asked_.u.resize(topology_->nu());
   for (std::size_t k = 0; k < subset_.systems().size(); ++k) {
-    const SystemHandle &h = whole_.system(subset_.systems()[k]), &own = subset_.handles()[k];
+    const SystemHandle &h = whole_.system(subset_.systems()[k]), &own = subset_.own()->handles()[k];
     asked_.q.segment(own.q0, h.nq) = at.q.segment(h.q0, h.nq);
     asked_.u.segment(own.u0, h.nu) = at.u.segment(h.u0, h.nu);
   }
@@ -167,7 +166,7 @@ void IslandClock::findPath(MechanicalSystem& s, std::span<const MovingShape> sha
   const long evaluations = view_->evaluations();
   for (int i = 1; i <= kParts && now_.to.t > now_.from.t; ++i) {
     // At the end of the step these are the velocities before an impact there.
-    within(i < kParts ? now_.from.t + (now_.to.t - now_.from.t) * i / kParts : now_.to.t);
+    within(i < kParts ? now_.from.t + (now_.to.t - now_.from.t) * i / kParts : now_.to.t, false);
     at_.t = i < kParts ? at_.t : now_.to.t;
     frames(std::as_const(at_));
     path_.pass(k);

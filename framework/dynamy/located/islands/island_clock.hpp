@@ -4,6 +4,7 @@
 #pragma once
 #include <dynamy/located/governed/governed_motion.hpp>
 #include <dynamy/located/islands/island_division.hpp>
+#include <limits>
 #include <memory>
 
 namespace dynamy {
@@ -11,7 +12,8 @@ namespace dynamy {
 /// The present step of a clock.
 struct IslandStep {
   State from, to;
-  double end = 0.0;   ///< time up to which it might have gone [s]
+  double end = 0.0;  ///< time up to which it might have gone [s]
+  double energy = std::numeric_limits<double>::quiet_NaN();  ///< T + V at `from` [J]; NaN: unknown
   StepReport report;  ///< its length is 0 where the clock was just set
   bool turned =
       false;  ///< systems have to be stepped in time from `from` on: IslandClock::toStep()
@@ -41,19 +43,20 @@ class IslandClock {
 
   const std::vector<int>& systems() const { return systems_; }
   GovernedMotion& motion() { return motion_; }
-  const MechanicalSystem& system() const { return *view_; }
+  MechanicalSystem& system() const { return *view_; }
   /// Contacts that are held at the end of its step, or where it began.
   std::vector<IslandDivision::Joined> joined(bool atEnd);
   /// State at the end of its step, or where it began.
   ClockState state(bool atEnd) const;
-  /// State at t, within its step, with the state data of its start.
-  ClockState stateAt(MechanicalSystem& s, double t);
   /// What a checkpoint holds of it.
   void keep(ClockState& out) const;
 
   // Between the numbers of its systems and those of the whole model:
-  /// Writes the state of its systems at t, within the present step, into `out`.
-  void place(MechanicalSystem& s, double t, State& out);
+  /// Writes the state of its systems at t, within the present step, into `out`. `closed`: with held
+  /// contacts and joints closed, at the cost of an evaluation.
+  void place(MechanicalSystem& s, double t, State& out, bool closed = false);
+  /// What T + V gains from the start of its step up to t, within it [J].
+  double gained(MechanicalSystem& s, double t);
   /// Writes velocities of its systems into those of the whole model.
   void giveVelocities(const Eigen::VectorXd& own, Eigen::VectorXd& out) const;
   /// As OneStep::contactsAt, of its contacts alone.
@@ -68,8 +71,7 @@ class IslandClock {
 
  private:
   Refusal advance(MechanicalSystem& s, InclusionSolver& solver);
-  void within(double t);
-  void give(const State& own, State& out) const;
+  void within(double t, bool closed);
   std::vector<int> systems_;
   SystemSubset subset_{SystemSubset::Outside::omitted};
   const Topology& whole_;

@@ -25,7 +25,13 @@ void IslandDivision::learn(const MechanicalSystem& s) {
     if (topology_->system(i).nu == 0) continue;
     if (joined_.of(i) == i) roots.push_back(i);
   }
-  several_ = known && !renews && placeless && roots.size() > 1;
+  // A force that has requested no system by name is not known to act on one alone.
+  const bool couples = std::any_of(parts.forces.begin(), parts.forces.end(), [&](const auto* f) {
+    return f->mayCouple() &&
+           std::none_of(topology_->connections().begin(), topology_->connections().end(),
+                        [f](const Connection& c) { return c.element == f && !c.systems.empty(); });
+  });
+  several_ = known && !couples && !renews && placeless && roots.size() > 1;
   most_ = kMemory / (kOfClock + systems.size());
   shapes_.clear();
   // Shapes take part in contact if an element has requested their frames.
@@ -53,8 +59,7 @@ std::vector<IslandDivision::Joined> IslandDivision::joinedAt(MechanicalSystem& s
   std::vector<Joined> out;
   GovernedState state;
   std::vector<ContactKey> keys;
-  if (!state.read(x.scheme) || state.governor.mode() != SwitchGovernor::Mode::locate)
-    return out;
+  if (!state.read(x.scheme) || state.governor.mode() != SwitchGovernor::Mode::locate) return out;
   heldKeys(state.held.held, keys);
   if (keys.empty()) return out;
   const ContactSet& c =

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <dynamy/located/islands/island_record.hpp>
 
 namespace dynamy {
@@ -43,15 +44,26 @@ void IslandRecord::end(IslandClock& c) {
   solved_.iterations = iterations;
 }
 
-void IslandRecord::pass(IslandClock& c, double t) {
-  if (c.counted || !(c.now().to.t > c.now().from.t)) return;
+/// Works are known at the end of the step. Up to t they are taken in proportion to time, but for the
+/// largest: it makes up for what T + V has changed by until then.
+void IslandRecord::pass(MechanicalSystem& s, IslandClock& c, double t) {
+  const IslandStep& now = c.now();
+  if (c.counted || !(now.to.t > now.from.t)) return;
   // An impact at the end of the step has its works there.
-  const double share = (t - c.now().from.t) / (c.now().to.t - c.now().from.t);
+  const double share = (t - now.from.t) / (now.to.t - now.from.t);
   const std::array<double, 5>& smooth = c.motion().motion().parts().motion.step.last().works();
+  std::array<double, 5> upTo{};
+  std::size_t largest = 0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < smooth.size(); ++k) {
+    sum += upTo[k] = share * smooth[k];
+    if (std::abs(smooth[k]) > std::abs(smooth[largest])) largest = k;
+  }
+  if (smooth[largest] != 0.0) upTo[largest] += c.gained(s, t) - sum;
   std::size_t k = 0;
   eachWork([&](double StepWorks::*w) {
-    const double upTo = share * smooth[k++];
-    works_.*w += upTo - c.booked.*w, c.booked.*w = upTo;
+    works_.*w += upTo[k] - c.booked.*w, c.booked.*w = upTo[k];
+    ++k;
   });
 }
 

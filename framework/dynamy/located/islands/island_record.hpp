@@ -13,8 +13,8 @@ class IslandRecord {
   void effort(const StepEffort& e);
   /// Adds the step of a clock, which has ended.
   void end(IslandClock& c);
-  /// Books the works of the smooth part of a clock's step up to t, in proportion to time.
-  void pass(IslandClock& c, double t);
+  /// Books the works of the smooth part of a clock's step up to t.
+  void pass(MechanicalSystem& s, IslandClock& c, double t);
   /// Writes counts and works into the report, and ends the step of the run.
   void report(StepReport& report);
 

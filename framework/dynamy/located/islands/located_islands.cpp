@@ -118,7 +118,7 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
     c.place(s, x.t, at_);
     c.counted = c.now().to.t == x.t;
     // What was booked before the run was stopped.
-    if (!c.counted) record_.begin(), record_.pass(c, x.t);
+    if (!c.counted) record_.begin(), record_.pass(s, c, x.t);
   }
   std::sort(covered.begin(), covered.end());
   const std::vector<int> apart =
@@ -217,7 +217,11 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
   IslandClock &A = *clocks_[a], &B = *clocks_[b];
   const double t = A.now().from.t;
   const Topology& topology = *s.parts().topology;
-  ClockState with = B.stateAt(s, t);
+  // Where its step cannot be taken again, b decides everything anew.
+  if (ends_.q.size() != at_.q.size()) ends_ = at_;
+  B.place(s, t, ends_), ends_.t = t;
+  ClockState with = stateOf(topology, B.systems(), ends_, decidedAnew_);
+  with.statuses = B.now().before;
   if (t - B.now().from.t > kTooShort * (B.now().to.t - B.now().from.t)) {
     Refusal refusal = B.again(s, solver, t);
     record_.effort(B.now().report.counts.effort);
@@ -229,23 +233,17 @@ Refusal LocatedIslands::merge(MechanicalSystem& s, InclusionSolver& solver, std:
     if (!refusal && !B.now().turned) {
       record_.end(B);
       with = B.state(true);
-    } else {  // its step cannot be taken again
-      with.scheme = stateOf(topology, with.systems, at_, decidedAnew_).scheme;
     }
+  } else {
+    with.scheme = B.state(false).scheme;
   }
   add(s, unionOf(A.state(false), with, topology)).orderContacts();
   drop(clocks_, std::max(a, b)), drop(clocks_, std::min(a, b));
   return {};
 }
 
-double LocatedIslands::known() const {
-  double out = std::numeric_limits<double>::infinity();
-  for (const auto& c : clocks_) out = std::min(out, c->now().to.t);
-  return out;
-}
-
 void LocatedIslands::place(MechanicalSystem& s, double t) {
-  for (const auto& c : clocks_) c->place(s, t, at_);
+  for (const auto& c : clocks_) c->place(s, t, at_, true);
   at_.t = t;
 }
 
@@ -280,7 +278,7 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
     for (const int k : clock.systems())
       if (stepped.systems[static_cast<std::size_t>(k)] == 0) rest.push_back(k);
     if (rest.size() == clock.systems().size()) continue;
-    clock.now().to.t == t ? record_.end(clock) : record_.pass(clock, t);
+    clock.now().to.t == t ? record_.end(clock) : record_.pass(s, clock, t);
     drop(clocks_, i);
     at_.t = t;
     if (!rest.empty()) add(s, stateOf(topology, std::move(rest), at_, decidedAnew_));
@@ -289,7 +287,7 @@ void LocatedIslands::touch(MechanicalSystem& s, double t, SteppedState& stepped)
 
 void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& stepped,
                             StepReport& report) {
-  for (const auto& c : clocks_) c->now().to.t == x.t ? record_.end(*c) : record_.pass(*c, x.t);
+  for (const auto& c : clocks_) c->now().to.t == x.t ? record_.end(*c) : record_.pass(s, *c, x.t);
   const bool all = !stepped.any();
   if (all) contacts_.report(s, clocks_, x, report);
   record_.report(report);

@@ -28,12 +28,10 @@ class LocatedIslands {
   /// to be stepped in time from x on are noted in `stepped`.
   Refusal follow(MechanicalSystem& s, InclusionSolver& solver, const State& x, double end,
                  SteppedState& stepped);
-  /// Time up to which all of them are known [s]; ∞ without any.
-  double known() const;
   /// The governor of the island that was last added to those stepped in time.
   const SwitchGovernor& turnedBy() const { return turned_; }
 
-  /// Computes the states at t, a time up to known().
+  /// Computes the states at t, up to which all of them are known.
   void place(MechanicalSystem& s, double t);
   /// Copies them into x, the end of a step.
   void join(const MechanicalSystem& s, State& x) const;

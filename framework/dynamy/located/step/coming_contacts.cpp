@@ -116,7 +116,7 @@ bool ComingContacts::widenAlong(const State& from, const QuinticPath& path) {
 
 bool ComingContacts::sinks(const State& x) {
   ContactProbe& probe = parts_.probe;
-  if (!probe.comesAndGoes()) return false;
+  if (!probe.gaps().comeAndGo()) return false;
   probe.widen(x, 0.0);
   return probe.noted().overlap() > startOverlap_ + parts_.leftOverlap();
 }

@@ -209,8 +209,10 @@ void LocatedMotion::report(MechanicalSystem& s, State& x, StepReport& report) {
 }
 
 bool LocatedMotion::interpolate(const MechanicalSystem& s, const State& a, const State& b,
-                                double theta, State& out) {
-  return system_ == &s && last_.interpolate(*system_, parts_.motion, a, b, theta, out);
+                                double theta, State& out, bool closed) {
+  if (system_ != &s || !last_.interpolate(*system_, parts_.motion, a, b, theta, out)) return false;
+  if (closed) last_.close(*system_, out);
+  return true;
 }
 
 bool LocatedMotion::contactsAt(const MechanicalSystem& s, const State& at, bool after,

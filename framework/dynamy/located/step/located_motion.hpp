@@ -47,13 +47,10 @@ class LocatedMotion {
   /// Fills the report of the step that has ended at x.
   void report(MechanicalSystem& s, State& x, StepReport& report);
 
-  /// State at fraction theta of the last step; false: it did not go from `a` to `b`.
+  /// State at fraction theta of the last step; `closed`: with held contacts and joints closed there,
+  /// at the cost of an evaluation. False: it did not go from `a` to `b`.
   bool interpolate(const MechanicalSystem& s, const State& a, const State& b, double theta,
-                   State& out);
-  /// As LastStep::close.
-  void close(State& x) {
-    if (system_ != nullptr) last_.close(*system_, x);
-  }
+                   State& out, bool closed = false);
   /// As OneStep::contactsAt.
   bool contactsAt(const MechanicalSystem& s, const State& at, bool after, ContactInstant& out);
 

@@ -9,7 +9,7 @@ namespace dynamy {
 
 double TrialStep::shortened(const PhasePoint& from, double h) const {
   // Turning bodies must not turn past a contact between two samples of the search.
-  const bool features = parts_.probe.comesAndGoes();
+  const bool features = parts_.probe.gaps().comeAndGo();
   const double most = features ? TrialConstants::mostFeatures : TrialConstants::mostTurn;
   if (const double turn = parts_.norm.fastestTurn(from.x.u);
       (parts_.search.gaps() || features) && turn * h > most)

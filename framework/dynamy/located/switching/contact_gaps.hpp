@@ -25,6 +25,8 @@ struct ContactGaps {
   double gamma(int i, int r = 0) const { return gammas[row0(i) + r]; }
   /// Positive while the features of contact i lie over one another [m].
   double presence(int i) const { return contacts.features.presence[static_cast<std::size_t>(i)]; }
+  /// True: some contacts come and go.
+  bool comeAndGo() const { return contacts.features.comeAndGo; }
   bool comesAndGoes(int i) const { return presence(i) < FollowedFeatures::kAlways; }
   /// True: contacts i and j, which come and go, are at one place with one normal.
   bool coincide(int i, int j, double distance) const;

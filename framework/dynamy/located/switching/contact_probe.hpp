@@ -31,8 +31,6 @@ class ContactProbe {
   Looks& looks() { return looks_; }
   /// All contacts, as of the last look().
   const ContactGaps& gaps() const { return gaps_; }
-  /// True: some contacts come and go.
-  bool comesAndGoes() const { return gaps_.contacts.features.comeAndGo; }
   /// True: contacts have to be gathered before each step.
   bool gathers() const { return gathers_ && (near_ == nullptr || near_->some() || othersGather_); }
   /// True: there are contacts, near or not.

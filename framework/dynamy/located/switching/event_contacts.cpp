@@ -24,7 +24,7 @@ bool EventContacts::find(ContactProbe& probe, const std::vector<Held>& held, Con
     if (!gaps.law(i).unilateral() || touches(gaps, i, at) ||
         (findHeld(held, gaps.key(i)) != nullptr && !leaves(gaps, i, length)))
       taking_.push_back(i);
-  if (probe.comesAndGoes()) leaveOneOfEach(gaps, held, length);
+  if (probe.gaps().comeAndGo()) leaveOneOfEach(gaps, held, length);
   keys_.clear();
   for (const int i : taking_) keys_.push_back(gaps.key(i));
   std::sort(keys_.begin(), keys_.end());

@@ -34,7 +34,9 @@ void EventImpact::solve(OngoingEvent& at) {
   ImpactProblem& problem = s.impactProblem(x, 0.0);
   const SolveReport solved = problem.solve(at.solver);
   SolveReport& report = at.result.solved;
+  const bool inVain = report.inVain || solved.inVain;
   if (!solved.ok()) report = solved;
+  report.inVain = inVain;
   report.repaired += solved.repaired;
   report.energyGain = std::max(report.energyGain, solved.energyGain);
   problem.velocityFromImpulses(x);

@@ -13,8 +13,8 @@ bool SingleContact::look(const QuinticPath& path, double theta, State& x, Contac
   if (!element.framesOf(contactNumber(key), frames_)) return false;
   path.at(theta, *parts_, frames_, x);
   const State& at = x;
-  kinematics_.evaluate(*parts_->topology, at.t, view(at.q), view(at.u), view(at.memory), parts_->subset,
-                       frames_);
+  kinematics_.evaluate(*parts_->topology, at.t, view(at.q), view(at.u), view(at.memory),
+                       parts_->subset, frames_);
   ContactRequest request;
   request.refresh = request.follow = request.alone = true, request.frozen = {&key, 1};
   report(*parts_, kinematics_, request);

@@ -30,7 +30,7 @@ void SwitchEvent::projectHeld(OngoingEvent& at, const std::vector<Held>& held) {
 bool SwitchEvent::begin(OngoingEvent& at, ContactProbe& probe, const std::vector<Held>& held) {
   State& x = at.p.x;
   impact_.clear(), resting_.clear();
-  if (probe.comesAndGoes()) projectHeld(at, held);
+  if (probe.gaps().comeAndGo()) projectHeld(at, held);
   const bool known = contacts_.find(probe, held, left_, at);
   left_ = kNoContact;
   if (!known) {
