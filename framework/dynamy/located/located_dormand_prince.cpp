@@ -156,7 +156,9 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   SwitchGovernor& governor = governed_.governor();
   const ErrorNorm& norm = governed_.motion().parts().norm;
   InTime out;
+  const long before = s.evaluations();
   clocks_.stand(s, solver, governed_, steppedFrom_, stepped);
+  out.again = s.evaluations() - before;
   for (;; ++out.rejected) {
     if (const Refusal r = clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped)) {
       out.refused = r.why;
@@ -209,7 +211,8 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   report.counts.steppedSystems = steppedSystems(*s.parts().topology, stepped);
   clocks_.report(s, x, stepped, report);
   const StepEffort& e = report.counts.effort;
-  const long evaluations = s.evaluations() - before - e.smooth - e.rejected - e.switches - e.events;
+  const long evaluations =
+      s.evaluations() - before - taken.again - e.smooth - e.rejected - e.switches - e.events;
   report.counts.effort.stepping = evaluations;
   governor.told();
   const auto evaluated = static_cast<double>(evaluations);

@@ -51,7 +51,10 @@ Refusal GovernedMotion::locate(MechanicalSystem& s, InclusionSolver& solver, Sta
     x.t = end.t == t + dt ? t + dt : end.t;
     x.q = end.q, x.u = end.u, x.memory = end.memory;
     report.dt = x.t - t;
-    govern(s, s.evaluations() - before, report);
+    // A run that is resumed evaluates the start of its first step again, and decides as one that goes
+    // on does.
+    const long again = start.held != nullptr && !start.goesOn ? 1 : 0;
+    govern(s, s.evaluations() - before - again, report);
   }
   if (turned()) {
     state_.stepped = {};

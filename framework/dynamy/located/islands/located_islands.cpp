@@ -115,7 +115,7 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
     covered.insert(covered.end(), kept.systems.begin(), kept.systems.end());
     if (!good) break;
     c.findPath(s, division_.shapes());
-    c.place(s, x.t, at_);
+    c.place(s, x.t, at_, true);
     c.counted = c.now().to.t == x.t;
     // What was booked before the run was stopped.
     if (!c.counted) record_.begin(), record_.pass(s, c, x.t);

@@ -22,8 +22,9 @@ bool LastStep::interpolate(MechanicalSystem& s, PhaseMotion& motion, const State
 
 void LastStep::close(MechanicalSystem& s, State& x) {
   if (phase_.held.empty()) return;
-  const Evaluation& e = s.evaluate(x, phase_.request.in(1));
-  if (!phase_.read(e, x.u) || !projection_.positions(phase_.held, phase_.rows(), e, delta_)) return;
+  FrozenPhase& phase = asked_ = phase_;
+  const Evaluation& e = s.evaluate(x, phase.request.in(1));
+  if (!phase.read(e, x.u) || !projection_.positions(phase.held, phase.rows(), e, delta_)) return;
   const double t = x.t;
   delta_ /= kDisplacementTime;
   s.move(x, delta_, kDisplacementTime);
@@ -32,8 +33,7 @@ void LastStep::close(MechanicalSystem& s, State& x) {
 
 bool LastStep::contactsAt(MechanicalSystem& s, const PhaseMotion& motion, const State& at,
                           bool after, ContactInstant& out) {
-  if (after) after_ = motion.phase;
-  FrozenPhase& phase = after ? after_ : phase_;
+  FrozenPhase& phase = asked_ = after ? motion.phase : phase_;
   const Evaluation& e = s.evaluate(at, phase.request.in(1));
   if (!phase.accelerate(e, at.u, a_)) return false;
   const ContactSet& c = e.contacts;

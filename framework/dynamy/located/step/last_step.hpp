@@ -29,7 +29,7 @@ class LastStep {
  private:
   PhasePoint from_, end_;
   FrozenPhase phase_;          // of the step
-  FrozenPhase after_;          // after it
+  FrozenPhase asked_;          // as it is asked for: what is asked changes nothing
   Eigen::VectorXd enteredAt_;  // q at the start of the step, which a decision there may correct
   Eigen::VectorXd a_;
   HeldProjection projection_;

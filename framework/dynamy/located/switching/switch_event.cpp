@@ -60,6 +60,7 @@ bool SwitchEvent::settle(OngoingEvent& at, const std::vector<Held>& old, double 
                       hit || resting_.shuts(), plain_, released_},
                      next_.held);
     at.evaluate(x, contacts_.keys());
+    uEvaluated_ = x.u;
     projection_.velocities(at.s, next_.held, x);
     const bool same = !hit && !differ(old, next_.held);
     if (!next_.share(at.s.slot(0), x.u, at.p.a, same)) return false;
@@ -73,15 +74,12 @@ bool SwitchEvent::settle(OngoingEvent& at, const std::vector<Held>& old, double 
 bool SwitchEvent::accelerateAlone(OngoingEvent& at) {
   // Elements may place a contact according to others that are closed, too. Those that have left no
   // longer count, and the phase has to begin with the same accelerations with which it continues.
-  // It knows which rows follow from others, and rounds accordingly: a run that goes on from here has
-  // the same bits.
+  // It knows which rows follow from others, and rounds as it goes on to, not as forces were shared: a
+  // run that is resumed here has the same bits.
   next_.findImplied();
   keys_.clear();
   heldKeys(next_.held, keys_);
-  const bool all = keys_.size() == contacts_.keys().size();
-  const bool implied = std::any_of(next_.held.begin(), next_.held.end(),
-                                   [](const Held& h) { return h.implied != 0; });
-  if (all && !implied) return true;
+  const bool all = keys_.size() == contacts_.keys().size() && at.p.x.u == uEvaluated_;
   if (!all) at.evaluate(at.p.x, keys_, 1, true);
   return next_.accelerate(at.s.slot(all ? 0 : 1), at.p.x.u, at.p.a);
 }

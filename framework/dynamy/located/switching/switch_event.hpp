@@ -52,6 +52,7 @@ class SwitchEvent {
   RestingContacts resting_;
   StatusDecision decision_;
   std::vector<ContactKey> keys_;
+  Eigen::VectorXd uEvaluated_;  // velocities with which slot 0 was evaluated
   Eigen::VectorXd uBefore_, aBefore_;
   FrozenPhase next_;
 };

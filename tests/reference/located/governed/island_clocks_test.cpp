@@ -1,6 +1,7 @@
 // Islands with clocks of their own (theory 50.12): they meet, divide, and go on from checkpoints.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <reference/located/bounce.hpp>
@@ -136,19 +137,42 @@ TEST(IslandClocks, DoNotDependOnWhatIsRecorded) {
   expectSameBits(often, once);
 }
 
-TEST(IslandClocks, ShowJointsClosedWithinTheirSteps) {
-  // Two bodies, fixed to each other off their centres, spin at 65 rad/s beside a ball that bounces,
-  // where steps of the run end. There the dense output of 1e-3 leaves the joint open by e of some
-  // millimetres; one turn of Newton's iteration leaves e²/l of arms of l = 0.4 m.
+/// A ball that bounces, beside two bodies, fixed to each other off their centres, that spin at 65 rad/s.
+std::string pairBesideABall() {
   std::string text = scene(ball("drop", "9 0 0.4") + R"xml(
     <RigidBody name="a" mass="1.2" inertia="5e-3 4e-3 6e-3" position="0 0 50" velocity="0 5 0" angularVelocity="-12 48 -44"/>
     <RigidBody name="b" mass="0.4" inertia="1e-3 2e-3 1.5e-3" position="0.8 0 50"/>)xml");
   text.insert(text.find("</elements>"), R"xml(<Fixed between="a b" at="0.4 0 50"/>)xml");
-  LocatedRun run(text, 1e-3, 1.0, {}, {}, scheme("islands"));
+  return text;
+}
+
+TEST(IslandClocks, ShowJointsClosedWithinTheirSteps) {
+  // Where the steps of the ball end, the dense output of 1e-3 leaves the joint open by e of some
+  // millimetres; one turn of Newton's iteration leaves e²/l of arms of l = 0.4 m.
+  LocatedRun run(pairBesideABall(), 1e-3, 1.0, {}, {}, scheme("islands"));
   const RunReport& r = run.run();
   ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
   ASSERT_GE(r.contacts.impacts, 3);
   EXPECT_LT(r.gaps.jointError.value, 1e-4);
+}
+
+TEST(IslandClocks, GoOnFromACheckpointWithinAStepOfAJoint) {
+  // Both stop after the same number of steps of the run, most of which end with those of the ball.
+  for (const int steps : {3, 5, 7}) {
+    LocatedRun whole(pairBesideABall(), 1e-3, 1.0, {}, {}, scheme("islands"));
+    LocatedRun part(pairBesideABall(), 1e-3, 1.0, {}, {}, scheme("islands"));
+    LocatedRun resumed(pairBesideABall(), 1e-3, 1.0, {}, {}, scheme("islands"));
+    whole.run();
+    part.simulation().start();
+    for (int i = 0; i < steps; ++i) ASSERT_TRUE(part.simulation().step());
+    const std::atomic<bool> stop{true};
+    part.simulation().stopWhen(stop);
+    part.run();
+    ASSERT_LT(part.state().t, 1.0);
+    resumed.simulation().resume(part.simulation().checkpoint());
+    resumed.run();
+    expectSameBits(resumed, whole);
+  }
 }
 
 TEST(IslandClocks, EvaluationsASwitchDoNotGrowWithTheNumberOfBalls) {
