@@ -6,9 +6,9 @@
 namespace dynamy {
 
 void EnergyReport::archive(Archive& a) {
-  for (double* x :
-       {&kineticStart, &potentialStart, &kineticEnd, &potentialEnd, &nonPotential, &friction,
-        &normal, &joints, &boundaries, &discretisation, &imbalance, &largestGain, &largestGainTime})
+  for (double* x : {&kineticStart, &potentialStart, &kineticEnd, &potentialEnd, &nonPotential,
+                    &friction, &normal, &joints, &boundaries, &discretisation, &imbalance,
+                    &largestGain, &largestGainTime, &stepped})
     a(*x);
 }
 
@@ -88,9 +88,15 @@ void EnergyLedger::add(const StepWorks& w) {
   joints_.add(w.joints), boundaries_.add(w.boundaries);
 }
 
+/// Adds the works of contacts in the step itself.
+void EnergyLedger::addInStep(const StepView& v, const StepWorks& w) {
+  add(w);
+  if (v.report.counts.stepped) stepped_.add(w.normal + w.joints);
+}
+
 void EnergyLedger::addJump(const StepView& v) {
   const Jump& jump = *v.report.jump;
-  if (apart_.empty()) return add(jump.works);
+  if (apart_.empty()) return addInStep(v, jump.works);
   const ContactSet& c = v.system.slot(0).contacts;
   std::vector<double> before(static_cast<std::size_t>(c.rows())), after = before;
   c.gamma(view(v.before.u), {before.data(), c.rows()});
@@ -100,7 +106,7 @@ void EnergyLedger::addJump(const StepView& v) {
       const auto k = static_cast<std::size_t>(c.row0[static_cast<std::size_t>(i)] + r);
       StepWorks w;
       w.book(c.law[i]->rowKind(r), jump.Lambda[k], 0.5 * (before[k] + after[k]), c.chi[k]);
-      add(w);
+      addInStep(v, w);
     }
 }
 
@@ -131,7 +137,7 @@ double EnergyLedger::contactWork(const StepView& v) {
       const double gamma = 0.5 * (gammaA[row] + v.gammaE[k]);
       StepWorks w;
       w.book(c.law[at]->rowKind(r), Lambda, gamma, c.chi[row]);
-      add(w);
+      addInStep(v, w);
       all += Lambda * gamma - Lambda * c.chi[row];
       gain += w.friction + w.normal;
     }
@@ -150,6 +156,7 @@ EnergyReport EnergyLedger::upTo(const State& x) {
   r.joints = joints_.value();
   r.boundaries = boundaries_.value();
   r.imbalance = imbalance_.value();
+  r.stepped = stepped_.value();
   // ΔT + ΔV − works, small differences last.
   r.discretisation =
       (r.kineticEnd - r.kineticStart) + (r.potentialEnd - r.potentialStart) - r.works();
@@ -162,6 +169,7 @@ void EnergyLedger::archive(Archive& a) {
   a.section("energy");
   a(report_);
   a(nonPotential_), a(friction_), a(normal_), a(joints_), a(boundaries_), a(imbalance_);
+  a(stepped_);
 }
 
 }  // namespace dynamy

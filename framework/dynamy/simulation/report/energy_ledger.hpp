@@ -27,6 +27,9 @@ struct EnergyReport {
   double imbalance = 0.0;        ///< defect of the step equations: rounding
   double largestGain = 0.0;      ///< largest positive work of all contacts in one step
   double largestGainTime = 0.0;  ///< [s]
+  /// Part of `normal` and `joints` that steps in time of a run to a tolerance booked. Neither kind of
+  /// row stores energy: where this sum rises, the step itself brought it in.
+  double stepped = 0.0;
 
   double start() const { return kineticStart + potentialStart; }
   double end() const { return kineticEnd + potentialEnd; }
@@ -66,6 +69,7 @@ class EnergyLedger final : public Observer {
 
  private:
   void add(const StepWorks& w);
+  void addInStep(const StepView& view, const StepWorks& w);
   void addJump(const StepView& view);
   void leaveApart(const StepView& view);
   bool isApart(const ContactSet& c, int contact) const;
@@ -73,7 +77,7 @@ class EnergyLedger final : public Observer {
   const Model& model_;
   EnergyMeter meter_;
   EnergyReport report_;
-  CompensatedSum nonPotential_, friction_, normal_, joints_, boundaries_, imbalance_;
+  CompensatedSum nonPotential_, friction_, normal_, joints_, boundaries_, imbalance_, stepped_;
   Eigen::VectorXd uA_, uE_, uMean_, momentum_;
   std::vector<char> apart_;     // 1: velocity of a system apart; empty: none
   std::vector<double> gammaA_;  // γ after a jump [m/s]

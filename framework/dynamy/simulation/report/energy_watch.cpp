@@ -45,11 +45,12 @@ void EnergyWatch::sample(const StepView& view) {
   trust.diverged = trust.diverged || diverges(e, rise);
   // Gains count from the lowest level, so that losses in impacts do not hide later gains. Laws that
   // store energy give it back: only a rise that the scheme's own part shares is a gain.
-  if (rise < least_ || e.discretisation < leastOwn_) sinceLeast_ = 0.0;
-  least_ = std::min(least_, rise), leastOwn_ = std::min(leastOwn_, e.discretisation);
+  const double own = e.discretisation + e.stepped;
+  if (rise < least_ || own < leastOwn_) sinceLeast_ = 0.0;
+  least_ = std::min(least_, rise), leastOwn_ = std::min(leastOwn_, own);
   trust.regain = std::max(trust.regain, rise - least_);
   RunTrust now = trust;
-  now.energyGain = std::min(rise - least_, e.discretisation - leastOwn_);
+  now.energyGain = std::min(rise - least_, own - leastOwn_);
   now.energyGainTime = view.after.t, now.gainStep = sinceLeast_;
   if (now.energyGain * trust.gainScale() > trust.energyGain * now.gainScale()) trust = now;
 }

@@ -73,6 +73,35 @@ TEST(EnergyWatch, FindsARiseThatNothingBroughtIn) {
   EXPECT_GT(watched(m).trust.energyRise, 1e-3);
 }
 
+/// MoreauMidpoint, but a ball leaves an impact 1.2 times as fast as it should.
+class Pushing final : public OneStep {
+ public:
+  explicit Pushing(bool inTime) : inTime_(inTime) {}
+  int order() const override { return 1; }
+  StepReport step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) override {
+    StepReport out = inner_.step(s, solver, x, dt);
+    if (s.problem().size() > 0 && s.problem().Lambda(0) > 0.0) x.u *= 1.2;
+    out.counts.stepped = inTime_;
+    return out;
+  }
+
+ private:
+  MoreauMidpoint inner_;
+  bool inTime_;
+};
+
+TEST(EnergyWatch, CountsWhatNormalForcesBringIntoStepsInTimeAsAGain) {
+  const auto gain = [](bool inTime) {
+    Model m = ballOnFloor(1.0, 0.0, 1.0, 0.0, 1.0, 1e-3);  // one impact, at 0.45 s
+    m.scheme(std::make_unique<Pushing>(inTime));
+    m.build();
+    return watched(m).trust.energyGain;
+  };
+  // Λ = 2v does the work Λ (1.2v − v)/2 = 0.2 v², ΔT = 0.22 v², v² = 20; v is off by g Δt.
+  EXPECT_NEAR(gain(true), 4.4, 0.05);
+  EXPECT_NEAR(gain(false), 0.4, 0.05);  // a law may store energy: only what no work explains
+}
+
 TEST(ResolutionWatch, MeasuresTheTurnOfAnOscillationInAStep) {
   Model m = pendulum(20.0, 1e-2);
   // The amplitude of 1 rad lowers ω to 0.938; see the test of RunWatch.
