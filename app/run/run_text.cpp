@@ -238,8 +238,13 @@ std::string effortText(const RunReport& r) {
   const long told = e.smooth + e.rejected + e.switches + e.events + e.stepping;
   if (told == 0) return {};
   return fmt::format(
-      " {}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}{}\n",
-      counted(r.cost.evaluations, "evaluation"), e.smooth, e.rejected, e.switches, e.events,
+      " {}{}: smooth motion {}, too long steps {}, finding switches {}, switches {}{}{}\n",
+      counted(r.cost.evaluations, "evaluation"),
+      r.located.islands > 1 ? fmt::format(" (most of one of up to {} islands, which have steps of "
+                                          "their own)",
+                                          r.located.islands)
+                            : "",
+      e.smooth, e.rejected, e.switches, e.events,
       e.stepping > 0 ? fmt::format(", steps in time {}", e.stepping) : "",
       r.cost.evaluations > told ? fmt::format(", output {}", r.cost.evaluations - told) : "");
 }
@@ -360,6 +365,12 @@ void writeSleep(JsonWriter& json, const SleepReport& s) {
   json.member("all", s.all).member("energy", s.energy).member("reason", s.reason).endObject();
 }
 
+void write(JsonWriter& json, const LocatedReport& r) {
+  json.member("switchesLocated", r.switches).member("islands", r.islands);
+  json.member("accumulationEnd", r.accumulationEnd);
+  json.member("accumulationsPassed", r.accumulations).member("undecided", r.undecided);
+}
+
 void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, const RunReport& r,
                 const std::vector<CheckResult>& checks, const std::string& state) {
   json.member("state", state.empty() ? stateText(r) : state);
@@ -379,10 +390,8 @@ void writeFacts(JsonWriter& json, const Model& model, const RunChoice& choice, c
       .member("damped", r.trust.damped);
   json.member("simpler", r.simpler.steps);
   json.member("evaluations", r.cost.evaluations).member("impacts", r.contacts.impacts);
-  json.member("switches", r.contacts.switches).member("switchesLocated", r.located.switches);
-  json.member("accumulationEnd", r.located.accumulationEnd);
-  json.member("accumulationsPassed", r.located.accumulations)
-      .member("undecided", r.located.undecided);
+  json.member("switches", r.contacts.switches);
+  write(json, r.located);
   json.key("effort").beginObject();
   json.member("smooth", r.cost.effort.smooth).member("rejected", r.cost.effort.rejected);
   json.member("switches", r.cost.effort.switches).member("events", r.cost.effort.events);

@@ -23,11 +23,12 @@ enum class TurnedBy : std::uint8_t { none, stall, density };
 /// Counts of one step of a scheme that chooses its steps.
 struct StepCounts {
   StepEffort effort{};
-  int rejected = 0;              ///< tries that were too long
-  int switches = 0;              ///< switches that were located
-  int impacts = 0;               ///< instants with an impact
-  int accumulations = 0;         ///< infinite sequences of impacts that were passed
-  int undecided = 0;             ///< switches at which no status was consistent, or several were
+  int rejected = 0;       ///< tries that were too long
+  int switches = 0;       ///< switches that were located
+  int islands = 0;        ///< with steps of their own, at the end of the step; 0: all had one
+  int impacts = 0;        ///< instants with an impact
+  int accumulations = 0;  ///< infinite sequences of impacts that were passed
+  int undecided = 0;      ///< switches at which no status was consistent, or several were
   double accumulationEnd = 0.0;  ///< when the last of these sequences comes to rest [s]
   /// Length of a step in which nothing moved and forces changed faster than it samples them [s].
   double unseen = 0.0;

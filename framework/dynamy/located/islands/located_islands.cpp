@@ -291,6 +291,7 @@ void LocatedIslands::report(MechanicalSystem& s, const State& x, SteppedState& s
   const bool all = !stepped.any();
   if (all) contacts_.report(s, clocks_, x, report);
   record_.report(report);
+  report.counts.islands = static_cast<int>(clocks_.size());
   report.works.given = all, report.impacts = record_.impacts();
   if (all) {
     report.solved = record_.solved();

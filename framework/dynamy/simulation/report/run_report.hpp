@@ -173,12 +173,13 @@ struct SimplerReport {
 /// Switches of a scheme that locates their instants.
 struct LocatedReport {
   long switches = 0;             ///< switches whose instants were located
+  long islands = 0;              ///< most islands with steps of their own at once
   long accumulations = 0;        ///< infinite sequences of impacts that were passed
   double accumulationEnd = 0.0;  ///< when the last of them comes to rest [s]
   long undecided = 0;            ///< switches at which no status was consistent, or several were
   Worst unseen;  ///< longest step at rest while forces changed between its looks [s]
   void archive(Archive& a) {
-    a(switches), a(accumulations), a(accumulationEnd), a(undecided), a(unseen);
+    a(switches), a(islands), a(accumulations), a(accumulationEnd), a(undecided), a(unseen);
   }
 };
 

@@ -11,6 +11,7 @@ void StepStatistics::step(const StepView& v) {
   if (v.report.simpler && r.simpler.steps++ == 0) r.simpler.firstEnd = r.t;
   const StepCounts& counts = v.report.counts;
   r.rejected += counts.rejected, r.located.switches += counts.switches;
+  r.located.islands = std::max(r.located.islands, static_cast<long>(counts.islands));
   r.cost.effort.smooth += counts.effort.smooth, r.cost.effort.rejected += counts.effort.rejected;
   r.cost.effort.switches += counts.effort.switches, r.cost.effort.events += counts.effort.events;
   r.cost.effort.stepping += counts.effort.stepping;

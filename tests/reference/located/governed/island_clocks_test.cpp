@@ -63,6 +63,8 @@ TEST(IslandClocks, BallsApartHaveStepsOfTheirOwnAndTheClosedForm) {
   EXPECT_NEAR(r.energy.discretisation, 0.0, 1e-12);
   LocatedRun one(text, 1e-9, 2.0, {}, {}, scheme("one"));
   EXPECT_EQ(r.contacts.impacts, one.run().contacts.impacts);
+  EXPECT_EQ(r.located.islands, 3);
+  EXPECT_EQ(one.report().located.islands, 0);
   EXPECT_EQ(r.located.switches, one.report().located.switches);
 }
 
