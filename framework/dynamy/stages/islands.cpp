@@ -33,6 +33,18 @@ bool Islands::start(const SystemParts& parts) {
   return known;
 }
 
+bool Islands::forcesAreKnown(const SystemParts& parts) {
+  const std::vector<Connection>& all = parts.topology->connections();
+  bool known = true;
+  parts.forForces([&](std::size_t i) {
+    const ExternalForce* f = parts.forces[i];
+    known = known && (!f->mayCouple() || std::any_of(all.begin(), all.end(), [f](const auto& c) {
+              return c.element == f && !c.systems.empty();
+            }));
+  });
+  return known;
+}
+
 void Islands::join(int a, int b) {
   a = of(a), b = of(b);
   parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);

@@ -14,6 +14,8 @@ class Islands {
   /// Begins with the islands of forces and named elements. False: they are not known, since an
   /// element has requested no system and reports contacts all the same.
   bool start(const SystemParts& parts);
+  /// False: a force may couple systems that it has not requested by name (ExternalForce::mayCouple).
+  static bool forcesAreKnown(const SystemParts& parts);
   /// Joins the systems of a contact into one island.
   void join(const ContactSet& c, int contact);
   /// Joins the islands of two systems.

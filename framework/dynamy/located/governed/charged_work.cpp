@@ -37,8 +37,8 @@ void ChargedWork::choose(const MechanicalSystem& s, const State& x, const Locate
     return e->abilities().renewable != nullptr;
   });
   const LocatedParts& parts = motion.parts();
-  if (!islands_.start(s.parts()) || x.memory.size() > 0 || !parts.bias.elements().empty() || renews)
-    return;
+  const bool known = islands_.start(s.parts()) && Islands::forcesAreKnown(s.parts());
+  if (!known || x.memory.size() > 0 || !parts.bias.elements().empty() || renews) return;
   const ContactGaps& gaps = parts.probe.gaps();
   const double touch = parts.norm.tolerance() * parts.norm.length();
   for (int i = 0; i < gaps.size(); ++i)

@@ -32,6 +32,22 @@ std::string ballsAnd(const std::string& other, const std::string& forces = "") {
 }
 
 constexpr double kGovernedTolerance = 5e-3;
+/// A force that acts on two systems by what both do, without their names.
+class Unnamed final : public ExternalForce {
+ public:
+  static void declare(Attributes& a) { a.about("For tests."); }
+  explicit Unnamed(const Parameters& x) : ExternalForce(x) {}
+  void connect(Topology& topology) override { topology_ = &topology; }
+  void addTo(const Kinematics& k, ForceSink& sink) const override {
+    const SystemHandle &a = topology_->system(5), &b = topology_->system(80);
+    const double pull = 1e-3 * (k.q(b)[0] - k.q(a)[0]);
+    sink.generalised(a, 0, pull), sink.generalised(b, 0, -pull);
+  }
+
+ private:
+  const Topology* topology_ = nullptr;
+};
+
 /// It bounces rarely, so that it owes least: after 0.68 and 1.77 s. Its place among q: behind the
 /// 80 balls.
 const std::string kDrop =
@@ -113,6 +129,16 @@ TEST(GovernedIslands, AreOneWhereGrainsComeAndGo) {
     const double t = 2.5 - 0.9 * k;  // falls from 50 m
     EXPECT_NEAR(run.state().q[3 * 80 + 7 * (k - 1) + 2], 50.0 - 0.5 * kG * t * t, 0.1) << k;
   }
+}
+
+TEST(GovernedIslands, AreOneWhereAForceMayCoupleWhatItDoesNotName) {
+  LocatedRun run(
+      ballsAnd(kDrop, "<Unnamed/>"), kGovernedTolerance, 2.5, {},
+      [](Registry& r) { r.add<Unnamed>("Unnamed"); }, LocatedRun::withClocks("one"));
+  const RunReport& r = run.run();
+  ASSERT_EQ(r.ended, RunReport::Ended::finished) << r.reason;
+  EXPECT_GE(r.stepping.periods, 1);
+  EXPECT_EQ(r.stepping.systems, 81);
 }
 
 TEST(GovernedIslands, AreOneWhereAForceCouplesThem) {
