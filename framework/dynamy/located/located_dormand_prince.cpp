@@ -10,7 +10,6 @@ namespace {
 
 /// Work of an evaluation with 80 velocities and rows; one of a larger model is worth more of them.
 constexpr double kUsualEvaluation = 8e3;
-constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
 constexpr double kSliver = 1e-3;  ///< of a step: a rest this short is joined to the step
 
 /// The time in which velocities u pass through their scales, between the times T_i of the fastest and
@@ -158,6 +157,7 @@ LocatedDormandPrince::InTime LocatedDormandPrince::tryInTime(MechanicalSystem& s
   InTime out;
   const long before = s.evaluations();
   clocks_.stand(s, solver, governed_, steppedFrom_, stepped);
+  steps_.prepare(s, steppedFrom_, std::min(governor.h(), dt));
   out.again = s.evaluations() - before;
   for (;; ++out.rejected) {
     if (const Refusal r = clocks_.follow(s, solver, steppedFrom_, steppedFrom_.t + dt, stepped)) {
@@ -221,8 +221,7 @@ StepReport LocatedDormandPrince::stepInTime(MechanicalSystem& s, InclusionSolver
   const double one = governed_.steppedWork(s, 1.0, 0.0);
   const double worth =
       (report.solved.ok() ? evaluated : work / one) * std::max(1.0, one / kUsualEvaluation);
-  governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0,
-                   governed_.locatedWork(s, kSwitch), worth);
+  governor.stepped(x.t, taken.h, taken.error, work, taken.rejected > 0, worth);
   governed_.state().next = nextInTime(clocks_.clocks(), x.t, governor.h());
   stepped.rate = steps_.rate(), stepped.overlap = steps_.overlap();
   stepped.projected = steps_.projected(), stepped.scheme = x.scheme;

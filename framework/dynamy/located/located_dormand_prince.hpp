@@ -58,7 +58,7 @@ class LocatedDormandPrince : public OneStep {
     double h = 0.0, tE = 0.0;  // its length and end [s]
     double error = 0.0;        // in units of the tolerance
     int rejected = 0, newton = 0;
-    long again = 0;  // evaluations of steps of islands that a resumed run takes again
+    long again = 0;  // evaluations that a resumed run makes once more
     std::string refused{};
   };
   StepReport stepApart(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt);

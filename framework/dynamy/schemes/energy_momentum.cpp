@@ -53,11 +53,15 @@ Effort worth(double ahead) { return ahead > kFar ? Effort::little : Effort::retr
 }  // namespace
 
 StepReport EnergyMomentum::step(MechanicalSystem& s, InclusionSolver& solver, State& x, double dt) {
-  if (joints_ == Joints::unknown)  // joints are always closed: found once for all steps
-    joints_ = newton_.equations.begin(s, x, dt) ? Joints::some : Joints::none;
+  findJoints(s, x, dt);
   if (joints_ == Joints::none) return staggered_.step(s, solver, x, dt);
   halvingHelps_ = true;
   return halve(s, solver, x, dt, 0);
+}
+
+void EnergyMomentum::findJoints(MechanicalSystem& s, const State& x, double dt) {
+  if (joints_ != Joints::unknown) return;  // joints are always closed
+  joints_ = newton_.equations.begin(s, x, dt) ? Joints::some : Joints::none;
 }
 
 /// Takes one step, or two of half the length if Newton's iteration fails. Once a smallest part has

@@ -25,7 +25,9 @@ class EnergyMomentum final : public OneStep {
   /// From now on a step fails where Newton's iteration fails: it is neither halved nor taken by a
   /// simpler scheme. For callers that handle the failure themselves.
   void whole() { most_ = 0; }
-  /// True: the model has joints; known after the first step.
+  /// Finds out whether the model has joints, unless it is known: once for all steps.
+  void findJoints(MechanicalSystem& s, const State& x, double dt);
+  /// True: the model has joints; known after findJoints(), which the first step calls.
   bool hasJoints() const { return joints_ == Joints::some; }
   int order() const override { return 1; }
   bool stepsSome() const override { return joints_ != Joints::some; }

@@ -94,10 +94,13 @@ class LocatedRun final : public RecordSink {
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// Expects the same states, energies and numbers of impacts, bit for bit.
+/// Expects the same states, energies and numbers of impacts, bit for bit, and the same numbers by
+/// which later steps are decided.
 inline void expectSameBits(const LocatedRun& a, const LocatedRun& b) {
   EXPECT_EQ(a.state().q, b.state().q);
   EXPECT_EQ(a.state().u, b.state().u);
+  ASSERT_EQ(a.state().scheme.size(), b.state().scheme.size());
+  EXPECT_EQ(a.state().scheme, b.state().scheme);
   EXPECT_EQ(a.report().contacts.impacts, b.report().contacts.impacts);
   EXPECT_EQ(a.report().energy.discretisation, b.report().energy.discretisation);
 }

@@ -6,7 +6,7 @@
 namespace dynamy {
 
 /// Number of the binary interface; raised with every incompatible change of a public header.
-inline constexpr int kPluginAbi = 4;
+inline constexpr int kPluginAbi = 5;
 
 struct PluginInfo {
   int abi;

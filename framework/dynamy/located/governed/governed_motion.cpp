@@ -7,6 +7,7 @@ namespace {
 constexpr int kDense = 64;  ///< problems with more rows are solved by sparse methods
 /// Floating-point operations of an evaluation of M, h and contacts, per velocity or row.
 constexpr double kPerRow = 100.0;
+constexpr double kSwitch = 30.0;  ///< evaluations of a located switch
 
 }  // namespace
 
@@ -51,12 +52,13 @@ Refusal GovernedMotion::locate(MechanicalSystem& s, InclusionSolver& solver, Sta
     x.t = end.t == t + dt ? t + dt : end.t;
     x.q = end.q, x.u = end.u, x.memory = end.memory;
     report.dt = x.t - t;
-    // A run that is resumed evaluates the start of its first step again, and decides as one that goes
-    // on does.
+    // The start of a step that does not go on from the last one is evaluated anew. It does not count:
+    // a resumed run decides as one that goes on does.
     const long again = start.held != nullptr && !start.goesOn ? 1 : 0;
     govern(s, s.evaluations() - before - again, report);
   }
   if (turned()) {
+    governor.switchCosts(locatedWork(s, kSwitch));
     state_.stepped = {};
     work_.choose(s, x, motion_, governor, refusal.lost, state_.stepped.systems);
   } else if (!refusal) {

@@ -24,6 +24,10 @@ class SteppedIslands {
   };
   /// Begins a period of steps in time.
   void begin() { rate_.resize(0), overlap_ = 0.0, projected_ = false, hitAt_.clear(); }
+  /// What a run does once before its first steps in time, and a resumed run again.
+  void prepare(MechanicalSystem& s, const State& from, double h) {
+    midpoint_.findJoints(s, from, h);
+  }
   /// Takes a step of length h [s] from `from`, into x, with this effort. It moves all systems; the
   /// error of those counts whose flag in `stepped` is not 0.
   Trial attempt(MechanicalSystem& s, InclusionSolver& solver, const ErrorNorm& norm,

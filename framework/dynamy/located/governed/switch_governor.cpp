@@ -19,7 +19,7 @@ constexpr double kGovernorSafety = 0.9, kGovernorShrink = 0.2, kGrow = 2.0;
 void SwitchGovernor::archive(NumberArchive& a) {
   a.choice(mode_, 3), a.choice(turnedBy_, 3), a(turnedAt_);
   a(h_), a(began_), a(stay_), a(window_), a(windowWork_), a(windowEvaluations_);
-  a(windowStepWork_), a(switchWork_), a(switches_), a(stepWork_), a(patience_);
+  a(windowStepWork_), a(switchWork_), a(oneSwitch_), a(switches_), a(stepWork_), a(patience_);
 }
 
 bool SwitchGovernor::located(double t, double dt, long evaluations, double work, double stepWork,
@@ -55,14 +55,14 @@ void SwitchGovernor::shorten(double h, double error) {
 }
 
 void SwitchGovernor::stepped(double t, double h, double error, double work, bool again,
-                             double switchWork, double evaluations) {
+                             double evaluations) {
   patience_.spend(h, evaluations, T_);
   const double next = h * std::clamp(factor(error), kGovernorShrink, kGrow);
   // The next step does not become shorter because an outer bound shortened this one.
   h_ = std::clamp(h < h_ ? std::max(h_, next) : next, least(), std::max(kMost * T_, least()));
   switches_ += again || error > 1.0 ? 1.0 : 0.0, stepWork_ += work;
   if (t - began_ < stay_) return;
-  const bool rare = switches_ * switchWork <= stepWork_;
+  const bool rare = switches_ * oneSwitch_ <= stepWork_;
   if (rare) mode_ = Mode::decideAnew;
   began_ = t, switches_ = stepWork_ = 0.0;
 }

@@ -45,6 +45,8 @@ class SwitchGovernor {
   bool tooFast() const { return tooFast_; }
   /// Turns to steps in time from t on.
   void turn(double t, TurnedBy why, ContactKey at);
+  /// Right after a turn: the work of a switch, were it located.
+  void switchCosts(double work) { oneSwitch_ = work; }
   /// Leaves the time to clocks of islands: nothing is stepped in time yet.
   void leave() { mode_ = Mode::step; }
   /// Returns to locating switches.
@@ -59,8 +61,7 @@ class SwitchGovernor {
   void shorten(double h, double error);
   /// Notes that a step of length h was taken; `again`: after having been shortened; `evaluations`:
   /// as many as its work is worth.
-  void stepped(double t, double h, double error, double work, bool again, double switchWork,
-               double evaluations);
+  void stepped(double t, double h, double error, double work, bool again, double evaluations);
 
  private:
   double factor(double error) const;
@@ -73,6 +74,7 @@ class SwitchGovernor {
   double window_ = 0.0, windowWork_ = 0.0;  // duration and work of the window of located steps
   double windowEvaluations_ = 0.0, windowStepWork_ = 0.0;
   double switchWork_ = 0.0;  // work in the window of steps with a switch
+  double oneSwitch_ = 0.0;   // work of a switch, as of the last turn
   double bearable_ = 0.0;    // not stored with a state: of use right after a turn alone
   bool tooFast_ = false;
   double switches_ = 0.0, stepWork_ = 0.0;  // shortened steps, and work, of stepping since began_

@@ -110,6 +110,7 @@ ClockState unionOf(const ClockState& a, const ClockState& b, const Topology& top
     held.pace.next = std::min(held.pace.next, more.pace.next);
     held.pace.lookAhead = std::min(held.pace.lookAhead, more.pace.lookAhead);
     held.pace.energyFrom = std::max(held.pace.energyFrom, more.pace.energyFrom);
+    held.pace.energyPause = std::max(held.pace.energyPause, more.pace.energyPause);
     held.implicit = held.implicit || more.implicit;
     held.jacobian.resize(0);
     both.next = held.pace.next;

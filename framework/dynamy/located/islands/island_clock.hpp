@@ -61,7 +61,7 @@ class IslandClock {
   void giveVelocities(const Eigen::VectorXd& own, Eigen::VectorXd& out) const;
   /// As OneStep::contactsAt, of its contacts alone.
   bool contactsAt(const State& at, bool after, ContactInstant& out);
-  /// Where the shapes of its systems are during the step, found by `k`.
+  /// Where the shapes of its systems are during the step, as of findPath().
   const PathBoxes& path() const { return path_; }
   void findPath(MechanicalSystem& s, std::span<const MovingShape> shapes);
 

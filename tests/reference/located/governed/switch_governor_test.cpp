@@ -131,11 +131,32 @@ TEST(SwitchGovernor, StepsInTimeEndHoweverFastAPartOfTheMotionIs) {
   for (; t < 1.0 && steps < 100000; ++steps) {
     const double h = governor.h();
     t += h;
-    governor.stepped(t, h, kMissed, 1.0, false, 1.0, 3);
+    governor.stepped(t, h, kMissed, 1.0, false, 3);
     EXPECT_LE(h, t < 100.0 * kT ? 0.1 * kT : 5e-4 * steps / 16666.0 * t);
   }
   EXPECT_GE(t, 1.0);
   EXPECT_LT(steps, 36000);
+}
+
+TEST(SwitchGovernor, KeepsWhatASwitchCostsWithItsState) {
+  // Each step is missed. Switches that cost more than a step are not rare, others are.
+  for (const double cost : {0.5, 2.0}) {
+    SwitchGovernor before, after;
+    before.turn(0.0, TurnedBy::density, SwitchGovernor::kNowhere);
+    before.switchCosts(cost);
+    NumberArchive kept;
+    kept(before);
+    Eigen::VectorXd numbers;
+    kept.copyTo(numbers);
+    NumberArchive read(numbers);
+    read(after);
+    after.scales(1e-3, 1.0);
+    for (double t = 0.0; t < 0.5;) {
+      t += after.h();
+      after.stepped(t, after.h(), 4.0, 1.0, false, 3);
+    }
+    EXPECT_EQ(after.mode() == SwitchGovernor::Mode::step, cost > 1.0) << cost;
+  }
 }
 
 }  // namespace

@@ -88,6 +88,24 @@ TEST(DividedState, BecomesWholeAgain) {
   EXPECT_EQ(inOrder(whole.scheme, keys), d.all.scheme);
 }
 
+TEST(DividedState, KeepsTheLongerPauseOfTheEnergyBound) {
+  const Divided d;
+  const auto pausing = [&](ClockState x, double from, double pause) {
+    GovernedState state = stateOf(x);
+    state.held.pace.energyFrom = from, state.held.pace.energyPause = pause;
+    NumberArchive numbers;
+    numbers(state);
+    numbers.copyTo(x.scheme);
+    return x;
+  };
+  const ClockState a = pausing(d.part({0}, kOfA), 0.1, 10.0),
+                   b = pausing(d.part({2, 3}, kOfC), 0.3, 100.0);
+  for (const ClockState& both : {unionOf(a, b, d.topology), unionOf(b, a, d.topology)}) {
+    EXPECT_EQ(stateOf(both).held.pace.energyFrom, 0.3);
+    EXPECT_EQ(stateOf(both).held.pace.energyPause, 100.0);
+  }
+}
+
 TEST(DividedState, IsDecidedAnewWhereOnePartIs) {
   const Divided d;
   ClockState other = d.part({3}, kOfC);
