@@ -52,10 +52,8 @@ Refusal GovernedMotion::locate(MechanicalSystem& s, InclusionSolver& solver, Sta
     x.t = end.t == t + dt ? t + dt : end.t;
     x.q = end.q, x.u = end.u, x.memory = end.memory;
     report.dt = x.t - t;
-    // The start of a step that does not go on from the last one is evaluated anew. It does not count:
-    // a resumed run decides as one that goes on does.
-    const long again = start.held != nullptr && !start.goesOn ? 1 : 0;
-    govern(s, s.evaluations() - before - again, report);
+    // A resumed run decides as one that goes on does.
+    govern(s, s.evaluations() - before - motion_.parts().repeated, report);
   }
   if (turned()) {
     governor.switchCosts(locatedWork(s, kSwitch));
@@ -111,8 +109,9 @@ Eigen::VectorXd GovernedMotion::decidedAnew() const {
 
 double GovernedMotion::locatedWork(const MechanicalSystem& s, double evaluations) const {
   // Each evaluation solves for the forces by an orthogonal decomposition of all rows.
+  const FrozenPhase& phase = motion_.parts().motion.phase;
   const double n = static_cast<double>(s.slot(0).h.size()),
-               m = motion_.parts().motion.phase.rows().size();
+               m = phase.held.empty() ? 0.0 : phase.rows().size();
   return evaluations * (kPerRow * (n + m) + 10.0 / 3.0 * m * m * m);
 }
 

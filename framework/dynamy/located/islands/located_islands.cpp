@@ -90,6 +90,10 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
                            const GovernedMotion& whole, const State& x,
                            const SteppedState& stepped) {
   const Topology& topology = *s.parts().topology;
+  const std::vector<int> apart =
+      systemsWhere(topology, [&](std::size_t i) { return stepped.systems[i] == 0; });
+  std::size_t covered = 0;
+  for (const auto& c : clocks_) covered += c->systems().size();
   const auto isHere = [&] {
     for (const auto& c : clocks_)
       for (const int i : c->systems()) {
@@ -101,18 +105,19 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
     return true;
   };
   if (at_.t == x.t && at_.q.size() == x.q.size() && kept_ == stepped.clocks &&
-      kept_.size() == clocks_.size() && isHere())
+      kept_.size() == clocks_.size() && covered == apart.size() && isHere())
     return;
   learn(s, whole);
   kept_ = stepped.clocks;
   at_ = x;
-  std::vector<int> covered;
+  std::vector<int> kept;
   bool good = true;
-  for (const ClockState& kept : kept_) {
-    IslandClock& c = add(s, kept);
-    good = good && !c.again(s, solver, kept.end) && !c.now().turned && c.now().from.t <= x.t &&
-           x.t <= c.now().to.t;
-    covered.insert(covered.end(), kept.systems.begin(), kept.systems.end());
+  for (const ClockState& own : kept_) {
+    IslandClock& c = add(s, own);
+    // A clock that was set there has taken no step.
+    const bool taken = !(own.end > own.t) || (!c.again(s, solver, own.end) && !c.now().turned);
+    good = good && taken && c.now().from.t <= x.t && x.t <= c.now().to.t;
+    kept.insert(kept.end(), own.systems.begin(), own.systems.end());
     if (!good) break;
     c.findPath(s, division_.shapes());
     c.place(s, x.t, at_, true);
@@ -120,10 +125,8 @@ void LocatedIslands::stand(MechanicalSystem& s, InclusionSolver& solver,
     // What was booked before the run was stopped.
     if (!c.counted) record_.begin(), record_.pass(s, c, x.t);
   }
-  std::sort(covered.begin(), covered.end());
-  const std::vector<int> apart =
-      systemsWhere(topology, [&](std::size_t i) { return stepped.systems[i] == 0; });
-  if (good && covered == apart && isHere()) {
+  std::sort(kept.begin(), kept.end());
+  if (good && kept == apart && isHere()) {
     record_ = {};
     return;
   }

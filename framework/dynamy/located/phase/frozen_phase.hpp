@@ -30,8 +30,6 @@ class FrozenPhase {
   /// What evaluations request. The keys are those of `held` only where the owner has updated them.
   PhaseRequest request;
 
-  /// Holds nothing.
-  void clear() { held.clear(), request.keys.clear(), rows_.forget(); }
   /// Reads the rows of the held contacts in the evaluation `e`, with the velocities u. False:
   /// fault() says why.
   bool read(const Evaluation& e, const Eigen::VectorXd& u);

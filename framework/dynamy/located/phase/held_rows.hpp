@@ -23,8 +23,6 @@ class HeldRows {
   /// why.
   bool read(const std::vector<Held>& held, const Evaluation& e, const Eigen::VectorXd& u,
             PhaseFault& fault);
-  /// There are no rows until the next read().
-  void forget() { row0_.clear(); }
   /// Finds the sets of forces at the relative velocities read last. False: `fault` says why.
   bool readSets(const std::vector<Held>& held, const Evaluation& e, PhaseFault& fault);
   /// Rows for which the velocities `before` + τ u̇ keep the constraints of `next`, the contacts at

@@ -27,7 +27,7 @@ class PhaseMotion {
   /// Brings the keys up to date, after the held contacts have changed.
   void rekey();
   /// Holds nothing.
-  void clear() { phase.clear(); }
+  void clear() { phase.held.clear(), phase.request.keys.clear(); }
   /// Evaluates the forces at p.x in slot 0: p gets its derivatives, forces and powers. False: the
   /// phase has a fault. `alone`: HeldContacts::alone, where the slot is soon evaluated anew.
   bool evaluate(MechanicalSystem& s, PhasePoint& p, bool alone = false);

@@ -62,6 +62,7 @@ Refusal LocatedMotion::enter(LocatedStep& step, const State& x, const Start& sta
     system_ = &s;
   }
   Refusal refusal;
+  parts_.repeated = 0;
   if (start.held == nullptr && !start.goesOn)
     refusal = begin(step, x, start.scaled);
   else if (start.goesOn)
@@ -116,8 +117,11 @@ Refusal LocatedMotion::restore(LocatedStep& step, const State& x, const HeldStat
     from_.a.setZero(x.u.size());
     return events_.event(step, from_);
   }
+  const long before = s.evaluations();
   motion.step.implicitStep().keep(s, motion.phase, x, held.jacobian);
-  return step.evaluate(from_);
+  Refusal refusal = step.evaluate(from_);
+  parts_.repeated = s.evaluations() - before;
+  return refusal;
 }
 
 Refusal LocatedMotion::proceed(LocatedStep& step, double most, bool& done) {
@@ -192,6 +196,9 @@ Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound
     refusal = events_.passInstant(step, to_, bound.end);
   else if (refusal = projection_.take(step, to_, missing); !refusal && !missing && ended)
     refusal = step.evaluate(to_);
+  else if (!refusal && !missing && !motion.phase.held.empty() &&
+           !motion.phase.accelerate(step.s.slot(0), to_.x.u, to_.a))  // from where a search looked
+    refusal = step.fault();
   step.book(trial.found ? &StepEffort::events : &StepEffort::smooth);
   if (!missing) return refusal;
   // The decision at the start is repeated with the bias that an element lacks.

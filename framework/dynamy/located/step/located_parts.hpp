@@ -23,6 +23,8 @@ struct LocatedParts {
   /// True: the motion decided where the last step ended: at a switch, at an announced instant, or at
   /// a part of the time that a slip lasts; else a bound on the length or on the error did.
   bool endedByMotion = false;
+  /// Evaluations by which the last step restored what a run that goes on knows.
+  long repeated = 0;
 
   /// Time that instants are compared with [s]: the next trial, at most T, since steps at rest grow
   /// beyond T.
