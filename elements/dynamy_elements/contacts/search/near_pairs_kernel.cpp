@@ -21,18 +21,19 @@ double restReach(const TouchingShape& s) {
 
 }  // namespace
 
-/// If shapes are few, they are found early, so that their gaps can be followed. Among many, each is
-/// found within the distance that it moves while the fastest one moves by the requested reach. A
-/// reach τ max |u| is thus τ (|v| + l |Ω|) for a single shape.
+/// Each shape is found within the distance that it moves while the fastest one moves by the requested
+/// reach. A reach τ max |u| is thus τ (|v| + l |Ω|) for a single shape. If shapes are few, they are
+/// found early besides, so that their gaps can be followed.
 void NearPairs::lookAhead(const Kinematics& k, const ContactRequest& request) {
   const std::vector<TouchingShape>& shapes = shapes_->inSpace();
   const double all = std::max(request.gTol, 0.0);
+  const bool few = !rules_->few().empty();
   tau_ = 0.0;
-  if (!rules_->few().empty() || request.refresh) {
+  if (few || request.refresh) {
     // Contacts that are to count as closed are searched at any distance.
-    const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.5 * all;
+    const double further = request.refresh ? std::numeric_limits<double>::infinity() : 0.0;
     for (std::size_t i = 0; i < shapes.size(); ++i) reach_[i] = shapes_->early(i) + further;
-    return;
+    if (request.refresh) return;
   }
   double fastest = 0.0;
   for (const int i : moving_) {
@@ -40,7 +41,7 @@ void NearPairs::lookAhead(const Kinematics& k, const ContactRequest& request) {
     fastest = std::max(fastest, f.v_S_I.norm() + f.Omega_I.norm());
   }
   const double tau = fastest > 0.0 ? all / fastest : 0.0;
-  if (all > kAtRest * shapes_->thinnest()) tau_ = tau;
+  if (!few && all > kAtRest * shapes_->thinnest()) tau_ = tau;
   for (const int m : moving_) {
     const auto i = static_cast<std::size_t>(m);
     const TouchingShape& s = shapes[i];
@@ -48,7 +49,8 @@ void NearPairs::lookAhead(const Kinematics& k, const ContactRequest& request) {
     const double arm = s.p_K.norm() + (s.kind == TouchingShape::Kind::ball ? 0.0 : s.bound);
     const double w = f.v_S_I.norm() + (std::isfinite(arm) ? arm : 0.0) * f.Omega_I.norm();
     // Where nothing moves yet, all is what forces add to velocities, of any body.
-    reach_[i] = (fastest > 0.0 ? std::min(tau * w, all) : 0.5 * all) + restReach(s);
+    reach_[i] = (fastest > 0.0 ? std::min(tau * w, all) : 0.5 * all) +
+                std::max(restReach(s), few ? shapes_->early(i) : 0.0);
   }
 }
 
