@@ -52,6 +52,7 @@ class BroadPhase {
   };
   void compareAll(const std::vector<Ball>& balls);
   bool fill(const std::vector<Ball>& balls);
+  std::size_t cellsOfEach() const;
   void lookAround(const std::vector<Ball>& balls, int i);
   void lookInto(const std::vector<Ball>& balls, int i, const Cell& cell, bool later);
   bool fillsUp();

@@ -7,8 +7,9 @@
 namespace dynamy {
 namespace {
 
-/// Up to so many balls all pairs are compared, which costs less than sorting balls into cells.
-constexpr std::size_t kFew = 24;
+/// Up to so many balls all pairs are compared, which costs less than sorting balls into cells; and up to
+/// kPairsOfCell times the cells that each looks into, which takes as long as comparing so many pairs.
+constexpr std::size_t kFew = 24, kPairsOfCell = 3;
 /// Memory for up to so many pairs is reserved at once if more than a few are found (200 MB).
 constexpr std::size_t kAtOnce = 25'000'000;
 /// Bound of the coordinates of cells, also for bodies that fly away.
@@ -35,7 +36,7 @@ const std::vector<BroadPhase::Pair>& BroadPhase::near(const std::vector<Ball>& b
                                                       std::size_t each) {
   pairs_.clear(), overfull_ = false;
   most_ = kMostPairs + each * balls.size();
-  if (balls.size() <= kFew || !fill(balls)) {
+  if (balls.size() <= kFew || !fill(balls) || balls.size() <= kPairsOfCell * cellsOfEach()) {
     compareAll(balls);
     return pairs_;
   }
@@ -115,6 +116,13 @@ bool BroadPhase::fill(const std::vector<Ball>& balls) {
     members_[static_cast<std::size_t>(--first_[bucket(cell_[i])])] = static_cast<int>(i);
   }
   return true;
+}
+
+/// Number of cells into which a ball of the mean level looks.
+std::size_t BroadPhase::cellsOfEach() const {
+  const auto levels =
+      static_cast<std::size_t>(std::count(std::begin(used_), std::end(used_), true));
+  return 14 + 27 * (levels - 1) / 2;
 }
 
 BroadPhase::Cell BroadPhase::cellOf(const Vec3& c, int level) const {
