@@ -199,6 +199,15 @@ TEST(LocatedRest, ShortensStepsWhereForcesChangeUnseen) {
   EXPECT_TRUE(run.report().warnings.empty());
 }
 
+TEST(LocatedRest, IsNotTheInstantAtWhichATumblingBodyTurnsBack) {
+  // Corners of a die leave the table and hit it within 1 µs around 0.5014 s, while it accelerates at
+  // 60 rad/s² from 1e-6 rad/s: forces change within steps of 2e-7 s, but it is not at rest.
+  LocatedRun run("dice", 1e-4, 0.51);
+  ASSERT_EQ(run.run().ended, RunReport::Ended::finished) << run.report().reason;
+  EXPECT_GT(run.report().contacts.impacts, 20);
+  EXPECT_EQ(run.report().located.unseen.value, 0.0);
+}
+
 TEST(LocatedRest, ARatchetMissesNoPeriodOfItsRing) {
   // The model's closed form, b = 30/s², w = 10/s: (1 + b/(10 w)) + (100 − (b/w)²)/(2 b) rad a
   // period. Steps at rest grow to seven periods, and looks at 0.93 of one seem to tell that it

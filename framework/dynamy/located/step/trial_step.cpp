@@ -156,9 +156,13 @@ TrialStep::Tried TrialStep::shortOfMeeting(LocatedStep& step, Trial& trial, doub
   return fail(step.lose(met != kNoContact ? met : probe.unfollowed()), trial);
 }
 
-bool TrialStep::moves(const Eigen::VectorXd& u) const {
-  for (Eigen::Index i = 0; i < u.size(); ++i)
-    if (parts_.norm.velocity(i, u[i], 0.0) > InstantConstants::still) return true;
+/// True: bodies move at p, or would within the least length of a step at rest.
+bool TrialStep::moves(const PhasePoint& p) const {
+  const double least = InstantConstants::shortRest * parts_.norm.time();
+  for (Eigen::Index i = 0; i < p.x.u.size(); ++i)
+    if (parts_.norm.velocity(i, std::max(std::abs(p.x.u[i]), least * std::abs(p.a[i])), 0.0) >
+        InstantConstants::still)
+      return true;
   return false;
 }
 
@@ -167,8 +171,8 @@ bool TrialStep::moves(const Eigen::VectorXd& u) const {
 bool TrialStep::tooLongAtRest(LocatedStep& step, const Trial& trial) {
   // Where nothing moves, no error bounds the step, however fast forces change with time.
   SwitchSearch& search = parts_.search;
-  if (!search.any() || trial.found.kind == Switch::Kind::atStart || moves(step.from.x.u) ||
-      moves(step.to.x.u) || !search.rough(step.s, parts_.probe, parts_.motion.phase, path_))
+  if (!search.any() || trial.found.kind == Switch::Kind::atStart || moves(step.from) ||
+      moves(step.to) || !search.rough(step.s, parts_.probe, parts_.motion.phase, path_))
     return false;
   if (trial.h > InstantConstants::shortRest * parts_.norm.time()) return true;
   double& unseen = step.report.counts.unseen;
