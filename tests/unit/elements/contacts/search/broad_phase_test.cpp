@@ -43,14 +43,14 @@ TEST(BroadPhase, FindsThePairsThatComparingAllFinds) {
     const auto equal = scattered(600, seed, [](auto&) { return 0.08; });
     EXPECT_EQ(broad.near(equal), compared(equal));
     EXPECT_GT(compared(equal).size(), 100u);
-    // Sizes over four decades: many levels.
+    // Sizes over four decades: many levels, up to 190 cells for each, more than 8 · 190 balls.
     const auto mixed =
-        scattered(600, seed, [&](auto& r) { return 0.5 * std::pow(1e-4, uniform(r)); });
+        scattered(2000, seed, [&](auto& r) { return 0.5 * std::pow(1e-4, uniform(r)); });
     EXPECT_EQ(broad.near(mixed), compared(mixed));
     // Few, and with some that take no part.
     const auto few = scattered(10, seed, [&](auto& r) { return uniform(r) - 0.2; });
     EXPECT_EQ(broad.near(few), compared(few));
-    const auto parts = scattered(300, seed, [&](auto& r) { return 0.2 * uniform(r) - 0.05; });
+    const auto parts = scattered(1000, seed, [&](auto& r) { return 0.2 * uniform(r) - 0.05; });
     EXPECT_EQ(broad.near(parts), compared(parts));
   }
 }
@@ -120,7 +120,7 @@ TEST(BroadPhase, StandsWhatLiesOnItsCells) {
 
 TEST(BroadPhase, StandsBodiesThatFlyAwayAndPointsWithoutSize) {
   BroadPhase broad;
-  std::vector<Ball> balls = scattered(100, 3, [](auto&) { return 0.2; });
+  std::vector<Ball> balls = scattered(300, 3, [](auto&) { return 0.2; });
   balls[7].c.x() = 1e300, balls[8].c.y() = -std::numeric_limits<double>::infinity();
   balls[9].c.z() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(broad.near(balls), compared(balls));
