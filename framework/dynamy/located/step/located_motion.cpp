@@ -196,8 +196,8 @@ Refusal LocatedMotion::finish(LocatedStep& step, const Trial& trial, const Bound
     refusal = events_.passInstant(step, to_, bound.end);
   else if (refusal = projection_.take(step, to_, missing); !refusal && !missing && ended)
     refusal = step.evaluate(to_);
-  else if (!refusal && !missing && !motion.phase.held.empty() &&
-           !motion.phase.accelerate(step.s.slot(0), to_.x.u, to_.a))  // from where a search looked
+  else if (!refusal && !missing && parts_.search.looksAtForces() &&
+           !motion.phase.accelerate(step.s.slot(0), to_.x.u, to_.a))
     refusal = step.fault();
   step.book(trial.found ? &StepEffort::events : &StepEffort::smooth);
   if (!missing) return refusal;

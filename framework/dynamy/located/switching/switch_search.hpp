@@ -49,6 +49,8 @@ class SwitchSearch {
   /// the samples resolve. Evaluates the monitors between the samples, once those of forces.
   bool rough(MechanicalSystem& s, ContactProbe& probe, FrozenPhase& phase, const QuinticPath& path);
   bool any() const { return kinematic_.monitors.any() || force_.any(); }
+  /// True: find() evaluates forces, and leaves those of its last look in the phase.
+  bool looksAtForces() const { return force_.any(); }
   /// Notes the forces at the end of the path, time t; to be called before find().
   void atEnd(const FrozenPhase& phase, double t) { force_.atEnd(phase, t); }
   /// Forgets all noted forces, because statuses have changed.
