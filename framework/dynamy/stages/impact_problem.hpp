@@ -18,8 +18,8 @@ struct StepLimits {
   /// Time [s] in which overlaps are pushed out, if the step is shorter: the short parts of a step
   /// would throw bodies apart with g/Δt, whatever deep overlaps an unsolved step has left.
   double pushOut = 0.0;
-  /// The program chose the scheme: forces that the step resolves are taken by a neutral rule, which
-  /// keeps their energy whatever the steps.
+  /// The step is a part of another: forces that it resolves are taken by a neutral rule, which keeps
+  /// their energy although parts are not equal.
   bool neutral = false;
   Workers* workers = nullptr;               ///< threads; null: the caller's alone. Borrowed.
   const std::atomic<bool>* stop = nullptr;  ///< solvers stop once it is set; null: never. Borrowed.

@@ -25,7 +25,7 @@ class ImplicitForces {
 
   /// At `e`, evaluated at x: finds the forces that a step Δt does not resolve, and factorises M̂ with
   /// them, with weights `declared` of stiff elements. unresolved() says whether there are any.
-  /// neutral: forces that the step resolves are taken by the implicit midpoint rule.
+  /// neutral: steps are not equal; forces that they resolve are taken by the implicit midpoint rule.
   void resolve(const SystemParts& parts, const Evaluation& e, const State& x, double dt,
                const ImplicitWeights& declared, bool neutral);
   /// M̂ contains forces of elements that are not declared stiff.

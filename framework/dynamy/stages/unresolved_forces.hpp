@@ -12,9 +12,9 @@
 /// 1.4 for a spring to the ground, and 2 for a spring between two equal bodies. Rejected: the
 /// largest eigenvalue of all forces together, by which soft forces would count as unresolved, too.
 ///
-/// Under explicit rules the energy of an oscillation swings by (ωΔt)²/4, and drifts where steps are not
-/// equal. Where the program chose the scheme, and no block is above one half, forces above a share of
-/// 0.002 are found for the neutral implicit midpoint rule, which keeps it whatever the steps (theory 37.6).
+/// Explicit rules keep the energy of an oscillation only while their steps are equal. Where steps
+/// are not, and no block is above one half, forces above a share of 0.002 are found for the neutral
+/// implicit midpoint rule, which keeps it whatever the steps (theory 37.6).
 #pragma once
 #include <dynamy/system/external_force.hpp>
 #include <dynamy/system/mass_matrix.hpp>

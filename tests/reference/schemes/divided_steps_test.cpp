@@ -47,20 +47,6 @@ TEST(DividedSteps, FollowASpringThatTheStepDoesNot) {
   EXPECT_TRUE(s.report().warnings.empty());
 }
 
-TEST(DividedSteps, AreNotNeededForAnEnergyThatStays) {
-  // Under an explicit rule ωΔt = 0.3 makes the energy swing by (ωΔt)²/4 = 2 %.
-  std::string text = oscillator("");
-  text.replace(text.find("0.04"), 4, "0.003");
-  Scene loaded("oscillator", {.text = text});
-  Simulation s(loaded.model());
-  while (s.step()) {
-    const double x = s.state().q[1] - 1.0, u = s.state().u[1];
-    EXPECT_NEAR(0.5 * u * u + 0.5e4 * x * x, 0.5, 1e-9 * 0.5) << s.state().t;  // as above
-  }
-  EXPECT_EQ(s.report().passing.divided, 0);
-  EXPECT_TRUE(s.report().warnings.empty());
-}
-
 TEST(DividedSteps, BeginWithTheFirstStep) {
   // ωΔt = 20 beside a hundred masses at rest: 2 √(2 · 100)/0.35 = 81 parts of one evaluation, of
   // the 237 that 202 velocities may have. The first attempt of a run takes three evaluations, with

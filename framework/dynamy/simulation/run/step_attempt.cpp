@@ -10,6 +10,8 @@
 namespace dynamy {
 namespace {
 
+constexpr double kPart = 0.75;  ///< shorter steps are parts, over the length of a step
+
 bool isSet(const std::atomic<bool>* flag) {
   return flag != nullptr && flag->load(std::memory_order_relaxed);
 }
@@ -51,7 +53,8 @@ bool StepAttempt::take(double tEnd, double dt, const std::atomic<bool>* stop) {
   system_.limits.stop = last ? nullptr : stop;
   const Effort effort = searches ? searches_.next() : Effort::full;
   system_.limits.pushOut = searches ? model_.simulation.step : 0.0;
-  system_.limits.neutral = searches && model_.schemeIsDefault();
+  system_.limits.neutral =
+      searches && model_.schemeIsDefault() && dt < kPart * model_.simulation.step;
   system_.limits.effort = effort;
   report_ = model_.scheme().step(system_, model_.solver(), x_, dt);
   while (sleep_ != nullptr && sleep_->wakes(system_, before_)) {
